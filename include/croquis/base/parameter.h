@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// The one description of a parameter: the command line's option and help, the panel's slider, the project file's
+/// field and the reference page are all made from it.
+namespace croquis {
+
+enum class ParameterType {
+  Flag,     ///< bool
+  Integer,  ///< std::int64_t
+  Number,   ///< double
+  Choice,   ///< std::string, one of `choices`
+  Text,     ///< std::string
+  File      ///< std::string, a path
+};
+
+using ParameterValue = std::variant<bool, std::int64_t, double, std::string>;
+
+struct ParameterDescription {
+  std::string name;      ///< "weight-curvature": the option is `--weight-curvature`
+  ParameterType type = ParameterType::Number;
+  ParameterValue default_value;  ///< of the type above; an empty Text or File means "not given"
+  double minimum = -std::numeric_limits<double>::infinity();  ///< Integer and Number only, inclusive
+  double maximum = std::numeric_limits<double>::infinity();
+  std::vector<std::string> choices;  ///< Choice only
+  std::string unit;      ///< what one unit of it is ("× median radius"), empty for none
+  std::string sentence;  ///< one sentence of help
+};
+
+/// Values by parameter name. Holds every parameter of its description once `complete` has run.
+using ParameterValues = std::map<std::string, ParameterValue>;
+
+/// Fills in defaults and checks each value against its description.
+/// @throws Error with one E_PARAMETER finding for every unknown name, wrong type, and value out of its range
+ParameterValues complete(const std::vector<ParameterDescription>& descriptions, ParameterValues values);
+
+/// Reads a value of the described type from text.
+/// @throws Error (E_PARAMETER) naming the parameter and what would have been accepted
+ParameterValue parse_parameter(const ParameterDescription& description, const std::string& text);
+
+/// The text that parse_parameter turns back into the same value.
+std::string to_text(const ParameterValue& value);
+
+/// "flag", "integer", "number", "choice", "text", "file".
+const char* to_string(ParameterType type);
+
+}  // namespace croquis

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/base/parameter.h"
+
+#include "croquis/base/error.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace croquis {
+namespace {
+
+std::string number_text(double value) {
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
+  return {buffer, end};
+}
+
+std::string range_text(const ParameterDescription& description) {
+  const bool low = std::isfinite(description.minimum);
+  const bool high = std::isfinite(description.maximum);
+  if (low && high) return " from " + number_text(description.minimum) + " to " + number_text(description.maximum);
+  if (low) return " of at least " + number_text(description.minimum);
+  if (high) return " of at most " + number_text(description.maximum);
+  return "";
+}
+
+std::string accepted(const ParameterDescription& description) {
+  switch (description.type) {
+    case ParameterType::Flag: return "true or false";
+    case ParameterType::Integer: return "a whole number" + range_text(description);
+    case ParameterType::Number: return "a number" + range_text(description);
+    case ParameterType::Text: return "a text";
+    case ParameterType::File: return "a file name";
+    case ParameterType::Choice: break;
+  }
+  std::string list = "one of ";
+  for (std::size_t i = 0; i < description.choices.size(); ++i) {
+    if (i > 0) list += i + 1 == description.choices.size() ? " or " : ", ";
+    list += description.choices[i];
+  }
+  return list;
+}
+
+Finding refusal(const ParameterDescription& description, const std::string& given) {
+  return make_error(Category::Usage, "E_PARAMETER",
+                    "'" + given + "' is no value for " + description.name + ": it takes " + accepted(description) + ".",
+                    {{SubjectKind::Parameter, description.name, {}, {}, {}}});
+}
+
+bool in_range(const ParameterDescription& description, double value) {
+  return std::isfinite(value) && value >= description.minimum && value <= description.maximum;
+}
+
+bool acceptable(const ParameterDescription& description, const ParameterValue& value) {
+  switch (description.type) {
+    case ParameterType::Flag: return std::holds_alternative<bool>(value);
+    case ParameterType::Integer:
+      return std::holds_alternative<std::int64_t>(value) &&
+             in_range(description, static_cast<double>(std::get<std::int64_t>(value)));
+    case ParameterType::Number:
+      return std::holds_alternative<double>(value) && in_range(description, std::get<double>(value));
+    case ParameterType::Choice:
+      return std::holds_alternative<std::string>(value) &&
+             std::find(description.choices.begin(), description.choices.end(), std::get<std::string>(value)) !=
+                 description.choices.end();
+    case ParameterType::Text:
+    case ParameterType::File: return std::holds_alternative<std::string>(value);
+  }
+  return false;
+}
+
+template <typename Number>
+bool read_whole(const std::string& text, Number& number) {
+  const char* end = text.data() + text.size();
+  const auto [stopped, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc{} && stopped == end;
+}
+
+}  // namespace
+
+const char* to_string(ParameterType type) {
+  switch (type) {
+    case ParameterType::Flag: return "flag";
+    case ParameterType::Integer: return "integer";
+    case ParameterType::Number: return "number";
+    case ParameterType::Choice: return "choice";
+    case ParameterType::Text: return "text";
+    case ParameterType::File: return "file";
+  }
+  return "text";
+}
+
+ParameterValues complete(const std::vector<ParameterDescription>& descriptions, ParameterValues values) {
+  Findings findings;
+  for (const auto& [name, value] : values) {
+    const auto known = std::find_if(descriptions.begin(), descriptions.end(),
+                                    [&name = name](const auto& description) { return description.name == name; });
+    if (known == descriptions.end()) {
+      findings.push_back(make_error(Category::Usage, "E_PARAMETER", "There is no parameter '" + name + "'.",
+                                    {{SubjectKind::Parameter, name, {}, {}, {}}}));
+    } else if (!acceptable(*known, value)) {
+      findings.push_back(refusal(*known, to_text(value)));
+    }
+  }
+  if (!findings.empty()) throw Error(std::move(findings));
+  for (const ParameterDescription& description : descriptions) {
+    values.try_emplace(description.name, description.default_value);
+  }
+  return values;
+}
+
+ParameterValue parse_parameter(const ParameterDescription& description, const std::string& text) {
+  ParameterValue value = text;
+  if (description.type == ParameterType::Flag && (text == "true" || text == "false")) {
+    value = text == "true";
+  } else if (description.type == ParameterType::Integer) {
+    std::int64_t integer = 0;
+    if (read_whole(text, integer)) value = integer;
+  } else if (description.type == ParameterType::Number) {
+    double number = 0;
+    if (read_whole(text, number)) value = number;
+  }
+  if (!acceptable(description, value)) throw Error(refusal(description, text));
+  return value;
+}
+
+std::string to_text(const ParameterValue& value) {
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) return std::to_string(*integer);
+  if (const auto* number = std::get_if<double>(&value)) return number_text(*number);
+  return std::get<std::string>(value);
+}
+
+}  // namespace croquis

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/base/progress.h"
+
+#include "croquis/base/error.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace croquis {
+
+Progress::Progress(Sink sink, const std::atomic<bool>* cancel)
+    : shared_(std::make_shared<Shared>(Shared{std::move(sink), 0})), cancel_(cancel) {}
+
+Progress Progress::step(const std::string& name, double share) {
+  Progress part = *this;
+  const double length = end_ - begin_;
+  part.name_ = name;
+  part.begin_ = begin_ + length * handed_out_;
+  handed_out_ = std::clamp(handed_out_ + share, 0.0, 1.0);
+  part.end_ = begin_ + length * handed_out_;
+  part.handed_out_ = 0;
+  part.report(0);
+  return part;
+}
+
+void Progress::report(double fraction) {
+  check();
+  if (!shared_ || !shared_->sink) return;
+  const double whole = begin_ + (end_ - begin_) * std::clamp(fraction, 0.0, 1.0);
+  shared_->highest = std::max(shared_->highest, whole);
+  shared_->sink(shared_->highest, name_);
+}
+
+void Progress::check() const {
+  if (cancelled()) throw Cancelled();
+}
+
+}  // namespace croquis
