@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "croquis/base/finding.h"
+#include "croquis/base/progress.h"
+#include "croquis/geometry/drawing.h"
+#include "croquis/geometry/planar_triangulation.h"
+#include "croquis/silhouette/options.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+/// From strokes to a labelled figure: every contour closed, every piece of it with the number of surfaces in front.
+/// Cordier, Seo, Cho 2006, section 3; Williams 1994 (figural completion and labelling).
+namespace croquis::silhouette {
+
+/// A closed contour of a smooth solid: drawn strokes joined by completed hidden pieces.
+struct FigureContour {
+  std::vector<Index> vertices;      ///< cyclic, indices into LabelledFigure::points; segment i joins i and i+1
+  std::vector<std::uint8_t> drawn;  ///< per segment: 1 = stroke, 0 = completion or bridge over a joined gap's far side
+  std::vector<Index> strokes;       ///< indices into Drawing::strokes, in the order along the contour
+  int side = 1;                     ///< sigma: the surface lies on the left (+1) or the right (-1)
+  Index object = 0;                 ///< index into LabelledFigure::objects
+};
+
+/// A piece of contour between two crossings (a contour without crossings is one arc).
+struct FigureArc {
+  Index contour = 0;
+  Index begin = 0;    ///< position of its first segment in the contour
+  Index count = 0;    ///< number of segments, cyclic
+  bool visible = true;  ///< most of its length is drawn
+  int depth = 0;        ///< n: surfaces in front of it; 0 exactly for visible arcs
+};
+
+/// Two contours (or one with itself) cross here.
+struct FigureCrossing {
+  Index vertex = 0;
+  Index over_contour = 0;
+  Index over_position = 0;  ///< index of the crossing vertex in the over contour's vertices
+  Index under_contour = 0;
+  Index under_position = 0;
+};
+
+/// A hidden contour piece that joins two stroke ends: a cubic Bezier, G1 with both strokes.
+struct FigureCompletion {
+  std::array<Vec2, 4> bezier;
+  Index contour = 0;
+  double cost = 0;  ///< dimensionless
+};
+
+/// One solid of the drawing: a connected component of the paneling (or all that a group was forced into).
+struct FigureObject {
+  std::string name;             ///< the group's data-object, else the id of its first stroke
+  std::vector<Index> strokes;   ///< indices into Drawing::strokes
+  std::vector<Index> contours;
+  int euler_region = 0;         ///< Euler number of its immersed region, from the turning numbers of its contours
+};
+
+/// One place where an object passes in front of another, or of itself: the region of a pair of layers.
+struct FigureOverlap {
+  Vec2 at = Vec2::Zero();
+  Index upper = 0;  ///< objects
+  Index lower = 0;
+};
+
+/// The labelled figure of one part of a drawing; parts share no contour, crossing or overlap.
+struct LabelledFigure {
+  double unit = 1;  ///< u of the whole drawing
+  double step = 6;  ///< spacing of the samples, sketch units (not u)
+  std::vector<Vec2> points;  ///< contour samples and crossings, y up
+  std::vector<FigureContour> contours;
+  std::vector<FigureArc> arcs;
+  std::vector<FigureCrossing> crossings;
+  std::vector<FigureCompletion> completions;
+  std::vector<FigureObject> objects;
+  std::vector<FigureOverlap> overlaps;
+  std::vector<std::array<Index, 2>> segments;  ///< #S by 2: every contour segment once, the constraints of the triangulation
+  std::vector<Index> segment_arc;              ///< #S: the arc that a segment belongs to
+  PlanarTriangulation triangulation;           ///< of points, constrained to segments
+  std::vector<int> layers;                     ///< per triangle: w, the number of surfaces there
+  std::vector<Index> faces;                    ///< per triangle: the face of the arrangement it lies in (0 = outside)
+  std::vector<std::vector<Vec2>> raw_contours; ///< per contour the strokes before smoothing, completions between: for checks
+  int panels = 0;                              ///< sum of w over the faces
+};
+
+struct LabelledDrawing {
+  std::vector<LabelledFigure> figures;  ///< independent parts that could be labelled
+  Findings findings;                    ///< warnings, and the errors of parts that could not
+};
+
+/// Sections 4 to 7: prepares strokes, finds which ends pass behind what, completes and labels the contours.
+///
+/// One bad part doesn't stop the others; all findings of the drawing come at once.
+/// @throws Error carrying all findings when no part can be labelled; Cancelled
+LabelledDrawing label(const Drawing& drawing, const Options& options, Progress& progress);
+
+}  // namespace croquis::silhouette

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace croquis::silhouette {
+
+/// Lengths of the drawing stage are in sketch units u: the diagonal of the sketch's bounding box / 1000, so that a
+/// drawing and its enlargement give the same solid. Lengths of the depth stage are in L, the median skeleton radius.
+
+enum class Preset {
+  Clean,  ///< exact lines: vector drawings, snapped pens
+  Tablet  ///< hand-drawn lines: more smoothing, wider reach of a stroke's end
+};
+
+/// Stroke preparation.
+struct StrokeOptions {
+  double step = 6;        ///< u, 2..20: spacing of contour samples
+  double tiny = 12;       ///< u: shorter strokes are ignored with a warning
+  double close = 8;       ///< u: ends nearer than this close the stroke
+  double gap = 18;        ///< u: ends of two strokes nearer than this may be one line
+  double snap = 10;       ///< u: how far an end may stop short of, or overshoot, the line it passes behind
+  int smoothing_passes = 2;  ///< 0..20: Taubin passes
+};
+
+/// Completion of hidden contours.
+struct CompletionOptions {
+  double length_weight = 1;
+  double curvature_weight = 0.3;
+  double maximum_cost = 40;     ///< dearer candidates are not tried
+  int maximum_matchings = 400;  ///< a count, never a clock: the same drawing always gives the same answer
+};
+
+/// The three qualities of the depth solve and what keeps parts apart. An object may override the weights.
+struct DepthOptions {
+  double weight_curvature = 1;      ///< 1e-3..1
+  double weight_orientation = 0.1;  ///< 1e-3..1
+  double weight_distance = 0.1;     ///< 1e-3..1
+  double minimum_gap = 0.1;         ///< L, 0.01..1: least distance between sheets in front of one another
+  double node_spacing = 0.3;        ///< local radii, 0.1..1: spacing of skeleton nodes along a branch
+};
+
+struct Options {
+  StrokeOptions strokes;
+  CompletionOptions completion;
+  DepthOptions depth;
+
+  static Options of(Preset preset) {
+    Options options;
+    if (preset == Preset::Tablet) {
+      options.strokes.snap = 14;
+      options.strokes.smoothing_passes = 8;
+    }
+    return options;
+  }
+};
+
+}  // namespace croquis::silhouette

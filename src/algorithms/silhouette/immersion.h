@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "croquis/geometry/planar_triangulation.h"
+#include "croquis/geometry/vector.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace croquis::silhouette {
+
+/// The immersed region M: w copies of every planar triangle, glued across its edges as the paneling says.
+///
+/// Layer 0 is nearest to the viewer. All layers share one planar triangulation, so edges conform by construction.
+struct LiftedTriangulation {
+  std::vector<Index> first_copy;                 ///< #T+1: the copies of planar triangle t are first_copy[t] … in layer order
+  std::vector<std::array<Index, 3>> triangles;   ///< #M by 3 lifted vertices, corners in the planar triangle's order
+  std::vector<std::array<Index, 3>> neighbours;  ///< #M by 3, across the edge opposite to corner i; no_index on the boundary
+  std::vector<Index> planar_triangle;            ///< #M
+  std::vector<Index> planar_vertex;              ///< per lifted vertex: its point
+  std::vector<std::uint8_t> on_boundary;         ///< per lifted vertex
+
+  Index layer_of(Index triangle) const { return triangle - first_copy[planar_triangle[triangle]]; }
+};
+
+/// Makes the copies and glues them: across a plain edge layer i to layer i; across a contour segment of depth n from the
+/// side with more layers, (F,i) to (F',i) for i < n and to (F',i-1) for i > n, while (F,n) ends there.
+/// @param layers           #T, number of copies
+/// @param constraint_depth per constraint of the triangulation: n
+LiftedTriangulation lift(const PlanarTriangulation& planar, std::span<const int> layers,
+                         std::span<const int> constraint_depth);
+
+}  // namespace croquis::silhouette

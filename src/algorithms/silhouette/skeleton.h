@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "croquis/geometry/vector.h"
+
+#include <array>
+#include <vector>
+
+namespace croquis::silhouette {
+
+/// A place in the immersed region: a planar triangle of the figure and the layer there (0 in front).
+struct SheetPlace {
+  Index triangle = no_index;
+  Index layer = 0;
+
+  friend bool operator==(const SheetPlace&, const SheetPlace&) = default;
+};
+
+/// A node of the chordal axis.
+struct SkeletonNode {
+  Vec2 position = Vec2::Zero();
+  double radius = 0;
+  double z = 0;                   ///< set by the depth solve
+  Vec2 gradient = Vec2::Zero();   ///< of the carrying surface: its normal is (-g, 1); set by the depth solve
+  std::array<Vec2, 2> chord;      ///< the chord's two ends on the contours
+  SheetPlace place;               ///< where the node itself lies
+  std::vector<SheetPlace> crossed;  ///< one place for every panel (face, layer) that its chord passes through
+  Index object = 0;
+};
+
+/// The chordal axis of one labelled figure.
+struct Skeleton {
+  std::vector<SkeletonNode> nodes;
+  std::vector<std::array<Index, 2>> edges;
+  double scale = 0;  ///< L: median radius of the nodes
+  /// Radius along the contours, from all chords before decimation: per contour and position the radius of the chord
+  /// (or cap) that the contour vertex belongs to. NaN where no chord ends.
+  std::vector<std::vector<double>> contour_radius;
+};
+
+}  // namespace croquis::silhouette

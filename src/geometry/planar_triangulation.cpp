@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/geometry/planar_triangulation.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+namespace croquis {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
+using PlainFaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;
+using FaceBase = CGAL::Triangulation_face_base_with_info_2<Index, Kernel, PlainFaceBase>;
+using DataStructure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
+using Triangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, DataStructure, CGAL::No_constraint_intersection_tag>;
+using VertexHandle = Triangulation::Vertex_handle;
+using FaceHandle = Triangulation::Face_handle;
+
+std::vector<VertexHandle> insert_points(std::span<const Vec2> points, Triangulation& triangulation,
+                                        PlanarConflict& conflict) {
+  std::vector<std::pair<Kernel::Point_2, Index>> numbered;
+  numbered.reserve(points.size());
+  for (const Vec2& point : points) {
+    numbered.emplace_back(Kernel::Point_2(point.x(), point.y()), static_cast<Index>(numbered.size()));
+  }
+  triangulation.insert(numbered.begin(), numbered.end());
+
+  std::vector<VertexHandle> handles(points.size());
+  for (const VertexHandle vertex : triangulation.finite_vertex_handles()) handles[vertex->info()] = vertex;
+  if (triangulation.number_of_vertices() == points.size()) return handles;
+  for (Index i = 0; i < points.size(); ++i) {
+    if (handles[i] != VertexHandle()) continue;
+    // Inserting a point again finds the vertex that has its place.
+    const VertexHandle twin = triangulation.insert(numbered[i].first);
+    conflict.coincident_points.emplace_back(std::min(i, twin->info()), std::max(i, twin->info()));
+  }
+  return handles;
+}
+
+void insert_constraints(std::span<const std::array<Index, 2>> constraints, std::span<const VertexHandle> handles,
+                        Triangulation& triangulation, PlanarConflict& conflict) {
+  for (Index c = 0; c < constraints.size(); ++c) {
+    try {
+      triangulation.insert_constraint(handles[constraints[c][0]], handles[constraints[c][1]]);
+    } catch (const Triangulation::Intersection_of_constraints_exception&) {
+      conflict.blocked_constraints.push_back(c);
+    }
+  }
+}
+
+PlanarTriangulation flatten(Triangulation& triangulation) {
+  PlanarTriangulation flat;
+  const std::size_t count = triangulation.number_of_faces();
+  flat.triangles.reserve(count);
+  flat.neighbours.reserve(count);
+  flat.constraints.assign(count, {no_index, no_index, no_index});
+  for (const FaceHandle face : triangulation.all_face_handles()) face->info() = no_index;
+  for (const FaceHandle face : triangulation.finite_face_handles()) {
+    face->info() = static_cast<Index>(flat.triangles.size());
+    flat.triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
+  }
+  for (const FaceHandle face : triangulation.finite_face_handles()) {
+    flat.neighbours.push_back({face->neighbor(0)->info(), face->neighbor(1)->info(), face->neighbor(2)->info()});
+  }
+  return flat;
+}
+
+/// A constraint that ran through a foreign point was cut there by the triangulation and is no edge: a conflict.
+void mark_constraints(std::span<const std::array<Index, 2>> constraints, std::span<const VertexHandle> handles,
+                      const Triangulation& triangulation, PlanarTriangulationResult& result) {
+  for (Index c = 0; c < constraints.size(); ++c) {
+    FaceHandle face;
+    int corner = 0;
+    if (!triangulation.is_edge(handles[constraints[c][0]], handles[constraints[c][1]], face, corner)) {
+      result.conflict.blocked_constraints.push_back(c);
+      continue;
+    }
+    const FaceHandle twin = face->neighbor(corner);
+    const int twin_corner = twin->index(face);
+    if (face->info() != no_index) {
+      result.triangulation.constraints[face->info()][static_cast<std::size_t>(corner)] = c;
+    }
+    if (twin->info() != no_index) {
+      result.triangulation.constraints[twin->info()][static_cast<std::size_t>(twin_corner)] = c;
+    }
+  }
+}
+
+}  // namespace
+
+PlanarTriangulationResult triangulate(std::span<const Vec2> points,
+                                      std::span<const std::array<Index, 2>> constraints) {
+  PlanarTriangulationResult result;
+  Triangulation triangulation;
+  const std::vector<VertexHandle> handles = insert_points(points, triangulation, result.conflict);
+  if (!result.conflict.empty()) return result;
+  insert_constraints(constraints, handles, triangulation, result.conflict);
+  if (!result.conflict.empty() || triangulation.dimension() < 2) return result;
+  result.triangulation = flatten(triangulation);
+  mark_constraints(constraints, handles, triangulation, result);
+  if (!result.conflict.empty()) result.triangulation = {};
+  return result;
+}
+
+}  // namespace croquis
