@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "croquis/base/error.h"
+#include "croquis/io/file.h"
+#include "io/descriptor.h"
+
+namespace croquis {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int temporary_name_attempts = 10000;  // names of crashed runs that may still lie there
+
+[[noreturn]] void fail(const std::string& path, const std::string& reason) {
+  throw Error(make_error(Category::Io, "E_WRITE", "The file '" + path + "' can't be written: " + reason + ".",
+                         {{SubjectKind::File, path, path, std::nullopt, {}}}));
+}
+
+std::string reason_of(int error) {
+  switch (error) {
+    case ENOENT: return "its folder does not exist";
+    case ENOTDIR: return "a part of its path is not a folder";
+    case EISDIR: return "it is a folder";
+    case EACCES: return "you have no permission to write there";
+    case ENOSPC: return "the disk is full";
+    default: return std::strerror(error);
+  }
+}
+
+std::string sibling(const std::string& target, const char* ending, int attempt) {
+  const fs::path path(target);
+  std::string name = ".";  // hidden, and appended to: gcc 12 warns without reason about "." + …
+  name += path.filename().string();
+  name += "." + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ending;
+  return (path.parent_path() / name).string();
+}
+
+void write_all(int descriptor, const std::string& bytes, const std::string& path) {
+  std::size_t written = 0;
+  while (written < bytes.size()) {
+    const ssize_t count = ::write(descriptor, bytes.data() + written, bytes.size() - written);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail(path, reason_of(errno));
+    written += static_cast<std::size_t>(count);
+  }
+}
+
+void write_directly(const std::string& path, const std::string& bytes) {
+  Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (!file.valid()) fail(path, reason_of(errno));
+  write_all(file.get(), bytes, path);
+}
+
+// Makes the renames themselves survive a power cut; not every file system can, so failure is no error.
+void sync_folder_of(const std::string& target) {
+  const std::string folder = fs::path(target).parent_path().string();
+  const Descriptor directory(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (directory.valid()) ::fsync(directory.get());
+}
+
+}  // namespace
+
+OutputTransaction::~OutputTransaction() { roll_back(); }
+
+void OutputTransaction::add(const std::string& path, std::string bytes) {
+  const bool known = std::any_of(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.path == path; });
+  if (known) fail(path, "it is named for two different outputs");
+  Entry entry;
+  entry.path = path;
+  entry.bytes = std::move(bytes);
+  entries_.push_back(std::move(entry));
+}
+
+void OutputTransaction::commit() {
+  try {
+    for (Entry& entry : entries_) prepare(entry);
+    for (Entry& entry : entries_) {
+      if (!entry.direct) write_temporary(entry);
+    }
+    for (Entry& entry : entries_) {
+      if (!entry.direct) keep_backup(entry);
+    }
+    rename_all();
+    for (const Entry& entry : entries_) {
+      if (entry.direct) write_directly(entry.path, entry.bytes);
+    }
+  } catch (...) {
+    roll_back();
+    throw;
+  }
+  for (const Entry& entry : entries_) {
+    if (!entry.backup.empty()) ::unlink(entry.backup.c_str());
+    if (!entry.direct) sync_folder_of(entry.target);
+  }
+  entries_.clear();
+}
+
+void OutputTransaction::prepare(Entry& entry) {
+  entry.target = entry.path;
+  struct stat status {};
+  if (::stat(entry.path.c_str(), &status) != 0) {
+    if (errno != ENOENT) fail(entry.path, reason_of(errno));
+    return;
+  }
+  if (S_ISDIR(status.st_mode)) fail(entry.path, reason_of(EISDIR));
+  if (::access(entry.path.c_str(), W_OK) != 0) fail(entry.path, reason_of(errno));
+  entry.existed = true;
+  entry.direct = !S_ISREG(status.st_mode);
+  std::error_code error;
+  const fs::path resolved = fs::canonical(entry.path, error);
+  if (!error) entry.target = resolved.string();
+}
+
+void OutputTransaction::write_temporary(Entry& entry) {
+  struct stat status {};
+  const bool replaces = entry.existed && ::stat(entry.target.c_str(), &status) == 0;
+  for (int attempt = 0; attempt < temporary_name_attempts; ++attempt) {
+    const std::string name = sibling(entry.target, ".tmp", attempt);
+    Descriptor file(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (!file.valid() && errno == EEXIST) continue;
+    if (!file.valid()) fail(entry.path, reason_of(errno));
+    entry.temporary = name;
+    if (replaces) ::fchmod(file.get(), status.st_mode & 07777);
+    write_all(file.get(), entry.bytes, entry.path);
+    if (::fsync(file.get()) != 0 && errno != EINVAL) fail(entry.path, reason_of(errno));
+    if (!file.close()) fail(entry.path, reason_of(errno));
+    return;
+  }
+  fail(entry.path, "no temporary name is free beside it");
+}
+
+void OutputTransaction::keep_backup(Entry& entry) {
+  for (int attempt = 0; attempt < temporary_name_attempts; ++attempt) {
+    const std::string name = sibling(entry.target, ".old", attempt);
+    if (::link(entry.target.c_str(), name.c_str()) == 0) {
+      entry.backup = name;
+      return;
+    }
+    // No file to keep, or a file system without hard links: then a later failure can't bring the old file back.
+    if (errno != EEXIST) return;
+  }
+}
+
+void OutputTransaction::rename_all() {
+  for (Entry& entry : entries_) {
+    if (entry.direct) continue;
+    if (::rename(entry.temporary.c_str(), entry.target.c_str()) != 0) fail(entry.path, reason_of(errno));
+    entry.temporary.clear();
+    entry.renamed = true;
+  }
+}
+
+void OutputTransaction::roll_back() noexcept {
+  for (Entry& entry : entries_) {
+    if (!entry.temporary.empty()) ::unlink(entry.temporary.c_str());
+    if (entry.renamed && !entry.existed) ::unlink(entry.target.c_str());
+    if (entry.renamed && !entry.backup.empty()) ::rename(entry.backup.c_str(), entry.target.c_str());
+    if (!entry.renamed && !entry.backup.empty()) ::unlink(entry.backup.c_str());
+  }
+  entries_.clear();
+}
+
+}  // namespace croquis
