@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "croquis/base/finding.h"
+#include "croquis/base/parameter.h"
+#include "croquis/base/progress.h"
+#include "croquis/document/value.h"
+
+#include <string>
+#include <vector>
+
+/// The one extension point of Croquis: whatever makes geometry from geometry is an Operation, and every host builds
+/// its interface from the operation's own description.
+namespace croquis {
+
+/// One typed input or output of an operation.
+struct PortDescription {
+  std::string name;
+  ValueType type = ValueType::Mesh;
+  std::string sentence;
+};
+
+/// All that hosts know of an operation: options and help, panel, project-file fields and reference page come from it.
+struct OperationDescription {
+  std::string id;     ///< "inflate": also the subcommand of the command line
+  int version = 1;    ///< raised when the same parameters would give another result
+  std::string title;
+  std::string sentence;
+  std::vector<PortDescription> inputs;
+  std::vector<PortDescription> outputs;
+  std::vector<ParameterDescription> parameters;
+};
+
+/// What surrounds a computation.
+struct Context {
+  Progress& progress;  ///< also tells when to stop
+};
+
+struct OperationResult {
+  Values outputs;  ///< every described output
+  Findings warnings;
+};
+
+/// A deterministic function of its inputs and parameters.
+class Operation {
+ public:
+  virtual ~Operation() = default;
+
+  virtual OperationDescription describe() const = 0;
+
+  /// @param inputs     one value of the described type per input port
+  /// @param parameters complete and within their ranges (see croquis::complete)
+  /// @throws Error, Cancelled
+  virtual OperationResult compute(const Values& inputs, const ParameterValues& parameters, Context& context) const = 0;
+};
+
+/// Checks inputs against the description, completes the parameters, and computes.
+/// @throws Error (E_PARAMETER, E_INPUT), and whatever compute throws
+OperationResult run(const Operation& operation, const Values& inputs, ParameterValues parameters, Context& context);
+
+}  // namespace croquis
