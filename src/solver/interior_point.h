@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include "croquis/base/progress.h"
+#include "croquis/solver/least_squares.h"
+#include "solver/kkt_system.h"
+#include "solver/scaled_problem.h"
+
+namespace croquis {
+
+/// Minimise 1/2 y^T H y + penalty * sum prices_q s_q subject to E y = 0, G y + s >= b, s >= 0.
+///
+/// y is the way from the equalities' optimum to the optimum, in units of the largest violation found there: so the
+/// largest entry of b is 1 and y = 0 satisfies the equalities.
+struct ElasticProblem {
+  const ScaledProblem* matrices = nullptr;
+  Eigen::VectorXd bounds;  ///< b, #I
+  Eigen::VectorXd prices;  ///< #I, > 0: what a unit of each scaled row's shortfall costs
+};
+
+/// A point of the elastic problem with its multipliers; w = G y + s - b. All of w, s, lambda, mu are >= 0.
+struct ElasticPoint {
+  Eigen::VectorXd y;                  ///< N
+  Eigen::VectorXd equality;           ///< nu, #E: H y = G^T lambda + E^T nu
+  Eigen::VectorXd distance;           ///< w, #I
+  Eigen::VectorXd shortfall;          ///< s, #I
+  Eigen::VectorXd multipliers;        ///< lambda of G y + s >= b, #I
+  Eigen::VectorXd slack_multipliers;  ///< mu of s >= 0, #I: lambda + mu = penalty * prices
+  double penalty = 0;
+  int iterations = 0;
+  bool converged = false;
+};
+
+/// Mehrotra's predictor-corrector method; s is eliminated, so a step factorises K(D) with D = 1 / (w/lambda + s/mu).
+ElasticPoint run_interior_point(const ElasticProblem& problem, KktSystem& system, const LeastSquaresOptions& options,
+                                Progress& progress);
+
+}  // namespace croquis

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/kkt_system.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "croquis/base/error.h"
+
+namespace croquis {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using Matrix = Eigen::SparseMatrix<double>;
+using Triplet = Eigen::Triplet<double>;
+
+/// Refinement has reached what rounding allows when a round gains less than this.
+constexpr double worthwhile_gain = 0.5;
+
+Matrix lower_hessian(const Matrix& objective) {
+  const Matrix square = objective.transpose() * objective;
+  Matrix hessian = square.triangularView<Eigen::Lower>();
+  hessian.makeCompressed();
+  return hessian;
+}
+
+}  // namespace
+
+KktSystem::KktSystem(const ScaledProblem& problem) : problem_(&problem) {
+  const Matrix hessian = lower_hessian(problem.objective);
+  build_pattern(hessian);
+  fill_constant_part(hessian);
+  map_inequalities();
+  if (size() > 0) factors_.analyzePattern(matrix_);
+}
+
+void KktSystem::build_pattern(const Matrix& hessian) {
+  const Index unknowns = problem_->objective.cols();
+  const Index equalities = problem_->equalities.rows();
+  std::vector<Triplet> entries;
+  const auto add = [&entries](Index row, Index column) {
+    entries.emplace_back(static_cast<int>(row), static_cast<int>(column), 0.0);
+  };
+  for (Index i = 0; i < unknowns + equalities; ++i) add(i, i);
+  for (Index column = 0; column < unknowns; ++column)
+    for (Matrix::InnerIterator entry(hessian, column); entry; ++entry) add(entry.row(), column);
+  for (Index row = 0; row < equalities; ++row)
+    for (RowMatrix::InnerIterator entry(problem_->equalities, row); entry; ++entry) add(unknowns + row, entry.col());
+  for (Index row = 0; row < problem_->inequalities.rows(); ++row)
+    for (RowMatrix::InnerIterator a(problem_->inequalities, row); a; ++a)
+      for (RowMatrix::InnerIterator b(problem_->inequalities, row); b && b.col() <= a.col(); ++b) add(a.col(), b.col());
+  matrix_.resize(unknowns + equalities, unknowns + equalities);
+  matrix_.setFromTriplets(entries.begin(), entries.end());
+}
+
+int KktSystem::position_of(Index row, Index column) const {
+  const int* begin = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column];
+  const int* end = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column + 1];
+  const int* found = std::lower_bound(begin, end, static_cast<int>(row));
+  return found != end && *found == row ? static_cast<int>(found - matrix_.innerIndexPtr()) : -1;
+}
+
+void KktSystem::fill_constant_part(const Matrix& hessian) {
+  const Index unknowns = problem_->objective.cols();
+  constant_part_ = VectorXd::Zero(matrix_.nonZeros());
+  for (Index i = 0; i < size(); ++i)
+    constant_part_[position_of(i, i)] = i < unknowns ? regularisation : -regularisation;
+  for (Index column = 0; column < unknowns; ++column)
+    for (Matrix::InnerIterator entry(hessian, column); entry; ++entry)
+      constant_part_[position_of(entry.row(), column)] += entry.value();
+  for (Index row = 0; row < problem_->equalities.rows(); ++row)
+    for (RowMatrix::InnerIterator entry(problem_->equalities, row); entry; ++entry)
+      constant_part_[position_of(unknowns + row, entry.col())] = entry.value();
+}
+
+void KktSystem::map_inequalities() {
+  contributions_.clear();
+  contribution_begin_.assign(1, 0);
+  for (Index row = 0; row < problem_->inequalities.rows(); ++row) {
+    for (RowMatrix::InnerIterator a(problem_->inequalities, row); a; ++a)
+      for (RowMatrix::InnerIterator b(problem_->inequalities, row); b && b.col() <= a.col(); ++b)
+        contributions_.push_back({position_of(a.col(), b.col()), a.value() * b.value()});
+    contribution_begin_.push_back(contributions_.size());
+  }
+}
+
+bool KktSystem::refill() {
+  const Matrix hessian = lower_hessian(problem_->objective);
+  for (Index column = 0; column < hessian.cols(); ++column)
+    for (Matrix::InnerIterator entry(hessian, column); entry; ++entry)
+      if (position_of(entry.row(), column) < 0) return false;
+  fill_constant_part(hessian);
+  map_inequalities();
+  return true;
+}
+
+void KktSystem::factorise(const VectorXd& row_weights) {
+  if (size() == 0) return;
+  Eigen::Map<VectorXd> values(matrix_.valuePtr(), matrix_.nonZeros());
+  values = constant_part_;
+  for (Index row = 0; row < row_weights.size(); ++row) {
+    const auto q = static_cast<std::size_t>(row);
+    for (std::size_t k = contribution_begin_[q]; k < contribution_begin_[q + 1]; ++k)
+      values[contributions_[k].position] += row_weights[row] * contributions_[k].product;
+  }
+  factors_.factorize(matrix_);
+  ++factorisations_;
+  if (factors_.info() != Eigen::Success)
+    throw Error(make_error(Category::Internal, "E_SOLVER",
+                           "The least-squares system could not be factorised; check its numbers for overflow."));
+}
+
+VectorXd KktSystem::multiply(const VectorXd& vector) const {
+  VectorXd product = matrix_.selfadjointView<Eigen::Lower>() * vector;
+  product.head(unknowns()) -= regularisation * vector.head(unknowns());
+  product.tail(size() - unknowns()) += regularisation * vector.tail(size() - unknowns());
+  return product;
+}
+
+VectorXd KktSystem::solve(const VectorXd& right_side, int refinements) const {
+  VectorXd solution = factors_.solve(right_side);
+  VectorXd residual = right_side - multiply(solution);
+  for (int round = 0; round < refinements; ++round) {
+    VectorXd better = solution + factors_.solve(residual);
+    VectorXd better_residual = right_side - multiply(better);
+    const double before = residual.lpNorm<Eigen::Infinity>();
+    const double after = better_residual.lpNorm<Eigen::Infinity>();
+    if (!(after < before)) break;
+    solution = std::move(better);
+    residual = std::move(better_residual);
+    if (after > worthwhile_gain * before) break;
+  }
+  return solution;
+}
+
+}  // namespace croquis

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/solver/least_squares_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "croquis/base/error.h"
+#include "solver/equality_optimum.h"
+#include "solver/interior_point.h"
+#include "solver/kkt_system.h"
+#include "solver/polishing.h"
+#include "solver/problem_check.h"
+#include "solver/row_sizes.h"
+#include "solver/scaled_problem.h"
+
+namespace croquis {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// A violation below this part of the row's terms is rounding.
+constexpr double rounding_tolerance = 1e-12;
+/// Rows whose lengths differ by more than this are priced as if by this: beyond it, prices lose their digits.
+constexpr double widest_price_range = 1e4;
+/// Share of the work before the interior point starts, where there is one.
+constexpr double first_share = 0.1;
+
+/// What a unit of each scaled row's shortfall costs, so that all rows pay the same per unit of their own.
+VectorXd prices(const VectorXd& inequality_scale) {
+  const VectorXd lengths = inequality_scale.cwiseInverse();
+  return (lengths / lengths.minCoeff()).cwiseMin(widest_price_range);
+}
+
+}  // namespace
+
+struct LeastSquaresSolver::State {
+  State(LeastSquaresProblem given, LeastSquaresOptions chosen)
+      : problem(checked_and_completed(std::move(given))),
+        options(chosen),
+        scaled(scale(problem)),
+        system(std::make_unique<KktSystem>(scaled)) {}
+
+  void change_objective(Eigen::SparseMatrix<double> objective);
+  void factorise_at_rest();
+  LeastSquaresSolution solve(Progress& progress);
+
+  LeastSquaresProblem problem;
+  LeastSquaresOptions options;
+  ScaledProblem scaled;
+  std::unique_ptr<KktSystem> system;
+  bool at_rest = false;  ///< the factors held are those of K(0)
+  bool flat = false;     ///< the objective has a flat direction
+
+ private:
+  VectorXd violations(const VectorXd& y) const;
+  void solve_elastic(const VectorXd& violation, double unit, EqualityOptimum& optimum, LeastSquaresSolution& solution,
+                     Progress& progress);
+  void report_rows(LeastSquaresSolution& solution) const;
+  void report_stationarity(LeastSquaresSolution& solution) const;
+};
+
+void LeastSquaresSolver::State::change_objective(Eigen::SparseMatrix<double> objective) {
+  LeastSquaresProblem changed = problem;
+  changed.objective = std::move(objective);
+  if (changed.objective.rows() != problem.objective.rows() || changed.objective.cols() != problem.objective.cols())
+    throw Error(make_error(Category::Internal, "E_SOLVER",
+                           "The new objective has another size than the old one; make a new solver for it."));
+  problem = checked_and_completed(std::move(changed));
+  scaled = scale(problem);
+  if (!system->refill()) system = std::make_unique<KktSystem>(scaled);
+  at_rest = false;
+}
+
+void LeastSquaresSolver::State::factorise_at_rest() {
+  if (at_rest) return;
+  system->factorise(VectorXd::Zero(problem.inequalities.rows()));
+  flat = has_flat_direction(scaled, *system);
+  at_rest = true;
+}
+
+/// h - G y per scaled row; rows without entries say nothing about y and count as met here.
+VectorXd LeastSquaresSolver::State::violations(const VectorXd& y) const {
+  VectorXd violation = scaled.inequality_scale.cwiseProduct(problem.inequality_bounds) - scaled.inequalities * y;
+  for (Index row = 0; row < violation.size(); ++row)
+    if (scaled.inequalities.row(row).nonZeros() == 0) violation[row] = -std::numeric_limits<double>::infinity();
+  return violation;
+}
+
+LeastSquaresSolution LeastSquaresSolver::State::solve(Progress& progress) {
+  progress.check();
+  const int factorisations_before = system->factorisations();
+  factorise_at_rest();
+  progress.report(first_share);
+
+  EqualityOptimum optimum = find_equality_optimum(scaled, *system, problem.target,
+                                                  scaled.equality_scale.cwiseProduct(problem.equality_values));
+  LeastSquaresSolution solution;
+  solution.multipliers = VectorXd::Zero(problem.inequalities.rows());
+  const VectorXd violation = violations(optimum.y);
+  const VectorXd sizes =
+      row_sizes(scaled.inequalities, optimum.y, scaled.inequality_scale.cwiseProduct(problem.inequality_bounds));
+  double unit = 0;
+  for (Index row = 0; row < violation.size(); ++row)
+    if (violation[row] > rounding_tolerance * sizes[row]) unit = std::max(unit, violation[row]);
+  if (unit > 0) solve_elastic(violation, unit, optimum, solution, progress);
+
+  solution.x = scaled.column_scale.cwiseProduct(optimum.y);
+  solution.equality_multipliers = scaled.equality_scale.cwiseProduct(optimum.equality);
+  solution.factorisations = system->factorisations() - factorisations_before;
+  solution.singular_objective = flat;
+  report_rows(solution);
+  report_stationarity(solution);
+  progress.report(1);
+  return solution;
+}
+
+/// Moves the optimum of the equalities to that of all rows.
+void LeastSquaresSolver::State::solve_elastic(const VectorXd& violation, double unit, EqualityOptimum& optimum,
+                                              LeastSquaresSolution& solution, Progress& progress) {
+  at_rest = false;
+  ElasticProblem elastic{&scaled, (violation / unit).cwiseMax(-1 / rounding_tolerance),
+                         prices(scaled.inequality_scale)};
+  Progress part = progress.step("separating parts", 1 - first_share);
+  ElasticPoint point = run_interior_point(elastic, *system, options, part);
+  if (point.converged) polish(elastic, *system, point, progress);
+  optimum.y += unit * point.y;
+  optimum.equality += unit * point.equality;
+  solution.multipliers = unit * scaled.inequality_scale.cwiseProduct(point.multipliers);
+  solution.iterations = point.iterations;
+  solution.converged = point.converged;
+}
+
+void LeastSquaresSolver::State::report_rows(LeastSquaresSolution& solution) const {
+  const auto judge = [&](const VectorXd& residual, const VectorXd& sizes, std::vector<int>& failed) {
+    for (Index row = 0; row < residual.size(); ++row) {
+      if (residual[row] > options.row_tolerance * sizes[row])
+        failed.push_back(static_cast<int>(row));
+      else if (residual[row] > 0)
+        solution.primal_residual = std::max(solution.primal_residual, residual[row] / sizes[row]);
+    }
+  };
+  solution.shortfall = (problem.inequality_bounds - problem.inequalities * solution.x).cwiseMax(0.0);
+  judge(solution.shortfall, row_sizes(problem.inequalities, solution.x, problem.inequality_bounds),
+        solution.violated_rows);
+  judge((problem.equality_values - problem.equalities * solution.x).cwiseAbs(),
+        row_sizes(problem.equalities, solution.x, problem.equality_values), solution.contradictory_equalities);
+}
+
+/// In the scaled unknowns, where the entries have one unit.
+void LeastSquaresSolver::State::report_stationarity(LeastSquaresSolution& solution) const {
+  const VectorXd& c = scaled.column_scale;
+  const VectorXd residual = problem.objective * solution.x - problem.target;
+  const VectorXd slope = c.cwiseProduct(problem.objective.transpose() * residual);
+  const VectorXd equalities = c.cwiseProduct(problem.equalities.transpose() * solution.equality_multipliers);
+  const VectorXd inequalities = c.cwiseProduct(problem.inequalities.transpose() * solution.multipliers);
+  const double terms = std::max(
+      {c.cwiseProduct(problem.objective.transpose() * problem.target).lpNorm<Eigen::Infinity>(),
+       slope.lpNorm<Eigen::Infinity>(), equalities.lpNorm<Eigen::Infinity>(), inequalities.lpNorm<Eigen::Infinity>()});
+  if (terms > 0) solution.dual_residual = (slope - equalities - inequalities).lpNorm<Eigen::Infinity>() / terms;
+}
+
+LeastSquaresSolver::LeastSquaresSolver(LeastSquaresProblem problem, LeastSquaresOptions options)
+    : state_(std::make_unique<State>(std::move(problem), options)) {}
+LeastSquaresSolver::~LeastSquaresSolver() = default;
+LeastSquaresSolver::LeastSquaresSolver(LeastSquaresSolver&&) noexcept = default;
+LeastSquaresSolver& LeastSquaresSolver::operator=(LeastSquaresSolver&&) noexcept = default;
+
+void LeastSquaresSolver::set_target(VectorXd target) {
+  check_replacement(target, state_->problem.objective.rows(), "targets");
+  state_->problem.target = std::move(target);
+}
+
+void LeastSquaresSolver::set_equality_values(VectorXd equality_values) {
+  check_replacement(equality_values, state_->problem.equalities.rows(), "equality values");
+  state_->problem.equality_values = std::move(equality_values);
+}
+
+void LeastSquaresSolver::set_inequality_bounds(VectorXd inequality_bounds) {
+  check_replacement(inequality_bounds, state_->problem.inequalities.rows(), "inequality bounds");
+  state_->problem.inequality_bounds = std::move(inequality_bounds);
+}
+
+void LeastSquaresSolver::set_objective(Eigen::SparseMatrix<double> objective) {
+  state_->change_objective(std::move(objective));
+}
+
+LeastSquaresSolution LeastSquaresSolver::solve(Progress& progress) { return state_->solve(progress); }
+
+}  // namespace croquis
