@@ -13,10 +13,10 @@ OperationResult run(const Operation& operation, const Values& inputs, ParameterV
   for (const PortDescription& port : description.inputs) {
     const auto given = inputs.find(port.name);
     if (given != inputs.end() && type_of(given->second) == port.type) continue;
-    findings.push_back(make_error(Category::Usage, "E_INPUT",
-                                  description.title + " needs a " + to_string(port.type) + " as its input '" +
-                                      port.name + "'.",
-                                  {{SubjectKind::Parameter, port.name, {}, {}, {}}}));
+    findings.push_back(
+        make_error(Category::Usage, "E_INPUT",
+                   description.title + " needs a " + to_string(port.type) + " as its input '" + port.name + "'.",
+                   {{SubjectKind::Parameter, port.name, {}, {}, {}}}));
   }
   if (!findings.empty()) throw Error(std::move(findings));
   return operation.compute(inputs, complete(description.parameters, std::move(parameters)), context);

@@ -14,7 +14,10 @@ class Scale final : public Operation {
   explicit Scale(int& calls, std::string id = "scale") : calls_(calls), id_(std::move(id)) {}
 
   OperationDescription describe() const override {
-    return {id_, 1, "Scale", "Makes a mesh larger or smaller.",
+    return {id_,
+            1,
+            "Scale",
+            "Makes a mesh larger or smaller.",
             {{"mesh", ValueType::Mesh, "The mesh."}},
             {{"mesh", ValueType::Mesh, "The scaled mesh."}},
             {{"factor", ParameterType::Number, 2.0, 0.1, 10.0, {}, "", "How much larger."}}};

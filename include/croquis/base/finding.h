@@ -24,7 +24,19 @@ enum class Category {
 };
 
 enum class SubjectKind {
-  Stroke, Contour, Crossing, Line, Curve, Node, Point, Face, Edge, Vertex, Hole, Parameter, File
+  Stroke,
+  Contour,
+  Crossing,
+  Line,
+  Curve,
+  Node,
+  Point,
+  Face,
+  Edge,
+  Vertex,
+  Hole,
+  Parameter,
+  File
 };
 
 /// The name of a kind as files and reports spell it ("stroke", "file", …).

@@ -24,14 +24,14 @@ enum class ParameterType {
 using ParameterValue = std::variant<bool, std::int64_t, double, std::string>;
 
 struct ParameterDescription {
-  std::string name;      ///< "weight-curvature": the option is `--weight-curvature`
+  std::string name;  ///< "weight-curvature": the option is `--weight-curvature`
   ParameterType type = ParameterType::Number;
   ParameterValue default_value;  ///< of the type above; an empty Text or File means "not given"
   double minimum = -std::numeric_limits<double>::infinity();  ///< Integer and Number only, inclusive
   double maximum = std::numeric_limits<double>::infinity();
   std::vector<std::string> choices;  ///< Choice only
-  std::string unit;      ///< what one unit of it is ("× median radius"), empty for none
-  std::string sentence;  ///< one sentence of help
+  std::string unit;                  ///< what one unit of it is ("× median radius"), empty for none
+  std::string sentence;              ///< one sentence of help
 };
 
 /// Values by parameter name. Holds every parameter of its description once `complete` has run.

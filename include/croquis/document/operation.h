@@ -22,8 +22,8 @@ struct PortDescription {
 
 /// All that hosts know of an operation: options and help, panel, project-file fields and reference page come from it.
 struct OperationDescription {
-  std::string id;     ///< "inflate": also the subcommand of the command line
-  int version = 1;    ///< raised when the same parameters would give another result
+  std::string id;   ///< "inflate": also the subcommand of the command line
+  int version = 1;  ///< raised when the same parameters would give another result
   std::string title;
   std::string sentence;
   std::vector<PortDescription> inputs;

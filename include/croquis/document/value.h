@@ -13,8 +13,8 @@
 namespace croquis {
 
 /// What can travel along a link between two operations. Shared and immutable: passing one on copies a pointer.
-using Value = std::variant<std::shared_ptr<const PolyMesh>, std::shared_ptr<const Drawing>,
-                           std::shared_ptr<const Report>>;
+using Value =
+    std::variant<std::shared_ptr<const PolyMesh>, std::shared_ptr<const Drawing>, std::shared_ptr<const Report>>;
 
 /// The alternatives of Value, in its order.
 enum class ValueType { Mesh, Drawing, Report };

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "croquis/geometry/drawing.h"
+
+#include <string>
+
+namespace croquis {
+
+/// An SVG file of the drawing: one path of straight pieces per stroke, with its id and its data as data-* attributes;
+/// hidden ones (data "visible" = "false") are dashed so that the file is legible in any viewer. y is flipped back down,
+/// numbers read back exactly.
+std::string write_svg_drawing(const Drawing& drawing);
+
+}  // namespace croquis

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/command_line.h"
+
+#include "cli/byte_size.h"
+#include "croquis/base/error.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+
+namespace croquis::cli {
+namespace {
+
+/// Everything CLI11 writes into; one per subcommand.
+struct Slot {
+  const Command* command = nullptr;
+  CommandDescription description;
+  CLI::App* app = nullptr;
+  Invocation invocation;
+  std::string memory;
+  std::map<std::string, std::string> texts;  ///< parameters as typed
+  std::map<std::string, bool> flags;
+};
+
+Error usage_error(std::string message) { return Error(make_error(Category::Usage, "E_USAGE", std::move(message))); }
+
+std::string help_of(const ParameterDescription& parameter) {
+  std::string help = parameter.sentence;
+  if (parameter.type == ParameterType::Flag || parameter.type == ParameterType::File) return help;
+  const std::string value = to_text(parameter.default_value);
+  help += " [" + (value.empty() ? std::string("none") : value);
+  if (!parameter.unit.empty()) help += " " + parameter.unit;
+  if (std::isfinite(parameter.minimum) && std::isfinite(parameter.maximum) && parameter.choices.empty()) {
+    help += ", " + to_text(parameter.minimum) + ".." + to_text(parameter.maximum);
+  }
+  return help + "]";
+}
+
+std::string type_word(const ParameterDescription& parameter) {
+  if (parameter.type == ParameterType::Choice) return CLI::detail::join(parameter.choices, "|");
+  if (parameter.type == ParameterType::File) return "FILE";
+  return parameter.type == ParameterType::Integer ? "N" : parameter.type == ParameterType::Number ? "X" : "TEXT";
+}
+
+void add_parameters(Slot& slot) {
+  for (const ParameterDescription& parameter : slot.description.parameters) {
+    const std::string name = "--" + parameter.name;
+    if (parameter.type == ParameterType::Flag) {
+      slot.app->add_flag(name, slot.flags[parameter.name], help_of(parameter));
+    } else {
+      slot.app->add_option(name, slot.texts[parameter.name], help_of(parameter))->type_name(type_word(parameter));
+    }
+  }
+}
+
+void add_common_options(Slot& slot) {
+  Invocation& invocation = slot.invocation;
+  const auto group = [&](CLI::Option* option) { option->group("Common options"); };
+  group(slot.app->add_flag("--json", invocation.json, "Print one JSON object on standard output"));
+  group(slot.app->add_flag("--quiet", invocation.quiet, "Print nothing but errors"));
+  group(slot.app->add_flag("--strict", invocation.strict, "Exit with 1 when there are warnings"));
+  group(slot.app->add_option("--progress", invocation.progress, "Show progress on standard error")
+            ->type_name("auto|none|json")
+            ->check(CLI::IsMember({"auto", "none", "json"})));
+  group(slot.app->add_option("--threads", invocation.threads, "Number of threads; the result is the same for any")
+            ->type_name("N")
+            ->check(CLI::Range(1, 1024)));
+  group(slot.app->add_option("--seed", invocation.seed, "Seed of whatever is random")->type_name("N"));
+  group(slot.app->add_option("--max-memory", slot.memory, "Stop with exit code 5 beyond this (512M, 2G)")
+            ->type_name("SIZE"));
+  group(slot.app->add_option("--timeout", invocation.timeout, "Stop with exit code 5 after this many seconds")
+            ->type_name("SECONDS")
+            ->check(CLI::PositiveNumber));
+}
+
+std::string footer_of(const CommandDescription& description) {
+  std::string footer = description.examples.size() > 1 ? "Examples:" : "Example:";
+  for (const std::string& example : description.examples) footer += "\n  " + example;
+  return footer;
+}
+
+void add_subcommand(CLI::App& app, Slot& slot) {
+  const CommandDescription& description = slot.description;
+  slot.app = app.add_subcommand(description.name, description.sentence);
+  slot.app->footer(footer_of(description));
+  if (description.needs_input) {
+    slot.app->add_option("input", slot.invocation.input, "What to read; - is standard input")
+        ->type_name(description.input_word)
+        ->required();
+    slot.app
+        ->add_option("--input-format", slot.invocation.input_format, "Format of the input, if its name doesn't tell")
+        ->type_name("FORMAT");
+  }
+  if (description.output != OutputNeed::None) {
+    slot.app->add_option("-o,--output", slot.invocation.output, "Where to write; - is standard output")
+        ->type_name("FILE")
+        ->required(description.output == OutputNeed::Required);
+    slot.app
+        ->add_option("--output-format", slot.invocation.output_format, "Format of the output, if its name doesn't tell")
+        ->type_name("FORMAT");
+  }
+  add_parameters(slot);
+  add_common_options(slot);
+}
+
+/// Turns what was typed into values, with all that can't be.
+void read_parameters(Slot& slot) {
+  Findings findings;
+  ParameterValues& values = slot.invocation.parameters;
+  for (const ParameterDescription& parameter : slot.description.parameters) {
+    const CLI::Option* option = slot.app->get_option("--" + parameter.name);
+    if (option->count() == 0) continue;
+    try {
+      values[parameter.name] = parameter.type == ParameterType::Flag
+                                   ? ParameterValue(slot.flags[parameter.name])
+                                   : parse_parameter(parameter, slot.texts[parameter.name]);
+    } catch (const Error& error) {
+      findings.insert(findings.end(), error.findings().begin(), error.findings().end());
+    }
+  }
+  if (!findings.empty()) throw Error(std::move(findings));
+  values = complete(slot.description.parameters, std::move(values));
+  if (!slot.memory.empty()) slot.invocation.memory_limit = parse_byte_size(slot.memory);
+}
+
+/// CLI11's own words, shortened to one sentence.
+std::string sentence_of(const CLI::Error& error) {
+  std::string message = error.what();
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  while (!message.empty() && (message.back() == ' ' || message.back() == '.')) message.pop_back();
+  return message + "; see --help.";
+}
+
+std::string help_text(CLI::App& app) {
+  for (const CLI::App* chosen : app.get_subcommands()) return chosen->help(app.get_name());
+  return app.help();
+}
+
+void set_up(CLI::App& app) {
+  app.name("croquis-cli");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", "croquis-cli " CROQUIS_VERSION);
+  app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  app.footer(
+      "Every subcommand has its own --help.\n"
+      "Exit codes: 0 done, 1 warnings under --strict, 2 wrong usage, 3 unreadable input, 4 no valid result,\n"
+      "5 limit reached, 6 cannot write, 70 internal error, 130 interrupted.");
+}
+
+}  // namespace
+
+ParsedLine parse_command_line(const std::vector<std::string>& arguments,
+                              const std::vector<std::unique_ptr<Command>>& commands) {
+  CLI::App app("Croquis: drawn lines become solid models.");
+  set_up(app);
+  std::vector<std::unique_ptr<Slot>> slots;
+  for (const auto& command : commands) {
+    slots.push_back(std::make_unique<Slot>());
+    slots.back()->command = command.get();
+    slots.back()->description = command->describe();
+    add_subcommand(app, *slots.back());
+  }
+
+  ParsedLine line;
+  try {
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+  } catch (const CLI::CallForHelp&) {
+    line.text = help_text(app);
+    return line;
+  } catch (const CLI::CallForVersion& version) {
+    line.text = version.what();
+    return line;
+  } catch (const CLI::ParseError& error) {
+    throw usage_error(sentence_of(error));
+  }
+  for (const auto& slot : slots) {
+    if (!slot->app->parsed()) continue;
+    read_parameters(*slot);
+    line.command = slot->command;
+    line.invocation = std::move(slot->invocation);
+  }
+  return line;
+}
+
+}  // namespace croquis::cli

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/command.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace croquis::cli {
+
+/// What the arguments ask for.
+struct ParsedLine {
+  const Command* command = nullptr;  ///< null when `text` is the whole answer
+  Invocation invocation;
+  std::string text;  ///< help or version
+};
+
+/// Reads the arguments against the commands' own descriptions.
+/// @throws Error (E_USAGE, E_PARAMETER; Category::Usage) naming the argument that can't be
+ParsedLine parse_command_line(const std::vector<std::string>& arguments,
+                              const std::vector<std::unique_ptr<Command>>& commands);
+
+}  // namespace croquis::cli

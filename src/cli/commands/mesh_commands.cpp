@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/commands/mesh_commands.h"
+
+#include "cli/files.h"
+#include "cli/mesh_text.h"
+#include "croquis/base/error.h"
+
+#include <string>
+#include <utility>
+
+namespace croquis::cli {
+namespace {
+
+Finding failed_check(const char* code, const std::string& file, const std::string& sentence) {
+  return make_error(Category::Geometry, code, file + " " + sentence, {{SubjectKind::File, file, file, {}, {}}});
+}
+
+std::string counted(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+/// Everything that keeps the mesh from being a solid, not only the first thing.
+Findings failures(const MeshReport& report, const std::string& file) {
+  Findings found;
+  if (!report.closed) {
+    found.push_back(failed_check("E_NOT_CLOSED", file,
+                                 "isn't closed: it has " + counted(report.boundary_edges, "boundary edge") + " in " +
+                                     counted(report.boundary_loops, "loop") + "; fill its holes."));
+  }
+  if (report.nonmanifold_edges + report.nonmanifold_vertices > 0) {
+    found.push_back(failed_check("E_NOT_MANIFOLD", file,
+                                 "isn't manifold: " + counted(report.nonmanifold_edges, "edge") +
+                                     " with more than two faces, " + std::to_string(report.nonmanifold_vertices) +
+                                     " vertices where surfaces only touch; separate them."));
+  }
+  if (!report.oriented) {
+    found.push_back(failed_check("E_NOT_ORIENTED", file,
+                                 "isn't oriented: neighbouring faces turn in opposite directions; flip some of them."));
+  }
+  if (report.degenerate_faces > 0) {
+    found.push_back(failed_check("E_DEGENERATE_FACES", file,
+                                 "has " + counted(report.degenerate_faces, "face") + " without area; remove them."));
+  }
+  if (report.self_intersections.value_or(0) > 0) {
+    found.push_back(failed_check(
+        "E_SELF_INTERSECTION", file,
+        "intersects itself in " + counted(*report.self_intersections, "pair") + " of faces; move them apart."));
+  }
+  return found;
+}
+
+}  // namespace
+
+CommandDescription InfoCommand::describe() const {
+  CommandDescription description;
+  description.name = "info";
+  description.sentence = "Tells what a mesh file holds: counts, topology, area, volume, bounds.";
+  description.parameters = {
+      {"self-intersections", ParameterType::Flag, false, 0, 0, {}, "", "Count pairs of faces that intersect as well."}};
+  description.examples = {"croquis-cli info model.obj", "croquis-cli info --json --self-intersections scan.ply"};
+  return description;
+}
+
+void InfoCommand::run(const Invocation& invocation, CommandResult& result, Progress& progress) const {
+  Progress reading = progress.step("read", 0.4);
+  const PolyMesh mesh = read_input_mesh(invocation, false, result, reading);
+  Progress inspecting = progress.step("inspect", 0.6);
+  result.mesh = inspect(mesh, std::get<bool>(invocation.parameters.at("self-intersections")), inspecting);
+  result.text = mesh_text(*result.mesh);
+  progress.report(1);
+}
+
+CommandDescription CheckCommand::describe() const {
+  CommandDescription description;
+  description.name = "check";
+  description.sentence = "Succeeds only if a mesh is closed, manifold, oriented and free of self-intersections.";
+  description.examples = {"croquis-cli check model.obj"};
+  description.parameters = {{"self-intersections",
+                             ParameterType::Flag,
+                             true,
+                             0,
+                             0,
+                             {},
+                             "",
+                             "Always counted here; accepted so that info and check take the same options."}};
+  return description;
+}
+
+void CheckCommand::run(const Invocation& invocation, CommandResult& result, Progress& progress) const {
+  Progress reading = progress.step("read", 0.3);
+  const PolyMesh mesh = read_input_mesh(invocation, true, result, reading);
+  Progress inspecting = progress.step("inspect", 0.7);
+  result.mesh = inspect(mesh, true, inspecting);
+  Findings found = failures(*result.mesh, invocation.input);
+  if (!found.empty()) throw Error(std::move(found));
+  result.text = invocation.input + ": closed, manifold, oriented, free of self-intersections.";
+  progress.report(1);
+}
+
+CommandDescription ConvertCommand::describe() const {
+  CommandDescription description;
+  description.name = "convert";
+  description.sentence = "Converts a mesh between OBJ, PLY, STL, OFF and (out only) GLB.";
+  description.output = OutputNeed::Required;
+  description.parameters = {{"precision",
+                             ParameterType::Integer,
+                             std::int64_t{0},
+                             0,
+                             17,
+                             {},
+                             "significant digits",
+                             "Digits of numbers in text formats; 0 writes them so that they read back exactly."},
+                            {"ascii", ParameterType::Flag, false, 0, 0, {}, "", "Write PLY and STL as text."}};
+  description.examples = {"croquis-cli convert model.obj -o model.stl",
+                          "croquis-cli convert model.obj -o - --output-format ply > model.ply"};
+  return description;
+}
+
+void ConvertCommand::run(const Invocation& invocation, CommandResult& result, Progress& progress) const {
+  const MeshFormat format = output_mesh_format(invocation.output, invocation.output_format);
+  Progress reading = progress.step("read", 0.6);
+  const PolyMesh mesh = read_input_mesh(invocation, false, result, reading);
+  MeshWriteOptions options;
+  options.precision = static_cast<int>(std::get<std::int64_t>(invocation.parameters.at("precision")));
+  options.ascii = std::get<bool>(invocation.parameters.at("ascii"));
+  Progress writing = progress.step("write", 0.4);
+  stage_mesh(invocation.output, mesh, options, format, result, writing);
+  Progress inspecting;
+  result.mesh = inspect(as_written(mesh, format, options), false, inspecting);
+  result.text = "Wrote " + invocation.output + ".";
+  progress.report(1);
+}
+
+}  // namespace croquis::cli

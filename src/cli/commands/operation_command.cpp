@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/commands/operation_command.h"
+
+#include "cli/files.h"
+#include "cli/mesh_text.h"
+#include "croquis/base/error.h"
+#include "croquis/io/svg_writer.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace croquis::cli {
+namespace {
+
+bool is_file(const PortDescription& port) { return port.type != ValueType::Report; }
+
+/// The outputs that get an option of their own: all that can be files, but for the first one, which is -o.
+std::vector<PortDescription> extra_outputs(const OperationDescription& description) {
+  std::vector<PortDescription> extra;
+  std::copy_if(description.outputs.begin(), description.outputs.end(), std::back_inserter(extra), is_file);
+  if (!extra.empty()) extra.erase(extra.begin());
+  return extra;
+}
+
+Value read_value(const PortDescription& port, const Invocation& invocation, CommandResult& result, Progress& progress) {
+  if (port.type == ValueType::Drawing) {
+    return std::make_shared<const Drawing>(read_input_drawing(invocation, result, progress));
+  }
+  return std::make_shared<const PolyMesh>(read_input_mesh(invocation, true, result, progress));
+}
+
+/// @param named the format asked for, where the path doesn't tell
+void stage_value(const std::string& path, const std::string& named, const Value& value, CommandResult& result,
+                 Progress& progress) {
+  if (const auto* drawing = std::get_if<std::shared_ptr<const Drawing>>(&value)) {
+    stage_file(path, write_svg_drawing(**drawing), result);
+  } else if (const auto* mesh = std::get_if<std::shared_ptr<const PolyMesh>>(&value)) {
+    stage_mesh(path, **mesh, {}, output_mesh_format(path, named), result, progress);
+  }
+}
+
+std::string text_parameter(const Invocation& invocation, const std::string& name) {
+  return std::get<std::string>(invocation.parameters.at(name));
+}
+
+/// Options that name output files are the command's, all others the operation's.
+ParameterValues operation_parameters(const OperationDescription& description, const Invocation& invocation) {
+  ParameterValues values;
+  for (const ParameterDescription& parameter : description.parameters) {
+    values[parameter.name] = invocation.parameters.at(parameter.name);
+  }
+  return values;
+}
+
+/// Formats are settled before the work begins, so that a wrong name costs nothing.
+void check_outputs(const OperationDescription& description, const Invocation& invocation) {
+  bool any = !invocation.output.empty();
+  if (any && description.outputs.front().type == ValueType::Mesh) {
+    output_mesh_format(invocation.output, invocation.output_format);
+  }
+  for (const PortDescription& port : extra_outputs(description)) {
+    const std::string path = text_parameter(invocation, port.name);
+    if (path.empty()) continue;
+    any = true;
+    if (port.type == ValueType::Mesh) output_mesh_format(path, "");
+  }
+  if (!any) {
+    throw Error(make_error(Category::Usage, "E_USAGE", "Nothing to write: name an output with -o; see --help."));
+  }
+}
+
+std::string summary(const CommandResult& result) {
+  std::string text;
+  for (const auto& [path, bytes] : result.files) {
+    if (path != "-") text += (text.empty() ? "Wrote " : ", ") + path;
+  }
+  if (result.mesh) text += (text.empty() ? "" : "\n") + mesh_text(*result.mesh);
+  return text;
+}
+
+Report describe_parameter(const ParameterDescription& parameter) {
+  Report entry;
+  entry.set("name", parameter.name).set("type", to_string(parameter.type));
+  entry.set("default", std::visit([](const auto& value) { return Report(value); }, parameter.default_value));
+  if (parameter.type == ParameterType::Integer || parameter.type == ParameterType::Number) {
+    entry.set("minimum", parameter.minimum).set("maximum", parameter.maximum);
+  }
+  if (!parameter.choices.empty()) entry.set("choices", Report::list(parameter.choices));
+  return std::move(entry.set("unit", parameter.unit).set("sentence", parameter.sentence));
+}
+
+Report describe_ports(const std::vector<PortDescription>& ports) {
+  Report list = Report::array();
+  for (const PortDescription& port : ports) {
+    Report entry;
+    list.push(entry.set("name", port.name).set("type", to_string(port.type)).set("sentence", port.sentence));
+  }
+  return list;
+}
+
+Report describe_operation(const OperationDescription& description) {
+  Report parameters = Report::array();
+  for (const ParameterDescription& parameter : description.parameters) parameters.push(describe_parameter(parameter));
+  Report entry;
+  entry.set("id", description.id)
+      .set("version", description.version)
+      .set("title", description.title)
+      .set("sentence", description.sentence)
+      .set("inputs", describe_ports(description.inputs))
+      .set("outputs", describe_ports(description.outputs))
+      .set("parameters", std::move(parameters));
+  return entry;
+}
+
+std::string range_text(const ParameterDescription& parameter) {
+  if (!parameter.choices.empty()) {
+    std::string list;
+    for (const std::string& choice : parameter.choices) list += (list.empty() ? "" : ", ") + choice;
+    return list;
+  }
+  if (parameter.type == ParameterType::Integer || parameter.type == ParameterType::Number) {
+    return to_text(parameter.minimum) + " to " + to_text(parameter.maximum) +
+           (parameter.unit.empty() ? "" : " " + parameter.unit);
+  }
+  return to_string(parameter.type);
+}
+
+/// One operation's part of the reference page, as Markdown.
+std::string reference(const OperationDescription& description) {
+  std::string text = "## " + description.id + "\n\n" + description.sentence + "\n\n";
+  text += "| Port | Direction | Type | |\n|---|---|---|---|\n";
+  for (const PortDescription& port : description.inputs) {
+    text += "| " + port.name + " | in | " + to_string(port.type) + " | " + port.sentence + " |\n";
+  }
+  for (const PortDescription& port : description.outputs) {
+    text += "| " + port.name + " | out | " + to_string(port.type) + " | " + port.sentence + " |\n";
+  }
+  text += "\n| Parameter | Default | Values | |\n|---|---|---|---|\n";
+  for (const ParameterDescription& parameter : description.parameters) {
+    text += "| " + parameter.name + " | " + to_text(parameter.default_value) + " | " + range_text(parameter) + " | " +
+            parameter.sentence + " |\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+CommandDescription OperationCommand::describe() const {
+  const OperationDescription operation = operation_.describe();
+  CommandDescription description;
+  description.name = operation.id;
+  description.sentence = operation.sentence;
+  const bool takes_drawing = operation.inputs.front().type == ValueType::Drawing;
+  description.input_word = takes_drawing ? "SKETCH.svg" : "MESH";
+  const auto extra = extra_outputs(operation);
+  description.output = extra.empty() ? OutputNeed::Required : OutputNeed::Optional;
+  description.parameters = operation.parameters;
+  for (const PortDescription& port : extra) {
+    description.parameters.push_back(
+        {port.name, ParameterType::File, std::string(), 0, 0, {}, "", "Write to FILE: " + port.sentence});
+  }
+  description.examples = {"croquis-cli " + operation.id + (takes_drawing ? " sketch.svg" : " model.obj") +
+                          " -o solid.obj"};
+  return description;
+}
+
+void OperationCommand::run(const Invocation& invocation, CommandResult& result, Progress& progress) const {
+  const OperationDescription description = operation_.describe();
+  check_outputs(description, invocation);
+  Progress reading = progress.step("read", 0.05);
+  const PortDescription& input = description.inputs.front();
+  const Value value = read_value(input, invocation, result, reading);
+
+  Progress computing = progress.step(description.id, 0.85);
+  Context context{computing};
+  OperationResult computed =
+      croquis::run(operation_, {{input.name, value}}, operation_parameters(description, invocation), context);
+  result.warnings.insert(result.warnings.end(), computed.warnings.begin(), computed.warnings.end());
+
+  Progress writing = progress.step("write", 0.1);
+  if (!invocation.output.empty()) {
+    stage_value(invocation.output, invocation.output_format, computed.outputs.at(description.outputs.front().name),
+                result, writing);
+  }
+  for (const PortDescription& port : extra_outputs(description)) {
+    const std::string path = text_parameter(invocation, port.name);
+    if (!path.empty()) stage_value(path, "", computed.outputs.at(port.name), result, writing);
+  }
+  for (const PortDescription& port : description.outputs) {
+    const Value& output = computed.outputs.at(port.name);
+    if (port.type == ValueType::Report) result.details = *std::get<std::shared_ptr<const Report>>(output);
+  }
+  result.text = summary(result);
+  progress.report(1);
+}
+
+CommandDescription OperationsCommand::describe() const {
+  CommandDescription description;
+  description.name = "operations";
+  description.sentence = "Lists every operation with its parameters, from their own descriptions.";
+  description.needs_input = false;
+  description.examples = {"croquis-cli operations --json", "croquis-cli operations > operations.md"};
+  return description;
+}
+
+void OperationsCommand::run(const Invocation&, CommandResult& result, Progress&) const {
+  Report list = Report::array();
+  result.text = "# Operations\n\nWritten by `croquis-cli operations` from each operation's own description.";
+  for (const auto& operation : registry_.operations()) {
+    const OperationDescription description = operation->describe();
+    list.push(describe_operation(description));
+    result.text += "\n\n" + reference(description);
+    result.text.pop_back();
+  }
+  Report details;
+  details.set("operations", std::move(list));
+  result.details = std::move(details);
+}
+
+}  // namespace croquis::cli

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/commands/render_command.h"
+
+#include "cli/files.h"
+#include "cli/offscreen_context.h"
+#include "croquis/base/error.h"
+#include "croquis/io/png.h"
+#include "croquis/render/picture.h"
+
+#include <charconv>
+#include <string>
+#include <utility>
+
+namespace croquis::cli {
+namespace {
+
+Error bad_size(const std::string& text) {
+  return Error(make_error(Category::Usage, "E_PARAMETER",
+                          "'" + text + "' is no value for size: it takes WIDTHxHEIGHT in pixels, each from 1 to " +
+                              std::to_string(render::max_picture_size) + ", such as 800x600.",
+                          {{SubjectKind::Parameter, "size", {}, {}, {}}}));
+}
+
+render::PictureSize parse_size(const std::string& text) {
+  render::PictureSize size;
+  const char* end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size.width);
+  if (width.ec != std::errc{} || width.ptr == end || *width.ptr != 'x') throw bad_size(text);
+  const auto height = std::from_chars(width.ptr + 1, end, size.height);
+  if (height.ec != std::errc{} || height.ptr != end) throw bad_size(text);
+  for (const int side : {size.width, size.height}) {
+    if (side < 1 || side > render::max_picture_size) throw bad_size(text);
+  }
+  return size;
+}
+
+render::NamedView named_view(const std::string& name) {
+  if (name == "front") return render::NamedView::Front;
+  if (name == "side") return render::NamedView::Side;
+  if (name == "top") return render::NamedView::Top;
+  return render::NamedView::Perspective;
+}
+
+void check_picture_format(const Invocation& invocation) {
+  const std::string& named = invocation.output_format;
+  if (named == "png" || (named.empty() && (invocation.output == "-" || invocation.output.ends_with(".png")))) return;
+  throw Error(make_error(Category::Usage, "E_FORMAT", "Pictures are written as PNG: give the output a name in .png.",
+                         {{SubjectKind::File, invocation.output, {}, {}, {}}}));
+}
+
+}  // namespace
+
+CommandDescription RenderCommand::describe() const {
+  CommandDescription description;
+  description.name = "render";
+  description.sentence = "Draws a picture of a mesh; needs no display.";
+  description.output = OutputNeed::Required;
+  description.parameters = {
+      {"size", ParameterType::Text, std::string("800x600"), 0, 0, {}, "pixels", "Width and height of the picture."},
+      {"view",
+       ParameterType::Choice,
+       std::string("persp"),
+       0,
+       0,
+       {"front", "side", "top", "persp"},
+       "",
+       "Where it is seen from."},
+      {"wire", ParameterType::Flag, false, 0, 0, {}, "", "Draw the polygons' edges as well."}};
+  description.examples = {"croquis-cli render solid.obj -o solid.png",
+                          "croquis-cli render solid.obj -o top.png --view top --size 1600x1200 --wire"};
+  return description;
+}
+
+void RenderCommand::run(const Invocation& invocation, CommandResult& result, Progress& progress) const {
+  check_picture_format(invocation);
+  const render::PictureSize size = parse_size(std::get<std::string>(invocation.parameters.at("size")));
+  Progress reading = progress.step("read", 0.4);
+  const PolyMesh mesh = read_input_mesh(invocation, false, result, reading);
+
+  Progress drawing = progress.step("draw", 0.5);
+  const OffscreenContext context;
+  render::Renderer renderer;
+  const std::vector<render::MeshItemPtr> items = {render::make_mesh_item(mesh)};
+  render::RenderOptions options;
+  options.wire = std::get<bool>(invocation.parameters.at("wire"));
+  const auto direction = render::view_direction(named_view(std::get<std::string>(invocation.parameters.at("view"))));
+  const render::Camera camera = render::frame(render::bounds_of(items), direction, size.aspect());
+  drawing.check();
+  render::RenderedPicture picture = render::render_picture(renderer, items, camera, options, size);
+
+  Progress writing = progress.step("write", 0.1);
+  stage_file(invocation.output, encode_png({picture.width, picture.height, std::move(picture.rgba)}), result);
+  result.text = "Wrote " + invocation.output + ".";
+  progress.report(1);
+}
+
+}  // namespace croquis::cli

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/files.h"
+
+#include "croquis/base/error.h"
+#include "croquis/io/file.h"
+#include "croquis/io/svg_drawing.h"
+
+#include <array>
+#include <cstdio>
+#include <utility>
+
+namespace croquis::cli {
+namespace {
+
+std::string shown_name(const std::string& path) { return path == "-" ? "standard input" : path; }
+
+void append(Findings& all, const Findings& more) { all.insert(all.end(), more.begin(), more.end()); }
+
+std::string read_standard_input() {
+  std::string bytes;
+  std::array<char, 65536> buffer;
+  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), stdin)) {
+    bytes.append(buffer.data(), count);
+  }
+  if (std::ferror(stdin) != 0) {
+    throw Error(make_error(Category::Malformed, "E_FILE_OPEN", "Standard input can't be read.",
+                           {{SubjectKind::File, "-", {}, {}, {}}}));
+  }
+  return bytes;
+}
+
+MeshFormat mesh_format(const std::string& path, const std::string& named, const char* option) {
+  const auto format = mesh_format_of(named.empty() ? path : named);
+  if (format) return *format;
+  const std::string what =
+      named.empty() ? "The format of '" + path + "' isn't known" : "There is no format '" + named + "'";
+  throw Error(make_error(Category::Usage, "E_FORMAT",
+                         what + ": use obj, ply, stl, off or glb as its extension or with " + option + ".",
+                         {{SubjectKind::File, path, {}, {}, {}}}));
+}
+
+}  // namespace
+
+std::string read_input(const Invocation& invocation) {
+  return invocation.input == "-" ? read_standard_input() : read_file(invocation.input);
+}
+
+PolyMesh read_input_mesh(const Invocation& invocation, bool require_faces, CommandResult& result, Progress& progress) {
+  const MeshFormat format = mesh_format(invocation.input, invocation.input_format, "--input-format");
+  const std::string bytes = read_input(invocation);
+  MeshSource source;
+  source.bytes = bytes;
+  source.format = format;
+  source.file_name = shown_name(invocation.input);
+  source.require_faces = require_faces;
+  MeshReadResult read = read_mesh(source, progress);
+  append(result.warnings, read.warnings);
+  return std::move(read.mesh);
+}
+
+Drawing read_input_drawing(const Invocation& invocation, CommandResult& result, Progress& progress) {
+  if (!invocation.input_format.empty() && invocation.input_format != "svg") {
+    throw Error(make_error(Category::Usage, "E_FORMAT",
+                           "There is no drawing format '" + invocation.input_format + "': use svg.",
+                           {{SubjectKind::Parameter, "input-format", {}, {}, {}}}));
+  }
+  DrawingReadResult read = read_svg_drawing(read_input(invocation), shown_name(invocation.input), progress);
+  append(result.warnings, read.warnings);
+  return std::move(read.drawing);
+}
+
+MeshFormat output_mesh_format(const std::string& path, const std::string& named) {
+  return mesh_format(path, named, "--output-format");
+}
+
+void stage_mesh(const std::string& path, const PolyMesh& mesh, const MeshWriteOptions& options, MeshFormat format,
+                CommandResult& result, Progress& progress) {
+  MeshWriteResult written = write_mesh(mesh, format, options, progress);
+  append(result.warnings, written.warnings);
+  stage_file(path, std::move(written.bytes), result);
+}
+
+void stage_file(const std::string& path, std::string bytes, CommandResult& result) {
+  if (!result.files.emplace(path, std::move(bytes)).second) {
+    throw Error(make_error(Category::Usage, "E_USAGE", "Two outputs are called '" + path + "'; give each its own name.",
+                           {{SubjectKind::File, path, {}, {}, {}}}));
+  }
+}
+
+}  // namespace croquis::cli

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/command_line.h"
+#include "cli/runner.h"
+#include "croquis/operators/all_operations.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+int main(int argc, char** argv) {
+  using namespace croquis;
+  const std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  const Registry registry = all_operations();
+  const auto commands = cli::all_commands(registry);
+  return cli::run(arguments, commands);
+}

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "croquis/geometry/mesh_report.h"
+
+#include <string>
+
+namespace croquis::cli {
+
+/// A mesh report as a few lines for people.
+std::string mesh_text(const MeshReport& report);
+
+/// "12,345": counts in messages.
+std::string grouped(std::size_t number);
+
+}  // namespace croquis::cli

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+namespace croquis::cli {
+
+/// An OpenGL 3.3 core context without window, screen or display server (EGL, Mesa's surfaceless platform), current in
+/// its thread for as long as it lives. There is no default framebuffer: its user binds one.
+class OffscreenContext {
+ public:
+  /// @throws Error (E_NO_GL, io) naming what is missing and the packages that have it
+  OffscreenContext();
+  ~OffscreenContext();
+  OffscreenContext(const OffscreenContext&) = delete;
+  OffscreenContext& operator=(const OffscreenContext&) = delete;
+
+ private:
+  struct Handles;
+  std::unique_ptr<Handles> handles_;
+};
+
+}  // namespace croquis::cli

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/runner.h"
+
+#include "cli/command_line.h"
+#include "cli/exit_code.h"
+#include "cli/progress_display.h"
+#include "cli/report_json.h"
+#include "cli/run_limits.h"
+#include "croquis/base/error.h"
+#include "croquis/io/file.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <utility>
+
+#include <sys/resource.h>
+
+namespace croquis::cli {
+namespace {
+
+std::int64_t peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
+}
+
+Finding internal_finding(const std::string& reason) {
+  return make_error(Category::Internal, "E_INTERNAL",
+                    "Croquis made a mistake of its own (" + reason + "); please report it with the input.");
+}
+
+Finding memory_finding() {
+  return make_error(Category::Limit, "E_MEMORY",
+                    "There is not enough memory for this input; allow more with --max-memory or make it smaller.");
+}
+
+Finding stopped_finding(StopReason reason) {
+  if (reason == StopReason::TimedOut) {
+    return make_error(Category::Limit, "E_TIMEOUT", "The time of --timeout is over; nothing was written.");
+  }
+  return make_error(Category::Limit, "E_INTERRUPTED", "Interrupted; nothing was written.");
+}
+
+void print(std::FILE* stream, const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stream);
+  std::fputc('\n', stream);
+}
+
+void print_findings(const Findings& findings) {
+  for (const Finding& finding : findings) {
+    const char* word = finding.severity == Severity::Error ? "error" : "warning";
+    std::fprintf(stderr, "%s: %s [%s]\n", word, finding.message.c_str(), finding.code.c_str());
+  }
+}
+
+/// Only the errors of a mixed list; a failure's warnings stay warnings.
+Findings errors_of(const Findings& findings) {
+  Findings errors;
+  for (const Finding& finding : findings) {
+    if (finding.severity == Severity::Error) errors.push_back(finding);
+  }
+  return errors.empty() ? findings : errors;
+}
+
+/// Files go to disk together, after everything else has succeeded; "-" goes to standard output.
+void write_files(const CommandResult& result) {
+  OutputTransaction transaction;
+  for (const auto& [path, bytes] : result.files) {
+    if (path != "-") transaction.add(path, bytes);
+  }
+  transaction.commit();
+  const auto stream = result.files.find("-");
+  if (stream == result.files.end()) return;
+  const std::size_t written = std::fwrite(stream->second.data(), 1, stream->second.size(), stdout);
+  if (written != stream->second.size() || std::fflush(stdout) != 0) {
+    throw Error(make_error(Category::Io, "E_WRITE", "Standard output can't be written."));
+  }
+}
+
+/// One run of one command: what it found, and the exit code it stands for.
+struct Outcome {
+  CommandResult result;
+  Findings errors;
+  int code = exit_done;
+};
+
+void fail(Outcome& outcome, Findings findings, int code) {
+  outcome.errors = errors_of(findings);
+  outcome.code = code;
+  for (Finding& finding : findings) {
+    if (finding.severity != Severity::Error) outcome.result.warnings.push_back(std::move(finding));
+  }
+}
+
+int code_of(const Findings& findings) { return exit_code_of(errors_of(findings).front().category); }
+
+Outcome execute(const Command& command, const Invocation& invocation, ProgressDisplay& display) {
+  Outcome outcome;
+  const RunLimits limits(invocation.timeout, invocation.memory_limit);
+  Progress progress(display.sink(), limits.cancel_flag());
+  try {
+    command.run(invocation, outcome.result, progress);
+    progress.check();
+    write_files(outcome.result);
+  } catch (const Cancelled&) {
+    const StopReason reason = limits.reason();
+    fail(outcome, {stopped_finding(reason)}, reason == StopReason::TimedOut ? exit_limit : exit_interrupted);
+  } catch (const Error& error) {
+    fail(outcome, error.findings(), code_of(error.findings()));
+  } catch (const std::bad_alloc&) {
+    fail(outcome, {memory_finding()}, exit_limit);
+  } catch (const std::exception& exception) {
+    fail(outcome, {internal_finding(exception.what())}, exit_internal);
+  }
+  if (outcome.code == exit_done && invocation.strict && !outcome.result.warnings.empty()) outcome.code = exit_warnings;
+  return outcome;
+}
+
+void print_outcome(const Invocation& invocation, const RunFigures& figures, const Outcome& outcome) {
+  const bool to_stdout = outcome.result.files.contains("-");
+  if (!invocation.quiet) print_findings(outcome.result.warnings);
+  print_findings(outcome.errors);
+  const bool succeeded = outcome.errors.empty();
+  if (!invocation.quiet && !outcome.result.text.empty() && (succeeded || outcome.result.mesh)) {
+    print(invocation.json || to_stdout ? stderr : stdout, outcome.result.text);
+  }
+  if (!invocation.json) return;
+  const std::string json =
+      succeeded ? success_json(figures, outcome.result) : failure_json(figures.command, outcome.errors, outcome.result);
+  print(to_stdout ? stderr : stdout, json);
+}
+
+int refuse(const std::vector<std::string>& arguments, const Findings& findings) {
+  print_findings(findings);
+  const bool json = std::find(arguments.begin(), arguments.end(), "--json") != arguments.end();
+  if (json) print(stdout, failure_json(arguments.front(), findings, {}));
+  return code_of(findings);
+}
+
+}  // namespace
+
+int run(const std::vector<std::string>& arguments, const std::vector<std::unique_ptr<Command>>& commands) {
+  ParsedLine line;
+  try {
+    line = parse_command_line(arguments, commands);
+  } catch (const Error& error) {
+    return refuse(arguments, error.findings());
+  }
+  if (line.command == nullptr) {
+    print(stdout, line.text);
+    return exit_done;
+  }
+  const auto began = std::chrono::steady_clock::now();
+  ProgressDisplay display(line.invocation.progress, line.invocation.quiet);
+  const Outcome outcome = execute(*line.command, line.invocation, display);
+  RunFigures figures;
+  figures.command = line.command->describe().name;
+  figures.input = line.invocation.input;
+  figures.output = line.invocation.output;
+  figures.stages = display.stages();
+  figures.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  figures.peak_memory_bytes = peak_memory_bytes();
+  print_outcome(line.invocation, figures, outcome);
+  return outcome.code;
+}
+
+}  // namespace croquis::cli

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/command.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace croquis::cli {
+
+/// Parses, runs one command within its limits, writes its files together, prints its report.
+/// Never throws; returns the exit code.
+int run(const std::vector<std::string>& arguments, const std::vector<std::unique_ptr<Command>>& commands);
+
+}  // namespace croquis::cli

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/io/svg_writer.h"
+
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+
+namespace croquis {
+namespace {
+
+void append_number(std::string& text, double value) {
+  char buffer[32];
+  text.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value + 0.0).ptr);
+}
+
+void append_point(std::string& text, const Vec2& point) {
+  append_number(text, point.x());
+  text += ' ';
+  append_number(text, -point.y());
+}
+
+/// Text as an attribute's value; characters that XML can't hold become spaces.
+std::string escaped(std::string_view text) {
+  std::string safe;
+  for (const char c : text) {
+    switch (c) {
+      case '&': safe += "&amp;"; break;
+      case '<': safe += "&lt;"; break;
+      case '>': safe += "&gt;"; break;
+      case '"': safe += "&quot;"; break;
+      default: safe += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+  }
+  return safe;
+}
+
+void append_attribute(std::string& text, std::string_view name, std::string_view value) {
+  text.append(" ").append(name).append("=\"").append(escaped(value)).append("\"");
+}
+
+struct Box {
+  Vec2 min = Vec2::Zero();
+  Vec2 max = Vec2::Zero();
+};
+
+Box bounding_box(const Drawing& drawing) {
+  Box box;
+  bool first = true;
+  for (const Stroke& stroke : drawing.strokes) {
+    for (const StrokeSample& sample : stroke.samples) {
+      const Vec2 page(sample.position.x(), -sample.position.y());
+      box.min = first ? page : Vec2(box.min.cwiseMin(page));
+      box.max = first ? page : Vec2(box.max.cwiseMax(page));
+      first = false;
+    }
+  }
+  return box;
+}
+
+void append_header(std::string& text, const Box& box) {
+  const Vec2 size = box.max - box.min;
+  const double margin = 0.03 * std::max(size.x(), size.y()) + 1e-9;
+  text += "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"";
+  for (const double value : {box.min.x() - margin, box.min.y() - margin, size.x() + 2 * margin}) {
+    append_number(text, value);
+    text += ' ';
+  }
+  append_number(text, size.y() + 2 * margin);
+  text += "\">\n<g fill=\"none\" stroke=\"#222\" stroke-width=\"";
+  append_number(text, 0.1 * margin);
+  text += "\">\n";
+}
+
+void append_stroke(std::string& text, const Stroke& stroke, double dash) {
+  text += "<path";
+  append_attribute(text, "id", stroke.id);
+  for (const auto& [name, value] : stroke.data) append_attribute(text, "data-" + name, value);
+  const auto visible = stroke.data.find("visible");
+  if (visible != stroke.data.end() && visible->second == "false") {
+    text += " stroke-dasharray=\"";
+    append_number(text, dash);
+    text += "\"";
+  }
+  text += " d=\"";
+  const char* command = "M ";
+  for (const StrokeSample& sample : stroke.samples) {
+    text += command;
+    append_point(text, sample.position);
+    command = " L ";
+  }
+  text += stroke.closed ? " Z\"/>\n" : "\"/>\n";
+}
+
+}  // namespace
+
+std::string write_svg_drawing(const Drawing& drawing) {
+  const Box box = bounding_box(drawing);
+  std::string text;
+  append_header(text, box);
+  const double dash = 0.008 * (box.max - box.min).norm();
+  for (const Stroke& stroke : drawing.strokes) append_stroke(text, stroke, dash);
+  return text + "</g>\n</svg>\n";
+}
+
+}  // namespace croquis

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "operators/inflate_operation.h"
+
+#include "croquis/silhouette/labelled_figure.h"
+#include "croquis/silhouette/solid.h"
+#include "operators/inflate_report.h"
+
+#include <utility>
+
+namespace croquis {
+namespace {
+
+using silhouette::Options;
+using silhouette::Preset;
+
+ParameterDescription weight(const std::string& name, double value, const std::string& sentence) {
+  return {"weight-" + name, ParameterType::Number, value, 1e-3, 1.0, {}, "", sentence};
+}
+
+double number(const ParameterValues& parameters, const std::string& name) {
+  return std::get<double>(parameters.at(name));
+}
+
+Options read_options(const ParameterValues& parameters) {
+  const bool tablet = std::get<std::string>(parameters.at("preset")) == "tablet";
+  Options options = Options::of(tablet ? Preset::Tablet : Preset::Clean);
+  options.strokes.step = number(parameters, "resolution");
+  options.depth.weight_curvature = number(parameters, "weight-curvature");
+  options.depth.weight_orientation = number(parameters, "weight-orientation");
+  options.depth.weight_distance = number(parameters, "weight-distance");
+  options.depth.minimum_gap = number(parameters, "min-gap");
+  return options;
+}
+
+}  // namespace
+
+OperationDescription InflateOperation::describe() const {
+  const Options defaults;
+  return {"inflate",
+          1,
+          "Inflate",
+          "Turns drawn contours, whose parts may hide each other, into closed solids.",
+          {{"drawing", ValueType::Drawing, "The visible contours; a line stops where it passes behind something."}},
+          {{"mesh", ValueType::Mesh, "The solids: closed, in the drawn order, free of self-intersection."},
+           {"labels", ValueType::Drawing, "Every contour, hidden parts included, cut where contours cross."},
+           {"skeleton", ValueType::Mesh, "The skeleton in space, as polylines."},
+           {"details", ValueType::Report, "Counts and figures of every stage."}},
+          {{"preset",
+            ParameterType::Choice,
+            std::string("clean"),
+            0,
+            0,
+            {"clean", "tablet"},
+            "",
+            "clean for exact lines, tablet for lines drawn by hand."},
+           weight("curvature", defaults.depth.weight_curvature, "How much bending costs: high gives long gentle arcs."),
+           weight("orientation", defaults.depth.weight_orientation, "How much tilting costs: high keeps parts flat."),
+           weight("distance", defaults.depth.weight_distance, "How much depth costs: high keeps parts near the plane."),
+           {"min-gap",
+            ParameterType::Number,
+            defaults.depth.minimum_gap,
+            0.01,
+            1.0,
+            {},
+            "x median radius",
+            "Least distance between parts in front of one another."},
+           {"resolution",
+            ParameterType::Number,
+            defaults.strokes.step,
+            2.0,
+            20.0,
+            {},
+            "x sketch diagonal / 1000",
+            "Spacing of points along the contours: smaller is finer."}}};
+}
+
+OperationResult InflateOperation::compute(const Values& inputs, const ParameterValues& parameters,
+                                          Context& context) const {
+  const Drawing& drawing = *std::get<std::shared_ptr<const Drawing>>(inputs.at("drawing"));
+  const Options options = read_options(parameters);
+  Progress labelling = context.progress.step("label", 0.3);
+  const silhouette::LabelledDrawing labelled = silhouette::label(drawing, options, labelling);
+  Progress inflating = context.progress.step("inflate", 0.7);
+  silhouette::Solid solid = silhouette::inflate(labelled, drawing, options, inflating);
+
+  OperationResult result;
+  result.warnings = labelled.findings;
+  result.warnings.insert(result.warnings.end(), solid.findings.begin(), solid.findings.end());
+  result.outputs["details"] = std::make_shared<const Report>(inflate_details(drawing, labelled, solid));
+  result.outputs["labels"] = std::make_shared<const Drawing>(label_drawing(drawing, labelled));
+  result.outputs["skeleton"] = std::make_shared<const PolyMesh>(std::move(solid.skeleton));
+  result.outputs["mesh"] = std::make_shared<const PolyMesh>(std::move(solid.mesh));
+  return result;
+}
+
+}  // namespace croquis
