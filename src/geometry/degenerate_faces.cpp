@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/geometry/degenerate_faces.h"
+
+#include <algorithm>
+#include <span>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+namespace croquis {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+Kernel::Point_3 exact_point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+
+bool repeats_vertex(std::span<const Index> face, std::vector<Index>& scratch) {
+  scratch.assign(face.begin(), face.end());
+  std::sort(scratch.begin(), scratch.end());
+  return std::adjacent_find(scratch.begin(), scratch.end()) != scratch.end();
+}
+
+bool on_one_line(const PolyMesh& mesh, std::span<const Index> face) {
+  const Vec3& first = mesh.positions[face[0]];
+  const auto elsewhere = std::find_if(face.begin(), face.end(), [&](Index v) { return mesh.positions[v] != first; });
+  if (elsewhere == face.end()) return true;
+  const Kernel::Point_3 a = exact_point(first);
+  const Kernel::Point_3 b = exact_point(mesh.positions[*elsewhere]);
+  return std::all_of(elsewhere + 1, face.end(),
+                     [&](Index v) { return CGAL::collinear(a, b, exact_point(mesh.positions[v])); });
+}
+
+}  // namespace
+
+std::vector<Index> degenerate_faces(const PolyMesh& mesh) {
+  std::vector<Index> degenerate;
+  std::vector<Index> scratch;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    if (face.size() < 3 || repeats_vertex(face, scratch) || on_one_line(mesh, face)) degenerate.push_back(f);
+  }
+  return degenerate;
+}
+
+}  // namespace croquis

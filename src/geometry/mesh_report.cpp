@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/geometry/mesh_report.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "croquis/geometry/degenerate_faces.h"
+#include "croquis/geometry/mesh_topology.h"
+#include "croquis/geometry/self_intersection.h"
+#include "geometry/require_usable.h"
+
+namespace croquis {
+namespace {
+
+std::optional<std::array<Vec3, 2>> bounds_of(const PolyMesh& mesh) {
+  if (mesh.positions.empty()) return std::nullopt;
+  std::array<Vec3, 2> bounds = {mesh.positions.front(), mesh.positions.front()};
+  for (const Vec3& position : mesh.positions) {
+    bounds[0] = bounds[0].cwiseMin(position);
+    bounds[1] = bounds[1].cwiseMax(position);
+  }
+  return bounds;
+}
+
+/// Area and volume of the fan of a face from the mean of its corners, the volume of the cone to `origin`.
+std::pair<double, double> measure_face(const PolyMesh& mesh, std::span<const Index> face, const Vec3& origin) {
+  Vec3 mean = Vec3::Zero();
+  for (const Index vertex : face) mean += mesh.positions[vertex] - origin;
+  mean /= static_cast<double>(face.size());
+  double twice_area = 0;
+  double six_volumes = 0;
+  for (std::size_t i = 0; i < face.size(); ++i) {
+    const Vec3 a = mesh.positions[face[i]] - origin;
+    const Vec3 b = mesh.positions[face[(i + 1) % face.size()]] - origin;
+    twice_area += (a - mean).cross(b - mean).norm();
+    six_volumes += mean.dot(a.cross(b));
+  }
+  return {twice_area / 2, six_volumes / 6};
+}
+
+void measure(const PolyMesh& mesh, MeshReport& figures) {
+  figures.bounds = bounds_of(mesh);
+  if (!figures.bounds) return;
+  // Far from the origin the cones' volumes would be large and cancel; from the middle they are of the mesh's own size.
+  const Vec3 origin = (*figures.bounds)[0] / 2 + (*figures.bounds)[1] / 2;
+  double volume = 0;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto [face_area, face_volume] = measure_face(mesh, mesh.face(f), origin);
+    figures.area += face_area;
+    volume += face_volume;
+  }
+  if (figures.closed) figures.volume = volume;
+}
+
+/// How often faces run an edge in its own direction, less how often the other way.
+std::ptrdiff_t surplus(const MeshTopology& topology, Index edge) {
+  const Index start = topology.edge_vertices(edge)[0];
+  std::ptrdiff_t sum = 0;
+  for (const Index corner : topology.edge_corners(edge)) sum += topology.vertex(corner) == start ? 1 : -1;
+  return sum;
+}
+
+void count_edges(const MeshTopology& topology, MeshReport& figures) {
+  figures.edges = topology.edge_count();
+  for (Index edge = 0; edge < topology.edge_count(); ++edge) {
+    const std::size_t faces = topology.edge_corners(edge).size();
+    if (faces == 1) ++figures.boundary_edges;
+    if (faces > 2) ++figures.nonmanifold_edges;
+    if (std::abs(surplus(topology, edge)) > 1) figures.oriented = false;
+  }
+  figures.closed = topology.face_count() > 0 && figures.boundary_edges == 0;
+}
+
+/// @return the number of fans of all vertices
+std::int64_t count_vertices(const MeshTopology& topology, MeshReport& figures) {
+  std::int64_t fans = 0;
+  std::int64_t used = 0;
+  for (Index vertex = 0; vertex < topology.vertex_count(); ++vertex) {
+    fans += topology.fan_count(vertex);
+    if (topology.fan_count(vertex) > 0) ++used;
+    if (!topology.is_manifold(vertex)) ++figures.nonmanifold_vertices;
+  }
+  figures.euler_characteristic =
+      used - static_cast<std::int64_t>(topology.edge_count()) + static_cast<std::int64_t>(topology.face_count());
+  return fans;
+}
+
+/// Whether turning some faces over could make all of them agree; for meshes without non-manifold edges.
+bool orientable(const PolyMesh& mesh, const MeshTopology& topology) {
+  enum class Side : char { Unknown, Kept, Turned };
+  std::vector<Side> side(topology.face_count(), Side::Unknown);
+  std::vector<Index> pending;
+  for (Index seed = 0; seed < topology.face_count(); ++seed) {
+    if (side[seed] != Side::Unknown) continue;
+    side[seed] = Side::Kept;
+    pending.push_back(seed);
+    while (!pending.empty()) {
+      const Index face = pending.back();
+      pending.pop_back();
+      for (Index corner = mesh.face_offsets[face]; corner < mesh.face_offsets[face + 1]; ++corner) {
+        const Index other = topology.opposite(corner);
+        if (other == no_index) continue;
+        const bool agree = topology.vertex(corner) != topology.vertex(other);
+        const Side wanted = agree == (side[face] == Side::Kept) ? Side::Kept : Side::Turned;
+        Side& neighbour = side[topology.face(other)];
+        if (neighbour == Side::Unknown)
+          pending.push_back(topology.face(other));
+        else if (neighbour != wanted)
+          return false;
+        neighbour = wanted;
+      }
+    }
+  }
+  return true;
+}
+
+void count_elements(const PolyMesh& mesh, MeshReport& figures) {
+  const MeshTopology topology(mesh);
+  figures.vertices = mesh.vertex_count();
+  figures.faces = mesh.face_count();
+  figures.components = topology.component_count();
+  figures.boundary_loops = topology.boundary_loops().size();
+  figures.degenerate_faces = degenerate_faces(mesh).size();
+  count_edges(topology, figures);
+  const std::int64_t fans = count_vertices(topology, figures);
+  if (!figures.closed || figures.nonmanifold_edges > 0 || !orientable(mesh, topology)) return;
+  // Pulled apart at the vertices where only corners touch, the shells are surfaces: V - E + F = 2 (shells - genus).
+  const std::int64_t euler = fans - static_cast<std::int64_t>(figures.edges) + static_cast<std::int64_t>(figures.faces);
+  figures.genus = static_cast<std::int64_t>(figures.components) - euler / 2;
+}
+
+Report vector_report(const Vec3& v) { return Report::list(std::array{v.x(), v.y(), v.z()}); }
+
+template <typename Number>
+Report or_null(const std::optional<Number>& number) {
+  return number ? Report(*number) : Report();
+}
+
+}  // namespace
+
+MeshReport inspect(const PolyMesh& mesh, bool count_self_intersections, Progress& progress) {
+  require_usable(mesh);
+  MeshReport figures;
+  Progress counting = progress.step("count elements", count_self_intersections ? 0.3 : 1.0);
+  count_elements(mesh, figures);
+  counting.report(0.8);
+  measure(mesh, figures);
+  counting.report(1);
+  if (count_self_intersections) {
+    Progress searching = progress.step("find self-intersections", 0.7);
+    figures.self_intersections = find_self_intersections(mesh, searching, {.max_pairs = 0}).count;
+  }
+  progress.report(1);
+  return figures;
+}
+
+Report to_report(const MeshReport& figures) {
+  Report report = Report::object();
+  report.set("vertices", figures.vertices)
+      .set("faces", figures.faces)
+      .set("edges", figures.edges)
+      .set("boundary_edges", figures.boundary_edges)
+      .set("boundary_loops", figures.boundary_loops)
+      .set("components", figures.components)
+      .set("euler_characteristic", figures.euler_characteristic)
+      .set("genus", or_null(figures.genus))
+      .set("nonmanifold_edges", figures.nonmanifold_edges)
+      .set("nonmanifold_vertices", figures.nonmanifold_vertices)
+      .set("degenerate_faces", figures.degenerate_faces)
+      .set("oriented", figures.oriented)
+      .set("closed", figures.closed)
+      .set("self_intersections", or_null(figures.self_intersections))
+      .set("area", figures.area)
+      .set("volume", or_null(figures.volume));
+  Report bounds;
+  if (figures.bounds) {
+    bounds.push(vector_report((*figures.bounds)[0]));
+    bounds.push(vector_report((*figures.bounds)[1]));
+  }
+  report.set("bounds", std::move(bounds));
+  return report;
+}
+
+}  // namespace croquis

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/geometry/mesh_topology.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "croquis/base/error.h"
+#include "geometry/boundary_walk.h"
+#include "geometry/disjoint_sets.h"
+
+namespace croquis {
+namespace {
+
+void require_indices_in_range(const PolyMesh& mesh) {
+  const auto& offsets = mesh.face_offsets;
+  const bool usable =
+      !offsets.empty() && offsets.front() == 0 && offsets.back() == mesh.corners.size() &&
+      std::is_sorted(offsets.begin(), offsets.end()) &&
+      std::all_of(mesh.corners.begin(), mesh.corners.end(), [&](Index vertex) { return vertex < mesh.vertex_count(); });
+  if (usable) return;
+  Findings findings = validate(mesh);
+  std::erase_if(findings, [](const Finding& finding) { return finding.code != "E_INDEX"; });
+  throw Error(std::move(findings));
+}
+
+/// Lists the items 0 … keys.size()-1 by key, ascending in each list (counting sort); no_index keys are left out.
+IndexTable group_by(const std::vector<Index>& keys, std::size_t key_count) {
+  IndexTable table;
+  table.offsets.assign(key_count + 1, 0);
+  for (const Index key : keys) {
+    if (key != no_index) ++table.offsets[key + std::size_t{1}];
+  }
+  std::partial_sum(table.offsets.begin(), table.offsets.end(), table.offsets.begin());
+  table.values.resize(table.offsets.back());
+  std::vector<Index> free_place(table.offsets.begin(), table.offsets.end() - 1);
+  for (Index item = 0; item < keys.size(); ++item) {
+    if (keys[item] != no_index) table.values[free_place[keys[item]]++] = item;
+  }
+  return table;
+}
+
+std::vector<Index> faces_of_corners(const std::vector<Index>& face_offsets, std::size_t corner_count) {
+  std::vector<Index> faces(corner_count);
+  for (Index face = 0; face + std::size_t{1} < face_offsets.size(); ++face) {
+    std::fill(faces.begin() + face_offsets[face], faces.begin() + face_offsets[face + 1], face);
+  }
+  return faces;
+}
+
+/// Renumbers the sets of equal values by their first appearance; no_index stays.
+/// @return number of sets
+std::size_t number_by_appearance(std::vector<Index>& values, std::size_t value_bound) {
+  std::vector<Index> number(value_bound, no_index);
+  Index count = 0;
+  for (Index& value : values) {
+    if (value == no_index) continue;
+    if (number[value] == no_index) number[value] = count++;
+    value = number[value];
+  }
+  return count;
+}
+
+/// For each corner the lowest corner that starts the same edge.
+std::vector<Index> lowest_corner_of_edge(const MeshTopology& topology) {
+  const std::size_t corner_count = topology.corner_count();
+  std::vector<Index> low_end(corner_count, no_index);
+  for (Index corner = 0; corner < corner_count; ++corner) {
+    const auto [low, high] = std::minmax({topology.vertex(corner), topology.vertex(topology.next(corner))});
+    if (low != high) low_end[corner] = low;
+  }
+  const IndexTable by_low_end = group_by(low_end, topology.vertex_count());
+  std::vector<Index> lowest(corner_count, no_index);
+  std::vector<std::pair<Index, Index>> by_high_end;  // (high end, corner)
+  for (std::size_t vertex = 0; vertex < by_low_end.size(); ++vertex) {
+    by_high_end.clear();
+    for (const Index corner : by_low_end[vertex]) {
+      by_high_end.emplace_back(std::max(topology.vertex(corner), topology.vertex(topology.next(corner))), corner);
+    }
+    std::sort(by_high_end.begin(), by_high_end.end());
+    for (std::size_t i = 0; i < by_high_end.size(); ++i) {
+      const bool same = i > 0 && by_high_end[i - 1].first == by_high_end[i].first;
+      lowest[by_high_end[i].second] = same ? lowest[by_high_end[i - 1].second] : by_high_end[i].second;
+    }
+  }
+  return lowest;
+}
+
+/// The corners at an edge's two ends that belong to the face of `corner`, the one at vertex `first` in front.
+std::pair<Index, Index> end_corners(const MeshTopology& topology, Index corner, Index first) {
+  const Index next = topology.next(corner);
+  return topology.vertex(corner) == first ? std::pair(corner, next) : std::pair(next, corner);
+}
+
+/// For each corner the lowest corner of its fan.
+std::vector<Index> lowest_corner_of_fan(const MeshTopology& topology) {
+  DisjointSets fans(topology.corner_count());
+  for (Index corner = 0; corner < topology.corner_count(); ++corner) {
+    const Index other = topology.opposite(corner);
+    if (topology.edge(corner) == no_index) fans.unite(corner, topology.next(corner));
+    if (other == no_index || other < corner) continue;
+    const auto [a, b] = end_corners(topology, corner, topology.vertex(corner));
+    const auto [other_a, other_b] = end_corners(topology, other, topology.vertex(corner));
+    fans.unite(a, other_a);
+    fans.unite(b, other_b);
+  }
+  std::vector<Index> lowest(topology.corner_count());
+  for (Index corner = 0; corner < lowest.size(); ++corner) lowest[corner] = fans.root(corner);
+  return lowest;
+}
+
+/// For each face the lowest face of its component.
+std::vector<Index> lowest_face_of_component(const MeshTopology& topology) {
+  DisjointSets components(topology.face_count());
+  for (Index edge = 0; edge < topology.edge_count(); ++edge) {
+    const auto corners = topology.edge_corners(edge);
+    for (const Index corner : corners.subspan(1))
+      components.unite(topology.face(corners.front()), topology.face(corner));
+  }
+  std::vector<Index> lowest(topology.face_count());
+  for (Index face = 0; face < lowest.size(); ++face) lowest[face] = components.root(face);
+  return lowest;
+}
+
+}  // namespace
+
+MeshTopology::MeshTopology(const PolyMesh& mesh) {
+  require_indices_in_range(mesh);
+  face_offsets_ = mesh.face_offsets;
+  corner_vertex_ = mesh.corners;
+  corner_face_ = faces_of_corners(face_offsets_, corner_vertex_.size());
+  vertex_corners_ = group_by(corner_vertex_, mesh.vertex_count());
+
+  corner_edge_ = lowest_corner_of_edge(*this);
+  edge_corners_ = group_by(corner_edge_, number_by_appearance(corner_edge_, corner_edge_.size()));
+
+  corner_fan_ = lowest_corner_of_fan(*this);
+  number_fans();
+
+  face_component_ = lowest_face_of_component(*this);
+  component_count_ = number_by_appearance(face_component_, face_component_.size());
+
+  boundary_loops_ = trace_boundary_loops(*this);
+}
+
+void MeshTopology::number_fans() {
+  fans_of_vertex_.assign(vertex_corners_.size(), 0);
+  for (Index corner = 0; corner < corner_fan_.size(); ++corner) {
+    const Index lowest = corner_fan_[corner];  // at or before `corner`, so already numbered if before
+    corner_fan_[corner] = lowest == corner ? fans_of_vertex_[corner_vertex_[corner]]++ : corner_fan_[lowest];
+  }
+}
+
+Index MeshTopology::next(Index corner) const {
+  const Index face = corner_face_[corner];
+  return corner + 1 == face_offsets_[face + 1] ? face_offsets_[face] : corner + 1;
+}
+
+Index MeshTopology::previous(Index corner) const {
+  const Index face = corner_face_[corner];
+  return corner == face_offsets_[face] ? face_offsets_[face + 1] - 1 : corner - 1;
+}
+
+std::array<Index, 2> MeshTopology::edge_vertices(Index edge) const {
+  const Index corner = edge_corners_[edge].front();
+  return {vertex(corner), vertex(next(corner))};
+}
+
+Index MeshTopology::opposite(Index corner) const {
+  if (corner_edge_[corner] == no_index) return no_index;
+  const auto corners = edge_corners_[corner_edge_[corner]];
+  if (corners.size() != 2) return no_index;
+  return corners.front() == corner ? corners.back() : corners.front();
+}
+
+bool MeshTopology::is_manifold(Index vertex) const {
+  if (fans_of_vertex_[vertex] > 1) return false;
+  for (const Index corner : vertex_corners_[vertex]) {
+    for (const Index starts : {corner, previous(corner)}) {
+      if (edge(starts) != no_index && edge_corners(edge(starts)).size() > 2) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace croquis
