@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "croquis/render/camera.h"
+#include "croquis/render/mesh_item.h"
+#include "croquis/render/render_options.h"
+
+namespace croquis::render {
+
+/// The part of a larger picture that is being drawn, in its pixels from the lower left corner.
+struct PictureCrop {
+  int picture_width = 0;
+  int picture_height = 0;
+  int left = 0;
+  int bottom = 0;
+};
+
+/// The rectangle of the framebuffer that receives the picture, in pixels from the lower left corner.
+struct Viewport {
+  int x = 0;
+  int y = 0;
+  int width = 0;                    ///< > 0
+  int height = 0;                   ///< > 0
+  std::optional<PictureCrop> crop;  ///< the viewport shows this part; without it the whole picture
+};
+
+/// Draws items with OpenGL 3.3 core into whatever framebuffer its host has bound; opens nothing by itself.
+///
+/// Its host makes a context current before construction, before every call and before destruction; libepoxy finds the
+/// functions of that context, so none are handed in. Objects on the graphics card are kept per item for as long as
+/// somebody holds the item and one renderer draws it. One thread, one context (or contexts that share objects).
+class Renderer {
+ public:
+  /// @throws Error (E_GL) when the context is older than OpenGL 3.3 or a shader does not compile, in the driver's words
+  Renderer();
+  ~Renderer();
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+
+  /// Fills the viewport of the framebuffer bound for drawing with the picture.
+  ///
+  /// Depth and stencil of that framebuffer stay as they are; the framebuffer, viewport, program, vertex array and
+  /// texture bindings are put back or set to none; depth test, culling, blending and scissor test are off afterwards.
+  /// The same items, camera, options and size give the same pixels on the same driver.
+  /// @throws Error (E_GL) when the driver reports an error or can't make a buffer of that size
+  void draw(const std::vector<MeshItemPtr>& items, const Camera& camera, const RenderOptions& options,
+            const Viewport& viewport);
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace croquis::render

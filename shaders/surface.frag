@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#version 330 core
+in vec3 view_position;
+in vec3 view_normal;
+in vec4 surface_color;
+flat in float patch_number;
+
+uniform bool perspective;
+
+layout(location = 0) out vec4 color;
+layout(location = 1) out vec4 normal;
+layout(location = 2) out vec2 depth_and_patch;
+
+void main() {
+  vec3 n = view_normal;
+  float length_of_normal = length(n);
+  if (length_of_normal > 1e-6) {
+    n /= length_of_normal;
+    if (!gl_FrontFacing) n = -n;
+  } else {
+    n = vec3(0.0, 0.0, 1.0);
+  }
+  color = vec4(surface_color.rgb, 1.0);
+  normal = vec4(n, 0.0);
+  // A measure of depth that is linear over the picture on a plane, and grows away from the eye.
+  float measure = perspective ? 1.0 / view_position.z : -view_position.z;
+  depth_and_patch = vec2(measure, patch_number);
+}

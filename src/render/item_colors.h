@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "croquis/geometry/poly_mesh.h"
+#include "croquis/render/mesh_item.h"
+
+namespace croquis::render {
+
+/// Which part of the mesh each face belongs to, numbered from 0 as the faces come: by "object", by "group" or by
+/// connected component, the first of these that tells at least two apart.
+/// @param welded the vertex that stands for all at its place, for each vertex
+std::vector<Index> face_parts(const PolyMesh& mesh, std::span<const Index> welded);
+
+/// The colour of each corner: from a "color" channel, else from the palette by part.
+std::vector<Color> corner_colors(const PolyMesh& mesh, std::span<const Index> parts);
+
+/// The colour of each vertex of each polyline, in the order of `line_vertices`: from a "color" channel of the lines or
+/// vertices, else the one given.
+std::vector<Color> line_colors(const PolyMesh& mesh, const Color& fallback);
+
+}  // namespace croquis::render

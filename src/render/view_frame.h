@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "croquis/render/renderer.h"
+
+namespace croquis::render {
+
+/// The geometry of one drawing, in units of the distance from the eye to the target: so the shaders meet the same
+/// numbers whether a model is measured in microns or in miles.
+struct ViewFrame {
+  bool perspective = false;
+  double unit = 1;           ///< model units per view unit
+  glm::dmat4 model_to_view;  ///< of model coordinates
+  glm::mat4 to_clip;
+  glm::vec2 extent;          ///< half size of the drawn frame at distance 1
+  glm::vec2 center;          ///< of the drawn frame at distance 1
+  float picture_height = 0;  ///< of the whole picture at distance 1
+  PictureCrop crop;          ///< always set: which part of which picture the viewport shows
+};
+
+/// @param border pixels drawn around the viewport
+ViewFrame make_view_frame(const Camera& camera, const Bounds& bounds, const Viewport& viewport, int border);
+
+}  // namespace croquis::render
