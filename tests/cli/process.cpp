@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/process.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace croquis::test {
+namespace {
+
+constexpr int kill_after_ms = 60'000;
+
+struct Pipe {
+  std::array<int, 2> ends{};
+  Pipe() {
+    if (pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
+  }
+};
+
+[[noreturn]] void become_cli(const std::vector<std::string>& arguments, const ProcessOptions& options,
+                             const std::array<Pipe, 3>& pipes) {
+  for (int stream = 0; stream < 3; ++stream) {
+    const Pipe& pipe = pipes[static_cast<std::size_t>(stream)];
+    dup2(pipe.ends[stream == 0 ? 0 : 1], stream);
+    close(pipe.ends[0]);
+    close(pipe.ends[1]);
+  }
+  if (!options.folder.empty() && chdir(options.folder.c_str()) != 0) _exit(126);
+  std::vector<std::string> words = {CROQUIS_CLI};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  execv(argv[0], argv.data());
+  _exit(127);
+}
+
+/// Reads what is there; false at the end of the stream.
+bool drain(int descriptor, std::string& text) {
+  std::array<char, 65536> buffer;
+  const ssize_t count = read(descriptor, buffer.data(), buffer.size());
+  if (count <= 0) return false;
+  text.append(buffer.data(), static_cast<std::size_t>(count));
+  return true;
+}
+
+void collect(pid_t child, int out, int err, const ProcessOptions& options, ProcessResult& result) {
+  using Clock = std::chrono::steady_clock;
+  const auto began = Clock::now();
+  bool interrupted = options.interrupt_after_ms == 0;
+  std::array<pollfd, 2> streams = {{{out, POLLIN, 0}, {err, POLLIN, 0}}};
+  std::array<std::string*, 2> texts = {&result.out, &result.err};
+  int open = 2;
+  while (open > 0) {
+    poll(streams.data(), streams.size(), 5);
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (streams[i].fd < 0 || streams[i].revents == 0) continue;
+      if (!drain(streams[i].fd, *texts[i])) {
+        streams[i].fd = -1;
+        --open;
+      }
+    }
+    const auto elapsed = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - began).count();
+    if (!interrupted && elapsed >= options.interrupt_after_ms) {
+      kill(child, SIGINT);
+      interrupted = true;
+    }
+    if (elapsed > kill_after_ms) kill(child, SIGKILL);
+  }
+}
+
+}  // namespace
+
+ProcessResult run_cli(const std::vector<std::string>& arguments, const ProcessOptions& options) {
+  std::array<Pipe, 3> pipes;
+  const pid_t child = fork();
+  if (child == 0) become_cli(arguments, options, pipes);
+  close(pipes[0].ends[0]);
+  close(pipes[1].ends[1]);
+  close(pipes[2].ends[1]);
+  std::thread feeder([&options, descriptor = pipes[0].ends[1]] {
+    std::signal(SIGPIPE, SIG_IGN);
+    std::size_t sent = 0;
+    while (sent < options.standard_input.size()) {
+      const ssize_t count = write(descriptor, options.standard_input.data() + sent, options.standard_input.size() - sent);
+      if (count <= 0) break;
+      sent += static_cast<std::size_t>(count);
+    }
+    close(descriptor);
+  });
+  ProcessResult result;
+  collect(child, pipes[1].ends[0], pipes[2].ends[0], options, result);
+  feeder.join();
+  close(pipes[1].ends[0]);
+  close(pipes[2].ends[0]);
+  int status = 0;
+  rusage usage{};
+  wait4(child, &status, 0, &usage);
+  result.code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  result.peak_kilobytes = usage.ru_maxrss;
+  return result;
+}
+
+ScratchFolder::ScratchFolder() {
+  std::string name = (std::filesystem::temp_directory_path() / "croquis-XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+  path_ = name;
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+std::string ScratchFolder::write(const std::string& name, const std::string& bytes) const {
+  std::ofstream stream(path_ / name, std::ios::binary);
+  stream << bytes;
+  return (path_ / name).string();
+}
+
+std::vector<std::string> ScratchFolder::names() const {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(path_)) names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string slurp(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+}  // namespace croquis::test

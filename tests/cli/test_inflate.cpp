@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/process.h"
+
+namespace croquis::test {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::filesystem::path sketches = std::filesystem::path(CROQUIS_SOURCE_DIR) / "examples/data";
+
+std::string svg(const std::string& content) {
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\">" + content + "</svg>";
+}
+
+Json report_of(const ProcessResult& result) {
+  INFO(result.err);
+  return Json::parse(result.out);
+}
+
+TEST_CASE("every shipped sketch becomes a solid that check accepts") {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(sketches)) {
+    if (entry.path().extension() != ".svg") continue;
+    const ScratchFolder folder;
+    const bool noisy = entry.path().filename().string().starts_with("noisy");
+    const ProcessResult result = run_cli({"inflate", entry.path(), "-o", folder / "solid.obj", "--json", "--quiet",
+                                          "--preset", noisy ? "tablet" : "clean"});
+    INFO(entry.path() << result.err);
+    REQUIRE(result.code == 0);
+    const Json report = report_of(result);
+    const Json& details = report["details"];
+    CHECK(report["mesh"]["self_intersections"] == 0);
+    CHECK(report["mesh"]["closed"] == true);
+    CHECK(report["mesh"]["oriented"] == true);
+    CHECK(report["mesh"]["nonmanifold_edges"] == 0);
+    CHECK(report["mesh"]["nonmanifold_vertices"] == 0);
+    CHECK(details["silhouette_iou"].get<double>() >= (noisy ? 0.95 : 0.98));
+    int euler = 0;
+    for (const Json& object : details["objects"]) {
+      CHECK(object["euler_mesh"] == 2 * object["euler_region"].get<int>());
+      euler += object["euler_mesh"].get<int>();
+    }
+    CHECK(report["mesh"]["euler_characteristic"] == euler);
+    CHECK(run_cli({"check", folder / "solid.obj"}).code == 0);
+    ++count;
+  }
+  CHECK(count >= 6);
+}
+
+TEST_CASE("the same sketch gives the same bytes, for any number of threads") {
+  const ScratchFolder folder;
+  const std::string sketch = sketches / "trefoil.svg";
+  REQUIRE(run_cli({"inflate", sketch, "-o", folder / "a.ply"}).code == 0);
+  REQUIRE(run_cli({"inflate", sketch, "-o", folder / "b.ply", "--threads", "8", "--seed", "5"}).code == 0);
+  CHECK(slurp(folder / "a.ply") == slurp(folder / "b.ply"));
+}
+
+TEST_CASE("the solid stays valid in every format, as written") {
+  const ScratchFolder folder;
+  for (const char* name : {"s.obj", "s.ply", "s.stl", "s.off"}) {
+    REQUIRE(run_cli({"inflate", sketches / "linked_rings.svg", "-o", folder / name, "--quiet"}).code == 0);
+    const ProcessResult check = run_cli({"check", folder / name});
+    INFO(name << check.err);
+    CHECK(check.code == 0);
+  }
+}
+
+TEST_CASE("labels and skeleton are written without a solid when only they are asked for") {
+  const ScratchFolder folder;
+  const ProcessResult result = run_cli({"inflate", sketches / "trefoil.svg", "--labels", folder / "labels.svg",
+                                        "--skeleton", folder / "skeleton.obj", "--json"});
+  REQUIRE(result.code == 0);
+  const Json details = report_of(result)["details"];
+  CHECK(folder.names() == std::vector<std::string>{"labels.svg", "skeleton.obj"});
+  const std::string labels = slurp(folder / "labels.svg");
+  const auto count = [&labels](const std::string& word) {
+    int found = 0;
+    for (auto at = labels.find(word); at != std::string::npos; at = labels.find(word, at + 1)) ++found;
+    return found;
+  };
+  CHECK(count("<path") == details["arcs"]);
+  CHECK(count("data-visible=\"false\"") == details["hidden_arcs"]);
+  CHECK(count("data-depth=\"1\"") == details["depth_histogram"][1]);
+  CHECK(details["contours"] == 2);
+  CHECK(details["crossings"] == 12);
+  CHECK(details["hidden_arcs"] == 6);
+  const std::string skeleton = slurp(folder / "skeleton.obj");
+  CHECK(skeleton.find("\nl ") != std::string::npos);
+  CHECK(skeleton.find("\nf ") == std::string::npos);
+}
+
+TEST_CASE("a sketch comes from standard input and a solid goes to standard output") {
+  const ProcessResult result = run_cli({"inflate", "-", "-o", "-", "--output-format", "obj", "--quiet"},
+                                       {.standard_input = slurp(sketches / "snake.svg")});
+  CHECK(result.code == 0);
+  const ScratchFolder folder;
+  CHECK(run_cli({"check", folder.write("s.obj", result.out)}).code == 0);
+}
+
+TEST_CASE("an end that touches nothing is named and no output is left") {
+  const ScratchFolder folder;
+  const std::string sketch = folder.write(
+      "free.svg", svg("<path id=\"tail\"\n d=\"M 100 100 C 200 0 300 0 400 100 C 450 150 500 200 420 260\"/>"));
+  const ProcessResult result = run_cli({"inflate", sketch, "-o", folder / "a.obj", "--json"});
+  CHECK(result.code == 4);
+  const Json error = report_of(result)["error"];
+  CHECK(error["code"] == "E_FREE_END");
+  CHECK(error["subject"][0]["kind"] == "stroke");
+  CHECK(error["subject"][0]["id"] == "tail");
+  CHECK(error["subject"][0]["line"] == 1);
+  REQUIRE(error["subject"][0]["at"].size() == 2);
+  CHECK(folder.names() == std::vector<std::string>{"free.svg"});
+}
+
+TEST_CASE("one bad object doesn't stop the others") {
+  const ScratchFolder folder;
+  const std::string sketch =
+      folder.write("mixed.svg", svg("<circle id=\"good\" cx=\"200\" cy=\"200\" r=\"100\"/>"
+                                    "<path id=\"bad\" d=\"M 500 100 C 600 0 700 100 600 200\"/>"));
+  const ProcessResult result = run_cli({"inflate", sketch, "-o", folder / "a.obj", "--json"});
+  CHECK(result.code == 0);
+  const Json report = report_of(result);
+  CHECK(report["details"]["objects"].size() == 1);
+  CHECK(report["details"]["objects"][0]["name"] == "good");
+  REQUIRE(report["warnings"].size() >= 1);
+  CHECK(report["warnings"][0]["code"] == "E_FREE_END");
+  CHECK(report["warnings"][0]["subject"][0]["id"] == "bad");
+  CHECK(run_cli({"check", folder / "a.obj"}).code == 0);
+  CHECK(run_cli({"inflate", sketch, "-o", folder / "b.obj", "--strict"}).code == 1);
+}
+
+TEST_CASE("strokes of a kind that isn't understood yet are refused by name") {
+  const ScratchFolder folder;
+  for (const char* kind : {"hidden", "tube"}) {
+    const std::string sketch = folder.write(
+        "kind.svg", svg(std::string("<path id=\"odd\" data-kind=\"") + kind + "\" d=\"M 0 0 L 100 0 L 100 100 Z\"/>"));
+    const ProcessResult result = run_cli({"inflate", sketch, "-o", folder / "a.obj", "--json"});
+    CHECK(result.code == 4);
+    const Json error = report_of(result)["error"];
+    CHECK(error["subject"][0]["id"] == "odd");
+    CHECK(error["message"].get<std::string>().find(kind) != std::string::npos);
+  }
+}
+
+TEST_CASE("sketches that can't be read are exit code 3") {
+  const ScratchFolder folder;
+  std::string deep = "<svg xmlns=\"http://www.w3.org/2000/svg\">";
+  for (int i = 0; i < 100000; ++i) deep += "<g>";
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"empty.svg", ""},
+      {"text.svg", "a letter to a friend"},
+      {"truncated.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"><path id=\"a\" d=\"M 0 0 L 1"},
+      {"nan.svg", svg("<path id=\"a\" d=\"M 0 0 L 1e999 5 L 3 4 Z\"/>")},
+      {"path.svg", svg("<path id=\"a\" d=\"M 0 0 L 100 pear\"/>")},
+      {"blank.svg", svg("")},
+      {"deep.svg", deep},
+  };
+  for (const auto& [name, bytes] : files) {
+    const ProcessResult result =
+        run_cli({"inflate", folder.write(name, bytes), "-o", folder / "a.obj", "--json", "--progress", "none"});
+    INFO(name << ": " << result.err);
+    CHECK(result.code == 3);
+    CHECK(result.peak_kilobytes < 200 * 1024);
+    CHECK(report_of(result)["error"]["code"].get<std::string>().starts_with("E_"));
+  }
+  CHECK(std::filesystem::exists(folder / "a.obj") == false);
+}
+
+TEST_CASE("running out of time or memory is exit code 5, an interrupt 130, and nothing is written") {
+  const ScratchFolder folder;
+  const std::string sketch = sketches / "weave.svg";
+  const std::vector<std::string> base = {"inflate", sketch, "-o", folder / "a.obj", "--resolution", "2"};
+  auto with = [&base](std::vector<std::string> extra) {
+    extra.insert(extra.begin(), base.begin(), base.end());
+    return extra;
+  };
+  CHECK(run_cli(with({"--timeout", "0.02"})).code == 5);
+  CHECK(run_cli(with({"--max-memory", "40M"})).code == 5);
+  CHECK(run_cli(with({}), {.interrupt_after_ms = 120}).code == 130);
+  CHECK(folder.names().empty());
+}
+
+TEST_CASE("progress as JSON lines rises to 1") {
+  const ScratchFolder folder;
+  const ProcessResult result =
+      run_cli({"inflate", sketches / "snake.svg", "-o", folder / "a.obj", "--progress", "json", "--quiet"});
+  REQUIRE(result.code == 0);
+  double last = -1;
+  std::size_t lines = 0;
+  std::istringstream stream(result.err);
+  for (std::string line; std::getline(stream, line); ++lines) {
+    const double fraction = Json::parse(line)["progress"];
+    CHECK(fraction >= last);
+    last = fraction;
+  }
+  CHECK(lines > 5);
+  CHECK(last == Approx(1));
+}
+
+}  // namespace
+}  // namespace croquis::test

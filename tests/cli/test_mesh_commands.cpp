@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/process.h"
+#include "croquis/io/mesh_file.h"
+#include "support/mesh_shapes.h"
+
+namespace croquis::test {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string bytes_of(const PolyMesh& mesh, MeshFormat format) {
+  Progress progress;
+  return write_mesh(mesh, format, {}, progress).bytes;
+}
+
+TEST_CASE("info reports a torus from every format") {
+  const ScratchFolder folder;
+  for (const auto& [format, name] : {std::pair{MeshFormat::Obj, "t.obj"}, {MeshFormat::Ply, "t.ply"},
+                                     {MeshFormat::Stl, "t.stl"}, {MeshFormat::Off, "t.off"}}) {
+    const std::string path = folder.write(name, bytes_of(torus(24, 12), format));
+    const ProcessResult result = run_cli({"info", path, "--json", "--quiet", "--self-intersections"});
+    INFO(name << result.err);
+    REQUIRE(result.code == 0);
+    const Json mesh = Json::parse(result.out)["mesh"];
+    CHECK(mesh["vertices"] == 24 * 12);
+    CHECK(mesh["euler_characteristic"] == 0);
+    CHECK(mesh["genus"] == 1);
+    CHECK(mesh["closed"] == true);
+    CHECK(mesh["oriented"] == true);
+    CHECK(mesh["self_intersections"] == 0);
+    CHECK(run_cli({"check", path}).code == 0);
+  }
+}
+
+TEST_CASE("check refuses what is no solid and tells every reason") {
+  const ScratchFolder folder;
+  const auto codes = [&](const PolyMesh& mesh) {
+    const std::string path = folder.write("m.ply", bytes_of(mesh, MeshFormat::Ply));
+    const ProcessResult result = run_cli({"check", path, "--json", "--quiet"});
+    CHECK(result.code == 4);
+    std::vector<std::string> list;
+    for (const Json& error : Json::parse(result.out)["errors"]) list.push_back(error["code"]);
+    return list;
+  };
+  using List = std::vector<std::string>;
+  CHECK(codes(grid(3, 3)) == List{"E_NOT_CLOSED"});
+  PolyMesh flipped = tetrahedron();
+  std::swap(flipped.corners[0], flipped.corners[1]);
+  CHECK(codes(flipped) == List{"E_NOT_ORIENTED"});
+  PolyMesh pierced = cube();
+  const PolyMesh second = cube();
+  for (const Vec3& position : second.positions) pierced.positions.push_back(position + Vec3(0.3, 0.4, 0.5));
+  for (std::size_t f = 0; f < second.face_count(); ++f) {
+    std::vector<Index> moved(second.face(f).begin(), second.face(f).end());
+    for (Index& vertex : moved) vertex += 8;
+    pierced.add_face(moved);
+  }
+  CHECK(codes(pierced) == List{"E_SELF_INTERSECTION"});
+}
+
+TEST_CASE("convert keeps a mesh through all formats and back") {
+  const ScratchFolder folder;
+  const std::string original = folder.write("a.obj", bytes_of(torus(9, 7), MeshFormat::Obj));
+  REQUIRE(run_cli({"convert", original, "-o", folder / "b.ply"}).code == 0);
+  REQUIRE(run_cli({"convert", folder / "b.ply", "-o", folder / "c.off"}).code == 0);
+  REQUIRE(run_cli({"convert", folder / "c.off", "-o", folder / "d.obj"}).code == 0);
+  CHECK(slurp(folder / "d.obj") == slurp(original));
+  const ProcessResult stream = run_cli({"convert", "-", "--input-format", "obj", "-o", "-", "--output-format", "obj"},
+                                       {.standard_input = slurp(original)});
+  CHECK(stream.code == 0);
+  CHECK(stream.out == slurp(original));
+}
+
+TEST_CASE("with -o - the JSON object is the last line of standard error") {
+  const ScratchFolder folder;
+  const std::string path = folder.write("a.obj", bytes_of(cube(), MeshFormat::Obj));
+  const ProcessResult result = run_cli({"convert", path, "-o", "-", "--output-format", "obj", "--json"});
+  REQUIRE(result.code == 0);
+  CHECK(result.out.starts_with("v "));
+  const auto last = result.err.rfind('\n', result.err.size() - 2);
+  const Json json = Json::parse(result.err.substr(last == std::string::npos ? 0 : last + 1));
+  CHECK(json["command"] == "convert");
+  CHECK(json["mesh"]["faces"] == 6);
+}
+
+TEST_CASE("a format that can't hold everything says so, and --strict makes it an exit code") {
+  const ScratchFolder folder;
+  const std::string path = folder.write("a.obj", bytes_of(cube(), MeshFormat::Obj));
+  const ProcessResult result = run_cli({"convert", path, "-o", folder / "a.stl"});
+  CHECK(result.code == 0);
+  CHECK(result.err.find("W_FORMAT_LOSS") != std::string::npos);
+  CHECK(run_cli({"convert", path, "-o", folder / "a.stl", "--strict"}).code == 1);
+}
+
+TEST_CASE("malformed files are refused with exit code 3, quickly and in little memory") {
+  const ScratchFolder folder;
+  const std::string ply = "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty double x\n"
+                          "property double y\nproperty double z\nelement face 4000000000\n"
+                          "property list uchar int vertex_indices\nend_header\n";
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"empty.obj", ""},
+      {"garbage.obj", "\x01\x02 nothing of the kind \xff\xfe\n"},
+      {"index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 7\n"},
+      {"nan.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+      {"inf.off", "OFF\n3 1 0\n0 0 1e999\n1 0 0\n0 1 0\n3 0 1 2\n"},
+      {"points.obj", "v 0 0 0\nv 1 0 0\n"},
+      {"same.off", "OFF\n3 1 0\n1 1 1\n1 1 1\n1 1 1\n3 0 1 2\n"},
+      {"huge.ply", ply},
+      {"huge.off", "OFF\n2000000000 2000000000 0\n0 0 0\n"},
+      {"truncated.stl", std::string(80, ' ') + std::string("\x10\x00\x00\x00", 4) + "short"},
+  };
+  for (const auto& [name, bytes] : files) {
+    const std::string path = folder.write(name, bytes);
+    const ProcessResult result = run_cli({"check", path, "--json"});
+    INFO(name << ": " << result.err);
+    CHECK(result.code == 3);
+    CHECK(result.peak_kilobytes < 200 * 1024);
+    const Json json = Json::parse(result.out);
+    CHECK(json["error"]["code"].get<std::string>().starts_with("E_"));
+    CHECK(json["error"]["message"].get<std::string>().find(name) != std::string::npos);
+  }
+  CHECK(run_cli({"info", folder / "missing.obj"}).code == 3);
+  CHECK(run_cli({"info", folder.path().string() + "/", "--input-format", "obj"}).code == 3);
+}
+
+TEST_CASE("an output that can't be written is exit code 6 and leaves nothing behind") {
+  const ScratchFolder folder;
+  const std::string path = folder.write("a.obj", bytes_of(cube(), MeshFormat::Obj));
+  CHECK(run_cli({"convert", path, "-o", folder / "missing/b.ply"}).code == 6);
+  CHECK(run_cli({"convert", path, "-o", path + "/b.ply"}).code == 6);
+  CHECK(folder.names() == std::vector<std::string>{"a.obj"});
+}
+
+TEST_CASE("an existing output survives a failed conversion") {
+  const ScratchFolder folder;
+  const std::string bad = folder.write("bad.obj", "v 0 0 0\nf 1 2 3\n");
+  const std::string kept = folder.write("kept.ply", "precious");
+  CHECK(run_cli({"convert", bad, "-o", kept}).code == 3);
+  CHECK(slurp(kept) == "precious");
+}
+
+}  // namespace
+}  // namespace croquis::test
