@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
+#include "silhouette/figure_fixtures.h"
 
 using namespace croquis;
 using namespace croquis::silhouette;
@@ -137,6 +138,65 @@ TEST_CASE("a square with a square hole lifts to an annulus") {
   CHECK(euler_number(lifted) == 0);
   CHECK(boundary_loops(lifted) == std::multiset<int>{4, 4});
   CHECK(lifted.triangles.size() == 8);
+}
+
+TEST_CASE("the sheets of labelled tubes are bounded by the contours and have the tubes' Euler numbers") {
+  struct Row {
+    const char* name;
+    test::FigureFixture fixture;
+    std::size_t contours, crossings, hidden_arcs;
+    int panels, euler;
+  };
+  const std::vector<Row> rows = {
+      {"disk", test::disk_figure(), 1, 0, 0, 1, 1},
+      {"ring", test::ring_figure(), 2, 0, 0, 1, 0},
+      {"capsule", test::capsule_figure(), 1, 0, 0, 1, 1},
+      {"crossed capsules", test::crossed_capsules_figure(), 2, 4, 2, 6, 2},
+      {"figure eight", test::figure_eight_figure(), 2, 4, 2, 4, 0},
+      {"snake", test::snake_figure(), 1, 4, 2, 5, 1},
+      {"linked rings", test::linked_rings_figure(), 4, 8, 4, 8, 0},
+      {"trefoil", test::trefoil_figure(), 2, 12, 6, 12, 0},
+  };
+  for (const Row& row : rows) {
+    INFO(row.name);
+    const LabelledFigure& figure = row.fixture.figure;
+    CHECK(figure.contours.size() == row.contours);
+    CHECK(figure.crossings.size() == row.crossings);
+    if (row.crossings > 0) CHECK(figure.arcs.size() == 2 * row.crossings);
+    CHECK(static_cast<std::size_t>(std::count_if(figure.arcs.begin(), figure.arcs.end(), [](const FigureArc& arc) {
+            return arc.depth == 1 && !arc.visible;
+          })) == row.hidden_arcs);
+    CHECK(figure.panels == row.panels);
+
+    const LiftedTriangulation lifted = lift(figure);
+    check_gluing(figure.triangulation, lifted);
+    CHECK(euler_number(lifted) == row.euler);
+    std::multiset<int> lengths;
+    for (const FigureContour& contour : figure.contours) lengths.insert(static_cast<int>(contour.vertices.size()));
+    CHECK(boundary_loops(lifted) == lengths);
+
+    const auto rims = contour_vertices(figure, lifted);
+    for (std::size_t c = 0; c < rims.size(); ++c) {
+      REQUIRE(rims[c].size() == figure.contours[c].vertices.size());
+      for (std::size_t i = 0; i < rims[c].size(); ++i) {
+        CHECK(lifted.on_boundary[rims[c][i]] == 1);
+        CHECK(lifted.planar_vertex[rims[c][i]] == figure.contours[c].vertices[i]);
+      }
+    }
+  }
+}
+
+TEST_CASE("contours that swap sheets at a crossing are refused") {
+  // Two squares of which each hides a corner of the other: the sheets close, but their rims turn off at the crossings.
+  const std::vector<test::FixtureContour> squares = {{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, 1, 0},
+                                                     {{{1, 1}, {3, 1}, {3, 3}, {1, 3}}, 1, 1}};
+  const std::vector<std::string> names = {"first", "second"};
+  const auto hidden_corner = [](Index contour, double position) {
+    return contour == 0 ? (position > 1.5 && position < 2.5 ? 1 : 0) : (position < 0.5 || position > 3.5 ? 1 : 0);
+  };
+  const auto fixture = test::figure_of_contours(squares, names, 1, hidden_corner);
+  const LiftedTriangulation lifted = lift(fixture.figure);
+  CHECK_THROWS_AS(contour_vertices(fixture.figure, lifted), Error);
 }
 
 TEST_CASE("a contour that dives through a sheet between two crossings is refused") {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/silhouette/immersion.h"
 
+#include <algorithm>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "croquis/base/error.h"
 
@@ -163,7 +165,83 @@ void close_fans(const PlanarTriangulation& planar, LiftedTriangulation& lifted) 
   }
 }
 
+/// Every contour segment by its ends, so that it is found from two points in either order.
+struct SegmentTable {
+  std::vector<std::array<Index, 3>> rows;  ///< lower point, higher point, segment; ascending
+
+  explicit SegmentTable(std::span<const std::array<Index, 2>> segments) {
+    rows.reserve(segments.size());
+    for (Index s = 0; s < segments.size(); ++s) {
+      rows.push_back({std::min(segments[s][0], segments[s][1]), std::max(segments[s][0], segments[s][1]), s});
+    }
+    std::sort(rows.begin(), rows.end());
+  }
+
+  Index find(Index a, Index b) const {
+    const std::array<Index, 3> wanted{std::min(a, b), std::max(a, b), 0};
+    const auto row = std::lower_bound(rows.begin(), rows.end(), wanted);
+    if (row == rows.end() || (*row)[0] != wanted[0] || (*row)[1] != wanted[1]) fail("a contour runs off its segments");
+    return (*row)[2];
+  }
+};
+
+/// Where the sheet of a segment ends: a lifted triangle and the corner opposite to the segment.
+struct RimEdge {
+  Index triangle = no_index;
+  Index corner = 0;
+};
+
+std::vector<RimEdge> rim_edges(const PlanarTriangulation& planar, const LiftedTriangulation& lifted,
+                               std::size_t segment_count) {
+  std::vector<RimEdge> rims(segment_count);
+  for (Index m = 0; m < lifted.neighbours.size(); ++m) {
+    for (Index corner = 0; corner < 3; ++corner) {
+      if (lifted.neighbours[m][corner] != no_index) continue;
+      rims[planar.constraints[lifted.planar_triangle[m]][corner]] = {m, corner};
+    }
+  }
+  return rims;
+}
+
+/// The lifted vertices at the ends of a contour's segment, in the contour's direction.
+std::array<Index, 2> rim_vertices(const LiftedTriangulation& lifted, const RimEdge& rim, Index begin) {
+  if (rim.triangle == no_index) fail("a contour segment bounds no sheet");
+  const std::array<Index, 3>& triangle = lifted.triangles[rim.triangle];
+  const std::array<Index, 2> ends{triangle[next(rim.corner)], triangle[previous(rim.corner)]};
+  if (lifted.planar_vertex[ends[0]] == begin) return ends;
+  return {ends[1], ends[0]};
+}
+
 }  // namespace
+
+LiftedTriangulation lift(const LabelledFigure& figure) {
+  std::vector<int> depth(figure.segments.size());
+  for (std::size_t s = 0; s < depth.size(); ++s) depth[s] = figure.arcs[figure.segment_arc[s]].depth;
+  return lift(figure.triangulation, figure.layers, depth);
+}
+
+std::vector<std::vector<Index>> contour_vertices(const LabelledFigure& figure, const LiftedTriangulation& lifted) {
+  const SegmentTable table(figure.segments);
+  const std::vector<RimEdge> rims = rim_edges(figure.triangulation, lifted, figure.segments.size());
+  std::vector<std::vector<Index>> vertices;
+  for (const FigureContour& contour : figure.contours) {
+    const std::size_t count = contour.vertices.size();
+    std::vector<Index> result(count, no_index);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t after = (i + 1) % count;
+      const Index begin = contour.vertices[i];
+      const auto ends = rim_vertices(lifted, rims[table.find(begin, contour.vertices[after])], begin);
+      for (const auto& [position, vertex] : {std::pair{i, ends[0]}, std::pair{after, ends[1]}}) {
+        if (result[position] != no_index && result[position] != vertex) {
+          fail("the boundary leaves its contour at point " + std::to_string(contour.vertices[position]));
+        }
+        result[position] = vertex;
+      }
+    }
+    vertices.push_back(std::move(result));
+  }
+  return vertices;
+}
 
 LiftedTriangulation lift(const PlanarTriangulation& planar, std::span<const int> layers,
                          std::span<const int> constraint_depth) {

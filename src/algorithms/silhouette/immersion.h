@@ -3,6 +3,7 @@
 
 #include "croquis/geometry/planar_triangulation.h"
 #include "croquis/geometry/vector.h"
+#include "croquis/silhouette/labelled_figure.h"
 
 #include <array>
 #include <cstdint>
@@ -38,5 +39,14 @@ struct LiftedTriangulation {
 ///         a plain edge differ at all, or the sheets around a point don't close
 LiftedTriangulation lift(const PlanarTriangulation& planar, std::span<const int> layers,
                          std::span<const int> constraint_depth);
+
+/// The immersed region of a labelled figure.
+LiftedTriangulation lift(const LabelledFigure& figure);
+
+/// The lifted vertex of every contour point: per contour, one per position.
+/// @throws Error (E_INTERNAL) when the boundary of the region doesn't follow the contours: contradicting depths around
+/// a
+///         crossing make it turn off there
+std::vector<std::vector<Index>> contour_vertices(const LabelledFigure& figure, const LiftedTriangulation& lifted);
 
 }  // namespace croquis::silhouette
