@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+
+#include "support/random.h"
+#include "support/sketch_gallery.h"
+#include "support/sketch_layers.h"
+#include "support/sketch_tubes.h"
+
+namespace croquis::test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr int attempts = 4000;
+
+// --- layers ----------------------------------------------------------------------------------------------------------
+
+std::vector<Vec2> random_blob(Random& random, const Vec2& centre, double size) {
+  const double lobes2 = random.between(0, 0.16);
+  const double lobes3 = random.between(0, 0.10);
+  const double turn2 = random.between(0, 2 * pi);
+  const double turn3 = random.between(0, 2 * pi);
+  std::vector<Vec2> outline;
+  const int count = static_cast<int>(2 * pi * size / 3);
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * pi * i / count;
+    const double radius = size * (1 + lobes2 * std::cos(2 * angle + turn2) + lobes3 * std::cos(3 * angle + turn3));
+    outline.emplace_back(centre + radius * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  return outline;
+}
+
+std::vector<Vec2> random_capsule(Random& random, const Vec2& centre, double size) {
+  const double angle = random.between(0, pi);
+  const Vec2 half = size * random.between(0.9, 1.5) * Vec2(std::cos(angle), std::sin(angle));
+  return tube_outline(bar(centre - half, centre + half, size * random.between(0.35, 0.6), [](double) { return 0.0; }));
+}
+
+double shortest_distance_between(const std::vector<TrueCrossing>& places) {
+  double shortest = 1e9;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t k = i + 1; k < places.size(); ++k) {
+      shortest = std::min(shortest, (places[i].at - places[k].at).norm());
+    }
+  }
+  return shortest;
+}
+
+/// Sine of the angle between the two contours at a crossing, from the nearest samples.
+double crossing_sine(const SketchTruth& truth, const TrueCrossing& place) {
+  const auto direction = [&](int contour) -> Vec2 {
+    const auto& points = truth.outlines[static_cast<std::size_t>(contour)].points;
+    const auto nearest = std::min_element(points.begin(), points.end(), [&](const Vec2& a, const Vec2& b) {
+      return (a - place.at).squaredNorm() < (b - place.at).squaredNorm();
+    });
+    const auto i = static_cast<std::size_t>(nearest - points.begin());
+    return (points[(i + 1) % points.size()] - points[(i + points.size() - 1) % points.size()]).normalized();
+  };
+  return std::abs(cross(direction(place.over), direction(place.under)));
+}
+
+/// Every contour crosses another (so none lies free inside another), crossings are apart and not tangential.
+bool clear_to_read(const Sketch& sketch) {
+  const SketchTruth& truth = sketch.truth;
+  for (int c = 0; c < truth.contours; ++c) {
+    const bool meets = std::any_of(truth.places.begin(), truth.places.end(),
+                                   [c](const TrueCrossing& place) { return place.over == c || place.under == c; });
+    if (!meets) return false;
+  }
+  if (shortest_distance_between(truth.places) < 45) return false;
+  return std::all_of(truth.places.begin(), truth.places.end(),
+                     [&](const TrueCrossing& place) { return crossing_sine(truth, place) > 0.5; });
+}
+
+std::optional<Sketch> try_layers(const std::vector<LayeredPart>& parts) {
+  try {
+    return layered_sketch(parts);
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
+// --- tubes -----------------------------------------------------------------------------------------------------------
+
+/// A closed curve of few harmonics: c(t) = sum of a_k cos + b_k sin.
+struct Harmonics {
+  std::vector<Vec2> cosine;
+  std::vector<Vec2> sine;
+
+  Vec2 at(double t) const {
+    Vec2 place(450, 350);
+    for (std::size_t k = 0; k < cosine.size(); ++k) {
+      const double angle = 2 * pi * static_cast<double>(k + 1) * t;
+      place += std::cos(angle) * cosine[k] + std::sin(angle) * sine[k];
+    }
+    return place;
+  }
+};
+
+Harmonics random_curve(Random& random) {
+  Harmonics curve;
+  for (int k = 1; k <= 3; ++k) {
+    const double size = k == 1 ? 170 : random.between(40, 150) / (k == 3 ? 1.6 : 1.0);
+    const auto vector = [&] { return Vec2(random.between(-size, size), 0.8 * random.between(-size, size)); };
+    curve.cosine.push_back(vector());
+    curve.sine.push_back(vector());
+  }
+  return curve;
+}
+
+struct SelfCrossing {
+  double first;
+  double second;
+  Vec2 at;
+};
+
+std::vector<SelfCrossing> self_crossings(const Harmonics& curve) {
+  constexpr int count = 360;
+  std::vector<SelfCrossing> found;
+  const auto point = [&](int i) { return curve.at((i + 0.5) / count); };
+  for (int i = 0; i < count; ++i) {
+    for (int k = i + 2; k < count - (i == 0 ? 1 : 0); ++k) {
+      const Vec2 a = point(i + 1) - point(i);
+      const Vec2 b = point(k + 1) - point(k);
+      const Vec2 apart = point(k) - point(i);
+      const double ta = cross(apart, b) / cross(a, b);
+      const double tb = cross(apart, a) / cross(a, b);
+      if (ta < 0 || ta >= 1 || tb < 0 || tb >= 1) continue;
+      found.push_back({(i + 0.5 + ta) / count, (k + 0.5 + tb) / count, point(i) + ta * a});
+    }
+  }
+  return found;
+}
+
+bool bends_gently(const Harmonics& curve, double radius) {
+  for (int i = 0; i < 400; ++i) {
+    const double t = i / 400.0;
+    const Vec2 before = curve.at(t) - curve.at(t - 0.002);
+    const Vec2 after = curve.at(t + 0.002) - curve.at(t);
+    const double turn = std::atan2(std::abs(cross(before, after)), before.dot(after));
+    if (turn * 1.7 * radius > before.norm()) return false;
+  }
+  return true;
+}
+
+bool crossings_apart(const std::vector<SelfCrossing>& crossings, double distance) {
+  for (std::size_t i = 0; i < crossings.size(); ++i) {
+    for (std::size_t k = i + 1; k < crossings.size(); ++k) {
+      if ((crossings[i].at - crossings[k].at).norm() < distance) return false;
+    }
+  }
+  return true;
+}
+
+/// At each crossing one of the two passes is raised at random; in between the nearest crossing decides.
+std::function<double(double)> random_heights(Random& random, const std::vector<SelfCrossing>& crossings) {
+  std::vector<std::pair<double, double>> passes;
+  for (const SelfCrossing& crossing : crossings) {
+    const double up = random.below(2) == 0 ? 1 : -1;
+    passes.emplace_back(crossing.first, up);
+    passes.emplace_back(crossing.second, -up);
+  }
+  return [passes](double t) {
+    double nearest = 2;
+    double height = 0;
+    for (const auto& [at, up] : passes) {
+      const double apart = std::abs(t - at);
+      const double distance = std::min(apart, 1 - apart);
+      if (distance < nearest) height = up;
+      nearest = std::min(nearest, distance);
+    }
+    return height;
+  };
+}
+
+std::optional<Sketch> try_tube(Random& random, double radius) {
+  const Harmonics curve = random_curve(random);
+  if (!bends_gently(curve, radius)) return std::nullopt;
+  const std::vector<SelfCrossing> crossings = self_crossings(curve);
+  if (crossings.empty() || !crossings_apart(crossings, 4 * radius)) return std::nullopt;
+  const auto centre = [curve](double t) { return curve.at(t); };
+  const TubeStrand strand{centre, [radius](double) { return radius; }, random_heights(random, crossings), true};
+  try {
+    Sketch sketch = tube_sketch({strand});
+    const bool clean = sketch.truth.crossings == 4 * static_cast<int>(crossings.size()) &&
+                       sketch.truth.hidden_arcs == 2 * static_cast<int>(crossings.size());
+    if (clean && clear_to_read(sketch)) return sketch;
+  } catch (const std::logic_error&) {
+    // Two passes too close to tell apart: another curve.
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Sketch random_layered_sketch(std::uint64_t seed, int parts) {
+  Random random(seed);
+  const double size = 260 / std::sqrt(static_cast<double>(parts));
+  std::vector<LayeredPart> chosen;
+  std::optional<Sketch> sketch;
+  for (int attempt = 0; attempt < attempts && static_cast<int>(chosen.size()) < parts; ++attempt) {
+    const Vec2 centre(random.between(150, 750), random.between(130, 570));
+    const bool round = random.below(3) > 0;
+    const double own_size = size * random.between(0.7, 1.2);
+    LayeredPart part{round ? random_blob(random, centre, own_size) : random_capsule(random, centre, own_size), 0};
+    part.priority = static_cast<int>(random.below(1000)) * 16 + static_cast<int>(chosen.size());
+    chosen.push_back(std::move(part));
+    std::optional<Sketch> next = try_layers(chosen);
+    if (next && (chosen.size() == 1 || clear_to_read(*next))) {
+      sketch = std::move(next);
+    } else {
+      chosen.pop_back();
+    }
+  }
+  if (static_cast<int>(chosen.size()) != parts) throw std::logic_error("no room for that many random parts");
+  return *sketch;
+}
+
+Sketch random_tube_sketch(std::uint64_t seed) {
+  Random random(seed);
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    if (std::optional<Sketch> sketch = try_tube(random, random.between(20, 34))) return *sketch;
+  }
+  throw std::logic_error("no clean random tube");
+}
+
+}  // namespace croquis::test
