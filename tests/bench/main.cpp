@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/bench.h"
+
+#include <iostream>
+#include <map>
+#include <string>
+#include <vector>
+
+int main(int argc, char** argv) {
+  using namespace croquis::bench;
+  const std::map<std::string, void (*)(std::ostream&)> benches = {
+      {"readers", bench_readers}, {"silhouette", bench_silhouette}, {"solver", bench_solver}};
+  std::vector<std::string> chosen(argv + 1, argv + argc);
+  if (chosen.empty()) chosen = {"readers", "solver", "silhouette"};
+  for (const std::string& name : chosen) {
+    const auto bench = benches.find(name);
+    if (bench == benches.end()) {
+      std::cerr << "There is no benchmark '" << name << "': use readers, solver or silhouette.\n";
+      return 2;
+    }
+    std::cout << "# " << name << "\n\n";
+    bench->second(std::cout);
+    std::cout << std::endl;
+  }
+  return 0;
+}
