@@ -1,0 +1,397 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/solver/least_squares.h"
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <numeric>
+#include <random>
+
+#include <catch2/catch.hpp>
+
+#include "croquis/base/error.h"
+#include "solver/dense_oracle.h"
+#include "solver/sample_problems.h"
+
+using namespace croquis;
+using namespace croquis::test;
+using Eigen::VectorXd;
+using Matrix = Eigen::SparseMatrix<double>;
+
+namespace {
+
+LeastSquaresSolution solve(const LeastSquaresProblem& problem) {
+  Progress progress;
+  return solve_least_squares(problem, {}, progress);
+}
+
+Matrix sparse(const Eigen::MatrixXd& dense) { return dense.sparseView(); }
+
+Matrix identity(int n) { return sparse(Eigen::MatrixXd::Identity(n, n)); }
+
+VectorXd vector(std::initializer_list<double> values) {
+  return Eigen::Map<const VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()));
+}
+
+double largest(const VectorXd& values) { return values.lpNorm<Eigen::Infinity>(); }
+
+/// Karush, Kuhn and Tucker's conditions, which a convex problem's optimum and nothing else meets.
+void check_optimal(const LeastSquaresProblem& problem, const LeastSquaresSolution& solution, double tolerance) {
+  CHECK(solution.converged);
+  CHECK(solution.violated_rows.empty());
+  CHECK(solution.contradictory_equalities.empty());
+  const VectorXd slope = problem.objective.transpose() * (problem.objective * solution.x - problem.target);
+  const VectorXd forces = problem.inequalities.transpose() * solution.multipliers +
+                          problem.equalities.transpose() * solution.equality_multipliers;
+  const double force_scale =
+      std::max({largest(slope), largest(problem.objective.transpose() * problem.target), 1e-300});
+  CHECK(largest(slope - forces) <= tolerance * force_scale);
+  const double length_scale = largest(solution.x) + largest(problem.inequality_bounds);
+  CHECK(largest(problem.equalities * solution.x - problem.equality_values) <= tolerance * length_scale);
+  const VectorXd margin = problem.inequalities * solution.x - problem.inequality_bounds;
+  for (Eigen::Index row = 0; row < margin.size(); ++row) {
+    CHECK(margin[row] >= -tolerance * length_scale);
+    CHECK(solution.multipliers[row] >= 0);
+    CHECK(margin[row] * solution.multipliers[row] <= tolerance * length_scale * force_scale);
+  }
+}
+
+RandomShape shape_of(std::uint32_t seed) {
+  const int s = static_cast<int>(seed);
+  RandomShape shape;
+  shape.unknowns = 2 + s % 9;
+  shape.objective_rows = shape.unknowns + s % 5;
+  shape.equalities = std::min(s % 4, shape.unknowns - 1);
+  shape.inequalities = 3 + s % 17;
+  shape.tight = s % shape.inequalities;
+  return shape;
+}
+
+/// Two unknowns that may only differ: rows 0 and 1 ask for opposite orders, row 2 asks for nothing hard.
+LeastSquaresProblem contradictory_pair() {
+  LeastSquaresProblem problem;
+  problem.objective = identity(3);
+  problem.target = vector({3, 0, 1});
+  problem.inequalities = sparse((Eigen::MatrixXd(3, 3) << 1, -1, 0, -1, 1, 0, 0, 0, 1).finished());
+  problem.inequality_bounds = vector({1, 1, 2});
+  return problem;
+}
+
+}  // namespace
+
+TEST_CASE("random problems meet the optimality conditions and agree with a dense active-set method") {
+  int compared = 0;
+  for (std::uint32_t seed = 0; seed < 400; ++seed) {
+    CAPTURE(seed);
+    const LeastSquaresProblem problem = random_problem(shape_of(seed), seed);
+    const LeastSquaresSolution solution = solve(problem);
+    check_optimal(problem, solution, 1e-9);
+    CHECK(solution.iterations <= 25);
+    const auto expected = dense_optimum(problem);
+    if (!expected) continue;
+    CHECK(largest(solution.x - *expected) <= 1e-6 * (1 + largest(*expected)));
+    ++compared;
+  }
+  CHECK(compared >= 390);
+}
+
+TEST_CASE("small linked rings agree with the dense method") {
+  const LeastSquaresProblem problem = depth_problem(chain_of_rings(2, 16), 22);
+  REQUIRE(problem.inequalities.rows() > 4);
+  const LeastSquaresSolution solution = solve(problem);
+  check_optimal(problem, solution, 1e-9);
+  const auto expected = dense_optimum(problem);
+  REQUIRE(expected);
+  CHECK(largest(solution.x - *expected) <= 1e-6 * largest(*expected));
+}
+
+TEST_CASE("depths of rings and knots take at most 25 steps and 40 factorisations") {
+  for (const auto& [lines, radius] : {std::pair(chain_of_rings(5, 32), 18.0), std::pair(chain_of_rings(2, 96), 18.0),
+                                      std::pair(chain_of_rings(16, 64), 18.0), std::pair(trefoil(60), 36.0),
+                                      std::pair(trefoil(181), 36.0), std::pair(trefoil(400), 20.0)}) {
+    const LeastSquaresProblem problem = depth_problem(lines, radius);
+    CAPTURE(problem.objective.cols(), problem.inequalities.rows());
+    const LeastSquaresSolution solution = solve(problem);
+    check_optimal(problem, solution, 1e-9);
+    CHECK(solution.iterations > 0);
+    CHECK(solution.iterations <= 25);
+    CHECK(solution.factorisations <= 40);
+    // Feasible: the elastic form leaves no trace.
+    CHECK(largest(solution.shortfall) <= 1e-11 * largest(problem.inequality_bounds));
+  }
+}
+
+TEST_CASE("sheets over obstacles take at most 25 steps and 40 factorisations") {
+  for (const auto& [cells, sheets, share] : {std::tuple(12, 2, 0.3), std::tuple(30, 2, 0.75), std::tuple(24, 3, 0.5),
+                                             std::tuple(16, 4, 0.1), std::tuple(40, 2, 0.02)}) {
+    CAPTURE(cells, sheets, share);
+    const LeastSquaresProblem problem = sheet_problem(cells, sheets, share);
+    const LeastSquaresSolution solution = solve(problem);
+    check_optimal(problem, solution, 1e-8);
+    CHECK(solution.iterations > 0);
+    CHECK(solution.iterations <= 25);
+    CHECK(solution.factorisations <= 40);
+  }
+}
+
+TEST_CASE("rows that hold at the equalities' optimum cost one factorisation") {
+  LeastSquaresProblem problem = depth_problem(chain_of_rings(2, 32), 18);
+  problem.inequality_bounds.setConstant(-1);
+  const LeastSquaresSolution solution = solve(problem);
+  CHECK(solution.factorisations == 1);
+  CHECK(solution.iterations == 0);
+  check_optimal(problem, solution, 1e-12);
+}
+
+TEST_CASE("two rows that contradict each other are named, and no other") {
+  const LeastSquaresSolution solution = solve(contradictory_pair());
+  CHECK(solution.converged);
+  // The target wants x0 - x1 = 3, so row 0 holds and row 1 alone falls short, by the least possible.
+  CHECK(solution.violated_rows == std::vector<int>{1});
+  CHECK(solution.shortfall[1] == Approx(2));
+  CHECK(solution.x[0] - solution.x[1] == Approx(1));
+  CHECK(solution.x[0] + solution.x[1] == Approx(3));
+  CHECK(solution.x[2] == Approx(2));
+}
+
+TEST_CASE("one contradictory row planted among rings takes all of the shortfall") {
+  LeastSquaresProblem problem = depth_problem(chain_of_rings(3, 32), 18);
+  const LeastSquaresSolution before = solve(problem);
+  // The opposite of the row that presses least among those that press: it can't win against its neighbours.
+  const auto rows = problem.inequalities.rows();
+  for (const double gap : {5.0, 20.0, 40.0}) {
+    CAPTURE(gap);
+    LeastSquaresProblem planted = problem;
+    Eigen::MatrixXd dense(rows + 1, problem.inequalities.cols());
+    dense.topRows(rows) = Eigen::MatrixXd(problem.inequalities);
+    Eigen::Index strongest = 0;
+    before.multipliers.maxCoeff(&strongest);
+    dense.row(rows) = -dense.row(strongest);
+    planted.inequalities = sparse(dense);
+    planted.inequality_bounds.conservativeResize(rows + 1);
+    planted.inequality_bounds[rows] = gap;
+    const LeastSquaresSolution after = solve(planted);
+    CHECK(after.converged);
+    CHECK(after.iterations <= 25);
+    CHECK(after.factorisations <= 40);
+    CHECK(std::find(after.violated_rows.begin(), after.violated_rows.end(), static_cast<int>(rows)) !=
+          after.violated_rows.end());
+    // All of the rows' shortfalls together are what the pair needs, no more.
+    CHECK(after.shortfall.sum() == Approx(gap + problem.inequality_bounds[strongest]).epsilon(1e-7));
+  }
+}
+
+TEST_CASE("contradicting bounds on one number leave the least sum of shortfalls") {
+  // Breakpoints of the sum are the bounds themselves: try all of them.
+  std::mt19937 random(7);
+  for (int trial = 0; trial < 60; ++trial) {
+    CAPTURE(trial);
+    const int rows = 2 + static_cast<int>(random() % 6u);
+    Eigen::MatrixXd signs(rows, 1);
+    VectorXd bounds(rows);
+    for (int row = 0; row < rows; ++row) {
+      signs(row, 0) = random() % 2u == 0 ? 1 : -1;
+      bounds[row] = static_cast<double>(random() % 1000u) / 100 - 3;
+    }
+    LeastSquaresProblem problem;
+    problem.objective = identity(1);
+    problem.target = vector({static_cast<double>(random() % 1000u) / 100 - 5});
+    problem.inequalities = sparse(signs);
+    problem.inequality_bounds = bounds;
+    const auto cost = [&](double x) { return (bounds - signs * x).cwiseMax(0.0).sum(); };
+    std::vector<double> places{problem.target[0]};
+    for (int row = 0; row < rows; ++row) places.push_back(signs(row, 0) * bounds[row]);
+    double least = std::numeric_limits<double>::infinity();
+    for (const double place : places) least = std::min(least, cost(place));
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const double place : places)
+      if (cost(place) <= least + 1e-12) nearest = std::min(nearest, std::abs(place - problem.target[0]));
+    const LeastSquaresSolution solution = solve(problem);
+    CHECK(solution.converged);
+    CHECK(solution.shortfall.sum() == Approx(least).margin(1e-9));
+    CHECK(std::abs(solution.x[0] - problem.target[0]) == Approx(nearest).margin(1e-7));
+    CHECK(solution.violated_rows.empty() == (least < 1e-9));
+  }
+}
+
+TEST_CASE("other units of length give the same steps and the scaled answer") {
+  const LeastSquaresProblem problem = depth_problem(chain_of_rings(4, 48), 18);
+  const LeastSquaresSolution reference = solve(problem);
+  REQUIRE(reference.iterations > 0);
+  for (const double unit : {1e-6, 1e-3, 1e3, 1e6}) {
+    CAPTURE(unit);
+    LeastSquaresProblem scaled = problem;
+    // Heights are lengths, gradients are not.
+    VectorXd columns = VectorXd::Ones(problem.objective.cols());
+    for (Eigen::Index i = 0; i < columns.size(); i += 3) columns[i] = 1 / unit;
+    scaled.objective = problem.objective * columns.asDiagonal();
+    scaled.equalities = problem.equalities * columns.asDiagonal();
+    scaled.inequality_bounds *= unit;
+    const LeastSquaresSolution solution = solve(scaled);
+    CHECK(solution.iterations == reference.iterations);
+    CHECK(solution.factorisations == reference.factorisations);
+    CHECK(largest(columns.cwiseProduct(solution.x) - reference.x) <= 1e-9 * largest(reference.x));
+  }
+}
+
+TEST_CASE("the order of rows and unknowns doesn't matter") {
+  for (std::uint32_t seed = 0; seed < 40; ++seed) {
+    CAPTURE(seed);
+    const LeastSquaresProblem problem = random_problem(shape_of(seed), seed);
+    std::mt19937 random(seed);
+    const auto shuffled = [&random](Eigen::Index size) {
+      Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order(size);
+      order.setIdentity();
+      for (Eigen::Index i = size - 1; i > 0; --i)
+        std::swap(order.indices()[i],
+                  order.indices()[static_cast<Eigen::Index>(random() % static_cast<std::uint32_t>(i + 1))]);
+      return order;
+    };
+    const auto columns = shuffled(problem.objective.cols());
+    const auto rows = shuffled(problem.inequalities.rows());
+    LeastSquaresProblem other = problem;
+    other.objective = problem.objective * columns;
+    other.equalities = problem.equalities * columns;
+    other.inequalities = rows * Matrix(problem.inequalities * columns);
+    other.inequality_bounds = rows * problem.inequality_bounds;
+    const LeastSquaresSolution a = solve(problem);
+    const LeastSquaresSolution b = solve(other);
+    CHECK(largest(a.x - columns * b.x) <= 1e-9 * (1 + largest(a.x)));
+    CHECK(largest(rows * a.shortfall - b.shortfall) <= 1e-9 * (1 + largest(a.x)));
+  }
+}
+
+TEST_CASE("problems without inequalities, equalities, objective or unknowns are solved") {
+  LeastSquaresProblem problem;
+  CHECK(solve(problem).x.size() == 0);
+
+  problem.objective = identity(2);
+  problem.target = vector({1, 2});
+  CHECK(largest(solve(problem).x - vector({1, 2})) <= 1e-15);
+
+  problem.inequalities = identity(2);
+  problem.inequality_bounds = vector({3, -1});
+  CHECK(largest(solve(problem).x - vector({3, 2})) <= 1e-12);
+
+  LeastSquaresProblem no_objective;
+  no_objective.equalities = sparse(Eigen::MatrixXd::Ones(1, 2));
+  no_objective.equality_values = vector({4});
+  no_objective.inequalities = sparse((Eigen::MatrixXd(1, 2) << 1, -1).finished());
+  no_objective.inequality_bounds = vector({2});
+  const LeastSquaresSolution solution = solve(no_objective);
+  CHECK(solution.singular_objective);
+  CHECK(solution.violated_rows.empty());
+  CHECK(solution.x.sum() == Approx(4));
+  CHECK(solution.x[0] - solution.x[1] >= 2 - 1e-7);
+
+  LeastSquaresProblem bounds_alone;
+  bounds_alone.inequalities = identity(2);
+  bounds_alone.inequality_bounds = vector({3, -1});
+  const LeastSquaresSolution corner = solve(bounds_alone);
+  CHECK(corner.violated_rows.empty());
+  CHECK(corner.x[0] >= 3 - 1e-6);
+}
+
+TEST_CASE("rows without entries are met or named") {
+  LeastSquaresProblem problem;
+  problem.objective = identity(2);
+  problem.target = vector({0, 0});
+  problem.equalities = Matrix(2, 2);
+  problem.equality_values = vector({0, 1});
+  problem.inequalities = sparse((Eigen::MatrixXd(3, 2) << 0, 0, 1, 0, 0, 0).finished());
+  problem.inequality_bounds = vector({5, 2, -5});
+  const LeastSquaresSolution solution = solve(problem);
+  CHECK(solution.contradictory_equalities == std::vector<int>{1});
+  CHECK(solution.violated_rows == std::vector<int>{0});
+  CHECK(solution.shortfall[0] == 5);
+  CHECK(largest(solution.x - vector({2, 0})) <= 1e-9);
+}
+
+TEST_CASE("dependent equalities change nothing") {
+  for (std::uint32_t seed = 1; seed < 60; ++seed) {
+    CAPTURE(seed);
+    const LeastSquaresProblem problem = random_problem(shape_of(seed), seed);
+    const Eigen::MatrixXd once = problem.equalities;
+    if (once.rows() == 0) continue;
+    Eigen::MatrixXd thrice(3 * once.rows(), once.cols());
+    thrice << once, -2 * once, once.colwise().sum().replicate(once.rows(), 1);
+    LeastSquaresProblem repeated = problem;
+    repeated.equalities = sparse(thrice);
+    repeated.equality_values = VectorXd(thrice.rows());
+    repeated.equality_values << problem.equality_values, -2 * problem.equality_values,
+        VectorXd::Constant(once.rows(), problem.equality_values.sum());
+    const LeastSquaresSolution solution = solve(repeated);
+    check_optimal(repeated, solution, 1e-8);
+    CHECK(largest(solution.x - solve(problem).x) <= 1e-7 * (1 + largest(solution.x)));
+  }
+}
+
+TEST_CASE("equalities that contradict each other are named, and no other") {
+  LeastSquaresProblem problem;
+  problem.objective = identity(3);
+  problem.target = vector({1, 1, 1});
+  problem.equalities = sparse((Eigen::MatrixXd(4, 3) << 0, 0, 1, 1, 0, 0, 0, 1, 1, 1, 0, 0).finished());
+  problem.equality_values = vector({2, 0, 5, 4});
+  problem.inequalities = sparse((Eigen::MatrixXd(1, 3) << 0, 1, 0).finished());
+  problem.inequality_bounds = vector({1});
+  const LeastSquaresSolution solution = solve(problem);
+  CHECK(solution.contradictory_equalities == std::vector<int>{1, 3});
+  CHECK(solution.violated_rows.empty());
+  CHECK(largest(solution.x - vector({2, 3, 2})) <= 1e-6);
+}
+
+TEST_CASE("an objective blind to a direction is told from one that sees all") {
+  LeastSquaresProblem problem;
+  problem.objective = sparse((Eigen::MatrixXd(2, 3) << 1, -1, 0, 0, 1, -1).finished());
+  problem.target = vector({1, 1});
+  const LeastSquaresSolution free_shift = solve(problem);
+  CHECK(free_shift.singular_objective);
+  CHECK(free_shift.x[0] - free_shift.x[2] == Approx(2));
+  problem.equalities = sparse((Eigen::MatrixXd(1, 3) << 1, 1, 1).finished());
+  CHECK_FALSE(solve(problem).singular_objective);
+  CHECK_FALSE(solve(depth_problem(trefoil(181), 36)).singular_objective);
+  CHECK_FALSE(solve(sheet_problem(60, 1, 0)).singular_objective);
+}
+
+TEST_CASE("numbers that are not finite and sizes that don't fit are refused, all at once") {
+  LeastSquaresProblem problem;
+  problem.objective = identity(2);
+  problem.target = vector({1, std::numeric_limits<double>::quiet_NaN()});
+  problem.equalities = identity(3);
+  problem.inequalities = identity(2);
+  problem.inequality_bounds = vector({1, 2, std::numeric_limits<double>::infinity()});
+  try {
+    solve(problem);
+    FAIL("nothing was thrown");
+  } catch (const Error& error) {
+    CHECK(error.findings().size() >= 4);
+    for (const Finding& finding : error.findings()) CHECK(finding.code == "E_SOLVER");
+  }
+}
+
+TEST_CASE("a raised cancel flag stops the solver") {
+  std::atomic<bool> cancel{true};
+  Progress before({}, &cancel);
+  const LeastSquaresProblem problem = depth_problem(chain_of_rings(3, 48), 18);
+  CHECK_THROWS_AS(solve_least_squares(problem, {}, before), Cancelled);
+
+  cancel = false;
+  int reports = 0;
+  Progress during([&](double, const std::string&) { cancel = ++reports == 4; }, &cancel);
+  CHECK_THROWS_AS(solve_least_squares(problem, {}, during), Cancelled);
+  CHECK(reports <= 5);
+}
+
+TEST_CASE("progress rises to 1") {
+  std::vector<double> seen;
+  Progress progress([&](double fraction, const std::string&) { seen.push_back(fraction); });
+  solve_least_squares(depth_problem(chain_of_rings(3, 48), 18), {}, progress);
+  CHECK(seen.size() > 5);
+  CHECK(std::is_sorted(seen.begin(), seen.end()));
+  CHECK(seen.back() == 1);
+}
+
+TEST_CASE("the same problem gives the same bits") {
+  const LeastSquaresProblem problem = sheet_problem(20, 2, 0.3);
+  CHECK(solve(problem).x == solve(problem).x);
+}
