@@ -16,7 +16,7 @@ Progress Progress::step(const std::string& name, double share) {
   const double length = end_ - begin_;
   part.name_ = name;
   part.begin_ = begin_ + length * handed_out_;
-  handed_out_ = std::clamp(handed_out_ + share, 0.0, 1.0);
+  if (share > 0) handed_out_ = std::min(handed_out_ + share, 1.0);  // false for NaN too
   part.end_ = begin_ + length * handed_out_;
   part.handed_out_ = 0;
   part.report(0);
@@ -27,7 +27,7 @@ void Progress::report(double fraction) {
   check();
   if (!shared_ || !shared_->sink) return;
   const double whole = begin_ + (end_ - begin_) * std::clamp(fraction, 0.0, 1.0);
-  shared_->highest = std::max(shared_->highest, whole);
+  shared_->highest = std::max(shared_->highest, std::min(whole, 1.0));
   shared_->sink(shared_->highest, name_);
 }
 
