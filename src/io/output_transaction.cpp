@@ -38,9 +38,9 @@ std::string reason_of(int error) {
 
 std::string sibling(const std::string& target, const char* ending, int attempt) {
   const fs::path path(target);
-  std::string name = ".";  // hidden, and appended to: gcc 12 warns without reason about "." + …
-  name += path.filename().string();
-  name += "." + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ending;
+  std::string name = ".";
+  name.append(path.filename().string()).append(1, '.').append(std::to_string(::getpid()));
+  name.append(1, '-').append(std::to_string(attempt)).append(ending);
   return (path.parent_path() / name).string();
 }
 

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "croquis/geometry/poly_mesh.h"
+
+#include <string>
+#include <vector>
+
+/// Reading channels without caring for the type that their file had.
+namespace croquis {
+
+/// The value number `i` of the flat data.
+double value_of(const AttributeChannel& channel, std::size_t i);
+
+bool is_floating(const AttributeChannel& channel);
+
+/// A colour's component as 0..1, whatever its type.
+double colour_of(const AttributeChannel& channel, std::size_t i);
+
+/// All values are finite (integers always are).
+bool all_finite(const AttributeChannel& channel);
+
+/// The name of a face's or line's group, object or material: its label, else its number; empty for none (-1).
+std::string label_of(const AttributeChannel& channel, std::size_t element);
+
+/// The length fits the mesh, so that elements may be looked up.
+bool fits(const AttributeChannel& channel, const PolyMesh& mesh);
+
+/// The channel of that name, domain and one of two widths, if there is one that fits.
+const AttributeChannel* usable_channel(const PolyMesh& mesh, const char* name, Domain domain, int width, int or_width);
+
+template <typename T>
+AttributeChannel make_channel(std::string name, Domain domain, int width, std::vector<T> values) {
+  return {std::move(name), domain, width, std::move(values), {}};
+}
+
+/// Colours gathered as numbers: bytes when every file's value was an integer 0..255 and each element has one, else
+/// numbers 0..1 with NaN for none.
+AttributeChannel colour_channel(Domain domain, int width, std::vector<double> unit_values, bool bytes);
+
+}  // namespace croquis

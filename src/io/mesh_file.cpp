@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/io/mesh_file.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "croquis/base/error.h"
+#include "io/mesh_checks.h"
+#include "io/obj_reader.h"
+#include "io/obj_writer.h"
+#include "io/ply_reader.h"
+#include "io/ply_writer.h"
+#include "io/read_context.h"
+#include "io/text.h"
+
+namespace croquis {
+namespace {
+
+// Vertices, corners and bytes of a file below this fit 32-bit indices.
+constexpr std::size_t largest_file = std::size_t{1} << 32;
+
+constexpr std::array extensions = {std::pair{"obj", MeshFormat::Obj}, std::pair{"ply", MeshFormat::Ply},
+                                   std::pair{"stl", MeshFormat::Stl}, std::pair{"off", MeshFormat::Off},
+                                   std::pair{"glb", MeshFormat::Glb}};
+
+PolyMesh read_format(const MeshSource& source, ReadContext& context) {
+  switch (source.format) {
+    case MeshFormat::Obj: return read_obj(source.bytes, context);
+    case MeshFormat::Ply: return read_ply(source.bytes, context);
+    default: break;
+  }
+  return {};
+}
+
+void check_size(const MeshSource& source, ReadContext& context) {
+  if (source.bytes.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    context.fail("E_EMPTY", "the file is empty", {});
+  }
+  if (source.bytes.size() < largest_file) return;
+  throw Error(make_error(Category::Limit, "E_TOO_LARGE",
+                         "'" + source.file_name + "': files of 4 GiB and more are not read; split the model.",
+                         {{SubjectKind::File, source.file_name, source.file_name, std::nullopt, {}}}));
+}
+
+// What a text format's reader gets back under `precision`.
+template <typename Float>
+double rewritten(double value, int precision) {
+  std::string text;
+  append_number(text, static_cast<Float>(value), precision);
+  Float back = 0;
+  parse_number(text, back);
+  return static_cast<double>(back);
+}
+
+}  // namespace
+
+const char* to_string(MeshFormat format) {
+  switch (format) {
+    case MeshFormat::Obj: return "OBJ";
+    case MeshFormat::Ply: return "PLY";
+    case MeshFormat::Stl: return "STL";
+    case MeshFormat::Off: return "OFF";
+    case MeshFormat::Glb: return "GLB";
+  }
+  return "";
+}
+
+std::optional<MeshFormat> mesh_format_of(std::string_view path_or_extension) {
+  const std::size_t separator = path_or_extension.find_last_of("./\\");
+  const bool has_dot = separator != std::string_view::npos && path_or_extension[separator] == '.';
+  if (separator != std::string_view::npos && !has_dot) return std::nullopt;
+  const std::string extension = lower_case(path_or_extension.substr(has_dot ? separator + 1 : 0));
+  for (const auto& [name, format] : extensions) {
+    if (extension == name) return format;
+  }
+  return std::nullopt;
+}
+
+MeshReadResult read_mesh(const MeshSource& source, Progress& progress) {
+  ReadContext context(source, progress);
+  check_size(source, context);
+  MeshReadResult result;
+  result.mesh = read_format(source, context);
+  if (!context.has_errors()) check_mesh(result.mesh, source.require_faces, context);
+  result.warnings = context.finish();
+  progress.report(1);
+  return result;
+}
+
+MeshReadResult read_mesh(std::string_view bytes, MeshFormat format, const std::string& file_name, Progress& progress) {
+  return read_mesh({bytes, format, file_name}, progress);
+}
+
+MeshWriteResult write_mesh(const PolyMesh& mesh, MeshFormat format, const MeshWriteOptions& options,
+                           Progress& progress) {
+  switch (format) {
+    case MeshFormat::Obj: return write_obj(mesh, options, progress);
+    case MeshFormat::Ply: return write_ply(mesh, options, progress);
+    default: break;
+  }
+  return {};
+}
+
+PolyMesh as_written(const PolyMesh& mesh, MeshFormat format, const MeshWriteOptions& options) {
+  PolyMesh written = mesh;
+  const bool as_text = format == MeshFormat::Obj || format == MeshFormat::Off || options.ascii;
+  const bool as_floats = format == MeshFormat::Ply && positions_are_floats(mesh);
+  if (!as_text || options.precision <= 0) return written;
+  for (Vec3& position : written.positions) {
+    for (double& x : position) {
+      x = as_floats ? rewritten<float>(x, options.precision) : rewritten<double>(x, options.precision);
+    }
+  }
+  return written;
+}
+
+}  // namespace croquis

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "croquis/base/error.h"
+#include "croquis/geometry/poly_mesh.h"
+#include "croquis/io/mesh_file.h"
+
+namespace croquis::test {
+
+/// What differs between two meshes down to the bits of positions and channels; empty when nothing does.
+std::string difference(const PolyMesh& a, const PolyMesh& b);
+
+/// The same without channels and positions: faces and lines alone.
+bool same_connectivity(const PolyMesh& a, const PolyMesh& b);
+
+/// Indices and offsets are in range and every channel has its length.
+bool usable(const PolyMesh& mesh);
+
+MeshReadResult read(const std::string& bytes, MeshFormat format);
+MeshWriteResult write(const PolyMesh& mesh, MeshFormat format, MeshWriteOptions options = {});
+
+/// The findings that reading throws; fails the test when it throws none.
+Findings refusal(const std::string& bytes, MeshFormat format);
+
+/// Channels of every kind that a scan or a game asset may bring.
+PolyMesh with_attributes(PolyMesh mesh);
+
+}  // namespace croquis::test
