@@ -35,20 +35,21 @@ struct Step {
 
 class Run {
  public:
-  Run(const ElasticProblem& problem, KktSystem& system) : problem_(problem), system_(system) { start(); }
+  Run(const ElasticProblem& problem, KktSystem& system, ElasticPoint& start)
+      : point(start), problem_(problem), system_(system) {}
 
-  bool converged(const LeastSquaresOptions& options);
+  bool converged(double tolerance, double complementarity);
   void raise_penalty();
   void iterate();
 
-  ElasticPoint point;
+  ElasticPoint& point;
 
  private:
-  void start();
   double mean_product() const;
   Step direction(const VectorXd& distance_target, const VectorXd& shortfall_target) const;
   double reach(const Step& step) const;
   void move(const Step& step, double length);
+  double centring(const Step& predictor) const;
 
   const ScaledProblem& matrices() const { return *problem_.matrices; }
 
@@ -56,46 +57,31 @@ class Run {
   KktSystem& system_;
   Residuals residuals_;
   VectorXd row_weights_;
-  int raises_ = 0;
 };
-
-/// Each row starts with a distance of at least 1 (the largest violation) and a multiplier to match; the shortfall
-/// starts small, since most rows need none.
-void Run::start() {
-  const Index rows = problem_.bounds.size();
-  point.penalty = first_penalty;
-  point.y = VectorXd::Zero(system_.unknowns());
-  point.equality = VectorXd::Zero(matrices().equalities.rows());
-  point.distance = (-problem_.bounds).cwiseMax(1.0);
-  point.multipliers = point.distance.cwiseInverse().cwiseMin(0.5 * point.penalty * problem_.prices);
-  point.slack_multipliers = point.penalty * problem_.prices - point.multipliers;
-  point.shortfall = point.slack_multipliers.cwiseInverse();
-  row_weights_.resize(rows);
-}
 
 double Run::mean_product() const {
   const double sum = point.distance.dot(point.multipliers) + point.shortfall.dot(point.slack_multipliers);
   return sum / static_cast<double>(2 * point.distance.size());
 }
 
-bool Run::converged(const LeastSquaresOptions& options) {
+bool Run::converged(double tolerance, double complementarity) {
   const ScaledProblem& m = matrices();
   residuals_.stationarity = m.inequalities.transpose() * point.multipliers + m.equalities.transpose() * point.equality -
                             m.objective.transpose() * (m.objective * point.y);
   residuals_.equality = -(m.equalities * point.y);
   residuals_.rows = problem_.bounds - m.inequalities * point.y - point.shortfall + point.distance;
   const double multiplier_scale = std::max(1.0, point.multipliers.lpNorm<Eigen::Infinity>());
-  return residuals_.rows.lpNorm<Eigen::Infinity>() <= options.primal_tolerance &&
-         residuals_.equality.lpNorm<Eigen::Infinity>() <= options.primal_tolerance &&
-         residuals_.stationarity.lpNorm<Eigen::Infinity>() <= options.primal_tolerance * multiplier_scale &&
-         mean_product() <= options.complementarity_tolerance;
+  return residuals_.rows.lpNorm<Eigen::Infinity>() <= tolerance &&
+         residuals_.equality.lpNorm<Eigen::Infinity>() <= tolerance &&
+         residuals_.stationarity.lpNorm<Eigen::Infinity>() <= tolerance * multiplier_scale &&
+         mean_product() <= complementarity;
 }
 
 /// Raising the price of shortfalls adds to mu alone and leaves the stationarity untouched.
 void Run::raise_penalty() {
   const double largest = point.multipliers.cwiseQuotient(problem_.prices).maxCoeff();
-  if (raises_ == most_raises || point.penalty >= penalty_margin * largest) return;
-  ++raises_;
+  if (point.penalty_raises == most_raises || point.penalty >= penalty_margin * largest) return;
+  ++point.penalty_raises;
   const double raised = point.penalty * penalty_growth;
   point.slack_multipliers += (raised - point.penalty) * problem_.prices;
   point.penalty = raised;
@@ -126,7 +112,7 @@ Step Run::direction(const VectorXd& distance_target, const VectorXd& shortfall_t
   return step;
 }
 
-/// The longest step in [0, 1/shortest_reach] that keeps `values` >= 0.
+/// The longest step that keeps `values` >= 0; infinite when all of them grow.
 double longest(const VectorXd& values, const VectorXd& change) {
   double length = std::numeric_limits<double>::infinity();
   for (Index i = 0; i < values.size(); ++i)
@@ -148,28 +134,27 @@ void Run::move(const Step& step, double length) {
   point.slack_multipliers -= length * step.multipliers;
 }
 
+/// How much to centre, from how far the predictor gets: its share of products left, cubed.
+double Run::centring(const Step& predictor) const {
+  ElasticPoint predicted = point;
+  Run(problem_, system_, predicted).move(predictor, std::min(1.0, reach(predictor)));
+  const double share = Run(problem_, system_, predicted).mean_product() / mean_product();
+  return std::pow(std::clamp(share, 0.0, 1.0), 3);
+}
+
 void Run::iterate() {
   row_weights_ =
       (point.distance.array() / point.multipliers.array() + point.shortfall.array() / point.slack_multipliers.array())
           .inverse();
   system_.factorise(row_weights_);
 
-  // Predictor: straight for the optimum. How far it gets tells how much centring the corrector needs.
-  const Index rows = problem_.bounds.size();
-  const VectorXd none = VectorXd::Zero(rows);
+  // Predictor: straight for the optimum.
+  const VectorXd none = VectorXd::Zero(problem_.bounds.size());
   const Step predictor = direction(none, none);
-  const double length = std::min(1.0, reach(predictor));
-  const double mean = mean_product();
-  const VectorXd distance = point.distance + length * predictor.distance;
-  const VectorXd shortfall = point.shortfall + length * predictor.shortfall;
-  const VectorXd multipliers = point.multipliers + length * predictor.multipliers;
-  const VectorXd slack_multipliers = point.slack_multipliers - length * predictor.multipliers;
-  const double predicted =
-      (distance.dot(multipliers) + shortfall.dot(slack_multipliers)) / static_cast<double>(2 * rows);
-  const double centring = std::pow(std::clamp(predicted / mean, 0.0, 1.0), 3);
 
   // Corrector: towards equal products, with the predictor's second-order error taken out.
-  const VectorXd target = VectorXd::Constant(rows, centring * mean);
+  const double mean = mean_product();
+  const VectorXd target = VectorXd::Constant(problem_.bounds.size(), centring(predictor) * mean);
   const Step corrector = direction(target - predictor.distance.cwiseProduct(predictor.multipliers),
                                    target + predictor.shortfall.cwiseProduct(predictor.multipliers));
   const double caution = std::max(shortest_reach, 1 - mean);
@@ -179,17 +164,31 @@ void Run::iterate() {
 
 }  // namespace
 
-ElasticPoint run_interior_point(const ElasticProblem& problem, KktSystem& system, const LeastSquaresOptions& options,
-                                Progress& progress) {
-  Run run(problem, system);
-  while (!(run.point.converged = run.converged(options)) && run.point.iterations < options.max_iterations) {
+/// Each row starts with a distance of at least 1 (the largest violation) and a multiplier to match; the shortfall
+/// starts small, since most rows need none.
+ElasticPoint starting_point(const ElasticProblem& problem) {
+  ElasticPoint point;
+  point.penalty = first_penalty;
+  point.y = VectorXd::Zero(problem.matrices->objective.cols());
+  point.equality = VectorXd::Zero(problem.matrices->equalities.rows());
+  point.distance = (-problem.bounds).cwiseMax(1.0);
+  point.multipliers = point.distance.cwiseInverse().cwiseMin(0.5 * point.penalty * problem.prices);
+  point.slack_multipliers = point.penalty * problem.prices - point.multipliers;
+  point.shortfall = point.slack_multipliers.cwiseInverse();
+  return point;
+}
+
+void run_interior_point(const ElasticProblem& problem, KktSystem& system, const LeastSquaresOptions& options,
+                        double complementarity, ElasticPoint& point, Progress& progress) {
+  Run run(problem, system, point);
+  while (!(point.converged = run.converged(options.primal_tolerance, complementarity)) &&
+         point.iterations < options.max_iterations) {
     progress.check();
     run.iterate();
     run.raise_penalty();
     // The number of steps isn't known beforehand: each takes a part of what is left.
-    progress.report(1 - std::pow(0.85, run.point.iterations));
+    progress.report(1 - std::pow(0.85, point.iterations));
   }
-  return run.point;
 }
 
 }  // namespace croquis

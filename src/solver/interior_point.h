@@ -28,13 +28,18 @@ struct ElasticPoint {
   Eigen::VectorXd shortfall;          ///< s, #I
   Eigen::VectorXd multipliers;        ///< lambda of G y + s >= b, #I
   Eigen::VectorXd slack_multipliers;  ///< mu of s >= 0, #I: lambda + mu = penalty * prices
-  double penalty = 0;
+  double penalty = 0;                 ///< per unit of shortfall
+  int penalty_raises = 0;
   int iterations = 0;
   bool converged = false;
 };
 
-/// Mehrotra's predictor-corrector method; s is eliminated, so a step factorises K(D) with D = 1 / (w/lambda + s/mu).
-ElasticPoint run_interior_point(const ElasticProblem& problem, KktSystem& system, const LeastSquaresOptions& options,
-                                Progress& progress);
+/// Where the method starts: y = 0, every row at a distance, shortfalls small.
+ElasticPoint starting_point(const ElasticProblem& problem);
+
+/// Mehrotra's predictor-corrector method from `point` until the mean product of the pairs (w, lambda) and (s, mu) is at
+/// most `complementarity`; s is eliminated, so a step factorises K(D) with D = 1 / (w/lambda + s/mu).
+void run_interior_point(const ElasticProblem& problem, KktSystem& system, const LeastSquaresOptions& options,
+                        double complementarity, ElasticPoint& point, Progress& progress);
 
 }  // namespace croquis

@@ -16,6 +16,8 @@ using Triplet = Eigen::Triplet<double>;
 
 /// Refinement has reached what rounding allows when a round gains less than this.
 constexpr double worthwhile_gain = 0.5;
+/// A residual this small, relative to the right side, needs no refinement.
+constexpr double good_residual = 1e-12;
 
 Matrix lower_hessian(const Matrix& objective) {
   const Matrix square = objective.transpose() * objective;
@@ -120,10 +122,12 @@ VectorXd KktSystem::multiply(const VectorXd& vector) const {
 VectorXd KktSystem::solve(const VectorXd& right_side, int refinements) const {
   VectorXd solution = factors_.solve(right_side);
   VectorXd residual = right_side - multiply(solution);
+  const double good = good_residual * right_side.lpNorm<Eigen::Infinity>();
   for (int round = 0; round < refinements; ++round) {
+    const double before = residual.lpNorm<Eigen::Infinity>();
+    if (before <= good) break;
     VectorXd better = solution + factors_.solve(residual);
     VectorXd better_residual = right_side - multiply(better);
-    const double before = residual.lpNorm<Eigen::Infinity>();
     const double after = better_residual.lpNorm<Eigen::Infinity>();
     if (!(after < before)) break;
     solution = std::move(better);

@@ -26,6 +26,8 @@ using Eigen::VectorXd;
 constexpr double rounding_tolerance = 1e-12;
 /// Rows whose lengths differ by more than this are priced as if by this: beyond it, prices lose their digits.
 constexpr double widest_price_range = 1e4;
+/// How much closer the interior point goes when the first polishing finds no roles that verify.
+constexpr double second_effort = 1e-3;
 /// Share of the work before the interior point starts, where there is one.
 constexpr double first_share = 0.1;
 
@@ -125,8 +127,14 @@ void LeastSquaresSolver::State::solve_elastic(const VectorXd& violation, double 
   ElasticProblem elastic{&scaled, (violation / unit).cwiseMax(-1 / rounding_tolerance),
                          prices(scaled.inequality_scale)};
   Progress part = progress.step("separating parts", 1 - first_share);
-  ElasticPoint point = run_interior_point(elastic, *system, options, part);
-  if (point.converged) polish(elastic, *system, point, progress);
+  ElasticPoint point = starting_point(elastic);
+  run_interior_point(elastic, *system, options, options.complementarity_tolerance, point, part);
+  if (point.converged && !polish(elastic, *system, point, progress)) {
+    // Many rows that only just touch: their roles show a few steps later.
+    run_interior_point(elastic, *system, options, second_effort * options.complementarity_tolerance, point, part);
+    if (point.converged) polish(elastic, *system, point, progress);
+    point.converged = true;
+  }
   optimum.y += unit * point.y;
   optimum.equality += unit * point.equality;
   solution.multipliers = unit * scaled.inequality_scale.cwiseProduct(point.multipliers);

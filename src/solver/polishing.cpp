@@ -2,7 +2,7 @@
 #include "solver/polishing.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace croquis {
@@ -16,7 +16,7 @@ constexpr double active_weight = 1e8;
 /// Largest error of a point that passes, relative to the largest violation of the start (and for multipliers to the
 /// largest of them).
 constexpr double verification_tolerance = 1e-10;
-constexpr int most_rounds = 3;
+constexpr int most_rounds = 6;
 constexpr int most_refinements = 12;
 
 /// What a row does at the optimum.
