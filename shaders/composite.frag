@@ -32,10 +32,10 @@ vec3 to_display(vec3 light) { return pow(light, vec3(1.0 / 2.2)); }
 // The lights stand still relative to the camera: key upper left, fill right, sky above and ground below.
 const vec3 key_direction = vec3(-0.447, 0.639, 0.626);
 const vec3 fill_direction = vec3(0.864, 0.123, 0.488);
-const vec3 key_light = vec3(0.86, 0.82, 0.76);
-const vec3 fill_light = vec3(0.10, 0.12, 0.15);
-const vec3 sky_light = vec3(0.42, 0.44, 0.48);
-const vec3 ground_light = vec3(0.15, 0.13, 0.12);
+const vec3 key_light = vec3(0.97, 0.93, 0.87);
+const vec3 fill_light = vec3(0.07, 0.09, 0.12);
+const vec3 sky_light = vec3(0.31, 0.33, 0.37);
+const vec3 ground_light = vec3(0.10, 0.09, 0.09);
 const vec3 rim_light = vec3(0.22, 0.24, 0.27);
 
 vec3 clay(vec3 albedo, vec3 normal, vec3 to_eye, float open_sky) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -33,6 +34,86 @@ Bounds something_to_frame(const Bounds& bounds) {
   return {box.center() - glm::dvec3(half), box.center() + glm::dvec3(half)};
 }
 
+/// The shape of the picture and the share of it that may be filled.
+struct Canvas {
+  double aspect = 1;
+  double share = 1;
+};
+
+/// How far points reach to the four sides, in units of half the picture's height at distance 1 (or everywhere).
+struct Reach {
+  glm::dvec2 low = glm::dvec2(std::numeric_limits<double>::infinity());
+  glm::dvec2 high = glm::dvec2(-std::numeric_limits<double>::infinity());
+
+  void add(const glm::dvec2& point) {
+    low = glm::min(low, point);
+    high = glm::max(high, point);
+  }
+  glm::dvec2 middle() const { return 0.5 * low + 0.5 * high; }
+};
+
+glm::dvec3 seen_from(const glm::dvec3& target, const ViewAxes& axes, const glm::dvec3& point) {
+  const glm::dvec3 offset = point - target;
+  return {glm::dot(offset, axes.right), glm::dot(offset, axes.up), glm::dot(offset, axes.back)};
+}
+
+void frame_orthographic(std::span<const glm::dvec3> points, const ViewAxes& axes, const Canvas& canvas,
+                        Camera& camera) {
+  Reach reach;
+  for (const glm::dvec3& point : points) reach.add(glm::dvec2(seen_from(camera.target, axes, point)));
+  const glm::dvec2 size = reach.high - reach.low;
+  camera.target += axes.right * reach.middle().x + axes.up * reach.middle().y;
+  camera.height = std::max(size.y, size.x / canvas.aspect) / canvas.share;
+}
+
+/// The distance from which all points fit around the target.
+double fitting_distance(std::span<const glm::dvec3> points, const ViewAxes& axes, const Canvas& canvas,
+                        const Camera& camera) {
+  const double slope = std::tan(camera.field_of_view / 2) * canvas.share;
+  double distance = 0;
+  for (const glm::dvec3& point : points) {
+    const glm::dvec3 place = seen_from(camera.target, axes, point);
+    distance = std::max(distance, std::max(std::abs(place.x) / canvas.aspect, std::abs(place.y)) / slope + place.z);
+  }
+  return distance;
+}
+
+double frame_perspective(std::span<const glm::dvec3> points, const ViewAxes& axes, const Canvas& canvas,
+                         Camera& camera) {
+  double distance = fitting_distance(points, axes, canvas, camera);
+  // Moving the target to the middle of what is seen changes what is seen, ever less: three rounds are within a pixel.
+  for (int round = 0; round < 3; ++round) {
+    Reach reach;
+    for (const glm::dvec3& point : points) {
+      const glm::dvec3 place = seen_from(camera.target, axes, point);
+      reach.add(glm::dvec2(place) / (distance - place.z));
+    }
+    camera.target += distance * (axes.right * reach.middle().x + axes.up * reach.middle().y);
+    distance = fitting_distance(points, axes, canvas, camera);
+  }
+  return distance;
+}
+
+/// @param box of the points, of some size
+Camera frame_points(std::span<const glm::dvec3> points, const Bounds& box, const ViewDirection& direction,
+                    const Canvas& canvas) {
+  const ViewAxes axes = view_axes(direction.direction, direction.up);
+  Camera camera;
+  camera.projection = direction.projection;
+  camera.target = box.center();
+  camera.up = axes.up;
+  double distance = 4 * box.radius();
+  if (direction.projection == Projection::Perspective) {
+    distance = frame_perspective(points, axes, canvas, camera);
+    camera.height = 2 * distance * std::tan(camera.field_of_view / 2);
+  } else {
+    frame_orthographic(points, axes, canvas, camera);
+    if (!(camera.height > 0)) camera.height = 2 * box.radius();  // a segment seen end on
+  }
+  camera.eye = camera.target + axes.back * distance;
+  return camera;
+}
+
 }  // namespace
 
 ViewDirection view_direction(NamedView view) {
@@ -45,33 +126,22 @@ ViewDirection view_direction(NamedView view) {
   return {};
 }
 
+Camera frame(std::span<const glm::dvec3> points, const ViewDirection& direction, double aspect, double margin) {
+  Bounds box;
+  for (const glm::dvec3& point : points) box.add(point);
+  if (!(box.radius() > 0) || box.empty()) return frame(box, direction, aspect, margin);
+  return frame_points(points, box, direction, {aspect, 1 - 2 * margin});
+}
+
 Camera frame(const Bounds& bounds, const ViewDirection& direction, double aspect, double margin) {
   const Bounds box = something_to_frame(bounds);
-  const ViewAxes axes = view_axes(direction.direction, direction.up);
-  Camera camera;
-  camera.projection = direction.projection;
-  camera.target = box.center();
-  camera.up = axes.up;
-  const double share = 1 - 2 * margin;
-  const double tan_y = std::tan(camera.field_of_view / 2) * share;
-  double height = 0;
-  double distance = 0;
-  for (const glm::dvec3& corner : box.corners()) {
-    const glm::dvec3 offset = corner - camera.target;
-    const double x = std::abs(glm::dot(offset, axes.right)) / aspect;
-    const double y = std::abs(glm::dot(offset, axes.up));
-    height = std::max(height, 2 * std::max(x, y) / share);
-    distance = std::max(distance, std::max(x, y) / tan_y + glm::dot(offset, axes.back));
-  }
-  camera.height = height > 0 ? height : 2 * box.radius();  // a segment seen end on
-  if (direction.projection == Projection::Orthographic) distance = 4 * box.radius();
-  camera.eye = camera.target + axes.back * distance;
-  return camera;
+  return frame_points(box.corners(), box, direction, {aspect, 1 - 2 * margin});
 }
 
 glm::dmat4 view_matrix(const Camera& camera) {
   const ViewAxes axes = view_axes(camera.target - camera.eye, camera.up);
-  return glm::lookAt(camera.eye, camera.eye - axes.back, axes.up);
+  const glm::dmat4 turned(glm::transpose(glm::dmat3(axes.right, axes.up, axes.back)));
+  return glm::translate(turned, -camera.eye);
 }
 
 DepthRange depth_range(const Camera& camera, const Bounds& bounds) {

@@ -14,14 +14,14 @@ namespace croquis::render {
 namespace {
 
 /// Clay first; then hues that differ in lightness, too, so that they stay apart without red and green.
-constexpr std::array<std::array<std::uint8_t, 3>, 8> palette = {{{212, 190, 168},
-                                                                 {122, 154, 186},
-                                                                 {218, 172, 92},
-                                                                 {112, 158, 144},
-                                                                 {188, 112, 98},
-                                                                 {180, 166, 206},
-                                                                 {98, 112, 130},
-                                                                 {232, 222, 196}}};
+constexpr std::array<std::array<std::uint8_t, 3>, 8> palette = {{{212, 200, 186},
+                                                                 {136, 160, 184},
+                                                                 {214, 178, 116},
+                                                                 {130, 164, 150},
+                                                                 {186, 124, 110},
+                                                                 {182, 172, 202},
+                                                                 {108, 120, 136},
+                                                                 {232, 224, 204}}};
 
 /// Parts in the order in which their keys appear.
 std::vector<Index> number_keys(std::span<const double> keys) {

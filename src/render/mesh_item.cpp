@@ -123,4 +123,14 @@ Bounds bounds_of(const std::vector<MeshItemPtr>& items) {
   return bounds;
 }
 
+std::vector<glm::dvec3> points_of(const std::vector<MeshItemPtr>& items) {
+  std::vector<glm::dvec3> points;
+  for (const MeshItemPtr& item : items) {
+    const auto add = [&](const glm::vec3& own) { points.push_back(item->origin + item->scale * glm::dvec3(own)); };
+    for (const SurfaceVertex& vertex : item->vertices) add(vertex.position);
+    for (const LineVertex& vertex : item->line_vertices) add(vertex.position);
+  }
+  return points;
+}
+
 }  // namespace croquis::render

@@ -3,6 +3,8 @@
 
 #include <glm/glm.hpp>
 
+#include <span>
+
 #include "croquis/render/bounds.h"
 
 namespace croquis::render {
@@ -42,6 +44,9 @@ ViewDirection view_direction(NamedView view);
 /// @param aspect width / height of the picture, > 0
 /// @param margin share of the picture's width and height left free on each border, in [0, 0.5)
 Camera frame(const Bounds& bounds, const ViewDirection& direction, double aspect, double margin = 0.06);
+
+/// The same about points (`points_of` items): closer than about their box wherever they leave its corners empty.
+Camera frame(std::span<const glm::dvec3> points, const ViewDirection& direction, double aspect, double margin = 0.06);
 
 /// Model to view space: x right, y up, looking along -z, in model units.
 glm::dmat4 view_matrix(const Camera& camera);

@@ -68,6 +68,9 @@ MeshItemPtr make_mesh_item(const PolyMesh& mesh, const MeshItemOptions& options 
 /// The box of everything in the list; empty for none.
 Bounds bounds_of(const std::vector<MeshItemPtr>& items);
 
+/// Every vertex drawn, in model coordinates: what `frame` puts into the picture.
+std::vector<glm::dvec3> points_of(const std::vector<MeshItemPtr>& items);
+
 /// The i-th colour of the palette: muted, told apart by people with any colour vision too, repeating after eight.
 Color palette_color(std::size_t index);
 

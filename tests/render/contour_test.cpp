@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contour lines: where they must be, and where they must not.
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "croquis/render/renderer.h"
+#include "render/picture_probe.h"
+#include "support/mesh_shapes.h"
+
+using namespace croquis;
+using namespace croquis::render;
+using croquis::test::brightness;
+using croquis::test::picture_of;
+using croquis::test::pixel;
+using croquis::test::with_renderer;
+
+namespace {
+
+RenderOptions lines_on_flat() {
+  RenderOptions options = test::flat_options();
+  options.contours = true;
+  options.contour_color = {0, 0, 0, 255};
+  return options;
+}
+
+bool is_dark(const Color& color) { return brightness(color) < 110; }
+
+/// Dark runs met on the way down a column.
+int dark_runs(const RenderedPicture& picture, int x) {
+  int runs = 0;
+  bool inside = false;
+  for (int y = 0; y < picture.height; ++y) {
+    const bool dark = is_dark(pixel(picture, x, y));
+    runs += dark && !inside ? 1 : 0;
+    inside = dark;
+  }
+  return runs;
+}
+
+}  // namespace
+
+TEST_CASE("a sphere has a line all along its outline and nowhere else") {
+  const int size = GENERATE(60, 200, 500);
+  with_renderer([&](Renderer& renderer) {
+    const RenderedPicture picture =
+        picture_of(renderer, test::uv_sphere(96, 48), NamedView::Front, lines_on_flat(), {size, size});
+    const double radius = 0.44 * size;
+    int strays = 0;
+    for (int y = 0; y < size; ++y) {
+      for (int x = 0; x < size; ++x) {
+        const double away = std::hypot(x + 0.5 - 0.5 * size, y + 0.5 - 0.5 * size) - radius;
+        if (std::abs(away) > 2 && brightness(pixel(picture, x, y)) < 180) ++strays;
+      }
+    }
+    CHECK(strays == 0);
+    for (int degrees = 0; degrees < 360; degrees += 3) {
+      const double angle = degrees * M_PI / 180;
+      const int x = static_cast<int>(0.5 * size + radius * std::cos(angle));
+      const int y = static_cast<int>(0.5 * size + radius * std::sin(angle));
+      CHECK(is_dark(pixel(picture, x, y)));
+    }
+  });
+}
+
+TEST_CASE("a surface that hides a part of itself has a line there") {
+  // Tilted by 70 degrees the upper half of the tube, in front, hides some of the lower.
+  const PolyMesh mesh = test::rotated(test::torus(160, 80), 70 * M_PI / 180, {1, 0, 0});
+  with_renderer([&](Renderer& renderer) {
+    const RenderedPicture picture = picture_of(renderer, mesh, NamedView::Front, lines_on_flat(), {400, 400});
+    const double unit = 400 * 0.88 / 2.8;
+    CHECK(dark_runs(picture, 200) == 3);
+    const double front_edge = (0.4 - std::cos(70 * M_PI / 180)) * unit;
+    CHECK(is_dark(pixel(picture, 200, static_cast<int>(200 + front_edge))));
+  });
+}
+
+TEST_CASE("a cube's edges are drawn, its faces stay clean") {
+  const std::vector<MeshItemPtr> items = {make_mesh_item(test::cube())};
+  const PictureSize size{300, 300};
+  const Camera camera = frame(bounds_of(items), view_direction(NamedView::Perspective), size.aspect());
+  const glm::dmat4 matrix =
+      projection_matrix(camera, size.aspect(), depth_range(camera, bounds_of(items))) * view_matrix(camera);
+  with_renderer([&](Renderer& renderer) {
+    const RenderedPicture picture = render_picture(renderer, items, camera, lines_on_flat(), size);
+    const auto at = [&](const glm::dvec3& point) {
+      const glm::dvec4 clip = matrix * glm::dvec4(point, 1);
+      return pixel(picture, static_cast<int>(150 + 150 * clip.x / clip.w),
+                   static_cast<int>(150 - 150 * clip.y / clip.w));
+    };
+    for (const double along : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+      CHECK(is_dark(at({along, 1, 1})));
+      CHECK(is_dark(at({1, along, 1})));
+      CHECK(is_dark(at({1, 1, along})));
+      CHECK_FALSE(is_dark(at({along, 0.4, 1})));
+      CHECK_FALSE(is_dark(at({1, along, 0.4})));
+      CHECK_FALSE(is_dark(at({0.4, 1, along})));
+    }
+  });
+}
+
+TEST_CASE("a smooth curved surface carries no speckles when it is lit") {
+  RenderOptions options;
+  options.contour_color = {255, 0, 0, 255};
+  const PolyMesh mesh = test::rotated(test::torus(120, 60), 0.6, {1, 0.3, 0});
+  with_renderer([&](Renderer& renderer) {
+    const RenderedPicture picture = picture_of(renderer, mesh, NamedView::Perspective, options, {400, 300});
+    const auto is_line = [](const Color& color) { return color.r > color.g + 90; };
+    // Every red pixel has several red neighbours: lines, no dots.
+    for (int y = 1; y + 1 < picture.height; ++y) {
+      for (int x = 1; x + 1 < picture.width; ++x) {
+        if (!is_line(pixel(picture, x, y))) continue;
+        int neighbours = 0;
+        for (int k = 0; k < 9; ++k) neighbours += is_line(pixel(picture, x + k % 3 - 1, y + k / 3 - 1)) ? 1 : 0;
+        CHECK(neighbours >= 3);
+      }
+    }
+  });
+}

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/picture_probe.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <catch2/catch.hpp>
+
+#include "cli/offscreen_context.h"
+#include "croquis/base/error.h"
+
+namespace croquis::test {
+namespace {
+
+std::optional<std::string> reason_without_context() {
+  try {
+    const cli::OffscreenContext context;
+    return std::nullopt;
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+void with_renderer(const std::function<void(render::Renderer&)>& test) {
+  if (const auto reason = reason_without_context()) {
+    WARN("Skipped: " << *reason);
+    return;
+  }
+  const cli::OffscreenContext context;
+  render::Renderer renderer;
+  test(renderer);
+}
+
+render::Color pixel(const render::RenderedPicture& picture, int x, int y) {
+  const auto first =
+      4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
+  return {picture.rgba.at(first), picture.rgba.at(first + 1), picture.rgba.at(first + 2), picture.rgba.at(first + 3)};
+}
+
+int brightness(const render::Color& color) { return (color.r + color.g + color.b) / 3; }
+
+int count_pixels(const render::RenderedPicture& picture, const std::function<bool(const render::Color&)>& condition) {
+  int count = 0;
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) count += condition(pixel(picture, x, y)) ? 1 : 0;
+  }
+  return count;
+}
+
+render::RenderOptions flat_options() {
+  render::RenderOptions options;
+  options.background_top = options.background_bottom = {255, 255, 255, 255};
+  options.shading = render::Shading::Flat;
+  options.contours = false;
+  return options;
+}
+
+void color_faces(PolyMesh& mesh, const std::vector<std::array<std::uint8_t, 3>>& colors) {
+  std::vector<std::uint8_t> values;
+  for (const auto& color : colors) values.insert(values.end(), color.begin(), color.end());
+  mesh.channels.push_back({"color", Domain::Face, 3, std::move(values), {}});
+}
+
+render::RenderedPicture picture_of(render::Renderer& renderer, const PolyMesh& mesh, render::NamedView view,
+                                   const render::RenderOptions& options, const render::PictureSize& size) {
+  const std::vector<render::MeshItemPtr> items = {render::make_mesh_item(mesh)};
+  const render::Camera camera = frame(bounds_of(items), view_direction(view), size.aspect());
+  return render_picture(renderer, items, camera, options, size);
+}
+
+}  // namespace croquis::test
