@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "croquis/geometry/vector.h"
+
+namespace croquis::silhouette {
+
+/// minimise Σ cost x  subject to  lower <= A x <= upper for every row, bounds on x, x integer.
+class IntegerProgram {
+ public:
+  struct Term {
+    Index variable = 0;
+    double factor = 0;
+  };
+
+  static constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+  /// @returns the variable's index
+  Index add_variable(double lower, double upper, double cost);
+  void add_row(std::vector<Term> terms, double lower, double upper);
+
+  /// Makes a variable of equal bounds.
+  void fix(Index variable, double value);
+
+  Index variable_count() const { return static_cast<Index>(variables_.size()); }
+
+  enum class Status { Optimal, Infeasible, Limit };
+
+  struct Solution {
+    Status status = Status::Infeasible;
+    std::vector<int> values;  ///< empty unless optimal
+  };
+
+  /// Branch and bound by GLPK, in a thread of its own: GLPK's environment belongs to the thread, so it can be thrown
+  /// away, after an error too, without taking anybody else's problems with it. Silent; bounds are counts.
+  /// @throws Error (E_INTERNAL) when GLPK refuses the problem
+  Solution solve(int maximum_nodes) const;
+
+ private:
+  struct Variable {
+    double lower, upper, cost;
+  };
+  struct Row {
+    std::vector<Term> terms;
+    double lower, upper;
+  };
+
+  std::vector<Variable> variables_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace croquis::silhouette

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <iterator>
+#include <utility>
+
+#include "algorithms/silhouette/drawing_parts.h"
+#include "algorithms/silhouette/junctions.h"
+#include "algorithms/silhouette/stroke_cleanup.h"
+#include "croquis/base/error.h"
+#include "croquis/silhouette/labelled_figure.h"
+
+namespace croquis::silhouette {
+namespace {
+
+// Drawings with symmetries put samples exactly on other lines. So small a displacement (of a step) can't be seen and
+// leaves no three points on a line.
+constexpr double displacement = 1e-7;
+
+/// A number in [-1,1) from a counter (splitmix64, Steele, Lea and Flood 2014).
+double scattered(std::uint64_t counter) {
+  std::uint64_t z = (counter + 1) * 0x9e3779b97f4a7c15U;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+  return static_cast<double>(z >> 11) * 0x1p-52 - 1;
+}
+
+void bring_into_general_position(std::vector<CleanLine>& lines, double step) {
+  std::uint64_t counter = 0;
+  for (CleanLine& line : lines) {
+    for (Vec2& point : line.points) {
+      point.x() += displacement * step * scattered(counter++);
+      point.y() += displacement * step * scattered(counter++);
+    }
+  }
+}
+
+}  // namespace
+
+LabelledDrawing label(const Drawing& drawing, const Options& options, Progress& progress) {
+  CleanDrawing clean = clean_strokes(drawing, options.strokes, progress.step("cleaning strokes", 0.2));
+  Progress finding = progress.step("finding junctions", 0.2);
+  Junctions junctions = find_junctions(drawing, clean.lines, clean.scale, finding);
+  extend_behind_bars(clean.lines, junctions.ends, clean.scale);
+  bring_into_general_position(clean.lines, clean.scale.step);
+
+  Progress labelling = progress.step("labelling contours", 0.6);
+  const FigureContext context{drawing, options, clean.scale, clean.lines, junctions};
+  LabelledDrawing result = label_parts(context, junctions.findings, labelling);
+
+  Findings findings = std::move(clean.findings);
+  for (LineFinding& found : junctions.findings) findings.push_back(std::move(found.finding));
+  std::move(result.findings.begin(), result.findings.end(), std::back_inserter(findings));
+  result.findings = std::move(findings);
+  if (result.figures.empty()) throw Error(result.findings);
+  labelling.report(1);
+  return result;
+}
+
+}  // namespace croquis::silhouette
