@@ -88,7 +88,8 @@ void meet(const Segment& a, const Segment& b, const std::vector<TrueContour>& co
   const int b_enters_a = turn > 0 ? 1 : -1;
   walks[static_cast<std::size_t>(a.contour)].meetings.push_back({a.index + ta, id, a_over ? 0 : -b_enters_a});
   walks[static_cast<std::size_t>(b.contour)].meetings.push_back({b.index + tb, id, a_over ? b_enters_a : 0});
-  truth.places.push_back({a.from + ta * da, a_over ? a.contour : b.contour, a_over ? b.contour : a.contour});
+  truth.places.push_back({a.from + ta * da, a_over ? a.contour : b.contour, a_over ? b.contour : a.contour,
+                          std::abs(turn) / (da.norm() * db.norm())});
 }
 
 /// Sweeps over x, so that only segments side by side are compared.

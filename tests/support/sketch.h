@@ -18,8 +18,9 @@ struct TrueContour {
 
 struct TrueCrossing {
   Vec2 at = Vec2::Zero();
-  int over = 0;   ///< contour in front
-  int under = 0;  ///< contour behind
+  int over = 0;     ///< contour in front
+  int under = 0;    ///< contour behind
+  double sine = 1;  ///< of the angle between the two, 0..1
 };
 
 /// Counts that follow from the solid alone, whatever the stroke order, direction, scale or view rotation.

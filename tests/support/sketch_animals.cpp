@@ -52,16 +52,26 @@ Sketch dog_sketch() {
             {150, 520},
             {168, 562}},
            7),
-      // The near ear hangs over the cheek.
-      limb_part({{282, 560}, {322, 520}, {336, 462}, {330, 410}}, {24, 32, 36, 27}, 9),
+      // The near ear hangs over the back of the head.
+      blob({{262, 560},
+            {300, 585},
+            {352, 582},
+            {392, 552},
+            {408, 500},
+            {396, 462},
+            {368, 458},
+            {352, 488},
+            {332, 525},
+            {292, 536}},
+           9),
       // Near legs, before the body.
       limb_part({{340, 330}, {335, 240}, {338, 150}, {322, 92}}, {48, 38, 31, 34}, 8),
-      limb_part({{655, 335}, {668, 245}, {640, 160}, {642, 92}}, {60, 44, 32, 34}, 8),
-      // Far legs, behind it.
-      limb_part({{425, 330}, {432, 240}, {440, 165}, {424, 112}}, {40, 34, 29, 31}, 2),
-      limb_part({{560, 330}, {556, 240}, {535, 170}, {534, 112}}, {44, 36, 29, 31}, 1),
+      limb_part({{638, 318}, {662, 235}, {646, 160}, {630, 92}}, {52, 42, 31, 34}, 8),
+      // Far legs: their tops end a little behind the belly's edge.
+      limb_part({{432, 285}, {438, 220}, {442, 165}, {426, 112}}, {34, 32, 29, 31}, 2),
+      limb_part({{552, 285}, {552, 220}, {536, 165}, {534, 112}}, {36, 33, 29, 31}, 1),
       // Tail, wagging behind the rump.
-      limb_part({{660, 370}, {745, 430}, {800, 505}, {805, 590}}, {26, 25, 22, 17}, 3),
+      limb_part({{684, 384}, {756, 440}, {806, 512}, {810, 596}}, {20, 22, 20, 15}, 3),
   });
 }
 
@@ -96,50 +106,50 @@ Sketch duck_sketch() {
             {185, 555},
             {208, 615}},
            6),
-      // Beak, behind the cheek.
-      blob({{235, 590}, {180, 582}, {120, 560}, {72, 540}, {76, 516}, {130, 508}, {190, 506}, {240, 520}}, 2),
-      // Wing, over the flank.
-      blob({{395, 330},
+      // Beak, from behind the cheek.
+      blob({{215, 586}, {170, 584}, {112, 562}, {70, 540}, {74, 515}, {125, 508}, {175, 508}, {225, 520}, {245, 555}},
+           2),
+      // Wing over the flank, its tip beyond the stern.
+      blob({{408, 322},
             {470, 338},
-            {560, 330},
-            {650, 345},
-            {735, 348},
-            {690, 285},
-            {600, 225},
-            {500, 210},
-            {420, 235},
-            {380, 285}},
+            {560, 326},
+            {660, 330},
+            {760, 330},
+            {815, 312},
+            {770, 285},
+            {690, 258},
+            {600, 246},
+            {500, 240},
+            {425, 262},
+            {388, 292}},
            7),
       // Near foot over the belly's edge, far foot behind it.
-      limb_part({{440, 215}, {445, 130}, {405, 80}}, {28, 20, 26}, 8),
-      limb_part({{545, 225}, {560, 130}, {525, 92}}, {26, 18, 23}, 1),
+      limb_part({{425, 192}, {432, 120}, {390, 75}}, {21, 18, 24}, 8),
+      limb_part({{545, 200}, {558, 125}, {522, 88}}, {22, 17, 22}, 1),
   });
 }
 
 Sketch octopus_sketch() {
-  return layered_sketch({
-      blob({{450, 650},
-            {545, 622},
-            {598, 540},
-            {590, 450},
-            {545, 375},
-            {505, 318},
-            {450, 302},
-            {395, 318},
-            {355, 375},
-            {310, 450},
-            {302, 540},
-            {355, 622}},
-           20),
-      limb_part({{380, 390}, {290, 330}, {190, 330}, {120, 400}, {105, 490}}, {36, 32, 27, 22, 15}, 6),
-      limb_part({{390, 370}, {300, 262}, {200, 215}, {110, 235}, {60, 300}}, {36, 32, 27, 22, 15}, 7),
-      limb_part({{410, 360}, {345, 235}, {275, 140}, {185, 95}, {95, 105}}, {36, 32, 27, 22, 15}, 8),
-      limb_part({{435, 360}, {410, 230}, {430, 140}, {400, 70}, {330, 45}}, {36, 32, 27, 22, 15}, 9),
-      limb_part({{465, 360}, {505, 235}, {480, 145}, {505, 75}, {575, 50}}, {36, 32, 27, 22, 15}, 10),
-      limb_part({{490, 360}, {555, 235}, {625, 140}, {715, 95}, {805, 105}}, {36, 32, 27, 22, 15}, 5),
-      limb_part({{510, 370}, {600, 262}, {700, 215}, {790, 235}, {840, 300}}, {36, 32, 27, 22, 15}, 4),
-      limb_part({{520, 390}, {610, 330}, {710, 330}, {780, 400}, {795, 490}}, {36, 32, 27, 22, 15}, 3),
-  });
+  const Vec2 centre(450, 480);
+  // In the head's own polar coordinates: 1 is its outline.
+  const auto place = [&](double radius, double degrees) -> Vec2 {
+    const double angle = degrees * std::numbers::pi / 180;
+    return centre + radius * Vec2(150 * std::cos(angle), 172 * std::sin(angle));
+  };
+  std::vector<Vec2> head;
+  for (int i = 0; i < 12; ++i) head.push_back(place(1, 30.0 * i));
+  std::vector<LayeredPart> parts{blob(head, 20)};
+  for (int k = 0; k < 8; ++k) {
+    const double root = 180 + 180.0 / 7 * k;
+    // The two in the middle swap places, so that one lies over the other; the rest curl outwards.
+    const double way = k < 4 ? 1 : -1;
+    const bool middle = k == 3 || k == 4;
+    const std::vector<Vec2> line{
+        place(0.85, root), place(1.3, root + (middle ? 0 : 4 * way)), place(1.75, root + way * (middle ? 13 : 2)),
+        place(2.2, root + way * (middle ? 27 : -9)), place(2.45, root + way * (middle ? 28 : -24))};
+    parts.push_back(limb_part(line, {24, 24, 21, 18, 14}, k + 1));
+  }
+  return layered_sketch(parts);
 }
 
 }  // namespace croquis::test

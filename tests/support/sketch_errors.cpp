@@ -85,11 +85,10 @@ ErrorSketch free_end() {
 ErrorSketch two_sided() {
   ErrorSketch sketch{"E_TWO_SIDED", {"s0", "s1", "s2"}, {}, {}};
   add_circle(sketch.drawing, {400, 350}, 200);
-  // Circles of radius 120 about points on the outline meet it at right angles, but for half the angle they span there.
-  const double half = 2 * std::asin(120.0 / 2 / 200);
-  const double meets = 90 + half * 180 / pi / 2;
-  add_arc(sketch.drawing, {600, 350}, 120, -meets, meets);
-  add_arc(sketch.drawing, {200, 350}, 120, -180 + meets, 180 - meets);
+  // Of a circle about a point of the outline: the angle, from the disc's centre, at which it meets the outline.
+  const double meets = std::acos(120.0 / 2 / 200) * 180 / pi;
+  add_arc(sketch.drawing, {600, 350}, 120, meets - 180, 180 - meets);
+  add_arc(sketch.drawing, {200, 350}, 120, -meets, meets);
   return sketch;
 }
 
@@ -131,8 +130,8 @@ ErrorSketch no_partner() {
 ErrorSketch odd() {
   ErrorSketch sketch{"E_ODD", {"s2"}, {"E_FREE_END"}, {}};
   add_circle(sketch.drawing, {400, 300}, 190);
-  const double half = 2 * std::asin(110.0 / 2 / 190) * 180 / pi;
-  add_arc(sketch.drawing, {210, 300}, 110, half / 2 + 90 - 0.0, 270 - half / 2);
+  const double meets = std::acos(110.0 / 2 / 190) * 180 / pi;
+  add_arc(sketch.drawing, {210, 300}, 110, meets, 360 - meets);
   add_spline(sketch.drawing, {{590, 300}, {650, 305}, {720, 330}, {780, 380}});
   return sketch;
 }

@@ -56,10 +56,14 @@ Sketch torus_knot_sketch(int turns, int petals) {
 
 Sketch snake_sketch() {
   const auto centre = [](double t) -> Vec2 {
-    const double angle = 4.4 * (2 * t - 1);
-    return Vec2(450, 350) + 1.1 * Vec2(54 * angle - 170 * std::sin(angle), -150 * std::cos(angle) - 20);
+    const double angle = 4.3 * (2 * t - 1);
+    return middle + Vec2(53 * angle - 172 * std::sin(angle), -165 * std::cos(angle) - 20);
   };
-  return tube_sketch({{centre, level(38), [](double t) { return t; }, false}});
+  // Thin at the tail, thicker at the head.
+  const auto radius = [](double t) {
+    return 13 + 24 * std::sqrt(1 - std::pow(1 - t, 4) + 0.01) + 9 * std::exp(-400 * (t - 0.965) * (t - 0.965));
+  };
+  return tube_sketch({{centre, radius, [](double t) { return t; }, false}});
 }
 
 Sketch figure_eight_sketch() {
@@ -83,13 +87,12 @@ Sketch borromean_sketch() {
   for (int i = 0; i < 3; ++i) {
     const double angle = pi / 2 + 2 * pi * i / 3;
     const Vec2 centre = middle - Vec2(0, 25) + 105 * Vec2(std::cos(angle), std::sin(angle));
-    // Seen from this ring's centre its four crossings alternate: over, under, over, under.
+    // It meets the next ring a quarter and seven twelfths of a turn from its outermost point, the other one between.
     const auto height = [angle](double t) {
-      double from_outside = 2 * pi * t - angle;
-      from_outside -= 2 * pi * std::floor(from_outside / (2 * pi));
-      const bool inner = std::cos(from_outside) < -0.2;
-      const bool left = from_outside < pi;
-      return inner == left ? 1.0 : -1.0;
+      double from_outside = t - angle / (2 * pi);
+      from_outside -= std::floor(from_outside);
+      const bool at_next = from_outside < 1.0 / 3 || (from_outside > 0.5 && from_outside < 2.0 / 3);
+      return at_next ? 1.0 : -1.0;
     };
     rings.push_back(ring(centre, 185, 26, height));
   }
@@ -134,9 +137,13 @@ Sketch weave_sketch(int columns, int rows) {
 }
 
 Sketch three_blobs_sketch() {
-  return layered_sketch({{circle_outline({330, 270}, 165), 2},
-                         {circle_outline({585, 300}, 150), 1},
-                         {circle_outline({440, 500}, 140), 0}});
+  // Pairwise 28 units deep in one another, with a gap in their middle.
+  std::vector<LayeredPart> blobs;
+  for (int i = 0; i < 3; ++i) {
+    const double angle = 0.4 + 2 * pi * i / 3;
+    blobs.push_back({circle_outline(middle + 172 * Vec2(std::cos(angle), std::sin(angle)), 163), i});
+  }
+  return layered_sketch(blobs);
 }
 
 std::vector<NamedSketch> all_sketches() {

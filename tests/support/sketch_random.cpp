@@ -49,30 +49,17 @@ double shortest_distance_between(const std::vector<TrueCrossing>& places) {
   return shortest;
 }
 
-/// Sine of the angle between the two contours at a crossing, from the nearest samples.
-double crossing_sine(const SketchTruth& truth, const TrueCrossing& place) {
-  const auto direction = [&](int contour) -> Vec2 {
-    const auto& points = truth.outlines[static_cast<std::size_t>(contour)].points;
-    const auto nearest = std::min_element(points.begin(), points.end(), [&](const Vec2& a, const Vec2& b) {
-      return (a - place.at).squaredNorm() < (b - place.at).squaredNorm();
-    });
-    const auto i = static_cast<std::size_t>(nearest - points.begin());
-    return (points[(i + 1) % points.size()] - points[(i + points.size() - 1) % points.size()]).normalized();
-  };
-  return std::abs(cross(direction(place.over), direction(place.under)));
-}
-
 /// Every contour crosses another (so none lies free inside another), crossings are apart and not tangential.
-bool clear_to_read(const Sketch& sketch) {
+bool clear_to_read(const Sketch& sketch, double apart) {
   const SketchTruth& truth = sketch.truth;
   for (int c = 0; c < truth.contours; ++c) {
     const bool meets = std::any_of(truth.places.begin(), truth.places.end(),
                                    [c](const TrueCrossing& place) { return place.over == c || place.under == c; });
     if (!meets) return false;
   }
-  if (shortest_distance_between(truth.places) < 45) return false;
+  if (shortest_distance_between(truth.places) < apart) return false;
   return std::all_of(truth.places.begin(), truth.places.end(),
-                     [&](const TrueCrossing& place) { return crossing_sine(truth, place) > 0.5; });
+                     [](const TrueCrossing& place) { return place.sine > 0.5; });
 }
 
 std::optional<Sketch> try_layers(const std::vector<LayeredPart>& parts) {
@@ -85,26 +72,49 @@ std::optional<Sketch> try_layers(const std::vector<LayeredPart>& parts) {
 
 // --- tubes -----------------------------------------------------------------------------------------------------------
 
-/// A closed curve of few harmonics: c(t) = sum of a_k cos + b_k sin.
-struct Harmonics {
+/// A rosette or a Lissajous figure, bent by a few harmonics: free random harmonics nearly always make cusps.
+struct RandomCurve {
+  bool rosette = false;
+  int turns = 1;
+  int petals = 2;
+  Vec2 size = Vec2::Zero();
+  double phase = 0;
   std::vector<Vec2> cosine;
   std::vector<Vec2> sine;
 
   Vec2 at(double t) const {
+    const double angle = 2 * pi * t;
     Vec2 place(450, 350);
+    if (rosette) {
+      place +=
+          (size.x() + size.y() * std::cos(petals * angle)) * Vec2(std::cos(turns * angle), std::sin(turns * angle));
+    } else {
+      place += Vec2(size.x() * std::sin(turns * angle + phase), size.y() * std::sin(petals * angle));
+    }
     for (std::size_t k = 0; k < cosine.size(); ++k) {
-      const double angle = 2 * pi * static_cast<double>(k + 1) * t;
-      place += std::cos(angle) * cosine[k] + std::sin(angle) * sine[k];
+      const double wave = static_cast<double>(k + 1) * angle;
+      place += std::cos(wave) * cosine[k] + std::sin(wave) * sine[k];
     }
     return place;
   }
 };
 
-Harmonics random_curve(Random& random) {
-  Harmonics curve;
+RandomCurve random_curve(Random& random) {
+  RandomCurve curve;
+  curve.rosette = random.below(2) == 0;
+  if (curve.rosette) {
+    curve.turns = 2;
+    curve.petals = random.below(2) == 0 ? 3 : 5;
+    curve.size = Vec2(random.between(165, 210), random.between(60, 110));
+  } else {
+    curve.petals = random.below(2) == 0 ? 2 : 3;
+    curve.turns = curve.petals - 1;
+    curve.size = Vec2(random.between(260, 350), random.between(180, 250));
+    curve.phase = random.between(-0.5, 0.5);
+  }
   for (int k = 1; k <= 3; ++k) {
-    const double size = k == 1 ? 170 : random.between(40, 150) / (k == 3 ? 1.6 : 1.0);
-    const auto vector = [&] { return Vec2(random.between(-size, size), 0.8 * random.between(-size, size)); };
+    const double bend = 45.0 / k;
+    const auto vector = [&] { return Vec2(random.between(-bend, bend), random.between(-bend, bend)); };
     curve.cosine.push_back(vector());
     curve.sine.push_back(vector());
   }
@@ -117,7 +127,7 @@ struct SelfCrossing {
   Vec2 at;
 };
 
-std::vector<SelfCrossing> self_crossings(const Harmonics& curve) {
+std::vector<SelfCrossing> self_crossings(const RandomCurve& curve) {
   constexpr int count = 360;
   std::vector<SelfCrossing> found;
   const auto point = [&](int i) { return curve.at((i + 0.5) / count); };
@@ -135,13 +145,13 @@ std::vector<SelfCrossing> self_crossings(const Harmonics& curve) {
   return found;
 }
 
-bool bends_gently(const Harmonics& curve, double radius) {
+bool bends_gently(const RandomCurve& curve, double radius) {
   for (int i = 0; i < 400; ++i) {
     const double t = i / 400.0;
     const Vec2 before = curve.at(t) - curve.at(t - 0.002);
     const Vec2 after = curve.at(t + 0.002) - curve.at(t);
     const double turn = std::atan2(std::abs(cross(before, after)), before.dot(after));
-    if (turn * 1.7 * radius > before.norm()) return false;
+    if (turn * 1.4 * radius > before.norm()) return false;
   }
   return true;
 }
@@ -177,17 +187,17 @@ std::function<double(double)> random_heights(Random& random, const std::vector<S
 }
 
 std::optional<Sketch> try_tube(Random& random, double radius) {
-  const Harmonics curve = random_curve(random);
+  const RandomCurve curve = random_curve(random);
   if (!bends_gently(curve, radius)) return std::nullopt;
   const std::vector<SelfCrossing> crossings = self_crossings(curve);
-  if (crossings.empty() || !crossings_apart(crossings, 4 * radius)) return std::nullopt;
+  if (crossings.empty() || !crossings_apart(crossings, 3.5 * radius)) return std::nullopt;
   const auto centre = [curve](double t) { return curve.at(t); };
   const TubeStrand strand{centre, [radius](double) { return radius; }, random_heights(random, crossings), true};
   try {
     Sketch sketch = tube_sketch({strand});
     const bool clean = sketch.truth.crossings == 4 * static_cast<int>(crossings.size()) &&
                        sketch.truth.hidden_arcs == 2 * static_cast<int>(crossings.size());
-    if (clean && clear_to_read(sketch)) return sketch;
+    if (clean && clear_to_read(sketch, 1.9 * radius)) return sketch;
   } catch (const std::logic_error&) {
     // Two passes too close to tell apart: another curve.
   }
@@ -209,7 +219,7 @@ Sketch random_layered_sketch(std::uint64_t seed, int parts) {
     part.priority = static_cast<int>(random.below(1000)) * 16 + static_cast<int>(chosen.size());
     chosen.push_back(std::move(part));
     std::optional<Sketch> next = try_layers(chosen);
-    if (next && (chosen.size() == 1 || clear_to_read(*next))) {
+    if (next && (chosen.size() == 1 || clear_to_read(*next, 45))) {
       sketch = std::move(next);
     } else {
       chosen.pop_back();
@@ -222,7 +232,7 @@ Sketch random_layered_sketch(std::uint64_t seed, int parts) {
 Sketch random_tube_sketch(std::uint64_t seed) {
   Random random(seed);
   for (int attempt = 0; attempt < attempts; ++attempt) {
-    if (std::optional<Sketch> sketch = try_tube(random, random.between(20, 34))) return *sketch;
+    if (std::optional<Sketch> sketch = try_tube(random, random.between(18, 28))) return *sketch;
   }
   throw std::logic_error("no clean random tube");
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "support/sketch_generator.h"
@@ -118,9 +120,10 @@ TEST_CASE("every open end lies on a drawn line, and every stroke shows") {
   }
 }
 
-TEST_CASE("the animals have nothing hidden twice and are drawn in one piece each") {
+TEST_CASE("the animals have nothing hidden twice") {
   for (const Sketch& sketch : {dog_sketch(), duck_sketch(), octopus_sketch()}) {
-    CHECK(sketch.truth.strokes >= 9);
+    CHECK(sketch.truth.strokes >= 8);
+    CHECK(sketch.truth.depth_histogram.size() == 2);
     CHECK(sketch.truth.arcs == 2 * sketch.truth.crossings);
     CHECK(diagonal(sketch.drawing) > 700);
     CHECK(diagonal(sketch.drawing) < 1150);
