@@ -120,6 +120,10 @@ double contour_half_width(const Drawing& drawing) {
   return 0.5 * std::clamp(drawing.options.contour_width, 0.5, 8.0) * drawing.samples;
 }
 
+float wire_width(const Drawing& drawing) {
+  return static_cast<float>(std::clamp(drawing.options.wire_width, 0.1, 8.0) * drawing.samples);
+}
+
 /// The driver's limit on textures wins over the samples asked for.
 int fitting_samples(int wanted, int pixel_width, int pixel_height) {
   GLint largest = 0;
@@ -148,9 +152,9 @@ void Renderer::Implementation::draw_surfaces(const Drawing& drawing) {
   glClearDepth(1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glEnable(GL_DEPTH_TEST);
-  // Lines lie in the surface and are some samples wide: surfaces stand back as much as they recede over that.
+  // Wire lies in the surface and is some samples wide: surfaces stand back as much as they recede over half of that.
   glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(1.0f + 0.5f * static_cast<float>(drawing.samples), 4.0f);
+  glPolygonOffset(0.3f + 0.5f * wire_width(drawing), 4.0f);
 
   surface_.use();
   surface_.set("to_clip", drawing.view.to_clip);
@@ -171,17 +175,20 @@ void Renderer::Implementation::draw_overlay(const Drawing& drawing) {
   glClear(GL_COLOR_BUFFER_BIT);
   line_.use();
   line_.set("to_clip", drawing.view.to_clip);
+  line_.set_texture("normals", 0, buffers_->normals);
   line_.set("frame_size", glm::vec2(buffers_->size.width(), buffers_->size.height()));
   for (const MeshItemPtr& item : drawing.items) {
     const GpuItem& gpu_item = gpu_items_.get(item);
     line_.set("to_view", glm::mat4(item_to_view(*item, drawing.view)));
     if (drawing.options.wire) {
       line_.set("fixed_color", to_float(drawing.options.wire_color));
-      line_.set("width", static_cast<float>(std::clamp(drawing.options.wire_width, 0.1, 8.0) * drawing.samples));
+      line_.set("width", wire_width(drawing));
+      line_.set("on_surface", true);
       glDepthMask(GL_FALSE);
       gpu_item.draw_edges();
       glDepthMask(GL_TRUE);
     }
+    line_.set("on_surface", false);
     line_.set("fixed_color", glm::vec4(0));
     line_.set("width", static_cast<float>(std::clamp(drawing.options.line_width, 0.1, 32.0) * drawing.samples));
     gpu_item.draw_segments();

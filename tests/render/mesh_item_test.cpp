@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "croquis/render/mesh_item.h"
 
-#include <catch2/catch.hpp>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
+#include <tuple>
+
+#include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
 #include "support/mesh_shapes.h"
@@ -108,7 +111,7 @@ TEST_CASE("polylines become segments, and wire edges are the polygons' own, each
   CHECK(item->segments == std::vector<std::uint32_t>{0, 1, 1, 2, 2, 3});
 }
 
-TEST_CASE("what can't be drawn is refused; what has no area is not") {
+TEST_CASE("what can not be drawn is refused but what has no area is drawn as nothing") {
   PolyMesh broken = test::cube();
   broken.corners[0] = 99;
   CHECK_THROWS_AS(make_mesh_item(broken), Error);

@@ -2,8 +2,9 @@
 #include "render/polygon_triangulation.h"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
+
+#include <catch2/catch.hpp>
 
 using namespace croquis;
 using namespace croquis::render;
