@@ -16,15 +16,22 @@ struct SheetPlace {
   friend bool operator==(const SheetPlace&, const SheetPlace&) = default;
 };
 
+/// The stretch of a node's chord inside one panel.
+struct ChordPart {
+  Vec2 middle = Vec2::Zero();
+  double length = 0;
+};
+
 /// A node of the chordal axis.
 struct SkeletonNode {
   Vec2 position = Vec2::Zero();
   double radius = 0;
-  double z = 0;                   ///< set by the depth solve
-  Vec2 gradient = Vec2::Zero();   ///< of the carrying surface: its normal is (-g, 1); set by the depth solve
-  std::array<Vec2, 2> chord;      ///< the chord's two ends on the contours
-  SheetPlace place;               ///< where the node itself lies
+  double z = 0;                     ///< set by the depth solve
+  Vec2 gradient = Vec2::Zero();     ///< of the carrying surface: its normal is (-g, 1); set by the depth solve
+  std::array<Vec2, 2> chord;        ///< the chord's two ends on the contours
+  SheetPlace place;                 ///< where the node itself lies
   std::vector<SheetPlace> crossed;  ///< one place for every panel (face, layer) that its chord passes through
+  std::vector<ChordPart> parts;     ///< as crossed; the longest stretch where a panel is crossed twice
   Index object = 0;
 };
 
