@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <glm/glm.hpp>
-
 #include <array>
 #include <span>
 #include <vector>
+
+#include <glm/glm.hpp>
 
 #include "croquis/geometry/vector.h"
 

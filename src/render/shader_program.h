@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <glm/glm.hpp>
-
 #include <initializer_list>
 #include <string_view>
+
+#include <glm/glm.hpp>
 
 #include "render/gl_handle.h"
 

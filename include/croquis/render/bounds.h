@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <glm/glm.hpp>
-
 #include <array>
 #include <limits>
+
+#include <glm/glm.hpp>
 
 namespace croquis::render {
 

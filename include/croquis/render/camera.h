@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <glm/glm.hpp>
-
 #include <span>
+
+#include <glm/glm.hpp>
 
 #include "croquis/render/bounds.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <glm/glm.hpp>
-
 #include <cstdint>
 #include <memory>
 #include <vector>
+
+#include <glm/glm.hpp>
 
 #include "croquis/geometry/poly_mesh.h"
 #include "croquis/render/bounds.h"
