@@ -21,7 +21,10 @@ constexpr double penalty_growth = 1e2;
 constexpr int most_raises = 2;
 /// Part of the way to the nearest bound that a step may go; approaches 1 as the products approach 0.
 constexpr double shortest_reach = 0.9;
-constexpr int refinements = 2;
+/// Nothing may arrive at its bound: 0 multiplied or divided by 0 is no number.
+constexpr double longest_reach = 1 - 1e-8;
+/// Of the corrector; the predictor's digits are thrown away.
+constexpr int corrector_refinements = 2;
 
 struct Residuals {
   VectorXd stationarity;  ///< G^T lambda + E^T nu - H y
@@ -46,7 +49,7 @@ class Run {
 
  private:
   double mean_product() const;
-  Step direction(const VectorXd& distance_target, const VectorXd& shortfall_target) const;
+  Step direction(const VectorXd& distance_target, const VectorXd& shortfall_target, int refinements) const;
   double reach(const Step& step) const;
   void move(const Step& step, double length);
   double centring(const Step& predictor) const;
@@ -71,8 +74,9 @@ bool Run::converged(double tolerance, double complementarity) {
   residuals_.equality = -(m.equalities * point.y);
   residuals_.rows = problem_.bounds - m.inequalities * point.y - point.shortfall + point.distance;
   const double multiplier_scale = std::max(1.0, point.multipliers.lpNorm<Eigen::Infinity>());
-  return residuals_.rows.lpNorm<Eigen::Infinity>() <= tolerance &&
-         residuals_.equality.lpNorm<Eigen::Infinity>() <= tolerance &&
+  const double way_scale = std::max(1.0, point.y.lpNorm<Eigen::Infinity>());
+  return residuals_.rows.lpNorm<Eigen::Infinity>() <= tolerance * way_scale &&
+         residuals_.equality.lpNorm<Eigen::Infinity>() <= tolerance * way_scale &&
          residuals_.stationarity.lpNorm<Eigen::Infinity>() <= tolerance * multiplier_scale &&
          mean_product() <= complementarity;
 }
@@ -89,7 +93,7 @@ void Run::raise_penalty() {
 
 /// Newton's direction for w lambda -> distance_target and s mu -> shortfall_target (the targets hold second-order
 /// terms).
-Step Run::direction(const VectorXd& distance_target, const VectorXd& shortfall_target) const {
+Step Run::direction(const VectorXd& distance_target, const VectorXd& shortfall_target, int refinements) const {
   const ScaledProblem& m = matrices();
   const VectorXd distance_gap = distance_target - point.distance.cwiseProduct(point.multipliers);
   const VectorXd shortfall_gap = shortfall_target - point.shortfall.cwiseProduct(point.slack_multipliers);
@@ -150,14 +154,15 @@ void Run::iterate() {
 
   // Predictor: straight for the optimum.
   const VectorXd none = VectorXd::Zero(problem_.bounds.size());
-  const Step predictor = direction(none, none);
+  const Step predictor = direction(none, none, 0);
 
   // Corrector: towards equal products, with the predictor's second-order error taken out.
   const double mean = mean_product();
   const VectorXd target = VectorXd::Constant(problem_.bounds.size(), centring(predictor) * mean);
-  const Step corrector = direction(target - predictor.distance.cwiseProduct(predictor.multipliers),
-                                   target + predictor.shortfall.cwiseProduct(predictor.multipliers));
-  const double caution = std::max(shortest_reach, 1 - mean);
+  const Step corrector =
+      direction(target - predictor.distance.cwiseProduct(predictor.multipliers),
+                target + predictor.shortfall.cwiseProduct(predictor.multipliers), corrector_refinements);
+  const double caution = std::clamp(1 - mean, shortest_reach, longest_reach);
   move(corrector, std::min(1.0, caution * reach(corrector)));
   ++point.iterations;
 }

@@ -121,6 +121,7 @@ VectorXd KktSystem::multiply(const VectorXd& vector) const {
 
 VectorXd KktSystem::solve(const VectorXd& right_side, int refinements) const {
   VectorXd solution = factors_.solve(right_side);
+  if (refinements == 0) return solution;
   VectorXd residual = right_side - multiply(solution);
   const double good = good_residual * right_side.lpNorm<Eigen::Infinity>();
   for (int round = 0; round < refinements; ++round) {

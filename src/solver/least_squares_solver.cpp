@@ -24,6 +24,9 @@ using Eigen::VectorXd;
 
 /// A violation below this part of the row's terms is rounding.
 constexpr double rounding_tolerance = 1e-12;
+/// Rows that are met by more than this many times the largest violation count as met by this much: none of them gets
+/// into the way, and larger numbers would drown the others in their rounding.
+constexpr double farthest_row = 1e7;
 /// Rows whose lengths differ by more than this are priced as if by this: beyond it, prices lose their digits.
 constexpr double widest_price_range = 1e4;
 /// How much closer the interior point goes when the first polishing finds no roles that verify.
@@ -124,8 +127,7 @@ LeastSquaresSolution LeastSquaresSolver::State::solve(Progress& progress) {
 void LeastSquaresSolver::State::solve_elastic(const VectorXd& violation, double unit, EqualityOptimum& optimum,
                                               LeastSquaresSolution& solution, Progress& progress) {
   at_rest = false;
-  ElasticProblem elastic{&scaled, (violation / unit).cwiseMax(-1 / rounding_tolerance),
-                         prices(scaled.inequality_scale)};
+  ElasticProblem elastic{&scaled, (violation / unit).cwiseMax(-farthest_row), prices(scaled.inequality_scale)};
   Progress part = progress.step("separating parts", 1 - first_share);
   ElasticPoint point = starting_point(elastic);
   run_interior_point(elastic, *system, options, options.complementarity_tolerance, point, part);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -305,6 +306,53 @@ TEST_CASE("rows without entries are met or named") {
   CHECK(solution.violated_rows == std::vector<int>{0});
   CHECK(solution.shortfall[0] == 5);
   CHECK(largest(solution.x - vector({2, 0})) <= 1e-9);
+}
+
+TEST_CASE("bounds that no point comes near change nothing") {
+  for (std::uint32_t seed = 0; seed < 40; ++seed) {
+    CAPTURE(seed);
+    const LeastSquaresProblem problem = random_problem(shape_of(seed), seed);
+    LeastSquaresProblem loose = problem;
+    const Eigen::Index rows = problem.inequalities.rows();
+    Eigen::MatrixXd twice(2 * rows, problem.inequalities.cols());
+    twice << Eigen::MatrixXd(problem.inequalities), -Eigen::MatrixXd(problem.inequalities);
+    loose.inequalities = sparse(twice);
+    loose.inequality_bounds.conservativeResize(2 * rows);
+    for (Eigen::Index row = 0; row < rows; ++row) loose.inequality_bounds[rows + row] = row % 2 == 0 ? -1e15 : -1e30;
+    const LeastSquaresSolution solution = solve(loose);
+    CHECK(solution.converged);
+    CHECK(solution.violated_rows.empty());
+    CHECK(solution.iterations <= 25);
+    CHECK(largest(solution.x - solve(problem).x) <= 1e-8 * (1 + largest(solution.x)));
+  }
+}
+
+TEST_CASE("rows and unknowns in wildly mixed units give the same answer") {
+  for (std::uint32_t seed = 0; seed < 100; ++seed) {
+    CAPTURE(seed);
+    const LeastSquaresProblem problem = random_problem(shape_of(seed), seed);
+    std::mt19937 random(seed);
+    const auto factors = [&random](Eigen::Index size) {
+      VectorXd values(size);
+      for (double& value : values) value = std::pow(10.0, static_cast<double>(random() % 121u) / 10 - 6);
+      return values;
+    };
+    const VectorXd columns = factors(problem.objective.cols());
+    const VectorXd equality_rows = factors(problem.equalities.rows());
+    const VectorXd rows = factors(problem.inequalities.rows());
+    LeastSquaresProblem mixed = problem;
+    mixed.objective = problem.objective * columns.asDiagonal();
+    mixed.equalities = equality_rows.asDiagonal() * Matrix(problem.equalities * columns.asDiagonal());
+    mixed.equality_values = equality_rows.cwiseProduct(problem.equality_values);
+    mixed.inequalities = rows.asDiagonal() * Matrix(problem.inequalities * columns.asDiagonal());
+    mixed.inequality_bounds = rows.cwiseProduct(problem.inequality_bounds);
+    const LeastSquaresSolution reference = solve(problem);
+    const LeastSquaresSolution solution = solve(mixed);
+    CHECK(solution.converged);
+    CHECK(solution.violated_rows.empty());
+    CHECK(solution.iterations <= 25);
+    CHECK(largest(columns.cwiseProduct(solution.x) - reference.x) <= 1e-7 * (1 + largest(reference.x)));
+  }
 }
 
 TEST_CASE("dependent equalities change nothing") {

@@ -91,6 +91,47 @@ void add_collisions(const std::vector<PlacedNode>& nodes, double radius, DepthRo
   }
 }
 
+struct SheetRows {
+  int length, width;  // cells
+  Rows objective, inequalities;
+
+  int vertex(int sheet, int i, int k) const { return (sheet * (length + 1) + i) * (width + 1) + k; }
+};
+
+/// The plate's row of one vertex, and the membrane's of the edges that start there.
+void add_bending(int sheet, int i, int k, SheetRows& rows) {
+  const double plate = std::sqrt(0.02) * 20 / 3;  // a tube's radius over the spacing of triangles
+  const double membrane = std::sqrt(0.02);
+  const int here = rows.vertex(sheet, i, k);
+  std::vector<int> later;
+  if (i < rows.length) later.push_back(rows.vertex(sheet, i + 1, k));
+  if (k < rows.width) later.push_back(rows.vertex(sheet, i, k + 1));
+  std::vector<int> neighbours = later;
+  if (i > 0) neighbours.push_back(rows.vertex(sheet, i - 1, k));
+  if (k > 0) neighbours.push_back(rows.vertex(sheet, i, k - 1));
+  rows.objective.begin();
+  for (const int other : neighbours) rows.objective.add(other, plate);
+  rows.objective.add(here, -plate * static_cast<double>(neighbours.size()));
+  for (const int other : later) {
+    rows.objective.begin();
+    rows.objective.add(other, membrane);
+    rows.objective.add(here, -membrane);
+  }
+}
+
+void add_anchor(int sheet, int i, int k, SheetRows& rows) {
+  rows.objective.begin(10 * std::sin(0.1 * i + sheet) + 8 * std::cos(0.13 * k * (sheet + 1)) - 4 * sheet);
+  rows.objective.add(rows.vertex(sheet, i, k), 1);
+}
+
+void add_separation(int sheet, int i, int k, double share, SheetRows& rows) {
+  const double from_centre = std::hypot(2.0 * i / rows.length - 1, 2.0 * k / rows.width - 1);
+  if (from_centre * from_centre * std::numbers::pi / 4 >= share) return;
+  rows.inequalities.begin(2 + 10 * std::sqrt(std::max(0.0, 1 - from_centre * from_centre)));
+  rows.inequalities.add(rows.vertex(sheet, i, k), 1);
+  rows.inequalities.add(rows.vertex(sheet - 1, i, k), -1);
+}
+
 }  // namespace
 
 std::vector<CentreLine> chain_of_rings(int rings, int nodes_per_ring) {
@@ -141,44 +182,22 @@ LeastSquaresProblem depth_problem(const std::vector<CentreLine>& lines, double r
 }
 
 LeastSquaresProblem sheet_problem(int cells, int sheets, double constrained_share) {
-  const int side = cells + 1;
-  const double spacing = 3;  // of triangles, where tubes have a radius of 20
-  const double size = 20;
-  const double weight = std::sqrt(0.02);
-  const auto vertex = [&](int sheet, int i, int k) { return (sheet * side + i) * side + k; };
-  Rows objective;
-  Rows inequalities;
+  return sheet_strip(cells, cells, sheets, constrained_share);
+}
+
+LeastSquaresProblem sheet_strip(int length, int width, int sheets, double constrained_share) {
+  SheetRows rows{length, width, {}, {}};
   for (int sheet = 0; sheet < sheets; ++sheet)
-    for (int i = 0; i < side; ++i)
-      for (int k = 0; k < side; ++k) {
-        std::vector<int> neighbours;
-        if (i > 0) neighbours.push_back(vertex(sheet, i - 1, k));
-        if (k > 0) neighbours.push_back(vertex(sheet, i, k - 1));
-        const std::size_t before = neighbours.size();
-        if (i < cells) neighbours.push_back(vertex(sheet, i + 1, k));
-        if (k < cells) neighbours.push_back(vertex(sheet, i, k + 1));
-        objective.begin();
-        for (const int other : neighbours) objective.add(other, weight * size / spacing);
-        objective.add(vertex(sheet, i, k), -weight * size / spacing * static_cast<double>(neighbours.size()));
-        for (std::size_t n = before; n < neighbours.size(); ++n) {
-          objective.begin();
-          objective.add(neighbours[n], weight);
-          objective.add(vertex(sheet, i, k), -weight);
-        }
-        if (i % 7 == 3 && k % 7 == 3) {
-          objective.begin(10 * std::sin(0.1 * i + sheet) + 8 * std::cos(0.13 * k * (sheet + 1)) - 4 * sheet);
-          objective.add(vertex(sheet, i, k), 1);
-        }
-        const double from_centre = std::hypot(i - 0.5 * cells, k - 0.5 * cells) / (0.5 * cells);
-        if (sheet > 0 && from_centre * from_centre * std::numbers::pi / 4 < constrained_share) {
-          inequalities.begin(2 + 10 * std::sqrt(std::max(0.0, 1 - from_centre * from_centre)));
-          inequalities.add(vertex(sheet, i, k), 1);
-          inequalities.add(vertex(sheet - 1, i, k), -1);
-        }
+    for (int i = 0; i <= length; ++i)
+      for (int k = 0; k <= width; ++k) {
+        add_bending(sheet, i, k, rows);
+        if (i % 7 == 3 && k % 7 == 3) add_anchor(sheet, i, k, rows);
+        if (sheet > 0) add_separation(sheet, i, k, constrained_share, rows);
       }
+  const int unknowns = rows.vertex(sheets, 0, 0);
   LeastSquaresProblem problem;
-  objective.store(sheets * side * side, problem.objective, problem.target);
-  inequalities.store(sheets * side * side, problem.inequalities, problem.inequality_bounds);
+  rows.objective.store(unknowns, problem.objective, problem.target);
+  rows.inequalities.store(unknowns, problem.inequalities, problem.inequality_bounds);
   return problem;
 }
 

@@ -30,6 +30,9 @@ LeastSquaresProblem depth_problem(const std::vector<CentreLine>& lines, double r
 /// them.
 LeastSquaresProblem sheet_problem(int cells, int sheets, double constrained_share);
 
+/// The same for rectangles, as long limbs are; the disk becomes an ellipse.
+LeastSquaresProblem sheet_strip(int length, int width, int sheets, double constrained_share);
+
 /// Random dense-ish rows with a feasible point; `tight` rows go through that point.
 struct RandomShape {
   int unknowns = 5;
