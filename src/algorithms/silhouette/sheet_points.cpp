@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/sheet_points.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/silhouette/figure_segments.h"
+#include "algorithms/silhouette/planar_walk.h"
+#include "algorithms/silhouette/proximity_grid.h"
+#include "algorithms/silhouette/rim_radius.h"
+
+namespace croquis::silhouette {
+namespace {
+
+// Clearances are parts of the contour step, as the density of everything follows it.
+constexpr double row_contour_clearance = 0.3;  // and at most 0.9 of the row's own depth
+constexpr double row_row_clearance = 0.37;     // and at most 0.6 of the distance between the rows
+constexpr double row_spacing = 0.33;           // from a row's last point
+constexpr double hexagon_spacing = 1.5;
+constexpr double hexagon_point_clearance = 0.55 * hexagon_spacing;
+constexpr double hexagon_contour_clearance = 0.4 * hexagon_spacing;
+constexpr double node_point_clearance = 0.3 * hexagon_spacing;
+
+class SheetPointCollector {
+ public:
+  SheetPointCollector(const LabelledFigure& figure, const std::vector<std::array<Vec2, 2>>& boundary)
+      : figure_(figure),
+        step_(figure.step),
+        bounds_(bounds_of(figure.points)),
+        walk_(figure.points, figure.triangulation),
+        segments_(bounds_[0], bounds_[1], hexagon_contour_clearance * step_),
+        spaced_(bounds_[0], bounds_[1], hexagon_point_clearance * step_),
+        rows_(bounds_[0], bounds_[1], row_row_clearance * step_) {
+    for (const auto& piece : boundary) {
+      segments_.add(piece[0], piece[1]);
+      spaced_.add(piece[0]);
+    }
+  }
+
+  void add_row(Index contour, const std::vector<double>& radii, double angle, double previous_angle) {
+    std::vector<Vec2> row;
+    const std::vector<Index>& vertices = figure_.contours[contour].vertices;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const double depth = row_depth(radii[i], angle);
+      const double gap = depth - row_depth(radii[i], previous_angle);
+      const Vec2 place = figure_.points[vertices[i]] + depth * inward(contour, i);
+      if (!row.empty() && (place - row.back()).norm() < row_spacing * step_) continue;
+      if (segments_.any_within(place, std::min(0.9 * depth, row_contour_clearance * step_))) continue;
+      if (rows_.any_within(place, std::min(0.6 * gap, row_row_clearance * step_))) continue;
+      if (layers_at(place) > 0) row.push_back(place);
+    }
+    finished_.insert(finished_.end(), row.begin(), row.end());
+  }
+
+  /// Rows of one angle don't hinder each other: those of neighbouring contours may interleave in a thin part.
+  void end_of_rows_at_angle() {
+    for (const Vec2& place : finished_) {
+      rows_.add(place);
+      spaced_.add(place);
+    }
+    points_.insert(points_.end(), finished_.begin(), finished_.end());
+    finished_.clear();
+  }
+
+  void add_node(const Vec2& place) {
+    if (segments_.any_within(place, hexagon_contour_clearance * step_)) return;
+    if (spaced_.any_within(place, node_point_clearance * step_) || layers_at(place) <= 0) return;
+    keep(place);
+  }
+
+  void add_hexagons() {
+    const double spacing = hexagon_spacing * step_;
+    const double height = spacing * std::sqrt(0.75);
+    // Counted from the middle, so that a shifted or mirrored drawing gets the shifted or mirrored points.
+    const Vec2 middle = (bounds_[0] + bounds_[1]) / 2;
+    const Vec2 half = (bounds_[1] - bounds_[0]) / 2;
+    const auto rows = static_cast<int>(half.y() / height);
+    const auto columns = static_cast<int>(half.x() / spacing) + 1;
+    std::vector<Vec2> chosen;
+    for (int j = -rows; j <= rows; ++j) {
+      for (int i = -columns; i <= columns; ++i) {
+        const Vec2 place = middle + Vec2((i + (j % 2 != 0 ? 0.5 : 0.0)) * spacing, j * height);
+        if (segments_.any_within(place, hexagon_contour_clearance * step_)) continue;
+        if (!spaced_.any_within(place, hexagon_point_clearance * step_) && layers_at(place) > 0)
+          chosen.push_back(place);
+      }
+    }
+    points_.insert(points_.end(), chosen.begin(), chosen.end());
+  }
+
+  std::vector<Vec2> take() { return std::move(points_); }
+
+ private:
+  Vec2 inward(Index contour, std::size_t i) const {
+    const std::vector<Index>& vertices = figure_.contours[contour].vertices;
+    const std::size_t count = vertices.size();
+    const Vec2& before = figure_.points[vertices[(i + count - 1) % count]];
+    const Vec2& at = figure_.points[vertices[i]];
+    const Vec2& after = figure_.points[vertices[(i + 1) % count]];
+    const Vec2 tangent = (at - before).normalized() + (after - at).normalized();
+    return figure_.contours[contour].side * left_of(tangent.normalized());
+  }
+
+  int layers_at(const Vec2& place) {
+    const Index triangle = walk_.locate(place);
+    return triangle == no_index ? 0 : figure_.layers[triangle];
+  }
+
+  void keep(const Vec2& place) {
+    spaced_.add(place);
+    points_.push_back(place);
+  }
+
+  const LabelledFigure& figure_;
+  double step_;
+  std::array<Vec2, 2> bounds_;
+  PlanarWalk walk_;
+  ProximityGrid segments_;
+  ProximityGrid spaced_;  ///< all points so far
+  ProximityGrid rows_;
+  std::vector<Vec2> points_;
+  std::vector<Vec2> finished_;  ///< rows at the angle under way
+};
+
+}  // namespace
+
+std::vector<Vec2> sheet_points(const LabelledFigure& figure, const Skeleton& skeleton,
+                               const std::vector<std::array<Vec2, 2>>& boundary,
+                               const std::vector<std::vector<double>>& radii) {
+  SheetPointCollector collector(figure, boundary);
+  double previous_angle = 0;
+  for (const double angle : row_angles) {
+    for (Index c = 0; c < figure.contours.size(); ++c) collector.add_row(c, radii[c], angle, previous_angle);
+    collector.end_of_rows_at_angle();
+    previous_angle = angle;
+  }
+  for (const SkeletonNode& node : skeleton.nodes) collector.add_node(node.position);
+  collector.add_hexagons();
+  return collector.take();
+}
+
+}  // namespace croquis::silhouette
