@@ -6,12 +6,18 @@
 #include <limits>
 
 #include "croquis/base/error.h"
+#include "io/float_positions.h"
+#include "io/glb_writer.h"
 #include "io/mesh_checks.h"
 #include "io/obj_reader.h"
 #include "io/obj_writer.h"
+#include "io/off_reader.h"
+#include "io/off_writer.h"
 #include "io/ply_reader.h"
 #include "io/ply_writer.h"
 #include "io/read_context.h"
+#include "io/stl_reader.h"
+#include "io/stl_writer.h"
 #include "io/text.h"
 
 namespace croquis {
@@ -28,9 +34,11 @@ PolyMesh read_format(const MeshSource& source, ReadContext& context) {
   switch (source.format) {
     case MeshFormat::Obj: return read_obj(source.bytes, context);
     case MeshFormat::Ply: return read_ply(source.bytes, context);
-    default: break;
+    case MeshFormat::Stl: return read_stl(source.bytes, context);
+    case MeshFormat::Off: return read_off(source.bytes, context);
+    case MeshFormat::Glb: break;
   }
-  return {};
+  context.fail("E_FORMAT", "GLB files are written but not read; convert it to OBJ or PLY", {});
 }
 
 void check_size(const MeshSource& source, ReadContext& context) {
@@ -97,13 +105,20 @@ MeshWriteResult write_mesh(const PolyMesh& mesh, MeshFormat format, const MeshWr
   switch (format) {
     case MeshFormat::Obj: return write_obj(mesh, options, progress);
     case MeshFormat::Ply: return write_ply(mesh, options, progress);
-    default: break;
+    case MeshFormat::Stl: return write_stl(mesh, options, progress);
+    case MeshFormat::Off: return write_off(mesh, options, progress);
+    case MeshFormat::Glb: return write_glb(mesh, progress);
   }
   return {};
 }
 
 PolyMesh as_written(const PolyMesh& mesh, MeshFormat format, const MeshWriteOptions& options) {
   PolyMesh written = mesh;
+  const bool binary_stl = format == MeshFormat::Stl && !options.ascii;
+  if (binary_stl || format == MeshFormat::Glb) {
+    written.positions = positions_as_floats(mesh, format);
+    return written;
+  }
   const bool as_text = format == MeshFormat::Obj || format == MeshFormat::Off || options.ascii;
   const bool as_floats = format == MeshFormat::Ply && positions_are_floats(mesh);
   if (!as_text || options.precision <= 0) return written;

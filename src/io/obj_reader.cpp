@@ -6,8 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "io/category_state.h"
 #include "io/channel_values.h"
-#include "io/obj_attributes.h"
+#include "io/obj_corner_table.h"
 #include "io/text.h"
 
 namespace croquis {
@@ -122,7 +123,7 @@ class ObjReader {
   std::vector<Reference> references_;
   std::vector<Index> vertices_;
   std::vector<Forward> forward_;
-  ObjCategory groups_{"group"}, objects_{"object"}, materials_{"material"};
+  CategoryState groups_{"group"}, objects_{"object"}, materials_{"material"};
   ObjCornerTable uvs_{"uv", 2}, normals_{"normal", 3};
   std::vector<double> colours_;  // four per vertex, empty until one has a colour
   int colour_width_ = 3;
@@ -141,7 +142,7 @@ void ObjReader::handle(std::string_view keyword, WordReader& words) {
   if (keyword == "l") return read_line(words);
   if (keyword == "s") return read_smoothing(words);
   if (keyword == "g" || keyword == "o" || keyword == "usemtl") {
-    ObjCategory& category = keyword == "g" ? groups_ : keyword == "o" ? objects_ : materials_;
+    CategoryState& category = keyword == "g" ? groups_ : keyword == "o" ? objects_ : materials_;
     const std::string_view name = words.rest();
     return category.set(name.empty() ? "default" : name);
   }
@@ -255,7 +256,7 @@ void ObjReader::read_face(WordReader& words) {
     normals_.corner_added(r.normal == absent ? no_index : resolve(r.normal, normals_.size(), 2), corners_before + i);
   }
   const std::size_t face = mesh_.face_count();
-  for (ObjCategory* category : {&groups_, &objects_, &materials_}) category->face_added(face);
+  for (CategoryState* category : {&groups_, &objects_, &materials_}) category->face_added(face);
   if (smoothing_named_) {
     smoothing_.resize(face, 0);
     smoothing_.push_back(smoothing_group_);
@@ -271,7 +272,7 @@ void ObjReader::read_line(WordReader& words) {
   }
   vertices_.clear();
   for (const Reference& r : references_) vertices_.push_back(resolve(r.vertex, mesh_.vertex_count(), 0));
-  for (ObjCategory* category : {&groups_, &objects_, &materials_}) category->line_added(mesh_.line_count());
+  for (CategoryState* category : {&groups_, &objects_, &materials_}) category->line_added(mesh_.line_count());
   mesh_.add_line(vertices_);
 }
 
@@ -307,7 +308,7 @@ void ObjReader::finish() {
   finish_colours();
   uvs_.finish(mesh_);
   normals_.finish(mesh_);
-  for (ObjCategory* category : {&objects_, &groups_, &materials_}) category->finish(mesh_);
+  for (CategoryState* category : {&objects_, &groups_, &materials_}) category->finish(mesh_);
   if (!smoothing_.empty()) {
     mesh_.channels.push_back(make_channel("smoothing_group", Domain::Face, 1, std::move(smoothing_)));
   }

@@ -6,10 +6,11 @@
 #include <set>
 
 #include "io/channel_values.h"
+#include "io/float_positions.h"
 #include "io/format_loss.h"
 #include "io/ply_names.h"
-#include "io/ply_sink.h"
 #include "io/tick.h"
+#include "io/value_sink.h"
 
 namespace croquis {
 namespace {
@@ -79,7 +80,7 @@ class PlyWriter {
   const PolyMesh& mesh_;
   const MeshWriteOptions& options_;
   WriteTick tick_;
-  PlySink sink_;
+  ValueSink sink_;
   FormatLoss loss_{"PLY"};
   Channels written_, vertex_channels_, face_channels_, corner_channels_, line_channels_;
   bool floats_ = false;
@@ -218,11 +219,6 @@ void PlyWriter::write_edges() {
 }
 
 }  // namespace
-
-bool positions_are_floats(const PolyMesh& mesh) {
-  return std::all_of(mesh.positions.begin(), mesh.positions.end(),
-                     [](const Vec3& p) { return p.cast<float>().cast<double>() == p; });
-}
 
 MeshWriteResult write_ply(const PolyMesh& mesh, const MeshWriteOptions& options, Progress& progress) {
   return PlyWriter(mesh, options, progress).write();

@@ -8,7 +8,4 @@ namespace croquis {
 /// PLY with every channel as properties of its own type; polylines as edge elements.
 MeshWriteResult write_ply(const PolyMesh& mesh, const MeshWriteOptions& options, Progress& progress);
 
-/// Floats hold every position exactly.
-bool positions_are_floats(const PolyMesh& mesh);
-
 }  // namespace croquis

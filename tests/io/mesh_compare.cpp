@@ -43,11 +43,6 @@ AttributeChannel random_channel(std::string name, Domain domain, int width, std:
 
 }  // namespace
 
-bool same_connectivity(const PolyMesh& a, const PolyMesh& b) {
-  return a.vertex_count() == b.vertex_count() && a.face_offsets == b.face_offsets && a.corners == b.corners &&
-         a.line_offsets == b.line_offsets && a.line_vertices == b.line_vertices;
-}
-
 std::string difference(const PolyMesh& a, const PolyMesh& b) {
   if (!same_connectivity(a, b)) return "connectivity";
   for (std::size_t v = 0; v < a.vertex_count(); ++v) {
@@ -62,22 +57,6 @@ std::string difference(const PolyMesh& a, const PolyMesh& b) {
     if (other->labels != channel.labels) return name_of(channel) + " has other labels";
   }
   return a.channels.size() == b.channels.size() ? "" : "number of channels";
-}
-
-bool usable(const PolyMesh& mesh) {
-  const auto in_range = [&](Index v) { return v < mesh.vertex_count(); };
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    if (mesh.face_offsets[f + 1] < mesh.face_offsets[f] + 3) return false;
-  }
-  if (mesh.face_offsets.back() != mesh.corners.size() || mesh.line_offsets.back() != mesh.line_vertices.size()) {
-    return false;
-  }
-  for (const AttributeChannel& channel : mesh.channels) {
-    if (channel.size() != mesh.element_count(channel.domain) * static_cast<std::size_t>(channel.width)) return false;
-  }
-  return std::all_of(mesh.corners.begin(), mesh.corners.end(), in_range) &&
-         std::all_of(mesh.line_vertices.begin(), mesh.line_vertices.end(), in_range) &&
-         std::all_of(mesh.positions.begin(), mesh.positions.end(), [](const Vec3& p) { return p.allFinite(); });
 }
 
 MeshReadResult read(const std::string& bytes, MeshFormat format) {

@@ -6,17 +6,12 @@
 #include "croquis/base/error.h"
 #include "croquis/geometry/poly_mesh.h"
 #include "croquis/io/mesh_file.h"
+#include "fuzz/mesh_property.h"
 
 namespace croquis::test {
 
 /// What differs between two meshes down to the bits of positions and channels; empty when nothing does.
 std::string difference(const PolyMesh& a, const PolyMesh& b);
-
-/// The same without channels and positions: faces and lines alone.
-bool same_connectivity(const PolyMesh& a, const PolyMesh& b);
-
-/// Indices and offsets are in range and every channel has its length.
-bool usable(const PolyMesh& mesh);
 
 MeshReadResult read(const std::string& bytes, MeshFormat format);
 MeshWriteResult write(const PolyMesh& mesh, MeshFormat format, MeshWriteOptions options = {});

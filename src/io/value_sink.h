@@ -10,10 +10,10 @@
 
 namespace croquis {
 
-/// Appends the values of PLY rows as text or as little-endian bytes.
-class PlySink {
+/// Appends the values of a format's rows as text or as little-endian bytes.
+class ValueSink {
  public:
-  PlySink(bool ascii, int precision) : ascii_(ascii), precision_(precision) {}
+  ValueSink(bool ascii, int precision) : ascii_(ascii), precision_(precision) {}
 
   template <typename T>
   void put(T value) {

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "croquis/io/mesh_file.h"
+
+namespace croquis {
+
+/// Binary glTF 2.0: one mesh of triangles, and polylines as lines, with what the vertices have of normals, colours and
+/// texture coordinates.
+MeshWriteResult write_glb(const PolyMesh& mesh, Progress& progress);
+
+}  // namespace croquis

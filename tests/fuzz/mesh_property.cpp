@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fuzz/mesh_property.h"
+
+#include <algorithm>
+
+#include "croquis/base/error.h"
+
+namespace croquis::test {
+namespace {
+
+std::string wrong_findings(const Error& error) {
+  if (error.findings().empty() || !has_errors(error.findings())) return "an error without errors";
+  for (const Finding& finding : error.findings()) {
+    if (finding.code.empty() || finding.message.find("fuzzed") == std::string::npos) return "a finding without a name";
+  }
+  return error.findings().size() > 2000 ? "too many findings" : "";
+}
+
+std::string broken_round_trip(const PolyMesh& mesh, MeshFormat format, bool ascii) {
+  Progress progress;
+  const std::string bytes = write_mesh(mesh, format, {0, ascii}, progress).bytes;
+  try {
+    const PolyMesh back = read_mesh({bytes, format, "fuzzed", false}, progress).mesh;
+    if (!same_connectivity(mesh, back)) return "the written mesh reads back differently";
+    if (mesh.positions != back.positions) return "the written positions read back differently";
+  } catch (const Error& error) {
+    return std::string("the written mesh is refused: ") + error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+bool same_connectivity(const PolyMesh& a, const PolyMesh& b) {
+  return a.vertex_count() == b.vertex_count() && a.face_offsets == b.face_offsets && a.corners == b.corners &&
+         a.line_offsets == b.line_offsets && a.line_vertices == b.line_vertices;
+}
+
+bool usable(const PolyMesh& mesh) {
+  const auto in_range = [&](Index v) { return v < mesh.vertex_count(); };
+  const auto finite = [](const Vec3& p) { return p.allFinite(); };
+  const auto fits = [&](const AttributeChannel& channel) {
+    return channel.size() == mesh.element_count(channel.domain) * static_cast<std::size_t>(channel.width);
+  };
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    if (mesh.face_offsets[f + 1] < mesh.face_offsets[f] + 3) return false;
+  }
+  return mesh.face_offsets.back() == mesh.corners.size() && mesh.line_offsets.back() == mesh.line_vertices.size() &&
+         std::all_of(mesh.corners.begin(), mesh.corners.end(), in_range) &&
+         std::all_of(mesh.line_vertices.begin(), mesh.line_vertices.end(), in_range) &&
+         std::all_of(mesh.positions.begin(), mesh.positions.end(), finite) &&
+         std::all_of(mesh.channels.begin(), mesh.channels.end(), fits);
+}
+
+std::string broken_property(std::string_view bytes, MeshFormat format) {
+  Progress progress;
+  PolyMesh mesh;
+  try {
+    mesh = read_mesh({bytes, format, "fuzzed", false}, progress).mesh;
+  } catch (const Error& error) {
+    return wrong_findings(error);
+  }
+  if (!usable(mesh)) return "the mesh is not usable";
+  // As text where there is a choice: binary STL can't hold what a text one may say.
+  const std::string broken = broken_round_trip(mesh, format, true);
+  return broken.empty() && format == MeshFormat::Ply ? broken_round_trip(mesh, format, false) : broken;
+}
+
+}  // namespace croquis::test
