@@ -100,7 +100,7 @@ Sketch borromean_sketch() {
 }
 
 Sketch chain_sketch(int count) {
-  const double ring_radius = 400.0 / (count + 1);
+  const double ring_radius = 820 / (1.3 * (count - 1) + 2.22);
   std::vector<TubeStrand> rings;
   for (int i = 0; i < count; ++i) {
     const double x = middle.x() + (i - 0.5 * (count - 1)) * 1.3 * ring_radius;

@@ -157,8 +157,8 @@ TEST_CASE("panels agree with the layers counted over a grid for the areas they c
       }
     }
     double counted = 0;
-    for (double x = -50; x < 1000; x += 10) {
-      for (double y = -50; y < 800; y += 10) counted += 100 * layers_at(sketch.truth, {x + 3.3, y + 4.7});
+    for (double x = -50; x < 1000; x += 6.1) {
+      for (double y = -50; y < 800; y += 6.1) counted += 6.1 * 6.1 * layers_at(sketch.truth, {x + 3.3, y + 4.7});
     }
     CHECK(counted == Approx(exact).epsilon(0.03));
   }
