@@ -24,6 +24,7 @@ class Report {
   Report() = default;
   Report(bool value) : value_(value) {}
   Report(int value) : value_(std::int64_t{value}) {}
+  Report(std::uint32_t value) : value_(std::int64_t{value}) {}
   Report(std::int64_t value) : value_(value) {}
   Report(std::size_t value) : value_(static_cast<std::int64_t>(value)) {}
   Report(double value) : value_(value) {}

@@ -84,7 +84,7 @@ void RenderCommand::run(const Invocation& invocation, CommandResult& result, Pro
   render::RenderOptions options;
   options.wire = std::get<bool>(invocation.parameters.at("wire"));
   const auto direction = render::view_direction(named_view(std::get<std::string>(invocation.parameters.at("view"))));
-  const render::Camera camera = render::frame(render::bounds_of(items), direction, size.aspect());
+  const render::Camera camera = render::frame(render::points_of(items), direction, size.aspect());
   drawing.check();
   render::RenderedPicture picture = render::render_picture(renderer, items, camera, options, size);
 
