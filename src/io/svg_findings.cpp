@@ -41,7 +41,9 @@ void SvgFindings::stop_on_errors() {
 }
 
 Findings SvgFindings::take() {
-  for (const auto& [code, count] : counts_) {
+  for (const auto& entry : counts_) {
+    const std::string& code = entry.first;
+    const std::size_t count = entry.second;
     if (count <= most_of_a_code) continue;
     const auto last =
         std::find_if(findings_.rbegin(), findings_.rend(), [&](const Finding& f) { return f.code == code; });
