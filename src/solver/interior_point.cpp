@@ -18,11 +18,14 @@ constexpr double first_penalty = 1e2;
 constexpr double penalty_margin = 10;
 constexpr double penalty_growth = 1e2;
 /// Rows that contradict each other take any price, so raising has to end: 1e2 * 1e2^2 leaves 10 digits for the rest.
+/// Raised early, while products are large: late raises throw the method back by many steps.
 constexpr int most_raises = 2;
 /// Part of the way to the nearest bound that a step may go; approaches 1 as the products approach 0.
 constexpr double shortest_reach = 0.9;
 /// Nothing may arrive at its bound: 0 multiplied or divided by 0 is no number.
 constexpr double longest_reach = 1 - 1e-8;
+/// Added to the inverse of a row's weight: a weight above 1e12 would leave H, whose diagonal is 1, no digits.
+constexpr double softest_row = 1e-12;
 /// Of the corrector; the predictor's digits are thrown away.
 constexpr int corrector_refinements = 2;
 
@@ -43,7 +46,7 @@ class Run {
 
   bool converged(double tolerance, double complementarity);
   void raise_penalty();
-  void iterate();
+  bool iterate();
 
   ElasticPoint& point;
 
@@ -146,11 +149,12 @@ double Run::centring(const Step& predictor) const {
   return std::pow(std::clamp(share, 0.0, 1.0), 3);
 }
 
-void Run::iterate() {
-  row_weights_ =
-      (point.distance.array() / point.multipliers.array() + point.shortfall.array() / point.slack_multipliers.array())
-          .inverse();
-  system_.factorise(row_weights_);
+/// One step; false, and nothing done, when the matrix can't be factorised.
+bool Run::iterate() {
+  row_weights_ = (point.distance.array() / point.multipliers.array() +
+                  point.shortfall.array() / point.slack_multipliers.array() + softest_row)
+                     .inverse();
+  if (!system_.factorise(row_weights_)) return false;
 
   // Predictor: straight for the optimum.
   const VectorXd none = VectorXd::Zero(problem_.bounds.size());
@@ -165,21 +169,22 @@ void Run::iterate() {
   const double caution = std::clamp(1 - mean, shortest_reach, longest_reach);
   move(corrector, std::min(1.0, caution * reach(corrector)));
   ++point.iterations;
+  return true;
 }
 
 }  // namespace
 
-/// Each row starts with a distance of at least 1 (the largest violation) and a multiplier to match; the shortfall
-/// starts small, since most rows need none.
+/// Every row starts satisfied at a distance of 1 (the largest violation) or more, by a shortfall where it must: steps
+/// are not held up by rows that can't be met.
 ElasticPoint starting_point(const ElasticProblem& problem) {
   ElasticPoint point;
   point.penalty = first_penalty;
   point.y = VectorXd::Zero(problem.matrices->objective.cols());
   point.equality = VectorXd::Zero(problem.matrices->equalities.rows());
-  point.distance = (-problem.bounds).cwiseMax(1.0);
+  point.distance = (-problem.bounds).cwiseMax(0.0).array() + 1;
+  point.shortfall = problem.bounds.cwiseMax(0.0).array() + 1;
   point.multipliers = point.distance.cwiseInverse().cwiseMin(0.5 * point.penalty * problem.prices);
   point.slack_multipliers = point.penalty * problem.prices - point.multipliers;
-  point.shortfall = point.slack_multipliers.cwiseInverse();
   return point;
 }
 
@@ -189,7 +194,7 @@ void run_interior_point(const ElasticProblem& problem, KktSystem& system, const 
   while (!(point.converged = run.converged(options.primal_tolerance, complementarity)) &&
          point.iterations < options.max_iterations) {
     progress.check();
-    run.iterate();
+    if (!run.iterate()) return;
     run.raise_penalty();
     // The number of steps isn't known beforehand: each takes a part of what is left.
     progress.report(1 - std::pow(0.85, point.iterations));

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "croquis/base/error.h"
-
 namespace croquis {
 namespace {
 
@@ -96,8 +94,8 @@ bool KktSystem::refill() {
   return true;
 }
 
-void KktSystem::factorise(const VectorXd& row_weights) {
-  if (size() == 0) return;
+bool KktSystem::factorise(const VectorXd& row_weights) {
+  if (size() == 0) return true;
   Eigen::Map<VectorXd> values(matrix_.valuePtr(), matrix_.nonZeros());
   values = constant_part_;
   for (Index row = 0; row < row_weights.size(); ++row) {
@@ -107,9 +105,7 @@ void KktSystem::factorise(const VectorXd& row_weights) {
   }
   factors_.factorize(matrix_);
   ++factorisations_;
-  if (factors_.info() != Eigen::Success)
-    throw Error(make_error(Category::Internal, "E_SOLVER",
-                           "The least-squares system could not be factorised; check its numbers for overflow."));
+  return factors_.info() == Eigen::Success;
 }
 
 VectorXd KktSystem::multiply(const VectorXd& vector) const {

@@ -28,8 +28,8 @@ class KktSystem {
   /// Takes the new numbers of the problem; false, and nothing done, when U^T U has entries outside the pattern.
   bool refill();
 
-  /// Numeric factorisation for the row weights D (#I, >= 0).
-  void factorise(const Eigen::VectorXd& row_weights);
+  /// Numeric factorisation for the row weights D (#I, >= 0); false when rounding left a pivot 0.
+  [[nodiscard]] bool factorise(const Eigen::VectorXd& row_weights);
 
   /// Solves K(D) solution = right_side (N + #E), refined until the residual stops shrinking, at most `refinements`
   /// times.

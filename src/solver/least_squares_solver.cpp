@@ -82,7 +82,9 @@ void LeastSquaresSolver::State::change_objective(Eigen::SparseMatrix<double> obj
 
 void LeastSquaresSolver::State::factorise_at_rest() {
   if (at_rest) return;
-  system->factorise(VectorXd::Zero(problem.inequalities.rows()));
+  if (!system->factorise(VectorXd::Zero(problem.inequalities.rows())))
+    throw Error(make_error(Category::Internal, "E_SOLVER",
+                           "The least-squares system can't be factorised; check its numbers for overflow."));
   flat = has_flat_direction(scaled, *system);
   at_rest = true;
 }

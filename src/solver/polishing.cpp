@@ -101,7 +101,7 @@ double Polishing::refine() {
 /// Solves for the present roles; true when the equations are met.
 bool Polishing::round() {
   prepare();
-  system_.factorise(row_weights_);
+  if (!system_.factorise(row_weights_)) return false;
   double best = std::numeric_limits<double>::infinity();
   for (int step = 0; step < most_refinements; ++step) {
     const double error = refine();

@@ -158,7 +158,7 @@ TEST_CASE("two rows that contradict each other are named, and no other") {
 TEST_CASE("one contradictory row planted among rings takes all of the shortfall") {
   LeastSquaresProblem problem = depth_problem(chain_of_rings(3, 32), 18);
   const LeastSquaresSolution before = solve(problem);
-  // The opposite of the row that presses least among those that press: it can't win against its neighbours.
+  // The opposite of the row that presses most.
   const auto rows = problem.inequalities.rows();
   for (const double gap : {5.0, 20.0, 40.0}) {
     CAPTURE(gap);
@@ -180,6 +180,25 @@ TEST_CASE("one contradictory row planted among rings takes all of the shortfall"
     // All of the rows' shortfalls together are what the pair needs, no more.
     CHECK(after.shortfall.sum() == Approx(gap + problem.inequality_bounds[strongest]).epsilon(1e-7));
   }
+}
+
+TEST_CASE("random rows that contradict each other converge, and the rows that hold are exact") {
+  int contradictory = 0;
+  for (std::uint32_t seed = 0; seed < 400; ++seed) {
+    CAPTURE(seed);
+    LeastSquaresProblem problem = random_problem(shape_of(seed), seed);
+    std::mt19937 random(seed);
+    for (double& bound : problem.inequality_bounds)
+      if (random() % 3u == 0) bound += static_cast<double>(random() % 1000u) / 100;
+    const LeastSquaresSolution solution = solve(problem);
+    CHECK(solution.converged);
+    CHECK(solution.factorisations <= 45);
+    CHECK(solution.primal_residual <= 1e-9);
+    CHECK(solution.dual_residual <= 1e-5);
+    CHECK(solution.violated_rows.empty() == dense_optimum(problem).has_value());
+    contradictory += solution.violated_rows.empty() ? 0 : 1;
+  }
+  CHECK(contradictory > 100);
 }
 
 TEST_CASE("contradicting bounds on one number leave the least sum of shortfalls") {
@@ -350,7 +369,8 @@ TEST_CASE("rows and unknowns in wildly mixed units give the same answer") {
     const LeastSquaresSolution solution = solve(mixed);
     CHECK(solution.converged);
     CHECK(solution.violated_rows.empty());
-    CHECK(solution.iterations <= 25);
+    // Prices per unit of such rows differ by 1e4, which costs some steps.
+    CHECK(solution.iterations <= 35);
     CHECK(largest(columns.cwiseProduct(solution.x) - reference.x) <= 1e-7 * (1 + largest(reference.x)));
   }
 }

@@ -26,7 +26,8 @@ struct LeastSquaresProblem {
 
 /// Every tolerance is relative, so the same problem in other units takes the same steps to the same answer.
 struct LeastSquaresOptions {
-  int max_iterations = 60;  ///< interior-point steps; problems met so far take at most 25
+  /// Interior-point steps. Rows that can hold together take up to 25, tens of contradictory ones up to 50.
+  int max_iterations = 60;
   /// Interior point: |G y + s - w - b| at the end, where the largest violation of the start counts as 1.
   double primal_tolerance = 1e-8;
   /// Interior point: mean product of a row's distance and its multiplier, in the same scale.
@@ -60,7 +61,8 @@ struct LeastSquaresSolution {
 
 /// Solves the problem by a primal-dual interior point method with predictor and corrector (Mehrotra 1992; Nocedal and
 /// Wright 2006, section 16.6), always in elastic form: every inequality may fall short at a price per unit that exceeds
-/// ten times the largest multiplier, which makes the penalty exact (Nocedal and Wright 2006, section 17.2).
+/// ten times the largest multiplier, which makes the penalty exact (Nocedal and Wright 2006, section 17.2). The price
+/// ends at 1e6 times an unknown's own curvature: rows that only a stronger force could hold count as contradictory.
 ///
 /// One sparse LDL^T factorisation when no inequality is violated at the equalities' optimum, else about 10 to 20 of the
 /// same pattern. Deterministic, single-threaded. Contradictory rows are no error: they are named in the result.
