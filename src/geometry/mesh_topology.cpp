@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/geometry/disjoint_sets.h"
 #include "geometry/boundary_walk.h"
-#include "geometry/disjoint_sets.h"
 
 namespace croquis {
 namespace {

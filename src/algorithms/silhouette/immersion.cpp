@@ -2,11 +2,11 @@
 #include "algorithms/silhouette/immersion.h"
 
 #include <algorithm>
-#include <numeric>
 #include <string>
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/geometry/disjoint_sets.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -15,30 +15,6 @@ namespace {
 
 constexpr Index next(Index corner) { return corner == 2 ? 0 : corner + 1; }
 constexpr Index previous(Index corner) { return corner == 0 ? 2 : corner - 1; }
-
-/// Disjoint sets of corners; the root of a set is its smallest member.
-class CornerSets {
- public:
-  explicit CornerSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
-
-  Index root(Index corner) {
-    while (parent_[corner] != corner) {
-      parent_[corner] = parent_[parent_[corner]];
-      corner = parent_[corner];
-    }
-    return corner;
-  }
-
-  void join(Index a, Index b) {
-    a = root(a);
-    b = root(b);
-    if (a < b) parent_[b] = a;
-    if (b < a) parent_[a] = b;
-  }
-
- private:
-  std::vector<Index> parent_;
-};
 
 void make_copies(const PlanarTriangulation& planar, std::span<const int> layers, LiftedTriangulation& lifted) {
   if (layers.size() != planar.triangles.size()) fail("the layers don't match the triangulation");
@@ -104,8 +80,8 @@ void glue_copies(const PlanarTriangulation& planar, std::span<const int> layers,
   }
 }
 
-CornerSets join_corners(const PlanarTriangulation& planar, const LiftedTriangulation& lifted) {
-  CornerSets sets(3 * lifted.neighbours.size());
+DisjointSets join_corners(const PlanarTriangulation& planar, const LiftedTriangulation& lifted) {
+  DisjointSets sets(3 * lifted.neighbours.size());
   for (Index m = 0; m < lifted.neighbours.size(); ++m) {
     for (Index corner = 0; corner < 3; ++corner) {
       const Index twin = lifted.neighbours[m][corner];
@@ -115,14 +91,14 @@ CornerSets join_corners(const PlanarTriangulation& planar, const LiftedTriangula
       const Index start = planar.triangles[lifted.planar_triangle[m]][next(corner)];
       Index twin_start = 0;
       while (ends[twin_start] != start) ++twin_start;
-      sets.join(3 * m + next(corner), 3 * twin + twin_start);
-      sets.join(3 * m + previous(corner), 3 * twin + previous(twin_start));
+      sets.unite(3 * m + next(corner), 3 * twin + twin_start);
+      sets.unite(3 * m + previous(corner), 3 * twin + previous(twin_start));
     }
   }
   return sets;
 }
 
-void number_vertices(const PlanarTriangulation& planar, CornerSets sets, LiftedTriangulation& lifted) {
+void number_vertices(const PlanarTriangulation& planar, DisjointSets sets, LiftedTriangulation& lifted) {
   std::vector<Index> number(3 * lifted.neighbours.size(), no_index);
   lifted.triangles.resize(lifted.neighbours.size());
   for (Index m = 0; m < lifted.triangles.size(); ++m) {
