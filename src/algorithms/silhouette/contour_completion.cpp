@@ -15,6 +15,9 @@ constexpr int dense_points = 64;
 // Ends that turn away from each other further than this are given no longer handles.
 constexpr double least_facing = -0.3;
 
+// Bending away from the surface costs this much more than bending round it.
+constexpr double concave_factor = 5;
+
 struct Derivatives {
   Vec2 first;
   Vec2 second;
@@ -59,6 +62,20 @@ bool may_join(const std::vector<CleanLine>& lines, const Junctions& junctions, c
   return side_a == 0 || side_b == 0 || side_a == side_b;
 }
 
+/// Side of the surface when a line is walked outward through an end. What no stem tells is guessed: a line that goes
+/// round something most likely bounds it.
+int likely_outward_side(const std::vector<CleanLine>& lines, const Junctions& junctions, const HiddenEnd& end) {
+  const int known = outward_side(junctions, end);
+  if (known != 0) return known;
+  const Points& points = lines[end.line].points;
+  double area = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    area += cross(points[i] - points.front(), points[(i + 1) % points.size()] - points.front());
+  }
+  const int round = area >= 0 ? 1 : -1;
+  return end.at_start ? -round : round;
+}
+
 }  // namespace
 
 std::array<Vec2, 4> completion_curve(const Vec2& a, const Vec2& tangent_a, const Vec2& b, const Vec2& tangent_b) {
@@ -69,7 +86,8 @@ std::array<Vec2, 4> completion_curve(const Vec2& a, const Vec2& tangent_a, const
   return {a, a + handle * tangent_a, b + handle * tangent_b, b};
 }
 
-double completion_cost(const std::array<Vec2, 4>& curve, double reference, const CompletionOptions& options) {
+double completion_cost(const std::array<Vec2, 4>& curve, int side, double reference,
+                       const CompletionOptions& options) {
   double length = 0;
   double bending = 0;
   for (int i = 0; i < integration_pieces; ++i) {
@@ -78,9 +96,11 @@ double completion_cost(const std::array<Vec2, 4>& curve, double reference, const
     if (!(speed > 0)) return std::numeric_limits<double>::infinity();
     length += speed / integration_pieces;
     const double turn = cross(d.first, d.second);
-    bending += turn * turn / std::pow(speed, 5) / integration_pieces;
+    const double factor = turn * side < 0 ? concave_factor : 1;
+    bending += factor * turn * turn / std::pow(speed, 5) / integration_pieces;
   }
-  return options.length_weight * length / reference + options.curvature_weight * (curve[3] - curve[0]).norm() * bending;
+  return options.length_weight * length / reference +
+         options.curvature_weight * (curve[3] - curve[0]).norm() * bending;
 }
 
 Points bezier_points(const std::array<Vec2, 4>& curve, double spacing) {
@@ -101,6 +121,8 @@ std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLi
   if (ends.size() < 2) return candidates;
   const double reference = reference_length(lines, junctions, ends);
   if (!(reference > 0)) return candidates;
+  std::vector<int> side;
+  for (const Index end : ends) side.push_back(likely_outward_side(lines, junctions, junctions.ends[end]));
   for (Index i = 0; i < ends.size(); ++i) {
     for (Index k = i + 1; k < ends.size(); ++k) {
       const HiddenEnd& a = junctions.ends[ends[i]];
@@ -111,7 +133,8 @@ std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLi
       // No curve is shorter than its chord.
       if (options.length_weight * (to - from).norm() > options.maximum_cost * reference) continue;
       CompletionCandidate candidate{i, k, completion_curve(from, a.tangent, to, b.tangent), 0};
-      candidate.cost = completion_cost(candidate.bezier, reference, options);
+      const int agreed = side[i] == -side[k] ? side[i] : 0;
+      candidate.cost = completion_cost(candidate.bezier, agreed, reference, options);
       if (candidate.cost <= options.maximum_cost) candidates.push_back(candidate);
     }
   }

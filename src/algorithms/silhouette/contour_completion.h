@@ -23,7 +23,10 @@ std::array<Vec2, 4> completion_curve(const Vec2& a, const Vec2& tangent_a, const
 
 /// length / reference + weight * distance * integral of curvature², both free of scale: a half circle costs the same
 /// bending at any size (Williams 1994 uses the two terms with dimensions, which favours long straight joins).
-double completion_cost(const std::array<Vec2, 4>& curve, double reference_length, const CompletionOptions& options);
+/// Bending away from the surface counts more: the hidden end of a limb is a cap, seldom the crotch between two limbs.
+/// @param side where the surface lies along the curve: left (+1), right (-1), not known (0)
+double completion_cost(const std::array<Vec2, 4>& curve, int side, double reference_length,
+                       const CompletionOptions& options);
 
 /// Samples of a cubic Bezier, evenly spread, both ends included.
 Points bezier_points(const std::array<Vec2, 4>& curve, double spacing);

@@ -2,6 +2,7 @@
 #include "algorithms/silhouette/gap_joining.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -12,8 +13,10 @@ namespace {
 
 // Directions of strokes that continue one another agree within 60 degrees; hands are not more exact than that.
 constexpr double agreeing_cosine = 0.5;
-// Outward directions are taken over this length (u): the last samples alone are mostly noise.
+// Outward directions are taken over this length (u), for the last samples alone are mostly noise; and over a shorter
+// one, for round a tight bend, such as the tip of a limb, the long chord points elsewhere.
 constexpr double chord_reach = 40;
+constexpr double bend_reach = 20;
 // Below this distance (u) the direction from end to end says nothing.
 constexpr double negligible_gap = 3;
 // A stroke must be this many times longer than the hole it leaves to count as closed.
@@ -23,7 +26,7 @@ struct End {
   Index stroke = 0;
   bool at_start = false;
   Vec2 place = Vec2::Zero();
-  Vec2 outward = Vec2::Zero();
+  std::array<Vec2, 2> outward;  ///< over the last bit, then over a longer one
 };
 
 struct Pair {
@@ -41,7 +44,8 @@ class Joiner {
       for (const bool at_start : {true, false}) {
         const Points& points = strokes_[s].points;
         ends_.push_back({s, at_start, at_start ? points.front() : points.back(),
-                         end_chord(points, at_start, chord_reach * scale_.unit)});
+                         {end_tangent(points, at_start, bend_reach * scale_.unit),
+                          end_chord(points, at_start, chord_reach * scale_.unit)}});
       }
     }
     partner_.assign(ends_.size(), no_index);
@@ -107,11 +111,15 @@ class Joiner {
 
   bool continues(const End& a, const End& b, double distance) const {
     if (a.stroke == b.stroke && stroke_length(a.stroke) < closing_ratio * distance) return false;
-    if (a.outward.dot(-b.outward) <= agreeing_cosine) return false;
+    return continues(a, b, distance, 0) || continues(a, b, distance, 1);
+  }
+
+  bool continues(const End& a, const End& b, double distance, std::size_t reach) const {
+    if (a.outward[reach].dot(-b.outward[reach]) <= agreeing_cosine) return false;
     if (distance <= negligible_gap * scale_.unit) return true;
     const Vec2 across = (b.place - a.place) / distance;
-    const double from_a = across.dot(a.outward);
-    const double from_b = -across.dot(b.outward);
+    const double from_a = across.dot(a.outward[reach]);
+    const double from_b = -across.dot(b.outward[reach]);
     // Both point across the hole, or both overshoot the other's end and run side by side.
     return (from_a > agreeing_cosine && from_b > agreeing_cosine) ||
            (from_a < -agreeing_cosine && from_b < -agreeing_cosine);
