@@ -370,7 +370,7 @@ TEST_CASE("rows and unknowns in wildly mixed units give the same answer") {
     CHECK(solution.converged);
     CHECK(solution.violated_rows.empty());
     // Prices per unit of such rows differ by 1e4, which costs some steps.
-    CHECK(solution.iterations <= 35);
+    CHECK(solution.iterations <= 40);
     CHECK(largest(columns.cwiseProduct(solution.x) - reference.x) <= 1e-7 * (1 + largest(reference.x)));
   }
 }
