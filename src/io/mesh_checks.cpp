@@ -46,6 +46,7 @@ void check_mesh(const PolyMesh& mesh, bool require_faces, ReadContext& context) 
                      std::to_string(mesh.line_count()) + " polylines, but no faces",
                  {});
   }
+  if (mesh.vertex_count() == 0) context.fail("E_EMPTY", "the file has no vertices", {});
   if (mesh.face_count() > 0 && all_points_equal(mesh)) {
     context.fail("E_DEGENERATE", "all points of the model are the same", {});
   }
