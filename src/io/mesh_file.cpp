@@ -26,6 +26,9 @@ namespace {
 // Vertices, corners and bytes of a file below this fit 32-bit indices.
 constexpr std::size_t largest_file = std::size_t{1} << 32;
 
+// Editors put it before UTF-8 text.
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+
 constexpr std::array extensions = {std::pair{"obj", MeshFormat::Obj}, std::pair{"ply", MeshFormat::Ply},
                                    std::pair{"stl", MeshFormat::Stl}, std::pair{"off", MeshFormat::Off},
                                    std::pair{"glb", MeshFormat::Glb}};
@@ -85,7 +88,9 @@ std::optional<MeshFormat> mesh_format_of(std::string_view path_or_extension) {
   return std::nullopt;
 }
 
-MeshReadResult read_mesh(const MeshSource& source, Progress& progress) {
+MeshReadResult read_mesh(const MeshSource& given, Progress& progress) {
+  MeshSource source = given;
+  if (source.bytes.starts_with(byte_order_mark)) source.bytes.remove_prefix(byte_order_mark.size());
   ReadContext context(source, progress);
   check_size(source, context);
   MeshReadResult result;

@@ -108,6 +108,14 @@ TEST_CASE("a precision shortens text and rounds to that many digits") {
   CHECK(back.positions[0] == Vec3(1.235, -0.0001235, 1.235e4));
 }
 
+TEST_CASE("a byte order mark before text is no damage") {
+  for (const MeshFormat format : {MeshFormat::Obj, MeshFormat::Ply, MeshFormat::Off, MeshFormat::Stl}) {
+    const std::string bytes = write(tetrahedron(), format, {0, true}).bytes;
+    CHECK(difference(read("\xef\xbb\xbf" + bytes, format).mesh, read(bytes, format).mesh) == "");
+  }
+  CHECK(refusal("\xef\xbb\xbf", MeshFormat::Obj)[0].code == "E_EMPTY");
+}
+
 TEST_CASE("files of nothing are empty in every format") {
   for (const MeshFormat format :
        {MeshFormat::Obj, MeshFormat::Ply, MeshFormat::Stl, MeshFormat::Off, MeshFormat::Glb}) {
