@@ -34,25 +34,6 @@ Derivatives derivatives_at(const std::array<Vec2, 4>& p, double t) {
           6 * (s * (p[2] - 2 * p[1] + p[0]) + t * (p[3] - 2 * p[2] + p[1]))};
 }
 
-/// Median over the ends of the distance to the nearest other end.
-double reference_length(const std::vector<CleanLine>& lines, const Junctions& junctions,
-                        const std::vector<Index>& ends) {
-  std::vector<double> nearest;
-  for (const Index i : ends) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const Index k : ends) {
-      if (i == k) continue;
-      const HiddenEnd& a = junctions.ends[i];
-      const HiddenEnd& b = junctions.ends[k];
-      least = std::min(least, (lines[a.line].end(a.at_start) - lines[b.line].end(b.at_start)).norm());
-    }
-    nearest.push_back(least);
-  }
-  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
-  std::nth_element(nearest.begin(), middle, nearest.end());
-  return *middle;
-}
-
 bool may_join(const std::vector<CleanLine>& lines, const Junctions& junctions, const HiddenEnd& a, const HiddenEnd& b) {
   const std::string& first = lines[a.line].object;
   const std::string& second = lines[b.line].object;
@@ -86,8 +67,7 @@ std::array<Vec2, 4> completion_curve(const Vec2& a, const Vec2& tangent_a, const
   return {a, a + handle * tangent_a, b + handle * tangent_b, b};
 }
 
-double completion_cost(const std::array<Vec2, 4>& curve, int side, double reference,
-                       const CompletionOptions& options) {
+double completion_cost(const std::array<Vec2, 4>& curve, int side, double reference, const CompletionOptions& options) {
   double length = 0;
   double bending = 0;
   for (int i = 0; i < integration_pieces; ++i) {
@@ -99,8 +79,7 @@ double completion_cost(const std::array<Vec2, 4>& curve, int side, double refere
     const double factor = turn * side < 0 ? concave_factor : 1;
     bending += factor * turn * turn / std::pow(speed, 5) / integration_pieces;
   }
-  return options.length_weight * length / reference +
-         options.curvature_weight * (curve[3] - curve[0]).norm() * bending;
+  return options.length_weight * length / reference + options.curvature_weight * (curve[3] - curve[0]).norm() * bending;
 }
 
 Points bezier_points(const std::array<Vec2, 4>& curve, double spacing) {
@@ -114,12 +93,27 @@ Points bezier_points(const std::array<Vec2, 4>& curve, double spacing) {
   return points;
 }
 
+double completion_reference(const std::vector<CleanLine>& lines, const Junctions& junctions) {
+  std::vector<Vec2> places;
+  for (const HiddenEnd& end : junctions.ends) places.push_back(lines[end.line].end(end.at_start));
+  std::vector<double> nearest(places.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const double distance = (places[k] - places[i]).norm();
+      nearest[i] = std::min(nearest[i], distance);
+      nearest[k] = std::min(nearest[k], distance);
+    }
+  }
+  if (nearest.empty()) return 0;
+  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
+  std::nth_element(nearest.begin(), middle, nearest.end());
+  return *middle;
+}
+
 std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLine>& lines, const Junctions& junctions,
-                                                       const std::vector<Index>& ends,
+                                                       const std::vector<Index>& ends, double reference,
                                                        const CompletionOptions& options) {
   std::vector<CompletionCandidate> candidates;
-  if (ends.size() < 2) return candidates;
-  const double reference = reference_length(lines, junctions, ends);
   if (!(reference > 0)) return candidates;
   std::vector<int> side;
   for (const Index end : ends) side.push_back(likely_outward_side(lines, junctions, junctions.ends[end]));

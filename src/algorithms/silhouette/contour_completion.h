@@ -31,12 +31,16 @@ double completion_cost(const std::array<Vec2, 4>& curve, int side, double refere
 /// Samples of a cubic Bezier, evenly spread, both ends included.
 Points bezier_points(const std::array<Vec2, 4>& curve, double spacing);
 
+/// The length that completions are measured by: the median over all hidden ends of the distance to the nearest other.
+/// O(n²) for n ends.
+double completion_reference(const std::vector<CleanLine>& lines, const Junctions& junctions);
+
 /// All pairs of the given ends that may be joined: the surface lies on the same side of both lines as far as that is
 /// known, neither is forced into another object, and the cost stays below the maximum.
 /// @param ends subset of junctions.ends, as indices; candidates speak of positions in this list
 /// O(n²) for n ends.
 std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLine>& lines, const Junctions& junctions,
-                                                       const std::vector<Index>& ends,
+                                                       const std::vector<Index>& ends, double reference_length,
                                                        const CompletionOptions& options);
 
 /// Side of the surface when a line is walked outward through one of its ends: +1 left, -1 right, 0 unknown.

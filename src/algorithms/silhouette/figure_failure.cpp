@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -56,6 +57,19 @@ double cost_by_candidates(const PartLines& part, Index removed) {
   return -cheapest;
 }
 
+/// Ends of lines whose other end touches nothing; all ends when there are none of these.
+std::vector<Index> suspected_ends(const FigureContext& context, const PartLines& part) {
+  std::map<Index, int> hidden_ends;
+  for (Index i = 0; i < part.ends.size(); ++i) ++hidden_ends[end_of(context, part, i).line];
+  std::vector<Index> suspects;
+  std::vector<Index> all;
+  for (Index i = 0; i < part.ends.size(); ++i) {
+    all.push_back(i);
+    if (hidden_ends[end_of(context, part, i).line] == 1) suspects.push_back(i);
+  }
+  return suspects.empty() ? all : suspects;
+}
+
 /// The piece of contour that an arc is, in words.
 std::string fault_of(const FigureContext& context, const Arrangement& arrangement, const FigureArc& arc,
                      const Vec2& at) {
@@ -70,9 +84,10 @@ std::string fault_of(const FigureContext& context, const Arrangement& arrangemen
 
 Findings odd_end(const FigureContext& context, const PartLines& part) {
   if (part.ends.size() % 2 == 0) return {};
-  Index worst = 0;
+  const std::vector<Index> suspects = suspected_ends(context, part);
+  Index worst = suspects.front();
   double least = std::numeric_limits<double>::infinity();
-  for (Index i = 0; i < part.ends.size(); ++i) {
+  for (const Index i : suspects) {
     const double cost = part.ends.size() <= most_ends_to_search ? cost_without(part, i) : cost_by_candidates(part, i);
     if (cost < least) {
       least = cost;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/silhouette/figure_search.h"
 
+#include <limits>
 #include <utility>
 
 #include "algorithms/silhouette/arrangement.h"
@@ -34,33 +35,51 @@ struct Trial {
   std::vector<Vec2> conflicts;
 };
 
+PartLines part_of(const FigureContext& context, const std::vector<Index>& lines, const CompletionOptions& options) {
+  PartLines part;
+  part.lines = lines;
+  std::vector<char> included(context.lines.size(), 0);
+  for (const Index line : lines) included[line] = 1;
+  for (Index e = 0; e < context.junctions.ends.size(); ++e) {
+    if (included[context.junctions.ends[e].line]) part.ends.push_back(e);
+  }
+  part.candidates =
+      completion_candidates(context.lines, context.junctions, part.ends, context.completion_reference, options);
+  return part;
+}
+
 class Search {
  public:
   Search(const FigureContext& context, const std::vector<Index>& lines, const Progress& progress)
-      : context_(context), progress_(progress) {
-    part_.lines = lines;
-    std::vector<char> included(context.lines.size(), 0);
-    for (const Index line : lines) included[line] = 1;
-    for (Index e = 0; e < context.junctions.ends.size(); ++e) {
-      if (included[context.junctions.ends[e].line]) part_.ends.push_back(e);
-    }
-    part_.candidates = completion_candidates(context.lines, context.junctions, part_.ends, context.options.completion);
-  }
+      : context_(context), progress_(progress), part_(part_of(context, lines, context.options.completion)) {}
 
   FigureSearch run() {
     FigureSearch result;
-    result.findings = ends_without_partner(context_, part_);
-    if (result.findings.empty()) result.findings = odd_end(context_, part_);
+    result.findings = odd_end(context_, part_);
     if (!result.findings.empty()) return result;
+    Findings lonely = ends_without_partner(context_, part_);
+    if (lonely.empty()) return try_matchings();
+    // Among thin tubes a wide body's completion may look too dear, though it is the only one there is.
+    CompletionOptions generous = context_.options.completion;
+    generous.maximum_cost = std::numeric_limits<double>::max();
+    part_ = part_of(context_, part_.lines, generous);
+    if (ends_without_partner(context_, part_).empty()) result = try_matchings();
+    if (!result.figure) result.findings = std::move(lonely);
+    return result;
+  }
 
+ private:
+  FigureSearch try_matchings() {
+    FigureSearch result;
     std::vector<MatchingEdge> edges;
     for (const CompletionCandidate& candidate : part_.candidates) {
       edges.push_back({candidate.a, candidate.b, candidate.cost});
     }
     MatchingSearch matchings(static_cast<Index>(part_.ends.size()), std::move(edges), maximum_states);
+    const int most = context_.options.completion.maximum_matchings;
     int tried = 0;
     std::vector<Index> cheapest;
-    while (tried < context_.options.completion.maximum_matchings) {
+    while (tried < most) {
       progress_.check();
       const std::optional<std::vector<Index>> chosen = matchings.next();
       if (!chosen) break;
@@ -70,12 +89,10 @@ class Search {
         return result;
       }
     }
-    const bool complete = tried < context_.options.completion.maximum_matchings && !matchings.limit_reached();
-    result.findings = explain(tried, cheapest, complete);
+    result.findings = explain(tried, cheapest, tried < most && !matchings.limit_reached());
     return result;
   }
 
- private:
   std::optional<LabelledFigure> try_matching(const std::vector<Index>& chosen) {
     Trial trial = arrange(chosen, true);
     if (!trial.usable) return std::nullopt;
@@ -146,6 +163,10 @@ class Search {
 
 FigureSearch search_figure(const FigureContext& context, const std::vector<Index>& lines, const Progress& progress) {
   return Search(context, lines, progress).run();
+}
+
+Findings check_ends(const FigureContext& context, const std::vector<Index>& lines) {
+  return odd_end(context, part_of(context, lines, context.options.completion));
 }
 
 }  // namespace croquis::silhouette

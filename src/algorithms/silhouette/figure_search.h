@@ -19,6 +19,7 @@ struct FigureContext {
   const DrawingScale& scale;
   const std::vector<CleanLine>& lines;  ///< carried on behind their bars
   const Junctions& junctions;
+  double completion_reference = 1;  ///< length that completions are measured by
 };
 
 /// One of the two is empty.
@@ -31,5 +32,8 @@ struct FigureSearch {
 /// cheapest on, until one can be labelled (Cordier, Seo, Cho 2006, section 3; Williams 1994).
 /// @param lines ascending
 FigureSearch search_figure(const FigureContext& context, const std::vector<Index>& lines, const Progress& progress);
+
+/// What is wrong with the hidden ends of lines that can't be labelled for another reason: E_ODD.
+Findings check_ends(const FigureContext& context, const std::vector<Index>& lines);
 
 }  // namespace croquis::silhouette

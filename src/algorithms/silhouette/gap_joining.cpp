@@ -43,7 +43,9 @@ class Joiner {
       if (strokes_[s].closed) continue;
       for (const bool at_start : {true, false}) {
         const Points& points = strokes_[s].points;
-        ends_.push_back({s, at_start, at_start ? points.front() : points.back(),
+        ends_.push_back({s,
+                         at_start,
+                         at_start ? points.front() : points.back(),
                          {end_tangent(points, at_start, bend_reach * scale_.unit),
                           end_chord(points, at_start, chord_reach * scale_.unit)}});
       }

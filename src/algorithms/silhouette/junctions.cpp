@@ -160,7 +160,9 @@ LineFinding two_sided(const Drawing& drawing, const std::vector<CleanLine>& line
     const Index name = lines[stem.line].end_stroke(stem.at_start);
     subjects.push_back(stroke_subject(drawing, name, stem.at));
     std::string& group = stem.bar_side > 0 ? right : left;  // a stem comes from the side without surface
-    group += (group.empty() ? "" : ", ") + quoted(drawing, name);
+    if (group.find(quoted(drawing, name)) == std::string::npos) {
+      group += (group.empty() ? "" : ", ") + quoted(drawing, name);
+    }
   }
   LineFinding result{make_error(Category::Geometry, "E_TWO_SIDED",
                                 "Lines end on both sides of " + quoted(drawing, stroke) +
