@@ -10,6 +10,8 @@
 
 #include "croquis/geometry/predicates.h"
 #include "silhouette/figure_fixtures.h"
+#include "support/sketch_gallery.h"
+#include "support/sketch_modifiers.h"
 
 using namespace croquis;
 using namespace croquis::silhouette;
@@ -214,4 +216,47 @@ TEST_CASE("three arms meet in one junction") {
   CHECK(shape.junctions == 1);
   CHECK(shape.loops == 0);
   check_nodes(fixture.figure, skeleton);
+}
+
+TEST_CASE("the skeleton of every sample sketch has the loops and pieces of its solids") {
+  std::vector<test::NamedSketch> sketches = test::all_sketches();
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    const int parts = 2 + static_cast<int>(seed % 11);
+    sketches.push_back({"layers " + std::to_string(seed), test::random_layered_sketch(seed, parts)});
+    sketches.push_back({"tube " + std::to_string(seed), test::random_tube_sketch(seed)});
+  }
+  for (const auto& [name, sketch] : sketches) {
+    INFO(name);
+    Progress progress;
+    const LabelledDrawing labelled = label(sketch.drawing, {}, progress);
+    int components = 0;
+    int loops = 0;
+    for (const LabelledFigure& figure : labelled.figures) {
+      const Skeleton skeleton = skeleton_of(figure);
+      const Shape shape = shape_of(skeleton);
+      components += shape.components;
+      loops += shape.loops;
+      check_nodes(figure, skeleton);
+      for (const auto& contour : skeleton.contour_radius) {
+        CHECK(std::all_of(contour.begin(), contour.end(), [](double radius) { return radius > 0; }));
+      }
+    }
+    const std::vector<int>& euler = sketch.truth.euler_region;
+    CHECK(components == sketch.truth.components);
+    CHECK(components - loops == std::accumulate(euler.begin(), euler.end(), 0));
+  }
+}
+
+TEST_CASE("the skeleton's shape survives a noisy hand") {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    INFO("seed " << seed);
+    const Drawing drawing = test::noisy(test::trefoil_sketch().drawing, seed);
+    Progress progress;
+    const LabelledDrawing labelled = label(drawing, Options::of(Preset::Tablet), progress);
+    REQUIRE(labelled.figures.size() == 1);
+    const Shape shape = shape_of(skeleton_of(labelled.figures[0]));
+    CHECK(shape.components == 1);
+    CHECK(shape.loops == 1);
+    CHECK(shape.ends == 0);
+  }
 }

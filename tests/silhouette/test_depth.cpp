@@ -16,6 +16,7 @@
 #include "algorithms/silhouette/depth_rows.h"
 #include "silhouette/figure_fixtures.h"
 #include "support/random.h"
+#include "support/sketch_gallery.h"
 
 using namespace croquis;
 using namespace croquis::silhouette;
@@ -320,6 +321,61 @@ TEST_CASE("a chord that spans places of opposite order is split and then tilts")
   CHECK(skeleton.nodes.size() >= nodes + 2);
   CHECK(result.collisions.empty());
   check_order(skeleton, fixture.figure);
+}
+
+TEST_CASE("three disks of which each covers the next are bent, not refused") {
+  std::vector<test::FixtureContour> disks;
+  std::vector<Vec2> centres;
+  for (Index k = 0; k < 3; ++k) {
+    const double turn = 2 * std::numbers::pi * k / 3 + 0.2;
+    centres.emplace_back(104 * std::cos(turn), 104 * std::sin(turn));
+    disks.push_back({{}, 1, k});
+    for (int i = 0; i < 120; ++i) {
+      const double angle = 2 * std::numbers::pi * i / 120;
+      disks.back().points.push_back(centres.back() + 100 * Vec2(std::cos(angle), std::sin(angle)));
+    }
+  }
+  const std::vector<std::string> names = {"a", "b", "c"};
+  const auto covered = [&](Index contour, double position) {
+    const auto& points = disks[contour].points;
+    const Vec2& place = points[static_cast<std::size_t>(std::lround(position)) % points.size()];
+    return (place - centres[(contour + 1) % 3]).norm() < 100 ? 1 : 0;
+  };
+  const auto fixture = test::figure_of_contours(disks, names, 6, covered);
+  Skeleton skeleton = skeleton_of(fixture.figure);
+  REQUIRE(skeleton.nodes.size() == 3);
+  const DepthResult result = solve(skeleton, fixture.figure);
+  CHECK(result.split_chords == 3);
+  CHECK(skeleton.nodes.size() == 9);
+  CHECK(result.collisions.empty());
+  check_order(skeleton, fixture.figure);
+  for (const SkeletonNode& node : skeleton.nodes) {
+    CHECK(node.radius > 20);
+    CHECK(node.radius < 105);
+  }
+}
+
+TEST_CASE("every sample sketch gets heights in its drawn order within 25 iterations") {
+  std::vector<test::NamedSketch> sketches = test::all_sketches();
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    const int parts = 2 + static_cast<int>(seed % 11);
+    sketches.push_back({"layers " + std::to_string(seed), test::random_layered_sketch(seed, parts)});
+    sketches.push_back({"tube " + std::to_string(seed), test::random_tube_sketch(seed)});
+  }
+  for (const auto& [name, sketch] : sketches) {
+    INFO(name);
+    Progress progress;
+    const LabelledDrawing labelled = label(sketch.drawing, {}, progress);
+    CHECK(labelled.findings.empty());
+    for (const LabelledFigure& figure : labelled.figures) {
+      Skeleton skeleton = skeleton_of(figure);
+      const DepthResult result = solve(skeleton, figure);
+      CHECK(result.converged);
+      CHECK(result.iterations <= 25);
+      CHECK(result.collisions.empty());
+      check_order(skeleton, figure);
+    }
+  }
 }
 
 TEST_CASE("objects that nothing couples don't change each other") {

@@ -111,6 +111,11 @@ class Decimator {
       number[node] = static_cast<Index>(result.nodes.size());
       result.nodes.push_back(graph_.nodes[node]);
     }
+    for (Index node = 0; node < graph_.nodes.size(); ++node) {
+      if (!kept_[node] || representative_[node] == node) continue;
+      auto& absorbed = result.nodes[number[representative_[node]]].absorbed;
+      absorbed.insert(absorbed.end(), graph_.nodes[node].absorbed.begin(), graph_.nodes[node].absorbed.end());
+    }
     for (const auto& [a, b] : edges_) {
       const auto [low, high] = std::minmax({number[representative_[a]], number[representative_[b]]});
       if (low != high) result.edges.push_back({low, high});

@@ -36,7 +36,8 @@ class GraphBuilder {
         points_(points),
         pruning_(pruning),
         edge_node_(3 * immersed.triangles.size(), no_index),
-        cap_radius_(immersed.triangles.size(), std::numeric_limits<double>::quiet_NaN()) {}
+        cap_radius_(immersed.triangles.size(), std::numeric_limits<double>::quiet_NaN()),
+        cap_node_(immersed.triangles.size(), no_index) {}
 
   AxisGraph build() {
     for (Index t = 0; t < immersed_.triangles.size(); ++t) {
@@ -49,6 +50,7 @@ class GraphBuilder {
       }
     }
     measure_contours();
+    collect_absorbed_chords();
     return std::move(graph_);
   }
 
@@ -90,7 +92,7 @@ class GraphBuilder {
     Index& node = edge_node_[3 * t + corner];
     if (node == no_index) {
       const auto [a, b] = edge_ends(t, corner);
-      node = add_node({(point(a) + point(b)) / 2, edge_radius(t, corner), t, corner});
+      node = add_node({(point(a) + point(b)) / 2, edge_radius(t, corner), t, corner, {}});
       const Index twin = immersed_.neighbours[t][corner];
       if (twin != no_index) edge_node_[3 * twin + twin_corner(t, corner)] = node;
     }
@@ -108,7 +110,7 @@ class GraphBuilder {
   }
 
   void add_junction(Index t) {
-    AxisNode centre{Vec2::Zero(), 0, t, no_index};
+    AxisNode centre{Vec2::Zero(), 0, t, no_index, {}};
     const std::array<Vec2, 3> triangle = corners(t);
     if (const auto circle = inner_circumcircle(triangle)) {
       centre.position = circle->centre;
@@ -129,6 +131,7 @@ class GraphBuilder {
     const auto open = static_cast<Index>(std::countr_zero(pruning_.open_edges[t]));
     const Index way_on = middle(t, open);
     cap_radius_[t] = graph_.nodes[way_on].radius;
+    cap_node_[t] = way_on;
     std::vector<Index> absorbed;
     for (Index i = 0; i < 3; ++i) {
       if (i != open && immersed_.neighbours[t][i] != no_index) absorbed.push_back(i);
@@ -138,13 +141,14 @@ class GraphBuilder {
     if (absorbed.size() == 1) {
       end = middle(t, absorbed.front());
     } else if (const auto circle = inner_circumcircle(corners(t))) {
-      end = add_node({circle->centre, circle->radius, t, no_index});
+      end = add_node({circle->centre, circle->radius, t, no_index, {}});
     } else if (const Index longest = longest_edge(t); longest != open) {
       end = middle(t, longest);
     }
     if (end == no_index) return;
     graph_.edges.push_back({end, way_on});
     cap_radius_[t] = graph_.nodes[end].radius;
+    cap_node_[t] = end;
   }
 
   /// The whole component was absorbed: its largest circle stands for it, so that the node doesn't depend on the order.
@@ -163,10 +167,11 @@ class GraphBuilder {
     AxisNode best;
     for (const Index t : triangles) {
       const auto circle = inner_circumcircle(corners(t));
-      if (circle && circle->radius > best.radius) best = {circle->centre, circle->radius, t, no_index};
+      if (circle && circle->radius > best.radius) best = {circle->centre, circle->radius, t, no_index, {}};
     }
     if (best.triangle == no_index) best = longest_chord(triangles);
-    cap_radius_[root] = graph_.nodes[add_node(best)].radius;
+    cap_node_[root] = add_node(best);
+    cap_radius_[root] = best.radius;
   }
 
   AxisNode longest_chord(const std::vector<Index>& triangles) const {
@@ -175,7 +180,7 @@ class GraphBuilder {
       const Index corner = longest_edge(t);
       const auto [a, b] = edge_ends(t, corner);
       if (edge_radius(t, corner) <= best.radius) continue;
-      best = {(point(a) + point(b)) / 2, edge_radius(t, corner), t, corner};
+      best = {(point(a) + point(b)) / 2, edge_radius(t, corner), t, corner, {}};
     }
     return best;
   }
@@ -187,7 +192,10 @@ class GraphBuilder {
       chain.push_back(t);
       t = immersed_.neighbours[t][pruning_.exit[t]];
     }
-    for (const Index member : chain) cap_radius_[member] = cap_radius_[t];
+    for (const Index member : chain) {
+      cap_radius_[member] = cap_radius_[t];
+      cap_node_[member] = cap_node_[t];
+    }
     return cap_radius_[t];
   }
 
@@ -215,6 +223,14 @@ class GraphBuilder {
     }
   }
 
+  /// Caps and blobs; a bulge at the side of a sleeve has no node of its own.
+  void collect_absorbed_chords() {
+    for (Index t = 0; t < immersed_.triangles.size(); ++t) {
+      if (pruning_.exit[t] == no_index || cap_node_[t] == no_index) continue;
+      graph_.nodes[cap_node_[t]].absorbed.push_back(edge_ends(t, pruning_.exit[t]));
+    }
+  }
+
   /// An absorbed triangle swallowed the corner opposite to its exit.
   bool belongs_to(Index t, Index vertex) const {
     return pruning_.exit[t] != no_index && immersed_.triangles[t][pruning_.exit[t]] == vertex;
@@ -225,6 +241,7 @@ class GraphBuilder {
   const AxisPruning& pruning_;
   std::vector<Index> edge_node_;    ///< per triangle and corner
   std::vector<double> cap_radius_;  ///< per triangle
+  std::vector<Index> cap_node_;     ///< per triangle: the node of the cap or blob that it belongs to
   AxisGraph graph_;
 };
 

@@ -16,6 +16,8 @@ struct AxisNode {
   double radius = 0;
   Index triangle = no_index;
   Index corner = no_index;  ///< the edge opposite to this corner; no_index for the centre
+  /// Ends of the chords that were absorbed into the cap or blob that this node stands for.
+  std::vector<std::array<Index, 2>> absorbed;
 };
 
 struct AxisGraph {

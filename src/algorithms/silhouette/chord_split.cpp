@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/silhouette/chord_split.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace croquis::silhouette {
@@ -8,6 +10,14 @@ namespace {
 
 /// Stretches shorter than this, or nearer to the node, in L: a joining edge would have no direction to speak of.
 constexpr double least_stretch = 1e-3;
+
+/// Height of a node's circle above a place beside its centre. Near the rim of the circle, where it would vanish, a
+/// little is left so that a sheet can be told from its edge.
+double height_over(const SkeletonNode& node, const Vec2& place) {
+  constexpr double farthest = 0.95;
+  const double aside = std::min((place - node.position).norm() / node.radius, farthest);
+  return node.radius * std::sqrt(1 - aside * aside);
+}
 
 bool split(Index index, const LabelledFigure& figure, Skeleton& skeleton) {
   SkeletonNode whole = skeleton.nodes[index];
@@ -27,7 +37,7 @@ bool split(Index index, const LabelledFigure& figure, Skeleton& skeleton) {
     }
     SkeletonNode piece;
     piece.position = part.middle;
-    piece.radius = part.length / 2;
+    piece.radius = height_over(whole, part.middle);
     piece.chord = whole.chord;
     piece.place = place;
     piece.crossed = {place};

@@ -39,6 +39,9 @@ class NodeMaker {
     } else {
       follow_spokes(corners, node);
     }
+    for (const auto& [from, to] : axis.absorbed) {
+      add_parts(walk_.walk(immersed_.lifted_vertex[from], point(to)), point(from), point(to), node);
+    }
     return node;
   }
 

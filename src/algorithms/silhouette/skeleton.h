@@ -26,12 +26,14 @@ struct ChordPart {
 struct SkeletonNode {
   Vec2 position = Vec2::Zero();
   double radius = 0;
-  double z = 0;                     ///< set by the depth solve
-  Vec2 gradient = Vec2::Zero();     ///< of the carrying surface: its normal is (-g, 1); set by the depth solve
-  std::array<Vec2, 2> chord;        ///< the chord's two ends on the contours
-  SheetPlace place;                 ///< where the node itself lies
-  std::vector<SheetPlace> crossed;  ///< one place for every panel (face, layer) that its chord passes through
-  std::vector<ChordPart> parts;     ///< as crossed; the longest stretch where a panel is crossed twice
+  double z = 0;                  ///< set by the depth solve
+  Vec2 gradient = Vec2::Zero();  ///< of the carrying surface: its normal is (-g, 1); set by the depth solve
+  std::array<Vec2, 2> chord;     ///< the chord's two ends on the contours
+  SheetPlace place;              ///< where the node itself lies
+  /// One place for every panel (face, layer) that its chord passes through; at the end of a branch, and for a blob of
+  /// one node, also the chords of the cap or blob that it stands for.
+  std::vector<SheetPlace> crossed;
+  std::vector<ChordPart> parts;  ///< as crossed; the longest stretch where a panel is crossed twice
   Index object = 0;
 };
 
