@@ -20,7 +20,7 @@ pkg_check_modules(pugixml REQUIRED IMPORTED_TARGET pugixml)
 pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
 pkg_check_modules(egl REQUIRED IMPORTED_TARGET egl)
 
-if(CROQUIS_BUILD_TESTS OR CROQUIS_BUILD_BENCHMARKS)
+if(CROQUIS_BUILD_TESTS)
   find_package(Catch2 2.13 REQUIRED CONFIG)
   include(Catch)
 endif()

@@ -1,64 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <ctime>
 #include <iomanip>
 #include <string>
-#include <utility>
-#include <vector>
-
-#include <Eigen/SparseCholesky>
 
 #include "bench/bench.h"
+#include "bench/cpu_time.h"
+#include "bench/factorisation_peer.h"
 #include "croquis/solver/least_squares.h"
 #include "solver/sample_problems.h"
 
 namespace croquis::bench {
 namespace {
 
-using Matrix = Eigen::SparseMatrix<double>;
-using Triplets = std::vector<Eigen::Triplet<double>>;
-
-/// Processor time, not the clock's: the solver has one thread, and a busy machine stretches long runs more than short.
-template <typename Work>
-double median_cpu_ms(int runs, Work&& work) {
-  std::vector<double> times;
-  for (int run = 0; run <= runs; ++run) {
-    const std::clock_t began = std::clock();
-    work();
-    if (run > 0) times.push_back(1e3 * static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC);
-  }
-  std::sort(times.begin(), times.end());
-  return times[times.size() / 2];
-}
-
-/// The lower triangle of [[U^T U + G^T G + dI, E^T], [E, -dI]]: what every step of the solver factorises, built by
-/// plain sparse products.
-Matrix step_matrix(const LeastSquaresProblem& problem) {
-  const Matrix hessian = Matrix(problem.objective.transpose() * problem.objective) +
-                         Matrix(problem.inequalities.transpose() * problem.inequalities);
-  const int unknowns = static_cast<int>(hessian.cols());
-  const int size = unknowns + static_cast<int>(problem.equalities.rows());
-  const double regularisation = 1e-10 * hessian.diagonal().maxCoeff();
-  Triplets entries;
-  for (int i = 0; i < size; ++i) entries.emplace_back(i, i, i < unknowns ? regularisation : -regularisation);
-  for (int column = 0; column < unknowns; ++column) {
-    for (Matrix::InnerIterator entry(hessian, column); entry; ++entry)
-      if (entry.row() >= column) entries.emplace_back(static_cast<int>(entry.row()), column, entry.value());
-    if (problem.equalities.rows() == 0) continue;
-    for (Matrix::InnerIterator entry(problem.equalities, column); entry; ++entry)
-      entries.emplace_back(unknowns + static_cast<int>(entry.row()), column, entry.value());
-  }
-  Matrix matrix(size, size);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
-}
-
-double factorisation_ms(const LeastSquaresProblem& problem) {
-  const Matrix matrix = step_matrix(problem);
-  Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::AMDOrdering<int>> factors;
-  factors.analyzePattern(matrix);
-  return median_cpu_ms(9, [&] { factors.factorize(matrix); });
-}
 
 void bench_one(std::ostream& out, const std::string& name, const LeastSquaresProblem& problem) {
   LeastSquaresSolution solution;

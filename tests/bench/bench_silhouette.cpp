@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <ctime>
+#include <iomanip>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <sys/resource.h>
+
+#include "algorithms/silhouette/chordal_axis.h"
+#include "algorithms/silhouette/collision_rows.h"
+#include "algorithms/silhouette/depth.h"
+#include "algorithms/silhouette/depth_problem.h"
+#include "bench/bench.h"
+#include "bench/cpu_time.h"
+#include "bench/factorisation_peer.h"
+#include "croquis/silhouette/labelled_figure.h"
+#include "croquis/silhouette/solid.h"
+#include "support/sketch_generator.h"
+
+namespace croquis::bench {
+namespace {
+
+using silhouette::LabelledDrawing;
+using silhouette::LabelledFigure;
+using silhouette::Options;
+using silhouette::Solid;
+
+constexpr int runs = 5;
+
+/// Processor time between the reports of a Progress, by the step they name.
+class StageTimes {
+ public:
+  Progress progress() {
+    last_ = std::clock();
+    step_.clear();
+    return Progress([this](double, const std::string& step) { change(step); });
+  }
+
+  void end() { change(""); }
+
+  double ms(const std::string& step) const {
+    const auto found = ms_.find(step);
+    return found == ms_.end() ? 0 : found->second / runs;
+  }
+
+  const std::vector<std::string>& order() const { return order_; }
+
+ private:
+  void change(const std::string& step) {
+    if (step == step_) return;
+    const std::clock_t now = std::clock();
+    if (!step_.empty()) {
+      if (!ms_.contains(step_)) order_.push_back(step_);
+      ms_[step_] += 1e3 * static_cast<double>(now - last_) / CLOCKS_PER_SEC;
+    }
+    last_ = now;
+    step_ = step;
+  }
+
+  std::map<std::string, double> ms_;
+  std::vector<std::string> order_;
+  std::string step_;
+  std::clock_t last_ = 0;
+};
+
+struct Measured {
+  std::string name;
+  std::size_t strokes = 0;
+  std::size_t samples = 0;
+  std::size_t vertices = 0;
+  StageTimes stages;
+  double label_ms = 0;
+  double total_ms = 0;
+  double triangulation_ms = 0;  ///< one constrained Delaunay triangulation of the same samples
+};
+
+double triangulate_all(const LabelledDrawing& labelled) {
+  return median_cpu_ms(runs, [&] {
+    for (const LabelledFigure& figure : labelled.figures) triangulate(figure.points, figure.segments);
+  });
+}
+
+Measured measure(const test::NamedSketch& sketch) {
+  Measured result;
+  result.name = sketch.name;
+  const Drawing& drawing = sketch.sketch.drawing;
+  result.strokes = drawing.strokes.size();
+  const Options options;
+  LabelledDrawing labelled;
+  Solid solid;
+  for (int run = 0; run < runs; ++run) {
+    Progress progress = result.stages.progress();
+    Progress labelling = progress.step("label", 0.3);
+    result.label_ms += cpu_ms([&] { labelled = label(drawing, options, labelling); }) / runs;
+    Progress inflating = progress.step("inflate", 0.7);
+    result.total_ms += cpu_ms([&] { solid = inflate(labelled, drawing, options, inflating); }) / runs;
+    result.stages.end();
+  }
+  result.total_ms += result.label_ms;
+  for (const LabelledFigure& figure : labelled.figures) result.samples += figure.points.size();
+  result.vertices = solid.mesh.vertex_count();
+  result.triangulation_ms = triangulate_all(labelled);
+  return result;
+}
+
+void print_stages(std::ostream& out, const std::vector<Measured>& all) {
+  out << "CPU milliseconds per stage, mean of " << runs << " runs.\n\n| stage |";
+  for (const Measured& one : all) out << " " << one.name << " |";
+  out << "\n|---|";
+  for (std::size_t i = 0; i < all.size(); ++i) out << "---|";
+  out << "\n" << std::fixed << std::setprecision(1);
+  for (const std::string& stage : all.front().stages.order()) {
+    out << "| " << stage << " |";
+    for (const Measured& one : all) out << " " << one.stages.ms(stage) << " |";
+    out << "\n";
+  }
+}
+
+void print_totals(std::ostream& out, const std::vector<Measured>& all) {
+  out << "\nPeer: one constrained Delaunay triangulation (CGAL) of the same contour samples.\n\n"
+      << "| sketch | strokes | samples | mesh vertices | labelled figure ms | whole ms | triangulation ms | figure / "
+         "triangulation | whole / triangulation |\n|---|---|---|---|---|---|---|---|---|\n";
+  for (const Measured& one : all) {
+    out << "| " << one.name << " | " << one.strokes << " | " << one.samples << " | " << one.vertices << " | "
+        << one.label_ms << " | " << one.total_ms << " | " << std::setprecision(2) << one.triangulation_ms << " | "
+        << std::setprecision(1) << one.label_ms / one.triangulation_ms << " | "
+        << one.total_ms / one.triangulation_ms << " |\n";
+  }
+}
+
+/// One numeric factorisation of each independent part's own system, collision rows included.
+double depth_factorisation_ms(const LabelledFigure& figure, const silhouette::DepthSettings& settings) {
+  Progress progress;
+  const silhouette::Skeleton skeleton = chordal_axis(figure, settings.options.node_spacing, progress);
+  const auto rows = silhouette::collision_rows(skeleton, figure, settings.options.minimum_gap * skeleton.scale);
+  double total = 0;
+  for (const silhouette::DepthPart& part : depth_parts(skeleton, rows)) {
+    LeastSquaresProblem problem = depth_problem(skeleton, part, settings);
+    set_collision_rows(skeleton, part, rows, problem);
+    total += factorisation_ms(problem);
+  }
+  return total;
+}
+
+void print_depth(std::ostream& out, const std::vector<test::NamedSketch>& sketches) {
+  out << "\nThe depth solve. Peer: one numeric factorisation of its own system (all independent parts).\n\n"
+      << "| sketch | nodes | rows | iterations | factorisations | solve ms | one factorisation ms | solve / one "
+         "|\n|---|---|---|---|---|---|---|---|\n";
+  const Options options;
+  for (const test::NamedSketch& sketch : sketches) {
+    Progress progress;
+    const LabelledDrawing labelled = label(sketch.sketch.drawing, options, progress);
+    for (const LabelledFigure& figure : labelled.figures) {
+      const silhouette::DepthSettings settings{options.depth, {}};
+      const silhouette::Skeleton axis = chordal_axis(figure, options.depth.node_spacing, progress);
+      silhouette::DepthResult result;
+      const double solve = median_cpu_ms(runs, [&] {
+        silhouette::Skeleton skeleton = axis;
+        result = solve_depth(skeleton, figure, settings, progress);
+      });
+      const double one = depth_factorisation_ms(figure, settings);
+      out << "| " << sketch.name << " | " << axis.nodes.size() << " | " << result.rows << " | " << result.iterations
+          << " | " << result.factorisations << " | " << std::setprecision(2) << solve << " | " << one << " | "
+          << std::setprecision(1) << solve / one << " |\n";
+    }
+  }
+}
+
+}  // namespace
+
+void bench_silhouette(std::ostream& out) {
+  const std::vector<test::NamedSketch> sketches = {{"trefoil", test::trefoil_sketch()},
+                                                   {"dog", test::dog_sketch()},
+                                                   {"Borromean rings", test::borromean_sketch()},
+                                                   {"chain of 5", test::chain_sketch()},
+                                                   {"weave 4x4", test::weave_sketch()}};
+  std::vector<Measured> all;
+  for (const test::NamedSketch& sketch : sketches) all.push_back(measure(sketch));
+  print_stages(out, all);
+  print_totals(out, all);
+  print_depth(out, sketches);
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  out << "\nPeak memory of all of them: " << usage.ru_maxrss / 1024 << " MiB.\n";
+}
+
+}  // namespace croquis::bench
