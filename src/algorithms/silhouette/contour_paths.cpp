@@ -14,8 +14,8 @@ using Drawn = ContourPath::Drawn;
 class Closer {
  public:
   Closer(const std::vector<CleanLine>& lines, const Junctions& junctions, const PartLines& part,
-         const std::vector<Index>& chosen, double spacing, double stretch)
-      : lines_(lines), junctions_(junctions), part_(part), chosen_(chosen), spacing_(spacing), stretch_(stretch) {
+         const std::vector<Index>& chosen, double spacing, const CompletionShape& shape)
+      : lines_(lines), junctions_(junctions), part_(part), chosen_(chosen), spacing_(spacing), shape_(shape) {
     choice_of_.assign(part.ends.size(), no_index);
     for (Index k = 0; k < chosen.size(); ++k) {
       choice_of_[part.candidates[chosen[k]].a] = k;
@@ -115,7 +115,7 @@ class Closer {
     const CompletionCandidate& candidate = part_.candidates[chosen_[choice]];
     std::array<Vec2, 4> curve = candidate.bezier;
     if (candidate.b == leaving) std::reverse(curve.begin(), curve.end());
-    const double factor = 1 + (choice % 2 == 0 ? stretch_ : -stretch_);
+    const double factor = shape_.handles * (1 + (choice % 2 == 0 ? shape_.stretch : -shape_.stretch));
     curve[1] = curve[0] + factor * (curve[1] - curve[0]);
     curve[2] = curve[3] + factor * (curve[2] - curve[3]);
     const Points points = bezier_points(curve, spacing_);
@@ -137,7 +137,7 @@ class Closer {
   const PartLines& part_;
   const std::vector<Index>& chosen_;
   double spacing_;
-  double stretch_;
+  CompletionShape shape_;
   std::vector<Index> choice_of_;                      ///< per end: index into chosen_
   std::map<std::pair<Index, bool>, Index> position_;  ///< of an end in part_.ends
   std::map<Index, bool> done_;
@@ -148,8 +148,8 @@ class Closer {
 
 std::optional<ClosedContours> close_contours(const std::vector<CleanLine>& lines, const Junctions& junctions,
                                              const PartLines& part, const std::vector<Index>& chosen, double spacing,
-                                             double stretch) {
-  return Closer(lines, junctions, part, chosen, spacing, stretch).close();
+                                             const CompletionShape& shape) {
+  return Closer(lines, junctions, part, chosen, spacing, shape).close();
 }
 
 }  // namespace croquis::silhouette

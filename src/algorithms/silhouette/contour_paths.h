@@ -23,11 +23,16 @@ struct ClosedContours {
   std::vector<Points> raw;                    ///< per contour: strokes as drawn, completions between
 };
 
+/// How completions differ from the candidates' curves.
+struct CompletionShape {
+  double handles = 1;  ///< all handles are longer or shorter by this factor
+  double stretch = 0;  ///< and in turn longer and shorter by this share
+};
+
 /// Strings lines and completions together. None when they would put the surface on both sides of a contour.
 /// @param chosen  candidates, every end in exactly one
-/// @param stretch completion handles are longer or shorter, in turn, by this share (0 for the curves as they are)
 std::optional<ClosedContours> close_contours(const std::vector<CleanLine>& lines, const Junctions& junctions,
                                              const PartLines& part, const std::vector<Index>& chosen, double spacing,
-                                             double stretch);
+                                             const CompletionShape& shape);
 
 }  // namespace croquis::silhouette

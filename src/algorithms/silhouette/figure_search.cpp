@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/silhouette/figure_search.h"
 
+#include <array>
 #include <limits>
 #include <utility>
 
@@ -24,6 +25,9 @@ constexpr double least_merging = 1e-4;
 // Handles of completions are changed by this share when three contours meet in a point.
 constexpr double perturbation = 0.01;
 constexpr int maximum_perturbations = 3;
+// When no matching can be labelled the likeliest ones get flatter completions.
+constexpr std::array<double, 2> flatter_handles{0.7, 0.4};
+constexpr int maximum_flatter = 25;
 
 /// Contours, crossings and faces of one matching.
 struct Trial {
@@ -75,7 +79,7 @@ class Search {
     for (const CompletionCandidate& candidate : part_.candidates) {
       edges.push_back({candidate.a, candidate.b, candidate.cost});
     }
-    MatchingSearch matchings(static_cast<Index>(part_.ends.size()), std::move(edges), maximum_states);
+    MatchingSearch matchings(static_cast<Index>(part_.ends.size()), edges, maximum_states);
     const int most = context_.options.completion.maximum_matchings;
     int tried = 0;
     std::vector<Index> cheapest;
@@ -90,7 +94,25 @@ class Search {
       }
     }
     result.findings = explain(tried, cheapest, tried < most && !matchings.limit_reached());
+    if (tried > 0) result.figure = try_flatter(edges);
+    if (result.figure) result.findings.clear();
     return result;
+  }
+
+  /// A round cap may reach out from under the surface that hides it where a flatter one doesn't.
+  std::optional<LabelledFigure> try_flatter(const std::vector<MatchingEdge>& edges) {
+    for (const double handles : flatter_handles) {
+      handles_ = handles;
+      MatchingSearch matchings(static_cast<Index>(part_.ends.size()), edges, maximum_states);
+      for (int tried = 0; tried < maximum_flatter; ++tried) {
+        progress_.check();
+        const std::optional<std::vector<Index>> chosen = matchings.next();
+        if (!chosen) break;
+        if (std::optional<LabelledFigure> figure = try_matching(*chosen)) return figure;
+      }
+    }
+    handles_ = 1;
+    return std::nullopt;
   }
 
   std::optional<LabelledFigure> try_matching(const std::vector<Index>& chosen) {
@@ -107,9 +129,9 @@ class Search {
   Trial arrange(const std::vector<Index>& chosen, bool quick_check) {
     Trial trial;
     for (int attempt = 0; attempt < 2 * (1 + maximum_perturbations); ++attempt) {
-      const double stretch = perturbation * (attempt / 2);
+      const CompletionShape shape{handles_, perturbation * (attempt / 2)};
       std::optional<ClosedContours> contours =
-          close_contours(context_.lines, context_.junctions, part_, chosen, context_.scale.step, stretch);
+          close_contours(context_.lines, context_.junctions, part_, chosen, context_.scale.step, shape);
       if (!contours) return trial;
       trial.contours = std::move(*contours);
       trial.arrangement =
@@ -155,6 +177,7 @@ class Search {
   const FigureContext& context_;
   const Progress& progress_;
   PartLines part_;
+  double handles_ = 1;
   bool first_done_ = false;
   bool limit_reached_ = false;
 };
