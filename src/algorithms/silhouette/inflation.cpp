@@ -82,8 +82,9 @@ InflatedSheets inflate_sheets(const LabelledFigure& figure, const Skeleton& skel
 
   Progress thickening = progress.step("thickness", 0.2);
   const SheetOperator op = make_sheet_operator(sheets.sampling);
-  const NodeExtension extension(op, nodes);
-  const Eigen::VectorXd upright = sheet_thickness(op, nodes, node_radii(skeleton), extension, thickening);
+  const Eigen::VectorXd radii = node_radii(skeleton);
+  const NodeExtension extension(op, nodes, radii);
+  const Eigen::VectorXd upright = sheet_thickness(op, nodes, radii, extension, thickening);
 
   Progress raising = progress.step("mid-surface", 0.25);
   MidSurface mid_surface(op, mid_surface_data(skeleton, nodes, sheets.pairs, options));

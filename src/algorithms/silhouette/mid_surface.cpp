@@ -78,24 +78,17 @@ struct MidSurface::State {
   const SheetOperator& op;
   MidSurfaceData data;
   LeastSquaresSolver solver;
-  Eigen::VectorXd z;  ///< the last answer, empty at first
 
   State(const SheetOperator& sheet_operator, MidSurfaceData d)
-      : op(sheet_operator), data(std::move(d)), solver(make_problem(op, data)) {}
+      : op(sheet_operator), data(std::move(d)), solver(make_problem(op, data)) {
+    solver.set_target(target());
+  }
 
   Eigen::VectorXd target() const {
     const Eigen::Index count = op.stiffness.cols();
     Eigen::VectorXd result = Eigen::VectorXd::Zero(count + data.node_z.size());
     for (Eigen::Index n = 0; n < data.node_z.size(); ++n) {
       result[count + n] = std::sqrt(data.node_length[n] / data.scale) * data.node_z[n];
-    }
-    if (z.size() == 0) return result;
-    const std::vector<Hessian> hessians = recover_hessians(op, z);
-    const Eigen::VectorXd applied = apply_to_hessians(op, hessians);
-    for (Eigen::Index v = 0; v < count; ++v) {
-      const Hessian& h = hessians[static_cast<std::size_t>(v)];
-      if (op.on_boundary[static_cast<std::size_t>(v)]) continue;
-      result[v] = row_scale(op, data.scale, v) * (applied[v] + op.area[v] * (h[0] + h[2]));
     }
     return result;
   }
@@ -116,10 +109,8 @@ MidSurface::MidSurface(const SheetOperator& op, MidSurfaceData data)
 MidSurface::~MidSurface() = default;
 
 MidSurfaceResult MidSurface::solve(const Eigen::VectorXd& thickness, Progress& progress) {
-  state_->solver.set_target(state_->target());
   state_->solver.set_inequality_bounds(state_->bounds(thickness));
   const LeastSquaresSolution solution = state_->solver.solve(progress);
-  state_->z = solution.x;
   return {solution.x, solution.iterations, std::max(solution.primal_residual, solution.dual_residual)};
 }
 

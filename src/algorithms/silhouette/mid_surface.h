@@ -50,7 +50,7 @@ class MidSurface {
   MidSurface(const SheetOperator& op, MidSurfaceData data);
   ~MidSurface();
 
-  /// @param thickness per lifted vertex, h. Later calls correct the elements' error by the surface found before.
+  /// @param thickness per lifted vertex, h; a second call reuses the first one's factorisation
   /// @throws Cancelled
   MidSurfaceResult solve(const Eigen::VectorXd& thickness, Progress& progress);
 

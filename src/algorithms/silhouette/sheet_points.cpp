@@ -13,13 +13,16 @@ namespace croquis::silhouette {
 namespace {
 
 // Clearances are parts of the contour step, as the density of everything follows it.
-constexpr double row_contour_clearance = 0.3;  // and at most 0.9 of the row's own depth
-constexpr double row_row_clearance = 0.37;     // and at most 0.6 of the distance between the rows
-constexpr double row_spacing = 0.33;           // from a row's last point
+constexpr double first_row_clearance = 0.3;  // from contours, and at most 0.9 of the row's own depth
+// Deeper rows stay out of the steep strip along a foreign rim: an edge from there to the rim would cut a notch between
+// the points of that rim's first row.
+constexpr double deep_row_clearance = 0.8;
+constexpr double row_row_clearance = 0.37;  // and at most 0.6 of the distance between the rows
+constexpr double row_spacing = 0.33;        // from a row's last point
 constexpr double hexagon_spacing = 1.5;
 constexpr double hexagon_point_clearance = 0.55 * hexagon_spacing;
 constexpr double hexagon_contour_clearance = 0.4 * hexagon_spacing;
-constexpr double node_point_clearance = 0.3 * hexagon_spacing;
+constexpr double least_crossing_sine = 0.3;  // flatter crossings have no corner to sample
 
 class SheetPointCollector {
  public:
@@ -39,17 +42,40 @@ class SheetPointCollector {
 
   void add_row(Index contour, const std::vector<double>& radii, double angle, double previous_angle) {
     std::vector<Vec2> row;
+    const double clearance = previous_angle > 0 ? deep_row_clearance : first_row_clearance;
     const std::vector<Index>& vertices = figure_.contours[contour].vertices;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       const double depth = row_depth(radii[i], angle);
       const double gap = depth - row_depth(radii[i], previous_angle);
       const Vec2 place = figure_.points[vertices[i]] + depth * inward(contour, i);
       if (!row.empty() && (place - row.back()).norm() < row_spacing * step_) continue;
-      if (segments_.any_within(place, std::min(0.9 * depth, row_contour_clearance * step_))) continue;
+      if (segments_.any_within(place, std::min(0.9 * depth, clearance * step_))) continue;
       if (rows_.any_within(place, std::min(0.6 * gap, row_row_clearance * step_))) continue;
       if (layers_at(place) > 0) row.push_back(place);
     }
     finished_.insert(finished_.end(), row.begin(), row.end());
+  }
+
+  /// Where the first two rows of two contours cross, inside both: each rim is steep there, and the rows' own points
+  /// meet the other rim at any depth.
+  void add_crossing(const FigureCrossing& crossing, const std::vector<std::vector<double>>& radii) {
+    const Vec2 a = inward(crossing.over_contour, crossing.over_position);
+    const Vec2 b = inward(crossing.under_contour, crossing.under_position);
+    const double sine = cross(a, b);
+    if (std::abs(sine) < least_crossing_sine) return;
+    for (const double over_angle : {row_angles[0], row_angles[1]}) {
+      for (const double under_angle : {row_angles[0], row_angles[1]}) {
+        const double over = row_depth(radii[crossing.over_contour][crossing.over_position], over_angle);
+        const double under = row_depth(radii[crossing.under_contour][crossing.under_position], under_angle);
+        const Vec2 offset = (over * Vec2(b.y(), -b.x()) + under * Vec2(-a.y(), a.x())) / sine;
+        const Vec2 place = figure_.points[crossing.vertex] + offset;
+        const double depth = std::min(over, under);
+        if (segments_.any_within(place, 0.7 * depth) ||
+            rows_.any_within(place, std::min(0.6 * depth, row_row_clearance * step_)))
+          continue;
+        if (layers_at(place) > 0) finished_.push_back(place);
+      }
+    }
   }
 
   /// Rows of one angle don't hinder each other: those of neighbouring contours may interleave in a thin part.
@@ -64,7 +90,7 @@ class SheetPointCollector {
 
   void add_node(const Vec2& place) {
     if (segments_.any_within(place, hexagon_contour_clearance * step_)) return;
-    if (spaced_.any_within(place, node_point_clearance * step_) || layers_at(place) <= 0) return;
+    if (spaced_.any_within(place, hexagon_point_clearance * step_) || layers_at(place) <= 0) return;
     keep(place);
   }
 
@@ -128,6 +154,8 @@ std::vector<Vec2> sheet_points(const LabelledFigure& figure, const Skeleton& ske
                                const std::vector<std::array<Vec2, 2>>& boundary,
                                const std::vector<std::vector<double>>& radii) {
   SheetPointCollector collector(figure, boundary);
+  for (const FigureCrossing& crossing : figure.crossings) collector.add_crossing(crossing, radii);
+  collector.end_of_rows_at_angle();
   double previous_angle = 0;
   for (const double angle : row_angles) {
     for (Index c = 0; c < figure.contours.size(); ++c) collector.add_row(c, radii[c], angle, previous_angle);

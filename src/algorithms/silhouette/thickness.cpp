@@ -14,8 +14,11 @@ using Factorisation = Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::AMDOrde
 /// Against the stiffness matrix, which has no unit: on a tube values settle within a quarter of the radius.
 constexpr double node_stiffness = 10;
 
+/// How far a node's pull is spread, in radii: a pull at a point of a wide body would stand out as a pimple.
+constexpr double node_reach = 0.6;
+
 /// Keeps a part without any node regular; too weak to be noticed elsewhere.
-constexpr double background_stiffness = 1e-9;
+constexpr double background_stiffness = 1e-6;
 
 /// The least u inside, as a part of that of a disk inscribed at the vertex' own triangles. Only reached when a very
 /// obtuse triangle breaks the maximum principle.
@@ -59,45 +62,69 @@ Eigen::VectorXd solve_inner(const InnerSystem& system, const Factorisation& fact
   return values;
 }
 
-/// The load for which linear elements give at the vertices what the true solution, close to u, has there.
-Eigen::VectorXd corrected_load(const SheetOperator& op, const Eigen::VectorXd& u) {
-  std::vector<Hessian> hessians = recover_hessians(op, u);
-  for (Hessian& h : hessians) {
-    const double excess = (h[0] + h[2] + 4) / 2;  // the equation says what the trace is
-    h[0] -= excess;
-    h[2] -= excess;
-    const double deviation = std::hypot((h[0] - h[2]) / 2, h[1]);
-    // A tube has (0, -4), deviation 2; more than that is noise near a corner.
-    if (deviation > 2) h = Hessian(-2, 0, -2) + (h - Hessian(-2, 0, -2)) * (2 / deviation);
+/// A node's share of a vertex.
+struct NodeShare {
+  Index vertex = 0;
+  Index node = 0;
+  double weight = 0;
+};
+
+/// Spreads nodes over the vertices around them, in their own sheet.
+class NodeSpreader {
+ public:
+  explicit NodeSpreader(const SheetOperator& op) : op_(op), last_seen_(op.position.size(), no_index) {}
+
+  /// The weights of a node sum to 1; they fall off smoothly towards the distance.
+  void spread(Index node, const LiftedPlace& place, double distance, std::vector<NodeShare>& shares) {
+    Vec2 centre = Vec2::Zero();
+    for (std::size_t i = 0; i < 3; ++i) centre += place.weights[i] * op_.position[place.vertices[i]];
+    const std::size_t first = shares.size();
+    queue_.assign(place.vertices.begin(), place.vertices.end());
+    for (const Index v : queue_) last_seen_[v] = node;
+    double sum = 0;
+    for (std::size_t head = 0; head < queue_.size(); ++head) {
+      const Index v = queue_[head];
+      const double nearness = 1 - (op_.position[v] - centre).squaredNorm() / (distance * distance);
+      if (nearness <= 0) continue;
+      shares.push_back({v, node, op_.area[v] * nearness * nearness});
+      sum += shares.back().weight;
+      for (Matrix::InnerIterator near(op_.stiffness, v); near; ++near) {
+        const auto other = static_cast<Index>(near.row());
+        if (last_seen_[other] != node) queue_.push_back(other);
+        last_seen_[other] = node;
+      }
+    }
+    for (std::size_t s = first; s < shares.size(); ++s) shares[s].weight /= sum;
+    if (sum > 0) return;
+    for (std::size_t i = 0; i < 3; ++i) shares.push_back({place.vertices[i], node, place.weights[i]});
   }
-  return apply_to_hessians(op, hessians).cwiseMax(least_load * 4 * op.area);
-}
+
+ private:
+  const SheetOperator& op_;
+  std::vector<Index> last_seen_;  ///< per vertex, the node that met it last
+  std::vector<Index> queue_;
+};
 
 }  // namespace
 
 struct NodeExtension::Factors {
   Factorisation factorisation;
-  std::vector<LiftedPlace> nodes;
+  std::vector<NodeShare> shares;
   Eigen::VectorXd background;
 };
 
-NodeExtension::NodeExtension(const SheetOperator& op, const std::vector<LiftedPlace>& nodes)
+NodeExtension::NodeExtension(const SheetOperator& op, const std::vector<LiftedPlace>& nodes,
+                             const Eigen::VectorXd& radii)
     : factors_(std::make_unique<Factors>()) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (const LiftedPlace& node : nodes) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) {
-        entries.emplace_back(node.vertices[i], node.vertices[j], node_stiffness * node.weights[i] * node.weights[j]);
-      }
-    }
+  NodeSpreader spreader(op);
+  for (Index n = 0; n < nodes.size(); ++n) spreader.spread(n, nodes[n], node_reach * radii[n], factors_->shares);
+  factors_->background = background_stiffness / op.area.sum() * op.area;
+  Matrix matrix = op.stiffness;
+  for (Eigen::Index v = 0; v < matrix.cols(); ++v) matrix.coeffRef(v, v) += factors_->background[v];
+  for (const NodeShare& share : factors_->shares) {
+    matrix.coeffRef(share.vertex, share.vertex) += node_stiffness * share.weight;
   }
-  const Eigen::Index count = op.stiffness.cols();
-  factors_->background = Eigen::VectorXd::Constant(count, background_stiffness);
-  for (Eigen::Index v = 0; v < count; ++v) entries.emplace_back(v, v, background_stiffness);
-  Matrix springs(count, count);
-  springs.setFromTriplets(entries.begin(), entries.end());
-  factors_->factorisation.compute(op.stiffness + springs);
-  factors_->nodes = nodes;
+  factors_->factorisation.compute(matrix);
 }
 
 NodeExtension::~NodeExtension() = default;
@@ -106,11 +133,8 @@ NodeExtension::NodeExtension(NodeExtension&&) noexcept = default;
 Eigen::VectorXd NodeExtension::extend(const Eigen::VectorXd& node_values) const {
   const double middle = node_values.size() > 0 ? node_values.mean() : 1;
   Eigen::VectorXd right = middle * factors_->background;
-  for (std::size_t n = 0; n < factors_->nodes.size(); ++n) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      right[factors_->nodes[n].vertices[i]] +=
-          node_stiffness * factors_->nodes[n].weights[i] * node_values[static_cast<Eigen::Index>(n)];
-    }
+  for (const NodeShare& share : factors_->shares) {
+    right[share.vertex] += node_stiffness * share.weight * node_values[share.node];
   }
   return factors_->factorisation.solve(right);
 }
@@ -127,7 +151,6 @@ Eigen::VectorXd sheet_thickness(const SheetOperator& op, const std::vector<Lifte
   const Factorisation factors(system.matrix);
   progress.check();
   Eigen::VectorXd u = solve_inner(system, factors, 4 * op.area);
-  u = solve_inner(system, factors, corrected_load(op, u));
   for (const int v : system.vertex) u[v] = std::max(u[v], least_load * op.area[v]);
   progress.check();
 

@@ -13,15 +13,17 @@ namespace croquis::silhouette {
 
 /// Carries values from the skeleton's nodes over the whole region, nearly harmonic between them.
 ///
-/// The nodes pull like springs rather than hold: a value held at a point of the plane would stand out as a spike.
+/// Each node pulls like a spring, spread over the vertices around it in its sheet: a value held at a point of the plane
+/// would stand out as a spike.
 /// Keeps its factorisation.
 class NodeExtension {
  public:
-  NodeExtension(const SheetOperator& op, const std::vector<LiftedPlace>& nodes);
+  /// @param radii per node
+  NodeExtension(const SheetOperator& op, const std::vector<LiftedPlace>& nodes, const Eigen::VectorXd& radii);
   ~NodeExtension();
   NodeExtension(NodeExtension&&) noexcept;
 
-  /// @param node_values one per node; NaN for nodes that say nothing isn't allowed
+  /// @param node_values one per node
   Eigen::VectorXd extend(const Eigen::VectorXd& node_values) const;
 
  private:
