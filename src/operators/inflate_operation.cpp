@@ -41,7 +41,7 @@ OperationDescription InflateOperation::describe() const {
           "Inflate",
           "Turns drawn contours, whose parts may hide each other, into closed solids.",
           {{"drawing", ValueType::Drawing, "The visible contours; a line stops where it passes behind something."}},
-          {{"mesh", ValueType::Mesh, "The solids: closed, in the drawn order, free of self-intersection."},
+          {{"mesh", ValueType::Mesh, "The solids: closed, in the drawn order, free of self-intersection.", true},
            {"labels", ValueType::Drawing, "Every contour, hidden parts included, cut where contours cross."},
            {"skeleton", ValueType::Mesh, "The skeleton in space, as polylines."},
            {"details", ValueType::Report, "Counts and figures of every stage."}},

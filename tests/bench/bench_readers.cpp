@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bench/bench.h"
-#include "bench/stopwatch.h"
+#include "bench/cpu_time.h"
 #include "croquis/io/mesh_file.h"
 
 namespace croquis::bench {
@@ -57,7 +57,7 @@ std::string file_of(const Kind& kind, std::size_t bytes) {
 }
 
 double read_ms(const Kind& kind, const std::string& bytes) {
-  return median_ms(runs, [&] {
+  return median_cpu_ms(runs, [&] {
     Progress progress;
     read_mesh(bytes, kind.format, "bench", progress);
   });
@@ -66,7 +66,7 @@ double read_ms(const Kind& kind, const std::string& bytes) {
 // What the machine needs to touch every byte once: copying and adding them up.
 double touch_ms(const std::string& bytes) {
   volatile std::uint64_t sink = 0;
-  return median_ms(runs, [&] {
+  return median_cpu_ms(runs, [&] {
     const std::string copy = bytes;
     sink = std::accumulate(copy.begin(), copy.end(), sink,
                            [](std::uint64_t sum, char c) { return sum + static_cast<unsigned char>(c); });

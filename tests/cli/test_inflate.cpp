@@ -34,19 +34,19 @@ TEST_CASE("every shipped sketch becomes a solid that check accepts") {
     INFO(entry.path() << result.err);
     REQUIRE(result.code == 0);
     const Json report = report_of(result);
-    const Json& details = report["details"];
-    CHECK(report["mesh"]["self_intersections"] == 0);
-    CHECK(report["mesh"]["closed"] == true);
-    CHECK(report["mesh"]["oriented"] == true);
-    CHECK(report["mesh"]["nonmanifold_edges"] == 0);
-    CHECK(report["mesh"]["nonmanifold_vertices"] == 0);
-    CHECK(details["silhouette_iou"].get<double>() >= (noisy ? 0.95 : 0.98));
+    const Json& details = report.at("details");
+    CHECK(report.at("mesh").at("self_intersections") == 0);
+    CHECK(report.at("mesh").at("closed") == true);
+    CHECK(report.at("mesh").at("oriented") == true);
+    CHECK(report.at("mesh").at("nonmanifold_edges") == 0);
+    CHECK(report.at("mesh").at("nonmanifold_vertices") == 0);
+    CHECK(details.at("silhouette_iou").get<double>() >= (noisy ? 0.95 : 0.98));
     int euler = 0;
-    for (const Json& object : details["objects"]) {
-      CHECK(object["euler_mesh"] == 2 * object["euler_region"].get<int>());
-      euler += object["euler_mesh"].get<int>();
+    for (const Json& object : details.at("objects")) {
+      CHECK(object.at("euler_mesh") == 2 * object.at("euler_region").get<int>());
+      euler += object.at("euler_mesh").get<int>();
     }
-    CHECK(report["mesh"]["euler_characteristic"] == euler);
+    CHECK(report.at("mesh").at("euler_characteristic") == euler);
     CHECK(run_cli({"check", folder / "solid.obj"}).code == 0);
     ++count;
   }
@@ -76,7 +76,7 @@ TEST_CASE("labels and skeleton are written without a solid when only they are as
   const ProcessResult result = run_cli({"inflate", sketches / "trefoil.svg", "--labels", folder / "labels.svg",
                                         "--skeleton", folder / "skeleton.obj", "--json"});
   REQUIRE(result.code == 0);
-  const Json details = report_of(result)["details"];
+  const Json details = report_of(result).at("details");
   CHECK(folder.names() == std::vector<std::string>{"labels.svg", "skeleton.obj"});
   const std::string labels = slurp(folder / "labels.svg");
   const auto count = [&labels](const std::string& word) {
@@ -84,12 +84,12 @@ TEST_CASE("labels and skeleton are written without a solid when only they are as
     for (auto at = labels.find(word); at != std::string::npos; at = labels.find(word, at + 1)) ++found;
     return found;
   };
-  CHECK(count("<path") == details["arcs"]);
-  CHECK(count("data-visible=\"false\"") == details["hidden_arcs"]);
-  CHECK(count("data-depth=\"1\"") == details["depth_histogram"][1]);
-  CHECK(details["contours"] == 2);
-  CHECK(details["crossings"] == 12);
-  CHECK(details["hidden_arcs"] == 6);
+  CHECK(count("<path") == details.at("arcs"));
+  CHECK(count("data-visible=\"false\"") == details.at("hidden_arcs"));
+  CHECK(count("data-depth=\"1\"") == details.at("depth_histogram")[1]);
+  CHECK(details.at("contours") == 2);
+  CHECK(details.at("crossings") == 12);
+  CHECK(details.at("hidden_arcs") == 6);
   const std::string skeleton = slurp(folder / "skeleton.obj");
   CHECK(skeleton.find("\nl ") != std::string::npos);
   CHECK(skeleton.find("\nf ") == std::string::npos);
@@ -109,12 +109,12 @@ TEST_CASE("an end that touches nothing is named and no output is left") {
       "free.svg", svg("<path id=\"tail\"\n d=\"M 100 100 C 200 0 300 0 400 100 C 450 150 500 200 420 260\"/>"));
   const ProcessResult result = run_cli({"inflate", sketch, "-o", folder / "a.obj", "--json"});
   CHECK(result.code == 4);
-  const Json error = report_of(result)["error"];
-  CHECK(error["code"] == "E_FREE_END");
-  CHECK(error["subject"][0]["kind"] == "stroke");
-  CHECK(error["subject"][0]["id"] == "tail");
-  CHECK(error["subject"][0]["line"] == 1);
-  REQUIRE(error["subject"][0]["at"].size() == 2);
+  const Json error = report_of(result).at("error");
+  CHECK(error.at("code") == "E_FREE_END");
+  CHECK(error.at("subject")[0]["kind"] == "stroke");
+  CHECK(error.at("subject")[0]["id"] == "tail");
+  CHECK(error.at("subject")[0]["line"] == 1);
+  REQUIRE(error.at("subject")[0]["at"].size() == 2);
   CHECK(folder.names() == std::vector<std::string>{"free.svg"});
 }
 
@@ -126,11 +126,11 @@ TEST_CASE("one bad object doesn't stop the others") {
   const ProcessResult result = run_cli({"inflate", sketch, "-o", folder / "a.obj", "--json"});
   CHECK(result.code == 0);
   const Json report = report_of(result);
-  CHECK(report["details"]["objects"].size() == 1);
-  CHECK(report["details"]["objects"][0]["name"] == "good");
-  REQUIRE(report["warnings"].size() >= 1);
-  CHECK(report["warnings"][0]["code"] == "E_FREE_END");
-  CHECK(report["warnings"][0]["subject"][0]["id"] == "bad");
+  CHECK(report.at("details").at("objects").size() == 1);
+  CHECK(report.at("details").at("objects")[0]["name"] == "good");
+  REQUIRE(report.at("warnings").size() >= 1);
+  CHECK(report.at("warnings")[0]["code"] == "E_FREE_END");
+  CHECK(report.at("warnings")[0]["subject"][0]["id"] == "bad");
   CHECK(run_cli({"check", folder / "a.obj"}).code == 0);
   CHECK(run_cli({"inflate", sketch, "-o", folder / "b.obj", "--strict"}).code == 1);
 }
@@ -142,9 +142,9 @@ TEST_CASE("strokes of a kind that isn't understood yet are refused by name") {
         "kind.svg", svg(std::string("<path id=\"odd\" data-kind=\"") + kind + "\" d=\"M 0 0 L 100 0 L 100 100 Z\"/>"));
     const ProcessResult result = run_cli({"inflate", sketch, "-o", folder / "a.obj", "--json"});
     CHECK(result.code == 4);
-    const Json error = report_of(result)["error"];
-    CHECK(error["subject"][0]["id"] == "odd");
-    CHECK(error["message"].get<std::string>().find(kind) != std::string::npos);
+    const Json error = report_of(result).at("error");
+    CHECK(error.at("subject")[0]["id"] == "odd");
+    CHECK(error.at("message").get<std::string>().find(kind) != std::string::npos);
   }
 }
 
@@ -167,7 +167,7 @@ TEST_CASE("sketches that can't be read are exit code 3") {
     INFO(name << ": " << result.err);
     CHECK(result.code == 3);
     CHECK(result.peak_kilobytes < 200 * 1024);
-    CHECK(report_of(result)["error"]["code"].get<std::string>().starts_with("E_"));
+    CHECK(report_of(result).at("error")["code"].get<std::string>().starts_with("E_"));
   }
   CHECK(std::filesystem::exists(folder / "a.obj") == false);
 }

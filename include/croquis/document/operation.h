@@ -18,6 +18,7 @@ struct PortDescription {
   std::string name;
   ValueType type = ValueType::Mesh;
   std::string sentence;
+  bool is_solid = false;  ///< a mesh that promises to be closed, oriented and free of self-intersection, as written
 };
 
 /// All that hosts know of an operation: options and help, panel, project-file fields and reference page come from it.

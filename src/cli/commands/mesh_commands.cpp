@@ -3,53 +3,13 @@
 
 #include "cli/files.h"
 #include "cli/mesh_text.h"
+#include "cli/solid_faults.h"
 #include "croquis/base/error.h"
 
 #include <string>
 #include <utility>
 
 namespace croquis::cli {
-namespace {
-
-Finding failed_check(const char* code, const std::string& file, const std::string& sentence) {
-  return make_error(Category::Geometry, code, file + " " + sentence, {{SubjectKind::File, file, file, {}, {}}});
-}
-
-std::string counted(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
-/// Everything that keeps the mesh from being a solid, not only the first thing.
-Findings failures(const MeshReport& report, const std::string& file) {
-  Findings found;
-  if (!report.closed) {
-    found.push_back(failed_check("E_NOT_CLOSED", file,
-                                 "isn't closed: it has " + counted(report.boundary_edges, "boundary edge") + " in " +
-                                     counted(report.boundary_loops, "loop") + "; fill its holes."));
-  }
-  if (report.nonmanifold_edges + report.nonmanifold_vertices > 0) {
-    found.push_back(failed_check("E_NOT_MANIFOLD", file,
-                                 "isn't manifold: " + counted(report.nonmanifold_edges, "edge") +
-                                     " with more than two faces, " + std::to_string(report.nonmanifold_vertices) +
-                                     " vertices where surfaces only touch; separate them."));
-  }
-  if (!report.oriented) {
-    found.push_back(failed_check("E_NOT_ORIENTED", file,
-                                 "isn't oriented: neighbouring faces turn in opposite directions; flip some of them."));
-  }
-  if (report.degenerate_faces > 0) {
-    found.push_back(failed_check("E_DEGENERATE_FACES", file,
-                                 "has " + counted(report.degenerate_faces, "face") + " without area; remove them."));
-  }
-  if (report.self_intersections.value_or(0) > 0) {
-    found.push_back(failed_check(
-        "E_SELF_INTERSECTION", file,
-        "intersects itself in " + counted(*report.self_intersections, "pair") + " of faces; move them apart."));
-  }
-  return found;
-}
-
-}  // namespace
 
 CommandDescription InfoCommand::describe() const {
   CommandDescription description;
@@ -91,7 +51,7 @@ void CheckCommand::run(const Invocation& invocation, CommandResult& result, Prog
   const PolyMesh mesh = read_input_mesh(invocation, true, result, reading);
   Progress inspecting = progress.step("inspect", 0.7);
   result.mesh = inspect(mesh, true, inspecting);
-  Findings found = failures(*result.mesh, invocation.input);
+  Findings found = solid_faults(*result.mesh, invocation.input);
   if (!found.empty()) throw Error(std::move(found));
   result.text = invocation.input + ": closed, manifold, oriented, free of self-intersections.";
   progress.report(1);

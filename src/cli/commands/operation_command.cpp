@@ -3,6 +3,7 @@
 
 #include "cli/files.h"
 #include "cli/mesh_text.h"
+#include "cli/solid_faults.h"
 #include "croquis/base/error.h"
 #include "croquis/io/svg_writer.h"
 
@@ -29,13 +30,31 @@ Value read_value(const PortDescription& port, const Invocation& invocation, Comm
   return std::make_shared<const PolyMesh>(read_input_mesh(invocation, true, result, progress));
 }
 
-/// @param named the format asked for, where the path doesn't tell
-void stage_value(const std::string& path, const std::string& named, const Value& value, CommandResult& result,
+/// A solid is judged by the numbers of its file: a format may round them until surfaces meet.
+void judge_solid(const std::string& path, const PolyMesh& written, CommandResult& result, Progress& progress) {
+  result.mesh = inspect(written, true, progress);
+  const Findings faults = solid_faults(*result.mesh, path);
+  if (faults.empty()) return;
+  throw Error(make_error(Category::Geometry, "E_ROUNDING",
+                         "The solid is valid, but not with the numbers that " + path +
+                             " can hold: " + faults.front().message + " Write it as OBJ or PLY.",
+                         {{SubjectKind::File, path, {}, {}, {}}}));
+}
+
+/// One output to its file.
+struct Destination {
+  std::string path;
+  std::string format;  ///< asked for, where the path doesn't tell
+};
+
+void stage_value(const PortDescription& port, const Value& value, const Destination& destination, CommandResult& result,
                  Progress& progress) {
   if (const auto* drawing = std::get_if<std::shared_ptr<const Drawing>>(&value)) {
-    stage_file(path, write_svg_drawing(**drawing), result);
+    stage_file(destination.path, write_svg_drawing(**drawing), result);
   } else if (const auto* mesh = std::get_if<std::shared_ptr<const PolyMesh>>(&value)) {
-    stage_mesh(path, **mesh, {}, output_mesh_format(path, named), result, progress);
+    const MeshFormat format = output_mesh_format(destination.path, destination.format);
+    stage_mesh(destination.path, **mesh, {}, format, result, progress);
+    if (port.is_solid) judge_solid(destination.path, as_written(**mesh, format, {}), result, progress);
   }
 }
 
@@ -178,13 +197,14 @@ void OperationCommand::run(const Invocation& invocation, CommandResult& result, 
   result.warnings.insert(result.warnings.end(), computed.warnings.begin(), computed.warnings.end());
 
   Progress writing = progress.step("write", 0.1);
+  const PortDescription& main_output = description.outputs.front();
   if (!invocation.output.empty()) {
-    stage_value(invocation.output, invocation.output_format, computed.outputs.at(description.outputs.front().name),
+    stage_value(main_output, computed.outputs.at(main_output.name), {invocation.output, invocation.output_format},
                 result, writing);
   }
   for (const PortDescription& port : extra_outputs(description)) {
     const std::string path = text_parameter(invocation, port.name);
-    if (!path.empty()) stage_value(path, "", computed.outputs.at(port.name), result, writing);
+    if (!path.empty()) stage_value(port, computed.outputs.at(port.name), {path, ""}, result, writing);
   }
   for (const PortDescription& port : description.outputs) {
     const Value& output = computed.outputs.at(port.name);

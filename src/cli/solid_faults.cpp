@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/solid_faults.h"
+
+namespace croquis::cli {
+namespace {
+
+Finding failed_check(const char* code, const std::string& file, const std::string& sentence) {
+  return make_error(Category::Geometry, code, file + " " + sentence, {{SubjectKind::File, file, file, {}, {}}});
+}
+
+std::string counted(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+Findings solid_faults(const MeshReport& report, const std::string& file) {
+  Findings found;
+  if (!report.closed) {
+    found.push_back(failed_check("E_NOT_CLOSED", file,
+                                 "isn't closed: it has " + counted(report.boundary_edges, "boundary edge") + " in " +
+                                     counted(report.boundary_loops, "loop") + "; fill its holes."));
+  }
+  if (report.nonmanifold_edges + report.nonmanifold_vertices > 0) {
+    found.push_back(failed_check("E_NOT_MANIFOLD", file,
+                                 "isn't manifold: " + counted(report.nonmanifold_edges, "edge") +
+                                     " with more than two faces, " + std::to_string(report.nonmanifold_vertices) +
+                                     " vertices where surfaces only touch; separate them."));
+  }
+  if (!report.oriented) {
+    found.push_back(failed_check("E_NOT_ORIENTED", file,
+                                 "isn't oriented: neighbouring faces turn in opposite directions; flip some of them."));
+  }
+  if (report.degenerate_faces > 0) {
+    found.push_back(failed_check("E_DEGENERATE_FACES", file,
+                                 "has " + counted(report.degenerate_faces, "face") + " without area; remove them."));
+  }
+  if (report.self_intersections.value_or(0) > 0) {
+    found.push_back(failed_check(
+        "E_SELF_INTERSECTION", file,
+        "intersects itself in " + counted(*report.self_intersections, "pair") + " of faces; move them apart."));
+  }
+  return found;
+}
+
+}  // namespace croquis::cli
