@@ -166,7 +166,7 @@ TEST_CASE("a search that may try nothing says so") {
 }
 
 TEST_CASE("random strokes are labelled or refused, never crash or hang") {
-  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
     INFO("seed " << seed);
     const Drawing drawing = random_drawing(seed);
     try {

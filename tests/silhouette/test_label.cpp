@@ -214,7 +214,7 @@ TEST_CASE("a hasty hand is understood in at least 9 of 10 drawings") {
 }
 
 TEST_CASE("random tubes are read as they were made") {
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 15; ++seed) {
     INFO("seed " << seed);
     const Sketch sketch = random_tube_sketch(seed);
     const LabelledDrawing labelled = label_quietly(sketch.drawing);
@@ -226,7 +226,7 @@ TEST_CASE("random tubes are read as they were made") {
 TEST_CASE("random layered blobs are nearly always read as they were made, and always consistently") {
   // What a blob looks like where it is covered is a guess: a few drawings have another reading as good as the true one.
   int right = 0;
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     INFO("seed " << seed);
     const Sketch sketch = random_layered_sketch(seed, 2 + static_cast<int>(seed % 11));
     try {
@@ -237,7 +237,7 @@ TEST_CASE("random layered blobs are nearly always read as they were made, and al
       CHECK(error.findings().front().code == "E_NO_LABELLING");
     }
   }
-  CHECK(right >= 50);
+  CHECK(right >= 25);
 }
 
 TEST_CASE("the hidden pieces leave the strokes smoothly") {

@@ -100,6 +100,8 @@ int run(glp_prob* problem, const PlainProblem& plain, NodeCount& nodes) {
 /// and all below it hold plain data only. What GLPK had allocated goes with its environment.
 void solve_plain(PlainProblem& plain) {
   glp_term_out(GLP_OFF);
+  // GLPK turns its output on again to report an error; a hook that claims to have shown it keeps it quiet.
+  glp_term_hook([](void*, const char*) { return 1; }, nullptr);
   std::jmp_buf stop;
   NodeCount nodes;
   if (setjmp(stop) != 0) {

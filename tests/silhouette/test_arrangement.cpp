@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/arrangement.h"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "algorithms/silhouette/arrangement_faces.h"
+#include "algorithms/silhouette/paneling.h"
+#include "support/random.h"
+
+using namespace croquis;
+using namespace croquis::silhouette;
+
+namespace {
+
+ContourPath closed_path(Points points) {
+  ContourPath path;
+  path.points = std::move(points);
+  path.drawn.assign(path.points.size(), ContourPath::Drawn::Yes);
+  path.cut.assign(path.points.size(), 0.0);
+  path.stroke.assign(path.points.size(), 0);
+  return path;
+}
+
+Points circle(const Vec2& centre, double radius, int count = 60) {
+  Points points;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * (i + 0.123) / count;
+    points.emplace_back(centre + radius * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  return points;
+}
+
+/// Crossings by testing every pair of segments.
+int count_crossings(const std::vector<ContourPath>& paths) {
+  struct Segment {
+    Vec2 a, b;
+  };
+  std::vector<Segment> all;
+  for (const ContourPath& path : paths) {
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+      all.push_back({path.points[i], path.points[(i + 1) % path.points.size()]});
+    }
+  }
+  int count = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t k = i + 1; k < all.size(); ++k) count += cross_properly(all[i].a, all[i].b, all[k].a, all[k].b);
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("crossings are found as by testing all pairs, each contour passing through its own") {
+  test::Random random(4);
+  for (int round = 0; round < 20; ++round) {
+    std::vector<ContourPath> paths;
+    const std::uint32_t count = 1 + random.below(6);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      paths.push_back(
+          closed_path(circle({random.between(0, 100), random.between(0, 100)}, random.between(10, 60), 40)));
+    }
+    for (const double merging : {0.15, 1e-4}) {
+      const Arrangement made = cross_contours(paths, 5, merging);
+      CHECK(static_cast<int>(made.crossings.size()) == count_crossings(paths));
+      for (const ContourCrossing& crossing : made.crossings) {
+        CHECK(made.contours[crossing.contour_a].vertices[crossing.position_a] == crossing.vertex);
+        CHECK(made.contours[crossing.contour_b].vertices[crossing.position_b] == crossing.vertex);
+      }
+    }
+  }
+}
+
+TEST_CASE("two crossing discs have three faces with the right windings and areas") {
+  const Arrangement made = cross_contours({closed_path(circle({0, 0}, 50)), closed_path(circle({50, 0}, 50))}, 5, 0.15);
+  CHECK(made.crossings.size() == 2);
+  CHECK(made.arcs.size() == 4);
+  const FacesResult found = find_faces(made);
+  REQUIRE(found.conflicts.empty());
+  REQUIRE(found.faces.winding.size() == 4);
+  CHECK(found.faces.winding[0] == std::vector<int>{0, 0});
+  const double lens = 2500 * (2 * std::numbers::pi / 3 - std::sqrt(3.0) / 2);
+  for (std::size_t f = 1; f < 4; ++f) {
+    const bool both = found.faces.winding[f] == std::vector<int>{1, 1};
+    CHECK(found.faces.area[f] == Approx(both ? lens : 2500 * std::numbers::pi - lens).epsilon(0.01));
+  }
+}
+
+TEST_CASE("nested contours are wound without crossing anything") {
+  Points inner = circle({0, 0}, 20);
+  std::reverse(inner.begin(), inner.end());
+  const FacesResult found = find_faces(cross_contours({closed_path(circle({0, 0}, 50)), closed_path(inner)}, 5, 0.15));
+  REQUIRE(found.faces.winding.size() == 3);
+  for (std::size_t f = 1; f < 3; ++f) {
+    const bool ring = found.faces.area[f] > 5000;
+    CHECK(found.faces.winding[f] == (ring ? std::vector<int>{1, 0} : std::vector<int>{1, -1}));
+  }
+}
+
+TEST_CASE("contours that lie on one another are a conflict, not a crash") {
+  const Points points = circle({0, 0}, 50);
+  CHECK_FALSE(find_faces(cross_contours({closed_path(points), closed_path(points)}, 5, 0.15)).conflicts.empty());
+}
+
+TEST_CASE("turning numbers count the turns of a loop") {
+  Points loop = circle({0, 0}, 10);
+  CHECK(turning_number(loop) == 1);
+  std::reverse(loop.begin(), loop.end());
+  CHECK(turning_number(loop) == -1);
+  Points eight;
+  Points twice;
+  for (int i = 0; i < 100; ++i) {
+    const double t = 2 * std::numbers::pi * (i + 0.3) / 100;
+    eight.emplace_back(std::sin(t), std::sin(2 * t));
+    twice.emplace_back((1 + 2 * std::cos(t)) * std::cos(t), (1 + 2 * std::cos(t)) * std::sin(t));
+  }
+  CHECK(turning_number(eight) == 0);
+  CHECK(turning_number(twice) == 2);
+}
