@@ -8,7 +8,7 @@
 #include <optional>
 #include <type_traits>
 
-#include "render/disjoint_sets.h"
+#include "croquis/geometry/disjoint_sets.h"
 
 namespace croquis::render {
 namespace {
@@ -58,7 +58,7 @@ std::vector<Index> parts_by_component(const PolyMesh& mesh, std::span<const Inde
   std::vector<double> keys;
   keys.reserve(mesh.face_count());
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    keys.push_back(mesh.face(f).empty() ? -1.0 : static_cast<double>(sets.find(welded[mesh.face(f)[0]])));
+    keys.push_back(mesh.face(f).empty() ? -1.0 : static_cast<double>(sets.root(welded[mesh.face(f)[0]])));
   }
   return number_keys(keys);
 }

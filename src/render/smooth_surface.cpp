@@ -6,7 +6,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "render/disjoint_sets.h"
+#include "croquis/geometry/disjoint_sets.h"
 #include "render/polygon_triangulation.h"
 
 namespace croquis::render {
@@ -94,7 +94,7 @@ std::vector<Index> dense_numbers(DisjointSets& sets, std::size_t count, Index& s
   std::vector<Index> numbers(count);
   set_count = 0;
   for (Index i = 0; i < count; ++i) {
-    const Index root = sets.find(i);
+    const Index root = sets.root(i);
     numbers[i] = root == i ? set_count++ : numbers[root];
   }
   return numbers;
@@ -138,7 +138,7 @@ SmoothSurface find_smooth_surface(const PolyMesh& mesh, std::span<const glm::dve
   }
 
   surface.corner_groups.resize(mesh.corners.size());
-  for (Index c = 0; c < mesh.corners.size(); ++c) surface.corner_groups[c] = corners.find(c);
+  for (Index c = 0; c < mesh.corners.size(); ++c) surface.corner_groups[c] = corners.root(c);
   surface.normals = group_normals(context, surface.corner_groups);
   surface.face_patches = dense_numbers(faces, mesh.face_count(), surface.patch_count);
   return surface;
