@@ -122,10 +122,10 @@ TEST_CASE("all findings of a drawing come at once") {
 }
 
 TEST_CASE("a drawing without strokes to work with is refused") {
-  CHECK(codes(findings_of({})) == std::vector<std::string>{"E_EMPTY"});
+  CHECK(codes(findings_of({})) == std::vector<std::string>{"E_NO_STROKES"});
   Drawing dot;
   dot.strokes.push_back(stroke_of("dot", {{5, 5}, {5, 5}}));
-  CHECK(codes(findings_of(dot)) == std::vector<std::string>{"W_TINY", "E_EMPTY"});
+  CHECK(codes(findings_of(dot)) == std::vector<std::string>{"W_TINY", "E_NO_STROKES"});
   CHECK_THROWS_AS(label_quietly(dot), Error);
 }
 

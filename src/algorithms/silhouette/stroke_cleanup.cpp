@@ -97,7 +97,7 @@ std::vector<UsableStroke> usable_strokes(const Drawing& drawing, const DrawingSc
 
 void check_extent(const Drawing& drawing, const std::vector<UsableStroke>& usable, double step, Findings& findings) {
   if (!has_errors(findings) && usable.empty()) {
-    findings.push_back(make_error(Category::Geometry, "E_EMPTY",
+    findings.push_back(make_error(Category::Geometry, "E_NO_STROKES",
                                   "The drawing has no stroke to work with: draw the outline of something"));
   }
   if (usable.empty()) throw Error(findings);
