@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/inflation.h"
+
+#include <cmath>
+#include <limits>
+
+#include <catch2/catch.hpp>
+
+#include "algorithms/silhouette/certificate.h"
+#include "algorithms/silhouette/chordal_axis.h"
+#include "algorithms/silhouette/depth.h"
+#include "algorithms/silhouette/sheet_surface.h"
+#include "algorithms/silhouette/silhouette_overlap.h"
+#include "algorithms/silhouette/skeleton_curves.h"
+#include "silhouette/figure_fixtures.h"
+#include "support/mesh_shapes.h"
+
+using namespace croquis;
+using namespace croquis::silhouette;
+
+namespace {
+
+InflatedSheets inflated(const LabelledFigure& figure) {
+  Progress progress;
+  Skeleton skeleton = chordal_axis(figure, 0.3, progress);
+  solve_depth(skeleton, figure, {}, progress);
+  return inflate_sheets(figure, skeleton, {}, progress);
+}
+
+Skeleton straight_skeleton(double slope) {
+  Skeleton skeleton;
+  for (Index n = 0; n < 6; ++n) {
+    skeleton.nodes.emplace_back();
+    skeleton.nodes.back().position = Vec2(10.0 * n, 0);
+    skeleton.nodes.back().z = slope * 10 * n;
+    if (n > 0) skeleton.edges.push_back({n - 1, n});
+  }
+  return skeleton;
+}
+
+}  // namespace
+
+TEST_CASE("a skeleton of slope s is thicker by the root of 1 + s squared, at most twice") {
+  for (const double slope : {0.0, 0.5, -1.0, 5.0}) {
+    const Skeleton skeleton = straight_skeleton(slope);
+    Eigen::VectorXd z(6);
+    for (Index n = 0; n < 6; ++n) z[n] = skeleton.nodes[n].z;
+    const Eigen::VectorXd factors = tilt_factors(skeleton, z);
+    for (Index n = 0; n < 6; ++n) CHECK(factors[n] == Approx(std::min(2.0, std::sqrt(1 + slope * slope))));
+  }
+  Skeleton lone;
+  lone.nodes.emplace_back();
+  CHECK(tilt_factors(lone, Eigen::VectorXd::Zero(1))[0] == 1);
+}
+
+TEST_CASE("sheets keep their order and gap, and the proof of it notices when they don't") {
+  for (const test::FigureFixture& fixture : {test::crossed_capsules_figure(), test::trefoil_figure()}) {
+    InflatedSheets sheets = inflated(fixture.figure);
+    for (const Rounding rounding : {Rounding::None, Rounding::Single, Rounding::Grid}) {
+      CHECK(sheets_in_order(sheets, rounding, fixture.figure.unit));
+    }
+    const double gap = least_gap(sheets);
+    CHECK(gap > 0);
+
+    const StackedPair pair = sheets.pairs[sheets.pairs.size() / 2];
+    const double height = sheets.z[pair.upper];
+    sheets.z[pair.upper] = sheets.z[pair.lower];
+    CHECK(!sheets_in_order(sheets, Rounding::None, fixture.figure.unit));
+    CHECK(least_gap(sheets) < 0);
+    sheets.z[pair.upper] = height;
+    std::swap(sheets.sampling.points[sheets.sampling.planar.triangles[0][0]],
+              sheets.sampling.points[sheets.sampling.planar.triangles[0][1]]);
+    CHECK(!sheets_in_order(sheets, Rounding::None, fixture.figure.unit));
+  }
+}
+
+TEST_CASE("each object's surface is apart from the others") {
+  const test::FigureFixture fixture = test::linked_rings_figure();
+  const std::vector<ObjectSurface> surfaces = object_surfaces(fixture.figure, inflated(fixture.figure));
+  REQUIRE(surfaces.size() == 2);
+  for (const ObjectSurface& surface : surfaces) {
+    CHECK(surface.euler_region == 0);
+    CHECK(validate(surface.mesh).empty());
+    std::vector<std::uint8_t> used(surface.mesh.vertex_count(), 0);
+    for (const Index v : surface.mesh.corners) used[v] = 1;
+    CHECK(std::count(used.begin(), used.end(), 0) == 0);
+  }
+}
+
+TEST_CASE("the certificate names what is wrong with a mesh") {
+  Progress progress;
+  const PolyMesh sphere = test::triangulated(test::uv_sphere(16, 8));
+  const PolyMesh torus = test::triangulated(test::torus(16, 8));
+  const PolyMesh inside_out = test::flipped(sphere);
+  const Index first[] = {0};
+  const PolyMesh open = test::without_faces(sphere, first);
+  const CertificateInput inputs[] = {{&sphere, 1}, {&torus, 0}, {&torus, 1}, {&inside_out, 1}, {&open, 1}};
+  const std::vector<std::string> faults = certify_topology(inputs, progress);
+  REQUIRE(faults.size() == 5);
+  CHECK(faults[0].empty());
+  CHECK(faults[1].empty());
+  CHECK(faults[2].find("Euler") != std::string::npos);
+  CHECK(faults[3].find("outwards") != std::string::npos);
+  CHECK(faults[4].find("closed") != std::string::npos);
+
+  const PolyMesh near = test::translated(sphere, {0.5, 0.1, 0.2});
+  const PolyMesh far = test::translated(sphere, {9, 0, 0});
+  const CertificateInput meeting[] = {{&sphere, 1}, {&far, 1}, {&near, 1}};
+  std::vector<std::string> apart(3);
+  certify_apart(meeting, Rounding::None, 1, apart, progress);
+  CHECK(!apart[0].empty());
+  CHECK(apart[1].empty());
+  CHECK(!apart[2].empty());
+}
+
+TEST_CASE("the overlap of shifted squares is exact along the scan lines") {
+  PolyMesh square;
+  square.positions = {{0, 0, 3}, {2, 0, 3}, {2, 2, 3}, {0, 2, 3}};
+  square.add_triangle(0, 1, 2);
+  square.add_triangle(0, 2, 3);
+  const std::vector<Vec2> shifted{{1, 0}, {3, 0}, {3, 2}, {1, 2}};
+  const Overlap overlap = silhouette_overlap(square, {{shifted, 1}});
+  CHECK(overlap.ratio() == Approx(1.0 / 3).epsilon(1e-3));
+  CHECK(overlap.either == Approx(6).epsilon(2e-3));
+  const std::vector<Vec2> backwards{{1, 2}, {3, 2}, {3, 0}, {1, 0}};
+  CHECK(silhouette_overlap(square, {{backwards, -1}}).ratio() == Approx(1.0 / 3).epsilon(1e-3));
+  // A hole: the outline of a hole runs the other way round.
+  const std::vector<Vec2> outer{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+  const std::vector<Vec2> hole{{0.5, 0.5}, {1.5, 0.5}, {1.5, 1.5}, {0.5, 1.5}};
+  CHECK(silhouette_overlap(square, {{outer, 1}, {hole, -1}}).ratio() == Approx(0.75).epsilon(1e-3));
+  CHECK(silhouette_overlap({}, {}).ratio() == 1);
+}
+
+TEST_CASE("skeleton branches become one polyline each, loops close") {
+  Skeleton skeleton;
+  skeleton.nodes.resize(8);  // a Y of four nodes, a triangle, a lone node
+  for (Index n = 0; n < 8; ++n) skeleton.nodes[n].radius = n + 1;
+  skeleton.edges = {{0, 1}, {1, 2}, {1, 3}, {4, 5}, {5, 6}, {6, 4}};
+  PolyMesh curves;
+  append_skeleton(skeleton, curves);
+  append_skeleton(skeleton, curves);
+  CHECK(curves.vertex_count() == 16);
+  REQUIRE(curves.line_count() == 8);
+  int loops = 0;
+  for (std::size_t l = 0; l < 8; ++l) {
+    const auto line = curves.line(l);
+    loops += line.front() == line.back() ? 1 : 0;
+    CHECK(line.size() == (line.front() == line.back() ? 4U : 2U));
+  }
+  CHECK(loops == 2);
+  CHECK(validate(curves).empty());
+  const auto& radii = std::get<std::vector<double>>(curves.channel("radius", Domain::Vertex)->data);
+  CHECK(radii[11] == 4);
+}

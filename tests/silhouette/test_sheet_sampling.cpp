@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/sheet_sampling.h"
+
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "algorithms/silhouette/chordal_axis.h"
+#include "algorithms/silhouette/figure_segments.h"
+#include "algorithms/silhouette/layer_count.h"
+#include "algorithms/silhouette/planar_walk.h"
+#include "algorithms/silhouette/proximity_grid.h"
+#include "croquis/base/error.h"
+#include "silhouette/figure_fixtures.h"
+#include "support/random.h"
+
+using namespace croquis;
+using namespace croquis::silhouette;
+
+namespace {
+
+std::vector<test::FigureFixture> fixtures() {
+  return {test::disk_figure(),         test::ring_figure(),  test::crossed_capsules_figure(),
+          test::figure_eight_figure(), test::snake_figure(), test::trefoil_figure()};
+}
+
+double area_of(const std::vector<Vec2>& points, const std::array<Index, 3>& t) {
+  return cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]) / 2;
+}
+
+double region_area(const std::vector<Vec2>& points, const PlanarTriangulation& planar, const std::vector<int>& layers) {
+  double sum = 0;
+  for (std::size_t t = 0; t < layers.size(); ++t) sum += layers[t] * area_of(points, planar.triangles[t]);
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("counting layers from outside gives the figure's own numbers") {
+  for (const test::FigureFixture& fixture : fixtures()) {
+    std::vector<SidedSegment> sided;
+    for (const DirectedSegment& s : directed_segments(fixture.figure)) sided.push_back({s.begin, s.end, s.side});
+    for (std::size_t s = 0; s < sided.size(); ++s) {
+      const auto& own = fixture.figure.segments[s];
+      CHECK(((own[0] == sided[s].begin && own[1] == sided[s].end) ||
+             (own[1] == sided[s].begin && own[0] == sided[s].end)));
+    }
+    CHECK(count_layers(fixture.figure.triangulation, sided) == fixture.figure.layers);
+    for (SidedSegment& s : sided) s.side = -s.side;
+    CHECK_THROWS_AS(count_layers(fixture.figure.triangulation, sided), Error);
+  }
+}
+
+TEST_CASE("the sampled region is the figure's region, and every inner edge has an end inside") {
+  Progress progress;
+  for (const test::FigureFixture& fixture : fixtures()) {
+    const LabelledFigure& figure = fixture.figure;
+    const Skeleton skeleton = chordal_axis(figure, 0.3, progress);
+    const SheetSampling sheets = sample_sheets(figure, skeleton, progress);
+    CHECK(region_area(sheets.points, sheets.planar, sheets.layers) ==
+          Approx(region_area(figure.points, figure.triangulation, figure.layers)).epsilon(1e-9));
+    for (std::size_t p = 0; p < figure.points.size(); ++p) CHECK(sheets.points[p] == figure.points[p]);
+
+    const LiftedTriangulation& lifted = sheets.lifted;
+    std::size_t edges = 0;
+    int shared_by_rims = 0;
+    for (std::size_t m = 0; m < lifted.triangles.size(); ++m) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const bool inner = lifted.neighbours[m][k] != no_index;
+        edges += inner ? 1 : 2;
+        if (inner && lifted.on_boundary[lifted.triangles[m][(k + 1) % 3]] &&
+            lifted.on_boundary[lifted.triangles[m][(k + 2) % 3]]) {
+          ++shared_by_rims;
+        }
+      }
+    }
+    CHECK(shared_by_rims == 0);
+    int euler = 0;
+    for (const FigureObject& object : figure.objects) euler += object.euler_region;
+    CHECK(static_cast<int>(lifted.planar_vertex.size() + lifted.triangles.size()) - static_cast<int>(edges / 2) ==
+          euler);
+  }
+}
+
+TEST_CASE("nodes are found where they are, in their own layer") {
+  Progress progress;
+  for (const test::FigureFixture& fixture : fixtures()) {
+    const Skeleton skeleton = chordal_axis(fixture.figure, 0.3, progress);
+    const SheetSampling sheets = sample_sheets(fixture.figure, skeleton, progress);
+    const std::vector<LiftedPlace> places = locate_nodes(fixture.figure, skeleton, sheets);
+    REQUIRE(places.size() == skeleton.nodes.size());
+    for (std::size_t n = 0; n < places.size(); ++n) {
+      Vec2 found = Vec2::Zero();
+      for (std::size_t k = 0; k < 3; ++k) {
+        found += places[n].weights[k] * sheets.points[sheets.lifted.planar_vertex[places[n].vertices[k]]];
+      }
+      CHECK((found - skeleton.nodes[n].position).norm() < 1e-9 * skeleton.scale);
+    }
+  }
+}
+
+TEST_CASE("walking finds the triangle of any place") {
+  const test::FigureFixture fixture = test::trefoil_figure();
+  const std::vector<Vec2>& points = fixture.figure.points;
+  PlanarWalk walk(points, fixture.figure.triangulation);
+  const auto [low, high] = bounds_of(points);
+  test::Random random(5);
+  for (int k = 0; k < 500; ++k) {
+    const Vec2 place(random.between(low.x() - 20, high.x() + 20), random.between(low.y() - 20, high.y() + 20));
+    const auto holds = [&](const std::array<Index, 3>& t) {
+      return area_of({points[t[0]], points[t[1]], place}, {0, 1, 2}) >= 0 &&
+             area_of({points[t[1]], points[t[2]], place}, {0, 1, 2}) >= 0 &&
+             area_of({points[t[2]], points[t[0]], place}, {0, 1, 2}) >= 0;
+    };
+    const Index found = walk.locate(place);
+    const auto& all = fixture.figure.triangulation.triangles;
+    if (found == no_index) {
+      CHECK(std::none_of(all.begin(), all.end(), holds));
+    } else {
+      CHECK(holds(all[found]));
+    }
+  }
+}
+
+TEST_CASE("the grid agrees with measuring every distance") {
+  test::Random random(9);
+  ProximityGrid grid({0, 0}, {100, 60}, 4);
+  std::vector<std::array<Vec2, 2>> items;
+  for (int k = 0; k < 60; ++k) {
+    const Vec2 a(random.between(0, 100), random.between(0, 60));
+    const Vec2 b = k % 3 == 0 ? a : Vec2(a + Vec2(random.between(-15, 15), random.between(-15, 15)));
+    items.push_back({a, b});
+    grid.add(a, b);
+  }
+  for (int k = 0; k < 2000; ++k) {
+    const Vec2 place(random.between(0, 100), random.between(0, 60));
+    const double distance = random.between(0, 4);
+    bool near = false;
+    for (const auto& [a, b] : items) {
+      double least = (place - a).norm();
+      for (int s = 0; s <= 400; ++s) least = std::min(least, (a + s / 400.0 * (b - a) - place).norm());
+      if (std::abs(least - distance) < 0.05) least = grid.any_within(place, distance) ? 0 : 1e9;  // too close to call
+      near = near || least < distance;
+    }
+    CHECK(grid.any_within(place, distance) == near);
+  }
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "silhouette/surface_quality.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "croquis/silhouette/solid.h"
+#include "silhouette/figure_fixtures.h"
+#include "support/mesh_shapes.h"
+#include "support/sketch_gallery.h"
+
+using namespace croquis;
+using namespace croquis::silhouette;
+
+namespace {
+
+Solid solid_of(const test::Sketch& sketch) {
+  Progress progress;
+  const Options options;
+  return inflate(label(sketch.drawing, options, progress), sketch.drawing, options, progress);
+}
+
+}  // namespace
+
+TEST_CASE("the measures know an exact torus and see a dent in its rim") {
+  PolyMesh torus = test::triangulated(test::torus(96, 48));
+  CHECK(test::vertical_hits(torus, {1.01, 0.02}).size() == 2);
+  CHECK(test::vertical_hits(torus, {0.01, 0.02}).empty());
+  const double smooth = test::rim_serration(torus).p95;
+  for (std::size_t v = 0; v < torus.positions.size(); v += 5) torus.positions[v].z() += 0.02;
+  CHECK(test::rim_serration(torus).p95 > smooth + 1);
+}
+
+TEST_CASE("rims are smooth and sections of inclined tubes stay round") {
+  struct Case {
+    const char* name;
+    test::Sketch sketch;
+  };
+  const Case cases[] = {{"trefoil", test::trefoil_sketch()},
+                        {"figure eight", test::figure_eight_sketch()},
+                        {"snake", test::snake_sketch()},
+                        {"dog", test::dog_sketch()},
+                        {"weave", test::weave_sketch()}};
+  for (const Case& c : cases) {
+    INFO(c.name);
+    const Solid solid = solid_of(c.sketch);
+    const test::Spread serration = test::rim_serration(solid.mesh);
+    CHECK(serration.p95 <= 1);
+    CHECK(serration.mean <= 0.5);
+  }
+}
+
+TEST_CASE("sections normal to inclined tubes are circles") {
+  for (const test::Sketch& sketch :
+       {test::trefoil_sketch(), test::figure_eight_sketch(), test::snake_sketch(), test::weave_sketch()}) {
+    const Solid solid = solid_of(sketch);
+    const std::vector<double> ratios = test::half_axis_ratios(solid.mesh, solid.skeleton, 9);
+    REQUIRE(ratios.size() > 10);
+    CHECK(*std::min_element(ratios.begin(), ratios.end()) >= 0.96);
+    CHECK(*std::max_element(ratios.begin(), ratios.end()) <= 1.06);
+  }
+}
+
+TEST_CASE("the rim of a capsule is part of a circle to a hundredth of its radius") {
+  const test::FigureFixture fixture = test::capsule_figure();
+  Progress progress;
+  LabelledDrawing labelled;
+  labelled.figures.push_back(fixture.figure);
+  const Solid solid = inflate(labelled, fixture.drawing, {}, progress);
+  const double radius = 40;
+  double low = 0;
+  double high = 0;
+  for (const Vec3& p : solid.mesh.positions) {
+    low = std::min(low, p.z());
+    high = std::max(high, p.z());
+  }
+  const double middle = (low + high) / 2;
+  std::vector<double> deviations;
+  for (std::size_t f = 0; f < solid.mesh.face_count(); ++f) {
+    Vec3 centre = Vec3::Zero();
+    for (const Index v : solid.mesh.face(f)) centre += solid.mesh.positions[v] / 3;
+    // The straight part, and there the outer half of the radius.
+    if (centre.x() < 60 || centre.x() > 160 || std::abs(centre.y()) < radius / 2) continue;
+    const double distance = std::hypot(centre.y(), centre.z() - middle);
+    deviations.push_back(std::abs(distance - radius) / radius);
+  }
+  REQUIRE(deviations.size() > 200);
+  CHECK(test::spread_of(deviations).max <= 0.02);
+  CHECK(test::spread_of(deviations).mean <= 0.01);
+}

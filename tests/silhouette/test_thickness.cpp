@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/thickness.h"
+
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "algorithms/silhouette/chordal_axis.h"
+#include "silhouette/figure_fixtures.h"
+
+using namespace croquis;
+using namespace croquis::silhouette;
+
+namespace {
+
+struct Thickened {
+  SheetOperator op;
+  Eigen::VectorXd thickness;
+};
+
+Thickened thicken(const test::FigureFixture& fixture) {
+  Progress progress;
+  const Skeleton skeleton = chordal_axis(fixture.figure, 0.3, progress);
+  const SheetSampling sheets = sample_sheets(fixture.figure, skeleton, progress);
+  const std::vector<LiftedPlace> nodes = locate_nodes(fixture.figure, skeleton, sheets);
+  Thickened result;
+  result.op = make_sheet_operator(sheets);
+  Eigen::VectorXd radii(static_cast<Eigen::Index>(nodes.size()));
+  for (std::size_t n = 0; n < nodes.size(); ++n) radii[static_cast<Eigen::Index>(n)] = skeleton.nodes[n].radius;
+  const NodeExtension extension(result.op, nodes, radii);
+  result.thickness = sheet_thickness(result.op, nodes, radii, extension, progress);
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("the stiffness annihilates constants and gives a quadratic's Laplacian in the mean") {
+  const SheetOperator op = thicken(test::disk_figure()).op;
+  const Eigen::Index count = op.stiffness.cols();
+  CHECK((op.stiffness * Eigen::VectorXd::Ones(count)).cwiseAbs().maxCoeff() < 1e-9);
+  CHECK(op.area.sum() == Approx(3.14159265 * 1e4).epsilon(0.001));
+  Eigen::VectorXd square(count);
+  for (Eigen::Index v = 0; v < count; ++v) square[v] = op.position[static_cast<std::size_t>(v)].squaredNorm();
+  CHECK(square.dot(op.stiffness * square) == Approx(4 * 3.14159265 * 1e8 / 2).epsilon(0.01));
+}
+
+TEST_CASE("thickness is zero exactly on the boundary and positive inside") {
+  for (const test::FigureFixture& fixture : {test::crossed_capsules_figure(), test::snake_figure()}) {
+    const Thickened result = thicken(fixture);
+    for (Eigen::Index v = 0; v < result.thickness.size(); ++v) {
+      CHECK((result.thickness[v] == 0) == (result.op.on_boundary[static_cast<std::size_t>(v)] != 0));
+      CHECK(result.thickness[v] >= 0);
+    }
+  }
+}
+
+TEST_CASE("a disk is as thick as the ball, a straight tube as the cylinder") {
+  const Thickened disk = thicken(test::disk_figure());
+  for (Eigen::Index v = 0; v < disk.thickness.size(); ++v) {
+    const double distance = disk.op.position[static_cast<std::size_t>(v)].norm();
+    CHECK(std::abs(std::hypot(disk.thickness[v], distance) - 100) < 1);
+  }
+  const Thickened capsule = thicken(test::capsule_figure());
+  for (Eigen::Index v = 0; v < capsule.thickness.size(); ++v) {
+    const Vec2& place = capsule.op.position[static_cast<std::size_t>(v)];
+    if (place.x() < 60 || place.x() > 160) continue;
+    CHECK(std::abs(std::hypot(capsule.thickness[v], place.y()) - 40) < 0.8);
+  }
+}
+
+TEST_CASE("where three limbs meet the surface is neither pinched nor blown up") {
+  std::vector<Vec2> outline;
+  for (int k = 0; k < 720; ++k) {
+    const double angle = 2 * 3.14159265358979 * k / 720;
+    outline.push_back((90 + 50 * std::cos(3 * angle)) * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  const std::vector<test::FixtureContour> contours{{outline, 1, 0}};
+  const std::vector<std::string> names{"star"};
+  test::FigureFixture star = test::figure_of_contours(contours, names, 2, [](Index, double) { return 0; });
+  star.figure.objects[0].euler_region = 1;
+  const Thickened result = thicken(star);
+  double centre = 0;
+  double highest = 0;
+  for (Eigen::Index v = 0; v < result.thickness.size(); ++v) {
+    highest = std::max(highest, result.thickness[v]);
+    if (result.op.position[static_cast<std::size_t>(v)].norm() < 4) centre = std::max(centre, result.thickness[v]);
+  }
+  CHECK(centre == Approx(40).epsilon(0.1));  // the radius of the circle inscribed there
+  CHECK(highest < 1.25 * centre);
+}
+
+TEST_CASE("equal node values extend to a constant, and differing ones stay between their extremes") {
+  Progress progress;
+  const test::FigureFixture fixture = test::snake_figure();
+  const Skeleton skeleton = chordal_axis(fixture.figure, 0.3, progress);
+  const SheetSampling sheets = sample_sheets(fixture.figure, skeleton, progress);
+  const std::vector<LiftedPlace> nodes = locate_nodes(fixture.figure, skeleton, sheets);
+  const auto count = static_cast<Eigen::Index>(nodes.size());
+  const NodeExtension extension(make_sheet_operator(sheets), nodes, Eigen::VectorXd::Constant(count, 28));
+  const Eigen::VectorXd same = extension.extend(Eigen::VectorXd::Constant(count, 3));
+  CHECK((same.array() - 3).abs().maxCoeff() < 1e-6);
+  const Eigen::VectorXd rising = extension.extend(Eigen::VectorXd::LinSpaced(count, 1, 2));
+  CHECK(rising.minCoeff() > 0.95);
+  CHECK(rising.maxCoeff() < 2.05);
+  CHECK(value_at(nodes[static_cast<std::size_t>(count / 2)], rising) == Approx(1.5).epsilon(0.02));
+}
