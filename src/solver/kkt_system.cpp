@@ -26,7 +26,7 @@ Matrix lower_hessian(const Matrix& objective) {
 
 }  // namespace
 
-KktSystem::KktSystem(const ScaledProblem& problem) : problem_(&problem) {
+KktSystem::KktSystem(const ScaledProblem& problem, Rows rows) : problem_(&problem), rows_(rows) {
   const Matrix hessian = lower_hessian(problem.objective);
   build_pattern(hessian);
   fill_constant_part(hessian);
@@ -46,7 +46,8 @@ void KktSystem::build_pattern(const Matrix& hessian) {
     for (Matrix::InnerIterator entry(hessian, column); entry; ++entry) add(entry.row(), column);
   for (Index row = 0; row < equalities; ++row)
     for (RowMatrix::InnerIterator entry(problem_->equalities, row); entry; ++entry) add(unknowns + row, entry.col());
-  for (Index row = 0; row < problem_->inequalities.rows(); ++row)
+  const Index weighted = rows_ == Rows::Weighted ? problem_->inequalities.rows() : 0;
+  for (Index row = 0; row < weighted; ++row)
     for (RowMatrix::InnerIterator a(problem_->inequalities, row); a; ++a)
       for (RowMatrix::InnerIterator b(problem_->inequalities, row); b && b.col() <= a.col(); ++b) add(a.col(), b.col());
   matrix_.resize(unknowns + equalities, unknowns + equalities);
@@ -76,6 +77,7 @@ void KktSystem::fill_constant_part(const Matrix& hessian) {
 void KktSystem::map_inequalities() {
   contributions_.clear();
   contribution_begin_.assign(1, 0);
+  if (rows_ == Rows::None) return;
   for (Index row = 0; row < problem_->inequalities.rows(); ++row) {
     for (RowMatrix::InnerIterator a(problem_->inequalities, row); a; ++a)
       for (RowMatrix::InnerIterator b(problem_->inequalities, row); b && b.col() <= a.col(); ++b)

@@ -22,13 +22,16 @@ class KktSystem {
   /// growth of a factor), small against the curvatures met (1e-8 for a plate of 30 000 vertices).
   static constexpr double regularisation = 1e-10;
 
+  /// Which D the matrix is for: without rows the factors are sparser.
+  enum class Rows { None, Weighted };
+
   /// Builds the pattern and where each number goes in it, and analyses it: once. Keeps a reference to `problem`.
-  explicit KktSystem(const ScaledProblem& problem);
+  KktSystem(const ScaledProblem& problem, Rows rows);
 
   /// Takes the new numbers of the problem; false, and nothing done, when U^T U has entries outside the pattern.
   bool refill();
 
-  /// Numeric factorisation for the row weights D (#I, >= 0); false when rounding left a pivot 0.
+  /// Numeric factorisation for the row weights D (#I, >= 0; none: D = 0); false when rounding left a pivot 0.
   [[nodiscard]] bool factorise(const Eigen::VectorXd& row_weights);
 
   /// Solves K(D) solution = right_side (N + #E), refined until the residual stops shrinking, at most `refinements`
@@ -39,6 +42,9 @@ class KktSystem {
   Eigen::VectorXd solve_regularised(const Eigen::VectorXd& right_side) const { return factors_.solve(right_side); }
 
   Eigen::VectorXd multiply(const Eigen::VectorXd& vector) const;
+
+  using Factors = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::AMDOrdering<int>>;
+  const Factors& factors() const { return factors_; }
 
   int factorisations() const { return factorisations_; }
   Eigen::Index unknowns() const { return problem_->objective.cols(); }
@@ -57,11 +63,12 @@ class KktSystem {
   int position_of(Eigen::Index row, Eigen::Index column) const;
 
   const ScaledProblem* problem_;
+  Rows rows_;
   Eigen::SparseMatrix<double> matrix_;       ///< lower triangle, regularised
   Eigen::VectorXd constant_part_;            ///< its values for D = 0
   std::vector<Contribution> contributions_;  ///< of row q: from contribution_begin_[q] to [q + 1]
   std::vector<std::size_t> contribution_begin_;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::AMDOrdering<int>> factors_;
+  Factors factors_;
   int factorisations_ = 0;
 };
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "solver/active_rows.h"
 #include "solver/equality_optimum.h"
 #include "solver/interior_point.h"
 #include "solver/kkt_system.h"
@@ -47,7 +48,7 @@ struct LeastSquaresSolver::State {
       : problem(checked_and_completed(std::move(given))),
         options(chosen),
         scaled(scale(problem)),
-        system(std::make_unique<KktSystem>(scaled)) {}
+        rest_system(std::make_unique<KktSystem>(scaled, KktSystem::Rows::None)) {}
 
   void change_objective(Eigen::SparseMatrix<double> objective);
   void factorise_at_rest();
@@ -56,12 +57,17 @@ struct LeastSquaresSolver::State {
   LeastSquaresProblem problem;
   LeastSquaresOptions options;
   ScaledProblem scaled;
-  std::unique_ptr<KktSystem> system;
-  bool at_rest = false;  ///< the factors held are those of K(0)
-  bool flat = false;     ///< the objective has a flat direction
+  std::unique_ptr<KktSystem> rest_system;      ///< K(0)
+  std::unique_ptr<KktSystem> weighted_system;  ///< K(D), made when the interior point is needed first
+  bool at_rest = false;                        ///< rest_system holds the factors of the present objective
+  bool flat = false;                           ///< the objective has a flat direction
 
  private:
+  int factorisations() const {
+    return rest_system->factorisations() + (weighted_system ? weighted_system->factorisations() : 0);
+  }
   VectorXd violations(const VectorXd& y) const;
+  ElasticPoint optimum_of_all_rows(const ElasticProblem& elastic, Progress& progress);
   void solve_elastic(const VectorXd& violation, double unit, EqualityOptimum& optimum, LeastSquaresSolution& solution,
                      Progress& progress);
   void report_rows(LeastSquaresSolution& solution) const;
@@ -76,16 +82,17 @@ void LeastSquaresSolver::State::change_objective(Eigen::SparseMatrix<double> obj
                            "The new objective has another size than the old one; make a new solver for it."));
   problem = checked_and_completed(std::move(changed));
   scaled = scale(problem);
-  if (!system->refill()) system = std::make_unique<KktSystem>(scaled);
+  if (!rest_system->refill()) rest_system = std::make_unique<KktSystem>(scaled, KktSystem::Rows::None);
+  if (weighted_system && !weighted_system->refill()) weighted_system.reset();
   at_rest = false;
 }
 
 void LeastSquaresSolver::State::factorise_at_rest() {
   if (at_rest) return;
-  if (!system->factorise(VectorXd::Zero(problem.inequalities.rows())))
+  if (!rest_system->factorise(VectorXd()))
     throw Error(make_error(Category::Internal, "E_SOLVER",
                            "The least-squares system can't be factorised; check its numbers for overflow."));
-  flat = has_flat_direction(scaled, *system);
+  flat = has_flat_direction(scaled, *rest_system);
   at_rest = true;
 }
 
@@ -99,11 +106,11 @@ VectorXd LeastSquaresSolver::State::violations(const VectorXd& y) const {
 
 LeastSquaresSolution LeastSquaresSolver::State::solve(Progress& progress) {
   progress.check();
-  const int factorisations_before = system->factorisations();
+  const int factorisations_before = factorisations();
   factorise_at_rest();
   progress.report(first_share);
 
-  EqualityOptimum optimum = find_equality_optimum(scaled, *system, problem.target,
+  EqualityOptimum optimum = find_equality_optimum(scaled, *rest_system, problem.target,
                                                   scaled.equality_scale.cwiseProduct(problem.equality_values));
   LeastSquaresSolution solution;
   solution.multipliers = VectorXd::Zero(problem.inequalities.rows());
@@ -117,7 +124,7 @@ LeastSquaresSolution LeastSquaresSolver::State::solve(Progress& progress) {
 
   solution.x = scaled.column_scale.cwiseProduct(optimum.y);
   solution.equality_multipliers = scaled.equality_scale.cwiseProduct(optimum.equality);
-  solution.factorisations = system->factorisations() - factorisations_before;
+  solution.factorisations = factorisations() - factorisations_before;
   solution.singular_objective = flat;
   report_rows(solution);
   report_stationarity(solution);
@@ -125,20 +132,29 @@ LeastSquaresSolution LeastSquaresSolver::State::solve(Progress& progress) {
   return solution;
 }
 
+/// By the few rows that press where that succeeds, else by the interior point.
+ElasticPoint LeastSquaresSolver::State::optimum_of_all_rows(const ElasticProblem& elastic, Progress& progress) {
+  ElasticPoint point;
+  if (!flat && find_active_rows(elastic, *rest_system, point, progress)) return point;
+  if (!weighted_system) weighted_system = std::make_unique<KktSystem>(scaled, KktSystem::Rows::Weighted);
+  KktSystem& system = *weighted_system;
+  point = starting_point(elastic);
+  run_interior_point(elastic, system, options, options.complementarity_tolerance, point, progress);
+  if (point.converged && !polish(elastic, system, point, progress)) {
+    // Many rows that only just touch: their roles show a few steps later.
+    run_interior_point(elastic, system, options, second_effort * options.complementarity_tolerance, point, progress);
+    if (point.converged) polish(elastic, system, point, progress);
+    point.converged = true;
+  }
+  return point;
+}
+
 /// Moves the optimum of the equalities to that of all rows.
 void LeastSquaresSolver::State::solve_elastic(const VectorXd& violation, double unit, EqualityOptimum& optimum,
                                               LeastSquaresSolution& solution, Progress& progress) {
-  at_rest = false;
-  ElasticProblem elastic{&scaled, (violation / unit).cwiseMax(-farthest_row), prices(scaled.inequality_scale)};
+  const ElasticProblem elastic{&scaled, (violation / unit).cwiseMax(-farthest_row), prices(scaled.inequality_scale)};
   Progress part = progress.step("separating parts", 1 - first_share);
-  ElasticPoint point = starting_point(elastic);
-  run_interior_point(elastic, *system, options, options.complementarity_tolerance, point, part);
-  if (point.converged && !polish(elastic, *system, point, progress)) {
-    // Many rows that only just touch: their roles show a few steps later.
-    run_interior_point(elastic, *system, options, second_effort * options.complementarity_tolerance, point, part);
-    if (point.converged) polish(elastic, *system, point, progress);
-    point.converged = true;
-  }
+  const ElasticPoint point = optimum_of_all_rows(elastic, part);
   optimum.y += unit * point.y;
   optimum.equality += unit * point.equality;
   solution.multipliers = unit * scaled.inequality_scale.cwiseProduct(point.multipliers);

@@ -96,6 +96,21 @@ TEST_CASE("random problems meet the optimality conditions and agree with a dense
   CHECK(compared >= 390);
 }
 
+TEST_CASE("rows nearly parallel to the equalities hold, however strong a force that takes") {
+  RandomShape shape;
+  shape.unknowns = 13;
+  shape.objective_rows = 15;
+  shape.equalities = 12;
+  shape.inequalities = 2;
+  shape.tight = 0;
+  const LeastSquaresProblem problem = random_problem(shape, 1026);
+  const LeastSquaresSolution solution = solve(problem);
+  check_optimal(problem, solution, 1e-9);
+  const auto expected = dense_optimum(problem);
+  REQUIRE(expected);
+  CHECK(largest(solution.x - *expected) <= 1e-6 * (1 + largest(*expected)));
+}
+
 TEST_CASE("small linked rings agree with the dense method") {
   const LeastSquaresProblem problem = depth_problem(chain_of_rings(2, 16), 22);
   REQUIRE(problem.inequalities.rows() > 4);

@@ -48,7 +48,9 @@ struct LeastSquaresSolution {
   std::vector<int> violated_rows;             ///< inequalities whose shortfall exceeds row_tolerance, ascending
   std::vector<int> contradictory_equalities;  ///< equalities whose residual exceeds row_tolerance, ascending
 
-  int iterations = 0;          ///< interior-point steps; 0 when no inequality was violated at the equalities' optimum
+  /// Rounds of the active-set method, or interior-point steps where that one gave up; 0 when no inequality was violated
+  /// at the equalities' optimum.
+  int iterations = 0;
   int factorisations = 0;      ///< numeric ones, done by this call
   double primal_residual = 0;  ///< largest |E x - e| and shortfall of rows that hold, relative as row_tolerance
   double dual_residual = 0;    ///< largest entry of the stationarity residual, relative to the sum of its terms' sizes
@@ -59,13 +61,16 @@ struct LeastSquaresSolution {
   bool singular_objective = false;
 };
 
-/// Solves the problem by a primal-dual interior point method with predictor and corrector (Mehrotra 1992; Nocedal and
-/// Wright 2006, section 16.6), always in elastic form: every inequality may fall short at a price per unit that exceeds
-/// ten times the largest multiplier, which makes the penalty exact (Nocedal and Wright 2006, section 17.2). The price
-/// ends at 1e6 times an unknown's own curvature: rows that only a stronger force could hold count as contradictory.
+/// Solves the problem by a dual active-set method (Goldfarb and Idnani 1983) over the few rows that press, with one
+/// sparse L D L^T factorisation, which the equalities' optimum needs anyway: rows that nothing comes near cost nothing.
 ///
-/// One sparse LDL^T factorisation when no inequality is violated at the equalities' optimum, else about 10 to 20 of the
-/// same pattern. Deterministic, single-threaded. Contradictory rows are no error: they are named in the result.
+/// Where rows contradict each other or hundreds of them press, a primal-dual interior point method with predictor and
+/// corrector takes over (Mehrotra 1992; Nocedal and Wright 2006, section 16.6), with about 10 to 20 factorisations. It
+/// works on the elastic form: every inequality may fall short at a price per unit that exceeds ten times the largest
+/// multiplier, which makes the penalty exact (Nocedal and Wright 2006, section 17.2). The price ends at 1e6 times an
+/// unknown's own curvature.
+///
+/// Deterministic, single-threaded. Contradictory rows are no error: they are named in the result.
 ///
 /// @throws Error (E_SOLVER) when sizes don't match or a number isn't finite, with one finding per part
 /// @throws Cancelled when the progress says so (asked before every factorisation)

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/active_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "solver/dual_active_set.h"
+#include "solver/row_flexibility.h"
+
+namespace croquis {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr int most_rounds = 25;
+/// Beyond this many rows the interior point's few factorisations are cheaper.
+constexpr Index most_rows = 320;
+/// Rows that may join in one round: neighbours of the worst one are often settled with it.
+constexpr int rows_per_round = 16;
+/// Largest error of a point that passes, relative to the largest violation of the start (and for forces to the largest
+/// multiplier); polishing asks for the same.
+constexpr double verification_tolerance = 1e-10;
+/// Error that no further round is spent on.
+constexpr double rounding_floor = 1e-13;
+
+class Rounds {
+ public:
+  Rounds(const ElasticProblem& problem, const KktSystem& system);
+
+  bool optimal();
+  bool advance();
+  int count() const { return count_; }
+  ElasticPoint result() const;
+
+ private:
+  const ScaledProblem& matrices() const { return *problem_.matrices; }
+  void find_residuals();
+  void take_violated_rows();
+  double error() const;
+
+  const ElasticProblem& problem_;
+  const KktSystem& system_;
+  RowFlexibility flexibility_;
+  DualActiveSet active_set_;
+  std::vector<Index> known_;    ///< row of each entry of the active set
+  std::vector<char> is_known_;  ///< per row
+  VectorXd y_, equality_, multipliers_;
+  VectorXd stationarity_, equality_gap_, violation_;
+  double last_error_ = std::numeric_limits<double>::infinity();
+  double error_before_ = std::numeric_limits<double>::infinity();  ///< that of the round before the last
+  int count_ = 0;
+};
+
+Rounds::Rounds(const ElasticProblem& problem, const KktSystem& system)
+    : problem_(problem),
+      system_(system),
+      flexibility_(*problem.matrices, system),
+      is_known_(static_cast<std::size_t>(problem.bounds.size()), 0),
+      y_(VectorXd::Zero(system.unknowns())),
+      equality_(VectorXd::Zero(system.size() - system.unknowns())),
+      multipliers_(VectorXd::Zero(problem.bounds.size())),
+      stationarity_(y_),
+      equality_gap_(equality_),
+      violation_(problem.bounds) {}
+
+void Rounds::find_residuals() {
+  const ScaledProblem& m = matrices();
+  stationarity_ = m.inequalities.transpose() * multipliers_ + m.equalities.transpose() * equality_ -
+                  m.objective.transpose() * (m.objective * y_);
+  equality_gap_ = -(m.equalities * y_);
+  violation_ = problem_.bounds - m.inequalities * y_;
+}
+
+double Rounds::error() const {
+  double rows = 0;
+  for (Index row = 0; row < violation_.size(); ++row)
+    rows = std::max(rows, multipliers_[row] > 0 ? std::abs(violation_[row]) : violation_[row]);
+  const double force = std::max(1.0, multipliers_.lpNorm<Eigen::Infinity>());
+  return std::max({rows, equality_gap_.lpNorm<Eigen::Infinity>(), stationarity_.lpNorm<Eigen::Infinity>() / force});
+}
+
+/// True when the point passes and another round would gain nothing. What a round corrects of the unknowns' balance, the
+/// next one corrects of the rows, so that only every second one need gain.
+bool Rounds::optimal() {
+  if (count_ == 0) return false;
+  const double now = error();
+  const bool stalled = now > 0.5 * error_before_;
+  error_before_ = last_error_;
+  last_error_ = now;
+  return now <= rounding_floor || (now <= verification_tolerance && stalled);
+}
+
+void Rounds::take_violated_rows() {
+  std::vector<Index> violated;
+  for (Index row = 0; row < violation_.size(); ++row)
+    if (violation_[row] > rounding_floor && is_known_[static_cast<std::size_t>(row)] == 0) violated.push_back(row);
+  const auto count = std::min<std::size_t>(violated.size(), rows_per_round);
+  std::partial_sort(
+      violated.begin(), violated.begin() + static_cast<std::ptrdiff_t>(count), violated.end(),
+      [this](Index a, Index b) { return violation_[a] > violation_[b] || (violation_[a] == violation_[b] && a < b); });
+  for (std::size_t i = 0; i < count; ++i) {
+    active_set_.add_row(flexibility_.add(violated[i]));
+    known_.push_back(violated[i]);
+    is_known_[static_cast<std::size_t>(violated[i])] = 1;
+  }
+}
+
+/// One round; false when the active set can't be found.
+bool Rounds::advance() {
+  take_violated_rows();
+  if (active_set_.size() > most_rows) return false;
+  VectorXd known_violation(active_set_.size());
+  for (Index i = 0; i < known_violation.size(); ++i)
+    known_violation[i] = violation_[known_[static_cast<std::size_t>(i)]];
+  if (!active_set_.solve(known_violation, rounding_floor)) return false;
+
+  VectorXd push = -multipliers_;
+  for (Index i = 0; i < known_violation.size(); ++i)
+    multipliers_[known_[static_cast<std::size_t>(i)]] = active_set_.multipliers()[i];
+  push += multipliers_;
+  VectorXd right_side(system_.size());
+  right_side.head(system_.unknowns()) = stationarity_ + matrices().inequalities.transpose() * push;
+  right_side.tail(equality_.size()) = equality_gap_;
+  const VectorXd change = system_.solve_regularised(right_side);
+  y_ += change.head(system_.unknowns());
+  equality_ -= change.tail(equality_.size());
+  ++count_;
+  find_residuals();
+  return true;
+}
+
+ElasticPoint Rounds::result() const {
+  ElasticPoint point;
+  point.y = y_;
+  point.equality = equality_;
+  point.multipliers = multipliers_;
+  point.distance = (-violation_).cwiseMax(0.0);
+  point.shortfall = violation_.cwiseMax(0.0);
+  point.penalty = 2 * multipliers_.cwiseQuotient(problem_.prices).maxCoeff();
+  point.slack_multipliers = point.penalty * problem_.prices - multipliers_;
+  point.iterations = count_;
+  point.converged = true;
+  return point;
+}
+
+}  // namespace
+
+bool find_active_rows(const ElasticProblem& problem, const KktSystem& system, ElasticPoint& point, Progress& progress) {
+  Rounds rounds(problem, system);
+  while (!rounds.optimal()) {
+    if (rounds.count() == most_rounds) return false;
+    progress.check();
+    if (!rounds.advance()) return false;
+    progress.report(1 - std::pow(0.85, rounds.count()));
+  }
+  point = rounds.result();
+  return true;
+}
+
+}  // namespace croquis

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/dual_active_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace croquis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+/// A row that keeps less than this part of its flexibility once the active rows are held depends on them: the
+/// factorisation behind S leaves about ten digits.
+constexpr double dependence = 1e-9;
+/// Changes of the active set, per row: few rows come and go more than once.
+constexpr int changes_per_row = 4;
+
+/// At least `size` by `size`, the old entries kept; doubled, so that growing row by row stays cheap.
+void make_room(MatrixXd& matrix, Index size) {
+  if (matrix.rows() >= size) return;
+  const Index room = std::max<Index>(16, 2 * size);
+  matrix.conservativeResize(room, room);
+}
+
+}  // namespace
+
+/// How the active rows' multipliers answer to a unit of force along another row.
+struct DualActiveSet::Answer {
+  VectorXd half;         ///< L^-1 S_Pq
+  VectorXd relief;       ///< S_PP^-1 S_Pq: what each active row loses
+  double stiffness = 0;  ///< how far the row still moves; 0 when it depends on the active ones
+};
+
+void DualActiveSet::add_row(const VectorXd& flexibility) {
+  const Index row = size();
+  make_room(flexibility_, row + 1);
+  flexibility_.row(row).head(row + 1) = flexibility.transpose();
+  flexibility_.col(row).head(row + 1) = flexibility;
+  multipliers_.conservativeResize(row + 1);
+  multipliers_[row] = 0;
+  is_active_.push_back(0);
+}
+
+VectorXd DualActiveSet::active_part(const VectorXd& values) const {
+  VectorXd part(static_cast<Index>(active_.size()));
+  for (std::size_t i = 0; i < active_.size(); ++i) part[static_cast<Index>(i)] = values[active_[i]];
+  return part;
+}
+
+DualActiveSet::Answer DualActiveSet::answer_to(Index row) const {
+  const auto count = static_cast<Index>(active_.size());
+  const auto factor = factor_.topLeftCorner(count, count).triangularView<Eigen::Lower>();
+  Answer answer;
+  answer.half = factor.solve(active_part(flexibility_.col(row)));
+  answer.relief = factor.transpose().solve(answer.half);
+  const double own = flexibility_(row, row);
+  const double left = own - answer.half.squaredNorm();
+  answer.stiffness = left > dependence * std::max(own, 1.0) ? left : 0;
+  return answer;
+}
+
+/// Adds `length` times `change` to the active multipliers.
+void DualActiveSet::push(const VectorXd& change, double length, VectorXd& violation) {
+  for (std::size_t i = 0; i < active_.size(); ++i) {
+    const double step = length * change[static_cast<Index>(i)];
+    multipliers_[active_[i]] += step;
+    violation -= step * flexibility_.col(active_[i]).head(size());
+  }
+}
+
+void DualActiveSet::activate(Index row) {
+  const auto count = static_cast<Index>(active_.size());
+  const Answer answer = answer_to(row);
+  make_room(factor_, count + 1);
+  factor_.row(count).head(count) = answer.half.transpose();
+  factor_(count, count) = std::sqrt(std::max(answer.stiffness, std::numeric_limits<double>::min()));
+  active_.push_back(row);
+  is_active_[static_cast<std::size_t>(row)] = 1;
+}
+
+/// The rows that came later are factorised anew.
+void DualActiveSet::release(std::size_t place) {
+  multipliers_[active_[place]] = 0;
+  const std::vector<Index> later(active_.begin() + static_cast<std::ptrdiff_t>(place) + 1, active_.end());
+  is_active_[static_cast<std::size_t>(active_[place])] = 0;
+  active_.resize(place);
+  for (const Index row : later) activate(row);
+}
+
+/// The first active row whose multiplier reaches 0 along `change`, and after what length of it.
+struct Blocking {
+  std::size_t place = 0;
+  double length = infinity;
+};
+
+Blocking blocking_row(const VectorXd& multipliers, const VectorXd& change) {
+  Blocking blocking;
+  for (Index i = 0; i < change.size(); ++i) {
+    if (!(change[i] < 0)) continue;
+    const double length = -multipliers[i] / change[i];
+    if (length < blocking.length) blocking = {static_cast<std::size_t>(i), length};
+  }
+  return blocking;
+}
+
+/// Meets the active rows exactly again, after the numbers have changed a little.
+bool DualActiveSet::settle(VectorXd& violation) {
+  while (!active_.empty()) {
+    const auto count = static_cast<Index>(active_.size());
+    const auto factor = factor_.topLeftCorner(count, count).triangularView<Eigen::Lower>();
+    VectorXd change = factor.solve(active_part(violation));
+    factor.transpose().solveInPlace(change);
+    const Blocking blocking = blocking_row(active_part(multipliers_), change);
+    push(change, std::min(1.0, blocking.length), violation);
+    if (blocking.length >= 1) return true;
+    release(blocking.place);
+    if (--changes_left_ < 0) return false;
+  }
+  return true;
+}
+
+/// Raises the multiplier of a violated row until it is met; active rows that would pull instead of push give way.
+bool DualActiveSet::satisfy(Index row, VectorXd& violation) {
+  while (--changes_left_ >= 0) {
+    const Answer answer = answer_to(row);
+    const Blocking blocking = blocking_row(active_part(multipliers_), -answer.relief);
+    const double whole = answer.stiffness > 0 ? violation[row] / answer.stiffness : infinity;
+    const double length = std::min(whole, blocking.length);
+    if (length == infinity) return false;
+    push(-answer.relief, length, violation);
+    multipliers_[row] += length;
+    violation -= length * flexibility_.col(row).head(size());
+    if (whole <= blocking.length) {
+      activate(row);
+      return true;
+    }
+    release(blocking.place);
+  }
+  return false;
+}
+
+/// -1 when none is.
+Index DualActiveSet::most_violated(const VectorXd& violation, double tolerance) const {
+  Index worst = -1;
+  double largest = tolerance;
+  for (Index row = 0; row < violation.size(); ++row) {
+    if (is_active_[static_cast<std::size_t>(row)] != 0 || violation[row] <= largest) continue;
+    worst = row;
+    largest = violation[row];
+  }
+  return worst;
+}
+
+bool DualActiveSet::solve(VectorXd& violation, double tolerance) {
+  changes_left_ = changes_per_row * static_cast<int>(size());
+  if (!settle(violation)) return false;
+  for (Index row = most_violated(violation, tolerance); row >= 0; row = most_violated(violation, tolerance))
+    if (!satisfy(row, violation)) return false;
+  return true;
+}
+
+}  // namespace croquis
