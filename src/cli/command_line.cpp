@@ -139,6 +139,15 @@ std::string help_text(CLI::App& app) {
   return app.help();
 }
 
+/// CLI11 would only say that a subcommand is missing.
+void check_subcommand(const std::vector<std::string>& arguments, const std::vector<std::unique_ptr<Slot>>& slots) {
+  if (arguments.empty() || arguments.front().starts_with("-")) return;
+  const bool known = std::any_of(slots.begin(), slots.end(), [&](const auto& slot) {
+    return slot->description.name == arguments.front();
+  });
+  if (!known) throw usage_error("There is no subcommand '" + arguments.front() + "'; see --help.");
+}
+
 void set_up(CLI::App& app) {
   app.name("croquis-cli");
   app.require_subcommand(1);
@@ -163,6 +172,7 @@ ParsedLine parse_command_line(const std::vector<std::string>& arguments,
     slots.back()->description = command->describe();
     add_subcommand(app, *slots.back());
   }
+  check_subcommand(arguments, slots);
 
   ParsedLine line;
   try {

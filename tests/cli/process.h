@@ -16,8 +16,8 @@ struct ProcessResult {
 };
 
 struct ProcessOptions {
-  std::string standard_input;
-  std::filesystem::path folder;   ///< where it runs; empty: here
+  std::string standard_input = {};
+  std::filesystem::path folder = {};  ///< where it runs; empty: here
   int interrupt_after_ms = 0;     ///< sends SIGINT after this; 0: never
 };
 

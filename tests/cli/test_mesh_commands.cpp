@@ -43,7 +43,8 @@ TEST_CASE("check refuses what is no solid and tells every reason") {
     const ProcessResult result = run_cli({"check", path, "--json", "--quiet"});
     CHECK(result.code == 4);
     std::vector<std::string> list;
-    for (const Json& error : Json::parse(result.out)["errors"]) list.push_back(error["code"]);
+    const Json report = Json::parse(result.out);
+    for (const Json& error : report.at("errors")) list.push_back(error.at("code"));
     return list;
   };
   using List = std::vector<std::string>;

@@ -162,7 +162,7 @@ TEST_CASE("every code that the sources use is documented") {
       for (std::size_t at = text.find('"'); at != std::string::npos; at = text.find('"', at + 1)) {
         const std::size_t end = text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_", at + 1);
         const std::string word = text.substr(at + 1, end - at - 1);
-        if (text[end] != '"' || !(word.starts_with("E_") || word.starts_with("W_"))) continue;
+        if (word.size() < 3 || text[end] != '"' || !(word.starts_with("E_") || word.starts_with("W_"))) continue;
         INFO(entry.path() << " uses " << word);
         CHECK(page.find("`" + word + "`") != std::string::npos);
       }
