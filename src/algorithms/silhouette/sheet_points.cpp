@@ -26,34 +26,36 @@ constexpr double least_crossing_sine = 0.3;  // flatter crossings have no corner
 
 class SheetPointCollector {
  public:
-  SheetPointCollector(const LabelledFigure& figure, const std::vector<std::array<Vec2, 2>>& boundary)
+  SheetPointCollector(const LabelledFigure& figure, const std::vector<RimPiece>& boundary)
       : figure_(figure),
         step_(figure.step),
         bounds_(bounds_of(figure.points)),
         walk_(figure.points, figure.triangulation),
-        segments_(bounds_[0], bounds_[1], hexagon_contour_clearance * step_),
+        segments_(bounds_[0], bounds_[1], deep_row_clearance * step_),
         spaced_(bounds_[0], bounds_[1], hexagon_point_clearance * step_),
         rows_(bounds_[0], bounds_[1], row_row_clearance * step_) {
-    for (const auto& piece : boundary) {
-      segments_.add(piece[0], piece[1]);
-      spaced_.add(piece[0]);
+    for (const RimPiece& piece : boundary) {
+      segments_.add(piece.begin, piece.end);
+      spaced_.add(piece.begin);
     }
   }
 
   void add_row(Index contour, const std::vector<double>& radii, double angle, double previous_angle) {
-    std::vector<Vec2> row;
-    const double clearance = previous_angle > 0 ? deep_row_clearance : first_row_clearance;
+    Vec2 last(1e300, 1e300);
     const std::vector<Index>& vertices = figure_.contours[contour].vertices;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-      const double depth = row_depth(radii[i], angle);
-      const double gap = depth - row_depth(radii[i], previous_angle);
-      const Vec2 place = figure_.points[vertices[i]] + depth * inward(contour, i);
-      if (!row.empty() && (place - row.back()).norm() < row_spacing * step_) continue;
-      if (segments_.any_within(place, std::min(0.9 * depth, clearance * step_))) continue;
-      if (rows_.any_within(place, std::min(0.6 * gap, row_row_clearance * step_))) continue;
-      if (layers_at(place) > 0) row.push_back(place);
+      const Vec2 place = figure_.points[vertices[i]] + row_depth(radii[i], angle) * inward(contour, i);
+      if ((place - last).norm() < row_spacing * step_ || !fits_row(place, radii[i], angle, previous_angle)) continue;
+      keep(place);
+      last = place;
     }
-    finished_.insert(finished_.end(), row.begin(), row.end());
+  }
+
+  /// Rim points that were cut in need row points of their own: else edges run from there past the row.
+  void add_row_at_cut(const RimPiece& piece, double radius, double angle, double previous_angle) {
+    const Vec2 inside = figure_.contours[piece.contour].side * left_of((piece.end - piece.begin).normalized());
+    const Vec2 place = piece.begin + row_depth(radius, angle) * inside;
+    if (fits_row(place, radius, angle, previous_angle)) keep(place);
   }
 
   /// Where the first two rows of two contours cross, inside both: each rim is steep there, and the rows' own points
@@ -70,22 +72,12 @@ class SheetPointCollector {
         const Vec2 offset = (over * Vec2(b.y(), -b.x()) + under * Vec2(-a.y(), a.x())) / sine;
         const Vec2 place = figure_.points[crossing.vertex] + offset;
         const double depth = std::min(over, under);
-        if (segments_.any_within(place, 0.7 * depth) ||
+        if (segments_.any_within(place, std::min(0.7 * depth, deep_row_clearance * step_)) ||
             rows_.any_within(place, std::min(0.6 * depth, row_row_clearance * step_)))
           continue;
-        if (layers_at(place) > 0) finished_.push_back(place);
+        if (layers_at(place) > 0) keep(place);
       }
     }
-  }
-
-  /// Rows of one angle don't hinder each other: those of neighbouring contours may interleave in a thin part.
-  void end_of_rows_at_angle() {
-    for (const Vec2& place : finished_) {
-      rows_.add(place);
-      spaced_.add(place);
-    }
-    points_.insert(points_.end(), finished_.begin(), finished_.end());
-    finished_.clear();
   }
 
   void add_node(const Vec2& place) {
@@ -127,6 +119,14 @@ class SheetPointCollector {
     return figure_.contours[contour].side * left_of(tangent.normalized());
   }
 
+  bool fits_row(const Vec2& place, double radius, double angle, double previous_angle) {
+    const double depth = row_depth(radius, angle);
+    const double gap = depth - row_depth(radius, previous_angle);
+    const double clearance = previous_angle > 0 ? deep_row_clearance : first_row_clearance;
+    return !segments_.any_within(place, std::min(0.9 * depth, clearance * step_)) &&
+           !rows_.any_within(place, std::min(0.6 * gap, row_row_clearance * step_)) && layers_at(place) > 0;
+  }
+
   int layers_at(const Vec2& place) {
     const Index triangle = walk_.locate(place);
     return triangle == no_index ? 0 : figure_.layers[triangle];
@@ -134,6 +134,7 @@ class SheetPointCollector {
 
   void keep(const Vec2& place) {
     spaced_.add(place);
+    rows_.add(place);
     points_.push_back(place);
   }
 
@@ -145,21 +146,20 @@ class SheetPointCollector {
   ProximityGrid spaced_;  ///< all points so far
   ProximityGrid rows_;
   std::vector<Vec2> points_;
-  std::vector<Vec2> finished_;  ///< rows at the angle under way
 };
 
 }  // namespace
 
 std::vector<Vec2> sheet_points(const LabelledFigure& figure, const Skeleton& skeleton,
-                               const std::vector<std::array<Vec2, 2>>& boundary,
-                               const std::vector<std::vector<double>>& radii) {
+                               const std::vector<RimPiece>& boundary, const std::vector<std::vector<double>>& radii) {
   SheetPointCollector collector(figure, boundary);
   for (const FigureCrossing& crossing : figure.crossings) collector.add_crossing(crossing, radii);
-  collector.end_of_rows_at_angle();
   double previous_angle = 0;
   for (const double angle : row_angles) {
+    for (const RimPiece& piece : boundary) {
+      if (piece.cut) collector.add_row_at_cut(piece, radii[piece.contour][piece.position], angle, previous_angle);
+    }
     for (Index c = 0; c < figure.contours.size(); ++c) collector.add_row(c, radii[c], angle, previous_angle);
-    collector.end_of_rows_at_angle();
     previous_angle = angle;
   }
   for (const SkeletonNode& node : skeleton.nodes) collector.add_node(node.position);

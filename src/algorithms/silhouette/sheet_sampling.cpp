@@ -126,8 +126,13 @@ SheetSampling sample_sheets(const LabelledFigure& figure, const Skeleton& skelet
   sheets.radii = rim_radii(figure, skeleton);
   cut_segments(figure, segments, crossing_splits(figure, segments, sheets.radii), sheets);
 
-  std::vector<std::array<Vec2, 2>> boundary;
-  for (const auto& piece : sheets.segments) boundary.push_back({sheets.points[piece[0]], sheets.points[piece[1]]});
+  std::vector<RimPiece> boundary;
+  for (std::size_t k = 0; k < sheets.segments.size(); ++k) {
+    const auto& [begin, end] = sheets.segments[k];
+    const DirectedSegment& parent = segments[sheets.parents[k]];
+    boundary.push_back(
+        {sheets.points[begin], sheets.points[end], parent.contour, parent.position, begin >= figure.points.size()});
+  }
   const std::vector<Vec2> inner = sheet_points(figure, skeleton, boundary, sheets.radii);
   sheets.points.insert(sheets.points.end(), inner.begin(), inner.end());
 
