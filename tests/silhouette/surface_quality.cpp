@@ -108,6 +108,26 @@ Spread rim_serration(const PolyMesh& mesh) {
   return spread_of(std::move(excess));
 }
 
+double deepest_rim_notch(const PolyMesh& mesh) {
+  const std::map<Index, RimStep> steps = rim_steps(mesh);
+  std::map<std::pair<Index, Index>, std::pair<std::size_t, Index>> front;  // edge: its face and the corner opposite
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto c = mesh.face(f);
+    if (face_normal(mesh, f).z() <= 0) continue;
+    for (std::size_t i = 0; i < 3; ++i) front[{c[i], c[(i + 1) % 3]}] = {f, c[(i + 2) % 3]};
+  }
+  double deepest = 0;
+  for (const auto& [edge, side] : front) {
+    const auto twin = front.find({edge.second, edge.first});
+    if (twin == front.end() || steps.count(edge.first) == 0) continue;
+    const Vec3 normal = face_normal(mesh, side.first);
+    const Vec3 across = mesh.positions[twin->second.second] - mesh.positions[edge.first];
+    if (normal.dot(across) <= 0) continue;
+    deepest = std::max(deepest, angle_between(normal, face_normal(mesh, twin->second.first)) * degrees);
+  }
+  return deepest;
+}
+
 std::vector<double> vertical_hits(const PolyMesh& mesh, const Vec2& place) {
   std::vector<double> hits;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {

@@ -21,6 +21,10 @@ Spread spread_of(std::vector<double> values);
 /// outline itself turns there: a smooth rim has nearly none.
 Spread rim_serration(const PolyMesh& mesh);
 
+/// Degrees by which the front is bent inwards most at an edge that ends on the outline: a notch in the rim. Round
+/// solids have few degrees of it, from the sampling alone.
+double deepest_rim_notch(const PolyMesh& mesh);
+
 /// Heights at which the vertical line through a place pierces the mesh, ascending.
 std::vector<double> vertical_hits(const PolyMesh& mesh, const Vec2& place);
 

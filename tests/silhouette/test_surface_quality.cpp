@@ -63,6 +63,12 @@ TEST_CASE("sections normal to inclined tubes are circles") {
   }
 }
 
+TEST_CASE("tubes have no notches where others cross their rims") {
+  for (const test::Sketch& sketch : {test::trefoil_sketch(), test::snake_sketch(), test::weave_sketch()}) {
+    CHECK(test::deepest_rim_notch(solid_of(sketch).mesh) <= 25);
+  }
+}
+
 TEST_CASE("the rim of a capsule is part of a circle to a hundredth of its radius") {
   const test::FigureFixture fixture = test::capsule_figure();
   Progress progress;
