@@ -13,11 +13,16 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// A row that keeps less than this part of its flexibility once the active rows are held depends on them: the
-/// factorisation behind S leaves about ten digits.
-constexpr double dependence = 1e-9;
+/// A row that keeps less than this part of its flexibility once the active rows are held depends on them.
+constexpr double dependence = 1e-10;
+/// The same, where an unknown's own flexibility is 1: less than this is left to rows that depend on equalities, by the
+/// regularisation of 1e-10 times the square of their coefficients.
+constexpr double least_flexibility = 1e-7;
 /// Changes of the active set, per row: few rows come and go more than once.
 constexpr int changes_per_row = 4;
+/// Violation that a row depending on the active ones may keep: what the regularisation makes of rows that hold, which
+/// the caller's refinement takes out again.
+constexpr double implied_violation = 1e-5;
 
 /// At least `size` by `size`, the old entries kept; doubled, so that growing row by row stays cheap.
 void make_room(MatrixXd& matrix, Index size) {
@@ -30,9 +35,9 @@ void make_room(MatrixXd& matrix, Index size) {
 
 /// How the active rows' multipliers answer to a unit of force along another row.
 struct DualActiveSet::Answer {
-  VectorXd half;         ///< L^-1 S_Pq
-  VectorXd relief;       ///< S_PP^-1 S_Pq: what each active row loses
-  double stiffness = 0;  ///< how far the row still moves; 0 when it depends on the active ones
+  VectorXd half;           ///< L^-1 S_Pq
+  VectorXd relief;         ///< S_PP^-1 S_Pq: what each active row loses
+  double flexibility = 0;  ///< how far the row still moves; 0 when it depends on the active ones
 };
 
 void DualActiveSet::add_row(const VectorXd& flexibility) {
@@ -43,6 +48,7 @@ void DualActiveSet::add_row(const VectorXd& flexibility) {
   multipliers_.conservativeResize(row + 1);
   multipliers_[row] = 0;
   is_active_.push_back(0);
+  is_implied_.push_back(0);
 }
 
 VectorXd DualActiveSet::active_part(const VectorXd& values) const {
@@ -59,7 +65,7 @@ DualActiveSet::Answer DualActiveSet::answer_to(Index row) const {
   answer.relief = factor.transpose().solve(answer.half);
   const double own = flexibility_(row, row);
   const double left = own - answer.half.squaredNorm();
-  answer.stiffness = left > dependence * std::max(own, 1.0) ? left : 0;
+  answer.flexibility = left > std::max(dependence * own, least_flexibility) ? left : 0;
   return answer;
 }
 
@@ -77,7 +83,7 @@ void DualActiveSet::activate(Index row) {
   const Answer answer = answer_to(row);
   make_room(factor_, count + 1);
   factor_.row(count).head(count) = answer.half.transpose();
-  factor_(count, count) = std::sqrt(std::max(answer.stiffness, std::numeric_limits<double>::min()));
+  factor_(count, count) = std::sqrt(std::max(answer.flexibility, std::numeric_limits<double>::min()));
   active_.push_back(row);
   is_active_[static_cast<std::size_t>(row)] = 1;
 }
@@ -127,8 +133,12 @@ bool DualActiveSet::settle(VectorXd& violation) {
 bool DualActiveSet::satisfy(Index row, VectorXd& violation) {
   while (--changes_left_ >= 0) {
     const Answer answer = answer_to(row);
+    if (answer.flexibility == 0 && violation[row] <= implied_violation) {
+      is_implied_[static_cast<std::size_t>(row)] = 1;
+      return true;
+    }
     const Blocking blocking = blocking_row(active_part(multipliers_), -answer.relief);
-    const double whole = answer.stiffness > 0 ? violation[row] / answer.stiffness : infinity;
+    const double whole = answer.flexibility > 0 ? violation[row] / answer.flexibility : infinity;
     const double length = std::min(whole, blocking.length);
     if (length == infinity) return false;
     push(-answer.relief, length, violation);
@@ -148,7 +158,8 @@ Index DualActiveSet::most_violated(const VectorXd& violation, double tolerance) 
   Index worst = -1;
   double largest = tolerance;
   for (Index row = 0; row < violation.size(); ++row) {
-    if (is_active_[static_cast<std::size_t>(row)] != 0 || violation[row] <= largest) continue;
+    const auto place = static_cast<std::size_t>(row);
+    if (is_active_[place] != 0 || is_implied_[place] != 0 || violation[row] <= largest) continue;
     worst = row;
     largest = violation[row];
   }
@@ -157,6 +168,7 @@ Index DualActiveSet::most_violated(const VectorXd& violation, double tolerance) 
 
 bool DualActiveSet::solve(VectorXd& violation, double tolerance) {
   changes_left_ = changes_per_row * static_cast<int>(size());
+  is_implied_.assign(is_implied_.size(), 0);
   if (!settle(violation)) return false;
   for (Index row = most_violated(violation, tolerance); row >= 0; row = most_violated(violation, tolerance))
     if (!satisfy(row, violation)) return false;

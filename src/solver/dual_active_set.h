@@ -19,7 +19,9 @@ class DualActiveSet {
   /// @param flexibility S between the new row and every row so far, then with itself
   void add_row(const Eigen::VectorXd& flexibility);
 
-  /// Finds multipliers >= 0 such that no row is violated and every row with a multiplier is met exactly.
+  /// Finds multipliers >= 0 such that no row is violated and every row with a multiplier is met exactly. Rows that
+  /// depend on those with a multiplier can't be improved by any force: they may stay violated a
+  /// little, for the caller to see.
   ///
   /// @param violation b - G y of every row, at the present multipliers; changed to what is left, 0 up to `tolerance`
   /// @return false when the rows contradict each other, depend on each other too closely or take too many changes
@@ -43,6 +45,7 @@ class DualActiveSet {
   Eigen::VectorXd multipliers_;       ///< per row
   std::vector<Eigen::Index> active_;  ///< rows with a multiplier, as they came
   std::vector<char> is_active_;       ///< per row
+  std::vector<char> is_implied_;      ///< per row: met as well as can be, through the rows that it depends on
   Eigen::MatrixXd factor_;            ///< lower Cholesky factor of S between the active rows
   int changes_left_ = 0;
 };
