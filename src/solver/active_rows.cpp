@@ -17,9 +17,9 @@ using Eigen::VectorXd;
 
 constexpr int most_rounds = 25;
 /// Beyond this many rows the interior point's few factorisations are cheaper.
-constexpr Index most_rows = 320;
-/// Rows that may join in one round: neighbours of the worst one are often settled with it.
-constexpr int rows_per_round = 16;
+constexpr Index most_rows = 1000;
+/// Rows that may join in one round, or half as many as press already: few are wasted, and few rounds are needed.
+constexpr Index least_rows_per_round = 16;
 /// Largest error of a point that passes, relative to the largest violation of the start (and for forces to the largest
 /// multiplier); polishing asks for the same.
 constexpr double verification_tolerance = 1e-10;
@@ -38,6 +38,8 @@ class Rounds {
  private:
   const ScaledProblem& matrices() const { return *problem_.matrices; }
   void find_residuals();
+  std::vector<Index> violated_rows() const;
+  bool meets_taken_row(Index row);
   void take_violated_rows();
   double error() const;
 
@@ -45,8 +47,9 @@ class Rounds {
   const KktSystem& system_;
   RowFlexibility flexibility_;
   DualActiveSet active_set_;
-  std::vector<Index> known_;    ///< row of each entry of the active set
-  std::vector<char> is_known_;  ///< per row
+  std::vector<Index> known_;        ///< row of each entry of the active set
+  std::vector<char> is_known_;      ///< per row
+  Eigen::VectorXi taken_in_round_;  ///< per unknown, the last round that took a row of it
   VectorXd y_, equality_, multipliers_;
   VectorXd stationarity_, equality_gap_, violation_;
   double last_error_ = std::numeric_limits<double>::infinity();
@@ -59,6 +62,7 @@ Rounds::Rounds(const ElasticProblem& problem, const KktSystem& system)
       system_(system),
       flexibility_(*problem.matrices, system),
       is_known_(static_cast<std::size_t>(problem.bounds.size()), 0),
+      taken_in_round_(Eigen::VectorXi::Zero(system.unknowns())),
       y_(VectorXd::Zero(system.unknowns())),
       equality_(VectorXd::Zero(system.size() - system.unknowns())),
       multipliers_(VectorXd::Zero(problem.bounds.size())),
@@ -93,18 +97,36 @@ bool Rounds::optimal() {
   return now <= rounding_floor || (now <= verification_tolerance && stalled);
 }
 
-void Rounds::take_violated_rows() {
+/// The unknown rows that are violated, the worst first.
+std::vector<Index> Rounds::violated_rows() const {
   std::vector<Index> violated;
   for (Index row = 0; row < violation_.size(); ++row)
     if (violation_[row] > rounding_floor && is_known_[static_cast<std::size_t>(row)] == 0) violated.push_back(row);
-  const auto count = std::min<std::size_t>(violated.size(), rows_per_round);
-  std::partial_sort(
-      violated.begin(), violated.begin() + static_cast<std::ptrdiff_t>(count), violated.end(),
-      [this](Index a, Index b) { return violation_[a] > violation_[b] || (violation_[a] == violation_[b] && a < b); });
-  for (std::size_t i = 0; i < count; ++i) {
-    active_set_.add_row(flexibility_.add(violated[i]));
-    known_.push_back(violated[i]);
-    is_known_[static_cast<std::size_t>(violated[i])] = 1;
+  std::sort(violated.begin(), violated.end(), [this](Index a, Index b) {
+    return violation_[a] > violation_[b] || (violation_[a] == violation_[b] && a < b);
+  });
+  return violated;
+}
+
+/// True when an unknown of the row belongs to one taken in this round; else marks its unknowns.
+bool Rounds::meets_taken_row(Index row) {
+  bool meets = false;
+  for (RowMatrix::InnerIterator entry(matrices().inequalities, row); entry; ++entry)
+    meets = meets || taken_in_round_[entry.col()] == count_ + 1;
+  for (RowMatrix::InnerIterator entry(matrices().inequalities, row); entry && !meets; ++entry)
+    taken_in_round_[entry.col()] = count_ + 1;
+  return meets;
+}
+
+/// Of rows that share an unknown the worst one comes first: it often settles the others.
+void Rounds::take_violated_rows() {
+  Index places = std::max(least_rows_per_round, static_cast<Index>(active_set_.active_count() / 2));
+  for (const Index row : violated_rows()) {
+    if (meets_taken_row(row)) continue;
+    active_set_.add_row(flexibility_.add(row));
+    known_.push_back(row);
+    is_known_[static_cast<std::size_t>(row)] = 1;
+    if (--places == 0) return;
   }
 }
 

@@ -15,6 +15,7 @@ namespace croquis {
 class DualActiveSet {
  public:
   Eigen::Index size() const { return multipliers_.size(); }
+  std::size_t active_count() const { return active_.size(); }
 
   /// @param flexibility S between the new row and every row so far, then with itself
   void add_row(const Eigen::VectorXd& flexibility);
