@@ -20,6 +20,8 @@ constexpr int most_rounds = 25;
 constexpr Index most_rows = 1000;
 /// Rows that may join in one round, or half as many as press already: few are wasted, and few rounds are needed.
 constexpr Index least_rows_per_round = 16;
+/// The worst so many join even if they share unknowns: where all rows do, rounds would run out.
+constexpr Index always_taken = 4;
 /// Largest error of a point that passes, relative to the largest violation of the start (and for forces to the largest
 /// multiplier); polishing asks for the same.
 constexpr double verification_tolerance = 1e-10;
@@ -120,13 +122,14 @@ bool Rounds::meets_taken_row(Index row) {
 
 /// Of rows that share an unknown the worst one comes first: it often settles the others.
 void Rounds::take_violated_rows() {
-  Index places = std::max(least_rows_per_round, static_cast<Index>(active_set_.active_count() / 2));
+  const Index places = std::max(least_rows_per_round, static_cast<Index>(active_set_.active_count() / 2));
+  Index taken = 0;
   for (const Index row : violated_rows()) {
-    if (meets_taken_row(row)) continue;
+    if (meets_taken_row(row) && taken >= always_taken) continue;
     active_set_.add_row(flexibility_.add(row));
     known_.push_back(row);
     is_known_[static_cast<std::size_t>(row)] = 1;
-    if (--places == 0) return;
+    if (++taken == places) return;
   }
 }
 
