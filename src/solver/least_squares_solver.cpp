@@ -9,10 +9,10 @@
 
 #include "croquis/base/error.h"
 #include "solver/active_rows.h"
+#include "solver/elastic_optimum.h"
 #include "solver/equality_optimum.h"
 #include "solver/interior_point.h"
 #include "solver/kkt_system.h"
-#include "solver/polishing.h"
 #include "solver/problem_check.h"
 #include "solver/row_sizes.h"
 #include "solver/scaled_problem.h"
@@ -30,8 +30,6 @@ constexpr double rounding_tolerance = 1e-12;
 constexpr double farthest_row = 1e7;
 /// Rows whose lengths differ by more than this are priced as if by this: beyond it, prices lose their digits.
 constexpr double widest_price_range = 1e4;
-/// How much closer the interior point goes when the first polishing finds no roles that verify.
-constexpr double second_effort = 1e-3;
 /// Share of the work before the interior point starts, where there is one.
 constexpr double first_share = 0.1;
 
@@ -137,16 +135,7 @@ ElasticPoint LeastSquaresSolver::State::optimum_of_all_rows(const ElasticProblem
   ElasticPoint point;
   if (!flat && find_active_rows(elastic, *rest_system, point, progress)) return point;
   if (!weighted_system) weighted_system = std::make_unique<KktSystem>(scaled, KktSystem::Rows::Weighted);
-  KktSystem& system = *weighted_system;
-  point = starting_point(elastic);
-  run_interior_point(elastic, system, options, options.complementarity_tolerance, point, progress);
-  if (point.converged && !polish(elastic, system, point, progress)) {
-    // Many rows that only just touch: their roles show a few steps later.
-    run_interior_point(elastic, system, options, second_effort * options.complementarity_tolerance, point, progress);
-    if (point.converged) polish(elastic, system, point, progress);
-    point.converged = true;
-  }
-  return point;
+  return find_elastic_optimum(elastic, *weighted_system, options, progress);
 }
 
 /// Moves the optimum of the equalities to that of all rows.
