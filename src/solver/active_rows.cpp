@@ -6,7 +6,6 @@
 #include <limits>
 #include <vector>
 
-#include "solver/dual_active_set.h"
 #include "solver/row_flexibility.h"
 
 namespace croquis {
@@ -14,6 +13,8 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
+
+using Outcome = DualActiveSet::Outcome;
 
 constexpr int most_rounds = 25;
 /// Beyond this many rows the interior point's few factorisations are cheaper.
@@ -33,7 +34,7 @@ class Rounds {
   Rounds(const ElasticProblem& problem, const KktSystem& system);
 
   bool optimal();
-  bool advance();
+  Outcome advance();
   int count() const { return count_; }
   ElasticPoint result() const;
 
@@ -133,14 +134,15 @@ void Rounds::take_violated_rows() {
   }
 }
 
-/// One round; false when the active set can't be found.
-bool Rounds::advance() {
+/// One round.
+Outcome Rounds::advance() {
   take_violated_rows();
-  if (active_set_.size() > most_rows) return false;
+  if (active_set_.size() > most_rows) return Outcome::GaveUp;
   VectorXd known_violation(active_set_.size());
   for (Index i = 0; i < known_violation.size(); ++i)
     known_violation[i] = violation_[known_[static_cast<std::size_t>(i)]];
-  if (!active_set_.solve(known_violation, rounding_floor)) return false;
+  const Outcome outcome = active_set_.solve(known_violation, rounding_floor);
+  if (outcome != Outcome::Solved) return outcome;
 
   VectorXd push = -multipliers_;
   for (Index i = 0; i < known_violation.size(); ++i)
@@ -154,7 +156,7 @@ bool Rounds::advance() {
   equality_ -= change.tail(equality_.size());
   ++count_;
   find_residuals();
-  return true;
+  return Outcome::Solved;
 }
 
 ElasticPoint Rounds::result() const {
@@ -173,16 +175,18 @@ ElasticPoint Rounds::result() const {
 
 }  // namespace
 
-bool find_active_rows(const ElasticProblem& problem, const KktSystem& system, ElasticPoint& point, Progress& progress) {
+DualActiveSet::Outcome find_active_rows(const ElasticProblem& problem, const KktSystem& system, ElasticPoint& point,
+                                        Progress& progress) {
   Rounds rounds(problem, system);
   while (!rounds.optimal()) {
-    if (rounds.count() == most_rounds) return false;
+    if (rounds.count() == most_rounds) return Outcome::GaveUp;
     progress.check();
-    if (!rounds.advance()) return false;
+    const Outcome outcome = rounds.advance();
+    if (outcome != Outcome::Solved) return outcome;
     progress.report(1 - std::pow(0.85, rounds.count()));
   }
   point = rounds.result();
-  return true;
+  return Outcome::Solved;
 }
 
 }  // namespace croquis

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "croquis/base/progress.h"
+#include "solver/dual_active_set.h"
 #include "solver/interior_point.h"
 #include "solver/kkt_system.h"
 
@@ -15,7 +16,8 @@ namespace croquis {
 ///
 /// @param system holds the factors of K(0)
 /// @param point set to the optimum, its penalty large enough for its multipliers; untouched when there is none
-/// @return false when rows contradict each other, or more of them press than this method is meant for
-bool find_active_rows(const ElasticProblem& problem, const KktSystem& system, ElasticPoint& point, Progress& progress);
+/// @return Contradictory when no forces hold all rows, GaveUp when more of them press than this method is meant for
+DualActiveSet::Outcome find_active_rows(const ElasticProblem& problem, const KktSystem& system, ElasticPoint& point,
+                                        Progress& progress);
 
 }  // namespace croquis

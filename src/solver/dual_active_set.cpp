@@ -114,7 +114,7 @@ Blocking blocking_row(const VectorXd& multipliers, const VectorXd& change) {
 }
 
 /// Meets the active rows exactly again, after the numbers have changed a little.
-bool DualActiveSet::settle(VectorXd& violation) {
+DualActiveSet::Outcome DualActiveSet::settle(VectorXd& violation) {
   while (!active_.empty()) {
     const auto count = static_cast<Index>(active_.size());
     const auto factor = factor_.topLeftCorner(count, count).triangularView<Eigen::Lower>();
@@ -122,35 +122,35 @@ bool DualActiveSet::settle(VectorXd& violation) {
     factor.transpose().solveInPlace(change);
     const Blocking blocking = blocking_row(active_part(multipliers_), change);
     push(change, std::min(1.0, blocking.length), violation);
-    if (blocking.length >= 1) return true;
+    if (blocking.length >= 1) return Outcome::Solved;
     release(blocking.place);
-    if (--changes_left_ < 0) return false;
+    if (--changes_left_ < 0) return Outcome::GaveUp;
   }
-  return true;
+  return Outcome::Solved;
 }
 
 /// Raises the multiplier of a violated row until it is met; active rows that would pull instead of push give way.
-bool DualActiveSet::satisfy(Index row, VectorXd& violation) {
+DualActiveSet::Outcome DualActiveSet::satisfy(Index row, VectorXd& violation) {
   while (--changes_left_ >= 0) {
     const Answer answer = answer_to(row);
     if (answer.flexibility == 0 && violation[row] <= implied_violation) {
       is_implied_[static_cast<std::size_t>(row)] = 1;
-      return true;
+      return Outcome::Solved;
     }
     const Blocking blocking = blocking_row(active_part(multipliers_), -answer.relief);
     const double whole = answer.flexibility > 0 ? violation[row] / answer.flexibility : infinity;
     const double length = std::min(whole, blocking.length);
-    if (length == infinity) return false;
+    if (length == infinity) return Outcome::Contradictory;
     push(-answer.relief, length, violation);
     multipliers_[row] += length;
     violation -= length * flexibility_.col(row).head(size());
     if (whole <= blocking.length) {
       activate(row);
-      return true;
+      return Outcome::Solved;
     }
     release(blocking.place);
   }
-  return false;
+  return Outcome::GaveUp;
 }
 
 /// -1 when none is.
@@ -166,13 +166,16 @@ Index DualActiveSet::most_violated(const VectorXd& violation, double tolerance) 
   return worst;
 }
 
-bool DualActiveSet::solve(VectorXd& violation, double tolerance) {
+DualActiveSet::Outcome DualActiveSet::solve(VectorXd& violation, double tolerance) {
   changes_left_ = changes_per_row * static_cast<int>(size());
   is_implied_.assign(is_implied_.size(), 0);
-  if (!settle(violation)) return false;
-  for (Index row = most_violated(violation, tolerance); row >= 0; row = most_violated(violation, tolerance))
-    if (!satisfy(row, violation)) return false;
-  return true;
+  Outcome outcome = settle(violation);
+  while (outcome == Outcome::Solved) {
+    const Index row = most_violated(violation, tolerance);
+    if (row < 0) break;
+    outcome = satisfy(row, violation);
+  }
+  return outcome;
 }
 
 }  // namespace croquis

@@ -14,6 +14,12 @@ namespace croquis {
 /// Rows are added between the calls of solve(), which starts from the last active set. Dense: O(#active^2) per change.
 class DualActiveSet {
  public:
+  enum class Outcome {
+    Solved,
+    Contradictory,  ///< no multipliers, however large, hold all rows
+    GaveUp          ///< too many changes
+  };
+
   Eigen::Index size() const { return multipliers_.size(); }
   std::size_t active_count() const { return active_.size(); }
 
@@ -25,16 +31,15 @@ class DualActiveSet {
   /// little, for the caller to see.
   ///
   /// @param violation b - G y of every row, at the present multipliers; changed to what is left, 0 up to `tolerance`
-  /// @return false when the rows contradict each other, depend on each other too closely or take too many changes
-  bool solve(Eigen::VectorXd& violation, double tolerance);
+  Outcome solve(Eigen::VectorXd& violation, double tolerance);
 
   const Eigen::VectorXd& multipliers() const { return multipliers_; }
 
  private:
   struct Answer;
 
-  bool settle(Eigen::VectorXd& violation);
-  bool satisfy(Eigen::Index row, Eigen::VectorXd& violation);
+  Outcome settle(Eigen::VectorXd& violation);
+  Outcome satisfy(Eigen::Index row, Eigen::VectorXd& violation);
   Answer answer_to(Eigen::Index row) const;
   void push(const Eigen::VectorXd& change, double length, Eigen::VectorXd& violation);
   void activate(Eigen::Index row);

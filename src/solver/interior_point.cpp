@@ -12,8 +12,6 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// First penalty per unit of shortfall, where an unknown's own curvature and the largest violation are 1.
-constexpr double first_penalty = 1e2;
 /// The penalty is raised while it is below this multiple of the largest multiplier: the margin that makes it exact.
 constexpr double penalty_margin = 10;
 constexpr double penalty_growth = 1e2;
@@ -176,9 +174,9 @@ bool Run::iterate() {
 
 /// Every row starts satisfied at a distance of 1 (the largest violation) or more, by a shortfall where it must: steps
 /// are not held up by rows that can't be met.
-ElasticPoint starting_point(const ElasticProblem& problem) {
+ElasticPoint starting_point(const ElasticProblem& problem, double penalty) {
   ElasticPoint point;
-  point.penalty = first_penalty;
+  point.penalty = penalty;
   point.y = VectorXd::Zero(problem.matrices->objective.cols());
   point.equality = VectorXd::Zero(problem.matrices->equalities.rows());
   point.distance = (-problem.bounds).cwiseMax(0.0).array() + 1;

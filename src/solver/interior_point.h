@@ -34,8 +34,12 @@ struct ElasticPoint {
   bool converged = false;
 };
 
+/// First penalty per unit of shortfall, where an unknown's own curvature and the largest violation are 1. It is raised
+/// up to 1e4 times.
+inline constexpr double first_penalty = 1e2;
+
 /// Where the method starts: y = 0, every row at a distance, shortfalls small.
-ElasticPoint starting_point(const ElasticProblem& problem);
+ElasticPoint starting_point(const ElasticProblem& problem, double penalty = first_penalty);
 
 /// Mehrotra's predictor-corrector method from `point` until the mean product of the pairs (w, lambda) and (s, mu) is at
 /// most `complementarity`; s is eliminated, so a step factorises K(D) with D = 1 / (w/lambda + s/mu).

@@ -133,9 +133,12 @@ LeastSquaresSolution LeastSquaresSolver::State::solve(Progress& progress) {
 /// By the few rows that press where that succeeds, else by the interior point.
 ElasticPoint LeastSquaresSolver::State::optimum_of_all_rows(const ElasticProblem& elastic, Progress& progress) {
   ElasticPoint point;
-  if (!flat && find_active_rows(elastic, *rest_system, point, progress)) return point;
+  DualActiveSet::Outcome outcome = DualActiveSet::Outcome::GaveUp;
+  if (!flat) outcome = find_active_rows(elastic, *rest_system, point, progress);
+  if (outcome == DualActiveSet::Outcome::Solved) return point;
   if (!weighted_system) weighted_system = std::make_unique<KktSystem>(scaled, KktSystem::Rows::Weighted);
-  return find_elastic_optimum(elastic, *weighted_system, options, progress);
+  return find_elastic_optimum(elastic, *weighted_system, options, outcome == DualActiveSet::Outcome::Contradictory,
+                              progress);
 }
 
 /// Moves the optimum of the equalities to that of all rows.

@@ -2,6 +2,7 @@
 #include "solver/active_rows.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <catch2/catch.hpp>
 
@@ -43,11 +44,11 @@ TEST_CASE("the rows that press give the same optimum as the interior point") {
     KktSystem rest(rows.scaled, KktSystem::Rows::None);
     REQUIRE(rest.factorise({}));
     ElasticPoint active;
-    REQUIRE(find_active_rows(rows.elastic, rest, active, progress));
+    REQUIRE(find_active_rows(rows.elastic, rest, active, progress) == DualActiveSet::Outcome::Solved);
     CHECK(rest.factorisations() == 1);
 
     KktSystem weighted(rows.scaled, KktSystem::Rows::Weighted);
-    const ElasticPoint interior = find_elastic_optimum(rows.elastic, weighted, {}, progress);
+    const ElasticPoint interior = find_elastic_optimum(rows.elastic, weighted, {}, false, progress);
     CHECK(interior.converged);
     CHECK(interior.iterations <= 25);
     CHECK(weighted.factorisations() <= 40);
@@ -77,14 +78,34 @@ TEST_CASE("random rows have the same optimum by the interior point alone") {
     KktSystem rest(rows.scaled, KktSystem::Rows::None);
     REQUIRE(rest.factorise({}));
     KktSystem weighted(rows.scaled, KktSystem::Rows::Weighted);
-    const ElasticPoint interior = find_elastic_optimum(rows.elastic, weighted, {}, progress);
+    const ElasticPoint interior = find_elastic_optimum(rows.elastic, weighted, {}, false, progress);
     CHECK(interior.converged);
     ElasticPoint active;
-    const bool held = find_active_rows(rows.elastic, rest, active, progress);
+    const bool held = find_active_rows(rows.elastic, rest, active, progress) == DualActiveSet::Outcome::Solved;
     CHECK(held == (interior.shortfall.maxCoeff() <= 1e-9));
     all_hold += held ? 1 : 0;
     if (held) CHECK(difference(active.y, interior.y) <= 1e-7 * (1 + interior.y.lpNorm<Eigen::Infinity>()));
   }
   CHECK(all_hold >= 50);
   CHECK(all_hold <= 190);
+}
+
+TEST_CASE("the interior point holds rows at a higher price when the first was too low") {
+  // The equality couples x0, which has to be 1, to a lever 3000 times as long.
+  LeastSquaresProblem problem;
+  problem.objective = Eigen::MatrixXd::Identity(2, 2).sparseView();
+  problem.equalities = Eigen::MatrixXd((Eigen::MatrixXd(1, 2) << 1, 1.0 / 3000).finished()).sparseView();
+  problem.inequalities = Eigen::MatrixXd((Eigen::MatrixXd(1, 2) << 1, 0).finished()).sparseView();
+  problem.inequality_bounds = VectorXd::Ones(1);
+  const Rows rows(problem);
+  Progress progress;
+  KktSystem weighted(rows.scaled, KktSystem::Rows::Weighted);
+  const ElasticPoint point = find_elastic_optimum(rows.elastic, weighted, {}, false, progress);
+  CHECK(point.converged);
+  CHECK(point.shortfall.maxCoeff() <= 1e-9);
+  CHECK(point.y[1] == Approx(-3000));
+  CHECK(point.multipliers[0] == Approx(1 + 9e6));
+  CHECK(weighted.factorisations() <= 40);
+  KktSystem known(rows.scaled, KktSystem::Rows::Weighted);
+  CHECK(find_elastic_optimum(rows.elastic, known, {}, true, progress).shortfall[0] > 0.5);
 }

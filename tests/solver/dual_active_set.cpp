@@ -49,17 +49,17 @@ TEST_CASE("multipliers of random rows meet the optimality conditions, given at o
     DualActiveSet whole;
     add_rows(flexibility, 0, rows, whole);
     VectorXd violation = bounds;
-    REQUIRE(whole.solve(violation, tolerance));
+    REQUIRE(whole.solve(violation, tolerance) == DualActiveSet::Outcome::Solved);
     check_optimal(flexibility, bounds, whole.multipliers());
 
     DualActiveSet parts;
     const Eigen::Index half = rows / 2;
     add_rows(flexibility, 0, half, parts);
     VectorXd first = bounds.head(half);
-    REQUIRE(parts.solve(first, tolerance));
+    REQUIRE(parts.solve(first, tolerance) == DualActiveSet::Outcome::Solved);
     add_rows(flexibility, half, rows, parts);
     VectorXd second = bounds - flexibility.leftCols(half) * parts.multipliers().head(half);
-    REQUIRE(parts.solve(second, tolerance));
+    REQUIRE(parts.solve(second, tolerance) == DualActiveSet::Outcome::Solved);
     check_optimal(flexibility, bounds, parts.multipliers());
   }
 }
@@ -72,12 +72,12 @@ TEST_CASE("bounds that change a little are followed from the last active set") {
   DualActiveSet set;
   add_rows(flexibility, 0, 12, set);
   VectorXd violation = bounds;
-  REQUIRE(set.solve(violation, tolerance));
+  REQUIRE(set.solve(violation, tolerance) == DualActiveSet::Outcome::Solved);
   for (int change = 0; change < 30; ++change) {
     CAPTURE(change);
     bounds += 0.3 * random_rows(random, 12, 1);
     violation = bounds - flexibility * set.multipliers();
-    REQUIRE(set.solve(violation, tolerance));
+    REQUIRE(set.solve(violation, tolerance) == DualActiveSet::Outcome::Solved);
     check_optimal(flexibility, bounds, set.multipliers());
   }
 }
@@ -87,11 +87,11 @@ TEST_CASE("rows that contradict each other are refused, repeated ones are not") 
   DualActiveSet contradictory;
   add_rows(opposite, 0, 2, contradictory);
   VectorXd violation = VectorXd::Constant(2, 0.5);
-  CHECK_FALSE(contradictory.solve(violation, tolerance));
+  CHECK(contradictory.solve(violation, tolerance) == DualActiveSet::Outcome::Contradictory);
 
   DualActiveSet repeated;
   add_rows(MatrixXd::Ones(3, 3), 0, 3, repeated);
   violation = (VectorXd(3) << 0.25, 1, 0.5).finished();
-  CHECK(repeated.solve(violation, tolerance));
+  CHECK(repeated.solve(violation, tolerance) == DualActiveSet::Outcome::Solved);
   CHECK(repeated.multipliers() == VectorXd((VectorXd(3) << 0, 1, 0).finished()));
 }

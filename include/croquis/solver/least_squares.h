@@ -68,7 +68,8 @@ struct LeastSquaresSolution {
 /// corrector takes over (Mehrotra 1992; Nocedal and Wright 2006, section 16.6), with about 10 to 20 factorisations. It
 /// works on the elastic form: every inequality may fall short at a price per unit that exceeds ten times the largest
 /// multiplier, which makes the penalty exact (Nocedal and Wright 2006, section 17.2). The price ends at 1e6 times an
-/// unknown's own curvature.
+/// unknown's own curvature, or at 1e10 times where that leaves a shortfall that no contradiction explains: rows that
+/// only a stronger force could hold count as contradictory.
 ///
 /// Deterministic, single-threaded. Contradictory rows are no error: they are named in the result.
 ///
