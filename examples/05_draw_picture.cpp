@@ -22,8 +22,8 @@ int main(int argc, char** argv) try {
   render::Renderer renderer;
   const std::vector<render::MeshItemPtr> items = {render::make_mesh_item(pyramid)};
   const render::PictureSize size{400, 300};
-  const render::Camera camera = render::frame(
-      render::points_of(items), render::view_direction(render::NamedView::Perspective), size.aspect());
+  const render::Camera camera =
+      render::frame(render::points_of(items), render::view_direction(render::NamedView::Perspective), size.aspect());
   const render::RenderedPicture picture = render::render_picture(renderer, items, camera, {}, size);
 
   OutputTransaction output;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "croquis/base/parameter.h"
 
-#include "croquis/base/error.h"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <utility>
+
+#include "croquis/base/error.h"
 
 namespace croquis {
 namespace {

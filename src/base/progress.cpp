@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "croquis/base/progress.h"
 
-#include "croquis/base/error.h"
-
 #include <algorithm>
 #include <utility>
+
+#include "croquis/base/error.h"
 
 namespace croquis {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/byte_size.h"
 
-#include "croquis/base/error.h"
-
 #include <cctype>
 #include <charconv>
 #include <cmath>
 #include <string_view>
+
+#include "croquis/base/error.h"
 
 namespace croquis::cli {
 

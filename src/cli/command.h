@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "croquis/base/parameter.h"
-#include "croquis/base/progress.h"
-#include "croquis/base/report.h"
-#include "croquis/document/registry.h"
-#include "croquis/geometry/mesh_report.h"
-
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "croquis/base/parameter.h"
+#include "croquis/base/progress.h"
+#include "croquis/base/report.h"
+#include "croquis/document/registry.h"
+#include "croquis/geometry/mesh_report.h"
 
 /// What every subcommand of croquis-cli is made of; the parser, the help and the runner know nothing else of them.
 namespace croquis::cli {

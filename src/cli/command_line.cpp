@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command_line.h"
 
-#include "cli/byte_size.h"
-#include "croquis/base/error.h"
-
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <map>
 #include <utility>
 
 #include <CLI/CLI.hpp>
+
+#include "cli/byte_size.h"
+#include "croquis/base/error.h"
 
 namespace croquis::cli {
 namespace {
@@ -142,9 +143,8 @@ std::string help_text(CLI::App& app) {
 /// CLI11 would only say that a subcommand is missing.
 void check_subcommand(const std::vector<std::string>& arguments, const std::vector<std::unique_ptr<Slot>>& slots) {
   if (arguments.empty() || arguments.front().starts_with("-")) return;
-  const bool known = std::any_of(slots.begin(), slots.end(), [&](const auto& slot) {
-    return slot->description.name == arguments.front();
-  });
+  const bool known = std::any_of(slots.begin(), slots.end(),
+                                 [&](const auto& slot) { return slot->description.name == arguments.front(); });
   if (!known) throw usage_error("There is no subcommand '" + arguments.front() + "'; see --help.");
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/files.h"
 
-#include "croquis/base/error.h"
-#include "croquis/io/file.h"
-#include "croquis/io/svg_drawing.h"
-
 #include <array>
 #include <cstdio>
 #include <utility>
+
+#include "croquis/base/error.h"
+#include "croquis/io/file.h"
+#include "croquis/io/svg_drawing.h"
 
 namespace croquis::cli {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+
 #include "cli/command.h"
 #include "croquis/geometry/drawing.h"
 #include "croquis/geometry/poly_mesh.h"
 #include "croquis/io/mesh_file.h"
-
-#include <string>
 
 /// Between the names on the command line and the readers and writers of croquis/io.
 namespace croquis::cli {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/command_line.h"
-#include "cli/runner.h"
-#include "croquis/operators/all_operations.h"
-
 #include <algorithm>
 #include <string>
 #include <vector>
+
+#include "cli/command_line.h"
+#include "cli/runner.h"
+#include "croquis/operators/all_operations.h"
 
 int main(int argc, char** argv) {
   using namespace croquis;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "croquis/geometry/mesh_report.h"
-
 #include <string>
+
+#include "croquis/geometry/mesh_report.h"
 
 namespace croquis::cli {
 

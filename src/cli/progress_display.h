@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cli/report_json.h"
-#include "croquis/base/progress.h"
-
 #include <chrono>
 #include <string>
 #include <vector>
+
+#include "cli/report_json.h"
+#include "croquis/base/progress.h"
 
 namespace croquis::cli {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cli/command.h"
-#include "croquis/base/error.h"
-
 #include <string>
 #include <vector>
+
+#include "cli/command.h"
+#include "croquis/base/error.h"
 
 namespace croquis::cli {
 

@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/runner.h"
 
-#include "cli/command_line.h"
-#include "cli/exit_code.h"
-#include "cli/progress_display.h"
-#include "cli/report_json.h"
-#include "cli/run_limits.h"
-#include "croquis/base/error.h"
-#include "croquis/io/file.h"
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -17,6 +9,14 @@
 #include <utility>
 
 #include <sys/resource.h>
+
+#include "cli/command_line.h"
+#include "cli/exit_code.h"
+#include "cli/progress_display.h"
+#include "cli/report_json.h"
+#include "cli/run_limits.h"
+#include "croquis/base/error.h"
+#include "croquis/io/file.h"
 
 namespace croquis::cli {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "croquis/document/operation.h"
 
-#include "croquis/base/error.h"
-
 #include <utility>
+
+#include "croquis/base/error.h"
 
 namespace croquis {
 

@@ -95,8 +95,7 @@ void mark_constraints(std::span<const std::array<Index, 2>> constraints, std::sp
 
 }  // namespace
 
-PlanarTriangulationResult triangulate(std::span<const Vec2> points,
-                                      std::span<const std::array<Index, 2>> constraints) {
+PlanarTriangulationResult triangulate(std::span<const Vec2> points, std::span<const std::array<Index, 2>> constraints) {
   PlanarTriangulationResult result;
   Triangulation triangulation;
   const std::vector<VertexHandle> handles = insert_points(points, triangulation, result.conflict);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "croquis/geometry/poly_mesh.h"
-
 #include <span>
 #include <string_view>
 #include <vector>
+
+#include "croquis/geometry/poly_mesh.h"
 
 namespace croquis {
 

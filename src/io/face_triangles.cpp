@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/face_triangles.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
+
+#include <Eigen/Geometry>
 
 #include "croquis/geometry/planar_triangulation.h"
 

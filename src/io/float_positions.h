@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "croquis/io/mesh_file.h"
-
 #include <vector>
+
+#include "croquis/io/mesh_file.h"
 
 namespace croquis {
 

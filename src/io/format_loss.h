@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "croquis/geometry/poly_mesh.h"
-
 #include <string>
 #include <vector>
+
+#include "croquis/geometry/poly_mesh.h"
 
 namespace croquis {
 

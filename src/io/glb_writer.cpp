@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/glb_writer.h"
 
-#include <tiny_gltf.h>
-
 #include <algorithm>
 #include <sstream>
+
+#include <tiny_gltf.h>
 
 #include "croquis/base/error.h"
 #include "io/channel_values.h"

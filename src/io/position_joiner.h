@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "croquis/geometry/vector.h"
-
 #include <cstdint>
 #include <vector>
+
+#include "croquis/geometry/vector.h"
 
 namespace croquis {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "croquis/base/finding.h"
-#include "croquis/io/mesh_file.h"
-
 #include <cstdint>
 #include <map>
 #include <string>
+
+#include "croquis/base/finding.h"
+#include "croquis/io/mesh_file.h"
 
 namespace croquis {
 

@@ -6,8 +6,8 @@
 #include <bit>
 #include <cstring>
 
-#include "io/category_state.h"
 #include "io/channel_values.h"
+#include "io/obj/category_state.h"
 #include "io/position_joiner.h"
 #include "io/text.h"
 

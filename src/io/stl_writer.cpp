@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/stl_writer.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
+
+#include <Eigen/Geometry>
 
 #include "io/channel_values.h"
 #include "io/face_triangles.h"

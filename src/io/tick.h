@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "croquis/base/progress.h"
-
 #include <cstddef>
+
+#include "croquis/base/progress.h"
 
 namespace croquis {
 

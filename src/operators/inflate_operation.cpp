@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "operators/inflate_operation.h"
 
+#include <utility>
+
 #include "croquis/silhouette/labelled_figure.h"
 #include "croquis/silhouette/solid.h"
 #include "operators/inflate_report.h"
-
-#include <utility>
 
 namespace croquis {
 namespace {

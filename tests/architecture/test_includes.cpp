@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <catch2/catch.hpp>
-
-#include "architecture/source_tree.h"
-
 #include <cctype>
 #include <functional>
 #include <sstream>
+
+#include <catch2/catch.hpp>
+
+#include "architecture/source_tree.h"
 
 namespace croquis::test {
 namespace {

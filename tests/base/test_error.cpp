@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "croquis/base/error.h"
-
 #include <string>
 
 #include <catch2/catch.hpp>
+
+#include "croquis/base/error.h"
 
 using namespace croquis;
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "croquis/base/finding.h"
-
 #include <set>
 #include <string>
 
 #include <catch2/catch.hpp>
+
+#include "croquis/base/finding.h"
 
 using namespace croquis;
 

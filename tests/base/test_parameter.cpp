@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "croquis/base/parameter.h"
-
 #include <cmath>
 #include <limits>
 
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
+#include "croquis/base/parameter.h"
 
 using namespace croquis;
 

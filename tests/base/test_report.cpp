@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "croquis/base/report.h"
-
 #include <stdexcept>
 
 #include <catch2/catch.hpp>
+
+#include "croquis/base/report.h"
 
 using namespace croquis;
 

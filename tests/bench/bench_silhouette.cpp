@@ -8,10 +8,10 @@
 
 #include <sys/resource.h>
 
-#include "algorithms/silhouette/chordal_axis.h"
-#include "algorithms/silhouette/collision_rows.h"
-#include "algorithms/silhouette/depth.h"
-#include "algorithms/silhouette/depth_problem.h"
+#include "algorithms/silhouette/skeleton/chordal_axis.h"
+#include "algorithms/silhouette/skeleton/collision_rows.h"
+#include "algorithms/silhouette/skeleton/depth.h"
+#include "algorithms/silhouette/skeleton/depth_problem.h"
 #include "bench/bench.h"
 #include "bench/cpu_time.h"
 #include "bench/factorisation_peer.h"
@@ -125,8 +125,8 @@ void print_totals(std::ostream& out, const std::vector<Measured>& all) {
   for (const Measured& one : all) {
     out << "| " << one.name << " | " << one.strokes << " | " << one.samples << " | " << one.vertices << " | "
         << one.label_ms << " | " << one.total_ms << " | " << std::setprecision(2) << one.triangulation_ms << " | "
-        << std::setprecision(1) << one.label_ms / one.triangulation_ms << " | "
-        << one.total_ms / one.triangulation_ms << " |\n";
+        << std::setprecision(1) << one.label_ms / one.triangulation_ms << " | " << one.total_ms / one.triangulation_ms
+        << " |\n";
   }
 }
 

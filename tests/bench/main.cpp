@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/bench.h"
-
 #include <iostream>
 #include <map>
 #include <string>
 #include <vector>
+
+#include "bench/bench.h"
 
 int main(int argc, char** argv) {
   using namespace croquis::bench;

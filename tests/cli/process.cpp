@@ -93,7 +93,8 @@ ProcessResult run_cli(const std::vector<std::string>& arguments, const ProcessOp
     std::signal(SIGPIPE, SIG_IGN);
     std::size_t sent = 0;
     while (sent < options.standard_input.size()) {
-      const ssize_t count = write(descriptor, options.standard_input.data() + sent, options.standard_input.size() - sent);
+      const ssize_t count =
+          write(descriptor, options.standard_input.data() + sent, options.standard_input.size() - sent);
       if (count <= 0) break;
       sent += static_cast<std::size_t>(count);
     }
@@ -131,7 +132,8 @@ std::string ScratchFolder::write(const std::string& name, const std::string& byt
 
 std::vector<std::string> ScratchFolder::names() const {
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(path_)) names.push_back(entry.path().filename().string());
+  for (const auto& entry : std::filesystem::directory_iterator(path_))
+    names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
   return names;
 }

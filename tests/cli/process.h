@@ -18,7 +18,7 @@ struct ProcessResult {
 struct ProcessOptions {
   std::string standard_input = {};
   std::filesystem::path folder = {};  ///< where it runs; empty: here
-  int interrupt_after_ms = 0;     ///< sends SIGINT after this; 0: never
+  int interrupt_after_ms = 0;         ///< sends SIGINT after this; 0: never
 };
 
 /// Runs croquis-cli with these arguments to its end (killed after 60 s).

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
-
 #include <nlohmann/json.hpp>
 
 #include "cli/process.h"
@@ -19,8 +18,10 @@ std::string bytes_of(const PolyMesh& mesh, MeshFormat format) {
 
 TEST_CASE("info reports a torus from every format") {
   const ScratchFolder folder;
-  for (const auto& [format, name] : {std::pair{MeshFormat::Obj, "t.obj"}, {MeshFormat::Ply, "t.ply"},
-                                     {MeshFormat::Stl, "t.stl"}, {MeshFormat::Off, "t.off"}}) {
+  for (const auto& [format, name] : {std::pair{MeshFormat::Obj, "t.obj"},
+                                     {MeshFormat::Ply, "t.ply"},
+                                     {MeshFormat::Stl, "t.stl"},
+                                     {MeshFormat::Off, "t.off"}}) {
     const std::string path = folder.write(name, bytes_of(torus(24, 12), format));
     const ProcessResult result = run_cli({"info", path, "--json", "--quiet", "--self-intersections"});
     INFO(name << result.err);
@@ -99,9 +100,10 @@ TEST_CASE("a format that can't hold everything says so, and --strict makes it an
 
 TEST_CASE("malformed files are refused with exit code 3, quickly and in little memory") {
   const ScratchFolder folder;
-  const std::string ply = "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty double x\n"
-                          "property double y\nproperty double z\nelement face 4000000000\n"
-                          "property list uchar int vertex_indices\nend_header\n";
+  const std::string ply =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty double x\n"
+      "property double y\nproperty double z\nelement face 4000000000\n"
+      "property list uchar int vertex_indices\nend_header\n";
   const std::vector<std::pair<std::string, std::string>> files = {
       {"empty.obj", ""},
       {"garbage.obj", "\x01\x02 nothing of the kind \xff\xfe\n"},

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "croquis/geometry/mesh_topology.h"
-
 #include <algorithm>
 #include <map>
 #include <set>
@@ -9,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
+#include "croquis/geometry/mesh_topology.h"
 #include "support/mesh_shapes.h"
 
 using namespace croquis;

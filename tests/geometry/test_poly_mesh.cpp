@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "croquis/geometry/poly_mesh.h"
-
 #include <algorithm>
 #include <limits>
 #include <string>
 
 #include <catch2/catch.hpp>
 
+#include "croquis/geometry/poly_mesh.h"
 #include "support/mesh_shapes.h"
 
 using namespace croquis;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "croquis/geometry/polyline.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
+#include "croquis/geometry/polyline.h"
 #include "support/random.h"
 
 using namespace croquis;

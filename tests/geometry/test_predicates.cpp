@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "croquis/geometry/predicates.h"
-
 #include <cstdint>
 
 #include <catch2/catch.hpp>
 
+#include "croquis/geometry/predicates.h"
 #include "support/random.h"
 
 using namespace croquis;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "croquis/geometry/self_intersection.h"
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -13,6 +11,7 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
+#include "croquis/geometry/self_intersection.h"
 #include "support/mesh_shapes.h"
 #include "support/random.h"
 

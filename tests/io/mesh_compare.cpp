@@ -2,8 +2,9 @@
 #include "io/mesh_compare.h"
 
 #include <bit>
-#include <catch2/catch.hpp>
 #include <cmath>
+
+#include <catch2/catch.hpp>
 
 #include "support/random.h"
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "silhouette/surface_quality.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
 #include <utility>
+
+#include <Eigen/Geometry>
 
 namespace croquis::test {
 namespace {

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/arrangement.h"
-
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/arrangement_faces.h"
-#include "algorithms/silhouette/paneling.h"
+#include "algorithms/silhouette/figure/arrangement.h"
+#include "algorithms/silhouette/figure/arrangement_faces.h"
+#include "algorithms/silhouette/figure/paneling.h"
 #include "support/random.h"
 
 using namespace croquis;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/chordal_axis.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -8,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "algorithms/silhouette/skeleton/chordal_axis.h"
 #include "croquis/geometry/predicates.h"
 #include "silhouette/figure_fixtures.h"
 #include "support/sketch_gallery.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/contour_completion.h"
-
 #include <cmath>
 #include <numbers>
 
 #include <catch2/catch.hpp>
+
+#include "algorithms/silhouette/figure/contour_completion.h"
 
 using namespace croquis;
 using namespace croquis::silhouette;

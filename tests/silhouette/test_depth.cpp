@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/depth.h"
-
-#include <Eigen/Geometry>
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/chordal_axis.h"
-#include "algorithms/silhouette/collision_rows.h"
-#include "algorithms/silhouette/depth_findings.h"
-#include "algorithms/silhouette/depth_rows.h"
+#include "algorithms/silhouette/skeleton/chordal_axis.h"
+#include "algorithms/silhouette/skeleton/collision_rows.h"
+#include "algorithms/silhouette/skeleton/depth.h"
+#include "algorithms/silhouette/skeleton/depth_findings.h"
+#include "algorithms/silhouette/skeleton/depth_rows.h"
 #include "silhouette/figure_fixtures.h"
 #include "support/random.h"
 #include "support/sketch_gallery.h"

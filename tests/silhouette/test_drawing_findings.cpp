@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/drawing_findings.h"
-
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -8,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "algorithms/silhouette/strokes/drawing_findings.h"
 #include "croquis/base/error.h"
 #include "silhouette/labelled_counts.h"
 #include "support/random.h"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/immersed_triangulation.h"
-
 #include <algorithm>
 #include <atomic>
 #include <set>
 
 #include <catch2/catch.hpp>
 
+#include "algorithms/silhouette/skeleton/immersed_triangulation.h"
 #include "croquis/base/error.h"
 #include "croquis/geometry/predicates.h"
 #include "silhouette/figure_fixtures.h"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/immersion.h"
-
 #include <algorithm>
 #include <map>
 #include <set>
 
 #include <catch2/catch.hpp>
 
+#include "algorithms/silhouette/skeleton/immersion.h"
 #include "croquis/base/error.h"
 #include "silhouette/figure_fixtures.h"
 

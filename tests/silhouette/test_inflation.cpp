@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/inflation.h"
-
 #include <cmath>
 #include <limits>
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/certificate.h"
-#include "algorithms/silhouette/chordal_axis.h"
-#include "algorithms/silhouette/depth.h"
-#include "algorithms/silhouette/sheet_surface.h"
-#include "algorithms/silhouette/silhouette_overlap.h"
-#include "algorithms/silhouette/skeleton_curves.h"
+#include "algorithms/silhouette/skeleton/chordal_axis.h"
+#include "algorithms/silhouette/skeleton/depth.h"
+#include "algorithms/silhouette/surface/certificate.h"
+#include "algorithms/silhouette/surface/inflation.h"
+#include "algorithms/silhouette/surface/sheet_surface.h"
+#include "algorithms/silhouette/surface/silhouette_overlap.h"
+#include "algorithms/silhouette/surface/skeleton_curves.h"
 #include "silhouette/figure_fixtures.h"
 #include "support/mesh_shapes.h"
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/integer_program.h"
-
 #include <limits>
 #include <thread>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
+#include "algorithms/silhouette/figure/integer_program.h"
 #include "croquis/base/error.h"
 #include "support/random.h"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/junctions.h"
-
 #include <cmath>
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/stroke_cleanup.h"
+#include "algorithms/silhouette/strokes/junctions.h"
+#include "algorithms/silhouette/strokes/stroke_cleanup.h"
 #include "support/sketch_generator.h"
 
 using namespace croquis;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "croquis/silhouette/labelled_figure.h"
-
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -13,6 +11,7 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
+#include "croquis/silhouette/labelled_figure.h"
 #include "silhouette/labelled_counts.h"
 #include "support/random.h"
 #include "support/sketch_generator.h"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/matching.h"
-
 #include <algorithm>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
+#include "algorithms/silhouette/figure/matching.h"
 #include "support/random.h"
 
 using namespace croquis;

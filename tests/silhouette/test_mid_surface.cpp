@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/mid_surface.h"
-
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/chordal_axis.h"
-#include "algorithms/silhouette/thickness.h"
+#include "algorithms/silhouette/skeleton/chordal_axis.h"
+#include "algorithms/silhouette/surface/mid_surface.h"
+#include "algorithms/silhouette/surface/thickness.h"
 #include "silhouette/figure_fixtures.h"
 
 using namespace croquis;

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/sheet_sampling.h"
-
 #include <cmath>
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/chordal_axis.h"
-#include "algorithms/silhouette/figure_segments.h"
-#include "algorithms/silhouette/layer_count.h"
-#include "algorithms/silhouette/planar_walk.h"
-#include "algorithms/silhouette/proximity_grid.h"
+#include "algorithms/silhouette/skeleton/chordal_axis.h"
+#include "algorithms/silhouette/surface/figure_segments.h"
+#include "algorithms/silhouette/surface/layer_count.h"
+#include "algorithms/silhouette/surface/planar_walk.h"
+#include "algorithms/silhouette/surface/proximity_grid.h"
+#include "algorithms/silhouette/surface/sheet_sampling.h"
 #include "croquis/base/error.h"
 #include "silhouette/figure_fixtures.h"
 #include "support/random.h"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "croquis/silhouette/solid.h"
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -11,6 +9,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/geometry/mesh_report.h"
+#include "croquis/silhouette/solid.h"
 #include "silhouette/figure_fixtures.h"
 #include "silhouette/surface_quality.h"
 #include "support/random.h"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/stroke_cleanup.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <catch2/catch.hpp>
 
+#include "algorithms/silhouette/strokes/stroke_cleanup.h"
 #include "silhouette/labelled_counts.h"
 #include "support/sketch_generator.h"
 

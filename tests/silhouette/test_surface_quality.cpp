@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "silhouette/surface_quality.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +6,7 @@
 
 #include "croquis/silhouette/solid.h"
 #include "silhouette/figure_fixtures.h"
+#include "silhouette/surface_quality.h"
 #include "support/mesh_shapes.h"
 #include "support/sketch_gallery.h"
 

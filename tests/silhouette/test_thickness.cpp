@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/thickness.h"
-
 #include <cmath>
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/chordal_axis.h"
+#include "algorithms/silhouette/skeleton/chordal_axis.h"
+#include "algorithms/silhouette/surface/thickness.h"
 #include "silhouette/figure_fixtures.h"
 
 using namespace croquis;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Geometry>
-
 #include <cstdint>
 #include <span>
+
+#include <Eigen/Geometry>
 
 #include "croquis/geometry/poly_mesh.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <numbers>
+
 #include "support/sketch_gallery.h"
 #include "support/sketch_layers.h"
 #include "support/sketch_spline.h"
 #include "support/sketch_tubes.h"
-
-#include <cmath>
-#include <numbers>
 
 namespace croquis::test {
 namespace {

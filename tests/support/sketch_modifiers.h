@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Geometry>
-
 #include <cstdint>
+
+#include <Eigen/Geometry>
 
 #include "support/sketch.h"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/sketch_svg.h"
 
-#include <Eigen/Dense>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+
+#include <Eigen/Dense>
 
 namespace croquis::test {
 namespace {

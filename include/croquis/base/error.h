@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "croquis/base/finding.h"
-
 #include <exception>
+
+#include "croquis/base/finding.h"
 
 namespace croquis {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "croquis/base/finding.h"
 #include "croquis/base/parameter.h"
 #include "croquis/base/progress.h"
 #include "croquis/document/value.h"
-
-#include <string>
-#include <vector>
 
 /// The one extension point of Croquis: whatever makes geometry from geometry is an Operation, and every host builds
 /// its interface from the operation's own description.

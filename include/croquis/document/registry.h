@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "croquis/document/operation.h"
-
 #include <memory>
 #include <string_view>
 #include <vector>
+
+#include "croquis/document/operation.h"
 
 namespace croquis {
 

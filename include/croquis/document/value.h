@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "croquis/base/report.h"
-#include "croquis/geometry/drawing.h"
-#include "croquis/geometry/poly_mesh.h"
-
 #include <map>
 #include <memory>
 #include <string>
 #include <variant>
+
+#include "croquis/base/report.h"
+#include "croquis/geometry/drawing.h"
+#include "croquis/geometry/poly_mesh.h"
 
 namespace croquis {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "croquis/geometry/vector.h"
-
 #include <cstdint>
 #include <limits>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "croquis/geometry/vector.h"
 
 namespace croquis {
 
@@ -22,19 +22,20 @@ struct StrokeSample {
 
 /// A stroke exactly as drawn; nothing downstream changes it.
 struct Stroke {
-  std::string id;                     ///< its name in findings and reports; unique in a drawing
-  std::vector<StrokeSample> samples;  ///< at least one
-  bool closed = false;                ///< the last sample joins the first (which is not repeated)
-  std::string object;                 ///< name of the object it was forced into, empty for none
+  std::string id;                           ///< its name in findings and reports; unique in a drawing
+  std::vector<StrokeSample> samples;        ///< at least one
+  bool closed = false;                      ///< the last sample joins the first (which is not repeated)
+  std::string object;                       ///< name of the object it was forced into, empty for none
   std::map<std::string, std::string> data;  ///< the source's own data attributes without "data-" ("kind" → "hidden")
-  std::optional<std::int64_t> line;   ///< 1-based line of the file it came from
+  std::optional<std::int64_t> line;         ///< 1-based line of the file it came from
 };
 
 /// Strokes on the sketch plane z = 0, seen from z = +infinity.
 struct Drawing {
   std::vector<Stroke> strokes;
-  std::map<std::string, std::map<std::string, std::string>> object_data;  ///< per named object: its group's data attributes
-  std::string file;                                                       ///< where it came from, for findings
+  std::map<std::string, std::map<std::string, std::string>>
+      object_data;   ///< per named object: its group's data attributes
+  std::string file;  ///< where it came from, for findings
 };
 
 }  // namespace croquis

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "croquis/geometry/vector.h"
-
 #include <array>
 #include <span>
 #include <utility>
 #include <vector>
+
+#include "croquis/geometry/vector.h"
 
 namespace croquis {
 
@@ -37,7 +37,6 @@ struct PlanarTriangulationResult {
 /// @param points      #P by 2
 /// @param constraints pairs of indices into points
 /// O(n log n). The triangles come in an order that depends on the input alone.
-PlanarTriangulationResult triangulate(std::span<const Vec2> points,
-                                      std::span<const std::array<Index, 2>> constraints);
+PlanarTriangulationResult triangulate(std::span<const Vec2> points, std::span<const std::array<Index, 2>> constraints);
 
 }  // namespace croquis

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "croquis/base/finding.h"
-#include "croquis/geometry/vector.h"
-
 #include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
+
+#include "croquis/base/finding.h"
+#include "croquis/geometry/vector.h"
 
 namespace croquis {
 
@@ -40,11 +40,11 @@ struct AttributeChannel {
 /// It may hold a soup: nothing here promises manifoldness; `validate` lists what is wrong and MeshTopology builds the
 /// neighbourhoods. Indices are 0-based.
 struct PolyMesh {
-  std::vector<Vec3> positions;              ///< #V
-  std::vector<Index> face_offsets = {0};    ///< #F+1, ascending: face f has corners [face_offsets[f], face_offsets[f+1])
-  std::vector<Index> corners;               ///< #C, the vertex of each corner, faces counter-clockwise from outside
-  std::vector<Index> line_offsets = {0};    ///< #L+1, like face_offsets
-  std::vector<Index> line_vertices;         ///< the vertices of each polyline in order
+  std::vector<Vec3> positions;            ///< #V
+  std::vector<Index> face_offsets = {0};  ///< #F+1, ascending: face f has corners [face_offsets[f], face_offsets[f+1])
+  std::vector<Index> corners;             ///< #C, the vertex of each corner, faces counter-clockwise from outside
+  std::vector<Index> line_offsets = {0};  ///< #L+1, like face_offsets
+  std::vector<Index> line_vertices;       ///< the vertices of each polyline in order
   std::vector<AttributeChannel> channels;
 
   std::size_t vertex_count() const { return positions.size(); }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
-
 #include <cstdint>
+
+#include <Eigen/Core>
 
 namespace croquis {
 

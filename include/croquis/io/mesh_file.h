@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "croquis/base/progress.h"
-#include "croquis/geometry/poly_mesh.h"
-
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include "croquis/base/progress.h"
+#include "croquis/geometry/poly_mesh.h"
 
 /// Meshes as bytes of a file, and back.
 ///

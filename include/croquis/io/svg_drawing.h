@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+#include <string_view>
+
 #include "croquis/base/finding.h"
 #include "croquis/base/progress.h"
 #include "croquis/geometry/drawing.h"
-
-#include <string>
-#include <string_view>
 
 /// Drawings from SVG files. https://www.w3.org/TR/SVG11/ (paths: chapter 8, transforms: 7.6, arcs: appendix F.6)
 namespace croquis {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "croquis/geometry/drawing.h"
-
 #include <string>
+
+#include "croquis/geometry/drawing.h"
 
 namespace croquis {
 

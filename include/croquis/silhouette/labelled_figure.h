@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <string>
+#include <vector>
+
 #include "croquis/base/finding.h"
 #include "croquis/base/progress.h"
 #include "croquis/geometry/drawing.h"
 #include "croquis/geometry/planar_triangulation.h"
 #include "croquis/silhouette/options.h"
-
-#include <array>
-#include <string>
-#include <vector>
 
 /// From strokes to a labelled figure: every contour closed, every piece of it with the number of surfaces in front.
 /// Cordier, Seo, Cho 2006, section 3; Williams 1994 (figural completion and labelling).
@@ -27,8 +27,8 @@ struct FigureContour {
 /// A piece of contour between two crossings (a contour without crossings is one arc).
 struct FigureArc {
   Index contour = 0;
-  Index begin = 0;    ///< position of its first segment in the contour
-  Index count = 0;    ///< number of segments, cyclic
+  Index begin = 0;      ///< position of its first segment in the contour
+  Index count = 0;      ///< number of segments, cyclic
   bool visible = true;  ///< most of its length is drawn
   int depth = 0;        ///< n: surfaces in front of it; 0 exactly for visible arcs
 };
@@ -51,10 +51,10 @@ struct FigureCompletion {
 
 /// One solid of the drawing: a connected component of the paneling (or all that a group was forced into).
 struct FigureObject {
-  std::string name;             ///< the group's data-object, else the id of its first stroke
-  std::vector<Index> strokes;   ///< indices into Drawing::strokes
+  std::string name;            ///< the group's data-object, else the id of its first stroke
+  std::vector<Index> strokes;  ///< indices into Drawing::strokes
   std::vector<Index> contours;
-  int euler_region = 0;         ///< Euler number of its immersed region, from the turning numbers of its contours
+  int euler_region = 0;  ///< Euler number of its immersed region, from the turning numbers of its contours
 };
 
 /// One place where an object passes in front of another, or of itself: the region of a pair of layers.
@@ -66,8 +66,8 @@ struct FigureOverlap {
 
 /// The labelled figure of one part of a drawing; parts share no contour, crossing or overlap.
 struct LabelledFigure {
-  double unit = 1;  ///< u of the whole drawing
-  double step = 6;  ///< spacing of the samples, sketch units (not u)
+  double unit = 1;           ///< u of the whole drawing
+  double step = 6;           ///< spacing of the samples, sketch units (not u)
   std::vector<Vec2> points;  ///< contour samples and crossings, y up
   std::vector<FigureContour> contours;
   std::vector<FigureArc> arcs;
@@ -75,13 +75,15 @@ struct LabelledFigure {
   std::vector<FigureCompletion> completions;
   std::vector<FigureObject> objects;
   std::vector<FigureOverlap> overlaps;
-  std::vector<std::array<Index, 2>> segments;  ///< #S by 2: every contour segment once, the constraints of the triangulation
-  std::vector<Index> segment_arc;              ///< #S: the arc that a segment belongs to
-  PlanarTriangulation triangulation;           ///< of points, constrained to segments
-  std::vector<int> layers;                     ///< per triangle: w, the number of surfaces there
-  std::vector<Index> faces;                    ///< per triangle: the face of the arrangement it lies in (0 = outside)
-  std::vector<std::vector<Vec2>> raw_contours; ///< per contour the strokes before smoothing, completions between: for checks
-  int panels = 0;                              ///< sum of w over the faces
+  std::vector<std::array<Index, 2>>
+      segments;                       ///< #S by 2: every contour segment once, the constraints of the triangulation
+  std::vector<Index> segment_arc;     ///< #S: the arc that a segment belongs to
+  PlanarTriangulation triangulation;  ///< of points, constrained to segments
+  std::vector<int> layers;            ///< per triangle: w, the number of surfaces there
+  std::vector<Index> faces;           ///< per triangle: the face of the arrangement it lies in (0 = outside)
+  std::vector<std::vector<Vec2>>
+      raw_contours;  ///< per contour the strokes before smoothing, completions between: for checks
+  int panels = 0;    ///< sum of w over the faces
 };
 
 struct LabelledDrawing {

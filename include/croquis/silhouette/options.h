@@ -13,11 +13,11 @@ enum class Preset {
 
 /// Stroke preparation.
 struct StrokeOptions {
-  double step = 6;        ///< u, 2..20: spacing of contour samples
-  double tiny = 12;       ///< u: shorter strokes are ignored with a warning
-  double close = 8;       ///< u: ends nearer than this close the stroke
-  double gap = 18;        ///< u: ends of two strokes nearer than this may be one line
-  double snap = 10;       ///< u: how far an end may stop short of, or overshoot, the line it passes behind
+  double step = 6;           ///< u, 2..20: spacing of contour samples
+  double tiny = 12;          ///< u: shorter strokes are ignored with a warning
+  double close = 8;          ///< u: ends nearer than this close the stroke
+  double gap = 18;           ///< u: ends of two strokes nearer than this may be one line
+  double snap = 10;          ///< u: how far an end may stop short of, or overshoot, the line it passes behind
   int smoothing_passes = 2;  ///< 0..20: Taubin passes
 };
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "croquis/base/finding.h"
 #include "croquis/base/progress.h"
 #include "croquis/geometry/drawing.h"
 #include "croquis/geometry/poly_mesh.h"
 #include "croquis/silhouette/labelled_figure.h"
 #include "croquis/silhouette/options.h"
-
-#include <string>
-#include <vector>
 
 /// From a labelled figure to closed solids that keep the drawn order and never touch.
 /// Cordier, Seo, Cho 2006, sections 4 and 5.
@@ -26,10 +26,11 @@ struct SolidObject {
 struct SolidDiagnostics {
   std::size_t skeleton_vertices = 0;
   std::size_t collision_constraints = 0;
-  double scale = 0;          ///< L: median skeleton radius, sketch units (largest part's)
-  double minimum_gap = 0;    ///< least distance along z between successive sheets, measured on the mesh; infinity if none overlap
-  double silhouette_iou = 0; ///< of the mesh's projection and the drawn region
-  int solver_iterations = 0; ///< of the depth solves, the largest
+  double scale = 0;  ///< L: median skeleton radius, sketch units (largest part's)
+  double minimum_gap =
+      0;  ///< least distance along z between successive sheets, measured on the mesh; infinity if none overlap
+  double silhouette_iou = 0;  ///< of the mesh's projection and the drawn region
+  int solver_iterations = 0;  ///< of the depth solves, the largest
   double solver_residual = 0;
 };
 

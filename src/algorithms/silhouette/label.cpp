@@ -2,10 +2,10 @@
 #include <iterator>
 #include <utility>
 
-#include "algorithms/silhouette/contour_completion.h"
-#include "algorithms/silhouette/drawing_parts.h"
-#include "algorithms/silhouette/junctions.h"
-#include "algorithms/silhouette/stroke_cleanup.h"
+#include "algorithms/silhouette/figure/contour_completion.h"
+#include "algorithms/silhouette/figure/drawing_parts.h"
+#include "algorithms/silhouette/strokes/junctions.h"
+#include "algorithms/silhouette/strokes/stroke_cleanup.h"
 #include "croquis/base/error.h"
 #include "croquis/silhouette/labelled_figure.h"
 
@@ -44,8 +44,8 @@ LabelledDrawing label(const Drawing& drawing, const Options& options, Progress& 
   bring_into_general_position(clean.lines, clean.scale.step);
 
   Progress labelling = progress.step("labelling contours", 0.6);
-  const FigureContext context{drawing, options, clean.scale, clean.lines, junctions,
-                              completion_reference(clean.lines, junctions)};
+  const FigureContext context{drawing,     options,   clean.scale,
+                              clean.lines, junctions, completion_reference(clean.lines, junctions)};
   LabelledDrawing result = label_parts(context, junctions.findings, labelling);
 
   Findings findings = std::move(clean.findings);

@@ -6,15 +6,15 @@
 #include <limits>
 #include <utility>
 
-#include "algorithms/silhouette/certificate.h"
-#include "algorithms/silhouette/chordal_axis.h"
-#include "algorithms/silhouette/depth.h"
-#include "algorithms/silhouette/depth_findings.h"
-#include "algorithms/silhouette/inflation.h"
-#include "algorithms/silhouette/object_weights.h"
-#include "algorithms/silhouette/sheet_surface.h"
-#include "algorithms/silhouette/silhouette_overlap.h"
-#include "algorithms/silhouette/skeleton_curves.h"
+#include "algorithms/silhouette/skeleton/chordal_axis.h"
+#include "algorithms/silhouette/skeleton/depth.h"
+#include "algorithms/silhouette/skeleton/depth_findings.h"
+#include "algorithms/silhouette/skeleton/object_weights.h"
+#include "algorithms/silhouette/surface/certificate.h"
+#include "algorithms/silhouette/surface/inflation.h"
+#include "algorithms/silhouette/surface/sheet_surface.h"
+#include "algorithms/silhouette/surface/silhouette_overlap.h"
+#include "algorithms/silhouette/surface/skeleton_curves.h"
 #include "croquis/base/error.h"
 
 namespace croquis::silhouette {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands/mesh_commands.h"
 
+#include <string>
+#include <utility>
+
 #include "cli/files.h"
 #include "cli/mesh_text.h"
 #include "cli/solid_faults.h"
 #include "croquis/base/error.h"
-
-#include <string>
-#include <utility>
 
 namespace croquis::cli {
 

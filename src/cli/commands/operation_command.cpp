@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands/operation_command.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "cli/files.h"
 #include "cli/mesh_text.h"
 #include "cli/solid_faults.h"
 #include "croquis/base/error.h"
 #include "croquis/io/svg_writer.h"
-
-#include <algorithm>
-#include <utility>
 
 namespace croquis::cli {
 namespace {

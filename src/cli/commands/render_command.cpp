@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands/render_command.h"
 
+#include <charconv>
+#include <string>
+#include <utility>
+
 #include "cli/files.h"
 #include "cli/offscreen_context.h"
 #include "croquis/base/error.h"
 #include "croquis/io/png.h"
 #include "croquis/render/picture.h"
-
-#include <charconv>
-#include <string>
-#include <utility>
 
 namespace croquis::cli {
 namespace {

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/figure/contour_completion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace croquis::silhouette {
+namespace {
+
+// Midpoint rule over so many pieces: the bending of a half circle is right to 0.1 %.
+constexpr int integration_pieces = 24;
+// Points that a curve is measured by before it is sampled evenly.
+constexpr int dense_points = 64;
+// Ends that turn away from each other further than this are given no longer handles.
+constexpr double least_facing = -0.3;
+
+// Bending away from the surface costs this much more than bending round it.
+constexpr double concave_factor = 5;
+
+struct Derivatives {
+  Vec2 first;
+  Vec2 second;
+};
+
+Vec2 bezier_at(const std::array<Vec2, 4>& p, double t) {
+  const double s = 1 - t;
+  return s * s * s * p[0] + 3 * s * s * t * p[1] + 3 * s * t * t * p[2] + t * t * t * p[3];
+}
+
+Derivatives derivatives_at(const std::array<Vec2, 4>& p, double t) {
+  const double s = 1 - t;
+  return {3 * (s * s * (p[1] - p[0]) + 2 * s * t * (p[2] - p[1]) + t * t * (p[3] - p[2])),
+          6 * (s * (p[2] - 2 * p[1] + p[0]) + t * (p[3] - 2 * p[2] + p[1]))};
+}
+
+bool may_join(const std::vector<CleanLine>& lines, const Junctions& junctions, const HiddenEnd& a, const HiddenEnd& b) {
+  const std::string& first = lines[a.line].object;
+  const std::string& second = lines[b.line].object;
+  if (!first.empty() && !second.empty() && first != second) return false;
+  const int side_a = outward_side(junctions, a);
+  const int side_b = -outward_side(junctions, b);
+  return side_a == 0 || side_b == 0 || side_a == side_b;
+}
+
+/// Side of the surface when a line is walked outward through an end. What no stem tells is guessed: a line that goes
+/// round something most likely bounds it.
+int likely_outward_side(const std::vector<CleanLine>& lines, const Junctions& junctions, const HiddenEnd& end) {
+  const int known = outward_side(junctions, end);
+  if (known != 0) return known;
+  const Points& points = lines[end.line].points;
+  double area = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    area += cross(points[i] - points.front(), points[(i + 1) % points.size()] - points.front());
+  }
+  const int round = area >= 0 ? 1 : -1;
+  return end.at_start ? -round : round;
+}
+
+}  // namespace
+
+std::array<Vec2, 4> completion_curve(const Vec2& a, const Vec2& tangent_a, const Vec2& b, const Vec2& tangent_b) {
+  const double distance = (b - a).norm();
+  const Vec2 across = distance > 0 ? Vec2((b - a) / distance) : Vec2(1, 0);
+  const double facing = 0.5 * (tangent_a.dot(across) - tangent_b.dot(across));
+  const double handle = 2.0 / 3.0 * distance / (1 + std::max(facing, least_facing));
+  return {a, a + handle * tangent_a, b + handle * tangent_b, b};
+}
+
+double completion_cost(const std::array<Vec2, 4>& curve, int side, double reference, const CompletionOptions& options) {
+  double length = 0;
+  double bending = 0;
+  for (int i = 0; i < integration_pieces; ++i) {
+    const Derivatives d = derivatives_at(curve, (i + 0.5) / integration_pieces);
+    const double speed = d.first.norm();
+    if (!(speed > 0)) return std::numeric_limits<double>::infinity();
+    length += speed / integration_pieces;
+    const double turn = cross(d.first, d.second);
+    const double factor = turn * side < 0 ? concave_factor : 1;
+    bending += factor * turn * turn / std::pow(speed, 5) / integration_pieces;
+  }
+  return options.length_weight * length / reference + options.curvature_weight * (curve[3] - curve[0]).norm() * bending;
+}
+
+Points bezier_points(const std::array<Vec2, 4>& curve, double spacing) {
+  Points dense;
+  for (int i = 0; i <= dense_points; ++i) dense.push_back(bezier_at(curve, static_cast<double>(i) / dense_points));
+  const double length = total_length(dense, false);
+  Points points;
+  for (const double parameter : even_parameters(dense, false, std::min(spacing, length / 4))) {
+    points.push_back(point_at(dense, parameter));
+  }
+  return points;
+}
+
+double completion_reference(const std::vector<CleanLine>& lines, const Junctions& junctions) {
+  std::vector<Vec2> places;
+  for (const HiddenEnd& end : junctions.ends) places.push_back(lines[end.line].end(end.at_start));
+  std::vector<double> nearest(places.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const double distance = (places[k] - places[i]).norm();
+      nearest[i] = std::min(nearest[i], distance);
+      nearest[k] = std::min(nearest[k], distance);
+    }
+  }
+  if (nearest.empty()) return 0;
+  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
+  std::nth_element(nearest.begin(), middle, nearest.end());
+  return *middle;
+}
+
+std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLine>& lines, const Junctions& junctions,
+                                                       const std::vector<Index>& ends, double reference,
+                                                       const CompletionOptions& options) {
+  std::vector<CompletionCandidate> candidates;
+  if (!(reference > 0)) return candidates;
+  std::vector<int> side;
+  for (const Index end : ends) side.push_back(likely_outward_side(lines, junctions, junctions.ends[end]));
+  for (Index i = 0; i < ends.size(); ++i) {
+    for (Index k = i + 1; k < ends.size(); ++k) {
+      const HiddenEnd& a = junctions.ends[ends[i]];
+      const HiddenEnd& b = junctions.ends[ends[k]];
+      if (!may_join(lines, junctions, a, b)) continue;
+      const Vec2& from = lines[a.line].end(a.at_start);
+      const Vec2& to = lines[b.line].end(b.at_start);
+      // No curve is shorter than its chord.
+      if (options.length_weight * (to - from).norm() > options.maximum_cost * reference) continue;
+      CompletionCandidate candidate{i, k, completion_curve(from, a.tangent, to, b.tangent), 0};
+      const int agreed = side[i] == -side[k] ? side[i] : 0;
+      candidate.cost = completion_cost(candidate.bezier, agreed, reference, options);
+      if (candidate.cost <= options.maximum_cost) candidates.push_back(candidate);
+    }
+  }
+  return candidates;
+}
+
+}  // namespace croquis::silhouette

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "algorithms/silhouette/strokes/junctions.h"
+#include "croquis/silhouette/options.h"
+
+namespace croquis::silhouette {
+
+/// A hidden piece of contour that might join two ends.
+struct CompletionCandidate {
+  Index a = 0;  ///< indices of ends, a < b
+  Index b = 0;
+  std::array<Vec2, 4> bezier;  ///< from a to b, leaving both along their tangents
+  double cost = 0;             ///< dimensionless
+};
+
+/// The cubic that leaves two places along their outward tangents: straight ends give handles of a third of the
+/// distance, a U-turn two thirds, which is a half circle to 1 %.
+std::array<Vec2, 4> completion_curve(const Vec2& a, const Vec2& tangent_a, const Vec2& b, const Vec2& tangent_b);
+
+/// length / reference + weight * distance * integral of curvature², both free of scale: a half circle costs the same
+/// bending at any size (Williams 1994 uses the two terms with dimensions, which favours long straight joins).
+/// Bending away from the surface counts more: the hidden end of a limb is a cap, seldom the crotch between two limbs.
+/// @param side where the surface lies along the curve: left (+1), right (-1), not known (0)
+double completion_cost(const std::array<Vec2, 4>& curve, int side, double reference_length,
+                       const CompletionOptions& options);
+
+/// Samples of a cubic Bezier, evenly spread, both ends included.
+Points bezier_points(const std::array<Vec2, 4>& curve, double spacing);
+
+/// The length that completions are measured by: the median over all hidden ends of the distance to the nearest other.
+/// O(n²) for n ends.
+double completion_reference(const std::vector<CleanLine>& lines, const Junctions& junctions);
+
+/// All pairs of the given ends that may be joined: the surface lies on the same side of both lines as far as that is
+/// known, neither is forced into another object, and the cost stays below the maximum.
+/// @param ends subset of junctions.ends, as indices; candidates speak of positions in this list
+/// O(n²) for n ends.
+std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLine>& lines, const Junctions& junctions,
+                                                       const std::vector<Index>& ends, double reference_length,
+                                                       const CompletionOptions& options);
+
+/// Side of the surface when a line is walked outward through one of its ends: +1 left, -1 right, 0 unknown.
+inline int outward_side(const Junctions& junctions, const HiddenEnd& end) {
+  return end.at_start ? -junctions.sides[end.line] : junctions.sides[end.line];
+}
+
+}  // namespace croquis::silhouette

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/figure/contour_paths.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+namespace croquis::silhouette {
+namespace {
+
+using Drawn = ContourPath::Drawn;
+
+class Closer {
+ public:
+  Closer(const std::vector<CleanLine>& lines, const Junctions& junctions, const PartLines& part,
+         const std::vector<Index>& chosen, double spacing, const CompletionShape& shape)
+      : lines_(lines), junctions_(junctions), part_(part), chosen_(chosen), spacing_(spacing), shape_(shape) {
+    choice_of_.assign(part.ends.size(), no_index);
+    for (Index k = 0; k < chosen.size(); ++k) {
+      choice_of_[part.candidates[chosen[k]].a] = k;
+      choice_of_[part.candidates[chosen[k]].b] = k;
+    }
+    for (Index e = 0; e < part.ends.size(); ++e) {
+      const HiddenEnd& end = junctions.ends[part.ends[e]];
+      position_[{end.line, end.at_start}] = e;
+    }
+  }
+
+  std::optional<ClosedContours> close() {
+    for (const Index line : part_.lines) {
+      if (done_.count(line) != 0) continue;
+      if (!(lines_[line].closed ? add_closed(line) : add_open(line))) return std::nullopt;
+    }
+    return std::move(result_);
+  }
+
+ private:
+  bool add_closed(Index line) {
+    done_[line] = true;
+    ContourPath path;
+    path.points = lines_[line].points;
+    path.drawn.assign(path.points.size(), Drawn::Yes);
+    path.cut.assign(path.points.size(), 0.0);
+    path.stroke = lines_[line].stroke;
+    path.strokes = lines_[line].strokes;
+    path.side = junctions_.sides[line];
+    result_.paths.push_back(std::move(path));
+    result_.raw.push_back(lines_[line].raw);
+    return true;
+  }
+
+  /// Follows lines and completions until the first line comes again.
+  bool add_open(Index first) {
+    ContourPath path;
+    Points raw;
+    Index line = first;
+    bool forward = true;
+    do {
+      if (done_.count(line) != 0) return false;  // walked both ways: the sides contradict each other
+      done_[line] = true;
+      const int side = forward ? junctions_.sides[line] : -junctions_.sides[line];
+      if (side != 0 && path.side == -side) return false;
+      if (side != 0) path.side = side;
+      append_line(line, forward, path, raw);
+      const Index leaving = position_.at({line, !forward});
+      const Index arriving = append_completion(leaving, path, raw);
+      const HiddenEnd& end = junctions_.ends[part_.ends[arriving]];
+      line = end.line;
+      forward = end.at_start;
+    } while (line != first);
+    if (!forward) return false;
+    result_.paths.push_back(std::move(path));
+    result_.raw.push_back(std::move(raw));
+    return true;
+  }
+
+  /// Appends the points of a line but its last one, with which the completion begins.
+  void append_line(Index index, bool forward, ContourPath& path, Points& raw) {
+    const CleanLine& line = lines_[index];
+    Points points = line.points;
+    std::vector<Index> stroke = line.stroke;
+    Points drawn = line.raw;
+    std::vector<Index> strokes = line.strokes;
+    if (!forward) {
+      std::reverse(points.begin(), points.end());
+      std::reverse(stroke.begin(), stroke.end());
+      std::reverse(drawn.begin(), drawn.end());
+      std::reverse(strokes.begin(), strokes.end());
+    }
+    if (points.size() == 2) {  // the cuts of both ends need a segment each
+      points.insert(points.begin() + 1, 0.5 * (points[0] + points[1]));
+      stroke.insert(stroke.begin() + 1, stroke.front());
+    }
+    const std::size_t count = points.size() - 1;
+    for (std::size_t i = 0; i < count; ++i) {
+      path.points.push_back(points[i]);
+      path.stroke.push_back(stroke[i]);
+      path.drawn.push_back(i == 0 ? Drawn::FromCut : i + 1 == count ? Drawn::UntilCut : Drawn::Yes);
+      const bool at_start = i == 0 ? forward : !forward;
+      const bool at_end = i == 0 || i + 1 == count;
+      path.cut.push_back(at_end ? nearest_fraction(points[i], points[i + 1], place_of_end(index, at_start)) : 0.0);
+    }
+    path.strokes.insert(path.strokes.end(), strokes.begin(), strokes.end());
+    raw.insert(raw.end(), drawn.begin(), drawn.end());
+  }
+
+  Vec2 place_of_end(Index line, bool at_start) const {
+    return junctions_.ends[part_.ends[position_.at({line, at_start})]].at;
+  }
+
+  /// Appends the completion from an end, without its last point. Returns the end it leads to.
+  Index append_completion(Index leaving, ContourPath& path, Points& raw) {
+    const Index choice = choice_of_[leaving];
+    const CompletionCandidate& candidate = part_.candidates[chosen_[choice]];
+    std::array<Vec2, 4> curve = candidate.bezier;
+    if (candidate.b == leaving) std::reverse(curve.begin(), curve.end());
+    const double factor = shape_.handles * (1 + (choice % 2 == 0 ? shape_.stretch : -shape_.stretch));
+    curve[1] = curve[0] + factor * (curve[1] - curve[0]);
+    curve[2] = curve[3] + factor * (curve[2] - curve[3]);
+    const Points points = bezier_points(curve, spacing_);
+    const HiddenEnd& end = junctions_.ends[part_.ends[leaving]];
+    const Index stroke = lines_[end.line].end_stroke(end.at_start);
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      path.points.push_back(points[i]);
+      path.stroke.push_back(stroke);
+      path.drawn.push_back(Drawn::No);
+      path.cut.push_back(0);
+    }
+    raw.insert(raw.end(), points.begin(), points.end() - 1);
+    result_.completions.push_back({curve, static_cast<Index>(result_.paths.size()), candidate.cost});
+    return candidate.a == leaving ? candidate.b : candidate.a;
+  }
+
+  const std::vector<CleanLine>& lines_;
+  const Junctions& junctions_;
+  const PartLines& part_;
+  const std::vector<Index>& chosen_;
+  double spacing_;
+  CompletionShape shape_;
+  std::vector<Index> choice_of_;                      ///< per end: index into chosen_
+  std::map<std::pair<Index, bool>, Index> position_;  ///< of an end in part_.ends
+  std::map<Index, bool> done_;
+  ClosedContours result_;
+};
+
+}  // namespace
+
+std::optional<ClosedContours> close_contours(const std::vector<CleanLine>& lines, const Junctions& junctions,
+                                             const PartLines& part, const std::vector<Index>& chosen, double spacing,
+                                             const CompletionShape& shape) {
+  return Closer(lines, junctions, part, chosen, spacing, shape).close();
+}
+
+}  // namespace croquis::silhouette

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "algorithms/silhouette/figure/arrangement.h"
+#include "algorithms/silhouette/figure/contour_completion.h"
+
+namespace croquis::silhouette {
+
+/// The lines, ends and candidates of one part of a drawing.
+struct PartLines {
+  std::vector<Index> lines;                     ///< ascending
+  std::vector<Index> ends;                      ///< indices into Junctions::ends, ascending
+  std::vector<CompletionCandidate> candidates;  ///< between positions in `ends`
+};
+
+/// Closed contours that a choice of completions makes of the lines.
+struct ClosedContours {
+  std::vector<ContourPath> paths;             ///< by the lowest line in them
+  std::vector<FigureCompletion> completions;  ///< one per candidate chosen
+  std::vector<Points> raw;                    ///< per contour: strokes as drawn, completions between
+};
+
+/// How completions differ from the candidates' curves.
+struct CompletionShape {
+  double handles = 1;  ///< all handles are longer or shorter by this factor
+  double stretch = 0;  ///< and in turn longer and shorter by this share
+};
+
+/// Strings lines and completions together. None when they would put the surface on both sides of a contour.
+/// @param chosen  candidates, every end in exactly one
+std::optional<ClosedContours> close_contours(const std::vector<CleanLine>& lines, const Junctions& junctions,
+                                             const PartLines& part, const std::vector<Index>& chosen, double spacing,
+                                             const CompletionShape& shape);
+
+}  // namespace croquis::silhouette

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/figure/figure_search.h"
+
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "algorithms/silhouette/figure/arrangement.h"
+#include "algorithms/silhouette/figure/arrangement_faces.h"
+#include "algorithms/silhouette/figure/contour_paths.h"
+#include "algorithms/silhouette/figure/figure_failure.h"
+#include "algorithms/silhouette/figure/labelled_figure_builder.h"
+#include "algorithms/silhouette/figure/labelling.h"
+#include "algorithms/silhouette/figure/matching.h"
+
+namespace croquis::silhouette {
+namespace {
+
+// A bound of the search among partial matchings; drawings of 64 hidden ends need some hundred.
+constexpr std::size_t maximum_states = 200'000;
+// Samples nearer to a crossing than this share of their segment give way to it: no slivers beside crossings.
+constexpr double merging = 0.15;
+// The same when the first is too coarse for two lines that run close to one another.
+constexpr double least_merging = 1e-4;
+// Handles of completions are changed by this share when three contours meet in a point.
+constexpr double perturbation = 0.01;
+constexpr int maximum_perturbations = 3;
+// When no matching can be labelled the likeliest ones get flatter completions.
+constexpr std::array<double, 2> flatter_handles{0.7, 0.4};
+constexpr int maximum_flatter = 25;
+
+/// Contours, crossings and faces of one matching.
+struct Trial {
+  ClosedContours contours;
+  Arrangement arrangement;
+  Faces faces;
+  std::vector<int> sides;
+  bool usable = false;  ///< the surface lies on one side of every contour, and there are faces
+  std::vector<Vec2> conflicts;
+};
+
+PartLines part_of(const FigureContext& context, const std::vector<Index>& lines, const CompletionOptions& options) {
+  PartLines part;
+  part.lines = lines;
+  std::vector<char> included(context.lines.size(), 0);
+  for (const Index line : lines) included[line] = 1;
+  for (Index e = 0; e < context.junctions.ends.size(); ++e) {
+    if (included[context.junctions.ends[e].line]) part.ends.push_back(e);
+  }
+  part.candidates =
+      completion_candidates(context.lines, context.junctions, part.ends, context.completion_reference, options);
+  return part;
+}
+
+class Search {
+ public:
+  Search(const FigureContext& context, const std::vector<Index>& lines, const Progress& progress)
+      : context_(context), progress_(progress), part_(part_of(context, lines, context.options.completion)) {}
+
+  FigureSearch run() {
+    FigureSearch result;
+    result.findings = odd_end(context_, part_);
+    if (!result.findings.empty()) return result;
+    Findings lonely = ends_without_partner(context_, part_);
+    if (lonely.empty()) return try_matchings();
+    // Among thin tubes a wide body's completion may look too dear, though it is the only one there is.
+    CompletionOptions generous = context_.options.completion;
+    generous.maximum_cost = std::numeric_limits<double>::max();
+    part_ = part_of(context_, part_.lines, generous);
+    if (ends_without_partner(context_, part_).empty()) result = try_matchings();
+    if (!result.figure) result.findings = std::move(lonely);
+    return result;
+  }
+
+ private:
+  FigureSearch try_matchings() {
+    FigureSearch result;
+    std::vector<MatchingEdge> edges;
+    for (const CompletionCandidate& candidate : part_.candidates) {
+      edges.push_back({candidate.a, candidate.b, candidate.cost});
+    }
+    MatchingSearch matchings(static_cast<Index>(part_.ends.size()), edges, maximum_states);
+    const int most = context_.options.completion.maximum_matchings;
+    int tried = 0;
+    std::vector<Index> cheapest;
+    while (tried < most) {
+      progress_.check();
+      const std::optional<std::vector<Index>> chosen = matchings.next();
+      if (!chosen) break;
+      if (tried++ == 0) cheapest = *chosen;
+      if (std::optional<LabelledFigure> figure = try_matching(*chosen)) {
+        result.figure = std::move(figure);
+        return result;
+      }
+    }
+    result.findings = explain(tried, cheapest, tried < most && !matchings.limit_reached());
+    if (tried > 0) result.figure = try_flatter(edges);
+    if (result.figure) result.findings.clear();
+    return result;
+  }
+
+  /// A round cap may reach out from under the surface that hides it where a flatter one doesn't.
+  std::optional<LabelledFigure> try_flatter(const std::vector<MatchingEdge>& edges) {
+    for (const double handles : flatter_handles) {
+      handles_ = handles;
+      MatchingSearch matchings(static_cast<Index>(part_.ends.size()), edges, maximum_states);
+      for (int tried = 0; tried < maximum_flatter; ++tried) {
+        progress_.check();
+        const std::optional<std::vector<Index>> chosen = matchings.next();
+        if (!chosen) break;
+        if (std::optional<LabelledFigure> figure = try_matching(*chosen)) return figure;
+      }
+    }
+    handles_ = 1;
+    return std::nullopt;
+  }
+
+  std::optional<LabelledFigure> try_matching(const std::vector<Index>& chosen) {
+    Trial trial = arrange(chosen, true);
+    if (!trial.usable) return std::nullopt;
+    const Labelling labelling = label_arrangement(trial.arrangement, trial.sides, trial.faces, LabellingRules::Full);
+    if (labelling.status == IntegerProgram::Status::Limit) limit_reached_ = true;
+    if (labelling.status != IntegerProgram::Status::Optimal) return std::nullopt;
+    return build_figure(context_, trial.contours, trial.arrangement, std::move(trial.faces), labelling);
+  }
+
+  /// Crosses the contours of a matching and finds the faces; if contours meet in one point, once more with finer
+  /// merging, then with changed completions. The strokes stay as they are.
+  Trial arrange(const std::vector<Index>& chosen, bool quick_check) {
+    Trial trial;
+    for (int attempt = 0; attempt < 2 * (1 + maximum_perturbations); ++attempt) {
+      const CompletionShape shape{handles_, perturbation * (attempt / 2)};
+      std::optional<ClosedContours> contours =
+          close_contours(context_.lines, context_.junctions, part_, chosen, context_.scale.step, shape);
+      if (!contours) return trial;
+      trial.contours = std::move(*contours);
+      trial.arrangement =
+          cross_contours(trial.contours.paths, context_.scale.step, attempt % 2 == 0 ? merging : least_merging);
+      trial.sides.clear();
+      for (const ContourPath& path : trial.contours.paths) trial.sides.push_back(path.side);
+      // The first matching is nearly always right; only later ones are worth refusing early.
+      if (quick_check && first_done_ && contradicts(trial)) return trial;
+      first_done_ = true;
+      FacesResult found = find_faces(trial.arrangement);
+      trial.conflicts = std::move(found.conflicts);
+      trial.faces = std::move(found.faces);
+      trial.usable = trial.conflicts.empty();
+      if (trial.usable) return trial;
+    }
+    return trial;
+  }
+
+  bool contradicts(const Trial& trial) const {
+    return label_arrangement(trial.arrangement, trial.sides, {}, LabellingRules::Local).status ==
+           IntegerProgram::Status::Infeasible;
+  }
+
+  Findings explain(int tried, const std::vector<Index>& cheapest, bool complete) {
+    Findings findings;
+    if (tried == 0) {
+      findings.push_back(complete ? no_pairing(context_, part_) : search_limit(context_, part_, tried));
+      return findings;
+    }
+    const Trial trial = arrange(cheapest, false);
+    if (!trial.usable) {
+      findings.push_back(trial.conflicts.empty() ? no_pairing(context_, part_)
+                                                 : contours_touch(context_, part_, trial.conflicts.front()));
+    } else {
+      findings.push_back(
+          no_labelling(context_, part_, trial.arrangement,
+                       label_arrangement(trial.arrangement, trial.sides, trial.faces, LabellingRules::Slack)));
+    }
+    if (!complete || limit_reached_) findings.push_back(search_limit(context_, part_, tried));
+    return findings;
+  }
+
+  const FigureContext& context_;
+  const Progress& progress_;
+  PartLines part_;
+  double handles_ = 1;
+  bool first_done_ = false;
+  bool limit_reached_ = false;
+};
+
+}  // namespace
+
+FigureSearch search_figure(const FigureContext& context, const std::vector<Index>& lines, const Progress& progress) {
+  return Search(context, lines, progress).run();
+}
+
+Findings check_ends(const FigureContext& context, const std::vector<Index>& lines) {
+  return odd_end(context, part_of(context, lines, context.options.completion));
+}
+
+}  // namespace croquis::silhouette

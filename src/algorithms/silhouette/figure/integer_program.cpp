@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/figure/integer_program.h"
+
+#include <algorithm>
+#include <cmath>
+#include <csetjmp>
+#include <functional>
+#include <thread>
+#include <utility>
+
+#include <glpk.h>
+
+#include "croquis/base/error.h"
+
+namespace croquis::silhouette {
+namespace {
+
+// Far above what the relaxations of a drawing need (some hundred); a guard against cycling.
+constexpr int maximum_simplex_iterations = 200'000;
+
+/// Everything GLPK reads and writes, in plain arrays (index 0 unused): no destructor may be skipped by the long jump.
+struct PlainProblem {
+  int rows = 0;
+  int columns = 0;
+  int terms = 0;
+  const int* term_row = nullptr;
+  const int* term_column = nullptr;
+  const double* term_factor = nullptr;
+  const double* row_lower = nullptr;
+  const double* row_upper = nullptr;
+  const double* column_lower = nullptr;
+  const double* column_upper = nullptr;
+  const double* cost = nullptr;
+  int maximum_nodes = 0;
+  double* values = nullptr;  ///< result
+  int outcome = -1;          ///< 0 optimal, 1 infeasible, 2 limit, 3 GLPK failed
+};
+
+int bound_type(double lower, double upper) {
+  if (lower == upper) return GLP_FX;
+  const bool below = std::isfinite(lower);
+  const bool above = std::isfinite(upper);
+  if (below && above) return GLP_DB;
+  if (below) return GLP_LO;
+  return above ? GLP_UP : GLP_FR;
+}
+
+struct NodeCount {
+  int nodes = 0;
+  int maximum = 0;
+  bool reached = false;
+};
+
+void count_node(glp_tree* tree, void* info) {
+  auto* count = static_cast<NodeCount*>(info);
+  if (glp_ios_reason(tree) != GLP_ISELECT || ++count->nodes <= count->maximum) return;
+  count->reached = true;
+  glp_ios_terminate(tree);
+}
+
+void load(glp_prob* problem, const PlainProblem& plain) {
+  glp_set_obj_dir(problem, GLP_MIN);
+  if (plain.rows > 0) glp_add_rows(problem, plain.rows);
+  glp_add_cols(problem, plain.columns);
+  for (int i = 1; i <= plain.rows; ++i) {
+    glp_set_row_bnds(problem, i, bound_type(plain.row_lower[i], plain.row_upper[i]), plain.row_lower[i],
+                     plain.row_upper[i]);
+  }
+  for (int j = 1; j <= plain.columns; ++j) {
+    glp_set_col_kind(problem, j, GLP_IV);
+    glp_set_col_bnds(problem, j, bound_type(plain.column_lower[j], plain.column_upper[j]), plain.column_lower[j],
+                     plain.column_upper[j]);
+    glp_set_obj_coef(problem, j, plain.cost[j]);
+  }
+  glp_load_matrix(problem, plain.terms, plain.term_row, plain.term_column, plain.term_factor);
+}
+
+int run(glp_prob* problem, const PlainProblem& plain, NodeCount& nodes) {
+  glp_smcp simplex;
+  glp_init_smcp(&simplex);
+  simplex.msg_lev = GLP_MSG_OFF;
+  simplex.it_lim = maximum_simplex_iterations;
+  if (glp_simplex(problem, &simplex) != 0) return glp_get_status(problem) == GLP_NOFEAS ? 1 : 2;
+  if (glp_get_status(problem) != GLP_OPT) return 1;
+  glp_iocp branching;
+  glp_init_iocp(&branching);
+  branching.msg_lev = GLP_MSG_OFF;
+  nodes.maximum = plain.maximum_nodes;
+  branching.cb_func = count_node;
+  branching.cb_info = &nodes;
+  const int code = glp_intopt(problem, &branching);
+  if (nodes.reached || code == GLP_ESTOP) return 2;
+  if (code != 0) return 3;
+  if (glp_mip_status(problem) != GLP_OPT) return 1;
+  for (int j = 1; j <= plain.columns; ++j) plain.values[j] = glp_mip_col_val(problem, j);
+  return 0;
+}
+
+/// GLPK's error hook must not return and may not throw through C: it jumps to where GLPK was called from. This frame
+/// and all below it hold plain data only. What GLPK had allocated goes with its environment.
+void solve_plain(PlainProblem& plain) {
+  glp_term_out(GLP_OFF);
+  // GLPK turns its output on again to report an error; a hook that claims to have shown it keeps it quiet.
+  glp_term_hook([](void*, const char*) { return 1; }, nullptr);
+  std::jmp_buf stop;
+  NodeCount nodes;
+  if (setjmp(stop) != 0) {
+    plain.outcome = 3;
+  } else {
+    glp_error_hook([](void* info) { std::longjmp(*static_cast<std::jmp_buf*>(info), 1); }, &stop);
+    glp_prob* problem = glp_create_prob();
+    load(problem, plain);
+    plain.outcome = run(problem, plain, nodes);
+    glp_delete_prob(problem);
+  }
+  glp_error_hook(nullptr, nullptr);
+  glp_free_env();
+}
+
+}  // namespace
+
+Index IntegerProgram::add_variable(double lower, double upper, double cost) {
+  variables_.push_back({lower, upper, cost});
+  return static_cast<Index>(variables_.size() - 1);
+}
+
+void IntegerProgram::add_row(std::vector<Term> terms, double lower, double upper) {
+  // GLPK refuses a variable that stands twice in a row.
+  std::sort(terms.begin(), terms.end(), [](const Term& a, const Term& b) { return a.variable < b.variable; });
+  std::vector<Term> merged;
+  for (const Term& term : terms) {
+    if (!merged.empty() && merged.back().variable == term.variable) {
+      merged.back().factor += term.factor;
+    } else {
+      merged.push_back(term);
+    }
+  }
+  rows_.push_back({std::move(merged), lower, upper});
+}
+
+void IntegerProgram::fix(Index variable, double value) {
+  variables_[variable].lower = variables_[variable].upper = value;
+}
+
+IntegerProgram::Solution IntegerProgram::solve(int maximum_nodes) const {
+  Solution solution;
+  if (variables_.empty()) {
+    solution.status = Status::Optimal;
+    return solution;
+  }
+  std::vector<int> term_row{0};
+  std::vector<int> term_column{0};
+  std::vector<double> term_factor{0};
+  std::vector<double> row_lower{0};
+  std::vector<double> row_upper{0};
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    row_lower.push_back(rows_[i].lower);
+    row_upper.push_back(rows_[i].upper);
+    for (const Term& term : rows_[i].terms) {
+      term_row.push_back(static_cast<int>(i + 1));
+      term_column.push_back(static_cast<int>(term.variable + 1));
+      term_factor.push_back(term.factor);
+    }
+  }
+  std::vector<double> column_lower{0};
+  std::vector<double> column_upper{0};
+  std::vector<double> cost{0};
+  for (const Variable& variable : variables_) {
+    column_lower.push_back(variable.lower);
+    column_upper.push_back(variable.upper);
+    cost.push_back(variable.cost);
+  }
+  std::vector<double> values(variables_.size() + 1, 0.0);
+  PlainProblem plain{static_cast<int>(rows_.size()),
+                     static_cast<int>(variables_.size()),
+                     static_cast<int>(term_row.size() - 1),
+                     term_row.data(),
+                     term_column.data(),
+                     term_factor.data(),
+                     row_lower.data(),
+                     row_upper.data(),
+                     column_lower.data(),
+                     column_upper.data(),
+                     cost.data(),
+                     maximum_nodes,
+                     values.data(),
+                     -1};
+  std::thread(solve_plain, std::ref(plain)).join();
+  if (plain.outcome == 3) {
+    throw Error(
+        make_error(Category::Internal, "E_INTERNAL", "The integer program of the labelling was refused by GLPK"));
+  }
+  solution.status = plain.outcome == 0 ? Status::Optimal : plain.outcome == 1 ? Status::Infeasible : Status::Limit;
+  if (plain.outcome != 0) return solution;
+  for (std::size_t j = 1; j < values.size(); ++j) solution.values.push_back(static_cast<int>(std::lround(values[j])));
+  return solution;
+}
+
+}  // namespace croquis::silhouette

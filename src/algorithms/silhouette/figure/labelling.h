@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "algorithms/silhouette/figure/arrangement.h"
+#include "algorithms/silhouette/figure/arrangement_faces.h"
+#include "algorithms/silhouette/figure/integer_program.h"
+
+namespace croquis::silhouette {
+
+/// The labelled figure's numbers.
+struct Labelling {
+  IntegerProgram::Status status = IntegerProgram::Status::Infeasible;
+  std::vector<int> depth;               ///< per arc: n, surfaces in front of it
+  std::vector<int> side;                ///< per contour: surface on its left (+1) or right (-1)
+  std::vector<std::uint8_t> a_is_over;  ///< per crossing
+  std::vector<Index>
+      wrong_arcs;  ///< with slack: arcs that would have to be hidden in the open, or visible though covered
+};
+
+/// How strictly to label.
+enum class LabellingRules {
+  Local,  ///< the rules at crossings alone: needs no faces and refuses most wrong matchings at once
+  Full,   ///< the number of layers in every face too
+  Slack   ///< all, but arcs may break the rule of what is seen, at a price
+};
+
+/// Labels by integer programming (Williams 1994; Cordier, Seo, Cho 2006, section 3). For arcs e, contours c, crossings
+/// k of A and B with sign s, and sigma = 2 o - 1:
+///   (a) w = Σ sigma_c winding_c >= 0 in every face
+///   (b) n_e <= (w_left + w_right - 1) / 2
+///   (c) A over B: n(B+) - n(B-) = s sigma_A, n(A+) = n(A-), and A's depths are at most B's
+///   (d) B over A: n(A+) - n(A-) = -s sigma_B, and so on
+///   (f) visible arcs n = 0, hidden arcs n >= 1; sigma and the upper contour as far as T-junctions tell
+/// minimising Σ n plus a little of the covered area, so that of two readings the one with a hole wins.
+/// @param faces unused for LabellingRules::Local
+Labelling label_arrangement(const Arrangement& arrangement, const std::vector<int>& sides, const Faces& faces,
+                            LabellingRules rules);
+
+/// w: the number of surfaces in each face.
+std::vector<int> face_layers(const Faces& faces, const std::vector<int>& side);
+
+}  // namespace croquis::silhouette

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "algorithms/silhouette/skeleton/axis_pruning.h"
+#include "algorithms/silhouette/skeleton/immersed_triangulation.h"
+
+namespace croquis::silhouette {
+
+/// A node of the axis before any is left out: the middle of an inner edge, or the centre of a triangle.
+struct AxisNode {
+  Vec2 position = Vec2::Zero();
+  double radius = 0;
+  Index triangle = no_index;
+  Index corner = no_index;  ///< the edge opposite to this corner; no_index for the centre
+  /// Ends of the chords that were absorbed into the cap or blob that this node stands for.
+  std::vector<std::array<Index, 2>> absorbed;
+};
+
+struct AxisGraph {
+  std::vector<AxisNode> nodes;
+  std::vector<std::array<Index, 2>> edges;
+  /// Per vertex of the immersed triangulation: the mean radius of the chords that end there, or of the chord or cap it
+  /// was swallowed through.
+  std::vector<double> vertex_radius;
+};
+
+/// The chordal axis of the triangles that pruning left: a sleeve joins the middles of its two open edges, a junction
+/// its centre with three of them, a blob is one node.
+AxisGraph axis_graph(const ImmersedTriangulation& immersed, std::span<const Vec2> points, const AxisPruning& pruning);
+
+}  // namespace croquis::silhouette

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "algorithms/silhouette/skeleton/skeleton.h"
+#include "croquis/silhouette/labelled_figure.h"
+
+namespace croquis::silhouette {
+
+/// z[upper] - z[lower] >= bound keeps the circles of two chords apart.
+struct CollisionRow {
+  Index upper = 0;
+  Index lower = 0;
+  double bound = 0;
+};
+
+/// For panels directly above one another, every node whose chord passes through the upper one against every node of the
+/// lower one: with R = r_a + r_b + gap and plane distance l < R, z_a - z_b >= sqrt(R^2 - l^2).
+/// Cordier, Seo, Cho 2006, section 4.4.1. Ordered by upper, then lower node, each pair once.
+/// @param gap sketch units
+std::vector<CollisionRow> collision_rows(const Skeleton& skeleton, const LabelledFigure& figure, double gap);
+
+}  // namespace croquis::silhouette

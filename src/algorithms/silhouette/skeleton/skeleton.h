@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "croquis/geometry/vector.h"
+
+namespace croquis::silhouette {
+
+/// A place in the immersed region: a planar triangle of the figure and the layer there (0 in front).
+struct SheetPlace {
+  Index triangle = no_index;
+  Index layer = 0;
+
+  friend bool operator==(const SheetPlace&, const SheetPlace&) = default;
+};
+
+/// The stretch of a node's chord inside one panel.
+struct ChordPart {
+  Vec2 middle = Vec2::Zero();
+  double length = 0;
+};
+
+/// A node of the chordal axis.
+struct SkeletonNode {
+  Vec2 position = Vec2::Zero();
+  double radius = 0;
+  double z = 0;                  ///< set by the depth solve
+  Vec2 gradient = Vec2::Zero();  ///< of the carrying surface: its normal is (-g, 1); set by the depth solve
+  std::array<Vec2, 2> chord;     ///< the chord's two ends on the contours
+  SheetPlace place;              ///< where the node itself lies
+  /// One place for every panel (face, layer) that its chord passes through; at the end of a branch, and for a blob of
+  /// one node, also the chords of the cap or blob that it stands for.
+  std::vector<SheetPlace> crossed;
+  std::vector<ChordPart> parts;  ///< as crossed; the longest stretch where a panel is crossed twice
+  Index object = 0;
+};
+
+/// The chordal axis of one labelled figure.
+struct Skeleton {
+  std::vector<SkeletonNode> nodes;
+  std::vector<std::array<Index, 2>> edges;
+  double scale = 0;  ///< L: median radius of the nodes
+  /// Radius along the contours, from all chords before decimation: per contour and position the radius of the chord
+  /// (or cap) that the contour vertex belongs to. NaN where no chord ends.
+  std::vector<std::vector<double>> contour_radius;
+};
+
+}  // namespace croquis::silhouette

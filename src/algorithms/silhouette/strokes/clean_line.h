@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "algorithms/silhouette/strokes/polyline.h"
+#include "croquis/base/finding.h"
+
+namespace croquis::silhouette {
+
+/// One drawn line: a stroke, or several whose gaps were joined. A cleaned copy; the strokes stay as they are.
+struct CleanLine {
+  Points points;               ///< smoothed samples, about a step apart
+  std::vector<Index> stroke;   ///< per point: index into Drawing::strokes
+  std::vector<Index> strokes;  ///< in the order along the line
+  Points raw;                  ///< the strokes as drawn, one after the other
+  std::string object;          ///< name of the object it was forced into, empty for none
+  bool closed = false;
+
+  Index segment_count() const { return static_cast<Index>(closed ? points.size() : points.size() - 1); }
+  const Vec2& end(bool at_start) const { return at_start ? points.front() : points.back(); }
+  Index end_stroke(bool at_start) const { return at_start ? stroke.front() : stroke.back(); }
+};
+
+/// Something wrong with certain lines: their part of the drawing can't be labelled, others can.
+struct LineFinding {
+  Finding finding;
+  std::vector<Index> lines;
+};
+
+using LineFindings = std::vector<LineFinding>;
+
+/// The lengths of the drawing stage in sketch units.
+struct DrawingScale {
+  double unit = 1;  ///< u
+  double step = 6;
+  double tiny = 12;
+  double close = 8;
+  double gap = 18;
+  double snap = 10;
+};
+
+}  // namespace croquis::silhouette

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/strokes/drawing_findings.h"
+
+#include <array>
+#include <charconv>
+
+namespace croquis::silhouette {
+namespace {
+
+std::string number_text(double value, int digits) {
+  std::array<char, 64> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits).ptr;
+  return {text.data(), end};
+}
+
+// Findings speak of the file's y-down frame; zero must not become "-0".
+double flipped(double y) { return y == 0 ? 0 : -y; }
+
+}  // namespace
+
+Subject stroke_subject(const Drawing& drawing, Index stroke) {
+  Subject subject;
+  subject.kind = SubjectKind::Stroke;
+  subject.id = drawing.strokes[stroke].id;
+  if (!drawing.file.empty()) subject.file = drawing.file;
+  subject.line = drawing.strokes[stroke].line;
+  return subject;
+}
+
+Subject stroke_subject(const Drawing& drawing, Index stroke, const Vec2& at) {
+  Subject subject = stroke_subject(drawing, stroke);
+  subject.at = {at.x(), flipped(at.y())};
+  return subject;
+}
+
+Subject crossing_subject(const Drawing& drawing, const Vec2& at) {
+  Subject subject;
+  subject.kind = SubjectKind::Crossing;
+  if (!drawing.file.empty()) subject.file = drawing.file;
+  subject.at = {at.x(), flipped(at.y())};
+  return subject;
+}
+
+std::string quoted(const Drawing& drawing, Index stroke) { return "\"" + drawing.strokes[stroke].id + "\""; }
+
+std::string place_text(const Vec2& at) {
+  return "(" + number_text(at.x(), 6) + ", " + number_text(flipped(at.y()), 6) + ")";
+}
+
+std::string length_text(double length) { return number_text(length, 4); }
+
+}  // namespace croquis::silhouette

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "algorithms/silhouette/strokes/clean_line.h"
+
+namespace croquis::silhouette {
+
+/// A stroke sampled evenly enough that its length can be counted in samples.
+struct SampledStroke {
+  Points points;
+  Index stroke = 0;    ///< index into Drawing::strokes
+  std::string object;  ///< strokes of two named objects are never joined
+  bool closed = false;
+};
+
+/// One stroke in a chain of joined strokes.
+struct ChainLink {
+  Index index = 0;  ///< into the sampled strokes
+  bool reversed = false;
+};
+
+/// Strokes that together are one line.
+struct StrokeChain {
+  std::vector<ChainLink> links;  ///< in order along the line; the stroke drawn first keeps its direction
+  bool closed = false;
+};
+
+struct GapJoin {
+  Index first = 0;  ///< indices into the sampled strokes
+  Index second = 0;
+  double distance = 0;
+  Vec2 at = Vec2::Zero();
+};
+
+struct GapJoining {
+  std::vector<StrokeChain> chains;  ///< by the lowest stroke in them
+  std::vector<GapJoin> joins;       ///< strokes whose own ends met within DrawingScale::close are not listed
+};
+
+/// Finds the ends that were meant to meet, nearest pair first.
+///
+/// Two ends belong together when they are near, run in the same direction, and nothing lies between them: a line across
+/// the bridge means that the strokes pass behind it. The two ends of one stroke that are very near close it.
+/// @param spacing distance of the samples. O(n log n).
+GapJoining join_gaps(const std::vector<SampledStroke>& strokes, const DrawingScale& scale, double spacing);
+
+}  // namespace croquis::silhouette

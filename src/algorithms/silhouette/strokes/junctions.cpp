@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/strokes/junctions.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "algorithms/silhouette/strokes/bar_search.h"
+#include "algorithms/silhouette/strokes/drawing_findings.h"
+#include "algorithms/silhouette/strokes/line_conflicts.h"
+
+namespace croquis::silhouette {
+namespace {
+
+// A stem that meets its bar flatter than this sine is turned to it: its completion would cross the bar again.
+constexpr double least_sine = 0.3;
+// A stem goes on behind its bar by this much (u).
+constexpr double extension = 1.5;
+// No sample lies nearer to the end of a trimmed line than this share of a step.
+constexpr double least_spacing = 0.3;
+constexpr double tangent_steps = 6;
+
+/// What was found for the start and the end of a line.
+using EndHits = std::vector<std::array<std::optional<BarHit>, 2>>;
+
+EndHits search(const std::vector<CleanLine>& lines, const DrawingScale& scale, double back, const Progress& progress) {
+  const BarSearch bars(lines, scale);
+  EndHits hits(lines.size());
+  for (Index line = 0; line < lines.size(); ++line) {
+    progress.check();
+    if (lines[line].closed) continue;
+    hits[line] = {bars.find(line, true, back), bars.find(line, false, back)};
+  }
+  return hits;
+}
+
+void reverse(CleanLine& line) {
+  std::reverse(line.points.begin(), line.points.end());
+  std::reverse(line.stroke.begin(), line.stroke.end());
+  std::reverse(line.raw.begin(), line.raw.end());
+}
+
+/// Makes the last sample of a line the place of a hit.
+void move_end(CleanLine& line, const BarHit& hit, double step) {
+  const Index stroke = line.stroke.back();
+  const auto drop_last = [&line] {
+    line.points.pop_back();
+    line.stroke.pop_back();
+  };
+  double excess = -hit.along;
+  while (excess > 0 && line.points.size() > 2) {
+    const double length = (line.points.back() - line.points[line.points.size() - 2]).norm();
+    if (length > excess) break;
+    excess -= length;
+    drop_last();
+  }
+  if (excess > 0) drop_last();
+  while (line.points.size() > 1 && (line.points.back() - hit.at).norm() < least_spacing * step) drop_last();
+  line.points.push_back(hit.at);
+  line.stroke.push_back(stroke);
+}
+
+/// Cuts or extends the strokes as drawn so that they end where the cleaned line does.
+void move_raw_end(CleanLine& line, const Vec2& at, double reach) {
+  Points& raw = line.raw;
+  double best = (raw.back() - at).norm();
+  std::size_t keep = raw.size();
+  double walked = 0;
+  for (std::size_t i = raw.size() - 1; i > 0 && walked < reach; --i) {
+    const Vec2 nearest = raw[i - 1] + nearest_fraction(raw[i - 1], raw[i], at) * (raw[i] - raw[i - 1]);
+    if ((nearest - at).norm() < best) {
+      best = (nearest - at).norm();
+      keep = i;
+    }
+    walked += (raw[i] - raw[i - 1]).norm();
+  }
+  raw.resize(std::max<std::size_t>(keep, 1));
+  raw.push_back(at);
+}
+
+void move_ends(std::vector<CleanLine>& lines, const EndHits& hits, const DrawingScale& scale) {
+  for (Index i = 0; i < lines.size(); ++i) {
+    for (const bool at_start : {false, true}) {
+      const std::optional<BarHit>& hit = hits[i][at_start ? 0 : 1];
+      if (!hit) continue;
+      if (at_start) reverse(lines[i]);
+      move_end(lines[i], *hit, scale.step);
+      move_raw_end(lines[i], hit->at, 3 * scale.snap);
+      if (at_start) reverse(lines[i]);
+    }
+  }
+}
+
+/// Where a place lies on a bar whose start may have been trimmed since `parameter` was found.
+double current_parameter(const CleanLine& bar, double parameter, const Vec2& at) {
+  constexpr std::int64_t window = 16;
+  const auto count = static_cast<std::int64_t>(bar.segment_count());
+  const auto near = static_cast<std::int64_t>(parameter);
+  double best = std::numeric_limits<double>::infinity();
+  double found = 0;
+  for (std::int64_t k = near - window; k <= near + window; ++k) {
+    const std::int64_t i = bar.closed ? (k % count + count) % count : std::clamp<std::int64_t>(k, 0, count - 1);
+    const Vec2& a = bar.points[static_cast<std::size_t>(i)];
+    const Vec2& b = bar.points[static_cast<std::size_t>(i + 1) % bar.points.size()];
+    const double fraction = nearest_fraction(a, b, at);
+    const double distance = (a + fraction * (b - a) - at).norm();
+    if (distance < best) {
+      best = distance;
+      found = static_cast<double>(i) + std::min(fraction, 1 - 1e-9);
+    }
+  }
+  return found;
+}
+
+/// The junction of a line that ends on its bar.
+HiddenEnd junction(const std::vector<CleanLine>& lines, Index line, bool at_start, const BarHit& hit, double step) {
+  const double parameter = current_parameter(lines[hit.bar], hit.parameter, hit.at);
+  HiddenEnd end{line, at_start, hit.bar, parameter, hit.at, Vec2::Zero(), 1};
+  const Points& points = lines[line].points;
+  const Points& bar = lines[hit.bar].points;
+  const auto segment = static_cast<std::size_t>(parameter);
+  const Vec2 direction = (bar[(segment + 1) % bar.size()] - bar[segment]).normalized();
+  end.tangent = end_tangent(points, at_start, tangent_steps * step);
+  const double sine = cross(direction, end.tangent);
+  end.bar_side = sine >= 0 ? 1 : -1;
+  if (std::abs(sine) >= least_sine) return end;
+  // Too flat for the tangent to tell: the stem comes from the side where its last samples lie.
+  const Vec2 inward = -end_chord(points, at_start, 3 * step);
+  const double from = cross(direction, inward);
+  if (std::abs(from) > std::abs(sine)) end.bar_side = from > 0 ? -1 : 1;
+  const double ahead = end.tangent.dot(direction) >= 0 ? 1 : -1;
+  end.tangent =
+      ahead * std::sqrt(1 - least_sine * least_sine) * direction + end.bar_side * least_sine * left_of(direction);
+  return end;
+}
+
+LineFinding free_end(const Drawing& drawing, const CleanLine& line, Index index, bool at_start) {
+  const Vec2 at = line.end(at_start);
+  const Index stroke = line.end_stroke(at_start);
+  return {make_error(Category::Geometry, "E_FREE_END",
+                     "The end of " + quoted(drawing, stroke) + " at " + place_text(at) +
+                         " touches nothing: extend it to the line it passes behind, or close it",
+                     {stroke_subject(drawing, stroke, at)}),
+          {index}};
+}
+
+LineFinding two_sided(const Drawing& drawing, const std::vector<CleanLine>& lines, Index bar,
+                      const std::vector<HiddenEnd>& stems) {
+  const auto at = static_cast<std::size_t>(stems.front().bar_parameter);
+  const Index stroke = lines[bar].stroke[std::min(at, lines[bar].stroke.size() - 1)];
+  std::vector<Subject> subjects{stroke_subject(drawing, stroke)};
+  std::string left;
+  std::string right;
+  for (const HiddenEnd& stem : stems) {
+    const Index name = lines[stem.line].end_stroke(stem.at_start);
+    subjects.push_back(stroke_subject(drawing, name, stem.at));
+    std::string& group = stem.bar_side > 0 ? right : left;  // a stem comes from the side without surface
+    if (group.find(quoted(drawing, name)) == std::string::npos) {
+      group += (group.empty() ? "" : ", ") + quoted(drawing, name);
+    }
+  }
+  LineFinding result{make_error(Category::Geometry, "E_TWO_SIDED",
+                                "Lines end on both sides of " + quoted(drawing, stroke) +
+                                    ": only one side can be its surface, so move either " + left + " or " + right,
+                                std::move(subjects)),
+                     {bar}};
+  for (const HiddenEnd& stem : stems) result.lines.push_back(stem.line);
+  return result;
+}
+
+/// Williams' rule: a stem goes under its bar, so the bar's surface lies where the stem is heading.
+void decide_sides(const Drawing& drawing, const std::vector<CleanLine>& lines, Junctions& junctions) {
+  std::vector<std::vector<HiddenEnd>> stems(lines.size());
+  for (const HiddenEnd& end : junctions.ends) stems[end.bar].push_back(end);
+  junctions.sides.assign(lines.size(), 0);
+  for (Index bar = 0; bar < lines.size(); ++bar) {
+    if (stems[bar].empty()) continue;
+    const int side = stems[bar].front().bar_side;
+    const bool agreed = std::all_of(stems[bar].begin(), stems[bar].end(),
+                                    [side](const HiddenEnd& stem) { return stem.bar_side == side; });
+    if (agreed) {
+      junctions.sides[bar] = side;
+    } else {
+      junctions.findings.push_back(two_sided(drawing, lines, bar, stems[bar]));
+    }
+  }
+}
+
+}  // namespace
+
+Junctions find_junctions(const Drawing& drawing, std::vector<CleanLine>& lines, const DrawingScale& scale,
+                         const Progress& progress) {
+  move_ends(lines, search(lines, scale, scale.snap, progress), scale);
+  // Once more on the trimmed lines: a bar may have lost the bit that a stem ended on.
+  const EndHits hits = search(lines, scale, least_spacing * scale.step, progress);
+  move_ends(lines, hits, scale);
+
+  Junctions junctions;
+  for (Index line = 0; line < lines.size(); ++line) {
+    if (lines[line].closed) continue;
+    for (const bool at_start : {true, false}) {
+      const std::optional<BarHit>& hit = hits[line][at_start ? 0 : 1];
+      if (hit) {
+        junctions.ends.push_back(junction(lines, line, at_start, *hit, scale.step));
+      } else {
+        junctions.findings.push_back(free_end(drawing, lines[line], line, at_start));
+      }
+    }
+  }
+  decide_sides(drawing, lines, junctions);
+  LineFindings conflicts = find_line_conflicts(drawing, lines, junctions.ends, scale, progress);
+  std::move(conflicts.begin(), conflicts.end(), std::back_inserter(junctions.findings));
+  return junctions;
+}
+
+void extend_behind_bars(std::vector<CleanLine>& lines, const std::vector<HiddenEnd>& ends, const DrawingScale& scale) {
+  for (const HiddenEnd& end : ends) {
+    const Vec2 behind = end.at + extension * scale.unit * end.tangent;
+    (end.at_start ? lines[end.line].points.front() : lines[end.line].points.back()) = behind;
+  }
+}
+
+}  // namespace croquis::silhouette

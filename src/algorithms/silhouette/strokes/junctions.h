@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "algorithms/silhouette/strokes/clean_line.h"
+#include "croquis/base/progress.h"
+#include "croquis/geometry/drawing.h"
+
+namespace croquis::silhouette {
+
+/// The end of a line (the stem) that stops where another one (the bar) passes in front: a T-junction.
+struct HiddenEnd {
+  Index line = 0;
+  bool at_start = false;
+  Index bar = 0;
+  double bar_parameter = 0;     ///< place on the bar's samples
+  Vec2 at = Vec2::Zero();       ///< on the bar
+  Vec2 tangent = Vec2::Zero();  ///< outward, unit: into the bar's surface
+  int bar_side = 1;             ///< the bar's surface lies on its left (+1) or right (-1)
+};
+
+struct Junctions {
+  std::vector<HiddenEnd> ends;  ///< by line, its start first
+  std::vector<int> sides;       ///< per line: surface on its left (+1), right (-1), or not told by any stem (0)
+  LineFindings findings;        ///< E_FREE_END, E_TWO_SIDED, E_CROSS, E_TOUCH
+};
+
+/// Finds what every open end passes behind and trims or extends the lines to meet it exactly (Cordier, Seo, Cho 2006,
+/// section 3; the side rule is Williams 1994).
+///
+/// Lines then end on their bars; `extend_behind_bars` carries them on. O(n) for evenly spread samples.
+Junctions find_junctions(const Drawing& drawing, std::vector<CleanLine>& lines, const DrawingScale& scale,
+                         const Progress& progress);
+
+/// Carries each stem a little past its bar, so that the two cross instead of touching.
+void extend_behind_bars(std::vector<CleanLine>& lines, const std::vector<HiddenEnd>& ends, const DrawingScale& scale);
+
+}  // namespace croquis::silhouette

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/strokes/stroke_cleanup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "algorithms/silhouette/strokes/doubled_lines.h"
+#include "algorithms/silhouette/strokes/drawing_findings.h"
+#include "algorithms/silhouette/strokes/gap_joining.h"
+#include "croquis/base/error.h"
+
+namespace croquis::silhouette {
+namespace {
+
+// A drawing with more samples than this is a scribble: its outlines would be longer than 3000 times its diagonal.
+constexpr double maximum_samples = 500'000;
+// Bends sharper than 60 degrees within this many steps are meant.
+constexpr double corner_reach = 3;
+
+struct UsableStroke {
+  Index stroke = 0;
+  Points points;  ///< as drawn, repeated points dropped
+  double length = 0;
+  bool closed = false;
+};
+
+Finding unsupported_kind(const Drawing& drawing, Index stroke, const std::string& kind) {
+  return make_error(Category::Geometry, "E_NOT_SUPPORTED",
+                    "The stroke " + quoted(drawing, stroke) + " is marked as \"" + kind +
+                        "\", which is not understood yet: draw the visible contours instead",
+                    {stroke_subject(drawing, stroke)});
+}
+
+bool all_finite(const Stroke& stroke) {
+  return std::all_of(stroke.samples.begin(), stroke.samples.end(),
+                     [](const StrokeSample& sample) { return sample.position.allFinite(); });
+}
+
+double bounding_diagonal(const Drawing& drawing) {
+  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
+  Vec2 high = -low;
+  for (const Stroke& stroke : drawing.strokes) {
+    if (!all_finite(stroke)) continue;
+    for (const StrokeSample& sample : stroke.samples) {
+      low = low.cwiseMin(sample.position);
+      high = high.cwiseMax(sample.position);
+    }
+  }
+  return low.x() <= high.x() ? (high - low).norm() : 0;
+}
+
+DrawingScale scale_of(const Drawing& drawing, const StrokeOptions& options) {
+  const double unit = bounding_diagonal(drawing) / 1000;
+  return {
+      unit, options.step * unit, options.tiny * unit, options.close * unit, options.gap * unit, options.snap * unit};
+}
+
+Points distinct_points(const Stroke& stroke) {
+  Points points;
+  for (const StrokeSample& sample : stroke.samples) {
+    if (points.empty() || sample.position != points.back()) points.push_back(sample.position);
+  }
+  while (stroke.closed && points.size() > 1 && points.back() == points.front()) points.pop_back();
+  return points;
+}
+
+std::vector<UsableStroke> usable_strokes(const Drawing& drawing, const DrawingScale& scale, Findings& findings) {
+  std::vector<UsableStroke> usable;
+  for (Index s = 0; s < drawing.strokes.size(); ++s) {
+    const Stroke& stroke = drawing.strokes[s];
+    const auto kind = stroke.data.find("kind");
+    if (kind != stroke.data.end() && kind->second != "visible") {
+      findings.push_back(unsupported_kind(drawing, s, kind->second));
+      continue;
+    }
+    if (!all_finite(stroke)) {
+      findings.push_back(
+          make_error(Category::Malformed, "E_NOT_FINITE",
+                     "The stroke " + quoted(drawing, s) +
+                         " has a coordinate that is not a finite number: correct it or remove the stroke",
+                     {stroke_subject(drawing, s)}));
+      continue;
+    }
+    UsableStroke candidate{s, distinct_points(stroke), 0, stroke.closed};
+    candidate.length = total_length(candidate.points, candidate.closed);
+    if (candidate.points.size() < 2 || candidate.length < scale.tiny) {
+      findings.push_back(make_warning(Category::Geometry, "W_TINY",
+                                      "The stroke " + quoted(drawing, s) + " is too short and was ignored",
+                                      {stroke_subject(drawing, s)}));
+      continue;
+    }
+    usable.push_back(std::move(candidate));
+  }
+  return usable;
+}
+
+void check_extent(const Drawing& drawing, const std::vector<UsableStroke>& usable, double step, Findings& findings) {
+  if (!has_errors(findings) && usable.empty()) {
+    findings.push_back(make_error(Category::Geometry, "E_NO_STROKES",
+                                  "The drawing has no stroke to work with: draw the outline of something"));
+  }
+  if (usable.empty()) throw Error(findings);
+  double length = 0;
+  const UsableStroke* longest = &usable.front();
+  for (const UsableStroke& stroke : usable) {
+    length += stroke.length;
+    if (stroke.length > longest->length) longest = &stroke;
+  }
+  if (std::isfinite(length) && length <= maximum_samples * step) return;
+  findings.push_back(make_error(Category::Limit, "E_LIMIT",
+                                "The strokes are too long in all for their size, the longest being " +
+                                    quoted(drawing, longest->stroke) + ": remove scribbles",
+                                {stroke_subject(drawing, longest->stroke)}));
+  throw Error(findings);
+}
+
+std::vector<SampledStroke> sample(const Drawing& drawing, const std::vector<UsableStroke>& usable, double spacing) {
+  std::vector<SampledStroke> sampled;
+  for (const UsableStroke& stroke : usable) {
+    SampledStroke one;
+    one.stroke = stroke.stroke;
+    one.object = drawing.strokes[stroke.stroke].object;
+    one.closed = stroke.closed;
+    for (const double parameter : even_parameters(stroke.points, stroke.closed, spacing)) {
+      one.points.push_back(point_at(stroke.points, parameter));
+    }
+    sampled.push_back(std::move(one));
+  }
+  return sampled;
+}
+
+/// Drops samples at the end of `points` that lie beyond the place where the line goes on.
+void trim_overlap(Points& points, std::vector<Index>& stroke, const Vec2& next, double reach) {
+  if (points.size() < 3) return;
+  const Vec2 outward = end_chord(points, false, reach);
+  while (points.size() > 2 && (next - points.back()).dot(outward) < 0 && (next - points.back()).norm() < reach) {
+    points.pop_back();
+    stroke.pop_back();
+  }
+}
+
+/// Strings the strokes of a chain together.
+CleanLine concatenate(const StrokeChain& chain, const std::vector<SampledStroke>& sampled,
+                      const std::vector<UsableStroke>& usable, double gap) {
+  CleanLine line;
+  line.closed = chain.closed;
+  for (const ChainLink& link : chain.links) {
+    Points points = sampled[link.index].points;
+    Points raw = usable[link.index].points;
+    if (link.reversed) {
+      std::reverse(points.begin(), points.end());
+      std::reverse(raw.begin(), raw.end());
+    }
+    trim_overlap(line.points, line.stroke, points.front(), gap);
+    line.points.insert(line.points.end(), points.begin(), points.end());
+    line.stroke.insert(line.stroke.end(), points.size(), sampled[link.index].stroke);
+    line.strokes.push_back(sampled[link.index].stroke);
+    line.raw.insert(line.raw.end(), raw.begin(), raw.end());
+    if (line.object.empty()) line.object = sampled[link.index].object;
+  }
+  const bool drawn_closed = chain.links.size() == 1 && sampled[chain.links.front().index].closed;
+  if (line.closed && !drawn_closed) trim_overlap(line.points, line.stroke, line.points.front(), gap);
+  return line;
+}
+
+/// Smooths a line of densely sampled points and samples it once per step.
+void finish(CleanLine& line, double step, int passes) {
+  const double reach = corner_reach * step;
+  smooth(line.points, line.closed, corners(line.points, line.closed, reach), passes);
+  const std::vector<Index> kept = corners(line.points, line.closed, reach);
+  Points points;
+  std::vector<Index> stroke;
+  for (const double parameter : even_parameters(line.points, line.closed, step, kept)) {
+    points.push_back(point_at(line.points, parameter));
+    stroke.push_back(line.stroke[static_cast<std::size_t>(parameter)]);
+  }
+  line.points = std::move(points);
+  line.stroke = std::move(stroke);
+}
+
+Finding gap_warning(const Drawing& drawing, const std::vector<SampledStroke>& sampled, const GapJoin& join) {
+  const Index first = sampled[join.first].stroke;
+  const Index second = sampled[join.second].stroke;
+  const std::string where = first == second ? "between the ends of " + quoted(drawing, first)
+                                            : "between " + quoted(drawing, first) + " and " + quoted(drawing, second);
+  std::vector<Subject> subjects{stroke_subject(drawing, first, join.at)};
+  if (first != second) subjects.push_back(stroke_subject(drawing, second, join.at));
+  return make_warning(Category::Geometry, "W_GAP", "Closed a gap of " + length_text(join.distance) + " " + where,
+                      std::move(subjects));
+}
+
+}  // namespace
+
+CleanDrawing clean_strokes(const Drawing& drawing, const StrokeOptions& options, const Progress& progress) {
+  CleanDrawing result;
+  result.scale = scale_of(drawing, options);
+  const std::vector<UsableStroke> usable = usable_strokes(drawing, result.scale, result.findings);
+  check_extent(drawing, usable, result.scale.step, result.findings);
+
+  const double spacing = result.scale.step / 2;
+  const std::vector<SampledStroke> sampled = sample(drawing, usable, spacing);
+  progress.check();
+  const GapJoining joining = join_gaps(sampled, result.scale, spacing);
+  for (const GapJoin& join : joining.joins) result.findings.push_back(gap_warning(drawing, sampled, join));
+  progress.check();
+  for (const StrokeChain& chain : joining.chains) {
+    result.lines.push_back(concatenate(chain, sampled, usable, result.scale.gap));
+    finish(result.lines.back(), result.scale.step, options.smoothing_passes);
+    progress.check();
+  }
+  const Findings doubled = find_doubled_lines(drawing, result.lines, result.scale);
+  result.findings.insert(result.findings.end(), doubled.begin(), doubled.end());
+  return result;
+}
+
+}  // namespace croquis::silhouette

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/surface/certificate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "croquis/geometry/mesh_report.h"
+#include "croquis/geometry/predicates.h"
+#include "croquis/geometry/self_intersection.h"
+
+namespace croquis::silhouette {
+namespace {
+
+constexpr double grid = 0.01;  // u: two digits after the point at the usual 1000 units
+
+std::string topology_fault(const MeshReport& figures, int euler_region) {
+  if (!figures.closed) return "is not closed";
+  if (figures.nonmanifold_edges > 0 || figures.nonmanifold_vertices > 0) return "is not a manifold";
+  if (!figures.oriented || !figures.volume || *figures.volume <= 0) return "is not oriented outwards";
+  if (figures.degenerate_faces > 0) return "has faces without area";
+  if (figures.euler_characteristic != 2 * euler_region) {
+    return "has Euler number " + std::to_string(figures.euler_characteristic) + " where the drawing has " +
+           std::to_string(2 * euler_region);
+  }
+  return {};
+}
+
+bool triangles_keep_sense(const SheetSampling& sampling, Rounding rounding, double unit) {
+  std::vector<Vec2> points;
+  points.reserve(sampling.points.size());
+  for (const Vec2& p : sampling.points) {
+    points.emplace_back(rounded(p.x(), rounding, unit), rounded(p.y(), rounding, unit));
+  }
+  const auto keeps = [&](const std::array<Index, 3>& t) {
+    return orientation(points[t[0]], points[t[1]], points[t[2]]) > 0;
+  };
+  return std::all_of(sampling.planar.triangles.begin(), sampling.planar.triangles.end(), keeps);
+}
+
+}  // namespace
+
+double rounded(double value, Rounding rounding, double unit) {
+  switch (rounding) {
+    case Rounding::None: return value;
+    case Rounding::Single: return static_cast<double>(static_cast<float>(value));
+    case Rounding::Grid: return std::round(value / (grid * unit)) * (grid * unit);
+  }
+  return value;
+}
+
+bool sheets_in_order(const InflatedSheets& sheets, Rounding rounding, double unit) {
+  const auto front = [&](Index v) { return rounded(sheets.z[v] + sheets.thickness[v], rounding, unit); };
+  const auto back = [&](Index v) { return rounded(sheets.z[v] - sheets.thickness[v], rounding, unit); };
+  const std::vector<std::uint8_t>& on_boundary = sheets.sampling.lifted.on_boundary;
+  for (Index v = 0; v < on_boundary.size(); ++v) {
+    const bool apart = front(v) > back(v);
+    if (on_boundary[v] ? sheets.thickness[v] != 0 : !apart) return false;
+  }
+  const auto in_order = [&](const StackedPair& pair) { return back(pair.upper) > front(pair.lower); };
+  return std::all_of(sheets.pairs.begin(), sheets.pairs.end(), in_order) &&
+         triangles_keep_sense(sheets.sampling, rounding, unit);
+}
+
+double least_gap(const InflatedSheets& sheets) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const StackedPair& pair : sheets.pairs) {
+    const double back = sheets.z[pair.upper] - sheets.thickness[pair.upper];
+    least = std::min(least, back - (sheets.z[pair.lower] + sheets.thickness[pair.lower]));
+  }
+  return least;
+}
+
+std::vector<std::string> certify_topology(std::span<const CertificateInput> meshes, Progress& progress) {
+  std::vector<std::string> faults;
+  for (const CertificateInput& input : meshes) {
+    faults.push_back(topology_fault(inspect(*input.mesh, false, progress), input.euler_region));
+  }
+  return faults;
+}
+
+void certify_apart(std::span<const CertificateInput> meshes, Rounding rounding, double unit,
+                   std::vector<std::string>& faults, Progress& progress) {
+  PolyMesh all;
+  std::vector<std::size_t> owner;
+  for (std::size_t m = 0; m < meshes.size(); ++m) {
+    const PolyMesh& mesh = *meshes[m].mesh;
+    const auto first = static_cast<Index>(all.positions.size());
+    for (const Vec3& p : mesh.positions) {
+      all.positions.push_back(p.unaryExpr([&](double value) { return rounded(value, rounding, unit); }));
+    }
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+      std::vector<Index> corners(mesh.face(f).begin(), mesh.face(f).end());
+      for (Index& corner : corners) corner += first;
+      all.add_face(corners);
+      owner.push_back(m);
+    }
+  }
+  for (const auto& pair : find_self_intersections(all, progress).pairs) {
+    for (const Index face : pair) {
+      if (faults[owner[face]].empty()) faults[owner[face]] = "intersects itself or another one";
+    }
+  }
+}
+
+}  // namespace croquis::silhouette

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "algorithms/silhouette/surface/inflation.h"
+#include "croquis/base/progress.h"
+#include "croquis/geometry/poly_mesh.h"
+
+namespace croquis::silhouette {
+
+/// How a file may round the coordinates that it stores.
+enum class Rounding {
+  None,    ///< doubles, written so that they read back exactly
+  Single,  ///< 32-bit floats: STL, glTF, most PLY
+  Grid     ///< whole multiples of 0.01 u: text with few digits
+};
+
+double rounded(double value, Rounding rounding, double unit);
+
+/// Exact proof that the doubled sheets don't meet, on the rounded numbers: every planar triangle keeps its sense (so
+/// that the triangulation stays one), every front stays before its back inside, every back before the next front.
+/// Sufficient, not necessary: a rounding that turns an empty sliver of the convex hull over fails it. O(M).
+bool sheets_in_order(const InflatedSheets& sheets, Rounding rounding, double unit);
+
+/// Least distance along z of successive sheets, taken at all points of the common triangulation and so over all of it;
+/// infinity when none overlap.
+double least_gap(const InflatedSheets& sheets);
+
+/// A mesh that should be a closed solid, and the Euler number of the region that it doubles.
+struct CertificateInput {
+  const PolyMesh* mesh = nullptr;
+  int euler_region = 0;
+};
+
+/// For each mesh what is wrong with it, empty for nothing: closed, manifold, oriented outwards, without degenerate
+/// faces, Euler number twice its region's. Any mesh may be given, also one that was smoothed or remeshed.
+std::vector<std::string> certify_topology(std::span<const CertificateInput> meshes, Progress& progress);
+
+/// Adds to `faults` the meshes that intersect themselves or each other after rounding.
+void certify_apart(std::span<const CertificateInput> meshes, Rounding rounding, double unit,
+                   std::vector<std::string>& faults, Progress& progress);
+
+}  // namespace croquis::silhouette

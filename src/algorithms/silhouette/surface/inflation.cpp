@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/surface/inflation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/silhouette/surface/sheet_operator.h"
+#include "algorithms/silhouette/surface/thickness.h"
+
+namespace croquis::silhouette {
+namespace {
+
+constexpr double max_tilt_factor = 2;  // a limb that points at the viewer would otherwise become a spike
+
+Eigen::VectorXd node_radii(const Skeleton& skeleton) {
+  Eigen::VectorXd radii(static_cast<Eigen::Index>(skeleton.nodes.size()));
+  for (Eigen::Index n = 0; n < radii.size(); ++n) radii[n] = skeleton.nodes[static_cast<std::size_t>(n)].radius;
+  return radii;
+}
+
+/// Half of the edges at each node; a lone node stands for its radius.
+Eigen::VectorXd node_lengths(const Skeleton& skeleton) {
+  Eigen::VectorXd lengths = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(skeleton.nodes.size()));
+  for (const auto& [a, b] : skeleton.edges) {
+    const double half = (skeleton.nodes[b].position - skeleton.nodes[a].position).norm() / 2;
+    lengths[a] += half;
+    lengths[b] += half;
+  }
+  for (Eigen::Index n = 0; n < lengths.size(); ++n) {
+    if (lengths[n] <= 0) lengths[n] = skeleton.nodes[static_cast<std::size_t>(n)].radius;
+  }
+  return lengths;
+}
+
+MidSurfaceData mid_surface_data(const Skeleton& skeleton, std::vector<LiftedPlace> nodes,
+                                const std::vector<StackedPair>& pairs, const DepthOptions& options) {
+  MidSurfaceData data;
+  data.nodes = std::move(nodes);
+  data.node_z.resize(static_cast<Eigen::Index>(skeleton.nodes.size()));
+  for (Eigen::Index n = 0; n < data.node_z.size(); ++n) data.node_z[n] = skeleton.nodes[static_cast<std::size_t>(n)].z;
+  data.node_length = node_lengths(skeleton);
+  data.pairs = pairs;
+  data.scale = skeleton.scale;
+  data.gap = options.minimum_gap * skeleton.scale;
+  return data;
+}
+
+Eigen::VectorXd values_at(const std::vector<LiftedPlace>& places, const Eigen::VectorXd& values) {
+  Eigen::VectorXd result(static_cast<Eigen::Index>(places.size()));
+  for (std::size_t n = 0; n < places.size(); ++n) result[static_cast<Eigen::Index>(n)] = value_at(places[n], values);
+  return result;
+}
+
+}  // namespace
+
+Eigen::VectorXd tilt_factors(const Skeleton& skeleton, const Eigen::VectorXd& node_z) {
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero(node_z.size());
+  Eigen::VectorXd lengths = Eigen::VectorXd::Zero(node_z.size());
+  for (const auto& [a, b] : skeleton.edges) {
+    const double length = (skeleton.nodes[b].position - skeleton.nodes[a].position).norm();
+    if (length <= 0) continue;
+    const double rise = node_z[b] - node_z[a];
+    for (const Index node : {a, b}) {
+      squares[node] += rise * rise / length;
+      lengths[node] += length;
+    }
+  }
+  Eigen::VectorXd factors = Eigen::VectorXd::Ones(node_z.size());
+  for (Eigen::Index n = 0; n < factors.size(); ++n) {
+    if (lengths[n] > 0) factors[n] = std::min(max_tilt_factor, std::sqrt(1 + squares[n] / lengths[n]));
+  }
+  return factors;
+}
+
+InflatedSheets inflate_sheets(const LabelledFigure& figure, const Skeleton& skeleton, const DepthOptions& options,
+                              Progress& progress) {
+  InflatedSheets sheets;
+  Progress sampling = progress.step("sample sheets", 0.3);
+  sheets.sampling = sample_sheets(figure, skeleton, sampling);
+  sheets.pairs = stacked_pairs(sheets.sampling);
+  const std::vector<LiftedPlace> nodes = locate_nodes(figure, skeleton, sheets.sampling);
+
+  Progress thickening = progress.step("thickness", 0.2);
+  const SheetOperator op = make_sheet_operator(sheets.sampling);
+  const Eigen::VectorXd radii = node_radii(skeleton);
+  const NodeExtension extension(op, nodes, radii);
+  const Eigen::VectorXd upright = sheet_thickness(op, nodes, radii, extension, thickening);
+
+  Progress raising = progress.step("mid-surface", 0.25);
+  MidSurface mid_surface(op, mid_surface_data(skeleton, nodes, sheets.pairs, options));
+  const MidSurfaceResult first = mid_surface.solve(upright, raising);
+
+  Progress tilting = progress.step("tilt", 0.25);
+  const Eigen::VectorXd tilt = extension.extend(tilt_factors(skeleton, values_at(nodes, first.z)));
+  sheets.thickness = upright.cwiseProduct(tilt.cwiseMax(1).cwiseMin(max_tilt_factor));
+  const MidSurfaceResult second = mid_surface.solve(sheets.thickness, tilting);
+
+  sheets.z = second.z;
+  sheets.iterations = std::max(first.iterations, second.iterations);
+  sheets.residual = std::max(first.residual, second.residual);
+  return sheets;
+}
+
+}  // namespace croquis::silhouette

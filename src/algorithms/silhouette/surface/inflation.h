@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "algorithms/silhouette/skeleton/skeleton.h"
+#include "algorithms/silhouette/surface/mid_surface.h"
+#include "algorithms/silhouette/surface/sheet_sampling.h"
+#include "croquis/base/progress.h"
+#include "croquis/silhouette/labelled_figure.h"
+#include "croquis/silhouette/options.h"
+
+namespace croquis::silhouette {
+
+/// The region with a front z + h and a back z - h over it, piecewise linear over one planar triangulation.
+///
+/// Wherever a sheet lies before another at a vertex, its back is at least the gap before the other's front; being
+/// linear in between, no two sheets meet anywhere.
+struct InflatedSheets {
+  SheetSampling sampling;
+  Eigen::VectorXd thickness;  ///< per lifted vertex, h: 0 exactly on the boundary
+  Eigen::VectorXd z;          ///< per lifted vertex
+  std::vector<StackedPair> pairs;
+  int iterations = 0;  ///< of the mid-surface's solver, the larger of both solves
+  double residual = 0;
+};
+
+/// From a skeleton with depths to sheets with thickness. The thickness is meant along the surface's normal: where the
+/// skeleton is inclined, the vertical thickness grows by sqrt(1 + slope^2), at most twofold.
+/// @throws Error (E_INTERNAL) when the figure contradicts itself, Cancelled
+InflatedSheets inflate_sheets(const LabelledFigure& figure, const Skeleton& skeleton, const DepthOptions& options,
+                              Progress& progress);
+
+/// Per node the factor by which vertical thickness exceeds the thickness along the normal, 1..2.
+Eigen::VectorXd tilt_factors(const Skeleton& skeleton, const Eigen::VectorXd& node_z);
+
+}  // namespace croquis::silhouette

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/surface/mid_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "croquis/solver/least_squares_solver.h"
+
+namespace croquis::silhouette {
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+/// Against the nodes' pull: bends shorter than about half of L are smoothed out.
+constexpr double bending = 0.02;
+
+/// Added to the gap, in L: what rounding and the solver's tolerance may take away again.
+constexpr double gap_margin = 1e-5;
+
+/// Scales a row of the stiffness matrix to the root of the bending energy at its vertex.
+double row_scale(const SheetOperator& op, double scale, Eigen::Index v) {
+  return std::sqrt(bending / op.area[v]) * scale;
+}
+
+LeastSquaresProblem make_problem(const SheetOperator& op, const MidSurfaceData& data) {
+  const Eigen::Index count = op.stiffness.cols();
+  Triplets rows;
+  rows.reserve(static_cast<std::size_t>(op.stiffness.nonZeros()) + 3 * data.nodes.size());
+  for (Eigen::Index v = 0; v < count; ++v) {
+    for (Matrix::InnerIterator entry(op.stiffness, v); entry; ++entry) {
+      rows.emplace_back(entry.row(), v, row_scale(op, data.scale, entry.row()) * entry.value());
+    }
+  }
+  const auto node_count = static_cast<Eigen::Index>(data.nodes.size());
+  for (Eigen::Index n = 0; n < node_count; ++n) {
+    const LiftedPlace& place = data.nodes[static_cast<std::size_t>(n)];
+    const double pull = std::sqrt(data.node_length[n] / data.scale);
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (place.weights[i] > 0) rows.emplace_back(count + n, place.vertices[i], pull * place.weights[i]);
+    }
+  }
+  LeastSquaresProblem problem;
+  problem.objective.resize(count + node_count, count);
+  problem.objective.setFromTriplets(rows.begin(), rows.end());
+
+  Triplets gaps;
+  for (const StackedPair& pair : data.pairs) {
+    const auto row = static_cast<Eigen::Index>(gaps.size() / 2);
+    gaps.emplace_back(row, pair.upper, 1.0);
+    gaps.emplace_back(row, pair.lower, -1.0);
+  }
+  problem.inequalities.resize(static_cast<Eigen::Index>(data.pairs.size()), count);
+  problem.inequalities.setFromTriplets(gaps.begin(), gaps.end());
+  problem.inequality_bounds = Eigen::VectorXd::Zero(problem.inequalities.rows());
+  return problem;
+}
+
+}  // namespace
+
+std::vector<StackedPair> stacked_pairs(const SheetSampling& sheets) {
+  std::vector<StackedPair> pairs;
+  const LiftedTriangulation& lifted = sheets.lifted;
+  for (Index t = 0; t < sheets.planar.triangles.size(); ++t) {
+    for (Index m = lifted.first_copy[t]; m + 1 < lifted.first_copy[t + 1]; ++m) {
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        pairs.push_back({lifted.triangles[m][corner], lifted.triangles[m + 1][corner]});
+      }
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+struct MidSurface::State {
+  const SheetOperator& op;
+  MidSurfaceData data;
+  LeastSquaresSolver solver;
+
+  State(const SheetOperator& sheet_operator, MidSurfaceData d)
+      : op(sheet_operator), data(std::move(d)), solver(make_problem(op, data)) {
+    solver.set_target(target());
+  }
+
+  Eigen::VectorXd target() const {
+    const Eigen::Index count = op.stiffness.cols();
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(count + data.node_z.size());
+    for (Eigen::Index n = 0; n < data.node_z.size(); ++n) {
+      result[count + n] = std::sqrt(data.node_length[n] / data.scale) * data.node_z[n];
+    }
+    return result;
+  }
+
+  Eigen::VectorXd bounds(const Eigen::VectorXd& thickness) const {
+    Eigen::VectorXd result(static_cast<Eigen::Index>(data.pairs.size()));
+    Eigen::Index row = 0;
+    for (const StackedPair& pair : data.pairs) {
+      result[row++] = thickness[pair.upper] + thickness[pair.lower] + data.gap + gap_margin * data.scale;
+    }
+    return result;
+  }
+};
+
+MidSurface::MidSurface(const SheetOperator& op, MidSurfaceData data)
+    : state_(std::make_unique<State>(op, std::move(data))) {}
+
+MidSurface::~MidSurface() = default;
+
+MidSurfaceResult MidSurface::solve(const Eigen::VectorXd& thickness, Progress& progress) {
+  state_->solver.set_inequality_bounds(state_->bounds(thickness));
+  const LeastSquaresSolution solution = state_->solver.solve(progress);
+  return {solution.x, solution.iterations, std::max(solution.primal_residual, solution.dual_residual)};
+}
+
+}  // namespace croquis::silhouette

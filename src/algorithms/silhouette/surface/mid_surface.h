@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "algorithms/silhouette/surface/sheet_operator.h"
+#include "croquis/base/progress.h"
+
+namespace croquis::silhouette {
+
+/// Two lifted vertices above the same point with nothing between them.
+struct StackedPair {
+  Index upper = 0;
+  Index lower = 0;
+  friend auto operator<=>(const StackedPair&, const StackedPair&) = default;
+};
+
+/// Every pair of sheets in front of each other, at every point of the sampling; ascending. O(M log M).
+std::vector<StackedPair> stacked_pairs(const SheetSampling& sheets);
+
+/// What the middle of the sheets is pulled to, and what keeps them apart.
+struct MidSurfaceData {
+  std::vector<LiftedPlace> nodes;
+  Eigen::VectorXd node_z;       ///< per node
+  Eigen::VectorXd node_length;  ///< per node: length of skeleton that it stands for
+  std::vector<StackedPair> pairs;
+  double scale = 1;  ///< L
+  double gap = 0;    ///< least distance of sheets, along z
+};
+
+struct MidSurfaceResult {
+  Eigen::VectorXd z;  ///< per lifted vertex
+  int iterations = 0;
+  double residual = 0;
+};
+
+/// The surface half way between front and back: as smooth as the skeleton's depths allow, level across every rim, and
+/// nowhere nearer to the next sheet than thickness and gap demand.
+///
+/// Minimises 0.02 L^2 integral (Lap z)^2 + sum length/L (z(node) - z_node)^2 subject to z_a - z_b >= h_a + h_b + gap at
+/// all stacked vertices. The square of the Laplacian is per area, so that dense rows of points don't make a sheet
+/// softer there; its boundary rows make the normal derivative vanish, which is right: a round tube's rims are as high
+/// as its axis. Always feasible, since every lifted vertex has a height of its own.
+class MidSurface {
+ public:
+  MidSurface(const SheetOperator& op, MidSurfaceData data);
+  ~MidSurface();
+
+  /// @param thickness per lifted vertex, h; a second call reuses the first one's factorisation
+  /// @throws Cancelled
+  MidSurfaceResult solve(const Eigen::VectorXd& thickness, Progress& progress);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace croquis::silhouette

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include "algorithms/silhouette/surface/sheet_sampling.h"
+
+namespace croquis::silhouette {
+
+/// Piecewise linear finite elements on the immersed region; the immersion is a local isometry, so that lengths and
+/// angles are those of the plane.
+struct SheetOperator {
+  Eigen::SparseMatrix<double> stiffness;  ///< #V by #V, cotangent weights, free boundary: -Lap, integrated
+  Eigen::VectorXd area;                   ///< #V, a third of the triangles around
+  std::vector<std::uint8_t> on_boundary;  ///< #V
+  std::vector<Vec2> position;             ///< #V
+};
+
+SheetOperator make_sheet_operator(const SheetSampling& sheets);
+
+}  // namespace croquis::silhouette

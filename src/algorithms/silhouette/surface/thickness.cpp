@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/surface/thickness.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/SparseCholesky>
+
+namespace croquis::silhouette {
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+using Factorisation = Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::AMDOrdering<int>>;
+
+/// Against the stiffness matrix, which has no unit: on a tube values settle within a quarter of the radius.
+constexpr double node_stiffness = 10;
+
+/// How far a node's pull is spread, in radii: a pull at a point of a wide body would stand out as a pimple.
+constexpr double node_reach = 0.6;
+
+/// Keeps a part without any node regular; too weak to be noticed elsewhere.
+constexpr double background_stiffness = 1e-6;
+
+/// The least u inside, as a part of that of a disk inscribed at the vertex' own triangles. Only reached when a very
+/// obtuse triangle breaks the maximum principle.
+constexpr double least_load = 0.25;
+
+/// Rows and columns of inner vertices.
+struct InnerSystem {
+  std::vector<int> row_of;  ///< per vertex; -1 on the boundary
+  std::vector<int> vertex;  ///< per row
+  Matrix matrix;
+};
+
+InnerSystem inner_system(const SheetOperator& op) {
+  InnerSystem system;
+  for (int v = 0; v < op.stiffness.cols(); ++v) {
+    const bool inner = !op.on_boundary[static_cast<std::size_t>(v)];
+    system.row_of.push_back(inner ? static_cast<int>(system.vertex.size()) : -1);
+    if (inner) system.vertex.push_back(v);
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(static_cast<std::size_t>(op.stiffness.nonZeros()));
+  for (const int v : system.vertex) {
+    for (Matrix::InnerIterator near(op.stiffness, v); near; ++near) {
+      const int row = system.row_of[static_cast<std::size_t>(near.row())];
+      if (row >= 0) entries.emplace_back(row, system.row_of[static_cast<std::size_t>(v)], near.value());
+    }
+  }
+  const auto count = static_cast<Eigen::Index>(system.vertex.size());
+  system.matrix.resize(count, count);
+  system.matrix.setFromTriplets(entries.begin(), entries.end());
+  return system;
+}
+
+Eigen::VectorXd solve_inner(const InnerSystem& system, const Factorisation& factors, const Eigen::VectorXd& load) {
+  Eigen::VectorXd right(system.matrix.cols());
+  for (Eigen::Index row = 0; row < right.size(); ++row) right[row] = load[system.vertex[static_cast<std::size_t>(row)]];
+  const Eigen::VectorXd inner = factors.solve(right);
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(load.size());
+  for (Eigen::Index row = 0; row < inner.size(); ++row)
+    values[system.vertex[static_cast<std::size_t>(row)]] = inner[row];
+  return values;
+}
+
+/// A node's share of a vertex.
+struct NodeShare {
+  Index vertex = 0;
+  Index node = 0;
+  double weight = 0;
+};
+
+/// Spreads nodes over the vertices around them, in their own sheet.
+class NodeSpreader {
+ public:
+  explicit NodeSpreader(const SheetOperator& op) : op_(op), last_seen_(op.position.size(), no_index) {}
+
+  /// The weights of a node sum to 1; they fall off smoothly towards the distance.
+  void spread(Index node, const LiftedPlace& place, double distance, std::vector<NodeShare>& shares) {
+    Vec2 centre = Vec2::Zero();
+    for (std::size_t i = 0; i < 3; ++i) centre += place.weights[i] * op_.position[place.vertices[i]];
+    const std::size_t first = shares.size();
+    queue_.assign(place.vertices.begin(), place.vertices.end());
+    for (const Index v : queue_) last_seen_[v] = node;
+    double sum = 0;
+    for (std::size_t head = 0; head < queue_.size(); ++head) {
+      const Index v = queue_[head];
+      const double nearness = 1 - (op_.position[v] - centre).squaredNorm() / (distance * distance);
+      if (nearness <= 0) continue;
+      shares.push_back({v, node, op_.area[v] * nearness * nearness});
+      sum += shares.back().weight;
+      for (Matrix::InnerIterator near(op_.stiffness, v); near; ++near) {
+        const auto other = static_cast<Index>(near.row());
+        if (last_seen_[other] != node) queue_.push_back(other);
+        last_seen_[other] = node;
+      }
+    }
+    for (std::size_t s = first; s < shares.size(); ++s) shares[s].weight /= sum;
+    if (sum > 0) return;
+    for (std::size_t i = 0; i < 3; ++i) shares.push_back({place.vertices[i], node, place.weights[i]});
+  }
+
+ private:
+  const SheetOperator& op_;
+  std::vector<Index> last_seen_;  ///< per vertex, the node that met it last
+  std::vector<Index> queue_;
+};
+
+}  // namespace
+
+struct NodeExtension::Factors {
+  Factorisation factorisation;
+  std::vector<NodeShare> shares;
+  Eigen::VectorXd background;
+};
+
+NodeExtension::NodeExtension(const SheetOperator& op, const std::vector<LiftedPlace>& nodes,
+                             const Eigen::VectorXd& radii)
+    : factors_(std::make_unique<Factors>()) {
+  NodeSpreader spreader(op);
+  for (Index n = 0; n < nodes.size(); ++n) spreader.spread(n, nodes[n], node_reach * radii[n], factors_->shares);
+  factors_->background = background_stiffness / op.area.sum() * op.area;
+  Matrix matrix = op.stiffness;
+  for (Eigen::Index v = 0; v < matrix.cols(); ++v) matrix.coeffRef(v, v) += factors_->background[v];
+  for (const NodeShare& share : factors_->shares) {
+    matrix.coeffRef(share.vertex, share.vertex) += node_stiffness * share.weight;
+  }
+  factors_->factorisation.compute(matrix);
+}
+
+NodeExtension::~NodeExtension() = default;
+NodeExtension::NodeExtension(NodeExtension&&) noexcept = default;
+
+Eigen::VectorXd NodeExtension::extend(const Eigen::VectorXd& node_values) const {
+  const double middle = node_values.size() > 0 ? node_values.mean() : 1;
+  Eigen::VectorXd right = middle * factors_->background;
+  for (const NodeShare& share : factors_->shares) {
+    right[share.vertex] += node_stiffness * share.weight * node_values[share.node];
+  }
+  return factors_->factorisation.solve(right);
+}
+
+double value_at(const LiftedPlace& place, const Eigen::VectorXd& values) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) sum += place.weights[i] * values[place.vertices[i]];
+  return sum;
+}
+
+Eigen::VectorXd sheet_thickness(const SheetOperator& op, const std::vector<LiftedPlace>& nodes,
+                                const Eigen::VectorXd& radii, const NodeExtension& extension, Progress& progress) {
+  const InnerSystem system = inner_system(op);
+  const Factorisation factors(system.matrix);
+  progress.check();
+  Eigen::VectorXd u = solve_inner(system, factors, 4 * op.area);
+  for (const int v : system.vertex) u[v] = std::max(u[v], least_load * op.area[v]);
+  progress.check();
+
+  Eigen::VectorXd beta(static_cast<Eigen::Index>(nodes.size()));
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    const auto i = static_cast<Eigen::Index>(n);
+    // Interpolated u rather than its root: the root of the mean has the smaller error.
+    beta[i] = std::clamp(radii[i] / std::sqrt(std::max(value_at(nodes[n], u), 1e-300)), 0.5, 1.2);
+  }
+  return extension.extend(beta).cwiseProduct(u.cwiseSqrt());
+}
+
+}  // namespace croquis::silhouette

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/obj/obj_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "io/channel_values.h"
+#include "io/obj/category_state.h"
+#include "io/obj/obj_corner_table.h"
+#include "io/text.h"
+
+namespace croquis {
+namespace {
+
+// Keywords of the format that say nothing a mesh can hold.
+constexpr std::array passed_over = {
+    "mtllib",    "maplib", "usemap", "p",    "t",    "mg",   "bevel",  "c_interp", "d_interp", "lod",  "shadow_obj",
+    "trace_obj", "ctech",  "stech",  "call", "csh",  "vp",   "cstype", "deg",      "bmat",     "step", "curv",
+    "curv2",     "surf",   "parm",   "trim", "hole", "scrv", "sp",     "end",      "con",      "xref"};
+
+const char* what_is_lost(std::string_view keyword) {
+  if (keyword == "t") return "tags (creases and corners) are not read yet";
+  if (keyword == "mtllib") return "the material library is not read, material names are kept";
+  if (keyword == "p") return "points as elements are not read";
+  return "they say nothing that a mesh holds";
+}
+
+// Joins lines that end with a backslash; copies only those.
+class StatementReader {
+ public:
+  explicit StatementReader(std::string_view bytes) : lines_(bytes) {}
+
+  bool next(TextLine& statement) {
+    if (!lines_.next(statement)) return false;
+    if (!continues(statement.text)) return true;
+    joined_.clear();
+    TextLine line = statement;
+    do {
+      joined_.append(line.text.substr(0, line.text.size() - 1)).append(1, ' ');
+    } while (lines_.next(line) && continues(line.text));
+    if (!continues(line.text)) joined_.append(line.text);
+    statement.text = joined_;
+    return true;
+  }
+
+  std::size_t position() const { return lines_.position(); }
+
+ private:
+  static bool continues(std::string_view text) { return !text.empty() && text.back() == '\\'; }
+
+  LineReader lines_;
+  std::string joined_;
+};
+
+constexpr std::int64_t absent = std::numeric_limits<std::int64_t>::min();
+constexpr std::size_t no_face = std::numeric_limits<std::size_t>::max();
+
+struct Reference {
+  std::int64_t vertex = absent, uv = absent, normal = absent;  // as written
+};
+
+// "v", "v/t", "v//n" or "v/t/n"; some exporters leave the slashes of what they don't have.
+bool parse_reference(std::string_view word, Reference& reference) {
+  const std::array parts = {&reference.vertex, &reference.uv, &reference.normal};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::size_t slash = std::min(word.find('/'), word.size());
+    const std::string_view part = word.substr(0, slash);
+    if (part.empty() ? i == 0 : !parse_number(part, *parts[i])) return false;
+    if (slash == word.size()) return true;
+    word.remove_prefix(slash + 1);
+  }
+  return false;
+}
+
+class ObjReader {
+ public:
+  ObjReader(std::string_view bytes, ReadContext& context) : statements_(bytes), context_(context) {}
+
+  PolyMesh read() {
+    TextLine statement;
+    while (statements_.next(statement)) {
+      context_.tick(statements_.position());
+      line_ = statement.number;
+      WordReader words(statement.text);
+      const std::string_view keyword = words.next();
+      if (!keyword.empty()) handle(keyword, words);
+    }
+    finish();
+    return std::move(mesh_);
+  }
+
+ private:
+  // A reference to something further down the file, which can be judged only at its end.
+  struct Forward {
+    std::int64_t line, value;
+    std::size_t face;
+    int kind;
+  };
+
+  void handle(std::string_view keyword, WordReader& words);
+  void read_vertex(WordReader& words);
+  void read_table_entry(ObjCornerTable& table, WordReader& words, int least, const char* what);
+  int read_numbers(WordReader& words, std::span<double> values);
+  void add_colour(const double* values, int width);
+  void read_face(WordReader& words);
+  void read_line(WordReader& words);
+  bool read_references(WordReader& words);
+  Index resolve(std::int64_t value, std::size_t count, int kind);
+  void read_smoothing(WordReader& words);
+  void pass_over(std::string_view keyword);
+  void report_index(std::int64_t line, std::size_t face, std::int64_t value, int kind);
+  void finish();
+  void finish_colours();
+
+  StatementReader statements_;
+  ReadContext& context_;
+  PolyMesh mesh_;
+  std::int64_t line_ = 0;
+  std::size_t faces_met_ = 0;
+  std::size_t face_ = no_face;  // the one being read
+  std::vector<Reference> references_;
+  std::vector<Index> vertices_;
+  std::vector<Forward> forward_;
+  CategoryState groups_{"group"}, objects_{"object"}, materials_{"material"};
+  ObjCornerTable uvs_{"uv", 2}, normals_{"normal", 3};
+  std::vector<double> colours_;  // four per vertex, empty until one has a colour
+  int colour_width_ = 3;
+  std::vector<std::int32_t> smoothing_;
+  std::int32_t smoothing_group_ = 0;
+  bool smoothing_named_ = false;
+  std::size_t weights_ = 0;
+  std::map<std::string, std::pair<std::size_t, std::int64_t>, std::less<>> passed_;  // count and first line
+};
+
+void ObjReader::handle(std::string_view keyword, WordReader& words) {
+  if (keyword == "v") return read_vertex(words);
+  if (keyword == "f" || keyword == "fo") return read_face(words);
+  if (keyword == "vn") return read_table_entry(normals_, words, 3, "normal");
+  if (keyword == "vt") return read_table_entry(uvs_, words, 1, "texture coordinate");
+  if (keyword == "l") return read_line(words);
+  if (keyword == "s") return read_smoothing(words);
+  if (keyword == "g" || keyword == "o" || keyword == "usemtl") {
+    CategoryState& category = keyword == "g" ? groups_ : keyword == "o" ? objects_ : materials_;
+    const std::string_view name = words.rest();
+    return category.set(name.empty() ? "default" : name);
+  }
+  pass_over(keyword);
+}
+
+void ObjReader::pass_over(std::string_view keyword) {
+  if (std::find(passed_over.begin(), passed_over.end(), keyword) == passed_over.end()) {
+    return context_.error("E_SYNTAX", "the statement " + quoted(keyword) + " does not exist in OBJ", at_line(line_));
+  }
+  auto entry = passed_.find(keyword);
+  if (entry == passed_.end()) entry = passed_.emplace(keyword, std::pair{std::size_t{0}, line_}).first;
+  ++entry->second.first;
+}
+
+// The number of values read, or -1 after an error.
+int ObjReader::read_numbers(WordReader& words, std::span<double> values) {
+  int count = 0;
+  for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+    if (static_cast<std::size_t>(count) == values.size()) {
+      context_.error("E_SYNTAX", "there are more than " + std::to_string(count) + " numbers", at_line(line_));
+      return -1;
+    }
+    if (!parse_number(word, values[static_cast<std::size_t>(count)])) {
+      context_.error("E_SYNTAX", quoted(word) + " is not a number", at_line(line_));
+      return -1;
+    }
+    ++count;
+  }
+  return count;
+}
+
+void ObjReader::read_vertex(WordReader& words) {
+  std::array<double, 7> values{};
+  const int count = read_numbers(words, values);
+  mesh_.positions.emplace_back(values[0], values[1], values[2]);  // even after an error, to keep the numbering
+  if (count < 0) return;
+  const std::size_t vertex = mesh_.vertex_count() - 1;
+  if (count < 3 || count == 5) {
+    return context_.error("E_SYNTAX",
+                          "a vertex has 3 coordinates (and 3 or 4 colour values), not " + std::to_string(count),
+                          at_line(line_), vertex_subject(vertex));
+  }
+  if (!mesh_.positions.back().allFinite()) context_.not_finite(vertex, at_line(line_));
+  if (count == 4 && values[3] != 1) ++weights_;
+  if (count >= 6) add_colour(values.data() + 3, count - 3);
+}
+
+void ObjReader::add_colour(const double* values, int width) {
+  colours_.resize(4 * (mesh_.vertex_count() - 1), std::numeric_limits<double>::quiet_NaN());
+  colours_.insert(colours_.end(), values, values + 3);
+  colours_.push_back(width == 4 ? values[3] : 1);
+  colour_width_ = std::max(colour_width_, width);
+}
+
+void ObjReader::read_table_entry(ObjCornerTable& table, WordReader& words, int least, const char* what) {
+  double values[3] = {};
+  const int count = read_numbers(words, values);
+  table.add(values, count);
+  if (count >= 0 && count < least) {
+    context_.error("E_SYNTAX", std::string("a ") + what + " has too few numbers", at_line(line_));
+  }
+}
+
+bool ObjReader::read_references(WordReader& words) {
+  references_.clear();
+  for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+    Reference reference;
+    if (!parse_reference(word, reference)) {
+      context_.error("E_SYNTAX", quoted(word) + " is not a vertex reference like 3, 3/1 or 3/1/2", at_line(line_));
+      return false;
+    }
+    references_.push_back(reference);
+  }
+  return true;
+}
+
+Index ObjReader::resolve(std::int64_t value, std::size_t count, int kind) {
+  const auto known = static_cast<std::int64_t>(count);
+  if (value < 0 && value >= -known) return static_cast<Index>(known + value);
+  if (value <= 0 || value >= no_index) {
+    report_index(line_, face_, value, kind);
+    return 0;
+  }
+  if (value > known) forward_.push_back({line_, value, face_, kind});
+  return static_cast<Index>(value - 1);
+}
+
+void ObjReader::report_index(std::int64_t line, std::size_t face, std::int64_t value, int kind) {
+  static constexpr std::array names = {"vertex", "texture coordinate", "normal"};
+  const std::array counts = {mesh_.vertex_count(), uvs_.size(), normals_.size()};
+  const auto k = static_cast<std::size_t>(kind);
+  const std::string why = value == 0  ? "but OBJ counts from 1"
+                          : value < 0 ? "but only " + std::to_string(counts[k]) + " stand before it"
+                                      : "but the file has " + std::to_string(counts[k]);
+  context_.error("E_INDEX",
+                 "the element uses " + std::string(names[k]) + " number " + std::to_string(value) + ", " + why,
+                 at_line(line), face == no_face ? std::vector<Subject>{} : face_subject(face));
+}
+
+void ObjReader::read_face(WordReader& words) {
+  face_ = faces_met_++;
+  if (!read_references(words)) return;
+  const std::size_t corners_before = mesh_.corners.size();
+  if (references_.size() < 3) context_.too_few_corners(face_, references_.size(), at_line(line_));
+  vertices_.clear();
+  for (std::size_t i = 0; i < references_.size(); ++i) {
+    const Reference& r = references_[i];
+    vertices_.push_back(resolve(r.vertex, mesh_.vertex_count(), 0));
+    uvs_.corner_added(r.uv == absent ? no_index : resolve(r.uv, uvs_.size(), 1), corners_before + i);
+    normals_.corner_added(r.normal == absent ? no_index : resolve(r.normal, normals_.size(), 2), corners_before + i);
+  }
+  const std::size_t face = mesh_.face_count();
+  for (CategoryState* category : {&groups_, &objects_, &materials_}) category->face_added(face);
+  if (smoothing_named_) {
+    smoothing_.resize(face, 0);
+    smoothing_.push_back(smoothing_group_);
+  }
+  mesh_.add_face(vertices_);
+}
+
+void ObjReader::read_line(WordReader& words) {
+  face_ = no_face;
+  if (!read_references(words)) return;
+  if (references_.size() < 2) {
+    return context_.error("E_SYNTAX", "a polyline needs at least 2 vertices", at_line(line_));
+  }
+  vertices_.clear();
+  for (const Reference& r : references_) vertices_.push_back(resolve(r.vertex, mesh_.vertex_count(), 0));
+  for (CategoryState* category : {&groups_, &objects_, &materials_}) category->line_added(mesh_.line_count());
+  mesh_.add_line(vertices_);
+}
+
+void ObjReader::read_smoothing(WordReader& words) {
+  const std::string_view word = words.next();
+  smoothing_group_ = 0;
+  if (word != "off" && !parse_number(word, smoothing_group_)) {
+    context_.error("E_SYNTAX", quoted(word) + " is not the number of a smoothing group", at_line(line_));
+  }
+  smoothing_named_ = true;
+}
+
+void ObjReader::finish_colours() {
+  if (colours_.empty()) return;
+  colours_.resize(4 * mesh_.vertex_count(), std::numeric_limits<double>::quiet_NaN());
+  std::vector<double> values;
+  values.reserve(mesh_.vertex_count() * static_cast<std::size_t>(colour_width_));
+  for (std::size_t v = 0; v < mesh_.vertex_count(); ++v) {
+    const auto first = colours_.begin() + static_cast<std::ptrdiff_t>(4 * v);
+    values.insert(values.end(), first, first + colour_width_);
+  }
+  mesh_.channels.push_back(make_channel("color", Domain::Vertex, colour_width_, std::move(values)));
+}
+
+void ObjReader::finish() {
+  const std::array counts = {mesh_.vertex_count(), uvs_.size(), normals_.size()};
+  for (const Forward& f : forward_) {
+    if (f.value > static_cast<std::int64_t>(counts[static_cast<std::size_t>(f.kind)])) {
+      report_index(f.line, f.face, f.value, f.kind);
+    }
+  }
+  if (context_.has_errors()) return;
+  finish_colours();
+  uvs_.finish(mesh_);
+  normals_.finish(mesh_);
+  for (CategoryState* category : {&objects_, &groups_, &materials_}) category->finish(mesh_);
+  if (!smoothing_.empty()) {
+    mesh_.channels.push_back(make_channel("smoothing_group", Domain::Face, 1, std::move(smoothing_)));
+  }
+  for (const auto& [keyword, met] : passed_) {
+    context_.warn(
+        "W_IGNORED",
+        std::to_string(met.first) + " '" + keyword + "' statements were passed over: " + what_is_lost(keyword),
+        at_line(met.second));
+  }
+  if (weights_ > 0) {
+    context_.warn("W_IGNORED", "the weights of " + std::to_string(weights_) + " vertices were passed over", {});
+  }
+}
+
+}  // namespace
+
+PolyMesh read_obj(std::string_view bytes, ReadContext& context) { return ObjReader(bytes, context).read(); }
+
+}  // namespace croquis

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+
+#include "io/ply/ply_columns.h"
+#include "io/text.h"
+
+namespace croquis {
+namespace {
+
+template <typename T>
+T load(const char* from, bool swap) {
+  std::array<char, sizeof(T)> bytes;
+  std::memcpy(bytes.data(), from, sizeof(T));
+  if (swap) std::reverse(bytes.begin(), bytes.end());
+  return std::bit_cast<T>(bytes);
+}
+
+std::int64_t load_integer(const char* from, PlyType type, bool swap) {
+  switch (type) {
+    case PlyType::Int8: return load<std::int8_t>(from, swap);
+    case PlyType::Uint8: return load<std::uint8_t>(from, swap);
+    case PlyType::Int16: return load<std::int16_t>(from, swap);
+    case PlyType::Uint16: return load<std::uint16_t>(from, swap);
+    case PlyType::Int32: return load<std::int32_t>(from, swap);
+    case PlyType::Uint32: return load<std::uint32_t>(from, swap);
+    default: return -1;
+  }
+}
+
+class BinaryRows {
+ public:
+  BinaryRows(std::string_view bytes, PlyCursor& cursor, bool keep, PlyTable& table, ReadContext& context)
+      : bytes_(bytes),
+        cursor_(cursor),
+        keep_(keep),
+        swap_((table.encoding == PlyEncoding::BigEndian) != (std::endian::native == std::endian::big)),
+        table_(table),
+        context_(context) {}
+
+  void read() {
+    const bool has_list = std::any_of(table_.columns.begin(), table_.columns.end(),
+                                      [](const PlyColumn& column) { return column.property.is_list; });
+    has_list ? read_rows() : read_fixed_rows();
+  }
+
+ private:
+  // The header was checked against the file's size, but lists of elements before this one may have used it up.
+  void require(std::size_t size, std::size_t row) {
+    if (size <= bytes_.size() - cursor_.byte) return;
+    context_.fail("E_TRUNCATED",
+                  "the file ends in element " + std::to_string(row) + " of " + std::to_string(table_.element.count) +
+                      " elements " + quoted(table_.element.name),
+                  at_byte(cursor_.byte));
+  }
+
+  void read_fixed_rows() {
+    std::size_t row_size = 0;
+    for (const PlyColumn& column : table_.columns) row_size += size_of(column.property.type);
+    if (row_size == 0) return;
+    const std::size_t fitting = (bytes_.size() - cursor_.byte) / row_size;
+    if (fitting < table_.element.count) {
+      cursor_.byte += fitting * row_size;
+      require(row_size, fitting);
+    }
+    std::size_t offset = cursor_.byte;
+    for (PlyColumn& column : table_.columns) {
+      if (keep_) read_strided(column, offset, row_size);
+      offset += size_of(column.property.type);
+    }
+    cursor_.byte += row_size * table_.element.count;
+  }
+
+  void read_strided(PlyColumn& column, std::size_t offset, std::size_t stride) {
+    std::visit(
+        [&]<typename T>(std::vector<T>& values) {
+          values.resize(table_.element.count);
+          const char* from = bytes_.data() + offset;
+          for (T& value : values) {
+            context_.tick(static_cast<std::size_t>(from - bytes_.data()));
+            value = load<T>(from, swap_);
+            from += stride;
+          }
+        },
+        column.values);
+  }
+
+  void read_rows() {
+    for (std::size_t row = 0; row < table_.element.count; ++row) {
+      context_.tick(cursor_.byte);
+      for (PlyColumn& column : table_.columns) {
+        const std::size_t count = column.property.is_list ? read_length(column, row) : 1;
+        read_values(column, count, row);
+      }
+    }
+  }
+
+  std::size_t read_length(const PlyColumn& column, std::size_t row) {
+    const std::size_t size = size_of(column.property.count_type);
+    require(size, row);
+    const std::int64_t length = load_integer(bytes_.data() + cursor_.byte, column.property.count_type, swap_);
+    if (length < 0) {
+      context_.fail("E_COUNT", "a list has the length " + std::to_string(length), at_byte(cursor_.byte));
+    }
+    cursor_.byte += size;
+    return static_cast<std::size_t>(length);
+  }
+
+  void read_values(PlyColumn& column, std::size_t count, std::size_t row) {
+    const std::size_t size = count * size_of(column.property.type);
+    require(size, row);
+    std::visit(
+        [&]<typename T>(std::vector<T>& values) {
+          const char* from = bytes_.data() + cursor_.byte;
+          for (std::size_t i = 0; keep_ && i < count; ++i) values.push_back(load<T>(from + i * sizeof(T), swap_));
+          if (column.property.is_list && keep_) column.list_ends.push_back(static_cast<Index>(values.size()));
+        },
+        column.values);
+    cursor_.byte += size;
+  }
+
+  std::string_view bytes_;
+  PlyCursor& cursor_;
+  bool keep_;
+  bool swap_;
+  PlyTable& table_;
+  ReadContext& context_;
+};
+
+}  // namespace
+
+PlyTable read_ply_binary(std::string_view bytes, const PlyElement& element, PlyEncoding encoding, bool keep,
+                         PlyCursor& cursor, ReadContext& context) {
+  PlyTable table{element, empty_columns(element), encoding, cursor.byte, {}};
+  BinaryRows(bytes, cursor, keep, table, context).read();
+  return table;
+}
+
+}  // namespace croquis
