@@ -12,7 +12,6 @@
 namespace croquis::bench {
 namespace {
 
-
 void bench_one(std::ostream& out, const std::string& name, const LeastSquaresProblem& problem) {
   LeastSquaresSolution solution;
   const double total = median_cpu_ms(3, [&] {
