@@ -8,6 +8,7 @@
 #include "algorithms/silhouette/surface/layer_count.h"
 #include "algorithms/silhouette/surface/planar_walk.h"
 #include "algorithms/silhouette/surface/proximity_grid.h"
+#include "algorithms/silhouette/surface/rim_distance.h"
 #include "algorithms/silhouette/surface/sheet_sampling.h"
 #include "croquis/base/error.h"
 #include "silhouette/figure_fixtures.h"
@@ -78,6 +79,59 @@ TEST_CASE("the sampled region is the figure's region, and every inner edge has a
     for (const FigureObject& object : figure.objects) euler += object.euler_region;
     CHECK(static_cast<int>(lifted.planar_vertex.size() + lifted.triangles.size()) - static_cast<int>(edges / 2) ==
           euler);
+  }
+}
+
+TEST_CASE("distances from the rim are those of the own sheet") {
+  Progress progress;
+  for (const test::FigureFixture& fixture : fixtures()) {
+    const Skeleton skeleton = chordal_axis(fixture.figure, 0.3, progress);
+    const SheetSampling sheets = sample_sheets(fixture.figure, skeleton, progress);
+    const RimDistances rim = rim_distances(sheets, 0.5);
+    const auto place = [&](Index v) { return sheets.points[sheets.lifted.planar_vertex[v]]; };
+    std::size_t reached = 0;
+    for (Index v = 0; v < rim.nearest.size(); ++v) {
+      CHECK((rim.distance[v] == 0) == (sheets.lifted.on_boundary[v] != 0));
+      if (rim.nearest[v] == no_index || rim.distance[v] == 0) continue;
+      ++reached;
+      const RimEdge& edge = rim.edges[rim.nearest[v]];
+      CHECK(rim.distance[v] <= 0.5 * edge.radius);
+      CHECK(depth_below(sheets, edge, v) > 0);
+      CHECK(depth_below(sheets, edge, v) <= rim.distance[v] + 1e-9);
+      for (const Index end : {edge.begin, edge.end}) {
+        CHECK((place(end) - place(v)).norm() >= rim.distance[v] - 1e-9);
+      }
+    }
+    CHECK(reached > rim.nearest.size() / 4);
+  }
+  // A disk has one rim only, so that every distance is known.
+  const test::FigureFixture disk = test::disk_figure();
+  const Skeleton skeleton = chordal_axis(disk.figure, 0.3, progress);
+  const SheetSampling sheets = sample_sheets(disk.figure, skeleton, progress);
+  const RimDistances rim = rim_distances(sheets, 0.5);
+  for (Index v = 0; v < rim.nearest.size(); ++v) {
+    const double depth = 100 - sheets.points[sheets.lifted.planar_vertex[v]].norm();
+    if (depth < 49) CHECK(rim.distance[v] == Approx(depth).margin(0.2));
+    if (depth > 51) CHECK(rim.nearest[v] == no_index);
+  }
+}
+
+TEST_CASE("no edge runs from a rim past its first row") {
+  Progress progress;
+  for (const test::FigureFixture& fixture : fixtures()) {
+    const Skeleton skeleton = chordal_axis(fixture.figure, 0.3, progress);
+    const SheetSampling sheets = sample_sheets(fixture.figure, skeleton, progress);
+    const RimDistances rim = rim_distances(sheets, 0.5);
+    const auto& lifted = sheets.lifted;
+    int past = 0;
+    for (const auto& t : lifted.triangles) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (!lifted.on_boundary[t[k]] || lifted.on_boundary[t[(k + 1) % 3]]) continue;
+        const RimEdge& edge = rim.edges[rim.nearest[t[k]]];
+        past += depth_below(sheets, edge, t[(k + 1) % 3]) > 0.1 * edge.radius ? 1 : 0;
+      }
+    }
+    CHECK(past == 0);
   }
 }
 

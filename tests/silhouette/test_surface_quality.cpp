@@ -32,22 +32,16 @@ TEST_CASE("the measures know an exact torus and see a dent in its rim") {
   CHECK(test::rim_serration(torus).p95 > smooth + 1);
 }
 
-TEST_CASE("rims are smooth and sections of inclined tubes stay round") {
-  struct Case {
-    const char* name;
-    test::Sketch sketch;
-  };
-  const Case cases[] = {{"trefoil", test::trefoil_sketch()},
-                        {"figure eight", test::figure_eight_sketch()},
-                        {"snake", test::snake_sketch()},
-                        {"dog", test::dog_sketch()},
-                        {"weave", test::weave_sketch()}};
-  for (const Case& c : cases) {
-    INFO(c.name);
-    const Solid solid = solid_of(c.sketch);
+TEST_CASE("rims are smooth and have no notches where others cross them") {
+  for (const test::NamedSketch& named : test::all_sketches()) {
+    INFO(named.name);
+    const Solid solid = solid_of(named.sketch);
     const test::Spread serration = test::rim_serration(solid.mesh);
     CHECK(serration.p95 <= 1);
     CHECK(serration.mean <= 0.5);
+    // Rows lie 20 degrees apart, seen from the axis, and half of that is a facet's own error: a notch of a row left out
+    // is 30 degrees and more, one of a few degrees is hidden by the sampling.
+    CHECK(test::deepest_rim_notch(solid.mesh) <= 25);
   }
 }
 
@@ -59,12 +53,6 @@ TEST_CASE("sections normal to inclined tubes are circles") {
     REQUIRE(ratios.size() > 10);
     CHECK(*std::min_element(ratios.begin(), ratios.end()) >= 0.96);
     CHECK(*std::max_element(ratios.begin(), ratios.end()) <= 1.06);
-  }
-}
-
-TEST_CASE("tubes have no notches where others cross their rims") {
-  for (const test::Sketch& sketch : {test::trefoil_sketch(), test::snake_sketch(), test::weave_sketch()}) {
-    CHECK(test::deepest_rim_notch(solid_of(sketch).mesh) <= 25);
   }
 }
 

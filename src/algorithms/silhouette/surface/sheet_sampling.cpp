@@ -8,6 +8,7 @@
 #include "algorithms/silhouette/surface/figure_segments.h"
 #include "algorithms/silhouette/surface/layer_count.h"
 #include "algorithms/silhouette/surface/planar_walk.h"
+#include "algorithms/silhouette/surface/rim_distance.h"
 #include "algorithms/silhouette/surface/rim_radius.h"
 #include "algorithms/silhouette/surface/sheet_points.h"
 #include "croquis/base/error.h"
@@ -18,6 +19,11 @@ namespace {
 /// Splitting an edge can make a new one that needs it too, but never nearer to the contour than half the last: figures
 /// need two or three rounds.
 constexpr int max_split_rounds = 20;
+
+// In parts of the first row's depth: an edge that starts shallower and ends past the row is cut there.
+constexpr double shallow = 0.5;
+constexpr double past_row = 1.3;
+constexpr int max_row_rounds = 1;  // later ones find only splinters between contours that nearly touch
 
 [[noreturn]] void fail(const std::string& what) { throw Error(make_error(Category::Internal, "E_INTERNAL", what)); }
 
@@ -56,12 +62,19 @@ void triangulate_and_lift(const std::vector<DirectedSegment>& segments, SheetSam
   sheets.lifted = lift(sheets.planar, sheets.layers, depth);
 }
 
-/// A planar edge by its triangle and opposite corner, once per edge.
+/// A planar edge and where to split it.
 struct PlanarEdge {
   Index low, high;
   Index constraint;
+  double fraction = 0.5;  ///< from low to high
   auto operator<=>(const PlanarEdge&) const = default;
 };
+
+void keep_once_each(std::vector<PlanarEdge>& edges) {
+  const auto same = [](const PlanarEdge& a, const PlanarEdge& b) { return a.low == b.low && a.high == b.high; };
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());
+}
 
 std::vector<PlanarEdge> edges_between_rims(const SheetSampling& sheets) {
   const LiftedTriangulation& lifted = sheets.lifted;
@@ -75,16 +88,39 @@ std::vector<PlanarEdge> edges_between_rims(const SheetSampling& sheets) {
       edges.push_back({low, high, sheets.planar.constraints[lifted.planar_triangle[m]][corner]});
     }
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
+}
+
+/// Edges from the rim, or from close to it, that run past the first row: beside rims where the row is, they would stand
+/// out as notches.
+void add_edges_past_rows(const SheetSampling& sheets, std::vector<PlanarEdge>& edges) {
+  const LiftedTriangulation& lifted = sheets.lifted;
+  const RimDistances rim = rim_distances(sheets, row_depth(1, row_angles[0]));
+  for (Index m = 0; m < lifted.triangles.size(); ++m) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      Index a = lifted.triangles[m][(corner + 1) % 3];
+      Index b = lifted.triangles[m][(corner + 2) % 3];
+      if (lifted.neighbours[m][corner] == no_index) continue;
+      if (rim.distance[a] > rim.distance[b]) std::swap(a, b);
+      if (rim.nearest[a] == no_index || lifted.on_boundary[b]) continue;
+      const RimEdge& edge = rim.edges[rim.nearest[a]];
+      const double row = row_depth(edge.radius, row_angles[0]);
+      const double depth = depth_below(sheets, edge, b);
+      if (rim.distance[a] > shallow * row || depth < past_row * row) continue;
+      const double fraction = (row - rim.distance[a]) / (depth - rim.distance[a]);
+      const Index from = lifted.planar_vertex[a];
+      const Index to = lifted.planar_vertex[b];
+      const Index constraint = sheets.planar.constraints[lifted.planar_triangle[m]][corner];
+      edges.push_back({std::min(from, to), std::max(from, to), constraint, from < to ? fraction : 1 - fraction});
+    }
+  }
 }
 
 /// An edge that is a piece of a foreign contour is split for all sheets.
 void split_edges(const std::vector<PlanarEdge>& edges, SheetSampling& sheets) {
   for (const PlanarEdge& edge : edges) {
     const auto middle = static_cast<Index>(sheets.points.size());
-    sheets.points.push_back((sheets.points[edge.low] + sheets.points[edge.high]) / 2);
+    sheets.points.push_back((1 - edge.fraction) * sheets.points[edge.low] + edge.fraction * sheets.points[edge.high]);
     if (edge.constraint == no_index) continue;
     const Index end = sheets.segments[edge.constraint][1];
     sheets.segments[edge.constraint][1] = middle;
@@ -123,8 +159,8 @@ LiftedPlace place_in(const SheetSampling& sheets, Index planar_triangle, Index l
 SheetSampling sample_sheets(const LabelledFigure& figure, const Skeleton& skeleton, Progress& progress) {
   SheetSampling sheets;
   const std::vector<DirectedSegment> segments = directed_segments(figure);
-  sheets.radii = rim_radii(figure, skeleton);
-  cut_segments(figure, segments, crossing_splits(figure, segments, sheets.radii), sheets);
+  const std::vector<std::vector<double>> radii = rim_radii(figure, skeleton);
+  cut_segments(figure, segments, crossing_splits(figure, segments, radii), sheets);
 
   std::vector<RimPiece> boundary;
   for (std::size_t k = 0; k < sheets.segments.size(); ++k) {
@@ -133,15 +169,22 @@ SheetSampling sample_sheets(const LabelledFigure& figure, const Skeleton& skelet
     boundary.push_back(
         {sheets.points[begin], sheets.points[end], parent.contour, parent.position, begin >= figure.points.size()});
   }
-  const std::vector<Vec2> inner = sheet_points(figure, skeleton, boundary, sheets.radii);
+  const std::vector<Vec2> inner = sheet_points(figure, skeleton, boundary, radii);
   sheets.points.insert(sheets.points.end(), inner.begin(), inner.end());
 
   for (int round = 0; round < max_split_rounds; ++round) {
     progress.check();
+    sheets.piece_radii.clear();
+    for (const Index parent : sheets.parents) {
+      sheets.piece_radii.push_back(radii[segments[parent].contour][segments[parent].position]);
+    }
     triangulate_and_lift(segments, sheets);
     const std::size_t count = sheets.points.size();
     fill_lone_triangles(sheets);
-    split_edges(edges_between_rims(sheets), sheets);
+    std::vector<PlanarEdge> edges = edges_between_rims(sheets);
+    if (round < max_row_rounds) add_edges_past_rows(sheets, edges);
+    keep_once_each(edges);
+    split_edges(edges, sheets);
     if (sheets.points.size() == count) return sheets;
   }
   fail("The drawn region is too thin to be sampled");

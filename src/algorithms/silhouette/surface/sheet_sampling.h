@@ -16,10 +16,10 @@ struct SheetSampling {
   std::vector<Vec2> points;
   std::vector<std::array<Index, 2>> segments;  ///< pieces of the contours, in the direction of their contour
   std::vector<Index> parents;                  ///< per piece, the segment of the figure
+  std::vector<double> piece_radii;             ///< per piece, that of the surface there, see rim_radii
   PlanarTriangulation planar;                  ///< of the points, constrained to the pieces
   std::vector<int> layers;                     ///< per planar triangle
   LiftedTriangulation lifted;
-  std::vector<std::vector<double>> radii;  ///< per contour of the figure and position, see rim_radii
 };
 
 /// Rows along the rims, cuts where contours cross, points between, all triangulated once and lifted. Every inner edge
