@@ -85,7 +85,7 @@ double completion_cost(const std::array<Vec2, 4>& curve, int side, double refere
 Points bezier_points(const std::array<Vec2, 4>& curve, double spacing) {
   Points dense;
   for (int i = 0; i <= dense_points; ++i) dense.push_back(bezier_at(curve, static_cast<double>(i) / dense_points));
-  const double length = total_length(dense, false);
+  const double length = croquis::length(dense, false);
   Points points;
   for (const double parameter : even_parameters(dense, false, std::min(spacing, length / 4))) {
     points.push_back(point_at(dense, parameter));

@@ -99,7 +99,7 @@ class Closer {
       path.drawn.push_back(i == 0 ? Drawn::FromCut : i + 1 == count ? Drawn::UntilCut : Drawn::Yes);
       const bool at_start = i == 0 ? forward : !forward;
       const bool at_end = i == 0 || i + 1 == count;
-      path.cut.push_back(at_end ? nearest_fraction(points[i], points[i + 1], place_of_end(index, at_start)) : 0.0);
+      path.cut.push_back(at_end ? nearest_parameter(place_of_end(index, at_start), points[i], points[i + 1]) : 0.0);
     }
     path.strokes.insert(path.strokes.end(), strokes.begin(), strokes.end());
     raw.insert(raw.end(), drawn.begin(), drawn.end());

@@ -33,7 +33,7 @@ BarSearch::Probe BarSearch::probe(Index line, bool at_start, double back) const 
   const Points& points = lines_[line].points;
   Probe probe{line, at_start, lines_[line].end(at_start), {}, {}};
   // An overshoot longer than nearly half the line is no overshoot.
-  back = std::min(back, 0.45 * total_length(points, false));
+  back = std::min(back, 0.45 * croquis::length(points, false));
   const Vec2 tangent = end_tangent(points, at_start, tangent_steps * scale_.step);
   probe.path = {probe.end + scale_.snap * tangent, probe.end};
   probe.along = {scale_.snap, 0};
@@ -90,7 +90,7 @@ std::optional<BarHit> BarSearch::nearest(const Probe& probe) const {
   grid_.near_box(probe.end - reach, probe.end + reach, [&](Index i) {
     const GridSegment& segment = grid_.segments()[i];
     if (is_own_end(probe, segment)) return;
-    const double fraction = nearest_fraction(segment.a, segment.b, probe.end);
+    const double fraction = nearest_parameter(probe.end, segment.a, segment.b);
     const double parameter = segment.position + fraction;
     const Vec2 at = segment.a + fraction * (segment.b - segment.a);
     const double distance = (at - probe.end).norm();

@@ -22,7 +22,7 @@ std::vector<Index> lines_beside(const SegmentGrid& grid, const Vec2& place, Inde
   grid.near_box(place - box, place + box, [&](Index i) {
     const GridSegment& segment = grid.segments()[i];
     if (segment.line == own || (!beside.empty() && beside.back() == segment.line)) return;
-    const Vec2 nearest = segment.a + nearest_fraction(segment.a, segment.b, place) * (segment.b - segment.a);
+    const Vec2 nearest = segment.a + nearest_parameter(place, segment.a, segment.b) * (segment.b - segment.a);
     if ((nearest - place).norm() <= reach) beside.push_back(segment.line);
   });
   return beside;

@@ -143,7 +143,7 @@ class Joiner {
     grid_.near_box(end.place - reach, end.place + reach, [&](Index i) {
       const GridSegment& segment = grid_.segments()[i];
       if (segment.line == end.stroke || reached) return;
-      const Vec2 nearest = segment.a + nearest_fraction(segment.a, segment.b, end.place) * (segment.b - segment.a);
+      const Vec2 nearest = segment.a + nearest_parameter(end.place, segment.a, segment.b) * (segment.b - segment.a);
       reached = (nearest - end.place).norm() <= scale_.snap;
     });
     return reached;

@@ -72,7 +72,7 @@ void move_raw_end(CleanLine& line, const Vec2& at, double reach) {
   std::size_t keep = raw.size();
   double walked = 0;
   for (std::size_t i = raw.size() - 1; i > 0 && walked < reach; --i) {
-    const Vec2 nearest = raw[i - 1] + nearest_fraction(raw[i - 1], raw[i], at) * (raw[i] - raw[i - 1]);
+    const Vec2 nearest = raw[i - 1] + nearest_parameter(at, raw[i - 1], raw[i]) * (raw[i] - raw[i - 1]);
     if ((nearest - at).norm() < best) {
       best = (nearest - at).norm();
       keep = i;
@@ -107,7 +107,7 @@ double current_parameter(const CleanLine& bar, double parameter, const Vec2& at)
     const std::int64_t i = bar.closed ? (k % count + count) % count : std::clamp<std::int64_t>(k, 0, count - 1);
     const Vec2& a = bar.points[static_cast<std::size_t>(i)];
     const Vec2& b = bar.points[static_cast<std::size_t>(i + 1) % bar.points.size()];
-    const double fraction = nearest_fraction(a, b, at);
+    const double fraction = nearest_parameter(at, a, b);
     const double distance = (a + fraction * (b - a) - at).norm();
     if (distance < best) {
       best = distance;

@@ -73,7 +73,7 @@ class ConflictSearch {
 
   std::optional<Vec2> touch(const GridSegment& a, const GridSegment& b) const {
     const auto near = [this](const Vec2& point, const GridSegment& s) {
-      return (s.a + nearest_fraction(s.a, s.b, point) * (s.b - s.a) - point).norm() < reach_;
+      return (s.a + nearest_parameter(point, s.a, s.b) * (s.b - s.a) - point).norm() < reach_;
     };
     if (near(a.a, b)) return a.a;
     if (near(a.b, b)) return a.b;

@@ -35,17 +35,6 @@ double turn_cosine(std::span<const Vec2> points, bool closed, Index i, Index ste
   return norm > 0 ? before.dot(after) / norm : 1;
 }
 
-void smoothing_step(Points& points, bool closed, const std::vector<char>& keep, double factor) {
-  const std::size_t count = points.size();
-  const Points old = points;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (keep[i]) continue;
-    const Vec2& before = old[i > 0 ? i - 1 : (closed ? count - 1 : 0)];
-    const Vec2& after = old[i + 1 < count ? i + 1 : (closed ? 0 : i)];
-    points[i] = old[i] + factor * (0.5 * (before + after) - old[i]);
-  }
-}
-
 /// Calls visit(point, distance back from the end) until the distance passes `reach`.
 template <typename Visit>
 void walk_back(std::span<const Vec2> points, bool at_start, double reach, Visit visit) {
@@ -60,19 +49,6 @@ void walk_back(std::span<const Vec2> points, bool at_start, double reach, Visit 
 }
 
 }  // namespace
-
-std::vector<double> arc_lengths(std::span<const Vec2> points, bool closed) {
-  std::vector<double> arcs(points.size() + (closed ? 1 : 0), 0.0);
-  for (std::size_t i = 1; i < arcs.size(); ++i) {
-    arcs[i] = arcs[i - 1] + (points[i % points.size()] - points[i - 1]).norm();
-  }
-  return arcs;
-}
-
-double total_length(std::span<const Vec2> points, bool closed) {
-  const std::vector<double> arcs = arc_lengths(points, closed);
-  return arcs.empty() ? 0 : arcs.back();
-}
 
 Vec2 point_at(std::span<const Vec2> points, double parameter) {
   const auto segment = static_cast<std::size_t>(parameter);
@@ -102,7 +78,7 @@ std::vector<double> even_parameters(std::span<const Vec2> points, bool closed, d
 std::vector<Index> corners(std::span<const Vec2> points, bool closed, double reach) {
   const auto count = static_cast<Index>(points.size());
   if (count < 3) return {};
-  const double spacing = total_length(points, closed) / (closed ? count : count - 1);
+  const double spacing = croquis::length(points, closed) / (closed ? count : count - 1);
   const auto steps = static_cast<Index>(std::max(1L, std::lround(reach / spacing)));
   if (2 * steps >= count) return {};
   std::vector<double> cosine(count);
@@ -117,23 +93,6 @@ std::vector<Index> corners(std::span<const Vec2> points, bool closed, double rea
     if (sharpest) found.push_back(i);
   }
   return found;
-}
-
-void smooth(Points& points, bool closed, std::span<const Index> fixed, int passes) {
-  if (points.size() < 3) return;
-  std::vector<char> keep(points.size(), 0);
-  for (const Index i : fixed) keep[i] = 1;
-  if (!closed) keep.front() = keep.back() = 1;
-  for (int pass = 0; pass < passes; ++pass) {
-    smoothing_step(points, closed, keep, 0.5);
-    smoothing_step(points, closed, keep, -0.52);
-  }
-}
-
-double nearest_fraction(const Vec2& a, const Vec2& b, const Vec2& point) {
-  const Vec2 along = b - a;
-  const double square = along.squaredNorm();
-  return square > 0 ? std::clamp((point - a).dot(along) / square, 0.0, 1.0) : 0.0;
 }
 
 Vec2 end_tangent(std::span<const Vec2> points, bool at_start, double reach) {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "croquis/geometry/polyline.h"
 #include "croquis/geometry/predicates.h"
 #include "croquis/geometry/vector.h"
 
@@ -11,11 +12,6 @@
 namespace croquis::silhouette {
 
 using Points = std::vector<Vec2>;
-
-/// Arc length from the first point to each point; for a closed line one entry more, the way round.
-std::vector<double> arc_lengths(std::span<const Vec2> points, bool closed);
-
-double total_length(std::span<const Vec2> points, bool closed);
 
 /// The place at a parameter; of a closed line parameters run on through the closing segment.
 Vec2 point_at(std::span<const Vec2> points, double parameter);
@@ -29,10 +25,6 @@ std::vector<double> even_parameters(std::span<const Vec2> points, bool closed, d
 /// Points where the line turns by more than 60 degrees within `reach` to either side: the sharpest of each bend.
 std::vector<Index> corners(std::span<const Vec2> points, bool closed, double reach);
 
-/// Smooths without shrinking: `passes` times a step of 0.5 towards the neighbours' mean and one of 0.52 back.
-/// Taubin 1995. The ends of an open line and the fixed points stay.
-void smooth(Points& points, bool closed, std::span<const Index> fixed, int passes);
-
 /// True when the open segments a–b and c–d cross in one inner point of both; exact.
 inline bool cross_properly(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   return orientation(a, b, c) * orientation(a, b, d) < 0 && orientation(c, d, a) * orientation(c, d, b) < 0;
@@ -42,9 +34,6 @@ inline bool cross_properly(const Vec2& a, const Vec2& b, const Vec2& c, const Ve
 inline double crossing_fraction(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   return cross(c - a, d - c) / cross(b - a, d - c);
 }
-
-/// Where the segment a–b comes nearest to a point, as a fraction 0..1 of it.
-double nearest_fraction(const Vec2& a, const Vec2& b, const Vec2& point);
 
 /// Outward unit direction in which an open line ends, from a quadratic fitted to its last `reach` of length.
 /// Samples near the end count most, so that a tight bend further back does not turn it.

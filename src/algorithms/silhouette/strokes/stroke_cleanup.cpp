@@ -83,7 +83,7 @@ std::vector<UsableStroke> usable_strokes(const Drawing& drawing, const DrawingSc
       continue;
     }
     UsableStroke candidate{s, distinct_points(stroke), 0, stroke.closed};
-    candidate.length = total_length(candidate.points, candidate.closed);
+    candidate.length = croquis::length(candidate.points, candidate.closed);
     if (candidate.points.size() < 2 || candidate.length < scale.tiny) {
       findings.push_back(make_warning(Category::Geometry, "W_TINY",
                                       "The stroke " + quoted(drawing, s) + " is too short and was ignored",
@@ -167,7 +167,11 @@ CleanLine concatenate(const StrokeChain& chain, const std::vector<SampledStroke>
 /// Smooths a line of densely sampled points and samples it once per step.
 void finish(CleanLine& line, double step, int passes) {
   const double reach = corner_reach * step;
-  smooth(line.points, line.closed, corners(line.points, line.closed, reach), passes);
+  TaubinOptions smoothing;
+  smoothing.passes = passes;
+  smoothing.fixed.assign(line.points.size(), false);
+  for (const Index corner : corners(line.points, line.closed, reach)) smoothing.fixed[corner] = true;
+  line.points = taubin_smooth(line.points, line.closed, smoothing);
   const std::vector<Index> kept = corners(line.points, line.closed, reach);
   Points points;
   std::vector<Index> stroke;
