@@ -82,6 +82,30 @@ std::optional<double> half_axis(const PolyMesh& mesh, const Vec3& centre, const 
   return (*ahead + *behind) / 2;
 }
 
+/// Nearer to an end than this part of the radius an inclined section meets the cap.
+constexpr double end_clearance = 1;
+
+/// Radii along a tube differ by at most this part within a radius; where they flare a section isn't an ellipse.
+constexpr double tube_flare = 0.1;
+
+/// A branch is a tube at those nodes from which a radius to either side is left, of nearly equal radii.
+bool inside_tube(const PolyMesh& skeleton, std::span<const Index> line, std::size_t node) {
+  const auto& radii = std::get<std::vector<double>>(skeleton.channel("radius", Domain::Vertex)->data);
+  const double radius = radii[line[node]];
+  const auto reaches = [&](int direction) {
+    double left = end_clearance * radius;
+    for (std::size_t i = node; left > 0;) {
+      if (direction < 0 ? i == 0 : i + 1 == line.size()) return line.front() == line.back();
+      const std::size_t next = direction < 0 ? i - 1 : i + 1;
+      left -= (skeleton.positions[line[next]] - skeleton.positions[line[i]]).head<2>().norm();
+      if (std::abs(radii[line[next]] - radius) > tube_flare * radius) return false;
+      i = next;
+    }
+    return true;
+  };
+  return reaches(1) && reaches(-1);
+}
+
 }  // namespace
 
 Spread spread_of(std::vector<double> values) {
@@ -155,6 +179,7 @@ std::vector<double> half_axis_ratios(const PolyMesh& mesh, const PolyMesh& skele
   for (std::size_t l = 0; l < skeleton.line_count(); ++l) {
     const auto line = skeleton.line(l);
     for (std::size_t i = 2; i + 2 < line.size(); i += stride) {
+      if (!inside_tube(skeleton, line, i)) continue;
       const auto before = sheet_middle(mesh, skeleton.positions[line[i - 1]]);
       const auto centre = sheet_middle(mesh, skeleton.positions[line[i]]);
       const auto after = sheet_middle(mesh, skeleton.positions[line[i + 1]]);

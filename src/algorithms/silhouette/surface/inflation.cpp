@@ -23,6 +23,12 @@ Eigen::VectorXd node_radii(const Skeleton& skeleton) {
   return radii;
 }
 
+Eigen::VectorXd node_depths(const Skeleton& skeleton) {
+  Eigen::VectorXd depths(static_cast<Eigen::Index>(skeleton.nodes.size()));
+  for (Eigen::Index n = 0; n < depths.size(); ++n) depths[n] = skeleton.nodes[static_cast<std::size_t>(n)].z;
+  return depths;
+}
+
 /// Half of the edges at each node; a lone node stands for its radius.
 Eigen::VectorXd node_lengths(const Skeleton& skeleton) {
   Eigen::VectorXd lengths = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(skeleton.nodes.size()));
@@ -41,8 +47,7 @@ MidSurfaceData mid_surface_data(const Skeleton& skeleton, std::vector<LiftedPlac
                                 const std::vector<StackedPair>& pairs, const DepthOptions& options) {
   MidSurfaceData data;
   data.nodes = std::move(nodes);
-  data.node_z.resize(static_cast<Eigen::Index>(skeleton.nodes.size()));
-  for (Eigen::Index n = 0; n < data.node_z.size(); ++n) data.node_z[n] = skeleton.nodes[static_cast<std::size_t>(n)].z;
+  data.node_z = node_depths(skeleton);
   data.node_length = node_lengths(skeleton);
   data.pairs = pairs;
   data.scale = skeleton.scale;
@@ -106,11 +111,14 @@ InflatedSheets inflate_sheets(const LabelledFigure& figure, const Skeleton& skel
 
   Progress raising = progress.step("mid-surface", 0.25);
   MidSurface mid_surface(op, mid_surface_data(skeleton, nodes, sheets.pairs, options));
-  const MidSurfaceResult first = mid_surface.solve(upright, raising);
+  const auto tilted = [&](const Eigen::VectorXd& node_z) -> Eigen::VectorXd {
+    const Eigen::VectorXd factors = extension.extend(tilt_factors(skeleton, node_z));
+    return upright.cwiseProduct(factors.cwiseMax(1).cwiseMin(max_tilt_factor));
+  };
+  const MidSurfaceResult first = mid_surface.solve(tilted(node_depths(skeleton)), raising);
 
   Progress tilting = progress.step("tilt", 0.25);
-  const Eigen::VectorXd tilt = extension.extend(tilt_factors(skeleton, values_at(nodes, first.z)));
-  sheets.thickness = upright.cwiseProduct(tilt.cwiseMax(1).cwiseMin(max_tilt_factor));
+  sheets.thickness = tilted(values_at(nodes, first.z));
   const MidSurfaceResult second = mid_surface.solve(sheets.thickness, tilting);
 
   sheets.z = second.z;

@@ -15,6 +15,8 @@ using Factorisation = Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::AMDOrde
 /// Against the stiffness matrix, which has no unit: on a tube values settle within a quarter of the radius.
 constexpr double node_stiffness = 10;
 
+constexpr int node_pulls = 2;
+
 /// How far a node's pull is spread, in radii: a pull at a point of a wide body would stand out as a pimple.
 constexpr double node_reach = 0.6;
 
@@ -133,11 +135,18 @@ NodeExtension::NodeExtension(NodeExtension&&) noexcept = default;
 
 Eigen::VectorXd NodeExtension::extend(const Eigen::VectorXd& node_values) const {
   const double middle = node_values.size() > 0 ? node_values.mean() : 1;
-  Eigen::VectorXd right = middle * factors_->background;
-  for (const NodeShare& share : factors_->shares) {
-    right[share.vertex] += node_stiffness * share.weight * node_values[share.node];
+  Eigen::VectorXd values = Eigen::VectorXd::Constant(factors_->background.size(), middle);
+  for (int pull = 0; pull < node_pulls; ++pull) {
+    // What the springs leave of each node's value is pulled once more: they flatten peaks.
+    Eigen::VectorXd missing = node_values;
+    for (const NodeShare& share : factors_->shares) missing[share.node] -= share.weight * values[share.vertex];
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(values.size());
+    for (const NodeShare& share : factors_->shares) {
+      right[share.vertex] += node_stiffness * share.weight * missing[share.node];
+    }
+    values += factors_->factorisation.solve(right);
   }
-  return factors_->factorisation.solve(right);
+  return values;
 }
 
 double value_at(const LiftedPlace& place, const Eigen::VectorXd& values) {
