@@ -4,8 +4,11 @@
 #include <catch2/catch.hpp>
 
 #include "algorithms/silhouette/skeleton/chordal_axis.h"
+#include "algorithms/silhouette/surface/rim_distance.h"
+#include "algorithms/silhouette/surface/rim_shape.h"
 #include "algorithms/silhouette/surface/thickness.h"
 #include "silhouette/figure_fixtures.h"
+#include "silhouette/surface_quality.h"
 
 using namespace croquis;
 using namespace croquis::silhouette;
@@ -13,6 +16,7 @@ using namespace croquis::silhouette;
 namespace {
 
 struct Thickened {
+  SheetSampling sheets;
   SheetOperator op;
   Eigen::VectorXd thickness;
 };
@@ -20,9 +24,9 @@ struct Thickened {
 Thickened thicken(const test::FigureFixture& fixture) {
   Progress progress;
   const Skeleton skeleton = chordal_axis(fixture.figure, 0.3, progress);
-  const SheetSampling sheets = sample_sheets(fixture.figure, skeleton, progress);
-  const std::vector<LiftedPlace> nodes = locate_nodes(fixture.figure, skeleton, sheets);
   Thickened result;
+  const SheetSampling& sheets = result.sheets = sample_sheets(fixture.figure, skeleton, progress);
+  const std::vector<LiftedPlace> nodes = locate_nodes(fixture.figure, skeleton, sheets);
   result.op = make_sheet_operator(sheets);
   Eigen::VectorXd radii(static_cast<Eigen::Index>(nodes.size()));
   for (std::size_t n = 0; n < nodes.size(); ++n) radii[static_cast<Eigen::Index>(n)] = skeleton.nodes[n].radius;
@@ -64,6 +68,25 @@ TEST_CASE("a disk is as thick as the ball, a straight tube as the cylinder") {
     const Vec2& place = capsule.op.position[static_cast<std::size_t>(v)];
     if (place.x() < 60 || place.x() > 160) continue;
     CHECK(std::abs(std::hypot(capsule.thickness[v], place.y()) - 40) < 0.8);
+  }
+}
+
+TEST_CASE("rims are circles to a hundredth of their radius, on bent tubes too") {
+  for (const test::FigureFixture& fixture : {test::ring_figure(), test::capsule_figure(), test::snake_figure(),
+                                             test::trefoil_figure(), test::linked_rings_figure()}) {
+    Thickened result = thicken(fixture);
+    shape_rims(result.sheets, result.thickness);
+    const RimDistances rim = rim_distances(result.sheets, 0.5);
+    std::vector<double> deviations;
+    for (std::size_t v = 0; v < rim.nearest.size(); ++v) {
+      if (rim.nearest[v] == no_index) continue;
+      const double radius = rim.edges[rim.nearest[v]].radius;
+      if (rim.distance[v] < 0.03 * radius) continue;  // on the chord between the rim and its first row
+      const double reach = std::hypot(radius - rim.distance[v], result.thickness[static_cast<Eigen::Index>(v)]);
+      deviations.push_back(std::abs(reach - radius) / radius);
+    }
+    REQUIRE(deviations.size() > 100);
+    CHECK(test::spread_of(deviations).p95 <= 0.01);
   }
 }
 

@@ -4,16 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/silhouette/surface/rim_distance.h"
-#include "algorithms/silhouette/surface/rim_radius.h"
+#include "algorithms/silhouette/surface/rim_shape.h"
 #include "algorithms/silhouette/surface/sheet_operator.h"
 #include "algorithms/silhouette/surface/thickness.h"
 
 namespace croquis::silhouette {
 namespace {
-
-/// Nearer to the rim, in parts of the first row's depth, the chord would be too thin for rounded numbers.
-constexpr double least_part_of_row = 0.05;
 
 constexpr double max_tilt_factor = 2;  // a limb that points at the viewer would otherwise become a spike
 
@@ -53,18 +49,6 @@ MidSurfaceData mid_surface_data(const Skeleton& skeleton, std::vector<LiftedPlac
   data.scale = skeleton.scale;
   data.gap = options.minimum_gap * skeleton.scale;
   return data;
-}
-
-/// Where contours of other sheets cross the strip between the rim and its first row, they bring points of any depth.
-/// They are laid onto the strip's chord: beside the rim's other triangles a steeper one would stand out.
-void flatten_first_row(const SheetSampling& sheets, Eigen::VectorXd& thickness) {
-  const RimDistances rim = rim_distances(sheets, row_depth(1, row_angles[0]));
-  for (Eigen::Index v = 0; v < thickness.size(); ++v) {
-    const auto i = static_cast<std::size_t>(v);
-    if (rim.nearest[i] == no_index || rim.distance[i] <= 0) continue;
-    const double part = rim.distance[i] / row_depth(rim.edges[rim.nearest[i]].radius, row_angles[0]);
-    thickness[v] *= std::sqrt(std::clamp(part, least_part_of_row, 1.0));
-  }
 }
 
 Eigen::VectorXd values_at(const std::vector<LiftedPlace>& places, const Eigen::VectorXd& values) {
@@ -107,7 +91,7 @@ InflatedSheets inflate_sheets(const LabelledFigure& figure, const Skeleton& skel
   const Eigen::VectorXd radii = node_radii(skeleton);
   const NodeExtension extension(op, nodes, radii);
   Eigen::VectorXd upright = sheet_thickness(op, nodes, radii, extension, thickening);
-  flatten_first_row(sheets.sampling, upright);
+  shape_rims(sheets.sampling, upright);
 
   Progress raising = progress.step("mid-surface", 0.25);
   MidSurface mid_surface(op, mid_surface_data(skeleton, nodes, sheets.pairs, options));
