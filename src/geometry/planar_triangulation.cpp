@@ -47,6 +47,10 @@ std::vector<VertexHandle> insert_points(std::span<const Vec2> points, Triangulat
 void insert_constraints(std::span<const std::array<Index, 2>> constraints, std::span<const VertexHandle> handles,
                         Triangulation& triangulation, PlanarConflict& conflict) {
   for (Index c = 0; c < constraints.size(); ++c) {
+    if (constraints[c][0] == constraints[c][1]) {  // CGAL would walk from the point for ever
+      conflict.blocked_constraints.push_back(c);
+      continue;
+    }
     try {
       triangulation.insert_constraint(handles[constraints[c][0]], handles[constraints[c][1]]);
     } catch (const Triangulation::Intersection_of_constraints_exception&) {

@@ -9,6 +9,7 @@
 #include "io/mesh_compare.h"
 #include "support/mesh_shapes.h"
 #include "support/random.h"
+#include "support/sample_count.h"
 
 using namespace croquis;
 using namespace croquis::test;
@@ -74,7 +75,7 @@ TEST_CASE("a damaged file is refused or gives a usable mesh that survives its ow
     const std::vector<std::string> files = {write(lined, kind.format, {0, kind.ascii}).bytes,
                                             write(uv_sphere(5, 4), kind.format, {0, kind.ascii}).bytes};
     std::size_t refused = 0;
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < sample_count(3000, 30000); ++i) {
       const std::string bytes = damaged(files[static_cast<std::size_t>(i % 2)], random);
       const std::string broken = broken_property(bytes, kind.format);
       if (!broken.empty()) FAIL(to_string(kind.format) << ": " << broken << "\n" << bytes);

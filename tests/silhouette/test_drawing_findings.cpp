@@ -10,6 +10,7 @@
 #include "croquis/base/error.h"
 #include "silhouette/labelled_counts.h"
 #include "support/random.h"
+#include "support/sample_count.h"
 #include "support/sketch_generator.h"
 
 using namespace croquis;
@@ -165,9 +166,9 @@ TEST_CASE("a search that may try nothing says so") {
 }
 
 TEST_CASE("random strokes are labelled or refused, never crash or hang") {
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+  for (int seed = 0; seed < test::sample_count(200, 2000); ++seed) {
     INFO("seed " << seed);
-    const Drawing drawing = random_drawing(seed);
+    const Drawing drawing = random_drawing(static_cast<std::uint64_t>(seed));
     try {
       const silhouette::LabelledDrawing labelled = label_quietly(drawing);
       CHECK(!labelled.figures.empty());

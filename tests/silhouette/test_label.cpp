@@ -14,6 +14,7 @@
 #include "croquis/silhouette/labelled_figure.h"
 #include "silhouette/labelled_counts.h"
 #include "support/random.h"
+#include "support/sample_count.h"
 #include "support/sketch_generator.h"
 
 using namespace croquis;
@@ -201,21 +202,22 @@ TEST_CASE("a hasty hand is understood in at least 9 of 10 drawings") {
   for (std::size_t i = 0; i < sketches.size(); ++i) {
     INFO("sketch " << i);
     int right = 0;
-    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const int drawings = sample_count(10, 50);
+    for (int seed = 1; seed <= drawings; ++seed) {
       try {
-        const Drawing drawing = noisy(sketches[i].drawing, seed);
+        const Drawing drawing = noisy(sketches[i].drawing, static_cast<std::uint64_t>(seed));
         right += counts_of(label_quietly(drawing, Options::of(Preset::Tablet))) == counts_of(sketches[i].truth);
       } catch (const Error&) {
       }
     }
-    CHECK(right >= 9);
+    CHECK(10 * right >= 9 * drawings);
   }
 }
 
 TEST_CASE("random tubes are read as they were made") {
-  for (std::uint64_t seed = 1; seed <= 15; ++seed) {
+  for (int seed = 1; seed <= sample_count(15, 200); ++seed) {
     INFO("seed " << seed);
-    const Sketch sketch = random_tube_sketch(seed);
+    const Sketch sketch = random_tube_sketch(static_cast<std::uint64_t>(seed));
     const LabelledDrawing labelled = label_quietly(sketch.drawing);
     CHECK(counts_of(labelled) == counts_of(sketch.truth));
     for (const LabelledFigure& figure : labelled.figures) check_figure(figure);
@@ -225,18 +227,20 @@ TEST_CASE("random tubes are read as they were made") {
 TEST_CASE("random layered blobs are nearly always read as they were made, and always consistently") {
   // What a blob looks like where it is covered is a guess: a few drawings have another reading as good as the true one.
   int right = 0;
-  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+  const int drawings = sample_count(30, 300);
+  for (int seed = 1; seed <= drawings; ++seed) {
     INFO("seed " << seed);
-    const Sketch sketch = random_layered_sketch(seed, 2 + static_cast<int>(seed % 11));
+    const Sketch sketch = random_layered_sketch(static_cast<std::uint64_t>(seed), 2 + seed % 11);
     try {
       const LabelledDrawing labelled = label_quietly(sketch.drawing);
       right += counts_of(labelled) == counts_of(sketch.truth);
       for (const LabelledFigure& figure : labelled.figures) check_figure(figure);
     } catch (const Error& error) {
-      CHECK(error.findings().front().code == "E_NO_LABELLING");
+      const std::string& code = error.findings().front().code;
+      CHECK((code == "E_NO_LABELLING" || code == "E_TOUCH"));
     }
   }
-  CHECK(right >= 25);
+  CHECK(6 * right >= 5 * drawings);
 }
 
 TEST_CASE("the hidden pieces leave the strokes smoothly") {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/dual_active_set.h"
-
 #include <cmath>
 #include <random>
 
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>
+
+#include "solver/dual_active_set.h"
+#include "support/sample_count.h"
 
 using croquis::DualActiveSet;
 using Eigen::MatrixXd;
@@ -37,7 +38,7 @@ void check_optimal(const MatrixXd& flexibility, const VectorXd& bounds, const Ve
 
 TEST_CASE("multipliers of random rows meet the optimality conditions, given at once or in parts") {
   std::mt19937 random(3);
-  for (int trial = 0; trial < 200; ++trial) {
+  for (int trial = 0; trial < croquis::test::sample_count(200, 5000); ++trial) {
     CAPTURE(trial);
     const int rows = 1 + static_cast<int>(random() % 24u);
     const int unknowns = 1 + static_cast<int>(random() % 30u);

@@ -21,7 +21,8 @@ struct PlanarTriangulation {
 /// What kept a triangulation from being made: pairs of points at one place, or pairs of constraints that meet.
 struct PlanarConflict {
   std::vector<std::pair<Index, Index>> coincident_points;
-  std::vector<Index> blocked_constraints;  ///< constraints that cross another one or run through a foreign point
+  std::vector<Index> blocked_constraints;  ///< that cross another one, run through a foreign point, or join
+                                           ///< a point to itself
 
   bool empty() const { return coincident_points.empty() && blocked_constraints.empty(); }
 };
