@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "algorithms/silhouette/surface/rim_distance.h"
@@ -20,7 +21,9 @@ constexpr double greatest_read_depth = 0.5;
 
 constexpr double crease_width = 0.1;  // of the radius
 constexpr double greatest_change = 0.2;
-constexpr int smoothing_passes = 30;  // with weights 1/4, 1/2, 1/4: over about eight edges, a radius of a limb
+constexpr int reach_of_slope = 12;      // edges: about a limb's radius, over which noise of the radius evens out
+constexpr double greatest_slope = 0.2;  // of the radius along the rim, where no section is trusted any more
+constexpr int smoothing_passes = 30;    // with weights 1/4, 1/2, 1/4: over about eight edges, a radius of a limb
 
 /// Across a bent tube of the bend e the solution of Lap u = -4 is a parabola times 1 + e t, t from -1 on one rim to 1
 /// on the other: the change is linear in t. It is rounded at the axis, where rims of equal bends would leave a crease.
@@ -50,14 +53,43 @@ std::vector<double> read_changes(const RimDistances& rim, const Eigen::VectorXd&
   return sums;
 }
 
-/// Along the boundary's loops.
-std::vector<double> smoothed(const RimDistances& rim, std::vector<double> changes) {
+/// Per edge the one that follows it along the boundary's loop.
+std::vector<Index> following_edges(const RimDistances& rim) {
   std::vector<Index> leaving(rim.nearest.size(), no_index);
   for (Index e = 0; e < rim.edges.size(); ++e) leaving[rim.edges[e].begin] = e;
+  std::vector<Index> following(rim.edges.size());
+  for (Index e = 0; e < rim.edges.size(); ++e) following[e] = leaving[rim.edges[e].end];
+  return following;
+}
+
+/// Where the radius changes along the rim the section is no circle of that radius: from 1 on a tube down to 0 on a
+/// flare, where the factor would show as lumps.
+void trust_even_radii(const SheetSampling& sheets, const RimDistances& rim, const std::vector<Index>& following,
+                      std::vector<double>& changes) {
+  const auto place = [&](Index i) { return sheets.points[sheets.lifted.planar_vertex[i]]; };
+  std::vector<double> trust(changes.size(), 1.0);
+  for (Index e = 0; e < changes.size(); ++e) {
+    double length = 0;
+    Index last = e;
+    for (int step = 0; step < reach_of_slope; ++step) {
+      length += (place(rim.edges[last].end) - place(rim.edges[last].begin)).norm();
+      last = following[last];
+    }
+    const double slope = std::abs(rim.edges[last].radius - rim.edges[e].radius) / length;
+    Index passed = e;
+    for (int step = 0; step <= reach_of_slope; ++step, passed = following[passed]) {
+      trust[passed] = std::min(trust[passed], std::max(0.0, 1 - slope / greatest_slope));
+    }
+  }
+  for (std::size_t e = 0; e < changes.size(); ++e) changes[e] *= trust[e];
+}
+
+/// Along the boundary's loops.
+std::vector<double> smoothed(const std::vector<Index>& following, std::vector<double> changes) {
   for (int pass = 0; pass < smoothing_passes; ++pass) {
     std::vector<double> next(changes.size(), 0.0);
     for (Index e = 0; e < changes.size(); ++e) {
-      const Index after = leaving[rim.edges[e].end];
+      const Index after = following[e];
       next[e] += changes[e] / 2 + changes[after] / 4;
       next[after] += changes[e] / 4;
     }
@@ -79,7 +111,10 @@ double change_at(const SheetSampling& sheets, const RimDistances& rim, const std
 
 void shape_rims(const SheetSampling& sheets, Eigen::VectorXd& thickness) {
   const RimDistances rim = rim_distances(sheets, 1);
-  const std::vector<double> changes = smoothed(rim, read_changes(rim, thickness));
+  const std::vector<Index> following = following_edges(rim);
+  std::vector<double> changes = read_changes(rim, thickness);
+  trust_even_radii(sheets, rim, following, changes);
+  changes = smoothed(following, std::move(changes));
   std::vector<double> at_vertex(rim.nearest.size(), 0.0);
   for (std::size_t e = 0; e < changes.size(); ++e) {
     at_vertex[rim.edges[e].begin] += changes[e] / 2;
