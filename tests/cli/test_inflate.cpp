@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <set>
 #include <sstream>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "cli/process.h"
+#include "support/sketch_errors.h"
+#include "support/sketch_svg.h"
 
 namespace croquis::test {
 namespace {
@@ -115,6 +118,28 @@ TEST_CASE("an end that touches nothing is named and no output is left") {
   CHECK(error.at("subject")[0]["line"] == 1);
   REQUIRE(error.at("subject")[0]["at"].size() == 2);
   CHECK(folder.names() == std::vector<std::string>{"free.svg"});
+}
+
+TEST_CASE("each fault of a sketch is told with its strokes, and a refused sketch leaves no output") {
+  for (const ErrorSketch& wrong : error_sketches()) {
+    const ScratchFolder folder;
+    const std::string sketch = folder.write("wrong.svg", to_svg(wrong.drawing));
+    const ProcessResult result = run_cli({"inflate", sketch, "-o", folder / "a.obj", "--json", "--quiet"});
+    INFO(wrong.code << " " << result.err);
+    const Json report = report_of(result);
+    const bool refused = result.code == 4;
+    CHECK((refused || result.code == 0));
+    CHECK(std::filesystem::exists(folder / "a.obj") != refused);
+    std::set<std::string> named;
+    for (const Json& finding : report.at(refused ? "errors" : "warnings")) {
+      if (finding.at("code") != wrong.code) continue;
+      for (const Json& subject : finding.at("subject")) named.insert(subject.at("id").get<std::string>());
+    }
+    for (const std::string& stroke : wrong.strokes) {
+      INFO(stroke);
+      CHECK(named.contains(stroke));
+    }
+  }
 }
 
 TEST_CASE("one bad object doesn't stop the others") {
