@@ -11,7 +11,8 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 VectorXd column_lengths(const Eigen::SparseMatrix<double>& matrix) {
-  VectorXd lengths(matrix.cols());
+  VectorXd lengths = VectorXd::Zero(matrix.cols());
+  if (matrix.rows() == 0) return lengths;  // Eigen sums no column without rows
   for (Index j = 0; j < matrix.cols(); ++j) lengths[j] = matrix.col(j).norm();
   return lengths;
 }
@@ -37,6 +38,10 @@ void raise_by_rows(const RowMatrix& rows, const VectorXd& objective_lengths, Vec
 
 /// Scales the columns, then each row to length 1; returns the rows' factors.
 VectorXd scale_rows(RowMatrix& rows, const VectorXd& column_scale) {
+  if (rows.rows() == 0) {  // a default-made matrix has no columns either, and Eigen multiplies only what fits
+    rows.resize(0, column_scale.size());
+    return {};
+  }
   rows = rows * column_scale.asDiagonal();
   VectorXd factors(rows.rows());
   for (Index row = 0; row < rows.rows(); ++row) factors[row] = inverse_or_one(rows.row(row).norm());

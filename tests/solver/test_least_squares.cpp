@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "croquis/solver/least_squares.h"
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
+#include "croquis/solver/least_squares.h"
 #include "solver/dense_oracle.h"
 #include "solver/sample_problems.h"
 
@@ -36,8 +35,17 @@ VectorXd vector(std::initializer_list<double> values) {
 
 double largest(const VectorXd& values) { return values.lpNorm<Eigen::Infinity>(); }
 
+/// With matrices that have all their columns, also where there are no rows: what Eigen's products ask for.
+LeastSquaresProblem complete(LeastSquaresProblem problem, Eigen::Index unknowns) {
+  for (auto* matrix : {&problem.objective, &problem.equalities, &problem.inequalities}) {
+    if (matrix->rows() == 0) matrix->resize(0, unknowns);
+  }
+  return problem;
+}
+
 /// Karush, Kuhn and Tucker's conditions, which a convex problem's optimum and nothing else meets.
-void check_optimal(const LeastSquaresProblem& problem, const LeastSquaresSolution& solution, double tolerance) {
+void check_optimal(const LeastSquaresProblem& given, const LeastSquaresSolution& solution, double tolerance) {
+  const LeastSquaresProblem problem = complete(given, solution.x.size());
   CHECK(solution.converged);
   CHECK(solution.violated_rows.empty());
   CHECK(solution.contradictory_equalities.empty());

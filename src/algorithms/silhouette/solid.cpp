@@ -87,7 +87,7 @@ class SolidBuilder {
       inputs.push_back({&surface.mesh, figure.objects[surface.object].euler_region});
     }
     std::vector<std::string> faults = certify_topology(inputs, progress);
-    for (const Rounding rounding : {Rounding::None, Rounding::Single, Rounding::Grid}) {
+    for (const Rounding rounding : {Rounding::None, Rounding::Grid}) {
       progress.check();
       if (!sheets_in_order(sheets, rounding, figure.unit)) {
         certify_apart(inputs, rounding, figure.unit, faults, progress);
