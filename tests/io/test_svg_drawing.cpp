@@ -389,7 +389,8 @@ TEST_CASE("damaged drawings are refused or read, never worse") {
   Random random(42);
   const std::string alphabet = "MmLlHhVvCcSsQqTtAaZz0123456789.,-+eE <>/='\"\n\xff(&";
   int refused = 0;
-  for (int round = 0; round < test::sample_count(2000, 20000); ++round) {
+  const int rounds = sample_count(2000, 20000);
+  for (int round = 0; round < rounds; ++round) {
     std::string svg = seeds[random.below(2)];
     const std::uint32_t edits = 1 + random.below(6);
     for (std::uint32_t i = 0; i < edits && !svg.empty(); ++i) {
@@ -412,8 +413,8 @@ TEST_CASE("damaged drawings are refused or read, never worse") {
       ++refused;
     }
   }
-  CHECK(refused > 200);
-  CHECK(refused < 2000);
+  CHECK(refused > rounds / 10);
+  CHECK(refused < rounds);
 }
 
 TEST_CASE("every SVG of the fuzz corpus is refused or read") {
