@@ -23,7 +23,9 @@ constexpr double crease_width = 0.1;  // of the radius
 constexpr double greatest_change = 0.2;
 constexpr int reach_of_slope = 12;      // edges: about a limb's radius, over which noise of the radius evens out
 constexpr double greatest_slope = 0.2;  // of the radius along the rim, where no section is trusted any more
-constexpr int smoothing_passes = 30;    // with weights 1/4, 1/2, 1/4: over about eight edges, a radius of a limb
+constexpr double all_trusted = 0.05;    // changes up to here are taken as they are
+constexpr double none_trusted = 0.08;
+constexpr int smoothing_passes = 30;  // with weights 1/4, 1/2, 1/4: over about eight edges, a radius of a limb
 
 /// Across a bent tube of the bend e the solution of Lap u = -4 is a parabola times 1 + e t, t from -1 on one rim to 1
 /// on the other: the change is linear in t. It is rounded at the axis, where rims of equal bends would leave a crease.
@@ -81,7 +83,11 @@ void trust_even_radii(const SheetSampling& sheets, const RimDistances& rim, cons
       trust[passed] = std::min(trust[passed], std::max(0.0, 1 - slope / greatest_slope));
     }
   }
-  for (std::size_t e = 0; e < changes.size(); ++e) changes[e] *= trust[e];
+  for (std::size_t e = 0; e < changes.size(); ++e) {
+    // A bend asks for a few hundredths; what asks for more is a corner or the side of a box, not a tube.
+    const double small = (none_trusted - std::abs(changes[e])) / (none_trusted - all_trusted);
+    changes[e] *= trust[e] * std::clamp(small, 0.0, 1.0);
+  }
 }
 
 /// Along the boundary's loops.
