@@ -354,13 +354,7 @@ TEST_CASE("three disks of which each covers the next are bent, not refused") {
 }
 
 TEST_CASE("every sample sketch gets heights in its drawn order within 25 iterations") {
-  std::vector<test::NamedSketch> sketches = test::all_sketches();
-  for (std::uint64_t seed = 0; seed < 12; ++seed) {
-    const int parts = 2 + static_cast<int>(seed % 11);
-    sketches.push_back({"layers " + std::to_string(seed), test::random_layered_sketch(seed, parts)});
-    sketches.push_back({"tube " + std::to_string(seed), test::random_tube_sketch(seed)});
-  }
-  for (const auto& [name, sketch] : sketches) {
+  for (const auto& [name, sketch] : test::sketches_with_random_ones(12)) {
     INFO(name);
     Progress progress;
     const LabelledDrawing labelled = label(sketch.drawing, {}, progress);

@@ -18,14 +18,6 @@ using namespace croquis::test;
 
 namespace {
 
-Stroke stroke_of(const std::string& id, const std::vector<Vec2>& points, bool closed = false) {
-  Stroke stroke;
-  stroke.id = id;
-  stroke.closed = closed;
-  for (const Vec2& point : points) stroke.samples.push_back({point});
-  return stroke;
-}
-
 std::vector<std::string> codes(const Findings& findings) {
   std::vector<std::string> all;
   for (const Finding& finding : findings) all.push_back(finding.code);

@@ -11,16 +11,9 @@
 
 using namespace croquis;
 using namespace croquis::silhouette;
+using croquis::test::stroke_of;
 
 namespace {
-
-Stroke stroke_of(const std::string& id, const std::vector<Vec2>& points, bool closed = false) {
-  Stroke stroke;
-  stroke.id = id;
-  stroke.closed = closed;
-  for (const Vec2& point : points) stroke.samples.push_back({point});
-  return stroke;
-}
 
 std::vector<Vec2> arc(double radius, double from, double to) {
   std::vector<Vec2> points;

@@ -136,16 +136,8 @@ void cut_into_arcs(const TrueContour& contour, const SketchTruth& truth, Walk& w
   for (Arc& arc : walk.arcs) arc.depth -= lowest;
 }
 
-void append_stroke(Drawing& drawing, std::vector<Vec2> points, bool closed) {
-  Stroke stroke;
-  stroke.id = "s" + std::to_string(drawing.strokes.size());
-  stroke.closed = closed;
-  for (const Vec2& p : points) {
-    StrokeSample sample;
-    sample.position = p;
-    stroke.samples.push_back(sample);
-  }
-  drawing.strokes.push_back(std::move(stroke));
+void append_stroke(Drawing& drawing, const std::vector<Vec2>& points, bool closed) {
+  drawing.strokes.push_back(stroke_of("s" + std::to_string(drawing.strokes.size()), points, closed));
 }
 
 /// The contour from one meeting to another, without samples that all but repeat the two ends.
@@ -278,6 +270,14 @@ Sketch draw_visible(std::vector<TrueContour> contours, std::vector<int> euler_re
   count_arcs(walks, truth);
   truth.panels = count_panels(walks, truth);
   return sketch;
+}
+
+Stroke stroke_of(const std::string& id, const std::vector<Vec2>& points, bool closed) {
+  Stroke stroke;
+  stroke.id = id;
+  stroke.closed = closed;
+  for (const Vec2& point : points) stroke.samples.push_back({point});
+  return stroke;
 }
 
 }  // namespace croquis::test

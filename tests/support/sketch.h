@@ -57,4 +57,7 @@ int layers_at(const SketchTruth& truth, const Vec2& place);
 /// Times that a closed polyline goes round a place, counterclockwise positive.
 int winding(const std::vector<Vec2>& loop, const Vec2& place);
 
+/// A stroke through the points, with no pen data.
+Stroke stroke_of(const std::string& id, const std::vector<Vec2>& points, bool closed = false);
+
 }  // namespace croquis::test

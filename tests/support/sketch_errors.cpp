@@ -16,15 +16,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double spacing = 3;
 
 void add(Drawing& drawing, const std::vector<Vec2>& points, bool closed) {
-  Stroke stroke;
-  stroke.id = "s" + std::to_string(drawing.strokes.size());
-  stroke.closed = closed;
-  for (const Vec2& point : points) {
-    StrokeSample sample;
-    sample.position = point;
-    stroke.samples.push_back(sample);
-  }
-  drawing.strokes.push_back(std::move(stroke));
+  drawing.strokes.push_back(stroke_of("s" + std::to_string(drawing.strokes.size()), points, closed));
 }
 
 void add_circle(Drawing& drawing, const Vec2& centre, double radius) {

@@ -38,4 +38,7 @@ struct NamedSketch {
 };
 std::vector<NamedSketch> all_sketches();
 
+/// all_sketches(), and `count` each of random layers and random tubes, seeds from 0.
+std::vector<NamedSketch> sketches_with_random_ones(std::uint64_t count);
+
 }  // namespace croquis::test

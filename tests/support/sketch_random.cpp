@@ -237,4 +237,14 @@ Sketch random_tube_sketch(std::uint64_t seed) {
   throw std::logic_error("no clean random tube");
 }
 
+std::vector<NamedSketch> sketches_with_random_ones(std::uint64_t count) {
+  std::vector<NamedSketch> sketches = all_sketches();
+  for (std::uint64_t seed = 0; seed < count; ++seed) {
+    const int parts = 2 + static_cast<int>(seed % 11);
+    sketches.push_back({"layers " + std::to_string(seed), random_layered_sketch(seed, parts)});
+    sketches.push_back({"tube " + std::to_string(seed), random_tube_sketch(seed)});
+  }
+  return sketches;
+}
+
 }  // namespace croquis::test
