@@ -174,11 +174,11 @@ std::vector<double> vertical_hits(const PolyMesh& mesh, const Vec2& place) {
   return hits;
 }
 
-std::vector<double> half_axis_ratios(const PolyMesh& mesh, const PolyMesh& skeleton, std::size_t stride) {
+std::vector<double> half_axis_ratios(const PolyMesh& mesh, const PolyMesh& skeleton) {
   std::vector<double> ratios;
   for (std::size_t l = 0; l < skeleton.line_count(); ++l) {
     const auto line = skeleton.line(l);
-    for (std::size_t i = 2; i + 2 < line.size(); i += stride) {
+    for (std::size_t i = 2; i + 2 < line.size(); ++i) {
       if (!inside_tube(skeleton, line, i)) continue;
       const auto before = sheet_middle(mesh, skeleton.positions[line[i - 1]]);
       const auto centre = sheet_middle(mesh, skeleton.positions[line[i]]);

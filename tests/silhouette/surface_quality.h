@@ -29,9 +29,9 @@ double deepest_rim_notch(const PolyMesh& mesh);
 std::vector<double> vertical_hits(const PolyMesh& mesh, const Vec2& place);
 
 /// Sections normal to a tube's axis: the ratio of the half axis that leans towards the viewer to the horizontal one, at
-/// every `stride`-th node of the skeleton's polylines. Only where the branch is a tube: a radius or more from its ends,
+/// every node of the skeleton's polylines. Only where the branch is a tube: a radius or more from its ends,
 /// with radii that differ by a tenth at most. At caps and where a body flares, a section isn't an ellipse.
-std::vector<double> half_axis_ratios(const PolyMesh& mesh, const PolyMesh& skeleton, std::size_t stride);
+std::vector<double> half_axis_ratios(const PolyMesh& mesh, const PolyMesh& skeleton);
 
 /// The mesh's faces of one object (label of the face channel "object"), with only its vertices.
 PolyMesh part_of(const PolyMesh& mesh, int object);

@@ -11,6 +11,7 @@
 #include "algorithms/silhouette/surface/sheet_surface.h"
 #include "algorithms/silhouette/surface/silhouette_overlap.h"
 #include "algorithms/silhouette/surface/skeleton_curves.h"
+#include "algorithms/silhouette/surface/swept_limbs.h"
 #include "silhouette/figure_fixtures.h"
 #include "support/mesh_shapes.h"
 
@@ -26,30 +27,68 @@ InflatedSheets inflated(const LabelledFigure& figure) {
   return inflate_sheets(figure, skeleton, {}, progress);
 }
 
+constexpr Index straight_nodes = 40;
+
+/// Nodes a third of a radius apart.
 Skeleton straight_skeleton(double slope) {
   Skeleton skeleton;
-  for (Index n = 0; n < 6; ++n) {
+  for (Index n = 0; n < straight_nodes; ++n) {
     skeleton.nodes.emplace_back();
     skeleton.nodes.back().position = Vec2(10.0 * n, 0);
+    skeleton.nodes.back().radius = 30;
     skeleton.nodes.back().z = slope * 10 * n;
     if (n > 0) skeleton.edges.push_back({n - 1, n});
   }
   return skeleton;
 }
 
+Eigen::VectorXd depths_of(const Skeleton& skeleton) {
+  Eigen::VectorXd z(static_cast<Eigen::Index>(skeleton.nodes.size()));
+  for (Eigen::Index n = 0; n < z.size(); ++n) z[n] = skeleton.nodes[static_cast<std::size_t>(n)].z;
+  return z;
+}
+
 }  // namespace
 
-TEST_CASE("a skeleton of slope s is thicker by the root of 1 + s squared, at most twice") {
+TEST_CASE("a limb of slope s is thicker by the root of 1 + s squared, at most twice") {
   for (const double slope : {0.0, 0.5, -1.0, 5.0}) {
     const Skeleton skeleton = straight_skeleton(slope);
-    Eigen::VectorXd z(6);
-    for (Index n = 0; n < 6; ++n) z[n] = skeleton.nodes[n].z;
-    const Eigen::VectorXd factors = tilt_factors(skeleton, z);
-    for (Index n = 0; n < 6; ++n) CHECK(factors[n] == Approx(std::min(2.0, std::sqrt(1 + slope * slope))));
+    const SweptLimbs limbs = swept_limbs(skeleton, depths_of(skeleton));
+    const double wanted = std::min(2.0, std::sqrt(1 + slope * slope));
+    for (Index n = 4; n + 4 < straight_nodes; ++n) CHECK(limbs.tilt[n] == Approx(wanted).epsilon(0.002));
+    // Its ends are half balls, whose upper half is as high as a level one's.
+    CHECK(limbs.tilt[0] == Approx(std::min(2.0, (1 + std::sqrt(1 + slope * slope)) / 2)).epsilon(0.002));
   }
-  Skeleton lone;
-  lone.nodes.emplace_back();
-  CHECK(tilt_factors(lone, Eigen::VectorXd::Zero(1))[0] == 1);
+}
+
+TEST_CASE("a ball of its own is no thicker than its radius, and balls of other sheets don't count") {
+  Skeleton skeleton;
+  for (const double z : {0.0, 500.0}) {
+    skeleton.nodes.emplace_back();
+    skeleton.nodes.back().radius = 20;
+    skeleton.nodes.back().z = z;
+  }
+  CHECK(swept_limbs(skeleton, depths_of(skeleton)).tilt == Eigen::VectorXd::Ones(2));
+}
+
+TEST_CASE("a bent limb is as high as the balls that its axis carries") {
+  // Half a circle of radius 200, standing upright, seen from above: a torus of tube 30.
+  Skeleton skeleton;
+  for (Index n = 0; n <= 60; ++n) {
+    skeleton.nodes.emplace_back();
+    skeleton.nodes.back().position = Vec2(-180 + 6.0 * n, 0);
+    skeleton.nodes.back().radius = 30;
+    skeleton.nodes.back().z = std::sqrt(200.0 * 200 - std::pow(skeleton.nodes.back().position.x(), 2));
+    if (n > 0) skeleton.edges.push_back({n - 1, n});
+  }
+  const SweptLimbs limbs = swept_limbs(skeleton, depths_of(skeleton));
+  for (Index n = 12; n <= 48; ++n) {
+    const double x = skeleton.nodes[n].position.x();
+    const double top = std::sqrt(230.0 * 230 - x * x);
+    const double bottom = std::sqrt(170.0 * 170 - x * x);
+    CHECK(limbs.tilt[n] == Approx((top - bottom) / 60).epsilon(0.01));
+    CHECK(limbs.lift[n] == Approx((top + bottom) / 2 - skeleton.nodes[n].z).margin(0.5));
+  }
 }
 
 TEST_CASE("sheets keep their order and gap, and the proof of it notices when they don't") {

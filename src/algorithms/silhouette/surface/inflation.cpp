@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/silhouette/surface/rim_shape.h"
+#include "algorithms/silhouette/surface/rim_chord.h"
 #include "algorithms/silhouette/surface/sheet_operator.h"
+#include "algorithms/silhouette/surface/swept_limbs.h"
 #include "algorithms/silhouette/surface/thickness.h"
 
 namespace croquis::silhouette {
 namespace {
-
-constexpr double max_tilt_factor = 2;  // a limb that points at the viewer would otherwise become a spike
 
 Eigen::VectorXd node_radii(const Skeleton& skeleton) {
   Eigen::VectorXd radii(static_cast<Eigen::Index>(skeleton.nodes.size()));
@@ -59,25 +58,6 @@ Eigen::VectorXd values_at(const std::vector<LiftedPlace>& places, const Eigen::V
 
 }  // namespace
 
-Eigen::VectorXd tilt_factors(const Skeleton& skeleton, const Eigen::VectorXd& node_z) {
-  Eigen::VectorXd squares = Eigen::VectorXd::Zero(node_z.size());
-  Eigen::VectorXd lengths = Eigen::VectorXd::Zero(node_z.size());
-  for (const auto& [a, b] : skeleton.edges) {
-    const double length = (skeleton.nodes[b].position - skeleton.nodes[a].position).norm();
-    if (length <= 0) continue;
-    const double rise = node_z[b] - node_z[a];
-    for (const Index node : {a, b}) {
-      squares[node] += rise * rise / length;
-      lengths[node] += length;
-    }
-  }
-  Eigen::VectorXd factors = Eigen::VectorXd::Ones(node_z.size());
-  for (Eigen::Index n = 0; n < factors.size(); ++n) {
-    if (lengths[n] > 0) factors[n] = std::min(max_tilt_factor, std::sqrt(1 + squares[n] / lengths[n]));
-  }
-  return factors;
-}
-
 InflatedSheets inflate_sheets(const LabelledFigure& figure, const Skeleton& skeleton, const DepthOptions& options,
                               Progress& progress) {
   InflatedSheets sheets;
@@ -90,19 +70,21 @@ InflatedSheets inflate_sheets(const LabelledFigure& figure, const Skeleton& skel
   const SheetOperator op = make_sheet_operator(sheets.sampling);
   const Eigen::VectorXd radii = node_radii(skeleton);
   const NodeExtension extension(op, nodes, radii);
-  Eigen::VectorXd upright = sheet_thickness(op, nodes, radii, extension, thickening);
-  shape_rims(sheets.sampling, upright);
+  Eigen::VectorXd upright = sheet_thickness(sheets.sampling, op, skeleton, nodes, extension, thickening);
+  flatten_to_rim_chords(sheets.sampling, upright);
 
   Progress raising = progress.step("mid-surface", 0.25);
   MidSurface mid_surface(op, mid_surface_data(skeleton, nodes, sheets.pairs, options));
-  const auto tilted = [&](const Eigen::VectorXd& node_z) -> Eigen::VectorXd {
-    const Eigen::VectorXd factors = extension.extend(tilt_factors(skeleton, node_z));
-    return upright.cwiseProduct(factors.cwiseMax(1).cwiseMin(max_tilt_factor));
+  const auto tilted = [&](const SweptLimbs& limbs) -> Eigen::VectorXd {
+    return upright.cwiseProduct(extension.extend(limbs.tilt).cwiseMax(1));
   };
-  const MidSurfaceResult first = mid_surface.solve(tilted(node_depths(skeleton)), raising);
+  const Eigen::VectorXd depths = node_depths(skeleton);
+  const MidSurfaceResult first = mid_surface.solve(tilted(swept_limbs(skeleton, depths)), raising);
 
   Progress tilting = progress.step("tilt", 0.25);
-  sheets.thickness = tilted(values_at(nodes, first.z));
+  const SweptLimbs limbs = swept_limbs(skeleton, values_at(nodes, first.z));
+  mid_surface.move_nodes(depths + limbs.lift);
+  sheets.thickness = tilted(limbs);
   const MidSurfaceResult second = mid_surface.solve(sheets.thickness, tilting);
 
   sheets.z = second.z;

@@ -28,12 +28,9 @@ struct InflatedSheets {
 };
 
 /// From a skeleton with depths to sheets with thickness. The thickness is meant along the surface's normal: where the
-/// skeleton is inclined, the vertical thickness grows by sqrt(1 + slope^2), at most twofold.
+/// skeleton is inclined, the vertical thickness grows, see SweptLimbs.
 /// @throws Error (E_INTERNAL) when the figure contradicts itself, Cancelled
 InflatedSheets inflate_sheets(const LabelledFigure& figure, const Skeleton& skeleton, const DepthOptions& options,
                               Progress& progress);
-
-/// Per node the factor by which vertical thickness exceeds the thickness along the normal, 1..2.
-Eigen::VectorXd tilt_factors(const Skeleton& skeleton, const Eigen::VectorXd& node_z);
 
 }  // namespace croquis::silhouette

@@ -108,6 +108,11 @@ MidSurface::MidSurface(const SheetOperator& op, MidSurfaceData data)
 
 MidSurface::~MidSurface() = default;
 
+void MidSurface::move_nodes(const Eigen::VectorXd& node_z) {
+  state_->data.node_z = node_z;
+  state_->solver.set_target(state_->target());
+}
+
 MidSurfaceResult MidSurface::solve(const Eigen::VectorXd& thickness, Progress& progress) {
   state_->solver.set_inequality_bounds(state_->bounds(thickness));
   const LeastSquaresSolution solution = state_->solver.solve(progress);

@@ -50,6 +50,9 @@ class MidSurface {
   MidSurface(const SheetOperator& op, MidSurfaceData data);
   ~MidSurface();
 
+  /// Gives the nodes other depths, one per node.
+  void move_nodes(const Eigen::VectorXd& node_z);
+
   /// @param thickness per lifted vertex, h; a second call reuses the first one's factorisation
   /// @throws Cancelled
   MidSurfaceResult solve(const Eigen::VectorXd& thickness, Progress& progress);

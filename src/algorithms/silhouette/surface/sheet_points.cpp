@@ -19,6 +19,7 @@ constexpr double first_row_clearance = 0.3;  // from contours, and at most 0.9 o
 constexpr double deep_row_clearance = 0.8;
 constexpr double row_row_clearance = 0.37;  // and at most 0.6 of the distance between the rows
 constexpr double row_spacing = 0.33;        // from a row's last point
+constexpr double passing_clearance = 0.35;  // from the middle of a row's edge, in parts of its length
 constexpr double hexagon_spacing = 1.5;
 constexpr double hexagon_point_clearance = 0.55 * hexagon_spacing;
 constexpr double hexagon_contour_clearance = 0.4 * hexagon_spacing;
@@ -45,9 +46,14 @@ class SheetPointCollector {
     const std::vector<Index>& vertices = figure_.contours[contour].vertices;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       const Vec2 place = figure_.points[vertices[i]] + row_depth(radii[i], angle) * inward(contour, i);
-      if ((place - last).norm() < row_spacing * step_ || !fits_row(place, radii[i], angle, previous_angle)) continue;
-      keep(place);
+      const double gap = (place - last).norm();
+      if (gap < row_spacing * step_ || !fits_row(place, radii[i], angle, previous_angle)) continue;
+      // Beside the middle of a row's edge, a point of another row would make a sliver of any slope.
+      const bool passes_point =
+          previous_angle > 0 && gap < 2 * step_ &&
+          rows_.any_within((last + place) / 2, std::min(passing_clearance * gap, row_row_clearance * step_));
       last = place;
+      if (!passes_point) keep(place);
     }
   }
 

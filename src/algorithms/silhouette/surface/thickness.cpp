@@ -6,6 +6,8 @@
 
 #include <Eigen/SparseCholesky>
 
+#include "algorithms/silhouette/surface/rim_turn.h"
+
 namespace croquis::silhouette {
 namespace {
 
@@ -26,6 +28,13 @@ constexpr double background_stiffness = 1e-6;
 /// The least u inside, as a part of that of a disk inscribed at the vertex' own triangles. Only reached when a very
 /// obtuse triangle breaks the maximum principle.
 constexpr double least_load = 0.25;
+
+/// Of a rim's curvature times radius. At 1, where a tube ends in a half disk, the weight would vanish.
+constexpr double greatest_turn = 0.8;
+
+// Between these, beta is sqrt(1/2) on a tube, less where a limb flares, and 1 on a disk.
+constexpr double least_beta = 0.5;
+constexpr double greatest_beta = 1.2;
 
 /// Rows and columns of inner vertices.
 struct InnerSystem {
@@ -55,14 +64,25 @@ InnerSystem inner_system(const SheetOperator& op) {
   return system;
 }
 
-Eigen::VectorXd solve_inner(const InnerSystem& system, const Factorisation& factors, const Eigen::VectorXd& load) {
+/// The solution of the load that vanishes on the boundary.
+Eigen::VectorXd solve_inner(const InnerSystem& system, const Eigen::VectorXd& load) {
   Eigen::VectorXd right(system.matrix.cols());
   for (Eigen::Index row = 0; row < right.size(); ++row) right[row] = load[system.vertex[static_cast<std::size_t>(row)]];
-  const Eigen::VectorXd inner = factors.solve(right);
+  const Eigen::VectorXd inner = Factorisation(system.matrix).solve(right);
   Eigen::VectorXd values = Eigen::VectorXd::Zero(load.size());
   for (Eigen::Index row = 0; row < inner.size(); ++row)
     values[system.vertex[static_cast<std::size_t>(row)]] = inner[row];
   return values;
+}
+
+/// What the rim asks of ln w: the length of the axis per length of the rim.
+Eigen::VectorXd rim_log_weights(const SheetSampling& sheets) {
+  return (1 - rim_turn(sheets).array().cwiseMax(-greatest_turn).cwiseMin(greatest_turn)).log();
+}
+
+/// Extends values on the boundary, 0 inside.
+Eigen::VectorXd harmonic(const SheetOperator& op, const InnerSystem& system, const Eigen::VectorXd& boundary) {
+  return boundary + solve_inner(system, -(op.stiffness * boundary));
 }
 
 /// A node's share of a vertex.
@@ -155,22 +175,42 @@ double value_at(const LiftedPlace& place, const Eigen::VectorXd& values) {
   return sum;
 }
 
-Eigen::VectorXd sheet_thickness(const SheetOperator& op, const std::vector<LiftedPlace>& nodes,
-                                const Eigen::VectorXd& radii, const NodeExtension& extension, Progress& progress) {
-  const InnerSystem system = inner_system(op);
-  const Factorisation factors(system.matrix);
+std::vector<Index> spokesmen(const Skeleton& skeleton) {
+  std::vector<Index> spokesman(skeleton.nodes.size());
+  for (Index n = 0; n < spokesman.size(); ++n) spokesman[n] = n;
+  const auto offer = [&](Index inner, Index outer) {
+    const SkeletonNode& small = skeleton.nodes[inner];
+    const SkeletonNode& large = skeleton.nodes[outer];
+    const bool inside = (small.position - large.position).norm() + small.radius <= large.radius;
+    if (inside && large.radius > skeleton.nodes[spokesman[inner]].radius) spokesman[inner] = outer;
+  };
+  for (const auto& [a, b] : skeleton.edges) {
+    offer(a, b);
+    offer(b, a);
+  }
+  return spokesman;
+}
+
+Eigen::VectorXd sheet_thickness(const SheetSampling& sheets, const SheetOperator& op, const Skeleton& skeleton,
+                                const std::vector<LiftedPlace>& nodes, const NodeExtension& extension,
+                                Progress& progress) {
+  InnerSystem system = inner_system(op);
+  const Eigen::VectorXd log_weight = harmonic(op, system, rim_log_weights(sheets));
   progress.check();
-  Eigen::VectorXd u = solve_inner(system, factors, 4 * op.area);
+  const SheetOperator unbent = make_sheet_operator(sheets, log_weight.array().exp());
+  system = inner_system(unbent);
+  Eigen::VectorXd u = solve_inner(system, 4 * unbent.area);
   for (const int v : system.vertex) u[v] = std::max(u[v], least_load * op.area[v]);
   progress.check();
 
   Eigen::VectorXd beta(static_cast<Eigen::Index>(nodes.size()));
-  for (std::size_t n = 0; n < nodes.size(); ++n) {
-    const auto i = static_cast<Eigen::Index>(n);
+  for (Index n = 0; n < nodes.size(); ++n) {
     // Interpolated u rather than its root: the root of the mean has the smaller error.
-    beta[i] = std::clamp(radii[i] / std::sqrt(std::max(value_at(nodes[n], u), 1e-300)), 0.5, 1.2);
+    beta[n] = std::clamp(skeleton.nodes[n].radius / std::sqrt(std::max(value_at(nodes[n], u), 1e-300)), least_beta,
+                         greatest_beta);
   }
-  return extension.extend(beta).cwiseProduct(u.cwiseSqrt());
+  const std::vector<Index> spokesman = spokesmen(skeleton);
+  return extension.extend(beta(spokesman)).cwiseProduct(u.cwiseSqrt());
 }
 
 }  // namespace croquis::silhouette

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "algorithms/silhouette/skeleton/skeleton.h"
 #include "algorithms/silhouette/surface/sheet_operator.h"
 #include "croquis/base/progress.h"
 
@@ -31,14 +32,22 @@ class NodeExtension {
   std::unique_ptr<Factors> factors_;
 };
 
+/// Per node of the skeleton the node that speaks for it: itself, or where its disk lies inside a neighbour's, that one.
+/// Where limbs meet in a wide body, triangles between them get nodes beside the axis, whose disks say nothing.
+std::vector<Index> spokesmen(const Skeleton& skeleton);
+
 /// Half thickness of the surface over every lifted vertex: 0 exactly on the boundary, positive inside.
 ///
-/// u solves Lap u = -4, u = 0 on the boundary, and thickness is beta sqrt(u), where beta makes it the radius at the
-/// skeleton: on a tube u = 2 (r^2 - d^2), on a disk r^2 - d^2, so that both get circular sections.
-/// @param radii per node
-/// Two sparse factorisations of the size of the region. @throws Cancelled
-Eigen::VectorXd sheet_thickness(const SheetOperator& op, const std::vector<LiftedPlace>& nodes,
-                                const Eigen::VectorXd& radii, const NodeExtension& extension, Progress& progress);
+/// u solves div(w grad u) = -4 w, u = 0 on the boundary, and thickness is beta sqrt(u), where beta makes it the radius
+/// at the skeleton. With w = 1, u is 2 (r^2 - d^2) on a straight tube and r^2 - d^2 on a disk, so that both get
+/// circular sections. Around a bend the solution leans outwards; with w the length of the axis per length at a place it
+/// is that of the straight tube again. There ln w is harmonic, so it is extended harmonically from the rim, where it is
+/// ln(1 - curvature * radius).
+/// @param nodes where the skeleton's nodes lie
+/// Three sparse factorisations of the size of the region. @throws Cancelled
+Eigen::VectorXd sheet_thickness(const SheetSampling& sheets, const SheetOperator& op, const Skeleton& skeleton,
+                                const std::vector<LiftedPlace>& nodes, const NodeExtension& extension,
+                                Progress& progress);
 
 /// The value at a node's place.
 double value_at(const LiftedPlace& place, const Eigen::VectorXd& values);
