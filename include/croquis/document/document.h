@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "croquis/base/parameter.h"
+#include "croquis/document/value.h"
+
+namespace croquis {
+
+/// The name of a node in links, files and selections: never used again in the same document. 0 names none.
+using NodeId = std::uint64_t;
+
+/// Where an input comes from.
+struct Link {
+  NodeId node = 0;
+  std::string output;  ///< name of the output port; a source has one, named "value"
+
+  friend bool operator==(const Link&, const Link&) = default;
+};
+
+/// One thing in a document: a source (a drawing, an imported mesh) or an operation with its parameters and inputs.
+/// Nothing computed is kept here.
+struct Node {
+  NodeId id = 0;
+  std::string name;                    ///< as people see it
+  std::string operation;               ///< id of the operation; empty for a source
+  int version = 1;                     ///< of the operation it was made with
+  ParameterValues parameters;          ///< those that differ from the operation's defaults
+  std::map<std::string, Link> inputs;  ///< by port name
+  std::optional<Value> source;         ///< of a source, and of nothing else
+  bool visible = true;
+};
+
+/// What people edit and save: an immutable value.
+///
+/// Editing makes a new document that shares all nodes but those edited. So undo is keeping the old value, a background
+/// job works on a snapshot without locks, and saving never sees half an edit. Copies cost a vector of pointers.
+class Document {
+ public:
+  /// In the order they were added.
+  const std::vector<std::shared_ptr<const Node>>& nodes() const { return nodes_; }
+
+  /// The node of that id, or null. O(#nodes).
+  const Node* find(NodeId id) const;
+
+  /// The id that the next new node gets: greater than every id that was ever used.
+  NodeId next_id() const { return next_id_; }
+
+  /// With this node in place of the one of its id, else after the last one. Id 0 stands for next_id().
+  [[nodiscard]] Document with(Node node) const;
+
+  /// Without the node, and without the links to it. The same document when there is none of that id.
+  [[nodiscard]] Document without(NodeId id) const;
+
+  /// Whether both share every node: a cheap "nothing was edited".
+  friend bool same_nodes(const Document& a, const Document& b) {
+    return a.nodes_ == b.nodes_ && a.next_id_ == b.next_id_;
+  }
+
+ private:
+  std::vector<std::shared_ptr<const Node>> nodes_;
+  NodeId next_id_ = 1;
+};
+
+}  // namespace croquis

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/document/document.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace croquis {
+namespace {
+
+bool links_to(const Node& node, NodeId id) {
+  return std::any_of(node.inputs.begin(), node.inputs.end(),
+                     [id](const auto& input) { return input.second.node == id; });
+}
+
+}  // namespace
+
+const Node* Document::find(NodeId id) const {
+  const auto found = std::find_if(nodes_.begin(), nodes_.end(), [id](const auto& node) { return node->id == id; });
+  return found == nodes_.end() ? nullptr : found->get();
+}
+
+Document Document::with(Node node) const {
+  Document edited = *this;
+  if (node.id == 0) node.id = next_id_;
+  edited.next_id_ = std::max(next_id_, node.id + 1);
+  const NodeId id = node.id;
+  auto shared = std::make_shared<const Node>(std::move(node));
+  const auto place =
+      std::find_if(edited.nodes_.begin(), edited.nodes_.end(), [id](const auto& other) { return other->id == id; });
+  if (place == edited.nodes_.end()) {
+    edited.nodes_.push_back(std::move(shared));
+  } else {
+    *place = std::move(shared);
+  }
+  return edited;
+}
+
+Document Document::without(NodeId id) const {
+  if (find(id) == nullptr) return *this;
+  Document edited;
+  edited.next_id_ = next_id_;
+  for (const auto& node : nodes_) {
+    if (node->id == id) continue;
+    if (!links_to(*node, id)) {
+      edited.nodes_.push_back(node);
+      continue;
+    }
+    Node unlinked = *node;
+    std::erase_if(unlinked.inputs, [id](const auto& input) { return input.second.node == id; });
+    edited.nodes_.push_back(std::make_shared<const Node>(std::move(unlinked)));
+  }
+  return edited;
+}
+
+}  // namespace croquis
