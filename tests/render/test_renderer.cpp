@@ -204,7 +204,7 @@ TEST_CASE("a host's framebuffer is filled inside the viewport alone and bound ag
 
     RenderOptions options = flat_options();
     options.background_top = options.background_bottom = {10, 20, 30, 255};
-    renderer.draw({}, Camera(), options, {16, 8, 32, 40, {}});
+    renderer.draw(Scene{}, Camera(), options, {16, 8, 32, 40, {}});
     GLint bound = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
     CHECK(static_cast<GLuint>(bound) == framebuffer);

@@ -9,11 +9,9 @@
 
 #include "croquis/geometry/poly_mesh.h"
 #include "croquis/render/bounds.h"
+#include "croquis/render/color.h"
 
 namespace croquis::render {
-
-/// A display colour as pictures store it (sRGB), 0..255.
-using Color = glm::u8vec4;
 
 /// A corner of a triangle as the graphics card takes it.
 struct SurfaceVertex {

@@ -27,6 +27,10 @@ struct PictureSize {
 
 /// Draws a picture into a framebuffer of its own; large ones in tiles, so that the graphics card's memory is bounded.
 /// @throws Error (E_PICTURE_SIZE, usage) for a size out of range, (E_GL) as Renderer::draw
+RenderedPicture render_picture(Renderer& renderer, const Scene& scene, const Camera& camera,
+                               const RenderOptions& options, const PictureSize& size);
+
+/// The same of surfaces alone.
 RenderedPicture render_picture(Renderer& renderer, const std::vector<MeshItemPtr>& items, const Camera& camera,
                                const RenderOptions& options, const PictureSize& size);
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "croquis/render/mesh_item.h"
+#include <array>
+
+#include "croquis/render/color.h"
+#include "croquis/render/line_item.h"
 
 namespace croquis::render {
 
@@ -10,10 +13,39 @@ enum class Shading {
   Flat   ///< the colours as they are
 };
 
-/// The look of a picture. Widths are in pixels of the finished picture.
+enum class GridKind { None, Dots, Lines };
+
+/// Squared paper behind parallel views, through the model's origin; perspective views have none. It gets coarser and
+/// finer by whole steps while one zooms, every fifth line a little stronger.
+struct GridOptions {
+  GridKind kind = GridKind::None;
+  double spacing = 1;                ///< model units, > 0: a step of the grid is this times a power of five
+  Color color = {92, 110, 140, 70};  ///< alpha is the strength of the strong lines
+};
+
+/// Three short arrows x, y, z in the lower left corner that turn with the camera; told apart by letter and dashes, too.
+struct AxisCrossOptions {
+  bool shown = false;
+  double size = 34;  ///< length of an arrow in pixels
+  std::array<Color, 3> colors = {{{202, 62, 52, 255}, {46, 134, 58, 255}, {44, 92, 200, 255}}};
+  std::array<DashPattern, 3> dashes = {{{}, {7, 3, 0, 0}, {2.5F, 2.5F, 0, 0}}};
+};
+
+/// How emphasised items look. Alpha is the strength of the tint.
+struct EmphasisOptions {
+  Color selected = {255, 140, 26, 150};
+  Color hovered = {64, 156, 255, 110};
+  double glow = 2.5;    ///< pixels that lines and marks grow on either side, in the colour of the emphasis
+  double faded = 0.45;  ///< what is left of stale items' strength, in [0, 1]
+};
+
+/// The look of a picture. Widths and lengths are in pixels of the finished picture, times `pixel_ratio`.
 struct RenderOptions {
   Color background_top = {250, 250, 251, 255};     ///< a vertical gradient from here …
   Color background_bottom = {214, 218, 224, 255};  ///< … to here
+  GridOptions grid;
+  AxisCrossOptions axis_cross;
+  EmphasisOptions emphasis;
   Shading shading = Shading::Clay;
   bool occlusion = true;       ///< with Clay: darkens hollows and where parts come close
   bool contours = true;        ///< lines where the surface turns away from the eye, at creases and where patches meet
@@ -22,8 +54,15 @@ struct RenderOptions {
   bool wire = false;                        ///< the polygons' edges (not the triangles drawn for them)
   double wire_width = 0.8;                  ///< in [0.1, 8]
   Color wire_color = {44, 50, 62, 150};     ///< alpha is the strength
-  double line_width = 2;                    ///< of polylines, in [0.1, 32]
-  int supersampling = 3;  ///< samples per pixel and axis, 1..4; lowered where the driver allows no texture that large
+  double line_width = 2;                    ///< of meshes' polylines, in [0.1, 32]
+  int supersampling = 3;   ///< samples per pixel and axis, 1..4; lowered where the driver allows no texture that large
+  double pixel_ratio = 1;  ///< device pixels per pixel of the lengths given here and in items, in [0.25, 8]
+
+  /// For while something moves: one sample per pixel and no occlusion; lines and marks stay smooth.
+  static RenderOptions interactive();
+
+  /// For the sketch view: plain paper with a faint grid.
+  static RenderOptions paper();
 };
 
 }  // namespace croquis::render

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "croquis/render/camera.h"
-#include "croquis/render/mesh_item.h"
 #include "croquis/render/render_options.h"
+#include "croquis/render/scene.h"
 
 namespace croquis::render {
 
@@ -43,10 +43,13 @@ class Renderer {
 
   /// Fills the viewport of the framebuffer bound for drawing with the picture.
   ///
-  /// Depth and stencil of that framebuffer stay as they are; the framebuffer, viewport, program, vertex array and
-  /// texture bindings are put back or set to none; depth test, culling, blending and scissor test are off afterwards.
-  /// The same items, camera, options and size give the same pixels on the same driver.
+  /// Nothing outside the viewport changes, nor do depth and stencil of that framebuffer. OpenGL's state is put back
+  /// but for program, vertex array, array buffer and the 2D textures of the first eight units, which are set to none.
+  /// The same scene, camera, options and size give the same pixels on the same driver.
   /// @throws Error (E_GL) when the driver reports an error or can't make a buffer of that size
+  void draw(const Scene& scene, const Camera& camera, const RenderOptions& options, const Viewport& viewport);
+
+  /// The same of surfaces alone.
   void draw(const std::vector<MeshItemPtr>& items, const Camera& camera, const RenderOptions& options,
             const Viewport& viewport);
 
