@@ -14,6 +14,14 @@ bool links_to(const Node& node, NodeId id) {
 
 }  // namespace
 
+Document Document::of(std::vector<std::shared_ptr<const Node>> nodes, NodeId next_id) {
+  Document document;
+  document.next_id_ = std::max<NodeId>(next_id, 1);
+  for (const auto& node : nodes) document.next_id_ = std::max(document.next_id_, node->id + 1);
+  document.nodes_ = std::move(nodes);
+  return document;
+}
+
 const Node* Document::find(NodeId id) const {
   const auto found = std::find_if(nodes_.begin(), nodes_.end(), [id](const auto& node) { return node->id == id; });
   return found == nodes_.end() ? nullptr : found->get();

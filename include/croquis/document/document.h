@@ -43,6 +43,11 @@ struct Node {
 /// job works on a snapshot without locks, and saving never sees half an edit. Copies cost a vector of pointers.
 class Document {
  public:
+  /// Of these nodes in their order, for readers of files. O(#nodes).
+  /// @param nodes   their ids differ and none is 0
+  /// @param next_id raised above all of them when it is not
+  static Document of(std::vector<std::shared_ptr<const Node>> nodes, NodeId next_id);
+
   /// In the order they were added.
   const std::vector<std::shared_ptr<const Node>>& nodes() const { return nodes_; }
 
