@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "croquis/tools/pointer_event.h"
@@ -75,44 +76,50 @@ class PenInput {
  private:
   enum class Phase {
     Idle,
-    Waiting,   ///< touching, but the first point has no pressure yet
-    Drawing,   ///< Begin was told
-    Suspended  ///< drawing, but sight of the pen was lost
+    Waiting,  ///< touching, but the first point has no pressure yet
+    Drawing   ///< Begin was told
   };
   using Steps = std::vector<PenStep>;
 
   void pen_event(const PointerEvent& event, Steps& steps);
-  void pen_contact(const PointerEvent& event, Steps& steps);
   void pen_press(const PointerEvent& event, Steps& steps);
+  void pen_moved_touching(const PointerEvent& event, Steps& steps);
+  void pen_lifted(const PointerEvent& event, Steps& steps);
   void mouse_event(const PointerEvent& event, Steps& steps);
   void mouse_press(const PointerEvent& event, Steps& steps);
-  void leave(const PointerEvent& event, Steps& steps);
+  void mouse_suspect(const PointerEvent& event, Steps& steps);
+  void left_view(const PointerEvent& event, Steps& steps);
+  void end_if_lost(double now, Steps& steps);
 
   void begin(const PointerEvent& event, Steps& steps);
   void extend(const PointerEvent& event, Steps& steps);
-  void flush_waiting(double pressure, Steps& steps);
-  void finish(PenStep::Kind kind, Steps& steps);
-  void note_pen(const PointerEvent& event, bool contact);
+  void tell_waiting(double pressure, Steps& steps);
+  void tell(PenStep::Kind kind, const PenSample& sample, Steps& steps) const;
+  void finish(PenStep::Kind kind, double time, Steps& steps);
+  void release_suspects(Steps& steps);
+  void note_pen(const PointerEvent& event);
+  PenSample sample_of(const PointerEvent& event) const;
   bool is_repeated_press(const PointerEvent& event) const;
-  bool is_twin_of_pen(const PointerEvent& event) const;
+  bool is_copy_of_pen(const PointerEvent& event) const;
   bool is_twin_of_mouse_stroke(const PointerEvent& event) const;
-  bool owned_by_pen() const { return is_pen(owner_.device); }
+  bool pen_draws() const { return down() && is_pen(owner_.device); }
+  bool mouse_draws() const { return down() && !is_pen(owner_.device); }
+  bool ended_by_pen() const { return !down() && !samples_.empty() && is_pen(owner_.device); }
 
   PenOptions options_;
   Phase phase_ = Phase::Idle;
   PenStep owner_;                   ///< device, end, view and modifiers of the stroke under way or the last one
-  std::uint64_t owner_id_ = 0;      ///< its device_id
   std::vector<PenSample> samples_;  ///< of the stroke under way or the last one
-  bool has_pressure_ = false;       ///< the stroke under way has had one
+  bool has_pressure_ = false;       ///< of the stroke under way: some sample had one
   double ended_ = -1e300;           ///< when the last stroke ended
-  double suspended_since_ = 0;      ///< Suspended only
 
-  std::vector<PenSample> trail_;  ///< where the pen has been within twin_seconds
-  double pen_seen_ = -1e300;      ///< its last event
-  bool pen_touches_ = false;      ///< a pen of this tablet has reported contact itself
-  bool pen_muted_ = false;        ///< until it is lifted
-  bool mouse_muted_ = false;      ///< until its button is up
-  Steps suspects_;                ///< mouse stroke near a hovering pen, held back until it is clear whose it is
+  std::optional<double> lost_since_;    ///< sight of the drawing pen was lost
+  std::vector<PenSample> trail_;        ///< where the pen has been within twin_seconds
+  double pen_seen_ = -1e300;            ///< its last event
+  bool pen_touches_ = false;            ///< contact has been reported by a pen itself, not only by its mouse copy
+  bool pen_muted_ = false;              ///< until it is lifted
+  bool mouse_muted_ = false;            ///< until its button is up
+  std::vector<PointerEvent> suspects_;  ///< mouse events near a hovering pen, until it is clear whose they are
 };
 
 }  // namespace croquis

@@ -42,11 +42,11 @@ struct StrokeFit {
   double largest = 0;  ///< largest single distance of a sample as drawn
 };
 
-/// Fits a chain of cubics whose tangents agree at every anchor that is no corner, by least squares with chord-length
-/// parameters, improved by Newton steps, and split where they are worst until the tolerance is met. Any number of
-/// samples, any repetition; a stroke at one place gives one anchor and no segment.
+/// Fits a chain of cubics whose tangents agree at every anchor that is no corner: by least squares with chord-length
+/// parameters, improved by Newton steps, and split until the tolerance is met, at the worst sample of the middle half
+/// (the halving keeps it O(n log n) in the samples). Any number of samples, any repetition; a stroke at one place gives
+/// one anchor and no segment.
 /// Source: Schneider 1990, "An algorithm for automatically fitting digitized curves", Graphics Gems.
-/// O(n log n) in samples on curves that halve, bounded by O(n × segments).
 /// @throws Error (E_NO_STROKES) without samples, E_NOT_FINITE for positions that are not finite
 StrokeFit fit_stroke(const Stroke& stroke, const FitOptions& options = {});
 
