@@ -2,24 +2,45 @@
 #include "croquis/document/operation.h"
 
 #include <utility>
+#include <variant>
 
 #include "croquis/base/error.h"
 
 namespace croquis {
+namespace {
+
+bool fits(const PortDescription& port, const Values& values) {
+  const auto given = values.find(port.name);
+  if (given == values.end() || type_of(given->second) != port.type) return false;
+  return std::visit([](const auto& content) { return content != nullptr; }, given->second);
+}
+
+void check_outputs(const OperationDescription& description, const Values& outputs) {
+  Findings findings;
+  for (const PortDescription& port : description.outputs) {
+    if (fits(port, outputs)) continue;
+    findings.push_back(make_error(Category::Internal, "E_INTERNAL",
+                                  description.title + " made no output '" + port.name + "'; please report it."));
+  }
+  if (!findings.empty()) throw Error(std::move(findings));
+}
+
+}  // namespace
 
 OperationResult run(const Operation& operation, const Values& inputs, ParameterValues parameters, Context& context) {
   const OperationDescription description = operation.describe();
   Findings findings;
   for (const PortDescription& port : description.inputs) {
-    const auto given = inputs.find(port.name);
-    if (given != inputs.end() && type_of(given->second) == port.type) continue;
+    if (fits(port, inputs)) continue;
     findings.push_back(
         make_error(Category::Usage, "E_INPUT",
                    description.title + " needs a " + to_string(port.type) + " as its input '" + port.name + "'.",
                    {{SubjectKind::Parameter, port.name, {}, {}, {}}}));
   }
   if (!findings.empty()) throw Error(std::move(findings));
-  return operation.compute(inputs, complete(description.parameters, std::move(parameters)), context);
+  OperationResult result = operation.compute(inputs, complete(description.parameters, std::move(parameters)), context);
+  check_outputs(description, result.outputs);
+  return result;
 }
 
 }  // namespace croquis

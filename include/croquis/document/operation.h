@@ -32,9 +32,16 @@ struct OperationDescription {
   std::vector<ParameterDescription> parameters;
 };
 
+class Memo;
+
+/// A draft may be coarser where that saves time; it is only ever looked at. Files are made of final results.
+enum class Quality { Draft, Final };
+
 /// What surrounds a computation.
 struct Context {
   Progress& progress;  ///< also tells when to stop
+  Quality quality = Quality::Final;
+  Memo* memo = nullptr;  ///< results of stages (see memoized); with null everything is computed
 };
 
 struct OperationResult {
@@ -42,7 +49,7 @@ struct OperationResult {
   Findings warnings;
 };
 
-/// A deterministic function of its inputs and parameters.
+/// A deterministic function of its inputs, its parameters and the quality. Hosts compute on several threads at once.
 class Operation {
  public:
   virtual ~Operation() = default;
@@ -55,8 +62,8 @@ class Operation {
   virtual OperationResult compute(const Values& inputs, const ParameterValues& parameters, Context& context) const = 0;
 };
 
-/// Checks inputs against the description, completes the parameters, and computes.
-/// @throws Error (E_PARAMETER, E_INPUT), and whatever compute throws
+/// Checks inputs against the description, completes the parameters, computes, and checks the outputs likewise.
+/// @throws Error (E_PARAMETER, E_INPUT; E_INTERNAL for a missing output), and whatever compute throws
 OperationResult run(const Operation& operation, const Values& inputs, ParameterValues parameters, Context& context);
 
 }  // namespace croquis

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "croquis/base/progress.h"
+#include "croquis/document/document.h"
+#include "croquis/document/evaluation.h"
+#include "croquis/document/registry.h"
+
+namespace croquis {
+
+/// Computes nodes when they are asked for, and nothing twice: results are kept by what they were made from, stage
+/// results of operations beside them, all under one byte cap (see Memo).
+///
+/// What is wrong with a node is a finding in its Evaluation and never thrown: an operation's own errors; links that
+/// lead nowhere or to no such output (E_LINK) or in a circle (E_CYCLE); an input that failed (E_INPUT_FAILED); an
+/// operation that isn't there (E_OPERATION_UNKNOWN) or older than the node (E_OPERATION_NEWER); a source without a
+/// value (E_NO_VALUE). A failed node keeps its last good outputs as long as they are kept at all, marked as stale.
+///
+/// Thread safe. Evaluations run side by side: only looking things up is under a lock, so that a computation that is
+/// slow to notice its cancelling holds up nobody.
+class Evaluator {
+ public:
+  /// @param registry outlives the evaluator
+  /// @param byte_cap of all kept results
+  explicit Evaluator(const Registry& registry, std::size_t byte_cap = std::size_t{1} << 30);
+  ~Evaluator();
+  Evaluator(const Evaluator&) = delete;
+  Evaluator& operator=(const Evaluator&) = delete;
+
+  /// O(#nodes log #nodes) beside what has to be computed; a value is hashed once.
+  /// @throws Cancelled when the progress was cancelled; then nothing of the node under way is kept
+  std::shared_ptr<const Evaluation> evaluate(const Document& document, NodeId id, Quality quality, Progress& progress);
+
+  /// Forgets which outputs were each node's last good ones: for another document, whose ids mean other nodes.
+  void forget_last_good();
+
+  /// What is kept: never more than the cap.
+  std::size_t bytes() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace croquis

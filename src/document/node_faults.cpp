@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/node_faults.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace croquis {
+namespace {
+
+std::string quoted(const Node& node) {
+  return "'" + (node.name.empty() ? "node " + std::to_string(node.id) : node.name) + "'";
+}
+
+Finding fault(Category category, std::string code, std::string message, NodeId id) {
+  return make_error(category, std::move(code), std::move(message),
+                    {{SubjectKind::Node, std::to_string(id), {}, {}, {}}});
+}
+
+/// Of what the node is, its links left aside.
+Findings own_faults(const NodeState& state) {
+  const Node& node = *state.node;
+  if (node.source) {
+    if (std::visit([](const auto& content) { return content != nullptr; }, *node.source)) return {};
+    return {fault(Category::Malformed, "E_NO_VALUE", quoted(node) + " has no value: import it again or remove it.",
+                  node.id)};
+  }
+  if (node.operation.empty()) {
+    return {fault(Category::Malformed, "E_NO_VALUE", quoted(node) + " has neither a value nor an operation: remove it.",
+                  node.id)};
+  }
+  if (state.operation == nullptr) {
+    return {fault(Category::Malformed, "E_OPERATION_UNKNOWN",
+                  quoted(node) + " uses the operation '" + node.operation +
+                      "', which this Croquis doesn't have: open it with a newer one.",
+                  node.id)};
+  }
+  if (node.version > state.description.version) {
+    return {fault(Category::Malformed, "E_OPERATION_NEWER",
+                  quoted(node) + " was made with version " + std::to_string(node.version) + " of " +
+                      state.description.title + "; this Croquis has version " +
+                      std::to_string(state.description.version) + ": open it with a newer one.",
+                  node.id)};
+  }
+  if (state.in_circle) {
+    return {fault(Category::Malformed, "E_CYCLE",
+                  "The inputs of " + quoted(node) + " lead back to itself: choose another input.", node.id)};
+  }
+  return {};
+}
+
+bool has_port(const OperationDescription& description, const std::string& name) {
+  return std::any_of(description.inputs.begin(), description.inputs.end(),
+                     [&](const PortDescription& port) { return port.name == name; });
+}
+
+void add_link_faults(const NodeState& state, const std::string& port, const Link& link, const NodeStates& inputs,
+                     Findings& findings) {
+  const Node& node = *state.node;
+  const auto broken = [&](const std::string& why) {
+    findings.push_back(fault(Category::Malformed, "E_LINK",
+                             "The input '" + port + "' of " + quoted(node) + why + ": choose another one.", node.id));
+  };
+  if (!has_port(state.description, port)) {
+    broken(" isn't one that " + state.description.title + " has");
+    return;
+  }
+  const auto input = inputs.find(link.node);
+  if (input == inputs.end()) {
+    broken(" comes from node " + std::to_string(link.node) + ", which isn't there");
+    return;
+  }
+  const NodeState& source = *input->second;
+  if (!source.evaluation || source.evaluation->failed) {
+    findings.push_back(fault(
+        Category::Geometry, "E_INPUT_FAILED",
+        quoted(node) + " waits for its input " + quoted(*source.node) + ", which failed: see what is said of that.",
+        link.node));
+    return;
+  }
+  if (!source.evaluation->outputs.contains(link.output)) {
+    broken(" comes from the output '" + link.output + "' of " + quoted(*source.node) + ", which isn't there");
+  }
+}
+
+}  // namespace
+
+Findings faults_of(const NodeState& state, const NodeStates& inputs) {
+  Findings findings = own_faults(state);
+  if (!findings.empty() || state.node->source) return findings;
+  for (const auto& [port, link] : state.node->inputs) add_link_faults(state, port, link, inputs, findings);
+  return findings;
+}
+
+void add_version_warning(const NodeState& state, Findings& findings) {
+  if (state.node->version >= state.description.version) return;
+  findings.push_back(make_warning(Category::Geometry, "W_OPERATION_OLDER",
+                                  "Made with version " + std::to_string(state.node->version) + " of " +
+                                      state.description.title + ", computed with version " +
+                                      std::to_string(state.description.version) + ": compare the result."));
+}
+
+Finding no_such_node(NodeId id) {
+  return fault(Category::Usage, "E_NODE", "There is no node " + std::to_string(id) + ".", id);
+}
+
+}  // namespace croquis

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "croquis/document/document.h"
+#include "croquis/document/evaluation.h"
+
+namespace croquis {
+
+/// A node in the evaluation under way.
+struct NodeState {
+  const Node* node = nullptr;
+  bool in_circle = false;
+  const Operation* operation = nullptr;  ///< null for sources, and where the registry has none of that id
+  OperationDescription description;      ///< of the operation
+  std::shared_ptr<const Evaluation> evaluation;
+};
+
+using NodeStates = std::map<NodeId, const NodeState*>;
+
+/// Why a node can't be computed at all, each finding an error.
+/// @param inputs those nodes that its links lead to, as far as they are there
+Findings faults_of(const NodeState& state, const NodeStates& inputs);
+
+/// Tells when the node was made with an older version of its operation than the one that computes it.
+void add_version_warning(const NodeState& state, Findings& findings);
+
+Finding no_such_node(NodeId id);
+
+}  // namespace croquis
