@@ -11,12 +11,9 @@ uniform sampler2D openness;       // one texel per pixel
 uniform int samples;              // per pixel and axis
 uniform ivec2 viewport_origin;    // pixels of the target
 uniform int border;               // pixels of the drawn frame outside the viewport
-uniform vec2 picture_rows;        // (first row, number of rows) of the whole picture
 uniform bool perspective;
 uniform vec2 view_extent;
 uniform vec2 view_center;
-uniform vec3 background_top;
-uniform vec3 background_bottom;
 uniform bool lit;
 uniform bool occluded;
 uniform bool contours;
@@ -25,6 +22,8 @@ uniform int contour_reach;         // samples
 uniform vec4 contour_color;
 
 layout(location = 0) out vec4 color;
+
+vec3 backdrop(vec2 pixel);
 
 vec3 to_linear(vec3 display) { return pow(display, vec3(2.2)); }
 vec3 to_display(vec3 light) { return pow(light, vec3(1.0 / 2.2)); }
@@ -86,8 +85,7 @@ float open_sky_at(ivec2 pixel, vec2 here) {
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy) - viewport_origin;
-  float height = (picture_rows.x + float(pixel.y) + 0.5) / picture_rows.y;
-  vec3 background = mix(background_bottom, background_top, smoothstep(0.0, 1.0, height));
+  vec3 background = backdrop(vec2(pixel) + 0.5);
   pixel += border;
   vec2 middle = texelFetch(depths, pixel * samples + samples / 2, 0).xy;
   float open_sky = lit && occluded ? open_sky_at(pixel, middle) : 1.0;

@@ -19,6 +19,16 @@ const char* error_name(GLenum error) {
   }
 }
 
+GlHandle make_renderbuffer(GLenum format, int width, int height) {
+  GLuint name = 0;
+  glGenRenderbuffers(1, &name);
+  GlHandle handle(name, [](unsigned buffer) { glDeleteRenderbuffers(1, &buffer); });
+  glBindRenderbuffer(GL_RENDERBUFFER, name);
+  glRenderbufferStorage(GL_RENDERBUFFER, format, width, height);
+  glBindRenderbuffer(GL_RENDERBUFFER, 0);
+  return handle;
+}
+
 }  // namespace
 
 GlHandle make_buffer() {
@@ -39,14 +49,17 @@ GlHandle make_framebuffer() {
   return {name, [](unsigned framebuffer) { glDeleteFramebuffers(1, &framebuffer); }};
 }
 
-GlHandle make_depth_buffer(int width, int height) {
-  GLuint name = 0;
-  glGenRenderbuffers(1, &name);
-  GlHandle handle(name, [](unsigned buffer) { glDeleteRenderbuffers(1, &buffer); });
-  glBindRenderbuffer(GL_RENDERBUFFER, name);
-  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
-  glBindRenderbuffer(GL_RENDERBUFFER, 0);
-  return handle;
+GlHandle make_depth_buffer(int width, int height) { return make_renderbuffer(GL_DEPTH_COMPONENT24, width, height); }
+
+GlHandle make_depth_stencil_buffer(int width, int height) {
+  return make_renderbuffer(GL_DEPTH24_STENCIL8, width, height);
+}
+
+GlHandle upload(unsigned target, std::span<const std::byte> bytes) {
+  GlHandle buffer = make_buffer();
+  glBindBuffer(target, buffer.name());
+  glBufferData(target, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STATIC_DRAW);
+  return buffer;
 }
 
 GlHandle make_texture(unsigned format, int width, int height) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -35,6 +37,14 @@ GlHandle make_buffer();
 GlHandle make_vertex_array();
 GlHandle make_framebuffer();
 GlHandle make_depth_buffer(int width, int height);
+GlHandle make_depth_stencil_buffer(int width, int height);
+
+/// A new buffer with these bytes; it stays bound.
+/// @param target what OpenGL binds it to
+GlHandle upload(unsigned target, std::span<const std::byte> bytes);
+
+/// A place in the bound buffer, as OpenGL's functions take it.
+inline const void* byte_offset(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
 
 /// A texture without mipmaps that is read texel by texel.
 /// @param format OpenGL's sized internal format

@@ -46,8 +46,7 @@ void append_corners(const LinePath& line, LineItem& item) {
   for (const LinePoint& point : line.points) append(point);
   // A segment needs two ends: a single point is one of length 0.
   if (line.closed || line.points.size() == 1) append(line.points.front());
-  // The sign bit tells: a width of zero has one, too.
-  item.corners.back().width = -item.corners.back().width;
+  item.corners.back().width = -1 - item.corners.back().width;
 }
 
 bool one_color(const LineItem& item, std::size_t first, const Color& color) {

@@ -30,20 +30,21 @@ void require_size(const PictureSize& size) {
 }
 
 /// A framebuffer to draw into while the host's own one waits.
-class Canvas {
+class PictureTarget {
  public:
-  Canvas(int width, int height) : color_(make_texture(GL_RGBA8, width, height)), framebuffer_(make_framebuffer()) {
+  PictureTarget(int width, int height)
+      : color_(make_texture(GL_RGBA8, width, height)), framebuffer_(make_framebuffer()) {
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw_);
     glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_.name(), 0);
   }
-  ~Canvas() {
+  ~PictureTarget() {
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(draw_));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read_));
   }
-  Canvas(const Canvas&) = delete;
-  Canvas& operator=(const Canvas&) = delete;
+  PictureTarget(const PictureTarget&) = delete;
+  PictureTarget& operator=(const PictureTarget&) = delete;
 
  private:
   GlHandle color_, framebuffer_;
@@ -51,7 +52,7 @@ class Canvas {
   GLint read_ = 0;
 };
 
-/// Copies the canvas's lower left corner into its place of the picture; OpenGL's rows come from below.
+/// Copies the target's lower left corner into its place of the picture; OpenGL's rows come from below.
 void read_tile(const Viewport& tile, RenderedPicture& picture) {
   const auto row_bytes = 4 * static_cast<std::size_t>(tile.width);
   std::vector<std::uint8_t> pixels(row_bytes * static_cast<std::size_t>(tile.height));
@@ -67,22 +68,27 @@ void read_tile(const Viewport& tile, RenderedPicture& picture) {
 
 }  // namespace
 
-RenderedPicture render_picture(Renderer& renderer, const std::vector<MeshItemPtr>& items, const Camera& camera,
+RenderedPicture render_picture(Renderer& renderer, const Scene& scene, const Camera& camera,
                                const RenderOptions& options, const PictureSize& size) {
   require_size(size);
   RenderedPicture picture{size.width, size.height, {}};
   picture.rgba.resize(4 * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
-  const Canvas canvas(std::min(size.width, tile_size), std::min(size.height, tile_size));
+  const PictureTarget target(std::min(size.width, tile_size), std::min(size.height, tile_size));
   for (int bottom = 0; bottom < size.height; bottom += tile_size) {
     for (int left = 0; left < size.width; left += tile_size) {
       const Viewport tile{0, 0, std::min(tile_size, size.width - left), std::min(tile_size, size.height - bottom),
                           PictureCrop{size.width, size.height, left, bottom}};
-      renderer.draw(items, camera, options, tile);
+      renderer.draw(scene, camera, options, tile);
       read_tile(tile, picture);
     }
   }
   check_gl("reading a picture back");
   return picture;
+}
+
+RenderedPicture render_picture(Renderer& renderer, const std::vector<MeshItemPtr>& items, const Camera& camera,
+                               const RenderOptions& options, const PictureSize& size) {
+  return render_picture(renderer, Scene{{items.begin(), items.end()}, {}, {}}, camera, options, size);
 }
 
 }  // namespace croquis::render

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "croquis/render/renderer.h"
 
@@ -19,6 +20,12 @@ struct ViewFrame {
   float picture_height = 0;  ///< of the whole picture at distance 1
   PictureCrop crop;          ///< always set: which part of which picture the viewport shows
 };
+
+/// From an item's own frame to view space.
+template <typename Item>
+glm::dmat4 item_to_view(const Item& item, const ViewFrame& view) {
+  return glm::scale(glm::translate(view.model_to_view, item.origin), glm::dvec3(item.scale));
+}
 
 /// @param border pixels drawn around the viewport
 ViewFrame make_view_frame(const Camera& camera, const Bounds& bounds, const Viewport& viewport, int border);

@@ -33,7 +33,7 @@ TEST_CASE("the same scene gives the same bytes, from another renderer, too") {
 TEST_CASE("an empty scene is the background, light above and dark below") {
   with_renderer([](Renderer& renderer) {
     const RenderOptions options;
-    const RenderedPicture picture = render_picture(renderer, {}, Camera(), options, {7, 400});
+    const RenderedPicture picture = render_picture(renderer, Scene{}, Camera(), options, {7, 400});
     CHECK(picture.rgba.size() == 7 * 400 * 4);
     CHECK(pixel(picture, 3, 0) == options.background_top);
     CHECK(pixel(picture, 3, 399) == options.background_bottom);
@@ -66,7 +66,7 @@ TEST_CASE("meshes without area, without faces or with one point are drawn withou
 TEST_CASE("sizes out of range are refused, width and height both named") {
   with_renderer([](Renderer& renderer) {
     try {
-      render_picture(renderer, {}, Camera(), {}, {0, max_picture_size + 1});
+      render_picture(renderer, Scene{}, Camera(), {}, {0, max_picture_size + 1});
       FAIL("accepted");
     } catch (const Error& error) {
       REQUIRE(error.findings().size() == 2);
@@ -74,7 +74,7 @@ TEST_CASE("sizes out of range are refused, width and height both named") {
       CHECK(error.findings()[0].category == Category::Usage);
       CHECK(error.findings()[1].message.find("8193") != std::string::npos);
     }
-    CHECK(render_picture(renderer, {}, Camera(), {}, {1, 1}).rgba.size() == 4);
+    CHECK(render_picture(renderer, Scene{}, Camera(), {}, {1, 1}).rgba.size() == 4);
   });
 }
 

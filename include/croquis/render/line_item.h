@@ -56,7 +56,7 @@ struct LinePath {
 /// A corner as the graphics card takes it.
 struct LineCorner {
   glm::vec3 position;  ///< in the item's own frame
-  float width;         ///< pixels; negative at the last corner of a line, where no segment starts
+  float width;         ///< pixels; -1 - width at the last corner of a line, where no segment starts
   Color color;
 };
 

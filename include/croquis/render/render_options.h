@@ -16,27 +16,28 @@ enum class Shading {
 enum class GridKind { None, Dots, Lines };
 
 /// Squared paper behind parallel views, through the model's origin; perspective views have none. It gets coarser and
-/// finer by whole steps while one zooms, every fifth line a little stronger.
+/// finer by steps of five while one zooms, every fifth line a little stronger.
 struct GridOptions {
   GridKind kind = GridKind::None;
-  double spacing = 1;                ///< model units, > 0: a step of the grid is this times a power of five
+  double spacing = 1;                ///< model units, > 0: the grid's step is this times a power of five
   Color color = {92, 110, 140, 70};  ///< alpha is the strength of the strong lines
 };
 
-/// Three short arrows x, y, z in the lower left corner that turn with the camera; told apart by letter and dashes, too.
+/// Short axes x, y, z in the lower left corner that turn with the camera; letters and dashes tell them apart, too.
 struct AxisCrossOptions {
   bool shown = false;
-  double size = 34;  ///< length of an arrow in pixels
+  double size = 34;  ///< length of an axis in pixels
   std::array<Color, 3> colors = {{{202, 62, 52, 255}, {46, 134, 58, 255}, {44, 92, 200, 255}}};
   std::array<DashPattern, 3> dashes = {{{}, {7, 3, 0, 0}, {2.5F, 2.5F, 0, 0}}};
 };
 
-/// How emphasised items look. Alpha is the strength of the tint.
+/// How emphasised items look.
 struct EmphasisOptions {
-  Color selected = {255, 140, 26, 150};
-  Color hovered = {64, 156, 255, 110};
-  double glow = 2.5;    ///< pixels that lines and marks grow on either side, in the colour of the emphasis
-  double faded = 0.45;  ///< what is left of stale items' strength, in [0, 1]
+  Color selected = {255, 128, 16, 200};  ///< alpha is the strength
+  Color hovered = {40, 140, 255, 150};
+  double surface_tint = 0.45;  ///< times the strength for surfaces, in [0, 1]
+  double glow = 2.5;           ///< pixels that lines and marks grow on either side, in the colour of the emphasis
+  double faded = 0.45;         ///< what is left of stale items' strength, in [0, 1]
 };
 
 /// The look of a picture. Widths and lengths are in pixels of the finished picture, times `pixel_ratio`.

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
-#include <memory>
+#include <cstdint>
 #include <vector>
 
 #include "croquis/render/mesh_item.h"
@@ -10,10 +9,10 @@
 
 namespace croquis::render {
 
-/// An item's arrays on the graphics card.
-class GpuItem {
+/// A mesh item's arrays on the graphics card.
+class GpuMesh {
  public:
-  explicit GpuItem(const MeshItem& item);
+  explicit GpuMesh(const MeshItem& item);
 
   void draw_triangles() const;
   void draw_edges() const;
@@ -31,19 +30,6 @@ class GpuItem {
 
   GlHandle surface_vertices_, line_vertices_;
   IndexedArray triangles_, edges_, segments_;
-};
-
-/// Every item drawn so far whose owner still holds it.
-class GpuItems {
- public:
-  /// Uploads the item when it is new.
-  const GpuItem& get(const MeshItemPtr& item);
-
-  /// Frees what nobody holds any more.
-  void drop_expired();
-
- private:
-  std::map<std::weak_ptr<const MeshItem>, GpuItem, std::owner_less<>> items_;
 };
 
 }  // namespace croquis::render

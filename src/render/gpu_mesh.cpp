@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "render/gpu_item.h"
+#include "render/gpu_mesh.h"
 
 #include <cstddef>
+#include <span>
 
 #include <epoxy/gl.h>
 
@@ -13,16 +14,6 @@ constexpr GLuint position_place = 0;
 constexpr GLuint normal_place = 1;
 constexpr GLuint color_place = 2;
 constexpr GLuint patch_place = 3;
-
-template <typename Element>
-GlHandle upload(GLenum target, const std::vector<Element>& elements) {
-  GlHandle buffer = make_buffer();
-  glBindBuffer(target, buffer.name());
-  glBufferData(target, static_cast<GLsizeiptr>(elements.size() * sizeof(Element)), elements.data(), GL_STATIC_DRAW);
-  return buffer;
-}
-
-const void* byte_offset(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
 
 template <typename Vertex>
 void bind_floats(GLuint place, std::size_t offset) {
@@ -44,9 +35,9 @@ void draw(const GlHandle& vertex_array, GLenum mode, int count) {
 
 }  // namespace
 
-GpuItem::GpuItem(const MeshItem& item) {
-  surface_vertices_ = upload(GL_ARRAY_BUFFER, item.vertices);
-  line_vertices_ = upload(GL_ARRAY_BUFFER, item.line_vertices);
+GpuMesh::GpuMesh(const MeshItem& item) {
+  surface_vertices_ = upload(GL_ARRAY_BUFFER, std::as_bytes(std::span(item.vertices)));
+  line_vertices_ = upload(GL_ARRAY_BUFFER, std::as_bytes(std::span(item.line_vertices)));
   triangles_ = index_surface(item.triangles);
   edges_ = index_surface(item.edges);
   segments_ = index_lines(item.segments);
@@ -55,7 +46,7 @@ GpuItem::GpuItem(const MeshItem& item) {
   check_gl("sending a mesh to the graphics card");
 }
 
-GpuItem::IndexedArray GpuItem::index_surface(const std::vector<std::uint32_t>& indices) const {
+GpuMesh::IndexedArray GpuMesh::index_surface(const std::vector<std::uint32_t>& indices) const {
   IndexedArray array;
   array.vertex_array = make_vertex_array();
   glBindVertexArray(array.vertex_array.name());
@@ -66,34 +57,25 @@ GpuItem::IndexedArray GpuItem::index_surface(const std::vector<std::uint32_t>& i
   glEnableVertexAttribArray(patch_place);
   glVertexAttribIPointer(patch_place, 1, GL_UNSIGNED_INT, sizeof(SurfaceVertex),
                          byte_offset(offsetof(SurfaceVertex, patch)));
-  array.indices = upload(GL_ELEMENT_ARRAY_BUFFER, indices);
+  array.indices = upload(GL_ELEMENT_ARRAY_BUFFER, std::as_bytes(std::span(indices)));
   array.count = static_cast<int>(indices.size());
   return array;
 }
 
-GpuItem::IndexedArray GpuItem::index_lines(const std::vector<std::uint32_t>& indices) const {
+GpuMesh::IndexedArray GpuMesh::index_lines(const std::vector<std::uint32_t>& indices) const {
   IndexedArray array;
   array.vertex_array = make_vertex_array();
   glBindVertexArray(array.vertex_array.name());
   glBindBuffer(GL_ARRAY_BUFFER, line_vertices_.name());
   bind_floats<LineVertex>(position_place, offsetof(LineVertex, position));
   bind_color<LineVertex>(offsetof(LineVertex, color));
-  array.indices = upload(GL_ELEMENT_ARRAY_BUFFER, indices);
+  array.indices = upload(GL_ELEMENT_ARRAY_BUFFER, std::as_bytes(std::span(indices)));
   array.count = static_cast<int>(indices.size());
   return array;
 }
 
-void GpuItem::draw_triangles() const { draw(triangles_.vertex_array, GL_TRIANGLES, triangles_.count); }
-void GpuItem::draw_edges() const { draw(edges_.vertex_array, GL_LINES, edges_.count); }
-void GpuItem::draw_segments() const { draw(segments_.vertex_array, GL_LINES, segments_.count); }
-
-const GpuItem& GpuItems::get(const MeshItemPtr& item) {
-  if (const auto found = items_.find(item); found != items_.end()) return found->second;
-  return items_.emplace(item, GpuItem(*item)).first->second;
-}
-
-void GpuItems::drop_expired() {
-  std::erase_if(items_, [](const auto& entry) { return entry.first.expired(); });
-}
+void GpuMesh::draw_triangles() const { draw(triangles_.vertex_array, GL_TRIANGLES, triangles_.count); }
+void GpuMesh::draw_edges() const { draw(edges_.vertex_array, GL_LINES, edges_.count); }
+void GpuMesh::draw_segments() const { draw(segments_.vertex_array, GL_LINES, segments_.count); }
 
 }  // namespace croquis::render

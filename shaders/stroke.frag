@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#version 330 core
+// How much of a pixel a segment with round ends covers. Of all segments of a line the one that reaches deepest into
+// the pixel wins by depth, so that none is drawn twice.
+flat in vec4 ends;
+flat in vec2 radii;
+flat in vec2 measures;
+flat in vec4 start_color;
+flat in vec4 end_color;
+flat in float dash_offset;
+
+uniform bool dashed;
+uniform vec4 dashes;  // on, off, on, off in pixels
+uniform float strength;
+uniform float layer;  // the line's own interval of depth …
+uniform float layer_depth;
+
+layout(location = 0) out vec4 color;
+
+float visible_share(ivec2 pixel, float measure, float slack);
+
+// To the nearest dash centred at middle: a rounded box, negative inside.
+float distance_to_dash(vec2 place, float middle, float on, float radius) {
+  float period = dot(dashes, vec4(1.0));
+  vec2 from_middle = vec2(abs(mod(place.x - middle + 0.5 * period, period) - 0.5 * period), abs(place.y));
+  float rounding = min(0.5 * on, radius);
+  vec2 beyond = from_middle - vec2(0.5 * on, radius) + rounding;
+  return length(max(beyond, 0.0)) + min(max(beyond.x, beyond.y), 0.0) - rounding;
+}
+
+void main() {
+  vec2 place = gl_FragCoord.xy;
+  vec2 along = ends.zw - ends.xy;
+  float extent = length(along);
+  vec2 direction = extent > 1e-6 ? along / extent : vec2(1.0, 0.0);
+  vec2 offset = place - ends.xy;
+  float way = dot(offset, direction);
+  float share = extent > 1e-6 ? clamp(way / extent, 0.0, 1.0) : 0.0;
+  float radius = mix(radii.x, radii.y, share);
+  float outside = length(offset - share * along) - radius;
+  if (dashed) {
+    vec2 on_line = vec2(dash_offset + way, dot(offset, vec2(-direction.y, direction.x)));
+    float gap = distance_to_dash(on_line, 0.5 * dashes.x, dashes.x, radius);
+    if (dashes.z > 0.0) gap = min(gap, distance_to_dash(on_line, dashes.x + dashes.y + 0.5 * dashes.z, dashes.z, radius));
+    outside = max(outside, gap);
+  }
+  float coverage = clamp(0.5 - outside, 0.0, 1.0);
+  if (coverage <= 0.0) discard;
+  float share_of_ink = coverage * strength * visible_share(ivec2(place), mix(measures.x, measures.y, share), radius + 2.0);
+  if (share_of_ink <= 0.0) discard;
+  gl_FragDepth = layer + layer_depth * clamp((outside + 64.0) / 65.0, 0.0, 0.999);
+  vec4 ink = mix(start_color, end_color, share);
+  ink.a *= share_of_ink;
+  color = vec4(ink.rgb * ink.a, ink.a);
+}

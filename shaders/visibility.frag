@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#version 330 core
+// What surfaces leave of a line or mark.
+uniform bool depth_tested;
+uniform sampler2D depths;  // (measure of depth, patch) of the surfaces
+uniform int samples;       // of depths per pixel and axis
+uniform int border;        // pixels of depths outside the viewport
+uniform bool perspective;
+uniform float pixel_size;  // view units at distance 1 (perspective) or everywhere
+
+// The share of a pixel's samples where no surface is nearer than the measure by more than slack (pixels).
+float visible_share(ivec2 pixel, float measure, float slack) {
+  if (!depth_tested) return 1.0;
+  float nearest = measure - slack * pixel_size * (perspective ? abs(measure) : 1.0);
+  ivec2 first = clamp((pixel + border) * samples, ivec2(0), textureSize(depths, 0) - samples);
+  int seen = 0;
+  for (int i = 0; i < samples * samples; ++i) {
+    vec2 surface = texelFetch(depths, first + ivec2(i % samples, i / samples), 0).xy;
+    if (surface.y == 0.0 || surface.x >= nearest) ++seen;
+  }
+  return float(seen) / float(samples * samples);
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "render/drawing.h"
+#include "render/gpu_cache.h"
+#include "render/shader_program.h"
+
+namespace croquis::render {
+
+/// Draws marks over everything else, a square of fragments each.
+class MarkPainter {
+ public:
+  /// Blending is left on.
+  void draw(const std::vector<Shown<MarkItem>>& marks, const RenderOptions& options, const OverlayFrame& frame);
+  void drop_expired() { gpu_marks_.drop_expired(); }
+
+ private:
+  /// The marks on the graphics card.
+  struct GpuMarks {
+    explicit GpuMarks(const MarkItem& item);
+    GlHandle vertex_array, marks;
+  };
+
+  ShaderProgram program_ = ShaderProgram({"mark.vert", "mark.frag", "visibility.frag"});
+  GpuCache<MarkItem, GpuMarks> gpu_marks_;
+};
+
+}  // namespace croquis::render

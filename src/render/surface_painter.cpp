@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/surface_painter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <epoxy/gl.h>
+
+#include "render/occlusion_reach.h"
+
+namespace croquis::render {
+namespace {
+
+/// A sample takes 30 bytes on the graphics card: views of up to 0.6 GB are kept beside each other …
+constexpr double most_samples_kept = 20e6;
+/// … and a single one gets no more than 1.2 GB.
+constexpr double most_samples = 40e6;
+
+/// Samples per pixel of the lengths in the options.
+double samples_per_pixel(const Drawing& drawing) { return drawing.options.pixel_ratio * drawing.samples; }
+
+double contour_half_width(const Drawing& drawing) {
+  return 0.5 * std::clamp(drawing.options.contour_width, 0.5, 8.0) * samples_per_pixel(drawing);
+}
+
+float wire_width(const Drawing& drawing) {
+  return static_cast<float>(std::clamp(drawing.options.wire_width, 0.1, 8.0) * samples_per_pixel(drawing));
+}
+
+/// The driver's limit on textures wins over the samples asked for.
+int fitting_samples(int wanted, int pixel_width, int pixel_height) {
+  GLint largest = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  const double pixels = static_cast<double>(pixel_width) * pixel_height;
+  const int room =
+      std::min(largest / std::max(pixel_width, pixel_height), static_cast<int>(std::sqrt(most_samples / pixels)));
+  return std::max(1, std::min(std::clamp(wanted, 1, 4), room));
+}
+
+void set_emphasis(const ShaderProgram& surface, const RenderOptions& options, const Emphasis& emphasis) {
+  glm::vec4 tint = emphasis_color(options.emphasis, emphasis);
+  tint.a *= static_cast<float>(options.emphasis.surface_tint);
+  const glm::vec4 background = 0.5F * (to_float(options.background_top) + to_float(options.background_bottom));
+  const double fade = emphasis.stale ? 1 - options.emphasis.faded : 0;
+  surface.set("tint", tint);
+  surface.set("fade", glm::vec4(glm::vec3(background), fade));
+}
+
+double samples_in(const FrameSize& size) { return static_cast<double>(size.width()) * size.height(); }
+
+/// Frees the buffers drawn longest ago until the new ones may stand beside the others.
+void drop_oldest(std::list<FrameBuffers>& kept, const FrameSize& wanted) {
+  double samples = samples_in(wanted);
+  auto last = kept.begin();
+  for (; last != kept.end(); ++last) {
+    samples += samples_in(last->size);
+    if (samples > most_samples_kept) break;
+  }
+  kept.erase(last, kept.end());
+}
+
+}  // namespace
+
+void SurfacePainter::prepare_buffers(Drawing& drawing) {
+  FrameSize size{drawing.viewport.width + 2 * drawing.border, drawing.viewport.height + 2 * drawing.border, 1};
+  size.samples = fitting_samples(drawing.options.supersampling, size.pixel_width, size.pixel_height);
+  drawing.samples = size.samples;
+  const auto found =
+      std::find_if(buffers_.begin(), buffers_.end(), [&](const auto& kept) { return kept.size == size; });
+  if (found != buffers_.end()) {
+    buffers_.splice(buffers_.begin(), buffers_, found);
+    return;
+  }
+  drop_oldest(buffers_, size);  // first free, then ask for as much again
+  buffers_.emplace_front(size);
+}
+
+void SurfacePainter::draw_surfaces(const Drawing& drawing) {
+  glBindFramebuffer(GL_FRAMEBUFFER, buffers_.front().surface_target.name());
+  glViewport(0, 0, buffers_.front().size.width(), buffers_.front().size.height());
+  glClearColor(0, 0, 0, 0);
+  glClearDepth(1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glEnable(GL_DEPTH_TEST);
+  // Wire lies in the surface and is some samples wide: surfaces stand back as much as they recede over half of that.
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(0.3f + 0.5f * wire_width(drawing), 4.0f);
+
+  surface_.use();
+  surface_.set("to_clip", drawing.view.to_clip);
+  surface_.set("perspective", drawing.view.perspective);
+  unsigned first_patch = 0;
+  for (const Shown<MeshItem>& shown : drawing.scene.meshes) {
+    const MeshItemPtr& item = shown.item;
+    if (!item) continue;
+    set_emphasis(surface_, drawing.options, shown.emphasis);
+    surface_.set("to_view", glm::mat4(item_to_view(*item, drawing.view)));
+    surface_.set("normal_to_view", glm::mat3(drawing.view.model_to_view * drawing.view.unit));
+    surface_.set("first_patch", first_patch);
+    gpu_meshes_.get(item).draw_triangles();
+    first_patch += item->patch_count;
+  }
+  glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+void SurfacePainter::draw_overlay(const Drawing& drawing) {
+  glBindFramebuffer(GL_FRAMEBUFFER, buffers_.front().overlay_target.name());
+  glClear(GL_COLOR_BUFFER_BIT);
+  line_.use();
+  line_.set("to_clip", drawing.view.to_clip);
+  line_.set_texture("normals", 0, buffers_.front().normals);
+  line_.set("frame_size", glm::vec2(buffers_.front().size.width(), buffers_.front().size.height()));
+  for (const Shown<MeshItem>& shown : drawing.scene.meshes) {
+    const MeshItemPtr& item = shown.item;
+    if (!item) continue;
+    const GpuMesh& gpu_mesh = gpu_meshes_.get(item);
+    line_.set("to_view", glm::mat4(item_to_view(*item, drawing.view)));
+    if (drawing.options.wire) {
+      line_.set("fixed_color", to_float(drawing.options.wire_color));
+      line_.set("width", wire_width(drawing));
+      line_.set("on_surface", true);
+      glDepthMask(GL_FALSE);
+      gpu_mesh.draw_edges();
+      glDepthMask(GL_TRUE);
+    }
+    line_.set("on_surface", false);
+    line_.set("fixed_color", glm::vec4(0));
+    line_.set("width",
+              static_cast<float>(std::clamp(drawing.options.line_width, 0.1, 32.0) * samples_per_pixel(drawing)));
+    gpu_mesh.draw_segments();
+  }
+  glDisable(GL_DEPTH_TEST);
+}
+
+void SurfacePainter::fill_screen() const {
+  glBindVertexArray(no_attributes_.name());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void SurfacePainter::find_contours(const Drawing& drawing) {
+  glBindFramebuffer(GL_FRAMEBUFFER, buffers_.front().marks_target.name());
+  contour_detect_.use();
+  contour_detect_.set_texture("normals", 0, buffers_.front().normals);
+  contour_detect_.set_texture("depths", 1, buffers_.front().depths);
+  contour_detect_.set("perspective", drawing.view.perspective);
+  contour_detect_.set("frame_height", drawing.view.picture_height);
+  contour_detect_.set("sample_size", 2 * drawing.view.extent.y / static_cast<float>(buffers_.front().size.height()));
+  fill_screen();
+
+  glBindFramebuffer(GL_FRAMEBUFFER, buffers_.front().row_distances_target.name());
+  contour_spread_.use();
+  contour_spread_.set_texture("marks", 0, buffers_.front().marks);
+  contour_spread_.set("reach", static_cast<int>(std::ceil(contour_half_width(drawing))));
+  fill_screen();
+}
+
+void SurfacePainter::find_openness(const Drawing& drawing) {
+  const OcclusionReach reach = occlusion_reach(drawing.view.crop.picture_height);
+  glBindFramebuffer(GL_FRAMEBUFFER, buffers_.front().openness_target.name());
+  glViewport(0, 0, buffers_.front().size.pixel_width, buffers_.front().size.pixel_height);
+  occlusion_.use();
+  occlusion_.set_texture("normals", 0, buffers_.front().normals);
+  occlusion_.set_texture("depths", 1, buffers_.front().depths);
+  occlusion_.set("perspective", drawing.view.perspective);
+  occlusion_.set("view_extent", drawing.view.extent);
+  occlusion_.set("view_center", drawing.view.center);
+  occlusion_.set("samples", drawing.samples);
+  occlusion_.set("radius", static_cast<float>(reach.pixels * drawing.samples));
+  occlusion_.set("view_radius", static_cast<float>(reach.picture_share) * drawing.view.picture_height);
+  occlusion_.set("origin", glm::ivec2(drawing.view.crop.left, drawing.view.crop.bottom) - drawing.border);
+  fill_screen();
+}
+
+void SurfacePainter::compose(const Drawing& drawing, const glm::ivec2& origin) {
+  const ViewFrame& view = drawing.view;
+  const RenderOptions& options = drawing.options;
+  composite_.use();
+  composite_.set_texture("colors", 0, buffers_.front().colors);
+  composite_.set_texture("normals", 1, buffers_.front().normals);
+  composite_.set_texture("depths", 2, buffers_.front().depths);
+  composite_.set_texture("overlay", 3, buffers_.front().overlay);
+  composite_.set_texture("row_distances", 4, buffers_.front().row_distances);
+  composite_.set_texture("openness", 5, buffers_.front().openness);
+  composite_.set("samples", drawing.samples);
+  composite_.set("viewport_origin", origin);
+  composite_.set("border", drawing.border);
+  composite_.set("perspective", view.perspective);
+  composite_.set("view_extent", view.extent);
+  composite_.set("view_center", view.center);
+  set_backdrop(composite_, options, view);
+  composite_.set("lit", options.shading == Shading::Clay);
+  composite_.set("occluded", wants_occlusion(options));
+  composite_.set("contours", options.contours);
+  composite_.set("contour_half_width", static_cast<float>(contour_half_width(drawing)));
+  composite_.set("contour_reach", static_cast<int>(std::ceil(contour_half_width(drawing))));
+  composite_.set("contour_color", to_float(options.contour_color));
+  fill_screen();
+}
+
+void SurfacePainter::draw(Drawing& drawing) {
+  prepare_buffers(drawing);
+  draw_surfaces(drawing);
+  draw_overlay(drawing);
+  if (drawing.options.contours) find_contours(drawing);
+  if (wants_occlusion(drawing.options)) find_openness(drawing);
+}
+
+}  // namespace croquis::render

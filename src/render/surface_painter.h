@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <list>
+
+#include "render/backdrop.h"
+#include "render/drawing.h"
+#include "render/gpu_cache.h"
+#include "render/gpu_mesh.h"
+#include "render/shader_program.h"
+
+namespace croquis::render {
+
+/// Draws meshes: first what is seen at every sample into textures, then light, contours and background from these.
+class SurfacePainter {
+ public:
+  /// Fills the textures; the framebuffer binding and the viewport change. Decides the drawing's samples.
+  void draw(Drawing& drawing);
+
+  /// Puts the picture and its backdrop into the framebuffer and viewport that are set.
+  /// @param origin the viewport's lower left pixel in that framebuffer
+  void compose(const Drawing& drawing, const glm::ivec2& origin);
+
+  const FrameBuffers& buffers() const { return buffers_.front(); }
+  void drop_expired() { gpu_meshes_.drop_expired(); }
+
+ private:
+  void prepare_buffers(Drawing& drawing);
+  void draw_surfaces(const Drawing& drawing);
+  void draw_overlay(const Drawing& drawing);
+  void find_contours(const Drawing& drawing);
+  void find_openness(const Drawing& drawing);
+  void fill_screen() const;
+
+  ShaderProgram surface_ = ShaderProgram({"surface.vert", "surface.frag"});
+  ShaderProgram line_ = ShaderProgram({"line.vert", "line.geom", "line.frag"});
+  ShaderProgram contour_detect_ = ShaderProgram({"screen.vert", "contour_detect.frag"});
+  ShaderProgram contour_spread_ = ShaderProgram({"screen.vert", "contour_spread.frag"});
+  ShaderProgram occlusion_ = ShaderProgram({"screen.vert", "occlusion.frag"});
+  ShaderProgram composite_ = ShaderProgram({"screen.vert", "composite.frag", "backdrop.frag"});
+  GlHandle no_attributes_ = make_vertex_array();  // core profiles draw nothing without a vertex array
+  GpuCache<MeshItem, GpuMesh> gpu_meshes_;
+  std::list<FrameBuffers> buffers_;  // of views drawn lately, the last one first
+};
+
+}  // namespace croquis::render
