@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "croquis/document/document.h"
+#include "croquis/session/selection.h"
+
+namespace croquis {
+
+/// What somebody works on: the current document with its history, and what is selected.
+///
+/// Undo is keeping the old documents. They share what didn't change, so a step costs only what it replaced; above the
+/// byte cap the oldest steps are forgotten, but never the newest. For one thread.
+class Session {
+ public:
+  /// @param byte_cap of what the history keeps beside the current document
+  explicit Session(Document initial = {}, std::size_t byte_cap = std::size_t{1} << 30);
+
+  const Document& document() const { return document_; }
+
+  /// Grows with every change of document or selection.
+  std::uint64_t revision() const { return revision_; }
+
+  /// Makes it the document, with one undo step. Nothing happens when its content is that of the current one.
+  void edit(std::string label, Document edited);
+
+  /// Between begin_drag and end_drag, many changes are one step; cancel_drag goes back to the beginning. Whatever else
+  /// edits, undoes or redoes ends a drag first. A drag that changed nothing is no step.
+  void begin_drag(std::string label);
+  void drag(Document edited);  ///< @throws Error (E_INTERNAL) when no drag was begun
+  void end_drag();
+  void cancel_drag();
+
+  bool can_undo() const { return !undo_.empty(); }
+  bool can_redo() const { return !redo_.empty(); }
+  void undo();  ///< also brings back what was selected then; nothing to undo is no error
+  void redo();
+
+  std::vector<std::string> undo_labels() const;  ///< oldest first: the last one is undone next
+  std::vector<std::string> redo_labels() const;  ///< the first one is redone next
+
+  const Selection& selection() const { return selection_; }
+  void select(Selection selection);  ///< what isn't there falls out, now and with later changes
+
+  /// Whether the document isn't the one last saved or loaded; right across undo and redo.
+  bool modified() const { return state_ != saved_state_; }
+  void mark_saved();
+
+  /// Another document, without history or selection.
+  /// @param modified for recovered work, which no file holds yet
+  void load(Document document, bool modified = false);
+
+  /// Called after every change, on the same thread; several are called in the order they came. They may use the
+  /// session.
+  void on_change(std::function<void()> listener);
+
+  /// What the history keeps beside the current document. See croquis::byte_size.
+  std::size_t history_bytes() const;
+
+ private:
+  /// A document to come back to.
+  struct Step {
+    std::string label;
+    Document document;
+    Selection selection;
+    std::uint64_t state = 0;
+    std::size_t bytes = 0;  ///< what it keeps alive beside its neighbour towards the current document
+  };
+
+  Step step_of_now(std::string label) const;
+  void add_undo(Step step);
+  void travel(std::deque<Step>& from, std::deque<Step>& to);
+  void show(Document document, std::uint64_t state);
+  void forget_beyond_cap();
+  void tell();
+
+  Document document_;
+  Selection selection_;
+  std::deque<Step> undo_;  ///< next one last
+  std::deque<Step> redo_;  ///< next one last
+  std::optional<Step> drag_;
+  std::size_t byte_cap_;
+  std::uint64_t revision_ = 0;
+  std::uint64_t state_ = 0;  ///< each document of the history has its own number
+  std::uint64_t saved_state_ = 0;
+  std::uint64_t last_state_ = 0;
+  std::vector<std::function<void()>> listeners_;
+};
+
+}  // namespace croquis

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/session/session.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "croquis/base/error.h"
+#include "croquis/document/byte_size.h"
+#include "croquis/document/content_hash.h"
+
+namespace croquis {
+namespace {
+
+bool same_source(const Node& a, const Node& b) {
+  if (a.source == b.source) return true;
+  return a.source && b.source && content_hash(*a.source) == content_hash(*b.source);
+}
+
+bool same_content(const Node& a, const Node& b) {
+  return a.id == b.id && a.name == b.name && a.operation == b.operation && a.version == b.version &&
+         a.parameters == b.parameters && a.inputs == b.inputs && a.visible == b.visible && same_source(a, b);
+}
+
+bool same_content(const Document& a, const Document& b) {
+  return std::equal(a.nodes().begin(), a.nodes().end(), b.nodes().begin(), b.nodes().end(),
+                    [](const auto& left, const auto& right) { return left == right || same_content(*left, *right); });
+}
+
+/// What keeping a document costs when its neighbour is kept anyway.
+std::size_t bytes_beside(const Document& kept, const Document& neighbour) {
+  std::set<std::shared_ptr<const Node>> shared_nodes(neighbour.nodes().begin(), neighbour.nodes().end());
+  std::set<Value> shared_values;
+  for (const auto& node : neighbour.nodes()) {
+    if (node->source) shared_values.insert(*node->source);
+  }
+  std::size_t bytes = kept.nodes().size() * sizeof(std::shared_ptr<const Node>);
+  for (const auto& node : kept.nodes()) {
+    if (shared_nodes.contains(node)) continue;
+    bytes += byte_size(*node);
+    if (node->source && shared_values.insert(*node->source).second) bytes += byte_size(*node->source);
+  }
+  return bytes;
+}
+
+std::vector<std::string> labels(const auto& steps) {
+  std::vector<std::string> texts;
+  for (const auto& step : steps) texts.push_back(step.label);
+  return texts;
+}
+
+}  // namespace
+
+Session::Session(Document initial, std::size_t byte_cap) : document_(std::move(initial)), byte_cap_(byte_cap) {}
+
+Session::Step Session::step_of_now(std::string label) const {
+  return {std::move(label), document_, selection_, state_, 0};
+}
+
+void Session::show(Document document, std::uint64_t state) {
+  // Ids that an undone step gave away stay used: whoever remembers one must not take a new node for it.
+  const NodeId next_id = std::max(document_.next_id(), document.next_id());
+  document_ = document.next_id() == next_id ? std::move(document) : Document::of(document.nodes(), next_id);
+  state_ = state;
+  selection_ = existing(std::move(selection_), document_);
+  ++revision_;
+}
+
+void Session::tell() {
+  // By index: a listener may add another.
+  for (std::size_t i = 0; i < listeners_.size(); ++i) {
+    const auto listener = listeners_[i];
+    listener();
+  }
+}
+
+void Session::add_undo(Step step) {
+  step.bytes = bytes_beside(step.document, document_);
+  undo_.push_back(std::move(step));
+  redo_.clear();
+  forget_beyond_cap();
+}
+
+void Session::edit(std::string label, Document edited) {
+  end_drag();
+  if (same_content(document_, edited)) return;
+  Step before = step_of_now(std::move(label));
+  show(std::move(edited), ++last_state_);
+  add_undo(std::move(before));
+  tell();
+}
+
+void Session::begin_drag(std::string label) {
+  end_drag();
+  drag_ = step_of_now(std::move(label));
+}
+
+void Session::drag(Document edited) {
+  if (!drag_) throw Error(make_error(Category::Internal, "E_INTERNAL", "A drag goes on that was never begun."));
+  if (edited.nodes() == document_.nodes()) return;
+  show(std::move(edited), ++last_state_);
+  tell();
+}
+
+void Session::end_drag() {
+  if (!drag_) return;
+  Step before = std::move(*drag_);
+  drag_.reset();
+  if (same_content(before.document, document_)) {
+    state_ = before.state;
+  } else {
+    add_undo(std::move(before));
+  }
+  tell();
+}
+
+void Session::cancel_drag() {
+  if (!drag_) return;
+  Step before = std::move(*drag_);
+  drag_.reset();
+  selection_ = std::move(before.selection);
+  show(std::move(before.document), before.state);
+  tell();
+}
+
+void Session::travel(std::deque<Step>& from, std::deque<Step>& to) {
+  if (from.empty()) return;
+  Step step = std::move(from.back());
+  from.pop_back();
+  Step now = step_of_now(std::move(step.label));
+  selection_ = std::move(step.selection);
+  show(std::move(step.document), step.state);
+  now.bytes = bytes_beside(now.document, document_);
+  to.push_back(std::move(now));
+  forget_beyond_cap();
+  tell();
+}
+
+void Session::undo() {
+  end_drag();
+  travel(undo_, redo_);
+}
+
+void Session::redo() {
+  end_drag();
+  travel(redo_, undo_);
+}
+
+std::vector<std::string> Session::undo_labels() const { return labels(undo_); }
+
+std::vector<std::string> Session::redo_labels() const {
+  std::vector<std::string> texts = labels(redo_);
+  std::reverse(texts.begin(), texts.end());
+  return texts;
+}
+
+std::size_t Session::history_bytes() const {
+  std::size_t bytes = 0;
+  for (const Step& step : undo_) bytes += step.bytes;
+  for (const Step& step : redo_) bytes += step.bytes;
+  return bytes;
+}
+
+void Session::forget_beyond_cap() {
+  std::size_t bytes = history_bytes();
+  while (bytes > byte_cap_ && undo_.size() + redo_.size() > 1) {
+    std::deque<Step>& steps = undo_.empty() ? redo_ : undo_;
+    bytes -= steps.front().bytes;
+    steps.pop_front();
+  }
+}
+
+void Session::select(Selection selection) {
+  selection = existing(std::move(selection), document_);
+  if (selection == selection_) return;
+  selection_ = std::move(selection);
+  ++revision_;
+  tell();
+}
+
+void Session::mark_saved() {
+  if (!modified()) return;
+  saved_state_ = state_;
+  tell();
+}
+
+void Session::load(Document document, bool modified) {
+  drag_.reset();
+  undo_.clear();
+  redo_.clear();
+  selection_.clear();
+  document_ = std::move(document);
+  state_ = ++last_state_;
+  saved_state_ = modified ? ++last_state_ : state_;
+  ++revision_;
+  tell();
+}
+
+void Session::on_change(std::function<void()> listener) { listeners_.push_back(std::move(listener)); }
+
+}  // namespace croquis
