@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/tools/stroke_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "croquis/geometry/polyline.h"
+#include "tools/cubic_fit.h"
+#include "tools/fit_points.h"
+
+namespace croquis {
+namespace {
+
+/// Pixels over which directions are taken: wide enough for jitter, short against what a hand bends.
+constexpr double tangent_reach = 4;
+
+/// A stretch of the points between two breaks, in order; of a closed stroke it may pass the list's end.
+struct Run {
+  std::vector<std::size_t> points;
+  bool smooth_seam = false;  ///< a closed stroke without corners: both ends are one place with one direction
+};
+
+std::vector<Run> runs_between_corners(const FitPoints& points) {
+  const std::size_t count = points.drawn.size();
+  std::vector<std::size_t> breaks = points.corners;
+  if (!points.closed) breaks.insert(breaks.begin(), 0);
+  const bool smooth_seam = breaks.empty();
+  if (smooth_seam) breaks.push_back(0);
+  breaks.push_back(points.closed ? breaks.front() + count : count - 1);
+  std::vector<Run> runs;
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+    Run run{{}, smooth_seam};
+    for (std::size_t i = breaks[k]; i <= breaks[k + 1]; ++i) run.points.push_back(i % count);
+    runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
+std::vector<FittedPiece> fit_run(const std::vector<Vec2>& places, bool smooth_seam, double reach, double tolerance) {
+  const std::vector<Vec2> reversed(places.rbegin(), places.rend());
+  Vec2 begin = tangent_at_begin(places, reach);
+  Vec2 end = -tangent_at_begin(reversed, reach);
+  if (smooth_seam) {
+    std::vector<Vec2> around(places.begin() + static_cast<std::ptrdiff_t>(places.size() / 2), places.end());
+    const std::size_t seam = around.size() - 1;
+    around.insert(around.end(), places.begin() + 1, places.begin() + static_cast<std::ptrdiff_t>(places.size() / 2));
+    begin = end = tangent_within(around, seam, reach);
+  }
+  return fit_cubics(places, begin, end, reach, tolerance);
+}
+
+/// Gathers squared distances of the points to the curve.
+struct Residuals {
+  double smooth = 0;
+  double drawn = 0;
+  double largest = 0;
+  std::size_t count = 0;
+
+  void add(const FitPoints& points, const Run& run, const FittedPiece& piece) {
+    for (std::size_t i = piece.first; i <= piece.last; ++i) {
+      const std::size_t point = run.points[i];
+      const double start = piece.parameters[i - piece.first];
+      smooth += (point_at(piece.cubic, start) - points.smooth[point]).squaredNorm();
+      const double near = nearest_on_cubic(piece.cubic, points.drawn[point], start);
+      const double distance = (point_at(piece.cubic, near) - points.drawn[point]).squaredNorm();
+      drawn += distance;
+      largest = std::max(largest, distance);
+      ++count;
+    }
+  }
+};
+
+void add_run(const FitPoints& points, const Run& run, const std::vector<FittedPiece>& pieces, StrokeFit& fit) {
+  for (const FittedPiece& piece : pieces) {
+    const std::size_t point = run.points[piece.first];
+    const bool corner = std::binary_search(points.corners.begin(), points.corners.end(), point);
+    fit.anchors.push_back({piece.cubic[0], points.samples[point], corner});
+    fit.segments.push_back(piece.cubic);
+  }
+}
+
+/// Anchors begin with the stroke's earliest one, whichever corner the fit began with.
+void begin_with_first_sample(StrokeFit& fit) {
+  const auto first = std::min_element(fit.anchors.begin(), fit.anchors.end(),
+                                      [](const auto& a, const auto& b) { return a.sample < b.sample; });
+  const auto shift = first - fit.anchors.begin();
+  std::rotate(fit.anchors.begin(), first, fit.anchors.end());
+  std::rotate(fit.segments.begin(), fit.segments.begin() + shift, fit.segments.end());
+}
+
+}  // namespace
+
+Vec2 point_at(const CubicSegment& segment, double t) {
+  const double s = 1 - t;
+  return s * s * s * segment[0] + 3 * s * s * t * segment[1] + 3 * s * t * t * segment[2] + t * t * t * segment[3];
+}
+
+StrokeFit fit_stroke(const Stroke& stroke, const FitOptions& options) {
+  const FitPoints points = fit_points(stroke, options);
+  StrokeFit fit;
+  fit.closed = points.closed;
+  if (points.drawn.size() == 1) {
+    fit.anchors.push_back({points.drawn.front(), points.samples.front(), false});
+    return fit;
+  }
+  Residuals residuals;
+  for (const Run& run : runs_between_corners(points)) {
+    std::vector<Vec2> places;
+    for (const std::size_t point : run.points) places.push_back(points.smooth[point]);
+    const std::vector<FittedPiece> pieces = fit_run(places, run.smooth_seam, tangent_reach * options.units_per_pixel,
+                                                    options.tolerance * options.units_per_pixel);
+    for (const FittedPiece& piece : pieces) residuals.add(points, run, piece);
+    add_run(points, run, pieces, fit);
+  }
+  if (points.closed) {
+    begin_with_first_sample(fit);
+  } else {
+    fit.anchors.push_back({points.smooth.back(), points.samples.back(), false});
+  }
+  fit.rms = std::sqrt(residuals.smooth / static_cast<double>(residuals.count));
+  fit.raw_rms = std::sqrt(residuals.drawn / static_cast<double>(residuals.count));
+  fit.largest = std::sqrt(residuals.largest);
+  return fit;
+}
+
+bool ends_meet(std::span<const StrokeSample> samples, const CloseOptions& options) {
+  if (samples.size() < 3) return false;
+  const double distance = options.distance * options.units_per_pixel;
+  if ((samples.front().position - samples.back().position).norm() > distance) return false;
+  std::vector<Vec2> places;
+  for (const StrokeSample& sample : samples) places.push_back(sample.position);
+  return length(places, false) > options.times_longer * distance;
+}
+
+}  // namespace croquis
