@@ -20,7 +20,7 @@ struct CameraMotion {
 
   Kind kind = Kind::Tumble;
   Vec2 delta = Vec2::Zero();  ///< pixels since the last motion, y down
-  double factor = 1;  ///< what the distance (of a flat view: the height shown) is to be multiplied by; < 1 nears
+  double factor = 1;          ///< of a Dolly: how many times larger things are to appear; > 1 comes nearer
   Vec2 about = Vec2::Zero();  ///< pixels: the place that stays where it is when a flat view dollies
   int view = 0;
 };
@@ -33,7 +33,7 @@ enum class NavigationPreset {
 
 struct NavigationOptions {
   NavigationPreset preset = NavigationPreset::Maya;  ///< the others understand Alt and its twins as well
-  double dolly_per_pixel = 0.005;                    ///< a drag of d pixels right or up multiplies by exp(-d × this)
+  double dolly_per_pixel = 0.005;                    ///< a drag of d pixels right or up gives the factor exp(d × this)
   double dolly_per_notch = 0.14;                     ///< the same per notch of the wheel
   double palm_seconds = 0.5;                         ///< fingers this soon after the pen are the palm
 };
