@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <map>
+#include <string>
+
+#include "croquis/base/parameter.h"
+#include "croquis/document/document.h"
+#include "croquis/document/operation.h"
+
+class QFormLayout;
+
+namespace croquis::app {
+
+class ParameterField;
+
+/// One field for every parameter of a node, made from its operation's description alone.
+class AttributePanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit AttributePanel(QWidget* parent = nullptr);
+
+  /// Shows the node's parameters; fields are made anew only when the operation is another one. Null shows none.
+  void show_node(const Node* node, const OperationDescription* description);
+
+  /// The field of a parameter, or null: for whoever drives the window by names.
+  ParameterField* field(const std::string& parameter) const;
+
+ signals:
+  /// Somebody gave a parameter another value. While a slider is held down, `dragging` is true; the last call of a drag
+  /// has it false.
+  void parameter_edited(croquis::NodeId node, const std::string& parameter, const croquis::ParameterValue& value,
+                        bool dragging);
+
+ private:
+  void make_fields(const OperationDescription& description);
+
+  NodeId node_ = 0;
+  std::string operation_;
+  QFormLayout* layout_;
+  std::map<std::string, ParameterField*> fields_;
+};
+
+}  // namespace croquis::app

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QImage>
+#include <QObject>
+#include <QString>
+#include <atomic>
+#include <memory>
+#include <thread>
+
+#include "croquis/document/registry.h"
+
+namespace croquis::app {
+
+class OffscreenPictures;
+
+/// Makes the gallery's sketches solid, one after the other beside the window's thread, and pictures of them.
+class GalleryThumbnails : public QObject {
+  Q_OBJECT
+
+ public:
+  GalleryThumbnails(const Registry& registry, OffscreenPictures& pictures, QObject* parent);
+  ~GalleryThumbnails() override;
+
+  /// Goes on with those that have no picture yet.
+  void start();
+
+  /// The sketch that is opened needs the machine more.
+  void stop();
+
+ signals:
+  void finished(const QString& sketch, const QImage& picture);
+
+ private:
+  void make_pictures(std::size_t first, const std::atomic<bool>& stopped);
+  void show(std::size_t place, const QString& sketch, const std::shared_ptr<const PolyMesh>& solid);
+
+  const Registry& registry_;
+  OffscreenPictures& pictures_;
+  std::size_t done_ = 0;
+  std::atomic<bool> stopped_{false};
+  std::thread worker_;
+};
+
+}  // namespace croquis::app

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QStringList>
+#include <QThreadPool>
+#include <QTimer>
+#include <memory>
+#include <vector>
+
+#include "app/offscreen_pictures.h"
+#include "app/start_page.h"
+#include "app/studio.h"
+#include "croquis/io/recovery.h"
+
+namespace croquis::app {
+
+/// Everything between the studio and files: projects, sketches, exports, recent files, and the working copy that
+/// survives a crash. Asks nothing and shows nothing; failures are thrown as Error.
+class ProjectFiles : public QObject {
+  Q_OBJECT
+
+ public:
+  /// @param state_folder where working copies lie
+  ProjectFiles(Studio& studio, OffscreenPictures& pictures, const QString& state_folder);
+  ~ProjectFiles() override;
+
+  /// Of the project that is open; empty for one that was never saved.
+  const QString& path() const { return path_; }
+
+  void start_sketch();
+  void start_gallery_sketch(const QString& name);
+
+  /// A project (.croq), a sketch (.svg) or a mesh.
+  void open(const QString& path);
+
+  /// Keeps up to three older versions beside the file.
+  void save(const QString& path);
+
+  /// The solid, in the format that the name tells.
+  /// @return what the format can't hold
+  Findings export_solid(const QString& path) const;
+
+  /// The drawing as SVG.
+  void export_drawing(const QString& path) const;
+
+  QStringList recent() const;
+
+  /// Work that a crash left behind.
+  std::vector<RecoveryOffer> recoverable() const;
+  void recover(const RecoveryOffer& offer);
+  void discard(const RecoveryOffer& offer);
+
+  /// The program ends as people wanted: nothing to recover.
+  void close_cleanly();
+
+  /// The working copy is up to date when this returns.
+  void autosave_now();
+
+ signals:
+  void path_changed(const QString& path);
+
+  /// The working copy can't be written; the work in the window is whole.
+  void autosave_failed(const QString& sentence);
+
+ private:
+  void autosave();
+  void set_path(const QString& path);
+  void remember(const QString& path);
+  std::vector<std::uint8_t> thumbnail() const;
+
+  Studio& studio_;
+  OffscreenPictures& pictures_;
+  QString state_folder_;
+  QString path_;
+  QTimer autosave_timer_;
+  QElapsedTimer since_thumbnail_;
+  Document autosaved_;
+  std::unique_ptr<WorkingCopy> working_copy_;  ///< touched by the disk's thread alone while that one is busy
+  QThreadPool disk_;                           ///< one thread: commits wait for the disk, the window doesn't
+};
+
+/// The solid of a studio as the renderer wants it; empty when there is none.
+std::vector<render::MeshItemPtr> solid_items(const Studio& studio);
+
+}  // namespace croquis::app

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include "croquis/base/finding.h"
+#include "croquis/tools/recording.h"
+
+namespace croquis::app {
+
+class MainWindow;
+
+/// Plays recorded steps in a window, as hands would: docs/replays.md.
+class ReplayPlayer {
+ public:
+  explicit ReplayPlayer(MainWindow& window) : window_(window) {}
+
+  /// @throws Error (E_REPLAY naming the line) when a step can't be done or an expectation fails
+  void play(const std::vector<recorded::Line>& lines);
+
+ private:
+  void play(const recorded::Line& line);
+  void play(const recorded::StrokeDrawn& step);
+  void play(const recorded::Drag& step);
+  void play(const recorded::Action& step);
+  void play(const recorded::Set& step);
+  void play(const recorded::Wait& step);
+  void play(const recorded::Screenshot& step);
+  void play(const recorded::File& step);
+  void play(const recorded::Click& step);
+  void play(const recorded::Box& step);
+  void play(const recorded::Navigate& step);
+  void play(const recorded::Expect& step);
+
+  MainWindow& window_;
+};
+
+/// Waits until the solid of the document as it is now is final; keeps the window alive meanwhile.
+/// @throws Error (E_LIMIT) after a minute
+void wait_until_settled(MainWindow& window);
+
+/// The window as people see it.
+/// @throws Error (E_WRITE)
+void save_window_picture(MainWindow& window, const QString& path);
+
+/// Plays a file and answers with the process' exit code; with `stay` the window stays open afterwards.
+int play_file(MainWindow& window, const QString& file, bool stay);
+
+/// Prints the findings as the command line does. @return their exit code
+int print_findings(const Findings& findings);
+
+}  // namespace croquis::app

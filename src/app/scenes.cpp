@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scenes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/theme.h"
+
+namespace croquis::app {
+namespace {
+
+constexpr double ink_width = 2.2;
+
+render::Color to_color(const QColor& color, int alpha = 255) {
+  return {color.red(), color.green(), color.blue(), alpha};
+}
+
+glm::dvec3 on_plane(const Vec2& place) { return {place.x(), place.y(), 0}; }
+
+render::LinePath path_of(const Stroke& stroke) {
+  render::LinePath path;
+  path.closed = stroke.closed;
+  path.points.reserve(stroke.samples.size());
+  for (const StrokeSample& sample : stroke.samples) path.points.push_back({on_plane(sample.position), 1, {}});
+  return path;
+}
+
+render::LinePath path_of(const std::vector<Vec2>& places, bool closed) {
+  render::LinePath path;
+  path.closed = closed;
+  for (const Vec2& place : places) path.points.push_back({on_plane(place), 1, {}});
+  return path;
+}
+
+/// Null where there is nothing to draw: items of nothing cost draw calls.
+render::LineItemPtr lines(const std::vector<render::LinePath>& paths, const render::LineStyle& style) {
+  return paths.empty() ? nullptr : render::make_line_item(paths, style);
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The hidden arcs of a labelled drawing, coloured by how many surfaces lie in front.
+render::LineItemPtr hidden_contours(const Drawing& labels) {
+  std::vector<render::LinePath> paths;
+  for (const Stroke& arc : labels.strokes) {
+    const auto depth = arc.data.find("depth");
+    if (depth == arc.data.end() || depth->second == "0") continue;
+    render::LinePath path = path_of(arc);
+    for (render::LinePoint& point : path.points) point.color = to_color(depth_color(std::stoi(depth->second)));
+    paths.push_back(std::move(path));
+  }
+  return lines(paths, {1.8, to_color(colors::guide), {7, 5, 0, 0}, render::LineDepth::OnTop});
+}
+
+const Report* report_of(const Evaluation& evaluation) {
+  const auto details = evaluation.outputs.find("details");
+  if (details == evaluation.outputs.end()) return nullptr;
+  return std::get<std::shared_ptr<const Report>>(details->second).get();
+}
+
+/// A report's place, in the frame of files: y down.
+Vec2 place_of(const Report& at) { return {at.as_array()[0].as_number(), -at.as_array()[1].as_number()}; }
+
+double angle_of(const Report& overlap, const char* key, double otherwise) {
+  const Report* angle = overlap.find(key);
+  return angle == nullptr ? otherwise : angle->as_number();
+}
+
+void add_overlap_marks(const Evaluation& evaluation, std::vector<render::Mark>& marks) {
+  const Report* details = report_of(evaluation);
+  const Report* overlaps = details == nullptr ? nullptr : details->find("overlaps");
+  if (overlaps == nullptr) return;
+  for (const Report& overlap : overlaps->as_array()) {
+    render::Mark mark;
+    mark.position = on_plane(place_of(overlap.at("at")));
+    mark.shape = render::MarkShape::OverUnder;
+    mark.size = 16;
+    mark.color = to_color(colors::hover);
+    mark.angle = static_cast<float>(angle_of(overlap, "upper_angle", 0.25 * 3.14159265358979));
+    mark.under_angle = static_cast<float>(angle_of(overlap, "lower_angle", 0.75 * 3.14159265358979));
+    marks.push_back(mark);
+  }
+}
+
+/// Where a finding without a place of its own is shown: the middle of its first stroke.
+std::optional<Vec2> place_of(const Finding& finding, const Drawing& drawing) {
+  for (const Subject& subject : finding.subjects) {
+    if (subject.at.size() >= 2) return Vec2(subject.at[0], -subject.at[1]);
+  }
+  for (const Subject& subject : finding.subjects) {
+    const Stroke* stroke = find_stroke(drawing, subject.id);
+    if (stroke != nullptr) return stroke->samples[stroke->samples.size() / 2].position;
+  }
+  return std::nullopt;
+}
+
+render::Mark finding_symbol(const FindingMark& finding) {
+  render::Mark mark;
+  mark.position = on_plane(finding.at);
+  mark.shape = finding.error ? render::MarkShape::Cross : render::MarkShape::Warning;
+  mark.size = finding.error ? 14 : 18;
+  mark.color = to_color(finding.error ? colors::error : colors::warning);
+  mark.outline_width = 2;
+  return mark;
+}
+
+render::LineItemPtr ghost_item() {
+  return render::make_line_item(path_of(first_ghost(), true),
+                                {2.5, to_color(colors::guide, 150), {1, 7, 0, 0}, render::LineDepth::OnTop});
+}
+
+}  // namespace
+
+std::vector<Vec2> first_ghost() {
+  std::vector<Vec2> blob;
+  for (int k = 0; k < 120; ++k) {
+    const double angle = 2 * 3.14159265358979 * k / 120;
+    const double radius = 150 * (1 + 0.16 * std::cos(2 * angle) + 0.08 * std::sin(3 * angle));
+    blob.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  return blob;
+}
+
+void Scenes::show_drawing(const Studio& studio, SketchTool& tool) {
+  const Drawing& drawing = studio.drawing();
+  const std::vector<std::string> chosen = tool.selected();
+  std::vector<render::LinePath> plain;
+  std::vector<render::LinePath> selected;
+  std::vector<render::Mark> anchors;
+  for (const Stroke& stroke : drawing.strokes) {
+    const bool is_selected = contains(chosen, stroke.id);
+    (is_selected ? selected : plain).push_back(path_of(stroke));
+    const StrokeFit* fit = is_selected && tool.mode() == SketchMode::Select ? tool.fit(stroke.id) : nullptr;
+    if (fit == nullptr) continue;
+    for (const StrokeAnchor& anchor : fit->anchors) {
+      render::Mark mark;
+      mark.position = on_plane(anchor.position);
+      mark.shape = render::MarkShape::Square;
+      mark.size = 7;
+      mark.color = to_color(colors::accent);
+      anchors.push_back(mark);
+    }
+  }
+  strokes_ = lines(plain, {ink_width, to_color(colors::ink), {}, render::LineDepth::OnTop});
+  selected_ = lines(selected, {ink_width, to_color(colors::accent), {}, render::LineDepth::OnTop});
+  anchors_ = anchors.empty() ? nullptr : render::make_mark_item(anchors);
+  if (!strokes_ && !selected_ && !ghost_) ghost_ = ghost_item();
+  if (!drawing.strokes.empty()) ghost_.reset();
+
+  std::vector<std::shared_ptr<const PolyMesh>> sources;
+  for (const auto& node : studio.session().document().nodes()) {
+    if (!node->source || !node->visible) continue;
+    if (const auto* mesh = std::get_if<std::shared_ptr<const PolyMesh>>(&*node->source)) sources.push_back(*mesh);
+  }
+  if (sources == mesh_sources_) return;
+  meshes_.clear();
+  for (const auto& mesh : sources) meshes_.push_back(render::make_mesh_item(*mesh));
+  mesh_sources_ = std::move(sources);
+}
+
+void Scenes::show_result(const Studio& studio) {
+  const std::shared_ptr<const Evaluation> result = studio.result();
+  const std::shared_ptr<const PolyMesh> mesh = studio.solid();
+  if (mesh != mesh_) {
+    mesh_ = mesh;
+    solid_ = mesh ? render::make_mesh_item(*mesh) : nullptr;
+  }
+  hidden_.reset();
+  finding_marks_.clear();
+  std::vector<render::Mark> marks;
+  if (result) {
+    const auto labels = result->outputs.find("labels");
+    // A failed drawing has the labels of the last good one, which lie elsewhere.
+    if (labels != result->outputs.end() && !result->failed) {
+      hidden_ = hidden_contours(*std::get<std::shared_ptr<const Drawing>>(labels->second));
+    }
+    if (!result->failed) add_overlap_marks(*result, marks);
+    for (const Finding& finding : studio.findings()) {
+      const auto at = place_of(finding, studio.drawing());
+      if (at) finding_marks_.push_back({*at, finding.message, finding.severity == Severity::Error});
+    }
+  }
+  for (const FindingMark& finding : finding_marks_) marks.push_back(finding_symbol(finding));
+  marks_ = marks.empty() ? nullptr : render::make_mark_item(marks);
+}
+
+void Scenes::show_preview(const SketchPreview& preview, const Drawing& drawing) {
+  ink_.reset();
+  preview_lines_.reset();
+  if (!preview.ink.empty()) {
+    render::LinePath path;
+    for (const StrokeSample& sample : preview.ink) {
+      path.points.push_back({on_plane(sample.position), static_cast<float>(0.5 + 0.8 * sample.pressure), {}});
+    }
+    ink_ = render::make_line_item(path, {ink_width, to_color(colors::ink), {}, render::LineDepth::OnTop});
+  }
+  std::vector<render::LinePath> paths;
+  for (const std::string& erased : preview.erased) {
+    const Stroke* stroke = find_stroke(drawing, erased);
+    if (stroke != nullptr) paths.push_back(path_of(*stroke));
+  }
+  render::LineStyle style{ink_width + 1, to_color(colors::error), {}, render::LineDepth::OnTop};
+  if (preview.box) {
+    const auto& [low, high] = *preview.box;
+    paths.push_back(path_of({low, {high.x(), low.y()}, high, {low.x(), high.y()}}, true));
+    style = {1, to_color(colors::accent), {4, 3, 0, 0}, render::LineDepth::OnTop};
+  }
+  preview_lines_ = lines(paths, style);
+}
+
+void Scenes::show_hovered(const std::optional<std::string>& stroke, const Drawing& drawing) {
+  const Stroke* found = stroke ? find_stroke(drawing, *stroke) : nullptr;
+  hovered_ = found == nullptr
+                 ? nullptr
+                 : render::make_line_item(
+                       path_of(*found), {ink_width + 2.5, to_color(colors::hover, 120), {}, render::LineDepth::OnTop});
+}
+
+render::Scene Scenes::sketch_scene() const {
+  render::Scene scene;
+  scene.lines = {{ghost_}, {hidden_}, {hovered_}, {strokes_}, {selected_}, {preview_lines_}, {ink_}};
+  scene.marks = {{anchors_}, {marks_}};
+  return scene;
+}
+
+render::Scene Scenes::solid_scene(bool stale) const {
+  render::Scene scene;
+  render::Emphasis emphasis;
+  emphasis.stale = stale;
+  if (solid_) scene.meshes.emplace_back(solid_, emphasis);
+  for (const render::MeshItemPtr& mesh : meshes_) scene.meshes.emplace_back(mesh);
+  return scene;
+}
+
+render::Bounds Scenes::sketch_bounds(bool selected_only) const {
+  render::Bounds bounds;
+  if (selected_) bounds.add(selected_->bounds);
+  if (selected_only && !bounds.empty()) return bounds;
+  for (const render::LineItemPtr& item : {strokes_, hidden_, ghost_}) {
+    if (item) bounds.add(item->bounds);
+  }
+  return bounds;
+}
+
+}  // namespace croquis::app

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/studio.h"
+#include "croquis/render/scene.h"
+#include "croquis/tools/sketch_tool.h"
+
+namespace croquis::app {
+
+/// A finding and where on the sketch plane it stands.
+struct FindingMark {
+  Vec2 at = Vec2::Zero();
+  std::string sentence;
+  bool error = false;
+};
+
+/// What the views show of the studio, made ready for the renderer. Items are kept until what they show changes.
+class Scenes {
+ public:
+  /// Strokes, selection, anchors.
+  void show_drawing(const Studio& studio, SketchTool& tool);
+
+  /// Hidden contours, marks, the solid.
+  void show_result(const Studio& studio);
+
+  /// What the pen is about to do; cheap enough for every event.
+  void show_preview(const SketchPreview& preview, const Drawing& drawing);
+
+  /// The stroke under the pointer, or none.
+  void show_hovered(const std::optional<std::string>& stroke, const Drawing& drawing);
+
+  render::Scene sketch_scene() const;
+  render::Scene solid_scene(bool stale) const;
+
+  /// The box of the strokes, of the selected ones alone if there are any and that is asked for.
+  render::Bounds sketch_bounds(bool selected_only) const;
+  const std::vector<FindingMark>& finding_marks() const { return finding_marks_; }
+  bool has_strokes() const { return strokes_ != nullptr; }
+
+ private:
+  render::LineItemPtr ghost_;  ///< shown while nothing is drawn yet
+  render::LineItemPtr strokes_;
+  render::LineItemPtr selected_;
+  render::LineItemPtr hovered_;
+  render::MarkItemPtr anchors_;
+  render::LineItemPtr hidden_;
+  render::MarkItemPtr marks_;
+  render::LineItemPtr preview_lines_;
+  render::LineItemPtr ink_;
+  std::shared_ptr<const PolyMesh> mesh_;  ///< what solid_ was made from
+  render::MeshItemPtr solid_;
+  std::vector<render::MeshItemPtr> meshes_;  ///< mesh sources of the document
+  std::vector<std::shared_ptr<const PolyMesh>> mesh_sources_;
+  std::vector<FindingMark> finding_marks_;
+};
+
+/// The blob that a first stroke may trace, closed, sketch units.
+std::vector<Vec2> first_ghost();
+
+}  // namespace croquis::app

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+
+class QApplication;
+
+/// The studio's looks, in one place: dark panels around paper and clay.
+namespace croquis::app {
+
+namespace colors {
+inline const QColor paper(250, 249, 246);
+inline const QColor ink(38, 40, 46);
+inline const QColor accent(242, 140, 40);  ///< selection and whatever the pen is about to do
+inline const QColor hover(96, 156, 230);
+inline const QColor guide(150, 158, 170);
+inline const QColor error(214, 60, 52);
+inline const QColor warning(222, 164, 30);
+}  // namespace colors
+
+/// Palette, style sheet and font of every window; before the first one is made.
+void apply_theme(QApplication& application);
+
+/// Hidden contours: the first colour lies behind one surface, the next behind two … told apart by people with any
+/// colour vision, each readable on paper.
+QColor depth_color(int depth);
+
+}  // namespace croquis::app

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/viewport.h"
+
+#include <QCursor>
+#include <QMouseEvent>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/offscreen_pictures.h"
+#include "app/pointer_events.h"
+#include "croquis/base/error.h"
+
+namespace croquis::app {
+namespace {
+
+constexpr double gap = 2;  // logical pixels between the views
+constexpr int settle_ms = 180;
+constexpr double affordable_ms = 90;  // a frame that takes longer would be felt
+constexpr int picture_height = 1600;
+
+}  // namespace
+
+Viewport::Viewport(Studio& studio, QWidget* parent)
+    : QOpenGLWidget(parent),
+      studio_(studio),
+      tool_(studio.session()),
+      panes_{sketch_pane(), perspective_pane()},
+      hint_(new QLabel(tr("Trace me: one closed line becomes a solid"), this)) {
+  setObjectName("viewport");
+  setAccessibleName(tr("Sketch and solid"));
+  setMouseTracking(true);
+  setTabletTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setMinimumSize(320, 240);
+  navigation_.set_flat(SketchView, true);
+  clock_.start();
+  settle_.setSingleShot(true);
+  connect(&settle_, &QTimer::timeout, this, [this] {
+    settled_ = true;
+    update();
+  });
+  hint_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  hint_->setStyleSheet("color: #8a93a0; background: transparent; font-size: 15px");
+  for (QLabel*& chip : finding_chips_) {
+    chip = new QLabel(this);
+    chip->setAttribute(Qt::WA_TransparentForMouseEvents);
+    chip->setWordWrap(true);
+    chip->hide();
+  }
+  connect(&studio_, &Studio::changed, this, &Viewport::follow_document);
+  connect(&studio_, &Studio::result_changed, this, &Viewport::follow_result);
+  scenes_.show_drawing(studio_, tool_);
+  set_mode(SketchMode::Draw);
+}
+
+Viewport::~Viewport() {
+  makeCurrent();
+  renderer_.reset();
+  doneCurrent();
+}
+
+void Viewport::set_mode(SketchMode mode) {
+  tool_.set_mode(mode);
+  setCursor(mode == SketchMode::Select ? Qt::ArrowCursor : Qt::CrossCursor);
+  scenes_.show_hovered(std::nullopt, studio_.drawing());
+  scenes_.show_drawing(studio_, tool_);
+  redraw();
+  emit help_changed();
+}
+
+void Viewport::set_look(MeshLook look) {
+  look_ = look;
+  redraw();
+}
+
+void Viewport::frame_all() {
+  lay_out();
+  if (scenes_.has_strokes())
+    panes_[SketchView].frame(scenes_.sketch_bounds(false));
+  else
+    panes_[SketchView].camera = sketch_pane().camera;
+  panes_[PerspectiveView].frame(scenes_.solid_scene(false));
+  redraw();
+}
+
+void Viewport::frame_selection() {
+  if (under_pointer_ == PerspectiveView) {
+    panes_[PerspectiveView].frame(scenes_.solid_scene(false));
+  } else {
+    panes_[SketchView].frame(scenes_.sketch_bounds(true));
+  }
+  redraw();
+}
+
+void Viewport::toggle_layout() {
+  alone_ = alone_ < 0 ? under_pointer_ : -1;
+  lay_out();
+  redraw();
+}
+
+void Viewport::delete_selection() { tool_.delete_selected(); }
+
+bool Viewport::abandon() {
+  if (!pen_.down()) return false;
+  take_pen(pen_.cancel());
+  return true;
+}
+
+QString Viewport::help() const {
+  const Findings findings = studio_.findings();
+  if (!findings.empty() && findings.front().severity == Severity::Error) {
+    return QString::fromStdString(findings.front().message);
+  }
+  switch (tool_.mode()) {
+    case SketchMode::Select:
+      return tr("Drag a square to bend the line, drag a line to move it, Shift adds · Delete removes · D draws");
+    case SketchMode::Erase: return tr("Drag over lines to erase them · D draws");
+    case SketchMode::Draw: break;
+  }
+  if (!scenes_.has_strokes()) return tr("Draw a closed outline with the pen or the mouse");
+  return tr("Draw: a line stops where it passes behind another · Q selects · Alt+drag turns the solid · Ctrl+Z undoes");
+}
+
+void Viewport::export_picture(OffscreenPictures& pictures, const QString& path) const {
+  const render::Scene scene = scenes_.solid_scene(false);
+  std::vector<render::MeshItemPtr> items;
+  for (const auto& shown : scene.meshes) items.push_back(shown.item);
+  const ViewPane& pane = panes_[PerspectiveView];
+  const double aspect = pane.visible() ? pane.rect.width() / pane.rect.height() : 1;
+  const QSize size(static_cast<int>(picture_height * aspect), picture_height);
+  if (!pictures.draw(items, pane.camera, render::RenderOptions{}, size).save(path, "PNG")) {
+    throw Error(make_error(Category::Io, "E_WRITE", "\"" + path.toStdString() + "\" can't be written"));
+  }
+}
+
+QPointF Viewport::sketch_to_widget(const Vec2& place) const {
+  const ViewPane& pane = panes_[SketchView];
+  const Vec2 pixel = pane.sketch_frame().to_pixel(place);
+  return pane.rect.topLeft() + QPointF(pixel.x(), pixel.y());
+}
+
+void Viewport::settle_now() {
+  settle_.stop();
+  settled_ = true;
+  update();
+}
+
+void Viewport::initializeGL() {
+  try {
+    renderer_ = std::make_unique<render::Renderer>();
+  } catch (const Error& error) {
+    hint_->setText(QString::fromStdString(error.what()) + tr(". Try croquis --software-gl"));
+    hint_->adjustSize();
+    hint_->show();
+  }
+}
+
+void Viewport::resizeGL(int, int) { lay_out(); }
+
+void Viewport::lay_out() {
+  const double w = width();
+  const double h = height();
+  if (alone_ >= 0) {
+    panes_[static_cast<std::size_t>(alone_)].rect = QRectF(0, 0, w, h);
+    panes_[static_cast<std::size_t>(1 - alone_)].rect = QRectF();
+    return;
+  }
+  const double left = std::round(w * divider_ - gap / 2);
+  panes_[SketchView].rect = QRectF(0, 0, left, h);
+  panes_[PerspectiveView].rect = QRectF(left + gap, 0, w - left - gap, h);
+}
+
+void Viewport::paintGL() {
+  if (!renderer_) return;
+  QElapsedTimer watch;
+  watch.start();
+  auto sketch_look = render::RenderOptions::paper();
+  sketch_look.pixel_ratio = devicePixelRatioF();
+  draw_pane(panes_[SketchView], scenes_.sketch_scene(), sketch_look);
+  draw_pane(panes_[PerspectiveView], scenes_.solid_scene(studio_.busy()), solid_options());
+  if (settled_) affordable_ = static_cast<double>(watch.elapsed()) < affordable_ms;
+  place_labels();
+  ++frames_;
+  if (input_time_ms_ >= 0) {
+    latency_ms_ = static_cast<double>(clock_.nsecsElapsed()) * 1e-6 - input_time_ms_;
+    input_time_ms_ = -1;
+  }
+}
+
+render::RenderOptions Viewport::solid_options() const {
+  auto options = settled_ ? render::RenderOptions{} : render::RenderOptions::interactive();
+  options.supersampling = std::min(options.supersampling, 2);
+  options.pixel_ratio = devicePixelRatioF();
+  options.axis_cross.shown = true;
+  options.wire = look_ != MeshLook::Shaded;
+  if (look_ == MeshLook::Wire) options.shading = render::Shading::Flat;
+  return options;
+}
+
+void Viewport::draw_pane(const ViewPane& pane, const render::Scene& scene, const render::RenderOptions& options) {
+  if (!pane.visible()) return;
+  const double ratio = devicePixelRatioF();
+  const auto pixels = [ratio](double length) { return static_cast<int>(std::lround(length * ratio)); };
+  render::Viewport target;
+  target.x = pixels(pane.rect.left());
+  target.y = pixels(height() - pane.rect.bottom());
+  target.width = pixels(pane.rect.width());
+  target.height = pixels(pane.rect.height());
+  renderer_->draw(scene, pane.camera, options, target);
+}
+
+void Viewport::redraw() {
+  settled_ = false;
+  update();
+  if (affordable_) settle_.start(settle_ms);
+}
+
+void Viewport::follow_document() {
+  scenes_.show_drawing(studio_, tool_);
+  scenes_.show_preview(tool_.preview(), studio_.drawing());
+  if (studio_.session().undo_labels().empty() && !studio_.solid()) framed_solid_ = false;
+  redraw();
+  emit help_changed();
+}
+
+void Viewport::follow_result() {
+  scenes_.show_result(studio_);
+  if (!studio_.solid()) framed_solid_ = false;
+  if (studio_.solid() && !framed_solid_) {
+    lay_out();
+    panes_[PerspectiveView].frame(scenes_.solid_scene(false));
+    framed_solid_ = panes_[PerspectiveView].visible();
+  }
+  redraw();
+  emit help_changed();
+}
+
+void Viewport::place_labels() {
+  const QRectF sketch = panes_[SketchView].rect;
+  hint_->setVisible(!renderer_ || (!scenes_.has_strokes() && panes_[SketchView].visible() && !pen_.down()));
+  hint_->adjustSize();
+  hint_->move(static_cast<int>(sketch.center().x() - hint_->width() / 2.0), static_cast<int>(sketch.bottom() - 60));
+  std::size_t used = 0;
+  for (const FindingMark& finding : scenes_.finding_marks()) {
+    if (used == finding_chips_.size() || !panes_[SketchView].visible() || pen_.down()) break;
+    QLabel* chip = finding_chips_[used++];
+    chip->setText(QString::fromStdString(finding.sentence));
+    chip->setStyleSheet(QString("background: %1; color: white; border-radius: 6px; padding: 5px 8px")
+                            .arg(finding.error ? "#b3362f" : "#8a6510"));
+    chip->setFixedWidth(std::min(300, static_cast<int>(sketch.width()) - 16));
+    chip->setFixedHeight(chip->heightForWidth(chip->width()));
+    const QPointF at = sketch_to_widget(finding.at) + QPointF(14, 10);
+    chip->move(static_cast<int>(std::clamp(at.x(), sketch.left() + 4, sketch.right() - chip->width() - 4)),
+               static_cast<int>(std::clamp(at.y(), sketch.top() + 4, sketch.bottom() - chip->height() - 4)));
+    chip->show();
+  }
+  for (; used < finding_chips_.size(); ++used) finding_chips_[used]->hide();
+}
+
+}  // namespace croquis::app

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How events of the window reach navigation, pen and tool.
+#include <QEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QTabletEvent>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+#include "app/pointer_events.h"
+#include "app/viewport.h"
+#include "croquis/tools/stroke_pick.h"
+
+namespace croquis::app {
+namespace {
+
+constexpr double divider_grip = 4;  // logical pixels to either side
+constexpr double least_share = 0.15;
+constexpr int twin_key = Qt::Key_QuoteLeft;  // left of 1
+
+}  // namespace
+
+int Viewport::view_at(const QPointF& place) const {
+  if (alone_ >= 0) return alone_;
+  return place.x() < panes_[PerspectiveView].rect.left() ? SketchView : PerspectiveView;
+}
+
+bool Viewport::event(QEvent* event) {
+  if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->key() == twin_key && !key->isAutoRepeat()) navigation_.set_twin_key(event->type() == QEvent::KeyPress);
+    navigation_.modifiers_changed(
+        {key->modifiers().testFlag(Qt::ShiftModifier), key->modifiers().testFlag(Qt::ControlModifier),
+         key->modifiers().testFlag(Qt::AltModifier), key->modifiers().testFlag(Qt::MetaModifier)});
+  }
+  return QOpenGLWidget::event(event);
+}
+
+void Viewport::mousePressEvent(QMouseEvent* event) { take(pointer_event(*event), event->position()); }
+void Viewport::mouseMoveEvent(QMouseEvent* event) { take(pointer_event(*event), event->position()); }
+void Viewport::mouseReleaseEvent(QMouseEvent* event) { take(pointer_event(*event), event->position()); }
+
+void Viewport::tabletEvent(QTabletEvent* event) {
+  take(pointer_event(*event), event->position());
+  event->accept();  // else Qt makes a mouse event of it
+}
+
+void Viewport::wheelEvent(QWheelEvent* event) {
+  take(pointer_event(*event), event->position());
+  event->accept();
+}
+
+void Viewport::leaveEvent(QEvent*) {
+  PointerEvent event;
+  event.action = PointerEvent::Action::Leave;
+  take(event, QPointF(-1, -1));
+}
+
+void Viewport::take(PointerEvent event, const QPointF& place) {
+  event.time = static_cast<double>(clock_.nsecsElapsed()) * 1e-9;
+  if (input_time_ms_ < 0) input_time_ms_ = event.time * 1e3;
+  const bool leaving = event.action == PointerEvent::Action::Leave;
+  if (drag_divider(event, place)) return;
+  if (!leaving) under_pointer_ = view_at(place);
+  // A gesture belongs to the view that it began in.
+  event.view = grabbed_ >= 0 ? grabbed_ : under_pointer_;
+  const ViewPane& pane = panes_[static_cast<std::size_t>(event.view)];
+  event.position = to_vec(place - pane.rect.topLeft());
+  if (event.buttons.any())
+    grabbed_ = event.view;
+  else if (!pen_.down())
+    grabbed_ = -1;
+
+  PointerEvent for_navigation = event;
+  // There is nothing to draw on in the perspective view: plain drags turn it.
+  if (event.view == PerspectiveView) for_navigation.modifiers.super = true;
+  const Navigation::Answer answer = navigation_.handle(for_navigation);
+  for (const auto& motion : {answer.motion, answer.second}) {
+    if (!motion) continue;
+    panes_[static_cast<std::size_t>(motion->view)].move(*motion);
+    redraw();
+  }
+  if (answer.taken || event.view != SketchView) return;
+  take_pen(pen_.handle(event));
+  if (!pen_.down() && !leaving) hover(event);
+}
+
+void Viewport::take_pen(const std::vector<PenStep>& steps) {
+  const SketchFrame frame = panes_[SketchView].sketch_frame();
+  for (const PenStep& step : steps) tool_.handle(to_sketch(step, frame));
+  if (steps.empty()) return;
+  scenes_.show_hovered(std::nullopt, studio_.drawing());
+  scenes_.show_preview(tool_.preview(), studio_.drawing());
+  redraw();
+}
+
+void Viewport::hover(const PointerEvent& event) {
+  if (tool_.mode() == SketchMode::Draw) return;
+  const SketchFrame frame = panes_[SketchView].sketch_frame();
+  const auto found = nearest_stroke(studio_.drawing(), frame.to_sketch(event.position), {8, frame.units_per_pixel});
+  scenes_.show_hovered(found ? std::optional(found->id) : std::nullopt, studio_.drawing());
+  redraw();
+}
+
+bool Viewport::drag_divider(const PointerEvent& event, const QPointF& place) {
+  const double edge = panes_[PerspectiveView].rect.left();
+  const bool at_edge = alone_ < 0 && std::abs(place.x() - edge) <= divider_grip;
+  if (event.action == PointerEvent::Action::Press && at_edge && !pen_.down()) dragging_divider_ = true;
+  if (!dragging_divider_) {
+    if (event.action == PointerEvent::Action::Hover) {
+      setCursor(at_edge ? Qt::SplitHCursor : tool_.mode() == SketchMode::Select ? Qt::ArrowCursor : Qt::CrossCursor);
+    }
+    return false;
+  }
+  divider_ = std::clamp(place.x() / width(), least_share, 1 - least_share);
+  lay_out();
+  redraw();
+  if (event.action == PointerEvent::Action::Release) dragging_divider_ = false;
+  return true;
+}
+
+void Viewport::replay_stroke(const std::vector<StrokeSample>& samples, PointerEvent::Device device, bool shift) {
+  const SketchFrame frame = panes_[SketchView].sketch_frame();
+  PenStep step;
+  step.device = device;
+  step.erases = device == PointerEvent::Device::Eraser;
+  step.modifiers.shift = shift;
+  std::vector<PenStep> steps;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    step.kind = i == 0 ? PenStep::Kind::Begin : PenStep::Kind::Sample;
+    step.sample = {frame.to_pixel(samples[i].position), samples[i].pressure, samples[i].tilt, samples[i].time};
+    steps.push_back(step);
+  }
+  step.kind = PenStep::Kind::End;
+  steps.push_back(step);
+  take_pen(steps);
+}
+
+}  // namespace croquis::app

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QApplication>
+#include <QTest>
+#include <QWheelEvent>
+
+#include <catch2/catch.hpp>
+
+#include "app/studio_fixture.h"
+#include "app/theme.h"
+#include "support/sketch_gallery.h"
+
+using namespace croquis;
+using app::Viewport;
+using croquis::test::StudioFixture;
+
+namespace {
+
+QPointF middle(Viewport& viewport, Viewport::View view) { return viewport.pane(view).rect.center(); }
+
+bool is_orange(const QColor& c) { return c.red() > 190 && c.green() > 90 && c.green() < 190 && c.blue() < 110; }
+
+}  // namespace
+
+TEST_CASE("ink is seen while the pen is down, before anything is fitted", "[viewport]") {
+  StudioFixture hand;
+  Viewport& view = hand.viewport();
+  std::vector<StrokeSample> half;
+  const QRectF pane = view.pane(Viewport::SketchView).rect;
+  const auto dark = [](const QColor& c) { return c.lightness() < 90; };
+  const double before = test::share_of_pixels(hand.picture(), pane, dark);
+  hand.begin_stroke({{-100, 0}, {-50, 60}, {0, 80}, {60, 40}});
+  CHECK(hand.studio().drawing().strokes.empty());
+  CHECK(test::share_of_pixels(hand.picture(), pane, dark) > before + 0.0005);
+}
+
+TEST_CASE("both views are drawn and nothing else; selected strokes are orange", "[viewport]") {
+  StudioFixture hand;
+  hand.draw(test::snake_sketch());
+  hand.settle();
+  hand.act("select-all");
+  const QImage picture = hand.picture();
+  const QRectF sketch = hand.viewport().pane(Viewport::SketchView).rect;
+  CHECK(test::share_of_pixels(picture, sketch, is_orange) > 0.001);
+  CHECK(test::share_of_pixels(picture, sketch, [](const QColor& c) { return c.lightness() > 235; }) > 0.8);
+  CHECK(!test::box_of_solid(hand).isEmpty());
+}
+
+TEST_CASE("the wheel keeps the place under the pointer, Alt drags turn, shift and near", "[viewport]") {
+  StudioFixture hand;
+  hand.draw(test::snake_sketch());
+  hand.settle();
+  Viewport& view = hand.viewport();
+  const QPointF at = middle(view, Viewport::SketchView) + QPointF(60, 40);
+  const auto place = [&] {
+    const app::ViewPane& pane = view.pane(Viewport::SketchView);
+    const QPointF in_pane = at - pane.rect.topLeft();
+    return pane.sketch_frame().to_sketch({in_pane.x(), in_pane.y()});
+  };
+  const Vec2 before = place();
+  const double height = view.pane(Viewport::SketchView).camera.height;
+  QWheelEvent wheel(at, view.mapToGlobal(at), {}, {0, 240}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+  QApplication::sendEvent(&view, &wheel);
+  CHECK(view.pane(Viewport::SketchView).camera.height < height);
+  CHECK((place() - before).norm() < 1e-6);
+
+  const render::Camera start = view.pane(Viewport::PerspectiveView).camera;
+  const QPointF solid = middle(view, Viewport::PerspectiveView);
+  hand.drag_pixels(solid, solid + QPointF(80, 30), Qt::LeftButton, Qt::AltModifier);
+  const render::Camera turned = view.pane(Viewport::PerspectiveView).camera;
+  CHECK(glm::length(turned.eye - start.eye) > 1);
+  CHECK(glm::length(turned.target - start.target) < 1e-9);
+  CHECK(glm::length(turned.eye - turned.target) == Approx(glm::length(start.eye - start.target)));
+  hand.drag_pixels(solid, solid + QPointF(40, 0), Qt::MiddleButton, Qt::AltModifier);
+  CHECK(glm::length(view.pane(Viewport::PerspectiveView).camera.target - turned.target) > 1);
+  const render::Camera moved = view.pane(Viewport::PerspectiveView).camera;
+  hand.drag_pixels(solid, solid + QPointF(60, 0), Qt::RightButton, Qt::AltModifier);
+  const render::Camera neared = view.pane(Viewport::PerspectiveView).camera;
+  CHECK(glm::length(neared.eye - neared.target) < glm::length(moved.eye - moved.target));
+  // Navigation is no edit.
+  CHECK(hand.studio().session().undo_labels().size() == 2);
+}
+
+TEST_CASE("space shows the view under the pointer alone and both again", "[viewport]") {
+  StudioFixture hand;
+  hand.draw(test::snake_sketch());
+  Viewport& view = hand.viewport();
+  QTest::mouseMove(&view, middle(view, Viewport::PerspectiveView).toPoint());
+  hand.act("layout");
+  CHECK(!view.pane(Viewport::SketchView).visible());
+  CHECK(view.pane(Viewport::PerspectiveView).rect.width() == Approx(view.width()));
+  hand.act("layout");
+  CHECK(view.pane(Viewport::SketchView).visible());
+}
+
+TEST_CASE("strokes are erased, deleted and given up with Escape", "[viewport]") {
+  StudioFixture hand;
+  hand.draw(test::linked_rings_sketch());
+  hand.settle();
+  const std::size_t all = hand.studio().drawing().strokes.size();
+  hand.begin_stroke({{0, 0}, {30, 30}});
+  hand.act("deselect");
+  CHECK(hand.studio().drawing().strokes.size() == all);
+  hand.end_stroke({30, 30});
+  CHECK(hand.studio().drawing().strokes.size() == all);
+
+  hand.act("erase");
+  const Stroke& stroke = hand.studio().drawing().strokes.front();
+  const Vec2 on_stroke = stroke.samples[stroke.samples.size() / 2].position;
+  hand.drag(on_stroke - Vec2(4, 4), on_stroke + Vec2(4, 4));
+  CHECK(hand.studio().drawing().strokes.size() < all);
+  hand.act("undo");
+  hand.act("select-all");
+  hand.act("delete");
+  CHECK(hand.studio().drawing().strokes.empty());
+  hand.act("undo");
+  CHECK(hand.studio().drawing().strokes.size() == all);
+}
+
+TEST_CASE("a fast pen loses nothing: three thousand events, three thousand samples", "[viewport]") {
+  StudioFixture hand;
+  hand.look_at({-300, -300}, {300, 300});
+  std::vector<Vec2> spiral;
+  for (int k = 0; k < 3000; ++k) {
+    const double angle = 0.02 * k;
+    spiral.emplace_back((40 + 0.06 * k) * std::cos(angle), (40 + 0.06 * k) * std::sin(angle));
+  }
+  hand.draw(spiral);
+  REQUIRE(hand.studio().drawing().strokes.size() == 1);
+  CHECK(hand.studio().drawing().strokes.front().samples.size() >= 3000);
+}
+
+TEST_CASE("the window answers while a solid is computed, and cancel keeps the last one", "[viewport]") {
+  StudioFixture hand;
+  hand.draw(test::octopus_sketch());
+  hand.settle();
+  const auto shown = hand.studio().solid();
+  REQUIRE(shown != nullptr);
+  hand.studio().set_parameter(hand.studio().solid_node(), "resolution", 2.0, false);
+  CHECK(hand.studio().busy());
+  hand.studio().cancel();
+  hand.wait_for([&] { return !hand.studio().busy(); });
+  CHECK(hand.studio().solid() != nullptr);
+}
