@@ -5,6 +5,7 @@
 
 #include "croquis/render/renderer.h"
 #include "render/frame_buffers.h"
+#include "render/screen_rect.h"
 #include "render/view_frame.h"
 
 namespace croquis::render {
@@ -17,6 +18,7 @@ struct Drawing {
   ViewFrame view;  ///< of the surfaces' frame, border included
   int border = 0;  ///< pixels of it around the viewport
   int samples = 1;
+  ScreenRect seen;  ///< where surfaces may be, pixels of that frame
 };
 
 /// Where lines and marks are drawn: exactly the viewport, a sample per pixel.

@@ -52,7 +52,7 @@ class Renderer::Implementation {
 
  private:
   void drop_expired();
-  void draw_background(const Drawing& drawing, const glm::ivec2& origin);
+  void draw_picture(const Drawing& drawing, const glm::ivec2& origin);
   void draw_overlay(const Drawing& drawing, const OverlayFrame& frame);
   void copy_canvas(const glm::ivec2& origin);
   void fill_screen() const;
@@ -77,12 +77,12 @@ void Renderer::Implementation::fill_screen() const {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void Renderer::Implementation::draw_background(const Drawing& drawing, const glm::ivec2& origin) {
-  if (!drawing.scene.meshes.empty()) return surfaces_.compose(drawing, origin);
+void Renderer::Implementation::draw_picture(const Drawing& drawing, const glm::ivec2& origin) {
   paper_.use();
   paper_.set("viewport_origin", origin);
   set_backdrop(paper_, drawing.options, drawing.view);
   fill_screen();
+  if (!drawing.scene.meshes.empty()) surfaces_.compose(drawing, origin);
 }
 
 void Renderer::Implementation::draw_overlay(const Drawing& drawing, const OverlayFrame& frame) {
@@ -107,17 +107,18 @@ void Renderer::Implementation::draw(const Scene& scene, const Camera& camera, co
   set_plain_state();
   drop_expired();
   const Bounds bounds = bounds_of_surfaces(scene);
-  Drawing drawing{scene, options, viewport, {}, border_of(options, viewport), 1};
+  const glm::ivec2 size(viewport.width, viewport.height);
+  Drawing drawing{scene, options, viewport, {}, border_of(options, viewport), 1, {}};
   drawing.view = make_view_frame(camera, bounds, viewport, drawing.border);
+  drawing.seen = seen_part(bounds, drawing.view, size + 2 * drawing.border);
   if (!scene.meshes.empty()) surfaces_.draw(drawing);
 
   const glm::ivec2 origin(viewport.x, viewport.y);
-  const glm::ivec2 size(viewport.width, viewport.height);
   if (has_overlay(scene, options)) {
     const OverlayFrame frame{make_view_frame(camera, bounds, viewport, 0), glm::vec2(size),
                              scene.meshes.empty() ? nullptr : &surfaces_.buffers(), drawing.border};
     canvas_.begin(size);
-    draw_background(drawing, glm::ivec2(0));
+    draw_picture(drawing, glm::ivec2(0));
     draw_overlay(drawing, frame);
   }
   host.bind_framebuffers();
@@ -126,7 +127,7 @@ void Renderer::Implementation::draw(const Scene& scene, const Camera& camera, co
   if (has_overlay(scene, options)) {
     copy_canvas(origin);
   } else {
-    draw_background(drawing, origin);
+    draw_picture(drawing, origin);
   }
   check_gl("drawing a picture");
 }

@@ -23,6 +23,18 @@ double contour_half_width(const Drawing& drawing) {
   return 0.5 * std::clamp(drawing.options.contour_width, 0.5, 8.0) * samples_per_pixel(drawing);
 }
 
+int contour_pixels(const Drawing& drawing) {
+  return static_cast<int>(std::ceil(contour_half_width(drawing) / drawing.samples));
+}
+
+/// Where surfaces, their contours and polylines may be seen.
+ScreenRect drawn_part(const Drawing& drawing) {
+  const double line_width = std::clamp(drawing.options.line_width, 0.1, 32.0) * drawing.options.pixel_ratio;
+  return drawing.seen.grown(2 + contour_pixels(drawing) + static_cast<int>(std::ceil(line_width)));
+}
+
+bool is_quick(const Drawing& drawing) { return drawing.samples == 1 && !wants_occlusion(drawing.options); }
+
 float wire_width(const Drawing& drawing) {
   return static_cast<float>(std::clamp(drawing.options.wire_width, 0.1, 8.0) * samples_per_pixel(drawing));
 }
@@ -139,6 +151,8 @@ void SurfacePainter::fill_screen() const {
 
 void SurfacePainter::find_contours(const Drawing& drawing) {
   glBindFramebuffer(GL_FRAMEBUFFER, buffers_.front().marks_target.name());
+  // The spreading reads marks within reach, and composing reads its results within reach.
+  set_scissor(drawn_part(drawing).grown(2 * contour_pixels(drawing)), glm::ivec2(0), drawing.samples);
   contour_detect_.use();
   contour_detect_.set_texture("normals", 0, buffers_.front().normals);
   contour_detect_.set_texture("depths", 1, buffers_.front().depths);
@@ -158,6 +172,7 @@ void SurfacePainter::find_openness(const Drawing& drawing) {
   const OcclusionReach reach = occlusion_reach(drawing.view.crop.picture_height);
   glBindFramebuffer(GL_FRAMEBUFFER, buffers_.front().openness_target.name());
   glViewport(0, 0, buffers_.front().size.pixel_width, buffers_.front().size.pixel_height);
+  set_scissor(drawn_part(drawing).grown(2), glm::ivec2(0), 1);  // composing smooths over two pixels
   occlusion_.use();
   occlusion_.set_texture("normals", 0, buffers_.front().normals);
   occlusion_.set_texture("depths", 1, buffers_.front().depths);
@@ -171,38 +186,70 @@ void SurfacePainter::find_openness(const Drawing& drawing) {
   fill_screen();
 }
 
-void SurfacePainter::compose(const Drawing& drawing, const glm::ivec2& origin) {
-  const ViewFrame& view = drawing.view;
-  const RenderOptions& options = drawing.options;
+void SurfacePainter::set_composed(const ShaderProgram& program, const Drawing& drawing,
+                                  const glm::ivec2& origin) const {
+  const FrameBuffers& frame = buffers_.front();
+  program.set_texture("colors", 0, frame.colors);
+  program.set_texture("normals", 1, frame.normals);
+  program.set_texture("depths", 2, frame.depths);
+  program.set_texture("overlay", 3, frame.overlay);
+  program.set("viewport_origin", origin);
+  program.set("border", drawing.border);
+  program.set("perspective", drawing.view.perspective);
+  program.set("view_extent", drawing.view.extent);
+  program.set("view_center", drawing.view.center);
+  program.set("lit", drawing.options.shading == Shading::Clay);
+  program.set("contour_color", to_float(drawing.options.contour_color));
+}
+
+void SurfacePainter::compose_carefully(const Drawing& drawing, const glm::ivec2& origin) {
   composite_.use();
-  composite_.set_texture("colors", 0, buffers_.front().colors);
-  composite_.set_texture("normals", 1, buffers_.front().normals);
-  composite_.set_texture("depths", 2, buffers_.front().depths);
-  composite_.set_texture("overlay", 3, buffers_.front().overlay);
+  set_composed(composite_, drawing, origin);
   composite_.set_texture("row_distances", 4, buffers_.front().row_distances);
   composite_.set_texture("openness", 5, buffers_.front().openness);
   composite_.set("samples", drawing.samples);
-  composite_.set("viewport_origin", origin);
-  composite_.set("border", drawing.border);
-  composite_.set("perspective", view.perspective);
-  composite_.set("view_extent", view.extent);
-  composite_.set("view_center", view.center);
-  set_backdrop(composite_, options, view);
-  composite_.set("lit", options.shading == Shading::Clay);
-  composite_.set("occluded", wants_occlusion(options));
-  composite_.set("contours", options.contours);
+  set_backdrop(composite_, drawing.options, drawing.view);
+  composite_.set("occluded", wants_occlusion(drawing.options));
+  composite_.set("contours", drawing.options.contours);
   composite_.set("contour_half_width", static_cast<float>(contour_half_width(drawing)));
   composite_.set("contour_reach", static_cast<int>(std::ceil(contour_half_width(drawing))));
-  composite_.set("contour_color", to_float(options.contour_color));
   fill_screen();
+}
+
+void SurfacePainter::compose_quickly(const Drawing& drawing, const glm::ivec2& origin) {
+  composite_quick_.use();
+  set_composed(composite_quick_, drawing, origin);
+  const int reach = std::max(1, static_cast<int>(std::lround(contour_half_width(drawing))));
+  composite_quick_.set("contour_reach", drawing.options.contours ? reach : 0);
+  composite_quick_.set("contour_break", 0.02F * drawing.view.picture_height);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  fill_screen();
+  glDisable(GL_BLEND);
+}
+
+void SurfacePainter::compose(const Drawing& drawing, const glm::ivec2& origin) {
+  ScreenRect rect = drawn_part(drawing);
+  rect.low = glm::max(rect.low, glm::ivec2(drawing.border));
+  rect.high = glm::min(rect.high,
+                       glm::ivec2(drawing.border + drawing.viewport.width, drawing.border + drawing.viewport.height));
+  set_scissor(rect, origin - drawing.border, 1);
+  if (is_quick(drawing)) {
+    compose_quickly(drawing, origin);
+  } else {
+    compose_carefully(drawing, origin);
+  }
+  glDisable(GL_SCISSOR_TEST);
 }
 
 void SurfacePainter::draw(Drawing& drawing) {
   prepare_buffers(drawing);
   draw_surfaces(drawing);
   draw_overlay(drawing);
+  if (is_quick(drawing)) return;
   if (drawing.options.contours) find_contours(drawing);
   if (wants_occlusion(drawing.options)) find_openness(drawing);
+  glDisable(GL_SCISSOR_TEST);
 }
 
 }  // namespace croquis::render

@@ -11,13 +11,14 @@
 
 namespace croquis::render {
 
-/// Draws meshes: first what is seen at every sample into textures, then light, contours and background from these.
+/// Draws meshes: first what is seen at every sample into textures, then light, contours and background from these, only
+/// where something may be seen. One sample without hollows is drawn in a quicker way, with plainer contours.
 class SurfacePainter {
  public:
   /// Fills the textures; the framebuffer binding and the viewport change. Decides the drawing's samples.
   void draw(Drawing& drawing);
 
-  /// Puts the picture and its backdrop into the framebuffer and viewport that are set.
+  /// Puts surfaces over their backdrop into the framebuffer and viewport that are set, which shows the backdrop.
   /// @param origin the viewport's lower left pixel in that framebuffer
   void compose(const Drawing& drawing, const glm::ivec2& origin);
 
@@ -30,6 +31,9 @@ class SurfacePainter {
   void draw_overlay(const Drawing& drawing);
   void find_contours(const Drawing& drawing);
   void find_openness(const Drawing& drawing);
+  void compose_carefully(const Drawing& drawing, const glm::ivec2& origin);
+  void compose_quickly(const Drawing& drawing, const glm::ivec2& origin);
+  void set_composed(const ShaderProgram& program, const Drawing& drawing, const glm::ivec2& origin) const;
   void fill_screen() const;
 
   ShaderProgram surface_ = ShaderProgram({"surface.vert", "surface.frag"});
@@ -37,7 +41,8 @@ class SurfacePainter {
   ShaderProgram contour_detect_ = ShaderProgram({"screen.vert", "contour_detect.frag"});
   ShaderProgram contour_spread_ = ShaderProgram({"screen.vert", "contour_spread.frag"});
   ShaderProgram occlusion_ = ShaderProgram({"screen.vert", "occlusion.frag"});
-  ShaderProgram composite_ = ShaderProgram({"screen.vert", "composite.frag", "backdrop.frag"});
+  ShaderProgram composite_ = ShaderProgram({"screen.vert", "composite.frag", "backdrop.frag", "light.frag"});
+  ShaderProgram composite_quick_ = ShaderProgram({"screen.vert", "composite_quick.frag", "light.frag"});
   GlHandle no_attributes_ = make_vertex_array();  // core profiles draw nothing without a vertex array
   GpuCache<MeshItem, GpuMesh> gpu_meshes_;
   std::list<FrameBuffers> buffers_;  // of views drawn lately, the last one first
