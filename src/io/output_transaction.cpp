@@ -2,16 +2,15 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "croquis/base/error.h"
 #include "croquis/io/file.h"
 #include "io/descriptor.h"
+#include "io/file_errors.h"
 
 namespace croquis {
 namespace {
@@ -19,22 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int temporary_name_attempts = 10000;  // names of crashed runs that may still lie there
-
-[[noreturn]] void fail(const std::string& path, const std::string& reason) {
-  throw Error(make_error(Category::Io, "E_WRITE", "The file '" + path + "' can't be written: " + reason + ".",
-                         {{SubjectKind::File, path, path, std::nullopt, {}}}));
-}
-
-std::string reason_of(int error) {
-  switch (error) {
-    case ENOENT: return "its folder does not exist";
-    case ENOTDIR: return "a part of its path is not a folder";
-    case EISDIR: return "it is a folder";
-    case EACCES: return "you have no permission to write there";
-    case ENOSPC: return "the disk is full";
-    default: return std::strerror(error);
-  }
-}
 
 std::string sibling(const std::string& target, const char* ending, int attempt) {
   const fs::path path(target);
@@ -49,14 +32,14 @@ void write_all(int descriptor, const std::string& bytes, const std::string& path
   while (written < bytes.size()) {
     const ssize_t count = ::write(descriptor, bytes.data() + written, bytes.size() - written);
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail(path, reason_of(errno));
+    if (count < 0) fail_writing(path, writing_reason(errno));
     written += static_cast<std::size_t>(count);
   }
 }
 
 void write_directly(const std::string& path, const std::string& bytes) {
   Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-  if (!file.valid()) fail(path, reason_of(errno));
+  if (!file.valid()) fail_writing(path, writing_reason(errno));
   write_all(file.get(), bytes, path);
 }
 
@@ -73,7 +56,7 @@ OutputTransaction::~OutputTransaction() { roll_back(); }
 
 void OutputTransaction::add(const std::string& path, std::string bytes) {
   const bool known = std::any_of(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.path == path; });
-  if (known) fail(path, "it is named for two different outputs");
+  if (known) fail_writing(path, "it is named for two different outputs");
   Entry entry;
   entry.path = path;
   entry.bytes = std::move(bytes);
@@ -108,11 +91,11 @@ void OutputTransaction::prepare(Entry& entry) {
   entry.target = entry.path;
   struct stat status {};
   if (::stat(entry.path.c_str(), &status) != 0) {
-    if (errno != ENOENT) fail(entry.path, reason_of(errno));
+    if (errno != ENOENT) fail_writing(entry.path, writing_reason(errno));
     return;
   }
-  if (S_ISDIR(status.st_mode)) fail(entry.path, reason_of(EISDIR));
-  if (::access(entry.path.c_str(), W_OK) != 0) fail(entry.path, reason_of(errno));
+  if (S_ISDIR(status.st_mode)) fail_writing(entry.path, writing_reason(EISDIR));
+  if (::access(entry.path.c_str(), W_OK) != 0) fail_writing(entry.path, writing_reason(errno));
   entry.existed = true;
   entry.direct = !S_ISREG(status.st_mode);
   std::error_code error;
@@ -127,15 +110,15 @@ void OutputTransaction::write_temporary(Entry& entry) {
     const std::string name = sibling(entry.target, ".tmp", attempt);
     Descriptor file(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (!file.valid() && errno == EEXIST) continue;
-    if (!file.valid()) fail(entry.path, reason_of(errno));
+    if (!file.valid()) fail_writing(entry.path, writing_reason(errno));
     entry.temporary = name;
     if (replaces) ::fchmod(file.get(), status.st_mode & 07777);
     write_all(file.get(), entry.bytes, entry.path);
-    if (::fsync(file.get()) != 0 && errno != EINVAL) fail(entry.path, reason_of(errno));
-    if (!file.close()) fail(entry.path, reason_of(errno));
+    if (::fsync(file.get()) != 0 && errno != EINVAL) fail_writing(entry.path, writing_reason(errno));
+    if (!file.close()) fail_writing(entry.path, writing_reason(errno));
     return;
   }
-  fail(entry.path, "no temporary name is free beside it");
+  fail_writing(entry.path, "no temporary name is free beside it");
 }
 
 void OutputTransaction::keep_backup(Entry& entry) {
@@ -153,7 +136,7 @@ void OutputTransaction::keep_backup(Entry& entry) {
 void OutputTransaction::rename_all() {
   for (Entry& entry : entries_) {
     if (entry.direct) continue;
-    if (::rename(entry.temporary.c_str(), entry.target.c_str()) != 0) fail(entry.path, reason_of(errno));
+    if (::rename(entry.temporary.c_str(), entry.target.c_str()) != 0) fail_writing(entry.path, writing_reason(errno));
     entry.temporary.clear();
     entry.renamed = true;
   }

@@ -124,7 +124,7 @@ std::set<std::string> reachable(const std::map<std::string, ModuleRule>& rules, 
 }
 
 std::string library_of(const std::string& system_include) {
-  static constexpr std::array<std::pair<const char*, const char*>, 14> prefixes = {{{"Eigen/", "eigen"},
+  static constexpr std::array<std::pair<const char*, const char*>, 15> prefixes = {{{"Eigen/", "eigen"},
                                                                                     {"CGAL/", "cgal"},
                                                                                     {"OpenMesh/", "openmesh"},
                                                                                     {"opensubdiv/", "opensubdiv"},
@@ -137,6 +137,7 @@ std::string library_of(const std::string& system_include) {
                                                                                     {"tiny_gltf", "tinygltf"},
                                                                                     {"png.h", "libpng"},
                                                                                     {"xxhash", "xxhash"},
+                                                                                    {"sqlite3", "sqlite"},
                                                                                     {"Q", "qt"}}};
   for (const auto& [prefix, library] : prefixes) {
     if (system_include.starts_with(prefix)) return library;

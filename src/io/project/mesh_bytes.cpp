@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "io/project/value_bytes.h"
+
+namespace croquis {
+namespace {
+
+constexpr std::size_t least_channel_bytes = 3 * sizeof(std::uint64_t) + sizeof(std::int32_t) + 2;
+
+/// Calls `use` with an empty vector of the type with that number in AttributeChannel::Data.
+template <std::size_t I = 0, typename Use>
+void with_type(std::size_t type, const Use& use) {
+  if constexpr (I < std::variant_size_v<AttributeChannel::Data>) {
+    if (type == I) {
+      use(std::variant_alternative_t<I, AttributeChannel::Data>{});
+    } else {
+      with_type<I + 1>(type, use);
+    }
+  } else {
+    throw BadBytes("a channel's type is not known");
+  }
+}
+
+void write_positions(const std::vector<Vec3>& positions, ByteWriter& writer) {
+  writer.count(positions.size());
+  for (const Vec3& position : positions) {
+    for (int axis = 0; axis < 3; ++axis) writer.number(position[axis]);
+  }
+}
+
+std::vector<Vec3> read_positions(ByteReader& reader) {
+  std::vector<Vec3> positions(reader.count(3 * sizeof(double)));
+  for (Vec3& position : positions) {
+    for (int axis = 0; axis < 3; ++axis) position[axis] = reader.number<double>();
+  }
+  return positions;
+}
+
+void write_channel(const AttributeChannel& channel, ByteWriter& writer) {
+  writer.text(channel.name);
+  writer.number(static_cast<std::uint8_t>(channel.domain));
+  writer.number(static_cast<std::int32_t>(channel.width));
+  writer.number(static_cast<std::uint8_t>(channel.data.index()));
+  std::visit([&](const auto& values) { writer.numbers(values); }, channel.data);
+  writer.count(channel.labels.size());
+  for (const std::string& label : channel.labels) writer.text(label);
+}
+
+AttributeChannel read_channel(ByteReader& reader) {
+  AttributeChannel channel;
+  channel.name = reader.text();
+  const auto domain = reader.number<std::uint8_t>();
+  if (domain > static_cast<std::uint8_t>(Domain::Line)) throw BadBytes("a channel's domain is not known");
+  channel.domain = static_cast<Domain>(domain);
+  channel.width = reader.number<std::int32_t>();
+  with_type(reader.number<std::uint8_t>(),
+            [&]<typename T>(const std::vector<T>&) { channel.data = reader.numbers<T>(); });
+  channel.labels.resize(reader.count(sizeof(std::uint64_t)));
+  for (std::string& label : channel.labels) label = reader.text();
+  return channel;
+}
+
+void require_lists(const std::vector<Index>& offsets, const std::vector<Index>& vertices, std::size_t vertex_count) {
+  const bool cut = !offsets.empty() && offsets.front() == 0 && offsets.back() == vertices.size() &&
+                   std::is_sorted(offsets.begin(), offsets.end());
+  if (!cut) throw BadBytes("its faces or lines are not whole");
+  const auto in_range = [&](Index vertex) { return vertex < vertex_count; };
+  if (!std::all_of(vertices.begin(), vertices.end(), in_range)) throw BadBytes("a vertex index is out of range");
+}
+
+void require_channel(const AttributeChannel& channel, std::size_t elements) {
+  const bool fits = channel.width > 0 && channel.size() % static_cast<std::size_t>(channel.width) == 0 &&
+                    channel.size() / static_cast<std::size_t>(channel.width) == elements;
+  if (!fits) throw BadBytes("a channel has not one value per element");
+}
+
+}  // namespace
+
+void write_mesh_bytes(const PolyMesh& mesh, ByteWriter& writer) {
+  write_positions(mesh.positions, writer);
+  for (const auto* indices : {&mesh.face_offsets, &mesh.corners, &mesh.line_offsets, &mesh.line_vertices}) {
+    writer.numbers(*indices);
+  }
+  writer.count(mesh.channels.size());
+  for (const AttributeChannel& channel : mesh.channels) write_channel(channel, writer);
+}
+
+PolyMesh read_mesh_bytes(ByteReader& reader) {
+  PolyMesh mesh;
+  mesh.positions = read_positions(reader);
+  for (auto* indices : {&mesh.face_offsets, &mesh.corners, &mesh.line_offsets, &mesh.line_vertices}) {
+    *indices = reader.numbers<Index>();
+  }
+  require_lists(mesh.face_offsets, mesh.corners, mesh.vertex_count());
+  require_lists(mesh.line_offsets, mesh.line_vertices, mesh.vertex_count());
+  for (std::size_t left = reader.count(least_channel_bytes); left > 0; --left) {
+    mesh.channels.push_back(read_channel(reader));
+    require_channel(mesh.channels.back(), mesh.element_count(mesh.channels.back().domain));
+  }
+  return mesh;
+}
+
+}  // namespace croquis

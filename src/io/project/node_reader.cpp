@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/project/node_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "io/project/byte_stream.h"
+
+namespace croquis {
+namespace {
+
+using RowsById = std::map<NodeId, NodeRow>;
+
+/// The last id can't be used: the next one must be greater.
+bool usable_id(NodeId id) { return id != 0 && id != std::numeric_limits<NodeId>::max(); }
+
+bool is_bit(std::int64_t value) { return value == 0 || value == 1; }
+
+bool is_int(std::int64_t value) {
+  return value >= std::numeric_limits<int>::min() && value <= std::numeric_limits<int>::max();
+}
+
+void read_node(const Statement& row, RowsById& rows, DamageLog& damage) {
+  NodeRow read;
+  read.node.id = from_row_id(row.integer(0));
+  read.position = row.integer(1);
+  read.node.name = row.text(2);
+  read.node.operation = row.text(3);
+  const std::int64_t version = row.integer(4);
+  const std::int64_t visible = row.integer(5);
+  if (!usable_id(read.node.id) || !is_int(version) || !is_bit(visible)) {
+    damage.lose(title_of(read.node) + " has values that can't be and is left out", {node_subject(read.node)});
+    return;
+  }
+  read.node.version = static_cast<int>(version);
+  read.node.visible = visible == 1;
+  const NodeId id = read.node.id;
+  rows.insert_or_assign(id, std::move(read));
+}
+
+std::optional<double> read_number(const Statement& row) {
+  if (row.is_number(3)) return row.number(3);
+  if (!row.is_blob(3)) return std::nullopt;
+  std::array<char, sizeof(double)> bytes{};
+  const std::string_view blob = row.blob(3);
+  if (blob.size() != bytes.size()) return std::nullopt;
+  std::copy(blob.begin(), blob.end(), bytes.begin());
+  return from_little_endian<double>(bytes);
+}
+
+std::optional<ParameterValue> read_parameter_value(const Statement& row) {
+  const std::string_view type = row.text(2);
+  if (type == "flag" && row.is_integer(3) && is_bit(row.integer(3))) return row.integer(3) == 1;
+  if (type == "integer" && row.is_integer(3)) return row.integer(3);
+  if (type == "text" && row.is_text(3)) return std::string(row.text(3));
+  if (type != "number") return std::nullopt;
+  const auto number = read_number(row);
+  return number ? std::optional<ParameterValue>(*number) : std::nullopt;
+}
+
+void read_parameter(const Statement& row, RowsById& rows, DamageLog& damage) {
+  const auto owner = rows.find(from_row_id(row.integer(0)));
+  if (owner == rows.end()) return;
+  const std::string name(row.text(1));
+  if (auto value = read_parameter_value(row)) {
+    owner->second.node.parameters.insert_or_assign(name, *std::move(value));
+    return;
+  }
+  damage.lose(title_of(owner->second.node) + " has lost its parameter '" + printable(name) + "'",
+              {node_subject(owner->second.node), {SubjectKind::Parameter, printable(name), {}, {}, {}}});
+}
+
+void read_link(const Statement& row, RowsById& rows) {
+  const auto owner = rows.find(from_row_id(row.integer(0)));
+  if (owner == rows.end()) return;
+  std::string input(row.text(1));
+  owner->second.node.inputs.insert_or_assign(std::move(input),
+                                             Link{from_row_id(row.integer(2)), std::string(row.text(3))});
+}
+
+std::optional<ValueType> kind_of(std::string_view word) {
+  for (const ValueType type : {ValueType::Mesh, ValueType::Drawing, ValueType::Report}) {
+    if (word == to_string(type)) return type;
+  }
+  return std::nullopt;
+}
+
+void read_source(const Statement& row, RowsById& rows, DamageLog& damage) {
+  const auto owner = rows.find(from_row_id(row.integer(0)));
+  if (owner == rows.end()) return;
+  const auto kind = kind_of(row.text(1));
+  if (!kind) {
+    damage.lose(title_of(owner->second.node) + " is of a kind that this version doesn't know and is left out",
+                {node_subject(owner->second.node)});
+    rows.erase(owner);
+    return;
+  }
+  owner->second.kind = kind;
+  owner->second.hash = row.blob(2);
+}
+
+std::vector<NodeRow> in_order(RowsById rows) {
+  std::vector<NodeRow> ordered;
+  ordered.reserve(rows.size());
+  for (auto& [id, row] : rows) ordered.push_back(std::move(row));
+  std::stable_sort(ordered.begin(), ordered.end(),
+                   [](const NodeRow& a, const NodeRow& b) { return a.position < b.position; });
+  return ordered;
+}
+
+}  // namespace
+
+std::string title_of(const Node& node) {
+  return "node " + std::to_string(node.id) + " ('" + printable(node.name) + "')";
+}
+
+Subject node_subject(const Node& node) { return {SubjectKind::Node, std::to_string(node.id), {}, {}, {}}; }
+
+std::vector<NodeRow> read_node_rows(const Database& database, DamageLog& damage) {
+  RowsById rows;
+  each_row(database, "SELECT id, position, name, operation, version, visible FROM nodes", "nodes", damage,
+           [&](const Statement& row) { read_node(row, rows, damage); });
+  each_row(database, "SELECT node, name, type, value FROM parameters", "parameters", damage,
+           [&](const Statement& row) { read_parameter(row, rows, damage); });
+  each_row(database, "SELECT node, input, source, output FROM links", "links", damage,
+           [&](const Statement& row) { read_link(row, rows); });
+  each_row(database, "SELECT node, kind, hash FROM sources", "sources", damage,
+           [&](const Statement& row) { read_source(row, rows, damage); });
+  return in_order(std::move(rows));
+}
+
+}  // namespace croquis

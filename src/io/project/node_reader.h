@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "croquis/document/document.h"
+#include "io/project/damage_log.h"
+#include "io/project/database.h"
+#include "io/project/node_rows.h"
+
+namespace croquis {
+
+/// The rows of all nodes that can be read, in the document's order, without their sources' values. What can't be read
+/// is noted.
+/// @throws Cancelled
+std::vector<NodeRow> read_node_rows(const Database& database, DamageLog& damage);
+
+/// How findings call a node.
+std::string title_of(const Node& node);
+Subject node_subject(const Node& node);
+
+/// Runs `use` for every row of a statement; what stops it is noted as damage of that table.
+template <typename Use>
+void each_row(const Database& database, const char* sql, const char* table, DamageLog& damage, const Use& use) {
+  try {
+    Statement statement(database, sql);
+    while (statement.step()) use(statement);
+  } catch (const DatabaseError& error) {
+    damage.lose(std::string("the table '") + table + "' can't be read to its end (" + printable(error.what()) + ")");
+  }
+}
+
+}  // namespace croquis

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/project/project_reader.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "croquis/base/error.h"
+#include "io/project/blob_store.h"
+#include "io/project/byte_stream.h"
+#include "io/project/damage_log.h"
+#include "io/project/node_reader.h"
+#include "io/project/project_writer.h"
+#include "io/project/schema.h"
+#include "io/project/value_bytes.h"
+
+namespace croquis {
+namespace {
+
+/// Pictures of a few hundred pixels a side; more than this is no thumbnail.
+constexpr std::size_t max_thumbnail_bytes = 16 * 1024 * 1024;
+constexpr std::string_view png_magic = "\x89PNG\r\n\x1a\n";
+
+template <typename Number>
+Number parse_or(const std::string& text, Number otherwise) {
+  Number value{};
+  const auto end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, value);
+  return parsed.ec == std::errc{} && parsed.ptr == end ? value : otherwise;
+}
+
+class ProjectReader {
+ public:
+  ProjectReader(Database& database, const std::string& file_name, Progress& progress)
+      : database_(database), progress_(progress), damage_(file_name) {}
+
+  ProjectFile read() {
+    read_version();
+    check_tables();
+    check_version();
+    check_pages();
+    std::vector<NodeRow> rows = read_node_rows(database_, damage_);
+    const auto next_id = parse_or<NodeId>(meta("next_id"), 0);
+    check_sum(rows, next_id);
+    read_sources(rows);
+    drop_dead_links(rows);
+    ProjectFile project;
+    project.document = assemble(std::move(rows), next_id);
+    project.thumbnail_png = thumbnail();
+    progress_.report(1);
+    project.warnings = std::move(warnings_);
+    const Findings losses = damage_.warnings();
+    project.warnings.insert(project.warnings.end(), losses.begin(), losses.end());
+    return project;
+  }
+
+ private:
+  std::string meta(const std::string& key) {
+    try {
+      return read_meta(database_, key);
+    } catch (const DatabaseError&) {
+      return "";  // check_pages and the nodes tell of it
+    }
+  }
+
+  void read_version() {
+    try {
+      version_ = database_.integer("PRAGMA user_version");
+    } catch (const DatabaseError& error) {
+      damage_.lose(printable(error.what()));
+      damage_.refuse();
+    }
+  }
+
+  // A newer project says from which schema on it can be read.
+  void check_version() {
+    if (version_ <= project_schema_version) return;
+    const auto since = parse_or<std::int64_t>(meta("readable_since"), version_);
+    const std::string saved = "The project '" + damage_.file() + "' was saved by a newer Croquis (schema " +
+                              std::to_string(version_) + ", this one knows " + std::to_string(project_schema_version) +
+                              ")";
+    const std::vector<Subject> subjects = {file_subject(damage_.file())};
+    if (since > project_schema_version) {
+      throw Error(
+          make_error(Category::Malformed, "E_PROJECT_VERSION", saved + "; open it with that version.", subjects));
+    }
+    warnings_.push_back(make_warning(Category::Malformed, "W_PROJECT_NEWER",
+                                     saved + "; what this version doesn't know is left out when you save it.",
+                                     subjects));
+  }
+
+  // Virtual tables (those without pages) are refused before any statement touches them: they run code of their own.
+  void check_tables() {
+    std::set<std::string> unknown;
+    const char* sql = "SELECT name, type, rootpage FROM sqlite_schema";
+    each_row(database_, sql, "sqlite_schema", damage_, [&](const Statement& row) {
+      const std::string name(row.text(0));
+      if (row.text(1) == "table" && row.integer(2) == 0) {
+        damage_.lose("its table '" + printable(name) + "' is not a stored one");
+        damage_.refuse();
+      }
+      const bool index = row.text(1) == "index" || name.starts_with("sqlite_");
+      const bool known = std::find(project_tables.begin(), project_tables.end(), name) != project_tables.end();
+      if (!index && !known) unknown.insert(printable(name));
+    });
+    if (unknown.empty()) return;
+    std::string list;
+    for (const std::string& name : unknown) list += (list.empty() ? "'" : ", '") + name + "'";
+    warnings_.push_back(make_warning(Category::Malformed, "W_IGNORED",
+                                     "The project '" + damage_.file() + "' has tables that mean nothing to this " +
+                                         "version (" + list + "); they are left out when you save it.",
+                                     {file_subject(damage_.file())}));
+  }
+
+  void check_pages() {
+    each_row(database_, "PRAGMA quick_check(1)", "sqlite_schema", damage_, [&](const Statement& row) {
+      const std::string answer(row.text(0));
+      if (answer != "ok") damage_.lose("some of its pages are broken (" + printable(answer) + ")");
+    });
+  }
+
+  void check_sum(const std::vector<NodeRow>& rows, NodeId next_id) {
+    const std::string wanted = meta("checksum");
+    if (wanted.empty() || version_ > project_schema_version || !damage_.empty()) return;
+    std::vector<const NodeRow*> all;
+    for (const NodeRow& row : rows) all.push_back(&row);
+    if (nodes_checksum(all, next_id) == wanted) return;
+    damage_.lose("names, parameters or links are not those that were saved, so look at them before you go on");
+  }
+
+  void read_sources(std::vector<NodeRow>& rows) {
+    std::size_t done = 0;
+    std::erase_if(rows, [&](NodeRow& row) {
+      progress_.report(static_cast<double>(done++) / static_cast<double>(rows.size()));
+      const Node& node = row.node;
+      // Its row in the table of sources is among what can't be read.
+      if (!row.kind) return node.operation.empty() && !damage_.empty();
+      const auto& [value, reason] = value_of(*row.kind, row.hash);
+      row.node.source = value;
+      if (value) return false;
+      damage_.lose(title_of(node) + " is left out since its contents can't be read: " + reason, {node_subject(node)});
+      return true;
+    });
+  }
+
+  using Loaded = std::pair<std::optional<Value>, std::string>;
+
+  // Nodes that have the same contents share them again, and a broken blob is looked at once.
+  const Loaded& value_of(ValueType kind, const std::string& hash) {
+    const auto [place, is_new] = values_.try_emplace({kind, hash});
+    if (!is_new) return place->second;
+    try {
+      place->second.first = decode(kind, load_blob(database_, hash, progress_));
+    } catch (const BadBytes& bad) {
+      place->second.second = bad.what();
+    } catch (const DatabaseError& error) {
+      place->second.second = printable(error.what());
+    }
+    return place->second;
+  }
+
+  // A whole file keeps all its links, even those that lead nowhere: the evaluator tells of them.
+  void drop_dead_links(std::vector<NodeRow>& rows) {
+    if (damage_.empty()) return;
+    std::set<NodeId> alive;
+    for (const NodeRow& row : rows) alive.insert(row.node.id);
+    for (NodeRow& row : rows) {
+      std::erase_if(row.node.inputs, [&](const auto& input) {
+        if (alive.contains(input.second.node)) return false;
+        damage_.lose(title_of(row.node) + " has lost its input '" + printable(input.first) + "'",
+                     {node_subject(row.node)});
+        return true;
+      });
+    }
+  }
+
+  Document assemble(std::vector<NodeRow> rows, NodeId next_id) {
+    if (rows.empty() && !damage_.empty()) damage_.refuse();
+    std::vector<std::shared_ptr<const Node>> nodes;
+    nodes.reserve(rows.size());
+    for (NodeRow& row : rows) nodes.push_back(std::make_shared<const Node>(std::move(row.node)));
+    return Document::of(std::move(nodes), next_id);
+  }
+
+  std::vector<std::uint8_t> thumbnail() {
+    try {
+      return read_thumbnail(database_);
+    } catch (const DatabaseError& error) {
+      damage_.lose("its thumbnail can't be read (" + printable(error.what()) + ")");
+      return {};
+    }
+  }
+
+  Database& database_;
+  Progress& progress_;
+  DamageLog damage_;
+  Findings warnings_;
+  std::int64_t version_ = 0;
+  std::map<std::pair<ValueType, std::string>, Loaded> values_;
+};
+
+}  // namespace
+
+ProjectFile read_project_database(Database& database, const std::string& file_name, Progress& progress) {
+  return ProjectReader(database, file_name, progress).read();
+}
+
+std::vector<std::uint8_t> read_thumbnail(const Database& database) {
+  Statement statement(database, "SELECT png FROM thumbnail LIMIT 1");
+  if (!statement.step() || !statement.is_blob(0)) return {};
+  const std::string_view bytes = statement.blob(0);
+  if (!bytes.starts_with(png_magic) || bytes.size() > max_thumbnail_bytes) return {};
+  return {bytes.begin(), bytes.end()};
+}
+
+std::string read_meta(const Database& database, const std::string& key) {
+  Statement statement(database, "SELECT value FROM meta WHERE key=?");
+  return statement.bind_text(0, key).step() ? std::string(statement.text(0)) : "";
+}
+
+}  // namespace croquis

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/project/project_writer.h"
+
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "io/project/blob_store.h"
+#include "io/project/byte_stream.h"
+#include "io/project/value_bytes.h"
+
+namespace croquis {
+namespace {
+
+const void* address_of(const Value& value) {
+  return std::visit([](const auto& pointer) -> const void* { return pointer.get(); }, value);
+}
+
+/// Binds a parameter's value to place 3.
+struct ParameterBinder {
+  Statement& statement;
+  std::string& scratch;
+  void operator()(bool value) const { statement.bind(3, std::int64_t{value}); }
+  void operator()(std::int64_t value) const { statement.bind(3, value); }
+  void operator()(const std::string& value) const { statement.bind_text(3, value); }
+  void operator()(double value) const {
+    // SQLite has no NaN and no negative zero; these go as their bytes.
+    if (!std::isnan(value) && (value != 0 || !std::signbit(value))) {
+      statement.bind(3, value);
+      return;
+    }
+    const auto bytes = little_endian(value);
+    scratch.assign(bytes.begin(), bytes.end());
+    statement.bind_blob(3, scratch);
+  }
+};
+
+void insert_parameters(const Database& database, const Node& node) {
+  Statement statement(database, "INSERT INTO parameters(node, name, type, value) VALUES(?, ?, ?, ?)");
+  for (const auto& [name, value] : node.parameters) {
+    std::string scratch;
+    statement.bind(0, to_row_id(node.id)).bind_text(1, name).bind_text(2, type_word(value));
+    std::visit(ParameterBinder{statement, scratch}, value);
+    statement.run();
+  }
+}
+
+void insert_links(const Database& database, const Node& node) {
+  Statement statement(database, "INSERT INTO links(node, input, source, output) VALUES(?, ?, ?, ?)");
+  for (const auto& [input, link] : node.inputs) {
+    statement.bind(0, to_row_id(node.id)).bind_text(1, input);
+    statement.bind(2, to_row_id(link.node)).bind_text(3, link.output).run();
+  }
+}
+
+}  // namespace
+
+void ProjectWriter::write(const Document& document, Progress& progress) {
+  State next;
+  next.document = document;
+  const auto& nodes = document.nodes();
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Node& node = *nodes[i];
+    next.entries[node.id] = {row_of(node, i, next, progress), &node};
+    progress.report(static_cast<double>(i + 1) / static_cast<double>(nodes.size()));
+  }
+  for (const auto& [id, entry] : confirmed_.entries) {
+    if (!next.entries.contains(id)) remove(id);
+  }
+  remove_unused_blobs(database_);
+  write_checksum(next);
+  written_ = std::move(next);
+}
+
+void ProjectWriter::confirm() { confirmed_ = std::move(written_); }
+
+NodeRow ProjectWriter::row_of(const Node& node, std::size_t position, State& next, const Progress& progress) {
+  const auto old = confirmed_.entries.find(node.id);
+  const bool known = old != confirmed_.entries.end();
+  const bool unmoved =
+      known && old->second.node == &node && old->second.row.position == static_cast<std::int64_t>(position);
+  NodeRow row{node, static_cast<std::int64_t>(position), std::nullopt, {}};
+  row.node.source.reset();
+  if (node.source) {
+    row.kind = type_of(*node.source);
+    row.hash = hash_of(*node.source, next, progress);
+  }
+  if (unmoved) return row;
+  if (known) remove(node.id);
+  insert(row);
+  return row;
+}
+
+std::string ProjectWriter::hash_of(const Value& value, State& next, const Progress& progress) {
+  const void* address = address_of(value);
+  for (const State* state : {&std::as_const(confirmed_), &std::as_const(next)}) {
+    const auto known = state->hashes.find(address);
+    if (known != state->hashes.end()) return next.hashes[address] = std::string(known->second);
+  }
+  const std::string bytes = encode(value);
+  const std::string hash = blob_hash(bytes);
+  store_blob(database_, hash, bytes, progress);
+  return next.hashes[address] = hash;
+}
+
+void ProjectWriter::insert(const NodeRow& row) {
+  const Node& node = row.node;
+  Statement(database_, "INSERT INTO nodes(id, position, name, operation, version, visible) VALUES(?, ?, ?, ?, ?, ?)")
+      .bind(0, to_row_id(node.id))
+      .bind(1, row.position)
+      .bind_text(2, node.name)
+      .bind_text(3, node.operation)
+      .bind(4, std::int64_t{node.version})
+      .bind(5, std::int64_t{node.visible})
+      .run();
+  insert_parameters(database_, node);
+  insert_links(database_, node);
+  if (!row.kind) return;
+  Statement(database_, "INSERT INTO sources(node, kind, hash) VALUES(?, ?, ?)")
+      .bind(0, to_row_id(node.id))
+      .bind_text(1, to_string(*row.kind))
+      .bind_blob(2, row.hash)
+      .run();
+}
+
+void ProjectWriter::remove(NodeId id) {
+  for (const char* sql : {"DELETE FROM nodes WHERE id=?", "DELETE FROM parameters WHERE node=?",
+                          "DELETE FROM links WHERE node=?", "DELETE FROM sources WHERE node=?"}) {
+    Statement(database_, sql).bind(0, to_row_id(id)).run();
+  }
+}
+
+void ProjectWriter::write_meta(const std::string& key, const std::string& value) {
+  Statement(database_, "INSERT OR REPLACE INTO meta(key, value) VALUES(?, ?)")
+      .bind_text(0, key)
+      .bind_text(1, value)
+      .run();
+}
+
+void ProjectWriter::write_thumbnail(const std::vector<std::uint8_t>& png) {
+  if (png.empty()) return;
+  const std::string_view bytes(reinterpret_cast<const char*>(png.data()), png.size());
+  Statement(database_, "INSERT OR REPLACE INTO thumbnail(id, png) VALUES(1, ?)").bind_blob(0, bytes).run();
+}
+
+void ProjectWriter::write_checksum(const State& state) {
+  std::vector<const NodeRow*> rows;
+  for (const auto& node : state.document.nodes()) rows.push_back(&state.entries.at(node->id).row);
+  const NodeId next_id = state.document.next_id();
+  write_meta("next_id", std::to_string(next_id));
+  const std::string checksum = nodes_checksum(rows, next_id);
+  Statement(database_, "INSERT OR REPLACE INTO meta(key, value) VALUES('checksum', ?)").bind_blob(0, checksum).run();
+}
+
+std::string nodes_checksum(const std::vector<const NodeRow*>& rows, NodeId next_id) {
+  ByteWriter writer;
+  writer.number(next_id);
+  for (const NodeRow* row : rows) writer.text(row_bytes(*row));
+  return blob_hash(writer.take());
+}
+
+}  // namespace croquis

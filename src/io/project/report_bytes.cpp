@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/base/error.h"
+#include "io/project/value_bytes.h"
+
+namespace croquis {
+namespace {
+
+/// Deeper trees would need a deep call stack to be read. Ours have fewer than ten levels.
+constexpr int max_depth = 200;
+
+void write_tree(const Report& report, int depth, ByteWriter& writer);
+
+struct TreeWriter {
+  int depth;
+  ByteWriter& writer;
+  void operator()(std::monostate) const {}
+  void operator()(bool value) const { writer.flag(value); }
+  void operator()(std::int64_t value) const { writer.number(value); }
+  void operator()(double value) const { writer.number(value); }
+  void operator()(const std::string& value) const { writer.text(value); }
+  void operator()(const Report::Array& array) const {
+    writer.count(array.size());
+    for (const Report& element : array) write_tree(element, depth + 1, writer);
+  }
+  void operator()(const Report::Object& object) const {
+    writer.count(object.size());
+    for (const auto& [key, member] : object) {
+      writer.text(key);
+      write_tree(member, depth + 1, writer);
+    }
+  }
+};
+
+void write_tree(const Report& report, int depth, ByteWriter& writer) {
+  if (depth > max_depth) {
+    throw Error(make_error(Category::Limit, "E_LIMIT",
+                           "A report is nested deeper than " + std::to_string(max_depth) +
+                               " levels, more than a project file can hold; remove that node."));
+  }
+  writer.number(static_cast<std::uint8_t>(report.value().index()));
+  std::visit(TreeWriter{depth, writer}, report.value());
+}
+
+Report read_tree(ByteReader& reader, int depth);
+
+Report read_array(ByteReader& reader, int depth) {
+  Report::Array array;
+  for (std::size_t left = reader.count(1); left > 0; --left) array.push_back(read_tree(reader, depth + 1));
+  return Report(std::move(array));
+}
+
+Report read_object(ByteReader& reader, int depth) {
+  Report::Object object;
+  for (std::size_t left = reader.count(1 + sizeof(std::uint64_t)); left > 0; --left) {
+    std::string key = reader.text();
+    object.emplace_back(std::move(key), read_tree(reader, depth + 1));
+  }
+  return Report::of_members(std::move(object));
+}
+
+// The cases are the alternatives of Report::Value in their order.
+Report read_tree(ByteReader& reader, int depth) {
+  if (depth > max_depth) throw BadBytes("it is nested too deeply");
+  switch (reader.number<std::uint8_t>()) {
+    case 0: return {};
+    case 1: return reader.flag();
+    case 2: return reader.number<std::int64_t>();
+    case 3: return reader.number<double>();
+    case 4: return reader.text();
+    case 5: return read_array(reader, depth);
+    case 6: return read_object(reader, depth);
+    default: throw BadBytes("a report's kind of value is not known");
+  }
+}
+
+}  // namespace
+
+void write_report_bytes(const Report& report, ByteWriter& writer) { write_tree(report, 0, writer); }
+
+Report read_report_bytes(ByteReader& reader) { return read_tree(reader, 0); }
+
+}  // namespace croquis

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/random_project.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "support/mesh_shapes.h"
+
+namespace croquis::test {
+namespace {
+
+double random_number(Random& random) {
+  static constexpr std::array<double, 8> special = {0.0,
+                                                    -0.0,
+                                                    std::numeric_limits<double>::infinity(),
+                                                    -std::numeric_limits<double>::infinity(),
+                                                    std::numeric_limits<double>::quiet_NaN(),
+                                                    std::numeric_limits<double>::denorm_min(),
+                                                    0.1,
+                                                    1e300};
+  const std::uint32_t kind = random.below(16);
+  if (kind < special.size()) return special[kind];
+  return kind < 12 ? random.between(-10, 10) : std::bit_cast<double>(random.bits());
+}
+
+std::map<std::string, std::string> random_texts(Random& random) {
+  std::map<std::string, std::string> texts;
+  for (std::uint32_t i = random.below(3); i > 0; --i) texts[random_text(random)] = random_text(random);
+  return texts;
+}
+
+Stroke random_stroke(Random& random) {
+  Stroke stroke;
+  stroke.id = random_text(random);
+  stroke.closed = random.below(2) == 0;
+  stroke.object = random_text(random);
+  stroke.data = random_texts(random);
+  if (random.below(2) == 0) stroke.line = static_cast<std::int64_t>(random.bits());
+  for (std::uint32_t i = 1 + random.below(30); i > 0; --i) {
+    StrokeSample sample;
+    for (double* value : {&sample.position.x(), &sample.position.y(), &sample.pressure, &sample.tilt.x(),
+                          &sample.tilt.y(), &sample.time}) {
+      *value = random_number(random);
+    }
+    stroke.samples.push_back(sample);
+  }
+  return stroke;
+}
+
+template <typename T>
+std::vector<T> random_values(Random& random, std::size_t count) {
+  std::vector<T> values(count);
+  for (T& value : values) {
+    if constexpr (std::is_same_v<T, double>) {
+      value = random_number(random);
+    } else {
+      value = static_cast<T>(random.below(1000));
+    }
+  }
+  return values;
+}
+
+AttributeChannel random_channel(Random& random, const PolyMesh& mesh) {
+  AttributeChannel channel;
+  channel.name = random_text(random);
+  channel.domain = static_cast<Domain>(random.below(4));
+  channel.width = static_cast<int>(1 + random.below(4));
+  const std::size_t count = mesh.element_count(channel.domain) * static_cast<std::size_t>(channel.width);
+  switch (random.below(8)) {
+    case 0: channel.data = random_values<std::int8_t>(random, count); break;
+    case 1: channel.data = random_values<std::uint8_t>(random, count); break;
+    case 2: channel.data = random_values<std::int16_t>(random, count); break;
+    case 3: channel.data = random_values<std::uint16_t>(random, count); break;
+    case 4: channel.data = random_values<std::int32_t>(random, count); break;
+    case 5: channel.data = random_values<std::uint32_t>(random, count); break;
+    case 6: channel.data = random_values<float>(random, count); break;
+    default: channel.data = random_values<double>(random, count);
+  }
+  for (std::uint32_t i = random.below(3); i > 0; --i) channel.labels.push_back(random_text(random));
+  return channel;
+}
+
+Report random_tree(Random& random, int depth) {
+  switch (random.below(depth > 4 ? 5 : 7)) {
+    case 0: return {};
+    case 1: return random.below(2) == 0;
+    case 2: return static_cast<std::int64_t>(random.bits());
+    case 3: return random_number(random);
+    case 4: return random_text(random);
+    case 5: {
+      Report list = Report::array();
+      for (std::uint32_t i = random.below(4); i > 0; --i) list.push(random_tree(random, depth + 1));
+      return list;
+    }
+    default: {
+      Report object = Report::object();
+      for (std::uint32_t i = random.below(4); i > 0; --i)
+        object.set(random_text(random), random_tree(random, depth + 1));
+      return object;
+    }
+  }
+}
+
+Value random_value(Random& random) {
+  switch (random.below(3)) {
+    case 0: return std::make_shared<const PolyMesh>(random_mesh(random));
+    case 1: return std::make_shared<const Drawing>(random_drawing(random));
+    default: return std::make_shared<const Report>(random_report(random));
+  }
+}
+
+ParameterValue random_parameter(Random& random) {
+  switch (random.below(4)) {
+    case 0: return random.below(2) == 0;
+    case 1: return static_cast<std::int64_t>(random.bits());
+    case 2: return random_number(random);
+    default: return random_text(random);
+  }
+}
+
+Node random_node(Random& random, const Document& document) {
+  Node node;
+  node.name = random_text(random);
+  node.visible = random.below(2) == 0;
+  node.version = static_cast<int>(random.below(5)) - 1;
+  if (document.nodes().empty() || random.below(2) == 0) {
+    node.source = random_value(random);
+    return node;
+  }
+  node.operation = "operation-" + std::to_string(random.below(3));
+  for (std::uint32_t i = random.below(6); i > 0; --i) node.parameters[random_text(random)] = random_parameter(random);
+  for (std::uint32_t i = random.below(3); i > 0; --i) {
+    const auto& nodes = document.nodes();
+    node.inputs[random_text(random)] = {nodes[random.below(static_cast<std::uint32_t>(nodes.size()))]->id,
+                                        random_text(random)};
+  }
+  return node;
+}
+
+// Equality that looks at bits: NaN equals itself, 0 differs from -0.
+
+bool same(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+
+bool same(const StrokeSample& a, const StrokeSample& b) {
+  return same(a.position.x(), b.position.x()) && same(a.position.y(), b.position.y()) && same(a.pressure, b.pressure) &&
+         same(a.tilt.x(), b.tilt.x()) && same(a.tilt.y(), b.tilt.y()) && same(a.time, b.time);
+}
+
+bool same(const Vec3& a, const Vec3& b);
+bool same(const Stroke& a, const Stroke& b);
+bool same(const AttributeChannel& a, const AttributeChannel& b);
+bool same(const Report& a, const Report& b);
+bool same(const Report::Member& a, const Report::Member& b);
+
+template <typename Range>
+bool same_elements(const Range& a, const Range& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (!same(a[i], b[i])) return false;
+  }
+  return true;
+}
+
+bool same(const Stroke& a, const Stroke& b) {
+  return a.id == b.id && a.closed == b.closed && a.object == b.object && a.data == b.data && a.line == b.line &&
+         same_elements(a.samples, b.samples);
+}
+
+bool same(const Vec3& a, const Vec3& b) { return same(a.x(), b.x()) && same(a.y(), b.y()) && same(a.z(), b.z()); }
+
+bool same(const AttributeChannel& a, const AttributeChannel& b) {
+  const auto same_bytes = [&b](const auto& values) {
+    const auto* other = std::get_if<std::decay_t<decltype(values)>>(&b.data);
+    return other != nullptr && other->size() == values.size() &&
+           (values.empty() || std::memcmp(values.data(), other->data(), values.size() * sizeof(values[0])) == 0);
+  };
+  return a.name == b.name && a.domain == b.domain && a.width == b.width && a.labels == b.labels &&
+         std::visit(same_bytes, a.data);
+}
+
+bool same(const Report::Member& a, const Report::Member& b) { return a.first == b.first && same(a.second, b.second); }
+
+bool same(const Report& a, const Report& b) {
+  if (a.value().index() != b.value().index()) return false;
+  if (const auto* number = std::get_if<double>(&a.value())) return same(*number, std::get<double>(b.value()));
+  if (const auto* array = std::get_if<Report::Array>(&a.value())) return same_elements(*array, b.as_array());
+  if (const auto* object = std::get_if<Report::Object>(&a.value())) return same_elements(*object, b.as_object());
+  if (const auto* text = std::get_if<std::string>(&a.value())) return *text == b.as_string();
+  if (const auto* integer = std::get_if<std::int64_t>(&a.value())) return *integer == b.as_integer();
+  if (const auto* flag = std::get_if<bool>(&a.value())) return *flag == std::get<bool>(b.value());
+  return true;
+}
+
+bool same(const Drawing& a, const Drawing& b) {
+  return a.file == b.file && a.object_data == b.object_data && same_elements(a.strokes, b.strokes);
+}
+
+bool same(const PolyMesh& a, const PolyMesh& b) {
+  return same_elements(a.positions, b.positions) && a.face_offsets == b.face_offsets && a.corners == b.corners &&
+         a.line_offsets == b.line_offsets && a.line_vertices == b.line_vertices &&
+         same_elements(a.channels, b.channels);
+}
+
+bool same(const Value& a, const Value& b) {
+  const auto same_content = [&b](const auto& pointer) {
+    return same(*pointer, *std::get<std::decay_t<decltype(pointer)>>(b));
+  };
+  return a.index() == b.index() && std::visit(same_content, a);
+}
+
+bool same(const ParameterValue& a, const ParameterValue& b) {
+  if (a.index() != b.index()) return false;
+  const auto* number = std::get_if<double>(&a);
+  return number != nullptr ? same(*number, std::get<double>(b)) : a == b;
+}
+
+bool same_parameters(const ParameterValues& a, const ParameterValues& b) {
+  if (a.size() != b.size()) return false;
+  for (const auto& [name, value] : a) {
+    const auto other = b.find(name);
+    if (other == b.end() || !same(value, other->second)) return false;
+  }
+  return true;
+}
+
+std::string difference(const Node& a, const Node& b) {
+  if (a.id != b.id) return "ids differ";
+  if (a.name != b.name || a.operation != b.operation) return "names differ";
+  if (a.version != b.version || a.visible != b.visible) return "versions or visibilities differ";
+  if (!same_parameters(a.parameters, b.parameters)) return "parameters differ";
+  if (a.inputs != b.inputs) return "inputs differ";
+  if (a.source.has_value() != b.source.has_value()) return "one is a source";
+  return !a.source || same(*a.source, *b.source) ? "" : "sources differ";
+}
+
+}  // namespace
+
+std::string random_text(Random& random) {
+  std::string text(random.below(random.below(20) == 0 ? 300 : 8), '\0');
+  const bool plain = random.below(2) == 0;
+  for (char& c : text) c = static_cast<char>(plain ? 'a' + random.below(26) : random.below(256));
+  return text;
+}
+
+PolyMesh random_mesh(Random& random) {
+  PolyMesh mesh = random.below(2) == 0 ? random_soup(random.bits(), random.below(20)) : grid(1 + random.below(4), 3);
+  for (Vec3& position : mesh.positions) {
+    if (random.below(4) == 0) position.x() = random_number(random);
+  }
+  if (mesh.vertex_count() > 1 && random.below(2) == 0) mesh.add_line(std::array<Index, 2>{0, 1});
+  for (std::uint32_t i = random.below(4); i > 0; --i) mesh.channels.push_back(random_channel(random, mesh));
+  return mesh;
+}
+
+Drawing random_drawing(Random& random) {
+  Drawing drawing;
+  drawing.file = random_text(random);
+  for (std::uint32_t i = random.below(5); i > 0; --i) drawing.strokes.push_back(random_stroke(random));
+  for (std::uint32_t i = random.below(3); i > 0; --i) drawing.object_data[random_text(random)] = random_texts(random);
+  return drawing;
+}
+
+Report random_report(Random& random) { return random_tree(random, 0); }
+
+Document random_document(Random& random, std::uint32_t nodes) {
+  Document document;
+  for (std::uint32_t i = 0; i < nodes; ++i) {
+    Node node = random_node(random, document);
+    // Some share their contents with another.
+    for (const auto& other : document.nodes()) {
+      if (node.source && other->source && random.below(8) == 0) node.source = other->source;
+    }
+    document = document.with(std::move(node));
+    if (random.below(6) == 0)
+      document =
+          document.without(document.nodes()[random.below(static_cast<std::uint32_t>(document.nodes().size()))]->id);
+  }
+  return document;
+}
+
+std::string difference(const Document& a, const Document& b) {
+  if (a.next_id() != b.next_id()) return "next ids differ";
+  if (a.nodes().size() != b.nodes().size()) return "one has more nodes";
+  for (std::size_t i = 0; i < a.nodes().size(); ++i) {
+    const std::string found = difference(*a.nodes()[i], *b.nodes()[i]);
+    if (!found.empty()) return "node " + std::to_string(a.nodes()[i]->id) + ": " + found;
+  }
+  return "";
+}
+
+}  // namespace croquis::test

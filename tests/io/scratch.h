@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <string>
+
+#include "croquis/base/finding.h"
+
+namespace croquis::test {
+
+/// A folder of its own, gone at the end.
+class Scratch {
+ public:
+  Scratch();
+  ~Scratch();
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  std::set<std::string> names() const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+void write_bytes(const std::filesystem::path& path, const std::string& bytes);
+
+/// The findings of the Error that the call throws; empty when it throws none.
+Findings findings_of(const std::function<void()>& call);
+
+/// Runs the body in a process of its own. @return its exit status; 99 for an exception, -signal when killed
+int in_child(const std::function<int()>& body);
+
+}  // namespace croquis::test

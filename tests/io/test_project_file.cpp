@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <atomic>
+#include <bit>
+#include <csignal>
+#include <limits>
+
+#include <sched.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+
+#include "croquis/base/error.h"
+#include "croquis/io/file.h"
+#include "croquis/io/project_file.h"
+#include "io/random_project.h"
+#include "io/scratch.h"
+#include "support/mesh_shapes.h"
+#include "support/sample_count.h"
+
+using namespace croquis;
+using namespace croquis::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+void save(const fs::path& path, const Document& document, std::vector<std::uint8_t> thumbnail = {}) {
+  Progress progress;
+  save_project(path, {document, std::move(thumbnail), {}}, progress);
+}
+
+ProjectFile load(const fs::path& path) {
+  Progress progress;
+  return load_project(path, progress);
+}
+
+std::vector<std::uint8_t> png(std::uint8_t content) { return {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', content}; }
+
+Document one_node(const std::string& name) {
+  Node node;
+  node.name = name;
+  node.source = std::make_shared<const PolyMesh>(cube());
+  return Document().with(node);
+}
+
+Document big_document() {
+  Node node;
+  node.source = std::make_shared<const PolyMesh>(grid(200, 200));
+  return one_node("small").with(node);
+}
+
+std::string name_in(const fs::path& path) { return load(path).document.nodes().at(0)->name; }
+
+// What must be true of a folder after a save that failed.
+void check_untouched(const Scratch& folder, const std::string& bytes) {
+  CHECK(folder.names() == std::set<std::string>{"a.croq"});
+  CHECK(read_file((folder / "a.croq").string()) == bytes);
+}
+
+}  // namespace
+
+TEST_CASE("what is saved is loaded again, bit by bit") {
+  Random random(1);
+  const Scratch folder;
+  for (int i = 0; i < sample_count(60, 1000); ++i) {
+    const Document document = random_document(random, random.below(12));
+    const auto thumbnail = random.below(2) == 0 ? png(7) : std::vector<std::uint8_t>();
+    save(folder / "a.croq", document, thumbnail);
+    const ProjectFile loaded = load(folder / "a.croq");
+    CHECK(difference(document, loaded.document) == "");
+    CHECK(loaded.thumbnail_png == thumbnail);
+    CHECK(loaded.warnings.empty());
+  }
+}
+
+TEST_CASE("the same project gives the same bytes, also once it was loaded") {
+  Random random(2);
+  const Scratch folder;
+  for (int i = 0; i < 10; ++i) {
+    const Document document = random_document(random, 8);
+    save(folder / "a.croq", document);
+    save(folder / "b.croq", document);
+    save(folder / "c.croq", load(folder / "b.croq").document);
+    const std::string bytes = read_file((folder / "a.croq").string());
+    CHECK(read_file((folder / "b.croq").string()) == bytes);
+    CHECK(read_file((folder / "c.croq").string()) == bytes);
+  }
+}
+
+TEST_CASE("a project in memory reads like one on disk") {
+  const Scratch folder;
+  save(folder / "a.croq", big_document(), png(1));
+  const std::string bytes = read_file((folder / "a.croq").string());
+  Progress progress;
+  const ProjectFile read = read_project(bytes, "a.croq", progress);
+  CHECK(difference(read.document, big_document()) == "");
+  CHECK(read.thumbnail_png == png(1));
+}
+
+TEST_CASE("nodes that share a value share it in the file and after loading") {
+  const auto mesh = std::make_shared<const PolyMesh>(grid(100, 100));
+  Document document;
+  for (int i = 0; i < 20; ++i) {
+    Node node;
+    node.source = mesh;
+    document = document.with(node);
+  }
+  const Scratch folder;
+  save(folder / "a.croq", document);
+  CHECK(fs::file_size(folder / "a.croq") < 1'000'000);
+  const Document loaded = load(folder / "a.croq").document;
+  const auto first = std::get<std::shared_ptr<const PolyMesh>>(*loaded.nodes()[0]->source);
+  for (const auto& node : loaded.nodes()) CHECK(std::get<std::shared_ptr<const PolyMesh>>(*node->source) == first);
+}
+
+TEST_CASE("a value larger than one chunk survives") {
+  PolyMesh mesh;
+  mesh.positions.assign(3'500'000, Vec3(1, 2, 3));  // 84 MB
+  mesh.positions.back() = Vec3(4, 5, 6);
+  Node node;
+  node.source = std::make_shared<const PolyMesh>(std::move(mesh));
+  const Document document = Document().with(node);
+  const Scratch folder;
+  save(folder / "a.croq", document);
+  CHECK(difference(document, load(folder / "a.croq").document) == "");
+}
+
+TEST_CASE("three earlier versions are kept, the newest as number 1") {
+  const Scratch folder;
+  for (int i = 1; i <= 6; ++i) save(folder / "a.croq", one_node("version " + std::to_string(i)));
+  CHECK(folder.names() == std::set<std::string>{"a.croq", "a.croq~1", "a.croq~2", "a.croq~3"});
+  CHECK(name_in(folder / "a.croq") == "version 6");
+  CHECK(name_in(folder / "a.croq~1") == "version 5");
+  CHECK(name_in(folder / "a.croq~2") == "version 4");
+  CHECK(name_in(folder / "a.croq~3") == "version 3");
+}
+
+TEST_CASE("a gap among the backups is filled before one is dropped") {
+  const Scratch folder;
+  for (int i = 1; i <= 4; ++i) save(folder / "a.croq", one_node("version " + std::to_string(i)));
+  fs::remove(folder / "a.croq~1");
+  save(folder / "a.croq", one_node("version 5"));
+  CHECK(name_in(folder / "a.croq~1") == "version 4");
+  CHECK(name_in(folder / "a.croq~2") == "version 2");
+  CHECK(name_in(folder / "a.croq~3") == "version 1");
+}
+
+TEST_CASE("saving through a symbolic link replaces what it leads to, and keeps permissions") {
+  const Scratch folder;
+  save(folder / "real.croq", one_node("old"));
+  fs::permissions(folder / "real.croq", fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink("real.croq", folder / "link.croq");
+  save(folder / "link.croq", one_node("new"));
+  CHECK(fs::is_symlink(folder / "link.croq"));
+  CHECK(name_in(folder / "real.croq") == "new");
+  CHECK(name_in(folder / "real.croq~1") == "old");
+  CHECK(fs::status(folder / "real.croq").permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+}
+
+TEST_CASE("what a save that was killed left is swept away by the next one") {
+  const Scratch folder;
+  write_bytes(folder / ".a.croq.12345-0.saving", "half a project");
+  write_bytes(folder / ".b.croq.12345-0.saving", "somebody else's");
+  save(folder / "a.croq", one_node("whole"));
+  CHECK(folder.names() == std::set<std::string>{"a.croq", ".b.croq.12345-0.saving"});
+}
+
+TEST_CASE("a folder that doesn't exist, a folder in its place and a device are refused") {
+  const Scratch folder;
+  for (const fs::path& path : {folder / "missing/a.croq", folder.path(), fs::path("/dev/null")}) {
+    const Findings findings = findings_of([&] { save(path, one_node("x")); });
+    REQUIRE(findings.size() == 1);
+    CHECK(findings[0].code == "E_WRITE");
+    CHECK(findings[0].category == Category::Io);
+    CHECK(findings[0].message.find(path.string()) != std::string::npos);
+  }
+  CHECK(folder.names().empty());
+}
+
+TEST_CASE("a read-only folder or file is refused and left alone") {
+  const Scratch folder;
+  save(folder / "a.croq", one_node("old"));
+  const std::string bytes = read_file((folder / "a.croq").string());
+  const auto refused = [&] {
+    // Root may write anywhere, nobody may not.
+    if (::geteuid() == 0 && (::setgid(65534) != 0 || ::setuid(65534) != 0)) return 98;
+    const Findings findings = findings_of([&] { save(folder / "a.croq", one_node("new")); });
+    return findings.size() == 1 && findings[0].code == "E_WRITE" ? 0 : 1;
+  };
+  fs::permissions(folder.path(), fs::perms(0555));
+  CHECK(in_child(refused) == 0);
+  fs::permissions(folder.path(), fs::perms(0777));
+  fs::permissions(folder / "a.croq", fs::perms(0444));
+  CHECK(in_child(refused) == 0);
+  check_untouched(folder, bytes);
+}
+
+TEST_CASE("a limit on the size of files leaves the old project as it was") {
+  const Scratch folder;
+  save(folder / "a.croq", one_node("old"));
+  const std::string bytes = read_file((folder / "a.croq").string());
+  for (const rlim_t limit : std::initializer_list<rlim_t>{0, 4096, 40'000, 100'000, 400'000}) {
+    CHECK(in_child([&] {
+            std::signal(SIGXFSZ, SIG_IGN);
+            const rlimit limits{limit, limit};
+            ::setrlimit(RLIMIT_FSIZE, &limits);
+            const Findings findings = findings_of([&] { save(folder / "a.croq", big_document()); });
+            return findings.size() == 1 && findings[0].code == "E_WRITE" ? 0 : 1;
+          }) == 0);
+    check_untouched(folder, bytes);
+  }
+}
+
+TEST_CASE("a full disk leaves the old project as it was and says so") {
+  const Scratch folder;
+  const int code = in_child([&] {
+    // A file system of 256 KB that only this process sees. Where that isn't allowed, the limit above stands for it.
+    if (::unshare(::geteuid() == 0 ? CLONE_NEWNS : CLONE_NEWUSER | CLONE_NEWNS) != 0) return 97;
+    ::mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr);
+    if (::mount("tmpfs", folder.path().c_str(), "tmpfs", 0, "size=256k") != 0) return 97;
+    save(folder / "a.croq", one_node("old"));
+    const std::string bytes = read_file((folder / "a.croq").string());
+    const Findings findings = findings_of([&] { save(folder / "a.croq", big_document()); });
+    if (findings.size() != 1 || findings[0].code != "E_WRITE") return 1;
+    if (findings[0].message.find("the disk is full") == std::string::npos) return 2;
+    if (folder.names() != std::set<std::string>{"a.croq"}) return 3;
+    return read_file((folder / "a.croq").string()) == bytes ? 0 : 4;
+  });
+  if (code == 97) WARN("no file system could be mounted");
+  if (code != 97) CHECK(code == 0);
+}
+
+TEST_CASE("a cancelled save changes nothing and a cancelled load gives nothing") {
+  const Scratch folder;
+  save(folder / "a.croq", one_node("old"));
+  const std::string bytes = read_file((folder / "a.croq").string());
+  std::atomic<bool> cancel = true;
+  Progress progress({}, &cancel);
+  CHECK_THROWS_AS(save_project(folder / "a.croq", {big_document(), {}, {}}, progress), Cancelled);
+  check_untouched(folder, bytes);
+  CHECK_THROWS_AS(load_project(folder / "a.croq", progress), Cancelled);
+}
+
+TEST_CASE("progress of saving and loading never goes back and comes to its end") {
+  const Scratch folder;
+  std::vector<double> fractions;
+  Progress progress([&](double fraction, const std::string&) { fractions.push_back(fraction); });
+  Random random(3);
+  save_project(folder / "a.croq", {random_document(random, 20), {}, {}}, progress);
+  REQUIRE(fractions.size() > 5);
+  CHECK(std::is_sorted(fractions.begin(), fractions.end()));
+  CHECK(fractions.back() == 1);
+  fractions.clear();
+  Progress loading([&](double fraction, const std::string&) { fractions.push_back(fraction); });
+  load_project(folder / "a.croq", loading);
+  CHECK(std::is_sorted(fractions.begin(), fractions.end()));
+  CHECK(fractions.back() == 1);
+}
+
+TEST_CASE("the id of a removed last node is not given again") {
+  Document document = one_node("a").with({});
+  document = document.without(2);
+  const Scratch folder;
+  save(folder / "a.croq", document);
+  CHECK(load(folder / "a.croq").document.next_id() == 3);
+}
+
+TEST_CASE("names that SQLite would take for addresses are names") {
+  const Scratch folder;
+  for (const char* name : {"a?mode=memory.croq", "%41.croq", "file:x.croq", "a#b.croq", "\xea\xb0\x80 \xff.croq"}) {
+    save(folder / name, one_node(name));
+    CHECK(name_in(folder / name) == name);
+  }
+  CHECK(folder.names().size() == 5);
+}
