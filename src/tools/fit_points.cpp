@@ -12,8 +12,11 @@
 namespace croquis {
 namespace {
 
-/// Pixels. Samples nearer than this to the one before repeat it: a pen held still.
+/// Pixels. Samples nearer than this to the one before repeat it.
 constexpr double repeated_pixels = 0.02;
+
+/// Pixels. Samples this near to each other are crowded: their differences are jitter more than drawing.
+constexpr double crowd_pixels = 1.5;
 
 /// Pixels between samples up to which jitter may be taken away in full.
 constexpr double dense_pixels = 3;
@@ -33,18 +36,29 @@ void require_usable(const Stroke& stroke) {
   }
 }
 
-void take_distinct(const Stroke& stroke, double distance, FitPoints& points) {
+/// The samples without repetitions.
+struct DrawnPoints {
+  std::vector<Vec2> places;
+  std::vector<std::size_t> samples;  ///< their numbers in the stroke
+  std::vector<std::size_t> corners;
+  bool closed = false;
+};
+
+DrawnPoints distinct_points(const Stroke& stroke, double distance) {
+  DrawnPoints points;
   for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
     const Vec2& place = stroke.samples[i].position;
-    if (!points.drawn.empty() && (place - points.drawn.back()).norm() <= distance) continue;
-    points.drawn.push_back(place);
+    if (!points.places.empty() && (place - points.places.back()).norm() <= distance) continue;
+    points.places.push_back(place);
     points.samples.push_back(i);
   }
-  while (stroke.closed && points.drawn.size() > 1 && (points.drawn.back() - points.drawn.front()).norm() <= distance) {
-    points.drawn.pop_back();
+  while (stroke.closed && points.places.size() > 1 &&
+         (points.places.back() - points.places.front()).norm() <= distance) {
+    points.places.pop_back();
     points.samples.pop_back();
   }
-  points.closed = stroke.closed && points.drawn.size() > 2;
+  points.closed = stroke.closed && points.places.size() > 2;
+  return points;
 }
 
 /// Places on a polyline by arc length; beyond the ends of an open one lies its end.
@@ -80,8 +94,8 @@ class ByArcLength {
 };
 
 /// How sharply the line turns at each point: 0 where it is no corner.
-std::vector<double> corner_scores(const ByArcLength& line, const FitPoints& points, double reach, double smallest) {
-  std::vector<double> scores(points.drawn.size(), 0);
+std::vector<double> corner_scores(const ByArcLength& line, const DrawnPoints& points, double reach, double smallest) {
+  std::vector<double> scores(points.places.size(), 0);
   for (std::size_t i = 0; i < scores.size(); ++i) {
     const double from_end = std::min(line.of_point(i), line.total() - line.of_point(i));
     if (!points.closed && from_end < reach / 2) continue;
@@ -102,9 +116,9 @@ bool is_highest(const std::vector<double>& scores, const ByArcLength& line, std:
   return true;
 }
 
-std::vector<std::size_t> find_corners(const FitPoints& points, double reach, double smallest) {
+std::vector<std::size_t> find_corners(const DrawnPoints& points, double reach, double smallest) {
   std::vector<std::size_t> corners;
-  const ByArcLength line(points.drawn, points.closed);
+  const ByArcLength line(points.places, points.closed);
   const std::vector<double> scores = corner_scores(line, points, reach, smallest);
   for (std::size_t i = 0; i < scores.size(); ++i) {
     if (scores[i] > 0 && is_highest(scores, line, i, reach / 2)) corners.push_back(i);
@@ -117,34 +131,78 @@ std::vector<std::size_t> find_corners(const FitPoints& points, double reach, dou
   return corners;
 }
 
-/// Fairing is there against jitter, which shows between near samples. Where a fast hand leaves them far apart it would
-/// flatten the curve itself.
-void limit_shifts(FitPoints& points, const FitOptions& options) {
-  const std::size_t count = points.drawn.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec2 chord = points.drawn[(i + 1) % count] - points.drawn[(i + count - 1) % count];
-    const double spacing = chord.norm() / 2 / options.units_per_pixel;
-    const double limit = options.jitter * options.units_per_pixel * std::min(1.0, dense_pixels / spacing);
-    const Vec2 shift = points.smooth[i] - points.drawn[i];
-    if (shift.norm() > limit) points.smooth[i] = points.drawn[i] + limit / shift.norm() * shift;
+/// Means of crowds: a crowd is what stays within reach of its first sample. Corners and the stroke's ends stand alone.
+class Thinning {
+ public:
+  Thinning(const DrawnPoints& drawn, double reach) : drawn_(drawn), reach_(reach) {}
+
+  FitPoints run() {
+    std::size_t begin = 0;
+    while (begin < drawn_.places.size()) {
+      std::size_t end = begin + 1;
+      while (end < drawn_.places.size() && joins(begin, end)) ++end;
+      add(begin, end);
+      begin = end;
+    }
+    result_.closed = drawn_.closed && result_.smooth.size() > 2;
+    return std::move(result_);
   }
+
+ private:
+  bool is_corner(std::size_t i) const { return std::binary_search(drawn_.corners.begin(), drawn_.corners.end(), i); }
+  bool stands_alone(std::size_t i) const {
+    return is_corner(i) || (!drawn_.closed && (i == 0 || i + 1 == drawn_.places.size()));
+  }
+  bool joins(std::size_t begin, std::size_t i) const {
+    return !stands_alone(begin) && !stands_alone(i) && (drawn_.places[i] - drawn_.places[begin]).norm() < reach_;
+  }
+
+  void add(std::size_t begin, std::size_t end) {
+    Vec2 sum = Vec2::Zero();
+    for (std::size_t i = begin; i < end; ++i) sum += drawn_.places[i];
+    const Vec2 mean = sum / static_cast<double>(end - begin);
+    if (!result_.smooth.empty() && mean == result_.smooth.back()) return;
+    if (is_corner(begin)) result_.corners.push_back(result_.smooth.size());
+    result_.smooth.push_back(mean);
+    result_.samples.push_back(drawn_.samples[(begin + end) / 2]);
+  }
+
+  const DrawnPoints& drawn_;
+  double reach_;
+  FitPoints result_;
+};
+
+/// Fairing is there against jitter, which shows between near points. Where a fast hand leaves them far apart it would
+/// flatten the curve itself.
+Vec2 limited_shift(const std::vector<Vec2>& places, std::size_t i, const Vec2& shift, const FitOptions& options) {
+  const std::size_t count = places.size();
+  const Vec2 chord = places[(i + 1) % count] - places[(i + count - 1) % count];
+  const double spacing = chord.norm() / 2 / options.units_per_pixel;
+  const double limit = options.jitter * options.units_per_pixel * std::min(1.0, dense_pixels / spacing);
+  return shift.norm() > limit ? Vec2(limit / shift.norm() * shift) : shift;
+}
+
+void fair(FitPoints& points, const FitOptions& options) {
+  TaubinOptions fairing;
+  fairing.passes = options.smoothing;
+  fairing.fixed.assign(points.smooth.size(), false);
+  for (const std::size_t corner : points.corners) fairing.fixed[corner] = true;
+  const std::vector<Vec2> faired = taubin_smooth(points.smooth, points.closed, fairing);
+  const std::vector<Vec2> before = points.smooth;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    points.smooth[i] += limited_shift(before, i, faired[i] - before[i], options);
 }
 
 }  // namespace
 
 FitPoints fit_points(const Stroke& stroke, const FitOptions& options) {
   require_usable(stroke);
-  FitPoints points;
-  take_distinct(stroke, repeated_pixels * options.units_per_pixel, points);
+  DrawnPoints drawn = distinct_points(stroke, repeated_pixels * options.units_per_pixel);
   const double smallest = options.corner_degrees * std::numbers::pi / 180;
-  if (points.drawn.size() > 2)
-    points.corners = find_corners(points, options.corner_reach * options.units_per_pixel, smallest);
-  TaubinOptions fairing;
-  fairing.passes = options.smoothing;
-  fairing.fixed.assign(points.drawn.size(), false);
-  for (const std::size_t corner : points.corners) fairing.fixed[corner] = true;
-  points.smooth = taubin_smooth(points.drawn, points.closed, fairing);
-  limit_shifts(points, options);
+  if (drawn.places.size() > 2)
+    drawn.corners = find_corners(drawn, options.corner_reach * options.units_per_pixel, smallest);
+  FitPoints points = Thinning(drawn, crowd_pixels * options.units_per_pixel).run();
+  fair(points, options);
   return points;
 }
 

@@ -8,16 +8,16 @@
 
 namespace croquis {
 
-/// What the fit works on: the distinct samples of a stroke.
+/// What the fit works on: the stroke's samples, thinned and faired.
 struct FitPoints {
-  std::vector<Vec2> drawn;           ///< as drawn
-  std::vector<Vec2> smooth;          ///< the same, faired
-  std::vector<std::size_t> samples;  ///< their numbers in the stroke, increasing
-  std::vector<std::size_t> corners;  ///< 0-based, increasing; never an end of an open stroke
+  std::vector<Vec2> smooth;          ///< at least one; neighbours differ
+  std::vector<std::size_t> samples;  ///< the sample that each stands for, increasing
+  std::vector<std::size_t> corners;  ///< 0-based points, increasing; never an end of an open stroke
   bool closed = false;               ///< and has at least three points
 };
 
-/// Leaves out repeated points, finds corners, and fairs what lies between them.
+/// Finds corners, lets the mean of each few crowded samples stand for them, and fairs what lies between corners and
+/// ends, which keep their places.
 /// @throws Error (E_NO_STROKES, E_NOT_FINITE)
 FitPoints fit_points(const Stroke& stroke, const FitOptions& options);
 

@@ -12,7 +12,7 @@ namespace croquis {
 namespace {
 
 /// Pixels over which directions are taken: wide enough for jitter, short against what a hand bends.
-constexpr double tangent_reach = 4;
+constexpr double tangent_reach = 6;
 
 /// A stretch of the points between two breaks, in order; of a closed stroke it may pass the list's end.
 struct Run {
@@ -21,7 +21,7 @@ struct Run {
 };
 
 std::vector<Run> runs_between_corners(const FitPoints& points) {
-  const std::size_t count = points.drawn.size();
+  const std::size_t count = points.smooth.size();
   std::vector<std::size_t> breaks = points.corners;
   if (!points.closed) breaks.insert(breaks.begin(), 0);
   const bool smooth_seam = breaks.empty();
@@ -49,25 +49,52 @@ std::vector<FittedPiece> fit_run(const std::vector<Vec2>& places, bool smooth_se
   return fit_cubics(places, begin, end, reach, tolerance);
 }
 
-/// Gathers squared distances of the points to the curve.
-struct Residuals {
-  double smooth = 0;
-  double drawn = 0;
-  double largest = 0;
-  std::size_t count = 0;
+/// Gathers squared distances of points and samples to the curve.
+class Residuals {
+ public:
+  Residuals(const Stroke& stroke, const FitPoints& points) : stroke_(stroke), points_(points) {}
 
-  void add(const FitPoints& points, const Run& run, const FittedPiece& piece) {
+  void add(const Run& run, const FittedPiece& piece) {
     for (std::size_t i = piece.first; i <= piece.last; ++i) {
-      const std::size_t point = run.points[i];
-      const double start = piece.parameters[i - piece.first];
-      smooth += (point_at(piece.cubic, start) - points.smooth[point]).squaredNorm();
-      const double near = nearest_on_cubic(piece.cubic, points.drawn[point], start);
-      const double distance = (point_at(piece.cubic, near) - points.drawn[point]).squaredNorm();
-      drawn += distance;
-      largest = std::max(largest, distance);
-      ++count;
+      const double t = piece.parameters[i - piece.first];
+      smooth_ += (point_at(piece.cubic, t) - points_.smooth[run.points[i]]).squaredNorm();
+      ++smooth_count_;
+      if (i < piece.last) add_samples(run, piece, i);
     }
   }
+
+  void tell(StrokeFit& fit) const {
+    fit.rms = std::sqrt(smooth_ / static_cast<double>(smooth_count_));
+    fit.raw_rms = std::sqrt(drawn_ / static_cast<double>(drawn_count_));
+    fit.largest = std::sqrt(largest_);
+  }
+
+ private:
+  /// The samples from the one of point i up to that of the next; their parameters lie between those of the two.
+  void add_samples(const Run& run, const FittedPiece& piece, std::size_t i) {
+    const std::size_t total = stroke_.samples.size();
+    const std::size_t begin = points_.samples[run.points[i]];
+    std::size_t end = points_.samples[run.points[i + 1]];
+    if (end <= begin) end += total;
+    const double from = piece.parameters[i - piece.first];
+    const double step = (piece.parameters[i + 1 - piece.first] - from) / static_cast<double>(end - begin);
+    for (std::size_t k = begin; k <= end; ++k) {
+      const Vec2& place = stroke_.samples[k % total].position;
+      const double t = nearest_on_cubic(piece.cubic, place, from + step * static_cast<double>(k - begin));
+      const double distance = (point_at(piece.cubic, t) - place).squaredNorm();
+      drawn_ += distance;
+      largest_ = std::max(largest_, distance);
+      ++drawn_count_;
+    }
+  }
+
+  const Stroke& stroke_;
+  const FitPoints& points_;
+  double smooth_ = 0;
+  double drawn_ = 0;
+  double largest_ = 0;
+  std::size_t smooth_count_ = 0;
+  std::size_t drawn_count_ = 0;
 };
 
 void add_run(const FitPoints& points, const Run& run, const std::vector<FittedPiece>& pieces, StrokeFit& fit) {
@@ -99,17 +126,17 @@ StrokeFit fit_stroke(const Stroke& stroke, const FitOptions& options) {
   const FitPoints points = fit_points(stroke, options);
   StrokeFit fit;
   fit.closed = points.closed;
-  if (points.drawn.size() == 1) {
-    fit.anchors.push_back({points.drawn.front(), points.samples.front(), false});
+  if (points.smooth.size() == 1) {
+    fit.anchors.push_back({points.smooth.front(), points.samples.front(), false});
     return fit;
   }
-  Residuals residuals;
+  Residuals residuals(stroke, points);
   for (const Run& run : runs_between_corners(points)) {
     std::vector<Vec2> places;
     for (const std::size_t point : run.points) places.push_back(points.smooth[point]);
     const std::vector<FittedPiece> pieces = fit_run(places, run.smooth_seam, tangent_reach * options.units_per_pixel,
                                                     options.tolerance * options.units_per_pixel);
-    for (const FittedPiece& piece : pieces) residuals.add(points, run, piece);
+    for (const FittedPiece& piece : pieces) residuals.add(run, piece);
     add_run(points, run, pieces, fit);
   }
   if (points.closed) {
@@ -117,9 +144,7 @@ StrokeFit fit_stroke(const Stroke& stroke, const FitOptions& options) {
   } else {
     fit.anchors.push_back({points.smooth.back(), points.samples.back(), false});
   }
-  fit.rms = std::sqrt(residuals.smooth / static_cast<double>(residuals.count));
-  fit.raw_rms = std::sqrt(residuals.drawn / static_cast<double>(residuals.count));
-  fit.largest = std::sqrt(residuals.largest);
+  residuals.tell(fit);
   return fit;
 }
 

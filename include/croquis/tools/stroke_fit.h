@@ -28,8 +28,8 @@ struct StrokeAnchor {
 struct FitOptions {
   double units_per_pixel = 1;  ///< > 0; the lengths below are pixels of the view in which the stroke was drawn
   double tolerance = 0.3;      ///< pixels, largest RMS distance of a segment's smoothed samples to it
-  int smoothing = 3;           ///< 0..20, passes of fairing against jitter before the fit; corners and ends stay
-  double jitter = 0.5;         ///< pixels, the farthest that fairing moves a sample
+  int smoothing = 8;           ///< 0..20, passes of fairing against jitter before the fit; corners and ends stay
+  double jitter = 0.8;         ///< pixels, the farthest that fairing moves a sample
   double corner_degrees = 50;  ///< 0..180, turns by more than this within `corner_reach` are corners
   double corner_reach = 8;     ///< pixels to either side
 };

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "croquis/geometry/drawing.h"
+
+namespace croquis {
+
+/// Smallest distance of two plane segments, which may have no length; 0 when they cross.
+double segment_distance(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
+
+/// Segments of a stroke: one less than samples, as many when closed; a dot has one without length.
+std::size_t segment_count(const Stroke& stroke);
+const Vec2& segment_begin(const Stroke& stroke, std::size_t segment);
+const Vec2& segment_end(const Stroke& stroke, std::size_t segment);
+
+/// Whether a path (#P by 2) comes within `radius` of a stroke. O(segments × those of the path near it).
+bool touches_path(const Stroke& stroke, const std::vector<Vec2>& path, double radius);
+
+}  // namespace croquis
