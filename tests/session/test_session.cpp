@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+
+#include "croquis/base/error.h"
+#include "croquis/document/byte_size.h"
+#include "croquis/document/content_hash.h"
+#include "croquis/session/session.h"
+#include "support/trial_operation.h"
+
+namespace croquis {
+namespace {
+
+using Labels = std::vector<std::string>;
+
+Document two_nodes() {
+  return Document().with(test::source_node(test::point(1), "one")).with(test::source_node(test::point(2), "two"));
+}
+
+Document renamed(const Document& document, NodeId id, std::string name) {
+  Node node = *document.find(id);
+  node.name = std::move(name);
+  return document.with(node);
+}
+
+std::string name_of(const Session& session, NodeId id) { return session.document().find(id)->name; }
+
+Value drawing_of(const std::vector<std::string>& ids) {
+  Drawing drawing;
+  for (const std::string& id : ids) {
+    drawing.strokes.emplace_back();
+    drawing.strokes.back().id = id;
+  }
+  return std::make_shared<const Drawing>(std::move(drawing));
+}
+
+TEST_CASE("an edit is a step with its label, undone and redone") {
+  Session session(two_nodes());
+  CHECK_FALSE(session.can_undo());
+  session.edit("Rename one", renamed(session.document(), 1, "first"));
+  session.edit("Rename two", renamed(session.document(), 2, "second"));
+  CHECK(session.undo_labels() == Labels{"Rename one", "Rename two"});
+  session.undo();
+  CHECK(name_of(session, 1) == "first");
+  CHECK(name_of(session, 2) == "two");
+  CHECK(session.undo_labels() == Labels{"Rename one"});
+  CHECK(session.redo_labels() == Labels{"Rename two"});
+  session.undo();
+  CHECK(name_of(session, 1) == "one");
+  CHECK(session.redo_labels() == Labels{"Rename one", "Rename two"});
+  session.redo();
+  CHECK(name_of(session, 1) == "first");
+  CHECK(session.redo_labels() == Labels{"Rename two"});
+  session.edit("Rename again", renamed(session.document(), 1, "uno"));
+  CHECK_FALSE(session.can_redo());
+  CHECK(session.undo_labels() == Labels{"Rename one", "Rename again"});
+}
+
+TEST_CASE("nothing to undo or redo is no change") {
+  Session session(two_nodes());
+  session.undo();
+  session.redo();
+  CHECK(session.revision() == 0);
+  CHECK(same_nodes(session.document(), session.document()));
+}
+
+TEST_CASE("an edit that changes nothing is no step") {
+  Session session(two_nodes());
+  session.edit("Same", session.document());
+  session.edit("Same content", renamed(session.document(), 1, "one"));
+  Node node = *session.document().find(1);
+  node.source = test::point(1);
+  session.edit("Same value", session.document().with(node));
+  CHECK_FALSE(session.can_undo());
+  CHECK_FALSE(session.modified());
+  CHECK(session.revision() == 0);
+  node.source = test::point(3);
+  session.edit("Another value", session.document().with(node));
+  CHECK(session.undo_labels() == Labels{"Another value"});
+}
+
+TEST_CASE("a drag of many changes is one step") {
+  Session session(two_nodes());
+  session.begin_drag("Drag");
+  for (const char* name : {"a", "b", "c"}) session.drag(renamed(session.document(), 1, name));
+  CHECK(name_of(session, 1) == "c");
+  CHECK_FALSE(session.can_undo());
+  session.end_drag();
+  CHECK(session.undo_labels() == Labels{"Drag"});
+  session.undo();
+  CHECK(name_of(session, 1) == "one");
+  session.redo();
+  CHECK(name_of(session, 1) == "c");
+}
+
+TEST_CASE("a drag that is cancelled or comes back leaves no trace") {
+  Session session(two_nodes());
+  session.edit("Rename", renamed(session.document(), 2, "second"));
+  session.undo();
+  const ContentHash before = content_hash(session.document());
+  session.select({{1, ""}});
+  session.begin_drag("Drag");
+  session.drag(session.document().without(1));
+  CHECK(session.selection().empty());
+  CHECK(session.modified());
+  session.cancel_drag();
+  CHECK(content_hash(session.document()) == before);
+  CHECK(session.selection() == Selection{{1, ""}});
+  CHECK_FALSE(session.modified());
+  CHECK(session.can_redo());
+
+  session.begin_drag("Drag");
+  session.drag(renamed(session.document(), 1, "a"));
+  session.drag(renamed(session.document(), 1, "one"));
+  session.end_drag();
+  CHECK_FALSE(session.can_undo());
+  CHECK_FALSE(session.modified());
+  CHECK(session.can_redo());
+  session.begin_drag("Nothing at all");
+  session.end_drag();
+  CHECK(session.can_redo());
+}
+
+TEST_CASE("whatever else is done ends a drag first") {
+  Session session(two_nodes());
+  session.begin_drag("Drag");
+  session.drag(renamed(session.document(), 1, "a"));
+  session.edit("Edit", renamed(session.document(), 2, "b"));
+  CHECK(session.undo_labels() == Labels{"Drag", "Edit"});
+  session.begin_drag("Drag 2");
+  session.drag(renamed(session.document(), 1, "c"));
+  session.undo();
+  CHECK(name_of(session, 1) == "a");
+  CHECK(session.redo_labels() == Labels{"Drag 2"});
+  session.begin_drag("Drag 3");
+  session.drag(renamed(session.document(), 1, "d"));
+  session.begin_drag("Drag 4");
+  session.drag(renamed(session.document(), 1, "e"));
+  session.redo();
+  CHECK(session.undo_labels() == Labels{"Drag", "Edit", "Drag 3", "Drag 4"});
+  session.cancel_drag();
+  session.end_drag();
+  CHECK(name_of(session, 1) == "e");
+  CHECK_THROWS_AS(session.drag(two_nodes()), Error);
+}
+
+TEST_CASE("modified means another document than the saved one, across undo and redo") {
+  Session session(two_nodes());
+  CHECK_FALSE(session.modified());
+  session.edit("A", renamed(session.document(), 1, "a"));
+  CHECK(session.modified());
+  session.mark_saved();
+  CHECK_FALSE(session.modified());
+  session.undo();
+  CHECK(session.modified());
+  session.redo();
+  CHECK_FALSE(session.modified());
+  session.undo();
+  session.edit("B", renamed(session.document(), 1, "b"));
+  session.undo();
+  CHECK(session.modified());  // what was saved can't be reached any more
+  session.mark_saved();
+  session.redo();
+  CHECK(session.modified());
+}
+
+TEST_CASE("loading forgets history and selection") {
+  Session session(two_nodes());
+  session.edit("A", renamed(session.document(), 1, "a"));
+  session.edit("B", renamed(session.document(), 1, "b"));
+  session.undo();
+  session.select({{1, ""}});
+  session.begin_drag("Drag");
+  session.load(Document().with(test::source_node(test::point(9), "nine")));
+  CHECK(name_of(session, 1) == "nine");
+  CHECK_FALSE(session.can_undo());
+  CHECK_FALSE(session.can_redo());
+  CHECK(session.selection().empty());
+  CHECK_FALSE(session.modified());
+  CHECK_THROWS_AS(session.drag(two_nodes()), Error);
+  session.load(two_nodes(), true);
+  CHECK(session.modified());
+  session.edit("C", renamed(session.document(), 1, "c"));
+  session.undo();
+  CHECK(session.modified());
+  session.mark_saved();
+  CHECK_FALSE(session.modified());
+}
+
+TEST_CASE("undo brings back the selection of then, without what isn't there") {
+  Session session(Document().with(test::source_node(drawing_of({"a", "b"}))));
+  session.select({{1, "b"}, {1, "a"}});
+  Node fewer = *session.document().find(1);
+  fewer.source = drawing_of({"b"});
+  session.edit("Erase a", session.document().with(fewer));
+  CHECK(session.selection() == Selection{{1, "b"}});
+  session.undo();
+  CHECK(session.selection() == Selection{{1, "a"}, {1, "b"}});
+  session.redo();
+  CHECK(session.selection() == Selection{{1, "b"}});
+
+  session.edit("Add", session.document().with(test::source_node(test::point(1))));
+  session.select({{1, ""}, {2, ""}});
+  session.edit("Rename", renamed(session.document(), 2, "x"));
+  session.undo();
+  session.undo();
+  CHECK(session.selection() == Selection{{1, "b"}});
+}
+
+TEST_CASE("listeners hear of every change, in order, and may use the session") {
+  Session session(two_nodes());
+  std::string heard;
+  session.on_change([&] { heard += "a" + std::to_string(session.revision()); });
+  session.on_change([&] { heard += "b "; });
+  session.edit("A", renamed(session.document(), 1, "a"));
+  session.select({{1, ""}});
+  session.select({{1, ""}, {7, ""}});  // the same
+  session.undo();
+  session.mark_saved();
+  CHECK(heard == "a1b a2b a3b ");
+  session.redo();
+  session.mark_saved();
+  CHECK(heard == "a1b a2b a3b a4b a4b ");
+  bool once = true;
+  session.on_change([&] {
+    if (std::exchange(once, false)) session.select({});
+  });
+  session.select({{2, ""}});
+  CHECK(session.selection().empty());
+}
+
+TEST_CASE("an id given away stays used after its step was undone") {
+  Session session(two_nodes());
+  session.edit("Add", session.document().with(test::source_node(test::point(3))));
+  CHECK(session.document().nodes().back()->id == 3);
+  session.undo();
+  session.edit("Add another", session.document().with(test::source_node(test::point(4))));
+  CHECK(session.document().nodes().back()->id == 4);
+}
+
+Value large_value(std::size_t points) {
+  PolyMesh mesh;
+  mesh.positions.resize(points, Vec3::Zero());
+  return std::make_shared<const PolyMesh>(std::move(mesh));
+}
+
+Document with_value(const Document& document, double x) {
+  PolyMesh mesh;
+  mesh.positions.resize(1000, Vec3(x, 0, 0));
+  Node node = *document.find(1);
+  node.source = std::make_shared<const PolyMesh>(std::move(mesh));
+  return document.with(node);
+}
+
+TEST_CASE("the oldest steps are forgotten above the byte cap") {
+  constexpr std::size_t step = 1000 * sizeof(Vec3);
+  constexpr std::size_t cap = 10 * step;
+  Session session(Document().with(test::source_node(large_value(1000))), cap);
+  for (int i = 1; i <= 30; ++i) {
+    session.edit("Edit " + std::to_string(i), with_value(session.document(), i));
+    CHECK(session.history_bytes() <= cap);
+  }
+  const Labels labels = session.undo_labels();
+  CHECK(labels.size() >= 8);
+  CHECK(labels.size() <= 10);
+  CHECK(labels.back() == "Edit 30");
+  const std::size_t steps = labels.size();
+  for (std::size_t i = 0; i < steps; ++i) session.undo();
+  CHECK_FALSE(session.can_undo());
+  CHECK(session.redo_labels().size() == steps);
+  CHECK(session.redo_labels().front() == labels.front());
+  for (std::size_t i = 0; i < steps; ++i) session.redo();
+  CHECK(test::x_of(*session.document().find(1)->source) == 30);
+}
+
+TEST_CASE("the newest step is kept however large it is") {
+  Session session(Document().with(test::source_node(large_value(1000))), 10);
+  session.edit("A", with_value(session.document(), 1));
+  session.edit("B", with_value(session.document(), 2));
+  CHECK(session.undo_labels() == Labels{"B"});
+  session.undo();
+  CHECK(test::x_of(*session.document().find(1)->source) == 1);
+  CHECK(session.redo_labels() == Labels{"B"});
+}
+
+TEST_CASE("steps share what they didn't change") {
+  Session session(Document().with(test::source_node(large_value(100000), "scan")));
+  for (int i = 0; i < 50; ++i) session.edit("Rename", renamed(session.document(), 1, std::to_string(i)));
+  CHECK(session.history_bytes() < 50 * 1000);
+  session.edit("Remove", session.document().without(1));
+  CHECK(session.history_bytes() >= 100000 * sizeof(Vec3));
+  session.undo();  // now it is part of the current document again
+  CHECK(session.history_bytes() < 50 * 1000);
+}
+
+}  // namespace
+}  // namespace croquis
