@@ -167,7 +167,7 @@ void ReplayPlayer::play(const recorded::Navigate& step) {
   CameraMotion motion;
   motion.kind = kind_of(step.motion);
   motion.delta = step.by * (pane.rect.height() / recorded_view_height);
-  motion.factor = std::exp(-(step.by.x() + step.by.y()) * NavigationOptions().dolly_per_pixel);
+  motion.factor = std::exp((step.by.x() - step.by.y()) * NavigationOptions().dolly_per_pixel);
   motion.about = Vec2(pane.rect.width() / 2, pane.rect.height() / 2);
   pane.move(motion);
   window_.viewport().update();

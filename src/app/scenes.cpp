@@ -54,32 +54,57 @@ render::LineItemPtr hidden_contours(const Drawing& labels) {
   return lines(paths, {1.8, to_color(colors::guide), {7, 5, 0, 0}, render::LineDepth::OnTop});
 }
 
+/// A report's place, in the frame of files: y down.
+Vec2 place_of(const Report& at) { return {at.as_array()[0].as_number(), -at.as_array()[1].as_number()}; }
+
 const Report* report_of(const Evaluation& evaluation) {
   const auto details = evaluation.outputs.find("details");
   if (details == evaluation.outputs.end()) return nullptr;
   return std::get<std::shared_ptr<const Report>>(details->second).get();
 }
 
-/// A report's place, in the frame of files: y down.
-Vec2 place_of(const Report& at) { return {at.as_array()[0].as_number(), -at.as_array()[1].as_number()}; }
+const Drawing* labels_of(const Evaluation& evaluation) {
+  const auto labels = evaluation.outputs.find("labels");
+  if (labels == evaluation.outputs.end()) return nullptr;
+  return std::get<std::shared_ptr<const Drawing>>(labels->second).get();
+}
 
-double angle_of(const Report& overlap, const char* key, double otherwise) {
-  const Report* angle = overlap.find(key);
-  return angle == nullptr ? otherwise : angle->as_number();
+bool ends_at_corners(const Stroke& arc, const std::vector<Vec2>& corners) {
+  const auto is_corner = [&](const Vec2& place) {
+    return std::any_of(corners.begin(), corners.end(), [&](const Vec2& c) { return (c - place).norm() < 1e-3; });
+  };
+  return is_corner(arc.samples.front().position) && is_corner(arc.samples.back().position);
+}
+
+/// The strand on top is bounded by the visible arcs between the overlap's corners, the one below by the hidden ones.
+void turn_mark(const Drawing& labels, const std::vector<Vec2>& corners, render::Mark& mark) {
+  for (const Stroke& arc : labels.strokes) {
+    if (arc.samples.size() < 2 || !ends_at_corners(arc, corners)) continue;
+    const Vec2 along = arc.samples.back().position - arc.samples.front().position;
+    const auto angle = static_cast<float>(std::atan2(along.y(), along.x()));
+    const auto depth = arc.data.find("depth");
+    (depth != arc.data.end() && depth->second == "0" ? mark.angle : mark.under_angle) = angle;
+  }
 }
 
 void add_overlap_marks(const Evaluation& evaluation, std::vector<render::Mark>& marks) {
   const Report* details = report_of(evaluation);
   const Report* overlaps = details == nullptr ? nullptr : details->find("overlaps");
-  if (overlaps == nullptr) return;
+  const Drawing* labels = labels_of(evaluation);
+  if (overlaps == nullptr || labels == nullptr) return;
   for (const Report& overlap : overlaps->as_array()) {
+    std::vector<Vec2> corners;
+    if (const Report* list = overlap.find("crossings")) {
+      for (const Report& corner : list->as_array()) corners.push_back(place_of(corner));
+    }
+    // Where one end lies over or under a body, a joint is offered instead.
+    if (corners.size() < 4) continue;
     render::Mark mark;
     mark.position = on_plane(place_of(overlap.at("at")));
     mark.shape = render::MarkShape::OverUnder;
     mark.size = 16;
     mark.color = to_color(colors::hover);
-    mark.angle = static_cast<float>(angle_of(overlap, "upper_angle", 0.25 * 3.14159265358979));
-    mark.under_angle = static_cast<float>(angle_of(overlap, "lower_angle", 0.75 * 3.14159265358979));
+    turn_mark(*labels, corners, mark);
     marks.push_back(mark);
   }
 }
@@ -171,11 +196,9 @@ void Scenes::show_result(const Studio& studio) {
   finding_marks_.clear();
   std::vector<render::Mark> marks;
   if (result) {
-    const auto labels = result->outputs.find("labels");
     // A failed drawing has the labels of the last good one, which lie elsewhere.
-    if (labels != result->outputs.end() && !result->failed) {
-      hidden_ = hidden_contours(*std::get<std::shared_ptr<const Drawing>>(labels->second));
-    }
+    const Drawing* labels = result->failed ? nullptr : labels_of(*result);
+    if (labels != nullptr) hidden_ = hidden_contours(*labels);
     if (!result->failed) add_overlap_marks(*result, marks);
     for (const Finding& finding : studio.findings()) {
       const auto at = place_of(finding, studio.drawing());

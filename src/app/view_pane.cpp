@@ -25,9 +25,8 @@ void ViewPane::move(const CameraMotion& motion) {
     case CameraMotion::Kind::Tumble: camera = render::tumble(camera, camera.target, pixels * radians_per_pixel); break;
     case CameraMotion::Kind::Track: camera = render::track(camera, pixels, rect.height()); break;
     case CameraMotion::Kind::Dolly:
-      camera =
-          flat ? render::dolly_about(camera, 1 / motion.factor, glm::dvec2(motion.about.x(), motion.about.y()), size())
-               : render::dolly(camera, 1 / motion.factor);
+      camera = flat ? render::dolly_about(camera, motion.factor, glm::dvec2(motion.about.x(), motion.about.y()), size())
+                    : render::dolly(camera, motion.factor);
       break;
   }
 }

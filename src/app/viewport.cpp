@@ -18,6 +18,17 @@ constexpr double gap = 2;  // logical pixels between the views
 constexpr int settle_ms = 180;
 constexpr double affordable_ms = 90;  // a frame that takes longer would be felt
 constexpr int picture_height = 1600;
+constexpr const char* joint_style =
+    "QToolButton { background: rgba(255,255,255,215); color: #3c4654; border: 1px dashed #7a8698;"
+    " border-radius: 8px; padding: 1px 7px; font-size: 11px }"
+    "QToolButton:checked { background: #f28c28; color: #1c1c1e; border: 1px solid #a85a10 }";
+
+std::string attach_text(const Studio& studio) {
+  const Node* operation = studio.solid_operation();
+  if (operation == nullptr) return {};
+  const auto attach = operation->parameters.find("attach");
+  return attach == operation->parameters.end() ? "" : std::get<std::string>(attach->second);
+}
 
 }  // namespace
 
@@ -226,6 +237,7 @@ void Viewport::follow_document() {
 
 void Viewport::follow_result() {
   scenes_.show_result(studio_);
+  show_joints();
   if (!studio_.solid()) framed_solid_ = false;
   if (studio_.solid() && !framed_solid_) {
     lay_out();
@@ -241,6 +253,12 @@ void Viewport::place_labels() {
   hint_->setVisible(!renderer_ || (!scenes_.has_strokes() && panes_[SketchView].visible() && !pen_.down()));
   hint_->adjustSize();
   hint_->move(static_cast<int>(sketch.center().x() - hint_->width() / 2.0), static_cast<int>(sketch.bottom() - 60));
+  place_finding_chips();
+  place_joint_chips();
+}
+
+void Viewport::place_finding_chips() {
+  const QRectF sketch = panes_[SketchView].rect;
   std::size_t used = 0;
   for (const FindingMark& finding : scenes_.finding_marks()) {
     if (used == finding_chips_.size() || !panes_[SketchView].visible() || pen_.down()) break;
@@ -256,6 +274,45 @@ void Viewport::place_labels() {
     chip->show();
   }
   for (; used < finding_chips_.size(); ++used) finding_chips_[used]->hide();
+}
+
+void Viewport::show_joints() {
+  joints_.clear();
+  if (studio_.result()) joints_ = suggested_joints(*studio_.result(), attach_text(studio_));
+  while (joint_chips_.size() < joints_.size()) {
+    auto* chip = new QToolButton(this);
+    const std::size_t place = joint_chips_.size();
+    chip->setObjectName("joint-" + QString::number(place));
+    chip->setCheckable(true);
+    chip->setFocusPolicy(Qt::NoFocus);
+    chip->setStyleSheet(joint_style);
+    connect(chip, &QToolButton::clicked, this, [this, place] {
+      const std::string text = toggled_joint(attach_text(studio_), joints_.at(place));
+      studio_.set_parameter(studio_.solid_node(), "attach", text, false);
+    });
+    joint_chips_.push_back(chip);
+  }
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const Joint& joint = joints_[i];
+    const QString names = QString::fromStdString(joint.a) + " – " + QString::fromStdString(joint.b);
+    joint_chips_[i]->setChecked(joint.attached);
+    joint_chips_[i]->setText(joint.attached ? tr("joined") : tr("join?"));
+    joint_chips_[i]->setToolTip(joint.attached ? tr("%1 are one body: click to part them").arg(names)
+                                               : tr("%1: click to make them one body").arg(names));
+    joint_chips_[i]->setAccessibleName(joint_chips_[i]->toolTip());
+  }
+}
+
+void Viewport::place_joint_chips() {
+  const QRectF sketch = panes_[SketchView].rect;
+  for (std::size_t i = 0; i < joint_chips_.size(); ++i) {
+    QToolButton* chip = joint_chips_[i];
+    const bool shown = i < joints_.size() && panes_[SketchView].visible() && !pen_.down();
+    const QPointF at = shown ? sketch_to_widget(joints_[i].at) : QPointF();
+    chip->setVisible(shown && sketch.contains(at));
+    chip->adjustSize();
+    chip->move((at - QPointF(chip->width(), chip->height()) / 2).toPoint());
+  }
 }
 
 }  // namespace croquis::app

@@ -5,10 +5,12 @@
 #include <QLabel>
 #include <QOpenGLWidget>
 #include <QTimer>
+#include <QToolButton>
 #include <array>
 #include <memory>
 #include <optional>
 
+#include "app/joints.h"
 #include "app/scenes.h"
 #include "app/studio.h"
 #include "app/view_pane.h"
@@ -99,6 +101,9 @@ class Viewport : public QOpenGLWidget {
   void draw_pane(const ViewPane& pane, const render::Scene& scene, const render::RenderOptions& options);
   render::RenderOptions solid_options() const;
   void place_labels();
+  void place_finding_chips();
+  void show_joints();
+  void place_joint_chips();
   bool drag_divider(const PointerEvent& event, const QPointF& place);
 
   Studio& studio_;
@@ -121,6 +126,8 @@ class Viewport : public QOpenGLWidget {
   QElapsedTimer clock_;
   QLabel* hint_;
   std::array<QLabel*, 3> finding_chips_;
+  std::vector<Joint> joints_;
+  std::vector<QToolButton*> joint_chips_;  ///< one for each of joints_; later ones wait hidden
   double input_time_ms_ = -1;
   double latency_ms_ = 0;
   int frames_ = 0;
