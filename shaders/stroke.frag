@@ -36,7 +36,8 @@ void main() {
   vec2 offset = place - ends.xy;
   float way = dot(offset, direction);
   float share = extent > 1e-6 ? clamp(way / extent, 0.0, 1.0) : 0.0;
-  float radius = mix(radii.x, radii.y, share);
+  float true_radius = mix(radii.x, radii.y, share);
+  float radius = max(true_radius, 0.5);  // a line thinner than a pixel keeps its width and loses strength instead
   float outside = length(offset - share * along) - radius;
   if (dashed) {
     vec2 on_line = vec2(dash_offset + way, dot(offset, vec2(-direction.y, direction.x)));
@@ -46,7 +47,7 @@ void main() {
   }
   float coverage = clamp(0.5 - outside, 0.0, 1.0);
   if (coverage <= 0.0) discard;
-  float share_of_ink = coverage * strength * visible_share(ivec2(place), mix(measures.x, measures.y, share), radius + 2.0);
+  float share_of_ink = coverage * min(2.0 * true_radius, 1.0) * strength * visible_share(ivec2(place), mix(measures.x, measures.y, share), radius + 2.0);
   if (share_of_ink <= 0.0) discard;
   gl_FragDepth = layer + layer_depth * clamp((outside + 64.0) / 65.0, 0.0, 0.999);
   vec4 ink = mix(start_color, end_color, share);

@@ -30,13 +30,8 @@ vec2 on_screen(vec4 view) {
   return (0.5 * clip.xy / clip.w + 0.5) * frame_size;
 }
 
-// Lines thinner than a pixel keep a pixel's width and lose strength instead.
-float radius_of(float width) { return max(0.5, 0.5 * pixel_ratio * width + grow); }
-vec4 color_of(vec4 color, float width) {
-  vec4 result = fixed_color.a > 0.0 ? fixed_color : color;
-  result.a *= clamp(pixel_ratio * width + 2.0 * grow, 0.0, 1.0);
-  return result;
-}
+float radius_of(float width) { return 0.5 * pixel_ratio * width + grow; }
+vec4 color_of(vec4 color) { return fixed_color.a > 0.0 ? fixed_color : color; }
 
 void main() {
   gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
@@ -52,14 +47,14 @@ void main() {
   ends = vec4(on_screen(a), on_screen(b));
   radii = vec2(radius_of(a_width), radius_of(far_width));
   measures = perspective ? 1.0 / vec2(a.z, b.z) : -vec2(a.z, b.z);
-  start_color = color_of(a_color, a_width);
-  end_color = color_of(b_color, far_width);
+  start_color = color_of(a_color);
+  end_color = color_of(b_color);
   dash_offset = dash_start;
 
   vec2 along = ends.zw - ends.xy;
   float extent = length(along);
   along = extent > 1e-6 ? along / extent : vec2(1.0, 0.0);
-  float reach = max(radii.x, radii.y) + 0.6;  // no pixel further away is touched
+  float reach = max(max(radii.x, radii.y), 0.5) + 0.6;  // no pixel further away is touched
   vec2 sideways = (gl_VertexID & 2) == 0 ? vec2(-along.y, along.x) : vec2(along.y, -along.x);
   vec2 corner = (gl_VertexID & 1) == 0 ? ends.xy - reach * along : ends.zw + reach * along;
   gl_Position = vec4(2.0 * (corner + reach * sideways) / frame_size - 1.0, 0.0, 1.0);

@@ -59,6 +59,37 @@ render::RenderOptions flat_options() {
   return options;
 }
 
+render::Camera pixel_camera(const render::PictureSize& size) {
+  render::Camera camera;
+  camera.target = {0.5 * size.width, 0.5 * size.height, 0};
+  camera.eye = camera.target + glm::dvec3(0, 0, 100);
+  camera.height = size.height;
+  return camera;
+}
+
+render::RenderedPicture pixel_picture(render::Renderer& renderer, const render::Scene& scene,
+                                      const render::PictureSize& size, double pixel_ratio) {
+  render::RenderOptions options = flat_options();
+  options.pixel_ratio = pixel_ratio;
+  return render_picture(renderer, scene, pixel_camera(size), options, size);
+}
+
+double ink(const render::RenderedPicture& picture, int x, int y) {
+  return (255 - brightness(pixel(picture, x, y))) / 255.0;
+}
+
+double ink_of_column(const render::RenderedPicture& picture, int x) {
+  double sum = 0;
+  for (int y = 0; y < picture.height; ++y) sum += ink(picture, x, y);
+  return sum;
+}
+
+double ink_of_all(const render::RenderedPicture& picture) {
+  double sum = 0;
+  for (int x = 0; x < picture.width; ++x) sum += ink_of_column(picture, x);
+  return sum;
+}
+
 void color_faces(PolyMesh& mesh, const std::vector<std::array<std::uint8_t, 3>>& colors) {
   std::vector<std::uint8_t> values;
   for (const auto& color : colors) values.insert(values.end(), color.begin(), color.end());

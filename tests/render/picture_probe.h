@@ -24,6 +24,18 @@ int count_pixels(const render::RenderedPicture& picture, const std::function<boo
 /// Plain colours on white, no lines: what is where can be read off exactly.
 render::RenderOptions flat_options();
 
+/// A parallel view in which a model unit is a pixel and the origin is the picture's lower left corner.
+render::Camera pixel_camera(const render::PictureSize& size);
+
+/// The picture of a scene in that view, plain colours on white.
+render::RenderedPicture pixel_picture(render::Renderer& renderer, const render::Scene& scene,
+                                      const render::PictureSize& size, double pixel_ratio = 1);
+
+/// How dark a pixel is: 0 white … 1 black.
+double ink(const render::RenderedPicture& picture, int x, int y);
+double ink_of_column(const render::RenderedPicture& picture, int x);  ///< sum of a column's ink, pixels of black
+double ink_of_all(const render::RenderedPicture& picture);            ///< sum of all ink, pixels of black
+
 /// The faces' colours by a channel, three values 0..255 per face.
 void color_faces(PolyMesh& mesh, const std::vector<std::array<std::uint8_t, 3>>& colors);
 
