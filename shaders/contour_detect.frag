@@ -54,8 +54,31 @@ bool breaks_along(ivec2 place, ivec2 step_, vec2 here) {
          breaks(place, -step_, next, here, last, depth_at(place - 2 * step_));
 }
 
+// Neither patch nor depth changes along the row: a quick answer for nearly all samples.
+bool even_along(ivec2 place, ivec2 step_, vec2 here) {
+  vec2 next = depth_at(place + step_);
+  vec2 last = depth_at(place - step_);
+  if (next.y != here.y || last.y != here.y) return false;
+  float farthest = max(here.x, max(next.x, last.x));
+  float rest = abs(to_view_units(next.x + last.x - 2.0 * here.x, farthest));
+  return rest <= max(possible_break * frame_height, 4.0 * sample_size);
+}
+
+bool normals_agree(ivec2 place) {
+  vec3 normal = normal_at(place);
+  return dot(normal, normal_at(place + ivec2(1, 0))) >= creased_normals &&
+         dot(normal, normal_at(place - ivec2(1, 0))) >= creased_normals &&
+         dot(normal, normal_at(place + ivec2(0, 1))) >= creased_normals &&
+         dot(normal, normal_at(place - ivec2(0, 1))) >= creased_normals;
+}
+
 void main() {
   ivec2 place = ivec2(gl_FragCoord.xy);
   vec2 here = depth_at(place);
+  mark = 0.0;
+  if (even_along(place, ivec2(1, 0), here) && even_along(place, ivec2(0, 1), here) &&
+      (here.y == 0.0 || normals_agree(place))) {
+    return;
+  }
   mark = breaks_along(place, ivec2(1, 0), here) || breaks_along(place, ivec2(0, 1), here) ? 1.0 : 0.0;
 }

@@ -19,13 +19,11 @@ layout(location = 0) out vec4 color;
 
 float visible_share(ivec2 pixel, float measure, float slack);
 
-// To the nearest dash centred at middle: a rounded box, negative inside.
+// To the nearest dash centred at middle: a rounded box, negative inside. Short ones are dots of the line's width.
 float distance_to_dash(vec2 place, float middle, float on, float radius) {
   float period = dot(dashes, vec4(1.0));
   vec2 from_middle = vec2(abs(mod(place.x - middle + 0.5 * period, period) - 0.5 * period), abs(place.y));
-  float rounding = min(0.5 * on, radius);
-  vec2 beyond = from_middle - vec2(0.5 * on, radius) + rounding;
-  return length(max(beyond, 0.0)) + min(max(beyond.x, beyond.y), 0.0) - rounding;
+  return length(vec2(max(from_middle.x - max(0.5 * on - radius, 0.0), 0.0), from_middle.y)) - radius;
 }
 
 void main() {

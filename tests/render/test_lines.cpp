@@ -115,6 +115,17 @@ TEST_CASE("the ink of dashes is their share of the whole line's") {
   });
 }
 
+TEST_CASE("dashes shorter than the line is wide are round dots") {
+  with_renderer([](Renderer& renderer) {
+    const LinePath line = path({{10, 20.5, 0}, {10 + 16 * 10, 20.5, 0}});
+    const RenderedPicture picture = pixel_picture(renderer, scene_of(line, {8, black, {1, 15, 0, 0}, {}}), {200, 40});
+    CHECK(ink(picture, 10 + 16, 20) > 0.9);
+    CHECK(ink_of_column(picture, 10 + 8) == 0);
+    // Ten dots, and the one that would follow at the line's end shows its half, cut round.
+    CHECK(ink_of_all(picture) == Approx(10.5 * M_PI * 16).epsilon(0.05));
+  });
+}
+
 TEST_CASE("a half transparent line is even, however many points it has and wherever it crosses itself") {
   with_renderer([](Renderer& renderer) {
     const LineStyle style{10, {0, 0, 0, 128}, {}, {}};

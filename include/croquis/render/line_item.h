@@ -15,7 +15,7 @@
 namespace croquis::render {
 
 /// Lengths along a line in pixels, drawn and left out in turn, from its start on; continuous around corners. A dash is
-/// rounded within its length. Both `off` zero: no gaps.
+/// rounded within its length; one shorter than the line is wide is a dot of that width. Both `off` zero: no gaps.
 struct DashPattern {
   float on = 0;
   float off = 0;
