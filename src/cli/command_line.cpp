@@ -52,7 +52,9 @@ void add_parameters(Slot& slot) {
     if (parameter.type == ParameterType::Flag) {
       slot.app->add_flag(name, slot.flags[parameter.name], help_of(parameter));
     } else {
-      slot.app->add_option(name, slot.texts[parameter.name], help_of(parameter))->type_name(type_word(parameter));
+      CLI::Option* option = slot.app->add_option(name, slot.texts[parameter.name], help_of(parameter));
+      option->type_name(type_word(parameter));
+      if (parameter.repeatable) option->join(';');
     }
   }
 }

@@ -5,6 +5,7 @@
 
 #include "croquis/silhouette/labelled_figure.h"
 #include "croquis/silhouette/solid.h"
+#include "operators/attach_parameter.h"
 #include "operators/inflate_report.h"
 
 namespace croquis {
@@ -29,6 +30,7 @@ Options read_options(const ParameterValues& parameters) {
   options.depth.weight_orientation = number(parameters, "weight-orientation");
   options.depth.weight_distance = number(parameters, "weight-distance");
   options.depth.minimum_gap = number(parameters, "min-gap");
+  options.attach = parse_attached_pairs(std::get<std::string>(parameters.at("attach")));
   return options;
 }
 
@@ -71,7 +73,17 @@ OperationDescription InflateOperation::describe() const {
             20.0,
             {},
             "x sketch diagonal / 1000",
-            "Spacing of points along the contours: smaller is finer."}}};
+            "Spacing of points along the contours: smaller is finer."},
+           {"attach",
+            ParameterType::Text,
+            std::string(),
+            0,
+            0,
+            {},
+            "",
+            "Pairs of objects that grow together where they overlap: A,B or A,B=K; K from 0 to 1 is the least distance "
+            "of their middles in parts of that of touching ones, 0.55 unless said.",
+            true}}};
 }
 
 OperationResult InflateOperation::compute(const Values& inputs, const ParameterValues& parameters,

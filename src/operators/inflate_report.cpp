@@ -5,6 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "croquis/silhouette/attachment.h"
+
 namespace croquis {
 namespace {
 
@@ -68,18 +70,60 @@ Report object_list(const Drawing& drawing, const Solid& solid) {
   return list;
 }
 
+/// In the sketch's own frame, y down.
+Report place(const Vec2& at) { return Report::list(std::vector<double>{at.x(), -at.y()}); }
+
 Report overlap_list(const LabelledDrawing& labelled) {
   Report list = Report::array();
   std::size_t index = 0;
   for (const LabelledFigure& figure : labelled.figures) {
     for (const silhouette::FigureOverlap& overlap : figure.overlaps) {
+      Report crossings = Report::array();
+      for (const Index k : overlap.crossings) crossings.push(place(figure.points[figure.crossings[k].vertex]));
       Report entry;
       entry.set("index", index++)
-          .set("at", Report::list(std::vector<double>{overlap.at.x(), -overlap.at.y()}))
+          .set("at", place(overlap.at))
           .set("upper", figure.objects[overlap.upper].name)
-          .set("lower", figure.objects[overlap.lower].name);
+          .set("lower", figure.objects[overlap.lower].name)
+          .set("crossings", std::move(crossings));
       list.push(std::move(entry));
     }
+  }
+  return list;
+}
+
+Report attach_suggestion_list(const LabelledDrawing& labelled) {
+  Report list = Report::array();
+  for (const LabelledFigure& figure : labelled.figures) {
+    for (const silhouette::AttachSuggestion& suggestion : attach_suggestions(figure)) {
+      Report entry;
+      entry.set("a", figure.objects[suggestion.a].name)
+          .set("b", figure.objects[suggestion.b].name)
+          .set("at", place(suggestion.at));
+      list.push(std::move(entry));
+    }
+  }
+  return list;
+}
+
+Report shell_list(const Solid& solid) {
+  Report list = Report::array();
+  for (const silhouette::SolidShell& shell : solid.shells) {
+    Report names = Report::array();
+    for (const Index object : shell.objects) names.push(solid.objects[object].name);
+    Report entry;
+    entry.set("objects", std::move(names)).set("euler_mesh", shell.euler_mesh);
+    list.push(std::move(entry));
+  }
+  return list;
+}
+
+Report attached_list(const Solid& solid) {
+  Report list = Report::array();
+  for (const silhouette::SolidAttachment& pair : solid.attached) {
+    Report entry;
+    entry.set("a", pair.a).set("b", pair.b).set("kappa", pair.kappa);
+    list.push(std::move(entry));
   }
   return list;
 }
@@ -112,6 +156,9 @@ Report inflate_details(const Drawing& drawing, const LabelledDrawing& labelled, 
       .set("skeleton_vertices", solid.diagnostics.skeleton_vertices)
       .set("collision_constraints", solid.diagnostics.collision_constraints)
       .set("overlaps", overlap_list(labelled))
+      .set("shells", shell_list(solid))
+      .set("attached", attached_list(solid))
+      .set("attach_suggestions", attach_suggestion_list(labelled))
       .set("silhouette_iou", solid.diagnostics.silhouette_iou)
       .set("min_gap", solid.diagnostics.minimum_gap)
       .set("solver", std::move(solver));
@@ -135,6 +182,7 @@ Drawing label_drawing(const Drawing& drawing, const LabelledDrawing& labelled) {
       }
       stroke.data = {{"contour", std::to_string(first_contour + arc.contour)},
                      {"depth", std::to_string(arc.depth)},
+                     {"object", figure.objects[contour.object].name},
                      {"visible", arc.visible ? "true" : "false"}};
       labels.strokes.push_back(std::move(stroke));
     }

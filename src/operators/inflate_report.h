@@ -12,7 +12,8 @@ namespace croquis {
 Report inflate_details(const Drawing& drawing, const silhouette::LabelledDrawing& labelled,
                        const silhouette::Solid& solid);
 
-/// One stroke per arc, hidden ones included; data: "contour", "depth" and "visible" ("true" or "false").
+/// One stroke per arc, hidden ones included; data: "contour", "depth", "object" (its name) and "visible" ("true" or
+/// "false").
 Drawing label_drawing(const Drawing& drawing, const silhouette::LabelledDrawing& labelled);
 
 }  // namespace croquis

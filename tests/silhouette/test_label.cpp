@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <string>
@@ -11,6 +12,7 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
+#include "croquis/silhouette/attachment.h"
 #include "croquis/silhouette/labelled_figure.h"
 #include "silhouette/labelled_counts.h"
 #include "support/random.h"
@@ -317,6 +319,46 @@ TEST_CASE("each tube over a tube is one overlap") {
   for (const auto& overlap : blobs.figures.front().overlaps) {
     CHECK(overlap.upper != overlap.lower);
     CHECK(layers_at(three_blobs_sketch().truth, overlap.at) >= 2);
+  }
+}
+
+TEST_CASE("every crossing is a corner of one overlap, of the objects that cross there") {
+  for (const NamedSketch& sketch : sketches_with_random_ones(5)) {
+    INFO(sketch.name);
+    for (const LabelledFigure& figure : label_quietly(sketch.sketch.drawing).figures) {
+      std::vector<int> corners(figure.crossings.size(), 0);
+      for (const auto& overlap : figure.overlaps) {
+        for (const Index k : overlap.crossings) {
+          ++corners[k];
+          const auto& crossing = figure.crossings[k];
+          CHECK(figure.contours[crossing.over_contour].object == overlap.upper);
+          CHECK(figure.contours[crossing.under_contour].object == overlap.lower);
+        }
+      }
+      CHECK(corners == std::vector<int>(figure.crossings.size(), 1));
+    }
+  }
+}
+
+TEST_CASE("limbs are suggested for attaching, strands that pass across one another are not") {
+  // Head, tail and four legs belong to the body, the ear to the head.
+  std::map<std::string, int> partners;
+  const LabelledDrawing dog = label_quietly(dog_sketch().drawing);
+  for (const LabelledFigure& figure : dog.figures) {
+    for (const auto& suggestion : attach_suggestions(figure)) {
+      ++partners[figure.objects[suggestion.a].name];
+      ++partners[figure.objects[suggestion.b].name];
+      CHECK(layers_at(dog_sketch().truth, suggestion.at) >= 2);
+    }
+  }
+  std::vector<int> counts;
+  for (const auto& [name, count] : partners) counts.push_back(count);
+  std::sort(counts.begin(), counts.end());
+  CHECK(counts == std::vector<int>{1, 1, 1, 1, 1, 1, 2, 6});
+  for (const Sketch& sketch : {trefoil_sketch(), linked_rings_sketch(), ring_and_bar_sketch(), weave_sketch()}) {
+    for (const LabelledFigure& figure : label_quietly(sketch.drawing).figures) {
+      CHECK(attach_suggestions(figure).empty());
+    }
   }
 }
 

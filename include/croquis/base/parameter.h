@@ -32,6 +32,7 @@ struct ParameterDescription {
   std::vector<std::string> choices;  ///< Choice only
   std::string unit;                  ///< what one unit of it is ("× median radius"), empty for none
   std::string sentence;              ///< one sentence of help
+  bool repeatable = false;           ///< Text only: a list separated by ';'; command lines may give the option often
 };
 
 /// Values by parameter name. Holds every parameter of its description once `complete` has run.

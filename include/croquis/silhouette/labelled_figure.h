@@ -59,9 +59,12 @@ struct FigureObject {
 
 /// One place where an object passes in front of another, or of itself: the region of a pair of layers.
 struct FigureOverlap {
-  Vec2 at = Vec2::Zero();
-  Index upper = 0;  ///< objects
+  Vec2 at = Vec2::Zero();  ///< inside the region
+  Index upper = 0;         ///< objects
   Index lower = 0;
+  /// Corners of the region, indices into LabelledFigure::crossings, ascending: four where a tube crosses a tube, two
+  /// where one's end lies over or under the other, none where the upper one lies wholly before the lower one.
+  std::vector<Index> crossings;
 };
 
 /// The labelled figure of one part of a drawing; parts share no contour, crossing or overlap.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+#include <vector>
+
 namespace croquis::silhouette {
 
 /// Lengths of the drawing stage are in sketch units u: the diagonal of the sketch's bounding box / 1000, so that a
@@ -38,10 +41,18 @@ struct DepthOptions {
   double node_spacing = 0.3;        ///< local radii, 0.1..1: spacing of skeleton nodes along a branch
 };
 
+/// Two objects that grow together where they overlap, instead of keeping the gap: limb and body.
+struct AttachedPair {
+  std::string a;  ///< names of objects; a stroke's id stands for the object that it bounds
+  std::string b;
+  double kappa = 0.55;  ///< 0..1: least distance of their middles, in parts of that of touching ones
+};
+
 struct Options {
   StrokeOptions strokes;
   CompletionOptions completion;
   DepthOptions depth;
+  std::vector<AttachedPair> attach;  ///< of two entries for one pair the later counts
 
   static Options of(Preset preset) {
     Options options;

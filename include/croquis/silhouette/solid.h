@@ -20,7 +20,20 @@ struct SolidObject {
   std::string name;
   std::vector<Index> strokes;  ///< indices into Drawing::strokes
   int euler_region = 0;        ///< of the immersed region
-  int euler_mesh = 0;          ///< of its mesh, counted; twice euler_region
+  int euler_mesh = 0;          ///< of its mesh, before it is joined with others; twice euler_region
+};
+
+/// A surface of its own: that of one object, or of several attached ones joined.
+struct SolidShell {
+  std::vector<Index> objects;  ///< indices into Solid::objects
+  int euler_mesh = 0;          ///< counted
+};
+
+/// Two objects that were attached.
+struct SolidAttachment {
+  std::string a;
+  std::string b;
+  double kappa = 0;
 };
 
 struct SolidDiagnostics {
@@ -36,15 +49,21 @@ struct SolidDiagnostics {
 
 /// The solids of a drawing.
 struct Solid {
-  PolyMesh mesh;      ///< triangles of all objects; face channel "object" names them
+  PolyMesh mesh;      ///< triangles of all objects; face channel "object" names the one that a face came from
   PolyMesh skeleton;  ///< polylines; vertex channel "radius"
   std::vector<SolidObject> objects;
+  std::vector<SolidShell> shells;
+  std::vector<SolidAttachment> attached;
   SolidDiagnostics diagnostics;
   Findings findings;  ///< warnings, and the errors of parts that could not become solid
 };
 
 /// Sections 8 to 13 for every part of a labelled drawing.
-/// @throws Error when no part becomes a solid; Cancelled
+///
+/// Attached objects that overlap are joined to one surface. Where that fails the whole group is made anew with gaps
+/// (W_ATTACH); a pair that doesn't overlap stays as it is (W_ATTACH_APART).
+/// @throws Error when no part becomes a solid; E_ATTACH for every pair that names an unknown object, or one twice, or
+///         has a kappa outside 0..1; Cancelled
 Solid inflate(const LabelledDrawing& labelled, const Drawing& drawing, const Options& options, Progress& progress);
 
 }  // namespace croquis::silhouette

@@ -84,7 +84,8 @@ void add_objects(const Drawing& drawing, const ClosedContours& closed, const Pan
   }
   for (FigureObject& owner : figure.objects) std::sort(owner.strokes.begin(), owner.strokes.end());
   for (const PanelOverlap& overlap : paneling.overlaps) {
-    figure.overlaps.push_back({overlap.at, object[overlap.upper_component], object[overlap.lower_component]});
+    figure.overlaps.push_back(
+        {overlap.at, object[overlap.upper_component], object[overlap.lower_component], overlap.crossings});
   }
 }
 

@@ -45,7 +45,7 @@ class Gluer {
  public:
   Gluer(const Arrangement& arrangement, const Faces& faces, const std::vector<int>& layers,
         const std::vector<int>& depth)
-      : arrangement_(arrangement), faces_(faces), layers_(layers) {
+      : arrangement_(arrangement), faces_(faces), layers_(layers), ends_(arc_ends(arrangement)) {
     for (Index arc = 0; arc < arrangement.arcs.size(); ++arc) {
       Step step{faces.left[arc], faces.right[arc], static_cast<Index>(depth[arc])};
       if (layers[step.more] < layers[step.fewer]) std::swap(step.more, step.fewer);
@@ -100,6 +100,27 @@ class Gluer {
     collect_overlaps(sets);
   }
 
+  /// Of the two arcs of a contour at a crossing, the one inside the other contour's surface.
+  const Step& covered_step(Index contour, Index position) const {
+    const Step& before = steps_[ends_.before(contour, position)];
+    const Step& after = steps_[ends_.after(contour, position)];
+    return layers_[before.more] > layers_[after.more] ? before : after;
+  }
+
+  /// The sheets that end at a crossing lie above one another in one of the four faces around it: that pair of panels
+  /// has a corner there.
+  std::map<Index, std::vector<Index>> crossings_of_regions(DisjointSets& sets) const {
+    std::map<Index, std::vector<Index>> crossings;
+    for (Index k = 0; k < arrangement_.crossings.size(); ++k) {
+      const ContourCrossing& crossing = arrangement_.crossings[k];
+      const Step& a = covered_step(crossing.contour_a, crossing.position_a);
+      const Step& b = covered_step(crossing.contour_b, crossing.position_b);
+      const auto [above, below] = std::minmax(a.depth, b.depth);
+      crossings[sets.find(pair(a.more, above, below))].push_back(k);
+    }
+    return crossings;
+  }
+
   /// One overlap for each set of pairs, placed in the largest triangle it covers.
   void collect_overlaps(DisjointSets& sets) {
     std::vector<std::pair<double, Vec2>> largest(layers_.size(), {-1.0, Vec2::Zero()});
@@ -122,11 +143,14 @@ class Gluer {
           Region& region = regions[sets.find(pair(f, i, k))];
           if (largest[f].first <= region.area) continue;
           region = {largest[f].first,
-                    {largest[f].second, result_.component[panel(f, i)], result_.component[panel(f, k)]}};
+                    {largest[f].second, result_.component[panel(f, i)], result_.component[panel(f, k)], {}}};
         }
       }
     }
-    for (const auto& [root, region] : regions) result_.overlaps.push_back(region.overlap);
+    for (auto& [root, crossings] : crossings_of_regions(sets)) {
+      regions.at(root).overlap.crossings = std::move(crossings);
+    }
+    for (auto& [root, region] : regions) result_.overlaps.push_back(std::move(region.overlap));
     std::sort(result_.overlaps.begin(), result_.overlaps.end(), [](const PanelOverlap& a, const PanelOverlap& b) {
       return std::tuple(a.upper_component, a.lower_component, a.at.x(), a.at.y()) <
              std::tuple(b.upper_component, b.lower_component, b.at.x(), b.at.y());
@@ -136,6 +160,7 @@ class Gluer {
   const Arrangement& arrangement_;
   const Faces& faces_;
   const std::vector<int>& layers_;
+  ArcEnds ends_;
   std::vector<Step> steps_;        ///< per arc
   std::vector<Index> first_pair_;  ///< per face, one more at the end
   Paneling result_;

@@ -14,6 +14,7 @@ struct PanelOverlap {
   Vec2 at = Vec2::Zero();  ///< inside it
   Index upper_component = 0;
   Index lower_component = 0;
+  std::vector<Index> crossings;  ///< of the arrangement, at the corners of the region; ascending
 };
 
 /// The stacks of panels and how they hang together.

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "algorithms/silhouette/skeleton/attachments.h"
 #include "algorithms/silhouette/skeleton/skeleton.h"
 #include "croquis/silhouette/labelled_figure.h"
 
@@ -18,7 +19,12 @@ struct CollisionRow {
 /// For panels directly above one another, every node whose chord passes through the upper one against every node of the
 /// lower one: with R = r_a + r_b + gap and plane distance l < R, z_a - z_b >= sqrt(R^2 - l^2).
 /// Cordier, Seo, Cho 2006, section 4.4.1. Ordered by upper, then lower node, each pair once.
+///
+/// For attached objects R = kappa (r_a + r_b), and the upper one's rim, which is about as high as its axis, lies no
+/// deeper than the lower one's front: there it is seen. Sinking into one another isn't transitive: in a figure with
+/// attachments all panels of a stack get rows against one another, not only neighbours.
 /// @param gap sketch units
-std::vector<CollisionRow> collision_rows(const Skeleton& skeleton, const LabelledFigure& figure, double gap);
+std::vector<CollisionRow> collision_rows(const Skeleton& skeleton, const LabelledFigure& figure, double gap,
+                                         const Attachments& attachments = {});
 
 }  // namespace croquis::silhouette

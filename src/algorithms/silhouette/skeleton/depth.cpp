@@ -115,7 +115,7 @@ std::vector<DepthCollision> collisions_of(const Skeleton& skeleton, const std::v
 void solve_all(Skeleton& skeleton, const LabelledFigure& figure, const DepthSettings& settings, Progress& progress,
                DepthResult& result) {
   const double gap = settings.options.minimum_gap * skeleton.scale;
-  const std::vector<CollisionRow> rows = collision_rows(skeleton, figure, gap);
+  const std::vector<CollisionRow> rows = collision_rows(skeleton, figure, gap, settings.attachments);
   const std::vector<DepthPart> parts = depth_parts(skeleton, rows);
   result.rows = rows.size();
   result.rows_used = 0;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "algorithms/silhouette/skeleton/attachments.h"
 #include "algorithms/silhouette/skeleton/skeleton.h"
 #include "croquis/base/progress.h"
 #include "croquis/silhouette/labelled_figure.h"
@@ -23,6 +24,7 @@ struct DepthSettings {
   std::vector<DepthWeights> object_weights;  ///< per object of the figure; empty: the options' weights for all
   /// Above so many collision rows, rows are added as they are needed. The answer is the same.
   std::size_t lazy_rows = 20000;
+  Attachments attachments;  ///< pairs of objects that may sink into one another
 };
 
 /// A pair of nodes that couldn't be kept apart.

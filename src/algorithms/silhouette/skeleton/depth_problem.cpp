@@ -39,15 +39,33 @@ class RowWriter {
   std::vector<Triplet> entries_;
 };
 
-DepthWeights weights_of(Index object, const DepthSettings& settings) {
-  const DepthOptions& options = settings.options;
-  DepthWeights weights{options.weight_curvature, options.weight_orientation, options.weight_distance};
-  if (object < settings.object_weights.size()) weights = settings.object_weights[object];
-  for (double* weight : {&weights.curvature, &weights.orientation, &weights.distance}) {
-    *weight = std::clamp(*weight, 1e-3, 1.0);
+constexpr double least_weight = 1e-3;  // less, and an object could float away
+
+/// What an object's rows are multiplied by.
+class RowWeights {
+ public:
+  RowWeights(const Skeleton& skeleton, const DepthSettings& settings)
+      : settings_(settings), stiffness_(row_stiffness(skeleton, settings.attachments)) {}
+
+  DepthWeights of(Index object) const {
+    const DepthOptions& options = settings_.options;
+    DepthWeights weights{options.weight_curvature, options.weight_orientation, options.weight_distance};
+    if (object < settings_.object_weights.size()) weights = settings_.object_weights[object];
+    for (double* weight : {&weights.curvature, &weights.orientation, &weights.distance}) {
+      *weight = std::clamp(*weight, least_weight, 1.0);
+    }
+    if (object < stiffness_.size()) {
+      const auto& [all, distance] = stiffness_[object];
+      weights = {all * weights.curvature, all * weights.orientation,
+                 all * std::max(distance * weights.distance, least_weight)};
+    }
+    return weights;
   }
-  return weights;
-}
+
+ private:
+  const DepthSettings& settings_;
+  std::vector<RowStiffness> stiffness_;  ///< per object
+};
 
 Index local(const DepthPart& part, Index node) {
   return static_cast<Index>(std::lower_bound(part.nodes.begin(), part.nodes.end(), node) - part.nodes.begin());
@@ -93,12 +111,13 @@ std::vector<DepthPart> depth_parts(const Skeleton& skeleton, std::span<const Col
 }
 
 LeastSquaresProblem depth_problem(const Skeleton& skeleton, const DepthPart& part, const DepthSettings& settings) {
+  const RowWeights row_weights(skeleton, settings);
   RowWriter objective;
   RowWriter equalities;
   for (const Index e : part.edges) {
     const auto& [i, k] = skeleton.edges[e];
     const Vec2 along = (skeleton.nodes[k].position - skeleton.nodes[i].position) / skeleton.scale;
-    const double weight = weights_of(skeleton.nodes[i].object, settings).curvature;
+    const double weight = row_weights.of(skeleton.nodes[i].object).curvature;
     const Index from = local(part, i);
     const Index to = local(part, k);
     equalities.add_edge(from, to, continuity_row(along), 1);
@@ -106,7 +125,7 @@ LeastSquaresProblem depth_problem(const Skeleton& skeleton, const DepthPart& par
   }
   const std::vector<double> lengths = node_lengths(skeleton, part);
   for (Index n = 0; n < part.nodes.size(); ++n) {
-    const DepthWeights weights = weights_of(skeleton.nodes[part.nodes[n]].object, settings);
+    const DepthWeights weights = row_weights.of(skeleton.nodes[part.nodes[n]].object);
     const double root = std::sqrt(lengths[n]);
     for (const auto& [unknown, weight] :
          {std::pair{Index{0}, weights.distance}, std::pair{Index{1}, weights.orientation},

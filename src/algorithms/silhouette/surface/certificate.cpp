@@ -14,14 +14,14 @@ namespace {
 
 constexpr double grid = 0.01;  // u: two digits after the point at the usual 1000 units
 
-std::string topology_fault(const MeshReport& figures, int euler_region) {
+std::string topology_fault(const MeshReport& figures, const std::optional<int>& euler_region) {
   if (!figures.closed) return "is not closed";
   if (figures.nonmanifold_edges > 0 || figures.nonmanifold_vertices > 0) return "is not a manifold";
   if (!figures.oriented || !figures.volume || *figures.volume <= 0) return "is not oriented outwards";
   if (figures.degenerate_faces > 0) return "has faces without area";
-  if (figures.euler_characteristic != 2 * euler_region) {
+  if (euler_region && figures.euler_characteristic != 2 * *euler_region) {
     return "has Euler number " + std::to_string(figures.euler_characteristic) + " where the drawing has " +
-           std::to_string(2 * euler_region);
+           std::to_string(2 * *euler_region);
   }
   return {};
 }
@@ -57,7 +57,9 @@ bool sheets_in_order(const InflatedSheets& sheets, Rounding rounding, double uni
     const bool apart = front(v) > back(v);
     if (on_boundary[v] ? sheets.thickness[v] != 0 : !apart) return false;
   }
-  const auto in_order = [&](const StackedPair& pair) { return back(pair.upper) > front(pair.lower); };
+  const auto in_order = [&](const StackedPair& pair) {
+    return pair.attached() || back(pair.upper) > front(pair.lower);
+  };
   return std::all_of(sheets.pairs.begin(), sheets.pairs.end(), in_order) &&
          triangles_keep_sense(sheets.sampling, rounding, unit);
 }
@@ -65,6 +67,7 @@ bool sheets_in_order(const InflatedSheets& sheets, Rounding rounding, double uni
 double least_gap(const InflatedSheets& sheets) {
   double least = std::numeric_limits<double>::infinity();
   for (const StackedPair& pair : sheets.pairs) {
+    if (pair.attached()) continue;
     const double back = sheets.z[pair.upper] - sheets.thickness[pair.upper];
     least = std::min(least, back - (sheets.z[pair.lower] + sheets.thickness[pair.lower]));
   }

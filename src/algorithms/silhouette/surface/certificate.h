@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,17 +23,18 @@ double rounded(double value, Rounding rounding, double unit);
 
 /// Exact proof that the doubled sheets don't meet, on the rounded numbers: every planar triangle keeps its sense (so
 /// that the triangulation stays one), every front stays before its back inside, every back before the next front.
+/// Attached objects are left out: what comes of them is another surface.
 /// Sufficient, not necessary: a rounding that turns an empty sliver of the convex hull over fails it. O(M).
 bool sheets_in_order(const InflatedSheets& sheets, Rounding rounding, double unit);
 
-/// Least distance along z of successive sheets, taken at all points of the common triangulation and so over all of it;
-/// infinity when none overlap.
+/// Least distance along z of successive sheets that aren't attached, taken at all points of the common triangulation
+/// and so over all of it; infinity when none overlap.
 double least_gap(const InflatedSheets& sheets);
 
-/// A mesh that should be a closed solid, and the Euler number of the region that it doubles.
+/// A mesh that should be a closed solid, and the Euler number of the region that it doubles, if it doubles one.
 struct CertificateInput {
   const PolyMesh* mesh = nullptr;
-  int euler_region = 0;
+  std::optional<int> euler_region;
 };
 
 /// For each mesh what is wrong with it, empty for nothing: closed, manifold, oriented outwards, without degenerate

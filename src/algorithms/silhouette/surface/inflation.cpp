@@ -6,11 +6,19 @@
 
 #include "algorithms/silhouette/surface/rim_chord.h"
 #include "algorithms/silhouette/surface/sheet_operator.h"
+#include "algorithms/silhouette/surface/sheet_surface.h"
 #include "algorithms/silhouette/surface/swept_limbs.h"
 #include "algorithms/silhouette/surface/thickness.h"
 
 namespace croquis::silhouette {
 namespace {
+
+/// In L, and in u (two steps of the grid that a file may round to): how far an attached object's front stays before the
+/// other's. Without it the two would meet in whole faces.
+constexpr double front_margin = 0.02;
+
+/// u: ten steps of the grid that a file may round to.
+constexpr double coincidence = 0.1;
 
 Eigen::VectorXd node_radii(const Skeleton& skeleton) {
   Eigen::VectorXd radii(static_cast<Eigen::Index>(skeleton.nodes.size()));
@@ -38,16 +46,60 @@ Eigen::VectorXd node_lengths(const Skeleton& skeleton) {
   return lengths;
 }
 
-MidSurfaceData mid_surface_data(const Skeleton& skeleton, std::vector<LiftedPlace> nodes,
-                                const std::vector<StackedPair>& pairs, const DepthOptions& options) {
+MidSurfaceData mid_surface_data(const Skeleton& skeleton, std::vector<LiftedPlace> nodes, const DepthOptions& options) {
   MidSurfaceData data;
   data.nodes = std::move(nodes);
   data.node_z = node_depths(skeleton);
   data.node_length = node_lengths(skeleton);
-  data.pairs = pairs;
   data.scale = skeleton.scale;
   data.gap = options.minimum_gap * skeleton.scale;
   return data;
+}
+
+/// Per lifted vertex.
+Eigen::VectorXd vertex_stiffness(const LiftedTriangulation& lifted, const std::vector<Index>& objects,
+                                 const std::vector<RowStiffness>& object_stiffness) {
+  Eigen::VectorXd stiffness = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(lifted.planar_vertex.size()));
+  for (std::size_t m = 0; m < objects.size(); ++m) {
+    if (objects[m] >= object_stiffness.size()) continue;
+    for (const Index v : lifted.triangles[m]) stiffness[v] = object_stiffness[objects[m]].all;
+  }
+  return stiffness;
+}
+
+/// What may sink into what, and how hard each object is to move.
+void add_attachments(const LabelledFigure& figure, const Skeleton& skeleton, const SheetSampling& sampling,
+                     const Attachments& attachments, MidSurfaceData& data) {
+  const std::vector<Index> objects = objects_of_triangles(figure, sampling);
+  data.pairs = stacked_pairs(sampling, objects, attachments);
+  data.stiffness = vertex_stiffness(sampling.lifted, objects, row_stiffness(skeleton, attachments));
+  // Limbs press on rims: a wide body keeps its shape over its own radius rather than over L.
+  data.bending = data.stiffness.cwiseMax(1);
+  data.front_margin = front_margin * std::max(skeleton.scale, figure.unit);
+}
+
+/// Moves the backs of attached sheets until no point of one lies closer than this below or above another's front or
+/// back: where surfaces meet in a vertex of the common triangulation, but for a hair, their union is but a hair wide.
+/// Fronts stay. A later pass can only meet what an earlier one moved, once per sheet of a stack.
+void clear_coincidences(double distance, InflatedSheets& sheets) {
+  constexpr int max_passes = 10;
+  const auto front = [&](Index v) { return sheets.z[v] + sheets.thickness[v]; };
+  const auto back = [&](Index v) { return sheets.z[v] - sheets.thickness[v]; };
+  bool moved = true;
+  for (int pass = 0; moved && pass < max_passes; ++pass) {
+    moved = false;
+    for (const StackedPair& pair : sheets.pairs) {
+      if (!pair.attached() || sheets.sampling.lifted.on_boundary[pair.upper]) continue;
+      for (const double height : {front(pair.lower), back(pair.lower)}) {
+        // Half of it again, so that what was cleared counts as clear.
+        const double deeper = back(pair.upper) - height + 1.5 * distance;
+        if (std::abs(back(pair.upper) - height) >= distance) continue;
+        sheets.z[pair.upper] -= deeper / 2;
+        sheets.thickness[pair.upper] += deeper / 2;
+        moved = true;
+      }
+    }
+  }
 }
 
 Eigen::VectorXd values_at(const std::vector<LiftedPlace>& places, const Eigen::VectorXd& values) {
@@ -58,12 +110,11 @@ Eigen::VectorXd values_at(const std::vector<LiftedPlace>& places, const Eigen::V
 
 }  // namespace
 
-InflatedSheets inflate_sheets(const LabelledFigure& figure, const Skeleton& skeleton, const DepthOptions& options,
+InflatedSheets inflate_sheets(const LabelledFigure& figure, const Skeleton& skeleton, const DepthSettings& settings,
                               Progress& progress) {
   InflatedSheets sheets;
   Progress sampling = progress.step("sample sheets", 0.3);
   sheets.sampling = sample_sheets(figure, skeleton, sampling);
-  sheets.pairs = stacked_pairs(sheets.sampling);
   const std::vector<LiftedPlace> nodes = locate_nodes(figure, skeleton, sheets.sampling);
 
   Progress thickening = progress.step("thickness", 0.2);
@@ -74,7 +125,13 @@ InflatedSheets inflate_sheets(const LabelledFigure& figure, const Skeleton& skel
   flatten_to_rim_chords(sheets.sampling, upright);
 
   Progress raising = progress.step("mid-surface", 0.25);
-  MidSurface mid_surface(op, mid_surface_data(skeleton, nodes, sheets.pairs, options));
+  MidSurfaceData data = mid_surface_data(skeleton, nodes, settings.options);
+  data.pairs = stacked_pairs(sheets.sampling);
+  if (!settings.attachments.empty()) {
+    add_attachments(figure, skeleton, sheets.sampling, settings.attachments, data);
+  }
+  sheets.pairs = data.pairs;
+  MidSurface mid_surface(op, std::move(data));
   const auto tilted = [&](const SweptLimbs& limbs) -> Eigen::VectorXd {
     return upright.cwiseProduct(extension.extend(limbs.tilt).cwiseMax(1));
   };
@@ -88,6 +145,7 @@ InflatedSheets inflate_sheets(const LabelledFigure& figure, const Skeleton& skel
   const MidSurfaceResult second = mid_surface.solve(sheets.thickness, tilting);
 
   sheets.z = second.z;
+  if (!settings.attachments.empty()) clear_coincidences(coincidence * figure.unit, sheets);
   sheets.iterations = std::max(first.iterations, second.iterations);
   sheets.residual = std::max(first.residual, second.residual);
   return sheets;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "algorithms/silhouette/skeleton/depth.h"
 #include "algorithms/silhouette/skeleton/skeleton.h"
 #include "algorithms/silhouette/surface/mid_surface.h"
 #include "algorithms/silhouette/surface/sheet_sampling.h"
@@ -17,7 +18,7 @@ namespace croquis::silhouette {
 /// The region with a front z + h and a back z - h over it, piecewise linear over one planar triangulation.
 ///
 /// Wherever a sheet lies before another at a vertex, its back is at least the gap before the other's front; being
-/// linear in between, no two sheets meet anywhere.
+/// linear in between, no two sheets meet anywhere but those of attached objects.
 struct InflatedSheets {
   SheetSampling sampling;
   Eigen::VectorXd thickness;  ///< per lifted vertex, h: 0 exactly on the boundary
@@ -30,7 +31,7 @@ struct InflatedSheets {
 /// From a skeleton with depths to sheets with thickness. The thickness is meant along the surface's normal: where the
 /// skeleton is inclined, the vertical thickness grows, see SweptLimbs.
 /// @throws Error (E_INTERNAL) when the figure contradicts itself, Cancelled
-InflatedSheets inflate_sheets(const LabelledFigure& figure, const Skeleton& skeleton, const DepthOptions& options,
+InflatedSheets inflate_sheets(const LabelledFigure& figure, const Skeleton& skeleton, const DepthSettings& settings,
                               Progress& progress);
 
 }  // namespace croquis::silhouette

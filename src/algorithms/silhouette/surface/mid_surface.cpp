@@ -24,19 +24,42 @@ double row_scale(const SheetOperator& op, double scale, Eigen::Index v) {
   return std::sqrt(bending / op.area[v]) * scale;
 }
 
+double stiffness_at(const MidSurfaceData& data, Eigen::Index v) {
+  return data.stiffness.size() > 0 ? data.stiffness[v] : 1;
+}
+
+double bending_at(const MidSurfaceData& data, Eigen::Index v) {
+  return data.bending.size() > 0 ? data.bending[v] * stiffness_at(data, v) : 1;
+}
+
+/// Of a node's row: the root of the length that it stands for, times its sheet's stiffness.
+double pull_of(const MidSurfaceData& data, Eigen::Index n) {
+  const LiftedPlace& place = data.nodes[static_cast<std::size_t>(n)];
+  return std::sqrt(data.node_length[n] / data.scale) * stiffness_at(data, place.vertices[0]);
+}
+
+/// Least z_a - z_b.
+double least_distance(const MidSurfaceData& data, const StackedPair& pair, const Eigen::VectorXd& thickness) {
+  const double upper = thickness[pair.upper];
+  const double lower = thickness[pair.lower];
+  if (!pair.attached()) return upper + lower + data.gap + gap_margin * data.scale;
+  return std::max(attached_distance(pair.kappa, upper, lower), lower - upper + data.front_margin);
+}
+
 LeastSquaresProblem make_problem(const SheetOperator& op, const MidSurfaceData& data) {
   const Eigen::Index count = op.stiffness.cols();
   Triplets rows;
   rows.reserve(static_cast<std::size_t>(op.stiffness.nonZeros()) + 3 * data.nodes.size());
   for (Eigen::Index v = 0; v < count; ++v) {
     for (Matrix::InnerIterator entry(op.stiffness, v); entry; ++entry) {
-      rows.emplace_back(entry.row(), v, row_scale(op, data.scale, entry.row()) * entry.value());
+      const double factor = row_scale(op, data.scale, entry.row()) * bending_at(data, entry.row());
+      rows.emplace_back(entry.row(), v, factor * entry.value());
     }
   }
   const auto node_count = static_cast<Eigen::Index>(data.nodes.size());
   for (Eigen::Index n = 0; n < node_count; ++n) {
     const LiftedPlace& place = data.nodes[static_cast<std::size_t>(n)];
-    const double pull = std::sqrt(data.node_length[n] / data.scale);
+    const double pull = pull_of(data, n);
     for (std::size_t i = 0; i < 3; ++i) {
       if (place.weights[i] > 0) rows.emplace_back(count + n, place.vertices[i], pull * place.weights[i]);
     }
@@ -58,6 +81,25 @@ LeastSquaresProblem make_problem(const SheetOperator& op, const MidSurfaceData& 
 }
 
 }  // namespace
+
+std::vector<StackedPair> stacked_pairs(const SheetSampling& sheets, const std::vector<Index>& objects,
+                                       const Attachments& attachments) {
+  std::vector<StackedPair> pairs;
+  const LiftedTriangulation& lifted = sheets.lifted;
+  for (Index t = 0; t < sheets.planar.triangles.size(); ++t) {
+    for (Index upper = lifted.first_copy[t]; upper < lifted.first_copy[t + 1]; ++upper) {
+      for (Index lower = upper + 1; lower < lifted.first_copy[t + 1]; ++lower) {
+        const double kappa = attachments.kappa(objects[upper], objects[lower]).value_or(StackedPair::apart);
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+          pairs.push_back({lifted.triangles[upper][corner], lifted.triangles[lower][corner], kappa});
+        }
+      }
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
 
 std::vector<StackedPair> stacked_pairs(const SheetSampling& sheets) {
   std::vector<StackedPair> pairs;
@@ -88,7 +130,7 @@ struct MidSurface::State {
     const Eigen::Index count = op.stiffness.cols();
     Eigen::VectorXd result = Eigen::VectorXd::Zero(count + data.node_z.size());
     for (Eigen::Index n = 0; n < data.node_z.size(); ++n) {
-      result[count + n] = std::sqrt(data.node_length[n] / data.scale) * data.node_z[n];
+      result[count + n] = pull_of(data, n) * data.node_z[n];
     }
     return result;
   }
@@ -96,9 +138,7 @@ struct MidSurface::State {
   Eigen::VectorXd bounds(const Eigen::VectorXd& thickness) const {
     Eigen::VectorXd result(static_cast<Eigen::Index>(data.pairs.size()));
     Eigen::Index row = 0;
-    for (const StackedPair& pair : data.pairs) {
-      result[row++] = thickness[pair.upper] + thickness[pair.lower] + data.gap + gap_margin * data.scale;
-    }
+    for (const StackedPair& pair : data.pairs) result[row++] = least_distance(data, pair, thickness);
     return result;
   }
 };

@@ -7,20 +7,32 @@
 
 #include <Eigen/Core>
 
+#include "algorithms/silhouette/skeleton/attachments.h"
 #include "algorithms/silhouette/surface/sheet_operator.h"
 #include "croquis/base/progress.h"
 
 namespace croquis::silhouette {
 
-/// Two lifted vertices above the same point with nothing between them.
+/// Two lifted vertices above the same point.
 struct StackedPair {
+  static constexpr double apart = -1;
+
   Index upper = 0;
   Index lower = 0;
+  double kappa = apart;  ///< of attached objects: how far they may sink into one another
+
+  bool attached() const { return kappa >= 0; }
   friend auto operator<=>(const StackedPair&, const StackedPair&) = default;
 };
 
-/// Every pair of sheets in front of each other, at every point of the sampling; ascending. O(M log M).
+/// Every pair of sheets in front of each other with nothing between them, at every point of the sampling; ascending.
+/// O(M log M).
 std::vector<StackedPair> stacked_pairs(const SheetSampling& sheets);
+
+/// The same where objects are attached: then a sheet may reach past its neighbour, so that all pairs of a stack count.
+/// @param objects per lifted triangle
+std::vector<StackedPair> stacked_pairs(const SheetSampling& sheets, const std::vector<Index>& objects,
+                                       const Attachments& attachments);
 
 /// What the middle of the sheets is pulled to, and what keeps them apart.
 struct MidSurfaceData {
@@ -28,8 +40,11 @@ struct MidSurfaceData {
   Eigen::VectorXd node_z;       ///< per node
   Eigen::VectorXd node_length;  ///< per node: length of skeleton that it stands for
   std::vector<StackedPair> pairs;
-  double scale = 1;  ///< L
-  double gap = 0;    ///< least distance of sheets, along z
+  double scale = 1;           ///< L
+  double gap = 0;             ///< least distance of sheets, along z
+  double front_margin = 0;    ///< how far the front of an attached object lies before that of the one below
+  Eigen::VectorXd stiffness;  ///< per lifted vertex, how hard it is to move: factor of its rows; empty: 1
+  Eigen::VectorXd bending;    ///< and, besides, of its bending
 };
 
 struct MidSurfaceResult {
@@ -42,9 +57,11 @@ struct MidSurfaceResult {
 /// nowhere nearer to the next sheet than thickness and gap demand.
 ///
 /// Minimises 0.02 L^2 integral (Lap z)^2 + sum length/L (z(node) - z_node)^2 subject to z_a - z_b >= h_a + h_b + gap at
-/// all stacked vertices. The square of the Laplacian is per area, so that dense rows of points don't make a sheet
-/// softer there; its boundary rows make the normal derivative vanish, which is right: a round tube's rims are as high
-/// as its axis. Always feasible, since every lifted vertex has a height of its own.
+/// all stacked vertices. For attached ones z_a - z_b >= max(attached_distance, h_b - h_a + margin): the second keeps
+/// the front of the upper one in front, so that drawn contours stay in sight. The square of the Laplacian is per area,
+/// so that dense rows of points don't make a sheet softer there; its boundary rows make the normal derivative vanish,
+/// which is right: a round tube's rims are as high as its axis. Always feasible, since every lifted vertex has a height
+/// of its own.
 class MidSurface {
  public:
   MidSurface(const SheetOperator& op, MidSurfaceData data);

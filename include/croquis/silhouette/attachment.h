@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "croquis/silhouette/labelled_figure.h"
+
+/// Limbs that grow out of a body instead of floating before it.
+namespace croquis::silhouette {
+
+/// Two objects of a figure that look like limb and body.
+struct AttachSuggestion {
+  Index a = 0;  ///< objects of the figure, a < b
+  Index b = 0;
+  Vec2 at = Vec2::Zero();  ///< where they overlap, sketch units
+};
+
+/// The pairs of which one ends within the other's outline: their overlap has two corners, or none where one lies wholly
+/// before the other. Where a strand passes right across another, the overlap has four corners: links, knots and weaves
+/// get no suggestions. Each pair once, in the order of the figure's overlaps. O(#overlaps log #overlaps).
+std::vector<AttachSuggestion> attach_suggestions(const LabelledFigure& figure);
+
+}  // namespace croquis::silhouette

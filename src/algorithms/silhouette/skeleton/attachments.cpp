@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/skeleton/attachments.h"
+
+#include <algorithm>
+
+#include "croquis/geometry/disjoint_sets.h"
+
+namespace croquis::silhouette {
+namespace {
+
+std::size_t object_count(const Attachments& attachments) {
+  std::size_t count = 0;
+  for (const auto& [pair, kappa] : attachments.pairs()) count = std::max<std::size_t>(count, pair.second + 1);
+  return count;
+}
+
+/// Per object; 0 for one without nodes.
+std::vector<double> mean_radii(const Skeleton& skeleton, std::size_t count) {
+  std::vector<double> sum(count, 0);
+  std::vector<double> nodes(count, 0);
+  for (const SkeletonNode& node : skeleton.nodes) {
+    if (node.object >= count) continue;
+    sum[node.object] += node.radius;
+    ++nodes[node.object];
+  }
+  for (std::size_t object = 0; object < count; ++object) sum[object] /= std::max(nodes[object], 1.0);
+  return sum;
+}
+
+}  // namespace
+
+std::optional<double> Attachments::kappa(Index a, Index b) const {
+  const auto found = kappa_.find(std::minmax(a, b));
+  return found == kappa_.end() ? std::nullopt : std::optional<double>(found->second);
+}
+
+bool Attachments::involves(Index object) const {
+  return std::any_of(kappa_.begin(), kappa_.end(), [object](const auto& entry) {
+    return entry.first.first == object || entry.first.second == object;
+  });
+}
+
+std::vector<std::vector<Index>> Attachments::groups() const {
+  const std::size_t count = object_count(*this);
+  DisjointSets sets(count);
+  for (const auto& [pair, kappa] : kappa_) sets.unite(pair.first, pair.second);
+  std::vector<std::vector<Index>> by_root(count);
+  for (Index object = 0; object < count; ++object) by_root[sets.root(object)].push_back(object);
+  std::erase_if(by_root, [](const std::vector<Index>& group) { return group.size() < 2; });
+  return by_root;
+}
+
+Attachments Attachments::without(const std::vector<Index>& group) const {
+  Attachments rest;
+  for (const auto& [pair, kappa] : kappa_) {
+    if (std::find(group.begin(), group.end(), pair.first) == group.end()) rest.add(pair.first, pair.second, kappa);
+  }
+  return rest;
+}
+
+double attached_distance(double kappa, double a, double b) {
+  constexpr double least_sinking = 0.4;
+  return std::min(kappa * (a + b), a + b - least_sinking * std::min(a, b));
+}
+
+std::vector<RowStiffness> row_stiffness(const Skeleton& skeleton, const Attachments& attachments) {
+  const std::vector<double> radius = mean_radii(skeleton, object_count(attachments));
+  std::vector<RowStiffness> stiffness(radius.size());
+  for (const std::vector<Index>& group : attachments.groups()) {
+    double largest = 0;
+    for (const Index object : group) largest = std::max(largest, radius[object]);
+    for (const Index object : group) {
+      if (radius[object] <= 0) continue;
+      const double share = radius[object] / largest;
+      stiffness[object] = {radius[object] / skeleton.scale, share * share};
+    }
+  }
+  return stiffness;
+}
+
+}  // namespace croquis::silhouette
