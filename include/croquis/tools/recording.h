@@ -22,6 +22,7 @@ struct StrokeDrawn {
   std::string view = "sketch";
   std::vector<StrokeSample> points;  ///< at least one; tilt isn't recorded
   std::string device = "mouse";      ///< "mouse", "pen" or "eraser"
+  double scale = 0;                  ///< units per pixel of the view drawn in; 0 for the replaying view's own
 };
 /// An anchor of a stroke, or without one the whole stroke, was dragged.
 struct Drag {

@@ -25,16 +25,14 @@ struct SketchEvent {
   bool erases = false;         ///< the pen's eraser end
   Modifiers modifiers;         ///< as they were at the beginning of the stroke
   double units_per_pixel = 1;  ///< of the view, > 0: scales every radius that is meant in pixels
+  PointerEvent::Device device = PointerEvent::Device::Mouse;  ///< for recordings
 };
 
 /// The step as it falls on the sketch plane.
 inline SketchEvent to_sketch(const PenStep& step, const SketchFrame& frame) {
   const PenSample& at = step.sample;
-  return {step.kind,
-          {frame.to_sketch(at.position), at.pressure, at.tilt, at.time},
-          step.erases,
-          step.modifiers,
-          frame.units_per_pixel};
+  const StrokeSample sample{frame.to_sketch(at.position), at.pressure, at.tilt, at.time};
+  return {step.kind, sample, step.erases, step.modifiers, frame.units_per_pixel, step.device};
 }
 
 }  // namespace croquis

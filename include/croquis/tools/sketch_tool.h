@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,6 +28,7 @@ enum class Verdict {
 
 struct SketchToolOptions {
   std::string operation = "inflate";                                 ///< made together with the first drawing …
+  int version = 1;                                                   ///< … of this version …
   std::string port = "drawing";                                      ///< … its input that the drawing goes to …
   ParameterValues parameters = {{"preset", std::string("tablet")}};  ///< … and those parameters that it starts with
   PickReach reach;                                                   ///< its units_per_pixel is taken from each event
@@ -78,16 +81,51 @@ class SketchTool {
   /// Ids of this drawing's selected strokes, in its order.
   std::vector<std::string> selected() const;
   /// The fit of one of its strokes; kept until the stroke changes. Null when there is no such stroke.
+  /// While one of its anchors is dragged the anchors stay those of the beginning, the dragged one moved along.
   const StrokeFit* fit(const std::string& stroke);
 
  private:
-  struct Gesture;
+  enum class Gesture { None, Draw, Erase, Press, Box, Anchor, Strokes };
+  struct KeptFit {
+    std::vector<StrokeSample> samples;  ///< that it was made of
+    StrokeFit fit;
+  };
+
+  Verdict begin(const SketchEvent& event);
+  Verdict go_on(const SketchEvent& event);
+  Verdict finish(const SketchEvent& event);
+  Verdict give_up();
+
+  void press(const SketchEvent& event);
+  void start_drag();
+  void drag_to(const Vec2& place);
+  bool interrupted() const;
+  Verdict finish_drawing();
+  Verdict finish_erasing();
+  Verdict finish_click();
+  Verdict finish_box();
+  Verdict finish_drag();
+
+  Document with_drawing(Drawing drawing) const;
+  void select_strokes(const std::vector<std::string>& ids);
+  void end_gesture();
+
   Session& session_;
   SketchToolOptions options_;
   SketchMode mode_ = SketchMode::Draw;
   NodeId node_ = 0;
   SketchPreview preview_;
   std::optional<recorded::Step> done_;
+
+  Gesture gesture_ = Gesture::None;
+  SketchEvent start_;                        ///< that began the gesture
+  Vec2 last_ = Vec2::Zero();                 ///< where the pointer is
+  std::string picked_;                       ///< stroke under the press, empty for none
+  std::optional<std::size_t> anchor_;        ///< of picked_, under the press
+  std::shared_ptr<const Drawing> original_;  ///< before the drag
+  StrokeFit held_fit_;                       ///< of picked_ before the drag
+  std::uint64_t drag_revision_ = 0;          ///< of the session after the drag's last change
+  std::map<std::string, KeptFit> fits_;
 };
 
 }  // namespace croquis

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
+#include <sstream>
+
+#include <catch2/catch.hpp>
+
+#include "croquis/base/error.h"
+#include "croquis/tools/recording.h"
+#include "support/random.h"
+
+namespace croquis::recorded {
+namespace {
+
+Findings findings_of(const std::string& text) {
+  try {
+    parse(text, "walk.jsonl");
+  } catch (const Error& error) {
+    return error.findings();
+  }
+  return {};
+}
+
+std::vector<Step> one_of_each() {
+  StrokeDrawn stroke;
+  stroke.points = {{{1.5, -2}, 0.25, Vec2::Zero(), 0}, {{0.1, 1e-300}, 1, Vec2::Zero(), 1.0 / 3}};
+  stroke.device = "pen";
+  stroke.scale = 0.125;
+  return {stroke,
+          Drag{"stroke 1", 3, {0.1, -0.2}},
+          Drag{"outline \"left\"\n", std::nullopt, {5, 6}},
+          Action{"undo"},
+          Set{"inflate", "weight-curvature", 0.5},
+          Set{"inflate", "preset", std::string("tablet")},
+          Set{"inflate", "count", std::int64_t{7}},
+          Set{"inflate", "flag", true},
+          Set{"inflate", "whole", 2.0},
+          Wait{},
+          Screenshot{"x.png"},
+          File{"save", "a.croq"},
+          File{"open", "b.svg"},
+          File{"export", "ü.obj"},
+          Click{"sketch", {1, 2}, {"shift", "ctrl"}},
+          Box{"sketch", {-1, -2}, {3, 4}, {}},
+          Navigate{"perspective", "tumble", {30, -10}},
+          Expect{"objects", 3}};
+}
+
+TEST_CASE("every kind of step reads back as it was written") {
+  std::string text;
+  Recorder recorder([&](const std::string& line) { text += line; });
+  for (const Step& step : one_of_each()) recorder.add(step);
+  const std::vector<Line> lines = parse(text, "walk.jsonl");
+  REQUIRE(lines.size() == one_of_each().size());
+  std::istringstream stream(text);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    std::string written;
+    std::getline(stream, written);
+    CHECK(lines[i].number == static_cast<std::int64_t>(i) + 1);
+    CHECK(lines[i].step.index() == one_of_each()[i].index());
+    CHECK(to_line(lines[i].step) == written);
+  }
+  const auto& stroke = std::get<StrokeDrawn>(lines[0].step);
+  REQUIRE(stroke.points.size() == 2);
+  CHECK(stroke.points[1].position == Vec2(0.1, 1e-300));
+  CHECK(stroke.points[1].time == 1.0 / 3);
+  CHECK(stroke.points[0].pressure == 0.25);
+  CHECK(stroke.scale == 0.125);
+  CHECK(std::get<Drag>(lines[1].step).anchor == 3U);
+  CHECK(!std::get<Drag>(lines[2].step).anchor);
+  CHECK(std::get<Drag>(lines[2].step).stroke == "outline \"left\"\n");
+  for (std::size_t i = 4; i <= 8; ++i)
+    CHECK(std::get<Set>(lines[i].step).value == std::get<Set>(one_of_each()[i]).value);
+}
+
+TEST_CASE("the documented lines are understood, with their defaults") {
+  const std::vector<Line> lines = parse(
+      "# a walk\n\n"
+      "{\"do\":\"stroke\",\"points\":[[0,0],[1,2,0.5],[3,4,0.5,0.1]]}\r\n"
+      "  {\"do\":\"click\",\"at\":[1,2]}\n"
+      "{\"do\":\"navigate\",\"motion\":\"dolly\",\"by\":[1,2]}",
+      "walk.jsonl");
+  REQUIRE(lines.size() == 3);
+  CHECK(lines[0].number == 3);
+  const auto& stroke = std::get<StrokeDrawn>(lines[0].step);
+  CHECK(stroke.view == "sketch");
+  CHECK(stroke.device == "mouse");
+  CHECK(stroke.points[0].pressure == 1);
+  CHECK(stroke.scale == 0);
+  CHECK(std::get<Click>(lines[1].step).view == "sketch");
+  CHECK(std::get<Navigate>(lines[2].step).view == "perspective");
+  CHECK(parse("", "empty").empty());
+}
+
+TEST_CASE("every line that can't be understood is told with its number, all at once") {
+  const std::vector<std::string> wrong = {
+      "pear",
+      "[1,2]",
+      "{\"do\":\"fly\"}",
+      "{\"name\":\"undo\"}",
+      "{\"do\":7}",
+      "{\"do\":\"action\"}",
+      "{\"do\":\"action\",\"name\":\"undo\",\"times\":2}",
+      "{\"do\":\"stroke\",\"points\":[]}",
+      "{\"do\":\"stroke\",\"points\":[[1]]}",
+      "{\"do\":\"stroke\",\"points\":[[1,2,3]]}",
+      "{\"do\":\"stroke\",\"points\":[[1,\"2\"]]}",
+      "{\"do\":\"stroke\",\"points\":[[1,1e999]]}",
+      "{\"do\":\"stroke\",\"points\":[[1,2]],\"device\":\"foot\"}",
+      "{\"do\":\"stroke\",\"points\":[[1,2]],\"scale\":0}",
+      "{\"do\":\"drag\",\"stroke\":\"a\",\"anchor\":-1,\"by\":[1,2]}",
+      "{\"do\":\"drag\",\"stroke\":\"a\",\"anchor\":1.5,\"by\":[1,2]}",
+      "{\"do\":\"drag\",\"stroke\":\"a\",\"by\":[1,2,3]}",
+      "{\"do\":\"set\",\"node\":\"inflate\",\"parameter\":\"x\",\"value\":null}",
+      "{\"do\":\"click\",\"at\":[1,2],\"modifiers\":[\"hyper\"]}",
+      "{\"do\":\"navigate\",\"motion\":\"fly\",\"by\":[1,2]}",
+      "{\"do\":\"expect\",\"what\":\"luck\",\"count\":1}",
+      "{\"do\":\"expect\",\"what\":\"objects\",\"count\":-1}",
+      "{\"do\":\"action\",\"name\":\"\xff\"}",
+  };
+  std::string text = "{\"do\":\"action\",\"name\":\"undo\"}\n";
+  for (const std::string& line : wrong) text += line + '\n';
+  const Findings findings = findings_of(text);
+  REQUIRE(findings.size() == wrong.size());
+  for (std::size_t i = 0; i < findings.size(); ++i) {
+    INFO(wrong[i] << ": " << findings[i].message);
+    CHECK(findings[i].code == "E_REPLAY");
+    CHECK(findings[i].subjects.front().line == static_cast<std::int64_t>(i) + 2);
+    CHECK(findings[i].subjects.front().file == "walk.jsonl");
+  }
+}
+
+TEST_CASE("damaged recordings are refused or read, never worse") {
+  std::string text;
+  for (const Step& step : one_of_each()) text += to_line(step) + '\n';
+  for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+    test::Random random(seed);
+    std::string damaged = text;
+    for (std::uint32_t edit = 0; edit <= random.below(4); ++edit) {
+      const std::size_t at = random.below(static_cast<std::uint32_t>(damaged.size()));
+      if (random.below(2) == 0)
+        damaged[at] = static_cast<char>(random.below(256));
+      else
+        damaged.erase(at, random.below(20));
+    }
+    try {
+      for (const Line& line : parse(damaged, "damaged")) REQUIRE(!to_line(line.step).empty());
+    } catch (const Error& error) {
+      for (const Finding& finding : error.findings()) REQUIRE(finding.code == "E_REPLAY");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace croquis::recorded
