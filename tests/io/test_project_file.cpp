@@ -75,6 +75,43 @@ TEST_CASE("what is saved is loaded again, bit by bit") {
   }
 }
 
+// Every number here is exact in binary; the file was saved when the schema was made and stays as it is.
+TEST_CASE("a project of schema 1 still loads as it was saved") {
+  Node sketch;
+  sketch.name = "sketch";
+  Drawing drawing;
+  drawing.file = "bear.svg";
+  drawing.object_data["head"] = {{"weight-distance", "2"}};
+  Stroke stroke;
+  stroke.id = "ear";
+  stroke.closed = true;
+  stroke.object = "head";
+  stroke.data["kind"] = "hidden";
+  stroke.line = 12;
+  stroke.samples = {{{1.5, -2}, 0.25, {0.5, -0.5}, 0}, {{3, 4}, 1, {0, 0}, 0.125}};
+  drawing.strokes = {stroke};
+  sketch.source = std::make_shared<const Drawing>(drawing);
+  Node body;
+  body.name = "몸";
+  PolyMesh mesh = cube();
+  mesh.channels.push_back({"group", Domain::Face, 1, std::vector<std::int32_t>{0, 0, 1, 1, -1, -1}, {"a", "b"}});
+  body.source = std::make_shared<const PolyMesh>(mesh);
+  body.visible = false;
+  Node solid;
+  solid.name = "solid";
+  solid.operation = "inflate";
+  solid.parameters = {{"preset", std::string("tablet")}, {"min-gap", 0.25}, {"swap", std::int64_t{-1}}, {"all", true}};
+  solid.inputs["sketch"] = {1, "value"};
+  Node report;
+  report.name = "report";
+  report.source = std::make_shared<const Report>(Report().set("count", 3).set("list", Report(Report::Array{0.5, "x"})));
+  const Document expected = Document().with(sketch).with(body).with(solid).with(report).with({}).without(5);
+  const ProjectFile loaded = load(fs::path(CROQUIS_FUZZ_FOLDER) / "corpus/croq/schema-1.croq");
+  CHECK(difference(expected, loaded.document) == "");
+  CHECK(loaded.thumbnail_png == png(1));
+  CHECK(loaded.warnings.empty());
+}
+
 TEST_CASE("the same project gives the same bytes, also once it was loaded") {
   Random random(2);
   const Scratch folder;

@@ -167,7 +167,8 @@ TEST_CASE("a working copy follows any series of edits") {
           added.id = random.below(3) == 0 ? 1 + random.below(10) : 0;
           document = document.with(std::move(added));
         }
-        if (random.below(2) == 0) document = document.without(document.nodes().front()->id);
+        if (random.below(2) == 0 && !document.nodes().empty())
+          document = document.without(document.nodes().front()->id);
       }
       copy.commit(document, "p");
       if (random.below(3) != 0) continue;
