@@ -30,7 +30,7 @@ struct Drag {
   std::optional<std::size_t> anchor;  ///< 0-based
   Vec2 by = Vec2::Zero();
 };
-/// A named action of the window ("undo", "mode-draw", "frame-all").
+/// A named action of the window ("undo", "draw", "frame-all").
 struct Action {
   std::string name;
 };
