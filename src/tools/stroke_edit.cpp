@@ -13,6 +13,7 @@
 #include "croquis/base/error.h"
 #include "croquis/base/parameter.h"
 #include "croquis/geometry/polyline.h"
+#include "tools/closing.h"
 #include "tools/redraw.h"
 #include "tools/segment_distance.h"
 
@@ -63,11 +64,15 @@ void require_samples(const std::vector<StrokeSample>& samples) {
 Stroke drawn_stroke(const Drawing& drawing, std::vector<StrokeSample> samples, const DrawOptions& options) {
   Stroke stroke;
   stroke.id = new_stroke_id(drawing);
+  CloseOptions close_options = options.closing;
+  close_options.units_per_pixel = options.units_per_pixel;
+  if (const std::optional<Closing> closing = find_closing(samples, close_options)) {
+    stroke.closed = true;
+    samples = {samples.begin() + static_cast<std::ptrdiff_t>(closing->first),
+               samples.begin() + static_cast<std::ptrdiff_t>(closing->last) + 1};
+  }
   const double start = samples.front().time;
   for (StrokeSample& sample : samples) sample.time -= start;
-  CloseOptions closing = options.closing;
-  closing.units_per_pixel = options.units_per_pixel;
-  stroke.closed = ends_meet(samples, closing);
   stroke.samples = std::move(samples);
   while (stroke.closed && stroke.samples.back().position == stroke.samples.front().position) stroke.samples.pop_back();
   stroke.data[scale_key] = to_text(options.units_per_pixel);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "croquis/geometry/polyline.h"
 #include "tools/cubic_fit.h"
 #include "tools/fit_points.h"
 
@@ -146,15 +145,6 @@ StrokeFit fit_stroke(const Stroke& stroke, const FitOptions& options) {
   }
   residuals.tell(fit);
   return fit;
-}
-
-bool ends_meet(std::span<const StrokeSample> samples, const CloseOptions& options) {
-  if (samples.size() < 3) return false;
-  const double distance = options.distance * options.units_per_pixel;
-  if ((samples.front().position - samples.back().position).norm() > distance) return false;
-  std::vector<Vec2> places;
-  for (const StrokeSample& sample : samples) places.push_back(sample.position);
-  return length(places, false) > options.times_longer * distance;
 }
 
 }  // namespace croquis

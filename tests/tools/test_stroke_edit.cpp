@@ -8,6 +8,7 @@
 #include "croquis/geometry/polyline.h"
 #include "croquis/tools/stroke_edit.h"
 #include "tools/drawn_strokes.h"
+#include "tools/segment_distance.h"
 
 namespace croquis {
 namespace {
@@ -84,6 +85,51 @@ TEST_CASE("a drawn stroke gets a name of its own, its scale, and times from zero
   REQUIRE(loop.added == Ids{"stroke 1"});
   CHECK(loop.drawing.strokes[0].closed);
   CHECK(draw_stroke(loop.drawing, samples).added == Ids{"stroke 2"});
+}
+
+TEST_CASE("a loop that stops short of its beginning, or runs past it on any side, closes without crossing or folding") {
+  test::Random random(4);
+  for (const double past : {-7.0, -4.0, 0.0, 3.0, 6.0, 9.0, 11.0, 20.0, 30.0}) {
+    for (const double aside : {-9.0, -4.0, 0.0, 4.0, 9.0}) {
+      for (const double noise : {0.0, 0.3}) {
+        INFO("past by " << past << ", aside by " << aside << ", jitter " << noise);
+        std::vector<Vec2> places;
+        for (int i = 0; i <= 240; ++i) {
+          const double angle = i / 240.0 * (6.283185307 + past / 150);
+          places.push_back((150 + aside * i / 240.0) * Vec2(std::cos(angle), std::sin(angle)) +
+                           test::jitter(random, noise));
+        }
+        const Stroke loop = draw_stroke({}, through(places)).drawing.strokes.front();
+        REQUIRE(loop.closed);
+        CHECK(loop.samples.size() > 220 - static_cast<std::size_t>(std::max(0.0, past) / 4));
+        std::vector<Vec2> kept;
+        for (const StrokeSample& sample : loop.samples) kept.push_back(sample.position);
+        const std::size_t count = kept.size();
+        for (std::size_t a = 0; a < count; ++a) {
+          for (std::size_t b = a + 2; b < count; ++b) {
+            if (a == 0 && b + 1 == count) continue;
+            const double crosses = segment_distance(kept[a], kept[a + 1], kept[b], kept[(b + 1) % count]);
+            REQUIRE(crosses > 0);
+          }
+        }
+        const Vec2 step = kept.front() - kept.back();
+        const Vec2 ahead = left_of(kept.front().normalized());
+        if (step.norm() > 2) CHECK(step.dot(ahead) > 0.5 * step.norm());
+        CHECK(step.norm() < 30);
+      }
+    }
+  }
+}
+
+TEST_CASE("a loop closed at a corner keeps the corner, and what overshoots it is cut off") {
+  std::vector<Vec2> places;
+  for (const auto& side : {straight({0, 0}, {200, 0}), straight({200, 0}, {200, 200}), straight({200, 200}, {0, 200}),
+                           straight({3, 200}, {3, -9})})
+    places.insert(places.end(), side.begin(), side.end());
+  const Stroke loop = draw_stroke({}, through(places)).drawing.strokes.front();
+  CHECK(loop.closed);
+  for (const StrokeSample& sample : loop.samples) CHECK(sample.position.y() > -4);
+  CHECK(loop.samples.size() > places.size() - 12);
 }
 
 TEST_CASE("a stroke's scale is the one it was drawn at, else a thousandth of the drawing's diagonal") {

@@ -43,9 +43,10 @@ struct DrawOptions {
   double redraw_degrees = 35;   ///< … and how much they may differ in direction
 };
 
-/// Adds a drawn stroke, closed when its ends meet. When both its ends run along the same old stroke in the same sense,
-/// it replaces the part between instead (order and direction are found, closed strokes stay closed): then the old
-/// stroke is `changed` and nothing is added. Times are counted from the first sample.
+/// Adds a drawn stroke, closed when its ends meet; what then overshoots the seam is left out. When both its ends run
+/// along the same old stroke in the same sense, it replaces the part between instead (order and direction are found,
+/// closed strokes stay closed): then the old stroke is `changed` and nothing is added. Times are counted from the first
+/// sample.
 /// @param samples at least one, finite. @throws Error (E_NO_STROKES, E_NOT_FINITE)
 DrawingEdit draw_stroke(const Drawing& drawing, std::vector<StrokeSample> samples, const DrawOptions& options = {});
 

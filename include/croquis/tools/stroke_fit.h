@@ -57,7 +57,8 @@ struct CloseOptions {
   double times_longer = 4;  ///< a stroke shorter than this times its gap's limit stays open: a tick is no loop
 };
 
-/// Whether the ends of a drawn stroke were meant to meet.
+/// Whether a drawn stroke was meant to be a loop: its ends are near each other, or its end runs past its beginning,
+/// beside it and the same way.
 bool ends_meet(std::span<const StrokeSample> samples, const CloseOptions& options = {});
 
 }  // namespace croquis
