@@ -178,6 +178,31 @@ TEST_CASE("OpenGL's state is as the host left it") {
   });
 }
 
+TEST_CASE("a host's framebuffer may have several samples per pixel") {
+  with_renderer([](Renderer& renderer) {
+    GLuint framebuffer = 0, color = 0;
+    glGenFramebuffers(1, &framebuffer);
+    glGenRenderbuffers(1, &color);
+    glBindRenderbuffer(GL_RENDERBUFFER, color);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, 4, GL_RGBA8, HostFramebuffer::width, HostFramebuffer::height);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
+    const Viewport viewport{0, 0, HostFramebuffer::width, HostFramebuffer::height, {}};
+    renderer.draw(crowded_scene(), camera_at(0), RenderOptions::interactive(), viewport);
+
+    const HostFramebuffer resolved;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+    glBlitFramebuffer(0, 0, viewport.width, viewport.height, 0, 0, viewport.width, viewport.height, GL_COLOR_BUFFER_BIT,
+                      GL_NEAREST);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved.name());
+    const RenderedPicture several = resolved.read();
+    renderer.draw(crowded_scene(), camera_at(0), RenderOptions::interactive(), viewport);
+    CHECK(resolved.read().rgba == several.rgba);
+    glDeleteFramebuffers(1, &framebuffer);
+    glDeleteRenderbuffers(1, &color);
+  });
+}
+
 TEST_CASE("the same scene gives the same pixels, whatever was drawn in between") {
   with_renderer([](Renderer& renderer) {
     const Scene scene = crowded_scene();
