@@ -32,11 +32,13 @@ GalleryThumbnails::~GalleryThumbnails() { stop(); }
 void GalleryThumbnails::start() {
   if (worker_.joinable()) return;
   stopped_ = false;
+  busy_ = true;
   worker_ = std::thread([this, first = done_] { make_pictures(first, stopped_); });
 }
 
 void GalleryThumbnails::stop() {
   stopped_ = true;
+  busy_ = false;
   if (worker_.joinable()) worker_.join();
 }
 
@@ -55,6 +57,8 @@ void GalleryThumbnails::make_pictures(std::size_t first, const std::atomic<bool>
     QMetaObject::invokeMethod(
         this, [this, i, name = sketches[i].name, solid] { show(i, name, solid); }, Qt::QueuedConnection);
   }
+  QMetaObject::invokeMethod(
+      this, [this] { busy_ = false; }, Qt::QueuedConnection);
 }
 
 void GalleryThumbnails::show(std::size_t place, const QString& sketch, const std::shared_ptr<const PolyMesh>& solid) {

@@ -25,6 +25,9 @@ class GalleryThumbnails : public QObject {
   /// Goes on with those that have no picture yet.
   void start();
 
+  /// Some sketches have no picture yet, and it is being made.
+  bool busy() const { return busy_; }
+
   /// The sketch that is opened needs the machine more.
   void stop();
 
@@ -38,6 +41,7 @@ class GalleryThumbnails : public QObject {
   const Registry& registry_;
   OffscreenPictures& pictures_;
   std::size_t done_ = 0;
+  bool busy_ = false;
   std::atomic<bool> stopped_{false};
   std::thread worker_;
 };

@@ -63,9 +63,9 @@ void ObjectList::show_objects(const Drawing& drawing, const Evaluation* evaluati
   if (objects != nullptr) {
     for (const Report& object : objects->as_array()) {
       const QStringList strokes = names_of(object.at("strokes"));
-      add_row(tr("%1 — %n stroke(s)", nullptr, static_cast<int>(strokes.size()))
-                  .arg(QString::fromStdString(object.at("name").as_string())),
-              strokes, true);
+      const QString name = QString::fromStdString(object.at("name").as_string());
+      const QString count = strokes.size() == 1 ? tr("1 stroke") : tr("%1 strokes").arg(strokes.size());
+      add_row(name + " — " + count, strokes, true);
     }
   }
   for (const Stroke& stroke : drawing.strokes) {

@@ -172,6 +172,8 @@ bool MainWindow::open(const QString& path) {
 
 void MainWindow::export_picture(const QString& path) { viewport_->export_picture(pictures_, path); }
 
+bool MainWindow::settled() const { return studio_.settled() && !(shows_start_page() && thumbnails_->busy()); }
+
 bool MainWindow::shows_start_page() const { return pages_->currentWidget() == start_page_; }
 
 void MainWindow::show_start_page() {
@@ -179,7 +181,7 @@ void MainWindow::show_start_page() {
   start_page_->show_recoverable(files_.recoverable());
   thumbnails_->start();
   pages_->setCurrentWidget(start_page_);
-  for (QDockWidget* dock : findChildren<QDockWidget*>()) dock->hide();
+  for (QDockWidget* dock : docks_) dock->hide();
   for (QToolBar* bar : findChildren<QToolBar*>()) bar->hide();
   update_help();
 }
@@ -187,7 +189,12 @@ void MainWindow::show_start_page() {
 void MainWindow::show_views() {
   thumbnails_->stop();
   pages_->setCurrentWidget(viewport_);
-  for (QDockWidget* dock : findChildren<QDockWidget*>()) dock->show();
+  for (QDockWidget* dock : docks_) dock->show();
+  if (!docks_sized_) {
+    resizeDocks(docks_, {150, 420, 100, 160}, Qt::Vertical);
+    resizeDocks(docks_, {290, 290, 290, 290}, Qt::Horizontal);
+    docks_sized_ = true;
+  }
   for (QToolBar* bar : findChildren<QToolBar*>()) bar->show();
   viewport_->frame_all();
   viewport_->setFocus();

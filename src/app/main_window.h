@@ -53,6 +53,9 @@ class MainWindow : public QMainWindow {
 
   bool shows_start_page() const;
 
+  /// Nothing that the window shows is still being made.
+  bool settled() const;
+
   /// Leaves the start page for the document as it is.
   void show_views();
 
@@ -99,6 +102,8 @@ class MainWindow : public QMainWindow {
   FindingsList* findings_ = nullptr;
   HistoryList* history_ = nullptr;
   GalleryThumbnails* thumbnails_ = nullptr;
+  QList<QDockWidget*> docks_;
+  bool docks_sized_ = false;  ///< people's own sizes are kept
   Findings last_findings_;
   QLabel* help_ = nullptr;
   QLabel* message_ = nullptr;

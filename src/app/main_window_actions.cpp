@@ -78,6 +78,7 @@ void MainWindow::make_edit_actions() {
   add_action(menu, "redo", tr("&Redo"), {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y"), QKeySequence("Shift+Z")},
              [this] { studio_.session().redo(); });
   menu->addSeparator();
+  add_action(menu, "join-limbs", tr("&Join limbs"), {QKeySequence("J")}, [this] { viewport_->join_all(); });
   add_action(menu, "delete", tr("&Delete"), {QKeySequence::Delete, QKeySequence(Qt::Key_Backspace)},
              [this] { viewport_->delete_selection(); });
   add_action(menu, "select-all", tr("Select &all"), {QKeySequence::SelectAll}, [this] {
@@ -147,10 +148,8 @@ void MainWindow::make_docks() {
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setWidget(attributes_);
-  add_dock(tr("Objects"), objects_, "objects-dock");
-  add_dock(tr("Attributes"), scroll, "attributes-dock");
-  add_dock(tr("Findings"), findings_, "findings-dock");
-  add_dock(tr("History"), history_, "history-dock");
+  docks_ = {add_dock(tr("Objects"), objects_, "objects-dock"), add_dock(tr("Attributes"), scroll, "attributes-dock"),
+            add_dock(tr("Findings"), findings_, "findings-dock"), add_dock(tr("History"), history_, "history-dock")};
 }
 
 void MainWindow::ask_open() {

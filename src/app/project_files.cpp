@@ -54,6 +54,9 @@ ProjectFiles::ProjectFiles(Studio& studio, OffscreenPictures& pictures, const QS
       autosave_timer_.start(autosave_delay_ms);
     }
   });
+  connect(&studio_, &Studio::busy_changed, this, [this](bool busy) {
+    if (!busy && !has_thumbnail_) autosave_timer_.start(autosave_delay_ms);
+  });
 }
 
 ProjectFiles::~ProjectFiles() { disk_.waitForDone(); }
@@ -161,6 +164,8 @@ void ProjectFiles::close_cleanly() {
   disk_.waitForDone();
   if (working_copy_) working_copy_->close_cleanly();
   working_copy_.reset();
+  autosaved_ = Document();
+  has_thumbnail_ = false;
 }
 
 void ProjectFiles::autosave_now() {
@@ -171,11 +176,14 @@ void ProjectFiles::autosave_now() {
 void ProjectFiles::autosave() {
   autosave_timer_.stop();
   const Document& document = studio_.session().document();
-  if (same_nodes(document, autosaved_) && working_copy_) return;
+  const bool wants_picture =
+      studio_.solid() && studio_.settled() && (!has_thumbnail_ || since_thumbnail_.hasExpired(thumbnail_pause_ms));
+  if (same_nodes(document, autosaved_) && !(wants_picture && !has_thumbnail_)) return;
   autosaved_ = document;
   std::vector<std::uint8_t> picture;
-  if (!since_thumbnail_.isValid() || since_thumbnail_.hasExpired(thumbnail_pause_ms)) {
+  if (wants_picture) {
     picture = thumbnail();
+    has_thumbnail_ = !picture.empty();
     since_thumbnail_.start();
   }
   disk_.start([this, document, path = local(path_), folder = local(state_folder_), picture = std::move(picture)] {

@@ -77,7 +77,8 @@ class ProjectFiles : public QObject {
   QTimer autosave_timer_;
   QElapsedTimer since_thumbnail_;
   Document autosaved_;
-  std::unique_ptr<WorkingCopy> working_copy_;  ///< touched by the disk's thread alone while that one is busy
+  bool has_thumbnail_ = false;                 ///< the working copy shows its solid
+  std::unique_ptr<WorkingCopy> working_copy_;  ///< the disk's thread's while that one is busy
   QThreadPool disk_;                           ///< one thread: commits wait for the disk, the window doesn't
 };
 

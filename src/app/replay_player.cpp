@@ -76,11 +76,12 @@ void wait_until_settled(MainWindow& window) {
     if (watch.elapsed() > longest_wait_ms) {
       throw Error(make_error(Category::Limit, "E_LIMIT", "The solid wasn't finished within a minute"));
     }
-  } while (!window.studio().settled());
+  } while (!window.settled());
   QApplication::processEvents();
 }
 
 void save_window_picture(MainWindow& window, const QString& path) {
+  wait_until_settled(window);
   window.viewport().settle_now();
   QApplication::processEvents();
   if (!window.grab().save(path, "PNG")) {

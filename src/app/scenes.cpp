@@ -133,7 +133,7 @@ render::Mark finding_symbol(const FindingMark& finding) {
 
 render::LineItemPtr ghost_item() {
   return render::make_line_item(path_of(first_ghost(), true),
-                                {2.5, to_color(colors::guide, 150), {1, 7, 0, 0}, render::LineDepth::OnTop});
+                                {3, to_color(colors::guide, 190), {3, 7, 0, 0}, render::LineDepth::OnTop});
 }
 
 }  // namespace

@@ -15,8 +15,9 @@
 namespace croquis::app {
 namespace {
 
-constexpr int columns = 4;
-constexpr QSize tile_picture(168, 126);
+constexpr int columns = 5;
+constexpr QSize tile_picture(192, 144);
+constexpr int left_width = 230;
 
 QLabel* heading(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);
@@ -49,8 +50,11 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   columns_row->setContentsMargins(32, 24, 32, 24);
   columns_row->setSpacing(32);
 
-  auto* left = new QVBoxLayout;
-  columns_row->addLayout(left);
+  auto* side = new QWidget(page);
+  side->setFixedWidth(left_width);
+  columns_row->addWidget(side, 0, Qt::AlignTop);
+  auto* left = new QVBoxLayout(side);
+  left->setContentsMargins(0, 0, 0, 0);
   left->addWidget(heading(tr("Croquis"), page));
   auto* fresh = new QPushButton(tr("New sketch"), page);
   fresh->setObjectName("new-sketch");

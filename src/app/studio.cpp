@@ -11,6 +11,7 @@ namespace croquis::app {
 namespace {
 
 const std::string solid_operation_id = "inflate";
+constexpr int patience_ms = 400;  // a draft that takes longer gives way to a newer one
 
 const std::shared_ptr<const Drawing>* drawing_of(const Node& node) {
   return node.source ? std::get_if<std::shared_ptr<const Drawing>>(&*node.source) : nullptr;
@@ -41,10 +42,7 @@ Studio::Studio() : registry_(all_operations()), evaluator_(registry_) {
   callbacks.progress = [this](double fraction, const std::string& step) {
     emit progress_changed(fraction, QString::fromStdString(step));
   };
-  callbacks.busy = [this](bool busy) {
-    busy_ = busy;
-    emit busy_changed(busy);
-  };
+  callbacks.busy = [this](bool) { emit busy_changed(busy()); };
   live_ = std::make_unique<LiveEvaluation>(evaluator_, std::move(post), std::move(callbacks));
   session_.on_change([this] { follow_session(); });
 }
@@ -98,6 +96,7 @@ void Studio::start_with(Drawing drawing) { load(document_of(std::move(drawing)))
 void Studio::start_empty() { load(Document()); }
 
 void Studio::load(Document document, bool modified) {
+  cancel();
   result_.reset();
   evaluated_ = Document();
   evaluator_.forget_last_good();
@@ -127,26 +126,42 @@ void Studio::set_parameter(NodeId id, const std::string& name, const ParameterVa
   if (!dragging) session_.end_drag();
 }
 
-void Studio::cancel() { live_->cancel(); }
+void Studio::cancel() {
+  waiting_ = false;
+  drafting_ = false;
+  live_->cancel();
+}
 
 void Studio::follow_session() {
   const Document& document = session_.document();
   if (!same_nodes(document, evaluated_)) {
     evaluated_ = document;
-    if (solid_node() != 0 && !drawing().strokes.empty()) {
-      live_->request(document, solid_node());
-    } else {
-      live_->cancel();
+    if (solid_node() == 0 || drawing().strokes.empty()) {
+      cancel();
       result_.reset();
       emit result_changed();
+    } else if (drafting_ && !since_request_.hasExpired(patience_ms)) {
+      // A hand moves faster than solids are made: the draft under way is shown before the next one begins.
+      waiting_ = true;
+    } else {
+      evaluate();
     }
   }
   emit changed();
 }
 
+void Studio::evaluate() {
+  waiting_ = false;
+  drafting_ = true;
+  since_request_.start();
+  live_->request(session_.document(), solid_node());
+}
+
 void Studio::take_result(std::shared_ptr<const Evaluation> result, Quality quality) {
   result_ = std::move(result);
   quality_ = quality;
+  drafting_ = false;
+  if (waiting_) evaluate();
   emit result_changed();
 }
 

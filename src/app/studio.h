@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 #include <memory>
@@ -44,10 +45,9 @@ class Studio : public QObject {
   /// What the newest result says, errors first; none before the first result.
   Findings findings() const;
 
-  bool busy() const { return busy_; }
-
-  /// The result is final and belongs to the document as it is now.
-  bool settled() const { return !busy_; }
+  /// The newest result isn't final, or doesn't belong to the document as it is now.
+  bool busy() const { return waiting_ || live_->busy(); }
+  bool settled() const { return !busy(); }
 
   /// Replaces the document by one drawing and the solid made of it; forgets the history.
   void start_with(Drawing drawing);
@@ -68,6 +68,7 @@ class Studio : public QObject {
 
  private:
   void follow_session();
+  void evaluate();
   void take_result(std::shared_ptr<const Evaluation> result, Quality quality);
 
   Registry registry_;
@@ -76,7 +77,9 @@ class Studio : public QObject {
   Document evaluated_;  ///< what the newest request was about
   std::shared_ptr<const Evaluation> result_;
   Quality quality_ = Quality::Final;
-  bool busy_ = false;
+  bool drafting_ = false;  ///< the draft of the newest request hasn't come yet
+  bool waiting_ = false;   ///< the document has changed since
+  QElapsedTimer since_request_;
   bool dragging_parameter_ = false;
   std::unique_ptr<LiveEvaluation> live_;  ///< last: its jobs use all of the above
 };

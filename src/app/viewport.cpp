@@ -18,9 +18,11 @@ constexpr double gap = 2;  // logical pixels between the views
 constexpr int settle_ms = 180;
 constexpr double affordable_ms = 90;  // a frame that takes longer would be felt
 constexpr int picture_height = 1600;
+constexpr int joint_size = 18;
 constexpr const char* joint_style =
-    "QToolButton { background: rgba(255,255,255,215); color: #3c4654; border: 1px dashed #7a8698;"
-    " border-radius: 8px; padding: 1px 7px; font-size: 11px }"
+    "QToolButton { background: white; color: #3c4654; border: 1px solid #7a8698; border-radius: 9px; padding: 0;"
+    " font-size: 13px }"
+    "QToolButton:hover { background: #ffe2c2 }"
     "QToolButton:checked { background: #f28c28; color: #1c1c1e; border: 1px solid #a85a10 }";
 
 std::string attach_text(const Studio& studio) {
@@ -284,6 +286,7 @@ void Viewport::show_joints() {
     const std::size_t place = joint_chips_.size();
     chip->setObjectName("joint-" + QString::number(place));
     chip->setCheckable(true);
+    chip->setFixedSize(joint_size, joint_size);
     chip->setFocusPolicy(Qt::NoFocus);
     chip->setStyleSheet(joint_style);
     connect(chip, &QToolButton::clicked, this, [this, place] {
@@ -296,11 +299,19 @@ void Viewport::show_joints() {
     const Joint& joint = joints_[i];
     const QString names = QString::fromStdString(joint.a) + " – " + QString::fromStdString(joint.b);
     joint_chips_[i]->setChecked(joint.attached);
-    joint_chips_[i]->setText(joint.attached ? tr("joined") : tr("join?"));
+    joint_chips_[i]->setText(joint.attached ? QStringLiteral("✓") : QStringLiteral("+"));
     joint_chips_[i]->setToolTip(joint.attached ? tr("%1 are one body: click to part them").arg(names)
                                                : tr("%1: click to make them one body").arg(names));
     joint_chips_[i]->setAccessibleName(joint_chips_[i]->toolTip());
   }
+}
+
+void Viewport::join_all() {
+  std::string text = attach_text(studio_);
+  for (const Joint& joint : joints_) {
+    if (!joint.attached) text = toggled_joint(text, joint);
+  }
+  if (!joints_.empty()) studio_.set_parameter(studio_.solid_node(), "attach", text, false);
 }
 
 void Viewport::place_joint_chips() {
@@ -310,7 +321,6 @@ void Viewport::place_joint_chips() {
     const bool shown = i < joints_.size() && panes_[SketchView].visible() && !pen_.down();
     const QPointF at = shown ? sketch_to_widget(joints_[i].at) : QPointF();
     chip->setVisible(shown && sketch.contains(at));
-    chip->adjustSize();
     chip->move((at - QPointF(chip->width(), chip->height()) / 2).toPoint());
   }
 }

@@ -49,6 +49,9 @@ class Viewport : public QOpenGLWidget {
 
   void delete_selection();
 
+  /// Accepts every joint of limb and body that is offered.
+  void join_all();
+
   /// Gives up the gesture under way. @return false when there was none
   bool abandon();
 

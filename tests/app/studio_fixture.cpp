@@ -21,7 +21,7 @@ StudioFixture::StudioFixture()
           QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 1)),
       window_(std::make_unique<app::MainWindow>(folder_.path() + "/state")) {
   window_->show();
-  QTest::qWaitForWindowExposed(window_.get());
+  (void)QTest::qWaitForWindowExposed(window_.get());
   window_->start_sketch();
   wait_for([this] { return viewport().frames() > 0; });
 }
@@ -30,7 +30,7 @@ void StudioFixture::crash_and_restart() {
   window_->files().autosave_now();
   window_ = std::make_unique<app::MainWindow>(folder_.path() + "/state");
   window_->show();
-  QTest::qWaitForWindowExposed(window_.get());
+  (void)QTest::qWaitForWindowExposed(window_.get());
 }
 
 bool StudioFixture::wait_for(const std::function<bool()>& condition) {

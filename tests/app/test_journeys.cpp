@@ -64,7 +64,7 @@ TEST_CASE("a snake drawn with a pen becomes solid, is bent, undone, saved, opene
   REQUIRE(fit != nullptr);
   const Vec2 anchor = fit->anchors[fit->anchors.size() / 2].position;
   const Document before_drag = session.document();
-  hand.drag(anchor, anchor + Vec2(3, 4));
+  hand.drag(anchor, anchor + Vec2(12, 16));
   CHECK(!same_nodes(session.document(), before_drag));
   CHECK(session.undo_labels().back().find("stroke") != std::string::npos);
   hand.settle();
