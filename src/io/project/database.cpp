@@ -153,7 +153,8 @@ std::int64_t Database::integer(const std::string& sql) {
 void Database::fail() const {
   if (guard_->progress != nullptr && guard_->progress->cancelled()) throw Cancelled();
   const int code = sqlite3_errcode(handle()) & 0xff;
-  if (code == SQLITE_NOMEM) throw std::bad_alloc();
+  // SQLite answers some damaged schemas with this, too, while there is plenty.
+  if (code == SQLITE_NOMEM && guard_->progress == nullptr) throw std::bad_alloc();
   if (code == SQLITE_INTERRUPT) throw DatabaseError(SQLITE_CORRUPT, "its parts lead back into each other");
   throw DatabaseError(code, sqlite3_errmsg(handle()));
 }
