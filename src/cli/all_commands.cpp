@@ -3,6 +3,7 @@
 #include "cli/commands/mesh_commands.h"
 #include "cli/commands/operation_command.h"
 #include "cli/commands/render_command.h"
+#include "cli/commands/run_command.h"
 
 namespace croquis::cli {
 
@@ -15,6 +16,7 @@ std::vector<std::unique_ptr<Command>> all_commands(const Registry& registry) {
   commands.push_back(std::make_unique<CheckCommand>());
   commands.push_back(std::make_unique<ConvertCommand>());
   commands.push_back(std::make_unique<RenderCommand>());
+  commands.push_back(std::make_unique<RunCommand>(registry));
   commands.push_back(std::make_unique<OperationsCommand>(registry));
   return commands;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/solid_faults.h"
 
+#include "croquis/base/error.h"
+
 namespace croquis::cli {
 namespace {
 
@@ -41,6 +43,16 @@ Findings solid_faults(const MeshReport& report, const std::string& file) {
         "intersects itself in " + counted(*report.self_intersections, "pair") + " of faces; move them apart."));
   }
   return found;
+}
+
+void judge_solid(const std::string& path, const PolyMesh& written, CommandResult& result, Progress& progress) {
+  result.mesh = inspect(written, true, progress);
+  const Findings faults = solid_faults(*result.mesh, path);
+  if (faults.empty()) return;
+  throw Error(make_error(Category::Geometry, "E_ROUNDING",
+                         "The solid is valid, but not with the numbers that " + path +
+                             " can hold: " + faults.front().message + " Write it as OBJ or PLY.",
+                         {{SubjectKind::File, path, {}, {}, {}}}));
 }
 
 }  // namespace croquis::cli

@@ -3,8 +3,10 @@
 
 #include <string>
 
+#include "cli/command.h"
 #include "croquis/base/finding.h"
 #include "croquis/geometry/mesh_report.h"
+#include "croquis/geometry/poly_mesh.h"
 
 namespace croquis::cli {
 
@@ -12,5 +14,9 @@ namespace croquis::cli {
 /// @param report with self-intersections counted
 /// @param file   how the sentences call the mesh
 Findings solid_faults(const MeshReport& report, const std::string& file);
+
+/// A solid is judged by the numbers of its file: a format may round them until surfaces meet. Fills result.mesh.
+/// @throws Error (E_ROUNDING)
+void judge_solid(const std::string& path, const PolyMesh& written, CommandResult& result, Progress& progress);
 
 }  // namespace croquis::cli

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/process.h"
+#include "croquis/io/project_file.h"
+#include "croquis/io/svg_drawing.h"
 #include "croquis/operators/all_operations.h"
 
 namespace croquis::test {
@@ -23,7 +25,19 @@ const char* const triangle_ply =
 const char* const circle_svg =
     "<svg xmlns=\"http://www.w3.org/2000/svg\"><circle id=\"c\" cx=\"100\" cy=\"100\" r=\"80\"/></svg>";
 
-const std::vector<std::string> subcommands = {"inflate", "info", "check", "convert", "render", "operations"};
+const std::vector<std::string> subcommands = {"inflate", "info", "check", "convert", "render", "run", "operations"};
+
+/// The circle and a node "inflate" that makes it a solid.
+void write_project(const std::string& path) {
+  Progress progress;
+  Node sketch;
+  sketch.source = std::make_shared<const Drawing>(read_svg_drawing(circle_svg, "circle.svg", progress).drawing);
+  Node solid;
+  solid.name = "inflate";
+  solid.operation = "inflate";
+  solid.inputs["drawing"] = {1, "value"};
+  save_project(path, {Document().with(sketch).with(solid), {}, {}}, progress);
+}
 
 /// The example lines of a help text, without the program's name.
 std::vector<std::string> examples_of(const std::string& help) {
@@ -51,6 +65,7 @@ TEST_CASE("help names every subcommand and each has examples that work") {
   folder.write("solid.obj", cube_obj);
   folder.write("scan.ply", triangle_ply);
   folder.write("sketch.svg", circle_svg);
+  write_project(folder / "project.croq");
   for (const std::string& name : subcommands) {
     INFO(name);
     CHECK(help.out.find("  " + name) != std::string::npos);

@@ -30,17 +30,6 @@ Value read_value(const PortDescription& port, const Invocation& invocation, Comm
   return std::make_shared<const PolyMesh>(read_input_mesh(invocation, true, result, progress));
 }
 
-/// A solid is judged by the numbers of its file: a format may round them until surfaces meet.
-void judge_solid(const std::string& path, const PolyMesh& written, CommandResult& result, Progress& progress) {
-  result.mesh = inspect(written, true, progress);
-  const Findings faults = solid_faults(*result.mesh, path);
-  if (faults.empty()) return;
-  throw Error(make_error(Category::Geometry, "E_ROUNDING",
-                         "The solid is valid, but not with the numbers that " + path +
-                             " can hold: " + faults.front().message + " Write it as OBJ or PLY.",
-                         {{SubjectKind::File, path, {}, {}, {}}}));
-}
-
 /// One output to its file.
 struct Destination {
   std::string path;
