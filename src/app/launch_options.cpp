@@ -19,6 +19,7 @@ void describe(QCommandLineParser& parser) {
   parser.addOption({"new", "Start with an empty sketch of this kind: silhouette.", "kind"});
   parser.addOption({"screenshot", "Open, evaluate, save the window's picture here, quit.", "png"});
   parser.addOption({"replay", "Replay recorded actions and pen strokes, then quit.", "file"});
+  parser.addOption({"record", "Append whatever is done to this recording.", "file"});
   parser.addOption({"stay", "Keep the window open after a replay."});
   parser.addOption({"software-gl", "Draw without the graphics card."});
 }
@@ -47,8 +48,9 @@ std::optional<LaunchOptions> parse_command_line(const QStringList& arguments, in
     std::printf("croquis %s\n", qPrintable(QCoreApplication::applicationVersion()));
     return std::nullopt;
   }
-  LaunchOptions options{parser.positionalArguments(), parser.value("new"),  parser.value("screenshot"),
-                        parser.value("replay"),       parser.isSet("stay"), parser.isSet("software-gl")};
+  LaunchOptions options{parser.positionalArguments(), parser.value("new"),    parser.value("screenshot"),
+                        parser.value("replay"),       parser.value("record"), parser.isSet("stay"),
+                        parser.isSet("software-gl")};
   if (!options.new_kind.isEmpty() && options.new_kind != "silhouette") {
     refuse("--new takes silhouette; \"" + options.new_kind + "\" is not built yet");
     exit_code = wrong_usage;

@@ -13,6 +13,7 @@ struct LaunchOptions {
   QString new_kind;    ///< --new: "silhouette", or empty
   QString screenshot;  ///< --screenshot: evaluate, save the window's picture, quit
   QString replay;      ///< --replay: play, then quit unless `stay`
+  QString record;      ///< --record: append what is done to this recording
   bool stay = false;
   bool software_gl = false;
 };

@@ -46,6 +46,9 @@ int save_screenshot(MainWindow& window, const QString& path) {
 int run(const LaunchOptions& options) {
   MainWindow window(state_folder());
   window.show();
+  if (!options.record.isEmpty() && !window.attempt([&] { window.record_to(options.record); })) {
+    return print_findings(window.last_findings());
+  }
   if (!options.new_kind.isEmpty()) window.start_sketch();
   const bool unattended = !options.screenshot.isEmpty() || !options.replay.isEmpty();
   for (const QString& file : options.files) {

@@ -28,7 +28,10 @@ constexpr QSize first_size(1440, 900);
 
 QString sentences(const Findings& findings) {
   QStringList lines;
-  for (const Finding& finding : findings) lines << QString::fromStdString(finding.message) + ".";
+  for (const Finding& finding : findings) {
+    const QString sentence = QString::fromStdString(finding.message);
+    lines << (sentence.endsWith('.') ? sentence : sentence + ".");
+  }
   return lines.join("\n");
 }
 
@@ -68,6 +71,7 @@ void MainWindow::connect_studio() {
   });
   connect(&files_, &ProjectFiles::path_changed, this, &MainWindow::update_title);
   connect(&files_, &ProjectFiles::autosave_failed, this, [this](const QString& text) { message_->setText(text); });
+  connect(viewport_, &Viewport::committed, this, &MainWindow::record);
   connect(viewport_, &Viewport::help_changed, this, &MainWindow::update_help);
 
   connect(start_page_, &StartPage::new_sketch_wanted, this, &MainWindow::start_sketch);
@@ -88,6 +92,8 @@ void MainWindow::connect_studio() {
   connect(attributes_, &AttributePanel::parameter_edited, this,
           [this](NodeId node, const std::string& parameter, const ParameterValue& value, bool dragging) {
             studio_.set_parameter(node, parameter, value, dragging);
+            const Node* edited = studio_.session().document().find(node);
+            if (!dragging && edited != nullptr) record(recorded::Set{edited->name, parameter, value});
           });
   connect(objects_, &ObjectList::strokes_chosen, this, &MainWindow::select_strokes);
   connect(findings_, &FindingsList::strokes_chosen, this, &MainWindow::select_strokes);
@@ -166,8 +172,24 @@ void MainWindow::start_sketch() {
 
 bool MainWindow::open(const QString& path) {
   if (!may_discard() || !attempt([&] { files_.open(path); })) return false;
+  record(recorded::File{"open", QFileInfo(path).absoluteFilePath().toStdString()});
   show_views();
   return true;
+}
+
+void MainWindow::record_to(const QString& path) {
+  recording_ = std::make_unique<QFile>(path);
+  if (!recording_->open(QIODevice::WriteOnly | QIODevice::Append)) {
+    throw Error(make_error(Category::Io, "E_WRITE", "\"" + path.toStdString() + "\" can't be written"));
+  }
+  recorder_ = std::make_unique<recorded::Recorder>([this](const std::string& line) {
+    recording_->write(line.data(), static_cast<qint64>(line.size()));
+    recording_->flush();  // a crash is what recordings are wanted for
+  });
+}
+
+void MainWindow::record(const recorded::Step& step) {
+  if (recorder_) recorder_->add(step);
 }
 
 void MainWindow::export_picture(const QString& path) { viewport_->export_picture(pictures_, path); }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QFile>
 #include <QMainWindow>
 #include <functional>
+#include <memory>
 
 #include "app/offscreen_pictures.h"
 #include "app/project_files.h"
 #include "app/studio.h"
+#include "croquis/tools/recording.h"
 
 class QLabel;
 class QProgressBar;
@@ -47,6 +50,10 @@ class MainWindow : public QMainWindow {
 
   /// Runs something that may throw; shows its findings in a bar over the views.
   bool attempt(const std::function<void()>& work);
+
+  /// Appends everything that is done from now on to a recording (docs/replays.md).
+  /// @throws Error (E_WRITE)
+  void record_to(const QString& path);
 
   /// Of the last attempt that failed.
   const Findings& last_findings() const { return last_findings_; }
@@ -102,6 +109,10 @@ class MainWindow : public QMainWindow {
   FindingsList* findings_ = nullptr;
   HistoryList* history_ = nullptr;
   GalleryThumbnails* thumbnails_ = nullptr;
+  void record(const recorded::Step& step);
+
+  std::unique_ptr<QFile> recording_;
+  std::unique_ptr<recorded::Recorder> recorder_;
   QList<QDockWidget*> docks_;
   bool docks_sized_ = false;  ///< people's own sizes are kept
   Findings last_findings_;

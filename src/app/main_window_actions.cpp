@@ -25,6 +25,10 @@ const QString open_filter = QObject::tr("Croquis (*.croq *.svg *.obj *.ply *.stl
 const QString project_filter = QObject::tr("Project (*.croq)");
 const QString mesh_filter = QObject::tr("OBJ (*.obj);;STL (*.stl);;PLY (*.ply);;GLB (*.glb);;OFF (*.off)");
 
+bool asks_for_file(const QString& action) {
+  return action == "open" || action.startsWith("save") || action.startsWith("export");
+}
+
 }  // namespace
 
 QAction* MainWindow::action(const QString& name) const { return findChild<QAction*>(name); }
@@ -35,7 +39,11 @@ QAction* MainWindow::add_action(QMenu* menu, const QString& name, const QString&
   action->setObjectName(name);
   action->setShortcuts(keys);
   action->setIcon(action_icon(name));
-  connect(action, &QAction::triggered, this, std::move(work));
+  connect(action, &QAction::triggered, this, [this, name, work = std::move(work)] {
+    // Those that ask for a file are recorded with its name, once it is known.
+    if (!asks_for_file(name)) record(recorded::Action{name.toStdString()});
+    work();
+  });
   menu->addAction(action);
   addAction(action);
   return action;
@@ -165,7 +173,9 @@ bool MainWindow::ask_save() {
 
 bool MainWindow::save_to(const QString& path) {
   const QString named = QFileInfo(path).suffix().isEmpty() ? path + ".croq" : path;
-  return attempt([&] { files_.save(named); });
+  if (!attempt([&] { files_.save(named); })) return false;
+  record(recorded::File{"save", QFileInfo(named).absoluteFilePath().toStdString()});
+  return true;
 }
 
 bool MainWindow::may_discard() {

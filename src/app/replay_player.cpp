@@ -38,13 +38,9 @@ int exit_code_of(Category category) {
   return 70;
 }
 
-PointerEvent::Device device_of(const std::string& name) {
-  if (name == "pen") return PointerEvent::Device::Pen;
-  return name == "eraser" ? PointerEvent::Device::Eraser : PointerEvent::Device::Mouse;
-}
-
-bool has_shift(const std::vector<std::string>& modifiers) {
-  return std::find(modifiers.begin(), modifiers.end(), "shift") != modifiers.end();
+Modifiers modifiers_of(const std::vector<std::string>& names) {
+  const auto has = [&](const char* name) { return std::find(names.begin(), names.end(), name) != names.end(); };
+  return {has("shift"), has("ctrl"), has("alt"), has("super")};
 }
 
 StrokeSample sample_at(const Vec2& place) {
@@ -106,7 +102,7 @@ void ReplayPlayer::play(const recorded::Line& line) {
 
 void ReplayPlayer::play(const recorded::StrokeDrawn& step) {
   if (window_.shows_start_page()) window_.start_sketch();
-  window_.viewport().replay_stroke(step.points, device_of(step.device), false);
+  window_.viewport().replay_gesture(step.points, step.device == "eraser", {}, step.scale);
 }
 
 void ReplayPlayer::play(const recorded::Drag& step) {
@@ -154,12 +150,12 @@ void ReplayPlayer::play(const recorded::File& step) {
 }
 
 void ReplayPlayer::play(const recorded::Click& step) {
-  window_.viewport().replay_stroke({sample_at(step.at)}, PointerEvent::Device::Mouse, has_shift(step.modifiers));
+  window_.viewport().replay_gesture({sample_at(step.at)}, false, modifiers_of(step.modifiers), 0);
 }
 
 void ReplayPlayer::play(const recorded::Box& step) {
-  window_.viewport().replay_stroke({sample_at(step.from), sample_at((step.from + step.to) / 2), sample_at(step.to)},
-                                   PointerEvent::Device::Mouse, has_shift(step.modifiers));
+  const std::vector<StrokeSample> way{sample_at(step.from), sample_at((step.from + step.to) / 2), sample_at(step.to)};
+  window_.viewport().replay_gesture(way, false, modifiers_of(step.modifiers), 0);
 }
 
 void ReplayPlayer::play(const recorded::Navigate& step) {
@@ -188,7 +184,8 @@ void ReplayPlayer::play(const recorded::Expect& step) {
 
 int print_findings(const Findings& findings) {
   for (const Finding& finding : findings) {
-    std::fprintf(stderr, "croquis: %s: %s.\n", finding.code.c_str(), finding.message.c_str());
+    const char* stop = finding.message.ends_with('.') ? "" : ".";
+    std::fprintf(stderr, "croquis: %s: %s%s\n", finding.code.c_str(), finding.message.c_str(), stop);
   }
   return findings.empty() ? 70 : exit_code_of(findings.front().category);
 }

@@ -9,6 +9,7 @@ namespace {
 constexpr double radians_per_pixel = 0.008;
 constexpr double first_height = 640;  // sketch units
 constexpr double margin = 0.1;
+constexpr double least_share = 0.5;  // of the view: a scene that fills less is framed anew
 
 }  // namespace
 
@@ -44,6 +45,20 @@ void ViewPane::frame(const render::Scene& scene) {
   if (!visible() || points.empty()) return;
   const render::ViewDirection direction{camera.target - camera.eye, camera.up, camera.projection};
   camera = render::frame(points, direction, rect.width() / rect.height(), margin);
+}
+
+bool ViewPane::fits(const render::Scene& scene) const {
+  if (!visible()) return true;
+  QRectF seen;
+  for (const glm::dvec3& point : render::points_of(scene)) {
+    const auto pixel = render::project(camera, point, size());
+    if (!pixel) return false;
+    const QRectF place(pixel->x - 0.5, pixel->y - 0.5, 1, 1);
+    seen = seen.isNull() ? place : seen.united(place);
+  }
+  const QRectF inside(0, 0, rect.width(), rect.height());
+  const bool large = seen.width() > least_share * rect.width() || seen.height() > least_share * rect.height();
+  return inside.contains(seen) && large;
 }
 
 ViewPane sketch_pane() {

@@ -25,6 +25,9 @@ struct ViewPane {
 
   void move(const CameraMotion& motion);
 
+  /// The whole scene is seen, and not much smaller than it could be.
+  bool fits(const render::Scene& scene) const;
+
   /// Shows the box; the whole of a scene of surfaces as close as it fits.
   void frame(const render::Bounds& bounds);
   void frame(const render::Scene& scene);

@@ -53,6 +53,7 @@ Viewport::Viewport(Studio& studio, QWidget* parent)
     settled_ = true;
     update();
   });
+  connect(&pen_watch_, &QTimer::timeout, this, &Viewport::watch_pen);
   hint_->setAttribute(Qt::WA_TransparentForMouseEvents);
   hint_->setStyleSheet("color: #8a93a0; background: transparent; font-size: 15px");
   for (QLabel*& chip : finding_chips_) {
@@ -94,6 +95,7 @@ void Viewport::frame_all() {
   else
     panes_[SketchView].camera = sketch_pane().camera;
   panes_[PerspectiveView].frame(scenes_.solid_scene(false));
+  turned_ = false;
   redraw();
 }
 
@@ -232,7 +234,6 @@ void Viewport::redraw() {
 void Viewport::follow_document() {
   scenes_.show_drawing(studio_, tool_);
   scenes_.show_preview(tool_.preview(), studio_.drawing());
-  if (studio_.session().undo_labels().empty() && !studio_.solid()) framed_solid_ = false;
   redraw();
   emit help_changed();
 }
@@ -240,14 +241,19 @@ void Viewport::follow_document() {
 void Viewport::follow_result() {
   scenes_.show_result(studio_);
   show_joints();
-  if (!studio_.solid()) framed_solid_ = false;
-  if (studio_.solid() && !framed_solid_) {
-    lay_out();
-    panes_[PerspectiveView].frame(scenes_.solid_scene(false));
-    framed_solid_ = panes_[PerspectiveView].visible();
-  }
+  keep_solid_in_view();
   redraw();
   emit help_changed();
+}
+
+void Viewport::keep_solid_in_view() {
+  // Without a solid there is nothing that anybody looks at: the next one is shown as if it were the first.
+  if (!studio_.solid()) turned_ = false;
+  if (!studio_.solid() || turned_) return;
+  lay_out();
+  ViewPane& pane = panes_[PerspectiveView];
+  const render::Scene scene = scenes_.solid_scene(false);
+  if (!pane.fits(scene)) pane.frame(scene);
 }
 
 void Viewport::place_labels() {

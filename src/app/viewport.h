@@ -70,8 +70,9 @@ class Viewport : public QOpenGLWidget {
   /// Where a place of the sketch plane is seen, in the widget's logical pixels.
   QPointF sketch_to_widget(const Vec2& place) const;
 
-  /// Feeds a stroke as a device would, in sketch coordinates.
-  void replay_stroke(const std::vector<StrokeSample>& samples, PointerEvent::Device device, bool shift);
+  /// Feeds the tool a gesture in sketch coordinates, as a recording has it.
+  /// @param scale units per pixel of the view it was made in; 0 for this one's
+  void replay_gesture(const std::vector<StrokeSample>& samples, bool erases, const Modifiers& modifiers, double scale);
 
   /// Milliseconds from the last input event to the end of the frame that showed it, and how often frames were drawn.
   double last_latency_ms() const { return latency_ms_; }
@@ -79,6 +80,9 @@ class Viewport : public QOpenGLWidget {
 
  signals:
   void help_changed();
+
+  /// A gesture changed the document or the selection.
+  void committed(const croquis::recorded::Step& step);
 
  protected:
   void initializeGL() override;
@@ -96,6 +100,9 @@ class Viewport : public QOpenGLWidget {
   void take(PointerEvent event, const QPointF& place);
   void hover(const PointerEvent& event);
   void take_pen(const std::vector<PenStep>& steps);
+  void feed(const SketchEvent& event);
+  void show_gesture();
+  void watch_pen();
   int view_at(const QPointF& place) const;
   void lay_out();
   void follow_document();
@@ -105,6 +112,7 @@ class Viewport : public QOpenGLWidget {
   render::RenderOptions solid_options() const;
   void place_labels();
   void place_finding_chips();
+  void keep_solid_in_view();
   void show_joints();
   void place_joint_chips();
   bool drag_divider(const PointerEvent& event, const QPointF& place);
@@ -122,8 +130,9 @@ class Viewport : public QOpenGLWidget {
   int grabbed_ = -1;      ///< the view that the gesture under way began in, or -1
   int under_pointer_ = SketchView;
   bool dragging_divider_ = false;
-  bool framed_solid_ = false;  ///< the first solid of a document is brought into view once
-  QTimer settle_;              ///< after a pause the solid is drawn once more, finer
+  bool turned_ = false;  ///< somebody moved the perspective view: it isn't framed by itself any more
+  QTimer pen_watch_;     ///< while a stroke is under way: a pen may vanish without a word
+  QTimer settle_;        ///< after a pause the solid is drawn once more, finer
   bool settled_ = false;
   bool affordable_ = true;  ///< the last fine frame was quick enough not to be felt
   QElapsedTimer clock_;

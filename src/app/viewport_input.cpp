@@ -17,6 +17,7 @@ namespace {
 
 constexpr double divider_grip = 4;  // logical pixels to either side
 constexpr double least_share = 0.15;
+constexpr int pen_watch_ms = 100;
 constexpr int twin_key = Qt::Key_QuoteLeft;  // left of 1
 
 }  // namespace
@@ -79,6 +80,7 @@ void Viewport::take(PointerEvent event, const QPointF& place) {
   for (const auto& motion : {answer.motion, answer.second}) {
     if (!motion) continue;
     panes_[static_cast<std::size_t>(motion->view)].move(*motion);
+    turned_ = turned_ || motion->view == PerspectiveView;
     redraw();
   }
   if (answer.taken || event.view != SketchView) return;
@@ -88,12 +90,23 @@ void Viewport::take(PointerEvent event, const QPointF& place) {
 
 void Viewport::take_pen(const std::vector<PenStep>& steps) {
   const SketchFrame frame = panes_[SketchView].sketch_frame();
-  for (const PenStep& step : steps) tool_.handle(to_sketch(step, frame));
-  if (steps.empty()) return;
+  for (const PenStep& step : steps) feed(to_sketch(step, frame));
+  if (!steps.empty()) show_gesture();
+  if (pen_.down() && !pen_watch_.isActive()) pen_watch_.start(pen_watch_ms);
+  if (!pen_.down()) pen_watch_.stop();
+}
+
+void Viewport::feed(const SketchEvent& event) {
+  if (tool_.handle(event) == Verdict::Commit && tool_.done()) emit committed(*tool_.done());
+}
+
+void Viewport::show_gesture() {
   scenes_.show_hovered(std::nullopt, studio_.drawing());
   scenes_.show_preview(tool_.preview(), studio_.drawing());
   redraw();
 }
+
+void Viewport::watch_pen() { take_pen(pen_.settle(static_cast<double>(clock_.nsecsElapsed()) * 1e-9)); }
 
 void Viewport::hover(const PointerEvent& event) {
   if (tool_.mode() == SketchMode::Draw) return;
@@ -120,21 +133,21 @@ bool Viewport::drag_divider(const PointerEvent& event, const QPointF& place) {
   return true;
 }
 
-void Viewport::replay_stroke(const std::vector<StrokeSample>& samples, PointerEvent::Device device, bool shift) {
-  const SketchFrame frame = panes_[SketchView].sketch_frame();
-  PenStep step;
-  step.device = device;
-  step.erases = device == PointerEvent::Device::Eraser;
-  step.modifiers.shift = shift;
-  std::vector<PenStep> steps;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    step.kind = i == 0 ? PenStep::Kind::Begin : PenStep::Kind::Sample;
-    step.sample = {frame.to_pixel(samples[i].position), samples[i].pressure, samples[i].tilt, samples[i].time};
-    steps.push_back(step);
+void Viewport::replay_gesture(const std::vector<StrokeSample>& samples, bool erases, const Modifiers& modifiers,
+                              double scale) {
+  SketchEvent event;
+  event.erases = erases;
+  event.modifiers = modifiers;
+  event.units_per_pixel = scale > 0 ? scale : panes_[SketchView].sketch_frame().units_per_pixel;
+  event.kind = PenStep::Kind::Begin;
+  for (const StrokeSample& sample : samples) {
+    event.sample = sample;
+    feed(event);
+    event.kind = PenStep::Kind::Sample;
   }
-  step.kind = PenStep::Kind::End;
-  steps.push_back(step);
-  take_pen(steps);
+  event.kind = PenStep::Kind::End;
+  feed(event);
+  show_gesture();
 }
 
 }  // namespace croquis::app
