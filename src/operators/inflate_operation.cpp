@@ -7,6 +7,7 @@
 #include "croquis/silhouette/solid.h"
 #include "operators/attach_parameter.h"
 #include "operators/inflate_report.h"
+#include "operators/memo_stage_cache.h"
 
 namespace croquis {
 namespace {
@@ -89,7 +90,10 @@ OperationDescription InflateOperation::describe() const {
 OperationResult InflateOperation::compute(const Values& inputs, const ParameterValues& parameters,
                                           Context& context) const {
   const Drawing& drawing = *std::get<std::shared_ptr<const Drawing>>(inputs.at("drawing"));
-  const Options options = read_options(parameters);
+  Options options = read_options(parameters);
+  options.quality = context.quality == Quality::Draft ? silhouette::Quality::Draft : silhouette::Quality::Final;
+  MemoStageCache cache(context.memo);
+  if (context.memo != nullptr) options.cache = &cache;
   Progress labelling = context.progress.step("label", 0.3);
   const silhouette::LabelledDrawing labelled = silhouette::label(drawing, options, labelling);
   Progress inflating = context.progress.step("inflate", 0.7);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <ctime>
+#include <functional>
 #include <iomanip>
 #include <map>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <sys/resource.h>
@@ -17,6 +20,7 @@
 #include "bench/factorisation_peer.h"
 #include "croquis/silhouette/labelled_figure.h"
 #include "croquis/silhouette/solid.h"
+#include "croquis/silhouette/stage_cache.h"
 #include "support/sketch_generator.h"
 
 namespace croquis::bench {
@@ -153,7 +157,8 @@ void print_depth(std::ostream& out, const std::vector<test::NamedSketch>& sketch
     Progress progress;
     const LabelledDrawing labelled = label(sketch.sketch.drawing, options, progress);
     for (const LabelledFigure& figure : labelled.figures) {
-      const silhouette::DepthSettings settings{options.depth, {}};
+      silhouette::DepthSettings settings;
+      settings.options = options.depth;
       const silhouette::Skeleton axis = chordal_axis(figure, options.depth.node_spacing, progress);
       silhouette::DepthResult result;
       const double solve = median_cpu_ms(runs, [&] {
@@ -166,6 +171,85 @@ void print_depth(std::ostream& out, const std::vector<test::NamedSketch>& sketch
           << std::setprecision(1) << solve / one << " |\n";
     }
   }
+}
+
+/// Keeps all stages, as the memo of a session does.
+class KeepingCache final : public silhouette::StageCache {
+ public:
+  std::shared_ptr<const void> get(std::string_view stage, std::string_view content,
+                                  const std::function<Stage()>& make) override {
+    const auto key = std::pair(std::string(stage), std::string(content));
+    const auto known = kept_.find(key);
+    return known != kept_.end() ? known->second.result : kept_.emplace(key, make()).first->second.result;
+  }
+
+ private:
+  std::map<std::pair<std::string, std::string>, Stage> kept_;
+};
+
+/// Bends a stroke a little; its ends stay.
+Drawing dragged(Drawing drawing, double distance) {
+  std::vector<StrokeSample>& samples = drawing.strokes.front().samples;
+  const auto last = static_cast<double>(samples.size() - 1);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double t = static_cast<double>(i) / last;
+    samples[i].position.y() += distance * 16 * t * t * (1 - t) * (1 - t);
+  }
+  return drawing;
+}
+
+double solve_ms(const Drawing& drawing, const Options& options) {
+  Progress progress;
+  return cpu_ms([&] { inflate(label(drawing, options, progress), drawing, options, progress); });
+}
+
+/// Medians over places that a point is dragged to, each new to the cache.
+void print_drag_of(std::ostream& out, const test::NamedSketch& sketch) {
+  KeepingCache cache;
+  Options cold;
+  Options draft;
+  draft.cache = &cache;
+  draft.quality = silhouette::Quality::Draft;
+  Options final = draft;
+  final.quality = silhouette::Quality::Final;
+  Options weight = final;
+  weight.depth.weight_distance = 0.05;
+  solve_ms(sketch.sketch.drawing, draft);
+  solve_ms(sketch.sketch.drawing, final);
+  std::vector<std::vector<double>> times(4);
+  for (int place = 1; place <= runs; ++place) {
+    const Drawing drawing = dragged(sketch.sketch.drawing, 0.7 * place);
+    times[0].push_back(solve_ms(drawing, cold));
+    times[1].push_back(solve_ms(drawing, draft));
+    times[2].push_back(solve_ms(drawing, final));
+    times[3].push_back(solve_ms(drawing, weight));
+  }
+  out << "| " << sketch.name << " | " << sketch.sketch.drawing.strokes.size();
+  for (std::vector<double>& column : times) {
+    std::sort(column.begin(), column.end());
+    out << " | " << column[column.size() / 2];
+  }
+  out << " |\n";
+}
+
+test::Sketch beside(const test::Sketch& left, const test::Sketch& right) {
+  test::Sketch both = left;
+  for (Stroke stroke : test::translated(right, {1500, 0}).drawing.strokes) {
+    stroke.id = "right " + stroke.id;
+    both.drawing.strokes.push_back(std::move(stroke));
+  }
+  return both;
+}
+
+void print_drag(std::ostream& out) {
+  out << "\nDrag: CPU milliseconds after a point was moved to a new place, medians. Cold: final quality, nothing "
+         "kept.\n\n"
+      << "| sketch | strokes | cold ms | draft ms | final ms | changed weight ms |\n|---|---|---|---|---|---|\n"
+      << std::setprecision(1);
+  print_drag_of(out, {"dog and duck", beside(test::dog_sketch(), test::duck_sketch())});
+  print_drag_of(out, {"knot (3,4)", test::torus_knot_sketch(3, 4)});
+  print_drag_of(out, {"chain of 6", test::chain_sketch(6)});
+  print_drag_of(out, {"weave 4x4", test::weave_sketch()});
 }
 
 }  // namespace
@@ -181,6 +265,7 @@ void bench_silhouette(std::ostream& out) {
   print_stages(out, all);
   print_totals(out, all);
   print_depth(out, sketches);
+  print_drag(out);
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   out << "\nPeak memory of all of them: " << usage.ru_maxrss / 1024 << " MiB.\n";

@@ -55,6 +55,26 @@ TEST_CASE("every shipped sketch becomes a solid that check accepts") {
   CHECK(count >= 6);
 }
 
+TEST_CASE("attached objects are one surface, and the report tells which to attach") {
+  const ScratchFolder folder;
+  const Json plain = report_of(run_cli({"inflate", sketches / "duck.svg", "-o", folder / "a.obj", "--json"}));
+  CHECK(plain.at("details").at("attached").empty());
+  std::vector<std::string> arguments{"inflate", sketches / "duck.svg", "-o", folder / "b.obj", "--json"};
+  for (const Json& pair : plain.at("details").at("attach_suggestions")) {
+    CHECK(pair.at("at").size() == 2);
+    arguments.push_back("--attach");
+    arguments.push_back(pair.at("a").get<std::string>() + "," + pair.at("b").get<std::string>() + "=0.5");
+  }
+  const Json report = report_of(run_cli(arguments));
+  CHECK(report.at("mesh").at("euler_characteristic") == 2);
+  CHECK(report.at("mesh").at("components") == 1);
+  CHECK(report.at("mesh").at("self_intersections") == 0);
+  CHECK(report.at("details").at("attached").size() == 5);
+  CHECK(report.at("details").at("attached").front().at("kappa") == 0.5);
+  CHECK(report.at("details").at("shells").size() == 1);
+  for (const Json& overlap : report.at("details").at("overlaps")) CHECK(overlap.at("crossings").size() == 2);
+}
+
 TEST_CASE("the same sketch gives the same bytes, for any number of threads") {
   const ScratchFolder folder;
   const std::string sketch = sketches / "trefoil.svg";

@@ -101,7 +101,7 @@ TEST_CASE("wrong usage is answered with exit code 2 and the word at fault") {
       {{"inflat", sketch}, "inflat"},
       {{"inflate"}, "input"},
       {{"inflate", sketch}, "-o"},
-      {{"inflate", sketch, "-o", folder / "a.obj", "--attach", "a,b"}, "--attach"},
+      {{"inflate", sketch, "-o", folder / "a.obj", "--attach", "a"}, "attach"},
       {{"inflate", sketch, "-o", folder / "a.obj", "--alternatives", "3"}, "--alternatives"},
       {{"inflate", sketch, "-o", folder / "a.obj", "--swap", "0"}, "--swap"},
       {{"inflate", sketch, "-o", folder / "a.obj", "--surface", "blend"}, "--surface"},

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
+#include "croquis/base/error.h"
 #include "operators/inflate_operation.h"
 #include "support/check_operation.h"
 #include "support/sketch_errors.h"
@@ -15,6 +18,49 @@ TEST_CASE("inflating is a function of drawing and parameters") {
   test::check_operation(InflateOperation(), inputs_of(test::snake_sketch().drawing), {{"resolution", 10.0}});
   test::check_operation(InflateOperation(), inputs_of(test::circle_sketch().drawing),
                         {{"resolution", 10.0}, {"preset", std::string("tablet")}});
+}
+
+TEST_CASE("inflating with attached objects is a function of its arguments too") {
+  const Values inputs = inputs_of(test::dog_sketch().drawing);
+  Progress progress;
+  Context context{progress};
+  const OperationResult plain = run(InflateOperation(), inputs, {}, context);
+  const Report& details = *std::get<std::shared_ptr<const Report>>(plain.outputs.at("details"));
+  std::string pairs;
+  for (const Report& pair : details.at("attach_suggestions").as_array()) {
+    pairs += pair.at("a").as_string() + "," + pair.at("b").as_string() + "=0.5;";
+  }
+  test::check_operation(InflateOperation(), inputs, {{"attach", pairs}});
+}
+
+TEST_CASE("texts that are no pairs of objects are refused, all of them") {
+  const auto refused = [](const std::string& text) {
+    Progress progress;
+    Context context{progress};
+    try {
+      run(InflateOperation(), inputs_of(test::dog_sketch().drawing), {{"attach", text}}, context);
+    } catch (const Error& error) {
+      return error.findings().size();
+    }
+    return std::size_t{0};
+  };
+  CHECK(refused("") == 0);
+  CHECK(refused(" ; ") == 0);
+  for (const char* wrong : {"a", "a,", ",b", "a,b,c", "a,b=", "a,b=x", "a,b=1x"}) CHECK(refused(wrong) == 1);
+  CHECK(refused("a;b;c,d=e") == 3);
+}
+
+TEST_CASE("labels name the object of every arc") {
+  Progress progress;
+  Context context{progress};
+  const OperationResult result = run(InflateOperation(), inputs_of(test::dog_sketch().drawing), {}, context);
+  const Drawing& labels = *std::get<std::shared_ptr<const Drawing>>(result.outputs.at("labels"));
+  const PolyMesh& mesh = *std::get<std::shared_ptr<const PolyMesh>>(result.outputs.at("mesh"));
+  const std::vector<std::string>& names = mesh.channel("object", Domain::Face)->labels;
+  REQUIRE(!labels.strokes.empty());
+  for (const Stroke& arc : labels.strokes) {
+    CHECK(std::count(names.begin(), names.end(), arc.data.at("object")) == 1);
+  }
 }
 
 TEST_CASE("inflating refuses a drawing with the same findings every time") {

@@ -41,6 +41,13 @@ struct DepthOptions {
   double node_spacing = 0.3;        ///< local radii, 0.1..1: spacing of skeleton nodes along a branch
 };
 
+class StageCache;
+
+enum class Quality {
+  Draft,  ///< to be looked at while something is dragged: coarser, unproven, attached parts not yet joined
+  Final
+};
+
 /// Two objects that grow together where they overlap, instead of keeping the gap: limb and body.
 struct AttachedPair {
   std::string a;  ///< names of objects; a stroke's id stands for the object that it bounds
@@ -53,6 +60,8 @@ struct Options {
   CompletionOptions completion;
   DepthOptions depth;
   std::vector<AttachedPair> attach;  ///< of two entries for one pair the later counts
+  Quality quality = Quality::Final;  ///< of the surface; the labelled figure is the same for both
+  StageCache* cache = nullptr;       ///< results of earlier runs, not owned; null: everything is made anew
 
   static Options of(Preset preset) {
     Options options;

@@ -42,7 +42,7 @@ struct SolidDiagnostics {
   double scale = 0;  ///< L: median skeleton radius, sketch units (largest part's)
   double minimum_gap =
       0;  ///< least distance along z between successive sheets, measured on the mesh; infinity if none overlap
-  double silhouette_iou = 0;  ///< of the mesh's projection and the drawn region
+  double silhouette_iou = 0;  ///< of the mesh's projection and the drawn region; NaN for a draft
   int solver_iterations = 0;  ///< of the depth solves, the largest
   double solver_residual = 0;
 };

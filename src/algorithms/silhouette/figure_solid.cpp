@@ -9,6 +9,7 @@
 #include "algorithms/silhouette/mesh_append.h"
 #include "algorithms/silhouette/skeleton/chordal_axis.h"
 #include "algorithms/silhouette/skeleton/depth_findings.h"
+#include "algorithms/silhouette/stage.h"
 #include "algorithms/silhouette/surface/certificate.h"
 #include "algorithms/silhouette/surface/inflation.h"
 #include "algorithms/silhouette/surface/sheet_surface.h"
@@ -51,28 +52,40 @@ Finding still_apart(const LabelledFigure& figure, const Drawing& drawing, const 
 /// One solve of a figure with given attachments.
 class Attempt {
  public:
-  Attempt(const LabelledFigure& figure, const Drawing& drawing, const DepthSettings& settings)
-      : figure_(figure), drawing_(drawing), settings_(settings) {}
+  Attempt(const LabelledFigure& figure, const Drawing& drawing, const FigureSettings& settings)
+      : figure_(figure),
+        drawing_(drawing),
+        settings_(settings.depth),
+        quality_(settings.quality),
+        cache_(settings.cache) {}
 
   void solve(Skeleton axis, Progress& progress) {
     skeleton_ = std::move(axis);
     Progress solving = progress.step("depth", 0.15);
     depth_ = solve_depth(skeleton_, figure_, settings_, solving);
-    Progress inflating = progress.step("inflate", 0.85);
-    sheets_ = inflate_sheets(figure_, skeleton_, settings_, inflating);
+    Progress inflating = progress.step("inflate", 0.45);
+    const std::shared_ptr<const SheetBasis> basis = sheet_basis(inflating);
+    Progress raising = progress.step("inflate", 0.4);
+    sheets_ = raise_sheets(skeleton_, *basis, settings_, raising);
   }
 
   /// Makes the shells and checks them.
   /// @return groups of attached objects that have no sound surface; then nothing else counts
   std::vector<std::vector<Index>> make_shells(Progress& progress) {
     const std::vector<ObjectSurface> surfaces = object_surfaces(figure_, sheets_);
+    if (quality_ == Quality::Draft) {
+      for (const ObjectSurface& surface : surfaces) add_single(surface, {});
+      return {};
+    }
     std::vector<std::string> faults = check_surfaces(surfaces, progress);
     std::vector<std::vector<Index>> failed;
     for (const std::vector<Index>& group : settings_.attachments.groups()) {
       if (!join(group, surfaces, faults, progress)) failed.push_back(group);
     }
     if (!failed.empty()) return failed;
-    for (const ObjectSurface& surface : surfaces) add_single(surface, faults[surface.object]);
+    for (const ObjectSurface& surface : surfaces) {
+      if (!settings_.attachments.involves(surface.object)) add_single(surface, faults[surface.object]);
+    }
     std::sort(shells_.begin(), shells_.end(),
               [](const FigureShell& a, const FigureShell& b) { return a.objects.front() < b.objects.front(); });
     return settings_.attachments.empty() ? failed : check_apart(progress);
@@ -84,12 +97,24 @@ class Attempt {
     add_findings(solid);
     add_diagnostics(solid.diagnostics);
     append_skeleton(skeleton_, solid.skeleton);
-    solid.overlap = overlap_with_drawing();
+    if (quality_ == Quality::Final) solid.overlap = overlap_with_drawing();
     solid.shells = std::move(shells_);
     return solid;
   }
 
  private:
+  std::shared_ptr<const SheetBasis> sheet_basis(Progress& progress) const {
+    ContentWriter content;
+    if (cache_ != nullptr) {
+      content.add_shape(figure_);
+      content.add_shape(skeleton_);
+      content.add(quality_);
+    }
+    return cached<SheetBasis>(
+        cache_, "silhouette sheets", content, [&] { return make_sheet_basis(figure_, skeleton_, quality_, progress); },
+        [](const SheetBasis& basis) { return bytes_of(basis); });
+  }
+
   /// Per object what is wrong with its surface. Attached objects are checked together once they are joined.
   std::vector<std::string> check_surfaces(const std::vector<ObjectSurface>& surfaces, Progress& progress) const {
     std::vector<CertificateInput> inputs;
@@ -150,7 +175,6 @@ class Attempt {
   }
 
   void add_single(const ObjectSurface& surface, const std::string& fault) {
-    if (settings_.attachments.involves(surface.object)) return;
     if (fault.empty()) {
       // certify_topology has counted the mesh's Euler number and found it to be this.
       shells_.push_back({surface.mesh, {surface.object}, {}, 2 * figure_.objects[surface.object].euler_region, 1});
@@ -221,12 +245,72 @@ class Attempt {
   const LabelledFigure& figure_;
   const Drawing& drawing_;
   const DepthSettings& settings_;
+  Quality quality_;
+  StageCache* cache_;
   Skeleton skeleton_;
   DepthResult depth_;
   InflatedSheets sheets_;
   std::vector<FigureShell> shells_;
   Findings refusals_;
 };
+
+std::shared_ptr<const Skeleton> make_axis(const LabelledFigure& figure, const FigureSettings& settings,
+                                          Progress& progress) {
+  const double spacing = settings.depth.options.node_spacing;
+  ContentWriter content;
+  if (settings.cache != nullptr) {
+    content.add_shape(figure);
+    content.add(spacing);
+  }
+  return cached<Skeleton>(
+      settings.cache, "silhouette axis", content, [&] { return chordal_axis(figure, spacing, progress); },
+      [](const Skeleton& skeleton) { return bytes_of(skeleton); });
+}
+
+FigureSolid solidify(const LabelledFigure& figure, const Drawing& drawing, FigureSettings settings,
+                     Progress& progress) {
+  Progress finding_axis = progress.step("skeleton", 0.05);
+  const std::shared_ptr<const Skeleton> axis = make_axis(figure, settings, finding_axis);
+  Findings warnings;
+  for (;;) {
+    // Every repetition has a group less: they end.
+    const double share = settings.depth.attachments.empty() ? 0.75 : 0.35;
+    Progress solving = progress.step("solve", share);
+    Attempt attempt(figure, drawing, settings);
+    attempt.solve(*axis, solving);
+    Progress checking = progress.step("check", share / 4);
+    const std::vector<std::vector<Index>> failed = attempt.make_shells(checking);
+    if (failed.empty()) {
+      FigureSolid solid = attempt.take();
+      solid.findings.insert(solid.findings.end(), warnings.begin(), warnings.end());
+      return solid;
+    }
+    for (const std::vector<Index>& group : failed) {
+      warnings.push_back(not_joined(figure, drawing, group));
+      settings.depth.attachments = settings.depth.attachments.without(group);
+    }
+  }
+}
+
+void add_settings(const FigureSettings& settings, ContentWriter& content) {
+  content.add(settings.depth.options);
+  for (const DepthWeights& weights : settings.depth.object_weights) {
+    for (const double weight : {weights.curvature, weights.orientation, weights.distance}) content.add(weight);
+  }
+  content.add(settings.depth.lazy_rows);
+  for (const auto& [pair, kappa] : settings.depth.attachments.pairs()) {
+    content.add(pair.first);
+    content.add(pair.second);
+    content.add(kappa);
+  }
+  content.add(settings.quality);
+}
+
+std::size_t bytes_of_solid(const FigureSolid& solid) {
+  std::size_t bytes = bytes_of(solid.skeleton);
+  for (const FigureShell& shell : solid.shells) bytes += bytes_of(shell.mesh) + 4 * shell.face_objects.size();
+  return bytes;
+}
 
 }  // namespace
 
@@ -241,28 +325,17 @@ std::vector<Subject> object_subjects(const FigureObject& object, const Drawing& 
   return subjects;
 }
 
-FigureSolid make_figure_solid(const LabelledFigure& figure, const Drawing& drawing, DepthSettings settings,
-                              Progress& progress) {
-  Progress finding_axis = progress.step("skeleton", 0.05);
-  const Skeleton axis = chordal_axis(figure, settings.options.node_spacing, finding_axis);
-  Findings warnings;
-  for (;;) {
-    // Every repetition has a group less: they end.
-    const double share = settings.attachments.empty() ? 0.75 : 0.35;
-    Progress solving = progress.step("solve", share);
-    Attempt attempt(figure, drawing, settings);
-    attempt.solve(axis, solving);
-    Progress checking = progress.step("check", share / 4);
-    const std::vector<std::vector<Index>> failed = attempt.make_shells(checking);
-    for (const std::vector<Index>& group : failed) {
-      warnings.push_back(not_joined(figure, drawing, group));
-      settings.attachments = settings.attachments.without(group);
-    }
-    if (!failed.empty()) continue;
-    FigureSolid solid = attempt.take();
-    solid.findings.insert(solid.findings.end(), warnings.begin(), warnings.end());
-    return solid;
+std::shared_ptr<const FigureSolid> make_figure_solid(const LabelledFigure& figure, const Drawing& drawing,
+                                                     const FigureSettings& settings, Progress& progress) {
+  ContentWriter content;
+  if (settings.cache != nullptr) {
+    content.add_shape(figure);
+    content.add_names(figure, drawing);
+    add_settings(settings, content);
   }
+  return cached<FigureSolid>(
+      settings.cache, "silhouette solid", content, [&] { return solidify(figure, drawing, settings, progress); },
+      [](const FigureSolid& solid) { return bytes_of_solid(solid); });
 }
 
 }  // namespace croquis::silhouette

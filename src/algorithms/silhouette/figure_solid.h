@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "algorithms/silhouette/skeleton/depth.h"
@@ -10,6 +11,7 @@
 #include "croquis/geometry/drawing.h"
 #include "croquis/geometry/poly_mesh.h"
 #include "croquis/silhouette/labelled_figure.h"
+#include "croquis/silhouette/options.h"
 #include "croquis/silhouette/solid.h"
 
 namespace croquis::silhouette {
@@ -33,11 +35,17 @@ struct FigureSolid {
   Findings findings;
 };
 
+struct FigureSettings {
+  DepthSettings depth;
+  Quality quality = Quality::Final;
+  StageCache* cache = nullptr;
+};
+
 /// Skeleton, depths, sheets, surfaces, checks; attached objects joined. A group of attached objects that can't be
-/// joined to a sound surface is made anew with gaps.
+/// joined to a sound surface is made anew with gaps. A draft isn't checked, measured against the drawing, or joined.
 /// @throws Error when the figure becomes no solid at all; Cancelled
-FigureSolid make_figure_solid(const LabelledFigure& figure, const Drawing& drawing, DepthSettings settings,
-                              Progress& progress);
+std::shared_ptr<const FigureSolid> make_figure_solid(const LabelledFigure& figure, const Drawing& drawing,
+                                                     const FigureSettings& settings, Progress& progress);
 
 /// The strokes of an object as subjects of a finding.
 std::vector<Subject> object_subjects(const FigureObject& object, const Drawing& drawing);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <bit>
+#include <cstdint>
 #include <iterator>
 #include <utility>
 
 #include "algorithms/silhouette/figure/contour_completion.h"
 #include "algorithms/silhouette/figure/drawing_parts.h"
+#include "algorithms/silhouette/stage.h"
 #include "algorithms/silhouette/strokes/junctions.h"
 #include "algorithms/silhouette/strokes/stroke_cleanup.h"
 #include "croquis/base/error.h"
@@ -24,9 +27,22 @@ double scattered(std::uint64_t counter) {
   return static_cast<double>(z >> 11) * 0x1p-52 - 1;
 }
 
+/// A start for a line's counter that no other line shares, and that stays the same while other lines change: then the
+/// parts of the drawing made of those don't.
+std::uint64_t seed_of(const CleanLine& line) {
+  std::uint64_t seed = line.points.size();
+  for (const Vec2& point : {line.points.front(), line.points[line.points.size() / 2], line.points.back()}) {
+    for (const double coordinate : {point.x(), point.y()}) {
+      seed = seed * 0x100000001b3U + std::bit_cast<std::uint64_t>(coordinate);
+      seed = (seed ^ (seed >> 29)) * 0xbf58476d1ce4e5b9U;
+    }
+  }
+  return seed;
+}
+
 void bring_into_general_position(std::vector<CleanLine>& lines, double step) {
-  std::uint64_t counter = 0;
   for (CleanLine& line : lines) {
+    std::uint64_t counter = seed_of(line);
     for (Vec2& point : line.points) {
       point.x() += displacement * step * scattered(counter++);
       point.y() += displacement * step * scattered(counter++);
@@ -34,9 +50,7 @@ void bring_into_general_position(std::vector<CleanLine>& lines, double step) {
   }
 }
 
-}  // namespace
-
-LabelledDrawing label(const Drawing& drawing, const Options& options, Progress& progress) {
+LabelledDrawing label_anew(const Drawing& drawing, const Options& options, Progress& progress) {
   CleanDrawing clean = clean_strokes(drawing, options.strokes, progress.step("cleaning strokes", 0.2));
   Progress finding = progress.step("finding junctions", 0.2);
   Junctions junctions = find_junctions(drawing, clean.lines, clean.scale, finding);
@@ -53,8 +67,23 @@ LabelledDrawing label(const Drawing& drawing, const Options& options, Progress& 
   std::move(result.findings.begin(), result.findings.end(), std::back_inserter(findings));
   result.findings = std::move(findings);
   if (result.figures.empty()) throw Error(result.findings);
-  labelling.report(1);
   return result;
+}
+
+}  // namespace
+
+LabelledDrawing label(const Drawing& drawing, const Options& options, Progress& progress) {
+  ContentWriter content;
+  if (options.cache != nullptr) {
+    content.add(drawing);
+    content.add(options.strokes);
+    content.add(options.completion);
+  }
+  const auto labelled = cached<LabelledDrawing>(
+      options.cache, "silhouette labels", content, [&] { return label_anew(drawing, options, progress); },
+      [](const LabelledDrawing& result) { return bytes_of(result); });
+  progress.report(1);
+  return *labelled;
 }
 
 }  // namespace croquis::silhouette

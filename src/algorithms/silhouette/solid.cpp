@@ -23,9 +23,9 @@ class SolidBuilder {
   }
 
   /// One bad figure doesn't stop the others: its errors are kept.
-  void add(const LabelledFigure& figure, const DepthSettings& settings, Progress& progress) {
+  void add(const LabelledFigure& figure, const FigureSettings& settings, Progress& progress) {
     try {
-      add_figure(figure, make_figure_solid(figure, drawing_, settings, progress));
+      add_figure(figure, *make_figure_solid(figure, drawing_, settings, progress));
     } catch (const Error& error) {
       for (Finding finding : error.findings()) {
         if (finding.subjects.empty()) finding.subjects = figure_subjects(figure);
@@ -46,7 +46,8 @@ class SolidBuilder {
       }
       throw Error(std::move(solid_.findings));
     }
-    solid_.diagnostics.silhouette_iou = overlap_.ratio();
+    const bool measured = overlap_.either > 0;
+    solid_.diagnostics.silhouette_iou = measured ? overlap_.ratio() : std::numeric_limits<double>::quiet_NaN();
     return std::move(solid_);
   }
 
@@ -136,10 +137,12 @@ Solid inflate(const LabelledDrawing& labelled, const Drawing& drawing, const Opt
   for (std::size_t f = 0; f < labelled.figures.size(); ++f) {
     const LabelledFigure& figure = labelled.figures[f];
     Progress part = progress.step("inflate part", static_cast<double>(figure.points.size()) / total);
-    DepthSettings settings;
-    settings.options = options.depth;
-    settings.object_weights = std::move(weights[f]);
-    settings.attachments = std::move(attached.figures[f]);
+    FigureSettings settings;
+    settings.depth.options = options.depth;
+    settings.depth.object_weights = std::move(weights[f]);
+    settings.depth.attachments = std::move(attached.figures[f]);
+    settings.quality = options.quality;
+    settings.cache = options.cache;
     builder.add(figure, settings, part);
   }
   Solid solid = builder.take();

@@ -4,11 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/silhouette/surface/rim_chord.h"
-#include "algorithms/silhouette/surface/sheet_operator.h"
-#include "algorithms/silhouette/surface/sheet_surface.h"
 #include "algorithms/silhouette/surface/swept_limbs.h"
-#include "algorithms/silhouette/surface/thickness.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -19,12 +15,6 @@ constexpr double front_margin = 0.02;
 
 /// u: ten steps of the grid that a file may round to.
 constexpr double coincidence = 0.1;
-
-Eigen::VectorXd node_radii(const Skeleton& skeleton) {
-  Eigen::VectorXd radii(static_cast<Eigen::Index>(skeleton.nodes.size()));
-  for (Eigen::Index n = 0; n < radii.size(); ++n) radii[n] = skeleton.nodes[static_cast<std::size_t>(n)].radius;
-  return radii;
-}
 
 Eigen::VectorXd node_depths(const Skeleton& skeleton) {
   Eigen::VectorXd depths(static_cast<Eigen::Index>(skeleton.nodes.size()));
@@ -68,14 +58,13 @@ Eigen::VectorXd vertex_stiffness(const LiftedTriangulation& lifted, const std::v
 }
 
 /// What may sink into what, and how hard each object is to move.
-void add_attachments(const LabelledFigure& figure, const Skeleton& skeleton, const SheetSampling& sampling,
-                     const Attachments& attachments, MidSurfaceData& data) {
-  const std::vector<Index> objects = objects_of_triangles(figure, sampling);
-  data.pairs = stacked_pairs(sampling, objects, attachments);
-  data.stiffness = vertex_stiffness(sampling.lifted, objects, row_stiffness(skeleton, attachments));
+void add_attachments(const Skeleton& skeleton, const SheetBasis& basis, const Attachments& attachments,
+                     MidSurfaceData& data) {
+  data.pairs = stacked_pairs(basis.sampling, basis.objects, attachments);
+  data.stiffness = vertex_stiffness(basis.sampling.lifted, basis.objects, row_stiffness(skeleton, attachments));
   // Limbs press on rims: a wide body keeps its shape over its own radius rather than over L.
   data.bending = data.stiffness.cwiseMax(1);
-  data.front_margin = front_margin * std::max(skeleton.scale, figure.unit);
+  data.front_margin = front_margin * std::max(skeleton.scale, basis.unit);
 }
 
 /// Moves the backs of attached sheets until no point of one lies closer than this below or above another's front or
@@ -110,45 +99,43 @@ Eigen::VectorXd values_at(const std::vector<LiftedPlace>& places, const Eigen::V
 
 }  // namespace
 
-InflatedSheets inflate_sheets(const LabelledFigure& figure, const Skeleton& skeleton, const DepthSettings& settings,
-                              Progress& progress) {
+InflatedSheets raise_sheets(const Skeleton& skeleton, const SheetBasis& basis, const DepthSettings& settings,
+                            Progress& progress) {
   InflatedSheets sheets;
-  Progress sampling = progress.step("sample sheets", 0.3);
-  sheets.sampling = sample_sheets(figure, skeleton, sampling);
-  const std::vector<LiftedPlace> nodes = locate_nodes(figure, skeleton, sheets.sampling);
-
-  Progress thickening = progress.step("thickness", 0.2);
-  const SheetOperator op = make_sheet_operator(sheets.sampling);
-  const Eigen::VectorXd radii = node_radii(skeleton);
-  const NodeExtension extension(op, nodes, radii);
-  Eigen::VectorXd upright = sheet_thickness(sheets.sampling, op, skeleton, nodes, extension, thickening);
-  flatten_to_rim_chords(sheets.sampling, upright);
-
-  Progress raising = progress.step("mid-surface", 0.25);
-  MidSurfaceData data = mid_surface_data(skeleton, nodes, settings.options);
+  sheets.sampling = basis.sampling;
+  Progress raising = progress.step("mid-surface", 0.6);
+  MidSurfaceData data = mid_surface_data(skeleton, basis.nodes, settings.options);
   data.pairs = stacked_pairs(sheets.sampling);
   if (!settings.attachments.empty()) {
-    add_attachments(figure, skeleton, sheets.sampling, settings.attachments, data);
+    add_attachments(skeleton, basis, settings.attachments, data);
   }
   sheets.pairs = data.pairs;
-  MidSurface mid_surface(op, std::move(data));
+  MidSurface mid_surface(basis.op, std::move(data));
   const auto tilted = [&](const SweptLimbs& limbs) -> Eigen::VectorXd {
-    return upright.cwiseProduct(extension.extend(limbs.tilt).cwiseMax(1));
+    return basis.upright.cwiseProduct(basis.extension.extend(limbs.tilt).cwiseMax(1));
   };
   const Eigen::VectorXd depths = node_depths(skeleton);
   const MidSurfaceResult first = mid_surface.solve(tilted(swept_limbs(skeleton, depths)), raising);
 
-  Progress tilting = progress.step("tilt", 0.25);
-  const SweptLimbs limbs = swept_limbs(skeleton, values_at(nodes, first.z));
+  Progress tilting = progress.step("tilt", 0.4);
+  const SweptLimbs limbs = swept_limbs(skeleton, values_at(basis.nodes, first.z));
   mid_surface.move_nodes(depths + limbs.lift);
   sheets.thickness = tilted(limbs);
   const MidSurfaceResult second = mid_surface.solve(sheets.thickness, tilting);
 
   sheets.z = second.z;
-  if (!settings.attachments.empty()) clear_coincidences(coincidence * figure.unit, sheets);
+  if (!settings.attachments.empty()) clear_coincidences(coincidence * basis.unit, sheets);
   sheets.iterations = std::max(first.iterations, second.iterations);
   sheets.residual = std::max(first.residual, second.residual);
   return sheets;
+}
+
+InflatedSheets inflate_sheets(const LabelledFigure& figure, const Skeleton& skeleton, const DepthSettings& settings,
+                              Progress& progress) {
+  Progress preparing = progress.step("sample sheets", 0.5);
+  const SheetBasis basis = make_sheet_basis(figure, skeleton, Quality::Final, preparing);
+  Progress raising = progress.step("mid-surface", 0.5);
+  return raise_sheets(skeleton, basis, settings, raising);
 }
 
 }  // namespace croquis::silhouette

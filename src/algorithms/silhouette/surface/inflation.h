@@ -8,7 +8,7 @@
 #include "algorithms/silhouette/skeleton/depth.h"
 #include "algorithms/silhouette/skeleton/skeleton.h"
 #include "algorithms/silhouette/surface/mid_surface.h"
-#include "algorithms/silhouette/surface/sheet_sampling.h"
+#include "algorithms/silhouette/surface/sheet_basis.h"
 #include "croquis/base/progress.h"
 #include "croquis/silhouette/labelled_figure.h"
 #include "croquis/silhouette/options.h"
@@ -31,6 +31,10 @@ struct InflatedSheets {
 /// From a skeleton with depths to sheets with thickness. The thickness is meant along the surface's normal: where the
 /// skeleton is inclined, the vertical thickness grows, see SweptLimbs.
 /// @throws Error (E_INTERNAL) when the figure contradicts itself, Cancelled
+InflatedSheets raise_sheets(const Skeleton& skeleton, const SheetBasis& basis, const DepthSettings& settings,
+                            Progress& progress);
+
+/// The same with a basis of its own, of final quality.
 InflatedSheets inflate_sheets(const LabelledFigure& figure, const Skeleton& skeleton, const DepthSettings& settings,
                               Progress& progress);
 

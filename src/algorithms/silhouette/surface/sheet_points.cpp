@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "algorithms/silhouette/surface/figure_segments.h"
 #include "algorithms/silhouette/surface/planar_walk.h"
@@ -20,20 +21,21 @@ constexpr double deep_row_clearance = 0.8;
 constexpr double row_row_clearance = 0.37;  // and at most 0.6 of the distance between the rows
 constexpr double row_spacing = 0.33;        // from a row's last point
 constexpr double passing_clearance = 0.35;  // from the middle of a row's edge, in parts of its length
-constexpr double hexagon_spacing = 1.5;
-constexpr double hexagon_point_clearance = 0.55 * hexagon_spacing;
-constexpr double hexagon_contour_clearance = 0.4 * hexagon_spacing;
+// In parts of the hexagons' spacing.
+constexpr double hexagon_point_clearance = 0.55;
+constexpr double hexagon_contour_clearance = 0.4;
 constexpr double least_crossing_sine = 0.3;  // flatter crossings have no corner to sample
 
 class SheetPointCollector {
  public:
-  SheetPointCollector(const LabelledFigure& figure, const std::vector<RimPiece>& boundary)
+  SheetPointCollector(const LabelledFigure& figure, const std::vector<RimPiece>& boundary, double hexagon_spacing)
       : figure_(figure),
         step_(figure.step),
+        spacing_(hexagon_spacing * figure.step),
         bounds_(bounds_of(figure.points)),
         walk_(figure.points, figure.triangulation),
         segments_(bounds_[0], bounds_[1], deep_row_clearance * step_),
-        spaced_(bounds_[0], bounds_[1], hexagon_point_clearance * step_),
+        spaced_(bounds_[0], bounds_[1], hexagon_point_clearance * spacing_),
         rows_(bounds_[0], bounds_[1], row_row_clearance * step_) {
     for (const RimPiece& piece : boundary) {
       segments_.add(piece.begin, piece.end);
@@ -87,25 +89,24 @@ class SheetPointCollector {
   }
 
   void add_node(const Vec2& place) {
-    if (segments_.any_within(place, hexagon_contour_clearance * step_)) return;
-    if (spaced_.any_within(place, hexagon_point_clearance * step_) || layers_at(place) <= 0) return;
+    if (segments_.any_within(place, hexagon_contour_clearance * spacing_)) return;
+    if (spaced_.any_within(place, hexagon_point_clearance * spacing_) || layers_at(place) <= 0) return;
     keep(place);
   }
 
   void add_hexagons() {
-    const double spacing = hexagon_spacing * step_;
-    const double height = spacing * std::sqrt(0.75);
+    const double height = spacing_ * std::sqrt(0.75);
     // Counted from the middle, so that a shifted or mirrored drawing gets the shifted or mirrored points.
     const Vec2 middle = (bounds_[0] + bounds_[1]) / 2;
     const Vec2 half = (bounds_[1] - bounds_[0]) / 2;
     const auto rows = static_cast<int>(half.y() / height);
-    const auto columns = static_cast<int>(half.x() / spacing) + 1;
+    const auto columns = static_cast<int>(half.x() / spacing_) + 1;
     std::vector<Vec2> chosen;
     for (int j = -rows; j <= rows; ++j) {
       for (int i = -columns; i <= columns; ++i) {
-        const Vec2 place = middle + Vec2((i + (j % 2 != 0 ? 0.5 : 0.0)) * spacing, j * height);
-        if (segments_.any_within(place, hexagon_contour_clearance * step_)) continue;
-        if (!spaced_.any_within(place, hexagon_point_clearance * step_) && layers_at(place) > 0)
+        const Vec2 place = middle + Vec2((i + (j % 2 != 0 ? 0.5 : 0.0)) * spacing_, j * height);
+        if (segments_.any_within(place, hexagon_contour_clearance * spacing_)) continue;
+        if (!spaced_.any_within(place, hexagon_point_clearance * spacing_) && layers_at(place) > 0)
           chosen.push_back(place);
       }
     }
@@ -146,6 +147,7 @@ class SheetPointCollector {
 
   const LabelledFigure& figure_;
   double step_;
+  double spacing_;  ///< of the hexagons
   std::array<Vec2, 2> bounds_;
   PlanarWalk walk_;
   ProximityGrid segments_;
@@ -156,16 +158,17 @@ class SheetPointCollector {
 
 }  // namespace
 
-std::vector<Vec2> sheet_points(const LabelledFigure& figure, const Skeleton& skeleton,
-                               const std::vector<RimPiece>& boundary, const std::vector<std::vector<double>>& radii) {
-  SheetPointCollector collector(figure, boundary);
-  for (const FigureCrossing& crossing : figure.crossings) collector.add_crossing(crossing, radii);
+std::vector<Vec2> sheet_points(const LabelledFigure& figure, const Skeleton& skeleton, const SheetRims& rims,
+                               const SheetDensity& density) {
+  SheetPointCollector collector(figure, rims.pieces, density.hexagon_spacing);
+  for (const FigureCrossing& crossing : figure.crossings) collector.add_crossing(crossing, rims.radii);
   double previous_angle = 0;
-  for (const double angle : row_angles) {
-    for (const RimPiece& piece : boundary) {
-      if (piece.cut) collector.add_row_at_cut(piece, radii[piece.contour][piece.position], angle, previous_angle);
+  for (std::size_t row = 0; row < std::min(density.rows, std::size(row_angles)); ++row) {
+    const double angle = row_angles[row];
+    for (const RimPiece& piece : rims.pieces) {
+      if (piece.cut) collector.add_row_at_cut(piece, rims.radii[piece.contour][piece.position], angle, previous_angle);
     }
-    for (Index c = 0; c < figure.contours.size(); ++c) collector.add_row(c, radii[c], angle, previous_angle);
+    for (Index c = 0; c < figure.contours.size(); ++c) collector.add_row(c, rims.radii[c], angle, previous_angle);
     previous_angle = angle;
   }
   for (const SkeletonNode& node : skeleton.nodes) collector.add_node(node.position);

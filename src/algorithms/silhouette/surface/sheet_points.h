@@ -17,11 +17,19 @@ struct RimPiece {
   bool cut = false;    ///< begins where the segment was cut, not at a point of the figure
 };
 
+struct SheetRims {
+  std::vector<RimPiece> pieces;                   ///< of the contours, already cut
+  const std::vector<std::vector<double>>& radii;  ///< per contour and position, see rim_radii
+};
+
+struct SheetDensity {
+  std::size_t rows = 3;          ///< along every contour
+  double hexagon_spacing = 1.5;  ///< contour steps
+};
+
 /// Points inside the drawn region at which the sheets are to be sampled: rows along every contour, the skeleton's
 /// nodes, and a hexagonal grid between them. None lies on a contour; all keep their distance from each other.
-/// @param boundary the pieces of the contours, already cut
-/// @param radii    per contour and position, see rim_radii
-std::vector<Vec2> sheet_points(const LabelledFigure& figure, const Skeleton& skeleton,
-                               const std::vector<RimPiece>& boundary, const std::vector<std::vector<double>>& radii);
+std::vector<Vec2> sheet_points(const LabelledFigure& figure, const Skeleton& skeleton, const SheetRims& rims,
+                               const SheetDensity& density);
 
 }  // namespace croquis::silhouette

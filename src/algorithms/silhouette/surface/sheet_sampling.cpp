@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "algorithms/silhouette/surface/crossing_splits.h"
 #include "algorithms/silhouette/surface/figure_segments.h"
@@ -23,6 +24,8 @@ constexpr int max_split_rounds = 20;
 // In parts of the first row's depth: an edge that starts shallower and ends past the row is cut there.
 constexpr double shallow = 0.5;
 constexpr double past_row = 1.3;
+constexpr SheetDensity draft_density{1, 3};
+
 constexpr int max_row_rounds = 1;  // later ones find only splinters between contours that nearly touch
 
 [[noreturn]] void fail(const std::string& what) { throw Error(make_error(Category::Internal, "E_INTERNAL", what)); }
@@ -156,7 +159,8 @@ LiftedPlace place_in(const SheetSampling& sheets, Index planar_triangle, Index l
 
 }  // namespace
 
-SheetSampling sample_sheets(const LabelledFigure& figure, const Skeleton& skeleton, Progress& progress) {
+SheetSampling sample_sheets(const LabelledFigure& figure, const Skeleton& skeleton, Progress& progress,
+                            Quality quality) {
   SheetSampling sheets;
   const std::vector<DirectedSegment> segments = directed_segments(figure);
   const std::vector<std::vector<double>> radii = rim_radii(figure, skeleton);
@@ -169,7 +173,8 @@ SheetSampling sample_sheets(const LabelledFigure& figure, const Skeleton& skelet
     boundary.push_back(
         {sheets.points[begin], sheets.points[end], parent.contour, parent.position, begin >= figure.points.size()});
   }
-  const std::vector<Vec2> inner = sheet_points(figure, skeleton, boundary, radii);
+  const SheetDensity density = quality == Quality::Draft ? draft_density : SheetDensity{};
+  const std::vector<Vec2> inner = sheet_points(figure, skeleton, {std::move(boundary), radii}, density);
   sheets.points.insert(sheets.points.end(), inner.begin(), inner.end());
 
   for (int round = 0; round < max_split_rounds; ++round) {
@@ -182,7 +187,7 @@ SheetSampling sample_sheets(const LabelledFigure& figure, const Skeleton& skelet
     const std::size_t count = sheets.points.size();
     fill_lone_triangles(sheets);
     std::vector<PlanarEdge> edges = edges_between_rims(sheets);
-    if (round < max_row_rounds) add_edges_past_rows(sheets, edges);
+    if (round < max_row_rounds && quality == Quality::Final) add_edges_past_rows(sheets, edges);
     keep_once_each(edges);
     split_edges(edges, sheets);
     if (sheets.points.size() == count) return sheets;

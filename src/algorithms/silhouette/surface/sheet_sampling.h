@@ -8,6 +8,7 @@
 #include "algorithms/silhouette/skeleton/skeleton.h"
 #include "croquis/base/progress.h"
 #include "croquis/silhouette/labelled_figure.h"
+#include "croquis/silhouette/options.h"
 
 namespace croquis::silhouette {
 
@@ -24,8 +25,10 @@ struct SheetSampling {
 
 /// Rows along the rims, cuts where contours cross, points between, all triangulated once and lifted. Every inner edge
 /// of the region has an end inside: else the front and the back of the surface would share that edge.
+/// A draft has one row along the rims and wider spaces between.
 /// @throws Error (E_INTERNAL) when the figure's contours can't be triangulated, Cancelled
-SheetSampling sample_sheets(const LabelledFigure& figure, const Skeleton& skeleton, Progress& progress);
+SheetSampling sample_sheets(const LabelledFigure& figure, const Skeleton& skeleton, Progress& progress,
+                            Quality quality = Quality::Final);
 
 /// A place in the region as a weighted mean of lifted vertices.
 struct LiftedPlace {

@@ -8,6 +8,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
+#include <CGAL/Random.h>
 #include <CGAL/Surface_mesh.h>
 
 namespace croquis::silhouette {
@@ -18,17 +19,32 @@ namespace pmp = CGAL::Polygon_mesh_processing;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 using Face = Surface::Face_index;
+using Vertex = Surface::Vertex_index;
 using FaceObjects = Surface::Property_map<Face, Index>;
+using Place = std::optional<Kernel::Point_3>;
+
+// Sheets of one drawing have their points above one another. Sheared along x and y by these, no two boxes begin at the
+// same coordinate: the library breaks such ties by addresses, so that results would change from run to run.
+constexpr double shear_x = 0.0171;
+constexpr double shear_y = 0.0293;
+
+Surface::Property_map<Vertex, Place> places(Surface& surface) {
+  return surface.add_property_map<Vertex, Place>("v:place", Place()).first;
+}
 
 FaceObjects face_objects(Surface& surface) { return surface.add_property_map<Face, Index>("f:object", 0).first; }
 
-/// Lets the pieces of a face, and its copies in the other surface, belong to the object of the face.
+/// Lets the pieces of a face, and its copies in the other surface, belong to the object of the face; copied vertices
+/// keep their places.
 class ObjectKeeper : public pmp::Corefinement::Default_visitor<Surface> {
  public:
   void before_subface_creations(Face face, Surface& surface) { object_ = face_objects(surface)[face]; }
   void after_subface_created(Face face, Surface& surface) { face_objects(surface)[face] = object_; }
   void after_face_copy(Face from, const Surface& source, Face to, Surface& target) {
     face_objects(target)[to] = source.property_map<Face, Index>("f:object").first[from];
+  }
+  void after_vertex_copy(Vertex from, const Surface& source, Vertex to, Surface& target) {
+    places(target)[to] = source.property_map<Vertex, Place>("v:place").first[from];
   }
 
  private:
@@ -37,12 +53,15 @@ class ObjectKeeper : public pmp::Corefinement::Default_visitor<Surface> {
 
 Surface to_surface(const UnionPart& part) {
   Surface surface;
-  for (const Vec3& p : part.mesh->positions) surface.add_vertex({p.x(), p.y(), p.z()});
+  auto place = places(surface);
+  for (const Vec3& p : part.mesh->positions) {
+    const Vertex v = surface.add_vertex({p.x() + shear_x * p.z(), p.y() + shear_y * p.z(), p.z()});
+    place[v] = Kernel::Point_3(p.x(), p.y(), p.z());
+  }
   FaceObjects objects = face_objects(surface);
   for (std::size_t f = 0; f < part.mesh->face_count(); ++f) {
     const auto corners = part.mesh->face(f);
-    const Face face = surface.add_face(Surface::Vertex_index(corners[0]), Surface::Vertex_index(corners[1]),
-                                       Surface::Vertex_index(corners[2]));
+    const Face face = surface.add_face(Vertex(corners[0]), Vertex(corners[1]), Vertex(corners[2]));
     objects[face] = part.object;
   }
   return surface;
@@ -70,10 +89,19 @@ SurfaceUnion from_surface(Surface& surface) {
 constexpr double cap_cosine = -0.94;
 constexpr double needle_ratio = 4;
 
+/// Undoes the shear: the parts' own vertices are where they were, to the last bit.
+void straighten(Surface& surface) {
+  const auto place = places(surface);
+  for (const Vertex v : surface.vertices()) {
+    const Kernel::Point_3 p = surface.point(v);
+    surface.point(v) = place[v].value_or(Kernel::Point_3(p.x() - shear_x * p.z(), p.y() - shear_y * p.z(), p.z()));
+  }
+}
+
 /// Vertices between faces of two objects.
-std::vector<Surface::Vertex_index> seam_vertices(Surface& surface) {
+std::vector<Vertex> seam_vertices(Surface& surface) {
   const FaceObjects objects = face_objects(surface);
-  std::vector<Surface::Vertex_index> seam;
+  std::vector<Vertex> seam;
   for (const auto v : surface.vertices()) {
     const Index first = objects[surface.face(surface.halfedge(v))];
     for (const Face face : surface.faces_around_target(surface.halfedge(v))) {
@@ -87,7 +115,7 @@ std::vector<Surface::Vertex_index> seam_vertices(Surface& surface) {
 
 /// Collapses short edges and flips caps along the seams; all vertices off the seams stay where they are.
 void remove_slivers(Surface& surface, double longest) {
-  auto fixed = surface.add_property_map<Surface::Vertex_index, bool>("v:fixed", true).first;
+  auto fixed = surface.add_property_map<Vertex, bool>("v:fixed", true).first;
   std::vector<Face> beside;
   for (const auto v : seam_vertices(surface)) {
     fixed[v] = false;
@@ -119,7 +147,16 @@ std::vector<UnionPart> by_size(std::span<const UnionPart> parts) {
   return result;
 }
 
-bool join(Surface& whole, Surface part) {
+/// The library orders some things by the addresses of its two surfaces: here theirs are always in the same order.
+struct UnionPair {
+  Surface whole;
+  Surface part;
+};
+
+bool join(UnionPair& surfaces) {
+  auto& [whole, part] = surfaces;
+  // Its search for pairs of faces draws lots from here; what came before must not matter.
+  CGAL::get_default_random() = CGAL::Random(0);
   ObjectKeeper keeper;
   try {
     return pmp::corefine_and_compute_union(whole, part, whole,
@@ -134,17 +171,16 @@ bool join(Surface& whole, Surface part) {
 }  // namespace
 
 std::optional<SurfaceUnion> unite_surfaces(std::span<const UnionPart> parts, double sliver, Progress& progress) {
-  Surface whole;
+  UnionPair surfaces;
+  Surface& whole = surfaces.whole;
   bool first = true;
   for (const UnionPart& part : by_size(parts)) {
     progress.check();
-    if (first) {
-      whole = to_surface(part);
-    } else if (!join(whole, to_surface(part))) {
-      return std::nullopt;
-    }
+    (first ? whole : surfaces.part) = to_surface(part);
+    if (!first && !join(surfaces)) return std::nullopt;
     first = false;
   }
+  straighten(whole);
   try {
     remove_slivers(whole, sliver);
   } catch (const std::exception&) {  // a failed precondition of the library

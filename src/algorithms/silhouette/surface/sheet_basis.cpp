@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/surface/sheet_basis.h"
+
+#include <utility>
+
+#include "algorithms/silhouette/stage.h"
+#include "algorithms/silhouette/surface/rim_chord.h"
+#include "algorithms/silhouette/surface/sheet_surface.h"
+
+namespace croquis::silhouette {
+namespace {
+
+/// A vertex' rows in the operator, the factorisation and the vectors: seven neighbours, five times that of fill.
+constexpr std::size_t bytes_per_vertex = 1000;
+
+Eigen::VectorXd node_radii(const Skeleton& skeleton) {
+  Eigen::VectorXd radii(static_cast<Eigen::Index>(skeleton.nodes.size()));
+  for (Eigen::Index n = 0; n < radii.size(); ++n) radii[n] = skeleton.nodes[static_cast<std::size_t>(n)].radius;
+  return radii;
+}
+
+}  // namespace
+
+SheetBasis make_sheet_basis(const LabelledFigure& figure, const Skeleton& skeleton, Quality quality,
+                            Progress& progress) {
+  Progress sampling = progress.step("sample sheets", 0.6);
+  SheetSampling sheets = sample_sheets(figure, skeleton, sampling, quality);
+  std::vector<LiftedPlace> nodes = locate_nodes(figure, skeleton, sheets);
+
+  Progress thickening = progress.step("thickness", 0.4);
+  SheetOperator op = make_sheet_operator(sheets);
+  NodeExtension extension(op, nodes, node_radii(skeleton));
+  Eigen::VectorXd upright = sheet_thickness(sheets, op, skeleton, nodes, extension, thickening);
+  flatten_to_rim_chords(sheets, upright);
+  std::vector<Index> objects = objects_of_triangles(figure, sheets);
+  return {std::move(sheets),  std::move(nodes),   std::move(op), std::move(extension),
+          std::move(upright), std::move(objects), figure.unit};
+}
+
+std::size_t bytes_of(const SheetBasis& basis) {
+  return bytes_of(basis.sampling) + bytes_per_vertex * basis.op.position.size() +
+         basis.nodes.size() * sizeof(LiftedPlace);
+}
+
+}  // namespace croquis::silhouette

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "algorithms/silhouette/skeleton/skeleton.h"
+#include "algorithms/silhouette/surface/sheet_operator.h"
+#include "algorithms/silhouette/surface/sheet_sampling.h"
+#include "algorithms/silhouette/surface/thickness.h"
+#include "croquis/base/progress.h"
+#include "croquis/silhouette/labelled_figure.h"
+#include "croquis/silhouette/options.h"
+
+namespace croquis::silhouette {
+
+/// All of the sheets that doesn't depend on depths: a changed weight leaves it as it is.
+struct SheetBasis {
+  SheetSampling sampling;
+  std::vector<LiftedPlace> nodes;  ///< where the skeleton's nodes lie
+  SheetOperator op;
+  NodeExtension extension;
+  Eigen::VectorXd upright;     ///< per lifted vertex the thickness if the skeleton were level
+  std::vector<Index> objects;  ///< per lifted triangle
+  double unit = 1;             ///< u
+};
+
+/// @throws Error (E_INTERNAL) when the figure contradicts itself, Cancelled
+SheetBasis make_sheet_basis(const LabelledFigure& figure, const Skeleton& skeleton, Quality quality,
+                            Progress& progress);
+
+std::size_t bytes_of(const SheetBasis& basis);
+
+}  // namespace croquis::silhouette

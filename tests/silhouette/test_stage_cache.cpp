@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "croquis/geometry/mesh_report.h"
+#include "croquis/silhouette/attachment.h"
+#include "croquis/silhouette/solid.h"
+#include "croquis/silhouette/stage_cache.h"
+#include "support/sketch_generator.h"
+
+using namespace croquis;
+using namespace croquis::silhouette;
+
+namespace {
+
+/// Keeps everything and counts what had to be made.
+class CountingCache final : public StageCache {
+ public:
+  std::shared_ptr<const void> get(std::string_view stage, std::string_view content,
+                                  const std::function<Stage()>& make) override {
+    const auto key = std::pair(std::string(stage), std::string(content));
+    const auto known = kept_.find(key);
+    if (known != kept_.end()) return known->second.result;
+    const Stage made = make();
+    ++made_[key.first];
+    CHECK(made.bytes > 0);
+    return kept_.emplace(key, made).first->second.result;
+  }
+
+  /// Per stage since the last call.
+  std::map<std::string, int> made() { return std::exchange(made_, {}); }
+
+ private:
+  std::map<std::pair<std::string, std::string>, Stage> kept_;
+  std::map<std::string, int> made_;
+};
+
+Solid solid_of(const Drawing& drawing, const Options& options) {
+  Progress progress;
+  return inflate(label(drawing, options, progress), drawing, options, progress);
+}
+
+void check_same(const Solid& a, const Solid& b) {
+  CHECK(a.mesh.positions == b.mesh.positions);
+  CHECK(a.mesh.corners == b.mesh.corners);
+  CHECK(a.skeleton.positions == b.skeleton.positions);
+  CHECK(a.skeleton.line_vertices == b.skeleton.line_vertices);
+  CHECK(a.diagnostics.silhouette_iou == b.diagnostics.silhouette_iou);
+  CHECK(a.diagnostics.minimum_gap == b.diagnostics.minimum_gap);
+  CHECK(a.objects.size() == b.objects.size());
+  CHECK(a.findings.size() == b.findings.size());
+}
+
+/// A dog beside linked rings.
+Drawing two_parts() {
+  Drawing both = test::dog_sketch().drawing;
+  for (Stroke& stroke : both.strokes) stroke.id = "dog " + stroke.id;
+  for (const Stroke& stroke : test::translated(test::linked_rings_sketch(), {1500, 0}).drawing.strokes) {
+    both.strokes.push_back(stroke);
+  }
+  return both;
+}
+
+/// Moves the middle of a stroke a little, its ends not at all.
+Drawing dragged(Drawing drawing, std::size_t stroke, double distance) {
+  std::vector<StrokeSample>& samples = drawing.strokes[stroke].samples;
+  const auto last = static_cast<double>(samples.size() - 1);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double t = static_cast<double>(i) / last;
+    samples[i].position.y() += distance * 16 * t * t * (1 - t) * (1 - t);
+  }
+  return drawing;
+}
+
+Options all_attached(const Drawing& drawing) {
+  Options options;
+  Progress progress;
+  for (const LabelledFigure& figure : label(drawing, options, progress).figures) {
+    for (const AttachSuggestion& pair : attach_suggestions(figure)) {
+      options.attach.push_back({figure.objects[pair.a].name, figure.objects[pair.b].name});
+    }
+  }
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("stages kept from earlier runs give the same bytes as making everything anew") {
+  CountingCache cache;
+  Drawing drawing = two_parts();
+  for (const bool attach : {false, true}) {
+    Options plain = attach ? all_attached(drawing) : Options{};
+    for (int step = 0; step < 3; ++step) {
+      const Drawing moved = dragged(drawing, 3, step);
+      Options kept = plain;
+      kept.cache = &cache;
+      check_same(solid_of(moved, kept), solid_of(moved, plain));
+    }
+    plain.depth.weight_distance = 0.03;
+    Options kept = plain;
+    kept.cache = &cache;
+    check_same(solid_of(drawing, kept), solid_of(drawing, plain));
+  }
+}
+
+TEST_CASE("a dragged stroke makes its own part of the drawing anew and no other") {
+  CountingCache cache;
+  Options options;
+  options.cache = &cache;
+  const Drawing drawing = two_parts();
+  solid_of(drawing, options);
+  const std::map<std::string, int> all{
+      {"silhouette labels", 1}, {"silhouette axis", 2}, {"silhouette sheets", 2}, {"silhouette solid", 2}};
+  CHECK(cache.made() == all);
+  solid_of(dragged(drawing, 3, 1), options);
+  const std::map<std::string, int> one{
+      {"silhouette labels", 1}, {"silhouette axis", 1}, {"silhouette sheets", 1}, {"silhouette solid", 1}};
+  CHECK(cache.made() == one);
+  solid_of(drawing, options);
+  CHECK(cache.made().empty());
+}
+
+TEST_CASE("changed weights and attachments leave labels, axes and sheets as they are") {
+  CountingCache cache;
+  Options options = all_attached(two_parts());
+  options.cache = &cache;
+  const Drawing drawing = two_parts();
+  solid_of(drawing, options);
+  cache.made();
+  options.depth.weight_curvature = 0.5;
+  solid_of(drawing, options);
+  CHECK(cache.made() == std::map<std::string, int>{{"silhouette solid", 2}});
+  options.attach.pop_back();
+  solid_of(drawing, options);
+  CHECK(cache.made() == std::map<std::string, int>{{"silhouette solid", 1}});
+}
+
+TEST_CASE("a draft shows the same objects with fewer vertices, and shares its labels with the final result") {
+  CountingCache cache;
+  const Drawing drawing = two_parts();
+  Options options = all_attached(drawing);
+  options.cache = &cache;
+  options.quality = Quality::Draft;
+  const Solid draft = solid_of(drawing, options);
+  options.quality = Quality::Final;
+  cache.made();
+  const Solid final = solid_of(drawing, options);
+  CHECK(cache.made() == std::map<std::string, int>{{"silhouette sheets", 2}, {"silhouette solid", 2}});
+  CHECK(draft.objects.size() == final.objects.size());
+  CHECK(draft.mesh.vertex_count() < final.mesh.vertex_count() * 6 / 10);
+  Progress progress;
+  const MeshReport figures = inspect(draft.mesh, false, progress);
+  CHECK(figures.closed);
+  CHECK(figures.oriented);
+  const auto wide = *figures.bounds;
+  const auto fine = *inspect(final.mesh, false, progress).bounds;
+  const double tolerance = 0.02 * (fine[1] - fine[0]).norm();
+  CHECK((wide[0] - fine[0]).norm() < tolerance);
+  CHECK((wide[1] - fine[1]).norm() < tolerance);
+}
