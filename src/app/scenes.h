@@ -39,7 +39,7 @@ class Scenes {
   /// The box of the strokes, of the selected ones alone if there are any and that is asked for.
   render::Bounds sketch_bounds(bool selected_only) const;
   const std::vector<FindingMark>& finding_marks() const { return finding_marks_; }
-  bool has_strokes() const { return strokes_ != nullptr; }
+  bool has_strokes() const { return strokes_ != nullptr || selected_ != nullptr; }
 
  private:
   render::LineItemPtr ghost_;  ///< shown while nothing is drawn yet

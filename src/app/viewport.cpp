@@ -60,6 +60,7 @@ Viewport::Viewport(Studio& studio, QWidget* parent)
     chip = new QLabel(this);
     chip->setAttribute(Qt::WA_TransparentForMouseEvents);
     chip->setWordWrap(true);
+    chip->setStyleSheet("background: #b3362f; color: white; border-radius: 6px; padding: 5px 8px");
     chip->hide();
   }
   connect(&studio_, &Studio::changed, this, &Viewport::follow_document);
@@ -270,10 +271,9 @@ void Viewport::place_finding_chips() {
   std::size_t used = 0;
   for (const FindingMark& finding : scenes_.finding_marks()) {
     if (used == finding_chips_.size() || !panes_[SketchView].visible() || pen_.down()) break;
+    if (!finding.error) continue;  // its mark is enough: the pen on it shows the sentence
     QLabel* chip = finding_chips_[used++];
     chip->setText(QString::fromStdString(finding.sentence));
-    chip->setStyleSheet(QString("background: %1; color: white; border-radius: 6px; padding: 5px 8px")
-                            .arg(finding.error ? "#b3362f" : "#8a6510"));
     chip->setFixedWidth(std::min(300, static_cast<int>(sketch.width()) - 16));
     chip->setFixedHeight(chip->heightForWidth(chip->width()));
     const QPointF at = sketch_to_widget(finding.at) + QPointF(14, 10);

@@ -99,6 +99,7 @@ class Viewport : public QOpenGLWidget {
  private:
   void take(PointerEvent event, const QPointF& place);
   void hover(const PointerEvent& event);
+  void tell_finding(const PointerEvent& event);
   void take_pen(const std::vector<PenStep>& steps);
   void feed(const SketchEvent& event);
   void show_gesture();
@@ -130,6 +131,7 @@ class Viewport : public QOpenGLWidget {
   int grabbed_ = -1;      ///< the view that the gesture under way began in, or -1
   int under_pointer_ = SketchView;
   bool dragging_divider_ = false;
+  bool told_finding_ = false;
   bool turned_ = false;  ///< somebody moved the perspective view: it isn't framed by itself any more
   QTimer pen_watch_;     ///< while a stroke is under way: a pen may vanish without a word
   QTimer settle_;        ///< after a pause the solid is drawn once more, finer

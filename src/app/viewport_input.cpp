@@ -4,6 +4,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QTabletEvent>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,7 @@ namespace {
 constexpr double divider_grip = 4;  // logical pixels to either side
 constexpr double least_share = 0.15;
 constexpr int pen_watch_ms = 100;
+constexpr double mark_reach = 12;            // logical pixels
 constexpr int twin_key = Qt::Key_QuoteLeft;  // left of 1
 
 }  // namespace
@@ -109,11 +111,27 @@ void Viewport::show_gesture() {
 void Viewport::watch_pen() { take_pen(pen_.settle(static_cast<double>(clock_.nsecsElapsed()) * 1e-9)); }
 
 void Viewport::hover(const PointerEvent& event) {
+  tell_finding(event);
   if (tool_.mode() == SketchMode::Draw) return;
   const SketchFrame frame = panes_[SketchView].sketch_frame();
   const auto found = nearest_stroke(studio_.drawing(), frame.to_sketch(event.position), {8, frame.units_per_pixel});
   scenes_.show_hovered(found ? std::optional(found->id) : std::nullopt, studio_.drawing());
   redraw();
+}
+
+void Viewport::tell_finding(const PointerEvent& event) {
+  const ViewPane& pane = panes_[SketchView];
+  QString sentence;
+  for (const FindingMark& finding : scenes_.finding_marks()) {
+    const bool under = (pane.sketch_frame().to_pixel(finding.at) - event.position).norm() < mark_reach;
+    if (under) sentence = QString::fromStdString(finding.sentence);
+  }
+  const QPointF place = pane.rect.topLeft() + QPointF(event.position.x(), event.position.y());
+  if (!sentence.isEmpty())
+    QToolTip::showText(mapToGlobal(place).toPoint(), sentence, this);
+  else if (told_finding_)
+    QToolTip::hideText();
+  told_finding_ = !sentence.isEmpty();
 }
 
 bool Viewport::drag_divider(const PointerEvent& event, const QPointF& place) {

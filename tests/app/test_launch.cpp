@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <filesystem>
+#include <variant>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
 #include <QFile>
 #include <QImage>
 #include <QProcess>
 #include <QTemporaryDir>
+#include <QThread>
 
-#include <catch2/catch.hpp>
+#include "croquis/io/recovery.h"
 
 namespace {
 
@@ -57,6 +65,36 @@ TEST_CASE("a picture of an opened sketch is taken when its solid is finished", "
     }
   }
   CHECK(clay > 500);
+}
+
+TEST_CASE("a killed studio leaves its work to the next one", "[launch]") {
+  const QTemporaryDir folder;
+  write(folder.filePath("draw.jsonl"), "{\"do\":\"open\",\"file\":\"" + sketch("chain.svg").toUtf8() +
+                                           "\"}\n{\"do\":\"wait\",\"for\":\"solid\"}\n"
+                                           "{\"do\":\"action\",\"name\":\"select-all\"}\n"
+                                           "{\"do\":\"action\",\"name\":\"delete\"}\n"
+                                           "{\"do\":\"action\",\"name\":\"undo\"}\n");
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.insert("XDG_STATE_HOME", folder.path());
+  QProcess process;
+  process.setProcessEnvironment(environment);
+  process.start(CROQUIS_STUDIO, {"--replay", folder.filePath("draw.jsonl"), "--stay"});
+  const std::filesystem::path state = folder.filePath("croquis").toStdString();
+  // Two seconds of edits may be lost at most: by then the last one must be on the disk.
+  std::vector<croquis::RecoverableWork> left;
+  for (int tries = 0; tries < 40 && left.empty(); ++tries) {
+    QThread::msleep(250);
+    if (tries < 11) continue;
+    process.kill();
+    process.waitForFinished(5000);
+    left = croquis::find_recoverable(state);
+  }
+  REQUIRE(left.size() == 1);
+  croquis::Progress progress;
+  const croquis::Document document = croquis::recover(left.front().file, progress).document;
+  REQUIRE(document.nodes().size() == 2);
+  const auto& drawing = std::get<std::shared_ptr<const croquis::Drawing>>(*document.nodes().front()->source);
+  CHECK(drawing->strokes.size() == 16);
 }
 
 TEST_CASE("files that can't be opened end an unattended run with their code", "[launch]") {

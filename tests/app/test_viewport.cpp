@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
 #include <QTest>
+#include <QToolButton>
 #include <QWheelEvent>
 
 #include <catch2/catch.hpp>
@@ -78,6 +79,34 @@ TEST_CASE("the wheel keeps the place under the pointer, Alt drags turn, shift an
   CHECK(glm::length(neared.eye - neared.target) < glm::length(moved.eye - moved.target));
   // Navigation is no edit.
   CHECK(hand.studio().session().undo_labels().size() == 2);
+}
+
+TEST_CASE("a joint is offered where a limb meets the body, and one click makes and undoes it", "[viewport]") {
+  StudioFixture hand;
+  hand.act("start-page");
+  hand.window().files().start_gallery_sketch("dog");
+  hand.window().show_views();
+  hand.settle();
+  auto* joint = hand.viewport().findChild<QToolButton*>("joint-0");
+  REQUIRE(joint != nullptr);
+  REQUIRE(joint->isVisible());
+  const auto parts = [&] {
+    const auto& details = std::get<std::shared_ptr<const Report>>(hand.studio().result()->outputs.at("details"));
+    return details->at("shells").as_array().size();
+  };
+  const std::size_t apart = parts();
+  joint->click();
+  hand.settle();
+  CHECK(parts() == apart - 1);
+  CHECK(joint->isChecked());
+  hand.act("join-limbs");
+  hand.settle();
+  CHECK(parts() == 1);
+  hand.act("undo");
+  hand.act("undo");
+  hand.settle();
+  CHECK(parts() == apart);
+  CHECK(!joint->isChecked());
 }
 
 TEST_CASE("space shows the view under the pointer alone and both again", "[viewport]") {
