@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "app/theme.h"
 
@@ -109,6 +110,23 @@ void add_overlap_marks(const Evaluation& evaluation, std::vector<render::Mark>& 
   }
 }
 
+/// Objects that were joined are one body: of one colour, without lines where they meet.
+std::shared_ptr<const PolyMesh> with_shells_as_objects(const std::shared_ptr<const PolyMesh>& mesh,
+                                                       const Report& shells) {
+  std::map<std::string, std::int32_t> shell_of;
+  std::int32_t count = 0;
+  for (const Report& shell : shells.as_array()) {
+    for (const Report& name : shell.at("objects").as_array()) shell_of[name.as_string()] = count;
+    ++count;
+  }
+  const AttributeChannel* objects = mesh->channel("object", Domain::Face);
+  if (objects == nullptr || shell_of.size() == shells.as_array().size()) return mesh;
+  auto painted = std::make_shared<PolyMesh>(*mesh);
+  auto& labels = std::get<std::vector<std::int32_t>>(painted->channel("object", Domain::Face)->data);
+  for (std::int32_t& label : labels) label = shell_of[objects->labels.at(static_cast<std::size_t>(label))];
+  return painted;
+}
+
 /// Where a finding without a place of its own is shown: the middle of its first stroke.
 std::optional<Vec2> place_of(const Finding& finding, const Drawing& drawing) {
   for (const Subject& subject : finding.subjects) {
@@ -190,7 +208,10 @@ void Scenes::show_result(const Studio& studio) {
   const std::shared_ptr<const PolyMesh> mesh = studio.solid();
   if (mesh != mesh_) {
     mesh_ = mesh;
-    solid_ = mesh ? render::make_mesh_item(*mesh) : nullptr;
+    const Report* details = result ? report_of(*result) : nullptr;
+    const Report* shells = details == nullptr ? nullptr : details->find("shells");
+    solid_.reset();
+    if (mesh) solid_ = render::make_mesh_item(shells == nullptr ? *mesh : *with_shells_as_objects(mesh, *shells));
   }
   hidden_.reset();
   finding_marks_.clear();

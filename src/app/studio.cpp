@@ -100,6 +100,7 @@ void Studio::load(Document document, bool modified) {
   result_.reset();
   evaluated_ = Document();
   evaluator_.forget_last_good();
+  emit loaded();
   session_.load(std::move(document), modified);
   emit result_changed();
 }

@@ -61,6 +61,7 @@ class Studio : public QObject {
   void cancel();
 
  signals:
+  void loaded();          ///< another document
   void changed();         ///< the document or the selection
   void result_changed();  ///< result(), findings()
   void progress_changed(double fraction, const QString& step);

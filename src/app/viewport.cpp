@@ -63,6 +63,10 @@ Viewport::Viewport(Studio& studio, QWidget* parent)
     chip->setStyleSheet("background: #b3362f; color: white; border-radius: 6px; padding: 5px 8px");
     chip->hide();
   }
+  connect(&studio_, &Studio::loaded, this, [this] {
+    panes_[PerspectiveView].camera = perspective_pane().camera;
+    turned_ = false;
+  });
   connect(&studio_, &Studio::changed, this, &Viewport::follow_document);
   connect(&studio_, &Studio::result_changed, this, &Viewport::follow_result);
   scenes_.show_drawing(studio_, tool_);
