@@ -253,4 +253,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
   if (!urls.isEmpty()) open(urls.front().toLocalFile());
 }
 
+void MainWindow::moveEvent(QMoveEvent* event) {
+  QMainWindow::moveEvent(event);
+  viewport_->note_window_moved();
+}
+
 }  // namespace croquis::app

@@ -167,7 +167,7 @@ void ReplayPlayer::play(const recorded::Navigate& step) {
   motion.factor = std::exp((step.by.x() - step.by.y()) * NavigationOptions().dolly_per_pixel);
   motion.about = Vec2(pane.rect.width() / 2, pane.rect.height() / 2);
   pane.move(motion);
-  window_.viewport().update();
+  window_.viewport().redraw_all();
 }
 
 void ReplayPlayer::play(const recorded::Expect& step) {

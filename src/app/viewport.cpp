@@ -16,6 +16,7 @@ namespace {
 
 constexpr double gap = 2;  // logical pixels between the views
 constexpr int settle_ms = 180;
+constexpr int patience_ms = 700;
 constexpr double affordable_ms = 90;  // a frame that takes longer would be felt
 constexpr int picture_height = 1600;
 constexpr int joint_size = 18;
@@ -49,10 +50,7 @@ Viewport::Viewport(Studio& studio, QWidget* parent)
   navigation_.set_flat(SketchView, true);
   clock_.start();
   settle_.setSingleShot(true);
-  connect(&settle_, &QTimer::timeout, this, [this] {
-    settled_ = true;
-    update();
-  });
+  connect(&settle_, &QTimer::timeout, this, [this] { settle_now(); });
   connect(&pen_watch_, &QTimer::timeout, this, &Viewport::watch_pen);
   hint_->setAttribute(Qt::WA_TransparentForMouseEvents);
   hint_->setStyleSheet("color: #8a93a0; background: transparent; font-size: 15px");
@@ -63,6 +61,14 @@ Viewport::Viewport(Studio& studio, QWidget* parent)
     chip->setStyleSheet("background: #b3362f; color: white; border-radius: 6px; padding: 5px 8px");
     chip->hide();
   }
+  // What isn't drawn anew stays as it was.
+  setUpdateBehavior(QOpenGLWidget::PartialUpdate);
+  patience_.setSingleShot(true);
+  connect(&patience_, &QTimer::timeout, this, [this] {
+    stale_ = true;
+    redraw(PerspectiveView);
+  });
+  connect(&studio_, &Studio::busy_changed, this, &Viewport::note_busy);
   connect(&studio_, &Studio::loaded, this, [this] {
     panes_[PerspectiveView].camera = perspective_pane().camera;
     turned_ = false;
@@ -84,13 +90,13 @@ void Viewport::set_mode(SketchMode mode) {
   setCursor(mode == SketchMode::Select ? Qt::ArrowCursor : Qt::CrossCursor);
   scenes_.show_hovered(std::nullopt, studio_.drawing());
   scenes_.show_drawing(studio_, tool_);
-  redraw();
+  redraw_all();
   emit help_changed();
 }
 
 void Viewport::set_look(MeshLook look) {
   look_ = look;
-  redraw();
+  redraw_all();
 }
 
 void Viewport::frame_all() {
@@ -101,7 +107,7 @@ void Viewport::frame_all() {
     panes_[SketchView].camera = sketch_pane().camera;
   panes_[PerspectiveView].frame(scenes_.solid_scene(false));
   turned_ = false;
-  redraw();
+  redraw_all();
 }
 
 void Viewport::frame_selection() {
@@ -110,13 +116,13 @@ void Viewport::frame_selection() {
   } else {
     panes_[SketchView].frame(scenes_.sketch_bounds(true));
   }
-  redraw();
+  redraw_all();
 }
 
 void Viewport::toggle_layout() {
   alone_ = alone_ < 0 ? under_pointer_ : -1;
   lay_out();
-  redraw();
+  redraw_all();
 }
 
 void Viewport::delete_selection() { tool_.delete_selected(); }
@@ -131,6 +137,9 @@ QString Viewport::help() const {
   const Findings findings = studio_.findings();
   if (!findings.empty() && findings.front().severity == Severity::Error) {
     return QString::fromStdString(findings.front().message);
+  }
+  if (navigation_.alt_swallowed()) {
+    return tr("Alt belongs to your desktop: hold Super, or the key left of 1, and drag to turn, shift and come nearer");
   }
   switch (tool_.mode()) {
     case SketchMode::Select:
@@ -163,6 +172,7 @@ QPointF Viewport::sketch_to_widget(const Vec2& place) const {
 void Viewport::settle_now() {
   settle_.stop();
   settled_ = true;
+  solid_drawn_ = false;
   update();
 }
 
@@ -176,7 +186,10 @@ void Viewport::initializeGL() {
   }
 }
 
-void Viewport::resizeGL(int, int) { lay_out(); }
+void Viewport::resizeGL(int, int) {
+  lay_out();
+  redraw_all();
+}
 
 void Viewport::lay_out() {
   const double w = width();
@@ -195,11 +208,13 @@ void Viewport::paintGL() {
   if (!renderer_) return;
   QElapsedTimer watch;
   watch.start();
+  const bool was_drawn = solid_drawn_;
   auto sketch_look = render::RenderOptions::paper();
   sketch_look.pixel_ratio = devicePixelRatioF();
   draw_pane(panes_[SketchView], scenes_.sketch_scene(), sketch_look);
-  draw_pane(panes_[PerspectiveView], scenes_.solid_scene(studio_.busy()), solid_options());
-  if (settled_) affordable_ = static_cast<double>(watch.elapsed()) < affordable_ms;
+  if (!solid_drawn_) draw_pane(panes_[PerspectiveView], scenes_.solid_scene(stale_), solid_options());
+  solid_drawn_ = true;
+  if (settled_ && !was_drawn) affordable_ = static_cast<double>(watch.elapsed()) < affordable_ms;
   place_labels();
   ++frames_;
   if (input_time_ms_ >= 0) {
@@ -230,16 +245,36 @@ void Viewport::draw_pane(const ViewPane& pane, const render::Scene& scene, const
   renderer_->draw(scene, pane.camera, options, target);
 }
 
-void Viewport::redraw() {
-  settled_ = false;
+void Viewport::redraw(View view) {
   update();
+  if (view == SketchView) return;
+  solid_drawn_ = false;
+  settled_ = false;
   if (affordable_) settle_.start(settle_ms);
 }
 
+void Viewport::redraw_all() {
+  redraw(SketchView);
+  redraw(PerspectiveView);
+}
+
+void Viewport::note_busy(bool busy) {
+  if (busy) {
+    if (!patience_.isActive()) patience_.start(patience_ms);
+    return;
+  }
+  patience_.stop();
+  const bool stale = studio_.result() && studio_.result()->stale;
+  if (stale_ != stale) redraw(PerspectiveView);
+  stale_ = stale;
+}
+
 void Viewport::follow_document() {
+  const std::size_t meshes = scenes_.solid_scene(false).meshes.size();
   scenes_.show_drawing(studio_, tool_);
   scenes_.show_preview(tool_.preview(), studio_.drawing());
-  redraw();
+  if (scenes_.solid_scene(false).meshes.size() != meshes) redraw(PerspectiveView);
+  redraw(SketchView);
   emit help_changed();
 }
 
@@ -247,7 +282,7 @@ void Viewport::follow_result() {
   scenes_.show_result(studio_);
   show_joints();
   keep_solid_in_view();
-  redraw();
+  redraw_all();
   emit help_changed();
 }
 

@@ -55,6 +55,9 @@ class Viewport : public QOpenGLWidget {
   /// Gives up the gesture under way. @return false when there was none
   bool abandon();
 
+  /// The window itself was moved: by Alt and a drag, the desktop may keep them for itself.
+  void note_window_moved();
+
   /// The next action, in words and keys.
   QString help() const;
 
@@ -63,6 +66,8 @@ class Viewport : public QOpenGLWidget {
 
   ViewPane& pane(View view) { return panes_[view]; }
   const Scenes& scenes() const { return scenes_; }
+
+  void redraw_all();
 
   /// Draws the finer picture now instead of after a pause.
   void settle_now();
@@ -108,7 +113,8 @@ class Viewport : public QOpenGLWidget {
   void lay_out();
   void follow_document();
   void follow_result();
-  void redraw();
+  void redraw(View view);
+  void note_busy(bool busy);
   void draw_pane(const ViewPane& pane, const render::Scene& scene, const render::RenderOptions& options);
   render::RenderOptions solid_options() const;
   void place_labels();
@@ -132,9 +138,12 @@ class Viewport : public QOpenGLWidget {
   int under_pointer_ = SketchView;
   bool dragging_divider_ = false;
   bool told_finding_ = false;
-  bool turned_ = false;  ///< somebody moved the perspective view: it isn't framed by itself any more
-  QTimer pen_watch_;     ///< while a stroke is under way: a pen may vanish without a word
-  QTimer settle_;        ///< after a pause the solid is drawn once more, finer
+  bool turned_ = false;       ///< somebody moved the perspective view: it isn't framed by itself any more
+  QTimer pen_watch_;          ///< while a stroke is under way: a pen may vanish without a word
+  QTimer settle_;             ///< after a pause the solid is drawn once more, finer
+  bool solid_drawn_ = false;  ///< the perspective view's pixels are still right: most events change the sketch alone
+  QTimer patience_;           ///< a solid that is out of date for longer is shown faded
+  bool stale_ = false;
   bool settled_ = false;
   bool affordable_ = true;  ///< the last fine frame was quick enough not to be felt
   QElapsedTimer clock_;

@@ -40,6 +40,12 @@ bool Viewport::event(QEvent* event) {
   return QOpenGLWidget::event(event);
 }
 
+void Viewport::note_window_moved() {
+  const bool before = navigation_.alt_swallowed();
+  navigation_.window_moved();
+  if (navigation_.alt_swallowed() != before) emit help_changed();
+}
+
 void Viewport::mousePressEvent(QMouseEvent* event) { take(pointer_event(*event), event->position()); }
 void Viewport::mouseMoveEvent(QMouseEvent* event) { take(pointer_event(*event), event->position()); }
 void Viewport::mouseReleaseEvent(QMouseEvent* event) { take(pointer_event(*event), event->position()); }
@@ -83,7 +89,7 @@ void Viewport::take(PointerEvent event, const QPointF& place) {
     if (!motion) continue;
     panes_[static_cast<std::size_t>(motion->view)].move(*motion);
     turned_ = turned_ || motion->view == PerspectiveView;
-    redraw();
+    redraw(static_cast<View>(motion->view));
   }
   if (answer.taken || event.view != SketchView) return;
   take_pen(pen_.handle(event));
@@ -105,7 +111,7 @@ void Viewport::feed(const SketchEvent& event) {
 void Viewport::show_gesture() {
   scenes_.show_hovered(std::nullopt, studio_.drawing());
   scenes_.show_preview(tool_.preview(), studio_.drawing());
-  redraw();
+  redraw(SketchView);
 }
 
 void Viewport::watch_pen() { take_pen(pen_.settle(static_cast<double>(clock_.nsecsElapsed()) * 1e-9)); }
@@ -116,7 +122,7 @@ void Viewport::hover(const PointerEvent& event) {
   const SketchFrame frame = panes_[SketchView].sketch_frame();
   const auto found = nearest_stroke(studio_.drawing(), frame.to_sketch(event.position), {8, frame.units_per_pixel});
   scenes_.show_hovered(found ? std::optional(found->id) : std::nullopt, studio_.drawing());
-  redraw();
+  redraw(SketchView);
 }
 
 void Viewport::tell_finding(const PointerEvent& event) {
@@ -146,7 +152,7 @@ bool Viewport::drag_divider(const PointerEvent& event, const QPointF& place) {
   }
   divider_ = std::clamp(place.x() / width(), least_share, 1 - least_share);
   lay_out();
-  redraw();
+  redraw_all();
   if (event.action == PointerEvent::Action::Release) dragging_divider_ = false;
   return true;
 }

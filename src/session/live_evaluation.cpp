@@ -2,6 +2,7 @@
 #include "croquis/session/live_evaluation.h"
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <exception>
@@ -17,9 +18,17 @@ namespace {
 /// How much of the progress a draft gets: it is meant to take a small part of the time.
 constexpr double draft_share = 0.2;
 
+using Clock = std::chrono::steady_clock;
+
+/// While requests follow each other faster than this, as when a point is dragged, …
+constexpr std::chrono::milliseconds burst{300};
+/// … the final result waits so long for the next one: begun at once, it would take the processor from that one's draft.
+constexpr std::chrono::milliseconds burst_pause{150};
+
 struct Job {
   Document document;
   NodeId node = 0;
+  bool in_burst = false;
   std::atomic<bool> cancelled = false;
 };
 
@@ -55,6 +64,7 @@ struct LiveEvaluation::State : std::enable_shared_from_this<LiveEvaluation::Stat
   double fraction = 0;           ///< of the current request
   std::string step;
   bool progress_posted = false;
+  Clock::time_point last_request = Clock::now() - 2 * burst;
 
   void replace(std::shared_ptr<Job> job) {
     if (current) current->cancelled = true;
@@ -88,6 +98,7 @@ struct LiveEvaluation::State : std::enable_shared_from_this<LiveEvaluation::Stat
       Result result = evaluator.evaluate(job->document, job->node, Quality::Draft, drafting);
       if (result->quality == Quality::Draft) {
         post_result(job, std::move(result), Quality::Draft);
+        if (job->in_burst) pause(job);
         Progress finishing = whole.step("final", 1 - draft_share);
         result = evaluator.evaluate(job->document, job->node, Quality::Final, finishing);
       }
@@ -98,6 +109,12 @@ struct LiveEvaluation::State : std::enable_shared_from_this<LiveEvaluation::Stat
     } catch (const std::exception& exception) {
       post_result(job, internal_failure(exception.what()), Quality::Final);
     }
+  }
+
+  void pause(const std::shared_ptr<Job>& job) {
+    std::unique_lock lock(mutex);
+    wake.wait_for(lock, burst_pause, [this, &job] { return closing || job->cancelled; });
+    if (job->cancelled) throw Cancelled();
   }
 
   void tell_progress(const std::shared_ptr<Job>& job, double done, const std::string& name) {
@@ -176,12 +193,15 @@ void LiveEvaluation::request(Document document, NodeId node) {
   bool all_taken = false;
   {
     const std::lock_guard lock(state_->mutex);
+    const Clock::time_point now = Clock::now();
+    job->in_burst = now - state_->last_request < burst;
+    state_->last_request = now;
     state_->replace(std::move(job));
     all_taken = state_->running == workers_.size();
   }
   state_->post_busy();
   if (all_taken && workers_.size() < max_workers) start_worker();
-  state_->wake.notify_one();
+  state_->wake.notify_all();  // the one that pauses, too
 }
 
 void LiveEvaluation::start_worker() {

@@ -97,19 +97,23 @@ void StudioFixture::look_at(const Vec2& low, const Vec2& high) {
   viewport().pane(app::Viewport::SketchView).frame(bounds);
 }
 
+void StudioFixture::send_mouse(QEvent::Type type, const QPointF& at, Qt::MouseButton button,
+                               Qt::KeyboardModifiers modifiers) {
+  const bool moved = type == QEvent::MouseMove;
+  const Qt::MouseButtons held = type == QEvent::MouseButtonRelease ? Qt::NoButton : button;
+  QMouseEvent event(type, at, viewport().mapToGlobal(at), moved ? Qt::NoButton : button, held, modifiers);
+  QApplication::sendEvent(&viewport(), &event);
+}
+
 void StudioFixture::drag_pixels(const QPointF& from, const QPointF& to, Qt::MouseButton button,
                                 Qt::KeyboardModifiers modifiers) {
-  const auto send = [&](QEvent::Type type, const QPointF& at, Qt::MouseButton changed, Qt::MouseButtons held) {
-    QMouseEvent event(type, at, viewport().mapToGlobal(at), changed, held, modifiers);
-    QApplication::sendEvent(&viewport(), &event);
-  };
-  send(QEvent::MouseButtonPress, from, button, button);
+  send_mouse(QEvent::MouseButtonPress, from, button, modifiers);
   constexpr int moves = 8;
   for (int i = 1; i <= moves; ++i) {
-    send(QEvent::MouseMove, from + (to - from) * i / moves, Qt::NoButton, button);
+    send_mouse(QEvent::MouseMove, from + (to - from) * i / moves, button, modifiers);
     QApplication::processEvents();
   }
-  send(QEvent::MouseButtonRelease, to, button, Qt::NoButton);
+  send_mouse(QEvent::MouseButtonRelease, to, button, modifiers);
 }
 
 void StudioFixture::drag(const Vec2& from, const Vec2& to) {

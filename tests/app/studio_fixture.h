@@ -52,6 +52,9 @@ class StudioFixture {
   void drag(const Vec2& from, const Vec2& to);
   void click(const Vec2& at, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
 
+  /// One event of the mouse at a place of the widget, logical pixels.
+  void send_mouse(QEvent::Type type, const QPointF& at, Qt::MouseButton button, Qt::KeyboardModifiers modifiers);
+
   /// Sends the mouse along a line of the widget, logical pixels.
   void drag_pixels(const QPointF& from, const QPointF& to, Qt::MouseButton button, Qt::KeyboardModifiers modifiers);
 

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QFile>
+#include <QImage>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QThread>
 #include <cmath>
 #include <filesystem>
 #include <variant>
 #include <vector>
 
 #include <catch2/catch.hpp>
-
-#include <QFile>
-#include <QImage>
-#include <QProcess>
-#include <QTemporaryDir>
-#include <QThread>
 
 #include "croquis/io/recovery.h"
 

@@ -22,7 +22,7 @@ bool is_orange(const QColor& c) { return c.red() > 190 && c.green() > 90 && c.gr
 
 }  // namespace
 
-TEST_CASE("ink is seen while the pen is down, before anything is fitted", "[viewport]") {
+TEST_CASE("ink is seen while the pen is down, before anything is fitted", "[viewport][scale]") {
   StudioFixture hand;
   Viewport& view = hand.viewport();
   std::vector<StrokeSample> half;
@@ -34,7 +34,7 @@ TEST_CASE("ink is seen while the pen is down, before anything is fitted", "[view
   CHECK(test::share_of_pixels(hand.picture(), pane, dark) > before + 0.0005);
 }
 
-TEST_CASE("both views are drawn and nothing else; selected strokes are orange", "[viewport]") {
+TEST_CASE("both views are drawn and nothing else; selected strokes are orange", "[viewport][scale]") {
   StudioFixture hand;
   hand.draw(test::snake_sketch());
   hand.settle();
@@ -46,7 +46,7 @@ TEST_CASE("both views are drawn and nothing else; selected strokes are orange", 
   CHECK(!test::box_of_solid(hand).isEmpty());
 }
 
-TEST_CASE("the wheel keeps the place under the pointer, Alt drags turn, shift and near", "[viewport]") {
+TEST_CASE("the wheel keeps the place under the pointer, Alt drags turn, shift and near", "[viewport][scale]") {
   StudioFixture hand;
   hand.draw(test::snake_sketch());
   hand.settle();

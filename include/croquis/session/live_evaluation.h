@@ -49,6 +49,7 @@ class LiveEvaluation {
   LiveEvaluation(const LiveEvaluation&) = delete;
   LiveEvaluation& operator=(const LiveEvaluation&) = delete;
 
+  /// While requests follow each other quickly, drafts are made at once and the final result waits a moment.
   /// @throws Error (E_THREAD) when the system gives no thread at all
   void request(Document document, NodeId node);
 
