@@ -17,18 +17,6 @@ const std::shared_ptr<const Drawing>* drawing_of(const Node& node) {
   return node.source ? std::get_if<std::shared_ptr<const Drawing>>(&*node.source) : nullptr;
 }
 
-Document document_of(Drawing drawing) {
-  Node source;
-  source.name = "drawing";
-  source.source = std::make_shared<const Drawing>(std::move(drawing));
-  const Document document = Document().with(std::move(source));
-  Node solid;
-  solid.name = "solid";
-  solid.operation = solid_operation_id;
-  solid.inputs["drawing"] = {document.nodes().front()->id, "value"};
-  return document.with(std::move(solid));
-}
-
 }  // namespace
 
 Studio::Studio() : registry_(all_operations()), evaluator_(registry_) {
@@ -91,7 +79,18 @@ Findings Studio::findings() const {
   return findings;
 }
 
-void Studio::start_with(Drawing drawing) { load(document_of(std::move(drawing))); }
+SketchToolOptions Studio::tool_options() const {
+  SketchToolOptions options;
+  options.operation = solid_operation_id;
+  options.version = registry_.find(solid_operation_id)->describe().version;
+  return options;
+}
+
+void Studio::start_with(Drawing drawing) {
+  SketchToolOptions options = tool_options();
+  options.parameters.clear();  // files hold exact lines
+  load(add_drawing(Document(), std::make_shared<const Drawing>(std::move(drawing)), options));
+}
 
 void Studio::start_empty() { load(Document()); }
 

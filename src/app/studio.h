@@ -11,6 +11,7 @@
 #include "croquis/document/registry.h"
 #include "croquis/session/live_evaluation.h"
 #include "croquis/session/session.h"
+#include "croquis/tools/sketch_tool.h"
 
 namespace croquis::app {
 
@@ -48,6 +49,9 @@ class Studio : public QObject {
   /// The newest result isn't final, or doesn't belong to the document as it is now.
   bool busy() const { return waiting_ || live_->busy(); }
   bool settled() const { return !busy(); }
+
+  /// What a sketch tool of this studio makes with its first stroke.
+  SketchToolOptions tool_options() const;
 
   /// Replaces the document by one drawing and the solid made of it; forgets the history.
   void start_with(Drawing drawing);

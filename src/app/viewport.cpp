@@ -38,7 +38,7 @@ std::string attach_text(const Studio& studio) {
 Viewport::Viewport(Studio& studio, QWidget* parent)
     : QOpenGLWidget(parent),
       studio_(studio),
-      tool_(studio.session()),
+      tool_(studio.session(), studio.tool_options()),
       panes_{sketch_pane(), perspective_pane()},
       hint_(new QLabel(tr("Trace me: one closed line becomes a solid"), this)) {
   setObjectName("viewport");

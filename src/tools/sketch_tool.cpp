@@ -312,16 +312,20 @@ Document SketchTool::with_drawing(Drawing drawing) const {
     edited.source = value;
     return document.with(std::move(edited));
   }
+  return add_drawing(document, value, options_);
+}
+
+Document add_drawing(const Document& document, Value drawing, const SketchToolOptions& options) {
   Node source;
   source.id = document.next_id();
   source.name = "drawing";
-  source.source = value;
+  source.source = std::move(drawing);
   Node operation;
-  operation.name = options_.operation;
-  operation.operation = options_.operation;
-  operation.version = options_.version;
-  operation.parameters = options_.parameters;
-  operation.inputs[options_.port] = {source.id, "value"};
+  operation.name = options.operation;
+  operation.operation = options.operation;
+  operation.version = options.version;
+  operation.parameters = options.parameters;
+  operation.inputs[options.port] = {source.id, "value"};
   return document.with(std::move(source)).with(std::move(operation));
 }
 

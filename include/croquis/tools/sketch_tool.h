@@ -36,6 +36,10 @@ struct SketchToolOptions {
   double drag_pixels = 4;                                            ///< a press that moves less is a click
 };
 
+/// The document with a new source and the operation that it goes to.
+/// @param drawing a drawing
+Document add_drawing(const Document& document, Value drawing, const SketchToolOptions& options);
+
 /// What to draw over the view while a gesture is under way, sketch units.
 struct SketchPreview {
   std::vector<StrokeSample> ink;           ///< Draw: the samples so far, as they came
