@@ -65,4 +65,15 @@ PointerEvent pointer_event(const QWheelEvent& event) {
   return result;
 }
 
+PointerEvent pointer_event(const QEventPoint& finger) {
+  PointerEvent result;
+  result.device = PointerEvent::Device::Touch;
+  result.device_id = static_cast<std::uint64_t>(finger.id());
+  result.buttons.left = finger.state() != QEventPoint::Released;
+  result.action = finger.state() == QEventPoint::Pressed    ? PointerEvent::Action::Press
+                  : finger.state() == QEventPoint::Released ? PointerEvent::Action::Release
+                                                            : PointerEvent::Action::Move;
+  return result;
+}
+
 }  // namespace croquis::app

@@ -8,6 +8,7 @@
 class QMouseEvent;
 class QSinglePointEvent;
 class QTabletEvent;
+class QEventPoint;
 class QWheelEvent;
 
 namespace croquis::app {
@@ -17,6 +18,9 @@ namespace croquis::app {
 PointerEvent pointer_event(const QMouseEvent& event);
 PointerEvent pointer_event(const QTabletEvent& event);
 PointerEvent pointer_event(const QWheelEvent& event);
+
+/// One finger of a touch event.
+PointerEvent pointer_event(const QEventPoint& finger);
 
 /// Where in the widget an event happened.
 inline Vec2 to_vec(const QPointF& point) { return {point.x(), point.y()}; }

@@ -45,6 +45,7 @@ Viewport::Viewport(Studio& studio, QWidget* parent)
   setAccessibleName(tr("Sketch and solid"));
   setMouseTracking(true);
   setTabletTracking(true);
+  setAttribute(Qt::WA_AcceptTouchEvents);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(320, 240);
   navigation_.set_flat(SketchView, true);

@@ -5,6 +5,7 @@
 #include <QMouseEvent>
 #include <QTabletEvent>
 #include <QToolTip>
+#include <QTouchEvent>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -36,6 +37,14 @@ bool Viewport::event(QEvent* event) {
     navigation_.modifiers_changed(
         {key->modifiers().testFlag(Qt::ShiftModifier), key->modifiers().testFlag(Qt::ControlModifier),
          key->modifiers().testFlag(Qt::AltModifier), key->modifiers().testFlag(Qt::MetaModifier)});
+  }
+  if (event->type() == QEvent::TouchBegin || event->type() == QEvent::TouchUpdate ||
+      event->type() == QEvent::TouchEnd || event->type() == QEvent::TouchCancel) {
+    for (const QEventPoint& finger : static_cast<QTouchEvent*>(event)->points()) {
+      if (finger.state() != QEventPoint::Stationary) take(pointer_event(finger), finger.position());
+    }
+    event->accept();  // else Qt makes a mouse event of it, and fingers would draw
+    return true;
   }
   return QOpenGLWidget::event(event);
 }

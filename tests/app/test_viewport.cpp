@@ -109,6 +109,34 @@ TEST_CASE("a joint is offered where a limb meets the body, and one click makes a
   CHECK(!joint->isChecked());
 }
 
+TEST_CASE("two fingers shift and near the sketch, one finger draws nothing", "[viewport]") {
+  StudioFixture hand;
+  hand.draw(test::snake_sketch());
+  hand.settle();
+  QTest::qWait(700);  // fingers this soon after a pen are the palm
+  Viewport& view = hand.viewport();
+  const std::size_t strokes = hand.studio().drawing().strokes.size();
+  const double height = view.pane(Viewport::SketchView).camera.height;
+  const QPoint middle_of_sketch = middle(view, Viewport::SketchView).toPoint();
+  QPointingDevice* screen = QTest::createTouchDevice();
+  QTest::touchEvent(&view, screen).press(0, middle_of_sketch - QPoint(40, 0), &view);
+  QTest::touchEvent(&view, screen).move(0, middle_of_sketch - QPoint(60, 30), &view);
+  QTest::touchEvent(&view, screen).release(0, middle_of_sketch - QPoint(60, 30), &view);
+  CHECK(hand.studio().drawing().strokes.size() == strokes);
+  QTest::touchEvent(&view, screen).press(0, middle_of_sketch - QPoint(40, 0), &view);
+  QTest::touchEvent(&view, screen).stationary(0).press(1, middle_of_sketch + QPoint(40, 0), &view);
+  for (int k = 1; k <= 6; ++k) {
+    QTest::touchEvent(&view, screen)
+        .move(0, middle_of_sketch - QPoint(40 + 10 * k, 0), &view)
+        .move(1, middle_of_sketch + QPoint(40 + 10 * k, 0), &view);
+  }
+  QTest::touchEvent(&view, screen)
+      .release(0, middle_of_sketch - QPoint(100, 0), &view)
+      .release(1, middle_of_sketch + QPoint(100, 0), &view);
+  CHECK(view.pane(Viewport::SketchView).camera.height < 0.7 * height);
+  CHECK(hand.studio().drawing().strokes.size() == strokes);
+}
+
 TEST_CASE("space shows the view under the pointer alone and both again", "[viewport]") {
   StudioFixture hand;
   hand.draw(test::snake_sketch());
