@@ -189,14 +189,16 @@ void Scenes::show_drawing(const Studio& studio, SketchTool& tool) {
   strokes_ = lines(plain, {ink_width, to_color(colors::ink), {}, render::LineDepth::OnTop});
   selected_ = lines(selected, {ink_width, to_color(colors::accent), {}, render::LineDepth::OnTop});
   anchors_ = anchors.empty() ? nullptr : render::make_mark_item(anchors);
-  if (!strokes_ && !selected_ && !ghost_) ghost_ = ghost_item();
-  if (!drawing.strokes.empty()) ghost_.reset();
-
   std::vector<std::shared_ptr<const PolyMesh>> sources;
   for (const auto& node : studio.session().document().nodes()) {
     if (!node->source || !node->visible) continue;
     if (const auto* mesh = std::get_if<std::shared_ptr<const PolyMesh>>(&*node->source)) sources.push_back(*mesh);
   }
+  const bool empty = drawing.strokes.empty() && sources.empty();
+  if (!empty)
+    ghost_.reset();
+  else if (!ghost_)
+    ghost_ = ghost_item();
   if (sources == mesh_sources_) return;
   meshes_.clear();
   for (const auto& mesh : sources) meshes_.push_back(render::make_mesh_item(*mesh));

@@ -39,6 +39,8 @@ class Scenes {
   /// The box of the strokes, of the selected ones alone if there are any and that is asked for.
   render::Bounds sketch_bounds(bool selected_only) const;
   const std::vector<FindingMark>& finding_marks() const { return finding_marks_; }
+  /// Nothing is there yet, and the ghost shows what to do.
+  bool invites() const { return ghost_ != nullptr; }
   bool has_strokes() const { return strokes_ != nullptr || selected_ != nullptr; }
 
  private:

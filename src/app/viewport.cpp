@@ -299,7 +299,7 @@ void Viewport::keep_solid_in_view() {
 
 void Viewport::place_labels() {
   const QRectF sketch = panes_[SketchView].rect;
-  hint_->setVisible(!renderer_ || (!scenes_.has_strokes() && panes_[SketchView].visible() && !pen_.down()));
+  hint_->setVisible(!renderer_ || (scenes_.invites() && panes_[SketchView].visible() && !pen_.down()));
   hint_->adjustSize();
   hint_->move(static_cast<int>(sketch.center().x() - hint_->width() / 2.0), static_cast<int>(sketch.bottom() - 60));
   place_finding_chips();
