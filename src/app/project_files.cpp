@@ -36,13 +36,13 @@ QImage image_of(const std::vector<std::uint8_t>& png) {
   return QImage::fromData(png.data(), static_cast<int>(png.size()), "PNG");
 }
 
-}  // namespace
-
 std::vector<render::MeshItemPtr> solid_items(const Studio& studio) {
   std::vector<render::MeshItemPtr> items;
   if (const auto solid = studio.solid()) items.push_back(render::make_mesh_item(*solid));
   return items;
 }
+
+}  // namespace
 
 ProjectFiles::ProjectFiles(Studio& studio, OffscreenPictures& pictures, const QString& state_folder)
     : studio_(studio), pictures_(pictures), state_folder_(state_folder) {

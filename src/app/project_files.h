@@ -82,7 +82,4 @@ class ProjectFiles : public QObject {
   QThreadPool disk_;                           ///< one thread: commits wait for the disk, the window doesn't
 };
 
-/// The solid of a studio as the renderer wants it; empty when there is none.
-std::vector<render::MeshItemPtr> solid_items(const Studio& studio);
-
 }  // namespace croquis::app

@@ -13,6 +13,7 @@
 #include "app/main_window.h"
 #include "app/viewport.h"
 #include "croquis/base/error.h"
+#include "croquis/base/exit_code.h"
 #include "croquis/io/file.h"
 
 namespace croquis::app {
@@ -24,18 +25,6 @@ constexpr double recorded_view_height = 1000;  // pixels in which motions are re
 
 [[noreturn]] void refuse(const std::string& sentence) {
   throw Error(make_error(Category::Geometry, "E_REPLAY", sentence));
-}
-
-int exit_code_of(Category category) {
-  switch (category) {
-    case Category::Malformed: return 3;
-    case Category::Geometry: return 4;
-    case Category::Limit: return 5;
-    case Category::Io: return 6;
-    case Category::Usage: return 2;
-    case Category::Internal: return 70;
-  }
-  return 70;
 }
 
 Modifiers modifiers_of(const std::vector<std::string>& names) {
@@ -187,7 +176,7 @@ int print_findings(const Findings& findings) {
     const char* stop = finding.message.ends_with('.') ? "" : ".";
     std::fprintf(stderr, "croquis: %s: %s%s\n", finding.code.c_str(), finding.message.c_str(), stop);
   }
-  return findings.empty() ? 70 : exit_code_of(findings.front().category);
+  return findings.empty() ? exit_internal : exit_code_of(findings.front().category);
 }
 
 int play_file(MainWindow& window, const QString& file, bool stay) {

@@ -11,11 +11,11 @@
 #include <sys/resource.h>
 
 #include "cli/command_line.h"
-#include "cli/exit_code.h"
 #include "cli/progress_display.h"
 #include "cli/report_json.h"
 #include "cli/run_limits.h"
 #include "croquis/base/error.h"
+#include "croquis/base/exit_code.h"
 #include "croquis/io/file.h"
 
 namespace croquis::cli {

@@ -3,9 +3,9 @@
 
 #include "croquis/base/finding.h"
 
-namespace croquis::cli {
+namespace croquis {
 
-/// The process' answer to its caller.
+/// The answer of every program of Croquis to its caller.
 enum ExitCode : int {
   exit_done = 0,
   exit_warnings = 1,  ///< done, with warnings under --strict
@@ -30,4 +30,4 @@ inline ExitCode exit_code_of(Category category) {
   return exit_internal;
 }
 
-}  // namespace croquis::cli
+}  // namespace croquis
