@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "croquis/base/finding.h"
+#include "croquis/geometry/mesh_tags.h"
 #include "croquis/geometry/vector.h"
 
 namespace croquis {
@@ -46,6 +47,7 @@ struct PolyMesh {
   std::vector<Index> line_offsets = {0};  ///< #L+1, like face_offsets
   std::vector<Index> line_vertices;       ///< the vertices of each polyline in order
   std::vector<AttributeChannel> channels;
+  MeshTags tags;  ///< sharp edges and pinned vertices, for subdivision
 
   std::size_t vertex_count() const { return positions.size(); }
   std::size_t face_count() const { return face_offsets.size() - 1; }
