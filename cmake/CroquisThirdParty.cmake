@@ -10,6 +10,7 @@ find_package(CGAL 5.5 REQUIRED)
 # Debian's OpenMesh config names no version, so none can be asked for.
 find_package(OpenMesh REQUIRED CONFIG)
 find_package(GLPK REQUIRED)
+find_package(OpenSubdiv 3.5 REQUIRED)
 
 find_package(glm REQUIRED CONFIG)
 find_package(CLI11 REQUIRED CONFIG)
