@@ -37,6 +37,7 @@ void draw(const GlHandle& vertex_array, GLenum mode, int count) {
 
 GpuMesh::GpuMesh(const MeshItem& item) {
   surface_vertices_ = upload(GL_ARRAY_BUFFER, std::as_bytes(std::span(item.vertices)));
+  paint_ = upload(GL_ARRAY_BUFFER, std::as_bytes(std::span(item.paint)));
   line_vertices_ = upload(GL_ARRAY_BUFFER, std::as_bytes(std::span(item.line_vertices)));
   triangles_ = index_surface(item.triangles);
   edges_ = index_surface(item.edges);
@@ -46,30 +47,31 @@ GpuMesh::GpuMesh(const MeshItem& item) {
   check_gl("sending a mesh to the graphics card");
 }
 
-GpuMesh::IndexedArray GpuMesh::index_surface(const std::vector<std::uint32_t>& indices) const {
+GpuMesh::IndexedArray GpuMesh::index_surface(std::span<const std::uint32_t> indices) const {
   IndexedArray array;
   array.vertex_array = make_vertex_array();
   glBindVertexArray(array.vertex_array.name());
   glBindBuffer(GL_ARRAY_BUFFER, surface_vertices_.name());
   bind_floats<SurfaceVertex>(position_place, offsetof(SurfaceVertex, position));
   bind_floats<SurfaceVertex>(normal_place, offsetof(SurfaceVertex, normal));
-  bind_color<SurfaceVertex>(offsetof(SurfaceVertex, color));
+  glBindBuffer(GL_ARRAY_BUFFER, paint_.name());
+  bind_color<SurfacePaint>(offsetof(SurfacePaint, color));
   glEnableVertexAttribArray(patch_place);
-  glVertexAttribIPointer(patch_place, 1, GL_UNSIGNED_INT, sizeof(SurfaceVertex),
-                         byte_offset(offsetof(SurfaceVertex, patch)));
-  array.indices = upload(GL_ELEMENT_ARRAY_BUFFER, std::as_bytes(std::span(indices)));
+  glVertexAttribIPointer(patch_place, 1, GL_UNSIGNED_INT, sizeof(SurfacePaint),
+                         byte_offset(offsetof(SurfacePaint, patch)));
+  array.indices = upload(GL_ELEMENT_ARRAY_BUFFER, std::as_bytes(indices));
   array.count = static_cast<int>(indices.size());
   return array;
 }
 
-GpuMesh::IndexedArray GpuMesh::index_lines(const std::vector<std::uint32_t>& indices) const {
+GpuMesh::IndexedArray GpuMesh::index_lines(std::span<const std::uint32_t> indices) const {
   IndexedArray array;
   array.vertex_array = make_vertex_array();
   glBindVertexArray(array.vertex_array.name());
   glBindBuffer(GL_ARRAY_BUFFER, line_vertices_.name());
   bind_floats<LineVertex>(position_place, offsetof(LineVertex, position));
   bind_color<LineVertex>(offsetof(LineVertex, color));
-  array.indices = upload(GL_ELEMENT_ARRAY_BUFFER, std::as_bytes(std::span(indices)));
+  array.indices = upload(GL_ELEMENT_ARRAY_BUFFER, std::as_bytes(indices));
   array.count = static_cast<int>(indices.size());
   return array;
 }

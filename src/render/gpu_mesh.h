@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <span>
 
 #include "croquis/render/mesh_item.h"
 #include "render/gl_handle.h"
@@ -25,10 +25,10 @@ class GpuMesh {
     int count = 0;
   };
 
-  IndexedArray index_surface(const std::vector<std::uint32_t>& indices) const;
-  IndexedArray index_lines(const std::vector<std::uint32_t>& indices) const;
+  IndexedArray index_surface(std::span<const std::uint32_t> indices) const;
+  IndexedArray index_lines(std::span<const std::uint32_t> indices) const;
 
-  GlHandle surface_vertices_, line_vertices_;
+  GlHandle surface_vertices_, paint_, line_vertices_;
   IndexedArray triangles_, edges_, segments_;
 };
 

@@ -40,20 +40,22 @@ class VertexCollector {
  public:
   VertexCollector(MeshItem& item, std::size_t corner_count) : item_(item), first_(corner_count, no_index) {}
 
-  Index vertex(Index group, const SurfaceVertex& wanted) {
+  Index vertex(Index group, const SurfaceVertex& vertex, const SurfacePaint& paint) {
     Index found = first_[group];
-    while (found != no_index && !same(item_.vertices[found], wanted)) found = next_[found];
+    while (found != no_index && paint_[found] != paint) found = next_[found];
     if (found != no_index) return found;
     found = static_cast<Index>(item_.vertices.size());
-    item_.vertices.push_back(wanted);
+    item_.vertices.push_back(vertex);
+    paint_.push_back(paint);
     next_.push_back(std::exchange(first_[group], found));
     return found;
   }
 
- private:
-  static bool same(const SurfaceVertex& a, const SurfaceVertex& b) { return a.patch == b.patch && a.color == b.color; }
+  std::vector<SurfacePaint> take_paint() { return std::move(paint_); }
 
+ private:
   MeshItem& item_;
+  std::vector<SurfacePaint> paint_;
   std::vector<Index> first_;  // newest vertex of each group
   std::vector<Index> next_;   // the one made before, per vertex
 };
@@ -72,12 +74,15 @@ void add_surface(const PolyMesh& mesh, std::span<const glm::dvec3> positions, co
     for (Index c = mesh.face_offsets[f]; c < mesh.face_offsets[f + 1]; ++c) {
       const Index group = surface.corner_groups[c];
       corner_vertices[c] = collector.vertex(
-          group, {positions[mesh.corners[c]], surface.normals[group], colors[c], surface.face_patches[f]});
+          group, {positions[mesh.corners[c]], surface.normals[group]}, {colors[c], surface.face_patches[f]});
     }
   }
-  for (const auto& [a, b] : surface.edges)
-    item.edges.insert(item.edges.end(), {corner_vertices[a], corner_vertices[b]});
+  item.paint = collector.take_paint();
+  std::vector<std::uint32_t> edges;
+  for (const auto& [a, b] : surface.edges) edges.insert(edges.end(), {corner_vertices[a], corner_vertices[b]});
+  item.edges = std::move(edges);
 
+  std::vector<std::uint32_t> triangles;
   std::vector<glm::dvec3> polygon;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     const auto face = mesh.face(f);
@@ -85,9 +90,10 @@ void add_surface(const PolyMesh& mesh, std::span<const glm::dvec3> positions, co
     polygon.clear();
     for (const Index vertex : face) polygon.push_back(positions[vertex]);
     for (const auto& triangle : triangulate_polygon(polygon)) {
-      for (const Index corner : triangle) item.triangles.push_back(corner_vertices[mesh.face_offsets[f] + corner]);
+      for (const Index corner : triangle) triangles.push_back(corner_vertices[mesh.face_offsets[f] + corner]);
     }
   }
+  item.triangles = std::move(triangles);
 }
 
 void add_lines(const PolyMesh& mesh, std::span<const glm::dvec3> positions, const MeshItemOptions& options,
@@ -96,11 +102,13 @@ void add_lines(const PolyMesh& mesh, std::span<const glm::dvec3> positions, cons
   for (std::size_t i = 0; i < mesh.line_vertices.size(); ++i) {
     item.line_vertices.push_back({positions[mesh.line_vertices[i]], colors[i]});
   }
+  std::vector<std::uint32_t> segments;
   for (std::size_t l = 0; l < mesh.line_count(); ++l) {
     for (Index i = mesh.line_offsets[l]; i + 1 < mesh.line_offsets[l + 1]; ++i) {
-      item.segments.insert(item.segments.end(), {i, i + 1});
+      segments.insert(segments.end(), {i, i + 1});
     }
   }
+  item.segments = std::move(segments);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace {
 
 std::set<std::tuple<int, int, int>> colors_of(const MeshItem& item) {
   std::set<std::tuple<int, int, int>> colors;
-  for (const SurfaceVertex& vertex : item.vertices) colors.insert({vertex.color.r, vertex.color.g, vertex.color.b});
+  for (const SurfacePaint& paint : item.paint) colors.insert({paint.color.r, paint.color.g, paint.color.b});
   return colors;
 }
 

@@ -28,8 +28,10 @@ struct DashPattern {
 
 /// What covers a line.
 enum class LineDepth {
-  OnTop,  ///< nothing: drawn over all surfaces
-  Tested  ///< surfaces nearer to the eye; lines that lie in a surface are seen whole
+  OnTop,     ///< nothing: drawn over all surfaces
+  Tested,    ///< surfaces nearer to the eye; lines that lie in a surface are seen whole
+  OnSurface  ///< the same, decided where the line's middle runs: edges of a surface keep all of their width at any
+             ///< slope
 };
 
 /// How the lines of an item look. Lengths are in pixels of a screen with `RenderOptions::pixel_ratio` 1.

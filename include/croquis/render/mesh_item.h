@@ -10,15 +10,22 @@
 #include "croquis/geometry/poly_mesh.h"
 #include "croquis/render/bounds.h"
 #include "croquis/render/color.h"
+#include "croquis/render/shared_array.h"
 
 namespace croquis::render {
 
-/// A corner of a triangle as the graphics card takes it.
+/// A corner of a triangle as the graphics card takes it: what changes while a shape is being moved.
 struct SurfaceVertex {
   glm::vec3 position;  ///< in the item's own frame
   glm::vec3 normal;    ///< unit length, or 0 where all faces around have no area
+};
+
+/// The rest of it, which stays.
+struct SurfacePaint {
   Color color;
   std::uint32_t patch = 0;  ///< the smooth patch it belongs to, 0-based; lines are drawn where patches meet
+
+  friend bool operator==(const SurfacePaint&, const SurfacePaint&) = default;
 };
 
 /// An end of a line segment.
@@ -27,33 +34,46 @@ struct LineVertex {
   Color color;
 };
 
+/// How light falls on faces.
+enum class FaceShading {
+  Smooth,  ///< normals averaged by angle over the faces around a vertex, apart where the surface is sharp
+  Flat     ///< every face by its own normal; costs a vertex per corner
+};
+
 /// How a mesh is made ready for display.
 struct MeshItemOptions {
   double crease_angle =
       1.0471975511965976;                ///< radians in [0, pi]: faces that meet at more are shaded apart (60 degrees)
   Color line_color = {46, 58, 72, 255};  ///< of polylines without colours of their own
+  FaceShading shading = FaceShading::Smooth;
+  double split_sharpness = 1;       ///< tagged edges of at least this sharpness are shaded apart at any angle
+  bool use_normal_channel = false;  ///< takes the corners' (else vertices') "normal" channel instead, where it has one
 };
+
+class MeshPlan;
 
 /// A mesh ready to be drawn: never changed once made, shared between scenes, undo steps and views.
 ///
 /// Positions are kept relative to the box's centre and in units of its half diagonal, so that single precision serves
-/// coordinates of any size.
+/// coordinates of any size. What depends on connectivity alone is shared with the items that update it.
 struct MeshItem {
   glm::dvec3 origin = glm::dvec3(0);  ///< model coordinates = origin + scale * own coordinates
   double scale = 1;
   Bounds bounds;  ///< in model coordinates, of what is drawn
   std::vector<SurfaceVertex> vertices;
-  std::vector<std::uint32_t> triangles;  ///< #T * 3, indices into vertices
-  std::vector<std::uint32_t> edges;      ///< #E * 2, indices into vertices: the polygons' edges, each once
+  SharedArray<SurfacePaint> paint;       ///< of each vertex
+  SharedArray<std::uint32_t> triangles;  ///< #T * 3, indices into vertices, face after face
+  SharedArray<std::uint32_t> edges;      ///< #E * 2, indices into vertices: the polygons' edges, each once
   std::vector<LineVertex> line_vertices;
-  std::vector<std::uint32_t> segments;  ///< #S * 2, indices into line_vertices
+  SharedArray<std::uint32_t> segments;  ///< #S * 2, indices into line_vertices
   std::uint32_t patch_count = 0;
+  std::shared_ptr<const MeshPlan> plan;  ///< what its updates and highlights reuse
 };
 
 using MeshItemPtr = std::shared_ptr<const MeshItem>;
 
 /// Makes a mesh ready: polygons (concave ones too) are cut into triangles, normals are averaged by angle over faces
-/// that meet below the crease angle, vertices at exactly equal places count as one.
+/// that meet below the crease angle across an edge without a sharp tag, vertices at exactly equal places count as one.
 ///
 /// Colours come from a "color" channel of the faces, corners or vertices; else from a palette by "object", by "group",
 /// or by connected component, the first of these that tells at least two apart. A missing (NaN) colour falls back to
@@ -62,6 +82,19 @@ using MeshItemPtr = std::shared_ptr<const MeshItem>;
 ///         are accepted
 /// O(n log n), and O(k^2) for a polygon of k corners.
 MeshItemPtr make_mesh_item(const PolyMesh& mesh, const MeshItemOptions& options = {});
+
+/// The item of a mesh that differs from the previous item's in its positions: for every event of a drag.
+///
+/// Triangles, edges, colours and which faces are shaded as one stay as they were, even where a face turned concave or
+/// an edge has passed the crease angle; positions and normals are new. Wherever none of this would come out otherwise,
+/// the item equals that of `make_mesh_item` bit for bit. Renderers send positions and normals alone.
+/// A mesh with other faces, lines, tags, or colour, part or normal channels than the previous one's is made anew with
+/// the same options; comparing costs less than a tenth of updating.
+/// @param previous any item; null: made anew with `options`
+/// @param options only for null
+/// @throws Error as make_mesh_item
+/// O(n).
+MeshItemPtr update_mesh_item(const MeshItemPtr& previous, const PolyMesh& mesh, const MeshItemOptions& options = {});
 
 /// The box of everything in the list; empty for none.
 Bounds bounds_of(const std::vector<MeshItemPtr>& items);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "croquis/render/color.h"
 #include "croquis/render/line_item.h"
@@ -56,7 +57,10 @@ struct RenderOptions {
   double wire_width = 0.8;                  ///< in [0.1, 8]
   Color wire_color = {44, 50, 62, 150};     ///< alpha is the strength
   double line_width = 2;                    ///< of meshes' polylines, in [0.1, 32]
-  int supersampling = 3;   ///< samples per pixel and axis, 1..4; lowered where the driver allows no texture that large
+  int supersampling = 3;  ///< samples per pixel and axis, 1..4; lowered where the driver allows no texture that large
+  /// Bytes of large items that one drawing may send to the graphics card; 0: all at once. A mesh that is not there yet
+  /// shows its box, then its triangles as they come. Items below a megabyte and updated ones go whole at once.
+  std::size_t upload_budget = 0;
   double pixel_ratio = 1;  ///< device pixels per pixel of the lengths given here and in items, in [0.25, 8]
 
   /// For while something moves: one sample per pixel and no occlusion; lines and marks stay smooth.

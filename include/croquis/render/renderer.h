@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -28,6 +29,12 @@ struct Viewport {
   std::optional<PictureCrop> crop;  ///< the viewport shows this part; without it the whole picture
 };
 
+/// What went to the graphics card since the renderer was made: buffers of items, not those of views.
+struct UploadCount {
+  std::size_t bytes = 0;
+  std::size_t transfers = 0;
+};
+
 /// Draws items with OpenGL 3.3 core into whatever framebuffer its host has bound; opens nothing by itself.
 ///
 /// Its host makes a context current before construction, before every call and before destruction; libepoxy finds the
@@ -52,6 +59,12 @@ class Renderer {
   /// The same of surfaces alone.
   void draw(const std::vector<MeshItemPtr>& items, const Camera& camera, const RenderOptions& options,
             const Viewport& viewport);
+
+  /// Whether the last drawing left something out, for `RenderOptions::upload_budget`: draw again, soon. Views that
+  /// share a renderer each have to ask after their own drawing.
+  bool pending() const;
+
+  UploadCount uploaded() const;
 
  private:
   class Implementation;

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "croquis/render/face_highlight.h"
 #include "croquis/render/line_item.h"
 #include "croquis/render/mark_item.h"
 #include "croquis/render/mesh_item.h"
+#include "croquis/render/point_item.h"
 
 namespace croquis::render {
 
@@ -32,11 +35,51 @@ struct Shown {
       : item(std::move(shown_item)), emphasis(how) {}
 };
 
-/// Everything one view shows: surfaces, then lines, then marks, each in the order of its list.
+/// What is seen of a mesh's faces.
+enum class SurfaceLook {
+  Filled,  ///< as RenderOptions say
+  Covers,  ///< nothing, but they hide what is behind them: wire with hidden lines left out
+  None     ///< nothing at all
+};
+
+/// How a mesh is drawn in one view; changes without touching the item.
+struct MeshStyle {
+  SurfaceLook surface = SurfaceLook::Filled;
+  std::optional<bool> wire;          ///< none: as RenderOptions::wire, and always where faces are not filled
+  std::optional<Color> wire_color;   ///< none: as RenderOptions; alpha is the strength
+  std::optional<double> wire_width;  ///< none: as RenderOptions
+  double covered_wire = 0;  ///< SurfaceLook::None: share of the wire's strength left behind other surfaces, in [0, 1]
+
+  static MeshStyle shaded() { return {SurfaceLook::Filled, false, {}, {}, 0}; }
+  static MeshStyle shaded_wire() { return {SurfaceLook::Filled, true, {}, {}, 0}; }
+  static MeshStyle wire_only() { return {SurfaceLook::None, true, {}, {}, 0}; }
+  static MeshStyle hidden_lines_removed() { return {SurfaceLook::Covers, true, {}, {}, 0}; }
+  /// Wire around another surface: its edges win where they lie in that surface, and shine through faintly behind it.
+  static MeshStyle cage(const Color& color) { return {SurfaceLook::None, true, color, 1.2, 0.25}; }
+
+  bool operator==(const MeshStyle&) const = default;
+};
+
+/// A mesh, its emphasis and its style. Emphasis tints filled faces; without them it colours the wire.
+template <>
+struct Shown<MeshItem> {
+  MeshItemPtr item;  ///< null ones are left out
+  Emphasis emphasis;
+  MeshStyle style;
+
+  Shown() = default;
+  Shown(MeshItemPtr shown_item, Emphasis how = {}, MeshStyle look = {})  // NOLINT(google-explicit-constructor)
+      : item(std::move(shown_item)), emphasis(how), style(look) {}
+};
+
+/// Everything one view shows: surfaces with their highlighted faces, then lines, points and marks, each in the order of
+/// its list.
 struct Scene {
   std::vector<Shown<MeshItem>> meshes;
   std::vector<Shown<LineItem>> lines;
   std::vector<Shown<MarkItem>> marks;
+  std::vector<PointItemPtr> points = {};
+  std::vector<FaceHighlightPtr> highlights = {};  ///< of meshes that are in the list, later ones over earlier ones
 };
 
 /// The box of all items; empty for none.
