@@ -18,11 +18,11 @@ enum class PrimalScheme { CatmullClark, Loop };
 /// What OpenSubdiv refines. Faces are counter-clockwise; each edge has one or two of them, each vertex one fan.
 struct PrimalTopology {
   PrimalScheme scheme = PrimalScheme::CatmullClark;
-  bool corners_stay = true;        ///< boundary vertices of one face keep their place
-  std::size_t vertex_count = 0;    ///< #V
-  std::vector<Index> face_sizes;   ///< #F
-  std::vector<Index> corners;      ///< #C
-  std::vector<Crease> creases;     ///< never on the boundary
+  bool corners_stay = true;       ///< boundary vertices of one face keep their place
+  std::size_t vertex_count = 0;   ///< #V
+  std::vector<Index> face_sizes;  ///< #F
+  std::vector<Index> corners;     ///< #C
+  std::vector<Crease> creases;    ///< never on the boundary
   std::vector<Index> pins;
 };
 
@@ -38,10 +38,10 @@ struct WeightRows {
 struct PrimalLevel {
   std::size_t vertex_count = 0;
   std::vector<Index> face_sizes, corners;
-  std::vector<Crease> creases;         ///< edges still sharp, without the boundary; sharpness of this level
-  std::vector<Index> pins;             ///< descendants of the pins
-  std::vector<Index> face_parents;     ///< #F, faces of the level before
-  WeightRows rows;                     ///< #V, over the vertices of the level before
+  std::vector<Crease> creases;      ///< edges still sharp, without the boundary; sharpness of this level
+  std::vector<Index> pins;          ///< descendants of the pins
+  std::vector<Index> face_parents;  ///< #F, faces of the level before
+  WeightRows rows;                  ///< #V, over the vertices of the level before
 };
 
 /// Levels 1 to the last, and where the last level's vertices end: weights over the last level's vertices.

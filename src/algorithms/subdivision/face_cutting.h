@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <map>
+#include <vector>
+
+#include "croquis/geometry/mesh_topology.h"
+#include "croquis/geometry/poly_mesh.h"
+
+namespace croquis::subdivision {
+
+/// Triangles that replace a face, as corner numbers within it.
+using FaceTriangles = std::vector<std::array<Index, 3>>;
+
+/// Twice the area times the unit normal; exact for planar faces, the mean over all triangulations else.
+Vec3 area_vector(const PolyMesh& mesh, Index face);
+
+/// The greatest distance of a corner from the plane through the face's centre, relative to the face's diameter.
+double relative_deviation(const PolyMesh& mesh, Index face);
+
+/// Cuts a face along diagonals that lie inside it, seen along its area vector. Diagonals that are edges of the mesh
+/// already are avoided where another is to be had. O(n^3) for n corners.
+FaceTriangles triangulated_face(const PolyMesh& mesh, const MeshTopology& topology, Index face);
+
+struct CutMesh {
+  PolyMesh mesh;
+  std::vector<Index> source_face;  ///< #F of `mesh`
+};
+
+/// Replaces faces by triangles, in place of the face; attributes of faces and corners are those of the source.
+CutMesh with_faces_cut(const PolyMesh& mesh, const std::map<Index, FaceTriangles>& cuts);
+
+}  // namespace croquis::subdivision
