@@ -25,9 +25,16 @@ std::size_t size_of(const std::map<std::string, std::string>& texts) {
   return bytes;
 }
 
+std::size_t size_of(const MeshTags& tags) {
+  std::size_t bytes = size_of(tags.creases) + size_of(tags.pins) + size_of(tags.sets);
+  for (const CreaseSet& set : tags.sets) bytes += set.name.capacity() + size_of(set.edges) + size_of(set.pins);
+  return bytes;
+}
+
 std::size_t size_of(const PolyMesh& mesh) {
   std::size_t bytes = sizeof(PolyMesh) + size_of(mesh.positions) + size_of(mesh.face_offsets) + size_of(mesh.corners) +
-                      size_of(mesh.line_offsets) + size_of(mesh.line_vertices) + size_of(mesh.channels);
+                      size_of(mesh.line_offsets) + size_of(mesh.line_vertices) + size_of(mesh.channels) +
+                      size_of(mesh.tags);
   for (const AttributeChannel& channel : mesh.channels) {
     bytes += channel.name.capacity();
     bytes += std::visit([](const auto& values) { return size_of(values); }, channel.data);

@@ -84,6 +84,30 @@ void add_content(ContentHasher& hasher, const AttributeChannel& channel) {
   for (const std::string& label : channel.labels) hasher.add(label);
 }
 
+void add_content(ContentHasher& hasher, const std::array<Index, 2>& edge) {
+  hasher.add(edge[0]);
+  hasher.add(edge[1]);
+}
+
+void add_content(ContentHasher& hasher, const CreaseSet& set) {
+  hasher.add(set.name);
+  hasher.add(set.sharpness);
+  hasher.add(set.edges.size());
+  for (const auto& edge : set.edges) add_content(hasher, edge);
+  hasher.add(std::span<const Index>(set.pins));
+}
+
+void add_content(ContentHasher& hasher, const MeshTags& tags) {
+  hasher.add(tags.creases.size());
+  for (const Crease& crease : tags.creases) {
+    add_content(hasher, crease.vertices);
+    hasher.add(crease.sharpness);
+  }
+  hasher.add(std::span<const Index>(tags.pins));
+  hasher.add(tags.sets.size());
+  for (const CreaseSet& set : tags.sets) add_content(hasher, set);
+}
+
 void add_content(ContentHasher& hasher, const PolyMesh& mesh) {
   static_assert(sizeof(Vec3) == 3 * sizeof(double));
   hasher.add(std::as_bytes(std::span(mesh.positions)));
@@ -93,6 +117,7 @@ void add_content(ContentHasher& hasher, const PolyMesh& mesh) {
   hasher.add(std::span<const Index>(mesh.line_vertices));
   hasher.add(mesh.channels.size());
   for (const AttributeChannel& channel : mesh.channels) add_content(hasher, channel);
+  if (!mesh.tags.empty()) add_content(hasher, mesh.tags);  // last, so that nothing can be mistaken for them
 }
 
 void add_content(ContentHasher& hasher, const Stroke& stroke) {

@@ -31,7 +31,7 @@ OperationResult run(const Operation& operation, const Values& inputs, ParameterV
   const OperationDescription description = operation.describe();
   Findings findings;
   for (const PortDescription& port : description.inputs) {
-    if (fits(port, inputs)) continue;
+    if (fits(port, inputs) || (port.optional && !inputs.contains(port.name))) continue;
     findings.push_back(
         make_error(Category::Usage, "E_INPUT",
                    description.title + " needs a " + to_string(port.type) + " as its input '" + port.name + "'.",

@@ -18,6 +18,12 @@ const char* name_of(Domain domain) {
   return "";
 }
 
+constexpr std::size_t named_sets = 10;
+
+std::string counted(std::size_t count, const char* what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 }  // namespace
 
 void FormatLoss::note_channel(const AttributeChannel& channel) {
@@ -28,6 +34,21 @@ void FormatLoss::note_others(const PolyMesh& mesh, const std::vector<const Attri
   for (const AttributeChannel& channel : mesh.channels) {
     if (std::find(written.begin(), written.end(), &channel) == written.end()) note_channel(channel);
   }
+}
+
+void FormatLoss::note_tags(const MeshTags& tags) {
+  if (tags.empty()) return;
+  note("its tags (" + counted(tags.creases.size(), "sharp edge") + " and " + counted(tags.pins.size(), "pin") + ")");
+}
+
+void FormatLoss::note_sets(const MeshTags& tags) {
+  if (tags.sets.empty()) return;
+  std::string names;
+  for (std::size_t i = 0; i < tags.sets.size() && i < named_sets; ++i) {
+    names += (i == 0 ? "" : ", ") + quoted(tags.sets[i].name);
+  }
+  note(counted(tags.sets.size(), "set") + " of tags (" + names + (tags.sets.size() > named_sets ? ", ..." : "") +
+       "; the tags are kept)");
 }
 
 Findings FormatLoss::warnings() const {

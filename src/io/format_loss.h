@@ -19,6 +19,12 @@ class FormatLoss {
   /// Every channel of the mesh that is not among those written.
   void note_others(const PolyMesh& mesh, const std::vector<const AttributeChannel*>& written);
 
+  /// All tags, if there are any.
+  void note_tags(const MeshTags& tags);
+
+  /// That tags go into named sets, if some do.
+  void note_sets(const MeshTags& tags);
+
   /// Nothing, or one W_FORMAT_LOSS.
   Findings warnings() const;
 

@@ -178,6 +178,7 @@ void GlbWriter::finish_model() {
 void GlbWriter::note_losses() {
   if (cut_.cut_polygons) loss_.note("polygons are cut into triangles");
   if (positions_ != mesh_.positions) loss_.note("coordinates are rounded to 32-bit floats");
+  loss_.note_tags(mesh_.tags);
   loss_.note_others(mesh_, written_);
 }
 

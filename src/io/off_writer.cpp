@@ -26,6 +26,7 @@ class OffWriter {
     for (std::size_t v = 0; v < mesh_.vertex_count(); ++v) write_vertex(v);
     for (std::size_t f = 0; f < mesh_.face_count(); ++f) write_face(f);
     if (mesh_.line_count() > 0) loss_.note("polylines");
+    loss_.note_tags(mesh_.tags);
     loss_.note_others(mesh_, {normals_, colours_, uvs_, face_colours_});
     return {std::move(text_), loss_.warnings()};
   }

@@ -138,6 +138,7 @@ void StlWriter::note_losses() {
   if (mesh_.line_count() > 0) loss_.note("polylines");
   if (!options_.ascii && positions_ != mesh_.positions) loss_.note("coordinates are rounded to 32-bit floats");
   if (!reads_back_in_order()) loss_.note("the vertices' own order, those of no face and those at the same place");
+  loss_.note_tags(mesh_.tags);
   loss_.note_others(mesh_, {options_.ascii ? names_ : attributes_});
 }
 

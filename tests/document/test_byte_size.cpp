@@ -18,6 +18,13 @@ TEST_CASE("the size of a value follows its contents") {
   mesh.channels.push_back({"heat", Domain::Vertex, 1, std::vector<double>(101 * 101), {}});
   CHECK(size_of(mesh) >= plain + 101 * 101 * sizeof(double));
 
+  const std::size_t untagged = size_of(mesh);
+  mesh.tags.creases.resize(300);
+  mesh.tags.pins.resize(70);
+  mesh.tags.sets.push_back({std::string(500, 'x'), 1, std::vector<std::array<Index, 2>>(40), {1}});
+  CHECK(size_of(mesh) == untagged + 300 * sizeof(Crease) + 71 * sizeof(Index) + sizeof(CreaseSet) + 500 +
+                             40 * sizeof(std::array<Index, 2>));
+
   Drawing drawing;
   drawing.strokes.resize(3);
   const std::size_t empty = size_of(drawing);

@@ -135,6 +135,41 @@ TEST_CASE("every field of a mesh counts in its hash") {
   check_changes<PolyMesh>(small_mesh, changes, hash_of_value<PolyMesh>);
 }
 
+PolyMesh tagged_mesh() {
+  PolyMesh mesh = small_mesh();
+  mesh.tags = {{{{0, 1}, infinite_sharpness}, {{1, 2}, 2.5}}, {3}, {{"rim", 2.5, {{1, 2}}, {3}}}};
+  return mesh;
+}
+
+TEST_CASE("every field of a mesh's tags counts in its hash") {
+  const Changes<PolyMesh> changes = {[](PolyMesh& m) { m.tags = {}; },
+                                     [](PolyMesh& m) { m.tags.creases[1].sharpness = 2.25; },
+                                     [](PolyMesh& m) { m.tags.creases[0].sharpness = greatest_sharpness; },
+                                     [](PolyMesh& m) {
+                                       m.tags.creases[0].vertices = {1, 0};
+                                     },
+                                     [](PolyMesh& m) { m.tags.creases[0].vertices[1] = 2; },
+                                     [](PolyMesh& m) { m.tags.creases.pop_back(); },
+                                     [](PolyMesh& m) { std::swap(m.tags.creases[0], m.tags.creases[1]); },
+                                     [](PolyMesh& m) { m.tags.pins = {2}; },
+                                     [](PolyMesh& m) {
+                                       m.tags.pins = {3, 3};
+                                     },
+                                     [](PolyMesh& m) { m.tags.pins.clear(); },
+                                     [](PolyMesh& m) { m.tags.sets[0].name = "lip"; },
+                                     [](PolyMesh& m) { m.tags.sets[0].sharpness = 3; },
+                                     [](PolyMesh& m) {
+                                       m.tags.sets[0].edges = {{0, 1}};
+                                     },
+                                     [](PolyMesh& m) {
+                                       m.tags.sets[0].edges.push_back({0, 1});
+                                     },
+                                     [](PolyMesh& m) { m.tags.sets[0].pins.clear(); },
+                                     [](PolyMesh& m) { m.tags.sets.push_back({}); }};
+  check_changes<PolyMesh>(tagged_mesh, changes, hash_of_value<PolyMesh>);
+  CHECK(hash_of_value(PolyMesh(tagged_mesh())) != hash_of_value(small_mesh()));
+}
+
 TEST_CASE("every figure of a report counts in its hash, with its type and place") {
   const Changes<Report> changes = {[](Report& r) { r.set("count", 4); },
                                    [](Report& r) { r.set("count", 3.0); },

@@ -2,6 +2,7 @@
 #include "fuzz/mesh_property.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "croquis/base/error.h"
 
@@ -23,6 +24,7 @@ std::string broken_round_trip(const PolyMesh& mesh, MeshFormat format, bool asci
     const PolyMesh back = read_mesh({bytes, format, "fuzzed", false}, progress).mesh;
     if (!same_connectivity(mesh, back)) return "the written mesh reads back differently";
     if (mesh.positions != back.positions) return "the written positions read back differently";
+    if (format == MeshFormat::Obj && !same_tags(mesh.tags, back.tags)) return "the written tags read back differently";
   } catch (const Error& error) {
     return std::string("the written mesh is refused: ") + error.what();
   }
@@ -34,6 +36,15 @@ std::string broken_round_trip(const PolyMesh& mesh, MeshFormat format, bool asci
 bool same_connectivity(const PolyMesh& a, const PolyMesh& b) {
   return a.vertex_count() == b.vertex_count() && a.face_offsets == b.face_offsets && a.corners == b.corners &&
          a.line_offsets == b.line_offsets && a.line_vertices == b.line_vertices;
+}
+
+bool same_tags(const MeshTags& a, const MeshTags& b) {
+  const auto same_sharpness = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+  const auto same_crease = [&](const Crease& x, const Crease& y) {
+    return x.vertices == y.vertices && same_sharpness(x.sharpness, y.sharpness);
+  };
+  return std::equal(a.creases.begin(), a.creases.end(), b.creases.begin(), b.creases.end(), same_crease) &&
+         a.pins == b.pins && a.sets == b.sets;
 }
 
 bool usable(const PolyMesh& mesh) {

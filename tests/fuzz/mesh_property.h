@@ -13,6 +13,9 @@ namespace croquis::test {
 /// Faces and lines are the same.
 bool same_connectivity(const PolyMesh& a, const PolyMesh& b);
 
+/// The same tags in the same order; NaN equals itself.
+bool same_tags(const MeshTags& a, const MeshTags& b);
+
 /// Indices and offsets are in range, positions finite, faces have 3 corners or more and channels their lengths.
 bool usable(const PolyMesh& mesh);
 

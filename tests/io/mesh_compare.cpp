@@ -57,6 +57,7 @@ std::string difference(const PolyMesh& a, const PolyMesh& b) {
     if (other->width != channel.width || !same_data(channel, *other)) return name_of(channel) + " differs";
     if (other->labels != channel.labels) return name_of(channel) + " has other labels";
   }
+  if (!same_tags(a.tags, b.tags)) return "tags";
   return a.channels.size() == b.channels.size() ? "" : "number of channels";
 }
 

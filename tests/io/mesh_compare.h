@@ -10,7 +10,8 @@
 
 namespace croquis::test {
 
-/// What differs between two meshes down to the bits of positions and channels; empty when nothing does.
+/// What differs between two meshes down to the bits of positions and channels, in their tags too; empty when nothing
+/// does.
 std::string difference(const PolyMesh& a, const PolyMesh& b);
 
 MeshReadResult read(const std::string& bytes, MeshFormat format);

@@ -112,6 +112,24 @@ Value random_value(Random& random) {
   }
 }
 
+// Of vertices that may or may not be there.
+MeshTags random_tags(Random& random) {
+  const auto edge = [&] {
+    const Index a = random.below(30);
+    return std::array<Index, 2>{a, random.below(30)};
+  };
+  MeshTags tags;
+  for (std::uint32_t i = random.below(6); i > 0; --i) tags.creases.push_back({edge(), random_number(random)});
+  for (std::uint32_t i = random.below(4); i > 0; --i) tags.pins.push_back(random.below(30));
+  for (std::uint32_t i = random.below(3); i > 0; --i) {
+    CreaseSet set{random_text(random), random_number(random), {}, {}};
+    for (std::uint32_t k = random.below(4); k > 0; --k) set.edges.push_back(edge());
+    for (std::uint32_t k = random.below(4); k > 0; --k) set.pins.push_back(random.below(30));
+    tags.sets.push_back(std::move(set));
+  }
+  return tags;
+}
+
 ParameterValue random_parameter(Random& random) {
   switch (random.below(4)) {
     case 0: return random.below(2) == 0;
@@ -152,6 +170,8 @@ bool same(const StrokeSample& a, const StrokeSample& b) {
 bool same(const Vec3& a, const Vec3& b);
 bool same(const Stroke& a, const Stroke& b);
 bool same(const AttributeChannel& a, const AttributeChannel& b);
+bool same(const Crease& a, const Crease& b);
+bool same(const CreaseSet& a, const CreaseSet& b);
 bool same(const Report& a, const Report& b);
 bool same(const Report::Member& a, const Report::Member& b);
 
@@ -194,6 +214,16 @@ bool same(const Report& a, const Report& b) {
   return true;
 }
 
+bool same(const Crease& a, const Crease& b) { return a.vertices == b.vertices && same(a.sharpness, b.sharpness); }
+
+bool same(const CreaseSet& a, const CreaseSet& b) {
+  return a.name == b.name && same(a.sharpness, b.sharpness) && a.edges == b.edges && a.pins == b.pins;
+}
+
+bool same(const MeshTags& a, const MeshTags& b) {
+  return same_elements(a.creases, b.creases) && a.pins == b.pins && same_elements(a.sets, b.sets);
+}
+
 bool same(const Drawing& a, const Drawing& b) {
   return a.file == b.file && a.object_data == b.object_data && same_elements(a.strokes, b.strokes);
 }
@@ -201,7 +231,7 @@ bool same(const Drawing& a, const Drawing& b) {
 bool same(const PolyMesh& a, const PolyMesh& b) {
   return same_elements(a.positions, b.positions) && a.face_offsets == b.face_offsets && a.corners == b.corners &&
          a.line_offsets == b.line_offsets && a.line_vertices == b.line_vertices &&
-         same_elements(a.channels, b.channels);
+         same_elements(a.channels, b.channels) && same(a.tags, b.tags);
 }
 
 bool same(const Value& a, const Value& b) {
@@ -252,6 +282,7 @@ PolyMesh random_mesh(Random& random) {
   }
   if (mesh.vertex_count() > 1 && random.below(2) == 0) mesh.add_line(std::array<Index, 2>{0, 1});
   for (std::uint32_t i = random.below(4); i > 0; --i) mesh.channels.push_back(random_channel(random, mesh));
+  if (random.below(2) == 0) mesh.tags = random_tags(random);
   return mesh;
 }
 

@@ -184,6 +184,17 @@ TEST_CASE("what OBJ and OFF can't hold is told in one warning that names it") {
   }
 }
 
+TEST_CASE("every format but OBJ says that it can't hold tags") {
+  PolyMesh mesh = tetrahedron();
+  mesh.tags = {{{{0, 1}, 2}}, {1, 2}, {}};
+  CHECK(write(mesh, MeshFormat::Obj).warnings.empty());
+  for (const MeshFormat format : {MeshFormat::Ply, MeshFormat::Stl, MeshFormat::Off, MeshFormat::Glb}) {
+    const Findings warnings = write(mesh, format).warnings;
+    REQUIRE(warnings.size() == 1);
+    CHECK_THAT(warnings[0].message, Catch::Contains("1 sharp edge and 2 pins"));
+  }
+}
+
 TEST_CASE("reading and writing stop when asked to and report progress up to one") {
   const PolyMesh mesh = grid(400, 400);
   for (const Encoding& encoding : {Encoding{MeshFormat::Obj, true},

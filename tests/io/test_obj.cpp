@@ -127,11 +127,53 @@ TEST_CASE("polylines alone are a mesh where faces are not asked for") {
 
 TEST_CASE("OBJ statements that a mesh can't hold are passed over with one warning each") {
   const MeshReadResult result =
-      read("mtllib a.mtl\n" + square + "p 1\np 2\nf 1 2 3\nt crease 2/1/0 0 1 10\nt corner 1/1/0 0 10\nlod 1\n",
+      read("mtllib a.mtl\n" + square + "p 1\np 2\nf 1 2 3\nt hole 1/0/0 0\nt creasemethod 0/0/1 chaikin\nlod 1\n",
            MeshFormat::Obj);
-  REQUIRE(result.warnings.size() == 4);
+  REQUIRE(result.warnings.size() == 5);
   for (const Finding& warning : result.warnings) CHECK(warning.code == "W_IGNORED");
-  CHECK_THAT(result.warnings[3].message, Catch::Contains("not read yet") && Catch::Contains("line 9"));
+  CHECK_THAT(result.warnings[4].message, Catch::Contains("'t hole'") && Catch::Contains("line 9"));
+}
+
+TEST_CASE("tags for subdivision are read as OpenSubdiv writes them, many at once too") {
+  const auto tags_of = [](const std::string& tags) { return mesh_of(tags + square + "f 1 2 3 4\n").tags; };
+  const Crease inf{{0, 1}, infinite_sharpness}, soft{{2, 1}, 2.5};
+  CHECK(tags_of("t crease 2/1/0 0 1 10\nt crease 2/1/0 2 1 2.5\n") == MeshTags{{inf, soft}, {}, {}});
+  CHECK(tags_of("t crease 4/2/0 0 1 2 1 11 2.5\n") == MeshTags{{inf, soft}, {}, {}});
+  CHECK(tags_of("t crease 4/4/1 0 1 2 1 inf 7 2.5 7 smooth # of edges\n") == MeshTags{{inf, soft}, {}, {}});
+  CHECK(tags_of("t crease 4/1/0 0 1 2 1 10.0\n").creases[1].sharpness == infinite_sharpness);
+  CHECK(tags_of("t corner 1/1/0 3 10\nt corner 2/2/0 0 2 10 99\n") == MeshTags{{}, {3, 0, 2}, {}});
+  CHECK(tags_of("t crease 2/1/0 0 2 0.5\nt crease 2/1/0 7 4294967295 -1\n") ==
+        MeshTags{{{{0, 2}, 0.5}, {{7, no_index}, -1}}, {}, {}});
+}
+
+TEST_CASE("a corner that isn't infinitely sharp becomes a pin with a warning") {
+  const MeshReadResult result =
+      read(square + "f 1 2 3\nt corner 1/1/0 3 2.8\nt corner 1/1/0 1 0\nt corner 1/1/0 2 nan\n", MeshFormat::Obj);
+  CHECK(result.mesh.tags.pins == std::vector<Index>{3});
+  REQUIRE(result.warnings.size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(result.warnings[i].code == "W_TAG_SHARPNESS");
+    CHECK(result.warnings[i].subjects.at(0).line == static_cast<std::int64_t>(6 + i));
+  }
+  CHECK_THAT(result.warnings[0].message, Catch::Contains("vertex 3 has the sharpness 2.8"));
+}
+
+TEST_CASE("tags come back from OBJ the same, but for their sets") {
+  PolyMesh mesh = mesh_of(square + "f 1 2 3 4\n");
+  mesh.tags.creases = {{{3, 2}, 0.1},          {{0, 1}, infinite_sharpness}, {{0, 9}, 1e-3},
+                       {{1, 2}, std::nan("")}, {{2, 0}, 9.999999999999998},  {{1, 1}, -4}};
+  mesh.tags.pins = {2, 0, 77};
+  const MeshWriteResult written = write(mesh, MeshFormat::Obj);
+  CHECK(written.warnings.empty());
+  CHECK_THAT(written.bytes, Catch::Contains("t crease 2/1/0 3 2 0.1\nt crease 2/1/0 0 1 10\n") &&
+                                Catch::Contains("t corner 1/1/0 2 10\nt corner 1/1/0 0 10\n"));
+  CHECK(difference(mesh_of(written.bytes), mesh) == "");
+  mesh.tags.sets = {{"rim", 3, {{2, 3}}, {}}};
+  const Findings loss = write(mesh, MeshFormat::Obj).warnings;
+  REQUIRE(loss.size() == 1);
+  CHECK_THAT(loss[0].message, Catch::Contains("'rim'"));
+  mesh.tags.creases[0].sharpness = 12;
+  CHECK(mesh_of(write(mesh, MeshFormat::Obj).bytes).tags.creases[0].sharpness == infinite_sharpness);
 }
 
 TEST_CASE("each damage of an OBJ is refused with its code and line") {
@@ -162,6 +204,24 @@ TEST_CASE("each damage of an OBJ is refused with its code and line") {
       {"vt\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
       {"s many\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
       {"hello world\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
+      {"t\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
+      {"t crease\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
+      {"t crease 0 1 2\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
+      {"t crease 2/1 0 1 2\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
+      {"t crease 2/1/0/0 0 1 2\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
+      {"t crease 2/1/0 0 1\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
+      {"t crease 2/1/0 0 1 2 3\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
+      {"t crease 2/0/0 0 1\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
+      {"t crease 3/1/0 0 1 2 10\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
+      {"t crease 6/2/0 0 1 2 3 0 1 10 10\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
+      {"t crease 2/1/1 0 1 10\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
+      {"t crease 2/1/0 0 -1 2\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
+      {"t crease 2/1/0 0 1.5 2\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
+      {"t crease 2/1/0 0 4294967296 2\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
+      {"t crease 2/1/0 0 1 sharp\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
+      {"t crease 99999999999999/1/0 0 1 2\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
+      {"t corner 0/1/0 10\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
+      {"t corner 1/2/0 0 1 2\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
       {"v nan 0 0\n" + square + "f 1 2 3\n", "E_NOT_FINITE", 1},
       {"v 0 -inf 0\n" + square + "f 1 2 3\n", "E_NOT_FINITE", 1},
       {"v 0 0 1e999\n" + square + "f 1 2 3\n", "E_NOT_FINITE", 1},

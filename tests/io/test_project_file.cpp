@@ -15,6 +15,7 @@
 #include "croquis/base/error.h"
 #include "croquis/io/file.h"
 #include "croquis/io/project_file.h"
+#include "io/project/value_bytes.h"
 #include "io/random_project.h"
 #include "io/scratch.h"
 #include "support/mesh_shapes.h"
@@ -123,6 +124,30 @@ TEST_CASE("the same project gives the same bytes, also once it was loaded") {
     const std::string bytes = read_file((folder / "a.croq").string());
     CHECK(read_file((folder / "b.croq").string()) == bytes);
     CHECK(read_file((folder / "c.croq").string()) == bytes);
+  }
+}
+
+TEST_CASE("only meshes with tags need a layout that older versions don't know") {
+  PolyMesh mesh = cube();
+  const auto bytes_of = [](const PolyMesh& m) { return encode(std::make_shared<const PolyMesh>(m)); };
+  const std::string plain = bytes_of(mesh);
+  mesh.tags = {{{{0, 1}, infinite_sharpness}, {{3, 2}, 0.1}}, {7, 7}, {{"rim", 0.1, {{2, 3}}, {7}}}};
+  const std::string tagged = bytes_of(mesh);
+  CHECK(plain[0] == 1);
+  CHECK(tagged[0] == 2);
+  CHECK(tagged.substr(4, plain.size() - 4) == plain.substr(4));
+  CHECK(std::get<0>(decode(ValueType::Mesh, tagged))->tags == mesh.tags);
+  CHECK(std::get<0>(decode(ValueType::Mesh, plain))->tags.empty());
+  for (const char layout : {0, 3, 1}) {
+    std::string other = tagged;
+    other[0] = layout;
+    CHECK_THROWS_AS(decode(ValueType::Mesh, other), BadBytes);
+  }
+  std::string report = encode(std::make_shared<const Report>(Report(1)));
+  report[0] = 2;
+  CHECK_THROWS_AS(decode(ValueType::Report, report), BadBytes);
+  for (std::size_t length = plain.size(); length < tagged.size(); ++length) {
+    CHECK_THROWS_AS(decode(ValueType::Mesh, tagged.substr(0, length)), BadBytes);
   }
 }
 

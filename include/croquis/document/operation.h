@@ -19,6 +19,7 @@ struct PortDescription {
   ValueType type = ValueType::Mesh;
   std::string sentence;
   bool is_solid = false;  ///< a mesh that promises to be closed, oriented and free of self-intersection, as written
+  bool optional = false;  ///< an input that may be absent
 };
 
 /// All that hosts know of an operation: options and help, panel, project-file fields and reference page come from it.
@@ -56,7 +57,7 @@ class Operation {
 
   virtual OperationDescription describe() const = 0;
 
-  /// @param inputs     one value of the described type per input port
+  /// @param inputs     one value of the described type per input port; optional ones may be missing
   /// @param parameters complete and within their ranges (see croquis::complete)
   /// @throws Error, Cancelled
   virtual OperationResult compute(const Values& inputs, const ParameterValues& parameters, Context& context) const = 0;

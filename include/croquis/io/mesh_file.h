@@ -34,13 +34,14 @@ struct MeshSource {
 
 struct MeshReadResult {
   PolyMesh mesh;      ///< indices in range, at least 3 corners a face; faces may use a vertex twice
-  Findings warnings;  ///< W_DEGENERATE, W_IGNORED, W_TRAILING, W_NOT_FINITE
+  Findings warnings;  ///< W_DEGENERATE, W_IGNORED, W_TRAILING, W_NOT_FINITE, W_TAG_SHARPNESS
 };
 
 /// Reads a mesh. What the formats' attributes become:
 /// - OBJ: "group", "object" and "material" on faces and lines are indices into the channel's labels, -1 for none;
 ///   "smoothing_group" on faces; "color" on vertices; "uv" and "normal" on vertices where every corner uses its
-///   vertex' own, else on corners with NaN where a corner has none. Creases and pins (`t`) are not read.
+///   vertex' own, else on corners with NaN where a corner has none. `t crease` and `t corner` are the mesh's tags
+///   (creases, and pins for corners of any sharpness, with W_TAG_SHARPNESS below 10); tags need not fit the mesh.
 /// - PLY: nx ny nz are "normal", red green blue (alpha) "color", s t or u v "uv", a face's texcoord list "uv" on
 ///   corners; name_0 name_1 … become one channel; all others keep name and type. Edge elements are polylines.
 /// - STL: equal corners are joined; "attribute" on faces where it isn't 0; the solids' names are "object".
@@ -63,7 +64,7 @@ struct MeshWriteResult {
   Findings warnings;  ///< at most one W_FORMAT_LOSS: what the format can't hold
 };
 
-/// Writes a mesh whose indices are in range. PLY positions are doubles unless floats hold all of them exactly; polygons
+/// Writes a mesh whose indices are in range. Tags go into OBJ, but for their sets, and into no other format. PLY positions are doubles unless floats hold all of them exactly; polygons
 /// are triangulated for STL and GLB.
 /// @throws Error (E_OUT_OF_RANGE, Geometry) when a coordinate is too large for the 32-bit numbers of STL or GLB
 /// @throws Cancelled

@@ -9,6 +9,7 @@
 #include "io/channel_values.h"
 #include "io/obj/category_state.h"
 #include "io/obj/obj_corner_table.h"
+#include "io/obj/obj_tags.h"
 #include "io/text.h"
 
 namespace croquis {
@@ -16,12 +17,12 @@ namespace {
 
 // Keywords of the format that say nothing a mesh can hold.
 constexpr std::array passed_over = {
-    "mtllib",    "maplib", "usemap", "p",    "t",    "mg",   "bevel",  "c_interp", "d_interp", "lod",  "shadow_obj",
-    "trace_obj", "ctech",  "stech",  "call", "csh",  "vp",   "cstype", "deg",      "bmat",     "step", "curv",
-    "curv2",     "surf",   "parm",   "trim", "hole", "scrv", "sp",     "end",      "con",      "xref"};
+    "mtllib", "maplib", "usemap", "p",    "mg",   "bevel",  "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj",
+    "ctech",  "stech",  "call",   "csh",  "vp",   "cstype", "deg",      "bmat",     "step", "curv",       "curv2",
+    "surf",   "parm",   "trim",   "hole", "scrv", "sp",     "end",      "con",      "xref"};
 
 const char* what_is_lost(std::string_view keyword) {
-  if (keyword == "t") return "tags (creases and corners) are not read yet";
+  if (keyword.starts_with("t ")) return "of tags only crease and corner are read";
   if (keyword == "mtllib") return "the material library is not read, material names are kept";
   if (keyword == "p") return "points as elements are not read";
   return "they say nothing that a mesh holds";
@@ -109,7 +110,9 @@ class ObjReader {
   bool read_references(WordReader& words);
   Index resolve(std::int64_t value, std::size_t count, int kind);
   void read_smoothing(WordReader& words);
+  void read_tag(WordReader& words);
   void pass_over(std::string_view keyword);
+  void note_passed_over(std::string_view keyword);
   void report_index(std::int64_t line, std::size_t face, std::int64_t value, int kind);
   void finish();
   void finish_colours();
@@ -141,6 +144,7 @@ void ObjReader::handle(std::string_view keyword, WordReader& words) {
   if (keyword == "vt") return read_table_entry(uvs_, words, 1, "texture coordinate");
   if (keyword == "l") return read_line(words);
   if (keyword == "s") return read_smoothing(words);
+  if (keyword == "t") return read_tag(words);
   if (keyword == "g" || keyword == "o" || keyword == "usemtl") {
     CategoryState& category = keyword == "g" ? groups_ : keyword == "o" ? objects_ : materials_;
     const std::string_view name = words.rest();
@@ -153,6 +157,15 @@ void ObjReader::pass_over(std::string_view keyword) {
   if (std::find(passed_over.begin(), passed_over.end(), keyword) == passed_over.end()) {
     return context_.error("E_SYNTAX", "the statement " + quoted(keyword) + " does not exist in OBJ", at_line(line_));
   }
+  note_passed_over(keyword);
+}
+
+void ObjReader::read_tag(WordReader& words) {
+  const std::string_view other = read_obj_tag(words, line_, mesh_.tags, context_);
+  if (!other.empty()) note_passed_over("t " + std::string(other));
+}
+
+void ObjReader::note_passed_over(std::string_view keyword) {
   auto entry = passed_.find(keyword);
   if (entry == passed_.end()) entry = passed_.emplace(keyword, std::pair{std::size_t{0}, line_}).first;
   ++entry->second.first;
@@ -315,7 +328,7 @@ void ObjReader::finish() {
   for (const auto& [keyword, met] : passed_) {
     context_.warn(
         "W_IGNORED",
-        std::to_string(met.first) + " '" + keyword + "' statements were passed over: " + what_is_lost(keyword),
+        std::to_string(met.first) + " " + quoted(keyword) + " statements were passed over: " + what_is_lost(keyword),
         at_line(met.second));
   }
   if (weights_ > 0) {

@@ -5,8 +5,9 @@
 
 namespace croquis {
 
-/// Wavefront OBJ (Advanced Visualizer manual, appendix B1): vertices, faces and polylines; free-form geometry, points
-/// and display attributes are passed over with a warning.
+/// Wavefront OBJ (Advanced Visualizer manual, appendix B1): vertices, faces and polylines, and the tags for
+/// subdivision that OpenSubdiv's shapes add (see read_obj_tag); free-form geometry, points and display attributes are
+/// passed over with a warning.
 PolyMesh read_obj(std::string_view bytes, ReadContext& context);
 
 }  // namespace croquis

@@ -9,6 +9,7 @@
 
 #include "io/channel_values.h"
 #include "io/format_loss.h"
+#include "io/obj/obj_tags.h"
 #include "io/text.h"
 #include "io/tick.h"
 
@@ -71,6 +72,8 @@ class ObjWriter {
     write_table("vn", normals_);
     for (std::size_t f = 0; f < mesh_.face_count(); ++f) write_face(f);
     for (std::size_t l = 0; l < mesh_.line_count(); ++l) write_line(l);
+    append_obj_tags(mesh_.tags, precision_, text_);
+    loss_.note_sets(mesh_.tags);
     loss_.note_others(mesh_, written_);
     return {std::move(text_), loss_.warnings()};
   }

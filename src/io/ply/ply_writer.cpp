@@ -55,6 +55,7 @@ class PlyWriter {
     write_vertices();
     write_faces();
     write_edges();
+    loss_.note_tags(mesh_.tags);
     loss_.note_others(mesh_, written_);
     return {std::move(sink_.text()), loss_.warnings()};
   }

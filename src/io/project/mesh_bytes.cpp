@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 
 #include "io/project/value_bytes.h"
 
@@ -7,6 +8,9 @@ namespace croquis {
 namespace {
 
 constexpr std::size_t least_channel_bytes = 3 * sizeof(std::uint64_t) + sizeof(std::int32_t) + 2;
+constexpr std::size_t edge_bytes = 2 * sizeof(Index);
+constexpr std::size_t crease_bytes = edge_bytes + sizeof(double);
+constexpr std::size_t least_set_bytes = 3 * sizeof(std::uint64_t) + sizeof(double);
 
 /// Calls `use` with an empty vector of the type with that number in AttributeChannel::Data.
 template <std::size_t I = 0, typename Use>
@@ -61,6 +65,33 @@ AttributeChannel read_channel(ByteReader& reader) {
   return channel;
 }
 
+void write_edge(const std::array<Index, 2>& edge, ByteWriter& writer) {
+  for (const Index vertex : edge) writer.number(vertex);
+}
+
+std::array<Index, 2> read_edge(ByteReader& reader) {
+  const auto a = reader.number<Index>();
+  return {a, reader.number<Index>()};
+}
+
+void write_set(const CreaseSet& set, ByteWriter& writer) {
+  writer.text(set.name);
+  writer.number(set.sharpness);
+  writer.count(set.edges.size());
+  for (const auto& edge : set.edges) write_edge(edge, writer);
+  writer.numbers(set.pins);
+}
+
+CreaseSet read_set(ByteReader& reader) {
+  CreaseSet set;
+  set.name = reader.text();
+  set.sharpness = reader.number<double>();
+  set.edges.resize(reader.count(edge_bytes));
+  for (auto& edge : set.edges) edge = read_edge(reader);
+  set.pins = reader.numbers<Index>();
+  return set;
+}
+
 void require_lists(const std::vector<Index>& offsets, const std::vector<Index>& vertices, std::size_t vertex_count) {
   const bool cut = !offsets.empty() && offsets.front() == 0 && offsets.back() == vertices.size() &&
                    std::is_sorted(offsets.begin(), offsets.end());
@@ -99,6 +130,29 @@ PolyMesh read_mesh_bytes(ByteReader& reader) {
     require_channel(mesh.channels.back(), mesh.element_count(mesh.channels.back().domain));
   }
   return mesh;
+}
+
+void write_tag_bytes(const MeshTags& tags, ByteWriter& writer) {
+  writer.count(tags.creases.size());
+  for (const Crease& crease : tags.creases) {
+    write_edge(crease.vertices, writer);
+    writer.number(crease.sharpness);
+  }
+  writer.numbers(tags.pins);
+  writer.count(tags.sets.size());
+  for (const CreaseSet& set : tags.sets) write_set(set, writer);
+}
+
+MeshTags read_tag_bytes(ByteReader& reader) {
+  MeshTags tags;
+  tags.creases.resize(reader.count(crease_bytes));
+  for (Crease& crease : tags.creases) {
+    crease.vertices = read_edge(reader);
+    crease.sharpness = reader.number<double>();
+  }
+  tags.pins = reader.numbers<Index>();
+  for (std::size_t left = reader.count(least_set_bytes); left > 0; --left) tags.sets.push_back(read_set(reader));
+  return tags;
 }
 
 }  // namespace croquis

@@ -6,18 +6,35 @@
 namespace croquis {
 namespace {
 
-constexpr std::uint32_t layout_version = 1;
+constexpr std::uint32_t first_layout = 1;
+constexpr std::uint32_t tagged_layout = 2;  // of meshes with tags, which the first one has no place for
 
 struct Encoder {
   ByteWriter& writer;
-  void operator()(const std::shared_ptr<const PolyMesh>& mesh) const { write_mesh_bytes(*mesh, writer); }
-  void operator()(const std::shared_ptr<const Drawing>& drawing) const { write_drawing_bytes(*drawing, writer); }
-  void operator()(const std::shared_ptr<const Report>& report) const { write_report_bytes(*report, writer); }
+  void operator()(const std::shared_ptr<const PolyMesh>& mesh) const {
+    writer.number(mesh->tags.empty() ? first_layout : tagged_layout);
+    write_mesh_bytes(*mesh, writer);
+    if (!mesh->tags.empty()) write_tag_bytes(mesh->tags, writer);
+  }
+  void operator()(const std::shared_ptr<const Drawing>& drawing) const {
+    writer.number(first_layout);
+    write_drawing_bytes(*drawing, writer);
+  }
+  void operator()(const std::shared_ptr<const Report>& report) const {
+    writer.number(first_layout);
+    write_report_bytes(*report, writer);
+  }
 };
 
-Value read_value(ValueType type, ByteReader& reader) {
+std::shared_ptr<const PolyMesh> read_mesh(std::uint32_t layout, ByteReader& reader) {
+  PolyMesh mesh = read_mesh_bytes(reader);
+  if (layout == tagged_layout) mesh.tags = read_tag_bytes(reader);
+  return std::make_shared<const PolyMesh>(std::move(mesh));
+}
+
+Value read_value(ValueType type, std::uint32_t layout, ByteReader& reader) {
   switch (type) {
-    case ValueType::Mesh: return std::make_shared<const PolyMesh>(read_mesh_bytes(reader));
+    case ValueType::Mesh: return read_mesh(layout, reader);
     case ValueType::Drawing: return std::make_shared<const Drawing>(read_drawing_bytes(reader));
     case ValueType::Report: return std::make_shared<const Report>(read_report_bytes(reader));
   }
@@ -28,15 +45,16 @@ Value read_value(ValueType type, ByteReader& reader) {
 
 std::string encode(const Value& value) {
   ByteWriter writer;
-  writer.number(layout_version);
   std::visit(Encoder{writer}, value);
   return writer.take();
 }
 
 Value decode(ValueType type, std::string_view bytes) {
   ByteReader reader(bytes);
-  if (reader.number<std::uint32_t>() != layout_version) throw BadBytes("its layout is not known");
-  Value value = read_value(type, reader);
+  const auto layout = reader.number<std::uint32_t>();
+  const std::uint32_t newest = type == ValueType::Mesh ? tagged_layout : first_layout;
+  if (layout < first_layout || layout > newest) throw BadBytes("its layout is not known");
+  Value value = read_value(type, layout, reader);
   reader.finish();
   return value;
 }

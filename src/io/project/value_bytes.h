@@ -9,8 +9,8 @@
 
 namespace croquis {
 
-/// The whole value in the canonical form: equal values give equal bytes, and nothing is rounded (docs/project-file.md
-/// has the layout).
+/// The whole value in the canonical form, in the oldest layout that holds it: equal values give equal bytes, and
+/// nothing is rounded (docs/project-file.md has the layout).
 /// @throws Error (E_LIMIT) for a report nested too deeply
 std::string encode(const Value& value);
 
@@ -19,11 +19,13 @@ std::string encode(const Value& value);
 /// @throws BadBytes
 Value decode(ValueType type, std::string_view bytes);
 
-void write_mesh_bytes(const PolyMesh& mesh, ByteWriter& writer);
+void write_mesh_bytes(const PolyMesh& mesh, ByteWriter& writer);  ///< without its tags
+void write_tag_bytes(const MeshTags& tags, ByteWriter& writer);
 void write_drawing_bytes(const Drawing& drawing, ByteWriter& writer);
 void write_report_bytes(const Report& report, ByteWriter& writer);
 
-PolyMesh read_mesh_bytes(ByteReader& reader);
+PolyMesh read_mesh_bytes(ByteReader& reader);  ///< without its tags
+MeshTags read_tag_bytes(ByteReader& reader);
 Drawing read_drawing_bytes(ByteReader& reader);
 Report read_report_bytes(ByteReader& reader);
 
