@@ -80,7 +80,15 @@ void ReplayPlayer::play(const std::vector<recorded::Line>& lines) {
 
 void ReplayPlayer::play(const recorded::Line& line) {
   try {
-    std::visit([this](const auto& step) { play(step); }, line.step);
+    std::visit(
+        [this](const auto& step) {
+          if constexpr (requires { this->play(step); }) {
+            play(step);
+          } else {
+            refuse("The window can't replay this step");
+          }
+        },
+        line.step);
   } catch (const Error& error) {
     Findings findings = error.findings();
     findings.front().message = "Line " + std::to_string(line.number) + ": " + findings.front().message;

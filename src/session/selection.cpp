@@ -6,6 +6,7 @@
 #include <memory>
 #include <set>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 namespace croquis {
@@ -43,6 +44,60 @@ class Existence {
 };
 
 }  // namespace
+
+std::shared_ptr<const PolyMesh> source_mesh(const Document& document, NodeId id) {
+  const Node* node = document.find(id);
+  if (node == nullptr || !node->source) return nullptr;
+  const auto* mesh = std::get_if<std::shared_ptr<const PolyMesh>>(&*node->source);
+  return mesh == nullptr ? nullptr : *mesh;
+}
+
+namespace {
+
+/// Sorts what comes in any order; lists that are in order already cost one look.
+void put_in_order(std::vector<Index>& elements) {
+  const auto not_ascending = [](Index a, Index b) { return a >= b; };
+  if (std::adjacent_find(elements.begin(), elements.end(), not_ascending) == elements.end()) return;
+  std::sort(elements.begin(), elements.end());
+  elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+}
+
+/// How many of the kind there can be. Of edges only a bound is known without the neighbourhoods.
+std::size_t bound_of(const PolyMesh& mesh, ComponentKind kind) {
+  if (kind == ComponentKind::Vertex) return mesh.vertex_count();
+  return kind == ComponentKind::Face ? mesh.face_count() : mesh.corners.size();
+}
+
+KeptComponents kept(ComponentSelection selection, std::size_t faces, std::size_t corners) {
+  if (selection.elements.empty()) selection = {};
+  return {std::make_shared<const ComponentSelection>(std::move(selection)), faces, corners};
+}
+
+}  // namespace
+
+KeptComponents existing_components(KeptComponents components, const Document& document, bool is_new) {
+  const ComponentSelection& selection = *components.selection;
+  if (selection.elements.empty()) return selection == ComponentSelection{} ? components : kept({}, 0, 0);
+  const auto mesh = source_mesh(document, selection.node);
+  if (!mesh) return kept({}, 0, 0);
+  const std::size_t faces = mesh->face_count();
+  const std::size_t corners = mesh->corners.size();
+  const std::size_t bound = bound_of(*mesh, selection.kind);
+  if (is_new) {
+    ComponentSelection ordered = selection;
+    put_in_order(ordered.elements);
+    const auto end = std::lower_bound(ordered.elements.begin(), ordered.elements.end(), bound);
+    ordered.elements.erase(end, ordered.elements.end());
+    return kept(std::move(ordered), faces, corners);
+  }
+  const bool same_connectivity = faces == components.faces && corners == components.corners;
+  if (selection.kind == ComponentKind::Edge && !same_connectivity) return kept({}, 0, 0);
+  if (selection.elements.back() < bound) return {components.selection, faces, corners};
+  ComponentSelection clipped{selection.node, selection.kind, {}};
+  const auto end = std::lower_bound(selection.elements.begin(), selection.elements.end(), bound);
+  clipped.elements.assign(selection.elements.begin(), end);
+  return kept(std::move(clipped), faces, corners);
+}
 
 Selection existing(Selection selection, const Document& document) {
   if (selection.empty()) return selection;

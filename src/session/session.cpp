@@ -43,6 +43,10 @@ std::size_t bytes_beside(const Document& kept, const Document& neighbour) {
   return bytes;
 }
 
+std::size_t bytes_beside(const KeptComponents& kept, const KeptComponents& neighbour) {
+  return kept.selection == neighbour.selection ? 0 : kept.selection->elements.size() * sizeof(Index);
+}
+
 std::vector<std::string> labels(const auto& steps) {
   std::vector<std::string> texts;
   for (const auto& step : steps) texts.push_back(step.label);
@@ -54,7 +58,7 @@ std::vector<std::string> labels(const auto& steps) {
 Session::Session(Document initial, std::size_t byte_cap) : document_(std::move(initial)), byte_cap_(byte_cap) {}
 
 Session::Step Session::step_of_now(std::string label) const {
-  return {std::move(label), document_, selection_, state_, 0};
+  return {std::move(label), document_, selection_, components_, state_, 0};
 }
 
 void Session::show(Document document, std::uint64_t state) {
@@ -63,7 +67,13 @@ void Session::show(Document document, std::uint64_t state) {
   document_ = document.next_id() == next_id ? std::move(document) : Document::of(document.nodes(), next_id);
   state_ = state;
   selection_ = existing(std::move(selection_), document_);
+  components_ = existing_components(std::move(components_), document_, false);
   ++revision_;
+}
+
+void Session::take_components(ComponentSelection components) {
+  components_.selection = std::make_shared<const ComponentSelection>(std::move(components));
+  components_ = existing_components(std::move(components_), document_, true);
 }
 
 void Session::tell() {
@@ -75,7 +85,7 @@ void Session::tell() {
 }
 
 void Session::add_undo(Step step) {
-  step.bytes = bytes_beside(step.document, document_);
+  step.bytes = bytes_beside(step.document, document_) + bytes_beside(step.components, components_);
   undo_.push_back(std::move(step));
   redo_.clear();
   forget_beyond_cap();
@@ -86,6 +96,16 @@ void Session::edit(std::string label, Document edited) {
   if (same_content(document_, edited)) return;
   Step before = step_of_now(std::move(label));
   show(std::move(edited), ++last_state_);
+  add_undo(std::move(before));
+  tell();
+}
+
+void Session::edit(std::string label, Document edited, ComponentSelection components) {
+  end_drag();
+  if (same_content(document_, edited)) return select_components(std::move(components));
+  Step before = step_of_now(std::move(label));
+  show(std::move(edited), ++last_state_);
+  take_components(std::move(components));
   add_undo(std::move(before));
   tell();
 }
@@ -119,6 +139,7 @@ void Session::cancel_drag() {
   Step before = std::move(*drag_);
   drag_.reset();
   selection_ = std::move(before.selection);
+  components_ = std::move(before.components);
   show(std::move(before.document), before.state);
   tell();
 }
@@ -129,8 +150,9 @@ void Session::travel(std::deque<Step>& from, std::deque<Step>& to) {
   from.pop_back();
   Step now = step_of_now(std::move(step.label));
   selection_ = std::move(step.selection);
+  components_ = std::move(step.components);
   show(std::move(step.document), step.state);
-  now.bytes = bytes_beside(now.document, document_);
+  now.bytes = bytes_beside(now.document, document_) + bytes_beside(now.components, components_);
   to.push_back(std::move(now));
   forget_beyond_cap();
   tell();
@@ -178,6 +200,17 @@ void Session::select(Selection selection) {
   tell();
 }
 
+void Session::select_components(ComponentSelection components) {
+  const auto before = components_.selection;
+  take_components(std::move(components));
+  if (*components_.selection == *before) {
+    components_.selection = before;
+    return;
+  }
+  ++revision_;
+  tell();
+}
+
 void Session::mark_saved() {
   if (!modified()) return;
   saved_state_ = state_;
@@ -189,6 +222,7 @@ void Session::load(Document document, bool modified) {
   undo_.clear();
   redo_.clear();
   selection_.clear();
+  components_ = {std::make_shared<const ComponentSelection>(), 0, 0};
   document_ = std::move(document);
   state_ = ++last_state_;
   saved_state_ = modified ? ++last_state_ : state_;

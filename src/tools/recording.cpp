@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "croquis/base/error.h"
+#include "croquis/geometry/mesh_tags.h"
 
 namespace croquis::recorded {
 namespace {
@@ -66,6 +67,64 @@ class Fields {
     const std::vector<double> numbers = number_list(get(name), name);
     if (numbers.size() != 2) throw Mistake{"\"" + name + "\" must be a pair of numbers"};
     return {numbers[0], numbers[1]};
+  }
+
+  bool has(const std::string& name) { return find(name) != nullptr; }
+
+  double number(const std::string& name) {
+    const Json& value = get(name);
+    if (!value.is_number() || !std::isfinite(value.get<double>()))
+      throw Mistake{"\"" + name + "\" must be a finite number"};
+    return value.get<double>();
+  }
+
+  bool flag(const std::string& name) {
+    const Json& value = get(name);
+    if (!value.is_boolean()) throw Mistake{"\"" + name + "\" must be true or false"};
+    return value.get<bool>();
+  }
+
+  Vec3 triple(const std::string& name) {
+    const std::vector<double> numbers = number_list(get(name), name);
+    if (numbers.size() != 3) throw Mistake{"\"" + name + "\" must be three numbers"};
+    return {numbers[0], numbers[1], numbers[2]};
+  }
+
+  ModelPlace model_place(const std::string& name) { return has(name) ? ModelPlace(triple(name)) : std::nullopt; }
+
+  /// A place of the sketch (two numbers) or of the model (three).
+  void place(const std::string& name, Vec2& sketch, ModelPlace& model) {
+    const Json& value = get(name);
+    if (value.is_array() && value.size() == 3) {
+      model = triple(name);
+    } else {
+      sketch = pair(name);
+    }
+  }
+
+  /// A sharpness of 0 or more, or "inf".
+  double sharpness(const std::string& name) {
+    const Json& value = get(name);
+    if (value.is_string() && value.get<std::string>() == "inf") return infinite_sharpness;
+    if (!value.is_number() || !std::isfinite(value.get<double>()) || value.get<double>() < 0)
+      throw Mistake{"\"" + name + "\" must be a number of at least 0, or \"inf\""};
+    return value.get<double>();
+  }
+
+  Index index(const std::string& name) { return as_index(get(name), name); }
+
+  std::vector<Index> indices(const std::string& name) {
+    const Json& list = get(name);
+    if (!list.is_array()) throw Mistake{"\"" + name + "\" must be a list of whole numbers"};
+    std::vector<Index> values;
+    for (const Json& value : list) values.push_back(as_index(value, name));
+    return values;
+  }
+
+  static Index as_index(const Json& value, const std::string& name) {
+    if (!value.is_number_integer() || value.get<double>() < 0 || value.get<double>() >= no_index)
+      throw Mistake{"\"" + name + "\" must hold whole numbers of at least 0"};
+    return value.get<Index>();
   }
 
   std::vector<std::string> modifiers() {
@@ -136,7 +195,17 @@ Step read_stroke(Fields& fields) {
   return step;
 }
 
+Step read_model_drag(Fields& fields) {
+  ModelDrag step;
+  step.view = fields.text("view", step.view);
+  step.from = fields.triple("from");
+  step.to = fields.triple("to");
+  step.modifiers = fields.modifiers();
+  return step;
+}
+
 Step read_drag(Fields& fields) {
+  if (fields.has("from")) return read_model_drag(fields);
   Drag step;
   step.stroke = fields.text("stroke");
   if (fields.find("anchor") != nullptr) step.anchor = static_cast<std::size_t>(fields.count("anchor"));
@@ -163,7 +232,9 @@ Step read_set(Fields& fields) {
 Step read_click(Fields& fields) {
   Click step;
   step.view = fields.text("view", step.view);
-  step.at = fields.pair("at");
+  fields.place("at", step.at, step.place);
+  if (fields.has("clicks")) step.clicks = static_cast<int>(fields.count("clicks"));
+  if (step.clicks < 1 || step.clicks > 2) throw Mistake{"\"clicks\" must be 1 or 2"};
   step.modifiers = fields.modifiers();
   return step;
 }
@@ -171,8 +242,10 @@ Step read_click(Fields& fields) {
 Step read_box(Fields& fields) {
   Box step;
   step.view = fields.text("view", step.view);
-  step.from = fields.pair("from");
-  step.to = fields.pair("to");
+  fields.place("from", step.from, step.from_place);
+  fields.place("to", step.to, step.to_place);
+  if (step.from_place.has_value() != step.to_place.has_value())
+    throw Mistake{"\"from\" and \"to\" must both have two numbers, or both three"};
   step.modifiers = fields.modifiers();
   return step;
 }
@@ -183,6 +256,98 @@ Step read_navigate(Fields& fields) {
   step.motion = fields.one_of("motion", {"tumble", "track", "dolly"});
   step.by = fields.pair("by");
   return step;
+}
+
+// ---- Meshes
+
+Step read_pick(Fields& fields) {
+  static const std::vector<std::string> hows = {"replace", "add",  "remove",    "toggle", "loop",
+                                                "ring",    "path", "connected", "chain"};
+  Pick step;
+  step.node = fields.text("node");
+  step.kind = fields.one_of("kind", {"vertex", "edge", "face"});
+  step.elements = fields.indices("elements");
+  if (fields.has("how")) step.how = fields.one_of("how", hows);
+  return step;
+}
+
+Step read_move(Fields& fields) { return Move{fields.text("node"), fields.triple("by")}; }
+
+Step read_rotate(Fields& fields) {
+  Rotate step{fields.text("node"), fields.triple("axis"), fields.number("degrees"), fields.model_place("pivot")};
+  if (step.axis.isZero(0)) throw Mistake{"\"axis\" may not be zero"};
+  return step;
+}
+
+Step read_scale(Fields& fields) {
+  return Scale{fields.text("node"), fields.triple("factors"), fields.model_place("pivot")};
+}
+
+Step read_tag(Fields& fields) {
+  Tag step;
+  step.node = fields.text("node");
+  if (fields.has("edges")) step.edges = fields.one_of("edges", {"selected", "boundary", "tagged", "sharper-than"});
+  if (step.edges == "sharper-than") step.degrees = fields.number("degrees");
+  if (fields.has("change")) {
+    step.change = fields.number("change");
+  } else {
+    step.sharpness = fields.sharpness("sharpness");
+  }
+  return step;
+}
+
+Step read_pin(Fields& fields) {
+  Pin step{fields.text("node"), true};
+  if (fields.has("pinned")) step.pinned = fields.flag("pinned");
+  return step;
+}
+
+Step read_tag_set(Fields& fields) {
+  TagSet step;
+  step.node = fields.text("node");
+  step.how = fields.one_of("how", {"make", "rename", "sharpness", "select", "merge", "remove", "untag"});
+  step.name = fields.text("name");
+  if (step.how == "rename" || step.how == "merge") step.other = fields.text("other");
+  if (step.how == "sharpness" || (step.how == "make" && fields.has("sharpness")))
+    step.sharpness = fields.sharpness("sharpness");
+  return step;
+}
+
+Step read_extrude(Fields& fields) { return Extrude{fields.text("node"), fields.triple("by")}; }
+
+Step read_loop_cut(Fields& fields) {
+  LoopCut step{fields.text("node"), fields.index("edge"), 0.5};
+  if (fields.has("at")) step.at = fields.number("at");
+  if (!(step.at > 0 && step.at < 1)) throw Mistake{"\"at\" must be between 0 and 1"};
+  return step;
+}
+
+Step read_expect(Fields& fields) {
+  Expect step;
+  step.what = fields.one_of(
+      "what", {"objects", "findings", "strokes", "faces", "vertices", "edges", "sharp-edges", "selected", "dihedral"});
+  step.node = fields.text("node", "");
+  if (step.what == "dihedral") {
+    step.value = fields.number("value");
+    if (fields.has("to")) step.to = fields.number("to");
+  } else {
+    step.count = fields.count("count");
+  }
+  return step;
+}
+
+/// Steps that work on a mesh.
+std::optional<Step> read_mesh_step(const std::string& verb, Fields& fields) {
+  if (verb == "pick") return read_pick(fields);
+  if (verb == "move") return read_move(fields);
+  if (verb == "rotate") return read_rotate(fields);
+  if (verb == "scale") return read_scale(fields);
+  if (verb == "tag") return read_tag(fields);
+  if (verb == "pin") return read_pin(fields);
+  if (verb == "tag-set") return read_tag_set(fields);
+  if (verb == "extrude") return read_extrude(fields);
+  if (verb == "loop-cut") return read_loop_cut(fields);
+  return std::nullopt;
 }
 
 Step read_step(Fields& fields) {
@@ -197,7 +362,8 @@ Step read_step(Fields& fields) {
   if (verb == "click") return read_click(fields);
   if (verb == "box") return read_box(fields);
   if (verb == "navigate") return read_navigate(fields);
-  if (verb == "expect") return Expect{fields.one_of("what", {"objects", "findings", "strokes"}), fields.count("count")};
+  if (verb == "expect") return read_expect(fields);
+  if (std::optional<Step> step = read_mesh_step(verb, fields)) return *std::move(step);
   throw Mistake{"there is no step \"" + verb + "\""};
 }
 
@@ -219,6 +385,12 @@ Finding finding_of(const Mistake& mistake, const std::string& file, std::int64_t
 // ---- Writing
 
 Json numbers(const Vec2& pair) { return Json::array({pair.x(), pair.y()}); }
+
+Json numbers(const Vec3& triple) { return Json::array({triple.x(), triple.y(), triple.z()}); }
+
+Json numbers(const Vec2& sketch, const ModelPlace& model) { return model ? numbers(*model) : numbers(sketch); }
+
+Json json_of_sharpness(double sharpness) { return std::isinf(sharpness) ? Json("inf") : Json(sharpness); }
 
 Json to_json(const StrokeDrawn& step) {
   Json json = {{"do", "stroke"}, {"view", step.view}, {"points", Json::array()}, {"device", step.device}};
@@ -252,13 +424,17 @@ void add_modifiers(Json& json, const std::vector<std::string>& modifiers) {
 }
 
 Json to_json(const Click& step) {
-  Json json = {{"do", "click"}, {"view", step.view}, {"at", numbers(step.at)}};
+  Json json = {{"do", "click"}, {"view", step.view}, {"at", numbers(step.at, step.place)}};
+  if (step.clicks != 1) json["clicks"] = step.clicks;
   add_modifiers(json, step.modifiers);
   return json;
 }
 
 Json to_json(const Box& step) {
-  Json json = {{"do", "box"}, {"view", step.view}, {"from", numbers(step.from)}, {"to", numbers(step.to)}};
+  Json json = {{"do", "box"},
+               {"view", step.view},
+               {"from", numbers(step.from, step.from_place)},
+               {"to", numbers(step.to, step.to_place)}};
   add_modifiers(json, step.modifiers);
   return json;
 }
@@ -267,7 +443,61 @@ Json to_json(const Navigate& step) {
   return {{"do", "navigate"}, {"view", step.view}, {"motion", step.motion}, {"by", numbers(step.by)}};
 }
 
-Json to_json(const Expect& step) { return {{"do", "expect"}, {"what", step.what}, {"count", step.count}}; }
+Json to_json(const ModelDrag& step) {
+  Json json = {{"do", "drag"}, {"view", step.view}, {"from", numbers(step.from)}, {"to", numbers(step.to)}};
+  add_modifiers(json, step.modifiers);
+  return json;
+}
+
+Json to_json(const Pick& step) {
+  return {{"do", "pick"}, {"node", step.node}, {"kind", step.kind}, {"elements", step.elements}, {"how", step.how}};
+}
+
+Json to_json(const Move& step) { return {{"do", "move"}, {"node", step.node}, {"by", numbers(step.by)}}; }
+
+Json to_json(const Rotate& step) {
+  Json json = {{"do", "rotate"}, {"node", step.node}, {"axis", numbers(step.axis)}, {"degrees", step.degrees}};
+  if (step.pivot) json["pivot"] = numbers(*step.pivot);
+  return json;
+}
+
+Json to_json(const Scale& step) {
+  Json json = {{"do", "scale"}, {"node", step.node}, {"factors", numbers(step.factors)}};
+  if (step.pivot) json["pivot"] = numbers(*step.pivot);
+  return json;
+}
+
+Json to_json(const Tag& step) {
+  Json json = {{"do", "tag"}, {"node", step.node}, {"edges", step.edges}};
+  if (step.edges == "sharper-than") json["degrees"] = step.degrees;
+  if (step.change) json["change"] = *step.change;
+  if (step.sharpness) json["sharpness"] = json_of_sharpness(*step.sharpness);
+  return json;
+}
+
+Json to_json(const Pin& step) { return {{"do", "pin"}, {"node", step.node}, {"pinned", step.pinned}}; }
+
+Json to_json(const TagSet& step) {
+  Json json = {{"do", "tag-set"}, {"node", step.node}, {"how", step.how}, {"name", step.name}};
+  if (!step.other.empty()) json["other"] = step.other;
+  if (step.sharpness) json["sharpness"] = json_of_sharpness(*step.sharpness);
+  return json;
+}
+
+Json to_json(const Extrude& step) { return {{"do", "extrude"}, {"node", step.node}, {"by", numbers(step.by)}}; }
+
+Json to_json(const LoopCut& step) {
+  return {{"do", "loop-cut"}, {"node", step.node}, {"edge", step.edge}, {"at", step.at}};
+}
+
+Json to_json(const Expect& step) {
+  Json json = {{"do", "expect"}, {"what", step.what}};
+  if (step.value) json["value"] = *step.value;
+  if (step.to) json["to"] = *step.to;
+  if (!step.value) json["count"] = step.count;
+  if (!step.node.empty()) json["node"] = step.node;
+  return json;
+}
 
 }  // namespace
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <compare>
+#include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,5 +26,34 @@ using Selection = std::vector<SelectedItem>;
 /// aren't strokes of theirs. Parts of other nodes are kept: only their evaluation knows them.
 /// O(#selection log #selection + #nodes + #strokes of the drawings with selected parts)
 Selection existing(Selection selection, const Document& document);
+
+enum class ComponentKind { Vertex, Edge, Face };
+
+/// Selected parts of ONE mesh: of the mesh that a source node holds.
+struct ComponentSelection {
+  NodeId node = 0;  ///< 0 when nothing is selected
+  ComponentKind kind = ComponentKind::Vertex;
+  std::vector<Index> elements;  ///< sorted, each once; of edges, MeshTopology's numbers
+
+  bool empty() const { return elements.empty(); }
+  friend bool operator==(const ComponentSelection&, const ComponentSelection&) = default;
+};
+
+/// A component selection with what it needs to notice that the mesh became another one. Shared, never changed: a
+/// million elements cost nothing to keep.
+struct KeptComponents {
+  std::shared_ptr<const ComponentSelection> selection;  ///< never null
+  std::size_t faces = 0, corners = 0;                   ///< of the mesh selected in
+};
+
+/// Sorted, each element once, without what the mesh doesn't have. Edges are only known by their number, so they fall
+/// out together when the number of faces or corners isn't the one they were selected in.
+/// @param is_new just selected, in the mesh as it is now
+/// @return the same pointer when all still fits
+/// O(#nodes), and O(#elements log #elements) for a new one
+KeptComponents existing_components(KeptComponents components, const Document& document, bool is_new);
+
+/// The mesh that a node is a source of, or null.
+std::shared_ptr<const PolyMesh> source_mesh(const Document& document, NodeId node);
 
 }  // namespace croquis

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +32,9 @@ class Session {
   /// Makes it the document, with one undo step. Nothing happens when its content is that of the current one.
   void edit(std::string label, Document edited);
 
+  /// The same, and selects these parts of a mesh in the edited document: one change for all who listen.
+  void edit(std::string label, Document edited, ComponentSelection components);
+
   /// Between begin_drag and end_drag, many changes are one step; cancel_drag goes back to the beginning. Whatever else
   /// edits, undoes or redoes ends a drag first. A drag that changed nothing is no step.
   void begin_drag(std::string label);
@@ -48,6 +52,12 @@ class Session {
 
   const Selection& selection() const { return selection_; }
   void select(Selection selection);  ///< what isn't there falls out, now and with later changes
+
+  /// Selected vertices, edges or faces of one mesh; part of undo steps like the selection of nodes. What the mesh
+  /// doesn't have falls out, now and with later changes.
+  const ComponentSelection& components() const { return *components_.selection; }
+  std::shared_ptr<const ComponentSelection> shared_components() const { return components_.selection; }
+  void select_components(ComponentSelection components);
 
   /// Whether the document isn't the one last saved or loaded; right across undo and redo.
   bool modified() const { return state_ != saved_state_; }
@@ -70,6 +80,7 @@ class Session {
     std::string label;
     Document document;
     Selection selection;
+    KeptComponents components;
     std::uint64_t state = 0;
     std::size_t bytes = 0;  ///< what it keeps alive beside its neighbour towards the current document
   };
@@ -78,11 +89,13 @@ class Session {
   void add_undo(Step step);
   void travel(std::deque<Step>& from, std::deque<Step>& to);
   void show(Document document, std::uint64_t state);
+  void take_components(ComponentSelection components);
   void forget_beyond_cap();
   void tell();
 
   Document document_;
   Selection selection_;
+  KeptComponents components_{std::make_shared<const ComponentSelection>(), 0, 0};
   std::deque<Step> undo_;  ///< next one last
   std::deque<Step> redo_;  ///< next one last
   std::optional<Step> drag_;

@@ -24,11 +24,21 @@ struct StrokeDrawn {
   std::string device = "mouse";      ///< "mouse", "pen" or "eraser"
   double scale = 0;                  ///< units per pixel of the view drawn in; 0 for the replaying view's own
 };
+/// Another way to say where: a place of the model, seen in the view named.
+using ModelPlace = std::optional<Vec3>;
+
 /// An anchor of a stroke, or without one the whole stroke, was dragged.
 struct Drag {
   std::string stroke;
   std::optional<std::size_t> anchor;  ///< 0-based
   Vec2 by = Vec2::Zero();
+};
+/// The pointer was dragged between two places of the model as a view shows them: a manipulator's handle, a sharpness.
+struct ModelDrag {
+  std::string view = "perspective";
+  Vec3 from = Vec3::Zero();
+  Vec3 to = Vec3::Zero();
+  std::vector<std::string> modifiers;
 };
 /// A named action of the window ("undo", "draw", "frame-all").
 struct Action {
@@ -54,25 +64,89 @@ struct Click {
   std::string view = "sketch";
   Vec2 at = Vec2::Zero();
   std::vector<std::string> modifiers;  ///< of "shift", "ctrl", "alt", "super"
+  ModelPlace place = {};               ///< instead of `at`
+  int clicks = 1;                      ///< 2: a double click
 };
 struct Box {
   std::string view = "sketch";
   Vec2 from = Vec2::Zero();
   Vec2 to = Vec2::Zero();
   std::vector<std::string> modifiers;
+  ModelPlace from_place = {};  ///< both places or none; instead of `from` …
+  ModelPlace to_place = {};    ///< … and `to`
 };
 struct Navigate {
   std::string view = "perspective";
   std::string motion;      ///< "tumble", "track" or "dolly"
   Vec2 by = Vec2::Zero();  ///< pixels of a view 1000 pixels high, y down; of a dolly only x and y's sum matters
 };
-/// Fails the replay when it isn't so.
-struct Expect {
-  std::string what;  ///< "objects", "findings" or "strokes"
-  std::int64_t count = 0;
+
+// ---- Meshes: by the name of the source node, elements by their numbers (edges: MeshTopology's)
+
+struct Pick {
+  std::string node;
+  std::string kind = "edge";  ///< "vertex", "edge" or "face"
+  std::vector<Index> elements;
+  std::string how = "replace";  ///< "replace", "add", "remove", "toggle", "loop", "ring", "path", "connected", "chain"
+};
+/// What is selected was moved, turned or scaled.
+struct Move {
+  std::string node;
+  Vec3 by = Vec3::Zero();
+};
+struct Rotate {
+  std::string node;
+  Vec3 axis = Vec3::UnitZ();  ///< not zero
+  double degrees = 0;
+  ModelPlace pivot = {};  ///< without it the middle of what is selected
+};
+struct Scale {
+  std::string node;
+  Vec3 factors = {1, 1, 1};
+  ModelPlace pivot = {};
+};
+/// Edges got a sharpness, or theirs changed.
+struct Tag {
+  std::string node;
+  std::string edges = "selected";   ///< "selected", "boundary", "tagged" or "sharper-than"
+  double degrees = 0;               ///< of "sharper-than"
+  std::optional<double> sharpness;  ///< this or …
+  std::optional<double> change;     ///< … that; of the selected edges
+};
+struct Pin {
+  std::string node;
+  bool pinned = true;
+};
+/// A named set of tags.
+struct TagSet {
+  std::string node;
+  std::string how = "make";  ///< "make", "rename", "sharpness", "select", "merge", "remove" or "untag"
+  std::string name;
+  std::string other;                ///< rename: the new name; merge: the set that is taken in
+  std::optional<double> sharpness;  ///< make, sharpness
+};
+struct Extrude {
+  std::string node;
+  Vec3 by = Vec3::Zero();
+};
+struct LoopCut {
+  std::string node;
+  Index edge = 0;
+  double at = 0.5;
 };
 
-using Step = std::variant<StrokeDrawn, Drag, Action, Set, Wait, Screenshot, File, Click, Box, Navigate, Expect>;
+/// Fails the replay when it isn't so.
+struct Expect {
+  /// "objects", "findings", "strokes", "faces", "vertices", "edges", "sharp-edges", "selected" or "dihedral"
+  std::string what;
+  std::int64_t count = 0;
+  std::optional<double> value = {};  ///< of "dihedral" instead of a count: degrees, of every edge of the shown chains …
+  std::optional<double> to = {};  ///< … or the greatest of them, if `value` is to be the smallest; both within 1e-3
+  std::string node = {};          ///< whose result is counted; empty for the object worked on
+};
+
+using Step = std::variant<StrokeDrawn, Drag, Action, Set, Wait, Screenshot, File, Click, Box, Navigate, Expect,
+                          ModelDrag, Pick, Move, Rotate, Scale, Tag, Pin, TagSet, Extrude, LoopCut>;
 
 struct Line {
   Step step;
