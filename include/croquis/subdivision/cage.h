@@ -12,6 +12,9 @@
 
 namespace croquis::subdivision {
 
+/// The vertex channel (8 bits, 0 or 1) by which a mesh says which of its corners an earlier refinement made.
+inline constexpr const char* settled_channel = "settled_corner";
+
 /// What subdivision starts from: a control mesh with its tags, checked.
 ///
 /// Faces are those of the mesh given, in its order, all turning the same way. A vertex where several fans of faces meet
@@ -20,10 +23,11 @@ namespace croquis::subdivision {
 struct Cage {
   std::vector<Vec3> positions;  ///< #V
   HalfEdges topology;
-  std::vector<double> sharpness;     ///< #E, 0 … greatest_sharpness, or infinite_sharpness
-  std::vector<std::uint8_t> pinned;  ///< #V, 1 for vertices that stay where they are
-  std::vector<Index> source_vertex;  ///< #V -> vertex of the mesh given
-  std::vector<Index> flipped_faces;  ///< ascending; turned over to agree with their neighbours
+  std::vector<double> sharpness;      ///< #E, 0 … greatest_sharpness, or infinite_sharpness
+  std::vector<std::uint8_t> pinned;   ///< #V, 1 for vertices that stay where they are
+  std::vector<std::uint8_t> settled;  ///< #V, 1 for corners that an earlier refinement made
+  std::vector<Index> source_vertex;   ///< #V -> vertex of the mesh given
+  std::vector<Index> flipped_faces;   ///< ascending; turned over to agree with their neighbours
 };
 
 struct CageResult {
