@@ -7,6 +7,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/io/file.h"
+#include "croquis/io/json.h"
 #include "croquis/io/svg_drawing.h"
 
 namespace croquis::cli {
@@ -56,6 +57,14 @@ PolyMesh read_input_mesh(const Invocation& invocation, bool require_faces, Comma
   MeshReadResult read = read_mesh(source, progress);
   append(result.warnings, read.warnings);
   return std::move(read.mesh);
+}
+
+Report read_report(const std::string& path, const Invocation& invocation) {
+  if (path != "-") return read_json(read_file(path), path);
+  if (invocation.input == "-") {
+    throw Error(make_error(Category::Usage, "E_USAGE", "Only one input can come from standard input."));
+  }
+  return read_json(read_standard_input(), shown_name(path));
 }
 
 Drawing read_input_drawing(const Invocation& invocation, CommandResult& result, Progress& progress) {

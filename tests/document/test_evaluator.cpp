@@ -78,6 +78,33 @@ TEST_CASE("a node is what its operation makes of its inputs") {
   CHECK(codes(*result) == "W_SCALED");
 }
 
+TEST_CASE("an optional input may be absent, and must fit when it isn't") {
+  Fixture f;
+  OperationDescription description = mesh_to_mesh("named");
+  description.inputs.push_back({"name", ValueType::Report, "How it is called.", false, true});
+  add_operation(f.registry, description, [](const Values& inputs, const ParameterValues& parameters, Context&) {
+    OperationResult result = test::scaled(inputs, parameters);
+    const auto name = inputs.find("name");
+    const std::string word = name == inputs.end() ? "nobody" : std::get<2>(name->second)->as_string();
+    result.warnings.push_back(make_warning(Category::Geometry, word, word));
+    return result;
+  });
+  Node node = operation_node("named", {1, "value"}, 2, "named");
+  Document document = f.document.with(node).with(source_node(std::make_shared<const Report>(Report("cat"))));
+  Evaluator evaluator(f.registry);
+  const auto without = evaluate(evaluator, document, 4);
+  CHECK(codes(*without) == "nobody");
+  node = *document.find(4);
+  node.inputs["name"] = {5, "value"};
+  const auto with = evaluate(evaluator, document.with(node), 4);
+  CHECK(codes(*with) == "cat");
+  CHECK(with->key != without->key);
+  node.inputs["name"] = {1, "value"};
+  const auto wrong = evaluate(evaluator, document.with(node), 4);
+  CHECK(wrong->failed);
+  CHECK(codes(*wrong) == "E_INPUT");
+}
+
 TEST_CASE("a node that fails keeps its findings and shows its last good result as stale") {
   Fixture f;
   Evaluator evaluator(f.registry);

@@ -43,6 +43,7 @@ struct Context {
   Progress& progress;  ///< also tells when to stop
   Quality quality = Quality::Final;
   Memo* memo = nullptr;  ///< results of stages (see memoized); with null everything is computed
+  int threads = 1;       ///< how many may be used; the result is the same for any number
 };
 
 struct OperationResult {

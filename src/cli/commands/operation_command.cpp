@@ -2,32 +2,79 @@
 #include "cli/commands/operation_command.h"
 
 #include <algorithm>
+#include <cctype>
+#include <optional>
 #include <utility>
 
 #include "cli/files.h"
 #include "cli/mesh_text.h"
 #include "cli/solid_faults.h"
 #include "croquis/base/error.h"
+#include "croquis/io/json.h"
 #include "croquis/io/svg_writer.h"
 
 namespace croquis::cli {
 namespace {
 
-bool is_file(const PortDescription& port) { return port.type != ValueType::Report; }
+/// The report output that becomes `details`.
+constexpr const char* details_output = "details";
 
-/// The outputs that get an option of their own: all that can be files, but for the first one, which is -o.
+std::string upper_case(std::string word) {
+  std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::toupper(c); });
+  return word;
+}
+
+/// The outputs that get an option of their own: all but the first one, which is -o, and the report of the run.
 std::vector<PortDescription> extra_outputs(const OperationDescription& description) {
   std::vector<PortDescription> extra;
-  std::copy_if(description.outputs.begin(), description.outputs.end(), std::back_inserter(extra), is_file);
-  if (!extra.empty()) extra.erase(extra.begin());
+  std::copy_if(description.outputs.begin() + 1, description.outputs.end(), std::back_inserter(extra),
+               [](const PortDescription& port) { return port.name != details_output; });
   return extra;
+}
+
+/// The inputs that get an option of their own.
+std::vector<PortDescription> extra_inputs(const OperationDescription& description) {
+  std::vector<PortDescription> extra;
+  std::copy_if(description.inputs.begin() + 1, description.inputs.end(), std::back_inserter(extra),
+               [](const PortDescription& port) { return port.type == ValueType::Report; });
+  return extra;
+}
+
+std::string text_parameter(const Invocation& invocation, const std::string& name) {
+  return std::get<std::string>(invocation.parameters.at(name));
+}
+
+/// A file whose faces alone are at fault could be read: what there isn't is a result.
+Error without_result(const Error& error) {
+  Findings findings = error.findings();
+  const bool faces_alone = std::all_of(findings.begin(), findings.end(),
+                                       [](const Finding& finding) { return finding.code == "E_FACE_DEGENERATE"; });
+  if (!faces_alone) return error;
+  for (Finding& finding : findings) finding.category = Category::Geometry;
+  return Error(std::move(findings));
 }
 
 Value read_value(const PortDescription& port, const Invocation& invocation, CommandResult& result, Progress& progress) {
   if (port.type == ValueType::Drawing) {
     return std::make_shared<const Drawing>(read_input_drawing(invocation, result, progress));
   }
-  return std::make_shared<const PolyMesh>(read_input_mesh(invocation, true, result, progress));
+  try {
+    return std::make_shared<const PolyMesh>(read_input_mesh(invocation, true, result, progress));
+  } catch (const Error& error) {
+    throw without_result(error);
+  }
+}
+
+Values read_values(const OperationDescription& description, const Invocation& invocation, CommandResult& result,
+                   Progress& progress) {
+  Values values;
+  const PortDescription& main_input = description.inputs.front();
+  values[main_input.name] = read_value(main_input, invocation, result, progress);
+  for (const PortDescription& port : extra_inputs(description)) {
+    const std::string path = text_parameter(invocation, port.name);
+    if (!path.empty()) values[port.name] = std::make_shared<const Report>(read_report(path, invocation));
+  }
+  return values;
 }
 
 /// One output to its file.
@@ -44,14 +91,12 @@ void stage_value(const PortDescription& port, const Value& value, const Destinat
     const MeshFormat format = output_mesh_format(destination.path, destination.format);
     stage_mesh(destination.path, **mesh, {}, format, result, progress);
     if (port.is_solid) judge_solid(destination.path, as_written(**mesh, format, {}), result, progress);
+  } else {
+    stage_file(destination.path, write_json(*std::get<std::shared_ptr<const Report>>(value)), result);
   }
 }
 
-std::string text_parameter(const Invocation& invocation, const std::string& name) {
-  return std::get<std::string>(invocation.parameters.at(name));
-}
-
-/// Options that name output files are the command's, all others the operation's.
+/// Options that name files are the command's, all others the operation's.
 ParameterValues operation_parameters(const OperationDescription& description, const Invocation& invocation) {
   ParameterValues values;
   for (const ParameterDescription& parameter : description.parameters) {
@@ -75,6 +120,14 @@ void check_outputs(const OperationDescription& description, const Invocation& in
   if (!any) {
     throw Error(make_error(Category::Usage, "E_USAGE", "Nothing to write: name an output with -o; see --help."));
   }
+}
+
+/// What the main output's file holds, when it is a mesh.
+std::optional<MeshReport> report_of_file(const Value& value, const Invocation& invocation, Progress& progress) {
+  const auto* mesh = std::get_if<std::shared_ptr<const PolyMesh>>(&value);
+  if (mesh == nullptr) return std::nullopt;
+  const MeshFormat format = output_mesh_format(invocation.output, invocation.output_format);
+  return inspect(as_written(**mesh, format, {}), false, progress);
 }
 
 std::string summary(const CommandResult& result) {
@@ -101,7 +154,9 @@ Report describe_ports(const std::vector<PortDescription>& ports) {
   Report list = Report::array();
   for (const PortDescription& port : ports) {
     Report entry;
-    list.push(entry.set("name", port.name).set("type", to_string(port.type)).set("sentence", port.sentence));
+    entry.set("name", port.name).set("type", to_string(port.type)).set("sentence", port.sentence);
+    if (port.optional) entry.set("optional", true);
+    list.push(std::move(entry));
   }
   return list;
 }
@@ -138,7 +193,8 @@ std::string reference(const OperationDescription& description) {
   std::string text = "## " + description.id + "\n\n" + description.sentence + "\n\n";
   text += "| Port | Direction | Type | |\n|---|---|---|---|\n";
   for (const PortDescription& port : description.inputs) {
-    text += "| " + port.name + " | in | " + to_string(port.type) + " | " + port.sentence + " |\n";
+    const std::string type = std::string(to_string(port.type)) + (port.optional ? ", optional" : "");
+    text += "| " + port.name + " | in | " + type + " | " + port.sentence + " |\n";
   }
   for (const PortDescription& port : description.outputs) {
     text += "| " + port.name + " | out | " + to_string(port.type) + " | " + port.sentence + " |\n";
@@ -159,16 +215,23 @@ CommandDescription OperationCommand::describe() const {
   description.name = operation.id;
   description.sentence = operation.sentence;
   const bool takes_drawing = operation.inputs.front().type == ValueType::Drawing;
-  description.input_word = takes_drawing ? "SKETCH.svg" : "MESH";
+  description.input_word = takes_drawing ? "SKETCH.svg" : upper_case(operation.inputs.front().name);
   const auto extra = extra_outputs(operation);
   description.output = extra.empty() ? OutputNeed::Required : OutputNeed::Optional;
   description.parameters = operation.parameters;
+  for (const PortDescription& port : extra_inputs(operation)) {
+    description.parameters.push_back(
+        {port.name, ParameterType::File, std::string(), 0, 0, {}, "", "Read from a JSON file: " + port.sentence});
+  }
   for (const PortDescription& port : extra) {
     description.parameters.push_back(
         {port.name, ParameterType::File, std::string(), 0, 0, {}, "", "Write to FILE: " + port.sentence});
   }
-  description.examples = {"croquis-cli " + operation.id + (takes_drawing ? " sketch.svg" : " model.obj") +
-                          " -o solid.obj"};
+  const std::string call = "croquis-cli " + operation.id + (takes_drawing ? " sketch.svg" : " model.obj");
+  description.examples = {call + " -o solid.obj"};
+  for (const PortDescription& port : extra_inputs(operation)) {
+    description.examples.push_back(call + " --" + port.name + " " + port.name + ".json -o solid.obj");
+  }
   return description;
 }
 
@@ -176,29 +239,27 @@ void OperationCommand::run(const Invocation& invocation, CommandResult& result, 
   const OperationDescription description = operation_.describe();
   check_outputs(description, invocation);
   Progress reading = progress.step("read", 0.05);
-  const PortDescription& input = description.inputs.front();
-  const Value value = read_value(input, invocation, result, reading);
+  const Values inputs = read_values(description, invocation, result, reading);
 
   Progress computing = progress.step(description.id, 0.85);
   Context context{computing};
-  OperationResult computed =
-      croquis::run(operation_, {{input.name, value}}, operation_parameters(description, invocation), context);
+  context.threads = static_cast<int>(invocation.threads);
+  OperationResult computed = croquis::run(operation_, inputs, operation_parameters(description, invocation), context);
   result.warnings.insert(result.warnings.end(), computed.warnings.begin(), computed.warnings.end());
 
   Progress writing = progress.step("write", 0.1);
   const PortDescription& main_output = description.outputs.front();
   if (!invocation.output.empty()) {
-    stage_value(main_output, computed.outputs.at(main_output.name), {invocation.output, invocation.output_format},
-                result, writing);
+    const Value& value = computed.outputs.at(main_output.name);
+    stage_value(main_output, value, {invocation.output, invocation.output_format}, result, writing);
+    if (!result.mesh) result.mesh = report_of_file(value, invocation, writing);
   }
   for (const PortDescription& port : extra_outputs(description)) {
     const std::string path = text_parameter(invocation, port.name);
     if (!path.empty()) stage_value(port, computed.outputs.at(port.name), {path, ""}, result, writing);
   }
-  for (const PortDescription& port : description.outputs) {
-    const Value& output = computed.outputs.at(port.name);
-    if (port.type == ValueType::Report) result.details = *std::get<std::shared_ptr<const Report>>(output);
-  }
+  const auto details = computed.outputs.find(details_output);
+  if (details != computed.outputs.end()) result.details = *std::get<std::shared_ptr<const Report>>(details->second);
   result.text = summary(result);
   progress.report(1);
 }

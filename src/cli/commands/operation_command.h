@@ -5,8 +5,9 @@
 
 namespace croquis::cli {
 
-/// The subcommand of an operation, made from its description: parameters become options, the first mesh output is -o,
-/// every further output that can be a file is an option of its name, and the report output becomes `details`.
+/// The subcommand of an operation, made from its description: parameters become options, the first output is -o, every
+/// further output is an option of its name that writes a file, but for the report "details". The first input is the
+/// command's; every report among the further ones is an option of its name that reads a JSON file.
 class OperationCommand final : public Command {
  public:
   explicit OperationCommand(const Operation& operation) : operation_(operation) {}

@@ -85,8 +85,11 @@ class ProjectRun {
     Report entry;
     entry.set("id", std::to_string(node.id)).set("name", node.name).set("operation", node.operation);
     entry.set("failed", evaluation->failed);
-    for (const auto& [port, value] : evaluation->outputs) {
-      if (const auto* report = std::get_if<std::shared_ptr<const Report>>(&value)) entry.set(port, **report);
+    const auto details = evaluation->outputs.find("details");
+    if (details != evaluation->outputs.end()) {
+      if (const auto* report = std::get_if<std::shared_ptr<const Report>>(&details->second)) {
+        entry.set("details", **report);
+      }
     }
     nodes_.push(std::move(entry));
     collect_findings(node.id);
