@@ -5,9 +5,8 @@
 #include <utility>
 
 #include "croquis/base/error.h"
-#include "render/item_colors.h"
-#include "render/polygon_triangulation.h"
-#include "render/smooth_surface.h"
+#include "render/item_frame.h"
+#include "render/mesh_plan.h"
 
 namespace croquis::render {
 namespace {
@@ -28,87 +27,18 @@ Bounds bounds_of_drawn(const PolyMesh& mesh) {
   return bounds;
 }
 
-std::vector<glm::dvec3> own_positions(const PolyMesh& mesh, const MeshItem& item) {
+/// An item's frame, and the mesh's vertices in it.
+std::vector<glm::dvec3> take_frame(const PolyMesh& mesh, MeshItem& item) {
+  item.bounds = bounds_of_drawn(mesh);
+  set_own_frame(item);
   std::vector<glm::dvec3> positions;
   positions.reserve(mesh.vertex_count());
   for (const Vec3& position : mesh.positions) positions.push_back((to_glm(position) - item.origin) / item.scale);
   return positions;
 }
 
-/// Makes as few vertices as possible: corners share one when group, patch and colour agree.
-class VertexCollector {
- public:
-  VertexCollector(MeshItem& item, std::size_t corner_count) : item_(item), first_(corner_count, no_index) {}
-
-  Index vertex(Index group, const SurfaceVertex& vertex, const SurfacePaint& paint) {
-    Index found = first_[group];
-    while (found != no_index && paint_[found] != paint) found = next_[found];
-    if (found != no_index) return found;
-    found = static_cast<Index>(item_.vertices.size());
-    item_.vertices.push_back(vertex);
-    paint_.push_back(paint);
-    next_.push_back(std::exchange(first_[group], found));
-    return found;
-  }
-
-  std::vector<SurfacePaint> take_paint() { return std::move(paint_); }
-
- private:
-  MeshItem& item_;
-  std::vector<SurfacePaint> paint_;
-  std::vector<Index> first_;  // newest vertex of each group
-  std::vector<Index> next_;   // the one made before, per vertex
-};
-
-void add_surface(const PolyMesh& mesh, std::span<const glm::dvec3> positions, const MeshItemOptions& options,
-                 MeshItem& item) {
-  const std::vector<Index> welded = weld(positions);
-  const std::vector<Index> parts = face_parts(mesh, welded);
-  const std::vector<Color> colors = corner_colors(mesh, parts);
-  const SmoothSurface surface = find_smooth_surface(mesh, positions, welded, parts, options.crease_angle);
-  item.patch_count = surface.patch_count;
-
-  std::vector<Index> corner_vertices(mesh.corners.size());
-  VertexCollector collector(item, mesh.corners.size());
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    for (Index c = mesh.face_offsets[f]; c < mesh.face_offsets[f + 1]; ++c) {
-      const Index group = surface.corner_groups[c];
-      corner_vertices[c] = collector.vertex(
-          group, {positions[mesh.corners[c]], surface.normals[group]}, {colors[c], surface.face_patches[f]});
-    }
-  }
-  item.paint = collector.take_paint();
-  std::vector<std::uint32_t> edges;
-  for (const auto& [a, b] : surface.edges) edges.insert(edges.end(), {corner_vertices[a], corner_vertices[b]});
-  item.edges = std::move(edges);
-
-  std::vector<std::uint32_t> triangles;
-  std::vector<glm::dvec3> polygon;
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const auto face = mesh.face(f);
-    if (face.size() < 3) continue;
-    polygon.clear();
-    for (const Index vertex : face) polygon.push_back(positions[vertex]);
-    for (const auto& triangle : triangulate_polygon(polygon)) {
-      for (const Index corner : triangle) triangles.push_back(corner_vertices[mesh.face_offsets[f] + corner]);
-    }
-  }
-  item.triangles = std::move(triangles);
-}
-
-void add_lines(const PolyMesh& mesh, std::span<const glm::dvec3> positions, const MeshItemOptions& options,
-               MeshItem& item) {
-  const std::vector<Color> colors = line_colors(mesh, options.line_color);
-  for (std::size_t i = 0; i < mesh.line_vertices.size(); ++i) {
-    item.line_vertices.push_back({positions[mesh.line_vertices[i]], colors[i]});
-  }
-  std::vector<std::uint32_t> segments;
-  for (std::size_t l = 0; l < mesh.line_count(); ++l) {
-    for (Index i = mesh.line_offsets[l]; i + 1 < mesh.line_offsets[l + 1]; ++i) {
-      segments.insert(segments.end(), {i, i + 1});
-    }
-  }
-  item.segments = std::move(segments);
+bool all_finite(const PolyMesh& mesh) {
+  return std::all_of(mesh.positions.begin(), mesh.positions.end(), [](const Vec3& v) { return v.allFinite(); });
 }
 
 }  // namespace
@@ -116,12 +46,20 @@ void add_lines(const PolyMesh& mesh, std::span<const glm::dvec3> positions, cons
 MeshItemPtr make_mesh_item(const PolyMesh& mesh, const MeshItemOptions& options) {
   require_drawable(mesh);
   auto item = std::make_shared<MeshItem>();
-  item->bounds = bounds_of_drawn(mesh);
-  if (!item->bounds.empty()) item->origin = item->bounds.center();
-  if (item->bounds.radius() > 0 && !item->bounds.empty()) item->scale = item->bounds.radius();
-  const std::vector<glm::dvec3> positions = own_positions(mesh, *item);
-  add_surface(mesh, positions, options, *item);
-  add_lines(mesh, positions, options, *item);
+  const std::vector<glm::dvec3> positions = take_frame(mesh, *item);
+  item->plan = std::make_shared<MeshPlan>(mesh, positions, options);
+  item->plan->fill(mesh, positions, *item);
+  return item;
+}
+
+MeshItemPtr update_mesh_item(const MeshItemPtr& previous, const PolyMesh& mesh, const MeshItemOptions& options) {
+  if (!previous || !previous->plan) return make_mesh_item(mesh, options);
+  const MeshPlan& plan = *previous->plan;
+  // Connectivity that fits has been checked before: only positions can be wrong.
+  if (!all_finite(mesh) || !plan.fits(mesh)) return make_mesh_item(mesh, plan.options());
+  auto item = std::make_shared<MeshItem>();
+  item->plan = previous->plan;
+  plan.fill(mesh, take_frame(mesh, *item), *item);
   return item;
 }
 

@@ -9,22 +9,43 @@
 namespace croquis::render {
 namespace {
 
-/// The polygon seen along its area vector, counter-clockwise.
+/// Looks along the area vector: polygons run counter-clockwise.
+class Flattening {
+ public:
+  explicit Flattening(const glm::dvec3& area) {
+    const glm::dvec3 size = glm::abs(area);
+    const int drop = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
+    x_ = (drop + 1) % 3;
+    y_ = (drop + 2) % 3;
+    if (area[drop] < 0) std::swap(x_, y_);
+  }
+  glm::dvec2 operator()(const glm::dvec3& corner) const { return {corner[x_], corner[y_]}; }
+
+ private:
+  int x_ = 0, y_ = 0;
+};
+
 std::vector<glm::dvec2> flattened(std::span<const glm::dvec3> polygon) {
-  const glm::dvec3 area = area_vector(polygon);
-  const glm::dvec3 size = glm::abs(area);
-  const int drop = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
+  const Flattening flat(area_vector(polygon));
   std::vector<glm::dvec2> plane;
   plane.reserve(polygon.size());
-  for (const glm::dvec3& corner : polygon) {
-    const glm::dvec2 point(corner[(drop + 1) % 3], corner[(drop + 2) % 3]);
-    plane.push_back(area[drop] < 0 ? glm::dvec2(point.y, point.x) : point);
-  }
+  for (const glm::dvec3& corner : polygon) plane.push_back(flat(corner));
   return plane;
 }
 
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+bool is_inside(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+  return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
+}
+
+/// Whether a quad's first corner is an ear, which it is in nearly all: no more has to be looked at.
+bool starts_with_ear(std::span<const glm::dvec3> quad) {
+  const Flattening flat(glm::cross(quad[2] - quad[0], quad[3] - quad[1]));
+  const glm::dvec2 a = flat(quad[3]), b = flat(quad[0]), c = flat(quad[1]), other = flat(quad[2]);
+  return turn(a, b, c) > 0 && !is_inside(other, a, b, c);
 }
 
 class EarCutter {
@@ -76,10 +97,7 @@ class EarCutter {
       const glm::dvec2& p = points_[other];
       // Corners at the same place (a hole joined by a bridge) do not stand in the way.
       if (p == points_[a] || p == points_[b] || p == points_[c]) continue;
-      if (turn(points_[a], points_[b], p) >= 0 && turn(points_[b], points_[c], p) >= 0 &&
-          turn(points_[c], points_[a], p) >= 0) {
-        return false;
-      }
+      if (is_inside(p, points_[a], points_[b], points_[c])) return false;
     }
     return true;
   }
@@ -100,6 +118,7 @@ glm::dvec3 area_vector(std::span<const glm::dvec3> polygon) {
 
 std::vector<std::array<Index, 3>> triangulate_polygon(std::span<const glm::dvec3> polygon) {
   if (polygon.size() == 3) return {{0, 1, 2}};
+  if (polygon.size() == 4 && starts_with_ear(polygon)) return {{3, 0, 1}, {1, 2, 3}};
   return EarCutter(flattened(polygon)).cut();
 }
 

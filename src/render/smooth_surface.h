@@ -13,23 +13,32 @@ namespace croquis::render {
 
 /// Which corners and faces of a mesh are shaded as one smooth surface.
 struct SmoothSurface {
-  std::vector<Index> corner_groups;  ///< #C: corners around a vertex with one normal share their lowest corner
-  std::vector<glm::dvec3> normals;   ///< #C: of the group, valid at its lowest corner; unit length or 0
-  std::vector<Index> face_patches;   ///< #F, 0-based, dense: faces joined by smooth edges
+  std::vector<Index> corner_groups;  ///< #C: corners around a vertex with one normal; 0-based, dense, as corners come
+  Index group_count = 0;
+  std::vector<Index> face_patches;  ///< #F, 0-based, dense: faces joined by smooth edges
   Index patch_count = 0;
   std::vector<std::array<Index, 2>> edges;  ///< #E by 2: each polygon edge once, as two corners of one face
 };
+
+/// Where a surface is sharp.
+struct Sharpness {
+  double crease_angle = 0;                         ///< radians: faces that meet at more are shaded apart
+  std::vector<std::array<Index, 2>> tagged_edges;  ///< the same at any angle, by welded vertices, lower first, sorted
+};
+
+/// The edges of at least that sharpness, as `Sharpness` wants them.
+std::vector<std::array<Index, 2>> tagged_edges(const MeshTags& tags, std::span<const Index> welded, double least);
 
 /// The lowest vertex at exactly the same place, for each vertex.
 std::vector<Index> weld(std::span<const glm::dvec3> positions);
 
 /// Two faces are smooth across an edge that they alone share, in opposite senses, at an angle below the crease angle,
-/// when both have an area. Normals are averaged weighted by the corners' angles.
+/// when both have an area and no tag says otherwise.
 /// @param positions #V, not so large or small that products of three coordinates leave the range of double
 /// @param welded as from `weld`
 /// @param face_parts #F: patches never reach across parts (normals do)
 SmoothSurface find_smooth_surface(const PolyMesh& mesh, std::span<const glm::dvec3> positions,
                                   std::span<const Index> welded, std::span<const Index> face_parts,
-                                  double crease_angle);
+                                  const Sharpness& sharpness);
 
 }  // namespace croquis::render
