@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "croquis/geometry/vector.h"
+#include "croquis/implicit/box_weight.h"
+
+namespace croquis::implicit {
+
+/// A k-d tree over fixed points. Equal distances are ordered by index, so that answers depend on nothing but the
+/// points. Building N log N; a query log N for spread points. Reading is thread-safe. The points are copied.
+class PointTree {
+ public:
+  /// @param points finite
+  explicit PointTree(std::span<const Vec3> points);
+
+  std::size_t size() const { return points_.size(); }
+
+  /// The nearest point, or no_index without any.
+  Index nearest(const Vec3& place) const;
+
+  /// The `count` nearest points (all if there are fewer), nearest first.
+  std::vector<Index> nearest(const Vec3& place, std::size_t count) const;
+
+  /// All points in the box, its faces included, ascending.
+  std::vector<Index> inside(const Box& box) const;
+
+  std::size_t bytes() const;
+
+ private:
+  // Implicit tree: the middle of each range is its node; ranges of up to leaf_size points are leaves.
+  void build(std::size_t begin, std::size_t end);
+
+  std::vector<Vec3> points_;         // in tree order
+  std::vector<Index> indices_;       // of tree order
+  std::vector<unsigned char> axes_;  // per node, where its range is split
+};
+
+}  // namespace croquis::implicit

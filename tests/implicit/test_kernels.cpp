@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Eigenvalues>
+#include <catch2/catch.hpp>
+
+#include "croquis/implicit/kernels.h"
+#include "support/random.h"
+
+namespace croquis::implicit {
+namespace {
+
+constexpr std::array all_kernels = {Kernel::Hermite, Kernel::Triharmonic, Kernel::Biharmonic, Kernel::ThinPlate};
+
+Vec3 random_offset(test::Random& random, double reach) {
+  return {random.between(-reach, reach), random.between(-reach, reach), random.between(-reach, reach)};
+}
+
+TEST_CASE("gradients and second derivatives of all kernels agree with finite differences") {
+  test::Random random(1);
+  for (const Kernel kernel : all_kernels) {
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 d = random_offset(random, 1);
+      const double step = 1e-5 * d.norm();
+      const Vec3 gradient = kernel_gradient(kernel, d);
+      const Eigen::Matrix3d hessian = kernel_hessian(kernel, d);
+      for (int axis = 0; axis < 3; ++axis) {
+        const Vec3 aside = step * Vec3::Unit(axis);
+        const double slope = (kernel_value(kernel, d + aside) - kernel_value(kernel, d - aside)) / (2 * step);
+        const Vec3 bend = (kernel_gradient(kernel, d + aside) - kernel_gradient(kernel, d - aside)) / (2 * step);
+        CHECK(std::abs(slope - gradient[axis]) < 1e-8 * (1 + gradient.norm()));
+        CHECK((bend - hessian.col(axis)).norm() < 1e-8 * (1 + hessian.norm()));
+      }
+    }
+  }
+}
+
+TEST_CASE("values of the kernels at known radii") {
+  const Vec3 two(0, 2, 0);
+  CHECK(kernel_value(Kernel::Hermite, two) == 8);
+  CHECK(kernel_value(Kernel::Triharmonic, two) == 8);
+  CHECK(kernel_value(Kernel::Biharmonic, two) == 2);
+  CHECK(kernel_value(Kernel::ThinPlate, two) == Approx(4 * std::log(2.0)).epsilon(1e-15));
+  for (const Kernel kernel : all_kernels) {
+    CHECK(kernel_value(kernel, Vec3::Zero()) == 0);
+    CHECK(kernel_gradient(kernel, Vec3::Zero()) == Vec3::Zero());
+    CHECK(kernel_hessian(kernel, Vec3::Zero()) == Eigen::Matrix3d::Zero());
+  }
+}
+
+TEST_CASE("every kernel is definite, with its sign, where polynomials of its order are annulled") {
+  test::Random random(2);
+  for (const Kernel kernel : all_kernels) {
+    const KernelTraits known = traits(kernel);
+    const int count = 12;
+    std::vector<Vec3> centres(count);
+    for (Vec3& centre : centres) centre = random_offset(random, 1);
+    Eigen::MatrixXd phi(count, count);
+    Eigen::MatrixXd sides(count, known.order == 1 ? 1 : 4);
+    for (int i = 0; i < count; ++i) {
+      for (int j = 0; j < count; ++j)
+        phi(i, j) = known.sign *
+                    kernel_value(kernel, centres[static_cast<std::size_t>(i)] - centres[static_cast<std::size_t>(j)]);
+      sides(i, 0) = 1;
+      if (known.order == 2) sides.row(i).tail(3) = centres[static_cast<std::size_t>(i)].transpose();
+    }
+    const Eigen::MatrixXd q = Eigen::HouseholderQR<Eigen::MatrixXd>(sides).householderQ();
+    const Eigen::MatrixXd null_space = q.rightCols(count - sides.cols());
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(null_space.transpose() * phi * null_space);
+    CHECK(eigen.eigenvalues().minCoeff() > 1e-6);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> whole(phi);
+    CHECK(whole.eigenvalues().minCoeff() < 0);
+  }
+}
+
+TEST_CASE("the portable logarithm is right to two units in the last place") {
+  test::Random random(3);
+  for (int i = 0; i < 20000; ++i) {
+    const double x = i % 2 == 0 ? random.between(0.5, 2) : std::exp(random.between(-80, 80));
+    const double expected = std::log(x);
+    CHECK(std::abs(portable_log(x) - expected) <= 4.5e-16 * std::abs(expected));
+  }
+  CHECK(portable_log(1) == 0);
+}
+
+}  // namespace
+}  // namespace croquis::implicit
