@@ -70,8 +70,9 @@ void main() {
   for (int i = 0; i < samples * samples; ++i) {
     ivec2 place = pixel * samples + ivec2(i % samples, i / samples);
     vec3 shade = background;
-    if (texelFetch(depths, place, 0).y != 0.0) {
-      shade = texelFetch(colors, place, 0).rgb;
+    vec4 surface = texelFetch(colors, place, 0);
+    if (surface.a != 0.0) {
+      shade = surface.rgb;
       if (lit) {
         shade = lit_clay(shade, texelFetch(normals, place, 0).xyz, eye_direction(place), open_sky);
       }

@@ -48,8 +48,9 @@ void main() {
   ivec2 place = ivec2(gl_FragCoord.xy) - viewport_origin + border;
   vec2 here = texelFetch(depths, place, 0).xy;
   vec4 drawn = vec4(0.0);
-  if (here.y != 0.0) {
-    vec3 surface = texelFetch(colors, place, 0).rgb;
+  vec4 filled = texelFetch(colors, place, 0);
+  if (filled.a != 0.0) {
+    vec3 surface = filled.rgb;
     if (lit) surface = lit_clay(surface, texelFetch(normals, place, 0).xyz, eye_direction(place), 1.0);
     drawn = vec4(surface, 1.0);
   }

@@ -17,7 +17,12 @@ uniform float layer_depth;
 
 layout(location = 0) out vec4 color;
 
+uniform bool seen_at_middle;  // of the line, not at each pixel
+
 float visible_share(ivec2 pixel, float measure, float slack);
+bool seen_near(vec2 place, float measure, float slack);
+
+const float middle_slack = 2.0;  // pixels: what a fold may rise beside its bottom
 
 // To the nearest dash centred at middle: a rounded box, negative inside. Short ones are dots of the line's width.
 float distance_to_dash(vec2 place, float middle, float on, float radius) {
@@ -45,7 +50,10 @@ void main() {
   }
   float coverage = clamp(0.5 - outside, 0.0, 1.0);
   if (coverage <= 0.0) discard;
-  float share_of_ink = coverage * min(2.0 * true_radius, 1.0) * strength * visible_share(ivec2(place), mix(measures.x, measures.y, share), radius + 2.0);
+  float measure = mix(measures.x, measures.y, share);
+  float seen = seen_at_middle ? float(seen_near(ends.xy + share * along, measure, middle_slack))
+                              : visible_share(ivec2(place), measure, radius + 2.0);
+  float share_of_ink = coverage * min(2.0 * true_radius, 1.0) * strength * seen;
   if (share_of_ink <= 0.0) discard;
   gl_FragDepth = layer + layer_depth * clamp((outside + 64.0) / 65.0, 0.0, 0.999);
   vec4 ink = mix(start_color, end_color, share);

@@ -6,6 +6,8 @@ in vec4 surface_color;
 flat in float patch_number;
 
 uniform bool perspective;
+uniform bool filled;       // else it covers without being seen
+uniform vec4 fixed_color;  // of a highlight; alpha 0: none
 uniform vec4 tint;  // alpha is the strength
 uniform vec4 fade;  // likewise, over the tint
 
@@ -22,7 +24,8 @@ void main() {
   } else {
     n = vec3(0.0, 0.0, 1.0);
   }
-  color = vec4(mix(mix(surface_color.rgb, tint.rgb, tint.a), fade.rgb, fade.a), 1.0);
+  color = vec4(mix(mix(surface_color.rgb, tint.rgb, tint.a), fade.rgb, fade.a), filled ? 1.0 : 0.0);
+  if (fixed_color.a > 0.0) color = fixed_color;
   normal = vec4(n, 0.0);
   // A measure of depth that is linear over the picture on a plane, and grows away from the eye.
   float measure = perspective ? 1.0 / view_position.z : -view_position.z;

@@ -6,6 +6,7 @@
 #include "croquis/render/renderer.h"
 #include "render/frame_buffers.h"
 #include "render/screen_rect.h"
+#include "render/uploads.h"
 #include "render/view_frame.h"
 
 namespace croquis::render {
@@ -19,6 +20,10 @@ struct Drawing {
   int border = 0;  ///< pixels of it around the viewport
   int samples = 1;
   ScreenRect seen;  ///< where surfaces may be, pixels of that frame
+  Uploads& uploads;
+
+  /// Samples per pixel of the lengths in the options.
+  double samples_per_pixel() const { return options.pixel_ratio * samples; }
 };
 
 /// Where lines and marks are drawn: exactly the viewport, a sample per pixel.
@@ -27,6 +32,7 @@ struct OverlayFrame {
   glm::vec2 size;                          ///< pixels
   const FrameBuffers* surfaces = nullptr;  ///< what may cover them; null for no surfaces
   int border = 0;                          ///< pixels of these around the viewport
+  Uploads& uploads;
 };
 
 /// Lines and marks nearer to a perspective eye than this share of the target's distance are cut off: at the eye itself
@@ -45,7 +51,7 @@ glm::vec4 emphasis_color(const EmphasisOptions& options, const Emphasis& emphasi
 
 class ShaderProgram;
 
-/// Sets what visibility.frag reads; the program must be in use.
+/// Sets what visibility.glsl reads; the program must be in use.
 void set_visibility(const ShaderProgram& program, const OverlayFrame& frame, bool depth_tested);
 
 }  // namespace croquis::render

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <utility>
 
 namespace croquis::render {
 
@@ -10,10 +11,18 @@ namespace croquis::render {
 template <typename Item, typename GpuItem>
 class GpuCache {
  public:
-  /// Uploads the item when it is new.
-  GpuItem& get(const std::shared_ptr<const Item>& item) {
+  /// Makes it when the item is new.
+  /// @param more what its constructor takes behind the item
+  template <typename... More>
+  GpuItem& get(const std::shared_ptr<const Item>& item, More&&... more) {
     if (const auto found = items_.find(item); found != items_.end()) return found->second;
-    return items_.emplace(item, GpuItem(*item)).first->second;
+    return items_.emplace(item, GpuItem(*item, std::forward<More>(more)...)).first->second;
+  }
+
+  /// The one that is there, or null.
+  GpuItem* find(const std::shared_ptr<const Item>& item) {
+    const auto found = items_.find(item);
+    return found != items_.end() ? &found->second : nullptr;
   }
 
   /// Frees what nobody holds any more.

@@ -2,34 +2,85 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
+#include <vector>
 
+#include "croquis/render/face_highlight.h"
 #include "croquis/render/mesh_item.h"
 #include "render/gl_handle.h"
+#include "render/gpu_cache.h"
+#include "render/uploads.h"
 
 namespace croquis::render {
 
-/// A mesh item's arrays on the graphics card.
+/// Arrays that items share, once on the graphics card for all of them.
+struct SharedBuffers {
+  GpuCache<std::vector<SurfacePaint>, SlicedBuffer> paints;
+  GpuCache<std::vector<std::uint32_t>, SlicedBuffer> indices;
+
+  void drop_expired() {
+    paints.drop_expired();
+    indices.drop_expired();
+  }
+};
+
+/// Makes the bound vertex array take line vertices from the bound buffer.
+void bind_line_vertices();
+
+/// A mesh item's arrays on the graphics card: vertices of its own, the rest shared with its updates.
+///
+/// It is drawn as far as it is there: nothing before all vertices are, then a growing part of triangles and edges.
 class GpuMesh {
  public:
-  explicit GpuMesh(const MeshItem& item);
+  GpuMesh(const MeshItem& item, SharedBuffers& shared);
+
+  /// Sends what is missing, as far as the uploads allow.
+  /// @param with_wire edges are needed
+  void send(const MeshItem& item, bool with_wire, Uploads& uploads);
+
+  /// Whether its next sending is small, or what an update of a mesh that is there asks for.
+  bool goes_at_once(bool with_wire) const;
+  bool vertices_complete() const;
 
   void draw_triangles() const;
   void draw_edges() const;
   void draw_segments() const;
 
+  /// A vertex array that draws other indices into the same vertices.
+  GlHandle index_surface(unsigned index_buffer) const;
+
  private:
-  /// Indices that are drawn with a vertex array of their own.
+  /// Indices that are drawn with a vertex array of their own; without a buffer there are none.
   struct IndexedArray {
-    GlHandle vertex_array, indices;
-    int count = 0;
+    GlHandle vertex_array;
+    SlicedBuffer* indices = nullptr;
+
+    bool complete() const { return indices == nullptr || indices->complete(); }
+    std::size_t size() const { return indices == nullptr ? 0 : indices->size(); }
+    void send(const SharedArray<std::uint32_t>& values, bool at_once, Uploads& uploads) const;
+    void draw(unsigned mode, int step) const;
   };
 
-  IndexedArray index_surface(std::span<const std::uint32_t> indices) const;
-  IndexedArray index_lines(std::span<const std::uint32_t> indices) const;
+  GlHandle index_lines() const;
+  void send_vertices(const MeshItem& item, bool at_once, Uploads& uploads);
+  void send_shared(const MeshItem& item, bool with_wire, bool at_once, Uploads& uploads);
 
-  GlHandle surface_vertices_, paint_, line_vertices_;
+  SlicedBuffer vertices_, line_vertices_;
+  SlicedBuffer* paint_ = nullptr;
   IndexedArray triangles_, edges_, segments_;
+  bool is_update_ = false;  ///< another item has begun to send what both share
+};
+
+/// A highlight's own indices over its mesh's vertices.
+class GpuHighlight {
+ public:
+  GpuHighlight(const FaceHighlight& highlight, const GpuMesh& mesh, SharedBuffers& shared);
+
+  void send(const FaceHighlight& highlight, Uploads& uploads);
+  void draw() const;
+
+ private:
+  SlicedBuffer* indices_;
+  GlHandle vertex_array_;
 };
 
 }  // namespace croquis::render

@@ -6,9 +6,15 @@
 namespace croquis::render {
 namespace {
 
-constexpr std::array<GLenum, 8> switches = {
-    GL_BLEND,        GL_CULL_FACE,           GL_DEPTH_TEST,  GL_SCISSOR_TEST,
-    GL_STENCIL_TEST, GL_POLYGON_OFFSET_FILL, GL_MULTISAMPLE, GL_SAMPLE_ALPHA_TO_COVERAGE};
+constexpr std::array<GLenum, 9> switches = {GL_BLEND,
+                                            GL_CULL_FACE,
+                                            GL_DEPTH_TEST,
+                                            GL_SCISSOR_TEST,
+                                            GL_STENCIL_TEST,
+                                            GL_POLYGON_OFFSET_FILL,
+                                            GL_MULTISAMPLE,
+                                            GL_SAMPLE_ALPHA_TO_COVERAGE,
+                                            GL_PROGRAM_POINT_SIZE};
 
 constexpr std::array<GLenum, 6> blend_names = {GL_BLEND_SRC_RGB,   GL_BLEND_DST_RGB,      GL_BLEND_SRC_ALPHA,
                                                GL_BLEND_DST_ALPHA, GL_BLEND_EQUATION_RGB, GL_BLEND_EQUATION_ALPHA};

@@ -19,7 +19,7 @@ class HostState {
   void bind_framebuffers() const;
 
  private:
-  static constexpr std::size_t switch_count = 8;
+  static constexpr std::size_t switch_count = 9;
 
   void save_values();
 

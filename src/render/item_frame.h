@@ -41,4 +41,13 @@ inline Finding not_finite(SubjectKind kind, const std::string& name, std::size_t
                     {{kind, id, {}, {}, {}}});
 }
 
+/// What is said about an index beyond the elements that there are.
+inline Finding not_there(SubjectKind kind, const std::string& name, std::size_t index, std::size_t count) {
+  const std::string id = std::to_string(index);
+  return make_error(
+      Category::Malformed, "E_INDEX",
+      "The " + name + " " + id + " is to be drawn, but there are only " + std::to_string(count) + "; leave it out.",
+      {{kind, id, {}, {}, {}}});
+}
+
 }  // namespace croquis::render

@@ -42,8 +42,9 @@ void enable_places() {
 
 }  // namespace
 
-LinePainter::GpuLines::GpuLines(const LineItem& item)
+LinePainter::GpuLines::GpuLines(const LineItem& item, Uploads& uploads)
     : corners(upload(GL_ARRAY_BUFFER, std::as_bytes(std::span(item.corners)))) {
+  uploads.count(item.corners.size() * sizeof(LineCorner));
   check_gl("sending lines to the graphics card");
 }
 
@@ -78,7 +79,7 @@ void LinePainter::draw(const std::vector<Shown<LineItem>>& lines, const RenderOp
 }
 
 void LinePainter::draw_item(const LineItemPtr& item, const OverlayFrame& frame, float pixel_ratio, const Look& look) {
-  const GpuLines& gpu_lines = gpu_lines_.get(item);
+  const GpuLines& gpu_lines = gpu_lines_.get(item, frame.uploads);
   const DashPattern& dash = item->style.dash;
   const bool dashed = !dash.solid() && look.grow == 0;  // a glow runs through
   program_.use();
@@ -93,7 +94,8 @@ void LinePainter::draw_item(const LineItemPtr& item, const OverlayFrame& frame, 
   program_.set("nearest", nearest_overlay);
   program_.set("dashed", dashed);
   program_.set("dashes", pixel_ratio * glm::vec4(dash.on, dash.off, dash.second_on, dash.second_off));
-  set_visibility(program_, frame, item->style.depth == LineDepth::Tested);
+  set_visibility(program_, frame, item->style.depth != LineDepth::OnTop);
+  program_.set("seen_at_middle", item->style.depth == LineDepth::OnSurface);
   if (dashed) set_lengths(*item, frame);
   for (const LineRun& run : item->runs) {
     bind_run(run, gpu_lines, dashed);

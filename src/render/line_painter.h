@@ -20,7 +20,7 @@ class LinePainter {
  private:
   /// The corners on the graphics card.
   struct GpuLines {
-    explicit GpuLines(const LineItem& item);
+    GpuLines(const LineItem& item, Uploads& uploads);
     GlHandle corners;
   };
   /// How one item is drawn this time.
@@ -36,7 +36,7 @@ class LinePainter {
   void draw_run(const LineRun& run);
   void begin_layers();
 
-  ShaderProgram program_ = ShaderProgram({"stroke.vert", "stroke.frag", "visibility.frag"});
+  ShaderProgram program_ = ShaderProgram({"stroke.vert", "stroke.frag", "visibility.glsl"});
   GlHandle vertex_array_ = make_vertex_array();
   GlHandle lengths_ = make_buffer();
   GpuCache<LineItem, GpuLines> gpu_lines_;

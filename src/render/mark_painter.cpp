@@ -29,9 +29,10 @@ void bind_color(GLuint place, std::size_t offset) {
 
 }  // namespace
 
-MarkPainter::GpuMarks::GpuMarks(const MarkItem& item) : vertex_array(make_vertex_array()) {
+MarkPainter::GpuMarks::GpuMarks(const MarkItem& item, Uploads& uploads) : vertex_array(make_vertex_array()) {
   glBindVertexArray(vertex_array.name());
   marks = upload(GL_ARRAY_BUFFER, std::as_bytes(std::span(item.marks)));
+  uploads.count(item.marks.size() * sizeof(MarkVertex));
   // In the order of mark.vert's inputs; lengths and angles follow each other in memory.
   bind_floats(0, 3, offsetof(MarkVertex, position));
   bind_floats(1, 3, offsetof(MarkVertex, size));
@@ -58,7 +59,7 @@ void MarkPainter::draw(const std::vector<Shown<MarkItem>>& marks, const RenderOp
   program_.set("glow_width", ratio * static_cast<float>(options.emphasis.glow));
   for (const Shown<MarkItem>& shown : marks) {
     if (!shown.item || shown.item->marks.empty()) continue;
-    const GpuMarks& gpu_marks = gpu_marks_.get(shown.item);
+    const GpuMarks& gpu_marks = gpu_marks_.get(shown.item, frame.uploads);
     program_.set("to_view", glm::mat4(item_to_view(*shown.item, frame.view)));
     program_.set("glow_color", emphasis_color(options.emphasis, shown.emphasis));
     program_.set("strength", shown.emphasis.stale ? static_cast<float>(options.emphasis.faded) : 1.0F);

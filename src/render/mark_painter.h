@@ -17,11 +17,11 @@ class MarkPainter {
  private:
   /// The marks on the graphics card.
   struct GpuMarks {
-    explicit GpuMarks(const MarkItem& item);
+    GpuMarks(const MarkItem& item, Uploads& uploads);
     GlHandle vertex_array, marks;
   };
 
-  ShaderProgram program_ = ShaderProgram({"mark.vert", "mark.frag", "visibility.frag"});
+  ShaderProgram program_ = ShaderProgram({"mark.vert", "mark.frag", "visibility.glsl"});
   GpuCache<MarkItem, GpuMarks> gpu_marks_;
 };
 

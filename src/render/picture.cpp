@@ -73,12 +73,14 @@ RenderedPicture render_picture(Renderer& renderer, const Scene& scene, const Cam
   require_size(size);
   RenderedPicture picture{size.width, size.height, {}};
   picture.rgba.resize(4 * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
+  RenderOptions complete = options;
+  complete.upload_budget = 0;  // a finished picture shows everything
   const PictureTarget target(std::min(size.width, tile_size), std::min(size.height, tile_size));
   for (int bottom = 0; bottom < size.height; bottom += tile_size) {
     for (int left = 0; left < size.width; left += tile_size) {
       const Viewport tile{0, 0, std::min(tile_size, size.width - left), std::min(tile_size, size.height - bottom),
                           PictureCrop{size.width, size.height, left, bottom}};
-      renderer.draw(scene, camera, options, tile);
+      renderer.draw(scene, camera, complete, tile);
       read_tile(tile, picture);
     }
   }

@@ -14,6 +14,7 @@
 #include "render/line_painter.h"
 #include "render/mark_painter.h"
 #include "render/occlusion_reach.h"
+#include "render/point_painter.h"
 #include "render/surface_painter.h"
 
 namespace croquis::render {
@@ -41,7 +42,7 @@ int border_of(const RenderOptions& options, const Viewport& viewport) {
 }
 
 bool has_overlay(const Scene& scene, const RenderOptions& options) {
-  return !scene.lines.empty() || !scene.marks.empty() || options.axis_cross.shown;
+  return !scene.lines.empty() || !scene.points.empty() || !scene.marks.empty() || options.axis_cross.shown;
 }
 
 }  // namespace
@@ -49,6 +50,7 @@ bool has_overlay(const Scene& scene, const RenderOptions& options) {
 class Renderer::Implementation {
  public:
   void draw(const Scene& scene, const Camera& camera, const RenderOptions& options, const Viewport& viewport);
+  const Uploads& uploads() const { return uploads_; }
 
  private:
   void drop_expired();
@@ -59,8 +61,10 @@ class Renderer::Implementation {
 
   SurfacePainter surfaces_;
   LinePainter lines_;
+  PointPainter points_;
   MarkPainter marks_;
   Canvas canvas_;
+  Uploads uploads_;
   ShaderProgram paper_ = ShaderProgram({"screen.vert", "paper.frag", "backdrop.frag"});
   ShaderProgram copy_ = ShaderProgram({"screen.vert", "copy.frag"});
   GlHandle no_attributes_ = make_vertex_array();  // core profiles draw nothing without a vertex array
@@ -69,6 +73,7 @@ class Renderer::Implementation {
 void Renderer::Implementation::drop_expired() {
   surfaces_.drop_expired();
   lines_.drop_expired();
+  points_.drop_expired();
   marks_.drop_expired();
 }
 
@@ -88,6 +93,7 @@ void Renderer::Implementation::draw_picture(const Drawing& drawing, const glm::i
 void Renderer::Implementation::draw_overlay(const Drawing& drawing, const OverlayFrame& frame) {
   const RenderOptions& options = drawing.options;
   if (!drawing.scene.lines.empty()) lines_.draw(drawing.scene.lines, options, frame);
+  if (!drawing.scene.points.empty()) points_.draw(drawing.scene.points, options, frame);
   if (!drawing.scene.marks.empty()) marks_.draw(drawing.scene.marks, options, frame);
   if (options.axis_cross.shown) lines_.draw(axis_cross(options, frame.view), options, pixel_frame(frame));
   glDisable(GL_BLEND);
@@ -106,9 +112,10 @@ void Renderer::Implementation::draw(const Scene& scene, const Camera& camera, co
   const HostState host;
   set_plain_state();
   drop_expired();
+  uploads_.begin_drawing(options.upload_budget);
   const Bounds bounds = bounds_of_surfaces(scene);
   const glm::ivec2 size(viewport.width, viewport.height);
-  Drawing drawing{scene, options, viewport, {}, border_of(options, viewport), 1, {}};
+  Drawing drawing{scene, options, viewport, {}, border_of(options, viewport), 1, {}, uploads_};
   drawing.view = make_view_frame(camera, bounds, viewport, drawing.border);
   drawing.seen = seen_part(bounds, drawing.view, size + 2 * drawing.border);
   if (!scene.meshes.empty()) surfaces_.draw(drawing);
@@ -116,7 +123,7 @@ void Renderer::Implementation::draw(const Scene& scene, const Camera& camera, co
   const glm::ivec2 origin(viewport.x, viewport.y);
   if (has_overlay(scene, options)) {
     const OverlayFrame frame{make_view_frame(camera, bounds, viewport, 0), glm::vec2(size),
-                             scene.meshes.empty() ? nullptr : &surfaces_.buffers(), drawing.border};
+                             scene.meshes.empty() ? nullptr : &surfaces_.buffers(), drawing.border, uploads_};
     canvas_.begin(size);
     draw_picture(drawing, glm::ivec2(0));
     draw_overlay(drawing, frame);
@@ -148,7 +155,11 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
 
 void Renderer::draw(const std::vector<MeshItemPtr>& items, const Camera& camera, const RenderOptions& options,
                     const Viewport& viewport) {
-  implementation_->draw({{items.begin(), items.end()}, {}, {}}, camera, options, viewport);
+  implementation_->draw(Scene{{items.begin(), items.end()}, {}, {}}, camera, options, viewport);
 }
+
+bool Renderer::pending() const { return implementation_->uploads().pending(); }
+
+UploadCount Renderer::uploaded() const { return implementation_->uploads().total(); }
 
 }  // namespace croquis::render

@@ -25,6 +25,9 @@ Bounds bounds_of(const Scene& scene) {
   add_bounds(scene.meshes, bounds);
   add_bounds(scene.lines, bounds);
   add_bounds(scene.marks, bounds);
+  for (const PointItemPtr& points : scene.points) {
+    if (points && !points->bounds.empty()) bounds.add(points->bounds);
+  }
   return bounds;
 }
 
@@ -39,6 +42,10 @@ std::vector<glm::dvec3> points_of(const Scene& scene) {
   }
   for (const Shown<MarkItem>& shown : scene.marks) {
     if (shown.item) add_points(*shown.item, shown.item->marks, points);
+  }
+  for (const PointItemPtr& item : scene.points) {
+    if (!item) continue;
+    for (const glm::vec3& place : item->places) points.push_back(to_model(*item, place));
   }
   return points;
 }

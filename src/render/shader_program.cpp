@@ -12,7 +12,8 @@
 namespace croquis::render {
 namespace {
 
-GLenum stage_of(std::string_view file) {
+GLenum stage_of(std::string_view file, GLenum before) {
+  if (file.ends_with(".glsl")) return before;
   if (file.ends_with(".vert")) return GL_VERTEX_SHADER;
   return file.ends_with(".geom") ? GL_GEOMETRY_SHADER : GL_FRAGMENT_SHADER;
 }
@@ -33,10 +34,10 @@ std::string program_log(GLuint program) {
   return log.c_str();
 }
 
-GlHandle compile(std::string_view file) {
+GlHandle compile(std::string_view file, GLenum stage) {
   const char* source = shader_source(file);
   if (source == nullptr) throw_gl_error("The shader " + std::string(file) + " is not part of the program.");
-  GlHandle shader(glCreateShader(stage_of(file)), [](unsigned name) { glDeleteShader(name); });
+  GlHandle shader(glCreateShader(stage), [](unsigned name) { glDeleteShader(name); });
   glShaderSource(shader.name(), 1, &source, nullptr);
   glCompileShader(shader.name());
   GLint compiled = GL_FALSE;
@@ -50,8 +51,10 @@ GlHandle compile(std::string_view file) {
 ShaderProgram::ShaderProgram(std::initializer_list<std::string_view> files)
     : program_(glCreateProgram(), [](unsigned name) { glDeleteProgram(name); }) {
   std::vector<GlHandle> shaders;
+  GLenum stage = GL_VERTEX_SHADER;
   for (const std::string_view file : files) {
-    shaders.push_back(compile(file));
+    stage = stage_of(file, stage);
+    shaders.push_back(compile(file, stage));
     glAttachShader(program_.name(), shaders.back().name());
   }
   glLinkProgram(program_.name());

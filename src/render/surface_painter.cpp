@@ -16,11 +16,8 @@ constexpr double most_samples_kept = 20e6;
 /// … and a single one gets no more than 1.2 GB.
 constexpr double most_samples = 40e6;
 
-/// Samples per pixel of the lengths in the options.
-double samples_per_pixel(const Drawing& drawing) { return drawing.options.pixel_ratio * drawing.samples; }
-
 double contour_half_width(const Drawing& drawing) {
-  return 0.5 * std::clamp(drawing.options.contour_width, 0.5, 8.0) * samples_per_pixel(drawing);
+  return 0.5 * std::clamp(drawing.options.contour_width, 0.5, 8.0) * drawing.samples_per_pixel();
 }
 
 int contour_pixels(const Drawing& drawing) {
@@ -35,10 +32,6 @@ ScreenRect drawn_part(const Drawing& drawing) {
 
 bool is_quick(const Drawing& drawing) { return drawing.samples == 1 && !wants_occlusion(drawing.options); }
 
-float wire_width(const Drawing& drawing) {
-  return static_cast<float>(std::clamp(drawing.options.wire_width, 0.1, 8.0) * samples_per_pixel(drawing));
-}
-
 /// The driver's limit on textures wins over the samples asked for.
 int fitting_samples(int wanted, int pixel_width, int pixel_height) {
   GLint largest = 0;
@@ -47,15 +40,6 @@ int fitting_samples(int wanted, int pixel_width, int pixel_height) {
   const int room =
       std::min(largest / std::max(pixel_width, pixel_height), static_cast<int>(std::sqrt(most_samples / pixels)));
   return std::max(1, std::min(std::clamp(wanted, 1, 4), room));
-}
-
-void set_emphasis(const ShaderProgram& surface, const RenderOptions& options, const Emphasis& emphasis) {
-  glm::vec4 tint = emphasis_color(options.emphasis, emphasis);
-  tint.a *= static_cast<float>(options.emphasis.surface_tint);
-  const glm::vec4 background = 0.5F * (to_float(options.background_top) + to_float(options.background_bottom));
-  const double fade = emphasis.stale ? 1 - options.emphasis.faded : 0;
-  surface.set("tint", tint);
-  surface.set("fade", glm::vec4(glm::vec3(background), fade));
 }
 
 double samples_in(const FrameSize& size) { return static_cast<double>(size.width()) * size.height(); }
@@ -85,63 +69,6 @@ void SurfacePainter::prepare_buffers(Drawing& drawing) {
   }
   drop_oldest(buffers_, size);  // first free, then ask for as much again
   buffers_.emplace_front(size);
-}
-
-void SurfacePainter::draw_surfaces(const Drawing& drawing) {
-  glBindFramebuffer(GL_FRAMEBUFFER, buffers_.front().surface_target.name());
-  glViewport(0, 0, buffers_.front().size.width(), buffers_.front().size.height());
-  glClearColor(0, 0, 0, 0);
-  glClearDepth(1);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  glEnable(GL_DEPTH_TEST);
-  // Wire lies in the surface and is some samples wide: surfaces stand back as much as they recede over half of that.
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(0.3f + 0.5f * wire_width(drawing), 4.0f);
-
-  surface_.use();
-  surface_.set("to_clip", drawing.view.to_clip);
-  surface_.set("perspective", drawing.view.perspective);
-  unsigned first_patch = 0;
-  for (const Shown<MeshItem>& shown : drawing.scene.meshes) {
-    const MeshItemPtr& item = shown.item;
-    if (!item) continue;
-    set_emphasis(surface_, drawing.options, shown.emphasis);
-    surface_.set("to_view", glm::mat4(item_to_view(*item, drawing.view)));
-    surface_.set("normal_to_view", glm::mat3(drawing.view.model_to_view * drawing.view.unit));
-    surface_.set("first_patch", first_patch);
-    gpu_meshes_.get(item).draw_triangles();
-    first_patch += item->patch_count;
-  }
-  glDisable(GL_POLYGON_OFFSET_FILL);
-}
-
-void SurfacePainter::draw_overlay(const Drawing& drawing) {
-  glBindFramebuffer(GL_FRAMEBUFFER, buffers_.front().overlay_target.name());
-  glClear(GL_COLOR_BUFFER_BIT);
-  line_.use();
-  line_.set("to_clip", drawing.view.to_clip);
-  line_.set_texture("normals", 0, buffers_.front().normals);
-  line_.set("frame_size", glm::vec2(buffers_.front().size.width(), buffers_.front().size.height()));
-  for (const Shown<MeshItem>& shown : drawing.scene.meshes) {
-    const MeshItemPtr& item = shown.item;
-    if (!item) continue;
-    const GpuMesh& gpu_mesh = gpu_meshes_.get(item);
-    line_.set("to_view", glm::mat4(item_to_view(*item, drawing.view)));
-    if (drawing.options.wire) {
-      line_.set("fixed_color", to_float(drawing.options.wire_color));
-      line_.set("width", wire_width(drawing));
-      line_.set("on_surface", true);
-      glDepthMask(GL_FALSE);
-      gpu_mesh.draw_edges();
-      glDepthMask(GL_TRUE);
-    }
-    line_.set("on_surface", false);
-    line_.set("fixed_color", glm::vec4(0));
-    line_.set("width",
-              static_cast<float>(std::clamp(drawing.options.line_width, 0.1, 32.0) * samples_per_pixel(drawing)));
-    gpu_mesh.draw_segments();
-  }
-  glDisable(GL_DEPTH_TEST);
 }
 
 void SurfacePainter::fill_screen() const {
@@ -243,9 +170,10 @@ void SurfacePainter::compose(const Drawing& drawing, const glm::ivec2& origin) {
 }
 
 void SurfacePainter::draw(Drawing& drawing) {
+  meshes_.send(drawing);
   prepare_buffers(drawing);
-  draw_surfaces(drawing);
-  draw_overlay(drawing);
+  meshes_.draw_surfaces(drawing, buffers_.front());
+  meshes_.draw_lines(drawing, buffers_.front());
   if (is_quick(drawing)) return;
   if (drawing.options.contours) find_contours(drawing);
   if (wants_occlusion(drawing.options)) find_openness(drawing);

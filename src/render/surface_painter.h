@@ -5,8 +5,7 @@
 
 #include "render/backdrop.h"
 #include "render/drawing.h"
-#include "render/gpu_cache.h"
-#include "render/gpu_mesh.h"
+#include "render/mesh_painter.h"
 #include "render/shader_program.h"
 
 namespace croquis::render {
@@ -23,12 +22,10 @@ class SurfacePainter {
   void compose(const Drawing& drawing, const glm::ivec2& origin);
 
   const FrameBuffers& buffers() const { return buffers_.front(); }
-  void drop_expired() { gpu_meshes_.drop_expired(); }
+  void drop_expired() { meshes_.drop_expired(); }
 
  private:
   void prepare_buffers(Drawing& drawing);
-  void draw_surfaces(const Drawing& drawing);
-  void draw_overlay(const Drawing& drawing);
   void find_contours(const Drawing& drawing);
   void find_openness(const Drawing& drawing);
   void compose_carefully(const Drawing& drawing, const glm::ivec2& origin);
@@ -36,16 +33,14 @@ class SurfacePainter {
   void set_composed(const ShaderProgram& program, const Drawing& drawing, const glm::ivec2& origin) const;
   void fill_screen() const;
 
-  ShaderProgram surface_ = ShaderProgram({"surface.vert", "surface.frag"});
-  ShaderProgram line_ = ShaderProgram({"line.vert", "line.geom", "line.frag"});
+  MeshPainter meshes_;
   ShaderProgram contour_detect_ = ShaderProgram({"screen.vert", "contour_detect.frag"});
   ShaderProgram contour_spread_ = ShaderProgram({"screen.vert", "contour_spread.frag"});
   ShaderProgram occlusion_ = ShaderProgram({"screen.vert", "occlusion.frag"});
   ShaderProgram composite_ = ShaderProgram({"screen.vert", "composite.frag", "backdrop.frag", "light.frag"});
   ShaderProgram composite_quick_ = ShaderProgram({"screen.vert", "composite_quick.frag", "light.frag"});
   GlHandle no_attributes_ = make_vertex_array();  // core profiles draw nothing without a vertex array
-  GpuCache<MeshItem, GpuMesh> gpu_meshes_;
-  std::list<FrameBuffers> buffers_;  // of views drawn lately, the last one first
+  std::list<FrameBuffers> buffers_;               // of views drawn lately, the last one first
 };
 
 }  // namespace croquis::render

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/mesh_painter.h"
+
+#include <algorithm>
+#include <array>
+
+#include <epoxy/gl.h>
+
+namespace croquis::render {
+
+/// One round of wire over all meshes.
+struct MeshPainter::WirePass {
+  bool covered = false;  // what surfaces hide of wires without a surface, else what they leave
+};
+
+namespace {
+
+constexpr Color box_color = {120, 124, 132, 255};
+
+bool shows_wire(const MeshStyle& style, const RenderOptions& options) {
+  return style.wire.value_or(options.wire || style.surface != SurfaceLook::Filled);
+}
+
+/// In samples.
+float wire_width(const MeshStyle& style, const Drawing& drawing) {
+  const double width = style.wire_width.value_or(drawing.options.wire_width);
+  return static_cast<float>(std::clamp(width, 0.1, 8.0) * drawing.samples_per_pixel());
+}
+
+float widest_wire(const Drawing& drawing) {
+  float width = wire_width({}, drawing);
+  for (const Shown<MeshItem>& shown : drawing.scene.meshes) {
+    if (shows_wire(shown.style, drawing.options)) width = std::max(width, wire_width(shown.style, drawing));
+  }
+  return width;
+}
+
+/// Without filled faces it is the wire that shows emphasis.
+glm::vec4 wire_color(const Shown<MeshItem>& shown, const RenderOptions& options) {
+  glm::vec4 color = to_float(shown.style.wire_color.value_or(options.wire_color));
+  if (shown.style.surface == SurfaceLook::Filled) return color;
+  const glm::vec4 emphasis = emphasis_color(options.emphasis, shown.emphasis);
+  if (emphasis.a > 0) color = glm::vec4(glm::vec3(emphasis), 1);
+  if (shown.emphasis.stale) color.a *= static_cast<float>(options.emphasis.faded);
+  return color;
+}
+
+void set_emphasis(const ShaderProgram& surface, const RenderOptions& options, const Emphasis& emphasis) {
+  glm::vec4 tint = emphasis_color(options.emphasis, emphasis);
+  tint.a *= static_cast<float>(options.emphasis.surface_tint);
+  const glm::vec4 background = 0.5F * (to_float(options.background_top) + to_float(options.background_bottom));
+  const double fade = emphasis.stale ? 1 - options.emphasis.faded : 0;
+  surface.set("tint", tint);
+  surface.set("fade", glm::vec4(glm::vec3(background), fade));
+}
+
+/// Colours are blended over those of the faces, whose shape stays.
+void blend_colors_alone(bool on) {
+  const auto rest = static_cast<GLboolean>(!on);
+  for (const GLuint texture : {1U, 2U}) glColorMaski(texture, rest, rest, rest, rest);
+  glDepthMask(rest);
+  if (on) {
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+  } else {
+    glDisable(GL_BLEND);
+  }
+}
+
+const Shown<MeshItem>* find_shown(const Scene& scene, const MeshItemPtr& item) {
+  const auto found = std::find_if(scene.meshes.begin(), scene.meshes.end(),
+                                  [&](const Shown<MeshItem>& shown) { return shown.item == item; });
+  return found != scene.meshes.end() ? &*found : nullptr;
+}
+
+/// The twelve edges of the cube [-1, 1]^3, end after end.
+std::array<LineVertex, 24> box_ends() {
+  std::array<LineVertex, 24> ends;
+  std::size_t count = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int side = 0; side < 4; ++side) {
+      glm::vec3 place(0);
+      place[(axis + 1) % 3] = (side & 1) == 0 ? -1.0F : 1.0F;
+      place[(axis + 2) % 3] = (side & 2) == 0 ? -1.0F : 1.0F;
+      for (const float end : {-1.0F, 1.0F}) {
+        place[axis] = end;
+        ends[count++] = {place, box_color};
+      }
+    }
+  }
+  return ends;
+}
+
+}  // namespace
+
+void MeshPainter::send(const Drawing& drawing) {
+  const auto send_those = [&](bool at_once) {
+    for (const Shown<MeshItem>& shown : drawing.scene.meshes) {
+      if (!shown.item) continue;
+      const bool with_wire = shows_wire(shown.style, drawing.options);
+      GpuMesh& mesh = gpu_meshes_.get(shown.item, shared_);
+      if (mesh.goes_at_once(with_wire) == at_once) mesh.send(*shown.item, with_wire, drawing.uploads);
+    }
+  };
+  send_those(true);
+  send_those(false);
+  for (const FaceHighlightPtr& highlight : drawing.scene.highlights) {
+    if (!highlight || find_shown(drawing.scene, highlight->mesh) == nullptr) continue;
+    const GpuMesh& mesh = gpu_meshes_.get(highlight->mesh, shared_);
+    gpu_highlights_.get(highlight, mesh, shared_).send(*highlight, drawing.uploads);
+  }
+  glBindVertexArray(0);
+  check_gl("sending meshes to the graphics card");
+}
+
+void MeshPainter::drop_expired() {
+  gpu_highlights_.drop_expired();
+  gpu_meshes_.drop_expired();
+  shared_.drop_expired();
+}
+
+void MeshPainter::draw_surfaces(const Drawing& drawing, const FrameBuffers& frame) {
+  glBindFramebuffer(GL_FRAMEBUFFER, frame.surface_target.name());
+  glViewport(0, 0, frame.size.width(), frame.size.height());
+  glClearColor(0, 0, 0, 0);
+  glClearDepth(1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glEnable(GL_DEPTH_TEST);
+  // Wire lies in the surface and is some samples wide: surfaces stand back as much as they recede over half of that.
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(0.3f + 0.5f * widest_wire(drawing), 4.0f);
+
+  surface_.use();
+  surface_.set("to_clip", drawing.view.to_clip);
+  surface_.set("perspective", drawing.view.perspective);
+  surface_.set("normal_to_view", glm::mat3(drawing.view.model_to_view * drawing.view.unit));
+  surface_.set("fixed_color", glm::vec4(0));
+  unsigned first_patch = 0;
+  for (const Shown<MeshItem>& shown : drawing.scene.meshes) {
+    const MeshItemPtr& item = shown.item;
+    if (!item || shown.style.surface == SurfaceLook::None) continue;
+    set_emphasis(surface_, drawing.options, shown.emphasis);
+    surface_.set("filled", shown.style.surface == SurfaceLook::Filled);
+    surface_.set("to_view", glm::mat4(item_to_view(*item, drawing.view)));
+    surface_.set("first_patch", first_patch);
+    gpu_meshes_.get(item, shared_).draw_triangles();
+    first_patch += item->patch_count;
+  }
+  surface_.set("filled", true);
+  for (const FaceHighlightPtr& highlight : drawing.scene.highlights) draw_highlight(highlight, drawing);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+void MeshPainter::draw_highlight(const FaceHighlightPtr& highlight, const Drawing& drawing) {
+  const Shown<MeshItem>* shown = highlight ? find_shown(drawing.scene, highlight->mesh) : nullptr;
+  GpuHighlight* const faces = shown != nullptr ? gpu_highlights_.find(highlight) : nullptr;
+  if (faces == nullptr || !gpu_meshes_.get(highlight->mesh, shared_).vertices_complete()) return;
+  const bool over_faces = shown->style.surface == SurfaceLook::Filled;
+  set_emphasis(surface_, drawing.options, {});
+  surface_.set("fixed_color", to_float(highlight->color));
+  surface_.set("to_view", glm::mat4(item_to_view(*highlight->mesh, drawing.view)));
+  surface_.set("first_patch", 0U);
+  if (over_faces) blend_colors_alone(true);
+  faces->draw();
+  if (over_faces) blend_colors_alone(false);
+}
+
+void MeshPainter::draw_lines(const Drawing& drawing, const FrameBuffers& frame) {
+  glBindFramebuffer(GL_FRAMEBUFFER, frame.overlay_target.name());
+  glClear(GL_COLOR_BUFFER_BIT);
+  line_.use();
+  line_.set("to_clip", drawing.view.to_clip);
+  line_.set_texture("normals", 0, frame.normals);
+  line_.set("frame_size", glm::vec2(frame.size.width(), frame.size.height()));
+  glDepthMask(GL_FALSE);
+  draw_wire(drawing, {true});  // first, so that what is in front covers it
+  draw_wire(drawing, {false});
+  if (drawing.uploads.pending()) draw_boxes(drawing);
+  glDepthMask(GL_TRUE);
+  draw_polylines(drawing);
+  glDisable(GL_DEPTH_TEST);
+}
+
+void MeshPainter::draw_wire(const Drawing& drawing, const WirePass& pass) {
+  glDepthFunc(pass.covered ? GL_GREATER : GL_LEQUAL);
+  for (const Shown<MeshItem>& shown : drawing.scene.meshes) {
+    if (!shown.item || !shows_wire(shown.style, drawing.options)) continue;
+    const bool alone = shown.style.surface == SurfaceLook::None;
+    if (pass.covered && !(alone && shown.style.covered_wire > 0)) continue;
+    glm::vec4 color = wire_color(shown, drawing.options);
+    if (pass.covered) color.a *= static_cast<float>(std::min(shown.style.covered_wire, 1.0));
+    if (!(color.a > 0)) continue;
+    line_.set("to_view", glm::mat4(item_to_view(*shown.item, drawing.view)));
+    line_.set("fixed_color", color);
+    line_.set("width", wire_width(shown.style, drawing));
+    line_.set("on_surface", !alone);
+    gpu_meshes_.get(shown.item, shared_).draw_edges();
+  }
+  glDepthFunc(GL_LEQUAL);
+}
+
+void MeshPainter::draw_polylines(const Drawing& drawing) {
+  line_.set("on_surface", false);
+  line_.set("fixed_color", glm::vec4(0));
+  line_.set("width",
+            static_cast<float>(std::clamp(drawing.options.line_width, 0.1, 32.0) * drawing.samples_per_pixel()));
+  for (const Shown<MeshItem>& shown : drawing.scene.meshes) {
+    if (!shown.item || shown.item->segments.empty()) continue;
+    line_.set("to_view", glm::mat4(item_to_view(*shown.item, drawing.view)));
+    gpu_meshes_.get(shown.item, shared_).draw_segments();
+  }
+}
+
+void MeshPainter::draw_boxes(const Drawing& drawing) {
+  if (box_.name() == 0) {
+    box_ = make_vertex_array();
+    glBindVertexArray(box_.name());
+    const std::array<LineVertex, 24> ends = box_ends();
+    box_corners_ = upload(GL_ARRAY_BUFFER, std::as_bytes(std::span(ends)));
+    bind_line_vertices();
+  }
+  line_.set("on_surface", false);
+  line_.set("fixed_color", to_float(box_color));
+  line_.set("width", static_cast<float>(drawing.samples_per_pixel()));
+  for (const Shown<MeshItem>& shown : drawing.scene.meshes) {
+    if (!shown.item || gpu_meshes_.get(shown.item, shared_).vertices_complete()) continue;
+    const Bounds& bounds = shown.item->bounds;
+    const glm::dvec3 half = 0.5 * bounds.max - 0.5 * bounds.min;
+    const glm::dmat4 to_model = glm::scale(glm::translate(glm::dmat4(1), bounds.center()), half);
+    line_.set("to_view", glm::mat4(drawing.view.model_to_view * to_model));
+    glBindVertexArray(box_.name());
+    glDrawArrays(GL_LINES, 0, 24);
+  }
+}
+
+}  // namespace croquis::render

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "render/drawing.h"
+#include "render/gpu_cache.h"
+#include "render/gpu_mesh.h"
+#include "render/shader_program.h"
+
+namespace croquis::render {
+
+/// Draws meshes' triangles, highlighted faces, wire and polylines into the textures of one drawing.
+class MeshPainter {
+ public:
+  /// Sends what the drawing needs and its uploads allow, what is small first.
+  void send(const Drawing& drawing);
+
+  /// Fills colours, normals and depths. Depth tests are left on.
+  void draw_surfaces(const Drawing& drawing, const FrameBuffers& frame);
+
+  /// Fills the overlay with wire and polylines, behind surfaces where these hide them.
+  void draw_lines(const Drawing& drawing, const FrameBuffers& frame);
+
+  void drop_expired();
+
+ private:
+  struct WirePass;
+
+  void draw_highlight(const FaceHighlightPtr& highlight, const Drawing& drawing);
+  void draw_wire(const Drawing& drawing, const WirePass& pass);
+  void draw_polylines(const Drawing& drawing);
+  void draw_boxes(const Drawing& drawing);
+
+  ShaderProgram surface_ = ShaderProgram({"surface.vert", "surface.frag"});
+  ShaderProgram line_ = ShaderProgram({"line.vert", "line.geom", "line.frag"});
+  SharedBuffers shared_;
+  GpuCache<MeshItem, GpuMesh> gpu_meshes_;
+  GpuCache<FaceHighlight, GpuHighlight> gpu_highlights_;
+  GlHandle box_corners_, box_;  // stands for a mesh that isn't there yet
+};
+
+}  // namespace croquis::render
