@@ -25,6 +25,9 @@ float visible_share(ivec2 pixel, float measure, float slack) {
   return float(seen) / float(samples * samples);
 }
 
+// A surface so many pixels nearer than a place, right before it, hides the place even at the surface's rim.
+const float sure_cover = 24.0;
+
 // Whether a place (pixels) is seen: there or a pixel beside it no surface is nearer than the measure by more than slack
 // (pixels). In a slope, however steep, one of these lies further away than the place.
 bool seen_near(vec2 place, float measure, float slack) {
@@ -36,6 +39,7 @@ bool seen_near(vec2 place, float measure, float slack) {
   for (int i = 0; i < 5; ++i) {
     vec2 surface = texelFetch(depths, clamp(middle + samples * around[i], ivec2(0), last), 0).xy;
     if (surface.y == 0.0 || surface.x >= nearest) return true;
+    if (i == 0 && surface.x < limit_for(measure, sure_cover)) return false;
   }
   return false;
 }

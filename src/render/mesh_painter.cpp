@@ -190,9 +190,11 @@ void MeshPainter::draw_wire(const Drawing& drawing, const WirePass& pass) {
     glm::vec4 color = wire_color(shown, drawing.options);
     if (pass.covered) color.a *= static_cast<float>(std::min(shown.style.covered_wire, 1.0));
     if (!(color.a > 0)) continue;
+    const float width = wire_width(shown.style, drawing);
+    color.a *= std::min(width, 1.0F);
     line_.set("to_view", glm::mat4(item_to_view(*shown.item, drawing.view)));
     line_.set("fixed_color", color);
-    line_.set("width", wire_width(shown.style, drawing));
+    line_.set("width", std::max(width, 1.0F));  // thinner than a sample it would be dotted: it fades instead
     line_.set("on_surface", !alone);
     gpu_meshes_.get(shown.item, shared_).draw_edges();
   }
