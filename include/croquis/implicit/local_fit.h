@@ -73,9 +73,6 @@ class LocalFit {
   Eigen::Vector4d polynomial() const;
 
  private:
-  friend class FitSolver;
-  double evaluate_one(const Vec3& point, Vec3* gradient) const;
-
   Kernel kernel_;
   FitReport report_;
   Vec3 middle_ = Vec3::Zero();

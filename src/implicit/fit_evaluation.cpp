@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "implicit/fit_evaluation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "implicit/lanes.h"
+#include "implicit/log.h"
+
+namespace croquis::implicit {
+namespace {
+
+constexpr std::size_t chunk = 64;  // centres whose distances lie in buffers of 3 kB altogether
+
+// Squares of distances count as at least this: below it nothing is left of any kernel, and no lane divides by 0.
+constexpr double least_square = 1e-280;
+
+/// What the kernels need of the offsets d = x - c of up to `chunk` centres.
+struct Offsets {
+  double x[chunk], y[chunk], z[chunk];
+  double square[chunk];   // |d|^2
+  double radius[chunk];   // |d|
+  double special[chunk];  // 1/|d|, or ln |d|^2 for the thin plate
+};
+
+struct Sums {
+  Lanes value = {};
+  Lanes x = {}, y = {}, z = {};
+};
+
+template <Kernel kernel>
+CROQUIS_PART void measure(const double* columns, std::size_t stride, std::size_t begin, std::size_t count,
+                          const Vec3& p, Offsets& o) {
+  const double px = p[0], py = p[1], pz = p[2];
+  const double* cx = columns + begin;
+  const double* cy = cx + stride;
+  const double* cz = cy + stride;
+  for (std::size_t i = 0; i < count; ++i) {
+    o.x[i] = px - cx[i];
+    o.y[i] = py - cy[i];
+    o.z[i] = pz - cz[i];
+    const double square = o.x[i] * o.x[i] + o.y[i] * o.y[i] + o.z[i] * o.z[i];
+    o.square[i] = square > least_square ? square : least_square;
+  }
+  if constexpr (kernel == Kernel::ThinPlate) {
+    for (std::size_t i = 0; i < count; ++i) o.special[i] = log_of_normal(o.square[i]);
+  } else {
+    for (std::size_t i = 0; i < count; ++i) {
+      o.radius[i] = std::sqrt(o.square[i]);
+      o.special[i] = 1 / o.radius[i];
+    }
+  }
+}
+
+/// The terms of 8 centres of value kernels: a phi, and t d with t = phi'/r.
+template <Kernel kernel, bool with_gradients>
+CROQUIS_PART void add_values(const Offsets& o, std::size_t i, const Lanes& a, Sums& sums) {
+  Lanes square, radius = {}, special, t;
+  load(square, o.square + i);
+  if constexpr (kernel != Kernel::ThinPlate) load(radius, o.radius + i);
+  load(special, o.special + i);
+  if constexpr (kernel == Kernel::Triharmonic) {
+    sums.value += a * (square * radius);
+    t = 3 * (a * radius);
+  } else if constexpr (kernel == Kernel::Biharmonic) {
+    sums.value += a * radius;
+    t = a * special;
+  } else {
+    sums.value += a * (0.5 * square * special);
+    t = a * (special + 1);
+  }
+  if constexpr (with_gradients) {
+    Lanes x, y, z;
+    load(x, o.x + i);
+    load(y, o.y + i);
+    load(z, o.z + i);
+    sums.x += t * x;
+    sums.y += t * y;
+    sums.z += t * z;
+  }
+}
+
+/// The terms of 8 centres of the Hermite kernel, with s = b . d: r (a r^2 - 3 s), and 3 ((a r - s/r) d - r b).
+template <bool with_gradients>
+CROQUIS_PART void add_hermite(const Offsets& o, std::size_t i, const double* weights, std::size_t stride, Sums& sums) {
+  Lanes x, y, z, square, radius, a, bx, by, bz;
+  load(x, o.x + i);
+  load(y, o.y + i);
+  load(z, o.z + i);
+  load(square, o.square + i);
+  load(radius, o.radius + i);
+  load(a, weights);
+  load(bx, weights + stride);
+  load(by, weights + 2 * stride);
+  load(bz, weights + 3 * stride);
+  const Lanes s = bx * x + by * y + bz * z;
+  sums.value += radius * (a * square - 3 * s);
+  if constexpr (with_gradients) {
+    Lanes inverse;
+    load(inverse, o.special + i);
+    const Lanes t = a * radius - s * inverse;
+    sums.x += t * x - radius * bx;
+    sums.y += t * y - radius * by;
+    sums.z += t * z - radius * bz;
+  }
+}
+
+template <Kernel kernel, bool with_gradients>
+CROQUIS_PART void evaluate_point(const FitColumns& fit, const Vec3& point, double& value, Vec3* gradient) {
+  Offsets offsets;
+  Sums sums;
+  for (std::size_t begin = 0; begin < fit.stride; begin += chunk) {
+    const std::size_t count = std::min(chunk, fit.stride - begin);
+    measure<kernel>(fit.columns, fit.stride, begin, count, point, offsets);
+    const double* weights = fit.columns + 3 * fit.stride + begin;
+    for (std::size_t i = 0; i < count; i += lane_count) {
+      if constexpr (kernel == Kernel::Hermite) {
+        add_hermite<with_gradients>(offsets, i, weights + i, fit.stride, sums);
+      } else {
+        Lanes a;
+        load(a, weights + i);
+        add_values<kernel, with_gradients>(offsets, i, a, sums);
+      }
+    }
+  }
+  value = sum(sums.value);
+  if constexpr (with_gradients) {
+    *gradient = Vec3(sum(sums.x), sum(sums.y), sum(sums.z));
+    if constexpr (kernel == Kernel::Hermite) *gradient *= 3;
+  }
+}
+
+template <Kernel kernel>
+CROQUIS_PART void evaluate_points(const FitColumns& fit, std::span<const Vec3> points, std::span<double> values,
+                                  std::span<Vec3> gradients) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (gradients.empty()) {
+      evaluate_point<kernel, false>(fit, points[i], values[i], nullptr);
+    } else {
+      evaluate_point<kernel, true>(fit, points[i], values[i], &gradients[i]);
+    }
+  }
+}
+
+CROQUIS_FOR_EVERY_MACHINE void evaluate_hermite(const FitColumns& fit, std::span<const Vec3> points,
+                                                std::span<double> values, std::span<Vec3> gradients) {
+  evaluate_points<Kernel::Hermite>(fit, points, values, gradients);
+}
+
+CROQUIS_FOR_EVERY_MACHINE void evaluate_triharmonic(const FitColumns& fit, std::span<const Vec3> points,
+                                                    std::span<double> values, std::span<Vec3> gradients) {
+  evaluate_points<Kernel::Triharmonic>(fit, points, values, gradients);
+}
+
+CROQUIS_FOR_EVERY_MACHINE void evaluate_biharmonic(const FitColumns& fit, std::span<const Vec3> points,
+                                                   std::span<double> values, std::span<Vec3> gradients) {
+  evaluate_points<Kernel::Biharmonic>(fit, points, values, gradients);
+}
+
+CROQUIS_FOR_EVERY_MACHINE void evaluate_thin_plate(const FitColumns& fit, std::span<const Vec3> points,
+                                                   std::span<double> values, std::span<Vec3> gradients) {
+  evaluate_points<Kernel::ThinPlate>(fit, points, values, gradients);
+}
+
+}  // namespace
+
+void evaluate_columns(const FitColumns& fit, std::span<const Vec3> points, std::span<double> values,
+                      std::span<Vec3> gradients) {
+  switch (fit.kernel) {
+    case Kernel::Hermite: return evaluate_hermite(fit, points, values, gradients);
+    case Kernel::Triharmonic: return evaluate_triharmonic(fit, points, values, gradients);
+    case Kernel::Biharmonic: return evaluate_biharmonic(fit, points, values, gradients);
+    case Kernel::ThinPlate: return evaluate_thin_plate(fit, points, values, gradients);
+  }
+}
+
+}  // namespace croquis::implicit

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "implicit/fit_system.h"
+
+#include <cmath>
+
+namespace croquis::implicit {
+namespace {
+
+using Eigen::Index;
+
+constexpr std::size_t least_for_linear = 4;  // fewer centres without gradients: constants alone
+
+Index at(std::size_t i) { return static_cast<Index>(i); }
+
+std::vector<std::size_t> number_unknowns(const UnitCentres& centres) {
+  std::vector<std::size_t> first = {0};
+  for (std::size_t c = 0; c < centres.positions.size(); ++c)
+    first.push_back(first.back() + (centres.has_gradient(c) ? 4 : 1));
+  return first;
+}
+
+/// The block of two centres with gradients, d from the second to the first:
+/// [phi, -grad phi'; grad phi, -Hess phi] with phi = r^3, grad phi = 3 r d, Hess phi = 3 (r I + d d'/r).
+Eigen::Matrix4d hermite_block(const Vec3& d) {
+  Eigen::Matrix4d block = Eigen::Matrix4d::Zero();
+  const double squared = d.squaredNorm();
+  const double r = std::sqrt(squared);
+  if (r == 0) return block;
+  block(0, 0) = r * squared;
+  block.topRightCorner<1, 3>() = -3 * r * d.transpose();
+  block.bottomLeftCorner<3, 1>() = 3 * r * d;
+  block.bottomRightCorner<3, 3>() = (-3 / r) * (d * d.transpose());
+  block.diagonal().tail<3>().array() -= 3 * r;
+  return block;
+}
+
+void fill_hermite(const UnitCentres& centres, FitSystem& system) {
+  const std::size_t count = centres.positions.size();
+  for (std::size_t j = 0; j < count; ++j) {
+    for (std::size_t i = j; i < count; ++i) {
+      const Eigen::Matrix4d block = hermite_block(centres.positions[i] - centres.positions[j]);
+      const Index rows = at(system.first[i + 1] - system.first[i]);
+      const Index columns = at(system.first[j + 1] - system.first[j]);
+      system.a.block(at(system.first[i]), at(system.first[j]), rows, columns) = block.topLeftCorner(rows, columns);
+      system.a.block(at(system.first[j]), at(system.first[i]), columns, rows) =
+          block.topLeftCorner(rows, columns).transpose();
+    }
+  }
+}
+
+void fill_values(const UnitCentres& centres, Kernel kernel, FitSystem& system) {
+  const std::size_t count = centres.positions.size();
+  for (std::size_t j = 0; j < count; ++j) {
+    for (std::size_t i = j; i < count; ++i) {
+      const double phi = system.sign * kernel_value(kernel, centres.positions[i] - centres.positions[j]);
+      system.a(at(i), at(j)) = phi;
+      system.a(at(j), at(i)) = phi;
+    }
+  }
+}
+
+/// Smoothing has the kernel's sign, so that the system times that sign only gains on the diagonal.
+void add_smoothing(const UnitCentres& centres, const FitOptions& options, FitSystem& system) {
+  const double on_values = options.value_smoothing * std::pow(centres.spacing, traits(options.kernel).degree);
+  const double on_gradients = options.gradient_smoothing * centres.spacing;
+  for (std::size_t c = 0; c < centres.positions.size(); ++c) {
+    for (std::size_t k = system.first[c]; k < system.first[c + 1]; ++k)
+      system.a(at(k), at(k)) += k == system.first[c] ? on_values : on_gradients;
+  }
+}
+
+void fill_sides(const UnitCentres& centres, FitSystem& system) {
+  const bool linear = system.first.back() > centres.positions.size() || centres.positions.size() >= least_for_linear;
+  system.q = Eigen::MatrixXd::Zero(at(system.first.back()), linear ? 4 : 1);
+  system.h = Eigen::VectorXd::Zero(at(system.first.back()));
+  for (std::size_t c = 0; c < centres.positions.size(); ++c) {
+    const Index row = at(system.first[c]);
+    system.q(row, 0) = 1;
+    system.h[row] = centres.values[c];
+    if (linear) system.q.row(row).tail(3) = centres.positions[c].transpose();
+    if (!centres.has_gradient(c)) continue;
+    system.q.block(row + 1, 1, 3, 3).setIdentity();
+    system.h.segment(row + 1, 3) = centres.gradients[c];
+  }
+}
+
+}  // namespace
+
+FitSystem assemble(const UnitCentres& centres, const FitOptions& options) {
+  FitSystem system;
+  system.sign = traits(options.kernel).sign;
+  system.first = number_unknowns(centres);
+  system.a.resize(at(system.first.back()), at(system.first.back()));
+  if (options.kernel == Kernel::Hermite) {
+    fill_hermite(centres, system);
+  } else {
+    fill_values(centres, options.kernel, system);
+  }
+  add_smoothing(centres, options, system);
+  fill_sides(centres, system);
+  return system;
+}
+
+}  // namespace croquis::implicit

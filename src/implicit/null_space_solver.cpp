@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "implicit/null_space_solver.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <Eigen/QR>
+
+#include "implicit/cholesky.h"
+#include "implicit/lanes.h"
+
+namespace croquis::implicit {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Of the unit box: directions in which centres spread less than this don't hold a linear term.
+constexpr double flat = 1e-9;
+
+// Of the largest diagonal entry: a smaller pivot is rounding.
+constexpr double least_pivot = 1e-14;
+
+constexpr std::size_t width = 4;  // columns of Q, missing ones 0
+
+/// The first reflectors of a QR decomposition as H = I - V T V'.
+struct Reflectors {
+  MatrixXd v;  // n by 4, padded with 0
+  MatrixXd t;  // 4 by 4, upper triangular
+};
+
+Reflectors reflectors_of(const Eigen::ColPivHouseholderQR<MatrixXd>& qr, Index rank) {
+  const Index n = qr.rows();
+  Reflectors h = {MatrixXd::Zero(n, width), MatrixXd::Zero(width, width)};
+  for (Index k = 0; k < rank; ++k) {
+    const double tau = qr.hCoeffs()[k];
+    h.v(k, k) = 1;
+    h.v.col(k).tail(n - k - 1) = qr.matrixQR().col(k).tail(n - k - 1);
+    h.t.col(k).head(k) = -tau * (h.t.topLeftCorner(k, k) * (h.v.leftCols(k).transpose() * h.v.col(k)));
+    h.t(k, k) = tau;
+  }
+  return h;
+}
+
+/// y = A v for four columns at once; A is read column by column.
+CROQUIS_FOR_EVERY_MACHINE void multiply(const double* a, std::size_t n, const double* v, double* y) {
+  for (std::size_t j = 0; j < n; ++j) {
+    const double v0 = v[j], v1 = v[n + j], v2 = v[2 * n + j], v3 = v[3 * n + j];
+    const double* column = a + j * n;
+    for (std::size_t i = 0; i < n; ++i) {
+      y[i] += column[i] * v0;
+      y[n + i] += column[i] * v1;
+      y[2 * n + i] += column[i] * v2;
+      y[3 * n + i] += column[i] * v3;
+    }
+  }
+}
+
+/// A -= V W' + W V', the lower triangle.
+CROQUIS_FOR_EVERY_MACHINE void subtract_products(double* a, std::size_t n, const double* v, const double* w) {
+  for (std::size_t j = 0; j < n; ++j) {
+    double* column = a + j * n;
+    const double v0 = v[j], v1 = v[n + j], v2 = v[2 * n + j], v3 = v[3 * n + j];
+    const double w0 = w[j], w1 = w[n + j], w2 = w[2 * n + j], w3 = w[3 * n + j];
+    for (std::size_t i = j; i < n; ++i) {
+      column[i] -= ((v[i] * w0 + w[i] * v0) + (v[n + i] * w1 + w[n + i] * v1)) +
+                   ((v[2 * n + i] * w2 + w[2 * n + i] * v2) + (v[3 * n + i] * w3 + w[3 * n + i] * v3));
+    }
+  }
+}
+
+/// The lower triangle of H'AH: A - V W' - W V' with W = A V T - V (T'V' A V T) / 2.
+void reflect_both_sides(MatrixXd& a, const Reflectors& h) {
+  const auto n = static_cast<std::size_t>(a.rows());
+  MatrixXd y = MatrixXd::Zero(a.rows(), width);
+  multiply(a.data(), n, h.v.data(), y.data());
+  const MatrixXd yt = y.lazyProduct(h.t);
+  const MatrixXd s = h.t.transpose().lazyProduct(h.v.transpose().lazyProduct(yt));
+  const MatrixXd w = yt - 0.5 * h.v.lazyProduct(s);
+  subtract_products(a.data(), n, h.v.data(), w.data());
+}
+
+VectorXd reflected(const Reflectors& h, const VectorXd& x, bool transposed) {
+  const VectorXd inner = h.v.transpose() * x;
+  if (transposed) return x - h.v * (h.t.transpose() * inner);
+  return x - h.v * (h.t * inner);
+}
+
+/// The whole matrix again, which the fast way has spoilt above the diagonal in nothing.
+void mirror_upper_triangle(MatrixXd& a) {
+  for (Index j = 0; j < a.cols(); ++j)
+    for (Index i = j + 1; i < a.rows(); ++i) a(i, j) = a(j, i);
+}
+
+ConstrainedWeights solve_whole(MatrixXd& a, const VectorXd& diagonal, const MatrixXd& q, const VectorXd& h, int rank) {
+  const Index n = a.rows();
+  const Index k = q.cols();
+  mirror_upper_triangle(a);
+  a.diagonal() = diagonal;
+  MatrixXd whole = MatrixXd::Zero(n + k, n + k);
+  whole << a, q, q.transpose(), MatrixXd::Zero(k, k);
+  VectorXd right = VectorXd::Zero(n + k);
+  right.head(n) = h;
+  const VectorXd x = Eigen::CompleteOrthogonalDecomposition<MatrixXd>(whole).solve(right);
+  return {x.head(n), x.tail(k), rank, true};
+}
+
+}  // namespace
+
+ConstrainedWeights solve_constrained(MatrixXd& a, const MatrixXd& q, const VectorXd& h) {
+  const Index n = a.rows();
+  Eigen::ColPivHouseholderQR<MatrixXd> qr;
+  qr.setThreshold(flat);
+  qr.compute(q);
+  const Index rank = qr.rank();
+  const Reflectors reflectors = reflectors_of(qr, rank);
+  const VectorXd diagonal = a.diagonal();
+  reflect_both_sides(a, reflectors);
+
+  const VectorXd right = reflected(reflectors, h, true);
+  const MatrixXd coupling = a.bottomLeftCorner(n - rank, rank);
+  const double largest = n > rank ? a.diagonal().tail(n - rank).maxCoeff() : 0;
+  VectorXd free = right.tail(n - rank);
+  const auto count = static_cast<std::size_t>(n - rank);
+  const auto stride = static_cast<std::size_t>(n);
+  double* corner = a.data() + rank * (n + 1);
+  if (count > 0 && !factor_cholesky(corner, count, stride, least_pivot * largest))
+    return solve_whole(a, diagonal, q, h, static_cast<int>(rank));
+  solve_cholesky(corner, count, stride, free.data());
+
+  ConstrainedWeights result;
+  result.rank = static_cast<int>(rank);
+  VectorXd rotated = VectorXd::Zero(n);
+  rotated.tail(n - rank) = free;
+  result.weights = reflected(reflectors, rotated, false);
+  const MatrixXd r =
+      MatrixXd(qr.matrixR().topRows(rank).template triangularView<Eigen::Upper>()) * qr.colsPermutation().transpose();
+  const VectorXd rest = right.head(rank) - coupling.transpose() * free;
+  result.coefficients = Eigen::CompleteOrthogonalDecomposition<MatrixXd>(r).solve(rest);
+  return result;
+}
+
+}  // namespace croquis::implicit
