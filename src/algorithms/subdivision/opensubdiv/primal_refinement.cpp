@@ -62,8 +62,8 @@ struct DescriptorArrays {
   std::vector<float> crease_weights, pin_weights;
 };
 
-Sdc::SchemeType scheme_type(PrimalScheme scheme) {
-  return scheme == PrimalScheme::Loop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK;
+Sdc::SchemeType scheme_type(UniformScheme scheme) {
+  return scheme == UniformScheme::Loop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK;
 }
 
 Refiner make_refiner(const PrimalTopology& topology) {
@@ -81,32 +81,74 @@ Refiner make_refiner(const PrimalTopology& topology) {
   descriptor.cornerVertexIndices = arrays.pins.data();
   descriptor.cornerWeights = arrays.pin_weights.data();
   Sdc::Options options;
-  options.SetVtxBoundaryInterpolation(topology.corners_stay ? Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER
-                                                            : Sdc::Options::VTX_BOUNDARY_EDGE_ONLY);
+  const bool corners_stay = topology.rules.boundary_corners == BoundaryCorners::Corner;
+  options.SetVtxBoundaryInterpolation(corners_stay ? Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER
+                                                   : Sdc::Options::VTX_BOUNDARY_EDGE_ONLY);
   options.SetCreasingMethod(Sdc::Options::CREASE_UNIFORM);
   listen_to_errors();
-  Refiner refiner(Factory::Create(descriptor, Factory::Options(scheme_type(topology.scheme), options)));
+  Refiner refiner(Factory::Create(descriptor, Factory::Options(scheme_type(topology.rules.scheme), options)));
   require_no_error(refiner != nullptr);
   return refiner;
 }
 
-void read_faces(const Far::TopologyLevel& level, PrimalLevel& result) {
-  for (int f = 0; f < level.GetNumFaces(); ++f) {
-    const auto corners = level.GetFaceVertices(f);
-    result.face_sizes.push_back(static_cast<Index>(corners.size()));
-    for (int c = 0; c < corners.size(); ++c) result.corners.push_back(static_cast<Index>(corners[c]));
-    result.face_parents.push_back(static_cast<Index>(level.GetFaceParentFace(f)));
+/// Fills twins, edges and boundary from the edges of the corners.
+void join_half_edges(std::size_t edge_count, Level& level) {
+  HalfEdges& mesh = level.topology;
+  mesh.twin.assign(mesh.corner_count(), no_index);
+  mesh.edge_corner.assign(edge_count, no_index);
+  for (Index corner = 0; corner < mesh.corner_count(); ++corner) {
+    Index& first = mesh.edge_corner[mesh.corner_edge[corner]];
+    if (first == no_index) {
+      first = corner;
+    } else {
+      mesh.twin[corner] = first;
+      mesh.twin[first] = corner;
+    }
+  }
+  for (Index corner = 0; corner < mesh.corner_count(); ++corner) {
+    if (mesh.twin[corner] == no_index) level.boundary.push_back(corner);
   }
 }
 
-void read_creases(const Far::TopologyLevel& level, PrimalLevel& result) {
-  for (int e = 0; e < level.GetNumEdges(); ++e) {
-    const double sharpness = static_cast<double>(level.GetEdgeSharpness(e));
-    if (sharpness <= 0 || level.IsEdgeBoundary(e)) continue;
-    const auto ends = level.GetEdgeVertices(e);
-    result.creases.push_back({{static_cast<Index>(ends[0]), static_cast<Index>(ends[1])},
-                              level.IsEdgeInfSharp(e) ? infinite_sharpness : sharpness});
+/// Fans begin at the corner that leaves along the boundary, or at any where they close.
+void find_vertex_corners(std::size_t vertex_count, Level& level) {
+  HalfEdges& mesh = level.topology;
+  mesh.vertex_corner.assign(vertex_count, no_index);
+  for (Index corner = 0; corner < mesh.corner_count(); ++corner) {
+    Index& first = mesh.vertex_corner[mesh.corner_vertex[corner]];
+    if (first == no_index) first = corner;
   }
+  for (const Index corner : level.boundary) mesh.vertex_corner[mesh.corner_vertex[corner]] = corner;
+}
+
+void read_topology(const Far::TopologyLevel& source, Level& level) {
+  HalfEdges& mesh = level.topology;
+  for (int f = 0; f < source.GetNumFaces(); ++f) {
+    for (const int vertex : source.GetFaceVertices(f)) mesh.corner_vertex.push_back(static_cast<Index>(vertex));
+    for (const int edge : source.GetFaceEdges(f)) mesh.corner_edge.push_back(static_cast<Index>(edge));
+    mesh.face_offsets.push_back(static_cast<Index>(mesh.corner_vertex.size()));
+  }
+  join_half_edges(static_cast<std::size_t>(source.GetNumEdges()), level);
+  find_vertex_corners(static_cast<std::size_t>(source.GetNumVertices()), level);
+}
+
+void read_sharp_edges(const Far::TopologyLevel& source, Level& level) {
+  for (int e = 0; e < source.GetNumEdges(); ++e) {
+    const double sharpness = static_cast<double>(source.GetEdgeSharpness(e));
+    if (sharpness <= 0 || source.IsEdgeBoundary(e)) continue;
+    level.sharp.push_back({static_cast<Index>(e), source.IsEdgeInfSharp(e) ? infinite_sharpness : sharpness});
+  }
+}
+
+PrimalLevel read_level(const Far::TopologyRefiner& refiner, int k) {
+  const Far::TopologyLevel& source = refiner.GetLevel(k);
+  PrimalLevel result;
+  read_topology(source, result.level);
+  read_sharp_edges(source, result.level);
+  for (int f = 0; k > 0 && f < source.GetNumFaces(); ++f) {
+    result.face_parents.push_back(static_cast<Index>(source.GetFaceParentFace(f)));
+  }
+  return result;
 }
 
 /// Rows of each level over the level before: small, and exact in doubles.
@@ -115,17 +157,18 @@ void read_rows(const Far::TopologyRefiner& refiner, std::vector<PrimalLevel>& le
   Factory::Options options;
   options.generateIntermediateLevels = true;
   options.factorizeIntermediateLevels = false;
-  options.maxLevel = static_cast<unsigned>(levels.size()) & 0xfU;
+  options.maxLevel = static_cast<unsigned>(levels.size() - 1) & 0xfU;
   const std::unique_ptr<const Far::StencilTableReal<double>> table(Factory::Create(refiner, options));
   require_no_error(table != nullptr);
   auto size = table->GetSizes().begin();
   auto column = table->GetControlIndices().begin();
   auto weight = table->GetWeights().begin();
-  for (PrimalLevel& level : levels) {
-    for (std::size_t v = 0; v < level.vertex_count; ++v, ++size) {
-      level.rows.columns.insert(level.rows.columns.end(), column, column + *size);
-      level.rows.weights.insert(level.rows.weights.end(), weight, weight + *size);
-      level.rows.offsets.push_back(static_cast<Index>(level.rows.columns.size()));
+  for (std::size_t k = 1; k < levels.size(); ++k) {
+    WeightRows& rows = levels[k].rows;
+    for (std::size_t v = 0; v < levels[k].level.topology.vertex_count(); ++v, ++size) {
+      rows.columns.insert(rows.columns.end(), column, column + *size);
+      rows.weights.insert(rows.weights.end(), weight, weight + *size);
+      rows.end_row();
       column += *size;
       weight += *size;
     }
@@ -149,22 +192,10 @@ struct ColumnNumbers {
 WeightRows rows_of(const std::vector<RowWriter>& writers) {
   WeightRows rows;
   for (const RowWriter& writer : writers) {
-    for (const auto& [column, weight] : writer.entries) {
-      rows.columns.push_back(column);
-      rows.weights.push_back(weight);
-    }
-    rows.offsets.push_back(static_cast<Index>(rows.columns.size()));
+    for (const auto& [column, weight] : writer.entries) rows.add(column, weight);
+    rows.end_row();
   }
   return rows;
-}
-
-void read_limit(const Far::TopologyRefiner& refiner, std::size_t vertex_count, PrimalRefinement& result) {
-  std::vector<RowWriter> places(vertex_count), first(vertex_count), second(vertex_count);
-  Far::PrimvarRefinerReal<double>(refiner).Limit(ColumnNumbers(), places, first, second);
-  require_no_error(true);
-  result.limit = rows_of(places);
-  result.first_tangent = rows_of(first);
-  result.second_tangent = rows_of(second);
 }
 
 std::vector<Index> children(const Far::TopologyLevel& level, std::span<const Index> vertices) {
@@ -178,30 +209,51 @@ std::vector<Index> children(const Far::TopologyLevel& level, std::span<const Ind
 
 }  // namespace
 
-PrimalRefinement refine(const PrimalTopology& topology, int levels, Progress& progress) {
+PrimalTopology primal_topology(const Level& level, const UniformRules& rules) {
+  const HalfEdges& mesh = level.topology;
+  PrimalTopology topology;
+  topology.rules = rules;
+  topology.vertex_count = mesh.vertex_count();
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    topology.face_sizes.push_back(static_cast<Index>(mesh.face(f).size()));
+  }
+  topology.corners.assign(mesh.corner_vertex.begin(), mesh.corner_vertex.end());
+  for (const SharpEdge& sharp : level.sharp) {
+    const Index corner = mesh.edge_corner[sharp.edge];
+    topology.creases.push_back({{mesh.corner_vertex[corner], mesh.corner_vertex[mesh.twin[corner]]}, sharp.sharpness});
+  }
+  topology.pins = level.pins;
+  return topology;
+}
+
+std::vector<PrimalLevel> refine(const PrimalTopology& topology, int levels, Progress& progress) {
   const Refiner refiner = make_refiner(topology);
   Far::TopologyRefiner::UniformOptions options(levels);
-  options.fullTopologyInLastLevel = true;  // limit masks and tags need it
+  options.fullTopologyInLastLevel = true;  // edges of the last level are needed for its tags
   progress.report(0.2);
   refiner->RefineUniform(options);
   progress.report(0.4);
-  PrimalRefinement result;
-  std::vector<Index> pins = topology.pins;
-  for (int k = 1; k <= levels; ++k) {
-    const Far::TopologyLevel& level = refiner->GetLevel(k);
-    PrimalLevel& read = result.levels.emplace_back();
-    read.vertex_count = static_cast<std::size_t>(level.GetNumVertices());
-    read_faces(level, read);
-    read_creases(level, read);
-    read.pins = pins = children(refiner->GetLevel(k - 1), pins);
+  std::vector<PrimalLevel> result;
+  for (int k = 0; k <= levels; ++k) {
+    PrimalLevel level = read_level(*refiner, k);
+    level.level.pins = k == 0 ? topology.pins : children(refiner->GetLevel(k - 1), result.back().level.pins);
+    result.push_back(std::move(level));
     progress.check();
   }
-  progress.report(0.6);
-  if (levels > 0) read_rows(*refiner, result.levels);
-  progress.report(0.8);
-  read_limit(*refiner, levels > 0 ? result.levels.back().vertex_count : topology.vertex_count, result);
+  progress.report(0.7);
+  if (levels > 0) read_rows(*refiner, result);
   progress.report(1);
   return result;
+}
+
+PrimalLimit limit(const PrimalTopology& topology, Progress& progress) {
+  const Refiner refiner = make_refiner(topology);
+  progress.report(0.3);
+  std::vector<RowWriter> points(topology.vertex_count), first(topology.vertex_count), second(topology.vertex_count);
+  Far::PrimvarRefinerReal<double>(*refiner).Limit(ColumnNumbers(), points, first, second);
+  require_no_error(true);
+  progress.report(1);
+  return {rows_of(points), rows_of(first), rows_of(second)};
 }
 
 }  // namespace croquis::subdivision

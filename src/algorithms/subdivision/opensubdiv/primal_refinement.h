@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <span>
 #include <vector>
 
+#include "algorithms/subdivision/weight_rows.h"
 #include "croquis/base/progress.h"
 #include "croquis/geometry/mesh_tags.h"
-#include "croquis/geometry/vector.h"
+#include "croquis/subdivision/level.h"
+#include "croquis/subdivision/uniform_schemes.h"
 
 /// The one place that speaks to OpenSubdiv: topology in, topology and stencils out, as plain arrays.
 namespace croquis::subdivision {
 
-enum class PrimalScheme { CatmullClark, Loop };
-
 /// What OpenSubdiv refines. Faces are counter-clockwise; each edge has one or two of them, each vertex one fan.
 struct PrimalTopology {
-  PrimalScheme scheme = PrimalScheme::CatmullClark;
-  bool corners_stay = true;       ///< boundary vertices of one face keep their place
+  UniformRules rules;
   std::size_t vertex_count = 0;   ///< #V
   std::vector<Index> face_sizes;  ///< #F
   std::vector<Index> corners;     ///< #C
@@ -26,32 +23,28 @@ struct PrimalTopology {
   std::vector<Index> pins;
 };
 
-/// Rows of weights: value i = sum of weights times the values at columns, over [offsets[i], offsets[i+1]).
-struct WeightRows {
-  std::vector<Index> offsets = {0};
-  std::vector<Index> columns;
-  std::vector<double> weights;
-
-  std::size_t size() const { return offsets.size() - 1; }
-};
+/// A level as it is.
+PrimalTopology primal_topology(const Level& level, const UniformRules& rules);
 
 struct PrimalLevel {
-  std::size_t vertex_count = 0;
-  std::vector<Index> face_sizes, corners;
-  std::vector<Crease> creases;      ///< edges still sharp, without the boundary; sharpness of this level
-  std::vector<Index> pins;          ///< descendants of the pins
-  std::vector<Index> face_parents;  ///< #F, faces of the level before
-  WeightRows rows;                  ///< #V, over the vertices of the level before
+  Level level;
+  std::vector<Index> face_parents;  ///< #F, faces of the level before; empty for level 0
+  WeightRows rows;                  ///< #V over the vertices of the level before; empty for level 0
 };
 
-/// Levels 1 to the last, and where the last level's vertices end: weights over the last level's vertices.
-struct PrimalRefinement {
-  std::vector<PrimalLevel> levels;
-  WeightRows limit, first_tangent, second_tangent;
-};
-
-/// @param levels 0 … 15
+/// Levels 0 to the last. Level 0 has OpenSubdiv's own numbers of edges.
+/// @param topology at least one face
+/// @param levels   0 … 15
 /// @throws Error (E_SUBDIVISION) with OpenSubdiv's own message, e.g. for more than 65535 edges at one vertex
-PrimalRefinement refine(const PrimalTopology& topology, int levels, Progress& progress);
+std::vector<PrimalLevel> refine(const PrimalTopology& topology, int levels, Progress& progress);
+
+/// Where the vertices of a mesh end, and two tangents there, as weights over the mesh's vertices. At boundaries the
+/// tangents are those of the one side, the first along the boundary.
+struct PrimalLimit {
+  WeightRows points, first_tangent, second_tangent;
+};
+
+/// @throws Error (E_SUBDIVISION) as refine
+PrimalLimit limit(const PrimalTopology& topology, Progress& progress);
 
 }  // namespace croquis::subdivision

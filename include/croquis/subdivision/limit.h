@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "croquis/base/progress.h"
+#include "croquis/subdivision/doo_sabin.h"
+#include "croquis/subdivision/level.h"
+#include "croquis/subdivision/uniform_schemes.h"
+
+/// Where a level ends when it is refined for ever: points, tangents and normals, one normal per side of a crease.
+namespace croquis::subdivision {
+
+/// A level with every vertex moved onto the limit surface.
+struct LimitSurface {
+  std::vector<Vec3> points;          ///< #V
+  std::vector<Vec3> corner_normals;  ///< #C, unit length; corners of one vertex differ where sharp edges part them
+};
+
+/// What the limit of a level's vertices depends on, without positions: as a plan, kept while points are dragged.
+///
+/// Doo-Sabin. A vertex without sharp edges goes to the mean of the points that its faces' corners become: the centre of
+/// a face without sharp edges, which no refinement moves. Its normal is the cross product of that face's two Fourier
+/// modes of first order (Doo, Sabin 1978). A vertex of a chain goes to (A + 6V + B)/8, with one normal per side; the
+/// end of a chain to the centre of the face around it; corners and pins stay. `exact` says where that is not the limit
+/// but close to it: vertices with two faces only, and chains whose sharpness runs out. Normals at corners with several
+/// faces between two sharp edges are those of the faces.
+///
+/// Catmull-Clark, Loop: the limit masks of OpenSubdiv, one-sided along sharp edges that stay; edges whose sharpness
+/// runs out count as smooth.
+class LimitPlan {
+ public:
+  /// @param k < plan.levels(): the limit of a level is read off the level after it
+  LimitPlan(const DooSabinPlan& plan, int k, Progress& progress);
+
+  /// @param k <= plan.levels()
+  LimitPlan(const UniformPlan& plan, int k, Progress& progress);
+
+  /// @param positions #V of level k; @param surface its memory is used again; @param threads >= 1, same bits for any
+  void evaluate(std::span<const Vec3> positions, LimitSurface& surface, int threads = 1) const;
+
+  /// #V, 1 where the point is the limit to rounding.
+  const std::vector<std::uint8_t>& exact() const;
+
+ private:
+  struct State;
+  std::shared_ptr<const State> state_;
+};
+
+/// Limits of faces of a Doo-Sabin level.
+struct FaceLimits {
+  std::vector<Vec3> points;         ///< #F, the centres
+  std::vector<Vec3> normals;        ///< #F, unit length, or zero where the face has no extent
+  std::vector<std::uint8_t> exact;  ///< #F, 0 for faces with sharp edges: their centres are only near the surface
+};
+
+/// For any weights: both forms keep the centre and the plane of a face's first Fourier modes. Linear time.
+FaceLimits face_limits(const Level& level, std::span<const Vec3> positions);
+
+/// The limit at the middle of a sharp edge of a Doo-Sabin level.
+struct EdgeLimit {
+  Vec3 point;
+  Vec3 tangent;                 ///< unit length, along the edge's half-edge `edge_corner`
+  std::array<Vec3, 2> normals;  ///< unit length, of that half-edge's side and its twin's; zero where there is no side
+  bool exact = false;           ///< both ends lie within chains that stay sharp and the faces beside it are quads
+};
+
+/// In the order of level.sharp. Linear time.
+std::vector<EdgeLimit> sharp_edge_limits(const Level& level, std::span<const Vec3> positions);
+
+}  // namespace croquis::subdivision

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/subdivision/level_geometry.h"
+
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "croquis/geometry/mesh_tags.h"
+
+namespace croquis::subdivision {
+
+Vec3 area_vector(const HalfEdges& mesh, std::span<const Vec3> positions, Index face) {
+  const auto corners = mesh.face(face);
+  const Vec3& origin = positions[corners[0]];
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    sum += (positions[corners[i]] - origin).cross(positions[corners[i + 1]] - origin);
+  }
+  return sum;
+}
+
+Vec3 unit_or_zero(const Vec3& vector) {
+  constexpr double shortest = 1e-150;  // below, the square is no longer a normal number
+  const double length = vector.norm();
+  return length > shortest ? Vec3(vector / length) : Vec3(Vec3::Zero());
+}
+
+double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+std::vector<double> edge_sharpness(const Level& level) {
+  std::vector<double> sharpness(level.topology.edge_count(), 0);
+  for (const SharpEdge& sharp : level.sharp) sharpness[sharp.edge] = sharp.sharpness;
+  for (const Index corner : level.boundary) sharpness[level.topology.corner_edge[corner]] = infinite_sharpness;
+  return sharpness;
+}
+
+}  // namespace croquis::subdivision

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "croquis/subdivision/level.h"
+
+namespace croquis::subdivision {
+
+/// Twice the area times the unit normal of a face.
+Vec3 area_vector(const HalfEdges& mesh, std::span<const Vec3> positions, Index face);
+
+/// Of unit length, or zero where the vector is too short to have a direction.
+Vec3 unit_or_zero(const Vec3& vector);
+
+/// The angle between two vectors in [0, pi]; exact for small angles too.
+double angle_between(const Vec3& a, const Vec3& b);
+
+/// Sharpness of each edge, 0 where there is no tag, infinite on the boundary.
+std::vector<double> edge_sharpness(const Level& level);
+
+/// Calls use(corner) for the corners of a vertex counter-clockwise, from its `vertex_corner`.
+template <typename Use>
+void for_each_corner(const HalfEdges& mesh, const CornerFaces& around, Index vertex, Use&& use) {
+  const Index start = mesh.vertex_corner[vertex];
+  Index corner = start;
+  do {
+    use(corner);
+    corner = mesh.twin[around.previous(corner)];
+  } while (corner != no_index && corner != start);
+}
+
+}  // namespace croquis::subdivision

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <utility>
+
+#include "algorithms/subdivision/level_geometry.h"
+#include "algorithms/subdivision/limit_rows.h"
+#include "algorithms/subdivision/opensubdiv/primal_refinement.h"
+
+namespace croquis::subdivision {
+namespace {
+
+/// A level cut open along its edges that stay sharp, so that OpenSubdiv's tangents at its boundary are one-sided. Ends
+/// of chains are not cut: the surface is smooth there.
+struct CutLevel {
+  PrimalTopology topology;
+  std::vector<Index> source_vertex;  ///< #V of the topology -> vertex of the level
+  std::vector<bool> one_sided;       ///< #V of the topology: lies at a cut or at the boundary
+};
+
+class LevelCutter {
+ public:
+  LevelCutter(const Level& level, const UniformRules& rules)
+      : mesh_(level.topology), around_(mesh_), sharpness_(edge_sharpness(level)), rules_(rules) {
+    cut_.topology = primal_topology(level, rules);
+    cut_.topology.rules.boundary_corners = BoundaryCorners::Smooth;  // sectors of one face aren't corners
+    cut_.topology.creases.clear();
+    cut_.topology.pins.clear();
+    pinned_.assign(mesh_.vertex_count(), 0);
+    for (const Index vertex : level.pins) pinned_[vertex] = 1;
+  }
+
+  CutLevel cut() {
+    for (Index vertex = 0; vertex < mesh_.vertex_count(); ++vertex) cut_.source_vertex.push_back(vertex);
+    cut_.one_sided.assign(mesh_.vertex_count(), false);
+    for (Index vertex = 0; vertex < mesh_.vertex_count(); ++vertex) cut_vertex(vertex);
+    cut_.one_sided.resize(cut_.source_vertex.size(), true);
+    cut_.topology.vertex_count = cut_.source_vertex.size();
+    return std::move(cut_);
+  }
+
+ private:
+  bool stays_sharp(Index corner) const { return sharpness_[mesh_.corner_edge[corner]] == infinite_sharpness; }
+
+  void cut_vertex(Index vertex) {
+    std::vector<Index> fan;
+    for_each_corner(mesh_, around_, vertex, [&](Index corner) { fan.push_back(corner); });
+    auto starts = std::count_if(fan.begin(), fan.end(), [&](Index corner) { return stays_sharp(corner); });
+    const bool open = mesh_.twin[fan[0]] == no_index;
+    const auto sharp_edges = starts + (open ? 1 : 0);
+    const bool lone = open && fan.size() == 1 && rules_.boundary_corners == BoundaryCorners::Corner;
+    const bool corner = sharp_edges > 2 || pinned_[vertex] != 0 || lone;
+    if (sharp_edges < 2) return;
+    cut_.one_sided[vertex] = true;
+    if (!open) {
+      std::rotate(fan.begin(), std::find_if(fan.begin(), fan.end(), [&](Index c) { return stays_sharp(c); }),
+                  fan.end());
+    }
+    number_sectors(vertex, fan, corner);
+  }
+
+  /// The first sector keeps the vertex, each further one gets a new one.
+  void number_sectors(Index vertex, const std::vector<Index>& fan, bool corner) {
+    Index current = no_index;
+    for (const Index c : fan) {
+      if (stays_sharp(c)) {
+        const bool first = current == no_index;
+        current = first ? vertex : static_cast<Index>(cut_.source_vertex.size());
+        if (!first) cut_.source_vertex.push_back(vertex);
+        if (corner) cut_.topology.pins.push_back(current);
+      }
+      cut_.topology.corners[c] = current;
+    }
+  }
+
+  const HalfEdges& mesh_;
+  CornerFaces around_;
+  std::vector<double> sharpness_;
+  std::vector<std::uint8_t> pinned_;
+  UniformRules rules_;
+  CutLevel cut_;
+};
+
+/// Rows of the cut level's vertices, over the level's: those at cuts from `sides`, the others from `whole`.
+WeightRows merged(const WeightRows& whole, const WeightRows& sides, const CutLevel& cut) {
+  WeightRows rows;
+  for (std::size_t v = 0; v < cut.source_vertex.size(); ++v) {
+    const WeightRows& from = cut.one_sided[v] ? sides : whole;
+    for (Index i = from.offsets[v]; i < from.offsets[v + 1]; ++i) {
+      rows.add(cut.source_vertex[from.columns[i]], from.weights[i]);
+    }
+    rows.end_row();
+  }
+  return rows;
+}
+
+/// Points touched by sharpness that runs out are near the limit only.
+void mark_fading(const Level& level, std::vector<std::uint8_t>& exact) {
+  for (const SharpEdge& sharp : level.sharp) {
+    if (sharp.sharpness == infinite_sharpness) continue;
+    const Index corner = level.topology.edge_corner[sharp.edge];
+    exact[level.topology.corner_vertex[corner]] = 0;
+    exact[level.topology.corner_vertex[level.topology.twin[corner]]] = 0;
+  }
+}
+
+}  // namespace
+
+LimitRows uniform_limit(const UniformPlan& plan, int k, Progress& progress) {
+  const Level& level = plan.level(k);
+  const HalfEdges& mesh = level.topology;
+  LimitRows rows;
+  if (mesh.face_count() == 0) return rows;
+  PrimalTopology whole = primal_topology(level, plan.rules());
+  std::erase_if(whole.creases, [](const Crease& crease) { return crease.sharpness != infinite_sharpness; });
+  const CutLevel cut = LevelCutter(level, plan.rules()).cut();
+  Progress first = progress.step("limit of the surface", 0.5);
+  PrimalLimit limits = limit(whole, first);
+  Progress second = progress.step("limit beside sharp edges", 0.5);
+  const PrimalLimit sides = limit(cut.topology, second);
+  rows.points = std::move(limits.points);
+  rows.first_tangents = merged(limits.first_tangent, sides.first_tangent, cut);
+  rows.second_tangents = merged(limits.second_tangent, sides.second_tangent, cut);
+  rows.corner_normal = cut.topology.corners;
+  rows.exact.assign(mesh.vertex_count(), 1);
+  mark_fading(level, rows.exact);
+  return rows;
+}
+
+}  // namespace croquis::subdivision

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/subdivision/weight_rows.h"
+
+#include <algorithm>
+#include <thread>
+
+namespace croquis::subdivision {
+namespace {
+
+/// A thread for fewer rows costs more than it saves.
+constexpr std::size_t least_rows_per_thread = 4096;
+
+void apply_range(const WeightRows& rows, std::span<const Vec3> values, std::span<Vec3> results, std::size_t begin,
+                 std::size_t end) {
+  for (std::size_t row = begin; row < end; ++row) {
+    Vec3 sum = Vec3::Zero();
+    for (Index i = rows.offsets[row]; i < rows.offsets[row + 1]; ++i) {
+      sum += rows.weights[i] * values[rows.columns[i]];
+    }
+    results[row] = sum;
+  }
+}
+
+}  // namespace
+
+void apply(const WeightRows& rows, std::span<const Vec3> values, std::span<Vec3> results, int threads) {
+  const std::size_t wanted = static_cast<std::size_t>(std::max(threads, 1));
+  const std::size_t parts = std::clamp<std::size_t>(rows.size() / least_rows_per_thread, 1, wanted);
+  std::vector<std::jthread> others;
+  for (std::size_t part = 1; part < parts; ++part) {
+    others.emplace_back([&, part] {
+      apply_range(rows, values, results, rows.size() * part / parts, rows.size() * (part + 1) / parts);
+    });
+  }
+  apply_range(rows, values, results, 0, rows.size() / parts);
+}
+
+WeightMatrix to_matrix(const WeightRows& rows, std::size_t column_count) {
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(rows.columns.size());
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    for (Index i = rows.offsets[row]; i < rows.offsets[row + 1]; ++i) {
+      entries.emplace_back(static_cast<int>(row), static_cast<int>(rows.columns[i]), rows.weights[i]);
+    }
+  }
+  WeightMatrix matrix(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(column_count));
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+WeightRows to_rows(const WeightMatrix& matrix) {
+  WeightRows rows;
+  for (Eigen::Index row = 0; row < matrix.outerSize(); ++row) {
+    for (WeightMatrix::InnerIterator entry(matrix, row); entry; ++entry) {
+      rows.add(static_cast<Index>(entry.col()), entry.value());
+    }
+    rows.end_row();
+  }
+  return rows;
+}
+
+}  // namespace croquis::subdivision
