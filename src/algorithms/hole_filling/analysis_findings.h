@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "croquis/base/finding.h"
+#include "croquis/hole_filling/hole_analysis.h"
+
+namespace croquis::hole_filling {
+
+/// What the analysis has to say about a dirty mesh, one finding per kind of dirt.
+Findings analysis_findings(const HoleAnalysis& analysis);
+
+}  // namespace croquis::hole_filling

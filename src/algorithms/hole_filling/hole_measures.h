@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "croquis/base/progress.h"
+#include "croquis/hole_filling/hole_analysis.h"
+
+namespace croquis::hole_filling {
+
+/// Fills all measures of a hole from its vertices and corners.
+void measure_hole(const PolyMesh& mesh, const SurfaceView& view, const HoleAnalysisOptions& options, Hole& hole,
+                  Progress& progress);
+
+/// Area and diagonal of every component. Linear.
+void measure_components(const PolyMesh& mesh, HoleAnalysis& analysis);
+
+}  // namespace croquis::hole_filling
