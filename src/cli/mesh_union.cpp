@@ -2,6 +2,7 @@
 #include "cli/mesh_union.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <set>
 #include <utility>
@@ -37,8 +38,46 @@ void append_lists(std::vector<Index>& offsets, std::vector<Index>& vertices, con
   for (const Index vertex : more_vertices) vertices.push_back(first_vertex + vertex);
 }
 
-void append_part(PolyMesh& all, const PolyMesh& part) {
+/// Tags of vertices that the part doesn't have would mean those of the next one, so they go.
+class TagAppender {
+ public:
+  TagAppender(const NamedMesh& part, Index first_vertex) : part_(part), first_(first_vertex) {}
+
+  void append_to(MeshTags& all) const {
+    const MeshTags& tags = part_.mesh->tags;
+    for (const Crease& crease : tags.creases) {
+      if (is_there(crease.vertices)) all.creases.push_back({shifted(crease.vertices), crease.sharpness});
+    }
+    append_pins(tags.pins, all.pins);
+    for (const CreaseSet& set : tags.sets) {
+      CreaseSet copy{part_.name + ": " + set.name, set.sharpness, {}, {}};
+      for (const auto& edge : set.edges) {
+        if (is_there(edge)) copy.edges.push_back(shifted(edge));
+      }
+      append_pins(set.pins, copy.pins);
+      all.sets.push_back(std::move(copy));
+    }
+  }
+
+ private:
+  bool is_there(Index vertex) const { return vertex < part_.mesh->vertex_count(); }
+  bool is_there(const std::array<Index, 2>& edge) const { return is_there(edge[0]) && is_there(edge[1]); }
+  std::array<Index, 2> shifted(const std::array<Index, 2>& edge) const { return {first_ + edge[0], first_ + edge[1]}; }
+
+  void append_pins(const std::vector<Index>& pins, std::vector<Index>& all) const {
+    for (const Index pin : pins) {
+      if (is_there(pin)) all.push_back(first_ + pin);
+    }
+  }
+
+  const NamedMesh& part_;
+  Index first_;
+};
+
+void append_part(PolyMesh& all, const NamedMesh& named) {
+  const PolyMesh& part = *named.mesh;
   const auto first_vertex = static_cast<Index>(all.positions.size());
+  TagAppender(named, first_vertex).append_to(all.tags);
   all.positions.insert(all.positions.end(), part.positions.begin(), part.positions.end());
   append_lists(all.face_offsets, all.corners, part.face_offsets, part.corners, first_vertex);
   append_lists(all.line_offsets, all.line_vertices, part.line_offsets, part.line_vertices, first_vertex);
@@ -92,7 +131,7 @@ MeshUnion unite(const std::vector<NamedMesh>& parts) {
   require_room(parts);
   MeshUnion result;
   const std::set<std::string> dropped = prepare_channels(parts, result.mesh);
-  for (const NamedMesh& part : parts) append_part(result.mesh, *part.mesh);
+  for (const NamedMesh& part : parts) append_part(result.mesh, part);
   for (const Domain domain : {Domain::Face, Domain::Line}) result.mesh.channels.push_back(objects(parts, domain));
   if (dropped.empty()) return result;
   std::string names;

@@ -127,6 +127,23 @@ TEST_CASE("several visible meshes become objects of one file; hidden ones and st
   CHECK(objects->labels == std::vector<std::string>{"box", "node-3"});
 }
 
+TEST_CASE("meshes that come into one file bring their tags along") {
+  const ScratchFolder folder;
+  PolyMesh first = cube(), second = tetrahedron();
+  first.tags = {{{{0, 1}, infinite_sharpness}, {{2, 9}, 1}}, {7, 8}, {}};  // 8 and 9 are not there
+  second.tags = {{{{3, 1}, 2.5}}, {0}, {{"rim", 2.5, {{1, 3}}, {0}}}};
+  const Document document = Document()
+                                .with(source("box", std::make_shared<const PolyMesh>(first)))
+                                .with(source("tip", std::make_shared<const PolyMesh>(second)));
+  const std::string project = saved(folder, "a.croq", document);
+  const ProcessResult result = run_cli({"run", project, "-o", folder / "a.obj"});
+  CHECK(result.code == 0);
+  CHECK_THAT(result.err, Catch::Contains("'tip: rim'"));
+  Progress progress;
+  const PolyMesh mesh = read_mesh(read_file(folder / "a.obj"), MeshFormat::Obj, "a.obj", progress).mesh;
+  CHECK(mesh.tags == MeshTags{{{{0, 1}, infinite_sharpness}, {{11, 9}, 2.5}}, {7, 8}, {}});
+}
+
 TEST_CASE("a node that fails is a warning beside others, and an error alone") {
   const ScratchFolder folder;
   Drawing crossed = *std::get<std::shared_ptr<const Drawing>>(circle(80));
