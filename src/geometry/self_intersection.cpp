@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -42,26 +43,25 @@ struct FanTriangle {
 
 class IntersectionTest {
  public:
-  explicit IntersectionTest(const PolyMesh& mesh) : mesh_(mesh) {
+  /// @param is_wanted which faces to look at, by their index
+  template <typename IsWanted>
+  IntersectionTest(const PolyMesh& mesh, IsWanted&& is_wanted) : mesh_(mesh) {
     points_.reserve(mesh.positions.size());
     for (const Vec3& p : mesh.positions) points_.emplace_back(p.x(), p.y(), p.z());
     first_triangle_.reserve(mesh.face_count() + 1);
     for (Index f = 0; f < mesh.face_count(); ++f) {
       first_triangle_.push_back(static_cast<Index>(triangles_.size()));
-      add_fan(f);
+      if (is_wanted(f)) add_fan(f);
     }
     first_triangle_.push_back(static_cast<Index>(triangles_.size()));
   }
 
-  std::vector<Box> boxes() const {
-    std::vector<Box> boxes;
-    boxes.reserve(triangles_.size());
-    for (Index t = 0; t < triangles_.size(); ++t) {
-      CGAL::Bbox_3 bounds;
-      for (const Index v : triangles_[t].vertices) bounds += points_[v].bbox();
-      boxes.emplace_back(bounds, t);
-    }
-    return boxes;
+  Index triangle_count() const { return static_cast<Index>(triangles_.size()); }
+
+  Box box(Index triangle) const {
+    CGAL::Bbox_3 bounds;
+    for (const Index v : triangles_[triangle].vertices) bounds += points_[v].bbox();
+    return {bounds, triangle};
   }
 
   Index face(Index triangle) const { return triangles_[triangle].face; }
@@ -194,30 +194,133 @@ class PairList {
   SelfIntersections result_;
 };
 
+/// The cells of a coarse grid that the boxes of some faces touch: tells cheaply which other faces may be near them.
+class TouchedCells {
+ public:
+  TouchedCells(const PolyMesh& mesh, std::span<const Index> faces)
+      : mesh_(mesh), touched_(cells_per_axis * cells_per_axis * cells_per_axis, false) {
+    for (const Index f : faces) bounds_.extend(box_of(f));
+    for (const Index f : faces) {
+      visit_cells(box_of(f), [&](std::size_t cell) {
+        touched_[cell] = true;
+        return false;
+      });
+    }
+  }
+
+  bool may_be_near(Index face) const {
+    const Bounds box = box_of(face);
+    return bounds_.intersects(box) && visit_cells(box, [&](std::size_t cell) { return touched_[cell]; });
+  }
+
+ private:
+  using Bounds = Eigen::AlignedBox3d;
+
+  static constexpr std::size_t cells_per_axis = 64;
+
+  Bounds box_of(Index face) const {
+    Bounds box;
+    for (const Index v : mesh_.face(face)) box.extend(mesh_.positions[v]);
+    return box;
+  }
+
+  /// Monotonic in the coordinate, so that boxes which meet have a cell in common however coordinates are rounded.
+  std::size_t cell(double coordinate, Eigen::Index axis) const {
+    const double size = bounds_.sizes()[axis];
+    const double share = size > 0 ? (coordinate - bounds_.min()[axis]) / size : 0;
+    return static_cast<std::size_t>(std::clamp(share, 0.0, 1.0) * (cells_per_axis - 1));
+  }
+
+  /// Stops at the first cell for which `found` says so. @return whether there was one
+  template <typename Found>
+  bool visit_cells(const Bounds& box, Found&& found) const {
+    std::array<std::size_t, 3> low{};
+    std::array<std::size_t, 3> high{};
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      low[static_cast<std::size_t>(axis)] = cell(box.min()[axis], axis);
+      high[static_cast<std::size_t>(axis)] = cell(box.max()[axis], axis);
+    }
+    for (std::size_t x = low[0]; x <= high[0]; ++x) {
+      for (std::size_t y = low[1]; y <= high[1]; ++y) {
+        for (std::size_t z = low[2]; z <= high[2]; ++z) {
+          if (found((x * cells_per_axis + y) * cells_per_axis + z)) return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  const PolyMesh& mesh_;
+  Bounds bounds_;
+  std::vector<bool> touched_;
+};
+
+std::vector<const Box*> pointers_to(const std::vector<Box>& boxes) {
+  std::vector<const Box*> pointers;
+  pointers.reserve(boxes.size());
+  for (const Box& box : boxes) pointers.push_back(&box);
+  return pointers;
+}
+
+/// What is done with each pair of triangles whose boxes meet.
+class PairSearch {
+ public:
+  PairSearch(const IntersectionTest& test, std::size_t max_pairs, Progress& progress)
+      : test_(test), found_(max_pairs), progress_(progress) {}
+
+  void operator()(const Box* first, const Box* second) {
+    progress_.check();
+    if (++tested_ % 65536 == 0)
+      progress_.report(std::min(0.95, static_cast<double>(tested_) / (usual_overlaps * test_.triangle_count())));
+    const auto [a, b] = std::minmax({first->info(), second->info()});
+    if (test_.intersect(a, b) && test_.first_of_faces(a, b)) found_.add(test_.face(a), test_.face(b));
+  }
+
+  SelfIntersections finish() {
+    progress_.report(1);
+    return found_.take();
+  }
+
+ private:
+  const IntersectionTest& test_;
+  PairList found_;
+  Progress& progress_;
+  std::size_t tested_ = 0;
+};
+
 }  // namespace
 
 SelfIntersections find_self_intersections(const PolyMesh& mesh, Progress& progress,
                                           const SelfIntersectionOptions& options) {
   require_usable(mesh);
   progress.check();
-  const IntersectionTest test(mesh);
-  std::vector<Box> boxes = test.boxes();
-  std::vector<const Box*> pointers;
-  pointers.reserve(boxes.size());
-  for (const Box& box : boxes) pointers.push_back(&box);
+  const IntersectionTest test(mesh, [](Index) { return true; });
+  std::vector<Box> boxes;
+  boxes.reserve(test.triangle_count());
+  for (Index t = 0; t < test.triangle_count(); ++t) boxes.push_back(test.box(t));
+  std::vector<const Box*> pointers = pointers_to(boxes);
+  PairSearch search(test, options.max_pairs, progress);
+  CGAL::box_self_intersection_d(pointers.begin(), pointers.end(), std::ref(search), box_cutoff);
+  return search.finish();
+}
 
-  PairList found(options.max_pairs);
-  std::size_t tested = 0;
-  const double expected = usual_overlaps * static_cast<double>(boxes.size());
-  const auto test_pair = [&](const Box* first, const Box* second) {
-    progress.check();
-    if (++tested % 65536 == 0) progress.report(std::min(0.95, static_cast<double>(tested) / expected));
-    const auto [a, b] = std::minmax({first->info(), second->info()});
-    if (test.intersect(a, b) && test.first_of_faces(a, b)) found.add(test.face(a), test.face(b));
-  };
-  CGAL::box_self_intersection_d(pointers.begin(), pointers.end(), test_pair, box_cutoff);
-  progress.report(1);
-  return found.take();
+SelfIntersections find_intersections_of(const PolyMesh& mesh, std::span<const Index> faces, Progress& progress,
+                                        const SelfIntersectionOptions& options) {
+  require_usable(mesh);
+  progress.check();
+  const TouchedCells cells(mesh, faces);
+  const auto is_chosen = [&](Index f) { return std::binary_search(faces.begin(), faces.end(), f); };
+  const IntersectionTest test(mesh, [&](Index f) { return cells.may_be_near(f); });
+  std::vector<Box> chosen;
+  std::vector<Box> others;
+  for (Index t = 0; t < test.triangle_count(); ++t) (is_chosen(test.face(t)) ? chosen : others).push_back(test.box(t));
+  std::vector<const Box*> chosen_pointers = pointers_to(chosen);
+  std::vector<const Box*> other_pointers = pointers_to(others);
+  PairSearch search(test, options.max_pairs, progress);
+  CGAL::box_self_intersection_d(chosen_pointers.begin(), chosen_pointers.end(), std::ref(search), box_cutoff);
+  CGAL::box_intersection_d(chosen_pointers.begin(), chosen_pointers.end(), other_pointers.begin(), other_pointers.end(),
+                           std::ref(search), box_cutoff);
+  return search.finish();
 }
 
 }  // namespace croquis

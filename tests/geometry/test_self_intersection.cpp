@@ -333,6 +333,25 @@ TEST_CASE("the list is the first pairs in order and the count stays complete") {
   }
 }
 
+TEST_CASE("a search for some faces finds the pairs of all that involve them") {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const PolyMesh mesh =
+        seed % 2 == 0 ? random_soup(seed, 150) : merged(uv_sphere(12, 9), translated(torus(9, 7), Vec3(0.3, 0.1, 0.2)));
+    Random random(seed);
+    std::set<Index> chosen;
+    for (int i = 0; i < 12; ++i) chosen.insert(random.below(static_cast<Index>(mesh.face_count())));
+    Pairs expected = pairs_of(mesh);
+    std::erase_if(expected, [&](const auto& pair) { return !chosen.contains(pair[0]) && !chosen.contains(pair[1]); });
+    Progress progress;
+    const std::vector<Index> faces(chosen.begin(), chosen.end());
+    const SelfIntersections found = find_intersections_of(mesh, faces, progress, {.max_pairs = 100000});
+    CHECK(Pairs(found.pairs.begin(), found.pairs.end()) == expected);
+    CHECK(found.count == expected.size());
+  }
+  Progress progress;
+  CHECK(find_intersections_of(random_soup(1, 50), {}, progress).count == 0);
+}
+
 TEST_CASE("a search can be cancelled before and during its work") {
   std::atomic<bool> cancel{true};
   Progress before({}, &cancel);

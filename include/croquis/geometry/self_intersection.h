@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "croquis/base/progress.h"
@@ -33,5 +34,11 @@ struct SelfIntersections {
 /// @throws Cancelled
 SelfIntersections find_self_intersections(const PolyMesh& mesh, Progress& progress,
                                           const SelfIntersectionOptions& options = {});
+
+/// The same, but only of pairs in which at least one of `faces` takes part. Costs about as much as these faces and what
+/// lies near them, beside one look at every face's box.
+/// @param faces indices of faces of the mesh, ascending
+SelfIntersections find_intersections_of(const PolyMesh& mesh, std::span<const Index> faces, Progress& progress,
+                                        const SelfIntersectionOptions& options = {});
 
 }  // namespace croquis
