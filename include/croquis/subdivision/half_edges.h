@@ -34,6 +34,7 @@ struct HalfEdges {
 /// corners themselves. Linear time.
 class CornerFaces {
  public:
+  CornerFaces() = default;  ///< of no corner
   explicit CornerFaces(const HalfEdges& mesh);
 
   Index face(Index corner) const { return face_[corner]; }
@@ -48,7 +49,7 @@ class CornerFaces {
 
  private:
   IndexArray face_;
-  const Index* offsets_;  ///< of the mesh, which has to outlive this
+  const Index* offsets_ = nullptr;  ///< of the mesh, which has to outlive this
 };
 
 }  // namespace croquis::subdivision
