@@ -93,14 +93,35 @@ WeightRows merged(const WeightRows& whole, const WeightRows& sides, const CutLev
   return rows;
 }
 
-/// Points touched by sharpness that runs out are near the limit only.
-void mark_fading(const Level& level, std::vector<std::uint8_t>& exact) {
+/// OpenSubdiv's limit masks are near the limit only at ends of chains, for which it takes the smooth one, at inner
+/// vertices of two faces, and where sharpness runs out.
+std::vector<std::uint8_t> exact_vertices(const Level& level) {
+  const HalfEdges& mesh = level.topology;
+  struct Around {
+    int sharp_edges = 0;
+    int faces = 0;
+    bool fading = false;
+    bool on_boundary = false;
+  };
+  std::vector<Around> around(mesh.vertex_count());
   for (const SharpEdge& sharp : level.sharp) {
-    if (sharp.sharpness == infinite_sharpness) continue;
-    const Index corner = level.topology.edge_corner[sharp.edge];
-    exact[level.topology.corner_vertex[corner]] = 0;
-    exact[level.topology.corner_vertex[level.topology.twin[corner]]] = 0;
+    const Index corner = mesh.edge_corner[sharp.edge];
+    for (const Index vertex : {mesh.corner_vertex[corner], mesh.corner_vertex[mesh.twin[corner]]}) {
+      ++around[vertex].sharp_edges;
+      around[vertex].fading = around[vertex].fading || sharp.sharpness != infinite_sharpness;
+    }
   }
+  for (const Index vertex : mesh.corner_vertex) ++around[vertex].faces;
+  for (const Index corner : level.boundary) around[mesh.corner_vertex[corner]].on_boundary = true;
+  std::vector<std::uint8_t> exact(around.size());
+  for (std::size_t v = 0; v < exact.size(); ++v) {
+    const bool inner = !around[v].on_boundary;
+    const bool end_of_chain = inner && around[v].sharp_edges == 1;
+    const bool two_faces = inner && around[v].sharp_edges == 0 && around[v].faces == 2;
+    exact[v] = around[v].fading || end_of_chain || two_faces ? 0 : 1;
+  }
+  for (const Index pin : level.pins) exact[pin] = 1;
+  return exact;
 }
 
 }  // namespace
@@ -121,8 +142,7 @@ LimitRows uniform_limit(const UniformPlan& plan, int k, Progress& progress) {
   rows.first_tangents = merged(limits.first_tangent, sides.first_tangent, cut);
   rows.second_tangents = merged(limits.second_tangent, sides.second_tangent, cut);
   rows.corner_normal = cut.topology.corners;
-  rows.exact.assign(mesh.vertex_count(), 1);
-  mark_fading(level, rows.exact);
+  rows.exact = exact_vertices(level);
   return rows;
 }
 

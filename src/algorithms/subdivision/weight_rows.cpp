@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/subdivision/weight_rows.h"
 
-#include <algorithm>
-#include <thread>
+#include "algorithms/subdivision/parallel_ranges.h"
 
 namespace croquis::subdivision {
 namespace {
@@ -24,15 +23,8 @@ void apply_range(const WeightRows& rows, std::span<const Vec3> values, std::span
 }  // namespace
 
 void apply(const WeightRows& rows, std::span<const Vec3> values, std::span<Vec3> results, int threads) {
-  const std::size_t wanted = static_cast<std::size_t>(std::max(threads, 1));
-  const std::size_t parts = std::clamp<std::size_t>(rows.size() / least_rows_per_thread, 1, wanted);
-  std::vector<std::jthread> others;
-  for (std::size_t part = 1; part < parts; ++part) {
-    others.emplace_back([&, part] {
-      apply_range(rows, values, results, rows.size() * part / parts, rows.size() * (part + 1) / parts);
-    });
-  }
-  apply_range(rows, values, results, 0, rows.size() / parts);
+  parallel_ranges(rows.size(), threads, least_rows_per_thread,
+                  [&](std::size_t begin, std::size_t end) { apply_range(rows, values, results, begin, end); });
 }
 
 WeightMatrix to_matrix(const WeightRows& rows, std::size_t column_count) {

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
+
+#include "croquis/subdivision/limit.h"
+#include "subdivision/refined.h"
+#include "support/cages.h"
+#include "support/mesh_shapes.h"
+
+using namespace croquis;
+using namespace croquis::subdivision;
+using namespace croquis::test;
+
+namespace {
+
+template <typename Result>
+LimitSurface limit_of(const Result& result, int k, std::vector<std::uint8_t>* exact = nullptr) {
+  Progress progress;
+  const LimitPlan plan(result.plan, k, progress);
+  LimitSurface surface;
+  plan.evaluate(result.at(k), surface);
+  if (exact != nullptr) *exact = plan.exact();
+  return surface;
+}
+
+Vec3 unit_normal(const HalfEdges& mesh, const std::vector<Vec3>& points, Index face) {
+  const auto corners = mesh.face(face);
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    sum += (points[corners[i]] - points[corners[0]]).cross(points[corners[i + 1]] - points[corners[0]]);
+  }
+  return sum.normalized();
+}
+
+Vec3 centre(const HalfEdges& mesh, const std::vector<Vec3>& points, Index face) {
+  Vec3 sum = Vec3::Zero();
+  for (const Index v : mesh.face(face)) sum += points[v];
+  return sum / static_cast<double>(mesh.face(face).size());
+}
+
+/// The face of level k that descends from a face of level `from` by staying that face.
+Index descendant(const DooSabinPlan& plan, int from, Index face, int k) {
+  for (int level = from + 1; level <= k; ++level) {
+    for (Index f = 0; f < plan.level(level).topology.face_count(); ++f) {
+      if (plan.face_origin(level, f) == FaceOrigin{FaceKind::Face, face}) {
+        face = f;
+        break;
+      }
+    }
+  }
+  return face;
+}
+
+double angle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+int sharp_edges_at(const Level& level, Index vertex) {
+  const HalfEdges& mesh = level.topology;
+  int count = 0;
+  for (const SharpEdge& sharp : level.sharp) {
+    const Index corner = mesh.edge_corner[sharp.edge];
+    if (mesh.corner_vertex[corner] == vertex || mesh.corner_vertex[mesh.twin[corner]] == vertex) ++count;
+  }
+  return count;
+}
+
+std::vector<PolyMesh> tagged_cages() { return {bolt(), bolt_loop(), bolt_open_chain(), cube_top_loop(), house()}; }
+
+}  // namespace
+
+TEST_CASE("Faces without sharp edges keep their centre, and their normals tend to the one foretold") {
+  for (const Weights weights : {Weights::Classical, Weights::Average}) {
+    Rules rules;
+    rules.weights = weights;
+    const int last = 6;
+    const Refined result = refined(house(), last, rules);
+    const FaceLimits limits = face_limits(result.plan.level(1), result.at(1));
+    const HalfEdges& deep = result.plan.level(last).topology;
+    for (Index face = 0; face < limits.points.size(); ++face) {
+      REQUIRE(limits.exact[face] == 1);
+      const Index child = descendant(result.plan, 1, face, last);
+      CHECK((centre(deep, result.at(last), child) - limits.points[face]).norm() < 1e-13);
+      CHECK(angle(unit_normal(deep, result.at(last), child), limits.normals[face]) < 0.02);
+    }
+  }
+}
+
+TEST_CASE("A limit normal of a skew face is that of its descendants, to the rate at which they flatten") {
+  PolyMesh cage = house();
+  for (Vec3& p : cage.positions) p = Vec3(p.x() + 0.3 * p.y() * p.z(), p.y() - 0.4 * p.x() * p.z(), p.z());
+  std::vector<double> gaps;
+  for (const int last : {4, 6}) {
+    const Refined result = refined(cage, last);
+    const FaceLimits limits = face_limits(result.plan.level(0), result.at(0));
+    double gap = 0;
+    for (Index face = 0; face < limits.points.size(); ++face) {
+      const Index child = descendant(result.plan, 0, face, last);
+      gap = std::max(
+          gap, angle(unit_normal(result.plan.level(last).topology, result.at(last), child), limits.normals[face]));
+    }
+    gaps.push_back(gap);
+  }
+  CHECK(gaps[0] < 0.01);
+  CHECK(gaps[1] < gaps[0] / 8);  // a quarter of the size each level, against half for the face
+}
+
+TEST_CASE("Every exact limit point of a level is found again from the next level") {
+  for (const PolyMesh& cage : tagged_cages()) {
+    const Refined result = refined(cage, 4);
+    std::vector<std::uint8_t> exact;
+    const LimitSurface surface = limit_of(result, 1, &exact);
+    const LimitSurface deeper = limit_of(result, 3);
+    CHECK(std::all_of(exact.begin(), exact.end(), [](std::uint8_t flag) { return flag == 1; }));
+    const double spacing = greatest_gap(surface.points, deeper.points);
+    CHECK(spacing < 0.25 * extent(cage.positions));
+    // The face that a vertex or the end of a chain becomes keeps its centre ever after.
+    const HalfEdges& deep = result.plan.level(4).topology;
+    for (Index face = 0; face < result.plan.level(2).topology.face_count(); ++face) {
+      const FaceOrigin origin = result.plan.face_origin(2, face);
+      if (origin.kind != FaceKind::Vertex) continue;
+      if (sharp_edges_at(result.plan.level(1), origin.element) > 1) continue;  // not their face's centre
+      const Vec3 again = centre(deep, result.at(4), descendant(result.plan, 2, face, 4));
+      CHECK((again - surface.points[origin.element]).norm() < 1e-13);
+    }
+  }
+}
+
+TEST_CASE("An open grid in the plane keeps its outline and its normal at the limit") {
+  const Refined result = refined(grid(4, 3), 3);
+  const LimitSurface surface = limit_of(result, 2);
+  CHECK(extent(surface.points) == Approx(5).margin(1e-12));
+  for (const Vec3& point : surface.points) CHECK(point.z() == 0);
+  for (const Vec3& normal : surface.corner_normals) CHECK((normal - Vec3::UnitZ()).norm() < 1e-12);
+}
+
+TEST_CASE("Limit normals point outwards on closed surfaces, in all schemes") {
+  for (const PolyMesh& cage : {centred_cube(), uv_sphere(8, 6), icosahedron()}) {
+    const auto check = [&](const HalfEdges& mesh, const LimitSurface& surface) {
+      for (Index c = 0; c < mesh.corner_count(); ++c) {
+        const Vec3& point = surface.points[mesh.corner_vertex[c]];
+        CHECK(surface.corner_normals[c].dot(point.normalized()) > 0.85);
+        CHECK(surface.corner_normals[c].norm() == Approx(1));
+      }
+    };
+    const Refined result = refined(cage, 3);
+    check(result.plan.level(2).topology, limit_of(result, 2));
+    for (const UniformScheme scheme : {UniformScheme::CatmullClark, UniformScheme::Loop}) {
+      const UniformRefined uniform = uniformly_refined(cage, 2, {scheme, BoundaryCorners::Corner});
+      check(uniform.plan.level(2).topology, limit_of(uniform, 2));
+    }
+  }
+}
+
+TEST_CASE("A vertex of a chain goes to (A + 6V + B)/8, with one normal per side") {
+  const Refined result = refined(bolt_loop(), 3);
+  const LimitSurface surface = limit_of(result, 2);
+  const Level& level = result.plan.level(2);
+  std::map<Index, std::vector<Index>> neighbours;
+  for (const SharpEdge& sharp : level.sharp) {
+    const Index corner = level.topology.edge_corner[sharp.edge];
+    const Index a = level.topology.corner_vertex[corner], b = level.topology.corner_vertex[level.topology.twin[corner]];
+    neighbours[a].push_back(b);
+    neighbours[b].push_back(a);
+  }
+  const std::vector<Vec3>& points = result.at(2);
+  for (const auto& [vertex, ends] : neighbours) {
+    REQUIRE(ends.size() == 2);
+    const Vec3 expected = (points[ends[0]] + 6 * points[vertex] + points[ends[1]]) / 8;
+    CHECK((surface.points[vertex] - expected).norm() < 1e-15);
+  }
+  // The underside of the head is flat there, and the shank stands on it at right angles.
+  for (Index c = 0; c < level.topology.corner_count(); ++c) {
+    const Index vertex = level.topology.corner_vertex[c];
+    if (!neighbours.contains(vertex)) continue;
+    const bool below = (surface.corner_normals[c] + Vec3::UnitZ()).norm() < 1e-12;
+    const Vec3 outwards = Vec3(surface.points[vertex].x(), surface.points[vertex].y(), 0).normalized();
+    const bool beside =
+        std::abs(surface.corner_normals[c].z()) < 1e-12 && surface.corner_normals[c].dot(outwards) > 0.9;
+    CHECK((below || beside));
+  }
+}
+
+TEST_CASE("Tagged edges' limits agree with deep levels in point, tangent and both normals") {
+  for (const Preset preset : {Preset::Refined, Preset::Paper}) {
+    PolyMesh cage = bolt_loop();
+    for (Vec3& p : cage.positions) p = Vec3(p.x(), p.y() + 0.2 * p.x() * p.x(), p.z() + 0.1 * p.x() * p.y());
+    const int last = 7;
+    const Refined result = refined(cage, last, Rules::of(preset));
+    const std::vector<EdgeLimit> first = sharp_edge_limits(result.plan.level(1), result.at(1));
+    const std::vector<EdgeLimit> deep = sharp_edge_limits(result.plan.level(last), result.at(last));
+    REQUIRE(first.size() == 8);
+    for (const EdgeLimit& limit : first) {
+      REQUIRE(limit.exact);
+      const auto same = std::min_element(deep.begin(), deep.end(), [&](const EdgeLimit& a, const EdgeLimit& b) {
+        return (a.point - limit.point).norm() < (b.point - limit.point).norm();
+      });
+      CHECK((same->point - limit.point).norm() < 1e-14);
+      const bool same_way = same->tangent.dot(limit.tangent) > 0;
+      CHECK(angle(same->tangent, same_way ? limit.tangent : Vec3(-limit.tangent)) < 1e-12);
+      for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+        CHECK(angle(same->normals[side], limit.normals[same_way ? side : 1 - side]) < 4e-8);
+      }
+    }
+  }
+}
+
+TEST_CASE("Pins and corners stay at the limit, and a cube of sharp edges has its six normals") {
+  const Refined result = refined(cube_all_sharp(), 2);
+  const LimitSurface surface = limit_of(result, 1);
+  CHECK(greatest_gap(surface.points, centred_cube().positions) < 1e-15);
+  const UniformRefined uniform = uniformly_refined(cube_all_sharp(), 2);
+  for (const LimitSurface& limits : {surface, limit_of(uniform, 2)}) {
+    for (const Vec3& normal : limits.corner_normals) CHECK(normal.cwiseAbs().maxCoeff() == Approx(1).margin(1e-12));
+  }
+  const LimitSurface cube = limit_of(uniform, 2);
+  for (const Vec3& point : cube.points) CHECK(point.cwiseAbs().maxCoeff() == Approx(1).margin(1e-14));
+}
+
+TEST_CASE("Limit points of both uniform schemes are where deep levels lead, to rounding where they say so") {
+  std::size_t near_only = 0;
+  for (const PolyMesh& cage : {bolt(), bolt_loop(), bolt_open_chain(), house(), mixed_disc(), cube_all_sharp()}) {
+    for (const UniformScheme scheme : {UniformScheme::CatmullClark, UniformScheme::Loop}) {
+      const UniformRefined result = uniformly_refined(cage, 5, {scheme, BoundaryCorners::Corner});
+      std::vector<std::uint8_t> exact;
+      const LimitSurface surface = limit_of(result, 1, &exact);
+      const LimitSurface deep = limit_of(result, 5);
+      for (Index v = 0; v < surface.points.size(); ++v) {
+        const double gap = greatest_gap({&surface.points[v], 1}, deep.points);
+        CHECK(gap < (exact[v] == 1 ? 1e-13 : 5e-3) * extent(cage.positions));
+        if (exact[v] == 0) ++near_only;
+      }
+    }
+  }
+  CHECK(near_only == 5);  // two ends of a chain twice, and a vertex with two faces, which Loop's triangles part
+}
+
+TEST_CASE("One-sided normals of Catmull-Clark are those of the faces beside the crease, deep down") {
+  PolyMesh cage = bolt_loop();
+  for (Vec3& p : cage.positions) p = Vec3(p.x(), p.y() + 0.2 * p.x() * p.x(), p.z() + 0.1 * p.x() * p.y());
+  const UniformRefined result = uniformly_refined(cage, 5);
+  const HalfEdges& mesh = result.plan.level(5).topology;
+  const LimitSurface surface = limit_of(result, 5);
+  for (Index face = 0; face < mesh.face_count(); ++face) {
+    const Vec3 normal = unit_normal(mesh, result.at(5), face);
+    for (Index c = mesh.face_offsets[face]; c < mesh.face_offsets[face + std::size_t{1}]; ++c) {
+      CHECK(angle(normal, surface.corner_normals[c]) < 0.12);
+    }
+  }
+  std::set<Index> split;
+  std::map<Index, Vec3> first_normal;
+  for (Index c = 0; c < mesh.corner_count(); ++c) {
+    const auto [place, is_new] = first_normal.try_emplace(mesh.corner_vertex[c], surface.corner_normals[c]);
+    if (angle(place->second, surface.corner_normals[c]) > 1) split.insert(mesh.corner_vertex[c]);
+  }
+  CHECK(split.size() == result.plan.level(5).sharp.size());
+}
+
+TEST_CASE("The normal at a chain's end belongs to all its corners") {
+  const Refined result = refined(bolt_open_chain(), 4);
+  const UniformRefined uniform = uniformly_refined(bolt_open_chain(), 3);
+  const auto check = [](const Level& level, const LimitSurface& surface) {
+    std::map<Index, int> sharp_edges;
+    for (const SharpEdge& sharp : level.sharp) {
+      const Index corner = level.topology.edge_corner[sharp.edge];
+      ++sharp_edges[level.topology.corner_vertex[corner]];
+      ++sharp_edges[level.topology.corner_vertex[level.topology.twin[corner]]];
+    }
+    std::map<Index, Vec3> normal_of;
+    for (Index c = 0; c < level.topology.corner_count(); ++c) {
+      const Index vertex = level.topology.corner_vertex[c];
+      if (!sharp_edges.contains(vertex) || sharp_edges[vertex] != 1) continue;
+      const auto [place, is_new] = normal_of.try_emplace(vertex, surface.corner_normals[c]);
+      CHECK((place->second - surface.corner_normals[c]).norm() == 0);
+    }
+    CHECK(normal_of.size() == 2);
+  };
+  check(result.plan.level(3), limit_of(result, 3));
+  check(uniform.plan.level(3), limit_of(uniform, 3));
+}
+
+TEST_CASE("Limits are the same bits for any number of threads and move with the cage") {
+  const PolyMesh cage = torus(24, 16);
+  const Refined result = refined(cage, 3);
+  Progress progress;
+  const LimitPlan plan(result.plan, 2, progress);
+  LimitSurface one, three, moved;
+  plan.evaluate(result.at(2), one, 1);
+  plan.evaluate(result.at(2), three, 3);
+  CHECK(one.points == three.points);
+  CHECK(one.corner_normals == three.corner_normals);
+  const Eigen::AngleAxisd turn(0.7, Vec3(1, 2, 3).normalized());
+  std::vector<Vec3> turned;
+  for (const Vec3& p : result.at(2)) turned.push_back(turn * p);
+  plan.evaluate(turned, moved);
+  double gap = 0;
+  for (std::size_t i = 0; i < turned.size(); ++i) gap = std::max(gap, (moved.points[i] - turn * one.points[i]).norm());
+  CHECK(gap < 1e-14);
+}
