@@ -35,6 +35,7 @@ class Spread {
   }
   std::uint64_t operator()(double unit) const {
     const double scaled = unit * static_cast<double>(table_.size());
+    if (!(scaled > 0)) return 0;  // also of a position that isn't a number
     return table_[static_cast<std::size_t>(std::clamp(scaled, 0.0, static_cast<double>(table_.size() - 1)))];
   }
 

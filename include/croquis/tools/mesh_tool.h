@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -68,6 +69,7 @@ struct MeshPreview {
 class MeshTool {
  public:
   explicit MeshTool(Session& session, MeshToolOptions options = {});
+  ~MeshTool();
 
   // ---- What it works on
   void set_node(NodeId node);  ///< a source node with a mesh; another one than before empties hover and gestures
@@ -89,6 +91,7 @@ class MeshTool {
 
   // ---- The hand
   Verdict handle(const MeshEvent& event);
+  /// After a Begin in Object mode off the manipulator it isn't: the gesture is the window's, to pick objects with.
   bool active() const { return gesture_ != Gesture::None; }
   /// Pre-highlights. @return whether the preview changed
   bool hover(const Vec2& pixel, const ViewFrame& frame);
@@ -164,6 +167,46 @@ class MeshTool {
   enum class Gesture { None, Press, Box, Handle, Sharpen };
   struct Cache;  ///< what is derived from the mesh
 
+  // Gestures
+  Verdict begin(const MeshEvent& event);
+  void go_on(const MeshEvent& event);
+  Verdict finish(const MeshEvent& event);
+  Verdict give_up();
+  void end_gesture();
+  bool interrupted() const;
+  void press(const MeshEvent& event);
+  void start_drag();
+  void drag_handle(const Vec2& pixel);
+  void drag_sharpness(const Vec2& pixel);
+  Verdict finish_handle();
+  Verdict finish_sharpness();
+  Verdict finish_box();
+  Verdict click();
+  Verdict click_again(Index element);
+  Verdict cut_hovered(const MeshEvent& event);
+  std::optional<recorded::Step> recorded_motion(const ManipulatorMotion& motion, const Vec3& pivot) const;
+
+  // Selection
+  ComponentKind kind() const;
+  const Elements& selected() const;
+  const Elements& selected_vertices();  ///< of all kinds, and in Object mode of the whole mesh
+  Elements selected_edges();
+  Elements expanded(ComponentKind kind, Index element, How how);
+  Elements path(ComponentKind kind, Index from, Index to);
+  Elements face_path(Index from, Index to);
+  Verdict choose(ComponentKind kind, Elements elements, std::optional<recorded::Step> step = std::nullopt);
+  Verdict choose_if_any(ComponentKind kind, Elements elements);
+  Vec3 middle();
+
+  // Edits
+  Cache* fresh();  ///< null without a mesh
+  std::string node_name() const;
+  std::string counted(const std::string& verb, ComponentKind kind, std::size_t count) const;
+  Document with_mesh(PolyMesh mesh) const;
+  Verdict commit(const std::string& label, MeshEdit edit, ComponentSelection then);
+  Verdict commit_tags(const std::string& label, MeshTags tags, std::optional<recorded::Step> step);
+  Verdict transform(const std::string& verb, const Eigen::Affine3d& map, recorded::Step step);
+
   Session& session_;
   MeshToolOptions options_;
   NodeId node_ = 0;
@@ -173,7 +216,21 @@ class MeshTool {
   MeshPreview preview_;
   std::optional<recorded::Step> done_;
   Findings notes_;
+  std::unique_ptr<Cache> cache_;
+  std::array<std::shared_ptr<const ComponentSelection>, 3> kept_;  ///< of the modes that are off
+
   Gesture gesture_ = Gesture::None;
+  MeshEvent start_;                           ///< that began the gesture
+  Vec2 last_ = Vec2::Zero();                  ///< where the pointer is
+  bool may_sharpen_ = false;                  ///< the press was meant for the sharpness if it moves
+  std::optional<ManipulatorDrag> drag_;       ///< of a handle
+  std::shared_ptr<const PolyMesh> original_;  ///< before the drag
+  Elements dragged_;                          ///< vertices, or edges of Sharpen
+  std::uint64_t drag_revision_ = 0;           ///< of the session after the drag's last change
+  bool dragging_ = false;                     ///< the session's drag has begun
+
+  std::optional<MeshEvent> last_click_;
+  Index anchor_ = no_index, anchor_before_ = no_index;  ///< last clicked element, and the one before that
 };
 
 }  // namespace croquis
