@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "croquis/implicit/local_fit.h"
 
@@ -15,9 +16,10 @@ struct OffsetOptions {
 };
 
 struct OffsetPoints {
-  Constraints constraints;    ///< the points on the surface first (value 0), then those off it; no gradients
-  std::size_t shortened = 0;  ///< offset points that came nearer than asked for
-  std::size_t dropped = 0;    ///< offset points left out
+  Constraints constraints;     ///< the points on the surface first (value 0), then those off it; no gradients
+  std::vector<Index> origins;  ///< of every point off the surface, the surface point it belongs to
+  std::size_t shortened = 0;   ///< offset points that came nearer than asked for
+  std::size_t dropped = 0;     ///< offset points left out
 };
 
 /// Points on the surface and, along their normals, points of signed distance +d outside and -d inside, for kernels that

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "croquis/implicit/partition_of_unity.h"
+#include "croquis/implicit/point_tree.h"
+
+namespace croquis::implicit {
+
+/// All points of a field, and what a domain takes of them.
+class DomainPoints {
+ public:
+  DomainPoints(std::span<const Vec3> positions, std::span<const Vec3> normals, const DomainOptions& options);
+
+  /// The points in the box, between min_points (then the nearest to its middle) and max_points (then thinned), with
+  /// their normals or, for kernels without gradients, their offset points.
+  Constraints of(const Box& box) const;
+
+  std::span<const Vec3> positions() const { return positions_; }
+  std::size_t bytes() const;
+
+ private:
+  void make_offsets();
+
+  DomainOptions options_;
+  std::vector<Vec3> positions_;
+  std::vector<Vec3> normals_;
+  PointTree tree_;
+  Constraints offsets_;                    // points off the surface, behind those on it
+  std::vector<std::size_t> first_offset_;  // #N+1 into offsets_, or none
+};
+
+}  // namespace croquis::implicit

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/implicit/point_tree.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace croquis::implicit {
+namespace {
+
+constexpr std::size_t leaf_size = 8;
+
+using Found = std::pair<double, Index>;  // squared distance, index: the order of answers
+
+/// The best so far, at most `wanted`, the worst on top.
+class Nearest {
+ public:
+  explicit Nearest(std::size_t wanted) : wanted_(wanted) { heap_.reserve(wanted + 1); }
+
+  /// Anything farther can't be among them.
+  double reach() const {
+    return heap_.size() < wanted_ ? std::numeric_limits<double>::infinity() : heap_.front().first;
+  }
+
+  void offer(const Found& found) {
+    if (heap_.size() == wanted_ && !(found < heap_.front())) return;
+    heap_.push_back(found);
+    std::push_heap(heap_.begin(), heap_.end());
+    if (heap_.size() <= wanted_) return;
+    std::pop_heap(heap_.begin(), heap_.end());
+    heap_.pop_back();
+  }
+
+  std::vector<Index> sorted() {
+    std::sort_heap(heap_.begin(), heap_.end());
+    std::vector<Index> indices;
+    for (const Found& found : heap_) indices.push_back(found.second);
+    return indices;
+  }
+
+ private:
+  std::size_t wanted_;
+  std::vector<Found> heap_;
+};
+
+struct TreeView {
+  std::span<const Vec3> points;
+  std::span<const Index> indices;
+  std::span<const unsigned char> axes;
+};
+
+void search(const TreeView& tree, std::size_t begin, std::size_t end, const Vec3& place, Nearest& nearest) {
+  if (end - begin <= leaf_size) {
+    for (std::size_t i = begin; i < end; ++i) nearest.offer({(tree.points[i] - place).squaredNorm(), tree.indices[i]});
+    return;
+  }
+  const std::size_t middle = (begin + end) / 2;
+  const int axis = tree.axes[middle];
+  const double side = place[axis] - tree.points[middle][axis];
+  nearest.offer({(tree.points[middle] - place).squaredNorm(), tree.indices[middle]});
+  if (side < 0) {
+    search(tree, begin, middle, place, nearest);
+    if (side * side <= nearest.reach()) search(tree, middle + 1, end, place, nearest);
+  } else {
+    search(tree, middle + 1, end, place, nearest);
+    if (side * side <= nearest.reach()) search(tree, begin, middle, place, nearest);
+  }
+}
+
+void collect(const TreeView& tree, std::size_t begin, std::size_t end, const Box& box, std::vector<Index>& found) {
+  if (end - begin <= leaf_size) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (box.contains(tree.points[i])) found.push_back(tree.indices[i]);
+    return;
+  }
+  const std::size_t middle = (begin + end) / 2;
+  const int axis = tree.axes[middle];
+  const double split = tree.points[middle][axis];
+  if (box.contains(tree.points[middle])) found.push_back(tree.indices[middle]);
+  if (box.low[axis] <= split) collect(tree, begin, middle, box, found);
+  if (box.high[axis] >= split) collect(tree, middle + 1, end, box, found);
+}
+
+}  // namespace
+
+PointTree::PointTree(std::span<const Vec3> points)
+    : points_(points.begin(), points.end()), indices_(points.size()), axes_(points.size(), 0) {
+  std::iota(indices_.begin(), indices_.end(), Index{0});
+  build(0, points_.size());
+  std::vector<Vec3> ordered;
+  ordered.reserve(points_.size());
+  for (const Index i : indices_) ordered.push_back(points_[i]);
+  points_ = std::move(ordered);
+}
+
+void PointTree::build(std::size_t begin, std::size_t end) {
+  if (end - begin <= leaf_size) return;
+  Box box = {points_[indices_[begin]], points_[indices_[begin]]};
+  for (std::size_t i = begin; i < end; ++i) {
+    box.low = box.low.cwiseMin(points_[indices_[i]]);
+    box.high = box.high.cwiseMax(points_[indices_[i]]);
+  }
+  int axis = 0;
+  box.size().maxCoeff(&axis);
+  const std::size_t middle = (begin + end) / 2;
+  const auto at = [&](std::size_t i) { return indices_.begin() + static_cast<std::ptrdiff_t>(i); };
+  std::nth_element(at(begin), at(middle), at(end), [&](Index a, Index b) {
+    return points_[a][axis] != points_[b][axis] ? points_[a][axis] < points_[b][axis] : a < b;
+  });
+  axes_[middle] = static_cast<unsigned char>(axis);
+  build(begin, middle);
+  build(middle + 1, end);
+}
+
+Index PointTree::nearest(const Vec3& place) const {
+  const std::vector<Index> found = nearest(place, 1);
+  return found.empty() ? no_index : found.front();
+}
+
+std::vector<Index> PointTree::nearest(const Vec3& place, std::size_t count) const {
+  Nearest nearest(std::min(count, points_.size()));
+  if (count > 0) search({points_, indices_, axes_}, 0, points_.size(), place, nearest);
+  return nearest.sorted();
+}
+
+std::vector<Index> PointTree::inside(const Box& box) const {
+  std::vector<Index> found;
+  collect({points_, indices_, axes_}, 0, points_.size(), box, found);
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::size_t PointTree::bytes() const {
+  return points_.capacity() * sizeof(Vec3) + indices_.capacity() * sizeof(Index) + axes_.capacity();
+}
+
+}  // namespace croquis::implicit
