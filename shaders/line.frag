@@ -7,8 +7,9 @@ uniform sampler2D normals;
 
 layout(location = 0) out vec4 color;
 
+float share_facing(vec3 normal);
+
 void main() {
   color = line_color;
-  // Where the surface turns away, edges of its far side would show past the outline, and near ones crowd: both fade.
-  if (on_surface) color.a *= smoothstep(0.0, 0.2, texelFetch(normals, ivec2(gl_FragCoord.xy), 0).z);
+  if (on_surface) color.a *= share_facing(texelFetch(normals, ivec2(gl_FragCoord.xy), 0).xyz);
 }

@@ -48,7 +48,7 @@ LineItemPtr make_edge_item(std::span<const Vec3> positions, std::span<const Styl
     item->corners.back().width = -1 - item->corners.back().width;
   }
   // One run whatever the colours: where edges meet, each pixel goes to the edge that it lies deepest in.
-  if (!edges.empty()) item->runs.push_back({0, static_cast<std::uint32_t>(item->corners.size())});
+  if (!edges.empty()) item->runs.push_back({0, static_cast<std::uint32_t>(item->corners.size()), true});
   return item;
 }
 

@@ -40,6 +40,7 @@ class GpuMesh {
   /// Whether its next sending is small, or what an update of a mesh that is there asks for.
   bool goes_at_once(bool with_wire) const;
   bool vertices_complete() const;
+  bool shows_something() const { return vertices_complete() && (triangles_.size() == 0 || triangles_.has_begun()); }
 
   void draw_triangles() const;
   void draw_edges() const;
@@ -55,6 +56,7 @@ class GpuMesh {
     SlicedBuffer* indices = nullptr;
 
     bool complete() const { return indices == nullptr || indices->complete(); }
+    bool has_begun() const { return indices != nullptr && indices->sent() > 0; }
     std::size_t size() const { return indices == nullptr ? 0 : indices->size(); }
     void send(const SharedArray<std::uint32_t>& values, bool at_once, Uploads& uploads) const;
     void draw(unsigned mode, int step) const;

@@ -74,7 +74,7 @@ LineItemPtr make_line_item(std::span<const LinePath> lines, const LineStyle& sty
     append_corners(line, *item);
     const bool plain = one_color(*item, first, item->corners[first].color);
     const bool joins = plain && previous_plain && item->corners[first - 1].color == item->corners[first].color;
-    if (!joins) item->runs.push_back({static_cast<std::uint32_t>(first), 0});
+    if (!joins) item->runs.push_back({static_cast<std::uint32_t>(first), 0, false});
     LineRun& run = item->runs.back();
     run.count = static_cast<std::uint32_t>(item->corners.size()) - run.first;
     previous_plain = plain;

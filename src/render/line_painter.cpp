@@ -22,8 +22,11 @@ constexpr GLuint length_place = 6;
 /// Layers between two clearings: as many as the stencil's eight bits can tell apart from each other and from none.
 constexpr int layer_count = 255;
 
-void bind_corner(GLuint first_place, std::size_t offset) {
-  constexpr auto stride = static_cast<GLsizei>(sizeof(LineCorner));
+/// Corners from one segment to the next.
+int step_of(const LineRun& run) { return run.pairs ? 2 : 1; }
+
+void bind_corner(GLuint first_place, std::size_t offset, int step) {
+  const GLsizei stride = step * static_cast<GLsizei>(sizeof(LineCorner));
   glVertexAttribPointer(first_place + position_place, 3, GL_FLOAT, GL_FALSE, stride,
                         byte_offset(offset + offsetof(LineCorner, position)));
   glVertexAttribPointer(first_place + width_place, 1, GL_FLOAT, GL_FALSE, stride,
@@ -113,22 +116,23 @@ void LinePainter::set_lengths(const LineItem& item, const OverlayFrame& frame) {
 void LinePainter::bind_run(const LineRun& run, const GpuLines& gpu_lines, bool dashed) {
   const std::size_t first = run.first * sizeof(LineCorner);
   glBindBuffer(GL_ARRAY_BUFFER, gpu_lines.corners.name());
-  bind_corner(0, first);
-  bind_corner(second_end, first + sizeof(LineCorner));
+  bind_corner(0, first, step_of(run));
+  bind_corner(second_end, first + sizeof(LineCorner), step_of(run));
   if (!dashed) {
     glDisableVertexAttribArray(length_place);
     return;
   }
   glEnableVertexAttribArray(length_place);
   glBindBuffer(GL_ARRAY_BUFFER, lengths_.name());
-  glVertexAttribPointer(length_place, 1, GL_FLOAT, GL_FALSE, sizeof(float), byte_offset(run.first * sizeof(float)));
+  glVertexAttribPointer(length_place, 1, GL_FLOAT, GL_FALSE, step_of(run) * static_cast<GLsizei>(sizeof(float)),
+                        byte_offset(run.first * sizeof(float)));
 }
 
 void LinePainter::draw_run(const LineRun& run) {
   if (run.count < 2) return;
   if (layers_used_ == layer_count) begin_layers();
   ++layers_used_;
-  const auto segments = static_cast<GLsizei>(run.count - 1);
+  const auto segments = static_cast<GLsizei>(run.pairs ? run.count / 2 : run.count - 1);
   program_.set("layer", 1 - static_cast<float>(layers_used_) / (layer_count + 1));
   program_.set("layer_depth", 1.0F / (layer_count + 1));
 

@@ -45,6 +45,21 @@ glm::vec4 wire_color(const Shown<MeshItem>& shown, const RenderOptions& options)
   return color;
 }
 
+/// Pixels that an item's mean edge spans where the item is nearest.
+double edge_pixels(const MeshItem& item, const ViewFrame& view) {
+  const double radius = item.bounds.radius() / view.unit;
+  const double middle = -(view.model_to_view * glm::dvec4(item.bounds.center(), 1)).z;
+  const double distance = view.perspective ? std::max(middle - radius, 0.01) : 1;
+  return item.edge_length / view.unit * view.crop.picture_height / (view.picture_height * distance);
+}
+
+/// Wire too dense to tell its lines apart would be a grey coat over the shape.
+double strength_of_dense_wire(const MeshItem& item, const Drawing& drawing) {
+  constexpr double gone = 1, full = 3;  // pixels between lines
+  const double spacing = edge_pixels(item, drawing.view) / drawing.options.pixel_ratio;
+  return std::clamp((spacing - gone) / (full - gone), 0.0, 1.0);
+}
+
 void set_emphasis(const ShaderProgram& surface, const RenderOptions& options, const Emphasis& emphasis) {
   glm::vec4 tint = emphasis_color(options.emphasis, emphasis);
   tint.a *= static_cast<float>(options.emphasis.surface_tint);
@@ -168,10 +183,12 @@ void MeshPainter::draw_highlight(const FaceHighlightPtr& highlight, const Drawin
 void MeshPainter::draw_lines(const Drawing& drawing, const FrameBuffers& frame) {
   glBindFramebuffer(GL_FRAMEBUFFER, frame.overlay_target.name());
   glClear(GL_COLOR_BUFFER_BIT);
-  line_.use();
-  line_.set("to_clip", drawing.view.to_clip);
-  line_.set_texture("normals", 0, frame.normals);
-  line_.set("frame_size", glm::vec2(frame.size.width(), frame.size.height()));
+  for (const ShaderProgram* program : {&thin_wire_, &line_}) {
+    program->use();
+    program->set("to_clip", drawing.view.to_clip);
+    program->set_texture("normals", 0, frame.normals);
+    program->set("frame_size", glm::vec2(frame.size.width(), frame.size.height()));
+  }
   glDepthMask(GL_FALSE);
   draw_wire(drawing, {true});  // first, so that what is in front covers it
   draw_wire(drawing, {false});
@@ -189,15 +206,24 @@ void MeshPainter::draw_wire(const Drawing& drawing, const WirePass& pass) {
     if (pass.covered && !(alone && shown.style.covered_wire > 0)) continue;
     glm::vec4 color = wire_color(shown, drawing.options);
     if (pass.covered) color.a *= static_cast<float>(std::min(shown.style.covered_wire, 1.0));
+    if (shown.style.surface == SurfaceLook::Filled) {
+      color.a *= static_cast<float>(strength_of_dense_wire(*shown.item, drawing));
+    }
     if (!(color.a > 0)) continue;
     const float width = wire_width(shown.style, drawing);
     color.a *= std::min(width, 1.0F);
-    line_.set("to_view", glm::mat4(item_to_view(*shown.item, drawing.view)));
-    line_.set("fixed_color", color);
-    line_.set("width", std::max(width, 1.0F));  // thinner than a sample it would be dotted: it fades instead
-    line_.set("on_surface", !alone);
+    // Thinner than a sample it would be dotted: it fades instead.
+    const ShaderProgram& program = width > 1 ? line_ : thin_wire_;
+    program.use();
+    program.set("to_view", glm::mat4(item_to_view(*shown.item, drawing.view)));
+    program.set("fixed_color", color);
+    program.set("width", width);
+    program.set("on_surface", !alone);
+    // Filled faces end at their contour; where only lines are seen, the outline keeps all of its width.
+    program.set("past_outline", shown.style.surface == SurfaceLook::Covers ? 1.0F : 0.0F);
     gpu_meshes_.get(shown.item, shared_).draw_edges();
   }
+  line_.use();
   glDepthFunc(GL_LEQUAL);
 }
 
@@ -225,7 +251,7 @@ void MeshPainter::draw_boxes(const Drawing& drawing) {
   line_.set("fixed_color", to_float(box_color));
   line_.set("width", static_cast<float>(drawing.samples_per_pixel()));
   for (const Shown<MeshItem>& shown : drawing.scene.meshes) {
-    if (!shown.item || gpu_meshes_.get(shown.item, shared_).vertices_complete()) continue;
+    if (!shown.item || gpu_meshes_.get(shown.item, shared_).shows_something()) continue;
     const Bounds& bounds = shown.item->bounds;
     const glm::dvec3 half = 0.5 * bounds.max - 0.5 * bounds.min;
     const glm::dmat4 to_model = glm::scale(glm::translate(glm::dmat4(1), bounds.center()), half);

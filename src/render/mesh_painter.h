@@ -31,7 +31,8 @@ class MeshPainter {
   void draw_boxes(const Drawing& drawing);
 
   ShaderProgram surface_ = ShaderProgram({"surface.vert", "surface.frag"});
-  ShaderProgram line_ = ShaderProgram({"line.vert", "line.geom", "line.frag"});
+  ShaderProgram line_ = ShaderProgram({"line.vert", "line.geom", "line.frag", "line_fade.glsl"});
+  ShaderProgram thin_wire_ = ShaderProgram({"line.vert", "thin_wire.frag", "line_fade.glsl"});
   SharedBuffers shared_;
   GpuCache<MeshItem, GpuMesh> gpu_meshes_;
   GpuCache<FaceHighlight, GpuHighlight> gpu_highlights_;

@@ -74,6 +74,18 @@ std::size_t element_of(const AttributeChannel& channel, Index corner, std::span<
   return channel.domain == Domain::Corner ? corner : corners[corner];
 }
 
+/// Of a thousand edges or fewer, spread evenly.
+double mean_edge_length(const MeshItem& item) {
+  const std::size_t count = item.edges.size() / 2;
+  const std::size_t step = std::max<std::size_t>(1, count / 1000);
+  double sum = 0;
+  std::size_t seen = 0;
+  for (std::size_t e = 0; e < count; e += step, ++seen) {
+    sum += glm::distance(item.vertices[item.edges[2 * e]].position, item.vertices[item.edges[2 * e + 1]].position);
+  }
+  return seen == 0 ? 0 : sum / static_cast<double>(seen);
+}
+
 std::vector<std::array<Index, 2>> coincident_pairs(std::span<const Index> welded) {
   std::vector<std::array<Index, 2>> pairs;
   for (Index v = 0; v < welded.size(); ++v) {
@@ -214,6 +226,7 @@ void MeshPlan::fill(const PolyMesh& mesh, std::span<const glm::dvec3> positions,
   item.edges = edges_;
   item.segments = segments_;
   item.patch_count = patch_count_;
+  item.edge_length = item.scale * mean_edge_length(item);
 }
 
 void MeshPlan::use_normal_channel(const PolyMesh& mesh, std::span<SurfaceVertex> vertices) const {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <catch2/catch.hpp>
+#include <epoxy/gl.h>
 
 #include "cli/offscreen_context.h"
 #include "croquis/base/error.h"
@@ -72,6 +73,34 @@ render::RenderedPicture pixel_picture(render::Renderer& renderer, const render::
   render::RenderOptions options = flat_options();
   options.pixel_ratio = pixel_ratio;
   return render_picture(renderer, scene, pixel_camera(size), options, size);
+}
+
+render::RenderedPicture draw_once(render::Renderer& renderer, const render::Scene& scene, const render::Camera& camera,
+                                  const render::RenderOptions& options, const render::PictureSize& size) {
+  GLuint framebuffer = 0;
+  GLuint color = 0;
+  glGenFramebuffers(1, &framebuffer);
+  glGenRenderbuffers(1, &color);
+  glBindRenderbuffer(GL_RENDERBUFFER, color);
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, size.width, size.height);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
+  renderer.draw(scene, camera, options, {0, 0, size.width, size.height, {}});
+  const auto row = 4 * static_cast<std::size_t>(size.width);
+  render::RenderedPicture picture{size.width, size.height, {}};
+  picture.rgba.resize(row * static_cast<std::size_t>(size.height));
+  for (int y = 0; y < size.height; ++y) {
+    glReadPixels(0, size.height - 1 - y, size.width, 1, GL_RGBA, GL_UNSIGNED_BYTE,
+                 picture.rgba.data() + row * static_cast<std::size_t>(y));
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glDeleteRenderbuffers(1, &color);
+  glDeleteFramebuffers(1, &framebuffer);
+  return picture;
+}
+
+int count_color(const render::RenderedPicture& picture, const render::Color& color) {
+  return count_pixels(picture, [&](const render::Color& other) { return other == color; });
 }
 
 double ink(const render::RenderedPicture& picture, int x, int y) {

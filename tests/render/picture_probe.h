@@ -31,6 +31,13 @@ render::Camera pixel_camera(const render::PictureSize& size);
 render::RenderedPicture pixel_picture(render::Renderer& renderer, const render::Scene& scene,
                                       const render::PictureSize& size, double pixel_ratio = 1);
 
+/// A single drawing, whatever it shows, into a framebuffer of its own.
+render::RenderedPicture draw_once(render::Renderer& renderer, const render::Scene& scene, const render::Camera& camera,
+                                  const render::RenderOptions& options, const render::PictureSize& size);
+
+/// Number of pixels of exactly that colour.
+int count_color(const render::RenderedPicture& picture, const render::Color& color);
+
 /// How dark a pixel is: 0 white … 1 black.
 double ink(const render::RenderedPicture& picture, int x, int y);
 double ink_of_column(const render::RenderedPicture& picture, int x);  ///< sum of a column's ink, pixels of black

@@ -82,6 +82,12 @@ Scene crowded_scene() {
   marks[2].position = {0, 24, 0};
   for (Mark& mark : marks) mark.size = 40;
   scene.marks.emplace_back(make_mark_item(marks));
+  const PolyMesh grid = test::scaled(test::grid(9, 9), 40);
+  const MeshItemPtr cage = make_mesh_item(grid);
+  scene.meshes.emplace_back(cage, Emphasis{}, MeshStyle::cage({0, 90, 200, 255}));
+  scene.highlights.push_back(make_face_highlight(cage, std::vector<Index>{0, 1, 9}, {255, 128, 16, 128}));
+  scene.points.push_back(
+      make_point_item(grid.positions, {31, {90, 0, 90, 255}, {}, PointShape::Disc, PointDepth::Surfaces}));
   return scene;
 }
 
@@ -91,10 +97,6 @@ Camera camera_at(double x) {
   camera.target = {x, 0, 0};
   camera.height = 48;
   return camera;
-}
-
-int count_color(const RenderedPicture& picture, const Color& wanted) {
-  return count_pixels(picture, [&](const Color& color) { return color == wanted; });
 }
 
 }  // namespace

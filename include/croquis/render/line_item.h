@@ -66,6 +66,7 @@ struct LineCorner {
 struct LineRun {
   std::uint32_t first = 0;  ///< index into corners
   std::uint32_t count = 0;  ///< corners
+  bool pairs = false;       ///< every two corners are a line of their own
 };
 
 /// Polylines ready to be drawn: never changed once made, shared between scenes, undo steps and views.

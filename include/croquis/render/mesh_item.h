@@ -67,6 +67,7 @@ struct MeshItem {
   std::vector<LineVertex> line_vertices;
   SharedArray<std::uint32_t> segments;  ///< #S * 2, indices into line_vertices
   std::uint32_t patch_count = 0;
+  double edge_length = 0;                ///< mean of its edges (of many: of some), in model units
   std::shared_ptr<const MeshPlan> plan;  ///< what its updates and highlights reuse
 };
 
