@@ -10,8 +10,8 @@
 
 namespace croquis::hole_filling {
 
-/// What a rim is of, as far as shape tells. The first that applies, in the order islands, tunnel, outer, bow-tie, small,
-/// slit, simple.
+/// What a rim is of, as far as shape tells. The first that applies, in the order islands, tunnel, outer, bow-tie,
+/// small, slit, simple.
 enum class HoleClass {
   Small,    ///< at most 10 edges
   Simple,   ///< anything else

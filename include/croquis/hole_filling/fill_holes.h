@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "croquis/base/finding.h"
+#include "croquis/base/progress.h"
+#include "croquis/hole_filling/hole_analysis.h"
+#include "croquis/hole_filling/patch_verification.h"
+
+namespace croquis::hole_filling {
+
+/// Which holes are filled, before `only` and `max_diameter` are asked.
+enum class Selection {
+  Inner,         ///< all that are not OUTER
+  All,           ///< OUTER ones too
+  AllButLargest  ///< all but the one with the greatest perimeter
+};
+
+/// How patches continue the surface.
+enum class Fairness {
+  Flat,     ///< the triangulation of least area, no new vertices
+  Tangent,  ///< continuity 1 across the rim
+  Curved    ///< continuity 2
+};
+
+struct FillOptions {
+  Selection selection = Selection::Inner;
+  std::vector<Index> only;  ///< ids of the holes to fill, instead of a selection; empty for the selection
+  double max_diameter = std::numeric_limits<double>::infinity();  ///< wider holes stay open; model units
+  Fairness fairness = Fairness::Tangent;
+  bool flat_caps = true;  ///< OUTER holes get flat patches: a smooth one would bulge by about a radius
+  Precision precision = Precision::Double;   ///< how the result will be stored
+  std::size_t most_patch_triangles = 40000;  ///< a patch that would need more is made of larger triangles
+  bool mark_patches = true;  ///< tell the patches apart by a face channel "patch_id" (int32, -1 for the faces given)
+  HoleAnalysisOptions analysis;
+};
+
+enum class FillAction {
+  Fill,   ///< closed
+  Leave,  ///< not chosen
+  Failed  ///< chosen, but no method made a sound patch: still open
+};
+
+/// What happened to one hole; its measures are in the analysis. Angles in radians.
+struct HoleOutcome {
+  FillAction action = FillAction::Leave;
+  std::string method;                           ///< of the patch taken, empty without one
+  std::string reason;                           ///< why it was left, failed, or not filled by the first method
+  double max_normal_jump = 0;                   ///< greatest angle between the faces on the two sides of a rim edge
+  double min_angle = 0;                         ///< of the patch's corners
+  std::size_t new_vertices = 0, new_faces = 0;  ///< of a patch for several holes told with its lowest
+  Index patch = no_index;                       ///< number of the patch, the same for holes that one patch joins
+};
+
+struct FillResult {
+  PolyMesh mesh;                      ///< vertices and faces given, unchanged, then those of the patches
+  HoleAnalysis analysis;              ///< of the mesh given
+  std::vector<HoleOutcome> outcomes;  ///< per hole of the analysis
+  std::size_t new_vertices = 0, new_faces = 0;
+  Findings warnings;  ///< those of the analysis, W_OUTER_LEFT, W_FALLBACK, W_HOLE_FAILED
+};
+
+/// "fill", "leave", "failed".
+const char* to_string(FillAction action);
+
+/// Closes holes by patches and changes nothing else. Every patch is verified (see PatchVerifier) before it is taken;
+/// where one isn't sound the next method is tried, and at last the hole stays open with a reason. A hole with its
+/// islands, and the two ends of a tunnel, get one patch. Channels of vertices are continued harmonically into the
+/// patches ("normal" is computed), those of faces get the value beside the rim, those of corners NaN or 0.
+///
+/// Near-linear in faces; see triangulate_rim and FillOptions for rims. The same for any number of threads.
+/// @throws Error as analyse_holes, or E_PARAMETER for an id in `only` that no hole has
+/// @throws Cancelled
+FillResult fill_holes(const PolyMesh& mesh, const FillOptions& options, Progress& progress);
+
+}  // namespace croquis::hole_filling

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "croquis/geometry/vector.h"
+
+namespace croquis::hole_filling {
+
+/// New surface that closes one hole, or several holes that belong together (a hole and its islands, both ends of a
+/// tunnel). It refers to the mesh and is in no mesh yet.
+struct HolePatch {
+  std::vector<Index> holes;                     ///< ids in the analysis, ascending
+  std::vector<Vec3> points;                     ///< new vertices
+  std::vector<std::array<Index, 3>> triangles;  ///< corners below #V are vertices of the mesh, #V + i is points[i]
+};
+
+/// What the verification of a patch found. Angles in radians.
+struct PatchVerdict {
+  std::string fault;           ///< empty for a sound patch, else why it can't be taken
+  double min_angle = 0;        ///< of all corners of the patch
+  double max_normal_jump = 0;  ///< greatest angle between the faces on the two sides of a rim edge
+
+  bool is_sound() const { return fault.empty(); }
+};
+
+}  // namespace croquis::hole_filling

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "croquis/hole_filling/fill_holes.h"
+
+namespace croquis::hole_filling {
+
+struct HoleChoice {
+  std::vector<bool> is_chosen;      ///< per hole
+  std::vector<std::string> reason;  ///< why a hole isn't
+};
+
+/// @throws Error (E_PARAMETER) with one finding for every id in `only` that no hole has
+HoleChoice choose_holes(std::span<const Hole> holes, const FillOptions& options);
+
+}  // namespace croquis::hole_filling

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "croquis/hole_filling/hole_analysis.h"
+#include "croquis/hole_filling/rim_triangulation.h"
+
+namespace croquis::hole_filling {
+
+/// Where a patch is to be made: one hole, or several that one patch joins.
+struct HoleSite {
+  const PolyMesh* mesh = nullptr;
+  const HoleAnalysis* analysis = nullptr;
+  std::vector<Index> holes;     ///< ascending
+  RimPolygon polygon;           ///< rims with the patch on their left, the widest first
+  std::vector<Index> vertices;  ///< of the mesh, per point of the polygon
+};
+
+/// @param rim_edges sorted pairs of the view's vertices that edges join already: kept free by the patch
+HoleSite make_site(const PolyMesh& mesh, const HoleAnalysis& analysis, std::span<const Index> holes,
+                   std::span<const std::array<Index, 2>> rim_edges);
+
+/// Triangles of the view around the site's rims: those at a rim vertex, and those `rings - 1` vertices further.
+/// Ascending. Linear in their number.
+std::vector<Index> surroundings(const HoleSite& site, int rings);
+
+}  // namespace croquis::hole_filling

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/hole_filling/patch_assembly.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "algorithms/hole_filling/harmonic_values.h"
+
+namespace croquis::hole_filling {
+namespace {
+
+constexpr const char* patch_channel = "patch_id";
+
+/// The patches as they stand in the grown mesh: each with the numbers of its first new vertex and face.
+struct Placed {
+  const HolePatch* patch;
+  Index first_vertex, first_face;
+};
+
+void append_elements(PolyMesh& mesh, Index vertices_given, const HolePatch& patch) {
+  const auto base = static_cast<Index>(mesh.vertex_count());
+  mesh.positions.insert(mesh.positions.end(), patch.points.begin(), patch.points.end());
+  for (auto t : patch.triangles) {
+    for (Index& vertex : t) {
+      if (vertex >= vertices_given) vertex = base + (vertex - vertices_given);
+    }
+    mesh.add_face(t);
+  }
+}
+
+template <typename T>
+T stored(double value) {
+  if constexpr (std::is_floating_point_v<T>) {
+    return static_cast<T>(value);
+  } else {
+    if (!(value > static_cast<double>(std::numeric_limits<T>::min()))) return std::numeric_limits<T>::min();
+    if (value >= static_cast<double>(std::numeric_limits<T>::max())) return std::numeric_limits<T>::max();
+    return static_cast<T>(value < 0 ? value - 0.5 : value + 0.5);
+  }
+}
+
+/// What stands for "none here": not a number, or 0 where the type has no such value.
+template <typename T>
+constexpr T none = std::is_floating_point_v<T> ? std::numeric_limits<T>::quiet_NaN() : T{0};
+
+/// Values of one component of a vertex channel for a patch's new vertices.
+template <typename T>
+void continue_component(const PatchGraph& graph, std::size_t width, std::size_t component, const Placed& placed,
+                        std::vector<T>& values, bool is_category) {
+  std::vector<double> known;
+  for (const Index vertex : graph.rim_vertices())
+    known.push_back(static_cast<double>(values[vertex * width + component]));
+  if (is_category) {
+    for (std::size_t i = 0; i < placed.patch->points.size(); ++i)
+      values[(placed.first_vertex + i) * width + component] = values[graph.rim_vertices().front() * width + component];
+    return;
+  }
+  const std::vector<double> found = graph.harmonic(known);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    values[(placed.first_vertex + i) * width + component] = stored<T>(found[i]);
+}
+
+/// Unit normals of the new vertices by the patch's own faces, weighted by area.
+template <typename T>
+void compute_normals(const PolyMesh& mesh, const Placed& placed, std::vector<T>& values) {
+  std::vector<Vec3> normals(placed.patch->points.size(), Vec3::Zero());
+  for (Index f = placed.first_face; f < placed.first_face + placed.patch->triangles.size(); ++f) {
+    const auto t = mesh.face(f);
+    const Vec3& a = mesh.positions[t[0]];
+    const Vec3 normal = (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
+    for (const Index vertex : t) {
+      if (vertex >= placed.first_vertex) normals[vertex - placed.first_vertex] += normal;
+    }
+  }
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const Vec3 unit = normals[i].normalized();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      values[3 * (placed.first_vertex + i) + axis] = stored<T>(unit[static_cast<Eigen::Index>(axis)]);
+  }
+}
+
+void continue_vertex_channel(const PolyMesh& mesh, std::span<const Placed> placed, std::span<const PatchGraph> graphs,
+                             AttributeChannel& channel) {
+  std::visit(
+      [&](auto& values) {
+        using T = typename std::remove_reference_t<decltype(values)>::value_type;
+        const auto width = static_cast<std::size_t>(channel.width);
+        values.resize(mesh.vertex_count() * width, T{});
+        for (std::size_t p = 0; p < placed.size(); ++p) {
+          if (placed[p].patch->points.empty()) continue;
+          if (channel.name == "normal" && width == 3 && std::is_floating_point_v<T>) {
+            compute_normals(mesh, placed[p], values);
+            continue;
+          }
+          for (std::size_t component = 0; component < width; ++component)
+            continue_component(graphs[p], width, component, placed[p], values, !channel.labels.empty());
+        }
+      },
+      channel.data);
+}
+
+/// Every face of a patch gets the values of the face beside its first rim edge.
+void continue_face_channel(const HoleAnalysis& analysis, std::span<const Placed> placed, AttributeChannel& channel) {
+  std::visit(
+      [&](auto& values) {
+        const auto width = static_cast<std::size_t>(channel.width);
+        for (const Placed& p : placed) {
+          const Index beside = analysis.view.face[analysis.holes[p.patch->holes.front()].corners.front() / 3];
+          for (std::size_t f = 0; f < p.patch->triangles.size(); ++f) {
+            for (std::size_t i = 0; i < width; ++i) values.push_back(values[beside * width + i]);
+          }
+        }
+      },
+      channel.data);
+}
+
+void continue_corner_channel(const PolyMesh& mesh, AttributeChannel& channel) {
+  std::visit(
+      [&](auto& values) {
+        using T = typename std::remove_reference_t<decltype(values)>::value_type;
+        values.resize(mesh.corners.size() * static_cast<std::size_t>(channel.width), none<T>);
+      },
+      channel.data);
+}
+
+/// Numbers the patches' faces; a channel of that name from an earlier filling is continued.
+void number_patches(PolyMesh& mesh, std::size_t faces_given, std::span<const Placed> placed) {
+  AttributeChannel* channel = mesh.channel(patch_channel, Domain::Face);
+  if (channel == nullptr) {
+    mesh.channels.push_back({patch_channel, Domain::Face, 1, std::vector<std::int32_t>(mesh.face_count(), -1), {}});
+    channel = &mesh.channels.back();
+  }
+  auto* values = std::get_if<std::vector<std::int32_t>>(&channel->data);
+  if (values == nullptr || channel->width != 1) return;
+  std::int32_t number = 0;
+  for (std::size_t f = 0; f < faces_given; ++f) number = std::max(number, (*values)[f] + 1);
+  for (const Placed& p : placed) {
+    std::fill_n(values->begin() + p.first_face, p.patch->triangles.size(), number);
+    ++number;
+  }
+}
+
+}  // namespace
+
+PolyMesh append_patches(const PolyMesh& mesh, const HoleAnalysis& analysis, std::span<const HolePatch> patches,
+                        bool mark_patches) {
+  PolyMesh grown = mesh;
+  std::vector<Placed> placed;
+  for (const HolePatch& patch : patches) {
+    placed.push_back({&patch, static_cast<Index>(grown.vertex_count()), static_cast<Index>(grown.face_count())});
+    append_elements(grown, static_cast<Index>(mesh.vertex_count()), patch);
+  }
+  if (patches.empty()) return grown;
+  std::vector<PatchGraph> graphs;
+  for (AttributeChannel& channel : grown.channels) {
+    if (channel.domain == Domain::Vertex && graphs.empty()) {
+      for (const HolePatch& patch : patches) graphs.emplace_back(patch, static_cast<Index>(mesh.vertex_count()));
+    }
+    if (channel.domain == Domain::Vertex) continue_vertex_channel(grown, placed, graphs, channel);
+    if (channel.domain == Domain::Face) continue_face_channel(analysis, placed, channel);
+    if (channel.domain == Domain::Corner) continue_corner_channel(grown, channel);
+  }
+  if (mark_patches) number_patches(grown, mesh.face_count(), placed);
+  return grown;
+}
+
+}  // namespace croquis::hole_filling

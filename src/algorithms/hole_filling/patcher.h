@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algorithms/hole_filling/hole_site.h"
+#include "croquis/base/progress.h"
+#include "croquis/hole_filling/hole_patch.h"
+
+namespace croquis::hole_filling {
+
+/// One way to make a patch. Nothing it makes is trusted: the caller verifies every patch and tries the next way when
+/// this one has none that is sound.
+class Patcher {
+ public:
+  virtual ~Patcher() = default;
+
+  /// The name in reports.
+  virtual const char* method() const = 0;
+
+  /// A patch for the site, or nothing when this way doesn't lead to one.
+  /// @throws Cancelled
+  virtual std::optional<HolePatch> attempt(const HoleSite& site, Progress& progress) const = 0;
+};
+
+/// Ways in the order in which they are tried.
+using Ladder = std::vector<std::shared_ptr<const Patcher>>;
+
+/// "minimal": the triangulation of least area, without new vertices.
+std::shared_ptr<const Patcher> minimal_patcher();
+
+/// "cgal-triangulation": by dihedral angles and area, without new vertices; one rim only.
+std::shared_ptr<const Patcher> cgal_patcher();
+
+/// "cgal-c1", "cgal-c2": triangulated, refined to the density of the rim, faired.
+/// @param continuity 1 or 2
+/// @param most_triangles a patch that would get more is refined less
+std::shared_ptr<const Patcher> faired_patcher(unsigned continuity, std::size_t most_triangles);
+
+}  // namespace croquis::hole_filling
