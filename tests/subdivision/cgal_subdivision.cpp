@@ -48,4 +48,12 @@ std::vector<Vec3> cgal_loop(const PolyMesh& mesh, int level) {
   return points_of(converted_mesh);
 }
 
+CgalLevel cgal_doo_sabin(const PolyMesh& mesh, int level) {
+  SurfaceMesh converted_mesh = converted(mesh);
+  CGAL::Subdivision_method_3::DooSabin_subdivision(
+      converted_mesh, CGAL::parameters::number_of_iterations(static_cast<unsigned>(level)));
+  converted_mesh.collect_garbage();
+  return {points_of(converted_mesh), converted_mesh.number_of_edges(), converted_mesh.number_of_faces()};
+}
+
 }  // namespace croquis::test

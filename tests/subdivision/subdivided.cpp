@@ -170,6 +170,22 @@ std::vector<Index> tagged_vertices(const Level& level) {
   return vertices;
 }
 
+bool same_points(const std::vector<Vec3>& a, const std::vector<Vec3>& b, double tolerance) {
+  if (a.size() != b.size()) return false;
+  const Vec3 direction = Vec3(0.3, 0.5, 0.8).normalized();
+  std::vector<std::pair<double, std::size_t>> along(b.size());
+  for (std::size_t i = 0; i < b.size(); ++i) along[i] = {b[i].dot(direction), i};
+  std::sort(along.begin(), along.end());
+  return std::all_of(a.begin(), a.end(), [&](const Vec3& point) {
+    const double place = point.dot(direction);
+    auto found = std::lower_bound(along.begin(), along.end(), std::pair(place - tolerance, std::size_t{0}));
+    for (; found != along.end() && found->first <= place + tolerance; ++found) {
+      if ((b[found->second] - point).norm() <= tolerance) return true;
+    }
+    return false;
+  });
+}
+
 std::string fault(const HalfEdges& mesh) {
   if (mesh.face_offsets.front() != 0 || mesh.face_offsets.back() != mesh.corner_count()) return "offsets don't fit";
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {

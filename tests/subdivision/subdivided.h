@@ -44,6 +44,9 @@ std::array<Index, 2> edge_ends(const subdivision::HalfEdges& mesh, Index edge);
 /// Vertices at tagged edges, ascending.
 std::vector<Index> tagged_vertices(const subdivision::Level& level);
 
+/// Whether each point of one list lies at one of the other, which has as many.
+bool same_points(const std::vector<Vec3>& a, const std::vector<Vec3>& b, double tolerance);
+
 /// "" or the first thing that is wrong with the arrays: every rule that HalfEdges promises, and that faces are those of
 /// an oriented manifold where each vertex has one fan (counted anew from the faces).
 std::string fault(const subdivision::HalfEdges& mesh);

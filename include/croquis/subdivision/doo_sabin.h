@@ -71,6 +71,9 @@ class DooSabinPlan {
   /// faces. With tags that are all infinite only the first can.
   bool banded(int k) const;
 
+  /// Memory that the plan keeps for level k, in bytes; positions take 24 per vertex more.
+  std::size_t bytes(int k) const;
+
  private:
   struct State;
   std::shared_ptr<const State> state_;

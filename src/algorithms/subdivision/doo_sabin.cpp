@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "algorithms/subdivision/face_mask.h"
+#include "algorithms/subdivision/level_bytes.h"
 #include "algorithms/subdivision/level_positions.h"
 #include "algorithms/subdivision/level_weights.h"
 #include "algorithms/subdivision/refine.h"
@@ -159,5 +160,9 @@ FaceOrigin DooSabinPlan::cage_element(int k, Index face) const {
 }
 
 bool DooSabinPlan::banded(int k) const { return state_->refinement(k).banded; }
+
+std::size_t DooSabinPlan::bytes(int k) const {
+  return k == 0 ? bytes_of(state_->cage) : bytes_of(state_->refinement(k));
+}
 
 }  // namespace croquis::subdivision
