@@ -35,6 +35,7 @@ struct FairCage {
 /// of the squared mean curvature; without rows at tags, boundaries and corners. Not free: pins, vertices on the
 /// boundary and vertices of tagged edges. With `fair_chains` the latter are moved before, to the minimum of
 /// |second differences|^2 / h^2 + w |X - X0|^2 along each chain (h: median edge length), ends and pins held.
+/// The energy is least for a point: where nothing holds a surface, weights far below the default shrink it.
 /// Everything up to the order of elimination is computed once; each weight costs one factorisation (Eigen's LDLT). The
 /// energy never grows as w falls.
 class Fairing {
@@ -43,7 +44,7 @@ class Fairing {
   /// @throws Error as make_cage and DooSabinPlan; Cancelled
   Fairing(const PolyMesh& mesh, const FairingOptions& options, Progress& progress);
 
-  /// A weight that moves points visibly and keeps the shape: median edge length^-2.
+  /// A weight that takes out noise and keeps the shape: 10 / h^2.
   double default_weight() const;
 
   std::size_t free_point_count() const;
