@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "croquis/implicit/marching_cubes.h"
+#include "implicit/sparse_lattice.h"
+
+namespace croquis::implicit {
+
+/// Values of a cube's eight corners.
+using CornerValues = std::array<double, 8>;
+
+/// @param lattice where the cube's corners are known
+CornerValues corner_values(SparseLattice& lattice, const LatticePlace& cube);
+
+/// Where a crossed edge meets the surface: by linear interpolation, off its ends.
+/// @param edge begins at the place, along the axis; both ends are known
+Vec3 crossing(SparseLattice& lattice, const LatticePlace& edge, int axis);
+
+/// Goes over the surface front by front, until nothing is left to visit or a limit is met. Marks active cubes, crossed
+/// and covered edges in the lattice, and counts in the result.
+class SurfaceSearch {
+ public:
+  SurfaceSearch(SparseLattice& lattice, const Field& field, const PolygonizerOptions& options, Polygonized& result);
+
+  void run(std::span<const Vec3> seeds, Progress& progress);
+
+ private:
+  struct Edge {
+    LatticePlace place;
+    int axis;
+  };
+
+  std::vector<LatticePlace> first_front(std::span<const Vec3> seeds);
+  void visit(const std::array<std::int64_t, 3>& cube, std::vector<LatticePlace>& front);
+  void evaluate_corners(const std::vector<LatticePlace>& front, Progress& progress);
+  std::vector<LatticePlace> active_cubes(const std::vector<LatticePlace>& front);
+  void mark_crossings(const std::vector<LatticePlace>& cubes, Progress& progress);
+  void ask_covered(const std::vector<Edge>& edges, Progress& progress);
+  std::vector<LatticePlace> next_front(const std::vector<LatticePlace>& cubes);
+  bool leads_on(const LatticePlace& cube, const CornerValues& values, unsigned face);
+
+  SparseLattice& lattice_;
+  const Field& field_;
+  const PolygonizerOptions& options_;
+  Polygonized& result_;
+};
+
+}  // namespace croquis::implicit

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "implicit/sample_fields.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace croquis::test {
+
+double sphere_at(const Vec3& p, const Vec3& centre, double radius) { return (p - centre).norm() - radius; }
+
+double torus_at(const Vec3& p, double radius, double tube) {
+  return std::hypot(std::hypot(p.x(), p.y()) - radius, p.z()) - tube;
+}
+
+double ellipsoid_at(const Vec3& p, const Vec3& half_axes) {
+  const double k = p.cwiseQuotient(half_axes).norm();
+  const double slope = p.cwiseQuotient(half_axes.cwiseAbs2()).norm();
+  return slope > 0 ? k * (k - 1) / slope : -half_axes.minCoeff();
+}
+
+double gyroid_at(const Vec3& p) {
+  return std::sin(p.x()) * std::cos(p.y()) + std::sin(p.y()) * std::cos(p.z()) + std::sin(p.z()) * std::cos(p.x());
+}
+
+double pierced_shell_at(const Vec3& p, double thickness) {
+  const double shell = std::abs(p.norm() - 1) - thickness / 2;
+  return std::max(shell, 0.4 - std::hypot(p.x(), p.y()));
+}
+
+}  // namespace croquis::test
