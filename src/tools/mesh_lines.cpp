@@ -141,7 +141,7 @@ Elements face_loop(const MeshTopology& topology, Index face, Index neighbour, bo
   for (Index edge = 0; edge < topology.edge_count(); ++edge) {
     const auto corners = topology.edge_corners(edge);
     if (corners.size() != 2) continue;
-    const auto [low, high] = std::minmax(topology.face(corners[0]), topology.face(corners[1]));
+    const auto [low, high] = std::minmax({topology.face(corners[0]), topology.face(corners[1])});
     if (low == std::min(face, neighbour) && high == std::max(face, neighbour))
       return in_order_or_sorted(walk_ring(topology, edge).faces, ordered);
   }
