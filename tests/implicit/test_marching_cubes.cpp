@@ -103,8 +103,8 @@ TEST_CASE("a turned surface is polygonised as well as a straight one") {
   }
 }
 
-TEST_CASE("a gyroid in a ball is closed, and has genus as the theory of its period says") {
-  // Cut by a ball of two periods and a half: handles must agree between resolutions that resolve it.
+TEST_CASE("a gyroid in a ball is closed, with the same handles at two resolutions") {
+  // A ball of two and a half periods: dozens of handles, all of them resolved by both cubes.
   const auto solid = [](const Vec3& p) { return std::max(0.7 * gyroid_at(p), p.norm() - 7.5); };
   std::vector<std::int64_t> euler;
   for (const double cell : {0.3, 0.2}) {
