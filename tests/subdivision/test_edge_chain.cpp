@@ -8,6 +8,7 @@
 
 #include "croquis/subdivision/chain_curve.h"
 #include "croquis/subdivision/edge_chain.h"
+#include "subdivision/random_tags.h"
 #include "subdivision/refined.h"
 #include "support/cages.h"
 #include "support/mesh_shapes.h"
@@ -300,6 +301,46 @@ TEST_CASE("Sampled chords stay within the tolerance and samples lie on the curve
       }
       CHECK(gap < tolerance);
       CHECK(gap > tolerance / 40);
+    }
+  }
+}
+
+TEST_CASE("With any tags, chains hold every sharp edge once and pass through crease vertices only") {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    Random random(seed);
+    for (NamedCage& cage : all_cages()) {
+      add_random_tags(cage.mesh, random, false);
+      INFO(cage.name << ", seed " << seed);
+      const Refined result = refined(cage.mesh, 1);
+      for (int k = 0; k <= 1; ++k) {
+        const Level& level = result.plan.level(k);
+        std::vector<int> at_vertex(level.topology.vertex_count(), 0), seen(level.topology.edge_count(), 0);
+        std::size_t sharp_edges = 0, chain_edges = 0;
+        for (const SharpEdge& sharp : level.sharp) {
+          if (sharp.sharpness < 1) continue;
+          ++sharp_edges;
+          const Index corner = level.topology.edge_corner[sharp.edge];
+          ++at_vertex[level.topology.corner_vertex[corner]];
+          ++at_vertex[level.topology.corner_vertex[level.topology.twin[corner]]];
+        }
+        const std::vector<EdgeChain> chains = edge_chains(level);
+        for (const EdgeChain& chain : chains) {
+          chain_edges += chain.edges.size();
+          for (const Index edge : chain.edges) REQUIRE(++seen[edge] == 1);
+          REQUIRE(chain.vertices.size() == chain.edges.size() + (chain.closed ? 0 : 1));
+          const std::size_t inner_end = chain.closed ? chain.vertices.size() : chain.vertices.size() - 1;
+          for (std::size_t i = chain.closed ? 0 : 1; i < inner_end; ++i) REQUIRE(at_vertex[chain.vertices[i]] == 2);
+          if (!chain.closed && chain.ends[0] == ChainEnd::Dart) REQUIRE(at_vertex[chain.vertices[0]] == 1);
+        }
+        REQUIRE(chain_edges == sharp_edges);
+        for (const ChainShape& shape : chain_shapes(level, chains, result.at(k))) {
+          REQUIRE(shape.length > 0);
+          REQUIRE(shape.least_bend <= shape.greatest_bend);
+        }
+      }
+      for (const ChainCurve& curve : limit_curves(result.plan, result.points, {})) {
+        for (const Vec3& p : sampled(curve, 0.01)) REQUIRE(p.norm() < 2 * extent(cage.mesh.positions) + 20);
+      }
     }
   }
 }

@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/subdivision/limit.h"
+#include "subdivision/random_tags.h"
 #include "subdivision/refined.h"
 #include "support/cages.h"
 #include "support/mesh_shapes.h"
@@ -299,4 +300,65 @@ TEST_CASE("Limits are the same bits for any number of threads and move with the 
   double gap = 0;
   for (std::size_t i = 0; i < turned.size(); ++i) gap = std::max(gap, (moved.points[i] - turn * one.points[i]).norm());
   CHECK(gap < 1e-14);
+}
+
+TEST_CASE("With any tags, limit points lie on the surface that deep levels approach") {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    Random random(seed);
+    const std::vector<NamedCage> cages = all_cages();
+    NamedCage cage = cages[random.below(static_cast<std::uint32_t>(cages.size()))];
+    if (cage.mesh.face_count() > 30) continue;  // a deep level of it takes too long
+    add_random_tags(cage.mesh, random, seed % 2 == 0);
+    INFO(cage.name << ", seed " << seed);
+    const Refined result = refined(cage.mesh, 5);
+    std::vector<std::uint8_t> exact;
+    const LimitSurface surface = limit_of(result, 0, &exact);
+    const HalfEdges& deep = result.plan.level(5).topology;
+    std::vector<Vec3> places, normals;
+    for (Index f = 0; f < deep.face_count(); ++f) {
+      places.push_back(centre(deep, result.at(5), f));
+      normals.push_back(unit_normal(deep, result.at(5), f));
+      for (const Index v : deep.face(f)) {  // faces between corners stay large
+        places.push_back(result.at(5)[v]);
+        normals.push_back(normals.back());
+      }
+    }
+    for (Index v = 0; v < surface.points.size(); ++v) {
+      if (exact[v] == 0) continue;
+      double nearest = 1e9, off = 0;
+      for (std::size_t f = 0; f < places.size(); ++f) {
+        const Vec3 offset = surface.points[v] - places[f];
+        if (offset.norm() >= nearest) continue;
+        nearest = offset.norm();
+        off = std::abs(offset.dot(normals[f]));
+      }
+      CHECK(nearest < 0.15 * extent(cage.mesh.positions));
+      CHECK(off < 0.01 * extent(cage.mesh.positions));
+    }
+    for (const Vec3& normal : surface.corner_normals) CHECK(std::abs(normal.norm() - 1) < 1e-12);
+  }
+}
+
+TEST_CASE("With any tags, limits of the uniform schemes are finite and have normals") {
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    Random random(seed);
+    for (NamedCage& cage : all_cages()) {
+      if (cage.name.find("back") != std::string::npos) continue;  // flat: no normal at its rim
+      add_random_tags(cage.mesh, random, false);
+      INFO(cage.name << ", seed " << seed);
+      const UniformScheme scheme = seed % 2 == 0 ? UniformScheme::CatmullClark : UniformScheme::Loop;
+      const UniformRefined result = uniformly_refined(cage.mesh, 1, {scheme, BoundaryCorners::Corner});
+      const LimitSurface surface = limit_of(result, 1);
+      for (const Vec3& point : surface.points) REQUIRE(point.norm() < 2 * extent(cage.mesh.positions) + 20);
+      std::size_t without = 0;  // triangles that fractional sharpness drew into a line
+      for (const Vec3& normal : surface.corner_normals) {
+        if (normal == Vec3::Zero()) {
+          ++without;
+        } else {
+          REQUIRE(std::abs(normal.norm() - 1) < 1e-12);
+        }
+      }
+      CHECK(without <= surface.corner_normals.size() / 100);
+    }
+  }
 }

@@ -18,7 +18,8 @@ namespace croquis::subdivision {
 /// A level with every vertex moved onto the limit surface.
 struct LimitSurface {
   std::vector<Vec3> points;          ///< #V
-  std::vector<Vec3> corner_normals;  ///< #C, unit length; corners of one vertex differ where sharp edges part them
+  std::vector<Vec3> corner_normals;  ///< #C, unit length, or zero where face and tangents lie in a line;
+                                     ///< corners of one vertex differ where sharp edges part them
 };
 
 /// What the limit of a level's vertices depends on, without positions: as a plan, kept while points are dragged.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -6,6 +7,7 @@
 
 #include "algorithms/subdivision/level_geometry.h"
 #include "algorithms/subdivision/limit_rows.h"
+#include "croquis/geometry/mesh_tags.h"
 #include "croquis/geometry/mesh_topology.h"
 
 namespace croquis::subdivision {
@@ -82,6 +84,7 @@ class Reader {
     const auto ring = faces.empty() ? points_[vertex] : child_.face(faces[0]);
     if (pinned != no_index) {
       add_mean({&pinned, 1});
+      rows_.exact[vertex] = stays(pinned) ? 1 : 0;
     } else {
       add_mean(ring);
       rows_.exact[vertex] = faces.empty() ? 0 : 1;
@@ -94,6 +97,7 @@ class Reader {
   /// A vertex that stays. Its normals are those of its corners in the faces' own children, along sharp edges exact.
   void read_kept(Index vertex, Index point) {
     add_mean({&point, 1});
+    rows_.exact[vertex] = stays(point) ? 1 : 0;
     std::vector<std::pair<Index, Index>> normal_of_face;
     for_each_corner(child_, child_around_, point, [&](Index corner) {
       const FaceOrigin origin = plan_.face_origin(next_, child_around_.face(corner));
@@ -109,6 +113,25 @@ class Reader {
     });
   }
 
+  /// Whether enough edges at a kept point stay sharp for ever to keep it there.
+  bool stays(Index point) const {
+    std::size_t edges = 0, faces = 0;
+    const auto count = [&](Index corner) {
+      if (child_sharpness_[child_.corner_edge[corner]] == infinite_sharpness) ++edges;
+    };
+    Index last = no_index;
+    for_each_corner(child_, child_around_, point, [&](Index corner) {
+      count(corner);
+      last = child_around_.previous(corner);
+      ++faces;
+    });
+    const bool on_boundary = child_.twin[last] == no_index;
+    if (on_boundary) count(last);
+    const auto& pins = plan_.level(next_).pins;
+    const bool pinned = std::binary_search(pins.begin(), pins.end(), point);
+    return edges > 2 || (pinned && edges > 0) || (on_boundary && faces == 1);
+  }
+
   /// The middle of the chord between the two points of a chain's vertex: (A + 6V + B)/8.
   void read_crease(Index vertex, Index a, Index b) {
     const std::array<Index, 2> ends = {a, b};
@@ -118,7 +141,7 @@ class Reader {
       rows_.exact[vertex] = 0;
       return;
     }
-    rows_.exact[vertex] = child_sharpness_[child_.corner_edge[half_edge]] >= 1 ? 1 : 0;
+    rows_.exact[vertex] = child_sharpness_[child_.corner_edge[half_edge]] == infinite_sharpness ? 1 : 0;
     set_side_normals(vertex, a, b);
   }
 

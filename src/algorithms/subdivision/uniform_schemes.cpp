@@ -50,8 +50,9 @@ void require_few_faces(Counts counts, UniformScheme scheme, const Depth& depth) 
     throw Error(make_error(Category::Limit, "E_TOO_MANY_FACES",
                            "Level " + std::to_string(k) + " would have " + whole(counts.faces) + " faces, " +
                                whole(counts.edges) + " edges and " + whole(counts.vertices) +
-                               " vertices, more than the limit of " + std::to_string(depth.face_limit) +
-                               " faces; ask for fewer levels."));
+                               " vertices, but the limit is " + std::to_string(depth.face_limit) +
+                               " faces: take fewer levels, or a higher limit.",
+                           {{SubjectKind::Parameter, "levels", {}, {}, {}}}));
   }
 }
 
