@@ -2,6 +2,7 @@
 #include "croquis/render/mesh_item.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "croquis/base/error.h"
@@ -27,18 +28,42 @@ Bounds bounds_of_drawn(const PolyMesh& mesh) {
   return bounds;
 }
 
-/// An item's frame, and the mesh's vertices in it.
-std::vector<glm::dvec3> take_frame(const PolyMesh& mesh, MeshItem& item) {
-  item.bounds = bounds_of_drawn(mesh);
+/// Takes the frame that the item's bounds ask for, and the positions in it.
+std::vector<glm::dvec3> take_frame(std::span<const Vec3> positions, MeshItem& item) {
   set_own_frame(item);
-  std::vector<glm::dvec3> positions;
-  positions.reserve(mesh.vertex_count());
-  for (const Vec3& position : mesh.positions) positions.push_back((to_glm(position) - item.origin) / item.scale);
-  return positions;
+  std::vector<glm::dvec3> own;
+  own.reserve(positions.size());
+  for (const Vec3& position : positions) own.push_back((to_glm(position) - item.origin) / item.scale);
+  return own;
 }
 
-bool all_finite(const PolyMesh& mesh) {
-  return std::all_of(mesh.positions.begin(), mesh.positions.end(), [](const Vec3& v) { return v.allFinite(); });
+bool all_finite(std::span<const Vec3> positions) {
+  return std::all_of(positions.begin(), positions.end(), [](const Vec3& v) { return v.allFinite(); });
+}
+
+void require_positions(std::span<const Vec3> positions, std::size_t count) {
+  Findings findings;
+  if (positions.size() != count) {
+    findings.push_back(make_error(Category::Usage, "E_COUNT",
+                                  "A mesh of " + std::to_string(count) + " vertices can't take " +
+                                      std::to_string(positions.size()) + " positions; give one for each vertex.",
+                                  {}));
+  } else if (!all_finite(positions)) {
+    for (std::size_t v = 0; v < count; ++v) {
+      if (!positions[v].allFinite()) findings.push_back(not_finite(SubjectKind::Vertex, "vertex", v));
+    }
+  }
+  if (!findings.empty()) throw Error(std::move(findings));
+}
+
+/// @param normals see MeshPlan::fill
+MeshItemPtr place(const std::shared_ptr<const MeshPlan>& plan, std::span<const Vec3> positions,
+                  const AttributeChannel* normals) {
+  auto item = std::make_shared<MeshItem>();
+  item->plan = plan;
+  item->bounds = plan->bounds_of_drawn(positions);
+  plan->fill(take_frame(positions, *item), normals, *item);
+  return item;
 }
 
 }  // namespace
@@ -46,9 +71,10 @@ bool all_finite(const PolyMesh& mesh) {
 MeshItemPtr make_mesh_item(const PolyMesh& mesh, const MeshItemOptions& options) {
   require_drawable(mesh);
   auto item = std::make_shared<MeshItem>();
-  const std::vector<glm::dvec3> positions = take_frame(mesh, *item);
+  item->bounds = bounds_of_drawn(mesh);
+  const std::vector<glm::dvec3> positions = take_frame(mesh.positions, *item);
   item->plan = std::make_shared<MeshPlan>(mesh, positions, options);
-  item->plan->fill(mesh, positions, *item);
+  item->plan->fill(positions, item->plan->normals_of(mesh), *item);
   return item;
 }
 
@@ -56,11 +82,13 @@ MeshItemPtr update_mesh_item(const MeshItemPtr& previous, const PolyMesh& mesh, 
   if (!previous || !previous->plan) return make_mesh_item(mesh, options);
   const MeshPlan& plan = *previous->plan;
   // Connectivity that fits has been checked before: only positions can be wrong.
-  if (!all_finite(mesh) || !plan.fits(mesh)) return make_mesh_item(mesh, plan.options());
-  auto item = std::make_shared<MeshItem>();
-  item->plan = previous->plan;
-  plan.fill(mesh, take_frame(mesh, *item), *item);
-  return item;
+  if (!all_finite(mesh.positions) || !plan.fits(mesh)) return make_mesh_item(mesh, plan.options());
+  return place(previous->plan, mesh.positions, plan.normals_of(mesh));
+}
+
+MeshItemPtr update_mesh_item(const MeshItemPtr& previous, std::span<const Vec3> positions) {
+  require_positions(positions, previous->plan->vertex_count());
+  return place(previous->plan, positions, nullptr);
 }
 
 Bounds bounds_of(const std::vector<MeshItemPtr>& items) {

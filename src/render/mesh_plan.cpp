@@ -123,6 +123,7 @@ class VertexCollector {
 
 MeshPlan::MeshPlan(const PolyMesh& mesh, std::span<const glm::dvec3> positions, const MeshItemOptions& options)
     : options_(options),
+      vertex_count_(mesh.vertex_count()),
       face_offsets_(mesh.face_offsets),
       corners_(mesh.corners),
       line_offsets_(mesh.line_offsets),
@@ -155,7 +156,7 @@ MeshPlan::MeshPlan(const PolyMesh& mesh, std::span<const glm::dvec3> positions, 
 }
 
 void MeshPlan::collect_vertices(const PolyMesh& mesh, std::span<const Color> colors, std::span<const Index> patches) {
-  const AttributeChannel* normals = options_.use_normal_channel ? normal_channel(mesh) : nullptr;
+  const AttributeChannel* normals = normals_of(mesh);
   VertexCollector collector(group_count_);
   corner_vertices_.resize(corners_.size());
   for (std::size_t f = 0; f < face_count(); ++f) {
@@ -201,22 +202,36 @@ void MeshPlan::index_lines(const PolyMesh& mesh) {
 
 bool MeshPlan::fits(const PolyMesh& mesh) const {
   if (mesh.face_offsets != face_offsets_ || mesh.corners != corners_ || mesh.line_offsets != line_offsets_ ||
-      mesh.line_vertices != line_vertices_ || mesh.tags.creases != creases_ || !same_look(channels_, mesh)) {
+      mesh.line_vertices != line_vertices_ || mesh.tags.creases != creases_ || mesh.vertex_count() != vertex_count_ ||
+      !same_look(channels_, mesh)) {
     return false;
   }
-  return std::all_of(coincident_.begin(), coincident_.end(), [&](const auto& pair) {
-    return std::max(pair[0], pair[1]) < mesh.vertex_count() && mesh.positions[pair[0]] == mesh.positions[pair[1]];
-  });
+  return std::all_of(coincident_.begin(), coincident_.end(),
+                     [&](const auto& pair) { return mesh.positions[pair[0]] == mesh.positions[pair[1]]; });
 }
 
-void MeshPlan::fill(const PolyMesh& mesh, std::span<const glm::dvec3> positions, MeshItem& item) const {
+Bounds MeshPlan::bounds_of_drawn(std::span<const Vec3> positions) const {
+  Bounds bounds;
+  const auto add = [&](Index vertex) {
+    bounds.add({positions[vertex].x(), positions[vertex].y(), positions[vertex].z()});
+  };
+  for (const Index corner : vertex_corners_) add(corners_[corner]);
+  for (const Index vertex : line_vertices_) add(vertex);
+  return bounds;
+}
+
+const AttributeChannel* MeshPlan::normals_of(const PolyMesh& mesh) const {
+  return options_.use_normal_channel ? normal_channel(mesh) : nullptr;
+}
+
+void MeshPlan::fill(std::span<const glm::dvec3> positions, const AttributeChannel* channel, MeshItem& item) const {
   const std::vector<glm::vec3> normals = group_normals(faces(), positions, corner_groups_, group_count_);
   item.vertices.resize(vertex_corners_.size());
   for (std::size_t v = 0; v < item.vertices.size(); ++v) {
     const Index corner = vertex_corners_[v];
     item.vertices[v] = {glm::vec3(positions[corners_[corner]]), normals[corner_groups_[corner]]};
   }
-  if (options_.use_normal_channel) use_normal_channel(mesh, item.vertices);
+  if (channel != nullptr) take_normals(*channel, item.vertices);
   item.line_vertices.resize(line_vertices_.size());
   for (std::size_t i = 0; i < line_vertices_.size(); ++i) {
     item.line_vertices[i] = {glm::vec3(positions[line_vertices_[i]]), line_colors_[i]};
@@ -229,11 +244,9 @@ void MeshPlan::fill(const PolyMesh& mesh, std::span<const glm::dvec3> positions,
   item.edge_length = item.scale * mean_edge_length(item);
 }
 
-void MeshPlan::use_normal_channel(const PolyMesh& mesh, std::span<SurfaceVertex> vertices) const {
-  const AttributeChannel* channel = normal_channel(mesh);
-  if (channel == nullptr) return;
+void MeshPlan::take_normals(const AttributeChannel& channel, std::span<SurfaceVertex> vertices) const {
   for (std::size_t v = 0; v < vertices.size(); ++v) {
-    const glm::vec3 normal = normal_at(*channel, element_of(*channel, vertex_corners_[v], corners_));
+    const glm::vec3 normal = normal_at(channel, element_of(channel, vertex_corners_[v], corners_));
     if (normal != glm::vec3(0)) vertices[v].normal = normal;
   }
 }

@@ -24,8 +24,16 @@ class MeshPlan {
   /// place have to be still.
   bool fits(const PolyMesh& mesh) const;
 
-  /// Fills all but frame and bounds of an item of a mesh that fits.
-  void fill(const PolyMesh& mesh, std::span<const glm::dvec3> positions, MeshItem& item) const;
+  /// The box of the vertices in use.
+  Bounds bounds_of_drawn(std::span<const Vec3> positions) const;
+
+  /// The channel that normals are read from, as the options and the mesh say; or null.
+  const AttributeChannel* normals_of(const PolyMesh& mesh) const;
+
+  /// Fills all but frame and bounds of an item.
+  /// @param positions of a mesh that fits, in the item's own frame
+  /// @param normals null: all are reckoned
+  void fill(std::span<const glm::dvec3> positions, const AttributeChannel* normals, MeshItem& item) const;
 
   const MeshItemOptions& options() const { return options_; }
 
@@ -33,16 +41,18 @@ class MeshPlan {
   std::pair<Index, Index> triangle_indices(Index face) const {
     return {face_triangles_[face], face_triangles_[face + 1]};
   }
+  std::size_t vertex_count() const { return vertex_count_; }
   std::size_t face_count() const { return face_offsets_.size() - 1; }
 
  private:
   void collect_vertices(const PolyMesh& mesh, std::span<const Color> colors, std::span<const Index> patches);
   void cut_triangles(std::span<const glm::dvec3> positions);
   void index_lines(const PolyMesh& mesh);
-  void use_normal_channel(const PolyMesh& mesh, std::span<SurfaceVertex> vertices) const;
+  void take_normals(const AttributeChannel& channel, std::span<SurfaceVertex> vertices) const;
   FaceArrays faces() const { return {face_offsets_, corners_}; }
 
   MeshItemOptions options_;
+  std::size_t vertex_count_ = 0;  // of the mesh
   std::vector<Index> face_offsets_, corners_, line_offsets_, line_vertices_;
   std::vector<Crease> creases_;
   std::vector<AttributeChannel> channels_;        // those that the look depends on

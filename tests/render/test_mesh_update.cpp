@@ -158,6 +158,7 @@ TEST_CASE("an update equals a fresh item bit for bit and shares what has not cha
     CHECK(updated->edges.data() == item->edges.data());
     CHECK(updated->paint.data() == item->paint.data());
     CHECK_FALSE(same_bytes(updated->vertices, item->vertices));
+    check_equal(*update_mesh_item(item, moved.positions), *updated);
     item = updated;
   }
 }
@@ -195,4 +196,7 @@ TEST_CASE("an update refuses coordinates that are no numbers") {
   const MeshItemPtr item = make_mesh_item(mesh);
   mesh.positions[3].y() = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(update_mesh_item(item, mesh), Error);
+  CHECK_THROWS_AS(update_mesh_item(item, mesh.positions), Error);
+  mesh.positions.pop_back();
+  CHECK_THROWS_AS(update_mesh_item(item, mesh.positions), Error);
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -96,6 +97,15 @@ MeshItemPtr make_mesh_item(const PolyMesh& mesh, const MeshItemOptions& options 
 /// @throws Error as make_mesh_item
 /// O(n).
 MeshItemPtr update_mesh_item(const MeshItemPtr& previous, const PolyMesh& mesh, const MeshItemOptions& options = {});
+
+/// The same from positions alone, for results whose connectivity is known to stay (a plan of subdivision, a deformer):
+/// nothing is compared. Vertices that were at one place are taken to have stayed together; normals are reckoned, also
+/// where a channel gave them.
+/// @param previous not null
+/// @param positions of all vertices of the previous item's mesh
+/// @throws Error (E_COUNT, usage) for another number of positions, (E_NOT_FINITE, malformed) naming each vertex with a
+///         coordinate that is NaN or infinite
+MeshItemPtr update_mesh_item(const MeshItemPtr& previous, std::span<const Vec3> positions);
 
 /// The box of everything in the list; empty for none.
 Bounds bounds_of(const std::vector<MeshItemPtr>& items);
