@@ -59,12 +59,8 @@ PolyMesh read_input_mesh(const Invocation& invocation, bool require_faces, Comma
   return std::move(read.mesh);
 }
 
-Report read_report(const std::string& path, const Invocation& invocation) {
-  if (path != "-") return read_json(read_file(path), path);
-  if (invocation.input == "-") {
-    throw Error(make_error(Category::Usage, "E_USAGE", "Only one input can come from standard input."));
-  }
-  return read_json(read_standard_input(), shown_name(path));
+Report read_report(const std::string& path) {
+  return read_json(path == "-" ? read_standard_input() : read_file(path), shown_name(path));
 }
 
 Drawing read_input_drawing(const Invocation& invocation, CommandResult& result, Progress& progress) {

@@ -20,9 +20,9 @@ std::string read_input(const Invocation& invocation);
 /// @throws Error (E_FORMAT when neither name nor --input-format tells a mesh format; the reader's codes)
 PolyMesh read_input_mesh(const Invocation& invocation, bool require_faces, CommandResult& result, Progress& progress);
 
-/// Reads a further input of the command, a JSON file, as a report. "-" is standard input where the first input isn't.
+/// Reads a further input of the command, a JSON file, as a report. "-" is standard input.
 /// @throws Error
-Report read_report(const std::string& path, const Invocation& invocation);
+Report read_report(const std::string& path);
 
 /// Reads the input as a silhouette sketch.
 /// @throws Error

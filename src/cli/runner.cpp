@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <system_error>
 #include <utility>
 
 #include <sys/resource.h>
@@ -112,6 +113,10 @@ Outcome execute(const Command& command, const Invocation& invocation, ProgressDi
     fail(outcome, error.findings(), code_of(error.findings()));
   } catch (const std::bad_alloc&) {
     fail(outcome, {memory_finding()}, exit_limit);
+  } catch (const std::system_error& error) {
+    // A thread that has no room for its stack.
+    const bool no_room = error.code() == std::errc::resource_unavailable_try_again;
+    fail(outcome, {no_room ? memory_finding() : internal_finding(error.what())}, no_room ? exit_limit : exit_internal);
   } catch (const std::exception& exception) {
     fail(outcome, {internal_finding(exception.what())}, exit_internal);
   }

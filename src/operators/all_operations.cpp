@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "croquis/operators/all_operations.h"
 
+#include "operators/fair_operation.h"
 #include "operators/inflate_operation.h"
+#include "operators/subdivide_operation.h"
 
 namespace croquis {
 
 Registry all_operations() {
   Registry registry;
   registry.add(std::make_unique<InflateOperation>());
+  registry.add(std::make_unique<SubdivideOperation>());
+  registry.add(std::make_unique<FairOperation>());
   return registry;
 }
 

@@ -158,6 +158,19 @@ TEST_CASE("a corner that isn't infinitely sharp becomes a pin with a warning") {
   CHECK_THAT(result.warnings[0].message, Catch::Contains("vertex 3 has the sharpness 2.8"));
 }
 
+TEST_CASE("settled corners come back from OBJ, and those of no vertex are refused") {
+  PolyMesh mesh = mesh_of(square + "f 1 2 3 4\n");
+  mesh.channels.push_back({"settled_corner", Domain::Vertex, 1, std::vector<std::uint8_t>{0, 1, 0, 1}, {}});
+  const MeshWriteResult written = write(mesh, MeshFormat::Obj);
+  CHECK(written.warnings.empty());
+  CHECK(difference(mesh_of(written.bytes), mesh) == "");
+  CHECK(difference(mesh_of("t settled 2/0/0 3 1\n" + square + "f 1 2 3 4\n"), mesh) == "");
+  const Findings findings = refusal("t settled 2/0/0 3 4\n" + square + "f 1 2 3 4\n", MeshFormat::Obj);
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].code == "E_INDEX");
+  CHECK(findings[0].subjects.at(0).line == 1);
+}
+
 TEST_CASE("tags come back from OBJ the same, but for their sets") {
   PolyMesh mesh = mesh_of(square + "f 1 2 3 4\n");
   mesh.tags.creases = {{{3, 2}, 0.1},          {{0, 1}, infinite_sharpness}, {{0, 9}, 1e-3},

@@ -41,7 +41,8 @@ struct MeshReadResult {
 /// - OBJ: "group", "object" and "material" on faces and lines are indices into the channel's labels, -1 for none;
 ///   "smoothing_group" on faces; "color" on vertices; "uv" and "normal" on vertices where every corner uses its
 ///   vertex' own, else on corners with NaN where a corner has none. `t crease` and `t corner` are the mesh's tags
-///   (creases, and pins for corners of any sharpness, with W_TAG_SHARPNESS below 10); tags need not fit the mesh.
+///   (creases, and pins for corners of any sharpness, with W_TAG_SHARPNESS below 10), `t settled` is "settled_corner" on
+///   vertices; tags need not fit the mesh.
 /// - PLY: nx ny nz are "normal", red green blue (alpha) "color", s t or u v "uv", a face's texcoord list "uv" on
 ///   corners; name_0 name_1 … become one channel; all others keep name and type. Edge elements are polylines.
 /// - STL: equal corners are joined; "attribute" on faces where it isn't 0; the solids' names are "object".

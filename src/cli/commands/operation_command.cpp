@@ -72,7 +72,7 @@ Values read_values(const OperationDescription& description, const Invocation& in
   values[main_input.name] = read_value(main_input, invocation, result, progress);
   for (const PortDescription& port : extra_inputs(description)) {
     const std::string path = text_parameter(invocation, port.name);
-    if (!path.empty()) values[port.name] = std::make_shared<const Report>(read_report(path, invocation));
+    if (!path.empty()) values[port.name] = std::make_shared<const Report>(read_report(path));
   }
   return values;
 }
@@ -105,8 +105,15 @@ ParameterValues operation_parameters(const OperationDescription& description, co
   return values;
 }
 
-/// Formats are settled before the work begins, so that a wrong name costs nothing.
-void check_outputs(const OperationDescription& description, const Invocation& invocation) {
+/// Files and formats are settled before the work begins, so that a wrong name costs nothing.
+void check_files(const OperationDescription& description, const Invocation& invocation) {
+  const auto inputs = extra_inputs(description);
+  const auto streams = std::count_if(inputs.begin(), inputs.end(), [&](const PortDescription& port) {
+    return text_parameter(invocation, port.name) == "-";
+  });
+  if (streams + (invocation.input == "-" ? 1 : 0) > 1) {
+    throw Error(make_error(Category::Usage, "E_USAGE", "Only one input can come from standard input."));
+  }
   bool any = !invocation.output.empty();
   if (any && description.outputs.front().type == ValueType::Mesh) {
     output_mesh_format(invocation.output, invocation.output_format);
@@ -237,7 +244,7 @@ CommandDescription OperationCommand::describe() const {
 
 void OperationCommand::run(const Invocation& invocation, CommandResult& result, Progress& progress) const {
   const OperationDescription description = operation_.describe();
-  check_outputs(description, invocation);
+  check_files(description, invocation);
   Progress reading = progress.step("read", 0.05);
   const Values inputs = read_values(description, invocation, result, reading);
 

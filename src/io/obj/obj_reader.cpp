@@ -133,6 +133,7 @@ class ObjReader {
   std::vector<std::int32_t> smoothing_;
   std::int32_t smoothing_group_ = 0;
   bool smoothing_named_ = false;
+  ObjTagReader tags_;
   std::size_t weights_ = 0;
   std::map<std::string, std::pair<std::size_t, std::int64_t>, std::less<>> passed_;  // count and first line
 };
@@ -161,7 +162,7 @@ void ObjReader::pass_over(std::string_view keyword) {
 }
 
 void ObjReader::read_tag(WordReader& words) {
-  const std::string_view other = read_obj_tag(words, line_, mesh_.tags, context_);
+  const std::string_view other = tags_.read(words, line_, context_);
   if (!other.empty()) note_passed_over("t " + std::string(other));
 }
 
@@ -317,6 +318,7 @@ void ObjReader::finish() {
       report_index(f.line, f.face, f.value, f.kind);
     }
   }
+  tags_.finish(mesh_, context_);
   if (context_.has_errors()) return;
   finish_colours();
   uvs_.finish(mesh_);

@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "io/channel_values.h"
 
 namespace croquis {
 namespace {
@@ -110,28 +114,44 @@ bool fits(const Values& values, std::size_t vertices_each) {
 
 }  // namespace
 
-std::string_view read_obj_tag(WordReader& words, std::int64_t line, MeshTags& tags, ReadContext& context) {
+std::string_view ObjTagReader::read(WordReader& words, std::int64_t line, ReadContext& context) {
   ValueReader reader(words, line, context);
   const std::string_view name = words.next();
-  const bool crease = name == "crease";
-  if (!crease && name != "corner") {
+  const bool crease = name == "crease", corner = name == "corner";
+  if (!crease && !corner && name != "settled") {
     if (name.empty()) reader.refuse("a tag has no name");
     return name;
   }
   Values values;
   if (!reader.read(values)) return {};
-  if (!fits(values, crease ? 2 : 1)) {
+  if (!crease && !corner) {
+    for (const Index vertex : values.vertices) settled_.push_back({vertex, line});
+  } else if (!fits(values, crease ? 2 : 1)) {
     reader.refuse(crease ? "a crease has two vertices for each edge, and one sharpness or one for each edge"
                          : "a corner has vertices, and one sharpness or one for each of them");
   } else if (crease) {
-    add_creases(values, tags);
+    add_creases(values, tags_);
   } else {
-    add_pins(values, line, tags, context);
+    add_pins(values, line, tags_, context);
   }
   return {};
 }
 
-void append_obj_tags(const MeshTags& tags, int precision, std::string& text) {
+void ObjTagReader::finish(PolyMesh& mesh, ReadContext& context) {
+  mesh.tags = std::move(tags_);
+  if (settled_.empty()) return;
+  std::vector<std::uint8_t> values(mesh.vertex_count(), 0);
+  for (const Settled& settled : settled_) {
+    if (settled.vertex < values.size()) {
+      values[settled.vertex] = 1;
+    } else {
+      context.error("E_INDEX", "there is no vertex " + std::to_string(settled.vertex), at_line(settled.line));
+    }
+  }
+  mesh.channels.push_back(make_channel(settled_channel_name, Domain::Vertex, 1, std::move(values)));
+}
+
+void append_obj_tags(const MeshTags& tags, const AttributeChannel* settled, int precision, std::string& text) {
   for (const Crease& crease : tags.creases) {
     text += "t crease 2/1/0";
     for (const Index vertex : crease.vertices) append_number(text += ' ', vertex);
@@ -142,6 +162,11 @@ void append_obj_tags(const MeshTags& tags, int precision, std::string& text) {
   for (const Index vertex : tags.pins) {
     append_number(text += "t corner 1/1/0 ", vertex);
     append_number(text += ' ', greatest_sharpness);
+    text += '\n';
+  }
+  for (std::size_t v = 0; settled != nullptr && v < settled->size(); ++v) {
+    if (value_of(*settled, v) == 0) continue;
+    append_number(text += "t settled 1/0/0 ", v);
     text += '\n';
   }
 }

@@ -72,7 +72,7 @@ class ObjWriter {
     write_table("vn", normals_);
     for (std::size_t f = 0; f < mesh_.face_count(); ++f) write_face(f);
     for (std::size_t l = 0; l < mesh_.line_count(); ++l) write_line(l);
-    append_obj_tags(mesh_.tags, precision_, text_);
+    append_obj_tags(mesh_.tags, settled_, precision_, text_);
     loss_.note_sets(mesh_.tags);
     loss_.note_others(mesh_, written_);
     return {std::move(text_), loss_.warnings()};
@@ -108,6 +108,7 @@ class ObjWriter {
   std::vector<const AttributeChannel*> written_;
   const AttributeChannel* colours_ = nullptr;
   const AttributeChannel* smoothing_ = nullptr;
+  const AttributeChannel* settled_ = nullptr;
   double smoothing_group_ = 0;
   bool smoothing_written_ = false;
   CornerTable uvs_, normals_;
@@ -122,6 +123,7 @@ const AttributeChannel* ObjWriter::use(const char* name, Domain domain, int widt
 
 void ObjWriter::choose_channels() {
   colours_ = use("color", Domain::Vertex, 3, 4);
+  settled_ = use(settled_channel_name, Domain::Vertex, 1, 1);
   smoothing_ = use("smoothing_group", Domain::Face, 1, 1);
   const AttributeChannel* uv = use("uv", Domain::Corner, 2, 3);
   if (uv == nullptr) uv = use("uv", Domain::Vertex, 2, 3);

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <csetjmp>
+#include <cstring>
 #include <functional>
+#include <new>
 #include <thread>
 #include <utility>
 
@@ -32,8 +34,9 @@ struct PlainProblem {
   const double* column_upper = nullptr;
   const double* cost = nullptr;
   int maximum_nodes = 0;
-  double* values = nullptr;  ///< result
-  int outcome = -1;          ///< 0 optimal, 1 infeasible, 2 limit, 3 GLPK failed
+  double* values = nullptr;    ///< result
+  int outcome = -1;            ///< 0 optimal, 1 infeasible, 2 limit, 3 GLPK failed
+  bool out_of_memory = false;  ///< why it failed
 };
 
 int bound_type(double lower, double upper) {
@@ -100,8 +103,14 @@ int run(glp_prob* problem, const PlainProblem& plain, NodeCount& nodes) {
 /// and all below it hold plain data only. What GLPK had allocated goes with its environment.
 void solve_plain(PlainProblem& plain) {
   glp_term_out(GLP_OFF);
-  // GLPK turns its output on again to report an error; a hook that claims to have shown it keeps it quiet.
-  glp_term_hook([](void*, const char*) { return 1; }, nullptr);
+  // GLPK turns its output on again to report an error; a hook that claims to have shown it keeps it quiet. Only the
+  // words tell why: "no memory available", "memory allocation limit exceeded".
+  const auto listen = [](void* info, const char* words) {
+    auto& heard = *static_cast<PlainProblem*>(info);
+    heard.out_of_memory = heard.out_of_memory || std::strstr(words, "memory") != nullptr;
+    return 1;
+  };
+  glp_term_hook(listen, &plain);
   std::jmp_buf stop;
   NodeCount nodes;
   if (setjmp(stop) != 0) {
@@ -184,8 +193,10 @@ IntegerProgram::Solution IntegerProgram::solve(int maximum_nodes) const {
                      cost.data(),
                      maximum_nodes,
                      values.data(),
-                     -1};
+                     -1,
+                     false};
   std::thread(solve_plain, std::ref(plain)).join();
+  if (plain.outcome == 3 && plain.out_of_memory) throw std::bad_alloc();
   if (plain.outcome == 3) {
     throw Error(
         make_error(Category::Internal, "E_INTERNAL", "The integer program of the labelling was refused by GLPK"));

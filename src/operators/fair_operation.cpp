@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "operators/fair_operation.h"
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include "croquis/document/content_hash.h"
+#include "croquis/document/memo.h"
+#include "croquis/io/mesh_tags_file.h"
+#include "croquis/subdivision/fairing.h"
+#include "operators/subdivide_tags.h"
+
+namespace croquis {
+namespace {
+
+using namespace subdivision;
+
+/// What a weight doesn't change, shared by all evaluations that drag the slider: one of them solves at a time.
+struct KeptFairing {
+  std::unique_ptr<std::mutex> mutex = std::make_unique<std::mutex>();
+  std::unique_ptr<Fairing> fairing;
+};
+
+/// Rows of the finest level, a dozen weights each, and their factorisation.
+std::size_t byte_size_of(const PolyMesh& mesh, const FairingOptions& options) {
+  constexpr std::size_t bytes_per_point = 1000;
+  return bytes_per_point * mesh.vertex_count() * (std::size_t{1} << (2 * options.levels));
+}
+
+FairingOptions read_options(const ParameterValues& parameters) {
+  FairingOptions options;
+  const bool paper = std::get<std::string>(parameters.at("preset")) == "paper";
+  options.rules = Rules::of(paper ? Preset::Paper : Preset::Refined);
+  options.levels = static_cast<int>(std::get<std::int64_t>(parameters.at("levels")));
+  options.fair_chains = std::get<std::string>(parameters.at("chains")) == "fair";
+  options.keep_planes = std::get<std::string>(parameters.at("planes")) == "keep";
+  return options;
+}
+
+ContentHash hash_of(const std::shared_ptr<const PolyMesh>& mesh, const FairingOptions& options) {
+  ContentHasher hasher;
+  hasher.add("fair/1");
+  hasher.add(content_hash(Value(mesh)));
+  hasher.add(static_cast<int>(options.rules.weights));
+  hasher.add(static_cast<int>(options.rules.profile));
+  hasher.add(static_cast<int>(options.rules.chain_ends));
+  hasher.add(static_cast<int>(options.rules.boundary_corners));
+  hasher.add(options.levels);
+  hasher.add(options.fair_chains);
+  hasher.add(options.keep_planes);
+  return hasher.digest();
+}
+
+Report details_of(const Fairing& fairing, const FairCage& cage, double weight) {
+  Report details;
+  details.set("free_points", fairing.free_point_count())
+      .set("weight", weight)
+      .set("energy_before", cage.energy_before)
+      .set("energy", cage.energy)
+      .set("greatest_move", cage.greatest_move)
+      .set("mean_move", cage.mean_move);
+  return details;
+}
+
+/// The cage with the tags of the other input, where that is there.
+std::shared_ptr<const PolyMesh> tagged_cage(const Values& inputs, Findings& warnings) {
+  const auto& cage = std::get<std::shared_ptr<const PolyMesh>>(inputs.at("cage"));
+  const auto tags = inputs.find("tags");
+  if (tags == inputs.end()) return cage;
+  MeshTagsReadResult read = read_mesh_tags(*std::get<std::shared_ptr<const Report>>(tags->second));
+  warnings = std::move(read.warnings);
+  PolyMesh mesh = *cage;
+  mesh.tags = united_tags(mesh.tags, read.tags);
+  return std::make_shared<const PolyMesh>(std::move(mesh));
+}
+
+ParameterDescription choice(const std::string& name, std::vector<std::string> choices, const std::string& sentence) {
+  const std::string first = choices.front();
+  return {name, ParameterType::Choice, first, 0, 0, std::move(choices), "", sentence};
+}
+
+}  // namespace
+
+OperationDescription FairOperation::describe() const {
+  const FairingOptions defaults;
+  return {
+      "fair",
+      1,
+      "Fair",
+      "Moves the points of a cage so that its Doo-Sabin surface bends less and more evenly.",
+      {{"cage", ValueType::Mesh, "Polygons with their tags; pins, boundaries and sharp edges hold."},
+       {"tags", ValueType::Report,
+        "Sharp edges and pins (croquis-tags-1), added to the cage's own; of two tags of an edge these count.", false,
+        true}},
+      {{"mesh", ValueType::Mesh, "The cage with moved points, and its tags."},
+       {"details", ValueType::Report, "How far points moved, and how much less the surface bends."}},
+      {{"weight",
+        ParameterType::Number,
+        1.0,
+        1e-4,
+        1e4,
+        {},
+        "x 1 / (median edge length)^2",
+        "How much the points are held back: low values make the surface fairer, high ones leave it."},
+       {"levels",
+        ParameterType::Integer,
+        std::int64_t{defaults.levels},
+        0,
+        4,
+        {},
+        "",
+        "Level of subdivision at which the bending is measured."},
+       choice("chains", {"hold", "fair"}, "The points of sharp edges hold, or are evened out along their chains."),
+       choice("planes", {"keep", "free"}, "Flat faces beside sharp edges and flat chains keep their planes, or not."),
+       choice("preset", {"refined", "paper"}, "Rules of the Doo-Sabin surface.")}};
+}
+
+OperationResult FairOperation::compute(const Values& inputs, const ParameterValues& parameters,
+                                       Context& context) const {
+  OperationResult result;
+  const auto mesh = tagged_cage(inputs, result.warnings);
+  const FairingOptions options = read_options(parameters);
+  Progress preparing = context.progress.step("prepare", 0.6);
+  const auto make = [&] { return KeptFairing{.fairing = std::make_unique<Fairing>(*mesh, options, preparing)}; };
+  const auto kept = memoized<KeptFairing>(context.memo, hash_of(mesh, options), make,
+                                          [&](const KeptFairing&) { return byte_size_of(*mesh, options); });
+  Progress solving = context.progress.step("solve", 0.4);
+  const std::lock_guard lock(*kept->mutex);
+  Fairing& fairing = *kept->fairing;
+  const double weight = std::get<double>(parameters.at("weight")) * fairing.default_weight();
+  FairCage fair = fairing.solve(weight, solving);
+  result.warnings.insert(result.warnings.end(), fairing.warnings().begin(), fairing.warnings().end());
+  result.outputs["details"] = std::make_shared<const Report>(details_of(fairing, fair, weight));
+  result.outputs["mesh"] = std::make_shared<const PolyMesh>(std::move(fair.mesh));
+  context.progress.report(1);
+  return result;
+}
+
+}  // namespace croquis

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "operators/subdivide_operation.h"
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "croquis/io/mesh_tags_file.h"
+#include "croquis/subdivision/level_mesh.h"
+#include "croquis/subdivision/limit.h"
+#include "operators/subdivide_report.h"
+#include "operators/subdivide_settings.h"
+#include "operators/subdivide_tags.h"
+#include "operators/subdivision_plan.h"
+
+namespace croquis {
+namespace {
+
+using namespace subdivision;
+
+void append(Findings& all, const Findings& more) { all.insert(all.end(), more.begin(), more.end()); }
+
+/// The cage with all the tags that count.
+PolyMesh tagged_cage(const Values& inputs, const SubdivideSettings& settings, Findings& warnings) {
+  PolyMesh mesh = *std::get<std::shared_ptr<const PolyMesh>>(inputs.at("cage"));
+  if (const auto tags = inputs.find("tags"); tags != inputs.end()) {
+    const MeshTagsReadResult read = read_mesh_tags(*std::get<std::shared_ptr<const Report>>(tags->second));
+    append(warnings, read.warnings);
+    mesh.tags = united_tags(mesh.tags, read.tags);
+  }
+  if (settings.sharp_angle > 0) mesh.tags = with_sharp_angles(mesh, settings.sharp_angle, settings.rules);
+  return mesh;
+}
+
+/// What earlier refinements left, and normals, come anew.
+bool is_computed(const AttributeChannel& channel) {
+  return channel.name == settled_channel || channel.name == "normal" || channel.name.starts_with("cage_");
+}
+
+/// What the cage has besides faces and tags doesn't go on into finer levels.
+void warn_of_losses(const PolyMesh& mesh, Findings& warnings) {
+  std::string names;
+  for (const AttributeChannel& channel : mesh.channels) {
+    if (is_computed(channel)) continue;
+    names += (names.empty() ? "'" : ", '") + channel.name + "'";
+  }
+  if (mesh.line_count() > 0) names += std::string(names.empty() ? "" : ", ") + "polylines";
+  if (names.empty()) return;
+  warnings.push_back(make_warning(Category::Geometry, "W_CHANNELS",
+                                  "Subdivision carries shape and tags alone; left out: " + names + "."));
+}
+
+/// How far the chords of drawn curves may lie from them, × the cage's extent: less than a pixel on any screen.
+constexpr double curve_tolerance = 1e-5;
+
+/// The diagonal of the bounding box; 1 for a single point.
+double extent(const std::vector<Vec3>& positions) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& position : positions) box.extend(position);
+  const double diagonal = positions.empty() ? 0 : box.diagonal().norm();
+  return diagonal > 0 ? diagonal : 1;
+}
+
+/// Everything on the way from a cage to a mesh.
+class Subdivision {
+ public:
+  Subdivision(Cage cage, const SubdivideSettings& settings, Context& context)
+      : cage_(std::move(cage)), settings_(settings), context_(context) {
+    // The limit of a level is read off the next one.
+    if (reads_next_level()) ++settings_.levels;
+    hash_ = plan_hash(cage_, settings_);
+  }
+
+  void compute(Progress& progress) {
+    Progress planning = progress.step("plan", 0.6);
+    plan_ = plan_of(cage_, settings_, hash_, context_.memo, planning);
+    compute_positions(*plan_, cage_, buffers_, context_.threads);
+    progress.report(0.8);
+    mesh_ = std::visit([this](const auto& plan) { return level_mesh(plan); }, *plan_);
+    if (settings_.limit) move_to_limit(progress);
+  }
+
+  const SubdivisionPlan& plan() const { return *plan_; }
+  int last() const { return reads_next_level() ? settings_.levels - 1 : settings_.levels; }
+  PolyMesh& mesh() { return mesh_; }
+  const Level& level() const { return level_of(*plan_, last()); }
+  std::span<const Vec3> positions() const { return buffers_.levels[static_cast<std::size_t>(last())]; }
+
+  ContinuityReport continuity(Progress& progress) const {
+    return std::visit([&](const auto& plan) { return continuity_report(plan, buffers_, progress); }, *plan_);
+  }
+
+  /// The limit curves of all chains.
+  PolyMesh curves() const {
+    const auto* doo_sabin = std::get_if<DooSabinPlan>(plan_.get());
+    const auto curves = doo_sabin != nullptr ? limit_curves(*doo_sabin, buffers_, settings_.rules)
+                                             : limit_curves(std::get<UniformPlan>(*plan_), buffers_);
+    return curve_lines(curves, curve_tolerance * extent(cage_.positions));
+  }
+
+ private:
+  bool reads_next_level() const { return settings_.limit && settings_.scheme == SubdivisionScheme::DooSabin; }
+
+  template <typename Plan>
+  PolyMesh level_mesh(const Plan& plan) const {
+    if (settings_.provenance && last() > 0) return to_mesh(plan, last(), positions());
+    return to_mesh(plan.level(last()), positions());
+  }
+
+  void move_to_limit(Progress& progress);
+
+  Cage cage_;
+  SubdivideSettings settings_;
+  Context& context_;
+  ContentHash hash_;
+  std::shared_ptr<const SubdivisionPlan> plan_;
+  PositionBuffers buffers_;
+  PolyMesh mesh_;
+};
+
+void Subdivision::move_to_limit(Progress& progress) {
+  Progress step = progress.step("limit", 0.2);
+  ContentHasher hasher;
+  hasher.add("subdivide/limit/1");
+  hasher.add(hash_);
+  const auto make = [&] { return std::visit([&](const auto& plan) { return LimitPlan(plan, last(), step); }, *plan_); };
+  const std::size_t bytes = 16 * sizeof(double) * positions().size();
+  const auto limit = memoized<LimitPlan>(context_.memo, hasher.digest(), make, [&](const LimitPlan&) { return bytes; });
+  LimitSurface surface;
+  limit->evaluate(positions(), surface, context_.threads);
+  mesh_.positions = std::move(surface.points);
+  std::vector<double> normals;
+  normals.reserve(3 * surface.corner_normals.size());
+  for (const Vec3& normal : surface.corner_normals) normals.insert(normals.end(), normal.begin(), normal.end());
+  mesh_.channels.push_back({"normal", Domain::Corner, 3, std::move(normals), {}});
+}
+
+/// Of the chains nothing in drafts: only the mesh counts while something is dragged.
+Report details_of(const Subdivision& subdivision, const SubdivideSettings& settings, Quality quality,
+                  Progress& progress) {
+  Report details;
+  details.set("scheme", to_string(settings.scheme));
+  details.set("levels", level_counts(subdivision.plan(), subdivision.last()));
+  if (quality == Quality::Draft) return details;
+  const Level& level = subdivision.level();
+  details.set("chains", chain_list(level, edge_chains(level), subdivision.positions()));
+  const ContinuityReport continuity = subdivision.continuity(progress);
+  details.set("continuity", continuity_list(continuity, subdivision.last()));
+  return std::move(details.set("verdict", continuity.sentence));
+}
+
+}  // namespace
+
+OperationDescription SubdivideOperation::describe() const {
+  return {"subdivide",
+          1,
+          "Subdivide",
+          "Refines a cage of polygons into a smooth mesh; tagged edges stay sharp, in chains that are curves.",
+          {{"cage", ValueType::Mesh, "Polygons of any number of corners, closed or open, with their tags."},
+           {"tags", ValueType::Report,
+            "Sharp edges and pins (croquis-tags-1), added to the cage's own; of two tags of an edge these count.",
+            false, true}},
+          {{"mesh", ValueType::Mesh, "The last level, with the tags that are left."},
+           {"chains", ValueType::Mesh, "The curves to which the chains of sharp edges tend, as polylines."},
+           {"tags-out", ValueType::Report, "The tags that are left (croquis-tags-1)."},
+           {"details", ValueType::Report, "Counts of every level, chains, and how smooth the levels are."}},
+          subdivide_parameters()};
+}
+
+OperationResult SubdivideOperation::compute(const Values& inputs, const ParameterValues& parameters,
+                                            Context& context) const {
+  const SubdivideSettings settings = read_subdivide_settings(parameters);
+  OperationResult result;
+  Progress checking = context.progress.step("check", 0.1);
+  const PolyMesh mesh = tagged_cage(inputs, settings, result.warnings);
+  CageResult made = make_cage(mesh, settings.rules);
+  append(result.warnings, made.warnings);
+  warn_of_losses(mesh, result.warnings);
+  checking.report(1);
+
+  Progress refining = context.progress.step("refine", 0.8);
+  Subdivision subdivision(std::move(made.cage), settings, context);
+  subdivision.compute(refining);
+  append(result.warnings, warnings_of(subdivision.plan()));
+
+  Progress judging = context.progress.step("judge", 0.1);
+  result.outputs["details"] =
+      std::make_shared<const Report>(details_of(subdivision, settings, context.quality, judging));
+  result.outputs["chains"] = std::make_shared<const PolyMesh>(subdivision.curves());
+  result.outputs["tags-out"] = std::make_shared<const Report>(report_of(subdivision.mesh().tags));
+  result.outputs["mesh"] = std::make_shared<const PolyMesh>(std::move(subdivision.mesh()));
+  context.progress.report(1);
+  return result;
+}
+
+}  // namespace croquis

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "operators/subdivide_settings.h"
+
+#include <numbers>
+#include <string>
+
+namespace croquis {
+namespace {
+
+using namespace subdivision;
+
+constexpr int most_levels = 10;
+
+ParameterDescription choice(const std::string& name, const std::vector<std::string>& choices,
+                            const std::string& sentence) {
+  return {name, ParameterType::Choice, choices.front(), 0, 0, choices, "", sentence};
+}
+
+ParameterDescription flag(const std::string& name, const std::string& sentence) {
+  return {name, ParameterType::Flag, false, 0, 0, {}, "", sentence};
+}
+
+const std::string& text(const ParameterValues& parameters, const std::string& name) {
+  return std::get<std::string>(parameters.at(name));
+}
+
+/// The preset's rules, but for the switches that say something of their own.
+Rules read_rules(const ParameterValues& parameters) {
+  Rules rules = Rules::of(text(parameters, "preset") == "paper" ? Preset::Paper : Preset::Refined);
+  const std::string& weights = text(parameters, "weights");
+  if (weights == "classical") rules.weights = Weights::Classical;
+  if (weights == "average") rules.weights = Weights::Average;
+  const std::string& profile = text(parameters, "profile");
+  if (profile == "clamped") rules.profile = Profile::Clamped;
+  if (profile == "plain") rules.profile = Profile::Plain;
+  const std::string& ends = text(parameters, "chain-ends");
+  if (ends == "smooth") rules.chain_ends = ChainEnds::Smooth;
+  if (ends == "retract") rules.chain_ends = ChainEnds::Retract;
+  if (ends == "pin") rules.chain_ends = ChainEnds::Pin;
+  const std::string& corners = text(parameters, "boundary-corners");
+  if (corners == "corner") rules.boundary_corners = BoundaryCorners::Corner;
+  if (corners == "smooth") rules.boundary_corners = BoundaryCorners::Smooth;
+  return rules;
+}
+
+}  // namespace
+
+const char* to_string(SubdivisionScheme scheme) {
+  switch (scheme) {
+    case SubdivisionScheme::DooSabin: return "doo-sabin";
+    case SubdivisionScheme::CatmullClark: return "catmull-clark";
+    case SubdivisionScheme::Loop: return "loop";
+  }
+  return "";
+}
+
+std::vector<ParameterDescription> subdivide_parameters() {
+  const SubdivideSettings defaults;
+  return {choice("scheme", {"doo-sabin", "catmull-clark", "loop"},
+                 "Rules of refinement; loop cuts polygons into triangles first."),
+          choice("preset", {"refined", "paper"},
+                 "refined for round faces and smooth ends of chains, paper for Lee, Joo, Hong 2002; doo-sabin only."),
+          choice("weights", {"preset", "classical", "average"}, "How the corners of a face weigh in its new points."),
+          choice("profile", {"preset", "clamped", "plain"},
+                 "Rows of faces beside a chain: clamped halves them at each level, plain keeps three quarters."),
+          choice("chain-ends", {"preset", "smooth", "retract", "pin"},
+                 "Where a chain of sharp edges ends in a surface: it runs out, draws back, or stays."),
+          choice("boundary-corners", {"preset", "corner", "smooth"},
+                 "Boundary vertices with a single face stay, or are rounded with the boundary."),
+          {"levels",
+           ParameterType::Integer,
+           std::int64_t{defaults.levels},
+           0,
+           most_levels,
+           {},
+           "",
+           "How often the cage is refined; each level has about four times the faces."},
+          {"sharp-angle",
+           ParameterType::Number,
+           0.0,
+           0,
+           180,
+           {},
+           "degrees",
+           "Edges without a tag become sharp where faces meet at more than this; 0 for none."},
+          flag("limit", "Move the vertices to where they would end after endless refinement."),
+          flag("provenance", "Attach to faces and vertices which element of the cage they come from; doo-sabin only.")};
+}
+
+SubdivideSettings read_subdivide_settings(const ParameterValues& parameters) {
+  SubdivideSettings settings;
+  const std::string& scheme = text(parameters, "scheme");
+  if (scheme == "catmull-clark") settings.scheme = SubdivisionScheme::CatmullClark;
+  if (scheme == "loop") settings.scheme = SubdivisionScheme::Loop;
+  settings.rules = read_rules(parameters);
+  settings.levels = static_cast<int>(std::get<std::int64_t>(parameters.at("levels")));
+  settings.sharp_angle = std::get<double>(parameters.at("sharp-angle")) * std::numbers::pi / 180;
+  settings.limit = std::get<bool>(parameters.at("limit"));
+  settings.provenance = std::get<bool>(parameters.at("provenance"));
+  return settings;
+}
+
+}  // namespace croquis

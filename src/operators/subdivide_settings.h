@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "croquis/base/parameter.h"
+#include "croquis/subdivision/rules.h"
+
+namespace croquis {
+
+enum class SubdivisionScheme { DooSabin, CatmullClark, Loop };
+
+/// "doo-sabin", "catmull-clark", "loop"
+const char* to_string(SubdivisionScheme scheme);
+
+/// What the parameters of `subdivide` ask for.
+struct SubdivideSettings {
+  SubdivisionScheme scheme = SubdivisionScheme::DooSabin;
+  subdivision::Rules rules;
+  int levels = 2;
+  double sharp_angle = 0;   ///< radians; 0 tags nothing
+  bool limit = false;       ///< vertices are moved to where they end
+  bool provenance = false;  ///< the result tells what its elements come from
+};
+
+std::vector<ParameterDescription> subdivide_parameters();
+
+/// @param parameters complete (see croquis::complete)
+SubdivideSettings read_subdivide_settings(const ParameterValues& parameters);
+
+}  // namespace croquis

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "operators/subdivide_tags.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "croquis/subdivision/cage.h"
+
+namespace croquis {
+namespace {
+
+using Edge = std::array<Index, 2>;
+
+Edge sorted(Edge edge) {
+  if (edge[0] > edge[1]) std::swap(edge[0], edge[1]);
+  return edge;
+}
+
+std::set<Edge> edges_of(const std::vector<Crease>& creases) {
+  std::set<Edge> edges;
+  for (const Crease& crease : creases) edges.insert(sorted(crease.vertices));
+  return edges;
+}
+
+/// Newell's; its length is twice the area.
+std::vector<Vec3> face_normals(const subdivision::Cage& cage) {
+  std::vector<Vec3> normals(cage.topology.face_count(), Vec3::Zero());
+  for (std::size_t f = 0; f < normals.size(); ++f) {
+    const auto face = cage.topology.face(f);
+    const Vec3& origin = cage.positions[face[0]];
+    for (std::size_t i = 1; i + 1 < face.size(); ++i) {
+      normals[f] += (cage.positions[face[i]] - origin).cross(cage.positions[face[i + 1]] - origin);
+    }
+  }
+  return normals;
+}
+
+double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+}  // namespace
+
+MeshTags united_tags(const MeshTags& own, const MeshTags& added) {
+  MeshTags united;
+  const std::set<Edge> replaced = edges_of(added.creases);
+  for (const Crease& crease : own.creases) {
+    if (!replaced.contains(sorted(crease.vertices))) united.creases.push_back(crease);
+  }
+  united.creases.insert(united.creases.end(), added.creases.begin(), added.creases.end());
+  united.pins = own.pins;
+  const std::set<Index> pinned(own.pins.begin(), own.pins.end());
+  for (const Index pin : added.pins) {
+    if (!pinned.contains(pin)) united.pins.push_back(pin);
+  }
+  std::set<std::string> names;
+  for (const CreaseSet& set : added.sets) names.insert(set.name);
+  for (const CreaseSet& set : own.sets) {
+    if (!names.contains(set.name)) united.sets.push_back(set);
+  }
+  united.sets.insert(united.sets.end(), added.sets.begin(), added.sets.end());
+  return united;
+}
+
+MeshTags with_sharp_angles(const PolyMesh& mesh, double angle, const subdivision::Rules& rules) {
+  const subdivision::Cage cage = subdivision::make_cage(mesh, rules).cage;
+  const subdivision::HalfEdges& topology = cage.topology;
+  const subdivision::CornerFaces faces(topology);
+  const std::vector<Vec3> normals = face_normals(cage);
+  const std::set<Edge> tagged = edges_of(mesh.tags.creases);
+  MeshTags tags = mesh.tags;
+  for (const Index corner : topology.edge_corner) {
+    const Index twin = topology.twin[corner];
+    if (twin == no_index) continue;
+    if (!(angle_between(normals[faces.face(corner)], normals[faces.face(twin)]) > angle)) continue;
+    const Edge edge =
+        sorted({cage.source_vertex[topology.corner_vertex[corner]], cage.source_vertex[topology.corner_vertex[twin]]});
+    if (!tagged.contains(edge)) tags.creases.push_back({edge, infinite_sharpness});
+  }
+  return tags;
+}
+
+}  // namespace croquis

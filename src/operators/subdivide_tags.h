@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "croquis/geometry/poly_mesh.h"
+#include "croquis/subdivision/rules.h"
+
+namespace croquis {
+
+/// Both meshes' tags in one: where both tag an edge, or have a set of the same name, that of `added` counts.
+/// O(#tags log #tags)
+MeshTags united_tags(const MeshTags& own, const MeshTags& added);
+
+/// Tags every edge whose faces meet at more than an angle as sharp for ever, but for those that have a tag of their own
+/// and the boundary. Faces that turn the wrong way are seen as they would be repaired; normals of polygons are
+/// Newell's. Linear time, but for sorting the tags.
+/// @param angle radians between the faces' normals, > 0
+/// @throws Error like subdivision::make_cage
+MeshTags with_sharp_angles(const PolyMesh& mesh, double angle, const subdivision::Rules& rules);
+
+}  // namespace croquis
