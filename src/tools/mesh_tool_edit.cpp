@@ -110,7 +110,8 @@ Verdict MeshTool::extrude(const Vec3& by) {
   MeshEdit edit = extrude_faces(*cache->mesh, *cache->topology, selected(), by);
   ComponentSelection then{node_, ComponentKind::Face, edit.moved_faces};
   done_ = recorded::Extrude{node_name(), by};
-  return commit(counted("Extrude", kind(), then.elements.size()), std::move(edit), std::move(then));
+  const std::string label = counted("Extrude", kind(), then.elements.size());
+  return commit(label, std::move(edit), std::move(then));
 }
 
 Verdict MeshTool::extrude_along_normal(double distance) {

@@ -5,6 +5,7 @@
 #include "croquis/document/byte_size.h"
 #include "croquis/document/content_hash.h"
 #include "croquis/session/session.h"
+#include "support/mesh_shapes.h"
 #include "support/trial_operation.h"
 
 namespace croquis {
@@ -290,6 +291,53 @@ TEST_CASE("steps share what they didn't change") {
   CHECK(session.history_bytes() >= 100000 * sizeof(Vec3));
   session.undo();  // now it is part of the current document again
   CHECK(session.history_bytes() < 50 * 1000);
+}
+
+TEST_CASE("selected components are part of undo steps, and cost nothing while they stay the same") {
+  const auto mesh = [](double size) {
+    return Value(std::make_shared<const PolyMesh>(test::scaled(test::cube(), size)));
+  };
+  Session session(Document().with(test::source_node(mesh(1))));
+  int told = 0;
+  session.on_change([&] { ++told; });
+  session.select_components({1, ComponentKind::Face, {4, 1}});
+  CHECK(session.components() == ComponentSelection{1, ComponentKind::Face, {1, 4}});
+  CHECK(told == 1);
+  session.select_components({1, ComponentKind::Face, {1, 4, 4}});
+  CHECK(told == 1);
+  CHECK_FALSE(session.can_undo());
+  const auto before = session.shared_components();
+
+  Node larger = *session.document().find(1);
+  larger.source = mesh(2);
+  session.edit("grow", session.document().with(larger));
+  CHECK(session.shared_components() == before);
+  larger.source = mesh(3);
+  session.edit("grow again", session.document().with(larger), {1, ComponentKind::Vertex, {7}});
+  CHECK(told == 3);
+  CHECK(session.components() == ComponentSelection{1, ComponentKind::Vertex, {7}});
+  session.undo();
+  CHECK(session.components() == *before);
+  session.redo();
+  CHECK(session.components() == ComponentSelection{1, ComponentKind::Vertex, {7}});
+
+  session.edit("remove", session.document().without(1));
+  CHECK(session.components().empty());
+  CHECK(session.components().node == 0);
+  session.undo();
+  CHECK(session.components().elements == std::vector<Index>{7});
+  session.load(Document());
+  CHECK(session.components().empty());
+}
+
+TEST_CASE("a drag given up brings back the components selected at its beginning") {
+  Session session(Document().with(test::source_node(Value(std::make_shared<const PolyMesh>(test::cube())))));
+  session.select_components({1, ComponentKind::Edge, {2}});
+  session.begin_drag("delete by dragging");
+  session.drag(session.document().without(1));
+  CHECK(session.components().empty());
+  session.cancel_drag();
+  CHECK(session.components() == ComponentSelection{1, ComponentKind::Edge, {2}});
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
+#include "croquis/geometry/mesh_tags.h"
 #include "croquis/tools/recording.h"
 #include "support/random.h"
 
@@ -43,6 +44,91 @@ std::vector<Step> one_of_each() {
           Box{"sketch", {-1, -2}, {3, 4}, {}},
           Navigate{"perspective", "tumble", {30, -10}},
           Expect{"objects", 3}};
+}
+
+/// The steps for meshes.
+std::vector<Step> one_of_each_for_meshes() {
+  return {Click{"perspective", Vec2::Zero(), {"shift"}, Vec3(0.1, -2, 1e-9), 2},
+          Box{"top", Vec2::Zero(), Vec2::Zero(), {}, Vec3(0, 1, 2), Vec3(3, 4, 1.0 / 3)},
+          ModelDrag{"front", {0, 0, 0}, {1, 2, 3}, {"ctrl"}},
+          Pick{"bolt", "edge", {3, 1, 4000000000U}, "loop"},
+          Pick{"bolt", "vertex", {}, "replace"},
+          Move{"bolt", {0.1, 0, -7}},
+          Rotate{"bolt", {0, 0, 2}, 33.3, Vec3(1, 1, 1)},
+          Rotate{"bolt", {0, 1, 0}, -720, std::nullopt},
+          Scale{"bolt", {1, 2, 0.5}, std::nullopt},
+          Tag{"bolt", "selected", 0, infinite_sharpness, std::nullopt},
+          Tag{"bolt", "selected", 0, 0.0, std::nullopt},
+          Tag{"bolt", "sharper-than", 60, 2.5, std::nullopt},
+          Tag{"bolt", "selected", 0, std::nullopt, -1.25},
+          Pin{"bolt", false},
+          TagSet{"bolt", "make", "collar", "", 3.0},
+          TagSet{"bolt", "rename", "collar", "neck", std::nullopt},
+          TagSet{"bolt", "sharpness", "neck", "", infinite_sharpness},
+          TagSet{"bolt", "select", "neck", "", std::nullopt},
+          Extrude{"bolt", {0, 0, 0.5}},
+          LoopCut{"bolt", 17, 0.25},
+          Expect{"sharp-edges", 4, std::nullopt, std::nullopt, "subdivide"},
+          Expect{"dihedral", 0, 90.0, 91.5, ""}};
+}
+
+TEST_CASE("steps for meshes read back as they were written") {
+  for (const Step& step : one_of_each_for_meshes()) {
+    const std::string line = to_line(step);
+    INFO(line);
+    const Step back = parse(line, "walk.jsonl").front().step;
+    CHECK(back.index() == step.index());
+    CHECK(to_line(back) == line);
+  }
+  const auto click = std::get<Click>(parse(to_line(one_of_each_for_meshes()[0]), "").front().step);
+  CHECK(click.place == Vec3(0.1, -2, 1e-9));
+  CHECK(click.clicks == 2);
+  const auto tag = std::get<Tag>(parse("{\"do\":\"tag\",\"node\":\"a\",\"sharpness\":\"inf\"}", "").front().step);
+  CHECK(tag.sharpness == infinite_sharpness);
+  CHECK(tag.edges == "selected");
+  const auto pick =
+      std::get<Pick>(parse("{\"do\":\"pick\",\"node\":\"a\",\"kind\":\"face\",\"elements\":[7]}", "").front().step);
+  CHECK(pick.how == "replace");
+  CHECK(pick.elements == std::vector<Index>{7});
+}
+
+TEST_CASE("every mistake in a step for meshes is told") {
+  const std::vector<std::string> wrong = {
+      R"({"do":"pick","node":"a","kind":"corner","elements":[1]})",
+      R"({"do":"pick","node":"a","kind":"edge","elements":[-1]})",
+      R"({"do":"pick","node":"a","kind":"edge","elements":[1.5]})",
+      R"({"do":"pick","node":"a","kind":"edge","elements":[4294967295]})",
+      R"({"do":"pick","node":"a","kind":"edge","elements":4})",
+      R"({"do":"pick","node":"a","kind":"edge","elements":[1],"how":"magic"})",
+      R"({"do":"pick","kind":"edge","elements":[1]})",
+      R"({"do":"move","node":"a","by":[1,2]})",
+      R"({"do":"rotate","node":"a","axis":[0,0,0],"degrees":5})",
+      R"({"do":"rotate","node":"a","axis":[0,0,1],"degrees":"5"})",
+      R"({"do":"scale","node":"a","factors":[1,1,1],"pivot":[1,2]})",
+      R"({"do":"tag","node":"a"})",
+      R"({"do":"tag","node":"a","sharpness":-1})",
+      R"({"do":"tag","node":"a","sharpness":"infinite"})",
+      R"({"do":"tag","node":"a","sharpness":1,"change":1})",
+      R"({"do":"tag","node":"a","edges":"sharper-than","sharpness":1})",
+      R"({"do":"pin","node":"a","pinned":1})",
+      R"({"do":"tag-set","node":"a","how":"rename","name":"x"})",
+      R"({"do":"tag-set","node":"a","how":"sharpness","name":"x"})",
+      R"({"do":"tag-set","node":"a","how":"select","name":"x","sharpness":1})",
+      R"({"do":"loop-cut","node":"a","edge":1,"at":1})",
+      R"({"do":"click","at":[1,2,3,4]})",
+      R"({"do":"click","at":[1,2,3],"clicks":3})",
+      R"({"do":"box","from":[1,2,3],"to":[1,2]})",
+      R"({"do":"drag","from":[1,2],"to":[1,2]})",
+      R"({"do":"drag","from":[1,2,3],"to":[1,2,3],"by":[1,2]})",
+      R"({"do":"expect","what":"dihedral","count":90})",
+      R"({"do":"expect","what":"faces","value":90})",
+  };
+  std::string text;
+  for (const std::string& line : wrong) text += line + '\n';
+  const Findings findings = findings_of(text);
+  REQUIRE(findings.size() == wrong.size());
+  for (std::size_t i = 0; i < findings.size(); ++i)
+    CHECK(findings[i].subjects.front().line == static_cast<std::int64_t>(i) + 1);
 }
 
 TEST_CASE("every kind of step reads back as it was written") {
@@ -132,6 +218,7 @@ TEST_CASE("every line that can't be understood is told with its number, all at o
 TEST_CASE("damaged recordings are refused or read, never worse") {
   std::string text;
   for (const Step& step : one_of_each()) text += to_line(step) + '\n';
+  for (const Step& step : one_of_each_for_meshes()) text += to_line(step) + '\n';
   for (std::uint64_t seed = 0; seed < 3000; ++seed) {
     test::Random random(seed);
     std::string damaged = text;
