@@ -10,17 +10,17 @@ namespace croquis::app {
 
 AttributePanel::AttributePanel(QWidget* parent) : QWidget(parent), layout_(new QFormLayout(this)) {
   setObjectName("attributes");
-  layout_->setRowWrapPolicy(QFormLayout::WrapAllRows);
+  layout_->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  layout_->setVerticalSpacing(3);
   layout_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
 }
 
 void AttributePanel::show_node(const Node* node, const OperationDescription* description) {
   if (node == nullptr || description == nullptr) {
     node_ = 0;
-    setEnabled(false);
+    clear();
     return;
   }
-  setEnabled(true);
   node_ = node->id;
   if (description->id != operation_) make_fields(*description);
   for (const ParameterDescription& parameter : description->parameters) {
@@ -34,9 +34,14 @@ ParameterField* AttributePanel::field(const std::string& parameter) const {
   return found == fields_.end() ? nullptr : found->second;
 }
 
-void AttributePanel::make_fields(const OperationDescription& description) {
+void AttributePanel::clear() {
   while (layout_->rowCount() > 0) layout_->removeRow(0);
   fields_.clear();
+  operation_.clear();
+}
+
+void AttributePanel::make_fields(const OperationDescription& description) {
+  clear();
   operation_ = description.id;
   for (const ParameterDescription& parameter : description.parameters) {
     ParameterField* field = make_parameter_field(parameter, this);

@@ -35,6 +35,7 @@ class AttributePanel : public QWidget {
                         bool dragging);
 
  private:
+  void clear();
   void make_fields(const OperationDescription& description);
 
   NodeId node_ = 0;

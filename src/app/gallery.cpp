@@ -5,38 +5,62 @@
 #include <QFile>
 
 #include "croquis/base/error.h"
+#include "croquis/document/operation.h"
+#include "croquis/io/mesh_file.h"
 #include "croquis/io/svg_drawing.h"
 
 namespace croquis::app {
 namespace {
 
-const QString folder = QStringLiteral(":/sketches");
+const QString folder = QStringLiteral(":/sketches/");
+
+Sample sample_of(const QString& file, SampleKind kind) {
+  const QString name = file.chopped(4);
+  QString title = name;
+  title.replace('_', ' ');
+  title[0] = title[0].toUpper();
+  return {name, title, kind};
+}
 
 }  // namespace
 
-std::vector<GallerySketch> gallery_sketches() {
-  std::vector<GallerySketch> sketches;
+std::vector<Sample> samples() {
+  std::vector<Sample> found;
   for (const QString& file : QDir(folder).entryList({"*.svg"}, QDir::Files, QDir::Name)) {
-    const QString name = file.chopped(4);
-    QString title = name;
-    title.replace('_', ' ');
-    title[0] = title[0].toUpper();
-    sketches.push_back({name, title});
+    found.push_back(sample_of(file, SampleKind::Sketch));
   }
-  return sketches;
+  for (const QString& file : QDir(folder).entryList({"*.obj"}, QDir::Files, QDir::Name)) {
+    found.push_back(sample_of(file, SampleKind::Cage));
+  }
+  return found;
 }
 
-Drawing load_gallery_sketch(const QString& name) {
-  QFile file(folder + "/" + name + ".svg");
+Value load_sample(const QString& name) {
+  const bool sketch = QFile::exists(folder + name + ".svg");
+  const QString file_name = name + (sketch ? ".svg" : ".obj");
+  QFile file(folder + file_name);
   if (!file.open(QIODevice::ReadOnly)) {
     throw Error(make_error(Category::Malformed, "E_FILE_OPEN",
-                           "There is no shipped sketch named \"" + name.toStdString() + "\""));
+                           "There is no shipped sample named \"" + name.toStdString() + "\""));
   }
   const QByteArray bytes = file.readAll();
+  const std::string_view text(bytes.constData(), static_cast<std::size_t>(bytes.size()));
   Progress progress;
-  return read_svg_drawing({bytes.constData(), static_cast<std::size_t>(bytes.size())}, name.toStdString() + ".svg",
-                          progress)
-      .drawing;
+  if (sketch) {
+    return std::make_shared<const Drawing>(read_svg_drawing(text, file_name.toStdString(), progress).drawing);
+  }
+  return std::make_shared<const PolyMesh>(read_mesh(text, MeshFormat::Obj, file_name.toStdString(), progress).mesh);
+}
+
+std::shared_ptr<const PolyMesh> sample_surface(const QString& name, const Registry& registry, Progress& progress) {
+  const Value sample = load_sample(name);
+  const bool sketch = type_of(sample) == ValueType::Drawing;
+  const Operation* operation = registry.find(sketch ? "inflate" : "subdivide");
+  if (operation == nullptr) return std::get<std::shared_ptr<const PolyMesh>>(sample);
+  Context context{progress, Quality::Draft};
+  const ParameterValues parameters = sketch ? ParameterValues() : ParameterValues{{"levels", std::int64_t{3}}};
+  const OperationResult result = run(*operation, {{sketch ? "drawing" : "cage", sample}}, parameters, context);
+  return std::get<std::shared_ptr<const PolyMesh>>(result.outputs.at("mesh"));
 }
 
 }  // namespace croquis::app

@@ -2,22 +2,34 @@
 #pragma once
 
 #include <QString>
+#include <memory>
 #include <vector>
 
-#include "croquis/geometry/drawing.h"
+#include "croquis/document/registry.h"
+#include "croquis/document/value.h"
 
 namespace croquis::app {
 
-/// A sketch that ships inside the program.
-struct GallerySketch {
-  QString name;   ///< "linked_rings": how command lines and replays call it
-  QString title;  ///< "Linked rings"
+/// What a sample begins.
+enum class SampleKind {
+  Sketch,  ///< a drawing that becomes solid
+  Cage     ///< a mesh with sharp edges that becomes smooth
 };
 
-/// In the order of their names.
-std::vector<GallerySketch> gallery_sketches();
+/// A sketch or mesh that ships inside the program.
+struct Sample {
+  QString name;   ///< "linked_rings": how command lines and replays call it
+  QString title;  ///< "Linked rings"
+  SampleKind kind = SampleKind::Sketch;
+};
 
-/// @throws Error (E_FILE_OPEN) when there is none of that name
-Drawing load_gallery_sketch(const QString& name);
+/// Sketches, then cages, each in the order of their names.
+std::vector<Sample> samples();
+
+/// A drawing or a mesh. @throws Error (E_FILE_OPEN) when there is none of that name
+Value load_sample(const QString& name);
+
+/// What becomes of it, coarse: for a small picture. @throws Error, Cancelled
+std::shared_ptr<const PolyMesh> sample_surface(const QString& name, const Registry& registry, Progress& progress);
 
 }  // namespace croquis::app

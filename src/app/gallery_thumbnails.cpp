@@ -13,15 +13,6 @@ namespace {
 
 constexpr QSize picture_size(336, 252);  // twice a tile's, for screens of two pixels a point
 
-std::shared_ptr<const PolyMesh> make_solid(const Registry& registry, const QString& sketch,
-                                           const std::atomic<bool>& stopped) {
-  Progress progress(nullptr, &stopped);
-  Context context{progress, Quality::Draft};
-  const Values inputs{{"drawing", std::make_shared<const Drawing>(load_gallery_sketch(sketch))}};
-  const OperationResult result = run(*registry.find("inflate"), inputs, {}, context);
-  return std::get<std::shared_ptr<const PolyMesh>>(result.outputs.at("mesh"));
-}
-
 }  // namespace
 
 GalleryThumbnails::GalleryThumbnails(const Registry& registry, OffscreenPictures& pictures, QObject* parent)
@@ -43,11 +34,12 @@ void GalleryThumbnails::stop() {
 }
 
 void GalleryThumbnails::make_pictures(std::size_t first, const std::atomic<bool>& stopped) {
-  const std::vector<GallerySketch> sketches = gallery_sketches();
-  for (std::size_t i = first; i < sketches.size() && !stopped; ++i) {
+  const std::vector<Sample> all = samples();
+  for (std::size_t i = first; i < all.size() && !stopped; ++i) {
     std::shared_ptr<const PolyMesh> solid;
     try {
-      solid = make_solid(registry_, sketches[i].name, stopped);
+      Progress progress(nullptr, &stopped);
+      solid = sample_surface(all[i].name, registry_, progress);
     } catch (const Cancelled&) {
       return;
     } catch (const Error&) {
@@ -55,7 +47,7 @@ void GalleryThumbnails::make_pictures(std::size_t first, const std::atomic<bool>
     }
     // Pictures belong to the window's thread, as its contexts do.
     QMetaObject::invokeMethod(
-        this, [this, i, name = sketches[i].name, solid] { show(i, name, solid); }, Qt::QueuedConnection);
+        this, [this, i, name = all[i].name, solid] { show(i, name, solid); }, Qt::QueuedConnection);
   }
   QMetaObject::invokeMethod(
       this, [this] { busy_ = false; }, Qt::QueuedConnection);

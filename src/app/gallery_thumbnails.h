@@ -14,7 +14,7 @@ namespace croquis::app {
 
 class OffscreenPictures;
 
-/// Makes the gallery's sketches solid, one after the other beside the window's thread, and pictures of them.
+/// Makes the samples solid or smooth, one after the other beside the window's thread, and pictures of them.
 class GalleryThumbnails : public QObject {
   Q_OBJECT
 
@@ -25,14 +25,14 @@ class GalleryThumbnails : public QObject {
   /// Goes on with those that have no picture yet.
   void start();
 
-  /// Some sketches have no picture yet, and it is being made.
+  /// Some samples have no picture yet, and it is being made.
   bool busy() const { return busy_; }
 
-  /// The sketch that is opened needs the machine more.
+  /// What is opened needs the machine more.
   void stop();
 
  signals:
-  void finished(const QString& sketch, const QImage& picture);
+  void finished(const QString& sample, const QImage& picture);
 
  private:
   void make_pictures(std::size_t first, const std::atomic<bool>& stopped);

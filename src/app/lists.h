@@ -2,40 +2,28 @@
 #pragma once
 
 #include <QListWidget>
+#include <string>
+#include <vector>
 
-#include "croquis/base/finding.h"
-#include "croquis/document/evaluator.h"
-#include "croquis/geometry/drawing.h"
-#include "croquis/session/selection.h"
+#include "app/studio.h"
 
 namespace croquis::app {
 
-/// The solid's objects with the strokes that made them; strokes that belong to none come last.
-class ObjectList : public QListWidget {
-  Q_OBJECT
-
- public:
-  explicit ObjectList(QWidget* parent = nullptr);
-
-  /// @param evaluation may be null
-  void show_objects(const Drawing& drawing, const Evaluation* evaluation, const Selection& selection);
-
- signals:
-  void strokes_chosen(const std::vector<std::string>& strokes);
-};
-
-/// What is wrong with the drawing, one sentence a row.
+/// What is wrong with the drawing and the meshes, one sentence a row.
 class FindingsList : public QListWidget {
   Q_OBJECT
 
  public:
   explicit FindingsList(QWidget* parent = nullptr);
 
-  void show_findings(const Findings& findings);
+  void show_findings(const std::vector<NodeFinding>& findings);
 
  signals:
-  /// The strokes that the chosen sentence is about.
-  void strokes_chosen(const std::vector<std::string>& strokes);
+  /// Somebody wants to see what this one is about.
+  void finding_chosen(const croquis::app::NodeFinding& finding);
+
+ private:
+  std::vector<NodeFinding> findings_;
 };
 
 /// The steps that can be undone, the newest at the bottom, and those that can be redone, greyed.

@@ -14,9 +14,7 @@
 #include <QStatusBar>
 #include <QToolBar>
 
-#include "app/attribute_panel.h"
 #include "app/gallery_thumbnails.h"
-#include "app/lists.h"
 #include "app/start_page.h"
 #include "app/viewport.h"
 #include "croquis/base/error.h"
@@ -51,6 +49,10 @@ MainWindow::MainWindow(const QString& state_folder) : files_(studio_, pictures_,
   make_actions();
   make_help_line();
   connect_studio();
+  connect_files();
+  connect_start_page();
+  connect_panels();
+  connect_viewport();
   show_start_page();
   update_title();
 }
@@ -60,25 +62,38 @@ MainWindow::~MainWindow() = default;
 void MainWindow::connect_studio() {
   connect(&studio_, &Studio::changed, this, &MainWindow::update_panels);
   connect(&studio_, &Studio::result_changed, this, &MainWindow::update_panels);
-  connect(&studio_, &Studio::busy_changed, this, [this](bool busy) {
-    progress_->setVisible(busy);
-    cancel_->setVisible(busy);
-    if (busy) progress_->setValue(0);
-  });
-  connect(&studio_, &Studio::progress_changed, this, [this](double fraction, const QString& step) {
+  connect(&studio_, &Studio::busy_changed, this, &MainWindow::show_progress);
+  const auto show_step = [this](double fraction, const QString& step) {
     progress_->setValue(static_cast<int>(fraction * progress_->maximum()));
     progress_->setFormat(step);
-  });
+  };
+  connect(&studio_, &Studio::progress_changed, this, show_step);
+  connect(&files_.reader(), &FileReader::progress_changed, this, show_step);
+}
+
+void MainWindow::connect_files() {
   connect(&files_, &ProjectFiles::path_changed, this, &MainWindow::update_title);
   connect(&files_, &ProjectFiles::autosave_failed, this, [this](const QString& text) { message_->setText(text); });
-  connect(viewport_, &Viewport::committed, this, &MainWindow::record);
-  connect(viewport_, &Viewport::help_changed, this, &MainWindow::update_help);
+  connect(&files_.reader(), &FileReader::busy_changed, this, &MainWindow::show_progress);
+  connect(&files_, &ProjectFiles::opened, this, [this](const QString& path) {
+    record(recorded::File{"open", QFileInfo(path).absoluteFilePath().toStdString()});
+    show_views();
+  });
+  connect(&files_, &ProjectFiles::open_failed, this, [this](const QString&, const Findings& findings) {
+    attempt([&] {
+      if (findings.empty()) throw Cancelled();
+      throw Error(findings);
+    });
+  });
+  files_.set_items([this] { return viewport_->objects().surfaces(); });
+}
 
+void MainWindow::connect_start_page() {
   connect(start_page_, &StartPage::new_sketch_wanted, this, &MainWindow::start_sketch);
   connect(start_page_, &StartPage::open_wanted, this, &MainWindow::ask_open);
-  connect(start_page_, &StartPage::project_wanted, this, &MainWindow::open);
-  connect(start_page_, &StartPage::sketch_wanted, this, [this](const QString& name) {
-    if (attempt([&] { files_.start_gallery_sketch(name); })) show_views();
+  connect(start_page_, &StartPage::project_wanted, this, [this](const QString& path) { begin_open({path}); });
+  connect(start_page_, &StartPage::sample_wanted, this, [this](const QString& name) {
+    if (may_discard() && attempt([&] { files_.start_sample(name); })) show_views();
   });
   connect(start_page_, &StartPage::recovery_wanted, this, [this](const RecoveryOffer& offer) {
     if (attempt([&] { files_.recover(offer); })) show_views();
@@ -88,16 +103,20 @@ void MainWindow::connect_studio() {
     start_page_->show_recoverable(files_.recoverable());
   });
   connect(thumbnails_, &GalleryThumbnails::finished, start_page_, &StartPage::set_thumbnail);
+}
 
-  connect(attributes_, &AttributePanel::parameter_edited, this,
-          [this](NodeId node, const std::string& parameter, const ParameterValue& value, bool dragging) {
-            studio_.set_parameter(node, parameter, value, dragging);
-            const Node* edited = studio_.session().document().find(node);
-            if (!dragging && edited != nullptr) record(recorded::Set{edited->name, parameter, value});
-          });
-  connect(objects_, &ObjectList::strokes_chosen, this, &MainWindow::select_strokes);
-  connect(findings_, &FindingsList::strokes_chosen, this, &MainWindow::select_strokes);
-  connect(history_, &HistoryList::step_chosen, this, &MainWindow::go_to_step);
+void MainWindow::connect_viewport() {
+  connect(viewport_, &Viewport::committed, this, &MainWindow::record);
+  connect(viewport_, &Viewport::help_changed, this, &MainWindow::update_help);
+  connect(&viewport_->mesh(), &MeshInteraction::mode_changed, this, &MainWindow::update_panels);
+  connect(&viewport_->mesh(), &MeshInteraction::told, message_, &QLabel::setText);
+}
+
+void MainWindow::show_progress(bool) {
+  const bool busy = studio_.busy() || files_.reader().busy();
+  if (busy && !progress_->isVisible()) progress_->setValue(0);
+  progress_->setVisible(busy);
+  cancel_->setVisible(busy);
 }
 
 void MainWindow::make_help_line() {
@@ -112,28 +131,20 @@ void MainWindow::make_help_line() {
   progress_->setFixedWidth(220);
   cancel_ = new QPushButton(tr("Cancel"), this);
   cancel_->setObjectName("cancel");
-  connect(cancel_, &QPushButton::clicked, &studio_, &Studio::cancel);
+  connect(cancel_, &QPushButton::clicked, this, [this] {
+    files_.reader().cancel();
+    studio_.cancel();
+  });
+  status_ = new QLabel(this);
+  status_->setObjectName("status");
+  status_->setStyleSheet("color: #b9c0cb");
   statusBar()->addWidget(help_);
   statusBar()->addWidget(message_, 1);
+  statusBar()->addPermanentWidget(status_);
   statusBar()->addPermanentWidget(progress_);
   statusBar()->addPermanentWidget(cancel_);
   progress_->hide();
   cancel_->hide();
-}
-
-void MainWindow::update_panels() {
-  const Session& session = studio_.session();
-  attributes_->show_node(studio_.solid_operation(), studio_.solid_description());
-  objects_->show_objects(studio_.drawing(), studio_.result().get(), session.selection());
-  findings_->show_findings(studio_.findings());
-  history_->show_history(session.undo_labels(), session.redo_labels());
-  action("undo")->setEnabled(session.can_undo());
-  action("redo")->setEnabled(session.can_redo());
-  action("delete")->setEnabled(!session.selection().empty());
-  action("export-solid")->setEnabled(studio_.solid() != nullptr);
-  action("export-picture")->setEnabled(studio_.solid() != nullptr);
-  setWindowModified(session.modified());
-  update_help();
 }
 
 void MainWindow::update_title() {
@@ -171,10 +182,15 @@ void MainWindow::start_sketch() {
 }
 
 bool MainWindow::open(const QString& path) {
-  if (!may_discard() || !attempt([&] { files_.open(path); })) return false;
-  record(recorded::File{"open", QFileInfo(path).absoluteFilePath().toStdString()});
-  show_views();
-  return true;
+  if (FileReader::replaces_document(path) && !may_discard()) return false;
+  return attempt([&] { files_.open(path); });
+}
+
+void MainWindow::begin_open(const QStringList& paths) {
+  for (const QString& path : paths) {
+    if (FileReader::replaces_document(path) && !may_discard()) return;
+    files_.begin_open(path);
+  }
 }
 
 void MainWindow::record_to(const QString& path) {
@@ -194,7 +210,10 @@ void MainWindow::record(const recorded::Step& step) {
 
 void MainWindow::export_picture(const QString& path) { viewport_->export_picture(pictures_, path); }
 
-bool MainWindow::settled() const { return studio_.settled() && !(shows_start_page() && thumbnails_->busy()); }
+bool MainWindow::settled() const {
+  if (files_.reader().busy()) return false;
+  return shows_start_page() ? !thumbnails_->busy() : studio_.settled() && viewport_->settled();
+}
 
 bool MainWindow::shows_start_page() const { return pages_->currentWidget() == start_page_; }
 
@@ -204,6 +223,8 @@ void MainWindow::show_start_page() {
   thumbnails_->start();
   pages_->setCurrentWidget(start_page_);
   for (QDockWidget* dock : docks_) dock->hide();
+  edges_dock_->hide();
+  sets_dock_->hide();
   for (QToolBar* bar : findChildren<QToolBar*>()) bar->hide();
   update_help();
 }
@@ -213,26 +234,14 @@ void MainWindow::show_views() {
   pages_->setCurrentWidget(viewport_);
   for (QDockWidget* dock : docks_) dock->show();
   if (!docks_sized_) {
-    resizeDocks(docks_, {150, 420, 100, 160}, Qt::Vertical);
-    resizeDocks(docks_, {290, 290, 290, 290}, Qt::Horizontal);
+    resizeDocks(docks_, {130, 400, 90, 140}, Qt::Vertical);
+    resizeDocks(docks_, {310, 310, 310, 310}, Qt::Horizontal);
     docks_sized_ = true;
   }
   for (QToolBar* bar : findChildren<QToolBar*>()) bar->show();
   viewport_->frame_all();
   viewport_->setFocus();
   update_panels();
-}
-
-void MainWindow::select_strokes(const std::vector<std::string>& strokes) {
-  Selection selection;
-  for (const std::string& stroke : strokes) selection.push_back({studio_.drawing_node(), stroke});
-  studio_.session().select(std::move(selection));
-}
-
-void MainWindow::go_to_step(int steps) {
-  Session& session = studio_.session();
-  while (static_cast<int>(session.undo_labels().size()) > steps && session.can_undo()) session.undo();
-  while (static_cast<int>(session.undo_labels().size()) < steps && session.can_redo()) session.redo();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -249,8 +258,9 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  const QList<QUrl> urls = event->mimeData()->urls();
-  if (!urls.isEmpty()) open(urls.front().toLocalFile());
+  QStringList paths;
+  for (const QUrl& url : event->mimeData()->urls()) paths << url.toLocalFile();
+  begin_open(paths);
 }
 
 void MainWindow::moveEvent(QMoveEvent* event) {

@@ -4,11 +4,13 @@
 #include <QFile>
 #include <QMainWindow>
 #include <functional>
+#include <map>
 #include <memory>
 
 #include "app/offscreen_pictures.h"
 #include "app/project_files.h"
 #include "app/studio.h"
+#include "croquis/tools/mesh_tool.h"
 #include "croquis/tools/recording.h"
 
 class QLabel;
@@ -19,12 +21,16 @@ class QStackedWidget;
 namespace croquis::app {
 
 class AttributePanel;
+class ChainTable;
+class CreaseSetPanel;
 class FindingsList;
 class GalleryThumbnails;
 class HistoryList;
 class ObjectList;
 class StartPage;
+class TagPanel;
 class Viewport;
+enum class ToolKind;
 
 /// The studio's window: views in the middle, tools left, panels right, the next action in words below.
 class MainWindow : public QMainWindow {
@@ -42,8 +48,11 @@ class MainWindow : public QMainWindow {
   /// Leaves the start page with an empty sketch and the pen ready.
   void start_sketch();
 
-  /// Opens a file and leaves the start page; says in the window why it can't.
+  /// Opens a file, waits for it and leaves the start page; says in the window why it can't.
   bool open(const QString& path);
+
+  /// Begins to open files, one after the other: the window goes on working. Meshes are added to what is open.
+  void begin_open(const QStringList& paths);
 
   /// The action of that name, or null: what menus, keys and replays share.
   QAction* action(const QString& name) const;
@@ -76,14 +85,35 @@ class MainWindow : public QMainWindow {
   void moveEvent(QMoveEvent* event) override;
 
  private:
+  /// Who writes an action into recordings.
+  enum class Recorded {
+    AsAction,  ///< by its name
+    ByItself   ///< what it does tells itself: with a file's name, with the elements it met
+  };
+
   void make_actions();
   void make_file_actions();
   void make_edit_actions();
   void make_view_actions();
   void make_tool_actions();
   QAction* add_action(QMenu* menu, const QString& name, const QString& text, const QList<QKeySequence>& keys,
-                      std::function<void()> work);
+                      std::function<void()> work, Recorded recorded = Recorded::AsAction);
+  void make_mesh_actions();
+  void make_mode_actions();
+  void make_selection_actions();
+  void make_shape_actions();
+  void make_tag_actions();
+  void make_smoothing_actions();
+  void make_marking_menu();
+  QAction* add_mesh_action(QMenu* menu, const QString& name, const QString& text, const QList<QKeySequence>& keys,
+                           std::function<Verdict(MeshTool&)> work);
+  void set_mesh_mode(MeshMode mode);
+  void update_mesh_actions();
   void make_docks();
+  void connect_files();
+  void connect_start_page();
+  void connect_panels();
+  void connect_viewport();
   void make_help_line();
   void connect_studio();
   void update_panels();
@@ -96,7 +126,14 @@ class MainWindow : public QMainWindow {
   bool may_discard();
   void ask_export_solid();
   void ask_export_picture();
+  void select_all();
+  void delete_selection();
+  void select_none();
   void select_strokes(const std::vector<std::string>& strokes);
+  void select_objects(const std::vector<NodeId>& nodes);
+  void show_finding(const NodeFinding& finding);
+  void select_chain(int chain);
+  void show_progress(bool busy);
   void go_to_step(int steps);
 
   OffscreenPictures pictures_;
@@ -109,16 +146,27 @@ class MainWindow : public QMainWindow {
   ObjectList* objects_ = nullptr;
   FindingsList* findings_ = nullptr;
   HistoryList* history_ = nullptr;
+  TagPanel* tags_ = nullptr;
+  ChainTable* chains_ = nullptr;
+  CreaseSetPanel* sets_ = nullptr;
   GalleryThumbnails* thumbnails_ = nullptr;
+  QMenu* mesh_menu_ = nullptr;
+  QToolBar* mesh_bar_ = nullptr;
+  QList<QAction*> mesh_actions_;  ///< that need a mesh to work on
+  std::map<MeshMode, QAction*> mode_actions_;
+  std::map<ToolKind, QAction*> tool_actions_;
   void record(const recorded::Step& step);
 
   std::unique_ptr<QFile> recording_;
   std::unique_ptr<recorded::Recorder> recorder_;
   QList<QDockWidget*> docks_;
+  QDockWidget* edges_dock_ = nullptr;  ///< of meshes alone
+  QDockWidget* sets_dock_ = nullptr;
   bool docks_sized_ = false;  ///< people's own sizes are kept
   Findings last_findings_;
   QLabel* help_ = nullptr;
   QLabel* message_ = nullptr;
+  QLabel* status_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QPushButton* cancel_ = nullptr;
 };

@@ -11,9 +11,7 @@
 #include <QToolBar>
 #include <utility>
 
-#include "app/attribute_panel.h"
 #include "app/icons.h"
-#include "app/lists.h"
 #include "app/main_window.h"
 #include "app/viewport.h"
 #include "croquis/base/error.h"
@@ -21,7 +19,7 @@
 namespace croquis::app {
 namespace {
 
-const QString open_filter = QObject::tr("Croquis (*.croq *.svg *.obj *.ply *.stl *.off);;All files (*)");
+const QString open_filter = QObject::tr("Croquis (*.croq *.svg *.obj *.ply *.stl *.off *.glb);;All files (*)");
 const QString project_filter = QObject::tr("Project (*.croq)");
 const QString mesh_filter = QObject::tr("OBJ (*.obj);;STL (*.stl);;PLY (*.ply);;GLB (*.glb);;OFF (*.off)");
 
@@ -34,14 +32,14 @@ bool asks_for_file(const QString& action) {
 QAction* MainWindow::action(const QString& name) const { return findChild<QAction*>(name); }
 
 QAction* MainWindow::add_action(QMenu* menu, const QString& name, const QString& text, const QList<QKeySequence>& keys,
-                                std::function<void()> work) {
+                                std::function<void()> work, Recorded recorded) {
   auto* action = new QAction(text, this);
   action->setObjectName(name);
   action->setShortcuts(keys);
   action->setIcon(action_icon(name));
-  connect(action, &QAction::triggered, this, [this, name, work = std::move(work)] {
+  connect(action, &QAction::triggered, this, [this, name, recorded, work = std::move(work)] {
     // Those that ask for a file are recorded with its name, once it is known.
-    if (!asks_for_file(name)) record(recorded::Action{name.toStdString()});
+    if (recorded == Recorded::AsAction && !asks_for_file(name)) record(recorded::Action{name.toStdString()});
     work();
   });
   menu->addAction(action);
@@ -54,6 +52,7 @@ void MainWindow::make_actions() {
   make_edit_actions();
   make_view_actions();
   make_tool_actions();
+  make_mesh_actions();
 }
 
 void MainWindow::make_file_actions() {
@@ -68,7 +67,7 @@ void MainWindow::make_file_actions() {
     if (!path.isEmpty()) save_to(path);
   });
   menu->addSeparator();
-  add_action(menu, "export-solid", tr("&Export solid…"), {QKeySequence("Ctrl+E")}, [this] { ask_export_solid(); });
+  add_action(menu, "export-solid", tr("&Export mesh…"), {QKeySequence("Ctrl+E")}, [this] { ask_export_solid(); });
   add_action(menu, "export-picture", tr("Export &picture…"), {QKeySequence("Ctrl+Shift+E")},
              [this] { ask_export_picture(); });
   add_action(menu, "export-drawing", tr("Export &drawing…"), {}, [this] {
@@ -87,16 +86,39 @@ void MainWindow::make_edit_actions() {
              [this] { studio_.session().redo(); });
   menu->addSeparator();
   add_action(menu, "join-limbs", tr("&Join limbs"), {QKeySequence("J")}, [this] { viewport_->join_all(); });
-  add_action(menu, "delete", tr("&Delete"), {QKeySequence::Delete, QKeySequence(Qt::Key_Backspace)},
-             [this] { viewport_->delete_selection(); });
-  add_action(menu, "select-all", tr("Select &all"), {QKeySequence::SelectAll}, [this] {
-    std::vector<std::string> strokes;
-    for (const Stroke& stroke : studio_.drawing().strokes) strokes.push_back(stroke.id);
-    select_strokes(strokes);
+  add_action(menu, "delete", tr("&Delete"), {QKeySequence::Delete, QKeySequence(Qt::Key_Backspace)}, [this] {
+    viewport_->delete_selection();
+    update_panels();
   });
-  add_action(menu, "deselect", tr("Select &none"), {QKeySequence("Escape")}, [this] {
-    if (!viewport_->abandon()) select_strokes({});
-  });
+  add_action(menu, "select-all", tr("Select &all"), {QKeySequence::SelectAll}, [this] { select_all(); });
+  add_action(menu, "deselect", tr("Select &none"), {QKeySequence("Escape")}, [this] { select_none(); });
+}
+
+void MainWindow::select_all() {
+  if (viewport_->edits_meshes() && viewport_->mesh().tool().mode() != MeshMode::Object) {
+    viewport_->mesh().act([](MeshTool& tool) { return tool.select_all(); });
+    return;
+  }
+  Selection selection;
+  for (const Stroke& stroke : studio_.drawing().strokes) selection.push_back({studio_.drawing_node(), stroke.id});
+  for (const StudioObject& object : studio_.objects()) {
+    if (object.cage != 0 && object.visible) selection.push_back({object.node, ""});
+  }
+  studio_.session().select(std::move(selection));
+}
+
+void MainWindow::delete_selection() {
+  const bool elements = viewport_->edits_meshes() && viewport_->mesh().tool().mode() != MeshMode::Object;
+  if (elements) return viewport_->mesh().act([](MeshTool& tool) { return tool.delete_selected(); });
+  record(recorded::Action{"delete"});
+  viewport_->delete_selection();
+}
+
+void MainWindow::select_none() {
+  if (viewport_->abandon()) return;
+  viewport_->marking_menu().dismiss();
+  viewport_->mesh().act([](MeshTool& tool) { return tool.select_none(); });
+  studio_.session().select({});
 }
 
 void MainWindow::make_view_actions() {
@@ -104,7 +126,18 @@ void MainWindow::make_view_actions() {
   add_action(menu, "frame-all", tr("Frame &all"), {QKeySequence("A")}, [this] { viewport_->frame_all(); });
   add_action(menu, "frame-selection", tr("&Frame selection"), {QKeySequence("F")},
              [this] { viewport_->frame_selection(); });
-  add_action(menu, "layout", tr("One view / both"), {QKeySequence("Space")}, [this] { viewport_->toggle_layout(); });
+  add_action(menu, "layout", tr("One &view / all"), {QKeySequence("Space")}, [this] { viewport_->toggle_layout(); });
+  add_action(menu, "two-views", tr("S&ketch and perspective"), {QKeySequence("Ctrl+Space")},
+             [this] { viewport_->arrange(Arrangement::SketchAndSolid); });
+  add_action(menu, "four-views", tr("&Four views"), {QKeySequence("Shift+Space")},
+             [this] { viewport_->arrange(Arrangement::Four); });
+  const auto add_alone = [&](const QString& name, const QString& text, int view) {
+    add_action(menu, name, text, {}, [this, view] { viewport_->show_alone(view); });
+  };
+  add_alone("perspective-alone", tr("&Perspective alone"), PerspectiveView);
+  add_alone("front-alone", tr("Fr&ont alone"), SketchView);
+  add_alone("top-alone", tr("&Top alone"), TopView);
+  add_alone("side-alone", tr("Si&de alone"), SideView);
   menu->addSeparator();
   auto* shading = new QActionGroup(this);
   const auto add_shading = [&](const QString& name, const QString& text, const QString& key, MeshLook look) {
@@ -116,6 +149,9 @@ void MainWindow::make_view_actions() {
   add_shading("wire", tr("&Wire"), "4", MeshLook::Wire);
   add_shading("shaded", tr("&Shaded"), "5", MeshLook::Shaded);
   add_shading("shaded-wire", tr("Shaded, with w&ire"), "6", MeshLook::ShadedWire);
+  QAction* flat = add_action(menu, "flat", tr("&Every face flat"), {QKeySequence("Shift+5")},
+                             [this] { viewport_->set_flat(action("flat")->isChecked()); });
+  flat->setCheckable(true);
 }
 
 void MainWindow::make_tool_actions() {
@@ -123,47 +159,33 @@ void MainWindow::make_tool_actions() {
   auto* bar = new QToolBar(tr("Tools"), this);
   bar->setObjectName("tools");
   bar->setMovable(false);
-  bar->setIconSize({28, 28});
+  bar->setIconSize({26, 26});
   addToolBar(Qt::LeftToolBarArea, bar);
   auto* tools = new QActionGroup(this);
-  const auto add_tool = [&](const QString& name, const QString& text, const QString& key, SketchMode mode) {
-    QAction* action = add_action(menu, name, text, {QKeySequence(key)}, [this, mode] { viewport_->set_mode(mode); });
+  const auto add_tool = [&](const QString& name, const QString& text, const QString& key, ToolKind kind) {
+    QAction* action = add_action(menu, name, text, {QKeySequence(key)}, [this, kind] { viewport_->set_tool(kind); });
     action->setCheckable(true);
-    action->setToolTip(text + " (" + key + ")");
-    action->setChecked(mode == SketchMode::Draw);
+    action->setToolTip(action->text().remove('&') + " (" + key + ")");
+    action->setChecked(kind == ToolKind::Draw);
     tools->addAction(action);
     bar->addAction(action);
+    tool_actions_[kind] = action;
   };
-  add_tool("draw", tr("&Draw"), "D", SketchMode::Draw);
-  add_tool("select", tr("&Select and move"), "Q", SketchMode::Select);
-  add_tool("erase", tr("&Erase"), "X", SketchMode::Erase);
+  add_tool("draw", tr("&Draw"), "D", ToolKind::Draw);
+  add_tool("erase", tr("&Erase"), "X", ToolKind::Erase);
+  add_tool("select", tr("&Select and bend"), "Q", ToolKind::Select);
+  add_tool("move", tr("&Move"), "W", ToolKind::Move);
+  add_tool("rotate", tr("&Turn"), "E", ToolKind::Rotate);
+  add_tool("scale", tr("S&cale"), "R", ToolKind::Scale);
+  add_tool("sharpen", tr("Change s&harpness"), "S", ToolKind::Sharpen);
+  mesh_bar_ = new QToolBar(tr("Mesh"), this);
+  mesh_bar_->setObjectName("mesh-tools");
+  mesh_bar_->setMovable(false);
+  mesh_bar_->setIconSize({26, 26});
+  addToolBar(Qt::LeftToolBarArea, mesh_bar_);
 }
 
-void MainWindow::make_docks() {
-  const auto add_dock = [this](const QString& title, QWidget* content, const QString& name) {
-    auto* dock = new QDockWidget(title, this);
-    dock->setObjectName(name);
-    dock->setFeatures(QDockWidget::DockWidgetMovable);
-    dock->setWidget(content);
-    addDockWidget(Qt::RightDockWidgetArea, dock);
-    return dock;
-  };
-  objects_ = new ObjectList(this);
-  attributes_ = new AttributePanel(this);
-  findings_ = new FindingsList(this);
-  history_ = new HistoryList(this);
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setWidget(attributes_);
-  docks_ = {add_dock(tr("Objects"), objects_, "objects-dock"), add_dock(tr("Attributes"), scroll, "attributes-dock"),
-            add_dock(tr("Findings"), findings_, "findings-dock"), add_dock(tr("History"), history_, "history-dock")};
-}
-
-void MainWindow::ask_open() {
-  const QString path = QFileDialog::getOpenFileName(this, tr("Open"), {}, open_filter);
-  if (!path.isEmpty()) open(path);
-}
+void MainWindow::ask_open() { begin_open(QFileDialog::getOpenFileNames(this, tr("Open"), {}, open_filter)); }
 
 bool MainWindow::ask_save() {
   QString path = files_.path();
@@ -191,7 +213,7 @@ bool MainWindow::may_discard() {
 }
 
 void MainWindow::ask_export_solid() {
-  const QString path = QFileDialog::getSaveFileName(this, tr("Export solid"), {}, mesh_filter);
+  const QString path = QFileDialog::getSaveFileName(this, tr("Export mesh"), {}, mesh_filter);
   if (!path.isEmpty()) attempt([&] { files_.export_solid(path); });
 }
 

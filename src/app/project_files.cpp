@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/project_files.h"
 
+#include <QEventLoop>
 #include <QFileInfo>
 #include <QSettings>
 #include <algorithm>
 #include <utility>
 
 #include "app/gallery.h"
+#include "app/smoothing.h"
 #include "croquis/base/error.h"
 #include "croquis/io/file.h"
 #include "croquis/io/mesh_file.h"
@@ -25,21 +27,8 @@ const QString recent_key = QStringLiteral("recent");
 
 std::string local(const QString& path) { return QFile::encodeName(path).toStdString(); }
 
-Document document_of(std::shared_ptr<const PolyMesh> mesh, const QString& name) {
-  Node node;
-  node.name = name.toStdString();
-  node.source = std::move(mesh);
-  return Document().with(std::move(node));
-}
-
 QImage image_of(const std::vector<std::uint8_t>& png) {
   return QImage::fromData(png.data(), static_cast<int>(png.size()), "PNG");
-}
-
-std::vector<render::MeshItemPtr> solid_items(const Studio& studio) {
-  std::vector<render::MeshItemPtr> items;
-  if (const auto solid = studio.solid()) items.push_back(render::make_mesh_item(*solid));
-  return items;
 }
 
 }  // namespace
@@ -48,6 +37,8 @@ ProjectFiles::ProjectFiles(Studio& studio, OffscreenPictures& pictures, const QS
     : studio_(studio), pictures_(pictures), state_folder_(state_folder) {
   disk_.setMaxThreadCount(1);
   autosave_timer_.setSingleShot(true);
+  connect(&reader_, &FileReader::finished, this, &ProjectFiles::take);
+  connect(&reader_, &FileReader::failed, this, &ProjectFiles::open_failed);
   connect(&autosave_timer_, &QTimer::timeout, this, &ProjectFiles::autosave);
   connect(&studio_, &Studio::changed, this, [this] {
     if (!same_nodes(studio_.session().document(), autosaved_) && !autosave_timer_.isActive()) {
@@ -66,34 +57,52 @@ void ProjectFiles::start_sketch() {
   set_path({});
 }
 
-void ProjectFiles::start_gallery_sketch(const QString& name) {
-  studio_.start_with(load_gallery_sketch(name));
+void ProjectFiles::start_sample(const QString& name) {
+  Value sample = load_sample(name);
+  if (auto* drawing = std::get_if<std::shared_ptr<const Drawing>>(&sample)) {
+    studio_.start_with(**drawing);
+  } else {
+    auto cage = std::get<std::shared_ptr<const PolyMesh>>(sample);
+    studio_.load(smoothed_document(studio_, name.toStdString(), std::move(cage)));
+  }
   set_path({});
 }
 
 void ProjectFiles::open(const QString& path) {
-  Progress progress;
-  const std::string file = local(path);
-  const QString suffix = QFileInfo(path).suffix().toLower();
-  if (suffix == "croq") {
-    studio_.load(load_project(file, progress).document);
-    set_path(path);
-    remember(path);
-    return;
-  }
-  const std::string bytes = read_file(file);
-  if (const auto format = mesh_format_of(file)) {
-    MeshReadResult read = read_mesh(bytes, *format, file, progress);
-    studio_.load(document_of(std::make_shared<const PolyMesh>(std::move(read.mesh)), QFileInfo(path).baseName()));
-  } else if (suffix == "svg") {
-    studio_.start_with(read_svg_drawing(bytes, file, progress).drawing);
+  QEventLoop waiting;
+  bool failed = false;
+  Findings findings;
+  const auto done = connect(this, &ProjectFiles::opened, &waiting, [&](const QString& opened) {
+    if (opened == path) waiting.quit();
+  });
+  const auto stopped =
+      connect(this, &ProjectFiles::open_failed, &waiting, [&](const QString& refused, const Findings& reasons) {
+        if (refused != path) return;
+        failed = true;
+        findings = reasons;
+        waiting.quit();
+      });
+  begin_open(path);
+  waiting.exec();
+  disconnect(done);
+  disconnect(stopped);
+  if (!failed) return;
+  if (findings.empty()) throw Cancelled();
+  throw Error(std::move(findings));
+}
+
+void ProjectFiles::take(const ReadFile& file) {
+  if (const auto* mesh = std::get_if<std::shared_ptr<const PolyMesh>>(&file.content)) {
+    studio_.add_mesh(QFileInfo(file.path).completeBaseName().toStdString(), *mesh);
+  } else if (const auto* document = std::get_if<Document>(&file.content)) {
+    studio_.load(*document);
+    set_path(file.path);
   } else {
-    throw Error(
-        make_error(Category::Malformed, "E_FORMAT",
-                   "\"" + file + "\" is no project, sketch or mesh: open .croq, .svg, .obj, .ply, .stl or .off"));
+    studio_.start_with(*std::get<std::shared_ptr<const Drawing>>(file.content));
+    set_path({});
   }
-  set_path({});
-  remember(path);
+  remember(file.path);
+  emit opened(file.path);
 }
 
 void ProjectFiles::save(const QString& path) {
@@ -109,17 +118,19 @@ void ProjectFiles::save(const QString& path) {
 }
 
 Findings ProjectFiles::export_solid(const QString& path) const {
-  const auto solid = studio_.solid();
+  const StudioObject* object = studio_.active();
   const auto format = mesh_format_of(local(path));
   if (!format) {
     throw Error(make_error(Category::Usage, "E_FORMAT",
                            "\"" + local(path) + "\" names no mesh format: use .obj, .ply, .stl, .off or .glb"));
   }
-  if (!solid || studio_.result()->failed || studio_.result_quality() != Quality::Final) {
-    throw Error(make_error(Category::Geometry, "E_EMPTY", "There is no finished solid to export yet"));
+  const auto mesh = object == nullptr ? nullptr : object->shown();
+  const bool computed = mesh && mesh != object->cage_mesh;
+  if (!mesh || (computed && (object->result->failed || object->quality != Quality::Final))) {
+    throw Error(make_error(Category::Geometry, "E_EMPTY", "There is no finished mesh to export yet"));
   }
   Progress progress;
-  MeshWriteResult written = write_mesh(*solid, *format, {}, progress);
+  MeshWriteResult written = write_mesh(*mesh, *format, {}, progress);
   OutputTransaction files;
   files.add(local(path), std::move(written.bytes));
   files.commit();
@@ -176,8 +187,8 @@ void ProjectFiles::autosave_now() {
 void ProjectFiles::autosave() {
   autosave_timer_.stop();
   const Document& document = studio_.session().document();
-  const bool wants_picture =
-      studio_.solid() && studio_.settled() && (!has_thumbnail_ || since_thumbnail_.hasExpired(thumbnail_pause_ms));
+  const bool wants_picture = items_ && studio_.settled() && !items_().empty() &&
+                             (!has_thumbnail_ || since_thumbnail_.hasExpired(thumbnail_pause_ms));
   if (same_nodes(document, autosaved_) && !(wants_picture && !has_thumbnail_)) return;
   autosaved_ = document;
   std::vector<std::uint8_t> picture;
@@ -210,7 +221,7 @@ void ProjectFiles::remember(const QString& path) {
 }
 
 std::vector<std::uint8_t> ProjectFiles::thumbnail() const {
-  const auto items = solid_items(studio_);
+  const auto items = items_ ? items_() : std::vector<render::MeshItemPtr>();
   if (items.empty()) return {};
   try {
     return png_bytes(pictures_.draw(items, render::NamedView::Perspective, thumbnail_size));

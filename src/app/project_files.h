@@ -6,9 +6,12 @@
 #include <QStringList>
 #include <QThreadPool>
 #include <QTimer>
+#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
+#include "app/file_reader.h"
 #include "app/offscreen_pictures.h"
 #include "app/start_page.h"
 #include "app/studio.h"
@@ -30,15 +33,27 @@ class ProjectFiles : public QObject {
   const QString& path() const { return path_; }
 
   void start_sketch();
-  void start_gallery_sketch(const QString& name);
+  /// A sketch or cage that ships inside the program.
+  void start_sample(const QString& name);
 
-  /// A project (.croq), a sketch (.svg) or a mesh.
+  /// Begins to open a project (.croq), a sketch (.svg) or a mesh; `opened` or `open_failed` follows. Meshes are added
+  /// to what is open.
+  void begin_open(const QString& path) { reader_.read(path); }
+
+  /// The same, and waits, keeping the window alive. @throws Error, Cancelled
   void open(const QString& path);
+
+  /// What reads them.
+  FileReader& reader() { return reader_; }
+  const FileReader& reader() const { return reader_; }
+
+  /// Where pictures of what is shown come from: items made ready anyway.
+  void set_items(std::function<std::vector<render::MeshItemPtr>()> items) { items_ = std::move(items); }
 
   /// Keeps up to three older versions beside the file.
   void save(const QString& path);
 
-  /// The solid, in the format that the name tells.
+  /// The active object's surface as it is shown, in the format that the name tells.
   /// @return what the format can't hold
   Findings export_solid(const QString& path) const;
 
@@ -60,18 +75,23 @@ class ProjectFiles : public QObject {
 
  signals:
   void path_changed(const QString& path);
+  void opened(const QString& path);
+  void open_failed(const QString& path, const croquis::Findings& findings);
 
   /// The working copy can't be written; the work in the window is whole.
   void autosave_failed(const QString& sentence);
 
  private:
+  void take(const ReadFile& file);
   void autosave();
   void set_path(const QString& path);
   void remember(const QString& path);
   std::vector<std::uint8_t> thumbnail() const;
 
   Studio& studio_;
+  FileReader reader_;
   OffscreenPictures& pictures_;
+  std::function<std::vector<render::MeshItemPtr>()> items_;
   QString state_folder_;
   QString path_;
   QTimer autosave_timer_;

@@ -6,6 +6,7 @@
 #include <QElapsedTimer>
 #include <QFile>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 #include <variant>
@@ -14,6 +15,7 @@
 #include "app/viewport.h"
 #include "croquis/base/error.h"
 #include "croquis/base/exit_code.h"
+#include "croquis/geometry/mesh_topology.h"
 #include "croquis/io/file.h"
 
 namespace croquis::app {
@@ -43,12 +45,60 @@ CameraMotion::Kind kind_of(const std::string& motion) {
   return motion == "dolly" ? CameraMotion::Kind::Dolly : CameraMotion::Kind::Tumble;
 }
 
+int view_of(const std::string& name) {
+  const std::vector<std::string> names{"front", "perspective", "top", "side", "comparison"};
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? View::SketchView : static_cast<int>(found - names.begin());
+}
+
+/// Parts of the sketch's solid, and meshes that are shown.
 std::size_t count_objects(const Studio& studio) {
+  std::size_t count = 0;
   const auto result = studio.result();
-  if (!result || result->failed) return 0;
-  const auto details = result->outputs.find("details");
-  if (details == result->outputs.end()) return 0;
-  return std::get<std::shared_ptr<const Report>>(details->second)->at("objects").as_array().size();
+  if (result && !result->failed) {
+    const Report* details = report_of(result.get(), "details");
+    if (details != nullptr) count += details->at("objects").as_array().size();
+  }
+  for (const StudioObject& object : studio.objects()) count += object.visible && object.node != studio.solid_node();
+  return count;
+}
+
+const StudioObject& object_named(const Studio& studio, const std::string& name) {
+  const StudioObject* found = name.empty() ? studio.active() : nullptr;
+  for (const StudioObject& object : studio.objects()) {
+    const Node* node = studio.session().document().find(object.node);
+    if (!name.empty() && (object.name == name || node->name == name)) found = &object;
+  }
+  if (found == nullptr) refuse(name.empty() ? "There is no object" : "There is no object \"" + name + "\"");
+  if (!found->shown()) refuse("\"" + found->name + "\" has no mesh");
+  return *found;
+}
+
+std::size_t count_in_mesh(const StudioObject& object, const std::string& what) {
+  const PolyMesh& mesh = *object.shown();
+  if (what == "vertices") return mesh.vertex_count();
+  if (what == "faces") return mesh.face_count();
+  if (what == "sharp-edges") return mesh.tags.creases.size();
+  return MeshTopology(mesh).edge_count();
+}
+
+void expect_dihedral(const Studio& studio, const recorded::Expect& step) {
+  constexpr double tolerance = 1e-3;  // degrees
+  const StudioObject& object = object_named(studio, step.node);
+  const Report* details = report_of(object.result.get(), "details");
+  const Report* chains = details == nullptr ? nullptr : details->find("chains");
+  if (chains == nullptr || chains->as_array().empty()) refuse("There are no chains of sharp edges");
+  double least = 360;
+  double greatest = 0;
+  for (const Report& chain : chains->as_array()) {
+    least = std::min(least, chain.at("dihedral_min").as_number());
+    greatest = std::max(greatest, chain.at("dihedral_max").as_number());
+  }
+  const double wanted_least = step.value.value_or(0);
+  const double wanted_greatest = step.to.value_or(wanted_least);
+  if (std::abs(least - wanted_least) <= tolerance && std::abs(greatest - wanted_greatest) <= tolerance) return;
+  refuse("Expected angles from " + std::to_string(wanted_least) + " to " + std::to_string(wanted_greatest) +
+         " degrees, but they are from " + std::to_string(least) + " to " + std::to_string(greatest));
 }
 
 }  // namespace
@@ -99,7 +149,7 @@ void ReplayPlayer::play(const recorded::Line& line) {
 
 void ReplayPlayer::play(const recorded::StrokeDrawn& step) {
   if (window_.shows_start_page()) window_.start_sketch();
-  window_.viewport().replay_gesture(step.points, step.device == "eraser", {}, step.scale);
+  window_.viewport().sketch().replay_gesture(step.points, step.device == "eraser", {}, step.scale);
 }
 
 void ReplayPlayer::play(const recorded::Drag& step) {
@@ -133,7 +183,6 @@ void ReplayPlayer::play(const recorded::File& step) {
   const QString file = QString::fromStdString(step.file);
   if (step.verb == "open") {
     window_.files().open(file);
-    window_.show_views();
   } else if (step.verb == "save") {
     window_.files().save(file);
   } else if (file.endsWith(".png")) {
@@ -147,17 +196,30 @@ void ReplayPlayer::play(const recorded::File& step) {
 }
 
 void ReplayPlayer::play(const recorded::Click& step) {
-  window_.viewport().replay_gesture({sample_at(step.at)}, false, modifiers_of(step.modifiers), 0);
+  if (step.place) {
+    window_.viewport().mesh().replay(view_of(step.view), *step.place, *step.place, modifiers_of(step.modifiers),
+                                     step.clicks);
+    return;
+  }
+  window_.viewport().sketch().replay_gesture({sample_at(step.at)}, false, modifiers_of(step.modifiers), 0);
 }
 
 void ReplayPlayer::play(const recorded::Box& step) {
+  if (step.from_place && step.to_place) {
+    window_.viewport().mesh().replay(view_of(step.view), *step.from_place, *step.to_place, modifiers_of(step.modifiers),
+                                     1);
+    return;
+  }
   const std::vector<StrokeSample> way{sample_at(step.from), sample_at((step.from + step.to) / 2), sample_at(step.to)};
-  window_.viewport().replay_gesture(way, false, modifiers_of(step.modifiers), 0);
+  window_.viewport().sketch().replay_gesture(way, false, modifiers_of(step.modifiers), 0);
+}
+
+void ReplayPlayer::play(const recorded::ModelDrag& step) {
+  window_.viewport().mesh().replay(view_of(step.view), step.from, step.to, modifiers_of(step.modifiers), 1);
 }
 
 void ReplayPlayer::play(const recorded::Navigate& step) {
-  const auto view = step.view == "sketch" ? Viewport::SketchView : Viewport::PerspectiveView;
-  ViewPane& pane = window_.viewport().pane(view);
+  ViewPane& pane = window_.viewport().pane(view_of(step.view));
   CameraMotion motion;
   motion.kind = kind_of(step.motion);
   motion.delta = step.by * (pane.rect.height() / recorded_view_height);
@@ -170,14 +232,49 @@ void ReplayPlayer::play(const recorded::Navigate& step) {
 void ReplayPlayer::play(const recorded::Expect& step) {
   wait_until_settled(window_);
   const Studio& studio = window_.studio();
+  if (step.what == "dihedral") return expect_dihedral(studio, step);
   std::size_t count = 0;
-  if (step.what == "objects") count = count_objects(studio);
-  if (step.what == "findings") count = studio.findings().size();
-  if (step.what == "strokes") count = studio.drawing().strokes.size();
+  if (step.what == "objects")
+    count = count_objects(studio);
+  else if (step.what == "findings")
+    count = studio.findings().size();
+  else if (step.what == "strokes")
+    count = studio.drawing().strokes.size();
+  else if (step.what == "selected")
+    count = studio.session().components().elements.size();
+  else
+    count = count_in_mesh(object_named(studio, step.node), step.what);
   if (static_cast<std::int64_t>(count) != step.count) {
     refuse("Expected " + std::to_string(step.count) + " " + step.what + ", but there are " + std::to_string(count));
   }
 }
+
+template <typename MeshStep>
+void ReplayPlayer::play_on_mesh(const MeshStep& step) {
+  Studio& studio = window_.studio();
+  if (!step.node.empty()) studio.set_active(object_named(studio, step.node).node);
+  MeshInteraction& mesh = window_.viewport().mesh();
+  mesh.follow();
+  mesh.tool().replay(step);
+  mesh.follow();
+}
+
+void ReplayPlayer::play(const recorded::Pick& step) {
+  const MeshMode mode = step.kind == "vertex" ? MeshMode::Vertex
+                        : step.kind == "face" ? MeshMode::Face
+                                              : MeshMode::Edge;
+  if (window_.viewport().mesh().tool().mode() != mode) window_.viewport().mesh().set_mode(mode);
+  play_on_mesh(step);
+}
+
+void ReplayPlayer::play(const recorded::Move& step) { play_on_mesh(step); }
+void ReplayPlayer::play(const recorded::Rotate& step) { play_on_mesh(step); }
+void ReplayPlayer::play(const recorded::Scale& step) { play_on_mesh(step); }
+void ReplayPlayer::play(const recorded::Tag& step) { play_on_mesh(step); }
+void ReplayPlayer::play(const recorded::Pin& step) { play_on_mesh(step); }
+void ReplayPlayer::play(const recorded::TagSet& step) { play_on_mesh(step); }
+void ReplayPlayer::play(const recorded::Extrude& step) { play_on_mesh(step); }
+void ReplayPlayer::play(const recorded::LoopCut& step) { play_on_mesh(step); }
 
 int print_findings(const Findings& findings) {
   for (const Finding& finding : findings) {

@@ -31,6 +31,18 @@ class ReplayPlayer {
   void play(const recorded::Box& step);
   void play(const recorded::Navigate& step);
   void play(const recorded::Expect& step);
+  void play(const recorded::ModelDrag& step);
+  void play(const recorded::Pick& step);
+  void play(const recorded::Move& step);
+  void play(const recorded::Rotate& step);
+  void play(const recorded::Scale& step);
+  void play(const recorded::Tag& step);
+  void play(const recorded::Pin& step);
+  void play(const recorded::TagSet& step);
+  void play(const recorded::Extrude& step);
+  void play(const recorded::LoopCut& step);
+  template <typename MeshStep>
+  void play_on_mesh(const MeshStep& step);
 
   MainWindow& window_;
 };

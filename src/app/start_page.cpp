@@ -10,13 +10,11 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/gallery.h"
-
 namespace croquis::app {
 namespace {
 
-constexpr int columns = 5;
-constexpr QSize tile_picture(192, 144);
+constexpr int columns = 6;
+constexpr QSize tile_picture(156, 117);
 constexpr int left_width = 230;
 
 QLabel* heading(const QString& text, QWidget* parent) {
@@ -74,25 +72,33 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
 
   auto* right = new QVBoxLayout;
   columns_row->addLayout(right, 1);
-  right->addWidget(heading(tr("Start from a sketch"), page));
-  gallery_ = new QGridLayout;
-  gallery_->setSpacing(10);
-  right->addLayout(gallery_);
+  gallery_ = right;
+  add_gallery(tr("Start from a sketch"), SampleKind::Sketch);
+  add_gallery(tr("Start from a cage with sharp edges"), SampleKind::Cage);
   right->addStretch();
+}
+
+void StartPage::add_gallery(const QString& title, SampleKind kind) {
+  auto* grid = new QGridLayout;
+  grid->setSpacing(10);
   int place = 0;
-  for (const GallerySketch& sketch : gallery_sketches()) {
-    auto* tile = new QToolButton(page);
-    tile->setObjectName("sketch-" + sketch.name);
-    tile->setText(sketch.title);
+  for (const Sample& sample : samples()) {
+    if (sample.kind != kind) continue;
+    auto* tile = new QToolButton(this);
+    tile->setObjectName("sketch-" + sample.name);
+    tile->setText(sample.title);
     tile->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
     tile->setIconSize(tile_picture);
-    tile->setFixedSize(tile_picture + QSize(16, 40));
-    tile->setAccessibleName(sketch.title);
-    connect(tile, &QToolButton::clicked, this, [this, name = sketch.name] { emit sketch_wanted(name); });
-    gallery_->addWidget(tile, place / columns, place % columns, Qt::AlignLeft);
+    tile->setFixedSize(tile_picture + QSize(16, 36));
+    tile->setAccessibleName(sample.title);
+    connect(tile, &QToolButton::clicked, this, [this, name = sample.name] { emit sample_wanted(name); });
+    grid->addWidget(tile, place / columns, place % columns, Qt::AlignLeft);
     ++place;
   }
-  gallery_->setColumnStretch(columns, 1);
+  if (place == 0) return;
+  grid->setColumnStretch(columns, 1);
+  gallery_->addWidget(heading(title, this));
+  gallery_->addLayout(grid);
 }
 
 void StartPage::show_recent(const QStringList& projects) {
@@ -115,8 +121,8 @@ void StartPage::show_recoverable(const std::vector<RecoveryOffer>& offers) {
   for (const RecoveryOffer& offer : offers) recovery_->addWidget(make_recovery_card(offer));
 }
 
-void StartPage::set_thumbnail(const QString& sketch, const QImage& picture) {
-  if (auto* tile = findChild<QToolButton*>("sketch-" + sketch)) tile->setIcon(QPixmap::fromImage(picture));
+void StartPage::set_thumbnail(const QString& sample, const QImage& picture) {
+  if (auto* tile = findChild<QToolButton*>("sketch-" + sample)) tile->setIcon(QPixmap::fromImage(picture));
 }
 
 QWidget* StartPage::make_recovery_card(const RecoveryOffer& offer) {

@@ -7,7 +7,8 @@
 #include <memory>
 #include <vector>
 
-class QGridLayout;
+#include "app/gallery.h"
+
 class QVBoxLayout;
 
 namespace croquis::app {
@@ -20,7 +21,7 @@ struct RecoveryOffer {
   QImage thumbnail;
 };
 
-/// The first page: a new sketch, the shipped ones, what was open lately, and work that a crash left behind.
+/// The first page: a new sketch, samples, what was open lately, and work that a crash left behind.
 class StartPage : public QWidget {
   Q_OBJECT
 
@@ -30,23 +31,24 @@ class StartPage : public QWidget {
   void show_recent(const QStringList& projects);
   void show_recoverable(const std::vector<RecoveryOffer>& offers);
 
-  /// Puts the solid's picture onto a shipped sketch's tile.
-  void set_thumbnail(const QString& sketch, const QImage& picture);
+  /// Puts the solid's picture onto a sample's tile.
+  void set_thumbnail(const QString& sample, const QImage& picture);
 
  signals:
   void new_sketch_wanted();
   void open_wanted();
-  void sketch_wanted(const QString& name);
+  void sample_wanted(const QString& name);
   void project_wanted(const QString& path);
   void recovery_wanted(const croquis::app::RecoveryOffer& offer);
   void discard_wanted(const croquis::app::RecoveryOffer& offer);
 
  private:
+  void add_gallery(const QString& title, SampleKind kind);
   QWidget* make_recovery_card(const RecoveryOffer& offer);
 
   QVBoxLayout* recovery_;
   QVBoxLayout* recent_;
-  QGridLayout* gallery_;
+  QVBoxLayout* gallery_;
 };
 
 }  // namespace croquis::app

@@ -3,6 +3,7 @@
 
 #include <QMetaObject>
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "croquis/operators/all_operations.h"
@@ -11,31 +12,63 @@ namespace croquis::app {
 namespace {
 
 const std::string solid_operation_id = "inflate";
-constexpr int patience_ms = 400;  // a draft that takes longer gives way to a newer one
 
 const std::shared_ptr<const Drawing>* drawing_of(const Node& node) {
   return node.source ? std::get_if<std::shared_ptr<const Drawing>>(&*node.source) : nullptr;
 }
 
+std::set<NodeId> nodes_of(const Document& document) {
+  std::set<NodeId> ids;
+  for (const auto& node : document.nodes()) ids.insert(node->id);
+  return ids;
+}
+
 }  // namespace
 
 Studio::Studio() : registry_(all_operations()), evaluator_(registry_) {
-  LiveEvaluation::Post post = [this](std::function<void()> task) {
-    QMetaObject::invokeMethod(this, std::move(task), Qt::QueuedConnection);
-  };
-  LiveEvaluation::Callbacks callbacks;
-  callbacks.result = [this](NodeId, std::shared_ptr<const Evaluation> result, Quality quality) {
-    take_result(std::move(result), quality);
-  };
-  callbacks.progress = [this](double fraction, const std::string& step) {
-    emit progress_changed(fraction, QString::fromStdString(step));
-  };
-  callbacks.busy = [this](bool) { emit busy_changed(busy()); };
-  live_ = std::make_unique<LiveEvaluation>(evaluator_, std::move(post), std::move(callbacks));
+  for (const auto& operation : registry_.operations()) {
+    OperationDescription description = operation->describe();
+    descriptions_[description.id] = std::move(description);
+  }
   session_.on_change([this] { follow_session(); });
 }
 
 Studio::~Studio() = default;
+
+const StudioObject* Studio::object(NodeId node) const {
+  const auto found = std::find_if(objects_.begin(), objects_.end(),
+                                  [&](const StudioObject& o) { return o.node == node || o.cage == node; });
+  return node == 0 || found == objects_.end() ? nullptr : &*found;
+}
+
+const StudioObject* Studio::active() const {
+  for (const SelectedItem& item : session_.selection()) {
+    if (const StudioObject* selected = object(item.node)) return selected;
+    if (item.node == drawing_node()) return object(solid_node());
+  }
+  if (const StudioObject* last = object(active_)) return last;
+  return objects_.empty() ? nullptr : &objects_.front();
+}
+
+void Studio::set_active(NodeId node) { active_ = node; }
+
+const Node* Studio::active_operation() const {
+  const StudioObject* object = active();
+  const Node* node = object == nullptr ? nullptr : session_.document().find(object->node);
+  return node == nullptr || node->source ? nullptr : node;
+}
+
+const OperationDescription* Studio::description(const std::string& operation) const {
+  const auto found = descriptions_.find(operation);
+  return found == descriptions_.end() ? nullptr : &found->second;
+}
+
+void Studio::set_view(NodeId id, SmoothView view) {
+  views_[id] = view;
+  list_objects();
+  emit changed();
+  emit result_changed();
+}
 
 const Drawing& Studio::drawing() const {
   static const Drawing none;
@@ -58,31 +91,38 @@ NodeId Studio::solid_node() const {
 }
 
 const OperationDescription* Studio::solid_description() const {
-  // Descriptions never change while the program runs.
-  static const OperationDescription description = registry_.find(solid_operation_id)->describe();
-  return solid_node() == 0 ? nullptr : &description;
+  return solid_node() == 0 ? nullptr : description(solid_operation_id);
+}
+
+std::shared_ptr<const Evaluation> Studio::result() const {
+  const auto found = live_.find(solid_node());
+  return found == live_.end() ? nullptr : found->second->result();
 }
 
 std::shared_ptr<const PolyMesh> Studio::solid() const {
-  if (!result_) return nullptr;
-  const auto mesh = result_->outputs.find("mesh");
-  if (mesh == result_->outputs.end()) return nullptr;
-  const auto* value = std::get_if<std::shared_ptr<const PolyMesh>>(&mesh->second);
-  return value == nullptr ? nullptr : *value;
+  const auto evaluation = result();
+  return evaluation ? mesh_of(*evaluation, *registry_.find(solid_operation_id)) : nullptr;
 }
 
-Findings Studio::findings() const {
-  if (!result_) return {};
-  Findings findings = result_->findings;
+std::vector<NodeFinding> Studio::findings() const {
+  std::vector<NodeFinding> findings;
+  for (const StudioObject& object : objects_) {
+    if (!object.result) continue;
+    for (const Finding& finding : object.result->findings) findings.push_back({object.node, finding});
+  }
   std::stable_partition(findings.begin(), findings.end(),
-                        [](const Finding& finding) { return finding.severity == Severity::Error; });
+                        [](const NodeFinding& f) { return f.finding.severity == Severity::Error; });
   return findings;
+}
+
+bool Studio::busy() const {
+  return std::any_of(live_.begin(), live_.end(), [](const auto& entry) { return entry.second->busy(); });
 }
 
 SketchToolOptions Studio::tool_options() const {
   SketchToolOptions options;
   options.operation = solid_operation_id;
-  options.version = registry_.find(solid_operation_id)->describe().version;
+  options.version = description(solid_operation_id)->version;
   return options;
 }
 
@@ -95,22 +135,41 @@ void Studio::start_with(Drawing drawing) {
 void Studio::start_empty() { load(Document()); }
 
 void Studio::load(Document document, bool modified) {
-  cancel();
-  result_.reset();
-  evaluated_ = Document();
+  live_.clear();
+  views_.clear();
+  active_ = 0;
   evaluator_.forget_last_good();
+  objects_.clear();
   emit loaded();
   session_.load(std::move(document), modified);
   emit result_changed();
+  emit busy_changed(busy());
+}
+
+NodeId Studio::add_mesh(const std::string& name, std::shared_ptr<const PolyMesh> mesh) {
+  const Document& before = session_.document();
+  const NodeId id = before.next_id();
+  Node node;
+  node.name = free_name(before, name);
+  node.source = std::move(mesh);
+  Document document = before.with(std::move(node));
+  // The first thing in a new document is where its history begins.
+  if (before.nodes().empty() && session_.undo_labels().empty() && !session_.modified()) {
+    load(std::move(document));
+  } else {
+    session_.edit("Open " + name, std::move(document));
+  }
+  session_.select({{id, ""}});
+  return id;
 }
 
 void Studio::set_parameter(NodeId id, const std::string& name, const ParameterValue& value, bool dragging) {
   const Node* node = session_.document().find(id);
-  const Operation* operation = node == nullptr ? nullptr : registry_.find(node->operation);
+  const OperationDescription* operation = node == nullptr ? nullptr : description(node->operation);
   if (operation == nullptr) return;
   Node edited = *node;
   edited.parameters[name] = value;
-  for (const ParameterDescription& parameter : operation->describe().parameters) {
+  for (const ParameterDescription& parameter : operation->parameters) {
     if (parameter.name == name && parameter.default_value == value) edited.parameters.erase(name);
   }
   Document document = session_.document().with(std::move(edited));
@@ -126,42 +185,108 @@ void Studio::set_parameter(NodeId id, const std::string& name, const ParameterVa
   if (!dragging) session_.end_drag();
 }
 
+void Studio::remove_object(NodeId id) {
+  const StudioObject* removed = object(id);
+  if (removed == nullptr) return;
+  Document document = session_.document();
+  const std::string name = removed->name;
+  std::vector<NodeId> doomed{removed->node};
+  while (!doomed.empty()) {
+    const Node* node = document.find(doomed.back());
+    doomed.pop_back();
+    if (node == nullptr) continue;
+    std::vector<NodeId> inputs;
+    for (const auto& [port, link] : node->inputs) inputs.push_back(link.node);
+    document = document.without(node->id);
+    for (const NodeId input : inputs) {
+      const bool used = std::any_of(document.nodes().begin(), document.nodes().end(), [&](const auto& other) {
+        return std::any_of(other->inputs.begin(), other->inputs.end(),
+                           [&](const auto& port) { return port.second.node == input; });
+      });
+      if (!used) doomed.push_back(input);
+    }
+  }
+  session_.edit("Delete " + name, std::move(document));
+}
+
+void Studio::rename_object(NodeId id, const std::string& name) {
+  const StudioObject* renamed = object(id);
+  if (renamed == nullptr || name.empty() || name == renamed->name) return;
+  Node node = *session_.document().find(renamed->cage != 0 ? renamed->cage : renamed->node);
+  node.name = free_name(session_.document(), name);
+  session_.edit("Rename " + renamed->name, session_.document().with(std::move(node)));
+}
+
+void Studio::show_object(NodeId id, bool visible) {
+  const StudioObject* shown = object(id);
+  if (shown == nullptr || shown->visible == visible) return;
+  Node node = *session_.document().find(shown->node);
+  node.visible = visible;
+  session_.edit((visible ? "Show " : "Hide ") + shown->name, session_.document().with(std::move(node)));
+}
+
 void Studio::cancel() {
-  waiting_ = false;
-  drafting_ = false;
-  live_->cancel();
+  for (const auto& [id, live] : live_) live->cancel();
+}
+
+bool Studio::wants_evaluation(const StudioObject& object) const {
+  if (object.is_source() || !object.visible) return false;
+  if (object.cage != 0) return object.view != SmoothView::Cage;
+  return object.node != solid_node() || !drawing().strokes.empty();
+}
+
+LiveNode& Studio::live_node(NodeId node) {
+  std::unique_ptr<LiveNode>& live = live_[node];
+  if (live) return *live;
+  LiveNode::Host host;
+  host.post = [this](std::function<void()> task) {
+    QMetaObject::invokeMethod(this, std::move(task), Qt::QueuedConnection);
+  };
+  host.changed = [this] { take_results(); };
+  host.progress = [this](double fraction, const std::string& step) {
+    emit progress_changed(fraction, QString::fromStdString(step));
+  };
+  host.busy_changed = [this] { emit busy_changed(busy()); };
+  live = std::make_unique<LiveNode>(evaluator_, node, std::move(host));
+  return *live;
+}
+
+void Studio::list_objects() {
+  const Document& document = session_.document();
+  objects_ = objects_of(document, registry_);
+  std::set<NodeId> wanted;
+  for (StudioObject& object : objects_) {
+    const auto view = views_.find(object.node);
+    if (view != views_.end()) object.view = view->second;
+    if (!wants_evaluation(object)) continue;
+    wanted.insert(object.node);
+    live_node(object.node).follow(document);
+  }
+  const std::set<NodeId> existing = nodes_of(document);
+  const bool lost = std::erase_if(live_, [&](auto& entry) {
+                      if (wanted.contains(entry.first)) return false;
+                      entry.second->cancel();
+                      // What is hidden comes back at once; what lost its drawing has nothing to come back to.
+                      return !existing.contains(entry.first) || entry.first == solid_node();
+                    }) > 0;
+  for (StudioObject& object : objects_) {
+    const auto live = live_.find(object.node);
+    if (live == live_.end() || !live->second->result()) continue;
+    object.result = live->second->result();
+    object.quality = live->second->quality();
+    object.mesh = mesh_of(*object.result, *registry_.find(session_.document().find(object.node)->operation));
+  }
+  if (lost) emit result_changed();
 }
 
 void Studio::follow_session() {
-  const Document& document = session_.document();
-  if (!same_nodes(document, evaluated_)) {
-    evaluated_ = document;
-    if (solid_node() == 0 || drawing().strokes.empty()) {
-      cancel();
-      result_.reset();
-      emit result_changed();
-    } else if (drafting_ && !since_request_.hasExpired(patience_ms)) {
-      // A hand moves faster than solids are made: the draft under way is shown before the next one begins.
-      waiting_ = true;
-    } else {
-      evaluate();
-    }
-  }
+  list_objects();
+  if (const StudioObject* chosen = active()) active_ = chosen->node;
   emit changed();
 }
 
-void Studio::evaluate() {
-  waiting_ = false;
-  drafting_ = true;
-  since_request_.start();
-  live_->request(session_.document(), solid_node());
-}
-
-void Studio::take_result(std::shared_ptr<const Evaluation> result, Quality quality) {
-  result_ = std::move(result);
-  quality_ = quality;
-  drafting_ = false;
-  if (waiting_) evaluate();
+void Studio::take_results() {
+  list_objects();
   emit result_changed();
 }
 

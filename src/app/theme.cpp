@@ -49,6 +49,13 @@ QStatusBar { background: #2b2d31; }
 QStatusBar::item { border: none; }
 QListWidget { border: none; }
 QListWidget::item { padding: 4px 6px; }
+QTreeWidget { border: none; }
+QTreeWidget::item { padding: 2px 0; }
+QTreeWidget#objects::indicator { width: 18px; height: 18px; }
+QTreeWidget#objects::indicator:checked { image: url(:/icons/eye.svg); }
+QTreeWidget#objects::indicator:unchecked { image: url(:/icons/eye_off.svg); }
+QTableWidget { border: none; }
+QHeaderView::section { background: #383a3f; border: none; padding: 2px 3px; }
 QMenu::item:disabled { color: #7a7e85; }
 )";
 

@@ -13,6 +13,9 @@ inline const QColor paper(250, 249, 246);
 inline const QColor ink(38, 40, 46);
 inline const QColor accent(242, 140, 40);  ///< selection and whatever the pen is about to do
 inline const QColor hover(96, 156, 230);
+inline const QColor cage(52, 74, 110);
+inline const QColor vertex(62, 50, 110);
+inline const QColor infinite_edge(186, 18, 140);  ///< as render::sharpness_color has it
 inline const QColor guide(150, 158, 170);
 inline const QColor error(214, 60, 52);
 inline const QColor warning(222, 164, 30);

@@ -2,6 +2,7 @@
 #include "app/view_pane.h"
 
 #include <algorithm>
+#include <array>
 
 namespace croquis::app {
 namespace {
@@ -9,7 +10,26 @@ namespace {
 constexpr double radians_per_pixel = 0.008;
 constexpr double first_height = 640;  // sketch units
 constexpr double margin = 0.1;
-constexpr double least_share = 0.5;  // of the view: a scene that fills less is framed anew
+constexpr double least_share = 0.5;              // of the view: a scene that fills less is framed anew
+constexpr std::size_t points_at_most = 200'000;  // of more, the box alone is framed: nobody waits for a view
+
+std::vector<glm::dvec3> framing_points(const render::Scene& scene) {
+  std::size_t count = 0;
+  for (const auto& mesh : scene.meshes) count += mesh.item ? mesh.item->vertices.size() : 0;
+  if (count <= points_at_most) return render::points_of(scene);
+  const render::Bounds bounds = render::bounds_of(scene);
+  if (bounds.empty()) return {};
+  const auto corners = bounds.corners();
+  return {corners.begin(), corners.end()};
+}
+
+Eigen::Matrix4d eigen_matrix(const glm::dmat4& matrix) {
+  Eigen::Matrix4d result;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) result(row, column) = matrix[column][row];
+  }
+  return result;
+}
 
 }  // namespace
 
@@ -19,6 +39,13 @@ SketchFrame ViewPane::sketch_frame() const {
   return {Vec2(camera.target.x, camera.target.y) - half, units};
 }
 
+ViewFrame ViewPane::view_frame(const render::Bounds& bounds) const {
+  const render::DepthRange range = render::depth_range(camera, bounds);
+  const double aspect = visible() ? rect.width() / rect.height() : 1;
+  const glm::dmat4 to_clip = render::projection_matrix(camera, aspect, range) * render::view_matrix(camera);
+  return ViewFrame::of(eigen_matrix(to_clip), Vec2(std::max(rect.width(), 1.0), std::max(rect.height(), 1.0)));
+}
+
 void ViewPane::move(const CameraMotion& motion) {
   if (!visible()) return;
   const glm::dvec2 pixels(motion.delta.x(), motion.delta.y());
@@ -26,8 +53,9 @@ void ViewPane::move(const CameraMotion& motion) {
     case CameraMotion::Kind::Tumble: camera = render::tumble(camera, camera.target, pixels * radians_per_pixel); break;
     case CameraMotion::Kind::Track: camera = render::track(camera, pixels, rect.height()); break;
     case CameraMotion::Kind::Dolly:
-      camera = flat ? render::dolly_about(camera, motion.factor, glm::dvec2(motion.about.x(), motion.about.y()), size())
-                    : render::dolly(camera, motion.factor);
+      camera = flat()
+                   ? render::dolly_about(camera, motion.factor, glm::dvec2(motion.about.x(), motion.about.y()), size())
+                   : render::dolly(camera, motion.factor);
       break;
   }
 }
@@ -35,13 +63,13 @@ void ViewPane::move(const CameraMotion& motion) {
 void ViewPane::frame(const render::Bounds& bounds) {
   if (!visible() || bounds.empty()) return;
   const render::ViewDirection direction =
-      flat ? render::view_direction(render::NamedView::Front)
-           : render::ViewDirection{camera.target - camera.eye, camera.up, camera.projection};
+      flat() ? render::view_direction(kind)
+             : render::ViewDirection{camera.target - camera.eye, camera.up, camera.projection};
   camera = render::frame(bounds, direction, rect.width() / rect.height(), margin);
 }
 
 void ViewPane::frame(const render::Scene& scene) {
-  const std::vector<glm::dvec3> points = render::points_of(scene);
+  const std::vector<glm::dvec3> points = framing_points(scene);
   if (!visible() || points.empty()) return;
   const render::ViewDirection direction{camera.target - camera.eye, camera.up, camera.projection};
   camera = render::frame(points, direction, rect.width() / rect.height(), margin);
@@ -50,7 +78,7 @@ void ViewPane::frame(const render::Scene& scene) {
 bool ViewPane::fits(const render::Scene& scene) const {
   if (!visible()) return true;
   QRectF seen;
-  for (const glm::dvec3& point : render::points_of(scene)) {
+  for (const glm::dvec3& point : framing_points(scene)) {
     const auto pixel = render::project(camera, point, size());
     if (!pixel) return false;
     const QRectF place(pixel->x - 0.5, pixel->y - 0.5, 1, 1);
@@ -61,18 +89,13 @@ bool ViewPane::fits(const render::Scene& scene) const {
   return inside.contains(seen) && large;
 }
 
-ViewPane sketch_pane() {
+ViewPane first_pane(render::NamedView kind) {
   ViewPane pane;
-  pane.flat = true;
-  pane.camera.eye = {0, 0, first_height};
-  pane.camera.height = first_height;
-  return pane;
-}
-
-ViewPane perspective_pane() {
-  ViewPane pane;
+  pane.kind = kind;
   const render::Bounds about{{-200, -200, -200}, {200, 200, 200}};
-  pane.camera = render::frame(about, render::view_direction(render::NamedView::Perspective), 1);
+  pane.camera = render::frame(about, render::view_direction(kind), 1);
+  if (kind == render::NamedView::Front) pane.camera.eye = {0, 0, first_height};
+  if (pane.flat()) pane.camera.height = first_height;
   return pane;
 }
 

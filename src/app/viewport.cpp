@@ -1,36 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/viewport.h"
 
-#include <QCursor>
-#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "app/offscreen_pictures.h"
-#include "app/pointer_events.h"
 #include "croquis/base/error.h"
 
 namespace croquis::app {
 namespace {
 
-constexpr double gap = 2;  // logical pixels between the views
 constexpr int settle_ms = 180;
 constexpr int patience_ms = 700;
-constexpr double affordable_ms = 90;  // a frame that takes longer would be felt
+constexpr int long_press_ms = 400;
+constexpr double affordable_ms = 90;               // a frame that takes longer would be felt
+constexpr std::size_t upload_budget = 24'000'000;  // bytes a frame: more would be felt
 constexpr int picture_height = 1600;
-constexpr int joint_size = 18;
-constexpr const char* joint_style =
-    "QToolButton { background: white; color: #3c4654; border: 1px solid #7a8698; border-radius: 9px; padding: 0;"
-    " font-size: 13px }"
-    "QToolButton:hover { background: #ffe2c2 }"
-    "QToolButton:checked { background: #f28c28; color: #1c1c1e; border: 1px solid #a85a10 }";
 
-std::string attach_text(const Studio& studio) {
-  const Node* operation = studio.solid_operation();
-  if (operation == nullptr) return {};
-  const auto attach = operation->parameters.find("attach");
-  return attach == operation->parameters.end() ? "" : std::get<std::string>(attach->second);
+bool has_editable_mesh(const Studio& studio) {
+  return std::any_of(studio.objects().begin(), studio.objects().end(),
+                     [](const StudioObject& object) { return object.cage != 0; });
 }
 
 }  // namespace
@@ -38,46 +30,29 @@ std::string attach_text(const Studio& studio) {
 Viewport::Viewport(Studio& studio, QWidget* parent)
     : QOpenGLWidget(parent),
       studio_(studio),
-      tool_(studio.session(), studio.tool_options()),
-      panes_{sketch_pane(), perspective_pane()},
-      hint_(new QLabel(tr("Trace me: one closed line becomes a solid"), this)) {
+      objects_(studio, nullptr),
+      sketch_(studio, layout_.pane(SketchView), nullptr),
+      mesh_(studio, objects_, layout_, nullptr),
+      comparison_(studio, objects_.threads(), nullptr),
+      chips_(studio, this),
+      marking_menu_(this) {
   setObjectName("viewport");
-  setAccessibleName(tr("Sketch and solid"));
+  setAccessibleName(tr("Views"));
   setMouseTracking(true);
   setTabletTracking(true);
   setAttribute(Qt::WA_AcceptTouchEvents);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(320, 240);
-  navigation_.set_flat(SketchView, true);
+  for (const int view : {SketchView, TopView, SideView}) navigation_.set_flat(view, true);
   clock_.start();
-  settle_.setSingleShot(true);
-  connect(&settle_, &QTimer::timeout, this, [this] { settle_now(); });
-  connect(&pen_watch_, &QTimer::timeout, this, &Viewport::watch_pen);
-  hint_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  hint_->setStyleSheet("color: #8a93a0; background: transparent; font-size: 15px");
-  for (QLabel*& chip : finding_chips_) {
-    chip = new QLabel(this);
-    chip->setAttribute(Qt::WA_TransparentForMouseEvents);
-    chip->setWordWrap(true);
-    chip->setStyleSheet("background: #b3362f; color: white; border-radius: 6px; padding: 5px 8px");
-    chip->hide();
-  }
   // What isn't drawn anew stays as it was.
   setUpdateBehavior(QOpenGLWidget::PartialUpdate);
+  settle_.setSingleShot(true);
   patience_.setSingleShot(true);
-  connect(&patience_, &QTimer::timeout, this, [this] {
-    stale_ = true;
-    redraw(PerspectiveView);
-  });
-  connect(&studio_, &Studio::busy_changed, this, &Viewport::note_busy);
-  connect(&studio_, &Studio::loaded, this, [this] {
-    panes_[PerspectiveView].camera = perspective_pane().camera;
-    turned_ = false;
-  });
-  connect(&studio_, &Studio::changed, this, &Viewport::follow_document);
-  connect(&studio_, &Studio::result_changed, this, &Viewport::follow_result);
-  scenes_.show_drawing(studio_, tool_);
-  set_mode(SketchMode::Draw);
+  long_press_.setSingleShot(true);
+  long_press_.setInterval(long_press_ms);
+  connect_parts();
+  set_tool(ToolKind::Draw);
 }
 
 Viewport::~Viewport() {
@@ -86,11 +61,57 @@ Viewport::~Viewport() {
   doneCurrent();
 }
 
-void Viewport::set_mode(SketchMode mode) {
-  tool_.set_mode(mode);
-  setCursor(mode == SketchMode::Select ? Qt::ArrowCursor : Qt::CrossCursor);
-  scenes_.show_hovered(std::nullopt, studio_.drawing());
-  scenes_.show_drawing(studio_, tool_);
+void Viewport::connect_parts() {
+  connect(&settle_, &QTimer::timeout, this, [this] { settle_now(); });
+  connect(&patience_, &QTimer::timeout, this, [this] {
+    stale_ = true;
+    redraw_all();
+  });
+  connect(&long_press_, &QTimer::timeout, this, [this] {
+    if (abandon()) marking_menu_.open(pressed_at_);
+  });
+  connect(&studio_, &Studio::busy_changed, this, &Viewport::note_busy);
+  connect(&studio_, &Studio::loaded, this, &Viewport::follow_load);
+  connect(&studio_, &Studio::changed, this, &Viewport::follow_document);
+  connect(&studio_, &Studio::result_changed, this, &Viewport::follow_result);
+  connect(&sketch_, &SketchInteraction::changed, this, [this] { redraw(SketchView); });
+  connect(&sketch_, &SketchInteraction::committed, this, &Viewport::committed);
+  connect(&mesh_, &MeshInteraction::changed, this, &Viewport::redraw_all);
+  connect(&mesh_, &MeshInteraction::committed, this, &Viewport::committed);
+  connect(&mesh_, &MeshInteraction::mode_changed, this, &Viewport::help_changed);
+  connect(&objects_, &ObjectScenes::changed, this, [this] {
+    mesh_.follow();
+    keep_in_view();
+    redraw_all();
+  });
+  connect(&comparison_, &Comparison::changed, this, [this] { redraw(ComparisonView); });
+}
+
+bool Viewport::edits_meshes() const {
+  return kind_ != ToolKind::Draw && kind_ != ToolKind::Erase && has_editable_mesh(studio_);
+}
+
+bool Viewport::sketches_in(int view) const {
+  if (view != SketchView) return false;
+  if (kind_ == ToolKind::Draw || kind_ == ToolKind::Erase) return true;
+  return kind_ == ToolKind::Select && (sketch_.scene().has_strokes() || !has_editable_mesh(studio_));
+}
+
+void Viewport::set_tool(ToolKind tool) {
+  kind_ = tool;
+  sketch_.set_mode(tool == ToolKind::Draw    ? SketchMode::Draw
+                   : tool == ToolKind::Erase ? SketchMode::Erase
+                                             : SketchMode::Select);
+  switch (tool) {
+    case ToolKind::Move: mesh_.set_handles(MeshHandles::Move); break;
+    case ToolKind::Rotate: mesh_.set_handles(MeshHandles::Rotate); break;
+    case ToolKind::Scale: mesh_.set_handles(MeshHandles::Scale); break;
+    case ToolKind::Sharpen: mesh_.set_handles(MeshHandles::Sharpen); break;
+    default: mesh_.set_handles(MeshHandles::Select);
+  }
+  const bool draws = tool == ToolKind::Draw || tool == ToolKind::Erase;
+  if (draws && !layout_.pane(SketchView).visible()) arrange(Arrangement::SketchAndSolid);
+  show_cursor(under_pointer_);
   redraw_all();
   emit help_changed();
 }
@@ -100,163 +121,150 @@ void Viewport::set_look(MeshLook look) {
   redraw_all();
 }
 
+void Viewport::set_flat(bool flat) { objects_.set_flat(flat); }
+
 void Viewport::frame_all() {
-  lay_out();
-  if (scenes_.has_strokes())
-    panes_[SketchView].frame(scenes_.sketch_bounds(false));
-  else
-    panes_[SketchView].camera = sketch_pane().camera;
-  panes_[PerspectiveView].frame(scenes_.solid_scene(false));
+  after_layout();
+  for (const int view : layout_.shown()) {
+    if (view == SketchView && sketch_.scene().has_strokes()) {
+      layout_.pane(view).frame(sketch_.scene().bounds(false));
+    } else if (view == SketchView && objects_.surfaces().empty()) {
+      layout_.pane(view).camera = first_pane(render::NamedView::Front).camera;
+    } else {
+      layout_.pane(view).frame(objects_.scene({}));
+    }
+  }
   turned_ = false;
   redraw_all();
 }
 
 void Viewport::frame_selection() {
-  if (under_pointer_ == PerspectiveView) {
-    panes_[PerspectiveView].frame(scenes_.solid_scene(false));
+  ViewPane& pane = layout_.pane(under_pointer_);
+  if (sketches_in(under_pointer_)) {
+    pane.frame(sketch_.scene().bounds(true));
+  } else if (!mesh_.overlay().selection_bounds().empty() && edits_meshes()) {
+    pane.frame(mesh_.overlay().selection_bounds());
+  } else if (const StudioObject* active = studio_.active();
+             active != nullptr && !studio_.session().selection().empty() && active->cage != 0) {
+    render::Bounds bounds;
+    for (const Vec3& place : active->shown() ? active->shown()->positions : std::vector<Vec3>()) {
+      bounds.add({place.x(), place.y(), place.z()});
+    }
+    pane.frame(bounds);
   } else {
-    panes_[SketchView].frame(scenes_.sketch_bounds(true));
+    pane.frame(objects_.scene({}));
   }
   redraw_all();
+}
+
+void Viewport::after_layout() {
+  layout_.resize(QSizeF(width(), height()));
+  clear_ = true;
+  frame_new_views();
+  redraw_all();
+}
+
+void Viewport::frame_new_views() {
+  if (objects_.surfaces().empty()) return;
+  for (const int view : layout_.shown()) {
+    bool& framed = framed_[static_cast<std::size_t>(view)];
+    if (framed || !layout_.pane(view).flat() || (view == SketchView && sketch_.scene().has_strokes())) continue;
+    layout_.pane(view).frame(objects_.scene({}));
+    framed = layout_.pane(view).visible();
+  }
 }
 
 void Viewport::toggle_layout() {
-  alone_ = alone_ < 0 ? under_pointer_ : -1;
-  lay_out();
-  redraw_all();
+  layout_.show_alone(layout_.alone() < 0 ? under_pointer_ : -1);
+  after_layout();
 }
 
-void Viewport::delete_selection() { tool_.delete_selected(); }
-
-bool Viewport::abandon() {
-  if (!pen_.down()) return false;
-  take_pen(pen_.cancel());
-  return true;
+void Viewport::arrange(Arrangement arrangement) {
+  layout_.arrange(arrangement);
+  after_layout();
 }
 
-QString Viewport::help() const {
-  const Findings findings = studio_.findings();
-  if (!findings.empty() && findings.front().severity == Severity::Error) {
-    return QString::fromStdString(findings.front().message);
-  }
-  if (navigation_.alt_swallowed()) {
-    return tr("Alt belongs to your desktop: hold Super, or the key left of 1, and drag to turn, shift and come nearer");
-  }
-  switch (tool_.mode()) {
-    case SketchMode::Select:
-      return tr("Drag a square to bend the line, drag a line to move it, Shift adds · Delete removes · D draws");
-    case SketchMode::Erase: return tr("Drag over lines to erase them · D draws");
-    case SketchMode::Draw: break;
-  }
-  if (!scenes_.has_strokes()) return tr("Draw a closed outline with the pen or the mouse");
-  return tr("Draw: a line stops where it passes behind another · Q selects · Alt+drag turns the solid · Ctrl+Z undoes");
+void Viewport::show_alone(int view) {
+  layout_.show_alone(view);
+  after_layout();
 }
+
+void Viewport::compare(bool shown) {
+  comparison_.show(shown);
+  arrange(shown                           ? Arrangement::Compare
+          : sketch_.scene().has_strokes() ? Arrangement::SketchAndSolid
+                                          : Arrangement::Four);
+  if (!shown && !sketch_.scene().has_strokes()) show_alone(PerspectiveView);
+}
+
+void Viewport::delete_selection() {
+  if (sketch_.tool().delete_selected() == Verdict::Commit) return;
+  const Selection selection = studio_.session().selection();
+  for (const SelectedItem& item : selection) {
+    if (item.part.empty()) studio_.remove_object(item.node);
+  }
+}
+
+bool Viewport::abandon() { return sketch_.abandon() || mesh_.abandon(); }
 
 void Viewport::export_picture(OffscreenPictures& pictures, const QString& path) const {
-  const render::Scene scene = scenes_.solid_scene(false);
-  std::vector<render::MeshItemPtr> items;
-  for (const auto& shown : scene.meshes) items.push_back(shown.item);
-  const ViewPane& pane = panes_[PerspectiveView];
+  const ViewPane& pane = layout_.pane(PerspectiveView);
   const double aspect = pane.visible() ? pane.rect.width() / pane.rect.height() : 1;
   const QSize size(static_cast<int>(picture_height * aspect), picture_height);
-  if (!pictures.draw(items, pane.camera, render::RenderOptions{}, size).save(path, "PNG")) {
+  if (!pictures.draw(objects_.surfaces(), pane.camera, render::RenderOptions{}, size).save(path, "PNG")) {
     throw Error(make_error(Category::Io, "E_WRITE", "\"" + path.toStdString() + "\" can't be written"));
   }
 }
 
 QPointF Viewport::sketch_to_widget(const Vec2& place) const {
-  const ViewPane& pane = panes_[SketchView];
+  const ViewPane& pane = layout_.pane(SketchView);
   const Vec2 pixel = pane.sketch_frame().to_pixel(place);
   return pane.rect.topLeft() + QPointF(pixel.x(), pixel.y());
 }
 
-void Viewport::settle_now() {
-  settle_.stop();
-  settled_ = true;
-  solid_drawn_ = false;
-  update();
+QPointF Viewport::model_to_widget(const Vec3& place, int view) const {
+  const auto seen = mesh_.frame_of(view).project(place);
+  const Vec2 pixel = seen ? seen->pixel : Vec2(0, 0);
+  return layout_.pane(view).rect.topLeft() + QPointF(pixel.x(), pixel.y());
 }
 
-void Viewport::initializeGL() {
-  try {
-    renderer_ = std::make_unique<render::Renderer>();
-  } catch (const Error& error) {
-    hint_->setText(QString::fromStdString(error.what()) + tr(". Try croquis --software-gl"));
-    hint_->adjustSize();
-    hint_->show();
+void Viewport::follow_load() {
+  for (int view = 0; view < view_count; ++view) {
+    ViewPane& pane = layout_.pane(view);
+    if (view != SketchView) pane.camera = first_pane(pane.kind).camera;
   }
+  framed_ = {};
+  turned_ = false;
+  had_meshes_ = false;
 }
 
-void Viewport::resizeGL(int, int) {
-  lay_out();
+void Viewport::follow_document() {
+  objects_.follow();
+  sketch_.follow_document();
+  comparison_.follow();
+  mesh_.follow();
+  const bool has_meshes = has_editable_mesh(studio_);
+  if (has_meshes && !had_meshes_ && studio_.drawing_node() == 0) {
+    // A document of meshes begins with the perspective view; Space shows the others.
+    layout_.arrange(Arrangement::Four);
+    show_alone(PerspectiveView);
+    set_tool(ToolKind::Select);
+  }
+  if (!has_meshes && layout_.alone() == PerspectiveView && studio_.objects().empty()) {
+    arrange(Arrangement::SketchAndSolid);
+  }
+  had_meshes_ = has_meshes;
+  emit help_changed();
+}
+
+void Viewport::follow_result() {
+  objects_.follow();
+  sketch_.follow_result();
+  mesh_.follow();
+  chips_.show_joints();
+  keep_in_view();
   redraw_all();
-}
-
-void Viewport::lay_out() {
-  const double w = width();
-  const double h = height();
-  if (alone_ >= 0) {
-    panes_[static_cast<std::size_t>(alone_)].rect = QRectF(0, 0, w, h);
-    panes_[static_cast<std::size_t>(1 - alone_)].rect = QRectF();
-    return;
-  }
-  const double left = std::round(w * divider_ - gap / 2);
-  panes_[SketchView].rect = QRectF(0, 0, left, h);
-  panes_[PerspectiveView].rect = QRectF(left + gap, 0, w - left - gap, h);
-}
-
-void Viewport::paintGL() {
-  if (!renderer_) return;
-  QElapsedTimer watch;
-  watch.start();
-  const bool was_drawn = solid_drawn_;
-  auto sketch_look = render::RenderOptions::paper();
-  sketch_look.pixel_ratio = devicePixelRatioF();
-  draw_pane(panes_[SketchView], scenes_.sketch_scene(), sketch_look);
-  if (!solid_drawn_) draw_pane(panes_[PerspectiveView], scenes_.solid_scene(stale_), solid_options());
-  solid_drawn_ = true;
-  if (settled_ && !was_drawn) affordable_ = static_cast<double>(watch.elapsed()) < affordable_ms;
-  place_labels();
-  ++frames_;
-  if (input_time_ms_ >= 0) {
-    latency_ms_ = static_cast<double>(clock_.nsecsElapsed()) * 1e-6 - input_time_ms_;
-    input_time_ms_ = -1;
-  }
-}
-
-render::RenderOptions Viewport::solid_options() const {
-  auto options = settled_ ? render::RenderOptions{} : render::RenderOptions::interactive();
-  options.supersampling = std::min(options.supersampling, 2);
-  options.pixel_ratio = devicePixelRatioF();
-  options.axis_cross.shown = true;
-  options.wire = look_ != MeshLook::Shaded;
-  if (look_ == MeshLook::Wire) options.shading = render::Shading::Flat;
-  return options;
-}
-
-void Viewport::draw_pane(const ViewPane& pane, const render::Scene& scene, const render::RenderOptions& options) {
-  if (!pane.visible()) return;
-  const double ratio = devicePixelRatioF();
-  const auto pixels = [ratio](double length) { return static_cast<int>(std::lround(length * ratio)); };
-  render::Viewport target;
-  target.x = pixels(pane.rect.left());
-  target.y = pixels(height() - pane.rect.bottom());
-  target.width = pixels(pane.rect.width());
-  target.height = pixels(pane.rect.height());
-  renderer_->draw(scene, pane.camera, options, target);
-}
-
-void Viewport::redraw(View view) {
-  update();
-  if (view == SketchView) return;
-  solid_drawn_ = false;
-  settled_ = false;
-  if (affordable_) settle_.start(settle_ms);
-}
-
-void Viewport::redraw_all() {
-  redraw(SketchView);
-  redraw(PerspectiveView);
+  emit help_changed();
 }
 
 void Viewport::note_busy(bool busy) {
@@ -265,110 +273,148 @@ void Viewport::note_busy(bool busy) {
     return;
   }
   patience_.stop();
-  const bool stale = studio_.result() && studio_.result()->stale;
-  if (stale_ != stale) redraw(PerspectiveView);
+  const bool stale = std::any_of(studio_.objects().begin(), studio_.objects().end(),
+                                 [](const StudioObject& object) { return object.result && object.result->stale; });
+  if (stale_ != stale) redraw_all();
   stale_ = stale;
 }
 
-void Viewport::follow_document() {
-  const std::size_t meshes = scenes_.solid_scene(false).meshes.size();
-  scenes_.show_drawing(studio_, tool_);
-  scenes_.show_preview(tool_.preview(), studio_.drawing());
-  if (scenes_.solid_scene(false).meshes.size() != meshes) redraw(PerspectiveView);
-  redraw(SketchView);
-  emit help_changed();
-}
-
-void Viewport::follow_result() {
-  scenes_.show_result(studio_);
-  show_joints();
-  keep_solid_in_view();
-  redraw_all();
-  emit help_changed();
-}
-
-void Viewport::keep_solid_in_view() {
+void Viewport::keep_in_view() {
+  const render::Scene scene = objects_.scene({});
   // Without a solid there is nothing that anybody looks at: the next one is shown as if it were the first.
-  if (!studio_.solid()) turned_ = false;
-  if (!studio_.solid() || turned_) return;
-  lay_out();
-  ViewPane& pane = panes_[PerspectiveView];
-  const render::Scene scene = scenes_.solid_scene(false);
+  if (objects_.surfaces().empty()) turned_ = false;
+  if (objects_.surfaces().empty() || turned_ || mesh_.down()) return;
+  layout_.resize(QSizeF(width(), height()));
+  ViewPane& pane = layout_.pane(PerspectiveView);
   if (!pane.fits(scene)) pane.frame(scene);
 }
 
-void Viewport::place_labels() {
-  const QRectF sketch = panes_[SketchView].rect;
-  hint_->setVisible(!renderer_ || (scenes_.invites() && panes_[SketchView].visible() && !pen_.down()));
-  hint_->adjustSize();
-  hint_->move(static_cast<int>(sketch.center().x() - hint_->width() / 2.0), static_cast<int>(sketch.bottom() - 60));
-  place_finding_chips();
-  place_joint_chips();
-}
+// ---- Drawing
 
-void Viewport::place_finding_chips() {
-  const QRectF sketch = panes_[SketchView].rect;
-  std::size_t used = 0;
-  for (const FindingMark& finding : scenes_.finding_marks()) {
-    if (used == finding_chips_.size() || !panes_[SketchView].visible() || pen_.down()) break;
-    if (!finding.error) continue;  // its mark is enough: the pen on it shows the sentence
-    QLabel* chip = finding_chips_[used++];
-    chip->setText(QString::fromStdString(finding.sentence));
-    chip->setFixedWidth(std::min(300, static_cast<int>(sketch.width()) - 16));
-    chip->setFixedHeight(chip->heightForWidth(chip->width()));
-    const QPointF at = sketch_to_widget(finding.at) + QPointF(14, 10);
-    chip->move(static_cast<int>(std::clamp(at.x(), sketch.left() + 4, sketch.right() - chip->width() - 4)),
-               static_cast<int>(std::clamp(at.y(), sketch.top() + 4, sketch.bottom() - chip->height() - 4)));
-    chip->show();
-  }
-  for (; used < finding_chips_.size(); ++used) finding_chips_[used]->hide();
-}
-
-void Viewport::show_joints() {
-  joints_.clear();
-  if (studio_.result()) joints_ = suggested_joints(*studio_.result(), attach_text(studio_));
-  while (joint_chips_.size() < joints_.size()) {
-    auto* chip = new QToolButton(this);
-    const std::size_t place = joint_chips_.size();
-    chip->setObjectName("joint-" + QString::number(place));
-    chip->setCheckable(true);
-    chip->setFixedSize(joint_size, joint_size);
-    chip->setFocusPolicy(Qt::NoFocus);
-    chip->setStyleSheet(joint_style);
-    connect(chip, &QToolButton::clicked, this, [this, place] {
-      const std::string text = toggled_joint(attach_text(studio_), joints_.at(place));
-      studio_.set_parameter(studio_.solid_node(), "attach", text, false);
-    });
-    joint_chips_.push_back(chip);
-  }
-  for (std::size_t i = 0; i < joints_.size(); ++i) {
-    const Joint& joint = joints_[i];
-    const QString names = QString::fromStdString(joint.a) + " – " + QString::fromStdString(joint.b);
-    joint_chips_[i]->setChecked(joint.attached);
-    joint_chips_[i]->setText(joint.attached ? QStringLiteral("✓") : QStringLiteral("+"));
-    joint_chips_[i]->setToolTip(joint.attached ? tr("%1 are one body: click to part them").arg(names)
-                                               : tr("%1: click to make them one body").arg(names));
-    joint_chips_[i]->setAccessibleName(joint_chips_[i]->toolTip());
+void Viewport::initializeGL() {
+  try {
+    renderer_ = std::make_unique<render::Renderer>();
+  } catch (const Error& error) {
+    chips_.say(QString::fromStdString(error.what()) + tr(". Try croquis --software-gl"));
   }
 }
 
-void Viewport::join_all() {
-  std::string text = attach_text(studio_);
-  for (const Joint& joint : joints_) {
-    if (!joint.attached) text = toggled_joint(text, joint);
+void Viewport::resizeGL(int, int) { after_layout(); }
+
+void Viewport::settle_now() {
+  settle_.stop();
+  for (PaneState& state : states_) {
+    if (!state.fine) state.drawn = false;
+    state.fine = true;
   }
-  if (!joints_.empty()) studio_.set_parameter(studio_.solid_node(), "attach", text, false);
+  update();
 }
 
-void Viewport::place_joint_chips() {
-  const QRectF sketch = panes_[SketchView].rect;
-  for (std::size_t i = 0; i < joint_chips_.size(); ++i) {
-    QToolButton* chip = joint_chips_[i];
-    const bool shown = i < joints_.size() && panes_[SketchView].visible() && !pen_.down();
-    const QPointF at = shown ? sketch_to_widget(joints_[i].at) : QPointF();
-    chip->setVisible(shown && sketch.contains(at));
-    chip->move((at - QPointF(chip->width(), chip->height()) / 2).toPoint());
+void Viewport::redraw(int view) {
+  PaneState& state = states_[static_cast<std::size_t>(view)];
+  state.drawn = false;
+  update();
+  if (view == SketchView && !has_editable_mesh(studio_)) return;  // paper is always fine
+  state.fine = false;
+  if (affordable_) settle_.start(settle_ms);
+}
+
+void Viewport::redraw_all() {
+  for (int view = 0; view < view_count; ++view) redraw(view);
+}
+
+void Viewport::paintGL() {
+  if (!renderer_) return;
+  QElapsedTimer watch;
+  watch.start();
+  if (std::exchange(clear_, false)) {
+    QOpenGLFunctions* gl = QOpenGLContext::currentContext()->functions();
+    gl->glClearColor(0.22F, 0.23F, 0.25F, 1);
+    gl->glClear(GL_COLOR_BUFFER_BIT);
   }
+  layout_.pane(ComparisonView).camera = layout_.pane(PerspectiveView).camera;
+  bool fine = false;
+  uploading_ = false;
+  for (const int view : layout_.shown()) {
+    PaneState& state = states_[static_cast<std::size_t>(view)];
+    if (state.drawn) continue;
+    draw_view(view);
+    state.drawn = !renderer_->pending();
+    uploading_ = uploading_ || renderer_->pending();
+    fine = fine || state.fine;
+  }
+  if (uploading_) update();
+  if (fine) affordable_ = static_cast<double>(watch.elapsed()) < affordable_ms;
+  place_chips();
+  ++frames_;
+  if (input_time_ms_ >= 0) {
+    latency_ms_ = static_cast<double>(clock_.nsecsElapsed()) * 1e-6 - input_time_ms_;
+    input_time_ms_ = -1;
+  }
+}
+
+render::Scene Viewport::scene_of(int view) {
+  ObjectScenes::Wanted wanted;
+  wanted.look = look_;
+  wanted.stale = stale_;
+  wanted.only_with_cage = view == SketchView;
+  const bool elements = edits_meshes() && mesh_.tool().mode() != MeshMode::Object;
+  if (elements) wanted.edited = mesh_.tool().node();
+  if (view == ComparisonView) {
+    wanted.replaced = comparison_.object();
+    wanted.by = comparison_.item();
+  }
+  render::Scene scene = objects_.scene(wanted);
+  mesh_.overlay().add_to(scene);
+  if (edits_meshes()) mesh_.add_handles_to(scene, view);
+  if (view == SketchView) {
+    const render::Scene sketch = sketch_.scene().scene();
+    scene.lines.insert(scene.lines.end(), sketch.lines.begin(), sketch.lines.end());
+    scene.marks.insert(scene.marks.end(), sketch.marks.begin(), sketch.marks.end());
+  }
+  return scene;
+}
+
+render::RenderOptions Viewport::options_of(int view) const {
+  const bool paper = view == SketchView && (sketch_.scene().has_strokes() || !has_editable_mesh(studio_));
+  const bool fine = states_[static_cast<std::size_t>(view)].fine;
+  auto options = paper  ? render::RenderOptions::paper()
+                 : fine ? render::RenderOptions{}
+                        : render::RenderOptions::interactive();
+  if (!paper) {
+    options.supersampling = std::min(options.supersampling, 2);
+    options.axis_cross.shown = true;
+    if (layout_.pane(view).flat()) options.grid.kind = render::GridKind::Lines;
+  }
+  options.pixel_ratio = devicePixelRatioF();
+  options.upload_budget = upload_budget;
+  return options;
+}
+
+void Viewport::draw_view(int view) {
+  const ViewPane& pane = layout_.pane(view);
+  if (!pane.visible()) return;
+  const double ratio = devicePixelRatioF();
+  const auto pixels = [ratio](double length) { return static_cast<int>(std::lround(length * ratio)); };
+  render::Viewport target;
+  target.x = pixels(pane.rect.left());
+  target.y = pixels(height() - pane.rect.bottom());
+  target.width = pixels(pane.rect.width());
+  target.height = pixels(pane.rect.height());
+  renderer_->draw(scene_of(view), pane.camera, options_of(view), target);
+}
+
+void Viewport::place_chips() {
+  ViewChips::Wanted wanted;
+  wanted.sketch = &sketch_.scene();
+  wanted.drawing = sketch_.down();
+  wanted.legend = mesh_.overlay().shows_tags();
+  wanted.comparison = comparison_.title();
+  if (const auto& value = mesh_.hovered_value(); value && !mesh_.down()) {
+    const QPointF in_view(value->pixel.x(), value->pixel.y());
+    wanted.value = ViewChips::Wanted::Value{layout_.pane(value->view).rect.topLeft() + in_view, value->text};
+  }
+  chips_.place(layout_, wanted);
 }
 
 }  // namespace croquis::app

@@ -2,55 +2,75 @@
 #pragma once
 
 #include <QElapsedTimer>
-#include <QLabel>
 #include <QOpenGLWidget>
 #include <QTimer>
-#include <QToolButton>
 #include <array>
 #include <memory>
 #include <optional>
 
-#include "app/joints.h"
-#include "app/scenes.h"
+#include "app/comparison.h"
+#include "app/marking_menu.h"
+#include "app/mesh_interaction.h"
+#include "app/object_scenes.h"
+#include "app/pane_layout.h"
+#include "app/sketch_interaction.h"
 #include "app/studio.h"
-#include "app/view_pane.h"
+#include "app/view_chips.h"
 #include "croquis/render/renderer.h"
 #include "croquis/tools/navigation.h"
-#include "croquis/tools/pen.h"
-#include "croquis/tools/sketch_tool.h"
 
 namespace croquis::app {
 
 class OffscreenPictures;
 
-enum class MeshLook { Wire, Shaded, ShadedWire };
+/// What the hand does: draw and erase on the sketch, select strokes and meshes, move, turn and scale parts of meshes,
+/// change the sharpness of edges.
+enum class ToolKind { Draw, Erase, Select, Move, Rotate, Scale, Sharpen };
 
-/// The sketch view and the perspective view beside it, in one widget with one OpenGL context. Takes pen, mouse and
-/// wheel, feeds the tools, and draws.
+/// All views in one widget with one OpenGL context. Takes pen, mouse, fingers and wheel, hands them to navigation, to
+/// the sketch or to the meshes, and draws what these show.
 class Viewport : public QOpenGLWidget {
   Q_OBJECT
 
  public:
-  enum View { SketchView = 0, PerspectiveView = 1 };
+  using View = app::View;
+  using enum app::View;
 
   Viewport(Studio& studio, QWidget* parent);
   ~Viewport() override;
 
-  void set_mode(SketchMode mode);
-  SketchMode mode() const { return tool_.mode(); }
-  SketchTool& tool() { return tool_; }
+  void set_tool(ToolKind tool);
+  ToolKind tool_kind() const { return kind_; }
+  SketchTool& tool() { return sketch_.tool(); }
+  SketchInteraction& sketch() { return sketch_; }
+  MeshInteraction& mesh() { return mesh_; }
+  Comparison& comparison() { return comparison_; }
+  ViewChips& chips() { return chips_; }
+  MarkingMenu& marking_menu() { return marking_menu_; }
+
+  /// A mesh with elements that can be edited is being worked on with a tool that does so.
+  bool edits_meshes() const;
+
   void set_look(MeshLook look);
+  void set_flat(bool flat);
 
   void frame_all();
   void frame_selection();
 
-  /// The view under the pointer alone, or both again.
+  /// The view under the pointer alone, or the views of the arrangement again.
   void toggle_layout();
+  void arrange(Arrangement arrangement);
+  void show_alone(int view);
+  const PaneLayout& layout_of_views() const { return layout_; }
 
+  /// Shows another scheme's result beside the active object, or no longer.
+  void compare(bool shown);
+
+  /// Selected strokes, else selected objects.
   void delete_selection();
 
   /// Accepts every joint of limb and body that is offered.
-  void join_all();
+  void join_all() { chips_.join_all(); }
 
   /// Gives up the gesture under way. @return false when there was none
   bool abandon();
@@ -61,23 +81,24 @@ class Viewport : public QOpenGLWidget {
   /// The next action, in words and keys.
   QString help() const;
 
-  /// The solid as the perspective view shows it, in a large picture. @throws Error
+  /// What is shown as the perspective view shows it, in a large picture. @throws Error
   void export_picture(OffscreenPictures& pictures, const QString& path) const;
 
-  ViewPane& pane(View view) { return panes_[view]; }
-  const Scenes& scenes() const { return scenes_; }
+  ViewPane& pane(int view) { return layout_.pane(view); }
+  const SketchScene& scenes() const { return sketch_.scene(); }
+  const ObjectScenes& objects() const { return objects_; }
 
   void redraw_all();
 
   /// Draws the finer picture now instead of after a pause.
   void settle_now();
 
-  /// Where a place of the sketch plane is seen, in the widget's logical pixels.
-  QPointF sketch_to_widget(const Vec2& place) const;
+  /// Every item of what is shown has been made and sent to the graphics card.
+  bool settled() const { return !objects_.busy() && !comparison_.busy() && !uploading_; }
 
-  /// Feeds the tool a gesture in sketch coordinates, as a recording has it.
-  /// @param scale units per pixel of the view it was made in; 0 for this one's
-  void replay_gesture(const std::vector<StrokeSample>& samples, bool erases, const Modifiers& modifiers, double scale);
+  /// Where a place of the sketch plane, or of the model in a view, is seen, in the widget's logical pixels.
+  QPointF sketch_to_widget(const Vec2& place) const;
+  QPointF model_to_widget(const Vec3& place, int view) const;
 
   /// Milliseconds from the last input event to the end of the frame that showed it, and how often frames were drawn.
   double last_latency_ms() const { return latency_ms_; }
@@ -97,60 +118,68 @@ class Viewport : public QOpenGLWidget {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
   void tabletEvent(QTabletEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void leaveEvent(QEvent* event) override;
 
  private:
+  struct PaneState {
+    bool drawn = false;  ///< its pixels are still right: most events change one view alone
+    bool fine = false;   ///< drawn with all that makes it beautiful
+  };
+
+  void connect_parts();
   void take(PointerEvent event, const QPointF& place);
-  void hover(const PointerEvent& event);
-  void tell_finding(const PointerEvent& event);
-  void take_pen(const std::vector<PenStep>& steps);
-  void feed(const SketchEvent& event);
-  void show_gesture();
-  void watch_pen();
-  int view_at(const QPointF& place) const;
-  void lay_out();
+  bool take_marking(const PointerEvent& event, const QPointF& place);
+  bool drag_border(const PointerEvent& event, const QPointF& place);
+  bool navigate(const PointerEvent& event);
+  bool sketches_in(int view) const;
+  void show_cursor(int view);
+
   void follow_document();
   void follow_result();
-  void redraw(View view);
+  void follow_load();
   void note_busy(bool busy);
-  void draw_pane(const ViewPane& pane, const render::Scene& scene, const render::RenderOptions& options);
-  render::RenderOptions solid_options() const;
-  void place_labels();
-  void place_finding_chips();
-  void keep_solid_in_view();
-  void show_joints();
-  void place_joint_chips();
-  bool drag_divider(const PointerEvent& event, const QPointF& place);
+  void keep_in_view();
+  void redraw(int view);
+  void after_layout();
+  void frame_new_views();
+
+  void draw_view(int view);
+  render::Scene scene_of(int view);
+  render::RenderOptions options_of(int view) const;
+  void place_chips();
 
   Studio& studio_;
-  SketchTool tool_;
+  PaneLayout layout_;
   Navigation navigation_;
-  PenInput pen_;
-  Scenes scenes_;
-  std::array<ViewPane, 2> panes_;
+  ObjectScenes objects_;
+  SketchInteraction sketch_;
+  MeshInteraction mesh_;
+  Comparison comparison_;
+  ViewChips chips_;
+  MarkingMenu marking_menu_;
   std::unique_ptr<render::Renderer> renderer_;
+  std::array<PaneState, view_count> states_;
+  ToolKind kind_ = ToolKind::Draw;
   MeshLook look_ = MeshLook::Shaded;
-  double divider_ = 0.5;  ///< share of the sketch view
-  int alone_ = -1;        ///< the view that fills the widget, or -1
-  int grabbed_ = -1;      ///< the view that the gesture under way began in, or -1
+  int grabbed_ = -1;  ///< the view that the gesture under way began in, or -1
   int under_pointer_ = SketchView;
-  bool dragging_divider_ = false;
+  PaneLayout::Border dragged_border_;
   bool told_finding_ = false;
-  bool turned_ = false;       ///< somebody moved the perspective view: it isn't framed by itself any more
-  QTimer pen_watch_;          ///< while a stroke is under way: a pen may vanish without a word
-  QTimer settle_;             ///< after a pause the solid is drawn once more, finer
-  bool solid_drawn_ = false;  ///< the perspective view's pixels are still right: most events change the sketch alone
-  QTimer patience_;           ///< a solid that is out of date for longer is shown faded
+  bool turned_ = false;                    ///< somebody moved the perspective view: it isn't framed by itself any more
+  bool had_meshes_ = false;                ///< a document's first mesh sets the views up
+  std::array<bool, view_count> framed_{};  ///< flat views show what there is when they are first seen
+  bool clear_ = true;                      ///< the views lie elsewhere: what is between them is painted anew
+  bool uploading_ = false;                 ///< some view waits for the graphics card
+  QTimer settle_;                          ///< after a pause the views are drawn once more, finer
+  QTimer patience_;                        ///< what is out of date for longer is shown faded
+  QTimer long_press_;                      ///< a pen that rests opens the marking menu
+  QPointF pressed_at_;
   bool stale_ = false;
-  bool settled_ = false;
   bool affordable_ = true;  ///< the last fine frame was quick enough not to be felt
   QElapsedTimer clock_;
-  QLabel* hint_;
-  std::array<QLabel*, 3> finding_chips_;
-  std::vector<Joint> joints_;
-  std::vector<QToolButton*> joint_chips_;  ///< one for each of joints_; later ones wait hidden
   double input_time_ms_ = -1;
   double latency_ms_ = 0;
   int frames_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How events of the window reach navigation, pen and tool.
+// How events of the window reach navigation, the sketch and the meshes, and what the help line says about them.
 #include <QEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -7,28 +7,19 @@
 #include <QToolTip>
 #include <QTouchEvent>
 #include <QWheelEvent>
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/pointer_events.h"
 #include "app/viewport.h"
-#include "croquis/tools/stroke_pick.h"
 
 namespace croquis::app {
 namespace {
 
-constexpr double divider_grip = 4;  // logical pixels to either side
-constexpr double least_share = 0.15;
-constexpr int pen_watch_ms = 100;
-constexpr double mark_reach = 12;            // logical pixels
+constexpr double long_press_reach = 6;       // logical pixels: a pen that moves further draws
 constexpr int twin_key = Qt::Key_QuoteLeft;  // left of 1
 
 }  // namespace
-
-int Viewport::view_at(const QPointF& place) const {
-  if (alone_ >= 0) return alone_;
-  return place.x() < panes_[PerspectiveView].rect.left() ? SketchView : PerspectiveView;
-}
 
 bool Viewport::event(QEvent* event) {
   if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease) {
@@ -56,6 +47,7 @@ void Viewport::note_window_moved() {
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) { take(pointer_event(*event), event->position()); }
+void Viewport::mouseDoubleClickEvent(QMouseEvent* event) { take(pointer_event(*event), event->position()); }
 void Viewport::mouseMoveEvent(QMouseEvent* event) { take(pointer_event(*event), event->position()); }
 void Viewport::mouseReleaseEvent(QMouseEvent* event) { take(pointer_event(*event), event->position()); }
 
@@ -79,108 +71,118 @@ void Viewport::take(PointerEvent event, const QPointF& place) {
   event.time = static_cast<double>(clock_.nsecsElapsed()) * 1e-9;
   if (input_time_ms_ < 0) input_time_ms_ = event.time * 1e3;
   const bool leaving = event.action == PointerEvent::Action::Leave;
-  if (drag_divider(event, place)) return;
-  if (!leaving) under_pointer_ = view_at(place);
+  if (drag_border(event, place)) return;
+  if (!leaving) under_pointer_ = layout_.view_at(place);
   // A gesture belongs to the view that it began in.
   event.view = grabbed_ >= 0 ? grabbed_ : under_pointer_;
-  const ViewPane& pane = panes_[static_cast<std::size_t>(event.view)];
-  event.position = to_vec(place - pane.rect.topLeft());
+  event.position = to_vec(place - layout_.pane(event.view).rect.topLeft());
+  if (take_marking(event, place)) return;
+  const bool down = sketch_.down() || mesh_.down();
   if (event.buttons.any())
     grabbed_ = event.view;
-  else if (!pen_.down())
+  else if (!down)
     grabbed_ = -1;
+  if (navigate(event)) return;
+  if (sketches_in(event.view)) {
+    sketch_.take(event);
+    if (!sketch_.down() && !leaving) {
+      const QString& sentence = sketch_.told_finding();
+      if (!sentence.isEmpty())
+        QToolTip::showText(mapToGlobal(place).toPoint(), sentence, this);
+      else if (told_finding_)
+        QToolTip::hideText();
+      told_finding_ = !sentence.isEmpty();
+    }
+  } else if (edits_meshes()) {
+    leaving ? mesh_.leave() : mesh_.take(event);
+  }
+}
 
-  PointerEvent for_navigation = event;
-  // There is nothing to draw on in the perspective view: plain drags turn it.
-  if (event.view == PerspectiveView) for_navigation.modifiers.super = true;
-  const Navigation::Answer answer = navigation_.handle(for_navigation);
+bool Viewport::navigate(const PointerEvent& event) {
+  PointerEvent seen = event;
+  // Where there is nothing to pick and nothing to draw on, plain drags turn the view.
+  if (!sketches_in(event.view) && !edits_meshes()) seen.modifiers.super = true;
+  const Navigation::Answer answer = navigation_.handle(seen);
   for (const auto& motion : {answer.motion, answer.second}) {
     if (!motion) continue;
-    panes_[static_cast<std::size_t>(motion->view)].move(*motion);
-    turned_ = turned_ || motion->view == PerspectiveView;
-    redraw(static_cast<View>(motion->view));
+    // Compared views have one camera.
+    const int view = motion->view == ComparisonView ? PerspectiveView : motion->view;
+    layout_.pane(view).move(*motion);
+    turned_ = turned_ || view == PerspectiveView;
+    redraw(view);
+    if (view == PerspectiveView) redraw(ComparisonView);
   }
-  if (answer.taken || event.view != SketchView) return;
-  take_pen(pen_.handle(event));
-  if (!pen_.down() && !leaving) hover(event);
+  return answer.taken;
 }
 
-void Viewport::take_pen(const std::vector<PenStep>& steps) {
-  const SketchFrame frame = panes_[SketchView].sketch_frame();
-  for (const PenStep& step : steps) feed(to_sketch(step, frame));
-  if (!steps.empty()) show_gesture();
-  if (pen_.down() && !pen_watch_.isActive()) pen_watch_.start(pen_watch_ms);
-  if (!pen_.down()) pen_watch_.stop();
-}
-
-void Viewport::feed(const SketchEvent& event) {
-  if (tool_.handle(event) == Verdict::Commit && tool_.done()) emit committed(*tool_.done());
-}
-
-void Viewport::show_gesture() {
-  scenes_.show_hovered(std::nullopt, studio_.drawing());
-  scenes_.show_preview(tool_.preview(), studio_.drawing());
-  redraw(SketchView);
-}
-
-void Viewport::watch_pen() { take_pen(pen_.settle(static_cast<double>(clock_.nsecsElapsed()) * 1e-9)); }
-
-void Viewport::hover(const PointerEvent& event) {
-  tell_finding(event);
-  if (tool_.mode() == SketchMode::Draw) return;
-  const SketchFrame frame = panes_[SketchView].sketch_frame();
-  const auto found = nearest_stroke(studio_.drawing(), frame.to_sketch(event.position), {8, frame.units_per_pixel});
-  scenes_.show_hovered(found ? std::optional(found->id) : std::nullopt, studio_.drawing());
-  redraw(SketchView);
-}
-
-void Viewport::tell_finding(const PointerEvent& event) {
-  const ViewPane& pane = panes_[SketchView];
-  QString sentence;
-  for (const FindingMark& finding : scenes_.finding_marks()) {
-    const bool under = (pane.sketch_frame().to_pixel(finding.at) - event.position).norm() < mark_reach;
-    if (under) sentence = QString::fromStdString(finding.sentence);
+bool Viewport::take_marking(const PointerEvent& event, const QPointF& place) {
+  using Action = PointerEvent::Action;
+  if (marking_menu_.is_open()) {
+    marking_menu_.move_to(place);
+    const bool let_go = !event.buttons.any() && (event.action == Action::Release || event.action == Action::Hover);
+    if (let_go) {
+      grabbed_ = -1;
+      marking_menu_.choose();
+    }
+    return true;
   }
-  const QPointF place = pane.rect.topLeft() + QPointF(event.position.x(), event.position.y());
-  if (!sentence.isEmpty())
-    QToolTip::showText(mapToGlobal(place).toPoint(), sentence, this);
-  else if (told_finding_)
-    QToolTip::hideText();
-  told_finding_ = !sentence.isEmpty();
+  const bool meshes = edits_meshes() && !sketches_in(event.view);
+  const bool alone = !event.modifiers.alt && !event.modifiers.super;
+  if (meshes && alone && event.device == PointerEvent::Device::Mouse && event.action == Action::Press &&
+      event.buttons.right && !event.buttons.left) {
+    marking_menu_.open(place);
+    return true;
+  }
+  if (meshes && is_pen(event.device) && event.action == Action::Press && event.buttons.left) {
+    pressed_at_ = place;
+    long_press_.start();
+  }
+  const QPointF way = place - pressed_at_;
+  if (event.action == Action::Release || std::hypot(way.x(), way.y()) > long_press_reach) long_press_.stop();
+  return false;
 }
 
-bool Viewport::drag_divider(const PointerEvent& event, const QPointF& place) {
-  const double edge = panes_[PerspectiveView].rect.left();
-  const bool at_edge = alone_ < 0 && std::abs(place.x() - edge) <= divider_grip;
-  if (event.action == PointerEvent::Action::Press && at_edge && !pen_.down()) dragging_divider_ = true;
-  if (!dragging_divider_) {
+void Viewport::show_cursor(int view) {
+  setCursor(sketches_in(view) && kind_ != ToolKind::Select ? Qt::CrossCursor : Qt::ArrowCursor);
+}
+
+bool Viewport::drag_border(const PointerEvent& event, const QPointF& place) {
+  const PaneLayout::Border under = layout_.border_at(place);
+  if (event.action == PointerEvent::Action::Press && under.any() && !sketch_.down() && !mesh_.down()) {
+    dragged_border_ = under;
+  }
+  if (!dragged_border_.any()) {
     if (event.action == PointerEvent::Action::Hover) {
-      setCursor(at_edge ? Qt::SplitHCursor : tool_.mode() == SketchMode::Select ? Qt::ArrowCursor : Qt::CrossCursor);
+      if (under.any())
+        setCursor(under.across && under.down ? Qt::SizeAllCursor : under.across ? Qt::SplitHCursor : Qt::SplitVCursor);
+      else
+        show_cursor(layout_.view_at(place));
     }
     return false;
   }
-  divider_ = std::clamp(place.x() / width(), least_share, 1 - least_share);
-  lay_out();
+  layout_.drag_border(dragged_border_, place);
+  clear_ = true;
   redraw_all();
-  if (event.action == PointerEvent::Action::Release) dragging_divider_ = false;
+  if (event.action == PointerEvent::Action::Release) dragged_border_ = {};
   return true;
 }
 
-void Viewport::replay_gesture(const std::vector<StrokeSample>& samples, bool erases, const Modifiers& modifiers,
-                              double scale) {
-  SketchEvent event;
-  event.erases = erases;
-  event.modifiers = modifiers;
-  event.units_per_pixel = scale > 0 ? scale : panes_[SketchView].sketch_frame().units_per_pixel;
-  event.kind = PenStep::Kind::Begin;
-  for (const StrokeSample& sample : samples) {
-    event.sample = sample;
-    feed(event);
-    event.kind = PenStep::Kind::Sample;
+QString Viewport::help() const {
+  for (const NodeFinding& found : studio_.findings()) {
+    if (found.finding.severity == Severity::Error) return QString::fromStdString(found.finding.message);
   }
-  event.kind = PenStep::Kind::End;
-  feed(event);
-  show_gesture();
+  if (navigation_.alt_swallowed()) {
+    return tr("Alt belongs to your desktop: hold Super, or the key left of 1, and drag to turn, shift and come nearer");
+  }
+  if (edits_meshes() && !sketches_in(under_pointer_)) return mesh_.help();
+  switch (sketch_.mode()) {
+    case SketchMode::Select:
+      return tr("Drag a square to bend the line, drag a line to move it, Shift adds · Delete removes · D draws");
+    case SketchMode::Erase: return tr("Drag over lines to erase them · D draws");
+    case SketchMode::Draw: break;
+  }
+  if (!sketch_.scene().has_strokes()) return tr("Draw a closed outline with the pen or the mouse");
+  return tr("Draw: a line stops where it passes behind another · Q selects · Alt+drag turns the solid · Ctrl+Z undoes");
 }
 
 }  // namespace croquis::app

@@ -11,6 +11,7 @@
 #include "app/attribute_panel.h"
 #include "app/gallery.h"
 #include "app/lists.h"
+#include "app/object_list.h"
 #include "app/parameter_field.h"
 #include "app/start_page.h"
 #include "app/studio_fixture.h"
@@ -69,8 +70,8 @@ TEST_CASE("objects and findings choose their strokes, the history goes to any st
   hand.draw(test::linked_rings_sketch());
   hand.settle();
   auto* objects = hand.window().findChild<app::ObjectList*>("objects");
-  REQUIRE(objects->count() == 2);
-  emit objects->itemClicked(objects->item(0));
+  REQUIRE(objects->topLevelItemCount() == 2);
+  emit objects->itemClicked(objects->topLevelItem(0), 0);
   CHECK(hand.studio().session().selection().size() >= 1);
   auto* history = hand.window().findChild<app::HistoryList*>("history");
   CHECK(history->count() == static_cast<int>(hand.studio().session().undo_labels().size()) + 1);
@@ -85,9 +86,9 @@ TEST_CASE("the start page shows every shipped sketch as a picture and opens it",
   hand.act("start-page");
   auto* page = hand.window().findChild<app::StartPage*>("start-page");
   REQUIRE(page->isVisible());
-  const auto sketches = app::gallery_sketches();
+  const auto sketches = app::samples();
   CHECK(sketches.size() >= 6);
-  for (const app::GallerySketch& sketch : sketches) {
+  for (const app::Sample& sketch : sketches) {
     INFO(sketch.name.toStdString());
     auto* tile = page->findChild<QToolButton*>("sketch-" + sketch.name);
     REQUIRE(tile != nullptr);

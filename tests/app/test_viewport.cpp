@@ -84,7 +84,7 @@ TEST_CASE("the wheel keeps the place under the pointer, Alt drags turn, shift an
 TEST_CASE("a joint is offered where a limb meets the body, and one click makes and undoes it", "[viewport]") {
   StudioFixture hand;
   hand.act("start-page");
-  hand.window().files().start_gallery_sketch("dog");
+  hand.window().files().start_sample("dog");
   hand.window().show_views();
   hand.settle();
   auto* joint = hand.viewport().findChild<QToolButton*>("joint-0");

@@ -18,13 +18,14 @@ struct FindingMark {
   bool error = false;
 };
 
-/// What the views show of the studio, made ready for the renderer. Items are kept until what they show changes.
-class Scenes {
+/// What the sketch view shows of the studio's drawing, made ready for the renderer. Items are kept until what they
+/// show changes.
+class SketchScene {
  public:
   /// Strokes, selection, anchors.
   void show_drawing(const Studio& studio, SketchTool& tool);
 
-  /// Hidden contours, marks, the solid.
+  /// Hidden contours and marks.
   void show_result(const Studio& studio);
 
   /// What the pen is about to do; cheap enough for every event.
@@ -33,11 +34,10 @@ class Scenes {
   /// The stroke under the pointer, or none.
   void show_hovered(const std::optional<std::string>& stroke, const Drawing& drawing);
 
-  render::Scene sketch_scene() const;
-  render::Scene solid_scene(bool stale) const;
+  render::Scene scene() const;
 
   /// The box of the strokes, of the selected ones alone if there are any and that is asked for.
-  render::Bounds sketch_bounds(bool selected_only) const;
+  render::Bounds bounds(bool selected_only) const;
   const std::vector<FindingMark>& finding_marks() const { return finding_marks_; }
   /// Nothing is there yet, and the ghost shows what to do.
   bool invites() const { return ghost_ != nullptr; }
@@ -53,10 +53,6 @@ class Scenes {
   render::MarkItemPtr marks_;
   render::LineItemPtr preview_lines_;
   render::LineItemPtr ink_;
-  std::shared_ptr<const PolyMesh> mesh_;  ///< what solid_ was made from
-  render::MeshItemPtr solid_;
-  std::vector<render::MeshItemPtr> meshes_;  ///< mesh sources of the document
-  std::vector<std::shared_ptr<const PolyMesh>> mesh_sources_;
   std::vector<FindingMark> finding_marks_;
 };
 

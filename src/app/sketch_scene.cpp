@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/scenes.h"
+#include "app/sketch_scene.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "app/theme.h"
 
@@ -58,12 +57,6 @@ render::LineItemPtr hidden_contours(const Drawing& labels) {
 /// A report's place, in the frame of files: y down.
 Vec2 place_of(const Report& at) { return {at.as_array()[0].as_number(), -at.as_array()[1].as_number()}; }
 
-const Report* report_of(const Evaluation& evaluation) {
-  const auto details = evaluation.outputs.find("details");
-  if (details == evaluation.outputs.end()) return nullptr;
-  return std::get<std::shared_ptr<const Report>>(details->second).get();
-}
-
 const Drawing* labels_of(const Evaluation& evaluation) {
   const auto labels = evaluation.outputs.find("labels");
   if (labels == evaluation.outputs.end()) return nullptr;
@@ -89,7 +82,7 @@ void turn_mark(const Drawing& labels, const std::vector<Vec2>& corners, render::
 }
 
 void add_overlap_marks(const Evaluation& evaluation, std::vector<render::Mark>& marks) {
-  const Report* details = report_of(evaluation);
+  const Report* details = report_of(&evaluation, "details");
   const Report* overlaps = details == nullptr ? nullptr : details->find("overlaps");
   const Drawing* labels = labels_of(evaluation);
   if (overlaps == nullptr || labels == nullptr) return;
@@ -108,23 +101,6 @@ void add_overlap_marks(const Evaluation& evaluation, std::vector<render::Mark>& 
     turn_mark(*labels, corners, mark);
     marks.push_back(mark);
   }
-}
-
-/// Objects that were joined are one body: of one colour, without lines where they meet.
-std::shared_ptr<const PolyMesh> with_shells_as_objects(const std::shared_ptr<const PolyMesh>& mesh,
-                                                       const Report& shells) {
-  std::map<std::string, std::int32_t> shell_of;
-  std::int32_t count = 0;
-  for (const Report& shell : shells.as_array()) {
-    for (const Report& name : shell.at("objects").as_array()) shell_of[name.as_string()] = count;
-    ++count;
-  }
-  const AttributeChannel* objects = mesh->channel("object", Domain::Face);
-  if (objects == nullptr || shell_of.size() == shells.as_array().size()) return mesh;
-  auto painted = std::make_shared<PolyMesh>(*mesh);
-  auto& labels = std::get<std::vector<std::int32_t>>(painted->channel("object", Domain::Face)->data);
-  for (std::int32_t& label : labels) label = shell_of[objects->labels.at(static_cast<std::size_t>(label))];
-  return painted;
 }
 
 /// Where a finding without a place of its own is shown: the middle of its first stroke.
@@ -166,7 +142,7 @@ std::vector<Vec2> first_ghost() {
   return blob;
 }
 
-void Scenes::show_drawing(const Studio& studio, SketchTool& tool) {
+void SketchScene::show_drawing(const Studio& studio, SketchTool& tool) {
   const Drawing& drawing = studio.drawing();
   const std::vector<std::string> chosen = tool.selected();
   std::vector<render::LinePath> plain;
@@ -189,32 +165,15 @@ void Scenes::show_drawing(const Studio& studio, SketchTool& tool) {
   strokes_ = lines(plain, {ink_width, to_color(colors::ink), {}, render::LineDepth::OnTop});
   selected_ = lines(selected, {ink_width, to_color(colors::accent), {}, render::LineDepth::OnTop});
   anchors_ = anchors.empty() ? nullptr : render::make_mark_item(anchors);
-  std::vector<std::shared_ptr<const PolyMesh>> sources;
-  for (const auto& node : studio.session().document().nodes()) {
-    if (!node->source || !node->visible) continue;
-    if (const auto* mesh = std::get_if<std::shared_ptr<const PolyMesh>>(&*node->source)) sources.push_back(*mesh);
-  }
-  const bool empty = drawing.strokes.empty() && sources.empty();
+  const bool empty = drawing.strokes.empty() && studio.objects().empty();
   if (!empty)
     ghost_.reset();
   else if (!ghost_)
     ghost_ = ghost_item();
-  if (sources == mesh_sources_) return;
-  meshes_.clear();
-  for (const auto& mesh : sources) meshes_.push_back(render::make_mesh_item(*mesh));
-  mesh_sources_ = std::move(sources);
 }
 
-void Scenes::show_result(const Studio& studio) {
+void SketchScene::show_result(const Studio& studio) {
   const std::shared_ptr<const Evaluation> result = studio.result();
-  const std::shared_ptr<const PolyMesh> mesh = studio.solid();
-  if (mesh != mesh_) {
-    mesh_ = mesh;
-    const Report* details = result ? report_of(*result) : nullptr;
-    const Report* shells = details == nullptr ? nullptr : details->find("shells");
-    solid_.reset();
-    if (mesh) solid_ = render::make_mesh_item(shells == nullptr ? *mesh : *with_shells_as_objects(mesh, *shells));
-  }
   hidden_.reset();
   finding_marks_.clear();
   std::vector<render::Mark> marks;
@@ -223,7 +182,7 @@ void Scenes::show_result(const Studio& studio) {
     const Drawing* labels = result->failed ? nullptr : labels_of(*result);
     if (labels != nullptr) hidden_ = hidden_contours(*labels);
     if (!result->failed) add_overlap_marks(*result, marks);
-    for (const Finding& finding : studio.findings()) {
+    for (const Finding& finding : result->findings) {
       const auto at = place_of(finding, studio.drawing());
       if (at) finding_marks_.push_back({*at, finding.message, finding.severity == Severity::Error});
     }
@@ -232,7 +191,7 @@ void Scenes::show_result(const Studio& studio) {
   marks_ = marks.empty() ? nullptr : render::make_mark_item(marks);
 }
 
-void Scenes::show_preview(const SketchPreview& preview, const Drawing& drawing) {
+void SketchScene::show_preview(const SketchPreview& preview, const Drawing& drawing) {
   ink_.reset();
   preview_lines_.reset();
   if (!preview.ink.empty()) {
@@ -256,7 +215,7 @@ void Scenes::show_preview(const SketchPreview& preview, const Drawing& drawing) 
   preview_lines_ = lines(paths, style);
 }
 
-void Scenes::show_hovered(const std::optional<std::string>& stroke, const Drawing& drawing) {
+void SketchScene::show_hovered(const std::optional<std::string>& stroke, const Drawing& drawing) {
   const Stroke* found = stroke ? find_stroke(drawing, *stroke) : nullptr;
   hovered_ = found == nullptr
                  ? nullptr
@@ -264,23 +223,14 @@ void Scenes::show_hovered(const std::optional<std::string>& stroke, const Drawin
                        path_of(*found), {ink_width + 2.5, to_color(colors::hover, 120), {}, render::LineDepth::OnTop});
 }
 
-render::Scene Scenes::sketch_scene() const {
+render::Scene SketchScene::scene() const {
   render::Scene scene;
   scene.lines = {{ghost_}, {hidden_}, {hovered_}, {strokes_}, {selected_}, {preview_lines_}, {ink_}};
   scene.marks = {{anchors_}, {marks_}};
   return scene;
 }
 
-render::Scene Scenes::solid_scene(bool stale) const {
-  render::Scene scene;
-  render::Emphasis emphasis;
-  emphasis.stale = stale;
-  if (solid_) scene.meshes.emplace_back(solid_, emphasis);
-  for (const render::MeshItemPtr& mesh : meshes_) scene.meshes.emplace_back(mesh);
-  return scene;
-}
-
-render::Bounds Scenes::sketch_bounds(bool selected_only) const {
+render::Bounds SketchScene::bounds(bool selected_only) const {
   render::Bounds bounds;
   if (selected_) bounds.add(selected_->bounds);
   if (selected_only && !bounds.empty()) return bounds;

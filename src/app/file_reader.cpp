@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/file_reader.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QMetaObject>
+#include <utility>
+
+#include "croquis/base/error.h"
+#include "croquis/io/file.h"
+#include "croquis/io/mesh_file.h"
+#include "croquis/io/project_file.h"
+#include "croquis/io/svg_drawing.h"
+
+namespace croquis::app {
+
+FileReader::FileReader() { thread_.setMaxThreadCount(1); }
+
+FileReader::~FileReader() {
+  *cancelled_ = true;
+  thread_.waitForDone();
+}
+
+bool FileReader::replaces_document(const QString& path) {
+  const QString suffix = QFileInfo(path).suffix().toLower();
+  return suffix == "croq" || suffix == "svg";
+}
+
+ReadFile FileReader::read_now(const QString& path, Progress& progress) {
+  const std::string file = QFile::encodeName(path).toStdString();
+  const QString suffix = QFileInfo(path).suffix().toLower();
+  if (suffix == "croq") return {path, load_project(file, progress).document, {}};
+  const std::string bytes = read_file(file);
+  if (const auto format = mesh_format_of(file)) {
+    MeshReadResult read = read_mesh(bytes, *format, file, progress);
+    return {path, std::make_shared<const PolyMesh>(std::move(read.mesh)), std::move(read.warnings)};
+  }
+  if (suffix == "svg") {
+    return {path, std::make_shared<const Drawing>(read_svg_drawing(bytes, file, progress).drawing), {}};
+  }
+  throw Error(
+      make_error(Category::Malformed, "E_FORMAT",
+                 "\"" + file + "\" is no project, sketch or mesh: open .croq, .svg, .obj, .ply, .stl, .off or .glb"));
+}
+
+void FileReader::read(const QString& path) {
+  if (open_++ == 0) {
+    *cancelled_ = false;
+    emit busy_changed(true);
+  }
+  thread_.start([this, path, cancelled = cancelled_] {
+    Progress progress(
+        [this](double fraction, const std::string& step) {
+          QMetaObject::invokeMethod(
+              this,
+              [this, fraction, text = QString::fromStdString(step)] {
+                if (busy()) emit progress_changed(fraction, text);
+              },
+              Qt::QueuedConnection);
+        },
+        cancelled.get());
+    std::shared_ptr<const ReadFile> file;
+    Findings findings;
+    try {
+      progress.check();
+      file = std::make_shared<const ReadFile>(read_now(path, progress));
+      progress.check();
+    } catch (const Error& error) {
+      findings = error.findings();
+    } catch (const Cancelled&) {
+      file.reset();
+    } catch (const std::bad_alloc&) {
+      findings = {make_error(Category::Limit, "E_MEMORY",
+                             "\"" + path.toStdString() + "\" doesn't fit into this machine's memory")};
+    }
+    QMetaObject::invokeMethod(
+        this, [this, path, file, findings] { take(path, file, findings); }, Qt::QueuedConnection);
+  });
+}
+
+void FileReader::cancel() { *cancelled_ = true; }
+
+void FileReader::take(const QString& path, std::shared_ptr<const ReadFile> file, const Findings& findings) {
+  --open_;
+  if (file)
+    emit finished(*file);
+  else
+    emit failed(path, findings);
+  if (open_ == 0) emit busy_changed(false);
+}
+
+}  // namespace croquis::app

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <QThreadPool>
+#include <atomic>
+#include <memory>
+#include <variant>
+
+#include "croquis/base/finding.h"
+#include "croquis/base/progress.h"
+#include "croquis/document/document.h"
+
+namespace croquis::app {
+
+/// What a file held: a project, a sketch or a mesh.
+struct ReadFile {
+  QString path;
+  std::variant<Document, std::shared_ptr<const Drawing>, std::shared_ptr<const PolyMesh>> content;
+  Findings warnings;
+};
+
+/// Reads projects, sketches and meshes beside the window's thread, one after the other in the order asked for.
+class FileReader : public QObject {
+  Q_OBJECT
+
+ public:
+  FileReader();
+  ~FileReader() override;
+
+  /// What opens there takes the place of what is open: projects and sketches do, meshes are added to it.
+  static bool replaces_document(const QString& path);
+
+  void read(const QString& path);
+
+  /// What is being read, and what waits to be, isn't read.
+  void cancel();
+
+  bool busy() const { return open_ > 0; }
+
+  /// The file's content now, on the caller's thread. @throws Error, Cancelled
+  static ReadFile read_now(const QString& path, Progress& progress);
+
+ signals:
+  void finished(const croquis::app::ReadFile& file);
+  void failed(const QString& path, const croquis::Findings& findings);  ///< none: it was cancelled
+  void progress_changed(double fraction, const QString& step);
+  void busy_changed(bool busy);
+
+ private:
+  void take(const QString& path, std::shared_ptr<const ReadFile> file, const Findings& findings);
+
+  int open_ = 0;
+  std::shared_ptr<std::atomic<bool>> cancelled_ = std::make_shared<std::atomic<bool>>(false);
+  QThreadPool thread_;
+};
+
+}  // namespace croquis::app

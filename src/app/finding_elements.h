@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "croquis/base/finding.h"
+#include "croquis/base/report.h"
+#include "croquis/tools/mesh_selection.h"
+#include "croquis/tools/mesh_tool.h"
+
+/// From what reports say to what can be selected.
+namespace croquis::app {
+
+/// Names of the strokes that a finding is about.
+std::vector<std::string> strokes_of(const Finding& finding);
+
+struct FoundElements {
+  ComponentKind kind = ComponentKind::Vertex;
+  Elements elements;
+};
+
+/// The mesh's elements that a finding is about, of the kind that it names first. An edge is named by its two vertices
+/// ("3 7", "3-7") or its number.
+FoundElements elements_of(const Finding& finding, const MeshTopology& topology);
+
+/// The edges of a chain of the mesh's tags, 0-based: chains are numbered by their lowest edges. None when there are
+/// fewer.
+Elements edges_of_chain(const MeshTags& tags, int chain, const MeshTopology& topology);
+
+/// The mode in which elements of a kind are picked.
+MeshMode mode_of(ComponentKind kind);
+
+}  // namespace croquis::app

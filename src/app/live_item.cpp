@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/live_item.h"
+
+#include <QCoreApplication>
+#include <QMetaObject>
+#include <QThreadPool>
+#include <utility>
+
+#include "croquis/base/error.h"
+
+namespace croquis::app {
+namespace {
+
+constexpr std::size_t corners_at_once = 200'000;  // of more, making an item would be felt
+
+bool same_options(const render::MeshItemOptions& a, const render::MeshItemOptions& b) {
+  return a.shading == b.shading && a.crease_angle == b.crease_angle;
+}
+
+render::MeshItemPtr made(const render::MeshItemPtr& previous, const std::shared_ptr<const PolyMesh>& mesh,
+                         const render::MeshItemOptions& options, const LiveItem::Paint& paint) {
+  try {
+    return render::update_mesh_item(previous, paint ? *paint(mesh) : *mesh, options);
+  } catch (const Error&) {
+    return nullptr;  // what can't be drawn is told by whoever made the mesh
+  }
+}
+
+}  // namespace
+
+void LiveItem::show(const std::shared_ptr<const PolyMesh>& mesh, const render::MeshItemOptions& options,
+                    const Paint& paint) {
+  const bool same = same_options(options_, options);
+  if (mesh == wanted_ && same) return;
+  if (!same) {
+    item_.reset();
+    made_of_.reset();
+  }
+  wanted_ = mesh;
+  options_ = options;
+  paint_ = paint;
+  if (!mesh || mesh->corners.size() <= corners_at_once) {
+    item_ = mesh ? made(item_, mesh, options_, paint_) : nullptr;
+    made_of_ = mesh;
+  } else if (!making_) {
+    begin();
+  }
+}
+
+void LiveItem::begin() {
+  making_ = true;
+  threads_.start(
+      [this, alive = std::weak_ptr(alive_), mesh = wanted_, previous = item_, options = options_, paint = paint_] {
+        const render::MeshItemPtr item = made(previous, mesh, options, paint);
+        QMetaObject::invokeMethod(
+            QCoreApplication::instance(),
+            [this, alive, mesh, options, item] {
+              if (!alive.expired()) take(mesh, options, item);
+            },
+            Qt::QueuedConnection);
+      });
+}
+
+void LiveItem::take(const std::shared_ptr<const PolyMesh>& mesh, const render::MeshItemOptions& options,
+                    const render::MeshItemPtr& item) {
+  making_ = false;
+  if (wanted_ == made_of_) return;
+  if (same_options(options, options_)) {
+    item_ = item;
+    made_of_ = mesh;
+  }
+  if (wanted_ != made_of_) begin();
+  emit ready();
+}
+
+}  // namespace croquis::app

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The panels of the window, and what they show of the studio.
+#include <QAction>
+#include <QDockWidget>
+#include <QLabel>
+#include <QScrollArea>
+#include <QSplitter>
+
+#include "app/attribute_panel.h"
+#include "app/chain_table.h"
+#include "app/crease_set_panel.h"
+#include "app/finding_elements.h"
+#include "app/lists.h"
+#include "app/main_window.h"
+#include "app/object_list.h"
+#include "app/tag_panel.h"
+#include "app/viewport.h"
+
+namespace croquis::app {
+
+void MainWindow::make_docks() {
+  const auto add_dock = [this](const QString& title, QWidget* content, const QString& name) {
+    auto* dock = new QDockWidget(title, this);
+    dock->setObjectName(name);
+    dock->setFeatures(QDockWidget::DockWidgetMovable);
+    dock->setWidget(content);
+    addDockWidget(Qt::RightDockWidgetArea, dock);
+    return dock;
+  };
+  objects_ = new ObjectList(this);
+  attributes_ = new AttributePanel(this);
+  findings_ = new FindingsList(this);
+  history_ = new HistoryList(this);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidget(attributes_);
+  auto* edges = new QWidget(this);
+  auto* column = new QVBoxLayout(edges);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(2);
+  tags_ = new TagPanel(viewport_->mesh(), edges);
+  chains_ = new ChainTable(edges);
+  column->addWidget(tags_);
+  column->addWidget(chains_, 1);
+  sets_ = new CreaseSetPanel(viewport_->mesh(), this);
+  docks_ = {add_dock(tr("Objects"), objects_, "objects-dock"), add_dock(tr("Attributes"), scroll, "attributes-dock"),
+            add_dock(tr("Findings"), findings_, "findings-dock"), add_dock(tr("History"), history_, "history-dock")};
+  edges_dock_ = add_dock(tr("Sharp edges"), edges, "edges-dock");
+  sets_dock_ = add_dock(tr("Crease sets"), sets_, "sets-dock");
+  // Below the attributes, in one place.
+  splitDockWidget(docks_[1], edges_dock_, Qt::Vertical);
+  tabifyDockWidget(edges_dock_, sets_dock_);
+  edges_dock_->raise();
+}
+
+void MainWindow::connect_panels() {
+  connect(attributes_, &AttributePanel::parameter_edited, this,
+          [this](NodeId node, const std::string& parameter, const ParameterValue& value, bool dragging) {
+            studio_.set_parameter(node, parameter, value, dragging);
+            const Node* edited = studio_.session().document().find(node);
+            if (!dragging && edited != nullptr) record(recorded::Set{edited->name, parameter, value});
+          });
+  connect(objects_, &ObjectList::strokes_chosen, this, &MainWindow::select_strokes);
+  connect(objects_, &ObjectList::objects_chosen, this, &MainWindow::select_objects);
+  connect(objects_, &ObjectList::renamed, &studio_, &Studio::rename_object);
+  connect(objects_, &ObjectList::shown, &studio_, &Studio::show_object);
+  connect(objects_, &ObjectList::removed, &studio_, &Studio::remove_object);
+  connect(findings_, &FindingsList::finding_chosen, this, &MainWindow::show_finding);
+  connect(history_, &HistoryList::step_chosen, this, &MainWindow::go_to_step);
+  connect(chains_, &ChainTable::chain_chosen, this, &MainWindow::select_chain);
+}
+
+void MainWindow::update_panels() {
+  const Session& session = studio_.session();
+  const StudioObject* object = studio_.active();
+  const Node* operation = studio_.active_operation();
+  attributes_->show_node(operation, operation == nullptr ? nullptr : studio_.description(operation->operation));
+  objects_->show_objects(studio_);
+  findings_->show_findings(studio_.findings());
+  history_->show_history(session.undo_labels(), session.redo_labels());
+  tags_->follow(session.components());
+  chains_->show_chains(object);
+  sets_->follow();
+  status_->setText(ChainTable::summary(object));
+  const bool mesh = object != nullptr && object->cage != 0 && !shows_start_page();
+  edges_dock_->setVisible(mesh);
+  sets_dock_->setVisible(mesh);
+  action("undo")->setEnabled(session.can_undo());
+  action("redo")->setEnabled(session.can_redo());
+  action("delete")->setEnabled(!session.selection().empty() || !session.components().empty());
+  const bool shown = object != nullptr && object->shown() != nullptr;
+  action("export-solid")->setEnabled(shown);
+  action("export-picture")->setEnabled(shown);
+  update_mesh_actions();
+  setWindowModified(session.modified());
+  update_help();
+}
+
+void MainWindow::select_strokes(const std::vector<std::string>& strokes) {
+  Selection selection;
+  for (const std::string& stroke : strokes) selection.push_back({studio_.drawing_node(), stroke});
+  studio_.session().select(std::move(selection));
+}
+
+void MainWindow::select_objects(const std::vector<NodeId>& nodes) {
+  Selection selection;
+  for (const NodeId node : nodes) selection.push_back({node, ""});
+  if (!nodes.empty()) studio_.set_active(nodes.front());
+  studio_.session().select(std::move(selection));
+}
+
+void MainWindow::show_finding(const NodeFinding& found) {
+  if (found.node == studio_.solid_node()) {
+    select_strokes(strokes_of(found.finding));
+    return;
+  }
+  studio_.set_active(found.node);
+  viewport_->mesh().follow();
+  MeshTool& tool = viewport_->mesh().tool();
+  if (!tool.mesh()) return;
+  const FoundElements elements = elements_of(found.finding, *tool.topology());
+  if (elements.elements.empty()) return;
+  set_mesh_mode(mode_of(elements.kind));
+  viewport_->mesh().act([&](MeshTool& t) { return t.pick(elements.kind, elements.elements); });
+  viewport_->frame_selection();
+}
+
+void MainWindow::select_chain(int chain) {
+  MeshTool& tool = viewport_->mesh().tool();
+  if (!tool.mesh()) return;
+  const Elements edges = edges_of_chain(tool.mesh()->tags, chain, *tool.topology());
+  if (edges.empty()) return;
+  set_mesh_mode(MeshMode::Edge);
+  viewport_->mesh().act([&](MeshTool& t) { return t.pick(ComponentKind::Edge, edges); });
+}
+
+void MainWindow::go_to_step(int steps) {
+  Session& session = studio_.session();
+  while (static_cast<int>(session.undo_labels().size()) > steps && session.can_undo()) session.undo();
+  while (static_cast<int>(session.undo_labels().size()) < steps && session.can_redo()) session.redo();
+}
+
+}  // namespace croquis::app

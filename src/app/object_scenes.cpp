@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/object_scenes.h"
+
+#include <algorithm>
+
+#include "app/theme.h"
+
+namespace croquis::app {
+namespace {
+
+/// Objects of a sketch that were joined are one body: of one colour, without lines where they meet.
+std::shared_ptr<const PolyMesh> with_shells_as_objects(const std::shared_ptr<const PolyMesh>& mesh,
+                                                       const Report& shells) {
+  std::map<std::string, std::int32_t> shell_of;
+  std::int32_t count = 0;
+  for (const Report& shell : shells.as_array()) {
+    for (const Report& name : shell.at("objects").as_array()) shell_of[name.as_string()] = count;
+    ++count;
+  }
+  const AttributeChannel* objects = mesh->channel("object", Domain::Face);
+  if (objects == nullptr || shell_of.size() == shells.as_array().size()) return mesh;
+  auto painted = std::make_shared<PolyMesh>(*mesh);
+  auto& labels = std::get<std::vector<std::int32_t>>(painted->channel("object", Domain::Face)->data);
+  for (std::int32_t& label : labels) label = shell_of[objects->labels.at(static_cast<std::size_t>(label))];
+  return painted;
+}
+
+LiveItem::Paint paint_of(const StudioObject& object) {
+  const Report* details = report_of(object.result.get(), "details");
+  if (details == nullptr || details->find("shells") == nullptr) return nullptr;
+  return [result = object.result, details](const std::shared_ptr<const PolyMesh>& mesh) {
+    return with_shells_as_objects(mesh, details->at("shells"));
+  };
+}
+
+render::MeshStyle style_of(MeshLook look) {
+  switch (look) {
+    case MeshLook::Wire: return render::MeshStyle::wire_only();
+    case MeshLook::ShadedWire: return render::MeshStyle::shaded_wire();
+    case MeshLook::Shaded: break;
+  }
+  return render::MeshStyle::shaded();
+}
+
+}  // namespace
+
+ObjectScenes::ObjectScenes(Studio& studio, QObject* parent) : QObject(parent), studio_(studio) {
+  threads_.setMaxThreadCount(2);
+}
+
+ObjectScenes::~ObjectScenes() { threads_.waitForDone(); }
+
+std::unique_ptr<LiveItem> ObjectScenes::make_item() {
+  auto item = std::make_unique<LiveItem>(threads_);
+  connect(item.get(), &LiveItem::ready, this, &ObjectScenes::changed);
+  return item;
+}
+
+ObjectScenes::Items& ObjectScenes::items_of(NodeId node) {
+  Items& items = items_[node];
+  if (!items.surface) {
+    items.surface = make_item();
+    items.cage = make_item();
+  }
+  return items;
+}
+
+render::MeshItemOptions ObjectScenes::item_options() const {
+  render::MeshItemOptions options;
+  options.shading = flat_ ? render::FaceShading::Flat : render::FaceShading::Smooth;
+  return options;
+}
+
+void ObjectScenes::set_flat(bool flat) {
+  flat_ = flat;
+  follow();
+}
+
+void ObjectScenes::follow() {
+  std::set<NodeId> there;
+  for (const StudioObject& object : studio_.objects()) {
+    there.insert(object.node);
+    if (!object.visible) continue;
+    Items& items = items_of(object.node);
+    items.surface->show(object.shown(), item_options(), object.shown() == object.mesh ? paint_of(object) : nullptr);
+    // The cage's own item serves its wire; a cage that is shown as a surface has one already.
+    items.cage->show(object.shown() == object.cage_mesh ? nullptr : object.cage_mesh, {});
+  }
+  std::erase_if(items_, [&](const auto& entry) { return !there.contains(entry.first); });
+  emit changed();
+}
+
+render::Scene ObjectScenes::scene(const Wanted& wanted) const {
+  render::Scene scene;
+  for (const StudioObject& object : studio_.objects()) {
+    const auto items = items_.find(object.node);
+    if (!object.visible || items == items_.end()) continue;
+    if (wanted.only_with_cage && object.cage == 0) continue;
+    render::Emphasis emphasis;
+    emphasis.stale = wanted.stale && !object.is_source();
+    render::MeshStyle style = style_of(wanted.look);
+    const bool edited = object.cage != 0 && object.cage == wanted.edited;
+    const bool cage_alone = object.shown() == object.cage_mesh;
+    if (edited && cage_alone && wanted.look == MeshLook::Shaded) style = render::MeshStyle::shaded_wire();
+    const bool replaced = object.node == wanted.replaced;
+    scene.meshes.emplace_back(replaced ? wanted.by : items->second.surface->item(), emphasis, style);
+    if (!cage_alone && (edited || object.view == SmoothView::Both)) {
+      const QColor& color = colors::cage;
+      const render::Color wire(color.red(), color.green(), color.blue(), 230);
+      scene.meshes.emplace_back(items->second.cage->item(), render::Emphasis{}, render::MeshStyle::cage(wire));
+    }
+  }
+  return scene;
+}
+
+std::vector<render::MeshItemPtr> ObjectScenes::surfaces() const {
+  std::vector<render::MeshItemPtr> surfaces;
+  for (const StudioObject& object : studio_.objects()) {
+    const auto items = items_.find(object.node);
+    if (!object.visible || items == items_.end()) continue;
+    if (const auto& item = items->second.surface->item()) surfaces.push_back(item);
+  }
+  return surfaces;
+}
+
+render::MeshItemPtr ObjectScenes::cage_item(NodeId cage) const {
+  for (const StudioObject& object : studio_.objects()) {
+    const auto items = items_.find(object.node);
+    if (object.cage != cage || items == items_.end()) continue;
+    return (object.shown() == object.cage_mesh ? items->second.surface : items->second.cage)->item();
+  }
+  return nullptr;
+}
+
+bool ObjectScenes::busy() const {
+  return std::any_of(items_.begin(), items_.end(),
+                     [](const auto& entry) { return entry.second.surface->busy() || entry.second.cage->busy(); });
+}
+
+}  // namespace croquis::app

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QThreadPool>
+#include <map>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "app/live_item.h"
+#include "app/studio.h"
+#include "croquis/render/scene.h"
+
+namespace croquis::app {
+
+/// How surfaces are drawn (keys 4, 5, 6).
+enum class MeshLook { Wire, Shaded, ShadedWire };
+
+/// The surfaces of the studio's objects, and their cages, made ready for the renderer.
+class ObjectScenes : public QObject {
+  Q_OBJECT
+
+ public:
+  ObjectScenes(Studio& studio, QObject* parent);
+  ~ObjectScenes() override;
+
+  /// Every face by its own normal.
+  void set_flat(bool flat);
+  bool flat() const { return flat_; }
+
+  /// After the studio's objects have changed.
+  void follow();
+
+  /// What one view shows.
+  struct Wanted {
+    MeshLook look = MeshLook::Shaded;
+    bool stale = false;           ///< what is out of date is drawn faded
+    bool only_with_cage = false;  ///< without the solid of the sketch
+    NodeId edited = 0;            ///< the cage whose elements are being worked on: its edges are shown
+    NodeId replaced = 0;          ///< an object in whose place …
+    render::MeshItemPtr by;       ///< … this one is shown
+  };
+  render::Scene scene(const Wanted& wanted) const;
+
+  /// The surfaces alone, as pictures and thumbnails show them.
+  std::vector<render::MeshItemPtr> surfaces() const;
+
+  /// Made ready, or null.
+  render::MeshItemPtr cage_item(NodeId cage) const;
+
+  /// Some item is still being made.
+  bool busy() const;
+
+  QThreadPool& threads() { return threads_; }
+  render::MeshItemOptions item_options() const;
+
+ signals:
+  void changed();
+
+ private:
+  struct Items {
+    std::unique_ptr<LiveItem> surface;
+    std::unique_ptr<LiveItem> cage;
+  };
+  Items& items_of(NodeId node);
+  std::unique_ptr<LiveItem> make_item();
+
+  Studio& studio_;
+  bool flat_ = false;
+  QThreadPool threads_;
+  std::map<NodeId, Items> items_;  ///< by the object's node
+};
+
+}  // namespace croquis::app

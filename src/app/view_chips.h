@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QLabel>
+#include <QToolButton>
+#include <QWidget>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "app/joints.h"
+#include "app/pane_layout.h"
+#include "app/sketch_scene.h"
+#include "app/studio.h"
+
+namespace croquis::app {
+
+/// The colours of tagged edges with what they mean.
+class SharpnessLegend : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SharpnessLegend(QWidget* parent);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+};
+
+/// The small things that stand over the views: their names, counts, the invitation to draw, sentences at findings,
+/// buttons at joints, the value of the edge under the pointer.
+class ViewChips : public QObject {
+  Q_OBJECT
+
+ public:
+  /// @param views that they stand on
+  ViewChips(Studio& studio, QWidget* views);
+
+  /// In the middle of the sketch view; for whatever can't be drawn.
+  void say(const QString& sentence);
+
+  /// What joints the newest result offers.
+  void show_joints();
+
+  /// Accepts every joint of limb and body that is offered.
+  void join_all();
+
+  /// What is to stand where.
+  struct Wanted {
+    const SketchScene* sketch = nullptr;
+    bool drawing = false;  ///< a stroke is under way: nothing stands in its way
+    bool legend = false;
+    QString comparison;  ///< what the second view of a comparison shows
+    struct Value {
+      QPointF at;
+      QString text;
+    };
+    std::optional<Value> value;  ///< beside the pointer
+  };
+  void place(const PaneLayout& layout, const Wanted& wanted);
+
+ private:
+  void place_findings(const ViewPane& pane, const Wanted& wanted);
+  void place_joints(const ViewPane& pane, const Wanted& wanted);
+  void place_names(const PaneLayout& layout, const Wanted& wanted);
+  QString counts() const;
+
+  Studio& studio_;
+  QWidget* views_;
+  QLabel* hint_;
+  bool hint_stays_ = false;
+  std::array<QLabel*, 3> findings_{};
+  std::array<QLabel*, view_count> names_{};
+  QLabel* counts_;
+  QLabel* value_;
+  SharpnessLegend* legend_;
+  std::vector<Joint> joints_;
+  std::vector<QToolButton*> joint_chips_;  ///< one for each of joints_; later ones wait hidden
+};
+
+}  // namespace croquis::app
