@@ -8,11 +8,6 @@
 
 namespace croquis::render {
 
-/// One round of wire over all meshes.
-struct MeshPainter::WirePass {
-  bool covered = false;  // what surfaces hide of wires without a surface, else what they leave
-};
-
 namespace {
 
 constexpr Color box_color = {120, 124, 132, 255};
@@ -55,7 +50,7 @@ double edge_pixels(const MeshItem& item, const ViewFrame& view) {
 
 /// Wire too dense to tell its lines apart would be a grey coat over the shape.
 double strength_of_dense_wire(const MeshItem& item, const Drawing& drawing) {
-  constexpr double gone = 1, full = 3;  // pixels between lines
+  constexpr double gone = 1.5, full = 8;  // pixels between lines
   const double spacing = edge_pixels(item, drawing.view) / drawing.options.pixel_ratio;
   return std::clamp((spacing - gone) / (full - gone), 0.0, 1.0);
 }
@@ -190,22 +185,23 @@ void MeshPainter::draw_lines(const Drawing& drawing, const FrameBuffers& frame) 
     program->set("frame_size", glm::vec2(frame.size.width(), frame.size.height()));
   }
   glDepthMask(GL_FALSE);
-  draw_wire(drawing, {true});  // first, so that what is in front covers it
-  draw_wire(drawing, {false});
+  draw_wire(drawing, WireLayer::Covered);  // first, so that what is in front lies over it
+  draw_wire(drawing, WireLayer::Seen);
   if (drawing.uploads.pending()) draw_boxes(drawing);
   glDepthMask(GL_TRUE);
   draw_polylines(drawing);
   glDisable(GL_DEPTH_TEST);
 }
 
-void MeshPainter::draw_wire(const Drawing& drawing, const WirePass& pass) {
-  glDepthFunc(pass.covered ? GL_GREATER : GL_LEQUAL);
+void MeshPainter::draw_wire(const Drawing& drawing, WireLayer layer) {
+  const bool covered = layer == WireLayer::Covered;
+  glDepthFunc(covered ? GL_GREATER : GL_LEQUAL);
   for (const Shown<MeshItem>& shown : drawing.scene.meshes) {
     if (!shown.item || !shows_wire(shown.style, drawing.options)) continue;
     const bool alone = shown.style.surface == SurfaceLook::None;
-    if (pass.covered && !(alone && shown.style.covered_wire > 0)) continue;
+    if (covered && !(alone && shown.style.covered_wire > 0)) continue;
     glm::vec4 color = wire_color(shown, drawing.options);
-    if (pass.covered) color.a *= static_cast<float>(std::min(shown.style.covered_wire, 1.0));
+    if (covered) color.a *= static_cast<float>(std::min(shown.style.covered_wire, 1.0));
     if (shown.style.surface == SurfaceLook::Filled) {
       color.a *= static_cast<float>(strength_of_dense_wire(*shown.item, drawing));
     }

@@ -23,10 +23,11 @@ class MeshPainter {
   void drop_expired();
 
  private:
-  struct WirePass;
+  /// What surfaces hide of wires that have none themselves, and what they leave of all.
+  enum class WireLayer { Covered, Seen };
 
   void draw_highlight(const FaceHighlightPtr& highlight, const Drawing& drawing);
-  void draw_wire(const Drawing& drawing, const WirePass& pass);
+  void draw_wire(const Drawing& drawing, WireLayer layer);
   void draw_polylines(const Drawing& drawing);
   void draw_boxes(const Drawing& drawing);
 

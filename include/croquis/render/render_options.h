@@ -54,7 +54,7 @@ struct RenderOptions {
   double contour_width = 1.5;  ///< in [0.5, 8]
   Color contour_color = {40, 36, 42, 235};  ///< alpha is the strength
   bool wire = false;                        ///< the polygons' edges (not the triangles drawn for them); on filled faces
-                                            ///< they fade below three pixels of length and are gone below one
+                                            ///< they fade below eight pixels of length, to nothing at one and a half
   double wire_width = 0.8;                  ///< in [0.1, 8]
   Color wire_color = {44, 50, 62, 150};     ///< alpha is the strength
   double line_width = 2;                    ///< of meshes' polylines, in [0.1, 32]
