@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "croquis/document/byte_size.h"
 #include "croquis/io/mesh_tags_file.h"
 #include "croquis/subdivision/level_mesh.h"
 #include "croquis/subdivision/limit.h"
@@ -78,18 +79,25 @@ class Subdivision {
     plan_ = plan_of(cage_, settings_, hash_, context_.memo, planning);
     compute_positions(*plan_, cage_, buffers_, context_.threads);
     progress.report(0.8);
-    mesh_ = std::visit([this](const auto& plan) { return level_mesh(plan); }, *plan_);
+    connect_mesh();
     if (settings_.limit) move_to_limit(progress);
   }
 
   const SubdivisionPlan& plan() const { return *plan_; }
   int last() const { return reads_next_level() ? settings_.levels - 1 : settings_.levels; }
-  PolyMesh& mesh() { return mesh_; }
   const Level& level() const { return level_of(*plan_, last()); }
   std::span<const Vec3> positions() const { return buffers_.levels[static_cast<std::size_t>(last())]; }
 
   ContinuityReport continuity(Progress& progress) const {
     return std::visit([&](const auto& plan) { return continuity_report(plan, buffers_, progress); }, *plan_);
+  }
+
+  const MeshTags& tags() const { return mesh_.tags; }
+
+  /// The result. Takes the last level's positions along: large arrays that are new cost more than what is in them.
+  PolyMesh take_mesh() {
+    if (!settings_.limit) mesh_.positions = std::move(buffers_.levels[static_cast<std::size_t>(last())]);
+    return std::move(mesh_);
   }
 
   /// The limit curves of all chains.
@@ -103,11 +111,9 @@ class Subdivision {
  private:
   bool reads_next_level() const { return settings_.limit && settings_.scheme == SubdivisionScheme::DooSabin; }
 
-  template <typename Plan>
-  PolyMesh level_mesh(const Plan& plan) const {
-    if (settings_.provenance && last() > 0) return to_mesh(plan, last(), positions());
-    return to_mesh(plan.level(last()), positions());
-  }
+  /// All of the mesh but its positions, which the memo keeps while points are dragged.
+  void connect_mesh();
+  PolyMesh unplaced_mesh() const;
 
   void move_to_limit(Progress& progress);
 
@@ -119,6 +125,31 @@ class Subdivision {
   PositionBuffers buffers_;
   PolyMesh mesh_;
 };
+
+PolyMesh Subdivision::unplaced_mesh() const {
+  const auto level_mesh = [this](const auto& plan) {
+    const bool with_provenance = settings_.provenance && last() > 0;
+    return with_provenance ? to_mesh(plan, last(), positions()) : to_mesh(plan.level(last()), positions());
+  };
+  PolyMesh mesh = std::visit(level_mesh, *plan_);
+  std::vector<Vec3>().swap(mesh.positions);
+  return mesh;
+}
+
+void Subdivision::connect_mesh() {
+  if (context_.memo == nullptr) {
+    mesh_ = unplaced_mesh();
+    return;
+  }
+  ContentHasher hasher;
+  hasher.add("subdivide/mesh/1");
+  hasher.add(hash_);
+  hasher.add(last());
+  hasher.add(settings_.provenance);
+  const auto bytes = [](const PolyMesh& mesh) { return byte_size(std::make_shared<const PolyMesh>(mesh)); };
+  mesh_ = *context_.memo->get<PolyMesh>(
+      hasher.digest(), [this] { return unplaced_mesh(); }, bytes);
+}
 
 void Subdivision::move_to_limit(Progress& progress) {
   Progress step = progress.step("limit", 0.2);
@@ -189,8 +220,8 @@ OperationResult SubdivideOperation::compute(const Values& inputs, const Paramete
   result.outputs["details"] =
       std::make_shared<const Report>(details_of(subdivision, settings, context.quality, judging));
   result.outputs["chains"] = std::make_shared<const PolyMesh>(subdivision.curves());
-  result.outputs["tags-out"] = std::make_shared<const Report>(report_of(subdivision.mesh().tags));
-  result.outputs["mesh"] = std::make_shared<const PolyMesh>(std::move(subdivision.mesh()));
+  result.outputs["tags-out"] = std::make_shared<const Report>(report_of(subdivision.tags()));
+  result.outputs["mesh"] = std::make_shared<const PolyMesh>(subdivision.take_mesh());
   context.progress.report(1);
   return result;
 }

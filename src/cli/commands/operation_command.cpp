@@ -129,6 +129,9 @@ void check_files(const OperationDescription& description, const Invocation& invo
   }
 }
 
+/// Counting large meshes takes longer than making them.
+bool is_asked_for(const Invocation& invocation) { return invocation.json || !invocation.quiet; }
+
 /// What the main output's file holds, when it is a mesh.
 std::optional<MeshReport> report_of_file(const Value& value, const Invocation& invocation, Progress& progress) {
   const auto* mesh = std::get_if<std::shared_ptr<const PolyMesh>>(&value);
@@ -259,7 +262,7 @@ void OperationCommand::run(const Invocation& invocation, CommandResult& result, 
   if (!invocation.output.empty()) {
     const Value& value = computed.outputs.at(main_output.name);
     stage_value(main_output, value, {invocation.output, invocation.output_format}, result, writing);
-    if (!result.mesh) result.mesh = report_of_file(value, invocation, writing);
+    if (!result.mesh && is_asked_for(invocation)) result.mesh = report_of_file(value, invocation, writing);
   }
   for (const PortDescription& port : extra_outputs(description)) {
     const std::string path = text_parameter(invocation, port.name);
