@@ -9,5 +9,6 @@ namespace croquis::bench {
 void bench_readers(std::ostream& out);
 void bench_solver(std::ostream& out);
 void bench_silhouette(std::ostream& out);
+void bench_subdivision(std::ostream& out);
 
 }  // namespace croquis::bench

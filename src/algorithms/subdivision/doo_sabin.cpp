@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "algorithms/subdivision/face_mask.h"
+#include "algorithms/subdivision/large_pages.h"
 #include "algorithms/subdivision/level_bytes.h"
 #include "algorithms/subdivision/level_positions.h"
 #include "algorithms/subdivision/level_weights.h"
@@ -82,6 +83,13 @@ Index lowest_face_at_vertex(const HalfEdges& mesh, Index vertex) {
   return lowest;
 }
 
+void resize_untouched(std::vector<Vec3>& points, std::size_t count) {
+  const bool grows = count > points.capacity();
+  if (grows) points = {};  // what was there needs no copy
+  points.resize(count);    // Vec3 leaves its memory as it is
+  if (grows) wish_large_pages(points.data(), count * sizeof(Vec3));
+}
+
 }  // namespace
 
 struct DooSabinPlan::State {
@@ -123,7 +131,7 @@ void DooSabinPlan::positions(std::span<const Vec3> cage, PositionBuffers& buffer
   for (int k = 1; k <= levels(); ++k) {
     const auto& from = buffers.levels[static_cast<std::size_t>(k - 1)];
     auto& to = buffers.levels[static_cast<std::size_t>(k)];
-    to.resize(level(k).topology.vertex_count());
+    resize_untouched(to, level(k).topology.vertex_count());
     compute_positions(level(k - 1).topology, state_->refinement(k), state_->mask, from.data(), to.data(), threads);
   }
 }

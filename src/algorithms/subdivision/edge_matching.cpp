@@ -2,7 +2,7 @@
 #include "algorithms/subdivision/edge_matching.h"
 
 #include <algorithm>
-#include <tuple>
+#include <string>
 #include <utility>
 
 #include "croquis/base/error.h"
@@ -19,20 +19,20 @@ namespace {
 }  // namespace
 
 void EdgeMatching::add(Index half_edge, Index from, Index to) {
-  open_.push_back({std::min(from, to), std::max(from, to), half_edge, from < to});
+  const auto [low, high] = std::minmax(from, to);
+  open_.push_back({std::uint64_t{low} << 32 | high, half_edge, from < to});
 }
 
 void EdgeMatching::match(Index quads_begin, Index quads_end) {
   std::sort(open_.begin(), open_.end(), [](const Open& a, const Open& b) {
-    return std::tie(a.low, a.high, a.half_edge) < std::tie(b.low, b.high, b.half_edge);
+    return a.ends != b.ends ? a.ends < b.ends : a.half_edge < b.half_edge;
   });
   edges_.reserve((open_.size() + 1) / 2);
   const auto is_quads = [&](Index half_edge) { return half_edge >= quads_begin && half_edge < quads_end; };
   for (std::size_t i = 0; i < open_.size();) {
-    Edge edge{open_[i].low, open_[i].high, open_[i].half_edge, no_index, no_index};
-    const auto same = [&](std::size_t j) {
-      return j < open_.size() && open_[j].low == edge.low && open_[j].high == edge.high;
-    };
+    const std::uint64_t ends = open_[i].ends;
+    Edge edge{static_cast<Index>(ends >> 32), static_cast<Index>(ends), open_[i].half_edge, no_index, no_index};
+    const auto same = [&](std::size_t j) { return j < open_.size() && open_[j].ends == ends; };
     if (same(i + 1)) {
       if (open_[i].ascending == open_[i + 1].ascending || same(i + 2)) fail("Faces don't fit", edge.low, edge.high);
       edge.upper = open_[i + 1].half_edge;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "croquis/geometry/vector.h"
@@ -38,8 +39,9 @@ class EdgeMatching {
 
  private:
   struct Open {
-    Index low, high, half_edge;
-    bool ascending;  ///< runs from low to high
+    std::uint64_t ends;  ///< the lower vertex above the higher one: sorts by both
+    Index half_edge;
+    bool ascending;  ///< runs from the lower to the higher
   };
 
   std::vector<Open> open_;
