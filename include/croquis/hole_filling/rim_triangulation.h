@@ -42,7 +42,7 @@ struct RimTriangulationOptions {
 /// Short: dynamic programming over the polygon (Barequet and Sharir 1995, section 3), several loops being joined into
 /// one by their shortest bridges. Long: constrained Delaunay in the plane nearest to the rims when they don't cross
 /// there, else ears are cut off by their shortest diagonals; then edges are flipped while area goes down: n log n. A
-/// millionth of the squared edges is added to areas, so that flat rims, all of whose triangulations are equal, get
+/// trace of the squared edges is added to areas, so that flat rims, all of whose triangulations are equal, get
 /// well-shaped triangles. Triangles without area and edges in `blocked` are avoided; none may be left, or nothing is
 /// returned.
 /// @throws Cancelled

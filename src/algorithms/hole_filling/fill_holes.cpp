@@ -10,6 +10,7 @@
 #include "algorithms/hole_filling/hole_choice.h"
 #include "algorithms/hole_filling/patch_assembly.h"
 #include "algorithms/hole_filling/patcher.h"
+#include "algorithms/hole_filling/single_precision.h"
 #include "croquis/hole_filling/hole_groups.h"
 
 namespace croquis::hole_filling {
@@ -108,9 +109,7 @@ class Filling {
   }
 
   HolePatch as_stored(HolePatch patch) const {
-    if (options_.precision == Precision::Single) {
-      for (Vec3& point : patch.points) point = point.cast<float>().cast<double>();
-    }
+    if (options_.precision == Precision::Single) round_to_single(patch.points);
     return patch;
   }
 

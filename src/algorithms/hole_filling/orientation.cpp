@@ -2,6 +2,7 @@
 #include "algorithms/hole_filling/orientation.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -88,7 +89,12 @@ void orient_and_number(SurfaceView& view, std::span<const std::array<Index, 2>> 
   for (Index seed = 0; seed < view.triangles.size(); ++seed) {
     if (view.component[seed] != no_index) continue;
     Flood flood = flood_part(view, seed, parts++, cancel);
-    if (flood.one_sided) ++view.one_sided_components;
+    if (flood.one_sided) {
+      ++view.one_sided_components;
+      for (const Index triangle : flood.members)
+        view.flags[triangle] &= static_cast<std::uint8_t>(~SurfaceView::turned);
+      continue;  // no way to turn is better than the one given
+    }
     if (2 * flood.turned > flood.members.size()) {
       for (const Index triangle : flood.members) view.flags[triangle] ^= SurfaceView::turned;
       flood.turned = flood.members.size() - flood.turned;

@@ -8,6 +8,7 @@
 
 #include "algorithms/hole_filling/patch_structure.h"
 #include "algorithms/hole_filling/rim_edges.h"
+#include "algorithms/hole_filling/single_precision.h"
 #include "croquis/geometry/self_intersection.h"
 
 namespace croquis::hole_filling {
@@ -79,9 +80,7 @@ void condemn(std::span<const std::array<Index, 2>> pairs, const AddedFaces& adde
 PatchVerifier::PatchVerifier(const PolyMesh& mesh, const HoleAnalysis& analysis, Precision precision)
     : mesh_(mesh), analysis_(analysis), rim_edges_(edges_between_rims(mesh, analysis)) {
   scene_.positions = mesh.positions;
-  if (precision == Precision::Single) {
-    for (Vec3& position : scene_.positions) position = position.cast<float>().cast<double>();
-  }
+  if (precision == Precision::Single) round_to_single(scene_.positions);
   scene_.face_offsets.reserve(analysis.view.triangles.size() + 1);
   scene_.corners.reserve(3 * analysis.view.triangles.size());
   for (const auto& t : analysis.view.triangles) scene_.add_face(t);

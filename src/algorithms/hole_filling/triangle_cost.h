@@ -10,8 +10,9 @@
 
 namespace croquis::hole_filling {
 
-/// What edges weigh beside the area: decides where areas are equal, as on flat rims, and only there.
-inline constexpr double edge_weight = 1e-6;
+/// What edges weigh beside the area: decides where areas are equal, as on flat rims, and only there. More would fold
+/// flat patches over where that shortens edges; less would drown in the rounding of areas.
+inline constexpr double edge_weight = 1e-10;
 
 /// Twice the area over the squared longest edge: flatter triangles count as impossible.
 inline constexpr double least_flatness = 1e-9;

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include <catch2/catch.hpp>
+
+#include "croquis/base/error.h"
+#include "croquis/geometry/mesh_report.h"
+#include "croquis/hole_filling/fill_holes.h"
+#include "support/mesh_shapes.h"
+#include "support/sample_count.h"
+#include "support/scans.h"
+
+using namespace croquis;
+using namespace croquis::test;
+using namespace croquis::hole_filling;
+
+namespace {
+
+constexpr Fairness all_fairness[] = {Fairness::Flat, Fairness::Tangent, Fairness::Curved};
+
+FillResult fill(const PolyMesh& mesh, const FillOptions& options = {}) {
+  Progress progress;
+  return fill_holes(mesh, options, progress);
+}
+
+MeshReport report_of(const PolyMesh& mesh) {
+  Progress progress;
+  return inspect(mesh, true, progress);
+}
+
+std::vector<std::string> codes_of(const FillResult& result) {
+  std::vector<std::string> codes;
+  for (const Finding& finding : result.warnings) codes.push_back(finding.code);
+  return codes;
+}
+
+std::size_t filled(const FillResult& result) {
+  std::size_t count = 0;
+  for (const HoleOutcome& outcome : result.outcomes) count += outcome.action == FillAction::Fill;
+  return count;
+}
+
+/// The first vertices and faces are those given, bit by bit.
+bool begins_with(const PolyMesh& grown, const PolyMesh& given) {
+  return grown.vertex_count() >= given.vertex_count() && grown.face_count() >= given.face_count() &&
+         std::equal(given.positions.begin(), given.positions.end(), grown.positions.begin()) &&
+         std::equal(given.face_offsets.begin(), given.face_offsets.end(), grown.face_offsets.begin()) &&
+         std::equal(given.corners.begin(), given.corners.end(), grown.corners.begin());
+}
+
+/// Whatever is filled must hold these: nothing given changes, what is closed is closed soundly, the rest stays.
+void check_invariants(const PolyMesh& mesh, const FillResult& result) {
+  CHECK(begins_with(result.mesh, mesh));
+  const MeshReport before = report_of(mesh);
+  const MeshReport after = report_of(result.mesh);
+  std::size_t rims = 0, closed_edges = 0;
+  std::set<Index> patches;
+  for (std::size_t i = 0; i < result.outcomes.size(); ++i) {
+    if (result.outcomes[i].action != FillAction::Fill) continue;
+    ++rims;
+    closed_edges += result.analysis.holes[i].vertices.size();
+    patches.insert(result.outcomes[i].patch);
+  }
+  CHECK(after.boundary_loops == before.boundary_loops - rims);
+  CHECK(after.boundary_edges == before.boundary_edges - closed_edges);
+  CHECK(after.nonmanifold_edges == before.nonmanifold_edges);
+  CHECK(after.nonmanifold_vertices <= before.nonmanifold_vertices);
+  CHECK(after.oriented == before.oriented);
+  CHECK(*after.self_intersections == *before.self_intersections);
+  // Each patch is a sphere with as many holes as it closes.
+  CHECK(after.euler_characteristic ==
+        before.euler_characteristic + static_cast<std::int64_t>(2 * patches.size() - rims));
+  CHECK(result.new_vertices == result.mesh.vertex_count() - mesh.vertex_count());
+  CHECK(result.new_faces == result.mesh.face_count() - mesh.face_count());
+}
+
+double greatest_radial_error(const FillResult& result) {
+  double error = 0;
+  for (std::size_t v = result.mesh.vertex_count() - result.new_vertices; v < result.mesh.vertex_count(); ++v)
+    error = std::max(error, std::abs(result.mesh.positions[v].norm() - 1));
+  return error;
+}
+
+}  // namespace
+
+TEST_CASE("random cuts are closed soundly, by every fairness, on every shape") {
+  const std::vector<std::pair<PolyMesh, double>> shapes = {
+      {round_sphere(4), 1}, {ring_torus(60, 30), 1}, {divided_box(16), 0.6}, {uv_sphere(40, 30), 1},
+      {torus(50, 24), 1},   {bust(60, 70), 0.6},     {sheet(20, 20), 8}};
+  for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(sample_count(2, 40)); ++seed) {
+    for (const auto& [shape, size] : shapes) {
+      const CutScan scan = random_cuts(shape, seed, 1 + seed % 4, 0.12 * size, 0.3 * size);
+      for (const Fairness fairness : all_fairness) {
+        FillOptions options;
+        options.fairness = fairness;
+        const FillResult result = fill(scan.mesh, options);
+        check_invariants(scan.mesh, result);
+        for (std::size_t i = 0; i < result.outcomes.size(); ++i)
+          CHECK((result.outcomes[i].action == FillAction::Fill) == (result.analysis.holes[i].kind != HoleClass::Outer));
+      }
+    }
+  }
+}
+
+TEST_CASE("noisy rims are closed soundly or left open with a reason") {
+  for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(sample_count(6, 60)); ++seed) {
+    const PolyMesh mesh = with_noisy_rims(random_cuts(round_sphere(4), seed, 3, 0.2, 0.4).mesh, seed, 0.45);
+    const FillResult result = fill(mesh);
+    check_invariants(mesh, result);
+    for (const HoleOutcome& outcome : result.outcomes) {
+      if (outcome.action == FillAction::Failed) CHECK_FALSE(outcome.reason.empty());
+    }
+  }
+}
+
+TEST_CASE("each hole of a sheet-like surface that is closed raises the Euler characteristic by one") {
+  const CutScan scan = random_cuts(round_sphere(4), 11, 5, 0.15, 0.3);
+  REQUIRE(scan.removed.size() == 5);
+  CHECK(report_of(scan.mesh).euler_characteristic == -3);
+  const FillResult result = fill(scan.mesh);
+  const MeshReport after = report_of(result.mesh);
+  CHECK(after.euler_characteristic == 2);
+  CHECK(after.closed);
+  CHECK(after.genus == 0);
+  CHECK(after.volume.value() > 0);
+  FillOptions two;
+  two.only = {1, 3};
+  CHECK(report_of(fill(scan.mesh, two).mesh).euler_characteristic == -1);
+}
+
+TEST_CASE("a hole with islands becomes one surface") {
+  const PolyMesh mesh = cut_ring(round_sphere(5), Vec3(0, 0.6, 0.8), 0.25, 0.6).mesh;
+  for (const Fairness fairness : all_fairness) {
+    FillOptions options;
+    options.fairness = fairness;
+    const FillResult result = fill(mesh, options);
+    check_invariants(mesh, result);
+    const MeshReport after = report_of(result.mesh);
+    CHECK(after.components == 1);
+    CHECK(after.genus == 0);
+    CHECK(result.outcomes[0].patch == result.outcomes[1].patch);
+  }
+}
+
+TEST_CASE("two islands in one hole become one surface with it") {
+  const PolyMesh ring = cut_ring(sheet(40, 40), Vec3(20, 20, 0), 0, 12).mesh;
+  const PolyMesh mesh =
+      merged(ring, merged(translated(sheet(5, 5), Vec3(13, 17.5, 0)), translated(sheet(4, 6), Vec3(22, 17, 0.5))));
+  const FillResult result = fill(mesh);
+  check_invariants(mesh, result);
+  CHECK(report_of(result.mesh).components == 1);
+  CHECK(report_of(result.mesh).boundary_loops == 1);
+}
+
+TEST_CASE("a gap between two tubes is bridged") {
+  const PolyMesh lower = open_tube(1, 3, 32, 10);
+  const PolyMesh mesh = merged(lower, translated(lower, Vec3(0, 0, 3.7)));
+  const FillResult result = fill(mesh);
+  check_invariants(mesh, result);
+  const MeshReport after = report_of(result.mesh);
+  CHECK(after.components == 1);
+  CHECK(after.boundary_loops == 2);
+}
+
+TEST_CASE("a chain of holes that share corners closes without an edge of many faces") {
+  for (const Index count : {2u, 5u, 12u}) {
+    const PolyMesh mesh = chained_holes(count);
+    for (const Fairness fairness : all_fairness) {
+      FillOptions options;
+      options.fairness = fairness;
+      const FillResult result = fill(mesh, options);
+      check_invariants(mesh, result);
+      CHECK(filled(result) == count);
+      CHECK(report_of(result.mesh).nonmanifold_vertices == 0);
+    }
+  }
+}
+
+TEST_CASE("what is chosen is filled and nothing else") {
+  const PolyMesh mesh = cut(cut(sheet(20, 20), Vec3(5, 10, 0), 2.5).mesh, Vec3(14, 10, 0), 4.5).mesh;
+  FillOptions options;
+  const auto open = [&] {
+    std::vector<Index> ids;
+    const FillResult result = fill(mesh, options);
+    for (Index id = 0; id < result.outcomes.size(); ++id) {
+      if (result.outcomes[id].action == FillAction::Leave) ids.push_back(id);
+      CHECK(result.outcomes[id].action != FillAction::Failed);
+    }
+    return ids;
+  };
+  options.flat_caps = true;
+  CHECK(open() == std::vector<Index>{0});
+  CHECK(codes_of(fill(mesh, options)) == std::vector<std::string>{"W_OUTER_LEFT"});
+  options.max_diameter = 6;
+  CHECK(open().size() == 2);
+  options.max_diameter = std::numeric_limits<double>::infinity();
+  options.selection = Selection::AllButLargest;
+  CHECK(open() == std::vector<Index>{0});
+  options.only = {2};
+  CHECK(open() == std::vector<Index>{0, 1});
+  options.only = {2, 7, 9};
+  try {
+    fill(mesh, options);
+    FAIL("unknown holes must be refused");
+  } catch (const Error& error) {
+    CHECK(error.findings().size() == 2);
+    CHECK(error.findings()[0].code == "E_PARAMETER");
+  }
+}
+
+TEST_CASE("an open sheet alone stays as it is, and a closed mesh too") {
+  for (const PolyMesh& mesh : {sheet(9, 7), bowl(30, 8), round_sphere(3), cube()}) {
+    const FillResult result = fill(mesh);
+    CHECK(result.mesh.positions == mesh.positions);
+    CHECK(result.mesh.corners == mesh.corners);
+    CHECK(result.mesh.channels.empty());
+    CHECK(filled(result) == 0);
+  }
+}
+
+TEST_CASE("ends of a tube that are to be closed get flat caps") {
+  FillOptions options;
+  options.selection = Selection::All;
+  const PolyMesh mesh = open_tube(1, 4, 32, 10);
+  const FillResult result = fill(mesh, options);
+  check_invariants(mesh, result);
+  CHECK(report_of(result.mesh).closed);
+  CHECK(result.new_vertices == 0);
+  CHECK(result.outcomes[0].method == "minimal");
+  CHECK(result.outcomes[0].max_normal_jump == Approx(std::numbers::pi / 2).epsilon(0.02));
+  options.flat_caps = false;
+  CHECK(fill(mesh, options).new_vertices > 0);
+}
+
+TEST_CASE("a hole in a plane is closed in that plane") {
+  const PolyMesh mesh = random_cuts(sheet(30, 30), 3, 3, 2, 5).mesh;
+  for (const Fairness fairness : all_fairness) {
+    FillOptions options;
+    options.fairness = fairness;
+    const FillResult result = fill(mesh, options);
+    for (const Finding& finding : result.warnings) UNSCOPED_INFO(finding.message);
+    CHECK(filled(result) == 3);
+    for (const Vec3& position : result.mesh.positions) CHECK(std::abs(position.z()) < 1e-9 * 30 * std::sqrt(2.0));
+    CHECK(report_of(result.mesh).area == Approx(900));
+  }
+}
+
+TEST_CASE("smooth patches come closer to a sphere than flat ones") {
+  const PolyMesh mesh = cut(round_sphere(5), Vec3(0, 0, 1), 0.52).mesh;  // 30 degrees
+  FillOptions options;
+  options.fairness = Fairness::Flat;
+  const double flat_jump = fill(mesh, options).outcomes[0].max_normal_jump;
+  options.fairness = Fairness::Tangent;
+  const FillResult tangent = fill(mesh, options);
+  options.fairness = Fairness::Curved;
+  const FillResult curved = fill(mesh, options);
+  CHECK(tangent.outcomes[0].max_normal_jump < flat_jump / 2);
+  CHECK(greatest_radial_error(tangent) < 0.03);
+  CHECK(greatest_radial_error(curved) < greatest_radial_error(tangent));
+  CHECK(greatest_radial_error(curved) < 0.009);
+}
+
+TEST_CASE("filling again changes nothing, and the same input gives the same bytes") {
+  const PolyMesh mesh = random_cuts(ring_torus(60, 30), 4, 4, 0.15, 0.3).mesh;
+  const FillResult once = fill(mesh);
+  const FillResult twice = fill(mesh);
+  CHECK(once.mesh.positions == twice.mesh.positions);
+  CHECK(once.mesh.corners == twice.mesh.corners);
+  const FillResult again = fill(once.mesh);
+  CHECK(again.mesh.positions == once.mesh.positions);
+  CHECK(again.mesh.corners == once.mesh.corners);
+  CHECK(again.outcomes.empty());
+}
+
+TEST_CASE("one hole that can't be filled stays open and keeps no other from it") {
+  // A bar through one of two holes of a sheet: every patch of that hole would cut it.
+  const PolyMesh holed = cut(cut(sheet(24, 12), Vec3(6, 6, 0), 3).mesh, Vec3(18, 6, 0), 3).mesh;
+  PolyMesh bar = translated(scaled(divided_box(2), 2), Vec3(5, 5, -1));
+  const PolyMesh mesh = merged(holed, bar);
+  const FillResult result = fill(mesh);
+  check_invariants(mesh, result);
+  std::map<FillAction, int> actions;
+  for (const HoleOutcome& outcome : result.outcomes) ++actions[outcome.action];
+  CHECK(actions == std::map<FillAction, int>{{FillAction::Fill, 1}, {FillAction::Leave, 1}, {FillAction::Failed, 1}});
+  CHECK(codes_of(result) == std::vector<std::string>{"W_OUTER_LEFT", "W_HOLE_FAILED"});
+}
+
+TEST_CASE("soups keep their vertices and are closed where their corners lie") {
+  const PolyMesh mesh = random_cuts(round_sphere(3), 9, 2, 0.3, 0.5).mesh;
+  const PolyMesh soup = as_soup(mesh);
+  const FillResult result = fill(soup);
+  CHECK(begins_with(result.mesh, soup));
+  CHECK(filled(result) == 2);
+  CHECK(codes_of(result).front() == "W_WELDED");
+  CHECK(fill(result.mesh).outcomes.empty());  // seen welded, it is closed
+}
+
+TEST_CASE("attributes are continued into patches, and those given stay") {
+  PolyMesh mesh = cut(round_sphere(4), Vec3(0, 0, 1), 0.4).mesh;
+  std::vector<float> heights, normals;
+  std::vector<std::uint8_t> colours;
+  for (const Vec3& p : mesh.positions) {
+    heights.push_back(static_cast<float>(p.x()));
+    colours.insert(colours.end(), {200, static_cast<std::uint8_t>(100 + 50 * p.y()), 0});
+    for (const double c : p) normals.push_back(static_cast<float>(c));
+  }
+  const std::vector<std::int32_t> groups(mesh.face_count(), 7);
+  const std::vector<double> corners(2 * mesh.corners.size(), 0.5);
+  mesh.channels = {{"quality", Domain::Vertex, 1, heights, {}},
+                   {"color", Domain::Vertex, 3, colours, {}},
+                   {"normal", Domain::Vertex, 3, normals, {}},
+                   {"group", Domain::Face, 1, groups, {"a"}},
+                   {"uv", Domain::Corner, 2, corners, {}}};
+  const FillResult result = fill(mesh);
+  REQUIRE(filled(result) == 1);
+  const PolyMesh& grown = result.mesh;
+  for (const Finding& finding : validate(grown)) FAIL(finding.message);
+  const auto& grown_heights = std::get<std::vector<float>>(grown.channel("quality", Domain::Vertex)->data);
+  const auto& grown_colours = std::get<std::vector<std::uint8_t>>(grown.channel("color", Domain::Vertex)->data);
+  const auto& grown_normals = std::get<std::vector<float>>(grown.channel("normal", Domain::Vertex)->data);
+  CHECK(std::equal(heights.begin(), heights.end(), grown_heights.begin()));
+  CHECK(std::equal(colours.begin(), colours.end(), grown_colours.begin()));
+  for (std::size_t v = mesh.vertex_count(); v < grown.vertex_count(); ++v) {
+    const Vec3& p = grown.positions[v];
+    CHECK(std::abs(grown_heights[v] - p.x()) < 0.06);  // x is nearly harmonic over a flat cap
+    CHECK(grown_colours[3 * v] == 200);
+    CHECK(std::abs(grown_colours[3 * v + 1] - (100 + 50 * p.y())) < 4);
+    CHECK(Vec3(grown_normals[3 * v], grown_normals[3 * v + 1], grown_normals[3 * v + 2]).dot(p.normalized()) > 0.95);
+  }
+  CHECK(std::get<std::vector<std::int32_t>>(grown.channel("group", Domain::Face)->data).back() == 7);
+  CHECK(std::isnan(std::get<std::vector<double>>(grown.channel("uv", Domain::Corner)->data).back()));
+  const auto& ids = std::get<std::vector<std::int32_t>>(grown.channel("patch_id", Domain::Face)->data);
+  CHECK(std::count(ids.begin(), ids.end(), 0) == static_cast<std::ptrdiff_t>(result.new_faces));
+  CHECK(ids.front() == -1);
+}
+
+TEST_CASE("patches are made in single precision where the result will be") {
+  FillOptions options;
+  options.precision = Precision::Single;
+  const FillResult result = fill(random_cuts(round_sphere(4), 2, 3, 0.2, 0.4).mesh, options);
+  REQUIRE(result.new_vertices > 20);
+  for (std::size_t v = result.mesh.vertex_count() - result.new_vertices; v < result.mesh.vertex_count(); ++v) {
+    for (const double c : result.mesh.positions[v]) CHECK(c == static_cast<double>(static_cast<float>(c)));
+  }
+}
+
+TEST_CASE("a fill can be cancelled at any time, and its progress never falls") {
+  const PolyMesh mesh = random_cuts(round_sphere(4), 3, 4, 0.1, 0.3).mesh;
+  std::atomic<bool> cancel = false;
+  double last = 0;
+  Progress counting([&](double fraction, const std::string&) {
+    CHECK(fraction >= last);
+    last = fraction;
+  });
+  fill_holes(mesh, {}, counting);
+  CHECK(last == 1);
+  for (const double stop : {0.0, 0.1, 0.5, 0.9}) {
+    cancel = false;
+    Progress stopped([&](double fraction, const std::string&) { cancel = cancel || fraction >= stop; }, &cancel);
+    CHECK_THROWS_AS(fill_holes(mesh, {}, stopped), Cancelled);
+  }
+}

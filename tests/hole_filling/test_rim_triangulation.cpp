@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
+
+#include "algorithms/hole_filling/cgal_patch.h"
+#include "algorithms/hole_filling/ear_clipping.h"
+#include "algorithms/hole_filling/edge_flips.h"
+#include "algorithms/hole_filling/minimal_triangulation.h"
+#include "croquis/base/error.h"
+#include "croquis/hole_filling/rim_triangulation.h"
+#include "support/random.h"
+
+using namespace croquis;
+using namespace croquis::test;
+using namespace croquis::hole_filling;
+
+namespace {
+
+RimPolygon polygon_of(std::vector<Vec3> points) {
+  RimPolygon polygon;
+  polygon.loop_ends = {static_cast<Index>(points.size())};
+  polygon.points = std::move(points);
+  return polygon;
+}
+
+/// A closed curve around z whose radius and height vary.
+RimPolygon wavy(Index count, double radius_waves, double height_waves, std::uint64_t seed = 0, double noise = 0) {
+  Random random(seed);
+  std::vector<Vec3> points;
+  for (Index i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * i / count;
+    const double radius = 1 + radius_waves * std::cos(5 * angle) + noise * random.between(-1, 1);
+    const double height = height_waves * std::sin(3 * angle) + noise * random.between(-1, 1);
+    points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), height);
+  }
+  return polygon_of(std::move(points));
+}
+
+double area_of(const RimPolygon& polygon, const std::vector<std::array<Index, 3>>& triangles) {
+  double sum = 0;
+  for (const auto& [a, b, c] : triangles)
+    sum += (polygon.points[b] - polygon.points[a]).cross(polygon.points[c] - polygon.points[a]).norm() / 2;
+  return sum;
+}
+
+/// The border of some triangles is the polygon, each side once and in its own direction, and inner edges come in pairs.
+bool spans(const RimPolygon& polygon, const std::vector<std::array<Index, 3>>& triangles) {
+  std::map<std::pair<Index, Index>, int> edges;
+  for (const auto& t : triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (++edges[{t[i], t[(i + 1) % 3]}] > 1) return false;
+    }
+  }
+  std::size_t border = 0;
+  for (const auto& [edge, count] : edges) {
+    if (edges.contains({edge.second, edge.first})) continue;
+    if (polygon.next(edge.first) != edge.second) return false;
+    ++border;
+  }
+  return border == polygon.points.size() && triangles.size() == polygon.points.size() + 2 * polygon.loop_count() - 4;
+}
+
+/// Oracle: the least area over all triangulations of a closed polygon, by plain recursion.
+double least_area(const RimPolygon& polygon, Index from, Index to) {
+  if (to - from < 2) return 0;
+  double best = std::numeric_limits<double>::infinity();
+  for (Index apex = from + 1; apex < to; ++apex) {
+    best = std::min(
+        best, area_of(polygon, {{from, apex, to}}) + least_area(polygon, from, apex) + least_area(polygon, apex, to));
+  }
+  return best;
+}
+
+double shoelace(const RimPolygon& polygon) {
+  double sum = 0;
+  for (Index i = 0; i < polygon.points.size(); ++i) {
+    const Vec3& a = polygon.points[i];
+    const Vec3& b = polygon.points[polygon.next(i)];
+    sum += (a.x() * b.y() - a.y() * b.x()) / 2;
+  }
+  return sum;
+}
+
+std::optional<RimTriangulation> triangulated(const RimPolygon& polygon, std::size_t exact = 300) {
+  Progress progress;
+  return triangulate_rim(polygon, progress, {.exact_points = exact});
+}
+
+/// Two rings in the plane or in space, the outer one first, the inner one the other way round.
+RimPolygon two_rings(Index outer, Index inner, double height) {
+  RimPolygon polygon;
+  for (Index i = 0; i < outer; ++i) {
+    const double angle = 2 * std::numbers::pi * i / outer;
+    polygon.points.emplace_back(std::cos(angle), std::sin(angle), 0);
+  }
+  for (Index i = 0; i < inner; ++i) {
+    const double angle = -2 * std::numbers::pi * i / inner;
+    polygon.points.emplace_back(0.4 * std::cos(angle), 0.4 * std::sin(angle), height);
+  }
+  polygon.loop_ends = {outer, outer + inner};
+  return polygon;
+}
+
+}  // namespace
+
+TEST_CASE("short rims get the least area of all triangulations") {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const RimPolygon polygon = wavy(3 + static_cast<Index>(seed % 7), 0.3, 0.8, seed, 0.4);
+    const auto found = triangulated(polygon);
+    REQUIRE(found);
+    CHECK(found->is_minimal);
+    CHECK(spans(polygon, found->triangles));
+    CHECK(found->area == Approx(area_of(polygon, found->triangles)));
+    const double least = least_area(polygon, 0, static_cast<Index>(polygon.points.size()) - 1);
+    CHECK(found->area <= least * (1 + 1e-4));
+    CHECK(found->area >= least * (1 - 1e-12));
+  }
+}
+
+TEST_CASE("flat rims get their own area, whatever way they are triangulated") {
+  for (const Index count : {5u, 40u, 250u, 1000u}) {
+    const RimPolygon polygon = wavy(count, count > 20 ? 0.3 : 0, 0);
+    const auto found = triangulated(polygon);
+    REQUIRE(found);
+    CHECK(spans(polygon, found->triangles));
+    CHECK(found->area == Approx(shoelace(polygon)).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("long rims come close to the least area") {
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    const RimPolygon polygon = wavy(200, 0.2, seed % 2 == 0 ? 0.1 : 0.5, seed, 0.01);
+    const auto least = triangulated(polygon, 200);
+    const auto fast = triangulated(polygon, 0);
+    REQUIRE(least);
+    REQUIRE(fast);
+    CHECK_FALSE(fast->is_minimal);
+    CHECK(spans(polygon, fast->triangles));
+    CHECK(fast->area >= least->area * (1 - 1e-4));
+    CHECK(fast->area <= least->area * 1.05);
+  }
+}
+
+TEST_CASE("ears can be cut off where no plane shows the rim without crossings") {
+  // Winds around twice, so that it crosses itself in every plane's picture.
+  std::vector<Vec3> points;
+  for (Index i = 0; i < 400; ++i) {
+    const double angle = 4 * std::numbers::pi * i / 400;
+    points.emplace_back((1 + 0.3 * std::cos(angle / 2)) * std::cos(angle),
+                        (1 + 0.3 * std::cos(angle / 2)) * std::sin(angle), 0.3 * std::sin(angle / 2));
+  }
+  const RimPolygon polygon = polygon_of(points);
+  const auto found = triangulated(polygon);
+  REQUIRE(found);
+  CHECK(spans(polygon, found->triangles));
+}
+
+TEST_CASE("edges that are there already are avoided") {
+  RimPolygon square = polygon_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0.1}, {0, 1, 0}});
+  const auto free = triangulated(square);
+  REQUIRE(free);
+  const auto has_chord = [](const RimTriangulation& t, Index a, Index b) {
+    return std::all_of(t.triangles.begin(), t.triangles.end(), [&](const auto& triangle) {
+      return std::count(triangle.begin(), triangle.end(), a) == 1 &&
+             std::count(triangle.begin(), triangle.end(), b) == 1;
+    });
+  };
+  const bool first = has_chord(*free, 0, 2);
+  square.blocked = {first ? std::array<Index, 2>{0, 2} : std::array<Index, 2>{1, 3}};
+  const auto other = triangulated(square);
+  REQUIRE(other);
+  CHECK(has_chord(*other, 0, 2) != first);
+  square.blocked = {{0, 2}, {1, 3}};
+  CHECK_FALSE(triangulated(square));
+  CHECK_FALSE(triangulated(square, 0));
+
+  RimPolygon ring = wavy(500, 0.1, 0.1);
+  const auto unhindered = triangulated(ring);
+  REQUIRE(unhindered);
+  for (const auto& t : unhindered->triangles) {
+    const auto [low, high] = std::minmax({t[0], t[1], t[2]});
+    if (high - low > 2 && high - low < 498 && ring.blocked.size() < 20) ring.blocked.push_back({low, high});
+  }
+  std::sort(ring.blocked.begin(), ring.blocked.end());
+  const auto hindered = triangulated(ring);
+  REQUIRE(hindered);
+  CHECK(spans(ring, hindered->triangles));
+  for (const auto& t : hindered->triangles) {
+    for (std::size_t i = 0; i < 3; ++i) CHECK_FALSE(ring.is_blocked(t[i], t[(i + 1) % 3]));
+  }
+}
+
+TEST_CASE("rims with points on one line get no triangle without area, and rims on one line none at all") {
+  std::vector<Vec3> sides;
+  for (int i = 0; i < 8; ++i) sides.emplace_back(i, 0, 0);
+  for (int i = 0; i < 8; ++i) sides.emplace_back(8, i, 0);
+  for (int i = 0; i < 8; ++i) sides.emplace_back(8 - i, 8, 0);
+  for (int i = 0; i < 8; ++i) sides.emplace_back(0, 8 - i, 0);
+  for (const std::size_t exact : {std::size_t{300}, std::size_t{0}}) {
+    const RimPolygon polygon = polygon_of(sides);
+    const auto found = triangulated(polygon, exact);
+    REQUIRE(found);
+    CHECK(spans(polygon, found->triangles));
+    for (const auto& t : found->triangles) CHECK(area_of(polygon, {t}) > 0.1);
+    CHECK(found->area == Approx(64));
+  }
+  CHECK_FALSE(triangulated(polygon_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1.5, 0, 0}})));
+  CHECK_FALSE(triangulated(polygon_of({{0, 0, 0}, {1, 0, 0}})));
+}
+
+TEST_CASE("several rims are joined by one triangulation") {
+  for (const std::size_t exact : {std::size_t{300}, std::size_t{0}}) {
+    for (const double height : {0.0, 0.5}) {
+      const RimPolygon rings = two_rings(40, 20, height);
+      const auto found = triangulated(rings, exact);
+      REQUIRE(found);
+      CHECK(spans(rings, found->triangles));
+      if (height == 0) {
+        const double outer = 20 * std::sin(2 * std::numbers::pi / 40);
+        const double inner = 0.16 * 10 * std::sin(2 * std::numbers::pi / 20);
+        CHECK(found->area == Approx(outer - inner));
+      }
+    }
+  }
+}
+
+TEST_CASE("the triangulation of a rim of thousands of edges is sound") {
+  const RimPolygon polygon = wavy(4000, 0.2, 0.2, 1, 1e-4);
+  const auto found = triangulated(polygon);
+  REQUIRE(found);
+  CHECK(spans(polygon, found->triangles));
+}
+
+TEST_CASE("CGAL's triangulation is turned like the rim, and refuses what has none") {
+  Progress progress;
+  for (const Index count : {3u, 4u, 12u, 150u}) {
+    const RimPolygon polygon = wavy(count, 0.1, 0.2, 3, 0.05);
+    const auto found = cgal_triangulation(polygon.points, progress);
+    REQUIRE(found);
+    CHECK(spans(polygon, *found));
+  }
+  const std::vector<Vec3> line = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1.5, 0, 0}};
+  CHECK_FALSE(cgal_triangulation(line, progress));
+}
+
+TEST_CASE("triangulations can be cancelled") {
+  const std::atomic<bool> cancel = true;
+  Progress progress({}, &cancel);
+  CHECK_THROWS_AS(triangulate_rim(wavy(100, 0.1, 0.1), progress), Cancelled);
+}

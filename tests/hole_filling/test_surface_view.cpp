@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
+#include <set>
+
+#include <catch2/catch.hpp>
+
+#include "croquis/base/error.h"
+#include "croquis/geometry/mesh_topology.h"
+#include "croquis/hole_filling/surface_view.h"
+#include "support/mesh_shapes.h"
+#include "support/random.h"
+#include "support/scans.h"
+
+using namespace croquis;
+using namespace croquis::test;
+using namespace croquis::hole_filling;
+
+namespace {
+
+SurfaceView view_of(const PolyMesh& mesh) {
+  Progress progress;
+  return view_surface(mesh, progress);
+}
+
+std::vector<std::string> codes_of(const PolyMesh& mesh) {
+  try {
+    view_of(mesh);
+  } catch (const Error& error) {
+    std::vector<std::string> codes;
+    for (const Finding& finding : error.findings()) codes.push_back(finding.code);
+    return codes;
+  }
+  return {};
+}
+
+/// Triangles on few vertices, so that edges have any number of them.
+PolyMesh crowded_soup(std::uint64_t seed, Index vertices, Index triangles) {
+  Random random(seed);
+  PolyMesh mesh;
+  for (Index v = 0; v < vertices; ++v) {
+    const double x = random.unit(), y = random.unit();
+    mesh.positions.emplace_back(x, y, random.unit());
+  }
+  while (mesh.face_count() < triangles) {
+    const Index a = random.below(vertices), b = random.below(vertices), c = random.below(vertices);
+    if (a != b && b != c && c != a) mesh.add_triangle(a, b, c);
+  }
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("neighbours agree with the topology of the mesh, on any soup") {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const PolyMesh mesh = crowded_soup(seed, 4 + static_cast<Index>(seed % 20), 30);
+    const MeshTopology topology(mesh);
+    const SurfaceView view = view_of(mesh);
+    REQUIRE(view.triangles.size() == mesh.face_count());
+    std::size_t crowded = 0;
+    for (Index edge = 0; edge < topology.edge_count(); ++edge) crowded += topology.edge_corners(edge).size() > 2;
+    CHECK(view.crowded_edges == crowded);
+    CHECK(view.component_count == topology.component_count());
+    std::size_t rims = 0;
+    for (Index corner = 0; corner < view.opposite.size(); ++corner) {
+      // Turning moves corners: compare edges by their vertices.
+      const std::set<Index> ends = {view.origin(corner), view.target(corner)};
+      Index same = no_index;
+      for (Index i = corner - corner % 3; i < corner - corner % 3 + 3; ++i) {
+        if (std::set<Index>{topology.vertex(i), topology.vertex(topology.next(i))} == ends) same = i;
+      }
+      REQUIRE(same != no_index);
+      CHECK((view.opposite[corner] == no_index) == (topology.edge_corners(topology.edge(same)).size() == 1));
+      CHECK((view.opposite[corner] == crowded_edge) == (topology.edge_corners(topology.edge(same)).size() > 2));
+      if (view.has_opposite(corner)) {
+        CHECK(view.opposite[view.opposite[corner]] == corner);
+        CHECK(view.opposite[corner] / 3 == topology.face(topology.opposite(same)));
+      }
+      rims += view.opposite[corner] == no_index;
+    }
+    CHECK(view.rim_corners.size() == rims);
+    for (Index a = 0; a < mesh.face_count(); ++a) CHECK(view.component[a] == topology.component(a));
+  }
+}
+
+TEST_CASE("a soup of triangles at the same places is joined as the mesh that it was") {
+  const PolyMesh mesh = random_cuts(round_sphere(3), 1, 3, 0.2, 0.4).mesh;
+  const SurfaceView joined = view_of(mesh);
+  const SurfaceView soup = view_of(as_soup(mesh));
+  CHECK(joined.welded_vertices == 0);
+  CHECK(joined.representative.empty());
+  CHECK(soup.welded_vertices > 0);
+  CHECK(soup.opposite == joined.opposite);
+  CHECK(soup.component_count == 1);
+}
+
+TEST_CASE("the lowest used vertex of a place stands for it, and both zeros are one place") {
+  PolyMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0, 0, -0.0}, {1, 0, 0}, {1, -1, 0}};
+  mesh.add_triangle(1, 2, 3);
+  mesh.add_triangle(3, 5, 4);
+  const SurfaceView view = view_of(mesh);
+  CHECK(view.representative == std::vector<Index>{0, 1, 2, 3, 1, 5});  // vertex 0 is nobody's
+  CHECK(view.welded_vertices == 1);
+  CHECK(view.rim_corners.size() == 4);
+}
+
+TEST_CASE("the minority of a sheet is turned to agree with the rest") {
+  const PolyMesh straight = random_cuts(round_sphere(3), 5, 2, 0.2, 0.4).mesh;
+  Random random(3);
+  PolyMesh mixed = straight;
+  std::set<Index> turned;
+  while (turned.size() < mixed.face_count() / 3) {
+    const Index face = random.below(static_cast<Index>(mixed.face_count()));
+    if (turned.insert(face).second) mixed = flipped_face(mixed, face);
+  }
+  const SurfaceView view = view_of(mixed);
+  CHECK(view.turned_faces == turned.size());
+  CHECK(view.one_sided_components == 0);
+  for (Index t = 0; t < view.triangles.size(); ++t) {
+    CHECK(((view.flags[t] & SurfaceView::turned) != 0) == turned.contains(view.face[t]));
+    for (Index corner = 3 * t; corner < 3 * t + 3; ++corner) {
+      if (!view.has_opposite(corner)) continue;
+      CHECK(view.origin(corner) == view.target(view.opposite[corner]));
+      CHECK(view.target(corner) == view.origin(view.opposite[corner]));
+    }
+  }
+}
+
+TEST_CASE("a band with half a turn is told as one-sided") {
+  CHECK(view_of(moebius(7)).one_sided_components == 1);
+  CHECK(view_of(merged(moebius(5), grid(2, 2))).one_sided_components == 1);
+  CHECK(view_of(merged(moebius(5), grid(2, 2))).component_count == 2);
+}
+
+TEST_CASE("polygons are seen as triangles of their face") {
+  const SurfaceView view = view_of(cube());
+  CHECK(view.triangles.size() == 12);
+  CHECK(view.rim_corners.empty());
+  for (Index t = 0; t < 12; ++t) CHECK(view.face[t] == t / 2);
+}
+
+TEST_CASE("triangles without area are flagged, and those with two corners at one place left out") {
+  PolyMesh mesh = sheet(2, 2);
+  mesh.positions.emplace_back(0.5, 0, 0);
+  mesh.add_triangle(0, 1, 9);  // a crack along an edge of the border
+  mesh.positions.emplace_back(0, 0, 0);
+  mesh.add_triangle(0, 10, 3);  // vertex 10 is where vertex 0 is
+  const SurfaceView view = view_of(mesh);
+  CHECK(view.triangles.size() == 9);
+  CHECK(view.dropped_triangles == 1);
+  CHECK(view.unsound_triangles == 1);
+  CHECK((view.flags[8] & SurfaceView::no_area) != 0);
+}
+
+TEST_CASE("meshes that can't be viewed are refused by what is wrong with them") {
+  CHECK(codes_of(PolyMesh()) == std::vector<std::string>{"E_NO_FACES"});
+  PolyMesh points = sheet(1, 1);
+  for (Vec3& p : points.positions) p = Vec3(1, 2, 3);
+  CHECK(codes_of(points) == std::vector<std::string>{"E_DEGENERATE"});
+  PolyMesh line = sheet(1, 1);
+  for (Vec3& p : line.positions) p = Vec3(p.x() + p.y(), 0, 0);
+  CHECK(codes_of(line) == std::vector<std::string>{"E_DEGENERATE"});
+  PolyMesh broken = sheet(1, 1);
+  broken.positions[2].y() = std::numeric_limits<double>::quiet_NaN();
+  broken.corners[0] = 77;
+  const auto codes = codes_of(broken);
+  CHECK(std::set<std::string>(codes.begin(), codes.end()) == std::set<std::string>{"E_INDEX", "E_NOT_FINITE"});
+}
