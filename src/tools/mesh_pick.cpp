@@ -32,16 +32,14 @@ FaceTree::Planes planes_around(const ViewFrame& frame, const Vec2& pixel, double
           row(1) - clip_y(pixel.y() + reach) * row(3), clip_y(pixel.y() - reach) * row(3) - row(1), row(3)};
 }
 
-std::vector<Index> faces_of_vertex(const MeshTopology& topology, Index vertex) {
-  std::vector<Index> faces;
-  for (const Index corner : topology.vertex_corners(vertex)) faces.push_back(topology.face(corner));
-  return sorted_unique(std::move(faces));
+/// Into a list that is used again and again; ascending, as corners are.
+void list_faces(const MeshTopology& topology, std::span<const Index> corners, std::vector<Index>& faces) {
+  faces.clear();
+  for (const Index corner : corners) faces.push_back(topology.face(corner));
 }
 
-std::vector<Index> faces_of_edge(const MeshTopology& topology, Index edge) {
-  std::vector<Index> faces;
-  for (const Index corner : topology.edge_corners(edge)) faces.push_back(topology.face(corner));
-  return sorted_unique(std::move(faces));
+std::span<const Index> corners_of(const MeshTopology& topology, ComponentKind kind, Index element) {
+  return kind == ComponentKind::Vertex ? topology.vertex_corners(element) : topology.edge_corners(element);
 }
 
 struct Candidate {
@@ -180,12 +178,10 @@ std::optional<PickedElement> MeshPicker::at(const ViewFrame& frame, const Vec2& 
     if (near && near->picked.distance <= options.pixels) candidates.push_back(*near);
   }
   std::sort(candidates.begin(), candidates.end());
+  std::vector<Index> own;
   for (const Candidate& candidate : candidates) {
-    const Index element = candidate.picked.element;
-    const auto own = [&] {
-      return vertices ? faces_of_vertex(*state_->topology, element) : faces_of_edge(*state_->topology, element);
-    };
-    if (options.through || visible(frame, candidate.picked.place, own())) return candidate.picked;
+    list_faces(*state_->topology, corners_of(*state_->topology, kind, candidate.picked.element), own);
+    if (options.through || visible(frame, candidate.picked.place, own)) return candidate.picked;
   }
   return std::nullopt;
 }
@@ -230,13 +226,14 @@ struct BoxQuery {
     return answer == SeenFaces::Answer::Seen;
   }
 
-  bool has_vertex(Index vertex) const {
+  bool has_vertex(Index vertex, std::vector<Index>& own) const {
     if (screen.shown[vertex] == 0 || !inside(box, screen.vertices[vertex].pixel)) return false;
     if (seen == nullptr) return true;
-    return sees(screen.vertices[vertex], picker.mesh().positions[vertex], faces_of_vertex(picker.topology(), vertex));
+    list_faces(picker.topology(), picker.topology().vertex_corners(vertex), own);
+    return sees(screen.vertices[vertex], picker.mesh().positions[vertex], own);
   }
 
-  bool has_edge(Index edge) const {
+  bool has_edge(Index edge, std::vector<Index>& own) const {
     const auto [a, b] = picker.topology().edge_vertices(edge);
     if (screen.shown[a] == 0 && screen.shown[b] == 0) return false;
     const bool whole = screen.shown[a] != 0 && screen.shown[b] != 0;
@@ -248,7 +245,7 @@ struct BoxQuery {
     if (!segment) return false;
     const auto part = part_in_box(segment->a.pixel, segment->b.pixel, box);
     if (!part || seen == nullptr) return part.has_value();
-    const std::vector<Index> own = faces_of_edge(picker.topology(), edge);
+    list_faces(picker.topology(), picker.topology().edge_corners(edge), own);
     const double pixels = (part->second - part->first) * (segment->b.pixel - segment->a.pixel).norm();
     for (const double share : {0.5, 0.125, 0.875}) {
       if (share != 0.5 && pixels < short_pixels) break;
@@ -296,11 +293,12 @@ std::vector<Index> MeshPicker::in_box(const ViewFrame& frame, const PickBox& box
   std::vector<char> found(element_count(*state_->topology, kind), 0);
   in_blocks(found.size(), [&](std::size_t begin, std::size_t end) {
     std::vector<Projected> polygon;
+    std::vector<Index> own;
     for (std::size_t i = begin; i < end; ++i) {
       const auto element = static_cast<Index>(i);
-      const bool has = kind == ComponentKind::Vertex ? query.has_vertex(element)
+      const bool has = kind == ComponentKind::Vertex ? query.has_vertex(element, own)
                        : kind == ComponentKind::Edge
-                           ? query.has_edge(element)
+                           ? query.has_edge(element, own)
                            : query.has_face(element, !drawn.empty() && drawn[element] != 0, polygon);
       found[element] = has ? 1 : 0;
     }

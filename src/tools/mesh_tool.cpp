@@ -2,6 +2,7 @@
 #include "croquis/tools/mesh_tool.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -10,7 +11,8 @@
 namespace croquis {
 namespace {
 
-constexpr double sharpness_step = 0.1;  // levels: a hand can't mean less
+constexpr std::size_t most_faces_at_once = 50'000;  // their neighbourhoods take about 10 ms
+constexpr double sharpness_step = 0.1;              // levels: a hand can't mean less
 
 bool same_connectivity(const PolyMesh& a, const PolyMesh& b) {
   return a.vertex_count() == b.vertex_count() && a.face_offsets == b.face_offsets && a.corners == b.corners;
@@ -46,16 +48,19 @@ void MeshTool::set_node(NodeId node) {
   give_up();
   leave();
   node_ = node;
+  coming_ = {};
   cache_.reset();
   kept_ = {};
   last_click_.reset();
   anchor_ = anchor_before_ = no_index;
+  at_hand();
 }
 
 std::shared_ptr<const PolyMesh> MeshTool::mesh() const { return source_mesh(session_.document(), node_); }
 
 MeshTool::Cache* MeshTool::fresh() {
   auto now = mesh();
+  if (coming_.valid()) cache_ = coming_.get();
   if (!now) {
     cache_.reset();
   } else if (cache_ && cache_->mesh == now) {
@@ -69,6 +74,25 @@ MeshTool::Cache* MeshTool::fresh() {
     anchor_ = anchor_before_ = no_index;
   }
   return cache_.get();
+}
+
+MeshTool::Cache* MeshTool::at_hand() {
+  const auto now = mesh();
+  const bool small = !now || now->face_count() < most_faces_at_once;
+  if (small || (cache_ && (cache_->mesh == now || same_connectivity(*cache_->mesh, *now)))) return fresh();
+  if (!coming_.valid()) {
+    cache_.reset();
+    kept_ = {};
+    coming_ = std::async(std::launch::async, [now] {
+      auto cache = std::make_unique<Cache>(now);
+      cache->picker.prepare();
+      return cache;
+    });
+  }
+  if (coming_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return nullptr;
+  cache_ = coming_.get();
+  // The mesh may have changed meanwhile.
+  return cache_->mesh == now || same_connectivity(*cache_->mesh, *now) ? fresh() : nullptr;
 }
 
 std::shared_ptr<const MeshTopology> MeshTool::topology() {
@@ -114,7 +138,7 @@ bool MeshTool::hover(const Vec2& pixel, const ViewFrame& frame) {
   preview_.hovered_sharpness.reset();
   preview_.hovered_handle = ManipulatorHandle::None;
   preview_.cut.reset();
-  Cache* cache = fresh();
+  Cache* cache = at_hand();
   if (const auto now = loop_cut_armed_ ? std::nullopt : manipulator())
     preview_.hovered_handle = handle_at(*now, frame, pixel);
   const bool picks = loop_cut_armed_ || mode_ != MeshMode::Object;
@@ -145,7 +169,7 @@ bool MeshTool::leave() {
 std::optional<Manipulator> MeshTool::manipulator() {
   if (!is_manipulating(handles_)) return std::nullopt;
   if (gesture_ == Gesture::Handle && drag_) return drag_->moved();
-  if (fresh() == nullptr || selected_vertices().empty()) return std::nullopt;
+  if (at_hand() == nullptr || selected_vertices().empty()) return std::nullopt;
   Manipulator now;
   now.kind = manipulator_kind(handles_);
   now.pivot = middle();

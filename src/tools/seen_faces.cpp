@@ -71,10 +71,19 @@ SeenFaces::SeenFaces(const PolyMesh& mesh, const ViewFrame& frame, const ScreenM
   cells_per_pixel_ = {columns_ / size.x(), rows_ / size.y()};
   cells_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_),
                 {std::numeric_limits<double>::infinity(), no_index});
+  std::vector<Projected> vertices(screen.vertices.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v] = in_cells(screen.vertices[v]);
   std::vector<Projected> polygon;
   for (Index face = 0; face < mesh.face_count(); ++face) {
-    project_face(mesh, frame, screen, face, polygon);
-    if (!polygon.empty()) draw_face(mesh, face, polygon);
+    const auto corners = mesh.face(face);
+    polygon.clear();
+    if (std::all_of(corners.begin(), corners.end(), [&](Index v) { return screen.shown[v] != 0; })) {
+      for (const Index v : corners) polygon.push_back(vertices[v]);
+    } else {
+      project_face(mesh, frame, screen, face, polygon);
+      for (Projected& corner : polygon) corner = in_cells(corner);
+    }
+    if (polygon.size() >= 3) draw_face(mesh, face, polygon);
   }
 }
 
@@ -96,8 +105,6 @@ bool SeenFaces::covers_cells(const std::vector<Projected>& polygon) const {
     low = low.cwiseMin(corner.pixel);
     high = high.cwiseMax(corner.pixel);
   }
-  low = (low - region_.low).cwiseProduct(cells_per_pixel_);
-  high = (high - region_.low).cwiseProduct(cells_per_pixel_);
   const auto [first_column, end_column] = middles_between(low.x(), high.x(), columns_);
   const auto [first_row, end_row] = middles_between(low.y(), high.y(), rows_);
   return first_column < end_column && first_row < end_row;
@@ -115,10 +122,7 @@ void SeenFaces::draw_face(const PolyMesh& mesh, Index face, const std::vector<Pr
   draw_triangle(polygon[first], polygon[first + 2], polygon[(first + 3) % 4], face);
 }
 
-void SeenFaces::draw_triangle(const Projected& pa, const Projected& pb, const Projected& pc, Index face) {
-  const Projected a = in_cells(pa);
-  const Projected b = in_cells(pb);
-  const Projected c = in_cells(pc);
+void SeenFaces::draw_triangle(const Projected& a, const Projected& b, const Projected& c, Index face) {
   const auto [left, right] = std::minmax({a.pixel.x(), b.pixel.x(), c.pixel.x()});
   const auto [top, bottom] = std::minmax({a.pixel.y(), b.pixel.y(), c.pixel.y()});
   const auto [first_column, end_column] = middles_between(left, right, columns_);
@@ -137,14 +141,12 @@ void SeenFaces::draw_triangle(const Projected& pa, const Projected& pb, const Pr
   }
 }
 
-void SeenFaces::draw_polygon(const std::vector<Projected>& on_screen, Index face) {
-  std::vector<Projected> polygon;
+void SeenFaces::draw_polygon(const std::vector<Projected>& polygon, Index face) {
   double top = std::numeric_limits<double>::infinity();
   double bottom = -top;
-  for (const Projected& corner : on_screen) {
-    polygon.push_back(in_cells(corner));
-    top = std::min(top, polygon.back().pixel.y());
-    bottom = std::max(bottom, polygon.back().pixel.y());
+  for (const Projected& corner : polygon) {
+    top = std::min(top, corner.pixel.y());
+    bottom = std::max(bottom, corner.pixel.y());
   }
   const DepthPlane plane(polygon);
   const auto [first_row, end_row] = middles_between(top, bottom, rows_);

@@ -34,7 +34,7 @@ class SeenFaces {
   };
 
   bool covers_cells(const std::vector<Projected>& polygon) const;
-  Projected in_cells(const Projected& place) const;
+  Projected in_cells(const Projected& place) const;  ///< what is drawn has cells for pixels
   void draw_face(const PolyMesh& mesh, Index face, const std::vector<Projected>& polygon);
   void draw_triangle(const Projected& a, const Projected& b, const Projected& c, Index face);
   void draw_polygon(const std::vector<Projected>& polygon, Index face);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -74,7 +75,10 @@ class MeshTool {
   // ---- What it works on
   void set_node(NodeId node);  ///< a source node with a mesh; another one than before empties hover and gestures
   NodeId node() const { return node_; }
-  std::shared_ptr<const PolyMesh> mesh() const;    ///< null when the node holds none
+  std::shared_ptr<const PolyMesh> mesh() const;  ///< null when the node holds none
+  /// Whether neighbourhoods and picking tree are at hand. Those of big meshes are made beside: hovering shows nothing
+  /// meanwhile, everything else that needs them waits.
+  bool ready() { return at_hand() != nullptr; }
   std::shared_ptr<const MeshTopology> topology();  ///< of mesh(), or null
   MeshPicker* picker();                            ///< of mesh(), or null
   const std::vector<double>& edge_sharpness();     ///< #E, of mesh()'s tags
@@ -199,7 +203,8 @@ class MeshTool {
   Vec3 middle();
 
   // Edits
-  Cache* fresh();  ///< null without a mesh
+  Cache* fresh();    ///< null without a mesh
+  Cache* at_hand();  ///< also null while it is being made
   std::string node_name() const;
   std::string counted(const std::string& verb, ComponentKind kind, std::size_t count) const;
   Document with_mesh(PolyMesh mesh) const;
@@ -217,6 +222,7 @@ class MeshTool {
   std::optional<recorded::Step> done_;
   Findings notes_;
   std::unique_ptr<Cache> cache_;
+  std::future<std::unique_ptr<Cache>> coming_;                     ///< the cache of a big mesh
   std::array<std::shared_ptr<const ComponentSelection>, 3> kept_;  ///< of the modes that are off
 
   Gesture gesture_ = Gesture::None;
