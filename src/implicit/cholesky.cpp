@@ -32,28 +32,20 @@ CROQUIS_PART bool factor_panel(double* a, std::size_t n, std::size_t stride, std
   return true;
 }
 
-/// Rows [begin, n) of the panel, strip by strip of 8 rows, each strip's columns one behind the other; 0 below the end.
-CROQUIS_PART void pack_rows(const double* panel, std::size_t n, std::size_t stride, std::size_t begin,
-                            std::size_t columns, double* packed) {
-  for (std::size_t row = begin; row < n; row += lane_count) {
-    const std::size_t count = std::min(lane_count, n - row);
-    for (std::size_t k = 0; k < columns; ++k, packed += lane_count) {
+/// Rows [begin, n) of the panel, strip by strip of `width` rows, each strip's columns one behind the other; 0 below the
+/// end.
+template <std::size_t width>
+CROQUIS_PART void pack(const double* panel, std::size_t n, std::size_t stride, std::size_t begin, std::size_t columns,
+                       double* packed) {
+  for (std::size_t row = begin; row < n; row += width) {
+    const std::size_t count = std::min(width, n - row);
+    for (std::size_t k = 0; k < columns; ++k, packed += width) {
       const double* from = panel + k * stride + row;
-      std::copy(from, from + count, packed);
-      std::fill(packed + count, packed + lane_count, 0.0);
-    }
-  }
-}
-
-/// The same rows in groups of 4, as the tile's columns take them.
-CROQUIS_PART void pack_columns(const double* panel, std::size_t n, std::size_t stride, std::size_t begin,
-                               std::size_t columns, double* packed) {
-  for (std::size_t row = begin; row < n; row += tile_columns) {
-    const std::size_t count = std::min(tile_columns, n - row);
-    for (std::size_t k = 0; k < columns; ++k, packed += tile_columns) {
-      const double* from = panel + k * stride + row;
-      std::copy(from, from + count, packed);
-      std::fill(packed + count, packed + tile_columns, 0.0);
+      if (count == width) {
+        for (std::size_t r = 0; r < width; ++r) packed[r] = from[r];
+      } else {
+        for (std::size_t r = 0; r < width; ++r) packed[r] = r < count ? from[r] : 0;
+      }
     }
   }
 }
@@ -95,8 +87,8 @@ CROQUIS_FOR_EVERY_MACHINE bool factor_blocks(double* a, std::size_t n, std::size
     const std::size_t end = std::min(begin + block, n);
     if (!factor_panel(a, n, stride, begin, end, least)) return false;
     const std::size_t columns = end - begin;
-    pack_rows(a + begin * stride, n, stride, end, columns, strips);
-    pack_columns(a + begin * stride, n, stride, end, columns, groups);
+    pack<lane_count>(a + begin * stride, n, stride, end, columns, strips);
+    pack<tile_columns>(a + begin * stride, n, stride, end, columns, groups);
     for (std::size_t column = end; column < n; column += tile_columns) {
       const double* group = groups + (column - end) * columns;
       for (std::size_t row = end + (column - end) / lane_count * lane_count; row < n; row += lane_count) {
@@ -109,6 +101,32 @@ CROQUIS_FOR_EVERY_MACHINE bool factor_blocks(double* a, std::size_t n, std::size
   return true;
 }
 
+CROQUIS_PART double dot(const double* a, const double* b, std::size_t n) {
+  Lanes lanes = {};
+  std::size_t i = 0;
+  for (; i + lane_count <= n; i += lane_count) {
+    Lanes u, v;
+    load(u, a + i);
+    load(v, b + i);
+    lanes += u * v;
+  }
+  double rest = 0;
+  for (; i < n; ++i) rest += a[i] * b[i];
+  return sum(lanes) + rest;
+}
+
+CROQUIS_FOR_EVERY_MACHINE void substitute(const double* a, std::size_t n, std::size_t stride, double* b) {
+  for (std::size_t j = 0; j < n; ++j) {
+    const double* column = a + j * stride;
+    b[j] /= column[j];
+    for (std::size_t i = j + 1; i < n; ++i) b[i] -= column[i] * b[j];
+  }
+  for (std::size_t j = n; j-- > 0;) {
+    const double* column = a + j * stride;
+    b[j] = (b[j] - dot(column + j + 1, b + j + 1, n - j - 1)) / column[j];
+  }
+}
+
 }  // namespace
 
 bool factor_cholesky(double* a, std::size_t n, std::size_t stride, double least) {
@@ -117,18 +135,6 @@ bool factor_cholesky(double* a, std::size_t n, std::size_t stride, double least)
   return factor_blocks(a, n, stride, least, strips.data(), groups.data());
 }
 
-void solve_cholesky(const double* a, std::size_t n, std::size_t stride, double* b) {
-  for (std::size_t j = 0; j < n; ++j) {
-    const double* column = a + j * stride;
-    b[j] /= column[j];
-    for (std::size_t i = j + 1; i < n; ++i) b[i] -= column[i] * b[j];
-  }
-  for (std::size_t j = n; j-- > 0;) {
-    const double* column = a + j * stride;
-    double rest = b[j];
-    for (std::size_t i = j + 1; i < n; ++i) rest -= column[i] * b[i];
-    b[j] = rest / column[j];
-  }
-}
+void solve_cholesky(const double* a, std::size_t n, std::size_t stride, double* b) { substitute(a, n, stride, b); }
 
 }  // namespace croquis::implicit

@@ -104,7 +104,7 @@ void CubeMesher::add_triangles(LatticeBlock& block, Piece& piece) {
   for (unsigned local = 0; local < LatticeBlock::size; ++local) {
     if (!block.active.test(local)) continue;
     const LatticePlace cube = {&block, static_cast<std::uint16_t>(local)};
-    const CubeLoops loops = cube_loops(corner_values(lattice_, cube));
+    const CubeLoops loops = cube_loops(lattice_.values(cube));
     for (std::size_t i = 0; i < loops.count; ++i) add_loop(cube, loops.loop(i), piece);
   }
 }

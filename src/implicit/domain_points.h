@@ -19,6 +19,9 @@ class DomainPoints {
   /// their normals or, for kernels without gradients, their offset points.
   Constraints of(const Box& box) const;
 
+  /// True when the box holds more than `most` points on the surface.
+  bool holds_more_than(std::size_t most, const Box& box) const { return tree_.inside(box).size() > most; }
+
   std::span<const Vec3> positions() const { return positions_; }
   std::size_t bytes() const;
 

@@ -37,13 +37,19 @@ Eigen::Matrix4d hermite_block(const Vec3& d) {
 void fill_hermite(const UnitCentres& centres, FitSystem& system) {
   const std::size_t count = centres.positions.size();
   for (std::size_t j = 0; j < count; ++j) {
+    const Index column = at(system.first[j]);
+    const Index columns = at(system.first[j + 1]) - column;
     for (std::size_t i = j; i < count; ++i) {
       const Eigen::Matrix4d block = hermite_block(centres.positions[i] - centres.positions[j]);
-      const Index rows = at(system.first[i + 1] - system.first[i]);
-      const Index columns = at(system.first[j + 1] - system.first[j]);
-      system.a.block(at(system.first[i]), at(system.first[j]), rows, columns) = block.topLeftCorner(rows, columns);
-      system.a.block(at(system.first[j]), at(system.first[i]), columns, rows) =
-          block.topLeftCorner(rows, columns).transpose();
+      const Index row = at(system.first[i]);
+      const Index rows = at(system.first[i + 1]) - row;
+      if (rows == 4 && columns == 4) {
+        system.a.block<4, 4>(row, column) = block;
+        system.a.block<4, 4>(column, row) = block.transpose();
+      } else {
+        system.a.block(row, column, rows, columns) = block.topLeftCorner(rows, columns);
+        system.a.block(column, row, columns, rows) = block.topLeftCorner(rows, columns).transpose();
+      }
     }
   }
 }

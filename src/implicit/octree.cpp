@@ -56,6 +56,7 @@ Octree::Octree(std::span<const Vec3> points, const Box& cube, const OctreeRule& 
   if (rule.equal_leaves) {
     used.max_depth = equal_depth(points, cube, rule);
     used.leaf_points = 0;
+    used.crowded = {};
   }
   split(points, 0, 0, points.size(), 0, used);
 }
@@ -63,7 +64,9 @@ Octree::Octree(std::span<const Vec3> points, const Box& cube, const OctreeRule& 
 void Octree::split(std::span<const Vec3> points, std::size_t node, std::size_t begin, std::size_t end, int depth,
                    const OctreeRule& rule) {
   const Box cube = nodes_[node].cube;
-  if (end - begin <= rule.leaf_points || depth == rule.max_depth) {
+  const std::size_t count = end - begin;
+  const bool crowded = count > rule.leaf_points || (count > 0 && rule.crowded && rule.crowded(cube));
+  if (!crowded || depth == rule.max_depth) {
     nodes_[node].first = static_cast<Index>(leaves_.size());
     leaves_.push_back({cube, begin, end});
     return;

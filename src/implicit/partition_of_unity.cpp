@@ -25,6 +25,14 @@ constexpr double no_weight = 1e-30;
 // The tree's cube is larger than the points by this fraction: fills may bulge out of their box.
 constexpr double room = 0.5;
 
+// Of leaf_points: a box that only grazes the surface has few points of its own, but may have a whole sheet of them in
+// its overlap. Two such boxes in a hundred would take half of all the time.
+constexpr std::size_t crowd = 3;
+
+// Fillers fade out where the other domains' weights (without their factors) add up to this. Their influence is below a
+// ten thousandth there; without it, most of those near the surface need never be fitted.
+constexpr double enough = 1e-3;
+
 /// One box with its fit, which is made when it is first asked for.
 struct DomainFit {
   Box box;
@@ -54,6 +62,13 @@ Box cube_around(std::span<const Vec3> positions, const std::vector<ExtraDomain>&
   return {(box.middle().array() - 0.5 * side).matrix(), (box.middle().array() + 0.5 * side).matrix()};
 }
 
+OctreeRule rule_of(const DomainOptions& options, const DomainPoints& points) {
+  const auto crowded = [&options, &points](const Box& cube) {
+    return points.holds_more_than(crowd * options.leaf_points, cube.grown(options.overlap));
+  };
+  return {options.leaf_points, options.max_depth, crowded, options.equal_boxes};
+}
+
 /// What the domains at one place add up to.
 struct Blend {
   double weight = 0;
@@ -61,6 +76,8 @@ struct Blend {
   Vec3 gradient = Vec3::Zero();           // sum of W grad f
   Vec3 weight_gradient = Vec3::Zero();    // sum of grad W
   Vec3 value_times_slope = Vec3::Zero();  // sum of f grad W
+  double coverage = 0;                    // sum of W without factors, of all but fillers
+  Vec3 coverage_gradient = Vec3::Zero();
 };
 
 enum class Wanted { Value, FirstSum, Gradient };
@@ -72,7 +89,7 @@ struct PartitionOfUnity::State {
         const DomainOptions& chosen)
       : options(chosen),
         points(positions, normals, chosen),
-        tree(positions, cube_around(positions, extras), {chosen.leaf_points, chosen.max_depth, chosen.equal_boxes}),
+        tree(positions, cube_around(positions, extras), rule_of(chosen, points)),
         extras_of_leaf(tree.leaves().size()) {}
 
   const LocalFit& fit_of(const DomainFit& domain) const {
@@ -86,7 +103,9 @@ struct PartitionOfUnity::State {
 
   void add_leaf_domains();
   void add_extras(std::vector<ExtraDomain>&& extras);
-  void add(const DomainFit& domain, const Vec3& place, Wanted wanted, Blend& blend) const;
+  void add(const DomainFit& domain, const BoxWeight& w, const Vec3& place, Wanted wanted, Blend& blend) const;
+  void add_domain(const DomainFit& domain, const Vec3& place, Wanted wanted, Blend& blend) const;
+  void add_filler(const DomainFit& domain, const Vec3& place, Wanted wanted, const Blend& others, Blend& blend) const;
   Blend blend_at(const Vec3& place, Wanted wanted) const;
   void evaluate(std::span<const Vec3> places, std::span<double> values, std::span<Vec3> gradients, Wanted wanted) const;
   DomainReport count_domains() const;
@@ -119,29 +138,54 @@ void PartitionOfUnity::State::add_extras(std::vector<ExtraDomain>&& extras) {
   }
 }
 
-void PartitionOfUnity::State::add(const DomainFit& domain, const Vec3& place, Wanted wanted, Blend& blend) const {
-  if (!(domain.weight > 0)) return;
-  const BoxWeight w = box_weight(domain.box, place);
-  if (!(w.value > 0)) return;
-  const double weight = domain.weight * w.value;
+void PartitionOfUnity::State::add(const DomainFit& domain, const BoxWeight& w, const Vec3& place, Wanted wanted,
+                                  Blend& blend) const {
   double value = 0;
   Vec3 gradient;
   const bool steep = wanted != Wanted::Value;
   fit_of(domain).evaluate({&place, 1}, {&value, 1}, {&gradient, steep ? 1U : 0U});
-  blend.weight += weight;
-  blend.value += weight * value;
-  if (steep) blend.gradient += weight * gradient;
+  blend.weight += w.value;
+  blend.value += w.value * value;
+  if (steep) blend.gradient += w.value * gradient;
   if (wanted != Wanted::Gradient) return;
-  blend.weight_gradient += domain.weight * w.gradient;
-  blend.value_times_slope += domain.weight * value * w.gradient;
+  blend.weight_gradient += w.gradient;
+  blend.value_times_slope += value * w.gradient;
+}
+
+void PartitionOfUnity::State::add_domain(const DomainFit& domain, const Vec3& place, Wanted wanted,
+                                         Blend& blend) const {
+  const BoxWeight w = box_weight(domain.box, place);
+  if (!(w.value > 0)) return;
+  blend.coverage += w.value;
+  blend.coverage_gradient += w.gradient;
+  add(domain, {domain.weight * w.value, domain.weight * w.gradient}, place, wanted, blend);
+}
+
+/// Times (1 - coverage / enough)^3, which ends twice continuously differentiable.
+void PartitionOfUnity::State::add_filler(const DomainFit& domain, const Vec3& place, Wanted wanted, const Blend& others,
+                                         Blend& blend) const {
+  const BoxWeight w = box_weight(domain.box, place);
+  const double rest = 1 - others.coverage / enough;
+  const double fade = rest * rest * rest;
+  const Vec3 fade_gradient = -3 / enough * rest * rest * others.coverage_gradient;
+  const BoxWeight faded = {domain.weight * w.value * fade,
+                           domain.weight * (fade * w.gradient + w.value * fade_gradient)};
+  if (faded.value > 0) add(domain, faded, place, wanted, blend);
 }
 
 Blend PartitionOfUnity::State::blend_at(const Vec3& place, Wanted wanted) const {
   Blend blend;
-  tree.for_each_near(place, options.overlap, [&](Index leaf) { add(domains[leaf], place, wanted, blend); });
+  tree.for_each_near(place, options.overlap, [&](Index leaf) {
+    if (tree.leaves()[leaf].point_count() > 0) add_domain(domains[leaf], place, wanted, blend);
+  });
   const Index home = has_extras ? tree.leaf_at(place) : no_index;
-  if (home == no_index) return blend;
-  for (const Index extra : extras_of_leaf[home]) add(domains[extra], place, wanted, blend);
+  if (home != no_index)
+    for (const Index extra : extras_of_leaf[home]) add_domain(domains[extra], place, wanted, blend);
+  if (blend.coverage >= enough) return blend;
+  const Blend others = blend;
+  tree.for_each_near(place, options.overlap, [&](Index leaf) {
+    if (tree.leaves()[leaf].point_count() == 0) add_filler(domains[leaf], place, wanted, others, blend);
+  });
   return blend;
 }
 

@@ -88,6 +88,18 @@ LatticePlace SparseLattice::upper(const LatticePlace& place, unsigned bits) {
   return {neighbour, static_cast<std::uint16_t>(local)};
 }
 
+CornerValues SparseLattice::values(const LatticePlace& cube) {
+  CornerValues values;
+  const bool at_rim = (cube.local & 7) == 7 || (cube.local >> 3 & 7) == 7 || cube.local >> 6 == 7;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const unsigned step = (corner & 1U) + 8 * (corner >> 1 & 1U) + 64 * (corner >> 2);
+    const LatticePlace place =
+        at_rim ? upper(cube, corner) : LatticePlace{cube.block, static_cast<std::uint16_t>(cube.local + step)};
+    values[corner] = place.block->values[place.local];
+  }
+  return values;
+}
+
 void SparseLattice::link() {
   for (LatticeBlock& block : blocks_) {
     for (unsigned bits = 1; bits < 8; ++bits) {

@@ -45,6 +45,9 @@ struct LatticeBlock {
   std::size_t number = 0;                   ///< for who walks over the blocks
 };
 
+/// Values of a cube's eight corners.
+using CornerValues = std::array<double, 8>;
+
 /// One corner (and the cube and edges that begin there).
 struct LatticePlace {
   LatticeBlock* block = nullptr;
@@ -77,6 +80,9 @@ class SparseLattice {
   /// The corner one step up along the axes of `bits`. May make its block; after link(), threads may ask for corners
   /// whose blocks exist.
   LatticePlace upper(const LatticePlace& place, unsigned bits);
+
+  /// @param cube its corners are known
+  CornerValues values(const LatticePlace& cube);
 
   /// Lets all blocks know their neighbours.
   void link();

@@ -2,6 +2,7 @@
 #include "implicit/surface_search.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "implicit/cube_loops.h"
@@ -18,42 +19,31 @@ constexpr double share_of_front = 0.02;
 
 constexpr std::size_t grain = 256;  // corners or vertices per call of the field
 
-bool inside(double value) { return value < 0; }
+constexpr unsigned all_inside = 255;
 
-bool has_surface(const CornerValues& values) {
-  return std::any_of(values.begin() + 1, values.end(), [&](double v) { return inside(v) != inside(values[0]); });
-}
-
-bool defined(const CornerValues& values) {
-  return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-}
-
-/// The four edges of every face.
-constexpr std::array<std::array<unsigned, 4>, 6> edges_of_faces = [] {
-  std::array<std::array<unsigned, 4>, 6> edges = {};
-  for (unsigned face = 0; face < 6; ++face) {
-    std::size_t count = 0;
-    for (unsigned edge = 0; edge < 12; ++edge)
-      if ((faces_of_edge(edge) >> face & 1U) != 0) edges[face][count++] = edge;
+/// For every pattern of signs the edges that it crosses, one bit per edge.
+constexpr std::array<std::uint16_t, 256> crossed_edges = [] {
+  std::array<std::uint16_t, 256> crossed = {};
+  for (unsigned signs = 0; signs < 256; ++signs) {
+    for (unsigned edge = 0; edge < 12; ++edge) {
+      const auto [axis, corner] = cube_edge(edge);
+      if ((signs >> corner & 1U) != (signs >> (corner | 1U << axis) & 1U))
+        crossed[signs] = static_cast<std::uint16_t>(crossed[signs] | 1U << edge);
+    }
   }
+  return crossed;
+}();
+
+/// The four edges of every face, one bit per edge.
+constexpr std::array<std::uint16_t, 6> edges_of_faces = [] {
+  std::array<std::uint16_t, 6> edges = {};
+  for (unsigned face = 0; face < 6; ++face)
+    for (unsigned edge = 0; edge < 12; ++edge)
+      if ((faces_of_edge(edge) >> face & 1U) != 0) edges[face] = static_cast<std::uint16_t>(edges[face] | 1U << edge);
   return edges;
 }();
 
-bool crosses(const CornerValues& values, unsigned edge) {
-  const auto [axis, corner] = cube_edge(edge);
-  return inside(values[corner]) != inside(values[corner | 1U << axis]);
-}
-
 }  // namespace
-
-CornerValues corner_values(SparseLattice& lattice, const LatticePlace& cube) {
-  CornerValues values;
-  for (unsigned corner = 0; corner < 8; ++corner) {
-    const LatticePlace place = lattice.upper(cube, corner);
-    values[corner] = place.block->values[place.local];
-  }
-  return values;
-}
 
 Vec3 crossing(SparseLattice& lattice, const LatticePlace& edge, int axis) {
   const LatticePlace end = lattice.upper(edge, 1U << axis);
@@ -76,7 +66,7 @@ void SurfaceSearch::run(std::span<const Vec3> seeds, Progress& progress) {
     ++result_.rounds;
     Progress evaluating = progress.step("search", share_of_front);
     evaluate_corners(front, evaluating);
-    const std::vector<LatticePlace> cubes = active_cubes(front);
+    const std::vector<ActiveCube> cubes = active_cubes(front);
     Progress covering = progress.step("search", 0);
     mark_crossings(cubes, covering);
     if (result_.cells > options_.max_cells) {
@@ -115,6 +105,10 @@ void SurfaceSearch::evaluate_corners(const std::vector<LatticePlace>& front, Pro
       if (place.block->known.insert(place.local)) corners.push_back(place);
     }
   }
+  // A front wanders about; corners of one block lie near each other, and near what the field needs for them.
+  std::sort(corners.begin(), corners.end(), [](const LatticePlace& a, const LatticePlace& b) {
+    return a.block != b.block ? a.block->first < b.block->first : a.local < b.local;
+  });
   result_.evaluations += corners.size();
   for_each_part(corners.size(), grain, options_.threads, progress, [&](std::size_t begin, std::size_t end) {
     std::array<Vec3, grain> places;
@@ -125,31 +119,32 @@ void SurfaceSearch::evaluate_corners(const std::vector<LatticePlace>& front, Pro
   });
 }
 
-std::vector<LatticePlace> SurfaceSearch::active_cubes(const std::vector<LatticePlace>& front) {
-  std::vector<LatticePlace> cubes;
+std::vector<SurfaceSearch::ActiveCube> SurfaceSearch::active_cubes(const std::vector<LatticePlace>& front) {
+  std::vector<ActiveCube> cubes;
   for (const LatticePlace& cube : front) {
-    const CornerValues values = corner_values(lattice_, cube);
-    if (!defined(values)) {
-      // Seeds may lie anywhere; but a front came here along the surface.
-      if (result_.rounds > 1) result_.reached_undefined = true;
-      continue;
+    const CornerValues values = lattice_.values(cube);
+    unsigned signs = 0;
+    bool defined = true;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      signs |= (values[corner] < 0 ? 1U : 0U) << corner;
+      defined = defined && std::isfinite(values[corner]);
     }
-    if (!has_surface(values)) continue;
+    // Seeds may lie anywhere; but a later front came here along the surface.
+    if (!defined && result_.rounds > 1) result_.reached_undefined = true;
+    if (!defined || signs == 0 || signs == all_inside) continue;
     cube.block->active.set(cube.local);
-    cubes.push_back(cube);
+    cubes.push_back({cube, static_cast<std::uint8_t>(signs)});
   }
   result_.cells += cubes.size();
   return cubes;
 }
 
-void SurfaceSearch::mark_crossings(const std::vector<LatticePlace>& cubes, Progress& progress) {
+void SurfaceSearch::mark_crossings(const std::vector<ActiveCube>& cubes, Progress& progress) {
   std::vector<Edge> edges;
-  for (const LatticePlace& cube : cubes) {
-    const CornerValues values = corner_values(lattice_, cube);
-    for (unsigned edge = 0; edge < 12; ++edge) {
-      if (!crosses(values, edge)) continue;
-      const auto [axis, corner] = cube_edge(edge);
-      const LatticePlace place = lattice_.upper(cube, corner);
+  for (const ActiveCube& cube : cubes) {
+    for (unsigned left = crossed_edges[cube.signs]; left != 0; left &= left - 1) {
+      const auto [axis, corner] = cube_edge(static_cast<unsigned>(std::countr_zero(left)));
+      const LatticePlace place = lattice_.upper(cube.place, corner);
       const bool found = place.block->crossed[static_cast<std::size_t>(axis)].insert(place.local);
       if (found && options_.covered) edges.push_back({place, axis});
     }
@@ -169,13 +164,12 @@ void SurfaceSearch::ask_covered(const std::vector<Edge>& edges, Progress& progre
       edges[i].place.block->covered[static_cast<std::size_t>(edges[i].axis)].set(edges[i].place.local);
 }
 
-std::vector<LatticePlace> SurfaceSearch::next_front(const std::vector<LatticePlace>& cubes) {
+std::vector<LatticePlace> SurfaceSearch::next_front(const std::vector<ActiveCube>& cubes) {
   std::vector<LatticePlace> front;
-  for (const LatticePlace& cube : cubes) {
-    const CornerValues values = corner_values(lattice_, cube);
-    const auto here = cube.coordinates();
+  for (const ActiveCube& cube : cubes) {
+    const auto here = cube.place.coordinates();
     for (unsigned face = 0; face < 6; ++face) {
-      if (!leads_on(cube, values, face)) continue;
+      if (!leads_on(cube, face)) continue;
       std::array<std::int64_t, 3> neighbour = {here[0], here[1], here[2]};
       neighbour[face / 2] += (face & 1U) != 0 ? 1 : -1;
       if (!lattice_.has_cube(neighbour)) result_.reached_bounds = true;
@@ -185,11 +179,12 @@ std::vector<LatticePlace> SurfaceSearch::next_front(const std::vector<LatticePla
   return front;
 }
 
-bool SurfaceSearch::leads_on(const LatticePlace& cube, const CornerValues& values, unsigned face) {
-  for (const unsigned edge : edges_of_faces[face]) {
-    if (!crosses(values, edge)) continue;
-    const auto [axis, corner] = cube_edge(edge);
-    const LatticePlace place = lattice_.upper(cube, corner);
+bool SurfaceSearch::leads_on(const ActiveCube& cube, unsigned face) {
+  unsigned left = crossed_edges[cube.signs] & edges_of_faces[face];
+  if (!options_.covered) return left != 0;
+  for (; left != 0; left &= left - 1) {
+    const auto [axis, corner] = cube_edge(static_cast<unsigned>(std::countr_zero(left)));
+    const LatticePlace place = lattice_.upper(cube.place, corner);
     if (!place.block->covered[static_cast<std::size_t>(axis)].test(place.local)) return true;
   }
   return false;

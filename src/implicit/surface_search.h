@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -10,12 +11,6 @@
 #include "implicit/sparse_lattice.h"
 
 namespace croquis::implicit {
-
-/// Values of a cube's eight corners.
-using CornerValues = std::array<double, 8>;
-
-/// @param lattice where the cube's corners are known
-CornerValues corner_values(SparseLattice& lattice, const LatticePlace& cube);
 
 /// Where a crossed edge meets the surface: by linear interpolation, off its ends.
 /// @param edge begins at the place, along the axis; both ends are known
@@ -35,14 +30,20 @@ class SurfaceSearch {
     int axis;
   };
 
+  /// A cube with surface; bit c of its signs is set where corner c is inside.
+  struct ActiveCube {
+    LatticePlace place;
+    std::uint8_t signs;
+  };
+
   std::vector<LatticePlace> first_front(std::span<const Vec3> seeds);
   void visit(const std::array<std::int64_t, 3>& cube, std::vector<LatticePlace>& front);
   void evaluate_corners(const std::vector<LatticePlace>& front, Progress& progress);
-  std::vector<LatticePlace> active_cubes(const std::vector<LatticePlace>& front);
-  void mark_crossings(const std::vector<LatticePlace>& cubes, Progress& progress);
+  std::vector<ActiveCube> active_cubes(const std::vector<LatticePlace>& front);
+  void mark_crossings(const std::vector<ActiveCube>& cubes, Progress& progress);
   void ask_covered(const std::vector<Edge>& edges, Progress& progress);
-  std::vector<LatticePlace> next_front(const std::vector<LatticePlace>& cubes);
-  bool leads_on(const LatticePlace& cube, const CornerValues& values, unsigned face);
+  std::vector<LatticePlace> next_front(const std::vector<ActiveCube>& cubes);
+  bool leads_on(const ActiveCube& cube, unsigned face);
 
   SparseLattice& lattice_;
   const Field& field_;

@@ -14,7 +14,7 @@ const Box cube = {Vec3::Constant(-1.5), Vec3::Constant(1.5)};
 
 TEST_CASE("leaves hold all points, few each, and fill the cube") {
   const std::vector<Vec3> points = test::sphere_points(2000, Vec3::Zero(), 1).positions;
-  const Octree tree(points, cube, {40, 20, false});
+  const Octree tree(points, cube, {40, 20, {}, false});
   std::set<Index> seen;
   double volume = 0;
   for (const Octree::Leaf& leaf : tree.leaves()) {
@@ -31,7 +31,7 @@ TEST_CASE("leaves hold all points, few each, and fill the cube") {
 
 TEST_CASE("leaves near a place are all those whose grown cubes hold it") {
   const std::vector<Vec3> points = test::sphere_points(1500, Vec3::Zero(), 1).positions;
-  const Octree tree(points, cube, {20, 20, false});
+  const Octree tree(points, cube, {20, 20, {}, false});
   std::vector<Vec3> places = test::random_points(200, 51);
   for (Vec3& place : places) place *= 1.8;
   places.push_back(Vec3::Zero());
@@ -51,13 +51,13 @@ TEST_CASE("leaves near a place are all those whose grown cubes hold it") {
 
 TEST_CASE("a thousand points at one place end the cutting at the depth allowed") {
   const std::vector<Vec3> points(1000, Vec3(0.1, 0.2, 0.3));
-  const Octree tree(points, cube, {40, 20, false});
+  const Octree tree(points, cube, {40, 20, {}, false});
   CHECK(tree.leaves().size() == 20 * 7 + 1);
 }
 
 TEST_CASE("equal leaves have one size wherever there are points") {
   const std::vector<Vec3> points = test::ellipsoid_points(3000, Vec3(1, 0.5, 0.2)).positions;
-  const Octree tree(points, cube, {40, 20, true});
+  const Octree tree(points, cube, {40, 20, {}, true});
   std::set<double> sizes;
   std::size_t used = 0;
   for (const Octree::Leaf& leaf : tree.leaves()) {
