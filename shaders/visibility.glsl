@@ -26,7 +26,7 @@ float visible_share(ivec2 pixel, float measure, float slack) {
 }
 
 // A surface so many pixels nearer than a place, right before it, hides the place even at the surface's rim.
-const float sure_cover = 24.0;
+const float sure_cover = 10.0;
 
 // Whether a place (pixels) is seen: there or a pixel beside it no surface is nearer than the measure by more than slack
 // (pixels). In a slope, however steep, one of these lies further away than the place.
