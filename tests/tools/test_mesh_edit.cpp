@@ -398,5 +398,59 @@ TEST_CASE("polylines stay with their vertices or are told") {
   CHECK(less.lost.front().code == "W_LINES_DROPPED");
 }
 
+/// Meshes as files bring them: edges of four faces, vertices of two fans, turned faces, one-sided strips, soups.
+std::vector<PolyMesh> unsound_families() {
+  PolyMesh winged = test::grid(2, 2);  // a third face on an inner edge
+  winged.positions.push_back({1, 0.5, 1});
+  const MeshTopology topology(winged);
+  for (Index edge = 0; edge < topology.edge_count(); ++edge) {
+    if (topology.edge_corners(edge).size() != 2) continue;
+    winged.add_triangle(topology.edge_vertices(edge)[0], topology.edge_vertices(edge)[1], 9);
+    break;
+  }
+  return {winged,
+          test::moebius(5),
+          test::moebius(6),
+          test::tetrahedra_sharing_edge(),
+          test::tetrahedra_sharing_vertex(),
+          test::flipped_face(test::torus(6, 4), 5),
+          test::random_soup(2, 40),
+          test::merged(test::cube(), test::cube()),
+          test::without_faces(test::torus(6, 4), std::vector<Index>{0, 7, 8})};
+}
+
+TEST_CASE("edits of unsound meshes give usable meshes, whatever they are asked to do") {
+  test::Random random(15);
+  for (PolyMesh mesh : unsound_families()) {
+    const MeshTopology topology(mesh);
+    mesh.tags = random_tags(topology, random);
+    const auto some = [&](std::size_t count, double chance) {
+      Elements elements;
+      for (Index i = 0; i < count; ++i)
+        if (random.unit() < chance) elements.push_back(i);
+      return elements;
+    };
+    for (int round = 0; round < 25; ++round) {
+      std::vector<MeshEdit> edits = {delete_faces(mesh, topology, some(mesh.face_count(), 0.2)),
+                                     dissolve_edges(mesh, topology, some(topology.edge_count(), 0.15)),
+                                     dissolve_vertices(mesh, topology, some(mesh.vertex_count(), 0.1))};
+      const Elements faces = some(mesh.face_count(), 0.3);
+      if (!faces.empty()) edits.push_back(extrude_faces(mesh, topology, faces, {0.1, 0.2, 0.3}));
+      const Index edge = random.below(static_cast<Index>(topology.edge_count()));
+      if (edge_ring(topology, edge).size() > 1) edits.push_back(loop_cut(mesh, topology, edge, random.unit()));
+      for (const MeshEdit& edit : edits) {
+        CHECK(validate(edit.mesh).empty());
+        const MeshTopology after(edit.mesh);
+        CHECK(tagged_edges(edit.mesh.tags, after).size() == edit.mesh.tags.creases.size());
+        CHECK(edit.vertex_source.size() == edit.mesh.vertex_count());
+        CHECK(edit.face_source.size() == edit.mesh.face_count());
+        for (const ComponentKind kind : {ComponentKind::Vertex, ComponentKind::Edge, ComponentKind::Face})
+          for (const Index element : carried(edit, topology, after, kind, all_elements(element_count(topology, kind))))
+            CHECK(element < element_count(after, kind));
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace croquis

@@ -451,5 +451,30 @@ TEST_CASE("neighbourhoods are made anew only when the connectivity changes") {
   CHECK(desk.tool.topology() != topology);
 }
 
+TEST_CASE("a big mesh is made ready beside; what can't wait waits, and both give the same") {
+  const PolyMesh big = test::torus(300, 200);
+  Desk waiting(big);
+  // Asked at once: this waits.
+  CHECK(waiting.tool.pick(ComponentKind::Edge, {1234}, MeshTool::How::Ring) == Verdict::Commit);
+  CHECK(waiting.tool.ready());
+  Desk patient(big);
+  patient.tool.set_mode(MeshMode::Edge);
+  const Vec2 pixel = patient.camera.pixel_of({1, 0, 0.4});
+  patient.tool.hover(pixel, patient.camera.frame());  // shows nothing yet, or already something
+  while (!patient.tool.ready()) {
+  }
+  patient.tool.hover(pixel, patient.camera.frame());
+  CHECK(patient.tool.preview().hovered);
+  CHECK(edge_ring(*patient.tool.topology(), 1234) == waiting.selected());
+  // Leaving before it is ready is no trouble, and neither is a mesh that changes meanwhile.
+  Desk hasty(big);
+  hasty.tool.set_node(0);
+  hasty.tool.set_node(1);
+  Node other = *hasty.session.document().find(1);
+  other.source = std::make_shared<const PolyMesh>(test::torus(301, 200));
+  hasty.session.edit("another", hasty.session.document().with(other));
+  CHECK(hasty.tool.topology()->face_count() == 60200);
+}
+
 }  // namespace
 }  // namespace croquis
