@@ -16,7 +16,6 @@
 #include "croquis/implicit/marching_cubes.h"
 #include "croquis/implicit/partition_of_unity.h"
 #include "implicit/fit_system.h"
-#include "implicit/sample_fields.h"
 #include "implicit/sample_points.h"
 #include "implicit/unit_centres.h"
 

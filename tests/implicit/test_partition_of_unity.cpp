@@ -123,6 +123,36 @@ TEST_CASE("full gradients agree with finite differences; the first sum agrees ne
   }
 }
 
+TEST_CASE("far from the points too, where fillers fade in, gradients agree with finite differences") {
+  const PartitionOfUnity field = make(ellipsoid_points(600, Vec3(1, 0.7, 0.5)));
+  const std::vector<Vec3> places = random_points(3000, 63);
+  const std::size_t before = field.report().fitted;
+  for (const Vec3& place : places) {
+    const Vec3 gradient = field.gradient(place);
+    Vec3 slopes;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vec3 aside = 1e-6 * Vec3::Unit(axis);
+      slopes[axis] = (field.value(place + aside) - field.value(place - aside)) / 2e-6;
+    }
+    CHECK((slopes - gradient).norm() < 1e-4 * (1 + gradient.norm()));
+  }
+  CHECK(field.report().fitted > before);
+}
+
+TEST_CASE("a box that only grazes a dense sheet doesn't take the whole sheet") {
+  // A plane just above a face of the tree's cells, and few points below it.
+  Constraints data;
+  for (int i = 0; i < 100; ++i) {
+    for (int j = 0; j < 100; ++j) {
+      data.positions.emplace_back(0.01 * i, 0.01 * j, 0.5005 + (i % 10 == 0 && j % 10 == 0 ? -0.002 : 0.0));
+      data.gradients.push_back(Vec3::UnitZ());
+    }
+  }
+  const DomainReport report = make(data).report();
+  CHECK(report.max_centres <= 120);
+  CHECK(report.data_domains > 250);
+}
+
 TEST_CASE("the bits are the same for any number of threads and any order of queries") {
   const Constraints data = ellipsoid_points(1500, Vec3(1, 0.6, 0.3));
   const std::vector<Vec3> places = random_points(500, 61);
