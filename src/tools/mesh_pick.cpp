@@ -2,15 +2,13 @@
 #include "croquis/tools/mesh_pick.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <system_error>
-#include <thread>
 #include <utility>
 
 #include "croquis/geometry/polyline.h"
 #include "croquis/tools/mesh_selection.h"
 #include "tools/face_tree.h"
+#include "tools/in_blocks.h"
 #include "tools/seen_faces.h"
 
 namespace croquis {
@@ -18,6 +16,8 @@ namespace {
 
 /// Model units of half a pixel: what lies so little in front hides nothing.
 constexpr double hiding_pixels = 0.5;
+
+constexpr std::size_t elements_at_once = 8192;  // of a box, for one thread
 
 /// Edges shorter than this on the screen are seen or hidden as a whole.
 constexpr double short_pixels = 3;
@@ -190,28 +190,6 @@ std::optional<PickedElement> MeshPicker::at(const ViewFrame& frame, const Vec2& 
 
 namespace {
 
-/// Shares out a range among the machine's threads, in blocks; each element's answer is its own, so their order doesn't
-/// matter.
-template <typename Work>
-void in_blocks(std::size_t count, Work work) {
-  constexpr std::size_t block = 8192;
-  constexpr std::size_t most_threads = 8;
-  std::atomic<std::size_t> next = 0;
-  const auto run = [&] {
-    for (std::size_t begin = next.fetch_add(block); begin < count; begin = next.fetch_add(block))
-      work(begin, std::min(begin + block, count));
-  };
-  const std::size_t wanted = std::min<std::size_t>(count / block + 1, std::thread::hardware_concurrency());
-  std::vector<std::thread> helpers;
-  try {
-    for (std::size_t i = 1; i < std::min(wanted, most_threads); ++i) helpers.emplace_back(run);
-  } catch (const std::system_error&) {
-    // Without more threads this one does all.
-  }
-  run();
-  for (std::thread& helper : helpers) helper.join();
-}
-
 /// Everything that a box query looks at.
 struct BoxQuery {
   MeshPicker& picker;
@@ -291,7 +269,7 @@ std::vector<Index> MeshPicker::in_box(const ViewFrame& frame, const PickBox& box
       seen && kind == ComponentKind::Face ? seen->faces_shown(state_->mesh->face_count()) : std::vector<char>{};
   state_->fresh_tree();  // before several threads ask for it
   std::vector<char> found(element_count(*state_->topology, kind), 0);
-  in_blocks(found.size(), [&](std::size_t begin, std::size_t end) {
+  in_blocks(found.size(), elements_at_once, [&](std::size_t begin, std::size_t end) {
     std::vector<Projected> polygon;
     std::vector<Index> own;
     for (std::size_t i = begin; i < end; ++i) {

@@ -8,13 +8,15 @@
 #include <Eigen/Geometry>
 
 #include "tools/face_hit.h"
+#include "tools/in_blocks.h"
 
 namespace croquis {
 namespace {
 
 constexpr double cells_per_vertex = 4;
 constexpr double least_cells = 1 << 16;
-constexpr double most_cells = 1 << 22;     // 50 MB
+constexpr double most_cells = 1 << 22;  // 50 MB
+constexpr std::size_t faces_for_threads = 20'000;
 constexpr double most_columns = 8192;      // of very long and thin boxes
 constexpr double smallest_side = 1e-9;     // pixels
 constexpr double depth_tolerance = 1e-10;  // of the depth range: rounding of places on one surface
@@ -73,6 +75,16 @@ SeenFaces::SeenFaces(const PolyMesh& mesh, const ViewFrame& frame, const ScreenM
                 {std::numeric_limits<double>::infinity(), no_index});
   std::vector<Projected> vertices(screen.vertices.size());
   for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v] = in_cells(screen.vertices[v]);
+  // Every thread has rows of its own, so each cell sees the faces in their order.
+  const int bands = mesh.face_count() < faces_for_threads ? 1 : static_cast<int>(usable_threads());
+  in_blocks(static_cast<std::size_t>(bands), 1, [&](std::size_t band, std::size_t) {
+    const auto at = static_cast<int>(band);
+    draw_rows(mesh, frame, screen, vertices, {rows_ * at / bands, rows_ * (at + 1) / bands});
+  });
+}
+
+void SeenFaces::draw_rows(const PolyMesh& mesh, const ViewFrame& frame, const ScreenMesh& screen,
+                          const std::vector<Projected>& vertices, const Rows& rows) {
   std::vector<Projected> polygon;
   for (Index face = 0; face < mesh.face_count(); ++face) {
     const auto corners = mesh.face(face);
@@ -83,8 +95,14 @@ SeenFaces::SeenFaces(const PolyMesh& mesh, const ViewFrame& frame, const ScreenM
       project_face(mesh, frame, screen, face, polygon);
       for (Projected& corner : polygon) corner = in_cells(corner);
     }
-    if (polygon.size() >= 3) draw_face(mesh, face, polygon);
+    if (polygon.size() >= 3) draw_face(mesh, face, polygon, rows);
   }
+}
+
+/// Rows of a band whose middles lie between two coordinates.
+SeenFaces::Rows SeenFaces::rows_between(double top, double bottom, const Rows& rows) const {
+  const auto [first, end] = middles_between(top, bottom, rows_);
+  return {std::max(first, rows.first), std::min(end, rows.end)};
 }
 
 Projected SeenFaces::in_cells(const Projected& place) const {
@@ -98,7 +116,7 @@ void SeenFaces::put(int column, int row, double depth, Index face) {
 }
 
 /// Whether the middle of any cell may be within a polygon's bounds: most faces of a fine mesh fall between.
-bool SeenFaces::covers_cells(const std::vector<Projected>& polygon) const {
+bool SeenFaces::covers_cells(const std::vector<Projected>& polygon, const Rows& rows) const {
   Vec2 low = polygon[0].pixel;
   Vec2 high = low;
   for (const Projected& corner : polygon) {
@@ -106,28 +124,29 @@ bool SeenFaces::covers_cells(const std::vector<Projected>& polygon) const {
     high = high.cwiseMax(corner.pixel);
   }
   const auto [first_column, end_column] = middles_between(low.x(), high.x(), columns_);
-  const auto [first_row, end_row] = middles_between(low.y(), high.y(), rows_);
-  return first_column < end_column && first_row < end_row;
+  const Rows covered = rows_between(low.y(), high.y(), rows);
+  return first_column < end_column && covered.first < covered.end;
 }
 
-void SeenFaces::draw_face(const PolyMesh& mesh, Index face, const std::vector<Projected>& polygon) {
-  if (!covers_cells(polygon)) return;
+void SeenFaces::draw_face(const PolyMesh& mesh, Index face, const std::vector<Projected>& polygon, const Rows& rows) {
+  if (!covers_cells(polygon, rows)) return;
   const auto corners = mesh.face(face);
-  if (polygon.size() != corners.size() || polygon.size() > 4) return draw_polygon(polygon, face);
-  if (polygon.size() == 3) return draw_triangle(polygon[0], polygon[1], polygon[2], face);
+  if (polygon.size() != corners.size() || polygon.size() > 4) return draw_polygon(polygon, face, rows);
+  if (polygon.size() == 3) return draw_triangle(polygon[0], polygon[1], polygon[2], face, rows);
   const std::array<Vec3, 4> places = {mesh.positions[corners[0]], mesh.positions[corners[1]],
                                       mesh.positions[corners[2]], mesh.positions[corners[3]]};
   const std::size_t first = cut_at_first_corner(places) ? 0 : 1;
-  draw_triangle(polygon[first], polygon[first + 1], polygon[first + 2], face);
-  draw_triangle(polygon[first], polygon[first + 2], polygon[(first + 3) % 4], face);
+  draw_triangle(polygon[first], polygon[first + 1], polygon[first + 2], face, rows);
+  draw_triangle(polygon[first], polygon[first + 2], polygon[(first + 3) % 4], face, rows);
 }
 
-void SeenFaces::draw_triangle(const Projected& a, const Projected& b, const Projected& c, Index face) {
+void SeenFaces::draw_triangle(const Projected& a, const Projected& b, const Projected& c, Index face,
+                              const Rows& rows) {
   const auto [left, right] = std::minmax({a.pixel.x(), b.pixel.x(), c.pixel.x()});
   const auto [top, bottom] = std::minmax({a.pixel.y(), b.pixel.y(), c.pixel.y()});
   const auto [first_column, end_column] = middles_between(left, right, columns_);
-  const auto [first_row, end_row] = middles_between(top, bottom, rows_);
-  for (int row = first_row; row < end_row; ++row) {
+  const Rows covered = rows_between(top, bottom, rows);
+  for (int row = covered.first; row < covered.end; ++row) {
     for (int column = first_column; column < end_column; ++column) {
       const double x = column + 0.5;
       const double y = row + 0.5;
@@ -141,7 +160,8 @@ void SeenFaces::draw_triangle(const Projected& a, const Projected& b, const Proj
   }
 }
 
-void SeenFaces::draw_polygon(const std::vector<Projected>& polygon, Index face) {
+void SeenFaces::draw_polygon(const std::vector<Projected>& polygon, Index face, const Rows& rows) {
+  std::vector<double> crossings;
   double top = std::numeric_limits<double>::infinity();
   double bottom = -top;
   for (const Projected& corner : polygon) {
@@ -149,19 +169,19 @@ void SeenFaces::draw_polygon(const std::vector<Projected>& polygon, Index face) 
     bottom = std::max(bottom, corner.pixel.y());
   }
   const DepthPlane plane(polygon);
-  const auto [first_row, end_row] = middles_between(top, bottom, rows_);
-  for (int row = first_row; row < end_row; ++row) {
+  const Rows covered = rows_between(top, bottom, rows);
+  for (int row = covered.first; row < covered.end; ++row) {
     const double y = row + 0.5;
-    crossings_.clear();
+    crossings.clear();
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Vec2& from = polygon[i].pixel;
       const Vec2& to = polygon[i + 1 < polygon.size() ? i + 1 : 0].pixel;
       if ((from.y() > y) != (to.y() > y))
-        crossings_.push_back(from.x() + (y - from.y()) / (to.y() - from.y()) * (to.x() - from.x()));
+        crossings.push_back(from.x() + (y - from.y()) / (to.y() - from.y()) * (to.x() - from.x()));
     }
-    std::sort(crossings_.begin(), crossings_.end());
-    for (std::size_t i = 0; i + 1 < crossings_.size(); i += 2) {
-      const auto [first, end] = middles_between(crossings_[i], crossings_[i + 1], columns_);
+    std::sort(crossings.begin(), crossings.end());
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+      const auto [first, end] = middles_between(crossings[i], crossings[i + 1], columns_);
       for (int column = first; column < end; ++column)
         put(column, row, plane.depth + plane.per_x * (column + 0.5) + plane.per_y * y, face);
     }

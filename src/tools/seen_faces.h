@@ -33,18 +33,25 @@ class SeenFaces {
     Index face;
   };
 
-  bool covers_cells(const std::vector<Projected>& polygon) const;
+  /// A band of the picture: [first, end).
+  struct Rows {
+    int first, end;
+  };
+
   Projected in_cells(const Projected& place) const;  ///< what is drawn has cells for pixels
-  void draw_face(const PolyMesh& mesh, Index face, const std::vector<Projected>& polygon);
-  void draw_triangle(const Projected& a, const Projected& b, const Projected& c, Index face);
-  void draw_polygon(const std::vector<Projected>& polygon, Index face);
+  Rows rows_between(double top, double bottom, const Rows& rows) const;
+  bool covers_cells(const std::vector<Projected>& polygon, const Rows& rows) const;
+  void draw_rows(const PolyMesh& mesh, const ViewFrame& frame, const ScreenMesh& screen,
+                 const std::vector<Projected>& vertices, const Rows& rows);
+  void draw_face(const PolyMesh& mesh, Index face, const std::vector<Projected>& polygon, const Rows& rows);
+  void draw_triangle(const Projected& a, const Projected& b, const Projected& c, Index face, const Rows& rows);
+  void draw_polygon(const std::vector<Projected>& polygon, Index face, const Rows& rows);
   void put(int column, int row, double depth, Index face);
 
   PickBox region_;
   int columns_ = 1, rows_ = 1;
   Vec2 cells_per_pixel_ = {1, 1};
-  std::vector<Cell> cells_;        ///< row by row
-  std::vector<double> crossings_;  ///< of a row, reused
+  std::vector<Cell> cells_;  ///< row by row
 };
 
 }  // namespace croquis
