@@ -160,7 +160,7 @@ void Subdivision::move_to_limit(Progress& progress) {
   const std::size_t bytes = 16 * sizeof(double) * positions().size();
   const auto limit = memoized<LimitPlan>(context_.memo, hasher.digest(), make, [&](const LimitPlan&) { return bytes; });
   LimitSurface surface;
-  limit->evaluate(positions(), surface, context_.threads);
+  limit->evaluate(buffers_, surface, context_.threads);
   mesh_.positions = std::move(surface.points);
   std::vector<double> normals;
   normals.reserve(3 * surface.corner_normals.size());

@@ -24,7 +24,7 @@ LimitSurface limit_of(const Result& result, int k, std::vector<std::uint8_t>* ex
   Progress progress;
   const LimitPlan plan(result.plan, k, progress);
   LimitSurface surface;
-  plan.evaluate(result.at(k), surface);
+  plan.evaluate(result.points, surface);
   if (exact != nullptr) *exact = plan.exact();
   return surface;
 }
@@ -289,16 +289,19 @@ TEST_CASE("Limits are the same bits for any number of threads and move with the 
   Progress progress;
   const LimitPlan plan(result.plan, 2, progress);
   LimitSurface one, three, moved;
-  plan.evaluate(result.at(2), one, 1);
-  plan.evaluate(result.at(2), three, 3);
+  plan.evaluate(result.points, one, 1);
+  plan.evaluate(result.points, three, 3);
   CHECK(one.points == three.points);
   CHECK(one.corner_normals == three.corner_normals);
   const Eigen::AngleAxisd turn(0.7, Vec3(1, 2, 3).normalized());
-  std::vector<Vec3> turned;
-  for (const Vec3& p : result.at(2)) turned.push_back(turn * p);
+  PositionBuffers turned = result.points;
+  for (std::vector<Vec3>& level : turned.levels) {
+    for (Vec3& p : level) p = turn * p;
+  }
   plan.evaluate(turned, moved);
   double gap = 0;
-  for (std::size_t i = 0; i < turned.size(); ++i) gap = std::max(gap, (moved.points[i] - turn * one.points[i]).norm());
+  for (std::size_t i = 0; i < one.points.size(); ++i)
+    gap = std::max(gap, (moved.points[i] - turn * one.points[i]).norm());
   CHECK(gap < 1e-14);
 }
 
@@ -359,6 +362,21 @@ TEST_CASE("With any tags, limits of the uniform schemes are finite and have norm
         }
       }
       CHECK(without <= surface.corner_normals.size() / 100);
+    }
+  }
+}
+
+TEST_CASE("Ends of chains that stay by rule or by pin stay at the limit") {
+  Rules rules;
+  rules.chain_ends = ChainEnds::Pin;
+  PolyMesh pinned = bolt_open_chain();
+  pinned.tags.pins = {8, 11};
+  for (const Refined& result : {refined(bolt_open_chain(), 2, rules), refined(pinned, 2)}) {
+    std::vector<std::uint8_t> exact;
+    const LimitSurface surface = limit_of(result, 0, &exact);
+    for (const Index end : {Index{8}, Index{11}}) {
+      CHECK(surface.points[end] == pinned.positions[end]);
+      CHECK(exact[end] == 1);
     }
   }
 }

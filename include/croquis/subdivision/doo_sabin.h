@@ -43,6 +43,7 @@ class DooSabinPlan {
   /// @throws Error (E_TOO_MANY_FACES) before anything is allocated, with the predicted counts; Cancelled
   DooSabinPlan(const Cage& cage, const Rules& rules, const Depth& depth, Progress& progress);
 
+  const Rules& rules() const;
   int levels() const;  ///< the last one
 
   /// @param k 0 (the cage) … levels()

@@ -41,8 +41,9 @@ class LimitPlan {
   /// @param k <= plan.levels()
   LimitPlan(const UniformPlan& plan, int k, Progress& progress);
 
-  /// @param positions #V of level k; @param surface its memory is used again; @param threads >= 1, same bits for any
-  void evaluate(std::span<const Vec3> positions, LimitSurface& surface, int threads = 1) const;
+  /// @param buffers of the plan's `positions`; @param surface its memory is used again
+  /// @param threads >= 1, the same bits for any number
+  void evaluate(const PositionBuffers& buffers, LimitSurface& surface, int threads = 1) const;
 
   /// #V, 1 where the point is the limit to rounding.
   const std::vector<std::uint8_t>& exact() const;

@@ -93,8 +93,9 @@ void resize_untouched(std::vector<Vec3>& points, std::size_t count) {
 }  // namespace
 
 struct DooSabinPlan::State {
-  explicit State(const Rules& rules) : mask(rules.weights) {}
+  explicit State(const Rules& chosen) : rules(chosen), mask(chosen.weights) {}
 
+  Rules rules;
   FaceMask mask;
   Level cage;
   std::vector<Refinement> refinements;
@@ -120,6 +121,8 @@ DooSabinPlan::DooSabinPlan(const Cage& cage, const Rules& rules, const Depth& de
   progress.report(1);
   state_ = std::move(state);
 }
+
+const Rules& DooSabinPlan::rules() const { return state_->rules; }
 
 int DooSabinPlan::levels() const { return static_cast<int>(state_->refinements.size()); }
 

@@ -11,6 +11,7 @@
 namespace croquis::subdivision {
 
 struct LimitPlan::State {
+  int k;
   HalfEdges topology;
   LimitRows rows;
 };
@@ -35,16 +36,18 @@ std::vector<Vec3> normals_of(const LimitRows& rows, std::span<const Vec3> positi
 }  // namespace
 
 LimitPlan::LimitPlan(const DooSabinPlan& plan, int k, Progress& progress)
-    : state_(std::make_shared<const State>(State{plan.level(k).topology, doo_sabin_limit(plan, k, progress)})) {}
+    : state_(std::make_shared<const State>(State{k, plan.level(k).topology, doo_sabin_limit(plan, k, progress)})) {}
 
 LimitPlan::LimitPlan(const UniformPlan& plan, int k, Progress& progress)
-    : state_(std::make_shared<const State>(State{plan.level(k).topology, uniform_limit(plan, k, progress)})) {}
+    : state_(std::make_shared<const State>(State{k, plan.level(k).topology, uniform_limit(plan, k, progress)})) {}
 
-void LimitPlan::evaluate(std::span<const Vec3> positions, LimitSurface& surface, int threads) const {
+void LimitPlan::evaluate(const PositionBuffers& buffers, LimitSurface& surface, int threads) const {
   const HalfEdges& mesh = state_->topology;
+  const std::vector<Vec3>& positions = buffers.levels.at(static_cast<std::size_t>(state_->k));
+  const std::vector<Vec3>& weighed = buffers.levels.at(static_cast<std::size_t>(state_->rows.level));
   surface.points.resize(mesh.vertex_count());
-  apply(state_->rows.points, positions, surface.points, threads);
-  const std::vector<Vec3> normals = normals_of(state_->rows, positions, threads);
+  apply(state_->rows.points, weighed, surface.points, threads);
+  const std::vector<Vec3> normals = normals_of(state_->rows, weighed, threads);
   surface.corner_normals.resize(mesh.corner_count());
   for (Index face = 0; face < mesh.face_count(); ++face) {
     for (Index corner = mesh.face_offsets[face]; corner < mesh.face_offsets[face + std::size_t{1}]; ++corner) {

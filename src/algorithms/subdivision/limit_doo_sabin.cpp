@@ -33,12 +33,13 @@ class Reader {
   Reader(const DooSabinPlan& plan, int k)
       : plan_(plan),
         next_(k + 1),
+        ends_stay_(plan.rules().chain_ends == ChainEnds::Pin),
         mesh_(plan.level(k).topology),
         around_(mesh_),
         child_(plan.level(k + 1).topology),
         child_around_(child_),
-        child_sharpness_(edge_sharpness(plan.level(k + 1))),
-        weights_(plan.weights(k + 1)) {
+        child_sharpness_(edge_sharpness(plan.level(k + 1))) {
+    rows_.level = next_;
     std::vector<Index> vertex_of_point(child_.vertex_count());
     for (Index p = 0; p < vertex_of_point.size(); ++p) vertex_of_point[p] = plan.vertex_origin(next_, p).vertex;
     points_ = grouped(vertex_of_point, mesh_.vertex_count());
@@ -55,11 +56,7 @@ class Reader {
   LimitRows read(Progress& progress) {
     for (Index vertex = 0; vertex < mesh_.vertex_count(); ++vertex) {
       read_vertex(vertex);
-      if (vertex % 65536 == 0) progress.report(0.5 * vertex / static_cast<double>(mesh_.vertex_count()));
-    }
-    for (WeightRows* rows : {&rows_.points, &rows_.first_tangents, &rows_.second_tangents}) {
-      *rows = to_rows(to_matrix(*rows, child_.vertex_count()) * weights_);
-      progress.check();
+      if (vertex % 65536 == 0) progress.report(vertex / static_cast<double>(mesh_.vertex_count()));
     }
     progress.report(1);
     return std::move(rows_);
@@ -74,17 +71,17 @@ class Reader {
       if (kind == PointKind::Chain) chain_points.push_back(point);
     }
     if (chain_points.size() == 2) return read_crease(vertex, chain_points[0], chain_points[1]);
-    const bool pinned_end = chain_points.size() == 1 && weights_.row(static_cast<int>(chain_points[0])).nonZeros() == 1;
+    const bool pinned_end = chain_points.size() == 1 && (ends_stay_ || pinned(chain_points[0]));
     read_inner(vertex, pinned_end ? chain_points[0] : no_index);
   }
 
   /// Smooth vertices and ends of chains: the centre of the face that the vertex becomes.
-  void read_inner(Index vertex, Index pinned) {
+  void read_inner(Index vertex, Index pinned_end) {
     const auto faces = faces_[vertex];
     const auto ring = faces.empty() ? points_[vertex] : child_.face(faces[0]);
-    if (pinned != no_index) {
-      add_mean({&pinned, 1});
-      rows_.exact[vertex] = stays(pinned) ? 1 : 0;
+    if (pinned_end != no_index) {
+      add_mean({&pinned_end, 1});
+      rows_.exact[vertex] = stays(pinned_end) ? 1 : 0;
     } else {
       add_mean(ring);
       rows_.exact[vertex] = faces.empty() ? 0 : 1;
@@ -113,6 +110,11 @@ class Reader {
     });
   }
 
+  bool pinned(Index point) const {
+    const auto& pins = plan_.level(next_).pins;
+    return std::binary_search(pins.begin(), pins.end(), point);
+  }
+
   /// Whether enough edges at a kept point stay sharp for ever to keep it there.
   bool stays(Index point) const {
     std::size_t edges = 0, faces = 0;
@@ -127,9 +129,8 @@ class Reader {
     });
     const bool on_boundary = child_.twin[last] == no_index;
     if (on_boundary) count(last);
-    const auto& pins = plan_.level(next_).pins;
-    const bool pinned = std::binary_search(pins.begin(), pins.end(), point);
-    return edges > 2 || (pinned && edges > 0) || (on_boundary && faces == 1);
+    const bool held = pinned(point) ? edges > 0 : ends_stay_ && edges == 1;
+    return edges > 2 || held || (on_boundary && faces == 1);
   }
 
   /// The middle of the chord between the two points of a chain's vertex: (A + 6V + B)/8.
@@ -227,12 +228,12 @@ class Reader {
 
   const DooSabinPlan& plan_;
   int next_;
+  bool ends_stay_;
   const HalfEdges& mesh_;
   CornerFaces around_;
   const HalfEdges& child_;
   CornerFaces child_around_;
   std::vector<double> child_sharpness_;
-  WeightMatrix weights_;
   IndexTable points_;  ///< of level k+1, by the vertex of level k that they stand for
   IndexTable faces_;   ///< of level k+1, by the vertex that they were born from
   LimitRows rows_;

@@ -11,8 +11,9 @@
 
 namespace croquis::subdivision {
 
-/// Limits as weights over the positions of a level.
+/// Limits of level k's vertices.
 struct LimitRows {
+  int level = 0;                               ///< whose positions the rows weigh: k or k+1
   WeightRows points;                           ///< #V
   WeightRows first_tangents, second_tangents;  ///< #N normals, each their cross product
   std::vector<Index> corner_normal;            ///< #C into the normals; no_index: that of the corner's face

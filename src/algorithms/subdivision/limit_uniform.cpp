@@ -130,6 +130,7 @@ LimitRows uniform_limit(const UniformPlan& plan, int k, Progress& progress) {
   const Level& level = plan.level(k);
   const HalfEdges& mesh = level.topology;
   LimitRows rows;
+  rows.level = k;
   if (mesh.face_count() == 0) return rows;
   PrimalTopology whole = primal_topology(level, plan.rules());
   std::erase_if(whole.creases, [](const Crease& crease) { return crease.sharpness != infinite_sharpness; });
@@ -137,7 +138,8 @@ LimitRows uniform_limit(const UniformPlan& plan, int k, Progress& progress) {
   Progress first = progress.step("limit of the surface", 0.5);
   PrimalLimit limits = limit(whole, first);
   Progress second = progress.step("limit beside sharp edges", 0.5);
-  const PrimalLimit sides = limit(cut.topology, second);
+  const bool any_cut = std::find(cut.one_sided.begin(), cut.one_sided.end(), true) != cut.one_sided.end();
+  const PrimalLimit sides = any_cut ? limit(cut.topology, second) : PrimalLimit();
   rows.points = std::move(limits.points);
   rows.first_tangents = merged(limits.first_tangent, sides.first_tangent, cut);
   rows.second_tangents = merged(limits.second_tangent, sides.second_tangent, cut);

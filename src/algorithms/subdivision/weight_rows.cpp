@@ -40,15 +40,4 @@ WeightMatrix to_matrix(const WeightRows& rows, std::size_t column_count) {
   return matrix;
 }
 
-WeightRows to_rows(const WeightMatrix& matrix) {
-  WeightRows rows;
-  for (Eigen::Index row = 0; row < matrix.outerSize(); ++row) {
-    for (WeightMatrix::InnerIterator entry(matrix, row); entry; ++entry) {
-      rows.add(static_cast<Index>(entry.col()), entry.value());
-    }
-    rows.end_row();
-  }
-  return rows;
-}
-
 }  // namespace croquis::subdivision

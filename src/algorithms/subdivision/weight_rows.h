@@ -34,6 +34,5 @@ using WeightMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 /// Entries of the same row and column add up.
 WeightMatrix to_matrix(const WeightRows& rows, std::size_t column_count);
-WeightRows to_rows(const WeightMatrix& matrix);
 
 }  // namespace croquis::subdivision
