@@ -14,7 +14,7 @@ uniform vec4 fixed_color;  // alpha 0: every point has its own
 
 flat out vec4 point_color;
 
-bool seen_near(vec2 place, float measure, float slack);
+float seen_near(vec2 place, float measure, float slack);
 
 const float slack = 2.5;  // pixels: what a fold may rise beside its bottom
 
@@ -27,7 +27,7 @@ void main() {
   vec4 clip = to_clip * view;
   vec2 middle = (0.5 * clip.xy / clip.w + 0.5) * frame_size;
   if (any(lessThan(middle, vec2(-size))) || any(greaterThan(middle, frame_size + size))) return;
-  if (!seen_near(middle, perspective ? 1.0 / view.z : -view.z, slack)) return;
+  if (seen_near(middle, perspective ? 1.0 / view.z : -view.z, slack) == 0.0) return;
   // Borders of squares fall between pixels: all look alike.
   float odd = mod(size, 2.0);
   middle = floor(middle + 0.5 * (1.0 - odd)) + 0.5 * odd;

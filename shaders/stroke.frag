@@ -20,7 +20,7 @@ layout(location = 0) out vec4 color;
 uniform bool seen_at_middle;  // of the line, not at each pixel
 
 float visible_share(ivec2 pixel, float measure, float slack);
-bool seen_near(vec2 place, float measure, float slack);
+float seen_near(vec2 place, float measure, float slack);
 
 const float middle_slack = 2.0;  // pixels: what a fold may rise beside its bottom
 
@@ -51,11 +51,19 @@ void main() {
   float coverage = clamp(0.5 - outside, 0.0, 1.0);
   if (coverage <= 0.0) discard;
   float measure = mix(measures.x, measures.y, share);
-  float seen = seen_at_middle ? float(seen_near(ends.xy + share * along, measure, middle_slack))
-                              : visible_share(ivec2(place), measure, radius + 2.0);
+  float rank = outside;
+  float seen;
+  if (seen_at_middle) {
+    seen = seen_near(ends.xy + share * along, measure, middle_slack);
+    // Right behind a rim a hidden line can't be told from the rim's own, which comes first; but not its thin border.
+    if (seen == 0.5 || outside > -0.5) rank += 64.0;
+    seen = ceil(seen);
+  } else {
+    seen = visible_share(ivec2(place), measure, radius + 2.0);
+  }
   float share_of_ink = coverage * min(2.0 * true_radius, 1.0) * strength * seen;
   if (share_of_ink <= 0.0) discard;
-  gl_FragDepth = layer + layer_depth * clamp((outside + 64.0) / 65.0, 0.0, 0.999);
+  gl_FragDepth = layer + layer_depth * clamp((rank + 64.0) / 130.0, 0.0, 0.999);
   vec4 ink = mix(start_color, end_color, share);
   ink.a *= share_of_ink;
   color = vec4(ink.rgb * ink.a, ink.a);

@@ -28,18 +28,24 @@ float visible_share(ivec2 pixel, float measure, float slack) {
 // A surface so many pixels nearer than a place, right before it, hides the place even at the surface's rim.
 const float sure_cover = 10.0;
 
-// Whether a place (pixels) is seen: there or a pixel beside it no surface is nearer than the measure by more than slack
-// (pixels). In a slope, however steep, one of these lies further away than the place.
-bool seen_near(vec2 place, float measure, float slack) {
-  if (!depth_tested) return true;
+// How a place (pixels) is seen: 1 where no surface there or a pixel beside it is nearer than the measure by more than
+// slack (pixels), for in a slope, however steep, one of these lies further away than the place; 0.5 where only places
+// without any surface speak for it; 0 where it is hidden.
+float seen_near(vec2 place, float measure, float slack) {
+  if (!depth_tested) return 1.0;
   float nearest = limit_for(measure, slack);
   ivec2 middle = ivec2(floor((place + float(border)) * float(samples)));
   ivec2 last = textureSize(depths, 0) - 1;
   const ivec2 around[5] = ivec2[5](ivec2(0, 0), ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1));
+  float seen = 0.0;
   for (int i = 0; i < 5; ++i) {
     vec2 surface = texelFetch(depths, clamp(middle + samples * around[i], ivec2(0), last), 0).xy;
-    if (surface.y == 0.0 || surface.x >= nearest) return true;
-    if (i == 0 && surface.x < limit_for(measure, sure_cover)) return false;
+    if (surface.y == 0.0) {
+      seen = 0.5;
+    } else {
+      if (surface.x >= nearest) return 1.0;
+      if (i == 0 && surface.x < limit_for(measure, sure_cover)) return 0.0;
+    }
   }
-  return false;
+  return seen;
 }

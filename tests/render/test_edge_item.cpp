@@ -93,6 +93,42 @@ TEST_CASE("edges of different colours meet without gaps and each keeps its half"
   });
 }
 
+TEST_CASE("thick edges of a cube in many colours leave no holes at its corners") {
+  const int samples = GENERATE(1, 3);
+  with_renderer([&](Renderer& renderer) {
+    const PolyMesh cube = test::cube();
+    std::vector<StyledEdge> edges;
+    for (std::size_t f = 0; f < cube.face_count(); ++f) {
+      const auto face = cube.face(f);
+      for (std::size_t i = 0; i < face.size(); ++i) {
+        const auto level = static_cast<std::uint8_t>(10 * edges.size());
+        if (face[i] < face[(i + 1) % 4]) edges.push_back({{face[i], face[(i + 1) % 4]}, {level, 0, 120, 255}, 9});
+      }
+    }
+    REQUIRE(edges.size() == 12);
+    Scene scene;
+    scene.meshes.emplace_back(make_mesh_item(cube));
+    scene.lines.emplace_back(make_edge_item(cube.positions, edges));
+    RenderOptions options = flat_options();
+    options.supersampling = samples;
+    const PictureSize large = {320, 240};
+    const Camera camera = frame(scene.meshes[0].item->bounds, view_direction(NamedView::Perspective), large.aspect());
+    const RenderedPicture picture = render_picture(renderer, scene, camera, options, large);
+    const auto inked = [&](int x, int y) { return pixel(picture, x, y).g == 0 && pixel(picture, x, y).b == 120; };
+    int holes = 0;
+    int inside = 0;
+    for (int y = 1; y + 1 < large.height; ++y) {
+      for (int x = 1; x + 1 < large.width; ++x) {
+        const bool surrounded = inked(x - 1, y) && inked(x + 1, y) && inked(x, y - 1) && inked(x, y + 1);
+        inside += surrounded ? 1 : 0;
+        holes += surrounded && !inked(x, y) ? 1 : 0;
+      }
+    }
+    CHECK(holes == 0);
+    CHECK(inside > 4000);
+  });
+}
+
 TEST_CASE("an edge on top is seen through everything, and widths differ per edge") {
   with_renderer([](Renderer& renderer) {
     PolyMesh mesh = test::translated(test::scaled(test::grid(1, 1), 60), {10, 0, 50});
