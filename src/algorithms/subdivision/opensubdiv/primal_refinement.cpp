@@ -31,9 +31,15 @@ std::string& last_message() {
 
 void keep_message(Far::ErrorType, const char* message) { last_message() = message; }
 
+/// Left alone, OpenSubdiv writes warnings to standard output, which may be a report.
+void drop_warning(const char*) {}
+
 void listen_to_errors() {
   static std::once_flag installed;
-  std::call_once(installed, [] { Far::SetErrorCallback(keep_message); });
+  std::call_once(installed, [] {
+    Far::SetErrorCallback(keep_message);
+    Far::SetWarningCallback(drop_warning);
+  });
   last_message().clear();
 }
 
@@ -181,6 +187,8 @@ struct RowWriter {
 
   void Clear() { entries.clear(); }
   void AddWithWeight(Index column, double weight) {
+    constexpr std::size_t regular_size = 9;  // a vertex of four quads and its neighbours
+    if (entries.empty()) entries.reserve(regular_size);
     if (weight != 0) entries.emplace_back(column, weight);
   }
 };
