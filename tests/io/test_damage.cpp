@@ -71,12 +71,16 @@ TEST_CASE("a damaged file is refused or gives a usable mesh that survives its ow
   Random random(20);
   PolyMesh lined = with_attributes(cube());
   lined.add_line(std::array<Index, 2>{0, 1});
+  PolyMesh tagged = tetrahedron();
+  tagged.tags = {{{{0, 1}, 2.5}, {{1, 2}, infinite_sharpness}, {{2, 3}, 0.1}, {{3, 0}, 10}}, {1, 2, 0}, {}};
+  tagged.channels.push_back({"settled_corner", Domain::Vertex, 1, std::vector<std::uint8_t>{1, 0, 0, 1}, {}});
   for (const Kind& kind : kinds) {
     const std::vector<std::string> files = {write(lined, kind.format, {0, kind.ascii}).bytes,
-                                            write(uv_sphere(5, 4), kind.format, {0, kind.ascii}).bytes};
+                                            write(uv_sphere(5, 4), kind.format, {0, kind.ascii}).bytes,
+                                            write(tagged, kind.format, {0, kind.ascii}).bytes};
     std::size_t refused = 0;
     for (int i = 0; i < sample_count(3000, 30000); ++i) {
-      const std::string bytes = damaged(files[static_cast<std::size_t>(i % 2)], random);
+      const std::string bytes = damaged(files[static_cast<std::size_t>(i) % files.size()], random);
       const std::string broken = broken_property(bytes, kind.format);
       if (!broken.empty()) FAIL(to_string(kind.format) << ": " << broken << "\n" << bytes);
       try {
