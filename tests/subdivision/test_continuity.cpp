@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/subdivision/continuity.h"
+#include "croquis/subdivision/shape_keeping.h"
 #include "subdivision/refined.h"
 #include "support/cages.h"
 #include "support/mesh_shapes.h"
@@ -62,9 +63,24 @@ TEST_CASE("Verdicts: halving beside a loop, fading at a smooth end, a kink where
   CHECK(greatest_gap({&place, 1}, middles) < 0.1);
 }
 
+TEST_CASE("Pinned corners of a loop leave a cone beside them, and the verdict names it") {
+  const PolyMesh cage = pin_chains(bolt_loop());
+  const ContinuityReport report = report_of(refined(cage, 5));
+  CHECK(report.verdict == Smoothness::Kink);
+  const std::vector<Vec3> corners(cage.positions.begin() + 8, cage.positions.begin() + 12);
+  CHECK(greatest_gap({&report.levels.back().place, 1}, corners) < 0.05);
+}
+
 TEST_CASE("Catmull-Clark halves its angles too") {
   CHECK(report_of(uniformly_refined(bolt_loop(), 5)).verdict == Smoothness::Halving);
   CHECK(report_of(uniformly_refined(cube_all_sharp(), 4)).verdict == Smoothness::Flat);
+}
+
+TEST_CASE("An angle that comes back after a flat level is a kink") {
+  const ContinuityReport report = report_of(uniformly_refined(back_to_back(4), 2));
+  REQUIRE(report.levels[1].greatest_bend < 1e-6);
+  REQUIRE(report.levels[2].greatest_bend > 3);
+  CHECK(report.verdict == Smoothness::Kink);
 }
 
 TEST_CASE("Angles left over beside a chain halve on both sides, and the one across stays") {
