@@ -20,7 +20,7 @@ MeshTool::How how_of(const std::string& name) {
   static const std::map<std::string, How> hows = {
       {"replace", How::Replace}, {"add", How::Add},   {"remove", How::Remove}, {"toggle", How::Toggle},
       {"loop", How::Loop},       {"ring", How::Ring}, {"path", How::Path},     {"connected", How::Connected},
-      {"chain", How::Chain}};
+      {"chain", How::Chain},     {"all", How::All}};
   const auto found = hows.find(name);
   return found == hows.end() ? How::Replace : found->second;
 }

@@ -27,6 +27,7 @@ const char* name_of(How how) {
     case How::Path: return "path";
     case How::Connected: return "connected";
     case How::Chain: return "chain";
+    case How::All: return "all";
   }
   return "replace";
 }
@@ -133,7 +134,9 @@ Verdict MeshTool::pick(ComponentKind wanted, Elements elements, How how) {
   if (mode_ != mode_of(wanted)) set_mode(mode_of(wanted));
   recorded::Pick step{node_name(), name_of(wanted), elements, name_of(how)};
   Elements found;
-  if (how == How::Path) {
+  if (how == How::All) {
+    found = all_elements(element_count(*cache_->topology, wanted));
+  } else if (how == How::Path) {
     if (elements.size() >= 2) found = path(wanted, elements.front(), elements.back());
   } else if (how == How::Loop || how == How::Ring || how == How::Connected || how == How::Chain) {
     for (const Index element : elements) {
@@ -196,11 +199,7 @@ Elements MeshTool::face_path(Index from, Index to) {
 
 // ---- Commands
 
-Verdict MeshTool::select_all() {
-  const Cache* cache = fresh();
-  if (cache == nullptr || mode_ == MeshMode::Object) return Verdict::Continue;
-  return choose(kind(), all_elements(element_count(*cache->topology, kind())));
-}
+Verdict MeshTool::select_all() { return mode_ == MeshMode::Object ? Verdict::Continue : pick(kind(), {}, How::All); }
 
 Verdict MeshTool::select_none() {
   if (selected().empty()) return Verdict::Continue;

@@ -257,7 +257,7 @@ Step read_navigate(Fields& fields) {
 
 Step read_pick(Fields& fields) {
   static const std::vector<std::string> hows = {"replace", "add",  "remove",    "toggle", "loop",
-                                                "ring",    "path", "connected", "chain"};
+                                                "ring",    "path", "connected", "chain",  "all"};
   Pick step;
   step.node = fields.text("node");
   step.kind = fields.one_of("kind", {"vertex", "edge", "face"});

@@ -136,6 +136,25 @@ TEST_CASE("hidden elements are picked only when asked for") {
   CHECK(desk.selected() == Elements{desk.vertex_at({0, 0, 0})});
 }
 
+TEST_CASE("all, none and the rest of a selection") {
+  Desk desk(test::cube());
+  desk.tool.set_mode(MeshMode::Edge);
+  CHECK(desk.tool.select_all() == Verdict::Commit);
+  CHECK(desk.selected().size() == 12);
+  const auto all = std::get<recorded::Pick>(*desk.tool.done());
+  CHECK(all.elements.empty());
+  CHECK(desk.tool.select_all() == Verdict::Continue);
+  desk.tool.select_none();
+  CHECK(desk.selected().empty());
+  desk.tool.pick(ComponentKind::Edge, {1, 4});
+  desk.tool.invert_selection();
+  CHECK(desk.selected().size() == 10);
+  desk.tool.replay(all);
+  CHECK(desk.selected().size() == 12);
+  desk.tool.set_mode(MeshMode::Object);
+  CHECK(desk.tool.select_all() == Verdict::Continue);
+}
+
 TEST_CASE("a box takes what it shows") {
   Desk desk(test::cube());
   desk.tool.set_mode(MeshMode::Face);

@@ -52,7 +52,7 @@ std::vector<Step> one_of_each_for_meshes() {
           Box{"top", Vec2::Zero(), Vec2::Zero(), {}, Vec3(0, 1, 2), Vec3(3, 4, 1.0 / 3)},
           ModelDrag{"front", {0, 0, 0}, {1, 2, 3}, {"ctrl"}},
           Pick{"bolt", "edge", {3, 1, 4000000000U}, "loop"},
-          Pick{"bolt", "vertex", {}, "replace"},
+          Pick{"bolt", "vertex", {}, "all"},
           Move{"bolt", {0.1, 0, -7}},
           Rotate{"bolt", {0, 0, 2}, 33.3, Vec3(1, 1, 1)},
           Rotate{"bolt", {0, 1, 0}, -720, std::nullopt},

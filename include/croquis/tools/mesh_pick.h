@@ -30,9 +30,9 @@ struct MeshPickOptions {
 /// Hidden means that a face which doesn't have the vertex or edge lies nearer to the eye by more than half a pixel:
 /// so elements on the silhouette, and twins at one place, count as visible. Polygons with more than four corners are
 /// tested as they are seen, concave or not, in the depth of their plane; quads as two triangles.
-/// Built in O(n) on first use, refitted in O(n) after positions changed (figures in docs/algorithms/…: a million faces
-/// take about a tenth of a second). Queries look at what lies near; the box, at all that is in it. Deterministic.
-/// For one thread.
+/// Built in O(n) on first use (a million faces in about a tenth of a second), refitted in O(n) after positions changed.
+/// Queries look at what lies near; the box, at all that is in it, on all cores. Deterministic for any number of them.
+/// Calls from one thread at a time.
 class MeshPicker {
  public:
   /// @param topology of that mesh. @param mesh positions finite

@@ -43,7 +43,7 @@ struct MeshToolOptions {
   double double_click_seconds = 0.4;
   double pixels_per_level = 60;  ///< sideways drag for one level of sharpness
   double manipulator_pixels = 80;
-  ManipulatorSnap snap;  ///< while Ctrl is held at the beginning of a drag of the manipulator
+  ManipulatorSnap snap = {0, 15, 0.1};  ///< while Ctrl is held at the beginning of a drag of the manipulator
 };
 
 /// What to draw over the views besides the selection (Session::components).
@@ -115,8 +115,9 @@ class MeshTool {
   const Findings& notes() const { return notes_; }
 
   // ---- Selection. Continue when nothing changed
-  enum class How { Replace, Add, Remove, Toggle, Loop, Ring, Path, Connected, Chain };
-  /// Loop, Ring, Connected and Chain start at each element; Path joins the first to the last.
+  enum class How { Replace, Add, Remove, Toggle, Loop, Ring, Path, Connected, Chain, All };
+  /// Loop, Ring, Connected and Chain start at each element; Path joins the first to the last;
+  /// All needs none.
   Verdict pick(ComponentKind kind, Elements elements, How how = How::Replace);
   Verdict select_all();
   Verdict select_none();

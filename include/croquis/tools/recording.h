@@ -87,7 +87,8 @@ struct Pick {
   std::string node;
   std::string kind = "edge";  ///< "vertex", "edge" or "face"
   std::vector<Index> elements;
-  std::string how = "replace";  ///< "replace", "add", "remove", "toggle", "loop", "ring", "path", "connected", "chain"
+  std::string how =
+      "replace";  ///< "replace", "add", "remove", "toggle", "loop", "ring", "path", "connected", "chain", "all"
 };
 /// What is selected was moved, turned or scaled.
 struct Move {

@@ -20,7 +20,7 @@ struct Ray {
 /// Where a view shows a place.
 struct Projected {
   Vec2 pixel = Vec2::Zero();  ///< logical pixels, y down; may lie outside the view
-  double depth = 0;           ///< -1 on the near plane, 1 on the far one; nearer is less, linear along no ray
+  double depth = 0;  ///< -1 on the near plane, 1 on the far one; nearer is less; in perspective not linear along a ray
 };
 
 /// How a view sees the model: plain data, so that tools need no camera. Perspective or parallel.
