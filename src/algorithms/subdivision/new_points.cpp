@@ -2,6 +2,7 @@
 #include "algorithms/subdivision/new_points.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace croquis::subdivision {
 namespace {
@@ -24,13 +25,7 @@ NewPoints::NewPoints(const HalfEdges& mesh, const TagClasses& classes, const Sec
   list_kept(classes);
   list_chain_ends(classes, sectors);
   list_spokes(mesh, classes, sectors);
-  replace_corner_points(classes, sectors);
-}
-
-Index NewPoints::at(Index corner) const {
-  const auto& left_out = own_.left_out();
-  const Index before = own_.left_out_before(corner);
-  return before < left_out.size() && left_out[before] == corner ? replacement_[before] : corner - before;
+  list_corner_points(mesh, classes, sectors);
 }
 
 Index NewPoints::find(const Table& table, Index element) {
@@ -74,14 +69,17 @@ void NewPoints::list_spokes(const HalfEdges& mesh, const TagClasses& classes, co
   std::sort(spokes_.begin(), spokes_.end());
 }
 
-void NewPoints::replace_corner_points(const TagClasses& classes, const Sectors& sectors) {
-  replacement_.resize(own_.left_out().size());
+void NewPoints::list_corner_points(const HalfEdges& mesh, const TagClasses& classes, const Sectors& sectors) {
+  if (own_.left_out().empty()) return;
+  points_.resize(mesh.corner_count());
+  own_.for_each_run([&](Index begin, Index end, Index first_point) {
+    std::iota(points_.begin() + begin, points_.begin() + end, first_point);
+  });
   for (const Sector& sector : sectors.list) {
     if (sector.banded) continue;
-    const Index first = sectors.corners[sector.begin], last = sectors.corners[sector.end - 1];
     // With a single face both are the same corner, of a surface's corner, and both points the kept one.
-    replacement_[own_.left_out_before(first)] = chain_at(classes, sector.first_line, sector.vertex);
-    replacement_[own_.left_out_before(last)] = chain_at(classes, sector.last_line, sector.vertex);
+    points_[sectors.corners[sector.begin]] = chain_at(classes, sector.first_line, sector.vertex);
+    points_[sectors.corners[sector.end - 1]] = chain_at(classes, sector.last_line, sector.vertex);
   }
 }
 

@@ -25,8 +25,8 @@ class NewPoints {
   const Compaction& own() const { return own_; }                       ///< corners with a point of their own
   const std::vector<VertexOrigin>& listed() const { return listed_; }  ///< the others
 
-  /// The point that a corner's face uses there.
-  Index at(Index corner) const;
+  /// The point that a corner's face uses there; where all corners have their own, their number.
+  Index at(Index corner) const { return points_.empty() ? corner : points_[corner]; }
 
   /// The point of a sharp edge's end (0 or 1 as in SharpLine::vertices). At a corner of the surface without bands it is
   /// the kept point.
@@ -43,13 +43,13 @@ class NewPoints {
 
   static Index find(const Table& table, Index element);
   Index list_point(const VertexOrigin& origin);
-  void replace_corner_points(const TagClasses& classes, const Sectors& sectors);
+  void list_corner_points(const HalfEdges& mesh, const TagClasses& classes, const Sectors& sectors);
   void list_kept(const TagClasses& classes);
   void list_chain_ends(const TagClasses& classes, const Sectors& sectors);
   void list_spokes(const HalfEdges& mesh, const TagClasses& classes, const Sectors& sectors);
 
   Compaction own_;
-  std::vector<Index> replacement_;  ///< for each corner that own_ leaves out
+  IndexArray points_;  ///< #C, empty where all corners have points of their own
   std::vector<std::array<Index, 2>> chain_;
   Table kept_, spokes_;
   std::vector<VertexOrigin> listed_;
