@@ -6,6 +6,8 @@
 /// Each prints a table of times as ratios against a peer measured in the same run. Times are medians of several runs.
 namespace croquis::bench {
 
+void bench_holes(std::ostream& out);
+void bench_implicit(std::ostream& out);
 void bench_readers(std::ostream& out);
 void bench_solver(std::ostream& out);
 void bench_silhouette(std::ostream& out);

@@ -13,6 +13,7 @@
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/hole_filling/fill_holes.h"
 #include "support/mesh_shapes.h"
+#include "support/random.h"
 #include "support/sample_count.h"
 #include "support/scans.h"
 
@@ -117,6 +118,62 @@ TEST_CASE("noisy rims are closed soundly or left open with a reason") {
       if (outcome.action == FillAction::Failed) CHECK_FALSE(outcome.reason.empty());
     }
   }
+}
+
+TEST_CASE("soups of any kind are filled soundly where they can be") {
+  for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(sample_count(60, 1000)); ++seed) {
+    Random random(seed);
+    PolyMesh mesh;
+    const Index vertices = 5 + random.below(25);
+    for (Index v = 0; v < vertices; ++v) {
+      const double x = random.unit(), y = random.unit();
+      mesh.positions.emplace_back(x, y, random.unit());
+    }
+    const Index triangles = 2 + random.below(30);
+    while (mesh.face_count() < triangles) {
+      const Index a = random.below(vertices), b = random.below(vertices), c = random.below(vertices);
+      if (a != b && b != c && c != a) mesh.add_triangle(a, b, c);
+    }
+    FillOptions options;
+    options.selection = Selection::All;
+    options.fairness = all_fairness[seed % 3];
+    check_invariants(mesh, fill(mesh, options));
+  }
+}
+
+TEST_CASE("surfaces with faces missing at random are filled soundly where they can be") {
+  for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(sample_count(9, 100)); ++seed) {
+    Random random(seed);
+    const PolyMesh whole = seed % 2 == 0 ? round_sphere(3) : ring_torus(24, 12);
+    std::vector<Index> missing;
+    for (Index f = 0; f < whole.face_count(); ++f) {
+      if (random.unit() < 0.05 + 0.02 * static_cast<double>(seed % 5)) missing.push_back(f);
+    }
+    FillOptions options;
+    options.selection = Selection::All;
+    options.fairness = all_fairness[seed % 3];
+    const PolyMesh mesh = without_faces(whole, missing);
+    const FillResult result = fill(mesh, options);
+    check_invariants(mesh, result);
+    CHECK(10 * filled(result) > 9 * result.outcomes.size());
+  }
+}
+
+TEST_CASE("a rim around a fin is filled without cutting the fin") {
+  // The least area spans the hole flat, and a fin that is part of the rim stands in its way.
+  PolyMesh mesh = without_faces(sheet(9, 9), std::vector<Index>{});
+  mesh = cut(mesh, Vec3(4.5, 4.5, 0), 2.6).mesh;
+  Progress progress;
+  const HoleAnalysis analysis = analyse_holes(mesh, progress);
+  REQUIRE(analysis.holes.size() == 2);
+  const auto& rim = analysis.holes[1].vertices;
+  const Index tip = static_cast<Index>(mesh.vertex_count());
+  mesh.positions.emplace_back(4.5, 4.5, 0);
+  mesh.add_triangle(rim[1], rim[0], tip);
+  for (Vec3& p : mesh.positions) p.z() = 0.2 * std::sin(p.x());
+  const FillResult result = fill(mesh);
+  check_invariants(mesh, result);
+  CHECK(report_of(result.mesh).boundary_loops == 1);
 }
 
 TEST_CASE("each hole of a sheet-like surface that is closed raises the Euler characteristic by one") {

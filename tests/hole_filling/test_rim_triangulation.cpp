@@ -198,6 +198,26 @@ TEST_CASE("edges that are there already are avoided") {
   }
 }
 
+TEST_CASE("triangles to avoid are avoided at the least cost in area") {
+  RimPolygon polygon = wavy(9, 0.2, 0.4, 4, 0.2);
+  double last = 0;
+  for (int round = 0; round < 7; ++round) {
+    const auto found = triangulated(polygon);
+    REQUIRE(found);
+    CHECK(spans(polygon, found->triangles));
+    CHECK(found->area >= last * (1 - 1e-6));
+    last = found->area;
+    for (std::array<Index, 3> t : found->triangles) {
+      std::sort(t.begin(), t.end());
+      CHECK_FALSE(std::binary_search(polygon.avoided.begin(), polygon.avoided.end(), t));
+    }
+    std::array<Index, 3> next = found->triangles[static_cast<std::size_t>(round) % found->triangles.size()];
+    std::sort(next.begin(), next.end());
+    polygon.avoided.push_back(next);
+    std::sort(polygon.avoided.begin(), polygon.avoided.end());
+  }
+}
+
 TEST_CASE("rims with points on one line get no triangle without area, and rims on one line none at all") {
   std::vector<Vec3> sides;
   for (int i = 0; i < 8; ++i) sides.emplace_back(i, 0, 0);

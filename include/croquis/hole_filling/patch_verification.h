@@ -17,7 +17,8 @@ enum class Precision { Double, Single };
 /// Lets nothing into a mesh but what closes holes soundly.
 ///
 /// A patch is sound when it is connected, manifold and turned one way; its border is exactly its holes' rims, against
-/// the direction of their faces; it has as many handles as a sphere with that many holes (none); none of its inner
+/// the direction of their faces; it has as many handles as a sphere with that many holes (none), pinched at most where
+/// two of its rims share a vertex; none of its inner
 /// edges joins vertices that the mesh or an accepted patch joins already; no triangle is without area; and no triangle
 /// of it meets another one, of the mesh, of an accepted patch or its own, anywhere but in shared vertices and edges,
 /// exactly, on coordinates as they will be written. A twisted strip between two rims passes all but the last.

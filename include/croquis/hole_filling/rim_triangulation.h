@@ -19,6 +19,7 @@ struct RimPolygon {
   std::vector<Vec3> points;                   ///< #P by 3, of all loops behind one another
   std::vector<Index> loop_ends;               ///< #L, one past each loop's last point
   std::vector<std::array<Index, 2>> blocked;  ///< sorted pairs (low, high) of points that are joined already elsewhere
+  std::vector<std::array<Index, 3>> avoided;  ///< sorted, each ascending: no triangles of a short rim's triangulation
 
   std::size_t loop_count() const { return loop_ends.size(); }
   bool is_blocked(Index a, Index b) const;

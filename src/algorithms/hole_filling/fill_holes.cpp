@@ -32,8 +32,11 @@ Ladder ladder_of(Fairness fairness, std::size_t most_triangles) {
   Ladder ladder;
   if (fairness == Fairness::Curved) ladder.push_back(faired_patcher(2, most_triangles));
   if (fairness != Fairness::Flat) ladder.push_back(faired_patcher(1, most_triangles));
+  if (fairness != Fairness::Flat) ladder.push_back(faired_patcher(1, most_triangles, true));
   ladder.push_back(minimal_patcher());
   ladder.push_back(cgal_patcher());
+  ladder.push_back(plane_patcher());
+  ladder.push_back(avoiding_patcher());
   return ladder;
 }
 

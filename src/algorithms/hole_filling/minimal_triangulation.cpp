@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/hole_filling/minimal_triangulation.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -53,12 +54,19 @@ class CostTable {
     return order_[i] != order_[k] && !rims_.is_blocked(order_[i], order_[k]);
   }
 
+  bool is_avoided(std::size_t i, std::size_t j, std::size_t k) const {
+    if (rims_.avoided.empty()) return false;
+    std::array<Index, 3> triangle = {order_[i], order_[j], order_[k]};
+    std::sort(triangle.begin(), triangle.end());
+    return std::binary_search(rims_.avoided.begin(), rims_.avoided.end(), triangle);
+  }
+
   void choose_apex(std::size_t i, std::size_t k) {
     if (!may_join(i, k)) return;
     double best = infinite;
     for (std::size_t j = i + 1; j < k; ++j) {
       const double parts = cost_[at(i, j)] + cost_[at(j, k)];
-      if (!(parts < best)) continue;
+      if (!(parts < best) || is_avoided(i, j, k)) continue;
       const double total = parts + triangle_cost(point(i), point(j), point(k));
       if (!(total < best)) continue;
       best = total;
@@ -112,7 +120,11 @@ std::vector<Index> bridged_order(const RimPolygon& rims) {
     std::vector<Index> detour;
     for (Index step = 0; step <= end - begin; ++step)
       detour.push_back(begin + (landing - begin + step) % (end - begin));
-    detour.push_back(joined[place]);
+    // Loops that share a vertex are joined there, without a bridge there and back.
+    if (rims.points[joined[place]] == rims.points[landing])
+      detour.erase(detour.begin());
+    else
+      detour.push_back(joined[place]);
     joined.insert(joined.begin() + static_cast<std::ptrdiff_t>(place) + 1, detour.begin(), detour.end());
   }
   return joined;

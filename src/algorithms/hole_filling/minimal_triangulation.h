@@ -20,7 +20,7 @@ std::optional<std::vector<std::array<Index, 3>>> minimal_triangulation(const Rim
                                                                        Progress& progress);
 
 /// One closed polygon of all loops: each further loop is entered and left over the shortest bridge to what is joined
-/// already. Quadratic in the points.
+/// already, or where they share a vertex. Quadratic in the points.
 std::vector<Index> bridged_order(const RimPolygon& rims);
 
 }  // namespace croquis::hole_filling

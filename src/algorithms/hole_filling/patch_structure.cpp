@@ -32,7 +32,7 @@ std::vector<Edge> expected_border(const HoleAnalysis& analysis, const HolePatch&
   return border;
 }
 
-std::string edge_fault(const LocalPatch& local, const MeshTopology& topology, std::vector<Edge> expected) {
+std::string edge_fault(const LocalPatch& local, const MeshTopology& topology, const std::vector<Edge>& expected) {
   std::vector<Edge> border;
   for (Index edge = 0; edge < topology.edge_count(); ++edge) {
     const auto corners = topology.edge_corners(edge);
@@ -45,6 +45,16 @@ std::string edge_fault(const LocalPatch& local, const MeshTopology& topology, st
   }
   std::sort(border.begin(), border.end());
   return border == expected ? "" : "the patch's border isn't the rim";
+}
+
+/// More fans at a vertex than one, or than rims there are that share it.
+bool touches_itself(const LocalPatch& local, const MeshTopology& topology, const std::vector<Edge>& border) {
+  for (Index vertex = 0; vertex < topology.vertex_count(); ++vertex) {
+    if (topology.fan_count(vertex) == 1) continue;
+    const auto rims = std::ranges::equal_range(border, local.vertices[vertex], {}, [](const Edge& e) { return e[0]; });
+    if (topology.fan_count(vertex) > rims.size()) return true;
+  }
+  return false;
 }
 
 bool is_sphere_with_holes(const LocalPatch& local, const MeshTopology& topology, std::size_t holes) {
@@ -87,10 +97,9 @@ std::string structure_fault(const PolyMesh& mesh, const HoleAnalysis& analysis, 
   const LocalPatch local = make_local(mesh, analysis, patch);
   if (!degenerate_faces(local.mesh).empty()) return "a triangle of the patch has no area";
   const MeshTopology topology(local.mesh);
-  if (std::string fault = edge_fault(local, topology, expected_border(analysis, patch)); !fault.empty()) return fault;
-  for (Index vertex = 0; vertex < topology.vertex_count(); ++vertex) {
-    if (topology.fan_count(vertex) != 1) return "parts of the patch touch in a vertex";
-  }
+  const std::vector<Edge> border = expected_border(analysis, patch);
+  if (std::string fault = edge_fault(local, topology, border); !fault.empty()) return fault;
+  if (touches_itself(local, topology, border)) return "parts of the patch touch in a vertex";
   if (!is_sphere_with_holes(local, topology, patch.holes.size())) return "the patch isn't one simple piece";
   return "";
 }

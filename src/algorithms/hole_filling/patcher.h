@@ -32,12 +32,19 @@ using Ladder = std::vector<std::shared_ptr<const Patcher>>;
 /// "minimal": the triangulation of least area, without new vertices.
 std::shared_ptr<const Patcher> minimal_patcher();
 
+/// "avoiding": the triangulation of least area of triangles that cut through nothing, for short rims.
+std::shared_ptr<const Patcher> avoiding_patcher();
+
+/// "plane": the Delaunay triangulation of the rims in their plane, as it is, without new vertices.
+std::shared_ptr<const Patcher> plane_patcher();
+
 /// "cgal-triangulation": by dihedral angles and area, without new vertices; one rim only.
 std::shared_ptr<const Patcher> cgal_patcher();
 
 /// "cgal-c1", "cgal-c2": triangulated, refined to the density of the rim, faired.
 /// @param continuity 1 or 2
 /// @param most_triangles a patch that would get more is refined less
-std::shared_ptr<const Patcher> faired_patcher(unsigned continuity, std::size_t most_triangles);
+/// @param avoiding whether to begin with the triangulation of `avoiding_patcher`
+std::shared_ptr<const Patcher> faired_patcher(unsigned continuity, std::size_t most_triangles, bool avoiding = false);
 
 }  // namespace croquis::hole_filling

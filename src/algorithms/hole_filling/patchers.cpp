@@ -3,8 +3,10 @@
 #include <cmath>
 #include <utility>
 
+#include "algorithms/hole_filling/avoiding_triangulation.h"
 #include "algorithms/hole_filling/cgal_patch.h"
 #include "algorithms/hole_filling/patcher.h"
+#include "algorithms/hole_filling/plane_triangulation.h"
 #include "algorithms/hole_filling/triangle_cost.h"
 
 namespace croquis::hole_filling {
@@ -25,6 +27,15 @@ std::optional<std::vector<Triangle>> by_dihedral_angle(const HoleSite& site, Pro
   return cgal_triangulation(site.polygon.points, progress);
 }
 
+/// The patch as seen in the rim's plane lies beside the surface, not over it: the surest start for long rims, which
+/// area alone folds.
+std::optional<std::vector<Triangle>> base_for_fairing(const HoleSite& site, Progress& progress) {
+  auto triangles = by_dihedral_angle(site, progress);
+  if (!triangles && site.polygon.points.size() > most_cgal_points) triangles = plane_triangulation(site.polygon);
+  if (!triangles) triangles = by_area(site, progress);
+  return triangles;
+}
+
 /// Points of the polygon become vertices of the mesh.
 HolePatch flat_patch(const HoleSite& site, std::vector<Triangle> triangles) {
   for (Triangle& t : triangles) {
@@ -39,6 +50,29 @@ class MinimalPatcher : public Patcher {
 
   std::optional<HolePatch> attempt(const HoleSite& site, Progress& progress) const override {
     auto triangles = by_area(site, progress);
+    if (!triangles) return std::nullopt;
+    return flat_patch(site, std::move(*triangles));
+  }
+};
+
+class AvoidingPatcher : public Patcher {
+ public:
+  const char* method() const override { return "avoiding"; }
+
+  std::optional<HolePatch> attempt(const HoleSite& site, Progress& progress) const override {
+    auto triangles = avoiding_triangulation(site, progress);
+    if (!triangles) return std::nullopt;
+    return flat_patch(site, std::move(*triangles));
+  }
+};
+
+class PlanePatcher : public Patcher {
+ public:
+  const char* method() const override { return "plane"; }
+
+  std::optional<HolePatch> attempt(const HoleSite& site, Progress& progress) const override {
+    progress.check();
+    auto triangles = plane_triangulation(site.polygon);
     if (!triangles) return std::nullopt;
     return flat_patch(site, std::move(*triangles));
   }
@@ -111,14 +145,13 @@ double density_for(const HoleSite& site, const std::vector<Triangle>& patch, std
 
 class FairedPatcher : public Patcher {
  public:
-  FairedPatcher(unsigned continuity, std::size_t most_triangles)
-      : continuity_(continuity), most_triangles_(most_triangles) {}
+  FairedPatcher(unsigned continuity, std::size_t most_triangles, bool avoiding)
+      : continuity_(continuity), most_triangles_(most_triangles), avoiding_(avoiding) {}
 
   const char* method() const override { return continuity_ == 2 ? "cgal-c2" : "cgal-c1"; }
 
   std::optional<HolePatch> attempt(const HoleSite& site, Progress& progress) const override {
-    auto triangles = by_dihedral_angle(site, progress);
-    if (!triangles) triangles = by_area(site, progress);
+    const auto triangles = avoiding_ ? avoiding_triangulation(site, progress) : base_for_fairing(site, progress);
     if (!triangles) return std::nullopt;
     LocalSite local = make_local_site(site, *triangles, continuity_);
     local.input.density = density_for(site, *triangles, most_triangles_);
@@ -146,14 +179,17 @@ class FairedPatcher : public Patcher {
 
   unsigned continuity_;
   std::size_t most_triangles_;
+  bool avoiding_;
 };
 
 }  // namespace
 
 std::shared_ptr<const Patcher> minimal_patcher() { return std::make_shared<MinimalPatcher>(); }
+std::shared_ptr<const Patcher> avoiding_patcher() { return std::make_shared<AvoidingPatcher>(); }
+std::shared_ptr<const Patcher> plane_patcher() { return std::make_shared<PlanePatcher>(); }
 std::shared_ptr<const Patcher> cgal_patcher() { return std::make_shared<CgalPatcher>(); }
-std::shared_ptr<const Patcher> faired_patcher(unsigned continuity, std::size_t most_triangles) {
-  return std::make_shared<FairedPatcher>(continuity, most_triangles);
+std::shared_ptr<const Patcher> faired_patcher(unsigned continuity, std::size_t most_triangles, bool avoiding) {
+  return std::make_shared<FairedPatcher>(continuity, most_triangles, avoiding);
 }
 
 }  // namespace croquis::hole_filling
