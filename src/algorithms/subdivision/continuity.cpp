@@ -57,7 +57,8 @@ ContinuityReport report_of(const Plan& plan, const PositionBuffers& buffers, Pro
   report.shapes = chain_shapes(plan.level(plan.levels()), report.chains, buffers.levels.back());
   if (plan.levels() > 0) {
     const double before = report.levels[report.levels.size() - 2].greatest_bend;
-    report.ratio = before > 0 ? report.levels.back().greatest_bend / before : 0;
+    const double last = report.levels.back().greatest_bend;
+    report.ratio = last > 0 ? last / before : 0;  // infinite where a flat level was no end of it
   }
   report.verdict = judged(report);
   report.sentence = sentence_of(report);
