@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "operators/subdivide_operation.h"
 
+#include <numbers>
 #include <span>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "croquis/io/mesh_tags_file.h"
 #include "croquis/subdivision/level_mesh.h"
 #include "croquis/subdivision/limit.h"
+#include "croquis/subdivision/shape_keeping.h"
 #include "operators/subdivide_report.h"
 #include "operators/subdivide_settings.h"
 #include "operators/subdivide_tags.h"
@@ -32,6 +34,7 @@ PolyMesh tagged_cage(const Values& inputs, const SubdivideSettings& settings, Fi
     mesh.tags = united_tags(mesh.tags, read.tags);
   }
   if (settings.sharp_angle > 0) mesh.tags = with_sharp_angles(mesh, settings.sharp_angle, settings.rules);
+  if (settings.keep_kinks < std::numbers::pi) mesh = pin_kinks(mesh, settings.keep_kinks);
   return mesh;
 }
 

@@ -83,6 +83,14 @@ std::vector<ParameterDescription> subdivide_parameters() {
            {},
            "degrees",
            "Edges without a tag become sharp where faces meet at more than this; 0 for none."},
+          {"keep-kinks",
+           ParameterType::Number,
+           180.0,
+           0,
+           180,
+           {},
+           "degrees",
+           "Chains that turn by more than this at a vertex of the cage keep a corner there; 180 for none."},
           flag("limit", "Move the vertices to where they would end after endless refinement."),
           flag("provenance", "Attach to faces and vertices which element of the cage they come from; doo-sabin only.")};
 }
@@ -95,6 +103,7 @@ SubdivideSettings read_subdivide_settings(const ParameterValues& parameters) {
   settings.rules = read_rules(parameters);
   settings.levels = static_cast<int>(std::get<std::int64_t>(parameters.at("levels")));
   settings.sharp_angle = std::get<double>(parameters.at("sharp-angle")) * std::numbers::pi / 180;
+  settings.keep_kinks = std::get<double>(parameters.at("keep-kinks")) * std::numbers::pi / 180;
   settings.limit = std::get<bool>(parameters.at("limit"));
   settings.provenance = std::get<bool>(parameters.at("provenance"));
   return settings;

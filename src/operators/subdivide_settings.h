@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <numbers>
 #include <vector>
 
 #include "croquis/base/parameter.h"
@@ -18,9 +19,10 @@ struct SubdivideSettings {
   SubdivisionScheme scheme = SubdivisionScheme::DooSabin;
   subdivision::Rules rules;
   int levels = 2;
-  double sharp_angle = 0;   ///< radians; 0 tags nothing
-  bool limit = false;       ///< vertices are moved to where they end
-  bool provenance = false;  ///< the result tells what its elements come from
+  double sharp_angle = 0;                ///< radians; 0 tags nothing
+  double keep_kinks = std::numbers::pi;  ///< radians; chains keep corners where they turn by more
+  bool limit = false;                    ///< vertices are moved to where they end
+  bool provenance = false;               ///< the result tells what its elements come from
 };
 
 std::vector<ParameterDescription> subdivide_parameters();

@@ -303,6 +303,32 @@ TEST_CASE("sharp angles tag what has no tag of its own") {
   CHECK(run_cli({"subdivide", folder / "cage.obj", "-o", folder / "a.obj", "--sharp-angle", "181"}).code == 2);
 }
 
+TEST_CASE("kinks of chains are kept on request, as pins would") {
+  const ScratchFolder folder;
+  PolyMesh pinned = bolt_loop();
+  pinned.tags.pins = {8, 9, 10, 11};
+  subdivided(folder, pinned, {"--levels", "3"});
+  const std::string expected = slurp(folder / "level.obj");
+  subdivided(folder, bolt_loop(), {"--levels", "3", "--keep-kinks", "45"});
+  CHECK(slurp(folder / "level.obj") == expected);
+  subdivided(folder, bolt_loop(), {"--levels", "3", "--keep-kinks", "91"});
+  const std::string smooth = slurp(folder / "level.obj");
+  CHECK(smooth != expected);
+  subdivided(folder, bolt_loop(), {"--levels", "3"});
+  CHECK(slurp(folder / "level.obj") == smooth);
+}
+
+TEST_CASE("outputs beside the mesh are written without it when only they are asked for") {
+  const ScratchFolder folder;
+  const std::string cage = folder.write("cage.obj", obj_of(bolt_loop()));
+  const ProcessResult result =
+      run_cli({"subdivide", cage, "--chains", folder / "chains.obj", "--tags-out", folder / "left.json"});
+  CHECK(result.code == 0);
+  CHECK(folder.names() == Words{"cage.obj", "chains.obj", "left.json"});
+  CHECK(run_cli({"subdivide", cage}).code == 2);
+  CHECK(run_cli({"subdivide", cage, "-o", folder / "a.obj", "--chains", folder / "a.obj"}).code == 2);
+}
+
 TEST_CASE("all schemes double the edges of closed chains, and keep a cube of sharp edges") {
   for (const std::string scheme : {"doo-sabin", "catmull-clark", "loop"}) {
     INFO(scheme);
