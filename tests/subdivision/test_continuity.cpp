@@ -71,6 +71,13 @@ TEST_CASE("Pinned corners of a loop leave a cone beside them, and the verdict na
   CHECK(greatest_gap({&report.levels.back().place, 1}, corners) < 0.05);
 }
 
+TEST_CASE("While sharpness runs out there is no verdict, afterwards angles halve") {
+  const PolyMesh cage = tagged(centred_cube(), all_edges(centred_cube()), 1.5);
+  CHECK(report_of(refined(cage, 2)).verdict != Smoothness::Kink);
+  for (const int levels : {3, 4}) CHECK(report_of(refined(cage, levels)).verdict != Smoothness::Kink);
+  CHECK(report_of(refined(cage, 7)).verdict == Smoothness::Halving);
+}
+
 TEST_CASE("Catmull-Clark halves its angles too") {
   CHECK(report_of(uniformly_refined(bolt_loop(), 5)).verdict == Smoothness::Halving);
   CHECK(report_of(uniformly_refined(cube_all_sharp(), 4)).verdict == Smoothness::Flat);

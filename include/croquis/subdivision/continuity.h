@@ -28,7 +28,7 @@ struct LevelContinuity {
 LevelContinuity continuity(const Level& level, std::span<const Vec3> positions);
 
 enum class Smoothness {
-  Unknown,  ///< fewer than three levels
+  Unknown,  ///< fewer than three levels, or finite sharpness was left until the last one
   Flat,     ///< all angles are rounding
   Halving,  ///< angles shrink by 0.62 per level or faster: a continuous normal that changes evenly
   Fading,   ///< angles shrink, slower than that: a continuous normal, with curvature that grows near the element named
@@ -43,7 +43,7 @@ struct ContinuityReport {
   std::vector<EdgeChain> chains;        ///< of the last level
   std::vector<ChainShape> shapes;       ///< of these chains: angle across, and left over on both sides
   Smoothness verdict = Smoothness::Unknown;
-  double ratio = 0;      ///< of the last two levels' angles
+  double ratio = 0;      ///< of the last two levels' angles; infinite after a flat level
   std::string sentence;  ///< "G1 (halving): …" or "kink at …", naming the last level's element
 };
 

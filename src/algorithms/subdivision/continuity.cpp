@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "croquis/subdivision/continuity.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -26,9 +27,15 @@ std::string element(const LevelContinuity& level) {
   return text;
 }
 
-Smoothness judged(const ContinuityReport& report) {
+/// Sharpness that runs out later starts the rounding anew.
+bool runs_out(const Level& level) {
+  return std::any_of(level.sharp.begin(), level.sharp.end(),
+                     [](const SharpEdge& sharp) { return sharp.sharpness != infinite_sharpness; });
+}
+
+Smoothness judged(const ContinuityReport& report, bool rounding_goes_on) {
   if (report.levels.back().greatest_bend <= flat_bend) return Smoothness::Flat;
-  if (report.levels.size() < 3) return Smoothness::Unknown;
+  if (rounding_goes_on || report.levels.size() < 3) return Smoothness::Unknown;
   if (report.ratio > kink_ratio) return Smoothness::Kink;
   return report.ratio <= halving_ratio ? Smoothness::Halving : Smoothness::Fading;
 }
@@ -37,7 +44,7 @@ std::string sentence_of(const ContinuityReport& report) {
   const LevelContinuity& last = report.levels.back();
   const std::string angle = degrees(last.greatest_bend);
   switch (report.verdict) {
-    case Smoothness::Unknown: return "fewer than three levels tell nothing; the greatest angle is " + angle;
+    case Smoothness::Unknown: return "too few levels to tell; the greatest angle is " + angle;
     case Smoothness::Flat: return "flat between the tags";
     case Smoothness::Halving: return "G1 (halving): " + angle + " left at " + element(last);
     case Smoothness::Fading: return "G1 (fading slowly): " + angle + " left at " + element(last);
@@ -60,7 +67,7 @@ ContinuityReport report_of(const Plan& plan, const PositionBuffers& buffers, Pro
     const double last = report.levels.back().greatest_bend;
     report.ratio = last > 0 ? last / before : 0;  // infinite where a flat level was no end of it
   }
-  report.verdict = judged(report);
+  report.verdict = judged(report, runs_out(plan.level(std::max(plan.levels() - 1, 0))));
   report.sentence = sentence_of(report);
   progress.report(1);
   return report;
