@@ -110,6 +110,11 @@ TEST_CASE("a plan can be stopped, and tells how far it is") {
   CHECK(fractions.back() == 1);
 }
 
+TEST_CASE("positions of another cage are refused") {
+  Subdivided result = subdivide(bolt(), 1);
+  CHECK_THROWS_AS(result.plan.positions(cube().positions, result.buffers), Error);
+}
+
 TEST_CASE("no levels are the cage, and a cage without faces has empty levels") {
   const Subdivided none = subdivide(bolt(), 0);
   CHECK(none.plan.levels() == 0);

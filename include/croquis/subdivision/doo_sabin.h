@@ -51,6 +51,7 @@ class DooSabinPlan {
 
   /// The points of all levels. The same bits for any number of threads.
   /// @param cage    #V of level 0; @param buffers resized where needed; @param threads >= 1
+  /// @throws Error (E_INTERNAL) when the cage has another number of vertices
   void positions(std::span<const Vec3> cage, PositionBuffers& buffers, int threads = 1) const;
 
   /// The points of level k as weights of those of level k-1: rows sum to 1, none is negative.

@@ -83,6 +83,13 @@ Index lowest_face_at_vertex(const HalfEdges& mesh, Index vertex) {
   return lowest;
 }
 
+void require_count(std::size_t given, std::size_t wanted) {
+  if (given == wanted) return;
+  throw Error(make_error(Category::Internal, "E_INTERNAL",
+                         "A plan for a cage of " + std::to_string(wanted) + " vertices was given " +
+                             std::to_string(given) + " positions."));
+}
+
 void resize_untouched(std::vector<Vec3>& points, std::size_t count) {
   const bool grows = count > points.capacity();
   if (grows) points = {};  // what was there needs no copy
@@ -129,6 +136,7 @@ int DooSabinPlan::levels() const { return static_cast<int>(state_->refinements.s
 const Level& DooSabinPlan::level(int k) const { return state_->level(k); }
 
 void DooSabinPlan::positions(std::span<const Vec3> cage, PositionBuffers& buffers, int threads) const {
+  require_count(cage.size(), level(0).topology.vertex_count());
   buffers.levels.resize(state_->refinements.size() + 1);
   buffers.levels[0].assign(cage.begin(), cage.end());
   for (int k = 1; k <= levels(); ++k) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -16,7 +17,12 @@ void parallel_ranges(std::size_t count, int threads, std::size_t least, const Wo
   const std::size_t parts = std::clamp<std::size_t>(count / least, 1, static_cast<std::size_t>(std::max(threads, 1)));
   std::vector<std::jthread> others;
   for (std::size_t part = 1; part < parts; ++part) {
-    others.emplace_back([&, part] { work(count * part / parts, count * (part + 1) / parts); });
+    const auto compute = [&, part] { work(count * part / parts, count * (part + 1) / parts); };
+    try {
+      others.emplace_back(compute);
+    } catch (const std::system_error&) {
+      compute();  // the system gives no more threads
+    }
   }
   work(std::size_t{0}, count / parts);
 }
