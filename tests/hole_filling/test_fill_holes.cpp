@@ -56,7 +56,8 @@ bool begins_with(const PolyMesh& grown, const PolyMesh& given) {
 }
 
 /// Whatever is filled must hold these: nothing given changes, what is closed is closed soundly, the rest stays.
-void check_invariants(const PolyMesh& mesh, const FillResult& result) {
+/// @param pinches vertices that two rims of one patch share
+void check_invariants(const PolyMesh& mesh, const FillResult& result, std::int64_t pinches = 0) {
   CHECK(begins_with(result.mesh, mesh));
   const MeshReport before = report_of(mesh);
   const MeshReport after = report_of(result.mesh);
@@ -68,7 +69,8 @@ void check_invariants(const PolyMesh& mesh, const FillResult& result) {
     closed_edges += result.analysis.holes[i].vertices.size();
     patches.insert(result.outcomes[i].patch);
   }
-  CHECK(after.boundary_loops == before.boundary_loops - rims);
+  Progress progress;
+  CHECK(analyse_holes(result.mesh, progress).holes.size() == result.analysis.holes.size() - rims);
   CHECK(after.boundary_edges == before.boundary_edges - closed_edges);
   CHECK(after.nonmanifold_edges == before.nonmanifold_edges);
   CHECK(after.nonmanifold_vertices <= before.nonmanifold_vertices);
@@ -76,7 +78,7 @@ void check_invariants(const PolyMesh& mesh, const FillResult& result) {
   CHECK(*after.self_intersections == *before.self_intersections);
   // Each patch is a sphere with as many holes as it closes.
   CHECK(after.euler_characteristic ==
-        before.euler_characteristic + static_cast<std::int64_t>(2 * patches.size() - rims));
+        before.euler_characteristic + pinches + static_cast<std::int64_t>(2 * patches.size() - rims));
   CHECK(result.new_vertices == result.mesh.vertex_count() - mesh.vertex_count());
   CHECK(result.new_faces == result.mesh.face_count() - mesh.face_count());
 }
@@ -213,6 +215,28 @@ TEST_CASE("two islands in one hole become one surface with it") {
   check_invariants(mesh, result);
   CHECK(report_of(result.mesh).components == 1);
   CHECK(report_of(result.mesh).boundary_loops == 1);
+}
+
+TEST_CASE("an island that touches the rim in one corner is joined there") {
+  PolyMesh mesh = cut(sheet(12, 12), Vec3(6, 6, 0), 4.2).mesh;
+  Progress progress;
+  const Index corner = analyse_holes(mesh, progress).holes[1].vertices[0];
+  const Vec3 at = mesh.positions[corner];
+  const Vec3 inwards = (Vec3(6, 6, 0) - at).normalized();
+  const Vec3 across(-inwards.y(), inwards.x(), 0);
+  const Index first = static_cast<Index>(mesh.vertex_count());
+  mesh.positions.push_back(at + 2 * inwards - 0.2 * across);
+  mesh.positions.push_back(at + 2 * inwards + 0.2 * across);
+  mesh.add_triangle(corner, first, first + 1);
+  for (const Fairness fairness : all_fairness) {
+    FillOptions options;
+    options.fairness = fairness;
+    const FillResult result = fill(mesh, options);
+    check_invariants(mesh, result, 1);
+    for (const Finding& finding : result.warnings) UNSCOPED_INFO(finding.message);
+    CHECK(filled(result) == 2);
+    CHECK(report_of(result.mesh).nonmanifold_vertices == 0);
+  }
 }
 
 TEST_CASE("a gap between two tubes is bridged") {

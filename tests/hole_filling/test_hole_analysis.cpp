@@ -158,6 +158,39 @@ TEST_CASE("holes that share vertices are cut apart") {
   }
 }
 
+TEST_CASE("a triangle that hangs in a hole by its corners divides it") {
+  // Three neighbours of a triangle are missing: it touches the rest in its corners alone.
+  PolyMesh mesh = sheet(6, 6);
+  const MeshTopology topology(mesh);
+  const Index middle = 30;
+  std::vector<Index> missing;
+  for (Index corner = 3 * middle; corner < 3 * middle + 3; ++corner)
+    missing.push_back(topology.face(topology.opposite(corner)));
+  const HoleAnalysis analysis = analyse(without_faces(mesh, missing));
+  REQUIRE(analysis.holes.size() == 4);
+  for (std::size_t i = 1; i < 4; ++i) {
+    CHECK(analysis.holes[i].vertices.size() == 3);
+    CHECK(analysis.holes[i].kind == HoleClass::BowTie);
+  }
+}
+
+TEST_CASE("a piece that touches a hole's rim in one corner is its island") {
+  PolyMesh mesh = cut(sheet(12, 12), Vec3(6, 6, 0), 4.2).mesh;
+  Progress progress;
+  const Index corner = analyse(mesh).holes[1].vertices[0];
+  const Vec3 at = mesh.positions[corner];
+  const Vec3 inwards = (Vec3(6, 6, 0) - at).normalized();
+  const Vec3 across(-inwards.y(), inwards.x(), 0);
+  const Index first = static_cast<Index>(mesh.vertex_count());
+  mesh.positions.push_back(at + 2 * inwards - 0.2 * across);
+  mesh.positions.push_back(at + 2 * inwards + 0.2 * across);
+  mesh.add_triangle(corner, first, first + 1);
+  const HoleAnalysis analysis = analyse(mesh);
+  REQUIRE(analysis.holes.size() == 3);
+  CHECK(std::count_if(analysis.holes.begin(), analysis.holes.end(),
+                      [](const Hole& hole) { return hole.kind == HoleClass::Islands; }) == 2);
+}
+
 TEST_CASE("edges of many faces are no rims, and rims that end there are told") {
   // Three sheets on one edge: each has a border that ends at the edge's ends, where the next one takes over.
   PolyMesh book;

@@ -37,7 +37,7 @@ struct Hole {
   HoleClass kind = HoleClass::Simple;  ///< see there
   std::vector<Index> vertices;         ///< #R, of the mesh, in the direction of the faces, the lowest first
   std::vector<Index> corners;          ///< #R, of the view: edge i runs from vertices[i] to vertices[i+1]
-  Index component = 0;                 ///< of the view
+  Index component = 0;                 ///< of the view; the largest, where the rim runs over pieces that touch
   double perimeter = 0;
   double diameter = 0;            ///< the greatest distance of two rim vertices, exact
   double area = 0;                ///< of the minimal triangulation; see `area_is_minimal`

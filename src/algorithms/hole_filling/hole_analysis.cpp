@@ -55,7 +55,7 @@ void mark_shared_vertices(const SurfaceView& view, std::size_t vertex_count, std
 }
 
 std::vector<Hole> find_holes(const PolyMesh& mesh, HoleAnalysis& analysis, Progress& progress) {
-  RimCycles cycles = walk_rims(analysis.view, progress);
+  RimCycles cycles = walk_rims(analysis.view, mesh.positions, progress);
   analysis.open_rims = cycles.open_rims;
   std::vector<Hole> holes;
   holes.reserve(cycles.cycles.size());

@@ -86,12 +86,20 @@ void measure_directions(const PolyMesh& mesh, const SurfaceView& view, Hole& hol
   hole.conormal_tilt = weight > 0 ? sum / weight : std::numbers::pi / 2;
 }
 
+/// Pieces that touch in vertices can have a rim in common: it is that of the largest.
+Index largest_component(const HoleAnalysis& analysis, const Hole& hole) {
+  const auto component = [&](Index corner) { return analysis.view.component[corner / 3]; };
+  const Index corner = *std::max_element(hole.corners.begin(), hole.corners.end(), [&](Index a, Index b) {
+    return analysis.component_area[component(a)] < analysis.component_area[component(b)];
+  });
+  return component(corner);
+}
+
 }  // namespace
 
 void measure_hole(const PolyMesh& mesh, const SurfaceView& view, const HoleAnalysisOptions& options, Hole& hole,
                   Progress& progress) {
   const std::vector<Vec3> polygon = local_polygon(mesh, hole);
-  hole.component = view.component[hole.corners.front() / 3];
   hole.perimeter = perimeter_of(polygon);
   hole.diameter = greatest_distance(polygon);
   const RimPlane plane = plane_of_rim(polygon);
@@ -116,6 +124,7 @@ void measure_components(const PolyMesh& mesh, HoleAnalysis& analysis) {
   }
   analysis.component_diagonal.clear();
   for (const Eigen::AlignedBox3d& box : boxes) analysis.component_diagonal.push_back(box.diagonal().norm());
+  for (Hole& hole : analysis.holes) hole.component = largest_component(analysis, hole);
 }
 
 }  // namespace croquis::hole_filling

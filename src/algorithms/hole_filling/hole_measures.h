@@ -6,11 +6,11 @@
 
 namespace croquis::hole_filling {
 
-/// Fills all measures of a hole from its vertices and corners.
+/// Fills all other measures of a hole from its vertices and corners.
 void measure_hole(const PolyMesh& mesh, const SurfaceView& view, const HoleAnalysisOptions& options, Hole& hole,
                   Progress& progress);
 
-/// Area and diagonal of every component. Linear.
+/// Area and diagonal of every component, and the component of every hole. Linear.
 void measure_components(const PolyMesh& mesh, HoleAnalysis& analysis);
 
 }  // namespace croquis::hole_filling

@@ -7,7 +7,10 @@
 #include <tuple>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "algorithms/hole_filling/cancel_check.h"
+#include "algorithms/hole_filling/fan_order.h"
 
 namespace croquis::hole_filling {
 namespace {
@@ -17,11 +20,12 @@ using End = Index;
 
 class RimWalk {
  public:
-  RimWalk(const SurfaceView& view, Progress& progress)
-      : view_(view), cancel_(progress), partner_(2 * view.rim_corners.size(), no_index) {}
+  RimWalk(const SurfaceView& view, std::span<const Vec3> positions, Progress& progress)
+      : view_(view), positions_(positions), cancel_(progress), partner_(2 * view.rim_corners.size(), no_index) {}
 
   RimCycles run() {
     link_around_vertices();
+    link_across_gaps();
     link_dead_ends();
     visited_.assign(view_.rim_corners.size(), 0);
     place_.assign(view_.representative.empty() ? vertex_bound() : view_.representative.size(), no_index);
@@ -76,6 +80,50 @@ class RimWalk {
       if (other == no_index) continue;
       partner_[end] = other;
       partner_[other] = end;
+    }
+  }
+
+  /// Vertices with several fans: each fan's last rim edge goes on with the first one of the fan across the gap.
+  void link_across_gaps() {
+    std::vector<std::pair<Index, End>> arrivals;  // vertex, end
+    for (End end = 1; end < partner_.size(); end += 2) {
+      const End other = partner_[end];
+      if (other != no_index && other % 2 == 0) arrivals.emplace_back(vertex(end), end);
+    }
+    std::sort(arrivals.begin(), arrivals.end());
+    for (auto begin = arrivals.begin(); begin != arrivals.end();) {
+      const auto end = std::find_if(begin, arrivals.end(), [&](const auto& a) { return a.first != begin->first; });
+      if (end - begin > 1) link_petals({begin, end});
+      begin = end;
+    }
+  }
+
+  void link_petals(std::span<const std::pair<Index, End>> arrivals) {
+    std::vector<Petal> petals;
+    std::vector<End> leaving;
+    for (const auto& [at, end] : arrivals) {
+      leaving.push_back(partner_[end]);
+      const Vec3& tip = positions_[at];
+      petals.push_back({positions_[view_.target(corner(partner_[end]))] - tip,
+                        positions_[view_.origin(corner(end))] - tip, fan_normal(end)});
+    }
+    const std::vector<std::size_t> across = petal_across_gap(petals);
+    for (std::size_t i = 0; i < across.size(); ++i) {
+      partner_[arrivals[i].second] = leaving[across[i]];
+      partner_[leaving[across[i]]] = arrivals[i].second;
+    }
+  }
+
+  /// Sum of the normals, weighted by area, of the triangles that `turn` goes through.
+  Vec3 fan_normal(End end) const {
+    const Index pivot = vertex(end);
+    Vec3 sum = Vec3::Zero();
+    for (Index edge = corner(end);;) {
+      const auto& t = view_.triangles[edge / 3];
+      sum += (positions_[t[1]] - positions_[t[0]]).cross(positions_[t[2]] - positions_[t[0]]);
+      edge = view_.other_edge_at(edge, pivot);
+      if (!view_.has_opposite(edge)) return sum;
+      edge = view_.opposite[edge];
     }
   }
 
@@ -135,6 +183,7 @@ class RimWalk {
   }
 
   const SurfaceView& view_;
+  std::span<const Vec3> positions_;
   CancelCheck cancel_;
   std::vector<End> partner_;           ///< #2R
   std::vector<std::uint8_t> visited_;  ///< per rim edge
@@ -145,6 +194,8 @@ class RimWalk {
 
 }  // namespace
 
-RimCycles walk_rims(const SurfaceView& view, Progress& progress) { return RimWalk(view, progress).run(); }
+RimCycles walk_rims(const SurfaceView& view, std::span<const Vec3> positions, Progress& progress) {
+  return RimWalk(view, positions, progress).run();
+}
 
 }  // namespace croquis::hole_filling

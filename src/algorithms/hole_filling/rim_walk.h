@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "croquis/base/progress.h"
@@ -21,8 +22,11 @@ struct RimCycles {
   std::size_t open_rims = 0;  ///< chains that don't close
 };
 
-/// Walks all rims. A walk turns around a vertex within the triangles that edges join, so that its continuation is
-/// unique, and every walk is cut wherever a vertex comes again. n log n in the rim edges, linear in their fans.
-RimCycles walk_rims(const SurfaceView& view, Progress& progress);
+/// Walks all rims. Where one fan of triangles ends at a vertex, the walk turns around it within the fan. Where several
+/// fans meet in a vertex and lie around it like petals, it goes on with the fan across the gap, so that gaps between
+/// them are holes of their own; else it stays in its fan too. Every walk is cut wherever a vertex comes again.
+/// n log n in the rim edges, linear in their fans.
+/// @param positions #V, of the mesh
+RimCycles walk_rims(const SurfaceView& view, std::span<const Vec3> positions, Progress& progress);
 
 }  // namespace croquis::hole_filling
