@@ -49,12 +49,12 @@ void DomainPoints::make_offsets() {
   offsets_ = std::move(points.constraints);
 }
 
-Constraints DomainPoints::of(const Box& box) const {
+Constraints DomainPoints::of(const Box& box, std::size_t most) const {
   std::vector<Index> chosen = tree_.inside(box);
   if (chosen.size() < options_.min_points) {
     chosen = tree_.nearest(box.middle(), options_.min_points);
-  } else if (chosen.size() > options_.max_points) {
-    chosen = thinned(positions_, std::move(chosen), box, options_.max_points);
+  } else if (chosen.size() > most) {
+    chosen = thinned(positions_, std::move(chosen), box, most);
   }
   std::sort(chosen.begin(), chosen.end());
   Constraints constraints;

@@ -15,9 +15,9 @@ class DomainPoints {
  public:
   DomainPoints(std::span<const Vec3> positions, std::span<const Vec3> normals, const DomainOptions& options);
 
-  /// The points in the box, between min_points (then the nearest to its middle) and max_points (then thinned), with
-  /// their normals or, for kernels without gradients, their offset points.
-  Constraints of(const Box& box) const;
+  /// The points in the box, with their normals or, for kernels without gradients, their offset points: if fewer than
+  /// min_points, the nearest to its middle instead; if more than `most`, thinned.
+  Constraints of(const Box& box, std::size_t most) const;
 
   /// True when the box holds more than `most` points on the surface.
   bool holds_more_than(std::size_t most, const Box& box) const { return tree_.inside(box).size() > most; }

@@ -37,6 +37,7 @@ constexpr double enough = 1e-3;
 struct DomainFit {
   Box box;
   double weight = 1;
+  std::size_t most = 0;            // points that it takes at most
   std::optional<Constraints> own;  // an extra domain's; the others take theirs from the points
   mutable std::once_flag once;
   mutable std::unique_ptr<const LocalFit> fit;
@@ -95,7 +96,8 @@ struct PartitionOfUnity::State {
   const LocalFit& fit_of(const DomainFit& domain) const {
     if (const LocalFit* fit = domain.ready.load(std::memory_order_acquire)) return *fit;
     std::call_once(domain.once, [&] {
-      domain.fit = std::make_unique<const LocalFit>(domain.own ? *domain.own : points.of(domain.box), options.fit);
+      domain.fit =
+          std::make_unique<const LocalFit>(domain.own ? *domain.own : points.of(domain.box, domain.most), options.fit);
       domain.ready.store(domain.fit.get(), std::memory_order_release);
     });
     return *domain.fit;
@@ -122,7 +124,10 @@ void PartitionOfUnity::State::add_leaf_domains() {
   for (const Octree::Leaf& leaf : tree.leaves()) {
     DomainFit& domain = domains.emplace_back();
     domain.box = leaf.cube.grown(options.overlap);
-    domain.weight = leaf.point_count() > 0 ? options.data_weight : options.filler_weight;
+    const bool filler = leaf.point_count() == 0;
+    domain.weight = filler ? options.filler_weight : options.data_weight;
+    // A filler only carries on what is around it: it needs no more points than a leaf has.
+    domain.most = filler ? std::max(options.min_points, options.leaf_points) : options.max_points;
   }
 }
 

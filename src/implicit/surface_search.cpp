@@ -21,6 +21,11 @@ constexpr std::size_t grain = 256;  // corners or vertices per call of the field
 
 constexpr unsigned all_inside = 255;
 
+/// Seeds and fronts wander about. Corners of one block lie near each other in memory, and near what the field needs.
+bool comes_before(const LatticePlace& a, const LatticePlace& b) {
+  return a.block != b.block ? a.block->first < b.block->first : a.local < b.local;
+}
+
 /// For every pattern of signs the edges that it crosses, one bit per edge.
 constexpr std::array<std::uint16_t, 256> crossed_edges = [] {
   std::array<std::uint16_t, 256> crossed = {};
@@ -86,6 +91,7 @@ std::vector<LatticePlace> SurfaceSearch::first_front(std::span<const Vec3> seeds
       for (int y = -reach; y <= reach; ++y)
         for (int x = -reach; x <= reach; ++x) visit({middle[0] + x, middle[1] + y, middle[2] + z}, front);
   }
+  std::sort(front.begin(), front.end(), comes_before);
   return front;
 }
 
@@ -105,10 +111,7 @@ void SurfaceSearch::evaluate_corners(const std::vector<LatticePlace>& front, Pro
       if (place.block->known.insert(place.local)) corners.push_back(place);
     }
   }
-  // A front wanders about; corners of one block lie near each other, and near what the field needs for them.
-  std::sort(corners.begin(), corners.end(), [](const LatticePlace& a, const LatticePlace& b) {
-    return a.block != b.block ? a.block->first < b.block->first : a.local < b.local;
-  });
+  std::sort(corners.begin(), corners.end(), comes_before);
   result_.evaluations += corners.size();
   for_each_part(corners.size(), grain, options_.threads, progress, [&](std::size_t begin, std::size_t end) {
     std::array<Vec3, grain> places;
