@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <iomanip>
 #include <numbers>
+#include <optional>
 #include <ostream>
+#include <string>
 #include <vector>
 
 #include "algorithms/hole_filling/edge_pairing.h"
@@ -50,30 +52,50 @@ std::vector<std::uint64_t> edge_keys(const std::vector<std::array<Index, 3>>& tr
   return keys;
 }
 
-void report_growth(std::ostream& out) {
-  out << "| triangles | holes | std::sort of edge keys | edges paired | ratio | whole view, s per million | analysis | "
-         "flat fill |\n|---|---|---|---|---|---|---|---|\n";
-  for (const double triangles : {7e4, 3.3e5, 1.05e6, 4e6}) {
-    const PolyMesh mesh = test::shuffled(holed_torus(triangles), 1);
-    const int runs = triangles > 2e6 ? 1 : 3;
+/// One row of the table of growth; the exponents are those of time over triangles since the row before.
+class GrowthRow {
+ public:
+  explicit GrowthRow(const PolyMesh& mesh) : faces_(static_cast<double>(mesh.face_count())) {
+    const int runs = faces_ > 2e6 ? 1 : 3;
     Progress progress;
     const SurfaceView view = view_surface(mesh, progress);
     const std::vector<std::uint64_t> keys = edge_keys(view.triangles);
-    const double sort = median_cpu_ms(runs, [&] {
+    sort_ = median_cpu_ms(runs, [&] {
       auto copy = keys;
       std::sort(copy.begin(), copy.end());
     });
-    const double pairing = median_cpu_ms(runs, [&] { pair_edges(view.triangles, mesh.vertex_count(), progress); });
-    const double viewing = median_cpu_ms(runs, [&] { view_surface(mesh, progress); });
-    std::size_t holes = 0;
-    const double analysis = median_cpu_ms(runs, [&] { holes = analyse_holes(mesh, progress).holes.size(); });
-    FillOptions options;
-    options.fairness = Fairness::Flat;
-    const double fill = median_cpu_ms(runs, [&] { fill_holes(mesh, options, progress); });
-    out << "| " << mesh.face_count() << " | " << holes << " | " << sort << " ms | " << pairing << " ms | "
-        << pairing / sort << " | " << viewing * 1e3 / static_cast<double>(mesh.face_count()) << " | " << analysis
-        << " ms | " << fill << " ms |\n";
+    pairing_ = median_cpu_ms(runs, [&] { pair_edges(view.triangles, mesh.vertex_count(), progress); });
+    analysis_ = median_cpu_ms(runs, [&] { holes_ = analyse_holes(mesh, progress).holes.size(); });
+    fill_ = median_cpu_ms(runs, [&] { fill_holes(mesh, {}, progress); });
   }
+
+  void print(std::ostream& out, const char* order, const GrowthRow* before) const {
+    out << "| " << static_cast<std::size_t>(faces_) << ' ' << order << " | " << holes_ << " | " << pairing_ / sort_
+        << " | " << analysis_ * 1e3 / faces_ << " | " << analysis_ << " ms | " << fill_ << " ms | ";
+    if (before != nullptr)
+      out << exponent(*before, analysis_, before->analysis_) << ", " << exponent(*before, fill_, before->fill_);
+    out << " |\n";
+  }
+
+ private:
+  double exponent(const GrowthRow& before, double time, double time_before) const {
+    return std::log(time / time_before) / std::log(faces_ / before.faces_);
+  }
+
+  double faces_, sort_ = 0, pairing_ = 0, analysis_ = 0, fill_ = 0;
+  std::size_t holes_ = 0;
+};
+
+void report_growth(std::ostream& out) {
+  out << "| triangles | holes | pairing edges / std::sort of their keys | analysis, s per million | analysis | "
+         "smooth fill | exponents |\n|---|---|---|---|---|---|---|\n";
+  std::optional<GrowthRow> before;
+  for (const double triangles : {7e4, 3.3e5, 1.05e6, 4e6}) {
+    const GrowthRow row(holed_torus(triangles));
+    row.print(out, "", before ? &*before : nullptr);
+    before = row;
+  }
+  GrowthRow(test::shuffled(holed_torus(1.05e6), 1)).print(out, "in random order", nullptr);
 }
 
 /// A plate with one hole of that many edges, its rim wavy in and out of the plane by `waves`.
