@@ -22,6 +22,9 @@ namespace {
 // least that smooth weights at eight overlapping corners leave is above 1e-12.
 constexpr double no_weight = 1e-30;
 
+// Of one fit: its matrix takes 512 MB then.
+constexpr std::size_t most_points = 2000;
+
 // The tree's cube is larger than the points by this fraction: fills may bulge out of their box.
 constexpr double room = 0.5;
 
@@ -47,6 +50,7 @@ struct DomainFit {
 void require_options(const DomainOptions& options) {
   require_parameter(options.leaf_points >= 1 && options.min_points >= 1 && options.max_points >= options.min_points,
                     "points-per-domain", "domains need at least one point and no less at most than at least");
+  require_parameter(options.max_points <= most_points, "points-per-domain", "domains take 2000 points at most");
   require_parameter(options.overlap >= 0 && options.overlap <= 1, "overlap", "it must lie between 0 and 1");
   require_parameter(options.max_depth >= 0 && options.max_depth <= 20, "max-depth", "it must lie between 0 and 20");
   require_parameter(options.data_weight > 0 && options.filler_weight >= 0, "weight", "weights must be positive");

@@ -54,6 +54,8 @@ double mean_nearest_distance(const std::vector<Vec3>& points) {
 
 UnitCentres unit_centres(const Constraints& constraints, const FitOptions& options) {
   require_constraints(constraints);
+  for (const double number : {options.value_smoothing, options.gradient_smoothing, options.spacing})
+    require_parameter(std::isfinite(number) && number >= 0, "smoothing", "smoothing and spacing can't be negative");
   UnitCentres centres;
   const Box box = bounds(constraints.positions);
   centres.middle = box.middle();

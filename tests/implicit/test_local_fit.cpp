@@ -236,6 +236,40 @@ TEST_CASE("smoothing means the same at any scale and evens noise out") {
   CHECK(mean_error(10) < 0.6 * mean_error(0));
 }
 
+TEST_CASE("a fit around a missing cap of a sphere closes it") {
+  Constraints ring;  // what is left of a sphere beside a hole of 30 degrees
+  const Constraints sphere = sphere_points(1500, Vec3::Zero(), 1);
+  for (std::size_t i = 0; i < sphere.size(); ++i) {
+    const double angle = std::acos(sphere.positions[i].z()) * 180 / M_PI;
+    if (angle < 30 || angle > 55) continue;
+    ring.positions.push_back(sphere.positions[i]);
+    ring.gradients.push_back(sphere.gradients[i]);
+  }
+  REQUIRE(ring.size() < 250);
+  const LocalFit fit(ring, {});
+  double worst = 0;
+  double sum = 0;
+  int count = 0;
+  for (const Vec3& start : sphere.positions) {
+    if (start.z() < std::cos(M_PI / 6)) continue;
+    Vec3 p = start;
+    for (int step = 0; step < 20; ++step) p -= fit.value(p) / fit.gradient(p).squaredNorm() * fit.gradient(p);
+    worst = std::max(worst, std::abs(p.norm() - 1));
+    sum += std::abs(p.norm() - 1);
+    ++count;
+  }
+  INFO("radial error up to " << worst << ", mean " << sum / count);
+  CHECK(worst <= 0.009);
+  CHECK(sum / count <= 0.004);
+}
+
+TEST_CASE("smoothing below nothing is refused") {
+  const Constraints data = sphere_points(20, Vec3::Zero(), 1);
+  CHECK_THROWS_AS(LocalFit(data, {Kernel::Hermite, -1, 0, 0}), Error);
+  CHECK_THROWS_AS(LocalFit(data, {Kernel::Hermite, 0, NAN, 0}), Error);
+  CHECK_THROWS_AS(LocalFit(data, {Kernel::Hermite, 0, 0, INFINITY}), Error);
+}
+
 TEST_CASE("unusable constraints are refused by name") {
   const auto code = [](const Constraints& data) {
     try {

@@ -53,7 +53,7 @@ struct FitReport {
 class LocalFit {
  public:
   /// @param constraints at least one point; gradients are used by Kernel::Hermite alone
-  /// @throws Error (E_NO_POINTS, E_NOT_FINITE, E_COUNT)
+  /// @throws Error (E_NO_POINTS, E_NOT_FINITE, E_COUNT, E_PARAMETER)
   LocalFit(const Constraints& constraints, const FitOptions& options);
 
   /// @param gradients as many as points, or none: not wanted

@@ -17,7 +17,7 @@ namespace croquis::implicit {
 struct DomainOptions {
   std::size_t leaf_points = 40;  ///< a box with more points of its own is cut in eight
   std::size_t min_points = 30;   ///< a domain with fewer takes so many nearest points
-  std::size_t max_points = 300;  ///< a domain with more is thinned
+  std::size_t max_points = 300;  ///< a domain with more is thinned; 2000 at most
   int max_depth = 20;            ///< of the tree
   double overlap = 0.25;         ///< how much larger a domain is than its box, in total per axis, as fraction; 0..1
   bool equal_boxes = false;      ///< all boxes with points of one size (Yoo 2005), else as large as their points allow
