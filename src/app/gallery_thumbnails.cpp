@@ -57,7 +57,13 @@ void GalleryThumbnails::show(std::size_t place, const QString& sketch, const std
   done_ = std::max(done_, place + 1);
   try {
     const std::vector<render::MeshItemPtr> items{render::make_mesh_item(*solid)};
-    emit finished(sketch, pictures_.draw(items, render::NamedView::Perspective, picture_size));
+    // Screws lie along z, their heads in front of the collar that they are about.
+    const bool from_behind = sketch.startsWith("bolt");
+    const double aspect = static_cast<double>(picture_size.width()) / picture_size.height();
+    render::ViewDirection direction = render::view_direction(render::NamedView::Perspective);
+    if (from_behind) direction.direction = {direction.direction.x, direction.direction.y, -direction.direction.z};
+    const render::Camera camera = render::frame(render::points_of(items), direction, aspect);
+    emit finished(sketch, pictures_.draw(items, camera, render::RenderOptions{}, picture_size));
   } catch (const Error&) {
     stop();  // no context for pictures: the window says so when it can't draw either
   }

@@ -64,6 +64,9 @@ class MainWindow : public QMainWindow {
   /// @throws Error (E_WRITE)
   void record_to(const QString& path);
 
+  /// Nobody is there to answer: changes are discarded without a question (replays).
+  void set_unattended() { unattended_ = true; }
+
   /// Of the last attempt that failed.
   const Findings& last_findings() const { return last_findings_; }
 
@@ -162,6 +165,7 @@ class MainWindow : public QMainWindow {
   QList<QDockWidget*> docks_;
   QDockWidget* edges_dock_ = nullptr;  ///< of meshes alone
   QDockWidget* sets_dock_ = nullptr;
+  bool unattended_ = false;
   bool docks_sized_ = false;  ///< people's own sizes are kept
   Findings last_findings_;
   QLabel* help_ = nullptr;

@@ -201,7 +201,7 @@ bool MainWindow::save_to(const QString& path) {
 }
 
 bool MainWindow::may_discard() {
-  if (!studio_.session().modified()) return true;
+  if (unattended_ || !studio_.session().modified()) return true;
   QMessageBox question(QMessageBox::Question, tr("Croquis"), tr("Save the changes to this sketch?"),
                        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
   question.setObjectName("save-question");

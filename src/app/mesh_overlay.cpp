@@ -5,15 +5,15 @@
 #include <map>
 
 #include "app/theme.h"
-#include "croquis/render/edge_item.h"
 #include "croquis/render/sharpness_color.h"
 
 namespace croquis::app {
 namespace {
 
 constexpr std::size_t points_at_most = 300'000;  // vertices of more aren't drawn: they would cover everything
-constexpr double selected_width = 3.5;
+constexpr float selected_width = 3.5F;
 constexpr float hovered_width = 4.5F;
+constexpr std::uint8_t covered_alpha = 80;  // of lines behind the surface
 
 render::Color to_color(const QColor& color, int alpha = 255) {
   return {color.red(), color.green(), color.blue(), alpha};
@@ -21,12 +21,12 @@ render::Color to_color(const QColor& color, int alpha = 255) {
 
 glm::dvec3 to_glm(const Vec3& place) { return {place.x(), place.y(), place.z()}; }
 
-render::LineItemPtr edges(const MeshTool& tool, const MeshTopology& topology, std::span<const Index> chosen,
-                          const render::Color& color, float width) {
-  std::vector<render::StyledEdge> styled;
-  styled.reserve(chosen.size());
-  for (const Index edge : chosen) styled.push_back({topology.edge_vertices(edge), color, width});
-  return styled.empty() ? nullptr : render::make_edge_item(tool.mesh()->positions, styled);
+std::vector<render::StyledEdge> styled(const MeshTopology& topology, std::span<const Index> chosen,
+                                       const render::Color& color, float width) {
+  std::vector<render::StyledEdge> edges;
+  edges.reserve(chosen.size());
+  for (const Index edge : chosen) edges.push_back({topology.edge_vertices(edge), color, width});
+  return edges;
 }
 
 render::PointItemPtr points(const std::vector<Vec3>& places, std::span<const Index> chosen, const QColor& color,
@@ -69,6 +69,15 @@ std::vector<render::Mark> special_vertices(const PolyMesh& mesh) {
 
 }  // namespace
 
+MeshOverlay::SeenThrough MeshOverlay::edges(const MeshTool& tool, std::vector<render::StyledEdge> styled) {
+  if (styled.empty()) return {};
+  SeenThrough lines;
+  lines.clear = render::make_edge_item(tool.mesh()->positions, styled);
+  for (render::StyledEdge& edge : styled) edge.color.a = covered_alpha;
+  lines.faint = render::make_edge_item(tool.mesh()->positions, styled, render::LineDepth::OnTop);
+  return lines;
+}
+
 void MeshOverlay::follow(MeshTool& tool, const ComponentSelection& selection, const StudioObject* object,
                          const render::MeshItemPtr& cage) {
   *this = MeshOverlay();
@@ -86,12 +95,12 @@ void MeshOverlay::show_tags(MeshTool& tool, const StudioObject& object) {
   if (mesh.tags.empty()) return;
   const MeshTopology& topology = *tool.topology();
   const std::vector<double>& sharpness = tool.edge_sharpness();
-  std::vector<render::StyledEdge> styled;
+  std::vector<render::StyledEdge> colored;
   for (const Index edge : tagged_edges(mesh.tags, topology)) {
-    styled.push_back({topology.edge_vertices(edge), render::sharpness_color(sharpness[edge]),
-                      render::sharpness_width(sharpness[edge])});
+    colored.push_back({topology.edge_vertices(edge), render::sharpness_color(sharpness[edge]),
+                       render::sharpness_width(sharpness[edge])});
   }
-  if (!styled.empty()) tags_ = render::make_edge_item(mesh.positions, styled);
+  tags_ = edges(tool, std::move(colored));
   const std::vector<render::Mark> marks = special_vertices(mesh);
   if (!marks.empty()) dots_ = render::make_mark_item(marks, render::MarkDepth::OnTop);
 }
@@ -125,11 +134,11 @@ void MeshOverlay::show_selection(MeshTool& tool, const ComponentSelection& selec
   const ComponentKind kind = selection.kind;
   if (kind == ComponentKind::Vertex) selected_vertices_ = points(places, selection.elements, colors::accent, 9);
   if (kind == ComponentKind::Edge) {
-    selected_edges_ = edges(tool, topology, selection.elements, to_color(colors::accent), selected_width);
+    selected_edges_ = edges(tool, styled(topology, selection.elements, to_color(colors::accent), selected_width));
   }
   if (kind == ComponentKind::Face) {
     const Elements rim = converted(topology, ComponentKind::Face, ComponentKind::Edge, selection.elements);
-    selected_edges_ = edges(tool, topology, rim, to_color(colors::accent), 2.5F);
+    selected_edges_ = edges(tool, styled(topology, rim, to_color(colors::accent), 2.5F));
     if (cage) faces_.push_back(render::make_face_highlight(cage, selection.elements, to_color(colors::accent, 110)));
   }
   for (const Index vertex : converted(topology, kind, ComponentKind::Vertex, selection.elements)) {
@@ -138,7 +147,7 @@ void MeshOverlay::show_selection(MeshTool& tool, const ComponentSelection& selec
 }
 
 void MeshOverlay::follow_hover(MeshTool& tool, const render::MeshItemPtr& cage) {
-  hovered_edge_.reset();
+  hovered_edge_ = {};
   hovered_vertex_.reset();
   hovered_face_.reset();
   cut_.reset();
@@ -156,11 +165,11 @@ void MeshOverlay::follow_hover(MeshTool& tool, const render::MeshItemPtr& cage) 
   switch (tool.mode()) {
     case MeshMode::Vertex: hovered_vertex_ = points(tool.mesh()->positions, chosen, colors::hover, 11); break;
     case MeshMode::Edge:
-      hovered_edge_ = edges(tool, *tool.topology(), chosen, to_color(colors::hover), hovered_width);
+      hovered_edge_ = edges(tool, styled(*tool.topology(), chosen, to_color(colors::hover), hovered_width));
       break;
     case MeshMode::Face: {
       const Elements rim = converted(*tool.topology(), ComponentKind::Face, ComponentKind::Edge, chosen);
-      hovered_edge_ = edges(tool, *tool.topology(), rim, to_color(colors::hover), 3);
+      hovered_edge_ = edges(tool, styled(*tool.topology(), rim, to_color(colors::hover), 3));
       if (cage) hovered_face_ = render::make_face_highlight(cage, chosen, to_color(colors::hover, 70));
       break;
     }
@@ -168,8 +177,10 @@ void MeshOverlay::follow_hover(MeshTool& tool, const render::MeshItemPtr& cage) 
   }
 }
 
-void MeshOverlay::add_to(render::Scene& scene) const {
-  for (const render::LineItemPtr& item : {chains_, tags_, selected_edges_, hovered_edge_, cut_}) {
+void MeshOverlay::add_to(render::Scene& scene, bool with_chains) const {
+  if (with_chains && chains_) scene.lines.emplace_back(chains_);
+  for (const render::LineItemPtr& item : {tags_.faint, selected_edges_.faint, hovered_edge_.faint, tags_.clear,
+                                          selected_edges_.clear, hovered_edge_.clear, cut_}) {
     if (item) scene.lines.emplace_back(item);
   }
   for (const render::PointItemPtr& item : {vertices_, selected_vertices_, hovered_vertex_}) {

@@ -6,6 +6,7 @@
 
 #include "app/studio_object.h"
 #include "app/view_pane.h"
+#include "croquis/render/edge_item.h"
 #include "croquis/render/scene.h"
 #include "croquis/tools/mesh_tool.h"
 
@@ -22,11 +23,11 @@ class MeshOverlay {
   /// What is under the pointer; cheap enough for every event.
   void follow_hover(MeshTool& tool, const render::MeshItemPtr& cage);
 
-  /// Adds to a view's scene.
-  void add_to(render::Scene& scene) const;
+  /// Adds to a view's scene. @param with_chains also the limit curves, which are one scheme's
+  void add_to(render::Scene& scene, bool with_chains) const;
 
   /// Tags are shown: the legend belongs beside them.
-  bool shows_tags() const { return tags_ != nullptr; }
+  bool shows_tags() const { return tags_.clear != nullptr; }
 
   /// Of the selected elements; of everything when none are.
   render::Bounds selection_bounds() const { return selection_bounds_; }
@@ -36,14 +37,21 @@ class MeshOverlay {
   void show_chains(const StudioObject& object);
   void show_selection(MeshTool& tool, const ComponentSelection& selection, const render::MeshItemPtr& cage);
 
-  render::LineItemPtr tags_;
+  /// Lines that what covers them leaves faint.
+  struct SeenThrough {
+    render::LineItemPtr clear;
+    render::LineItemPtr faint;
+  };
+  static SeenThrough edges(const MeshTool& tool, std::vector<render::StyledEdge> styled);
+
+  SeenThrough tags_;
   render::LineItemPtr chains_;
   render::MarkItemPtr dots_;  ///< pins, corners and ends of chains
   render::PointItemPtr vertices_;
   render::PointItemPtr selected_vertices_;
-  render::LineItemPtr selected_edges_;
+  SeenThrough selected_edges_;
   std::vector<render::FaceHighlightPtr> faces_;
-  render::LineItemPtr hovered_edge_;
+  SeenThrough hovered_edge_;
   render::PointItemPtr hovered_vertex_;
   render::FaceHighlightPtr hovered_face_;
   render::LineItemPtr cut_;

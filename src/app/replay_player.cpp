@@ -125,6 +125,7 @@ void save_window_picture(MainWindow& window, const QString& path) {
 }
 
 void ReplayPlayer::play(const std::vector<recorded::Line>& lines) {
+  window_.set_unattended();
   for (const recorded::Line& line : lines) play(line);
 }
 

@@ -195,6 +195,8 @@ void Viewport::compare(bool shown) {
           : sketch_.scene().has_strokes() ? Arrangement::SketchAndSolid
                                           : Arrangement::Four);
   if (!shown && !sketch_.scene().has_strokes()) show_alone(PerspectiveView);
+  ViewPane& pane = layout_.pane(PerspectiveView);
+  if (!pane.fits(objects_.scene({}))) pane.frame(objects_.scene({}));
 }
 
 void Viewport::delete_selection() {
@@ -365,7 +367,7 @@ render::Scene Viewport::scene_of(int view) {
     wanted.by = comparison_.item();
   }
   render::Scene scene = objects_.scene(wanted);
-  mesh_.overlay().add_to(scene);
+  mesh_.overlay().add_to(scene, view != ComparisonView);
   if (edits_meshes()) mesh_.add_handles_to(scene, view);
   if (view == SketchView) {
     const render::Scene sketch = sketch_.scene().scene();
