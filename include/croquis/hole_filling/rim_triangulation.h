@@ -35,7 +35,7 @@ struct RimTriangulation {
 };
 
 struct RimTriangulationOptions {
-  std::size_t exact_points = 300;  ///< up to so many points the minimum is found; time n^3 (0.03 s), memory n^2
+  std::size_t exact_points = 300;  ///< up to so many points the minimum is found; time n^3 (0.04 s), memory n^2
 };
 
 /// The triangulation of least area, or for long rims and several loops one that is near to it.
