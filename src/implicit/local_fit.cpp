@@ -69,6 +69,12 @@ Vec3 LocalFit::gradient(const Vec3& point) const {
   return gradient;
 }
 
+Field LocalFit::field() const {
+  return [this](std::span<const Vec3> points, std::span<double> values, std::span<Vec3> gradients) {
+    evaluate(points, values, gradients);
+  };
+}
+
 std::size_t LocalFit::bytes() const { return sizeof(LocalFit) + columns_.capacity() * sizeof(double); }
 
 std::span<const double> LocalFit::value_weights() const { return {columns_.data() + 3 * stride_, report_.centres}; }

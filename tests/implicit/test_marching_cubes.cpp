@@ -168,11 +168,8 @@ TEST_CASE("random values at every corner, all signs and ambiguities: closed, ori
 
 TEST_CASE("a fitted sphere has a positive volume, near the true one") {
   const LocalFit fit(sphere_points(200, Vec3::Zero(), 1), {});
-  const Field field = [&](std::span<const Vec3> points, std::span<double> values, std::span<Vec3> gradients) {
-    fit.evaluate(points, values, gradients);
-  };
   Progress progress;
-  const Polygonized surface = polygonize(field, std::vector{Vec3(1, 0, 0)}, within(2, 0.08), progress);
+  const Polygonized surface = polygonize(fit.field(), std::vector{Vec3(1, 0, 0)}, within(2, 0.08), progress);
   check_closed(surface, 2);
   CHECK(*report_of(surface).volume == Approx(4 * M_PI / 3).epsilon(0.01));
 }

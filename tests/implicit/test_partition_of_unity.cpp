@@ -284,6 +284,9 @@ TEST_CASE("options out of range and unusable points are refused") {
   options.max_points = 10;
   CHECK_THROWS_AS(make(data, options), Error);
   CHECK_THROWS_AS(make({}), Error);
+  CHECK_THROWS_AS(make(data, {}, {{{Vec3::Zero(), Vec3(1, 0, 1)}, data, 1.0}}), Error);
+  CHECK_THROWS_AS(make(data, {}, {{{Vec3::Zero(), Vec3(1, 1, NAN)}, data, 1.0}}), Error);
+  CHECK_THROWS_AS(make(data, {}, {{{Vec3::Zero(), Vec3::Ones()}, {}, 1.0}}), Error);
   CHECK_THROWS_AS(make({{Vec3(0, 0, NAN)}, {}, {}}), Error);
 }
 

@@ -62,6 +62,9 @@ class LocalFit {
   double value(const Vec3& point) const;
   Vec3 gradient(const Vec3& point) const;
 
+  /// This as a field. It must outlive what it returns.
+  Field field() const;
+
   const FitReport& report() const { return report_; }
   std::size_t bytes() const;
 

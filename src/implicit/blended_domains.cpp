@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "implicit/blended_domains.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "implicit/parallel.h"
+
+namespace croquis::implicit {
+namespace {
+
+// Sums of weights below this mean that no domain reaches the place: the largest weight is 1 there or far more, the
+// least that smooth weights at eight overlapping corners leave is above 1e-12.
+constexpr double no_weight = 1e-30;
+
+// The tree's cube is larger than the points by this fraction: fills may bulge out of their box.
+constexpr double room = 0.5;
+
+// Of leaf_points: a box that only grazes the surface has few points of its own, but may have a whole sheet of them in
+// its overlap. Two such boxes in a hundred would take half of all the time.
+constexpr std::size_t crowd = 3;
+
+// Fillers fade out where the other domains' weights (without their factors) add up to this. Their influence is below a
+// ten thousandth there; without it, most of those near the surface need never be fitted.
+constexpr double enough = 1e-3;
+
+Box cube_around(std::span<const Vec3> positions, const std::vector<ExtraDomain>& extras) {
+  Box box = bounds(positions);
+  for (const ExtraDomain& extra : extras) {
+    box.low = box.low.cwiseMin(extra.box.low);
+    box.high = box.high.cwiseMax(extra.box.high);
+  }
+  const double longest = box.size().maxCoeff();
+  const double side = longest > 0 ? (1 + room) * longest : 1;
+  return {(box.middle().array() - 0.5 * side).matrix(), (box.middle().array() + 0.5 * side).matrix()};
+}
+
+OctreeRule rule_of(const DomainOptions& options, const DomainPoints& points) {
+  const auto crowded = [&options, &points](const Box& cube) {
+    return points.holds_more_than(crowd * options.leaf_points, cube.grown(options.overlap));
+  };
+  return {options.leaf_points, options.max_depth, crowded, options.equal_boxes};
+}
+
+}  // namespace
+
+BlendedDomains::BlendedDomains(std::span<const Vec3> positions, std::span<const Vec3> normals,
+                               std::vector<ExtraDomain> extras, const DomainOptions& options)
+    : options_(options),
+      points_(positions, normals, options),
+      tree_(positions, cube_around(positions, extras), rule_of(options, points_)),
+      extras_of_leaf_(tree_.leaves().size()) {
+  add_leaf_domains();
+  add_extras(std::move(extras));
+}
+
+bool BlendedDomains::is_filler(std::size_t domain) const {
+  return domain < tree_.leaves().size() && tree_.leaves()[domain].point_count() == 0;
+}
+
+const LocalFit& BlendedDomains::fit_of(const Domain& domain) const {
+  if (const LocalFit* fit = domain.ready.load(std::memory_order_acquire)) return *fit;
+  std::call_once(domain.once, [&] {
+    domain.fit =
+        std::make_unique<const LocalFit>(domain.own ? *domain.own : points_.of(domain.box, domain.most), options_.fit);
+    domain.ready.store(domain.fit.get(), std::memory_order_release);
+  });
+  return *domain.fit;
+}
+
+void BlendedDomains::fit(Progress& progress) const {
+  std::vector<const Domain*> needed;
+  for (std::size_t i = 0; i < domains_.size(); ++i)
+    if (!is_filler(i)) needed.push_back(&domains_[i]);
+  for_each_part(needed.size(), 1, options_.threads, progress, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) fit_of(*needed[i]);
+  });
+}
+
+void BlendedDomains::add_leaf_domains() {
+  for (const Octree::Leaf& leaf : tree_.leaves()) {
+    Domain& domain = domains_.emplace_back();
+    domain.box = leaf.cube.grown(options_.overlap);
+    const bool filler = leaf.point_count() == 0;
+    domain.weight = filler ? options_.filler_weight : options_.data_weight;
+    // A filler only carries on what is around it: it needs no more points than a leaf has.
+    domain.most = filler ? std::max(options_.min_points, options_.leaf_points) : options_.max_points;
+  }
+}
+
+void BlendedDomains::add_extras(std::vector<ExtraDomain>&& extras) {
+  has_extras_ = !extras.empty();
+  for (ExtraDomain& extra : extras) {
+    const auto index = static_cast<Index>(domains_.size());
+    tree_.for_each_meeting(extra.box, [&](Index leaf) { extras_of_leaf_[leaf].push_back(index); });
+    Domain& domain = domains_.emplace_back();
+    domain.box = extra.box;
+    domain.weight = extra.weight;
+    domain.own = std::move(extra.constraints);
+  }
+}
+
+void BlendedDomains::add(const Domain& domain, const BoxWeight& w, const Vec3& place, Wanted wanted,
+                         Blend& blend) const {
+  double value = 0;
+  Vec3 gradient;
+  const bool steep = wanted != Wanted::Value;
+  fit_of(domain).evaluate({&place, 1}, {&value, 1}, {&gradient, steep ? 1U : 0U});
+  blend.weight += w.value;
+  blend.value += w.value * value;
+  if (steep) blend.gradient += w.value * gradient;
+  if (wanted != Wanted::Gradient) return;
+  blend.weight_gradient += w.gradient;
+  blend.value_times_slope += value * w.gradient;
+}
+
+void BlendedDomains::add_domain(const Domain& domain, const Vec3& place, Wanted wanted, Blend& blend) const {
+  const BoxWeight w = box_weight(domain.box, place);
+  if (!(w.value > 0)) return;
+  blend.coverage += w.value;
+  blend.coverage_gradient += w.gradient;
+  add(domain, {domain.weight * w.value, domain.weight * w.gradient}, place, wanted, blend);
+}
+
+/// Times (1 - coverage / enough)^3, which ends twice continuously differentiable.
+void BlendedDomains::add_filler(const Domain& domain, const Vec3& place, Wanted wanted, const Blend& others,
+                                Blend& blend) const {
+  const BoxWeight w = box_weight(domain.box, place);
+  const double rest = 1 - others.coverage / enough;
+  const double fade = rest * rest * rest;
+  const Vec3 fade_gradient = -3 / enough * rest * rest * others.coverage_gradient;
+  const BoxWeight faded = {domain.weight * w.value * fade,
+                           domain.weight * (fade * w.gradient + w.value * fade_gradient)};
+  if (faded.value > 0) add(domain, faded, place, wanted, blend);
+}
+
+BlendedDomains::Blend BlendedDomains::blend_at(const Vec3& place, Wanted wanted) const {
+  Blend blend;
+  tree_.for_each_near(place, options_.overlap, [&](Index leaf) {
+    if (tree_.leaves()[leaf].point_count() > 0) add_domain(domains_[leaf], place, wanted, blend);
+  });
+  const Index home = has_extras_ ? tree_.leaf_at(place) : no_index;
+  if (home != no_index)
+    for (const Index extra : extras_of_leaf_[home]) add_domain(domains_[extra], place, wanted, blend);
+  if (blend.coverage >= enough) return blend;
+  const Blend others = blend;
+  tree_.for_each_near(place, options_.overlap, [&](Index leaf) {
+    if (tree_.leaves()[leaf].point_count() == 0) add_filler(domains_[leaf], place, wanted, others, blend);
+  });
+  return blend;
+}
+
+void BlendedDomains::evaluate(std::span<const Vec3> places, std::span<double> values, std::span<Vec3> gradients,
+                              Wanted wanted) const {
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Blend blend = blend_at(places[i], wanted);
+    const bool defined = blend.weight >= no_weight;
+    values[i] = defined ? blend.value / blend.weight : std::numeric_limits<double>::quiet_NaN();
+    if (gradients.empty()) continue;
+    gradients[i] = Vec3::Zero();
+    if (!defined) continue;
+    gradients[i] = blend.gradient / blend.weight;
+    if (wanted == Wanted::Gradient)
+      gradients[i] += (blend.value_times_slope - values[i] * blend.weight_gradient) / blend.weight;
+  }
+}
+
+DomainReport BlendedDomains::report() const {
+  DomainReport report;
+  std::vector<std::size_t> centres;
+  report.bytes = points_.bytes() + tree_.bytes();
+  for (std::size_t i = 0; i < domains_.size(); ++i) {
+    const bool is_extra = i >= tree_.leaves().size();
+    const bool has_points = !is_extra && tree_.leaves()[i].point_count() > 0;
+    ++(is_extra ? report.extra_domains : has_points ? report.data_domains : report.filler_domains);
+    report.bytes += sizeof(Domain);
+    const LocalFit* fit = domains_[i].ready.load(std::memory_order_acquire);
+    if (fit == nullptr) continue;
+    ++report.fitted;
+    report.bytes += fit->bytes();
+    if (fit->report().rank_revealing) ++report.rank_revealing;
+    if (!has_points) continue;
+    report.merged += fit->report().merged;
+    centres.push_back(fit->report().centres);
+  }
+  std::sort(centres.begin(), centres.end());
+  if (!centres.empty()) {
+    report.min_centres = centres.front();
+    report.median_centres = centres[centres.size() / 2];
+    report.max_centres = centres.back();
+  }
+  return report;
+}
+
+std::vector<Box> BlendedDomains::boxes() const {
+  std::vector<Box> boxes;
+  for (const Domain& domain : domains_) boxes.push_back(domain.box);
+  return boxes;
+}
+
+}  // namespace croquis::implicit

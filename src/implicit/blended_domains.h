@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "croquis/implicit/partition_of_unity.h"
+#include "implicit/domain_points.h"
+#include "implicit/octree.h"
+
+namespace croquis::implicit {
+
+/// What is asked for at a place: the value; beside it the gradient's first sum, sum w_i grad f_i; or the whole
+/// gradient.
+enum class Wanted { Value, FirstSum, Gradient };
+
+/// The domains of a partition of unity, and what they add up to.
+class BlendedDomains {
+ public:
+  BlendedDomains(std::span<const Vec3> positions, std::span<const Vec3> normals, std::vector<ExtraDomain> extras,
+                 const DomainOptions& options);
+
+  /// Fits the domains that have points and the extra ones.
+  void fit(Progress& progress) const;
+
+  void evaluate(std::span<const Vec3> places, std::span<double> values, std::span<Vec3> gradients, Wanted wanted) const;
+  std::vector<Box> boxes() const;
+  DomainReport report() const;
+
+ private:
+  /// One box with its fit, which is made when it is first asked for.
+  struct Domain {
+    Box box;
+    double weight = 1;
+    std::size_t most = 0;            // points that it takes at most
+    std::optional<Constraints> own;  // an extra domain's; the others take theirs from the points
+    mutable std::once_flag once;
+    mutable std::unique_ptr<const LocalFit> fit;
+    mutable std::atomic<const LocalFit*> ready = nullptr;
+  };
+
+  /// What the domains at one place add up to.
+  struct Blend {
+    double weight = 0;
+    double value = 0;                       // sum of W f
+    Vec3 gradient = Vec3::Zero();           // sum of W grad f
+    Vec3 weight_gradient = Vec3::Zero();    // sum of grad W
+    Vec3 value_times_slope = Vec3::Zero();  // sum of f grad W
+    double coverage = 0;                    // sum of W without factors, of all but fillers
+    Vec3 coverage_gradient = Vec3::Zero();
+  };
+
+  void add_leaf_domains();
+  void add_extras(std::vector<ExtraDomain>&& extras);
+  bool is_filler(std::size_t domain) const;
+  const LocalFit& fit_of(const Domain& domain) const;
+  void add(const Domain& domain, const BoxWeight& w, const Vec3& place, Wanted wanted, Blend& blend) const;
+  void add_domain(const Domain& domain, const Vec3& place, Wanted wanted, Blend& blend) const;
+  void add_filler(const Domain& domain, const Vec3& place, Wanted wanted, const Blend& others, Blend& blend) const;
+  Blend blend_at(const Vec3& place, Wanted wanted) const;
+
+  DomainOptions options_;
+  DomainPoints points_;
+  Octree tree_;
+  std::deque<Domain> domains_;                      // one per leaf, then the extra ones
+  std::vector<std::vector<Index>> extras_of_leaf_;  // domains whose boxes meet the leaf's cube
+  bool has_extras_ = false;
+};
+
+}  // namespace croquis::implicit
