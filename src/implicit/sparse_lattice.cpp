@@ -88,6 +88,18 @@ LatticePlace SparseLattice::upper(const LatticePlace& place, unsigned bits) {
   return {neighbour, static_cast<std::uint16_t>(local)};
 }
 
+std::optional<LatticePlace> SparseLattice::neighbour(const LatticePlace& cube, unsigned face) {
+  const unsigned axis = face / 2;
+  const bool up = (face & 1U) != 0;
+  const auto here = cube.coordinates();
+  std::array<std::int64_t, 3> there = {here[0], here[1], here[2]};
+  there[axis] += up ? 1 : -1;
+  if (!has_cube(there)) return std::nullopt;
+  const unsigned step = 1U << (3 * axis);
+  if ((cube.local >> (3 * axis) & 7) == (up ? 7 : 0)) return place(there);
+  return LatticePlace{cube.block, static_cast<std::uint16_t>(up ? cube.local + step : cube.local - step)};
+}
+
 CornerValues SparseLattice::values(const LatticePlace& cube) {
   CornerValues values;
   const bool at_rim = (cube.local & 7) == 7 || (cube.local >> 3 & 7) == 7 || cube.local >> 6 == 7;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <unordered_map>
 
 #include "croquis/implicit/box_weight.h"
@@ -80,6 +81,9 @@ class SparseLattice {
   /// The corner one step up along the axes of `bits`. May make its block; after link(), threads may ask for corners
   /// whose blocks exist.
   LatticePlace upper(const LatticePlace& place, unsigned bits);
+
+  /// The cube on the other side of a face (2 axis + side), unless that is out of the bounds.
+  std::optional<LatticePlace> neighbour(const LatticePlace& cube, unsigned face);
 
   /// @param cube its corners are known
   CornerValues values(const LatticePlace& cube);

@@ -87,20 +87,23 @@ std::vector<LatticePlace> SurfaceSearch::first_front(std::span<const Vec3> seeds
   const int reach = options_.seed_reach;
   for (const Vec3& seed : seeds) {
     const auto middle = lattice_.cube_at(seed);
-    for (int z = -reach; z <= reach; ++z)
-      for (int y = -reach; y <= reach; ++y)
-        for (int x = -reach; x <= reach; ++x) visit({middle[0] + x, middle[1] + y, middle[2] + z}, front);
+    for (int z = -reach; z <= reach; ++z) {
+      for (int y = -reach; y <= reach; ++y) {
+        for (int x = -reach; x <= reach; ++x) {
+          const std::array<std::int64_t, 3> cube = {middle[0] + x, middle[1] + y, middle[2] + z};
+          if (lattice_.has_cube(cube)) visit(lattice_.place(cube), front);
+        }
+      }
+    }
   }
   std::sort(front.begin(), front.end(), comes_before);
   return front;
 }
 
-void SurfaceSearch::visit(const std::array<std::int64_t, 3>& cube, std::vector<LatticePlace>& front) {
-  if (!lattice_.has_cube(cube)) return;
-  const LatticePlace place = lattice_.place(cube);
-  if (!place.block->visited.insert(place.local)) return;
+void SurfaceSearch::visit(const LatticePlace& cube, std::vector<LatticePlace>& front) {
+  if (!cube.block->visited.insert(cube.local)) return;
   ++result_.visited_cells;
-  front.push_back(place);
+  front.push_back(cube);
 }
 
 void SurfaceSearch::evaluate_corners(const std::vector<LatticePlace>& front, Progress& progress) {
@@ -111,7 +114,6 @@ void SurfaceSearch::evaluate_corners(const std::vector<LatticePlace>& front, Pro
       if (place.block->known.insert(place.local)) corners.push_back(place);
     }
   }
-  std::sort(corners.begin(), corners.end(), comes_before);
   result_.evaluations += corners.size();
   for_each_part(corners.size(), grain, options_.threads, progress, [&](std::size_t begin, std::size_t end) {
     std::array<Vec3, grain> places;
@@ -170,13 +172,13 @@ void SurfaceSearch::ask_covered(const std::vector<Edge>& edges, Progress& progre
 std::vector<LatticePlace> SurfaceSearch::next_front(const std::vector<ActiveCube>& cubes) {
   std::vector<LatticePlace> front;
   for (const ActiveCube& cube : cubes) {
-    const auto here = cube.place.coordinates();
     for (unsigned face = 0; face < 6; ++face) {
       if (!leads_on(cube, face)) continue;
-      std::array<std::int64_t, 3> neighbour = {here[0], here[1], here[2]};
-      neighbour[face / 2] += (face & 1U) != 0 ? 1 : -1;
-      if (!lattice_.has_cube(neighbour)) result_.reached_bounds = true;
-      visit(neighbour, front);
+      if (const auto neighbour = lattice_.neighbour(cube.place, face)) {
+        visit(*neighbour, front);
+      } else {
+        result_.reached_bounds = true;
+      }
     }
   }
   return front;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -37,7 +36,7 @@ class SurfaceSearch {
   };
 
   std::vector<LatticePlace> first_front(std::span<const Vec3> seeds);
-  void visit(const std::array<std::int64_t, 3>& cube, std::vector<LatticePlace>& front);
+  void visit(const LatticePlace& cube, std::vector<LatticePlace>& front);
   void evaluate_corners(const std::vector<LatticePlace>& front, Progress& progress);
   std::vector<ActiveCube> active_cubes(const std::vector<LatticePlace>& front);
   void mark_crossings(const std::vector<ActiveCube>& cubes, Progress& progress);
