@@ -44,7 +44,8 @@ std::shared_ptr<const Patcher> cgal_patcher();
 /// "cgal-c1", "cgal-c2": triangulated, refined to the density of the rim, faired.
 /// @param continuity 1 or 2
 /// @param most_triangles a patch that would get more is refined less
-/// @param avoiding whether to begin with the triangulation of `avoiding_patcher`
-std::shared_ptr<const Patcher> faired_patcher(unsigned continuity, std::size_t most_triangles, bool avoiding = false);
+/// @param careful whether to begin with the triangulation of `avoiding_patcher`, where there is one, and to flip edges
+///        until nothing is cut; slower
+std::shared_ptr<const Patcher> faired_patcher(unsigned continuity, std::size_t most_triangles, bool careful = false);
 
 }  // namespace croquis::hole_filling

@@ -8,6 +8,7 @@
 #include "algorithms/hole_filling/patcher.h"
 #include "algorithms/hole_filling/plane_triangulation.h"
 #include "algorithms/hole_filling/triangle_cost.h"
+#include "algorithms/hole_filling/untangling.h"
 
 namespace croquis::hole_filling {
 namespace {
@@ -34,6 +35,11 @@ std::optional<std::vector<Triangle>> base_for_fairing(const HoleSite& site, Prog
   if (!triangles && site.polygon.points.size() > most_cgal_points) triangles = plane_triangulation(site.polygon);
   if (!triangles) triangles = by_area(site, progress);
   return triangles;
+}
+
+std::optional<std::vector<Triangle>> careful_base(const HoleSite& site, Progress& progress) {
+  auto triangles = avoiding_triangulation(site, progress);
+  return triangles ? std::move(triangles) : base_for_fairing(site, progress);
 }
 
 /// Points of the polygon become vertices of the mesh.
@@ -145,19 +151,21 @@ double density_for(const HoleSite& site, const std::vector<Triangle>& patch, std
 
 class FairedPatcher : public Patcher {
  public:
-  FairedPatcher(unsigned continuity, std::size_t most_triangles, bool avoiding)
-      : continuity_(continuity), most_triangles_(most_triangles), avoiding_(avoiding) {}
+  FairedPatcher(unsigned continuity, std::size_t most_triangles, bool careful)
+      : continuity_(continuity), most_triangles_(most_triangles), careful_(careful) {}
 
   const char* method() const override { return continuity_ == 2 ? "cgal-c2" : "cgal-c1"; }
 
   std::optional<HolePatch> attempt(const HoleSite& site, Progress& progress) const override {
-    const auto triangles = avoiding_ ? avoiding_triangulation(site, progress) : base_for_fairing(site, progress);
+    const auto triangles = careful_ ? careful_base(site, progress) : base_for_fairing(site, progress);
     if (!triangles) return std::nullopt;
     LocalSite local = make_local_site(site, *triangles, continuity_);
     local.input.density = density_for(site, *triangles, most_triangles_);
     const auto faired = cgal_refine_and_fair(local.input, progress);
     if (!faired) return std::nullopt;
-    return in_mesh(site, local, *faired);
+    HolePatch patch = in_mesh(site, local, *faired);
+    if (careful_ && !untangle(site, patch, progress)) return std::nullopt;
+    return patch;
   }
 
  private:
@@ -179,7 +187,7 @@ class FairedPatcher : public Patcher {
 
   unsigned continuity_;
   std::size_t most_triangles_;
-  bool avoiding_;
+  bool careful_;
 };
 
 }  // namespace
@@ -188,8 +196,8 @@ std::shared_ptr<const Patcher> minimal_patcher() { return std::make_shared<Minim
 std::shared_ptr<const Patcher> avoiding_patcher() { return std::make_shared<AvoidingPatcher>(); }
 std::shared_ptr<const Patcher> plane_patcher() { return std::make_shared<PlanePatcher>(); }
 std::shared_ptr<const Patcher> cgal_patcher() { return std::make_shared<CgalPatcher>(); }
-std::shared_ptr<const Patcher> faired_patcher(unsigned continuity, std::size_t most_triangles, bool avoiding) {
-  return std::make_shared<FairedPatcher>(continuity, most_triangles, avoiding);
+std::shared_ptr<const Patcher> faired_patcher(unsigned continuity, std::size_t most_triangles, bool careful) {
+  return std::make_shared<FairedPatcher>(continuity, most_triangles, careful);
 }
 
 }  // namespace croquis::hole_filling
