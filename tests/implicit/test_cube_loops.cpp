@@ -111,6 +111,7 @@ TEST_CASE("loops close, go through every crossed edge once, and follow the faces
 TEST_CASE("triangles of a loop cover it, and no inner edge lies in a face") {
   test::Random random(73);
   std::map<std::size_t, int> lengths;
+  int without = 0;
   for (unsigned pattern = 1; pattern < 255; ++pattern) {
     for (int run = 0; run < 100; ++run) {
       const Values values = with_signs(pattern, random);
@@ -122,7 +123,10 @@ TEST_CASE("triangles of a loop cover it, and no inner edge lies in a face") {
         std::vector<Vec3> places;
         for (const std::uint8_t e : loop) places.push_back(points[e]);
         const LoopTriangles found = triangulate_loop(loop, places);
-        if (found.count == 0) continue;
+        if (found.count == 0) {
+          ++without;
+          continue;
+        }
         REQUIRE(found.count == loop.size() - 2);
         std::map<std::pair<int, int>, int> sides;  // directed
         for (std::size_t t = 0; t < found.count; ++t)
@@ -142,6 +146,7 @@ TEST_CASE("triangles of a loop cover it, and no inner edge lies in a face") {
     }
   }
   CHECK(lengths.size() >= 7);
+  CHECK(without > 100);  // such loops do occur, and random values at every corner of a lattice meet them
 }
 
 TEST_CASE("one positive corner is cut off by a triangle that faces it") {
