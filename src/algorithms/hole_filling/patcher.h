@@ -41,7 +41,8 @@ std::shared_ptr<const Patcher> plane_patcher();
 /// "cgal-triangulation": by dihedral angles and area, without new vertices; one rim only.
 std::shared_ptr<const Patcher> cgal_patcher();
 
-/// "cgal-c1", "cgal-c2": triangulated, refined to the density of the rim, faired.
+/// "cgal-c1", "cgal-c2", with "-careful" behind it when so asked: triangulated, refined to the density of the rim,
+/// faired.
 /// @param continuity 1 or 2
 /// @param most_triangles a patch that would get more is refined less
 /// @param careful whether to begin with the triangulation of `avoiding_patcher`, where there is one, and to flip edges

@@ -154,7 +154,10 @@ class FairedPatcher : public Patcher {
   FairedPatcher(unsigned continuity, std::size_t most_triangles, bool careful)
       : continuity_(continuity), most_triangles_(most_triangles), careful_(careful) {}
 
-  const char* method() const override { return continuity_ == 2 ? "cgal-c2" : "cgal-c1"; }
+  const char* method() const override {
+    if (careful_) return continuity_ == 2 ? "cgal-c2-careful" : "cgal-c1-careful";
+    return continuity_ == 2 ? "cgal-c2" : "cgal-c1";
+  }
 
   std::optional<HolePatch> attempt(const HoleSite& site, Progress& progress) const override {
     const auto triangles = careful_ ? careful_base(site, progress) : base_for_fairing(site, progress);
