@@ -49,16 +49,8 @@ void FileReader::read(const QString& path) {
     emit busy_changed(true);
   }
   thread_.start([this, path, cancelled = cancelled_] {
-    Progress progress(
-        [this](double fraction, const std::string& step) {
-          QMetaObject::invokeMethod(
-              this,
-              [this, fraction, text = QString::fromStdString(step)] {
-                if (busy()) emit progress_changed(fraction, text);
-              },
-              Qt::QueuedConnection);
-        },
-        cancelled.get());
+    Progress progress([this](double fraction, const std::string& step) { tell_progress(fraction, step); },
+                      cancelled.get());
     std::shared_ptr<const ReadFile> file;
     Findings findings;
     try {
@@ -76,6 +68,18 @@ void FileReader::read(const QString& path) {
     QMetaObject::invokeMethod(
         this, [this, path, file, findings] { take(path, file, findings); }, Qt::QueuedConnection);
   });
+}
+
+void FileReader::tell_progress(double fraction, const std::string& step) {
+  // One at a time: readers report far more often than a window can show.
+  if (progress_posted_.exchange(true)) return;
+  QMetaObject::invokeMethod(
+      this,
+      [this, fraction, text = QString::fromStdString(step)] {
+        progress_posted_ = false;
+        if (busy()) emit progress_changed(fraction, text);
+      },
+      Qt::QueuedConnection);
 }
 
 void FileReader::cancel() { *cancelled_ = true; }

@@ -7,6 +7,7 @@
 #include <QThreadPool>
 #include <atomic>
 #include <memory>
+#include <string>
 #include <variant>
 
 #include "croquis/base/finding.h"
@@ -52,7 +53,10 @@ class FileReader : public QObject {
  private:
   void take(const QString& path, std::shared_ptr<const ReadFile> file, const Findings& findings);
 
+  void tell_progress(double fraction, const std::string& step);
+
   int open_ = 0;
+  std::atomic<bool> progress_posted_ = false;
   std::shared_ptr<std::atomic<bool>> cancelled_ = std::make_shared<std::atomic<bool>>(false);
   QThreadPool thread_;
 };

@@ -92,12 +92,21 @@ void ObjectScenes::follow() {
 
 render::Scene ObjectScenes::scene(const Wanted& wanted) const {
   render::Scene scene;
+  const Selection& selection = studio_.session().selection();
+  const auto is_selected = [&](const StudioObject& object) {
+    return std::any_of(selection.begin(), selection.end(), [&](const SelectedItem& item) {
+      return item.part.empty() && (item.node == object.node || item.node == object.cage);
+    });
+  };
+  // A single object needs no colour to be told from others.
+  const bool several = surfaces().size() > 1;
   for (const StudioObject& object : studio_.objects()) {
     const auto items = items_.find(object.node);
     if (!object.visible || items == items_.end()) continue;
     if (wanted.only_with_cage && object.cage == 0) continue;
     render::Emphasis emphasis;
     emphasis.stale = wanted.stale && !object.is_source();
+    emphasis.selected = wanted.edited == 0 && several && is_selected(object);
     render::MeshStyle style = style_of(wanted.look);
     const bool edited = object.cage != 0 && object.cage == wanted.edited;
     const bool cage_alone = object.shown() == object.cage_mesh;

@@ -20,7 +20,8 @@ namespace croquis::app {
 namespace {
 
 constexpr int autosave_delay_ms = 300;
-constexpr int thumbnail_pause_ms = 10'000;  // pictures cost more than commits
+constexpr int thumbnail_pause_ms = 10'000;       // pictures cost more than commits
+constexpr std::size_t most_triangles = 300'000;  // a picture of more, made by the way, would be felt
 constexpr int recent_count = 8;
 constexpr QSize thumbnail_size(320, 240);
 const QString recent_key = QStringLiteral("recent");
@@ -187,7 +188,7 @@ void ProjectFiles::autosave_now() {
 void ProjectFiles::autosave() {
   autosave_timer_.stop();
   const Document& document = studio_.session().document();
-  const bool wants_picture = items_ && studio_.settled() && !items_().empty() &&
+  const bool wants_picture = !drawn_slowly() && items_ && studio_.settled() && !items_().empty() &&
                              (!has_thumbnail_ || since_thumbnail_.hasExpired(thumbnail_pause_ms));
   if (same_nodes(document, autosaved_) && !(wants_picture && !has_thumbnail_)) return;
   autosaved_ = document;
@@ -205,6 +206,14 @@ void ProjectFiles::autosave() {
       emit autosave_failed(tr("Your work is not being backed up: %1.").arg(error.what()));
     }
   });
+}
+
+bool ProjectFiles::drawn_slowly() const {
+  std::size_t triangles = 0;
+  for (const render::MeshItemPtr& item : items_ ? items_() : std::vector<render::MeshItemPtr>()) {
+    triangles += item->triangles.size() / 3;
+  }
+  return triangles > most_triangles;
 }
 
 void ProjectFiles::set_path(const QString& path) {

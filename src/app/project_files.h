@@ -84,6 +84,7 @@ class ProjectFiles : public QObject {
  private:
   void take(const ReadFile& file);
   void autosave();
+  bool drawn_slowly() const;
   void set_path(const QString& path);
   void remember(const QString& path);
   std::vector<std::uint8_t> thumbnail() const;

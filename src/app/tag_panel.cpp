@@ -89,9 +89,11 @@ void TagPanel::choose_by_angle(double degrees) {
     angle_slider_->setValue(static_cast<int>(degrees + 0.5));
     angle_->setValue(degrees);
   }
-  count_->setText(QString::number(mesh_.tool().count_sharper_than(degrees)));
+  const std::size_t count = mesh_.tool().count_sharper_than(degrees);
+  count_->setText(QString::number(count));
   if (mesh_.tool().mode() != MeshMode::Edge) mesh_.set_mode(MeshMode::Edge);
-  mesh_.act([degrees](MeshTool& tool) { return tool.select_sharper_than(degrees); });
+  mesh_.act(
+      [degrees, count](MeshTool& tool) { return count == 0 ? tool.select_none() : tool.select_sharper_than(degrees); });
 }
 
 void TagPanel::follow(const ComponentSelection& selection) {

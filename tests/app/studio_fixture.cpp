@@ -45,7 +45,7 @@ bool StudioFixture::wait_for(const std::function<bool()>& condition) {
 
 void StudioFixture::settle() {
   QApplication::processEvents();
-  wait_for([this] { return studio().settled(); });
+  wait_for([this] { return window_->settled(); });
   const int before = viewport().frames();
   viewport().update();
   wait_for([this, before] { return viewport().frames() > before; });
@@ -125,6 +125,21 @@ void StudioFixture::click(const Vec2& at, Qt::KeyboardModifiers modifiers) {
   QTest::qWait(250);
   const QPointF place = viewport().sketch_to_widget(at);
   drag_pixels(place, place, Qt::LeftButton, modifiers);
+}
+
+void StudioFixture::open_cage(const char* name) {
+  window_->open(QString(CROQUIS_SOURCE_DIR "/examples/data/") + name + ".obj");
+  settle();
+}
+
+void StudioFixture::click_model(const Vec3& place, int view, int clicks, Qt::KeyboardModifiers modifiers) {
+  const QPointF at = viewport().model_to_widget(place, view);
+  send_mouse(QEvent::MouseMove, at, Qt::NoButton, modifiers);
+  for (int click = 0; click < clicks; ++click) {
+    send_mouse(click == 0 ? QEvent::MouseButtonPress : QEvent::MouseButtonDblClick, at, Qt::LeftButton, modifiers);
+    send_mouse(QEvent::MouseButtonRelease, at, Qt::LeftButton, modifiers);
+  }
+  QApplication::processEvents();
 }
 
 void StudioFixture::act(const QString& action) {

@@ -58,6 +58,12 @@ class StudioFixture {
   /// Sends the mouse along a line of the widget, logical pixels.
   void drag_pixels(const QPointF& from, const QPointF& to, Qt::MouseButton button, Qt::KeyboardModifiers modifiers);
 
+  /// Opens a shipped cage and waits.
+  void open_cage(const char* name);
+
+  /// Clicks with the mouse at a place of the model as a view shows it. @param clicks 2 for a double click
+  void click_model(const Vec3& place, int view, int clicks = 1, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+
   /// Triggers an action of the window by its name.
   void act(const QString& action);
 

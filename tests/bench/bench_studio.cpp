@@ -16,6 +16,8 @@
 
 #include "app/studio_fixture.h"
 #include "app/theme.h"
+#include "croquis/document/memo.h"
+#include "croquis/io/mesh_file.h"
 #include "croquis/operators/all_operations.h"
 #include "support/sketch_gallery.h"
 
@@ -159,6 +161,108 @@ void event_to_frame() {
   print("pen event to frame, 1440 x 900 (a frame without news)", spread(ms), peer);
 }
 
+/// A wavy sheet of side × side quads.
+PolyMesh sheet(Index side) {
+  PolyMesh mesh;
+  for (Index y = 0; y <= side; ++y) {
+    for (Index x = 0; x <= side; ++x) {
+      mesh.positions.emplace_back(x, y, 0.02 * side * std::sin(0.05 * x) * std::cos(0.05 * y));
+    }
+  }
+  for (Index y = 0; y < side; ++y) {
+    for (Index x = 0; x < side; ++x) {
+      const Index first = y * (side + 1) + x;
+      mesh.add_face(std::vector<Index>{first, first + 1, first + side + 2, first + side + 1});
+    }
+  }
+  return mesh;
+}
+
+/// Peer of the drag: the operation alone, its plan at hand as it is while a point moves.
+Times subdivide_again(const PolyMesh& cage) {
+  const Registry registry = all_operations();
+  Memo memo;
+  std::vector<double> ms;
+  for (int run = 0; run < 6; ++run) {
+    auto moved = std::make_shared<PolyMesh>(cage);
+    moved->positions[moved->vertex_count() / 2].z() += 0.1 * run;
+    Progress progress;
+    Context context{progress, Quality::Final, &memo};
+    QElapsedTimer watch;
+    watch.start();
+    croquis::run(*registry.find("subdivide"), {{"cage", std::shared_ptr<const PolyMesh>(moved)}},
+                 {{"levels", std::int64_t{2}}}, context);
+    if (run > 0) ms.push_back(static_cast<double>(watch.nsecsElapsed()) * 1e-6);
+  }
+  return spread(ms);
+}
+
+/// One vertex of a cage of 10,000 faces is dragged at level 2; each move waits for the surface that belongs to it.
+void drag_of_cage() {
+  const PolyMesh cage = sheet(100);
+  test::StudioFixture hand;
+  hand.studio().add_mesh("sheet", std::make_shared<const PolyMesh>(cage));
+  hand.act("show-both");
+  hand.act("frame-all");
+  hand.act("vertex-mode");
+  hand.act("move");
+  hand.settle();
+  const Index vertex = static_cast<Index>(cage.vertex_count() / 2);
+  hand.viewport().mesh().act([&](MeshTool& tool) { return tool.pick(ComponentKind::Vertex, {vertex}); });
+  const QPointF start = hand.viewport().model_to_widget(cage.positions[vertex], Viewport::PerspectiveView);
+  hand.send_mouse(QEvent::MouseButtonPress, start, Qt::LeftButton, Qt::NoModifier);
+  std::vector<double> to_result, to_frame;
+  for (int step = 0; step < 20; ++step) {
+    const auto before = hand.studio().active()->mesh;
+    const int frames = hand.viewport().frames();
+    QElapsedTimer watch;
+    watch.start();
+    hand.send_mouse(QEvent::MouseMove, start - QPointF(0, 3 * (step + 1)), Qt::LeftButton, Qt::NoModifier);
+    to_frame.push_back(ms_until(hand, watch, [&] { return hand.viewport().frames() > frames; }));
+    to_result.push_back(ms_until(hand, watch, [&] { return hand.studio().active()->mesh != before; }));
+  }
+  hand.send_mouse(QEvent::MouseButtonRelease, start, Qt::LeftButton, Qt::NoModifier);
+  const Times peer = subdivide_again(cage);
+  print("drag to surface, cage of 10,000 faces at level 2 (the operation alone)", spread(to_result), peer);
+  print("drag to frame, the same (the operation alone)", spread(to_frame), peer);
+}
+
+/// From opening a mesh of a million faces to its first whole picture, and a click on it.
+void million_faces() {
+  Progress progress;
+  const PolyMesh mesh = sheet(1000);
+  QTemporaryFile file("XXXXXX.ply");
+  file.open();
+  const std::string bytes = write_mesh(mesh, MeshFormat::Ply, {}, progress).bytes;
+  file.write(bytes.data(), static_cast<qint64>(bytes.size()));
+  file.flush();
+  QElapsedTimer alone;
+  alone.start();
+  read_mesh(bytes, MeshFormat::Ply, "sheet.ply", progress);
+  const double reading = static_cast<double>(alone.nsecsElapsed()) * 1e-6;
+  test::StudioFixture hand;
+  QElapsedTimer watch;
+  watch.start();
+  hand.window().begin_open({file.fileName()});
+  const double loaded = ms_until(hand, watch, [&] { return !hand.studio().objects().empty(); });
+  const double shown = ms_until(hand, watch, [&] { return !hand.viewport().objects().surfaces().empty(); });
+  const double whole = ms_until(hand, watch, [&] { return hand.window().settled(); });
+  hand.act("face-mode");
+  const Vec3 place = mesh.positions[mesh.vertex_count() / 2];
+  std::vector<double> picks;
+  for (int run = 0; run < 5; ++run) {
+    watch.start();
+    hand.click_model(place + Vec3(0.3 + run, 0.4, 0), Viewport::PerspectiveView);
+    picks.push_back(static_cast<double>(watch.nsecsElapsed()) * 1e-6);
+  }
+  const Times peer{reading, reading};
+  print("a million faces: read (the reader alone)", {loaded, loaded}, peer);
+  print("a million faces: ready to be drawn (the reader alone)", {shown, shown}, peer);
+  print("a million faces: first whole picture (the reader alone)", {whole, whole}, peer);
+  print("a million faces: first click (later ones)", {picks.front(), picks.front()},
+        spread({picks[1], picks[2], picks[3], picks[4]}));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -186,5 +290,7 @@ int main(int argc, char** argv) {
   print("drag to draft, chain of 5, 16 strokes (the operation alone)", drag_to_solid(chain),
         operation_alone(chain, Quality::Draft));
   event_to_frame();
+  drag_of_cage();
+  million_faces();
   return 0;
 }
