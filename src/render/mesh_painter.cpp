@@ -202,7 +202,8 @@ void MeshPainter::draw_wire(const Drawing& drawing, WireLayer layer) {
     if (covered && !(alone && shown.style.covered_wire > 0)) continue;
     glm::vec4 color = wire_color(shown, drawing.options);
     if (covered) color.a *= static_cast<float>(std::min(shown.style.covered_wire, 1.0));
-    if (shown.style.surface == SurfaceLook::Filled) {
+    // Over faces a dense wire would be a coat that hides them.
+    if (shown.style.surface == SurfaceLook::Filled || shown.style.fades_where_dense) {
       color.a *= static_cast<float>(strength_of_dense_wire(*shown.item, drawing));
     }
     if (!(color.a > 0)) continue;

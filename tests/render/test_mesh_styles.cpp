@@ -135,5 +135,8 @@ TEST_CASE("wire too dense to tell its lines apart leaves filled faces as they ar
           40 * 40);
     scene.meshes[0].style.surface = SurfaceLook::None;
     CHECK(count_color(render_picture(renderer, scene, pixel_camera(size), flat_options(), size), blue) >= 40 * 40);
+    // A dense cage would hide what it stands around.
+    scene.meshes[0].style = wire_of(MeshStyle::cage(blue), blue);
+    CHECK(count_color(render_picture(renderer, scene, pixel_camera(size), flat_options(), size), blue) == 0);
   });
 }

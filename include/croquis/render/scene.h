@@ -49,13 +49,15 @@ struct MeshStyle {
   std::optional<Color> wire_color;   ///< none: as RenderOptions; alpha is the strength
   std::optional<double> wire_width;  ///< none: as RenderOptions
   double covered_wire = 0;  ///< SurfaceLook::None: share of the wire's strength left behind other surfaces, in [0, 1]
+  bool fades_where_dense = false;  ///< the wire, as on filled faces, where it does so anyway
 
   static MeshStyle shaded() { return {SurfaceLook::Filled, false, {}, {}, 0}; }
   static MeshStyle shaded_wire() { return {SurfaceLook::Filled, true, {}, {}, 0}; }
   static MeshStyle wire_only() { return {SurfaceLook::None, true, {}, {}, 0}; }
   static MeshStyle hidden_lines_removed() { return {SurfaceLook::Covers, true, {}, {}, 0}; }
   /// Wire around another surface: its edges win where they lie in that surface, and shine through faintly behind it.
-  static MeshStyle cage(const Color& color) { return {SurfaceLook::None, true, color, 1.2, 0.25}; }
+  /// It fades where it is dense, as wire on filled faces does.
+  static MeshStyle cage(const Color& color) { return {SurfaceLook::None, true, color, 1.2, 0.25, true}; }
 
   bool operator==(const MeshStyle&) const = default;
 };
