@@ -161,8 +161,10 @@ Report read_json(std::string_view bytes, const std::string& file_name) {
                 file_name, line);
 }
 
-std::string write_json(const Report& report) {
-  return to_json(report).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+std::string write_json(const Report& report, JsonLayout layout) {
+  const bool indented = layout == JsonLayout::Indented;
+  const std::string text = to_json(report).dump(indented ? 1 : -1, ' ', false, Json::error_handler_t::replace);
+  return indented ? text + "\n" : text;
 }
 
 }  // namespace croquis

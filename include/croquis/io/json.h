@@ -19,8 +19,13 @@ inline constexpr int max_json_depth = 64;
 ///         no UTF-8, and for more than max_json_depth levels
 Report read_json(std::string_view bytes, const std::string& file_name);
 
-/// The report as indented JSON with a last newline: numbers read back exactly, infinite ones and NaN become null, bytes
-/// that are no UTF-8 are replaced.
-std::string write_json(const Report& report);
+enum class JsonLayout {
+  Indented,  ///< for files: ends with a newline
+  OneLine    ///< for streams: without a newline
+};
+
+/// The report as JSON: numbers read back exactly, infinite ones and NaN become null, bytes that are no UTF-8 are
+/// replaced.
+std::string write_json(const Report& report, JsonLayout layout = JsonLayout::Indented);
 
 }  // namespace croquis
