@@ -11,6 +11,8 @@ namespace croquis::app {
 namespace {
 
 constexpr std::size_t points_at_most = 300'000;  // vertices of more aren't drawn: they would cover everything
+constexpr std::size_t rims_at_most = 50'000;     // faces of more are told by their colour alone
+constexpr std::size_t edges_at_most = 400'000;   // of more, what is behind the surface isn't drawn
 constexpr float selected_width = 3.5F;
 constexpr float hovered_width = 4.5F;
 constexpr std::uint8_t covered_alpha = 80;  // of lines behind the surface
@@ -73,6 +75,7 @@ MeshOverlay::SeenThrough MeshOverlay::edges(const MeshTool& tool, std::vector<re
   if (styled.empty()) return {};
   SeenThrough lines;
   lines.clear = render::make_edge_item(tool.mesh()->positions, styled);
+  if (styled.size() > edges_at_most) return lines;
   for (render::StyledEdge& edge : styled) edge.color.a = covered_alpha;
   lines.faint = render::make_edge_item(tool.mesh()->positions, styled, render::LineDepth::OnTop);
   return lines;
@@ -137,7 +140,10 @@ void MeshOverlay::show_selection(MeshTool& tool, const ComponentSelection& selec
     selected_edges_ = edges(tool, styled(topology, selection.elements, to_color(colors::accent), selected_width));
   }
   if (kind == ComponentKind::Face) {
-    const Elements rim = converted(topology, ComponentKind::Face, ComponentKind::Edge, selection.elements);
+    Elements rim;
+    if (selection.elements.size() <= rims_at_most) {
+      rim = converted(topology, ComponentKind::Face, ComponentKind::Edge, selection.elements);
+    }
     selected_edges_ = edges(tool, styled(topology, rim, to_color(colors::accent), 2.5F));
     if (cage) faces_.push_back(render::make_face_highlight(cage, selection.elements, to_color(colors::accent, 110)));
   }

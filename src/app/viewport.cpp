@@ -236,6 +236,7 @@ void Viewport::follow_load() {
     if (view != SketchView) pane.camera = first_pane(pane.kind).camera;
   }
   framed_ = {};
+  affordable_ = true;
   turned_ = false;
   had_meshes_ = false;
 }
