@@ -57,7 +57,11 @@ MainWindow::MainWindow(const QString& state_folder) : files_(studio_, pictures_,
   update_title();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+  // Both work with the studio, beside this thread too; children would go after it.
+  thumbnails_->stop();
+  delete pages_;
+}
 
 void MainWindow::connect_studio() {
   connect(&studio_, &Studio::changed, this, &MainWindow::update_panels);
