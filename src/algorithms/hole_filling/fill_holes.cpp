@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "algorithms/hole_filling/fill_findings.h"
-#include "algorithms/hole_filling/hole_choice.h"
 #include "algorithms/hole_filling/patch_assembly.h"
 #include "algorithms/hole_filling/patcher.h"
 #include "algorithms/hole_filling/single_precision.h"
+#include "croquis/hole_filling/hole_choice.h"
 #include "croquis/hole_filling/hole_groups.h"
 
 namespace croquis::hole_filling {
@@ -28,8 +28,15 @@ struct Job {
   bool is_pending() const { return !patch && rung < ladder->size(); }
 };
 
-Ladder ladder_of(Fairness fairness, std::size_t most_triangles) {
+constexpr double stiff = 3;  // the second try's smoothing
+
+Ladder ladder_of(Fairness fairness, const FillOptions& options) {
+  const std::size_t most_triangles = options.most_patch_triangles;
   Ladder ladder;
+  if (fairness == Fairness::Implicit) {
+    ladder.push_back(implicit_patcher(options.implicit, most_triangles));
+    ladder.push_back(implicit_patcher(options.implicit, most_triangles, stiff));
+  }
   if (fairness == Fairness::Curved) ladder.push_back(faired_patcher(2, most_triangles));
   if (fairness != Fairness::Flat) ladder.push_back(faired_patcher(1, most_triangles));
   if (fairness != Fairness::Flat) ladder.push_back(faired_patcher(1, most_triangles, true));
@@ -46,8 +53,8 @@ class Filling {
       : mesh_(mesh),
         options_(options),
         chosen_(choose_holes(analysis.holes, options)),
-        ladder_(ladder_of(options.fairness, options.most_patch_triangles)),
-        flat_ladder_(ladder_of(Fairness::Flat, options.most_patch_triangles)) {
+        ladder_(ladder_of(options.fairness, options)),
+        flat_ladder_(ladder_of(Fairness::Flat, options)) {
     result_.analysis = std::move(analysis);
     make_jobs();
   }

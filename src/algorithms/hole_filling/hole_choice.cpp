@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/hole_filling/hole_choice.h"
+#include "croquis/hole_filling/hole_choice.h"
 
 #include <algorithm>
 #include <utility>

@@ -9,11 +9,13 @@
 
 namespace croquis::hole_filling {
 
+/// Which holes the options ask to fill: what fill_holes goes by, for hosts that list the holes first.
 struct HoleChoice {
   std::vector<bool> is_chosen;      ///< per hole
   std::vector<std::string> reason;  ///< why a hole isn't
 };
 
+/// Linear, but for the list of ids.
 /// @throws Error (E_PARAMETER) with one finding for every id in `only` that no hole has
 HoleChoice choose_holes(std::span<const Hole> holes, const FillOptions& options);
 
