@@ -209,7 +209,8 @@ OperationResult SubdivideOperation::compute(const Values& inputs, const Paramete
   OperationResult result;
   Progress checking = context.progress.step("check", 0.1);
   const PolyMesh mesh = tagged_cage(inputs, settings, result.warnings);
-  CageResult made = make_cage(mesh, settings.rules);
+  const bool doo_sabin = settings.scheme == SubdivisionScheme::DooSabin;
+  CageResult made = make_cage(mesh, settings.rules, doo_sabin ? CageUse::DooSabin : CageUse::UniformSchemes);
   append(result.warnings, made.warnings);
   warn_of_losses(mesh, result.warnings);
   checking.report(1);

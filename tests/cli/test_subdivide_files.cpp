@@ -76,6 +76,7 @@ TEST_CASE("what can be repaired or left out is told, and the rest goes on") {
   PolyMesh pinned = bolt_loop();
   pinned.tags.pins = {0};
   CHECK(warnings(pinned) == Words{"W_PIN_NO_EFFECT"});
+  CHECK(warnings(pinned, {"--scheme", "catmull-clark"}).empty());
   CHECK(warnings(tagged(bolt(), std::vector<VertexPair>{{8, 9}}), {"--chain-ends", "retract"}) ==
         Words{"W_TAG_VANISHES"});
   PolyMesh folded = single_face(5);

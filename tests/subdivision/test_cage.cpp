@@ -22,6 +22,7 @@ namespace {
 
 using subdivision::Cage;
 using subdivision::CageResult;
+using subdivision::CageUse;
 using subdivision::make_cage;
 using subdivision::Preset;
 using subdivision::Rules;
@@ -188,12 +189,18 @@ TEST_CASE("a pin where nothing is sharp is told") {
   CHECK(result.warnings[0].subjects[0].id == "77");
   CHECK(result.warnings[1].subjects[0].id == "0");
   CHECK(result.cage.pinned[9] == 1);
+
+  // The other schemes hold every pinned vertex.
+  const CageResult uniform = make_cage(mesh, {}, CageUse::UniformSchemes);
+  REQUIRE(codes(uniform.warnings) == Codes{"W_PIN_NO_EFFECT"});
+  CHECK(uniform.warnings[0].subjects[0].id == "77");
 }
 
 TEST_CASE("a tag that stands alone and retracts is told, unless its ends hold it") {
   PolyMesh mesh = tagged(bolt(), std::array<VertexPair, 1>{{{8, 9}}});
   CHECK(codes(make_cage(mesh, Rules::of(Preset::Paper)).warnings) == Codes{"W_TAG_VANISHES"});
   CHECK(codes(make_cage(mesh, Rules::of(Preset::Refined)).warnings).empty());
+  CHECK(codes(make_cage(mesh, Rules::of(Preset::Paper), CageUse::UniformSchemes).warnings).empty());
   mesh.tags.pins = {8};
   CHECK(codes(make_cage(mesh, Rules::of(Preset::Paper)).warnings).empty());
   CHECK(codes(make_cage(bolt_open_chain(), Rules::of(Preset::Paper)).warnings).empty());

@@ -35,6 +35,9 @@ struct CageResult {
   Findings warnings;
 };
 
+/// Whose tags are read: a pin without a sharp edge does nothing in Doo-Sabin, and holds its vertex in the others.
+enum class CageUse { DooSabin, UniformSchemes };
+
 /// Reads a mesh and its tags (PolyMesh::tags) as a cage.
 ///
 /// Repaired with a warning: faces that turn the wrong way (W_FLIPPED, of each connected part the fewer), vertices with
@@ -44,6 +47,6 @@ struct CageResult {
 /// (W_MAY_FOLD), single tagged edges that shrink away (W_TAG_VANISHES, where rules.chain_ends retract). Tags on
 /// boundary edges are fine and change nothing: boundaries are sharp anyway. Linear time, but for sorting the tags.
 /// @throws Error with all of E_INDEX, E_NOT_FINITE (malformed), E_FACE_DEGENERATE, E_EDGE_SHARED, E_NOT_ORIENTABLE
-CageResult make_cage(const PolyMesh& mesh, const Rules& rules = {});
+CageResult make_cage(const PolyMesh& mesh, const Rules& rules = {}, CageUse use = CageUse::DooSabin);
 
 }  // namespace croquis::subdivision

@@ -86,7 +86,7 @@ void read_settled_corners(const PolyMesh& mesh, Cage& cage) {
 
 }  // namespace
 
-CageResult make_cage(const PolyMesh& mesh, const Rules& rules) {
+CageResult make_cage(const PolyMesh& mesh, const Rules& rules, CageUse use) {
   Findings errors = check_values(mesh);
   const auto is_index_error = [](const Finding& finding) { return finding.code == "E_INDEX"; };
   if (std::any_of(errors.begin(), errors.end(), is_index_error)) throw Error(std::move(errors));
@@ -110,9 +110,9 @@ CageResult make_cage(const PolyMesh& mesh, const Rules& rules) {
   take_vertices(mesh, std::move(fans), cage);
 
   read_sharpness({mesh, pairing, cage_corner}, cage, result.warnings);
-  read_pins(mesh, cage, result.warnings);
+  read_pins(mesh, use, cage, result.warnings);
   read_settled_corners(mesh, cage);
-  tell_vanishing_tags(cage, rules, result.warnings);
+  if (use == CageUse::DooSabin) tell_vanishing_tags(cage, rules, result.warnings);
   tell_reflex_corners(mesh, result.warnings);
   return result;
 }

@@ -67,13 +67,13 @@ void read_sharpness(const TagSource& source, Cage& cage, Findings& warnings) {
   bad_value.move_to(warnings);
 }
 
-void read_pins(const PolyMesh& mesh, Cage& cage, Findings& warnings) {
+void read_pins(const PolyMesh& mesh, CageUse use, Cage& cage, Findings& warnings) {
   cage.pinned.assign(cage.topology.vertex_count(), 0);
   if (mesh.tags.pins.empty()) return;
   FindingList useless(Severity::Warning, Category::Geometry, "W_PIN_NO_EFFECT");
   const std::vector<bool> pinned = pinned_sources(mesh, useless);
   const std::vector<Index> sharp_edges = sharp_edge_counts(cage, CornerFaces(cage.topology));
-  std::vector<bool> works(mesh.vertex_count());
+  std::vector<bool> works(mesh.vertex_count(), use == CageUse::UniformSchemes);
   for (Index vertex = 0; vertex < cage.topology.vertex_count(); ++vertex) {
     const Index source = cage.source_vertex[vertex];
     cage.pinned[vertex] = pinned[source];

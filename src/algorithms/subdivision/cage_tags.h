@@ -21,7 +21,7 @@ struct TagSource {
 void read_sharpness(const TagSource& source, Cage& cage, Findings& warnings);
 
 /// Puts the mesh's pins onto the cage, whose sharpness is known; W_PIN_NO_EFFECT.
-void read_pins(const PolyMesh& mesh, Cage& cage, Findings& warnings);
+void read_pins(const PolyMesh& mesh, CageUse use, Cage& cage, Findings& warnings);
 
 /// W_TAG_VANISHES: edges that are sharp alone and retract at both ends.
 void tell_vanishing_tags(const Cage& cage, const Rules& rules, Findings& warnings);
