@@ -23,7 +23,7 @@ using namespace croquis::hole_filling;
 
 namespace {
 
-constexpr Fairness all_fairness[] = {Fairness::Flat, Fairness::Tangent, Fairness::Curved};
+constexpr Fairness all_fairness[] = {Fairness::Flat, Fairness::Tangent, Fairness::Curved, Fairness::Implicit};
 
 FillResult fill(const PolyMesh& mesh, const FillOptions& options = {}) {
   Progress progress;
@@ -138,7 +138,7 @@ TEST_CASE("soups of any kind are filled soundly where they can be") {
     }
     FillOptions options;
     options.selection = Selection::All;
-    options.fairness = all_fairness[seed % 3];
+    options.fairness = all_fairness[seed % 4];
     check_invariants(mesh, fill(mesh, options));
   }
 }
@@ -153,7 +153,7 @@ TEST_CASE("surfaces with faces missing at random are filled soundly where they c
     }
     FillOptions options;
     options.selection = Selection::All;
-    options.fairness = all_fairness[seed % 3];
+    options.fairness = all_fairness[seed % 4];
     const PolyMesh mesh = without_faces(whole, missing);
     const FillResult result = fill(mesh, options);
     check_invariants(mesh, result);

@@ -9,6 +9,7 @@
 #include "croquis/base/finding.h"
 #include "croquis/base/progress.h"
 #include "croquis/hole_filling/hole_analysis.h"
+#include "croquis/hole_filling/implicit_options.h"
 #include "croquis/hole_filling/patch_verification.h"
 
 namespace croquis::hole_filling {
@@ -24,7 +25,8 @@ enum class Selection {
 enum class Fairness {
   Flat,     ///< the triangulation of least area, no new vertices
   Tangent,  ///< continuity 1 across the rim
-  Curved    ///< continuity 2
+  Curved,   ///< continuity 2
+  Implicit  ///< the zero set of a function fitted to the surface around (Yoo 2005)
 };
 
 struct FillOptions {
@@ -32,7 +34,8 @@ struct FillOptions {
   std::vector<Index> only;  ///< ids of the holes to fill, instead of a selection; empty for the selection
   double max_diameter = std::numeric_limits<double>::infinity();  ///< wider holes stay open; model units
   Fairness fairness = Fairness::Tangent;
-  bool flat_caps = true;  ///< OUTER holes get flat patches: a smooth one would bulge by about a radius
+  ImplicitOptions implicit;  ///< of Fairness::Implicit
+  bool flat_caps = true;     ///< OUTER holes get flat patches: a smooth one would bulge by about a radius
   Precision precision = Precision::Double;   ///< how the result will be stored
   std::size_t most_patch_triangles = 40000;  ///< a patch that would need more is made of larger triangles
   bool mark_patches = true;  ///< tell the patches apart by a face channel "patch_id" (int32, -1 for the faces given)

@@ -28,14 +28,12 @@ struct Job {
   bool is_pending() const { return !patch && rung < ladder->size(); }
 };
 
-constexpr double stiff = 3;  // the second try's smoothing
-
 Ladder ladder_of(Fairness fairness, const FillOptions& options) {
   const std::size_t most_triangles = options.most_patch_triangles;
   Ladder ladder;
   if (fairness == Fairness::Implicit) {
     ladder.push_back(implicit_patcher(options.implicit, most_triangles));
-    ladder.push_back(implicit_patcher(options.implicit, most_triangles, stiff));
+    ladder.push_back(implicit_patcher(options.implicit, most_triangles, true));
   }
   if (fairness == Fairness::Curved) ladder.push_back(faired_patcher(2, most_triangles));
   if (fairness != Fairness::Flat) ladder.push_back(faired_patcher(1, most_triangles));

@@ -35,18 +35,6 @@ void block_known_edges(HoleSite& site, std::span<const std::array<Index, 2>> rim
   std::sort(site.polygon.blocked.begin(), site.polygon.blocked.end());
 }
 
-/// Adds every triangle at the vertex of a corner that edges join to the corner's own.
-void add_fan(const SurfaceView& view, Index corner, std::vector<Index>& triangles) {
-  const Index pivot = view.origin(corner);
-  for (Index edge : {corner, SurfaceView::previous(corner)}) {
-    while (view.has_opposite(edge) && view.opposite[edge] / 3 != corner / 3) {
-      const Index other = view.opposite[edge];
-      triangles.push_back(other / 3);
-      edge = view.other_edge_at(other, pivot);
-    }
-  }
-}
-
 void sort_unique(std::vector<Index>& values) {
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
@@ -63,6 +51,17 @@ HoleSite make_site(const PolyMesh& mesh, const HoleAnalysis& analysis, std::span
   for (const Index id : order) append_rim(analysis.holes[id], site);
   block_known_edges(site, rim_edges);
   return site;
+}
+
+void add_fan(const SurfaceView& view, Index corner, std::vector<Index>& triangles) {
+  const Index pivot = view.origin(corner);
+  for (Index edge : {corner, SurfaceView::previous(corner)}) {
+    while (view.has_opposite(edge) && view.opposite[edge] / 3 != corner / 3) {
+      const Index other = view.opposite[edge];
+      triangles.push_back(other / 3);
+      edge = view.other_edge_at(other, pivot);
+    }
+  }
 }
 
 std::vector<Index> surroundings(const HoleSite& site, int rings) {

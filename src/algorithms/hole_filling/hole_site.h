@@ -23,6 +23,9 @@ struct HoleSite {
 HoleSite make_site(const PolyMesh& mesh, const HoleAnalysis& analysis, std::span<const Index> holes,
                    std::span<const std::array<Index, 2>> rim_edges);
 
+/// Appends every triangle at the vertex of a corner that edges join to the corner's own, which isn't appended.
+void add_fan(const SurfaceView& view, Index corner, std::vector<Index>& triangles);
+
 /// Triangles of the view around the site's rims: those at a rim vertex, and those `rings - 1` vertices further.
 /// Ascending. Linear in their number.
 std::vector<Index> surroundings(const HoleSite& site, int rings);

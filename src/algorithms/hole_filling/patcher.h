@@ -9,6 +9,7 @@
 #include "algorithms/hole_filling/hole_site.h"
 #include "croquis/base/progress.h"
 #include "croquis/hole_filling/hole_patch.h"
+#include "croquis/hole_filling/implicit_options.h"
 
 namespace croquis::hole_filling {
 
@@ -48,5 +49,11 @@ std::shared_ptr<const Patcher> cgal_patcher();
 /// @param careful whether to begin with the triangulation of `avoiding_patcher`, where there is one, and to flip edges
 ///        until nothing is cut; slower
 std::shared_ptr<const Patcher> faired_patcher(unsigned continuity, std::size_t most_triangles, bool careful = false);
+
+/// "implicit", or "implicit-careful": what "cgal-c1" or "cgal-c1-careful" makes, moved onto the zero set of a radial
+/// basis function fitted to the surface around (Yoo 2005), with triangles kept at the size of the rim's edges.
+/// @param careful whether to smooth the surface around more, so that it continues more calmly
+std::shared_ptr<const Patcher> implicit_patcher(const ImplicitOptions& options, std::size_t most_triangles,
+                                                bool careful = false);
 
 }  // namespace croquis::hole_filling

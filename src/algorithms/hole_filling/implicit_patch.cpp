@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "algorithms/hole_filling/harmonic_values.h"
+#include "algorithms/hole_filling/patch_editing.h"
+#include "algorithms/hole_filling/patcher.h"
+#include "algorithms/hole_filling/rim_field.h"
+#include "algorithms/hole_filling/triangle_cost.h"
+#include "croquis/implicit/surface_improvement.h"
+
+namespace croquis::hole_filling {
+namespace {
+
+constexpr double stiffness = 3;  // the smoothing's factor, when careful
+constexpr int rounds = 5;
+constexpr int smoothings = 2;  // per round
+
+/// A patch that strays farther from its rims than this has run away: the surface around doesn't close. × size
+constexpr double longest_way = 1.5;
+
+/// The new vertices of a patch as the editing takes them, and back.
+class Loosening {
+ public:
+  Loosening(const HoleSite& site, const HolePatch& patch)
+      : graph_(patch, given(site)), rim_(graph_.rim_vertices().begin(), graph_.rim_vertices().end()), site_(site) {}
+
+  LoosePatch loosen(const HolePatch& patch) const {
+    LoosePatch loose;
+    loose.rim_points = rim_.size();
+    for (const Index v : rim_) loose.points.push_back(site_.mesh->positions[v]);
+    loose.points.insert(loose.points.end(), patch.points.begin(), patch.points.end());
+    loose.sizes = rim_sizes();
+    const std::vector<double> inner = graph_.harmonic(loose.sizes);
+    loose.sizes.insert(loose.sizes.end(), inner.begin(), inner.end());
+    for (auto t : patch.triangles) {
+      for (Index& v : t) v = v < given(site_) ? rim_number(v) : v - given(site_) + rim_count();
+      loose.triangles.push_back(t);
+    }
+    return loose;
+  }
+
+  HolePatch fasten(const LoosePatch& loose) const {
+    HolePatch patch{site_.holes, {loose.points.begin() + rim_count(), loose.points.end()}, loose.triangles};
+    for (auto& t : patch.triangles) {
+      for (Index& v : t) v = v < rim_count() ? rim_[v] : v - rim_count() + given(site_);
+    }
+    return patch;
+  }
+
+ private:
+  static Index given(const HoleSite& site) { return static_cast<Index>(site.mesh->vertex_count()); }
+  Index rim_count() const { return static_cast<Index>(rim_.size()); }
+  Index rim_number(Index v) const {
+    return static_cast<Index>(std::lower_bound(rim_.begin(), rim_.end(), v) - rim_.begin());
+  }
+
+  /// Mean length of the rim edges at each vertex.
+  std::vector<double> rim_sizes() const {
+    std::vector<double> sum(rim_.size(), 0), count(rim_.size(), 0);
+    for (Index i = 0; i < site_.vertices.size(); ++i) {
+      const Index j = site_.polygon.next(i);
+      const double length = (site_.polygon.points[i] - site_.polygon.points[j]).norm();
+      for (const Index end : {rim_number(site_.vertices[i]), rim_number(site_.vertices[j])}) {
+        sum[end] += length;
+        count[end] += 1;
+      }
+    }
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] /= count[i];
+    return sum;
+  }
+
+  PatchGraph graph_;
+  std::vector<Index> rim_;
+  const HoleSite& site_;
+};
+
+/// Wants larger triangles where there would be more than `most`.
+void limit_count(LoosePatch& loose, std::size_t most) {
+  double predicted = 0;
+  for (const auto& [a, b, c] : loose.triangles) {
+    const double size = (loose.sizes[a] + loose.sizes[b] + loose.sizes[c]) / 3;
+    predicted += triangle_area(loose.points[a], loose.points[b], loose.points[c]) / (std::sqrt(3.0) / 4 * size * size);
+  }
+  const double growth = std::sqrt(std::max(1.0, predicted / static_cast<double>(most)));
+  for (std::size_t v = loose.rim_points; v < loose.sizes.size(); ++v) loose.sizes[v] *= growth;
+}
+
+class ImplicitPatcher : public Patcher {
+ public:
+  ImplicitPatcher(const ImplicitOptions& options, std::size_t most_triangles, bool careful)
+      : options_(options),
+        most_triangles_(most_triangles),
+        careful_(careful),
+        start_(faired_patcher(1, most_triangles, careful)) {}
+
+  const char* method() const override { return careful_ ? "implicit-careful" : "implicit"; }
+
+  std::optional<HolePatch> attempt(const HoleSite& site, Progress& progress) const override {
+    const auto start = start_->attempt(site, progress);
+    if (!start || start->points.empty()) return start;
+    progress.check();
+    const auto surface = fit_rims(site, options_, careful_ ? stiffness : 1);
+    if (!surface) return std::nullopt;
+    const Loosening loosening(site, *start);
+    LoosePatch loose = loosening.loosen(*start);
+    if (!move_onto(*surface, loose, progress)) return std::nullopt;
+    HolePatch patch = loosening.fasten(loose);
+    meet_rim(site, *surface, patch);
+    return patch;
+  }
+
+ private:
+  bool move_onto(const RimField& surface, LoosePatch& loose, Progress& progress) const {
+    implicit::ProjectionOptions projection;
+    projection.cell = surface.edge;
+    projection.iterations = 20 + static_cast<int>(std::min(200.0, 2 * surface.size / surface.edge));
+    projection.threads = 1;
+    for (int round = 0; round < rounds; ++round) {
+      progress.check();
+      PolyMesh mesh;
+      mesh.positions = loose.points;
+      for (const auto& [a, b, c] : loose.triangles) mesh.add_triangle(a, b, c);
+      std::vector<std::uint8_t> fixed(mesh.vertex_count(), 0);
+      std::fill_n(fixed.begin(), loose.rim_points, std::uint8_t{1});
+      if (round == 0) implicit::project(mesh.positions, fixed, surface.field(), projection);
+      const auto report = implicit::smooth_on_surface(mesh, fixed, surface.field(), smoothings, projection);
+      loose.points = std::move(mesh.positions);
+      if (has_run_away(surface, loose) || (round + 1 == rounds && report.not_converged > 0)) return false;
+      if (round + 1 == rounds) break;
+      limit_count(loose, most_triangles_);
+      if (!bring_to_size(loose)) return false;
+    }
+    return true;
+  }
+
+  static bool has_run_away(const RimField& surface, const LoosePatch& loose) {
+    Vec3 low = loose.points.front(), high = low;
+    for (std::size_t i = 0; i < loose.rim_points; ++i) {
+      low = low.cwiseMin(loose.points[i]);
+      high = high.cwiseMax(loose.points[i]);
+    }
+    const Vec3 reach = Vec3::Constant(longest_way * surface.size);
+    return !std::all_of(loose.points.begin(), loose.points.end(), [&](const Vec3& p) {
+      return (p.array() >= (low - reach).array()).all() && (p.array() <= (high + reach).array()).all();
+    });
+  }
+
+  /// Smoothing keeps the field a little off the rim: the patch follows by a harmonic displacement.
+  static void meet_rim(const HoleSite& site, const RimField& surface, HolePatch& patch) {
+    const PatchGraph graph(patch, static_cast<Index>(site.mesh->vertex_count()));
+    std::vector<Vec3> feet;
+    for (const Index v : graph.rim_vertices()) feet.push_back(site.mesh->positions[v]);
+    implicit::ProjectionOptions projection;
+    projection.cell = surface.edge;
+    projection.threads = 1;
+    implicit::project(feet, {}, surface.field(), projection);
+    std::vector<double> away(feet.size());
+    for (int axis = 0; axis < 3; ++axis) {
+      for (std::size_t i = 0; i < feet.size(); ++i)
+        away[i] = site.mesh->positions[graph.rim_vertices()[i]][axis] - feet[i][axis];
+      const std::vector<double> moves = graph.harmonic(away);
+      for (std::size_t i = 0; i < moves.size(); ++i) patch.points[i][axis] += moves[i];
+    }
+  }
+
+  ImplicitOptions options_;
+  std::size_t most_triangles_;
+  bool careful_;
+  std::shared_ptr<const Patcher> start_;
+};
+
+}  // namespace
+
+std::shared_ptr<const Patcher> implicit_patcher(const ImplicitOptions& options, std::size_t most_triangles,
+                                                bool careful) {
+  return std::make_shared<ImplicitPatcher>(options, most_triangles, careful);
+}
+
+}  // namespace croquis::hole_filling

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/hole_filling/rim_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "algorithms/hole_filling/surface_reach.h"
+#include "croquis/base/error.h"
+#include "croquis/implicit/offset_points.h"
+
+namespace croquis::hole_filling {
+namespace {
+
+constexpr double least_reach = 4;       // × edge
+constexpr double rim_spacing = 0.7;     // of centres at the rim, × edge
+constexpr double spacing_slope = 0.25;  // by how much spacing grows per distance from the rim
+constexpr double spacing_growth = 1.15;
+constexpr double worst_residual = 0.5;  // × edge
+constexpr double smoother = 10;
+
+/// Takes each vertex unless a taken one is nearer than the spacing there, rims first.
+/// @return the vertices taken, or nothing when they are more than `most`
+std::optional<std::vector<std::size_t>> thin(const std::vector<ReachedVertex>& reached,
+                                             const std::vector<Vec3>& positions, double spacing, double slope,
+                                             std::size_t most) {
+  std::vector<std::size_t> taken;
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    const double least = std::max(spacing, slope * reached[i].distance);
+    const bool is_free = std::all_of(taken.begin(), taken.end(), [&](std::size_t j) {
+      return (positions[reached[i].vertex] - positions[reached[j].vertex]).squaredNorm() >= least * least;
+    });
+    if (!is_free) continue;
+    if (taken.size() == most) return std::nullopt;
+    taken.push_back(i);
+  }
+  return taken;
+}
+
+class RimFitting {
+ public:
+  RimFitting(const HoleSite& site, const ImplicitOptions& options)
+      : positions_(site.mesh->positions), options_(options), rim_size_(site.vertices.size()) {
+    double perimeter = 0;
+    for (const Index id : site.holes) {
+      perimeter += site.analysis->holes[id].perimeter;
+      size_ = std::max(size_, site.analysis->holes[id].diameter);
+    }
+    edge_ = perimeter / static_cast<double>(rim_size_);
+    reached_ = reach_from_rims(site, std::max(least_reach * edge_, options.reach * size_));
+  }
+
+  std::optional<RimField> run(double stiffness) {
+    choose_centres();
+    for (const double factor : {stiffness, stiffness * smoother}) {
+      auto fit = fitted(factor);
+      if (fit && residual(*fit) <= worst_residual * edge_) return RimField{std::move(fit), edge_, size_};
+    }
+    return std::nullopt;
+  }
+
+ private:
+  void choose_centres() {
+    const std::size_t most = std::min(options_.most_centres, 2 * rim_size_ + 40);
+    for (double scale = 1;; scale *= spacing_growth) {
+      auto taken = thin(reached_, positions_, scale * rim_spacing * edge_, scale * spacing_slope, most);
+      if (!taken) continue;
+      centres_ = std::move(*taken);
+      return;
+    }
+  }
+
+  std::shared_ptr<const implicit::LocalFit> fitted(double factor) const {
+    implicit::Constraints constraints;
+    for (const std::size_t i : centres_) {
+      constraints.positions.push_back(positions_[reached_[i].vertex]);
+      constraints.gradients.push_back(reached_[i].normal);
+    }
+    implicit::FitOptions options;
+    options.kernel = options_.kernel;
+    options.value_smoothing = factor * options_.value_smoothing;
+    options.gradient_smoothing = factor * options_.gradient_smoothing;
+    options.spacing = edge_;
+    try {
+      if (options_.kernel != implicit::Kernel::Hermite)
+        constraints = implicit::with_offset_points(constraints.positions, constraints.gradients, {0.5 * edge_, 6, true})
+                          .constraints;
+      return std::make_shared<const implicit::LocalFit>(constraints, options);
+    } catch (const Error&) {
+      return nullptr;  // nothing that could be fitted: another method's turn
+    }
+  }
+
+  /// The farthest that the field takes a rim vertex for being off the surface.
+  double residual(const implicit::LocalFit& fit) const {
+    double worst = 0;
+    for (const ReachedVertex& reached : reached_) {
+      if (reached.distance > 0) break;
+      const double value = std::abs(fit.value(positions_[reached.vertex]));
+      if (!(value <= worst)) worst = value;
+    }
+    return worst;
+  }
+
+  const std::vector<Vec3>& positions_;
+  const ImplicitOptions& options_;
+  std::size_t rim_size_;
+  double edge_ = 0, size_ = 0;
+  std::vector<ReachedVertex> reached_;
+  std::vector<std::size_t> centres_;
+};
+
+}  // namespace
+
+std::optional<RimField> fit_rims(const HoleSite& site, const ImplicitOptions& options, double stiffness) {
+  return RimFitting(site, options).run(stiffness);
+}
+
+}  // namespace croquis::hole_filling

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "algorithms/hole_filling/hole_site.h"
+#include "croquis/hole_filling/implicit_options.h"
+#include "croquis/implicit/local_fit.h"
+
+namespace croquis::hole_filling {
+
+/// The surface around a site continued over its hole.
+struct RimField {
+  std::shared_ptr<const implicit::LocalFit> fit;
+  double edge = 0;  ///< mean length of the rims' edges, model units
+  double size = 0;  ///< diameter of the widest rim
+
+  implicit::Field field() const { return fit->field(); }
+};
+
+/// Fits one radial basis function to the surface around the rims: vertices within max(4 edges, reach × size) along the
+/// surface, the sparser the farther away, rims included.
+///
+/// Fitted again with ten times the smoothing when a rim vertex that isn't a centre lies half an edge off; nothing when
+/// that doesn't help either, or there is nothing to go by.
+/// @param stiffness factor of the smoothing
+std::optional<RimField> fit_rims(const HoleSite& site, const ImplicitOptions& options, double stiffness);
+
+}  // namespace croquis::hole_filling
