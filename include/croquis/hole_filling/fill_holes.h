@@ -33,7 +33,7 @@ struct FillOptions {
   Selection selection = Selection::Inner;
   std::vector<Index> only;  ///< ids of the holes to fill, instead of a selection; empty for the selection
   double max_diameter = std::numeric_limits<double>::infinity();  ///< wider holes stay open; model units
-  Fairness fairness = Fairness::Tangent;
+  Fairness fairness = Fairness::Implicit;
   ImplicitOptions implicit;  ///< of Fairness::Implicit
   bool flat_caps = true;     ///< OUTER holes get flat patches: a smooth one would bulge by about a radius
   Precision precision = Precision::Double;   ///< how the result will be stored
@@ -51,10 +51,12 @@ enum class FillAction {
 /// What happened to one hole; its measures are in the analysis. Angles in radians.
 struct HoleOutcome {
   FillAction action = FillAction::Leave;
-  std::string method;                           ///< of the patch taken, empty without one
-  std::string reason;                           ///< why it was left, failed, or not filled by the first method
-  double max_normal_jump = 0;                   ///< greatest angle between the faces on the two sides of a rim edge
-  double min_angle = 0;                         ///< of the patch's corners
+  std::string method;          ///< of the patch taken, empty without one
+  std::string reason;          ///< why it was left, failed, or not filled by the first method
+  double max_normal_jump = 0;  ///< greatest angle between the faces on the two sides of a rim edge
+  double min_angle = 0;        ///< of the patch's corners
+  double confidence = 0;       ///< 0..1, how near the whole patch is to the rims; 1 / (1 + (2 d)^4), d = its greatest
+                               ///< distance to them / diameter
   std::size_t new_vertices = 0, new_faces = 0;  ///< of a patch for several holes told with its lowest
   Index patch = no_index;                       ///< number of the patch, the same for holes that one patch joins
 };
@@ -64,7 +66,7 @@ struct FillResult {
   HoleAnalysis analysis;              ///< of the mesh given
   std::vector<HoleOutcome> outcomes;  ///< per hole of the analysis
   std::size_t new_vertices = 0, new_faces = 0;
-  Findings warnings;  ///< those of the analysis, W_OUTER_LEFT, W_FALLBACK, W_HOLE_FAILED
+  Findings warnings;  ///< those of the analysis, W_OUTER_LEFT, W_FALLBACK, W_LOW_CONFIDENCE, W_HOLE_FAILED
 };
 
 /// "fill", "leave", "failed".

@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "algorithms/hole_filling/patch_confidence.h"
+
 namespace croquis::hole_filling {
 namespace {
 
@@ -44,12 +46,29 @@ void tell_hole(const FillResult& result, const Hole& hole, Findings& findings) {
         {hole_subject(result.mesh, hole)}));
 }
 
+/// One warning for all of them: their shape is a guess, whatever the method.
+void tell_low_confidence(const FillResult& result, Findings& findings) {
+  std::vector<Subject> subjects;
+  for (const Hole& hole : result.analysis.holes) {
+    const HoleOutcome& outcome = result.outcomes[hole.id];
+    if (outcome.action == FillAction::Fill && outcome.confidence < low_confidence)
+      subjects.push_back(hole_subject(result.mesh, hole));
+  }
+  if (subjects.empty()) return;
+  const std::string count = subjects.size() == 1 ? "1 hole was" : std::to_string(subjects.size()) + " holes were";
+  findings.push_back(make_warning(Category::Geometry, "W_LOW_CONFIDENCE",
+                                  count + " filled far beyond what the surface around tells: look at the shape, or "
+                                          "choose flat patches.",
+                                  std::move(subjects)));
+}
+
 }  // namespace
 
 Findings fill_findings(const FillResult& result) {
   Findings findings = result.analysis.warnings;
   tell_outer(result, findings);
   for (const Hole& hole : result.analysis.holes) tell_hole(result, hole, findings);
+  tell_low_confidence(result, findings);
   return findings;
 }
 

@@ -8,6 +8,7 @@
 
 #include "algorithms/hole_filling/fill_findings.h"
 #include "algorithms/hole_filling/patch_assembly.h"
+#include "algorithms/hole_filling/patch_confidence.h"
 #include "algorithms/hole_filling/patcher.h"
 #include "algorithms/hole_filling/single_precision.h"
 #include "croquis/hole_filling/hole_choice.h"
@@ -140,6 +141,7 @@ class Filling {
     for (std::size_t i = 0; i < holes().size(); ++i) result_.outcomes[i].reason = chosen_.reason[i];
     Index patch_number = 0;
     for (const Job& job : jobs_) {
+      const double confidence = job.patch ? confidence_of(*job.patch, mesh_, result_.analysis) : 0;
       for (const Index hole : job.holes) {
         HoleOutcome& outcome = result_.outcomes[hole];
         outcome.action = job.patch ? FillAction::Fill : FillAction::Failed;
@@ -148,6 +150,7 @@ class Filling {
         outcome.method = (*job.ladder)[job.rung]->method();
         outcome.max_normal_jump = job.verdict.max_normal_jump;
         outcome.min_angle = job.verdict.min_angle;
+        outcome.confidence = confidence;
         outcome.patch = patch_number;
       }
       if (!job.patch) continue;

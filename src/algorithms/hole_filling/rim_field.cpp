@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "algorithms/hole_filling/quadric_normals.h"
 #include "algorithms/hole_filling/surface_reach.h"
 #include "croquis/base/error.h"
 #include "croquis/implicit/offset_points.h"
@@ -49,6 +50,7 @@ class RimFitting {
     }
     edge_ = perimeter / static_cast<double>(rim_size_);
     reached_ = reach_from_rims(site, std::max(least_reach * edge_, options.reach * size_));
+    fit_rim_normals(reached_, positions_);
   }
 
   std::optional<RimField> run(double stiffness) {
