@@ -23,6 +23,17 @@ QString degrees(const Report& report, const char* name) {
   return found == nullptr || found->is_null() ? QString("–") : QString::number(found->as_number(), 'f', 3) + "°";
 }
 
+std::vector<std::array<Index, 2>> cage_edges_of(const Report& chain) {
+  std::vector<std::array<Index, 2>> edges;
+  const Report* list = chain.find("cage_edges");
+  if (list == nullptr) return edges;
+  for (const Report& edge : list->as_array()) {
+    const Report::Array& ends = edge.as_array();
+    edges.push_back({static_cast<Index>(ends.at(0).as_integer()), static_cast<Index>(ends.at(1).as_integer())});
+  }
+  return edges;
+}
+
 }  // namespace
 
 ChainTable::ChainTable(QWidget* parent) : QTableWidget(parent) {
@@ -44,8 +55,10 @@ ChainTable::ChainTable(QWidget* parent) : QTableWidget(parent) {
 void ChainTable::show_chains(const StudioObject* object) {
   const Report::Array* chains = chains_of(object);
   setRowCount(chains == nullptr ? 0 : static_cast<int>(chains->size()));
+  cage_edges_.clear();
   for (int row = 0; row < rowCount(); ++row) {
     const Report& chain = (*chains)[static_cast<std::size_t>(row)];
+    cage_edges_.push_back(cage_edges_of(chain));
     const QStringList cells{QString::number(row + 1), QString::number(chain.at("edges").as_integer()),
                             flag(chain, "closed") ? tr("yes") : tr("no"), degrees(chain, "dihedral_min"),
                             degrees(chain, "dihedral_max")};
@@ -54,6 +67,10 @@ void ChainTable::show_chains(const StudioObject* object) {
       item(row, column)->setText(cells[column]);
     }
   }
+}
+
+std::vector<std::array<Index, 2>> ChainTable::cage_edges(int chain) const {
+  return cage_edges_.at(static_cast<std::size_t>(chain));
 }
 
 QString ChainTable::summary(const StudioObject* object) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QTableWidget>
+#include <array>
+#include <vector>
 
 #include "app/studio_object.h"
 
@@ -21,8 +23,14 @@ class ChainTable : public QTableWidget {
   /// "chain 1: 8 edges, closed, planar …" of the object; empty for none.
   static QString summary(const StudioObject* object);
 
+  /// The tagged edges of the cage that a chain of the table descends from, by their vertices.
+  std::vector<std::array<Index, 2>> cage_edges(int chain) const;
+
  signals:
-  void chain_chosen(int chain);  ///< 0-based, in the order of the operation's report
+  void chain_chosen(int chain);  ///< 0-based
+
+ private:
+  std::vector<std::vector<std::array<Index, 2>>> cage_edges_;  ///< per row
 };
 
 }  // namespace croquis::app

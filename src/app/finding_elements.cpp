@@ -65,16 +65,6 @@ FoundElements elements_of(const Finding& finding, const MeshTopology& topology) 
   return found;
 }
 
-Elements edges_of_chain(const MeshTags& tags, int chain, const MeshTopology& topology) {
-  Elements open = tagged_edges(tags, topology);
-  for (int passed = 0; !open.empty(); ++passed) {
-    const Elements edges = tagged_chain(topology, tags, open.front());
-    if (passed == chain) return edges;
-    open = subtracted(open, edges);
-  }
-  return {};
-}
-
 MeshMode mode_of(ComponentKind kind) {
   switch (kind) {
     case ComponentKind::Vertex: return MeshMode::Vertex;

@@ -24,10 +24,6 @@ struct FoundElements {
 /// ("3 7", "3-7") or its number.
 FoundElements elements_of(const Finding& finding, const MeshTopology& topology);
 
-/// The edges of a chain of the mesh's tags, 0-based: chains are numbered by their lowest edges. None when there are
-/// fewer.
-Elements edges_of_chain(const MeshTags& tags, int chain, const MeshTopology& topology);
-
 /// The mode in which elements of a kind are picked.
 MeshMode mode_of(ComponentKind kind);
 

@@ -129,7 +129,7 @@ void MainWindow::show_finding(const NodeFinding& found) {
 void MainWindow::select_chain(int chain) {
   MeshTool& tool = viewport_->mesh().tool();
   if (!tool.mesh()) return;
-  const Elements edges = edges_of_chain(tool.mesh()->tags, chain, *tool.topology());
+  const Elements edges = edges_of(*tool.topology(), chains_->cage_edges(chain));
   if (edges.empty()) return;
   set_mesh_mode(MeshMode::Edge);
   viewport_->mesh().act([&](MeshTool& t) { return t.pick(ComponentKind::Edge, edges); });

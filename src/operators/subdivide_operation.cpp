@@ -95,6 +95,10 @@ class Subdivision {
     return std::visit([&](const auto& plan) { return continuity_report(plan, buffers_, progress); }, *plan_);
   }
 
+  std::vector<std::vector<CageEdge>> origins_of(std::span<const EdgeChain> chains) const {
+    return chain_origins(*plan_, last(), chains, cage_);
+  }
+
   const MeshTags& tags() const { return mesh_.tags; }
 
   /// The result. Takes the last level's positions along: large arrays that are new cost more than what is in them.
@@ -179,7 +183,8 @@ Report details_of(const Subdivision& subdivision, const SubdivideSettings& setti
   details.set("levels", level_counts(subdivision.plan(), subdivision.last()));
   if (quality == Quality::Draft) return details;
   const Level& level = subdivision.level();
-  details.set("chains", chain_list(level, edge_chains(level), subdivision.positions()));
+  const std::vector<EdgeChain> chains = edge_chains(level);
+  details.set("chains", chain_list(level, chains, subdivision.positions(), subdivision.origins_of(chains)));
   const ContinuityReport continuity = subdivision.continuity(progress);
   details.set("continuity", continuity_list(continuity, subdivision.last()));
   return std::move(details.set("verdict", continuity.sentence));

@@ -14,11 +14,13 @@ constexpr double degrees = 180 / std::numbers::pi;
 
 const char* name_of(ChainEnd end) { return end == ChainEnd::Corner ? "corner" : "dart"; }
 
-Report chain_entry(const EdgeChain& chain, const ChainShape& shape) {
+Report chain_entry(const EdgeChain& chain, const ChainShape& shape, const std::vector<CageEdge>& origins) {
   Report ends = Report::array();
   if (!chain.closed) {
     for (const ChainEnd end : chain.ends) ends.push(name_of(end));
   }
+  Report cage_edges = Report::array();
+  for (const CageEdge& edge : origins) cage_edges.push(Report::list(edge));
   Report entry;
   entry.set("edges", chain.edges.size())
       .set("closed", chain.closed)
@@ -28,7 +30,8 @@ Report chain_entry(const EdgeChain& chain, const ChainShape& shape) {
       .set("side_max", Report::list(std::vector<double>{shape.side_bends[0] * degrees, shape.side_bends[1] * degrees}))
       .set("length", shape.length)
       .set("planar", shape.planar())
-      .set("deviation", shape.deviation);
+      .set("deviation", shape.deviation)
+      .set("cage_edges", std::move(cage_edges));
   return entry;
 }
 
@@ -49,10 +52,11 @@ Report level_counts(const SubdivisionPlan& plan, int last) {
   return list;
 }
 
-Report chain_list(const Level& level, std::span<const EdgeChain> chains, std::span<const Vec3> positions) {
+Report chain_list(const Level& level, std::span<const EdgeChain> chains, std::span<const Vec3> positions,
+                  std::span<const std::vector<CageEdge>> origins) {
   const std::vector<ChainShape> shapes = chain_shapes(level, chains, positions);
   Report list = Report::array();
-  for (std::size_t i = 0; i < chains.size(); ++i) list.push(chain_entry(chains[i], shapes[i]));
+  for (std::size_t i = 0; i < chains.size(); ++i) list.push(chain_entry(chains[i], shapes[i], origins[i]));
   return list;
 }
 

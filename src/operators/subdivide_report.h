@@ -9,6 +9,7 @@
 #include "croquis/subdivision/chain_curve.h"
 #include "croquis/subdivision/continuity.h"
 #include "croquis/subdivision/edge_chain.h"
+#include "operators/chain_origins.h"
 #include "operators/subdivision_plan.h"
 
 namespace croquis {
@@ -19,8 +20,9 @@ Report level_counts(const SubdivisionPlan& plan, int last);
 /// What is known of the chains of a level: edges, closed, ends, least and greatest bend (`dihedral_min`,
 /// `dihedral_max`, degrees), length, deviation from a plane, the greatest bends on both sides. Linear time.
 /// @param positions #V of the level
+/// @param origins   per chain, for `cage_edges`
 Report chain_list(const subdivision::Level& level, std::span<const subdivision::EdgeChain> chains,
-                  std::span<const Vec3> positions);
+                  std::span<const Vec3> positions, std::span<const std::vector<CageEdge>> origins);
 
 /// The greatest bend across untagged edges of the levels 0 to `last`, in degrees.
 Report continuity_list(const subdivision::ContinuityReport& report, int last);

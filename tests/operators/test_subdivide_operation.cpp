@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <atomic>
+#include <set>
+#include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -139,6 +142,44 @@ TEST_CASE("chains come out as curves with a name each") {
   const OperationResult open = subdivide(test::bolt_open_chain());
   const Report& chain = report_of(open).at("chains").as_array().at(0);
   CHECK(chain.at("ends").as_array().at(0).as_string() == "dart");
+}
+
+TEST_CASE("chains tell which tagged edges of the cage they descend from, in all schemes") {
+  const std::string scheme = GENERATE("doo-sabin", "catmull-clark", "loop");
+  // The upper chain of a cube is gone after one level; the lower one stays, whichever of them is tagged first.
+  PolyMesh cage = test::cube();
+  std::set<std::vector<Index>> lasting;
+  for (std::size_t f = 0; f < cage.face_count(); ++f) {
+    const auto face = cage.face(f);
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const Index a = face[i], b = face[(i + 1) % face.size()];
+      if (a > b || cage.positions[a].z() != cage.positions[b].z()) continue;
+      const bool upper = cage.positions[a].z() > 0;
+      cage.tags.creases.push_back({{a, b}, upper ? 1 : infinite_sharpness});
+      if (!upper) lasting.insert({a, b});
+    }
+  }
+  const OperationResult result = subdivide(cage, {{"scheme", scheme}, {"levels", std::int64_t{2}}});
+  const Report::Array& chains = report_of(result).at("chains").as_array();
+  REQUIRE(chains.size() == 1);
+  std::set<std::vector<Index>> told;
+  for (const Report& edge : chains.front().at("cage_edges").as_array()) {
+    told.insert({static_cast<Index>(edge.as_array().at(0).as_integer()),
+                 static_cast<Index>(edge.as_array().at(1).as_integer())});
+  }
+  CHECK(told.size() == 4);
+  CHECK(told == lasting);
+
+  PolyMesh pinned = test::bolt_loop();
+  pinned.tags.pins = {8, 9, 10, 11};
+  const OperationResult four = subdivide(pinned, {{"scheme", scheme}});
+  std::set<std::string> edges;
+  for (const Report& chain : report_of(four).at("chains").as_array()) {
+    REQUIRE(chain.at("cage_edges").as_array().size() == 1);
+    const Report::Array& ends = chain.at("cage_edges").as_array().front().as_array();
+    edges.insert(std::to_string(ends.at(0).as_integer()) + " " + std::to_string(ends.at(1).as_integer()));
+  }
+  CHECK(edges == std::set<std::string>{"8 9", "9 10", "10 11", "8 11"});
 }
 
 TEST_CASE("subdividing stops when asked to, and its progress rises to one") {
