@@ -286,7 +286,7 @@ TEST_CASE("crease sets are made, named, given a sharpness and taken away", "[mes
   CHECK(sets().empty());
 }
 
-TEST_CASE("every action works by its name, on meshes and on a sketch", "[meshes]") {
+TEST_CASE("every action works by its name, on meshes and on a sketch", "[mesh-sessions]") {
   StudioFixture hand;
   hand.window().set_unattended();
   const auto may_run = [](const QString& name) {
@@ -313,7 +313,7 @@ TEST_CASE("every action works by its name, on meshes and on a sketch", "[meshes]
   hand.settle();
 }
 
-TEST_CASE("a recorded session plays back to the same document", "[meshes]") {
+TEST_CASE("a recorded session plays back to the same document", "[mesh-sessions]") {
   StudioFixture hand;
   const QString recording = hand.folder() + "/session.jsonl";
   hand.window().record_to(recording);
