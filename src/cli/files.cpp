@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "cli/finite_part.h"
 #include "croquis/base/error.h"
 #include "croquis/io/file.h"
 #include "croquis/io/json.h"
@@ -40,6 +41,17 @@ MeshFormat mesh_format(const std::string& path, const std::string& named, const 
                          {{SubjectKind::File, path, {}, {}, {}}}));
 }
 
+/// The input as a mesh; of the source all is filled in but how it is to be read.
+PolyMesh read_source(const Invocation& invocation, MeshSource source, CommandResult& result, Progress& progress) {
+  source.format = mesh_format(invocation.input, invocation.input_format, "--input-format");
+  const std::string bytes = read_input(invocation);
+  source.bytes = bytes;
+  source.file_name = shown_name(invocation.input);
+  MeshReadResult read = read_mesh(source, progress);
+  append(result.warnings, read.warnings);
+  return std::move(read.mesh);
+}
+
 }  // namespace
 
 std::string read_input(const Invocation& invocation) {
@@ -47,16 +59,17 @@ std::string read_input(const Invocation& invocation) {
 }
 
 PolyMesh read_input_mesh(const Invocation& invocation, bool require_faces, CommandResult& result, Progress& progress) {
-  const MeshFormat format = mesh_format(invocation.input, invocation.input_format, "--input-format");
-  const std::string bytes = read_input(invocation);
   MeshSource source;
-  source.bytes = bytes;
-  source.format = format;
-  source.file_name = shown_name(invocation.input);
   source.require_faces = require_faces;
-  MeshReadResult read = read_mesh(source, progress);
-  append(result.warnings, read.warnings);
-  return std::move(read.mesh);
+  return read_source(invocation, source, result, progress);
+}
+
+PolyMesh read_finite_mesh(const Invocation& invocation, CommandResult& result, Progress& progress) {
+  MeshSource source;
+  source.keep_not_finite = true;
+  FinitePart part = finite_part(read_source(invocation, source, result, progress));
+  append(result.warnings, part.warnings);
+  return std::move(part.mesh);
 }
 
 Report read_report(const std::string& path) {

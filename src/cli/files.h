@@ -20,6 +20,11 @@ std::string read_input(const Invocation& invocation);
 /// @throws Error (E_FORMAT when neither name nor --input-format tells a mesh format; the reader's codes)
 PolyMesh read_input_mesh(const Invocation& invocation, bool require_faces, CommandResult& result, Progress& progress);
 
+/// Reads the input as a mesh with faces of which vertices that are not finite are dropped, with what uses them; a
+/// warning tells how many.
+/// @throws Error like read_input_mesh
+PolyMesh read_finite_mesh(const Invocation& invocation, CommandResult& result, Progress& progress);
+
 /// Reads a further input of the command, a JSON file, as a report. "-" is standard input.
 /// @throws Error
 Report read_report(const std::string& path);

@@ -2,6 +2,7 @@
 #include "croquis/operators/all_operations.h"
 
 #include "operators/fair_operation.h"
+#include "operators/fill_operation.h"
 #include "operators/inflate_operation.h"
 #include "operators/subdivide_operation.h"
 
@@ -12,6 +13,7 @@ Registry all_operations() {
   registry.add(std::make_unique<InflateOperation>());
   registry.add(std::make_unique<SubdivideOperation>());
   registry.add(std::make_unique<FairOperation>());
+  registry.add(std::make_unique<FillOperation>());
   return registry;
 }
 

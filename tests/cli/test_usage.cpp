@@ -25,8 +25,8 @@ const char* const triangle_ply =
 const char* const circle_svg =
     "<svg xmlns=\"http://www.w3.org/2000/svg\"><circle id=\"c\" cx=\"100\" cy=\"100\" r=\"80\"/></svg>";
 
-const std::vector<std::string> subcommands = {"inflate", "subdivide", "fair", "info",      "check",
-                                              "convert", "render",    "run",  "operations"};
+const std::vector<std::string> subcommands = {"inflate", "subdivide", "fair",   "fill", "info",
+                                              "check",   "convert",   "render", "run",  "operations"};
 
 /// The circle and a node "inflate" that makes it a solid.
 void write_project(const std::string& path) {

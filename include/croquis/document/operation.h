@@ -20,6 +20,8 @@ struct PortDescription {
   std::string sentence;
   bool is_solid = false;  ///< a mesh that promises to be closed, oriented and free of self-intersection, as written
   bool optional = false;  ///< an input that may be absent
+  bool is_raw = false;    ///< an input mesh as devices leave it: hosts offer to drop what isn't finite
+  bool counts_self_intersections = false;  ///< an output mesh of whose file hosts always tell them
 };
 
 /// All that hosts know of an operation: options and help, panel, project-file fields and reference page come from it.
@@ -31,6 +33,7 @@ struct OperationDescription {
   std::vector<PortDescription> inputs;
   std::vector<PortDescription> outputs;
   std::vector<ParameterDescription> parameters;
+  std::string list_flag = {};  ///< name of a flag under which "details" is all that is wanted: hosts write nothing then
 };
 
 class Memo;

@@ -8,6 +8,7 @@
 
 #include "cli/files.h"
 #include "cli/mesh_text.h"
+#include "cli/report_table.h"
 #include "cli/solid_faults.h"
 #include "croquis/base/error.h"
 #include "croquis/io/json.h"
@@ -18,6 +19,13 @@ namespace {
 
 /// The report output that becomes `details`.
 constexpr const char* details_output = "details";
+
+/// Of raw inputs: what isn't finite is dropped instead of refused.
+constexpr const char* drop_option = "drop-bad";
+
+/// The parameter of operations that judge their result as it will be stored, and its answer for 32-bit numbers.
+constexpr const char* precision_parameter = "precision";
+constexpr const char* single_precision = "single";
 
 std::string upper_case(std::string word) {
   std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::toupper(c); });
@@ -58,6 +66,11 @@ Value read_value(const PortDescription& port, const Invocation& invocation, Comm
   if (port.type == ValueType::Drawing) {
     return std::make_shared<const Drawing>(read_input_drawing(invocation, result, progress));
   }
+  if (port.is_raw) {
+    const bool drop = std::get<bool>(invocation.parameters.at(drop_option));
+    return std::make_shared<const PolyMesh>(drop ? read_finite_mesh(invocation, result, progress)
+                                                 : read_input_mesh(invocation, true, result, progress));
+  }
   try {
     return std::make_shared<const PolyMesh>(read_input_mesh(invocation, true, result, progress));
   } catch (const Error& error) {
@@ -96,13 +109,43 @@ void stage_value(const PortDescription& port, const Value& value, const Destinat
   }
 }
 
-/// Options that name files are the command's, all others the operation's.
-ParameterValues operation_parameters(const OperationDescription& description, const Invocation& invocation) {
+/// Volatile: GCC 12 may drop the rounding to 32 bits and back.
+bool is_single(double coordinate) {
+  const volatile float rounded = static_cast<float>(coordinate);
+  return static_cast<double>(rounded) == coordinate;
+}
+
+bool is_single(const PolyMesh& mesh) {
+  return std::all_of(mesh.positions.begin(), mesh.positions.end(), [](const Vec3& position) {
+    return std::all_of(position.begin(), position.end(), [](double coordinate) { return is_single(coordinate); });
+  });
+}
+
+/// STL and GLB have 32-bit numbers alone. PLY has both: a scan that came in 32 bits stays so.
+bool stores_single(MeshFormat format, const Value& input) {
+  if (format == MeshFormat::Stl || format == MeshFormat::Glb) return true;
+  const auto* mesh = std::get_if<std::shared_ptr<const PolyMesh>>(&input);
+  return format == MeshFormat::Ply && mesh != nullptr && is_single(**mesh);
+}
+
+/// Options that name files are the command's, all others the operation's. How coordinates will be stored the file
+/// decides.
+ParameterValues operation_parameters(const OperationDescription& description, const Invocation& invocation,
+                                     const Values& inputs) {
   ParameterValues values;
   for (const ParameterDescription& parameter : description.parameters) {
     values[parameter.name] = invocation.parameters.at(parameter.name);
   }
+  const auto precision = values.find(precision_parameter);
+  if (precision == values.end() || invocation.output.empty()) return values;
+  const MeshFormat format = output_mesh_format(invocation.output, invocation.output_format);
+  if (stores_single(format, inputs.at(description.inputs.front().name))) precision->second = single_precision;
   return values;
+}
+
+/// Whether nothing is to be written, only told.
+bool only_lists(const OperationDescription& description, const Invocation& invocation) {
+  return !description.list_flag.empty() && std::get<bool>(invocation.parameters.at(description.list_flag));
 }
 
 /// Files and formats are settled before the work begins, so that a wrong name costs nothing.
@@ -124,7 +167,7 @@ void check_files(const OperationDescription& description, const Invocation& invo
     any = true;
     if (port.type == ValueType::Mesh) output_mesh_format(path, "");
   }
-  if (!any) {
+  if (!any && !only_lists(description, invocation)) {
     throw Error(make_error(Category::Usage, "E_USAGE", "Nothing to write: name an output with -o; see --help."));
   }
 }
@@ -133,11 +176,29 @@ void check_files(const OperationDescription& description, const Invocation& invo
 bool is_asked_for(const Invocation& invocation) { return invocation.json || !invocation.quiet; }
 
 /// What the main output's file holds, when it is a mesh.
-std::optional<MeshReport> report_of_file(const Value& value, const Invocation& invocation, Progress& progress) {
+std::optional<MeshReport> report_of_file(const PortDescription& port, const Value& value, const Invocation& invocation,
+                                         Progress& progress) {
   const auto* mesh = std::get_if<std::shared_ptr<const PolyMesh>>(&value);
   if (mesh == nullptr) return std::nullopt;
   const MeshFormat format = output_mesh_format(invocation.output, invocation.output_format);
-  return inspect(as_written(**mesh, format, {}), false, progress);
+  return inspect(as_written(**mesh, format, {}), port.counts_self_intersections, progress);
+}
+
+/// Every output that has a file, and the figures of the main one.
+void stage_outputs(const OperationDescription& description, const Invocation& invocation, const Values& outputs,
+                   CommandResult& result, Progress& progress) {
+  const PortDescription& main_output = description.outputs.front();
+  if (!invocation.output.empty()) {
+    const Value& value = outputs.at(main_output.name);
+    stage_value(main_output, value, {invocation.output, invocation.output_format}, result, progress);
+    if (!result.mesh && is_asked_for(invocation)) {
+      result.mesh = report_of_file(main_output, value, invocation, progress);
+    }
+  }
+  for (const PortDescription& port : extra_outputs(description)) {
+    const std::string path = text_parameter(invocation, port.name);
+    if (!path.empty()) stage_value(port, outputs.at(port.name), {path, ""}, result, progress);
+  }
 }
 
 std::string summary(const CommandResult& result) {
@@ -145,7 +206,21 @@ std::string summary(const CommandResult& result) {
   for (const auto& [path, bytes] : result.files) {
     if (path != "-") text += (text.empty() ? "Wrote " : ", ") + path;
   }
+  const Report* sentence = result.details ? result.details->find("summary") : nullptr;
+  if (sentence != nullptr) text += (text.empty() ? "" : "\n") + sentence->as_string();
   if (result.mesh) text += (text.empty() ? "" : "\n") + mesh_text(*result.mesh);
+  return text;
+}
+
+/// The details' sentence, and their lists as tables.
+std::string list_text(const Report& details) {
+  std::string text;
+  for (const auto& [key, value] : details.as_object()) {
+    const auto* words = std::get_if<std::string>(&value.value());
+    const auto* rows = std::get_if<Report::Array>(&value.value());
+    const std::string part = words != nullptr ? *words : rows != nullptr ? report_table(value) : "";
+    if (!part.empty()) text += (text.empty() ? "" : "\n") + part;
+  }
   return text;
 }
 
@@ -217,6 +292,17 @@ std::string reference(const OperationDescription& description) {
   return text;
 }
 
+ParameterDescription drop_description() {
+  return {drop_option,
+          ParameterType::Flag,
+          false,
+          0,
+          0,
+          {},
+          "",
+          "Drop vertices with coordinates that are not finite, and the faces that use them, instead of refusing."};
+}
+
 }  // namespace
 
 CommandDescription OperationCommand::describe() const {
@@ -227,8 +313,10 @@ CommandDescription OperationCommand::describe() const {
   const bool takes_drawing = operation.inputs.front().type == ValueType::Drawing;
   description.input_word = takes_drawing ? "SKETCH.svg" : upper_case(operation.inputs.front().name);
   const auto extra = extra_outputs(operation);
-  description.output = extra.empty() ? OutputNeed::Required : OutputNeed::Optional;
+  const bool may_list = !operation.list_flag.empty();
+  description.output = extra.empty() && !may_list ? OutputNeed::Required : OutputNeed::Optional;
   description.parameters = operation.parameters;
+  if (operation.inputs.front().is_raw) description.parameters.push_back(drop_description());
   for (const PortDescription& port : extra_inputs(operation)) {
     description.parameters.push_back(
         {port.name, ParameterType::File, std::string(), 0, 0, {}, "", "Read from a JSON file: " + port.sentence});
@@ -239,6 +327,7 @@ CommandDescription OperationCommand::describe() const {
   }
   const std::string call = "croquis-cli " + operation.id + (takes_drawing ? " sketch.svg" : " model.obj");
   description.examples = {call + " -o solid.obj"};
+  if (may_list) description.examples.push_back(call + " --" + operation.list_flag);
   for (const PortDescription& port : extra_inputs(operation)) {
     description.examples.push_back(call + " --" + port.name + " " + port.name + ".json -o solid.obj");
   }
@@ -254,23 +343,19 @@ void OperationCommand::run(const Invocation& invocation, CommandResult& result, 
   Progress computing = progress.step(description.id, 0.85);
   Context context{computing};
   context.threads = static_cast<int>(invocation.threads);
-  OperationResult computed = croquis::run(operation_, inputs, operation_parameters(description, invocation), context);
+  OperationResult computed =
+      croquis::run(operation_, inputs, operation_parameters(description, invocation, inputs), context);
   result.warnings.insert(result.warnings.end(), computed.warnings.begin(), computed.warnings.end());
 
-  Progress writing = progress.step("write", 0.1);
-  const PortDescription& main_output = description.outputs.front();
-  if (!invocation.output.empty()) {
-    const Value& value = computed.outputs.at(main_output.name);
-    stage_value(main_output, value, {invocation.output, invocation.output_format}, result, writing);
-    if (!result.mesh && is_asked_for(invocation)) result.mesh = report_of_file(value, invocation, writing);
-  }
-  for (const PortDescription& port : extra_outputs(description)) {
-    const std::string path = text_parameter(invocation, port.name);
-    if (!path.empty()) stage_value(port, computed.outputs.at(port.name), {path, ""}, result, writing);
-  }
   const auto details = computed.outputs.find(details_output);
   if (details != computed.outputs.end()) result.details = *std::get<std::shared_ptr<const Report>>(details->second);
-  result.text = summary(result);
+  if (only_lists(description, invocation)) {
+    result.text = list_text(*result.details);
+  } else {
+    Progress writing = progress.step("write", 0.1);
+    stage_outputs(description, invocation, computed.outputs, result, writing);
+    result.text = summary(result);
+  }
   progress.report(1);
 }
 

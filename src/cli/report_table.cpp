@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/report_table.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace croquis::cli {
+namespace {
+
+/// One word per row, the key first.
+using Column = std::vector<std::string>;
+
+constexpr const char* unknown = "-";
+
+std::string cell_text(const Report* cell) {
+  if (cell == nullptr) return unknown;
+  struct Visitor {
+    std::string operator()(std::int64_t value) const { return std::to_string(value); }
+    std::string operator()(double value) const {
+      char buffer[32];
+      std::snprintf(buffer, sizeof buffer, "%.6g", value);
+      return buffer;
+    }
+    std::string operator()(bool value) const { return value ? "yes" : "no"; }
+    std::string operator()(const std::string& value) const { return value; }
+    std::string operator()(std::monostate) const { return unknown; }
+    std::string operator()(const Report::Array&) const { return "..."; }
+    std::string operator()(const Report::Object&) const { return "..."; }
+  };
+  return std::visit(Visitor{}, cell->value());
+}
+
+Column column_of(const Report& list, const std::string& key) {
+  Column column = {key};
+  for (const Report& row : list.as_array()) column.push_back(cell_text(row.find(key)));
+  return column;
+}
+
+bool tells_something(const Column& column) {
+  return std::any_of(column.begin() + 1, column.end(), [](const std::string& cell) { return cell != unknown; });
+}
+
+std::size_t width_of(const Column& column) {
+  std::size_t width = 0;
+  for (const std::string& cell : column) width = std::max(width, cell.size());
+  return width;
+}
+
+/// Without the blanks at its end.
+std::string trimmed(std::string line) {
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line;
+}
+
+}  // namespace
+
+std::string report_table(const Report& list) {
+  if (list.as_array().empty()) return "";
+  std::vector<Column> columns;
+  for (const auto& [key, value] : list.as_array().front().as_object()) {
+    Column column = column_of(list, key);
+    if (tells_something(column)) columns.push_back(std::move(column));
+  }
+  std::string table;
+  for (std::size_t row = 0; row <= list.as_array().size(); ++row) {
+    std::string line;
+    for (const Column& column : columns) {
+      line += column[row] + std::string(width_of(column) - column[row].size() + 2, ' ');
+    }
+    table += (row == 0 ? "" : "\n") + trimmed(std::move(line));
+  }
+  return table;
+}
+
+}  // namespace croquis::cli

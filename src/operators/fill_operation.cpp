@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "operators/fill_operation.h"
+
+#include <utility>
+
+#include "croquis/hole_filling/hole_choice.h"
+#include "operators/fill_report.h"
+#include "operators/fill_settings.h"
+
+namespace croquis {
+namespace {
+
+using namespace hole_filling;
+
+/// What filling would begin with: nothing is made, and the mesh stays as it is.
+OperationResult list_holes(std::shared_ptr<const PolyMesh> scan, const FillOptions& options, Progress& progress) {
+  HoleAnalysis analysis = analyse_holes(*scan, progress, options.analysis);
+  const HoleChoice choice = choose_holes(analysis.holes, options);
+  OperationResult result;
+  result.outputs["details"] = std::make_shared<const Report>(list_details(*scan, analysis.holes, choice));
+  result.outputs["mesh"] = std::move(scan);
+  result.warnings = std::move(analysis.warnings);
+  return result;
+}
+
+}  // namespace
+
+OperationDescription FillOperation::describe() const {
+  PortDescription scan{"scan", ValueType::Mesh, "Any mesh, dirty ones too; it isn't changed."};
+  scan.is_raw = true;
+  PortDescription mesh{"mesh", ValueType::Mesh,
+                       "The scan's vertices and faces, then those of the patches; faces tell theirs by patch_id."};
+  mesh.counts_self_intersections = true;
+  return {"fill",
+          1,
+          "Fill Holes",
+          "Closes the holes of a scan by patches that continue the surface, and leaves everything else as it is.",
+          {std::move(scan)},
+          {std::move(mesh), {"details", ValueType::Report, "Every hole with its measures and what became of it."}},
+          fill_parameters(),
+          "list"};
+}
+
+OperationResult FillOperation::compute(const Values& inputs, const ParameterValues& parameters,
+                                       Context& context) const {
+  const auto& scan = std::get<std::shared_ptr<const PolyMesh>>(inputs.at("scan"));
+  const FillSettings settings = read_fill_settings(parameters);
+  if (settings.list_only) return list_holes(scan, settings.options, context.progress);
+  FillResult filled = fill_holes(*scan, settings.options, context.progress);
+  OperationResult result;
+  result.outputs["details"] = std::make_shared<const Report>(fill_details(*scan, filled));
+  result.outputs["mesh"] = std::make_shared<const PolyMesh>(std::move(filled.mesh));
+  result.warnings = std::move(filled.warnings);
+  return result;
+}
+
+}  // namespace croquis

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <atomic>
+
+#include <catch2/catch.hpp>
+
+#include "croquis/base/error.h"
+#include "croquis/document/content_hash.h"
+#include "operators/fill_operation.h"
+#include "operators/fill_settings.h"
+#include "support/check_operation.h"
+#include "support/mesh_shapes.h"
+#include "support/scans.h"
+
+namespace croquis {
+namespace {
+
+Values inputs_of(const PolyMesh& scan) { return {{"scan", std::make_shared<const PolyMesh>(scan)}}; }
+
+OperationResult fill(const PolyMesh& scan, const ParameterValues& parameters = {}, int threads = 1) {
+  Progress progress;
+  Context context{progress};
+  context.threads = threads;
+  return run(FillOperation(), inputs_of(scan), parameters, context);
+}
+
+const PolyMesh& mesh_of(const OperationResult& result) {
+  return *std::get<std::shared_ptr<const PolyMesh>>(result.outputs.at("mesh"));
+}
+
+const Report& details_of(const OperationResult& result) {
+  return *std::get<std::shared_ptr<const Report>>(result.outputs.at("details"));
+}
+
+PolyMesh scan() { return test::random_cuts(test::round_sphere(4), 7, 6, 0.12, 0.3).mesh; }
+
+/// Actions of the holes in their order: f, l, x for filled, left, failed.
+std::string actions_of(const OperationResult& result) {
+  std::string actions;
+  for (const Report& hole : details_of(result).at("holes").as_array()) {
+    const std::string& action = hole.at("action").as_string();
+    actions += action == "fill" ? 'f' : action == "leave" ? 'l' : 'x';
+  }
+  return actions;
+}
+
+std::vector<Index> refused_words(const std::string& text) {
+  try {
+    parse_hole_ids(text);
+  } catch (const Error& error) {
+    for (const Finding& finding : error.findings()) CHECK(finding.code == "E_PARAMETER");
+    return {static_cast<Index>(error.findings().size())};
+  }
+  return {};
+}
+
+TEST_CASE("filling is a function of its arguments, for every choice") {
+  for (const char* fairness : {"rbf", "smooth", "flat"}) {
+    for (const bool list : {false, true}) {
+      test::check_operation(FillOperation(), inputs_of(scan()), {{"fairness", std::string(fairness)}, {"list", list}});
+    }
+  }
+  test::check_operation(FillOperation(), inputs_of(test::open_tube(1, 4, 24, 12)),
+                        {{"select", std::string("all-but-largest")}, {"precision", std::string("single")}});
+}
+
+TEST_CASE("filling refuses unusable scans with the same findings every time") {
+  PolyMesh points;
+  points.positions = {Vec3(0, 0, 0), Vec3(1, 0, 0)};
+  test::check_operation(FillOperation(), inputs_of(points), {});
+  CHECK_THROWS_AS(fill(points), Error);
+  test::check_operation(FillOperation(), inputs_of(scan()), {{"only", std::string("99")}});
+  CHECK_THROWS_AS(fill(scan(), {{"only", std::string("99")}}), Error);
+}
+
+TEST_CASE("a filled scan begins with the scan, and its report counts the rest") {
+  const PolyMesh given = scan();
+  const OperationResult result = fill(given);
+  const PolyMesh& mesh = mesh_of(result);
+  const Report& details = details_of(result);
+  CHECK(std::equal(given.positions.begin(), given.positions.end(), mesh.positions.begin()));
+  CHECK(std::equal(given.corners.begin(), given.corners.end(), mesh.corners.begin()));
+  CHECK(actions_of(result) == "ffffff");
+  CHECK(details.at("untouched_vertices").as_integer() == static_cast<std::int64_t>(given.vertex_count()));
+  CHECK(details.at("new_vertices").as_integer() ==
+        static_cast<std::int64_t>(mesh.vertex_count() - given.vertex_count()));
+  CHECK(details.at("new_faces").as_integer() == static_cast<std::int64_t>(mesh.face_count() - given.face_count()));
+  CHECK(details.at("domains").is_null());
+  CHECK(details.at("points_per_domain").is_null());
+  for (const Report& hole : details.at("holes").as_array()) {
+    CHECK(hole.at("reason").is_null());
+    CHECK(hole.at("confidence").as_number() > 0);
+    CHECK(hole.at("confidence").as_number() <= 1);
+    // A sphere of radius 1 in 5120 triangles bends by 4 degrees from one to the next.
+    CHECK(hole.at("max_normal_jump").as_number() > 0.1);
+    CHECK(hole.at("max_normal_jump").as_number() < 20);
+  }
+}
+
+TEST_CASE("the list tells what filling does, and makes nothing") {
+  const PolyMesh given = test::open_tube(1, 4, 24, 12);
+  for (const char* select : {"inner", "all", "all-but-largest"}) {
+    INFO(select);
+    const ParameterValues chosen = {{"select", std::string(select)}};
+    ParameterValues listed = chosen;
+    listed["list"] = true;
+    const OperationResult list = fill(given, listed);
+    CHECK(actions_of(list) == actions_of(fill(given, chosen)));
+    CHECK(content_hash(list.outputs.at("mesh")) == content_hash(inputs_of(given).at("scan")));
+    CHECK(details_of(list).at("new_faces").as_integer() == 0);
+    for (const Report& hole : details_of(list).at("holes").as_array()) {
+      CHECK(hole.at("method").is_null());
+      CHECK(hole.at("max_normal_jump").is_null());
+      CHECK(hole.at("reason").is_null() == (hole.at("action").as_string() == "fill"));
+    }
+  }
+  CHECK(actions_of(fill(given)) == "ll");
+  CHECK(actions_of(fill(given, {{"select", std::string("all")}})) == "ff");
+}
+
+TEST_CASE("holes are chosen by number and by diameter") {
+  CHECK(actions_of(fill(scan(), {{"only", std::string("0,2-3")}})) == "flffll");
+  const OperationResult list = fill(scan(), {{"list", true}});
+  double least = 1e9;
+  for (const Report& hole : details_of(list).at("holes").as_array())
+    least = std::min(least, hole.at("diameter").as_number());
+  const OperationResult narrow = fill(scan(), {{"max-diameter", least}});
+  std::size_t filled = 0;
+  for (const Report& hole : details_of(narrow).at("holes").as_array()) {
+    const bool fits = hole.at("diameter").as_number() <= least;
+    CHECK(hole.at("action").as_string() == (fits ? "fill" : "leave"));
+    filled += fits ? 1 : 0;
+  }
+  CHECK(filled >= 1);
+  CHECK(filled < 6);
+}
+
+TEST_CASE("lists of ids are numbers and ranges; every other word is refused by name") {
+  CHECK(parse_hole_ids("").empty());
+  CHECK(parse_hole_ids("7") == std::vector<Index>{7});
+  CHECK(parse_hole_ids("4,1;3 1") == std::vector<Index>{1, 3, 4});
+  CHECK(parse_hole_ids("2-4, 3-5,") == std::vector<Index>{2, 3, 4, 5});
+  for (const char* wrong : {"a", "-1", "1-", "5-3", "1.5", "99999999999", "0-4000000000", ",", "0x1"}) {
+    INFO(wrong);
+    CHECK(refused_words(wrong) == std::vector<Index>{1});
+  }
+  CHECK(refused_words("1,a,2,b") == std::vector<Index>{2});
+}
+
+TEST_CASE("single precision rounds what is new and nothing else") {
+  const PolyMesh given = scan();
+  const OperationResult result = fill(given, {{"precision", std::string("single")}});
+  const PolyMesh& mesh = mesh_of(result);
+  REQUIRE(mesh.vertex_count() > given.vertex_count());
+  CHECK(std::equal(given.positions.begin(), given.positions.end(), mesh.positions.begin()));
+  for (std::size_t v = given.vertex_count(); v < mesh.vertex_count(); ++v) {
+    for (const double coordinate : mesh.positions[v]) {
+      const volatile float rounded = static_cast<float>(coordinate);  // else GCC 12 may not round at all
+      CHECK(static_cast<double>(rounded) == coordinate);
+    }
+  }
+}
+
+TEST_CASE("filling gives the same for any number of threads, and a filled mesh again") {
+  const OperationResult once = fill(scan());
+  for (const int threads : {2, 8}) {
+    CHECK(content_hash(fill(scan(), {}, threads).outputs.at("mesh")) == content_hash(once.outputs.at("mesh")));
+  }
+  const OperationResult twice = fill(mesh_of(once));
+  CHECK(content_hash(twice.outputs.at("mesh")) == content_hash(once.outputs.at("mesh")));
+  CHECK(details_of(twice).at("summary").as_string() == "No holes.");
+}
+
+TEST_CASE("filling stops when asked to, and its progress rises to one") {
+  double last = 0;
+  Progress watched([&](double fraction, const std::string&) {
+    CHECK(fraction >= last);
+    last = fraction;
+  });
+  Context context{watched};
+  run(FillOperation(), inputs_of(scan()), {}, context);
+  CHECK(last == 1);
+
+  std::atomic<bool> cancel = false;
+  int reports = 0;
+  Progress stopped([&](double, const std::string&) { cancel = ++reports == 3; }, &cancel);
+  Context stopping{stopped};
+  CHECK_THROWS_AS(run(FillOperation(), inputs_of(scan()), {}, stopping), Cancelled);
+}
+
+}  // namespace
+}  // namespace croquis
