@@ -52,7 +52,7 @@ struct Invocation {
 
 /// What a command has to say; filled as far as it came, also when it throws.
 struct CommandResult {
-  std::string text;  ///< for people, ends without a newline
+  std::string text;  ///< for people, ends without a newline; which files were written is told besides
   std::optional<MeshReport> mesh;
   std::optional<Report> details;
   Findings warnings;

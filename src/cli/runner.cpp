@@ -124,13 +124,24 @@ Outcome execute(const Command& command, const Invocation& invocation, ProgressDi
   return outcome;
 }
 
+/// For people: the files, once they are written, and what the command has to say.
+std::string text_of(const Outcome& outcome) {
+  std::string text;
+  for (const auto& [path, bytes] : outcome.result.files) {
+    if (path != "-" && outcome.errors.empty()) text += (text.empty() ? "Wrote " : ", ") + path;
+  }
+  if (!text.empty() && !outcome.result.text.empty()) text += '\n';
+  return text + outcome.result.text;
+}
+
 void print_outcome(const Invocation& invocation, const RunFigures& figures, const Outcome& outcome) {
   const bool to_stdout = outcome.result.files.contains("-");
   if (!invocation.quiet) print_findings(outcome.result.warnings);
   print_findings(outcome.errors);
   const bool succeeded = outcome.errors.empty();
-  if (!invocation.quiet && !outcome.result.text.empty() && (succeeded || outcome.result.mesh)) {
-    print(invocation.json || to_stdout ? stderr : stdout, outcome.result.text);
+  const std::string text = text_of(outcome);
+  if (!invocation.quiet && !text.empty() && (succeeded || outcome.result.mesh)) {
+    print(invocation.json || to_stdout ? stderr : stdout, text);
   }
   if (!invocation.json) return;
   const std::string json =

@@ -133,7 +133,9 @@ TEST_CASE("malformed files are refused with exit code 3, quickly and in little m
 TEST_CASE("an output that can't be written is exit code 6 and leaves nothing behind") {
   const ScratchFolder folder;
   const std::string path = folder.write("a.obj", bytes_of(cube(), MeshFormat::Obj));
-  CHECK(run_cli({"convert", path, "-o", folder / "missing/b.ply"}).code == 6);
+  const ProcessResult missing = run_cli({"convert", path, "-o", folder / "missing/b.ply"});
+  CHECK(missing.code == 6);
+  CHECK(missing.out.find("Wrote") == std::string::npos);
   CHECK(run_cli({"convert", path, "-o", path + "/b.ply"}).code == 6);
   CHECK(folder.names() == std::vector<std::string>{"a.obj"});
 }

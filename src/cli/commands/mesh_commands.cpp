@@ -87,7 +87,6 @@ void ConvertCommand::run(const Invocation& invocation, CommandResult& result, Pr
   stage_mesh(invocation.output, mesh, options, format, result, writing);
   Progress inspecting;
   result.mesh = inspect(as_written(mesh, format, options), false, inspecting);
-  result.text = "Wrote " + invocation.output + ".";
   progress.report(1);
 }
 

@@ -203,11 +203,8 @@ void stage_outputs(const OperationDescription& description, const Invocation& in
 
 std::string summary(const CommandResult& result) {
   std::string text;
-  for (const auto& [path, bytes] : result.files) {
-    if (path != "-") text += (text.empty() ? "Wrote " : ", ") + path;
-  }
   const Report* sentence = result.details ? result.details->find("summary") : nullptr;
-  if (sentence != nullptr) text += (text.empty() ? "" : "\n") + sentence->as_string();
+  if (sentence != nullptr) text += sentence->as_string();
   if (result.mesh) text += (text.empty() ? "" : "\n") + mesh_text(*result.mesh);
   return text;
 }

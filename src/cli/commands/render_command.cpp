@@ -90,7 +90,6 @@ void RenderCommand::run(const Invocation& invocation, CommandResult& result, Pro
 
   Progress writing = progress.step("write", 0.1);
   stage_file(invocation.output, encode_png({picture.width, picture.height, std::move(picture.rgba)}), result);
-  result.text = "Wrote " + invocation.output + ".";
   progress.report(1);
 }
 

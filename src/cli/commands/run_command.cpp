@@ -195,7 +195,7 @@ void RunCommand::run(const Invocation& invocation, CommandResult& result, Progre
   } else {
     result.mesh = inspect(written, false, writing);
   }
-  result.text = (invocation.output == "-" ? "" : "Wrote " + invocation.output + "\n") + mesh_text(*result.mesh);
+  result.text = mesh_text(*result.mesh);
   progress.report(1);
 }
 
