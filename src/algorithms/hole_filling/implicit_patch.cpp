@@ -9,6 +9,7 @@
 #include "algorithms/hole_filling/patcher.h"
 #include "algorithms/hole_filling/rim_field.h"
 #include "algorithms/hole_filling/triangle_cost.h"
+#include "algorithms/hole_filling/untangling.h"
 #include "croquis/implicit/surface_improvement.h"
 
 namespace croquis::hole_filling {
@@ -102,13 +103,14 @@ class ImplicitPatcher : public Patcher {
     const auto start = start_->attempt(site, progress);
     if (!start || start->points.empty()) return start;
     progress.check();
-    const auto surface = fit_rims(site, options_, careful_ ? stiffness : 1);
+    const auto surface = fit_rims(site, options_, {careful_ ? stiffness : 1, careful_});
     if (!surface) return std::nullopt;
     const Loosening loosening(site, *start);
     LoosePatch loose = loosening.loosen(*start);
     if (!move_onto(*surface, loose, progress)) return std::nullopt;
     HolePatch patch = loosening.fasten(loose);
     meet_rim(site, *surface, patch);
+    if (careful_) untangle(site, patch, progress);
     return patch;
   }
 

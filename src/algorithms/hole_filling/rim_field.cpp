@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "algorithms/hole_filling/other_sheets.h"
 #include "algorithms/hole_filling/quadric_normals.h"
 #include "algorithms/hole_filling/surface_reach.h"
 #include "croquis/base/error.h"
@@ -18,8 +19,11 @@ constexpr double least_reach = 4;       // × edge
 constexpr double rim_spacing = 0.7;     // of centres at the rim, × edge
 constexpr double spacing_slope = 0.25;  // by how much spacing grows per distance from the rim
 constexpr double spacing_growth = 1.15;
-constexpr double worst_residual = 0.5;  // × edge
+constexpr double most_slope_growth = 2;  // else long rims would take all centres and leave none behind them
+constexpr double worst_residual = 0.5;   // × edge
 constexpr double smoother = 10;
+constexpr std::size_t most_passing = 80;  // points of other sheets
+constexpr double passing_spacing = 2;     // × edge
 
 /// Takes each vertex unless a taken one is nearer than the spacing there, rims first.
 /// @return the vertices taken, or nothing when they are more than `most`
@@ -49,8 +53,13 @@ class RimFitting {
       size_ = std::max(size_, site.analysis->holes[id].diameter);
     }
     edge_ = perimeter / static_cast<double>(rim_size_);
-    reached_ = reach_from_rims(site, std::max(least_reach * edge_, options.reach * size_));
+    reach_ = std::max(least_reach * edge_, options.reach * size_);
+    reached_ = reach_from_rims(site, reach_);
     fit_rim_normals(reached_, positions_);
+  }
+
+  void keep_clear_of_others(const HoleSite& site) {
+    passing_ = other_sheets(site, reached_, reach_, passing_spacing * edge_, most_passing);
   }
 
   std::optional<RimField> run(double stiffness) {
@@ -66,7 +75,8 @@ class RimFitting {
   void choose_centres() {
     const std::size_t most = std::min(options_.most_centres, 2 * rim_size_ + 40);
     for (double scale = 1;; scale *= spacing_growth) {
-      auto taken = thin(reached_, positions_, scale * rim_spacing * edge_, scale * spacing_slope, most);
+      auto taken = thin(reached_, positions_, scale * rim_spacing * edge_,
+                        std::min(scale, most_slope_growth) * spacing_slope, most);
       if (!taken) continue;
       centres_ = std::move(*taken);
       return;
@@ -78,6 +88,10 @@ class RimFitting {
     for (const std::size_t i : centres_) {
       constraints.positions.push_back(positions_[reached_[i].vertex]);
       constraints.gradients.push_back(reached_[i].normal);
+    }
+    for (const PassingPoint& point : passing_) {
+      constraints.positions.push_back(point.position);
+      constraints.gradients.push_back(point.normal);
     }
     implicit::FitOptions options;
     options.kernel = options_.kernel;
@@ -108,15 +122,18 @@ class RimFitting {
   const std::vector<Vec3>& positions_;
   const ImplicitOptions& options_;
   std::size_t rim_size_;
-  double edge_ = 0, size_ = 0;
+  double edge_ = 0, size_ = 0, reach_ = 0;
   std::vector<ReachedVertex> reached_;
   std::vector<std::size_t> centres_;
+  std::vector<PassingPoint> passing_;
 };
 
 }  // namespace
 
-std::optional<RimField> fit_rims(const HoleSite& site, const ImplicitOptions& options, double stiffness) {
-  return RimFitting(site, options).run(stiffness);
+std::optional<RimField> fit_rims(const HoleSite& site, const ImplicitOptions& options, const RimFitOptions& how) {
+  RimFitting fitting(site, options);
+  if (how.other_sheets) fitting.keep_clear_of_others(site);
+  return fitting.run(how.stiffness);
 }
 
 }  // namespace croquis::hole_filling

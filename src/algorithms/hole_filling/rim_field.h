@@ -19,12 +19,16 @@ struct RimField {
   implicit::Field field() const { return fit->field(); }
 };
 
+struct RimFitOptions {
+  double stiffness = 1;       ///< factor of the smoothing
+  bool other_sheets = false;  ///< sheets that pass nearby count too, so that the continuation keeps clear of them
+};
+
 /// Fits one radial basis function to the surface around the rims: vertices within max(4 edges, reach × size) along the
 /// surface, the sparser the farther away, rims included.
 ///
 /// Fitted again with ten times the smoothing when a rim vertex that isn't a centre lies half an edge off; nothing when
 /// that doesn't help either, or there is nothing to go by.
-/// @param stiffness factor of the smoothing
-std::optional<RimField> fit_rims(const HoleSite& site, const ImplicitOptions& options, double stiffness);
+std::optional<RimField> fit_rims(const HoleSite& site, const ImplicitOptions& options, const RimFitOptions& how);
 
 }  // namespace croquis::hole_filling
