@@ -272,3 +272,19 @@ TEST_CASE("the same hole gets the same patch every time, and a filled mesh stays
   CHECK(once.mesh.corners == twice.mesh.corners);
   CHECK(fill(once.mesh).mesh.corners == once.mesh.corners);
 }
+
+TEST_CASE("a long rim leaves room for centres behind it") {
+  const auto error = [](int levels) {
+    return radial_errors(fill(cut(round_sphere(levels), Vec3(0, 0, 1), 0.9).mesh)).mean;
+  };
+  CHECK(error(6) < 0.005);  // 300 rim edges, more than there may be centres
+}
+
+TEST_CASE("a patch never has more triangles than allowed by far") {
+  FillOptions options;
+  options.most_patch_triangles = 500;
+  const FillResult result = fill(cut(round_sphere(5), Vec3(0, 0, 1), 0.8).mesh, options);
+  CHECK(count_of(result, "implicit") == 1);
+  CHECK(result.new_faces < 1000);
+  CHECK(radial_errors(result).worst < 0.02);
+}

@@ -164,9 +164,18 @@ class PatchEditing {
   bool is_manifold_ = true;
 };
 
+/// Whether some edge has two triangles that run the same way. Asked first, since OpenMesh prints what it refuses.
+bool has_crowded_edge(const LoosePatch& patch) {
+  std::vector<std::array<Index, 2>> edges;
+  for (const auto& [a, b, c] : patch.triangles) edges.insert(edges.end(), {{a, b}, {b, c}, {c, a}});
+  std::sort(edges.begin(), edges.end());
+  return std::adjacent_find(edges.begin(), edges.end()) != edges.end();
+}
+
 }  // namespace
 
 bool bring_to_size(LoosePatch& patch) {
+  if (has_crowded_edge(patch)) return false;
   PatchEditing editing(patch);
   if (!editing.is_manifold()) return false;
   editing.run();
