@@ -34,7 +34,8 @@ std::string help_of(const ParameterDescription& parameter) {
   const std::string value = to_text(parameter.default_value);
   help += " [" + (value.empty() ? std::string("none") : value);
   if (!parameter.unit.empty()) help += " " + parameter.unit;
-  if (std::isfinite(parameter.minimum) && std::isfinite(parameter.maximum) && parameter.choices.empty()) {
+  const bool is_number = parameter.type == ParameterType::Integer || parameter.type == ParameterType::Number;
+  if (is_number && std::isfinite(parameter.minimum) && std::isfinite(parameter.maximum)) {
     help += ", " + to_text(parameter.minimum) + ".." + to_text(parameter.maximum);
   }
   return help + "]";

@@ -100,6 +100,14 @@ std::vector<ParameterDescription> fill_parameters() {
                  "vertices and has the least area."),
           choice("precision", {"double", "single"},
                  "How coordinates will be stored, by which patches are judged; files of single numbers set it."),
+          {"patch-ids",
+           ParameterType::Flag,
+           true,
+           0,
+           0,
+           {},
+           "",
+           "Mark each face with the number of its patch, -1 for the scan's own; files other than PLY can't hold it."},
           {"list",
            ParameterType::Flag,
            false,
@@ -124,6 +132,7 @@ FillSettings read_fill_settings(const ParameterValues& parameters) {
   if (fairness == "smooth") options.fairness = Fairness::Tangent;
   if (fairness == "flat") options.fairness = Fairness::Flat;
   if (text(parameters, "precision") == "single") options.precision = Precision::Single;
+  options.mark_patches = std::get<bool>(parameters.at("patch-ids"));
   settings.list_only = std::get<bool>(parameters.at("list"));
   return settings;
 }

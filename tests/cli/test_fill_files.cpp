@@ -42,6 +42,7 @@ TEST_CASE("a scan with holes comes back closed, and begins with the scan, in eve
     CHECK(report["mesh"]["self_intersections"] == 0);
     CHECK(report["details"]["holes"].size() == 5);
     CHECK(holes_with(report, "fill").size() == 5);
+    if (format != "stl") CHECK(report["warnings"].empty());
     CHECK(run_cli({"check", folder / ("out." + format)}).code == 0);
     if (format != "stl") CHECK(begins_with(mesh_in(folder / ("out." + format)), mesh_in(input)));
   }
@@ -117,6 +118,9 @@ TEST_CASE("colours go on into patches, those given stay, and faces tell their pa
   CHECK(std::all_of(patches.begin(), old_end, [](std::int32_t id) { return id == -1; }));
   // Four holes' patches: the ring and its island share one.
   CHECK(std::set<std::int32_t>(old_end, patches.end()) == std::set<std::int32_t>{0, 1, 2, 3});
+  filled(folder / "scan.ply", folder / "plain.ply", {"--patch-ids=false"});
+  CHECK(mesh_in(folder / "plain.ply").channel("patch_id", Domain::Face) == nullptr);
+  CHECK(mesh_in(folder / "plain.ply").corners == mesh.corners);
 }
 
 TEST_CASE("files that can't be read are refused with their code and leave nothing behind") {

@@ -27,6 +27,9 @@ constexpr const char* drop_option = "drop-bad";
 constexpr const char* precision_parameter = "precision";
 constexpr const char* single_precision = "single";
 
+/// The flag of operations that mark the faces they make: only PLY files can hold the marks.
+constexpr const char* marks_parameter = "patch-ids";
+
 std::string upper_case(std::string word) {
   std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::toupper(c); });
   return word;
@@ -128,18 +131,24 @@ bool stores_single(MeshFormat format, const Value& input) {
   return format == MeshFormat::Ply && mesh != nullptr && is_single(**mesh);
 }
 
-/// Options that name files are the command's, all others the operation's. How coordinates will be stored the file
-/// decides.
+/// What operations can't know by themselves: how their result will be stored.
+void settle_by_format(MeshFormat format, const Value& input, ParameterValues& values) {
+  const auto precision = values.find(precision_parameter);
+  if (precision != values.end() && stores_single(format, input)) precision->second = single_precision;
+  const auto marks = values.find(marks_parameter);
+  if (marks != values.end() && format != MeshFormat::Ply) marks->second = false;
+}
+
+/// Options that name files are the command's, all others the operation's.
 ParameterValues operation_parameters(const OperationDescription& description, const Invocation& invocation,
                                      const Values& inputs) {
   ParameterValues values;
   for (const ParameterDescription& parameter : description.parameters) {
     values[parameter.name] = invocation.parameters.at(parameter.name);
   }
-  const auto precision = values.find(precision_parameter);
-  if (precision == values.end() || invocation.output.empty()) return values;
+  if (invocation.output.empty() || description.outputs.front().type != ValueType::Mesh) return values;
   const MeshFormat format = output_mesh_format(invocation.output, invocation.output_format);
-  if (stores_single(format, inputs.at(description.inputs.front().name))) precision->second = single_precision;
+  settle_by_format(format, inputs.at(description.inputs.front().name), values);
   return values;
 }
 
