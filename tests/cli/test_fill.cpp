@@ -8,6 +8,7 @@
 
 #include "cli/process.h"
 #include "cli/scan_files.h"
+#include "croquis/io/project_file.h"
 #include "support/mesh_shapes.h"
 #include "support/scans.h"
 
@@ -242,6 +243,28 @@ TEST_CASE("wrong options are answered with exit code 2 and leave nothing behind"
   CHECK(run_cli({"fill", input}).code == 2);
   CHECK(run_cli({"fill", input, "-o", folder / "out.xyz"}).code == 2);
   CHECK(folder.names() == Words{"scan.ply"});
+}
+
+TEST_CASE("a project that fills gives the file that fill gives") {
+  const ScratchFolder folder;
+  Node scan;
+  scan.name = "scan";
+  scan.source = std::make_shared<const PolyMesh>(holed_scan());
+  Node node;
+  node.name = "close";
+  node.operation = "fill";
+  node.inputs["scan"] = {1, "value"};
+  Progress progress;
+  save_project(folder / "a.croq", {Document().with(scan).with(node), {}, {}}, progress);
+  const std::string input = folder.write("scan.ply", ply_of(holed_scan()));
+  filled(input, folder / "fill.ply");
+  REQUIRE(run_cli({"run", folder / "a.croq", "-o", folder / "run.ply"}).code == 0);
+  CHECK(slurp(folder / "run.ply") == slurp(folder / "fill.ply"));
+  filled(input, folder / "fill.ply", {"--fairness", "flat", "--only", "1"});
+  REQUIRE(run_cli({"run", folder / "a.croq", "-o", folder / "run.ply", "--set", "close.fairness=flat", "--set",
+                   "close.only=1"})
+              .code == 0);
+  CHECK(slurp(folder / "run.ply") == slurp(folder / "fill.ply"));
 }
 
 TEST_CASE("the shipped scan comes back closed, without a word") {
