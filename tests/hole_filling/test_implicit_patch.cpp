@@ -288,3 +288,10 @@ TEST_CASE("a patch never has more triangles than allowed by far") {
   CHECK(result.new_faces < 1000);
   CHECK(radial_errors(result).worst < 0.02);
 }
+
+TEST_CASE("rims of thousands of edges are continued too") {
+  const FillResult result = fill(bowl(3000, 40), everything());
+  CHECK(count_of(result, "implicit") == 1);
+  CHECK(report_of(result.mesh).closed);
+  CHECK(result.new_faces < 2 * 40000);
+}

@@ -89,6 +89,14 @@ void limit_count(LoosePatch& loose, std::size_t most) {
   for (std::size_t v = loose.rim_points; v < loose.sizes.size(); ++v) loose.sizes[v] *= growth;
 }
 
+/// Of the equilateral triangle of mean area.
+double mean_edge(const LoosePatch& loose) {
+  double area = 0;
+  for (const auto& [a, b, c] : loose.triangles)
+    area += triangle_area(loose.points[a], loose.points[b], loose.points[c]);
+  return std::sqrt(4 / std::sqrt(3.0) * area / static_cast<double>(loose.triangles.size()));
+}
+
 class ImplicitPatcher : public Patcher {
  public:
   ImplicitPatcher(const ImplicitOptions& options, std::size_t most_triangles, bool careful)
@@ -117,8 +125,8 @@ class ImplicitPatcher : public Patcher {
  private:
   bool move_onto(const RimField& surface, LoosePatch& loose, Progress& progress) const {
     implicit::ProjectionOptions projection;
-    projection.cell = surface.edge;
-    projection.iterations = 20 + static_cast<int>(std::min(200.0, 2 * surface.size / surface.edge));
+    projection.cell = std::max(surface.edge, mean_edge(loose));
+    projection.iterations = 20 + static_cast<int>(std::min(200.0, 2 * surface.size / projection.cell));
     projection.threads = 1;
     for (int round = 0; round < rounds; ++round) {
       progress.check();

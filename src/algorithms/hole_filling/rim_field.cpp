@@ -19,8 +19,9 @@ constexpr double least_reach = 4;       // × edge
 constexpr double rim_spacing = 0.7;     // of centres at the rim, × edge
 constexpr double spacing_slope = 0.25;  // by how much spacing grows per distance from the rim
 constexpr double spacing_growth = 1.15;
-constexpr double most_slope_growth = 2;  // else long rims would take all centres and leave none behind them
-constexpr double worst_residual = 0.5;   // × edge
+constexpr double most_slope_growth = 2;         // else long rims would take all centres and leave none behind them
+constexpr double worst_residual = 0.5;          // × edge, or for long rims × what the centres resolve
+constexpr std::size_t most_candidates = 30000;  // beside the rim; thinning looks at all of them, so more are sampled
 constexpr double smoother = 10;
 constexpr std::size_t most_passing = 80;  // points of other sheets
 constexpr double passing_spacing = 2;     // × edge
@@ -63,15 +64,26 @@ class RimFitting {
   }
 
   std::optional<RimField> run(double stiffness) {
+    sample_reached();
     choose_centres();
     for (const double factor : {stiffness, stiffness * smoother}) {
       auto fit = fitted(factor);
-      if (fit && residual(*fit) <= worst_residual * edge_) return RimField{std::move(fit), edge_, size_};
+      if (fit && residual(*fit) <= worst_residual * resolution_) return RimField{std::move(fit), edge_, size_};
     }
     return std::nullopt;
   }
 
  private:
+  /// Every so many of those that aren't on the rim.
+  void sample_reached() {
+    const std::size_t stride = reached_.size() / most_candidates + 1;
+    std::vector<ReachedVertex> sampled;
+    for (std::size_t i = 0; i < reached_.size(); ++i) {
+      if (reached_[i].distance == 0 || i % stride == 0) sampled.push_back(reached_[i]);
+    }
+    reached_ = std::move(sampled);
+  }
+
   void choose_centres() {
     const std::size_t most = std::min(options_.most_centres, 2 * rim_size_ + 40);
     for (double scale = 1;; scale *= spacing_growth) {
@@ -79,6 +91,7 @@ class RimFitting {
                         std::min(scale, most_slope_growth) * spacing_slope, most);
       if (!taken) continue;
       centres_ = std::move(*taken);
+      resolution_ = std::max(1.0, scale * rim_spacing) * edge_;
       return;
     }
   }
@@ -122,7 +135,7 @@ class RimFitting {
   const std::vector<Vec3>& positions_;
   const ImplicitOptions& options_;
   std::size_t rim_size_;
-  double edge_ = 0, size_ = 0, reach_ = 0;
+  double edge_ = 0, size_ = 0, reach_ = 0, resolution_ = 0;
   std::vector<ReachedVertex> reached_;
   std::vector<std::size_t> centres_;
   std::vector<PassingPoint> passing_;

@@ -27,8 +27,9 @@ struct RimFitOptions {
 /// Fits one radial basis function to the surface around the rims: vertices within max(4 edges, reach × size) along the
 /// surface, the sparser the farther away, rims included.
 ///
-/// Fitted again with ten times the smoothing when a rim vertex that isn't a centre lies half an edge off; nothing when
-/// that doesn't help either, or there is nothing to go by.
+/// Fitted again with ten times the smoothing when a rim vertex that isn't a centre lies half an edge off (half of what
+/// the centres resolve, for rims with more edges than centres); nothing when that doesn't help either, or there is
+/// nothing to go by.
 std::optional<RimField> fit_rims(const HoleSite& site, const ImplicitOptions& options, const RimFitOptions& how);
 
 }  // namespace croquis::hole_filling
