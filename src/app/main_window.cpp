@@ -171,12 +171,16 @@ bool MainWindow::attempt(const std::function<void()>& work) {
     return true;
   } catch (const Error& error) {
     last_findings_ = error.findings();
-    message_->setText(sentences(error.findings()).section('\n', 0, 0));
-    message_->setToolTip(sentences(error.findings()));
+    show_message(error.findings());
   } catch (const Cancelled&) {
     message_->setText(tr("Cancelled."));
   }
   return false;
+}
+
+void MainWindow::show_message(const Findings& findings) {
+  message_->setText(sentences(findings).section('\n', 0, 0));
+  message_->setToolTip(sentences(findings));
 }
 
 void MainWindow::start_sketch() {

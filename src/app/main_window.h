@@ -119,6 +119,7 @@ class MainWindow : public QMainWindow {
   void connect_viewport();
   void make_help_line();
   void connect_studio();
+  void show_message(const Findings& findings);  ///< the first one, below the views
   void update_panels();
   void update_title();
   void update_help();

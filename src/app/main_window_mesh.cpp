@@ -189,6 +189,12 @@ void MainWindow::make_smoothing_actions() {
   mesh_actions_ << compare;
   menu->addMenu(compared);
   menu->addSeparator();
+  const auto add_keep = [&](const QString& name, const QString& text, KeptShape kept) {
+    mesh_actions_ << add_action(menu, name, text, {},
+                                [this, kept] { attempt([&] { show_message(keep_selected_faces(studio_, kept)); }); });
+  };
+  add_keep("keep-shape", tr("&Keep the shape of the selected faces"), KeptShape::Faces);
+  add_keep("keep-outline", tr("Keep their &outline"), KeptShape::Outline);
   mesh_actions_ << add_action(menu, "freeze", tr("F&reeze level as a cage"), {},
                               [this] { attempt([this] { freeze_level(studio_); }); });
 }

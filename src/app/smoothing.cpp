@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/subdivision/shape_keeping.h"
 
 namespace croquis::app {
 namespace {
@@ -107,6 +108,31 @@ void freeze_level(Studio& studio) {
   studio.session().edit("Freeze " + name, before.with(std::move(hidden)).with(std::move(frozen)));
   studio.set_active(id);
   studio.session().select({{id, ""}});
+}
+
+Findings keep_selected_faces(Studio& studio, KeptShape kept) {
+  const StudioObject* object = studio.active();
+  const ComponentSelection& selected = studio.session().components();
+  const bool has_faces = object != nullptr && object->cage_mesh && selected.node == object->cage &&
+                         selected.kind == ComponentKind::Face && !selected.empty();
+  if (!has_faces) {
+    throw Error(make_error(Category::Usage, "E_EMPTY", "No faces are selected: pick those to keep first (F11)"));
+  }
+  const Document& before = studio.session().document();
+  Node cage = *before.find(object->cage);
+  Findings notices;
+  PolyMesh mesh;
+  if (kept == KeptShape::Faces) {
+    subdivision::KeptRegion region = subdivision::keep_region(*object->cage_mesh, selected.elements);
+    notices = std::move(region.notices);
+    mesh = std::move(region.mesh);
+  } else {
+    mesh = subdivision::keep_outline(*object->cage_mesh, selected.elements);
+  }
+  cage.source = std::make_shared<const PolyMesh>(std::move(mesh));
+  studio.session().edit(kept == KeptShape::Faces ? "Keep the shape of faces" : "Keep the outline of faces",
+                        before.with(std::move(cage)));
+  return notices;
 }
 
 }  // namespace croquis::app

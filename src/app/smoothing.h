@@ -28,4 +28,12 @@ bool set_smoothing(Studio& studio, const std::string& parameter, const Parameter
 /// @throws Error (E_EMPTY) when nothing smooth is seen, or it isn't finished
 void freeze_level(Studio& studio);
 
+enum class KeptShape { Faces, Outline };
+
+/// Makes the active object's selected faces stay as they are on every level, or only their outline, by tags and pins;
+/// bent faces are cut into triangles first. One step of the history.
+/// @return what had to be done to the faces
+/// @throws Error (E_EMPTY) when no faces are selected
+Findings keep_selected_faces(Studio& studio, KeptShape kept);
+
 }  // namespace croquis::app

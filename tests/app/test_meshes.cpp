@@ -270,6 +270,33 @@ TEST_CASE("edges chosen by angle are counted and selected while one drags", "[me
   CHECK(selected(hand).elements.empty());
 }
 
+TEST_CASE("faces keep their shape or their outline on every level", "[meshes]") {
+  StudioFixture hand;
+  show_collar(hand);
+  hand.act("keep-shape");  // no faces are selected: said in words, nothing is changed
+  CHECK(hand.window().last_findings().at(0).code == "E_EMPTY");
+  const NodeId cage = hand.studio().active()->cage;
+  const auto tags = [&] { return hand.studio().active()->cage_mesh->tags; };
+  const std::size_t creases = tags().creases.size();
+
+  hand.act("face-mode");
+  hand.studio().session().select_components({cage, ComponentKind::Face, {0}});  // the head's top, z = 1
+  hand.act("keep-shape");
+  CHECK(tags().pins.size() == 4);
+  CHECK(tags().creases.size() == creases + 4);
+  hand.settle();
+  double top = 0;
+  for (const Vec3& place : hand.studio().active()->mesh->positions) top += place.z() == 1 ? 1 : 0;
+  CHECK(top >= 4);
+
+  hand.act("undo");
+  CHECK(tags().pins.empty());
+  hand.studio().session().select_components({cage, ComponentKind::Face, {0}});
+  hand.act("keep-outline");
+  CHECK(tags().creases.size() == creases + 4);
+  hand.act("undo");
+}
+
 TEST_CASE("crease sets are made, named, given a sharpness and taken away", "[meshes]") {
   StudioFixture hand;
   show_collar(hand);
