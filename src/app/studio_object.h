@@ -33,9 +33,9 @@ struct StudioObject {
 
   bool is_source() const { return node == cage; }
 
-  /// What stands in the views as a surface.
+  /// What stands in the views as a surface: the cage, too, as long as it couldn't be refined.
   const std::shared_ptr<const PolyMesh>& shown() const {
-    return view == SmoothView::Cage && cage_mesh ? cage_mesh : mesh;
+    return (view == SmoothView::Cage || !mesh) && cage_mesh ? cage_mesh : mesh;
   }
 };
 

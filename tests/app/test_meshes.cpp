@@ -253,6 +253,8 @@ TEST_CASE("a cage that can't be refined is told in words that lead to its elemen
   hand.settle();
   const auto findings = hand.studio().findings();
   REQUIRE(!findings.empty());
+  CHECK(hand.studio().active()->shown() == hand.studio().active()->cage_mesh);  // it is still seen
+  CHECK(!hand.viewport().objects().surfaces().empty());
   auto* list = hand.window().findChild<app::FindingsList*>("findings");
   REQUIRE(list->count() >= 1);
   emit list->itemClicked(list->item(0));
