@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "implicit/parallel.h"
+#include "croquis/base/parallel.h"
 
 namespace croquis::implicit {
 namespace {

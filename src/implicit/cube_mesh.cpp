@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "croquis/base/parallel.h"
 #include "implicit/cube_loops.h"
-#include "implicit/parallel.h"
 #include "implicit/surface_search.h"
 
 namespace croquis::implicit {

@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "croquis/base/error.h"
-#include "implicit/parallel.h"
+#include "croquis/base/parallel.h"
 #include "implicit/point_checks.h"
 
 namespace croquis::implicit {

@@ -5,8 +5,8 @@
 #include <bit>
 #include <cmath>
 
+#include "croquis/base/parallel.h"
 #include "implicit/cube_loops.h"
-#include "implicit/parallel.h"
 
 namespace croquis::implicit {
 namespace {

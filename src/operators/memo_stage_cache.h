@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "croquis/base/stage_cache.h"
 #include "croquis/document/memo.h"
-#include "croquis/silhouette/stage_cache.h"
 
 namespace croquis {
 
 /// Keeps the stages of silhouettes in the memo of an evaluation.
-class MemoStageCache final : public silhouette::StageCache {
+class MemoStageCache final : public StageCache {
  public:
   /// @param memo must outlive the cache when it is used
   explicit MemoStageCache(Memo* memo) : memo_(memo) {}

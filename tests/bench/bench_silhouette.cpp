@@ -18,9 +18,9 @@
 #include "bench/bench.h"
 #include "bench/cpu_time.h"
 #include "bench/factorisation_peer.h"
+#include "croquis/base/stage_cache.h"
 #include "croquis/silhouette/labelled_figure.h"
 #include "croquis/silhouette/solid.h"
-#include "croquis/silhouette/stage_cache.h"
 #include "support/sketch_generator.h"
 
 namespace croquis::bench {
@@ -174,7 +174,7 @@ void print_depth(std::ostream& out, const std::vector<test::NamedSketch>& sketch
 }
 
 /// Keeps all stages, as the memo of a session does.
-class KeepingCache final : public silhouette::StageCache {
+class KeepingCache final : public StageCache {
  public:
   std::shared_ptr<const void> get(std::string_view stage, std::string_view content,
                                   const std::function<Stage()>& make) override {

@@ -7,10 +7,10 @@
 
 #include <catch2/catch.hpp>
 
+#include "croquis/base/stage_cache.h"
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/silhouette/attachment.h"
 #include "croquis/silhouette/solid.h"
-#include "croquis/silhouette/stage_cache.h"
 #include "support/sketch_generator.h"
 
 using namespace croquis;

@@ -8,25 +8,19 @@
 
 #include "croquis/base/finding.h"
 #include "croquis/base/progress.h"
+#include "croquis/base/stage_cache.h"
 #include "croquis/hole_filling/hole_analysis.h"
-#include "croquis/hole_filling/implicit_options.h"
+#include "croquis/hole_filling/hole_request.h"
 #include "croquis/hole_filling/patch_verification.h"
 
 namespace croquis::hole_filling {
 
 /// Which holes are filled, before `only` and `max_diameter` are asked.
 enum class Selection {
-  Inner,         ///< all that are not OUTER
-  All,           ///< OUTER ones too
-  AllButLargest  ///< all but the one with the greatest perimeter
-};
-
-/// How patches continue the surface.
-enum class Fairness {
-  Flat,     ///< the triangulation of least area, no new vertices
-  Tangent,  ///< continuity 1 across the rim
-  Curved,   ///< continuity 2
-  Implicit  ///< the zero set of a function fitted to the surface around (Yoo 2005)
+  Inner,          ///< all that are not OUTER
+  All,            ///< OUTER ones too
+  AllButLargest,  ///< all but the one with the greatest perimeter
+  None            ///< only what requests name
 };
 
 struct FillOptions {
@@ -35,11 +29,17 @@ struct FillOptions {
   double max_diameter = std::numeric_limits<double>::infinity();  ///< wider holes stay open; model units
   Fairness fairness = Fairness::Implicit;
   ImplicitOptions implicit;  ///< of Fairness::Implicit
-  bool flat_caps = true;     ///< OUTER holes get flat patches: a smooth one would bulge by about a radius
+  Preset preset = Preset::Standard;
+  double bulge = 0;                   ///< -1..1, see PatchWish
+  int trim_rim = 0;                   ///< 0..3 rings of faces around chosen holes that are removed first
+  std::vector<HoleRequest> requests;  ///< for single holes
+  bool flat_caps = true;              ///< OUTER holes get flat patches: a smooth one would bulge by about a radius
   Precision precision = Precision::Double;   ///< how the result will be stored
   std::size_t most_patch_triangles = 40000;  ///< a patch that would need more is made of larger triangles
   bool mark_patches = true;  ///< tell the patches apart by a face channel "patch_id" (int32, -1 for the faces given)
   HoleAnalysisOptions analysis;
+  int threads = 1;              ///< 0: as many as the machine has. The result is the same for any
+  StageCache* cache = nullptr;  ///< analysis and patches of earlier runs, not owned; null: everything is made anew
 };
 
 enum class FillAction {

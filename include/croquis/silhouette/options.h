@@ -4,6 +4,10 @@
 #include <string>
 #include <vector>
 
+namespace croquis {
+class StageCache;
+}
+
 namespace croquis::silhouette {
 
 /// Lengths of the drawing stage are in sketch units u: the diagonal of the sketch's bounding box / 1000, so that a
@@ -40,8 +44,6 @@ struct DepthOptions {
   double minimum_gap = 0.1;         ///< L, 0.01..1: least distance between sheets in front of one another
   double node_spacing = 0.3;        ///< local radii, 0.1..1: spacing of skeleton nodes along a branch
 };
-
-class StageCache;
 
 enum class Quality {
   Draft,  ///< to be looked at while something is dragged: coarser, unproven, attached parts not yet joined

@@ -9,7 +9,7 @@
 #include "algorithms/hole_filling/fill_findings.h"
 #include "algorithms/hole_filling/patch_assembly.h"
 #include "algorithms/hole_filling/patch_confidence.h"
-#include "algorithms/hole_filling/patcher.h"
+#include "algorithms/hole_filling/patch_ladder.h"
 #include "algorithms/hole_filling/single_precision.h"
 #include "croquis/hole_filling/hole_choice.h"
 #include "croquis/hole_filling/hole_groups.h"
@@ -29,31 +29,15 @@ struct Job {
   bool is_pending() const { return !patch && rung < ladder->size(); }
 };
 
-Ladder ladder_of(Fairness fairness, const FillOptions& options) {
-  const std::size_t most_triangles = options.most_patch_triangles;
-  Ladder ladder;
-  if (fairness == Fairness::Implicit) {
-    ladder.push_back(implicit_patcher(options.implicit, most_triangles));
-    ladder.push_back(implicit_patcher(options.implicit, most_triangles, true));
-  }
-  if (fairness == Fairness::Curved) ladder.push_back(faired_patcher(2, most_triangles));
-  if (fairness != Fairness::Flat) ladder.push_back(faired_patcher(1, most_triangles));
-  if (fairness != Fairness::Flat) ladder.push_back(faired_patcher(1, most_triangles, true));
-  ladder.push_back(minimal_patcher());
-  ladder.push_back(cgal_patcher());
-  ladder.push_back(plane_patcher());
-  ladder.push_back(avoiding_patcher());
-  return ladder;
-}
-
 class Filling {
  public:
   Filling(const PolyMesh& mesh, const FillOptions& options, HoleAnalysis analysis)
       : mesh_(mesh),
         options_(options),
         chosen_(choose_holes(analysis.holes, options)),
-        ladder_(ladder_of(options.fairness, options)),
-        flat_ladder_(ladder_of(Fairness::Flat, options)) {
+        wish_{options.fairness, options.implicit, options.bulge, {}},
+        ladder_(ladder_for(wish_, options.preset, false, options.most_patch_triangles)),
+        flat_ladder_(ladder_for(wish_, options.preset, true, options.most_patch_triangles)) {
     result_.analysis = std::move(analysis);
     make_jobs();
   }
@@ -106,7 +90,8 @@ class Filling {
       progress.report(static_cast<double>(i) / static_cast<double>(jobs_.size()));
       Job& job = jobs_[i];
       if (!job.is_pending()) continue;
-      const HoleSite site = make_site(mesh_, result_.analysis, job.holes, verifier.rim_edges());
+      HoleSite site = make_site(mesh_, result_.analysis, job.holes, verifier.rim_edges());
+      site.wish = wish_;
       std::optional<HolePatch> patch = (*job.ladder)[job.rung]->attempt(site, progress);
       if (!patch) {
         fail(job, "the method found no patch");
@@ -173,6 +158,7 @@ class Filling {
   const PolyMesh& mesh_;
   const FillOptions& options_;
   HoleChoice chosen_;
+  PatchWish wish_;
   Ladder ladder_, flat_ladder_;
   std::vector<Job> jobs_;
   FillResult result_;

@@ -41,6 +41,8 @@ HoleChoice choose_holes(std::span<const Hole> holes, const FillOptions& options)
     if (!options.only.empty()) {
       if (std::find(options.only.begin(), options.only.end(), hole.id) == options.only.end())
         leave(hole.id, "not chosen");
+    } else if (options.selection == Selection::None) {
+      leave(hole.id, "not chosen");
     } else if (options.selection == Selection::Inner && hole.kind == HoleClass::Outer) {
       leave(hole.id, "the border of an open surface");
     } else if (options.selection == Selection::AllButLargest && hole.id == largest) {

@@ -44,7 +44,10 @@ void sort_unique(std::vector<Index>& values) {
 
 HoleSite make_site(const PolyMesh& mesh, const HoleAnalysis& analysis, std::span<const Index> holes,
                    std::span<const std::array<Index, 2>> rim_edges) {
-  HoleSite site{&mesh, &analysis, {holes.begin(), holes.end()}, {}, {}};
+  HoleSite site;
+  site.mesh = &mesh;
+  site.analysis = &analysis;
+  site.holes.assign(holes.begin(), holes.end());
   std::vector<Index> order = site.holes;
   std::stable_sort(order.begin(), order.end(),
                    [&](Index a, Index b) { return analysis.holes[a].diameter > analysis.holes[b].diameter; });

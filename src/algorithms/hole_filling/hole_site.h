@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "croquis/hole_filling/hole_analysis.h"
+#include "croquis/hole_filling/hole_request.h"
 #include "croquis/hole_filling/rim_triangulation.h"
 
 namespace croquis::hole_filling {
@@ -17,6 +18,8 @@ struct HoleSite {
   std::vector<Index> holes;     ///< ascending
   RimPolygon polygon;           ///< rims with the patch on their left, the widest first
   std::vector<Index> vertices;  ///< of the mesh, per point of the polygon
+  PatchWish wish;
+  bool bridge = false;  ///< a band between the rims is wanted, rather than one rim's inside
 };
 
 /// @param rim_edges sorted pairs of the view's vertices that edges join already: kept free by the patch

@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "croquis/base/stage_cache.h"
 #include "croquis/geometry/drawing.h"
 #include "croquis/geometry/poly_mesh.h"
 #include "croquis/silhouette/labelled_figure.h"
 #include "croquis/silhouette/options.h"
-#include "croquis/silhouette/stage_cache.h"
 
 namespace croquis::silhouette {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "implicit/parallel.h"
+#include "croquis/base/parallel.h"
 
 #include <algorithm>
 #include <atomic>
@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace croquis::implicit {
+namespace croquis {
 namespace {
 
 constexpr std::size_t most_threads = 256;
@@ -97,4 +97,4 @@ void for_each_part(std::size_t count, std::size_t grain, int threads, Progress& 
   progress.report(1);
 }
 
-}  // namespace croquis::implicit
+}  // namespace croquis

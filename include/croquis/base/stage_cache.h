@@ -6,7 +6,7 @@
 #include <memory>
 #include <string_view>
 
-namespace croquis::silhouette {
+namespace croquis {
 
 /// Keeps the results of stages from one run to the next, so that a changed weight or a dragged point makes only what
 /// depends on it anew. Hosts implement it over their own memory; results are the same with any cache and without.
@@ -26,4 +26,4 @@ class StageCache {
                                           const std::function<Stage()>& make) = 0;
 };
 
-}  // namespace croquis::silhouette
+}  // namespace croquis

@@ -7,9 +7,9 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
-#include "implicit/parallel.h"
+#include "croquis/base/parallel.h"
 
-namespace croquis::implicit {
+namespace croquis {
 namespace {
 
 TEST_CASE("every element is worked on once, whatever threads and grain") {
@@ -58,4 +58,4 @@ TEST_CASE("cancelling ends the work before its end, and progress rises to 1") {
 }
 
 }  // namespace
-}  // namespace croquis::implicit
+}  // namespace croquis

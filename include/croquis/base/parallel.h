@@ -6,7 +6,7 @@
 
 #include "croquis/base/progress.h"
 
-namespace croquis::implicit {
+namespace croquis {
 
 /// Calls work(begin, end) for parts of [0, count) of `grain` elements, on several threads, and waits for all.
 ///
@@ -17,4 +17,4 @@ namespace croquis::implicit {
 void for_each_part(std::size_t count, std::size_t grain, int threads, Progress& progress,
                    const std::function<void(std::size_t begin, std::size_t end)>& work);
 
-}  // namespace croquis::implicit
+}  // namespace croquis
