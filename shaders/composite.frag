@@ -7,6 +7,7 @@ uniform sampler2D depths;
 uniform sampler2D overlay;        // polylines and wire, alpha is the strength
 uniform sampler2D row_distances;  // of contour marks
 uniform sampler2D openness;       // one texel per pixel
+uniform sampler2D veil;           // translucent surfaces, lit, times their strength
 
 uniform int samples;              // per pixel and axis
 uniform ivec2 viewport_origin;    // pixels of the target
@@ -16,6 +17,7 @@ uniform vec2 view_extent;
 uniform vec2 view_center;
 uniform bool lit;
 uniform bool occluded;
+uniform bool veiled;              // there are such
 uniform bool contours;
 uniform float contour_half_width;  // samples
 uniform int contour_reach;         // samples
@@ -76,6 +78,10 @@ void main() {
       if (lit) {
         shade = lit_clay(shade, texelFetch(normals, place, 0).xyz, eye_direction(place), open_sky);
       }
+    }
+    if (veiled) {
+      vec4 over = texelFetch(veil, place, 0);
+      shade = over.rgb + (1.0 - over.a) * shade;
     }
     vec4 line = texelFetch(overlay, place, 0);
     shade = mix(shade, line.rgb, line.a);

@@ -5,6 +5,7 @@ uniform sampler2D colors;
 uniform sampler2D normals;
 uniform sampler2D depths;       // (measure of depth, patch)
 uniform sampler2D overlay;      // polylines and wire, alpha is the strength
+uniform sampler2D veil;         // translucent surfaces, lit, times their strength
 
 uniform ivec2 viewport_origin;  // pixels of the target
 uniform int border;             // pixels of the drawn frame outside the viewport
@@ -12,6 +13,7 @@ uniform bool perspective;
 uniform vec2 view_extent;
 uniform vec2 view_center;
 uniform bool lit;
+uniform bool veiled;            // there are such
 uniform int contour_reach;      // pixels; 0: no contours
 uniform vec4 contour_color;
 uniform float contour_break;    // jump of depth that is a contour, view units
@@ -53,6 +55,10 @@ void main() {
     vec3 surface = filled.rgb;
     if (lit) surface = lit_clay(surface, texelFetch(normals, place, 0).xyz, eye_direction(place), 1.0);
     drawn = vec4(surface, 1.0);
+  }
+  if (veiled) {
+    vec4 over = texelFetch(veil, place, 0);
+    drawn = over + (1.0 - over.a) * drawn;
   }
   vec4 line = texelFetch(overlay, place, 0);
   drawn = vec4(line.rgb * line.a, line.a) + (1.0 - line.a) * drawn;

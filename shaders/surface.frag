@@ -7,6 +7,7 @@ flat in float patch_number;
 
 uniform bool perspective;
 uniform bool filled;       // else it covers without being seen
+uniform float zebra_stripes;  // 0: none
 uniform vec4 fixed_color;  // of a highlight; alpha 0: none
 uniform vec4 tint;  // alpha is the strength
 uniform vec4 fade;  // likewise, over the tint
@@ -14,6 +15,8 @@ uniform vec4 fade;  // likewise, over the tint
 layout(location = 0) out vec4 color;
 layout(location = 1) out vec4 normal;
 layout(location = 2) out vec2 depth_and_patch;
+
+vec3 zebra(vec3 surface, vec3 normal, vec3 to_eye, float dark_stripes);
 
 void main() {
   vec3 n = view_normal;
@@ -25,6 +28,10 @@ void main() {
     n = vec3(0.0, 0.0, 1.0);
   }
   color = vec4(mix(mix(surface_color.rgb, tint.rgb, tint.a), fade.rgb, fade.a), filled ? 1.0 : 0.0);
+  if (zebra_stripes > 0.0) {
+    vec3 to_eye = perspective ? normalize(-view_position) : vec3(0.0, 0.0, 1.0);
+    color.rgb = zebra(color.rgb, n, to_eye, zebra_stripes);
+  }
   if (fixed_color.a > 0.0) color = fixed_color;
   normal = vec4(n, 0.0);
   // A measure of depth that is linear over the picture on a plane, and grows away from the eye.

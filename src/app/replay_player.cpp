@@ -276,6 +276,8 @@ void ReplayPlayer::play(const recorded::Pin& step) { play_on_mesh(step); }
 void ReplayPlayer::play(const recorded::TagSet& step) { play_on_mesh(step); }
 void ReplayPlayer::play(const recorded::Extrude& step) { play_on_mesh(step); }
 void ReplayPlayer::play(const recorded::LoopCut& step) { play_on_mesh(step); }
+void ReplayPlayer::play(const recorded::HoleChoice&) { refuse("No scan with holes is being worked on"); }
+void ReplayPlayer::play(const recorded::HolePoint&) { refuse("No scan with holes is being worked on"); }
 
 int print_findings(const Findings& findings) {
   for (const Finding& finding : findings) {

@@ -41,6 +41,8 @@ class ReplayPlayer {
   void play(const recorded::TagSet& step);
   void play(const recorded::Extrude& step);
   void play(const recorded::LoopCut& step);
+  void play(const recorded::HoleChoice& step);
+  void play(const recorded::HolePoint& step);
   template <typename MeshStep>
   void play_on_mesh(const MeshStep& step);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/drawing.h"
 
+#include <algorithm>
+
 #include "render/shader_program.h"
 
 namespace croquis::render {
@@ -12,6 +14,8 @@ glm::vec4 emphasis_color(const EmphasisOptions& options, const Emphasis& emphasi
   if (emphasis.selected) return selected;
   return emphasis.hovered ? hovered : glm::vec4(0);
 }
+
+bool has_veil(const Scene& scene) { return std::any_of(scene.meshes.begin(), scene.meshes.end(), is_translucent); }
 
 void set_visibility(const ShaderProgram& program, const OverlayFrame& frame, bool depth_tested) {
   const bool tested = depth_tested && frame.surfaces != nullptr;

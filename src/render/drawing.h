@@ -44,6 +44,14 @@ inline bool wants_occlusion(const RenderOptions& options) {
   return options.occlusion && options.shading == Shading::Clay;
 }
 
+/// Whether a mesh is drawn over the others, which it doesn't hide.
+inline bool is_translucent(const Shown<MeshItem>& shown) {
+  return shown.item && shown.style.surface == SurfaceLook::Filled && shown.style.opacity < 1;
+}
+
+/// Whether there is such a mesh.
+bool has_veil(const Scene& scene);
+
 inline glm::vec4 to_float(const Color& color) { return glm::vec4(color) / 255.0F; }
 
 /// The colour of an emphasis; alpha 0 when there is none.

@@ -45,4 +45,11 @@ FrameBuffers::FrameBuffers(const FrameSize& frame)
   openness_target = make_target(std::array<const GlHandle*, 1>{&openness}, nullptr);
 }
 
+void FrameBuffers::require_veil() {
+  if (veil.name() != 0) return;
+  veil = make_texture(GL_RGBA8, size.width(), size.height());
+  check_gl("making the buffers of a picture");
+  veil_target = make_target(std::array<const GlHandle*, 1>{&veil}, &depth_buffer);
+}
+
 }  // namespace croquis::render

@@ -23,11 +23,15 @@ struct FrameBuffers {
 
   FrameSize size;
   GlHandle colors, normals, depths;  ///< per sample, from the surfaces; depths holds the patch, too
+  GlHandle veil;                     ///< per sample, of translucent surfaces; made when first needed
   GlHandle overlay;                  ///< per sample, from polylines and wire
   GlHandle marks, row_distances;     ///< per sample, of contours
   GlHandle openness;                 ///< per pixel
   GlHandle depth_buffer;             ///< shared by surfaces and overlay
-  GlHandle surface_target, overlay_target, marks_target, row_distances_target, openness_target;
+  /// Makes the veil, if it isn't there. @throws Error (E_GL) when the driver can't
+  void require_veil();
+
+  GlHandle surface_target, overlay_target, marks_target, row_distances_target, openness_target, veil_target;
 };
 
 }  // namespace croquis::render

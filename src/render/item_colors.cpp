@@ -102,20 +102,27 @@ std::vector<Index> face_parts(const PolyMesh& mesh, std::span<const Index> welde
   return parts_by_component(mesh, welded);
 }
 
+OwnColors::OwnColors(const PolyMesh& mesh)
+    : mesh_(mesh),
+      by_face_(mesh.channel("color", Domain::Face)),
+      by_corner_(mesh.channel("color", Domain::Corner)),
+      by_vertex_(mesh.channel("color", Domain::Vertex)) {}
+
+std::optional<Color> OwnColors::of(std::size_t face, std::size_t corner) const {
+  std::optional<Color> color;
+  if (by_face_ != nullptr) color = color_at(*by_face_, face);
+  if (!color && by_corner_ != nullptr) color = color_at(*by_corner_, corner);
+  if (!color && by_vertex_ != nullptr) color = color_at(*by_vertex_, mesh_.corners[corner]);
+  return color;
+}
+
 std::vector<Color> corner_colors(const PolyMesh& mesh, std::span<const Index> parts) {
-  const AttributeChannel* by_face = mesh.channel("color", Domain::Face);
-  const AttributeChannel* by_corner = mesh.channel("color", Domain::Corner);
-  const AttributeChannel* by_vertex = mesh.channel("color", Domain::Vertex);
+  const OwnColors own(mesh);
   std::vector<Color> colors;
   colors.reserve(mesh.corners.size());
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    for (std::size_t c = mesh.face_offsets[f]; c < mesh.face_offsets[f + 1]; ++c) {
-      std::optional<Color> color;
-      if (by_face != nullptr) color = color_at(*by_face, f);
-      if (!color && by_corner != nullptr) color = color_at(*by_corner, c);
-      if (!color && by_vertex != nullptr) color = color_at(*by_vertex, mesh.corners[c]);
-      colors.push_back(color.value_or(palette_color(parts[f])));
-    }
+    for (std::size_t c = mesh.face_offsets[f]; c < mesh.face_offsets[f + 1]; ++c)
+      colors.push_back(own.of(f, c).value_or(palette_color(parts[f])));
   }
   return colors;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,21 @@ namespace croquis::render {
 /// connected component, the first of these that tells at least two apart.
 /// @param welded the vertex that stands for all at its place, for each vertex
 std::vector<Index> face_parts(const PolyMesh& mesh, std::span<const Index> welded);
+
+/// The colours that a mesh has itself.
+class OwnColors {
+ public:
+  explicit OwnColors(const PolyMesh& mesh);
+
+  /// From a "color" channel of the faces, corners or vertices, the first of these that has one for the corner.
+  std::optional<Color> of(std::size_t face, std::size_t corner) const;
+
+ private:
+  const PolyMesh& mesh_;
+  const AttributeChannel* by_face_;
+  const AttributeChannel* by_corner_;
+  const AttributeChannel* by_vertex_;
+};
 
 /// The colour of each corner: from a "color" channel, else from the palette by part.
 std::vector<Color> corner_colors(const PolyMesh& mesh, std::span<const Index> parts);

@@ -83,6 +83,23 @@ const Shown<MeshItem>* find_shown(const Scene& scene, const MeshItemPtr& item) {
   return found != scene.meshes.end() ? &*found : nullptr;
 }
 
+float zebra_stripes(const RenderOptions& options) {
+  return options.shading == Shading::Zebra ? static_cast<float>(std::clamp(options.zebra_stripes, 2, 200)) : 0.0F;
+}
+
+/// Those farthest from the eye first; in the list's order where that is the same.
+std::vector<const Shown<MeshItem>*> translucent_from_afar(const Drawing& drawing) {
+  std::vector<const Shown<MeshItem>*> found;
+  for (const Shown<MeshItem>& shown : drawing.scene.meshes) {
+    if (is_translucent(shown)) found.push_back(&shown);
+  }
+  const auto depth = [&](const Shown<MeshItem>* shown) {
+    return (drawing.view.model_to_view * glm::dvec4(shown->item->bounds.center(), 1)).z;
+  };
+  std::stable_sort(found.begin(), found.end(), [&](const auto* a, const auto* b) { return depth(a) < depth(b); });
+  return found;
+}
+
 /// The twelve edges of the cube [-1, 1]^3, end after end.
 std::array<LineVertex, 24> box_ends() {
   std::array<LineVertex, 24> ends;
@@ -144,11 +161,12 @@ void MeshPainter::draw_surfaces(const Drawing& drawing, const FrameBuffers& fram
   surface_.set("to_clip", drawing.view.to_clip);
   surface_.set("perspective", drawing.view.perspective);
   surface_.set("normal_to_view", glm::mat3(drawing.view.model_to_view * drawing.view.unit));
+  surface_.set("zebra_stripes", zebra_stripes(drawing.options));
   surface_.set("fixed_color", glm::vec4(0));
   unsigned first_patch = 0;
   for (const Shown<MeshItem>& shown : drawing.scene.meshes) {
     const MeshItemPtr& item = shown.item;
-    if (!item || shown.style.surface == SurfaceLook::None) continue;
+    if (!item || shown.style.surface == SurfaceLook::None || is_translucent(shown)) continue;
     set_emphasis(surface_, drawing.options, shown.emphasis);
     surface_.set("filled", shown.style.surface == SurfaceLook::Filled);
     surface_.set("to_view", glm::mat4(item_to_view(*item, drawing.view)));
@@ -164,7 +182,8 @@ void MeshPainter::draw_surfaces(const Drawing& drawing, const FrameBuffers& fram
 void MeshPainter::draw_highlight(const FaceHighlightPtr& highlight, const Drawing& drawing) {
   const Shown<MeshItem>* shown = highlight ? find_shown(drawing.scene, highlight->mesh) : nullptr;
   GpuHighlight* const faces = shown != nullptr ? gpu_highlights_.find(highlight) : nullptr;
-  if (faces == nullptr || !gpu_meshes_.get(highlight->mesh, shared_).vertices_complete()) return;
+  if (faces == nullptr || is_translucent(*shown) || !gpu_meshes_.get(highlight->mesh, shared_).vertices_complete())
+    return;
   const bool over_faces = shown->style.surface == SurfaceLook::Filled;
   set_emphasis(surface_, drawing.options, {});
   surface_.set("fixed_color", to_float(highlight->color));
@@ -173,6 +192,39 @@ void MeshPainter::draw_highlight(const FaceHighlightPtr& highlight, const Drawin
   if (over_faces) blend_colors_alone(true);
   faces->draw();
   if (over_faces) blend_colors_alone(false);
+}
+
+void MeshPainter::draw_veil(const Drawing& drawing, const FrameBuffers& frame) {
+  glBindFramebuffer(GL_FRAMEBUFFER, frame.veil_target.name());
+  glViewport(0, 0, frame.size.width(), frame.size.height());
+  glClear(GL_COLOR_BUFFER_BIT);
+  glEnable(GL_DEPTH_TEST);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(0.3f + 0.5f * widest_wire(drawing), 4.0f);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  veil_.use();
+  veil_.set("to_clip", drawing.view.to_clip);
+  veil_.set("perspective", drawing.view.perspective);
+  veil_.set("normal_to_view", glm::mat3(drawing.view.model_to_view * drawing.view.unit));
+  veil_.set("first_patch", 0U);
+  veil_.set("lit", drawing.options.shading == Shading::Clay);
+  veil_.set("zebra_stripes", zebra_stripes(drawing.options));
+  for (const Shown<MeshItem>* shown : translucent_from_afar(drawing)) {
+    set_emphasis(veil_, drawing.options, shown->emphasis);
+    veil_.set("opacity", static_cast<float>(std::clamp(shown->style.opacity, 0.0, 1.0)));
+    veil_.set("to_view", glm::mat4(item_to_view(*shown->item, drawing.view)));
+    // What looks away from the eye is mostly behind what looks to it.
+    for (const bool front : {false, true}) {
+      veil_.set("front", front);
+      gpu_meshes_.get(shown->item, shared_).draw_triangles();
+    }
+  }
+  glDisable(GL_BLEND);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_DEPTH_TEST);
 }
 
 void MeshPainter::draw_lines(const Drawing& drawing, const FrameBuffers& frame) {

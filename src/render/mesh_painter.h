@@ -20,6 +20,9 @@ class MeshPainter {
   /// Fills the overlay with wire and polylines, behind surfaces where these hide them.
   void draw_lines(const Drawing& drawing, const FrameBuffers& frame);
 
+  /// Fills the veil with translucent surfaces, behind others where these hide them; after draw_surfaces.
+  void draw_veil(const Drawing& drawing, const FrameBuffers& frame);
+
   void drop_expired();
 
  private:
@@ -31,7 +34,8 @@ class MeshPainter {
   void draw_polylines(const Drawing& drawing);
   void draw_boxes(const Drawing& drawing);
 
-  ShaderProgram surface_ = ShaderProgram({"surface.vert", "surface.frag"});
+  ShaderProgram surface_ = ShaderProgram({"surface.vert", "surface.frag", "zebra.frag"});
+  ShaderProgram veil_ = ShaderProgram({"surface.vert", "veil.frag", "light.frag", "zebra.frag"});
   ShaderProgram line_ = ShaderProgram({"line.vert", "line.geom", "line.frag", "line_fade.glsl"});
   ShaderProgram thin_wire_ = ShaderProgram({"line.vert", "thin_wire.frag", "line_fade.glsl"});
   SharedBuffers shared_;

@@ -126,6 +126,8 @@ void SurfacePainter::set_composed(const ShaderProgram& program, const Drawing& d
   program.set("view_extent", drawing.view.extent);
   program.set("view_center", drawing.view.center);
   program.set("lit", drawing.options.shading == Shading::Clay);
+  program.set("veiled", has_veil(drawing.scene));
+  program.set_texture("veil", 6, has_veil(drawing.scene) ? frame.veil : frame.overlay);
   program.set("contour_color", to_float(drawing.options.contour_color));
 }
 
@@ -174,6 +176,10 @@ void SurfacePainter::draw(Drawing& drawing) {
   prepare_buffers(drawing);
   meshes_.draw_surfaces(drawing, buffers_.front());
   meshes_.draw_lines(drawing, buffers_.front());
+  if (has_veil(drawing.scene)) {
+    buffers_.front().require_veil();
+    meshes_.draw_veil(drawing, buffers_.front());
+  }
   if (is_quick(drawing)) return;
   if (drawing.options.contours) find_contours(drawing);
   if (wants_occlusion(drawing.options)) find_openness(drawing);

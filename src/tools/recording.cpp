@@ -129,6 +129,20 @@ Json to_json(const LoopCut& step) {
   return {{"do", "loop-cut"}, {"node", step.node}, {"edge", step.edge}, {"at", step.at}};
 }
 
+Json to_json(const HoleChoice& step) {
+  Json json = {{"do", "hole"}, {"holes", step.holes}, {"action", step.action}};
+  if (!step.node.empty()) json["node"] = step.node;
+  return json;
+}
+
+Json to_json(const HolePoint& step) {
+  Json json = {{"do", "hole-point"}, {"hole", step.hole}};
+  if (step.from) json["from"] = numbers(*step.from);
+  if (step.to) json["to"] = numbers(*step.to);
+  if (!step.node.empty()) json["node"] = step.node;
+  return json;
+}
+
 Json to_json(const Expect& step) {
   Json json = {{"do", "expect"}, {"what", step.what}};
   if (step.value) json["value"] = *step.value;

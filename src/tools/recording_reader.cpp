@@ -317,6 +317,25 @@ Step read_loop_cut(Fields& fields) {
   return step;
 }
 
+// ---- Holes
+
+Step read_hole(Fields& fields) {
+  HoleChoice step;
+  step.holes = fields.has("hole") ? std::vector<Index>{fields.index("hole")} : fields.indices("holes");
+  if (fields.has("action"))
+    step.action = fields.one_of("action", {"select", "add", "remove", "toggle", "fill", "leave"});
+  if (step.holes.empty() && step.action != "select")
+    throw Mistake{"\"holes\" must name a hole for \"" + step.action + "\""};
+  step.node = fields.text("node", "");
+  return step;
+}
+
+Step read_hole_point(Fields& fields) {
+  HolePoint step{fields.index("hole"), fields.model_place("from"), fields.model_place("to"), fields.text("node", "")};
+  if (!step.from && !step.to) throw Mistake{"\"from\", \"to\" or both are missing"};
+  return step;
+}
+
 Step read_expect(Fields& fields) {
   Expect step;
   step.what = fields.one_of(
@@ -358,6 +377,8 @@ Step read_step(Fields& fields) {
   if (verb == "box") return read_box(fields);
   if (verb == "navigate") return read_navigate(fields);
   if (verb == "expect") return read_expect(fields);
+  if (verb == "hole") return read_hole(fields);
+  if (verb == "hole-point") return read_hole_point(fields);
   if (std::optional<Step> step = read_mesh_step(verb, fields)) return *std::move(step);
   throw Mistake{"there is no step \"" + verb + "\""};
 }

@@ -11,7 +11,10 @@ namespace croquis::render {
 
 enum class Shading {
   Clay,  ///< key light from the upper left, sky and ground, soft rim; the lights turn with the camera
-  Flat   ///< the colours as they are
+  Flat,  ///< the colours as they are
+  Zebra  ///< reflection lines: the surface mirrors a room of black and white stripes. Where a surface only meets
+         ///< another they break off, where it goes on without a crease they have a corner, where its curvature goes on,
+         ///< too, none
 };
 
 enum class GridKind { None, Dots, Lines };
@@ -49,6 +52,7 @@ struct RenderOptions {
   AxisCrossOptions axis_cross;
   EmphasisOptions emphasis;
   Shading shading = Shading::Clay;
+  int zebra_stripes = 16;      ///< dark stripes from straight above to straight below, in [2, 200]
   bool occlusion = true;       ///< with Clay: darkens hollows and where parts come close
   bool contours = true;        ///< lines where the surface turns away from the eye, at creases and where patches meet
   double contour_width = 1.5;  ///< in [0.5, 8]

@@ -50,6 +50,10 @@ struct MeshStyle {
   std::optional<double> wire_width;  ///< none: as RenderOptions
   double covered_wire = 0;  ///< SurfaceLook::None: share of the wire's strength left behind other surfaces, in [0, 1]
   bool fades_where_dense = false;  ///< the wire, as on filled faces, where it does so anyway
+  /// Of filled faces, in [0, 1], where they are seen straight on. Below 1 they are drawn over all others, the farthest
+  /// mesh first, and cover neither these nor each other: a preview. They have no contours, darken no hollows, cover no
+  /// lines and marks, and their highlights are left out.
+  double opacity = 1;
 
   static MeshStyle shaded() { return {SurfaceLook::Filled, false, {}, {}, 0}; }
   static MeshStyle shaded_wire() { return {SurfaceLook::Filled, true, {}, {}, 0}; }
@@ -58,6 +62,11 @@ struct MeshStyle {
   /// Wire around another surface: its edges win where they lie in that surface, and shine through faintly behind it.
   /// It fades where it is dense, as wire on filled faces does.
   static MeshStyle cage(const Color& color) { return {SurfaceLook::None, true, color, 1.2, 0.25, true}; }
+
+  /// A preview: faces alone.
+  static MeshStyle translucent(double opacity = 0.55) {
+    return {SurfaceLook::Filled, false, {}, {}, 0, false, opacity};
+  }
 
   bool operator==(const MeshStyle&) const = default;
 };

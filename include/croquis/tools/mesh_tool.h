@@ -12,6 +12,7 @@
 #include "croquis/session/session.h"
 #include "croquis/tools/manipulator.h"
 #include "croquis/tools/mesh_edit.h"
+#include "croquis/tools/mesh_event.h"
 #include "croquis/tools/mesh_pick.h"
 #include "croquis/tools/mesh_selection.h"
 #include "croquis/tools/pen.h"
@@ -27,15 +28,6 @@ enum class MeshMode { Object, Vertex, Edge, Face };
 /// What a drag does. Sharpen: from a selected edge, or with Shift from anywhere, sideways changes the sharpness of the
 /// selected edges.
 enum class MeshHandles { Select, Move, Rotate, Scale, Sharpen };
-
-/// One step of a pen or mouse in a view of the model.
-struct MeshEvent {
-  PenStep::Kind kind = PenStep::Kind::Begin;
-  Vec2 pixel = Vec2::Zero();  ///< of the view, y down
-  Modifiers modifiers;        ///< as they were at the beginning of the gesture
-  ViewFrame frame;            ///< of the view that the gesture began in
-  double time = 0;            ///< seconds by any clock; two clicks soon after one another are a double click
-};
 
 struct MeshToolOptions {
   MeshPickOptions pick;

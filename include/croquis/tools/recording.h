@@ -136,6 +136,22 @@ struct LoopCut {
   double at = 0.5;
 };
 
+// ---- Holes of a scan, by the numbers that the operation's report gives them
+
+/// Holes were selected, or are to be filled or left open.
+struct HoleChoice {
+  std::vector<Index> holes;       ///< none: only for "select", which then selects nothing
+  std::string action = "select";  ///< "select" (instead of others), "add", "remove", "toggle", "fill" or "leave"
+  std::string node = {};          ///< the operation that fills them; empty for that of the object worked on
+};
+/// A place that a patch goes through was moved, made or taken away; see moved_through.
+struct HolePoint {
+  Index hole = 0;
+  ModelPlace from = {};   ///< where it was; when the patch goes through no such place, a new one is made
+  ModelPlace to = {};     ///< where it is now; none: it is taken away. One of both is there
+  std::string node = {};  ///< as above
+};
+
 /// Fails the replay when it isn't so.
 struct Expect {
   /// "objects", "findings", "strokes", "faces", "vertices", "edges", "sharp-edges", "selected" or "dihedral"
@@ -146,8 +162,9 @@ struct Expect {
   std::string node = {};          ///< whose result is counted; empty for the object worked on
 };
 
-using Step = std::variant<StrokeDrawn, Drag, Action, Set, Wait, Screenshot, File, Click, Box, Navigate, Expect,
-                          ModelDrag, Pick, Move, Rotate, Scale, Tag, Pin, TagSet, Extrude, LoopCut>;
+using Step =
+    std::variant<StrokeDrawn, Drag, Action, Set, Wait, Screenshot, File, Click, Box, Navigate, Expect, ModelDrag, Pick,
+                 Move, Rotate, Scale, Tag, Pin, TagSet, Extrude, LoopCut, HoleChoice, HolePoint>;
 
 struct Line {
   Step step;

@@ -65,9 +65,18 @@ CommandDescription RenderCommand::describe() const {
        {"front", "side", "top", "persp"},
        "",
        "Where it is seen from."},
-      {"wire", ParameterType::Flag, false, 0, 0, {}, "", "Draw the polygons' edges as well."}};
+      {"wire", ParameterType::Flag, false, 0, 0, {}, "", "Draw the polygons' edges as well."},
+      {"zebra",
+       ParameterType::Flag,
+       false,
+       0,
+       0,
+       {},
+       "",
+       "Let the surface mirror black and white stripes, which show how smooth it is."}};
   description.examples = {"croquis-cli render solid.obj -o solid.png",
-                          "croquis-cli render solid.obj -o top.png --view top --size 1600x1200 --wire"};
+                          "croquis-cli render solid.obj -o top.png --view top --size 1600x1200 --wire",
+                          "croquis-cli render filled.ply -o stripes.png --zebra"};
   return description;
 }
 
@@ -83,6 +92,7 @@ void RenderCommand::run(const Invocation& invocation, CommandResult& result, Pro
   const std::vector<render::MeshItemPtr> items = {render::make_mesh_item(mesh)};
   render::RenderOptions options;
   options.wire = std::get<bool>(invocation.parameters.at("wire"));
+  if (std::get<bool>(invocation.parameters.at("zebra"))) options.shading = render::Shading::Zebra;
   const auto direction = render::view_direction(named_view(std::get<std::string>(invocation.parameters.at("view"))));
   const render::Camera camera = render::frame(render::points_of(items), direction, size.aspect());
   drawing.check();
