@@ -71,7 +71,7 @@ void add_smoothing(const UnitCentres& centres, const FitOptions& options, FitSys
   const double on_gradients = options.gradient_smoothing * centres.spacing;
   for (std::size_t c = 0; c < centres.positions.size(); ++c) {
     for (std::size_t k = system.first[c]; k < system.first[c + 1]; ++k)
-      system.a(at(k), at(k)) += k == system.first[c] ? on_values : on_gradients;
+      system.a(at(k), at(k)) += centres.softness[c] * (k == system.first[c] ? on_values : on_gradients);
   }
 }
 

@@ -40,6 +40,9 @@ void require_points(std::span<const Vec3> positions, std::span<const Vec3> norma
 void require_constraints(const Constraints& constraints) {
   require_points(constraints.positions, constraints.gradients);
   require_count(constraints.values.size(), constraints.positions.size(), "values");
+  require_count(constraints.softness.size(), constraints.positions.size(), "factors of softness");
+  for (const double factor : constraints.softness)
+    require_parameter(std::isfinite(factor) && factor >= 0, "softness", "it can't be negative");
   for (std::size_t i = 0; i < constraints.values.size(); ++i) {
     if (std::isfinite(constraints.values[i])) continue;
     throw Error(make_error(Category::Malformed, "E_NOT_FINITE",

@@ -69,6 +69,7 @@ UnitCentres unit_centres(const Constraints& constraints, const FitOptions& optio
     centres.values.push_back(constraints.values.empty() ? 0 : constraints.values[i] / centres.size);
     const bool directed = options.kernel == Kernel::Hermite && !constraints.gradients.empty();
     centres.gradients.push_back(directed ? constraints.gradients[i] : Vec3(Vec3::Zero()));
+    centres.softness.push_back(constraints.softness.empty() ? 1 : constraints.softness[i]);
   }
   centres.merged = scaled.size() - centres.positions.size();
   centres.spacing = options.spacing > 0 ? options.spacing / centres.size : mean_nearest_distance(centres.positions);

@@ -11,10 +11,11 @@ namespace croquis::implicit {
 /// The points of a fit in their own unit box: shifted to its middle, divided by its longest side, without duplicates.
 struct UnitCentres {
   Vec3 middle = Vec3::Zero();
-  double size = 1;              ///< longest side, model units; 1 where all points are at one place
-  std::vector<Vec3> positions;  ///< #C, within [-1/2, 1/2]
-  std::vector<double> values;   ///< #C, of f / size
-  std::vector<Vec3> gradients;  ///< #C, of f for model units; 0 where unknown
+  double size = 1;               ///< longest side, model units; 1 where all points are at one place
+  std::vector<Vec3> positions;   ///< #C, within [-1/2, 1/2]
+  std::vector<double> values;    ///< #C, of f / size
+  std::vector<Vec3> gradients;   ///< #C, of f for model units; 0 where unknown
+  std::vector<double> softness;  ///< #C, factor of the smoothing
   std::size_t merged = 0;
   double spacing = 0;  ///< u: mean distance of nearest neighbours, or the one asked for, / size
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ struct HolePatch {
   std::vector<Index> holes;                     ///< ids in the analysis, ascending
   std::vector<Vec3> points;                     ///< new vertices
   std::vector<std::array<Index, 3>> triangles;  ///< corners below #V are vertices of the mesh, #V + i is points[i]
+  std::string method = {};                      ///< how it was made, where that isn't told by who made it; else empty
+  double expected_error = std::numeric_limits<double>::quiet_NaN();  ///< mean distance to the surface that was there,
+                                                                     ///< guessed by cross-validation; model units
 };
 
 /// What the verification of a patch found. Angles in radians.

@@ -15,6 +15,7 @@ struct ImplicitOptions {
   std::size_t most_centres = 250;  ///< of one fit; time grows with the third power
   double value_smoothing = 1;      ///< as implicit::FitOptions has it
   double gradient_smoothing = 5;   ///< as implicit::FitOptions has it
+  bool both_sides = true;          ///< points off the surface, where the kernel needs them: false as in Yoo 2005
 };
 
 }  // namespace croquis::hole_filling

@@ -22,6 +22,9 @@ constexpr int smoothings = 2;  // per round
 /// A patch that strays farther from its rims than this has run away: the surface around doesn't close. × size
 constexpr double longest_way = 1.5;
 
+/// The zero set has a vertex this near to any place that it goes through, or it doesn't go there. × edge
+constexpr double farthest_pin = 1.5;
+
 /// The new vertices of a patch as the editing takes them, and back.
 class Loosening {
  public:
@@ -115,15 +118,19 @@ class ImplicitPatcher : public Patcher {
     if (!surface) return std::nullopt;
     const Loosening loosening(site, *start);
     LoosePatch loose = loosening.loosen(*start);
-    if (!move_onto(*surface, loose, progress)) return std::nullopt;
+    if (!move_onto(*surface, loose, site.wish.through, progress)) return std::nullopt;
+    const std::vector<std::size_t> pins = nearest_free(loose, site.wish.through);
+    if (pins.size() < site.wish.through.size()) return std::nullopt;
     HolePatch patch = loosening.fasten(loose);
     meet_rim(site, *surface, patch);
+    for (std::size_t i = 0; i < pins.size(); ++i) patch.points[pins[i] - loose.rim_points] = site.wish.through[i];
     if (careful_) untangle(site, patch, progress);
     return patch;
   }
 
  private:
-  bool move_onto(const RimField& surface, LoosePatch& loose, Progress& progress) const {
+  bool move_onto(const RimField& surface, LoosePatch& loose, const std::vector<Vec3>& through,
+                 Progress& progress) const {
     implicit::ProjectionOptions projection;
     projection.cell = std::max(surface.edge, mean_edge(loose));
     projection.iterations = 20 + static_cast<int>(std::min(200.0, 2 * surface.size / projection.cell));
@@ -136,9 +143,10 @@ class ImplicitPatcher : public Patcher {
       std::vector<std::uint8_t> fixed(mesh.vertex_count(), 0);
       std::fill_n(fixed.begin(), loose.rim_points, std::uint8_t{1});
       if (round == 0) implicit::project(mesh.positions, fixed, surface.field(), projection);
+      if (round > 0) pin(mesh.positions, fixed, loose, through);
       const auto report = implicit::smooth_on_surface(mesh, fixed, surface.field(), smoothings, projection);
       loose.points = std::move(mesh.positions);
-      if (has_run_away(surface, loose) || (round + 1 == rounds && report.not_converged > 0)) return false;
+      if (has_run_away(surface, loose, through) || (round + 1 == rounds && report.not_converged > 0)) return false;
       if (round + 1 == rounds) break;
       limit_count(loose, most_triangles_);
       if (!bring_to_size(loose)) return false;
@@ -146,12 +154,40 @@ class ImplicitPatcher : public Patcher {
     return true;
   }
 
-  static bool has_run_away(const RimField& surface, const LoosePatch& loose) {
-    Vec3 low = loose.points.front(), high = low;
-    for (std::size_t i = 0; i < loose.rim_points; ++i) {
-      low = low.cwiseMin(loose.points[i]);
-      high = high.cwiseMax(loose.points[i]);
+  /// The new vertex nearest to each of the places, each another one; fewer when there aren't so many near enough.
+  static std::vector<std::size_t> nearest_free(const LoosePatch& loose, const std::vector<Vec3>& places) {
+    std::vector<std::size_t> pins;
+    for (const Vec3& place : places) {
+      std::size_t best = loose.points.size();
+      for (std::size_t v = loose.rim_points; v < loose.points.size(); ++v) {
+        if ((best == loose.points.size() || (loose.points[v] - place).norm() < (loose.points[best] - place).norm()) &&
+            std::find(pins.begin(), pins.end(), v) == pins.end())
+          best = v;
+      }
+      if (best == loose.points.size() || (loose.points[best] - place).norm() > farthest_pin * loose.sizes[best]) break;
+      pins.push_back(best);
     }
+    return pins;
+  }
+
+  /// Vertices near the places that the patch goes through come to lie there, and stay.
+  static void pin(std::vector<Vec3>& positions, std::vector<std::uint8_t>& fixed, const LoosePatch& loose,
+                  const std::vector<Vec3>& places) {
+    const std::vector<std::size_t> pins = nearest_free(loose, places);
+    for (std::size_t i = 0; i < pins.size(); ++i) {
+      positions[pins[i]] = places[i];
+      fixed[pins[i]] = 1;
+    }
+  }
+
+  static bool has_run_away(const RimField& surface, const LoosePatch& loose, const std::vector<Vec3>& through) {
+    Vec3 low = loose.points.front(), high = low;
+    const auto include = [&](const Vec3& p) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    };
+    std::for_each_n(loose.points.begin(), loose.rim_points, include);
+    std::for_each(through.begin(), through.end(), include);
     const Vec3 reach = Vec3::Constant(longest_way * surface.size);
     return !std::all_of(loose.points.begin(), loose.points.end(), [&](const Vec3& p) {
       return (p.array() >= (low - reach).array()).all() && (p.array() <= (high + reach).array()).all();

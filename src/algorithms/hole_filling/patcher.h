@@ -50,6 +50,16 @@ std::shared_ptr<const Patcher> cgal_patcher();
 ///        until nothing is cut; slower
 std::shared_ptr<const Patcher> faired_patcher(unsigned continuity, std::size_t most_triangles, bool careful = false);
 
+/// "zip" for one rim: its two sides joined by a band. "band" for two rims: the band between them. No new vertices.
+/// @param shortest whether the band has the shortest edges ("-shortest" in the name), else the least area
+std::shared_ptr<const Patcher> zip_patcher();
+std::shared_ptr<const Patcher> band_patcher(bool shortest);
+
+/// Of several ways the one that repairs known surface beside the hole best (see CrossValidation), or the second best,
+/// and so on. What it makes carries the name of the way taken and the error to be expected.
+/// @param rank 0 for the best
+std::shared_ptr<const Patcher> validated_patcher(std::vector<std::shared_ptr<const Patcher>> ways, std::size_t rank);
+
 /// "implicit", or "implicit-careful": what "cgal-c1" or "cgal-c1-careful" makes, moved onto the zero set of a radial
 /// basis function fitted to the surface around (Yoo 2005), with triangles kept at the size of the rim's edges.
 /// @param careful whether to smooth the surface around more, so that it continues more calmly

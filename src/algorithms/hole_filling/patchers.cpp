@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "algorithms/hole_filling/avoiding_triangulation.h"
+#include "algorithms/hole_filling/band_triangulation.h"
 #include "algorithms/hole_filling/cgal_patch.h"
 #include "algorithms/hole_filling/patcher.h"
 #include "algorithms/hole_filling/plane_triangulation.h"
+#include "algorithms/hole_filling/rim_hinge.h"
 #include "algorithms/hole_filling/triangle_cost.h"
 #include "algorithms/hole_filling/untangling.h"
 
@@ -28,17 +31,26 @@ std::optional<std::vector<Triangle>> by_dihedral_angle(const HoleSite& site, Pro
   return cgal_triangulation(site.polygon.points, progress);
 }
 
+/// Two rims that a band is to join, whatever lies between them.
+std::optional<std::vector<Triangle>> by_band(const HoleSite& site, BandCost cost, Progress& progress) {
+  const bool is_tunnel = site.analysis->holes[site.holes.front()].kind == HoleClass::Tunnel;
+  if (!site.bridge && !is_tunnel) return std::nullopt;
+  return band_triangulation(site.polygon, cost, progress);
+}
+
 /// The patch as seen in the rim's plane lies beside the surface, not over it: the surest start for long rims, which
 /// area alone folds.
 std::optional<std::vector<Triangle>> base_for_fairing(const HoleSite& site, Progress& progress) {
-  auto triangles = by_dihedral_angle(site, progress);
+  auto triangles = by_band(site, BandCost::Area, progress);
+  if (!triangles) triangles = by_dihedral_angle(site, progress);
   if (!triangles && site.polygon.points.size() > most_cgal_points) triangles = plane_triangulation(site.polygon);
   if (!triangles) triangles = by_area(site, progress);
   return triangles;
 }
 
 std::optional<std::vector<Triangle>> careful_base(const HoleSite& site, Progress& progress) {
-  auto triangles = avoiding_triangulation(site, progress);
+  auto triangles = by_band(site, BandCost::Length, progress);
+  if (!triangles) triangles = avoiding_triangulation(site, progress);
   return triangles ? std::move(triangles) : base_for_fairing(site, progress);
 }
 
@@ -121,8 +133,12 @@ LocalSite make_local_site(const HoleSite& site, const std::vector<Triangle>& pat
     local.vertices.insert(local.vertices.end(), view.triangles[t].begin(), view.triangles[t].end());
   std::sort(local.vertices.begin(), local.vertices.end());
   local.vertices.erase(std::unique(local.vertices.begin(), local.vertices.end()), local.vertices.end());
-  for (const Index v : local.vertices)
-    local.input.points.push_back((site.mesh->positions[v] - local.centre) / local.size);
+  std::optional<RimHinge> hinge;
+  if (site.wish.bulge != 0) hinge.emplace(site, site.wish.bulge);
+  for (const Index v : local.vertices) {
+    const Vec3& place = site.mesh->positions[v];
+    local.input.points.push_back(((hinge ? hinge->place(place) : place) - local.centre) / local.size);
+  }
   const auto renumbered = [&](const Triangle& t) {
     return Triangle{local.number(t[0]), local.number(t[1]), local.number(t[2])};
   };

@@ -8,6 +8,7 @@
 
 #include "algorithms/hole_filling/other_sheets.h"
 #include "algorithms/hole_filling/quadric_normals.h"
+#include "algorithms/hole_filling/rim_hinge.h"
 #include "algorithms/hole_filling/surface_reach.h"
 #include "croquis/base/error.h"
 #include "croquis/implicit/offset_points.h"
@@ -57,6 +58,8 @@ class RimFitting {
     reach_ = std::max(least_reach * edge_, options.reach * size_);
     reached_ = reach_from_rims(site, reach_);
     fit_rim_normals(reached_, positions_);
+    through_ = site.wish.through;
+    if (site.wish.bulge != 0) hinge_.emplace(site, site.wish.bulge);
   }
 
   void keep_clear_of_others(const HoleSite& site) {
@@ -99,8 +102,9 @@ class RimFitting {
   std::shared_ptr<const implicit::LocalFit> fitted(double factor) const {
     implicit::Constraints constraints;
     for (const std::size_t i : centres_) {
-      constraints.positions.push_back(positions_[reached_[i].vertex]);
-      constraints.gradients.push_back(reached_[i].normal);
+      const Vec3& place = positions_[reached_[i].vertex];
+      constraints.positions.push_back(hinge_ ? hinge_->place(place) : place);
+      constraints.gradients.push_back(hinge_ ? hinge_->normal(place, reached_[i].normal) : reached_[i].normal);
     }
     for (const PassingPoint& point : passing_) {
       constraints.positions.push_back(point.position);
@@ -113,12 +117,23 @@ class RimFitting {
     options.spacing = edge_;
     try {
       if (options_.kernel != implicit::Kernel::Hermite)
-        constraints = implicit::with_offset_points(constraints.positions, constraints.gradients, {0.5 * edge_, 6, true})
+        constraints = implicit::with_offset_points(constraints.positions, constraints.gradients,
+                                                   {0.5 * edge_, 6, options_.both_sides})
                           .constraints;
+      if (!through_.empty()) go_through(constraints);
       return std::make_shared<const implicit::LocalFit>(constraints, options);
     } catch (const Error&) {
       return nullptr;  // nothing that could be fitted: another method's turn
     }
+  }
+
+  /// Places that are met exactly, whatever the smoothing; nobody knows the normals there.
+  void go_through(implicit::Constraints& constraints) const {
+    constraints.softness.assign(constraints.size(), 1.0);
+    constraints.softness.insert(constraints.softness.end(), through_.size(), 0.0);
+    constraints.positions.insert(constraints.positions.end(), through_.begin(), through_.end());
+    if (!constraints.values.empty()) constraints.values.resize(constraints.size(), 0.0);
+    if (!constraints.gradients.empty()) constraints.gradients.resize(constraints.size(), Vec3::Zero());
   }
 
   /// The farthest that the field takes a rim vertex for being off the surface.
@@ -139,6 +154,8 @@ class RimFitting {
   std::vector<ReachedVertex> reached_;
   std::vector<std::size_t> centres_;
   std::vector<PassingPoint> passing_;
+  std::vector<Vec3> through_;
+  std::optional<RimHinge> hinge_;  ///< where the patch is to bulge
 };
 
 }  // namespace

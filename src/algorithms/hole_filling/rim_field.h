@@ -25,7 +25,8 @@ struct RimFitOptions {
 };
 
 /// Fits one radial basis function to the surface around the rims: vertices within max(4 edges, reach × size) along the
-/// surface, the sparser the farther away, rims included.
+/// surface, the sparser the farther away, rims included. A bulge that the site wishes for turns them about the rims
+/// first; places that the patch is to go through are met exactly.
 ///
 /// Fitted again with ten times the smoothing when a rim vertex that isn't a centre lies half an edge off (half of what
 /// the centres resolve, for rims with more edges than centres); nothing when that doesn't help either, or there is
