@@ -19,6 +19,8 @@ struct HolePatch {
   std::string method = {};                      ///< how it was made, where that isn't told by who made it; else empty
   double expected_error = std::numeric_limits<double>::quiet_NaN();  ///< mean distance to the surface that was there,
                                                                      ///< guessed by cross-validation; model units
+  std::vector<Index> arrives_at = {};  ///< further holes that the surface continued from these arrives at, ascending:
+                                       ///< those belong to them, and there are no triangles
 };
 
 /// What the verification of a patch found. Angles in radians.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "algorithms/hole_filling/harmonic_values.h"
+#include "algorithms/hole_filling/implicit_patch.h"
 #include "algorithms/hole_filling/patch_editing.h"
 #include "algorithms/hole_filling/patcher.h"
 #include "algorithms/hole_filling/rim_field.h"
@@ -116,15 +117,21 @@ class ImplicitPatcher : public Patcher {
     progress.check();
     const auto surface = fit_rims(site, options_, {careful_ ? stiffness : 1, careful_});
     if (!surface) return std::nullopt;
-    const Loosening loosening(site, *start);
-    LoosePatch loose = loosening.loosen(*start);
-    if (!move_onto(*surface, loose, site.wish.through, progress)) return std::nullopt;
+    auto patch = laid_onto(site, *surface, *start, progress);
+    if (patch && careful_) untangle(site, *patch, progress);
+    return patch;
+  }
+
+  std::optional<HolePatch> laid_onto(const HoleSite& site, const RimField& surface, const HolePatch& start,
+                                     Progress& progress) const {
+    const Loosening loosening(site, start);
+    LoosePatch loose = loosening.loosen(start);
+    if (!move_onto(surface, loose, site.wish.through, progress)) return std::nullopt;
     const std::vector<std::size_t> pins = nearest_free(loose, site.wish.through);
     if (pins.size() < site.wish.through.size()) return std::nullopt;
     HolePatch patch = loosening.fasten(loose);
-    meet_rim(site, *surface, patch);
+    meet_rim(site, surface, patch);
     for (std::size_t i = 0; i < pins.size(); ++i) patch.points[pins[i] - loose.rim_points] = site.wish.through[i];
-    if (careful_) untangle(site, patch, progress);
     return patch;
   }
 
@@ -223,6 +230,11 @@ class ImplicitPatcher : public Patcher {
 std::shared_ptr<const Patcher> implicit_patcher(const ImplicitOptions& options, std::size_t most_triangles,
                                                 bool careful) {
   return std::make_shared<ImplicitPatcher>(options, most_triangles, careful);
+}
+
+std::optional<HolePatch> lay_onto(const HoleSite& site, const RimField& surface, const HolePatch& start,
+                                  std::size_t most_triangles, Progress& progress) {
+  return ImplicitPatcher({}, most_triangles, false).laid_onto(site, surface, start, progress);
 }
 
 }  // namespace croquis::hole_filling

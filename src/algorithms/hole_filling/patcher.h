@@ -66,4 +66,9 @@ std::shared_ptr<const Patcher> validated_patcher(std::vector<std::shared_ptr<con
 std::shared_ptr<const Patcher> implicit_patcher(const ImplicitOptions& options, std::size_t most_triangles,
                                                 bool careful = false);
 
+/// "implicit-cubes": the zero set of the same function polygonised beside the hole alone, zipped to the rims and
+/// brought to the size of their edges. Needs no triangulation of the rims: several rims, huge and crooked ones are all
+/// the same to it. Where the continuation arrives at further rims, the patch tells those instead of triangles.
+std::shared_ptr<const Patcher> polygonised_patcher(const ImplicitOptions& options, std::size_t most_triangles);
+
 }  // namespace croquis::hole_filling

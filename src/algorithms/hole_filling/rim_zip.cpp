@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/hole_filling/rim_zip.h"
+
+#include <Eigen/Geometry>
+
+#include "algorithms/hole_filling/band_triangulation.h"
+
+namespace croquis::hole_filling {
+namespace {
+
+using Triangle = std::array<Index, 3>;
+
+constexpr double most_turned_over = 0.1;  // of the strip's area
+
+/// Both sides as the rims of a patch: the right one the other way round.
+RimPolygon as_rims(const ZipSides& sides) {
+  RimPolygon rims;
+  rims.points = sides.left;
+  rims.points.insert(rims.points.end(), sides.right.rbegin(), sides.right.rend());
+  rims.loop_ends = {static_cast<Index>(sides.left.size()), static_cast<Index>(rims.points.size())};
+  return rims;
+}
+
+bool turns_over(const ZipSides& sides, const std::vector<Triangle>& strip) {
+  const auto first_right = static_cast<Index>(sides.left.size());
+  const auto place = [&](Index v) { return v < first_right ? sides.left[v] : sides.right[v - first_right]; };
+  const auto normal = [&](Index v) {
+    return v < first_right ? sides.left_normals[v] : sides.right_normals[v - first_right];
+  };
+  double area = 0, turned_over = 0;
+  for (const auto& [a, b, c] : strip) {
+    const Vec3 twice_area = (place(b) - place(a)).cross(place(c) - place(a));
+    area += twice_area.norm();
+    if (twice_area.dot(normal(a) + normal(b) + normal(c)) < 0) turned_over += twice_area.norm();
+  }
+  return turned_over > most_turned_over * area;
+}
+
+}  // namespace
+
+std::optional<std::vector<Triangle>> zip(const ZipSides& sides, Progress& progress) {
+  const RimPolygon rims = as_rims(sides);
+  auto strip = band_triangulation(rims, BandCost::Length, progress);
+  if (!strip) return std::nullopt;
+  const auto first_right = static_cast<Index>(sides.left.size());
+  const auto last = static_cast<Index>(rims.points.size() - 1);
+  for (Triangle& t : *strip) {
+    for (Index& v : t) v = v < first_right ? v : first_right + (last - v);
+  }
+  if (turns_over(sides, *strip)) return std::nullopt;
+  return strip;
+}
+
+}  // namespace croquis::hole_filling
