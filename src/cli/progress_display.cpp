@@ -3,10 +3,28 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <string_view>
 
 #include <unistd.h>
 
 namespace croquis::cli {
+namespace {
+
+bool is_number(std::string_view word) {
+  return !word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// A step's name without the count behind it: "make patches" of "make patches 12 of 40".
+std::string_view uncounted(std::string_view step) {
+  const std::size_t of = step.rfind(" of ");
+  if (of == std::string_view::npos || !is_number(step.substr(of + 4))) return step;
+  const std::size_t blank = step.find_last_of(' ', of - 1);
+  const bool is_counted =
+      of > 0 && blank != std::string_view::npos && is_number(step.substr(blank + 1, of - blank - 1));
+  return is_counted ? step.substr(0, blank) : step;
+}
+
+}  // namespace
 
 ProgressDisplay::ProgressDisplay(const std::string& choice, bool quiet) {
   if (choice == "json") {
@@ -33,10 +51,11 @@ void ProgressDisplay::charge_step() {
   const double seconds = std::chrono::duration<double>(now - step_began_).count();
   step_began_ = now;
   if (step_.empty()) return;
+  const std::string_view name = uncounted(step_);
   const auto known =
-      std::find_if(stages_.begin(), stages_.end(), [this](const StageTime& stage) { return stage.name == step_; });
+      std::find_if(stages_.begin(), stages_.end(), [name](const StageTime& stage) { return stage.name == name; });
   if (known == stages_.end()) {
-    stages_.push_back({step_, seconds});
+    stages_.push_back({std::string(name), seconds});
   } else {
     known->seconds += seconds;
   }

@@ -18,6 +18,7 @@ OperationResult list_holes(std::shared_ptr<const PolyMesh> scan, const FillOptio
   const HoleChoice choice = choose_holes(analysis.holes, options);
   OperationResult result;
   result.outputs["details"] = std::make_shared<const Report>(list_details(*scan, analysis.holes, choice));
+  result.outputs["rims"] = std::make_shared<const PolyMesh>(rim_lines(*scan, analysis.holes));
   result.outputs["mesh"] = std::move(scan);
   result.warnings = std::move(analysis.warnings);
   return result;
@@ -28,17 +29,22 @@ OperationResult list_holes(std::shared_ptr<const PolyMesh> scan, const FillOptio
 OperationDescription FillOperation::describe() const {
   PortDescription scan{"scan", ValueType::Mesh, "Any mesh, dirty ones too; it isn't changed."};
   scan.is_raw = true;
-  PortDescription mesh{"mesh", ValueType::Mesh,
-                       "The scan's vertices and faces, then those of the patches; faces tell theirs by patch_id."};
+  PortDescription mesh{
+      "mesh", ValueType::Mesh,
+      "The scan's vertices and faces, then those of the patches: faces tell theirs by patch_id, vertices "
+      "how well the surface around backs them by confidence."};
   mesh.counts_self_intersections = true;
-  return {"fill",
-          1,
-          "Fill Holes",
-          "Closes the holes of a scan by patches that continue the surface, and leaves everything else as it is.",
-          {std::move(scan)},
-          {std::move(mesh), {"details", ValueType::Report, "Every hole with its measures and what became of it."}},
-          fill_parameters(),
-          "list"};
+  return {
+      "fill",
+      1,
+      "Fill Holes",
+      "Closes the holes of a scan by patches that continue the surface, and leaves everything else as it is.",
+      {std::move(scan)},
+      {std::move(mesh),
+       {"rims", ValueType::Mesh, "The rims of the scan's holes as closed polylines, in the order of their numbers."},
+       {"details", ValueType::Report, "Every hole with its measures and what became of it."}},
+      fill_parameters(),
+      "list"};
 }
 
 OperationResult FillOperation::compute(const Values& inputs, const ParameterValues& parameters,
@@ -49,6 +55,7 @@ OperationResult FillOperation::compute(const Values& inputs, const ParameterValu
   FillResult filled = fill_holes(*scan, settings.options, context.progress);
   OperationResult result;
   result.outputs["details"] = std::make_shared<const Report>(fill_details(*scan, filled));
+  result.outputs["rims"] = std::make_shared<const PolyMesh>(rim_lines(*scan, filled.analysis.holes));
   result.outputs["mesh"] = std::make_shared<const PolyMesh>(std::move(filled.mesh));
   result.warnings = std::move(filled.warnings);
   return result;

@@ -16,4 +16,7 @@ Report fill_details(const PolyMesh& scan, const hole_filling::FillResult& result
 Report list_details(const PolyMesh& scan, std::span<const hole_filling::Hole> holes,
                     const hole_filling::HoleChoice& choice);
 
+/// The rims as closed polylines and nothing else: line i is the rim of hole i, its first vertex at the end again.
+PolyMesh rim_lines(const PolyMesh& scan, std::span<const hole_filling::Hole> holes);
+
 }  // namespace croquis

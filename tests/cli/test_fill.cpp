@@ -36,11 +36,15 @@ TEST_CASE("the JSON report has exactly the keys that scripts rely on") {
   CHECK(report["command"] == "fill");
   const Json& details = report["details"];
   CHECK(keys_of(details) ==
-        Words{"domains", "holes", "new_faces", "new_vertices", "points_per_domain", "summary", "untouched_vertices"});
+        Words{"checks", "closed_rims", "domains", "holes", "new_faces", "new_vertices", "points_per_domain",
+              "removed_faces", "summary", "untouched_vertices"});
+  CHECK(details["checks"] == Json{{"outside_unchanged", true}});
+  CHECK(details["closed_rims"] == 1);
   REQUIRE(details["holes"].size() == 2);
   for (const Json& hole : details["holes"]) {
-    CHECK(keys_of(hole) == Words{"action", "area", "boundary_edges", "class", "confidence", "diameter", "id",
-                                 "max_normal_jump", "method", "perimeter", "reason"});
+    CHECK(keys_of(hole) == Words{"action", "area", "at", "boundary_edges", "class", "companions", "confidence",
+                                 "diameter", "error_estimate", "id", "max_normal_jump", "method", "normal", "patch",
+                                 "perimeter", "reason"});
   }
   const Json& sphere = details["holes"][0];
   CHECK(sphere["id"] == 0);
@@ -89,7 +93,7 @@ TEST_CASE("the list shows every hole to people and scripts, needs no output and 
   Json done = filled(input, folder / "out.ply")["details"]["holes"];
   REQUIRE(done.size() == listed.size());
   for (std::size_t i = 0; i < done.size(); ++i) {
-    for (const char* key : {"method", "max_normal_jump", "confidence"}) {
+    for (const char* key : {"method", "max_normal_jump", "confidence", "patch"}) {
       CHECK(listed[i][key].is_null());
       CHECK_FALSE(done[i][key].is_null());
       done[i].erase(key);

@@ -6,7 +6,7 @@
 #include "croquis/base/error.h"
 #include "croquis/document/content_hash.h"
 #include "operators/fill_operation.h"
-#include "operators/fill_settings.h"
+#include "operators/hole_ids.h"
 #include "support/check_operation.h"
 #include "support/mesh_shapes.h"
 #include "support/scans.h"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>
@@ -33,6 +34,13 @@ class Progress {
   /// @throws Cancelled when the host asked to stop
   void report(double fraction);
 
+  /// The same for things that can be counted, whose count is told behind the step's name: "make patches 12 of 40".
+  /// @throws Cancelled when the host asked to stop
+  void report(std::size_t done, std::size_t count);
+
+  /// Cancelled along with this one, and reports nothing: for threads that help.
+  Progress silent() const { return Progress({}, cancel_); }
+
   /// @throws Cancelled when the host asked to stop
   void check() const;
 
@@ -43,6 +51,8 @@ class Progress {
     Sink sink;
     double highest = 0;
   };
+
+  void tell(double fraction, const std::string& name);
 
   std::shared_ptr<Shared> shared_;
   const std::atomic<bool>* cancel_ = nullptr;

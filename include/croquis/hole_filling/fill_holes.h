@@ -36,10 +36,13 @@ struct FillOptions {
   bool flat_caps = true;              ///< OUTER holes get flat patches: a smooth one would bulge by about a radius
   Precision precision = Precision::Double;   ///< how the result will be stored
   std::size_t most_patch_triangles = 40000;  ///< a patch that would need more is made of larger triangles
-  bool mark_patches = true;  ///< tell the patches apart by a face channel "patch_id" (int32, -1 for the faces given)
+  bool mark_patches =
+      true;  ///< tell the patches apart by a face channel "patch_id" (int32, -1 for the faces given), and
+             ///< how they are backed by a vertex channel "confidence" (float, 1 for the vertices given)
   HoleAnalysisOptions analysis;
   int threads = 1;              ///< 0: as many as the machine has. The result is the same for any
   StageCache* cache = nullptr;  ///< analysis and patches of earlier runs, not owned; null: everything is made anew
+  std::string scan_key;         ///< tells the mesh from all others in the cache; empty: all its bytes do
 };
 
 enum class FillAction {
@@ -58,15 +61,19 @@ struct HoleOutcome {
   double confidence = 0;       ///< 0..1, how near the whole patch is to the rims; 1 / (1 + (2 d)^4), d = its greatest
                                ///< distance to them / diameter
   std::size_t new_vertices = 0, new_faces = 0;  ///< of a patch for several holes told with its lowest
-  Index patch = no_index;                       ///< number of the patch, the same for holes that one patch joins
+  Index patch = no_index;  ///< number of the patch, the same for holes that one patch joins; as in "patch_id"
+  double expected_error = std::numeric_limits<double>::quiet_NaN();  ///< as HolePatch has it
 };
 
 struct FillResult {
-  PolyMesh mesh;                      ///< vertices and faces given, unchanged, then those of the patches
-  HoleAnalysis analysis;              ///< of the mesh given
+  PolyMesh mesh;          ///< vertices and faces given, unchanged, without those that trimming removes; then
+                          ///< those of the patches
+  HoleAnalysis analysis;  ///< of the mesh given
   std::vector<HoleOutcome> outcomes;  ///< per hole of the analysis
   std::size_t new_vertices = 0, new_faces = 0;
-  Findings warnings;  ///< those of the analysis, W_OUTER_LEFT, W_FALLBACK, W_LOW_CONFIDENCE, W_HOLE_FAILED
+  std::size_t removed_vertices = 0, removed_faces = 0;  ///< by trimming
+  bool outside_unchanged = false;  ///< looked at again at the end: what wasn't removed comes first, bit by bit
+  Findings warnings;               ///< those of the analysis, W_OUTER_LEFT, W_FALLBACK, W_LOW_CONFIDENCE, W_HOLE_FAILED
 };
 
 /// "fill", "leave", "failed".

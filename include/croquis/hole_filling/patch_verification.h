@@ -24,28 +24,47 @@ enum class Precision { Double, Single };
 /// exactly, on coordinates as they will be written. A twisted strip between two rims passes all but the last.
 class PatchVerifier {
  public:
-  /// Keeps references to both. Linear; copies positions and triangles.
+  /// Keeps references to both. Linear; copies positions and triangles at the first judgement.
   PatchVerifier(const PolyMesh& mesh, const HoleAnalysis& analysis, Precision precision = Precision::Double);
 
-  /// Judges the candidates in order, each against the mesh and all that was accepted before it, and accepts the sound.
-  /// Near-linear in the candidates and what lies near them.
+  /// Judges each candidate by itself and against the mesh, whatever was accepted: the verdict depends on nothing else.
+  /// Near-linear in the candidates and what lies near them, beside one look at every triangle of the mesh.
+  /// @throws Cancelled
+  std::vector<PatchVerdict> judge(std::span<const HolePatch> candidates, Progress& progress);
+
+  /// Compares the candidates, in order, with all that was accepted before them, and accepts the sound.
+  /// @param verdicts what `judge` said of them: those with a fault stay outside
   /// @throws Cancelled, having accepted nothing
+  std::vector<PatchVerdict> accept_sound(std::span<const HolePatch> candidates, std::vector<PatchVerdict> verdicts,
+                                         Progress& progress);
+
+  /// Both, one after the other.
   std::vector<PatchVerdict> accept_sound(std::span<const HolePatch> candidates, Progress& progress);
 
   /// Pairs (low, high) of vertices on rims, by their representatives, that an edge joins: sorted.
   const std::vector<std::array<Index, 2>>& rim_edges() const { return rim_edges_; }
 
  private:
-  PatchVerdict judge_alone(const HolePatch& patch) const;
-  void judge_intersections(std::span<const HolePatch> candidates, std::vector<PatchVerdict>& verdicts,
-                           Progress& progress);
-  bool clashes_with_accepted(const HolePatch& patch) const;
+  using Edges = std::vector<std::array<Index, 2>>;
+
+  PatchVerdict judge_structure(const HolePatch& patch) const;
+  bool joins_any(const HolePatch& patch, const Edges& edges) const;
+  void judge_against_mesh(std::span<const HolePatch> candidates, std::vector<PatchVerdict>& verdicts,
+                          Progress& progress);
+  void judge_against_each_other(std::span<const HolePatch> candidates, std::vector<PatchVerdict>& verdicts,
+                                Progress& progress);
+  void make_scene();
+  void append_to_patches(const HolePatch& patch);
   void accept(const HolePatch& patch);
 
   const PolyMesh& mesh_;
   const HoleAnalysis& analysis_;
-  PolyMesh scene_;  ///< the view's triangles and all accepted patches, with coordinates as written
-  std::vector<std::array<Index, 2>> rim_edges_;
+  Precision precision_;
+  PolyMesh scene_;    ///< the view's triangles, with coordinates as written; empty before the first judgement
+  PolyMesh patches_;  ///< all vertices on rims and the accepted patches, likewise
+  std::vector<Index> rim_vertices_;  ///< of the view, ascending: the first of `patches_`
+  Edges mesh_edges_;                 ///< between vertices on rims
+  Edges rim_edges_;                  ///< and those of accepted patches
 };
 
 }  // namespace croquis::hole_filling

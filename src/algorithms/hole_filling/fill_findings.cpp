@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/hole_filling/fill_findings.h"
 
+#include <algorithm>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -8,6 +10,9 @@
 
 namespace croquis::hole_filling {
 namespace {
+
+/// Beyond this angle across the rim the patch turns back over the surface, which scans of things never do.
+constexpr double doubtful_fold = 150 * std::numbers::pi / 180;
 
 Subject hole_subject(const PolyMesh& mesh, const Hole& hole) {
   const Vec3& at = mesh.positions[hole.vertices.front()];
@@ -18,11 +23,11 @@ std::string named(const Hole& hole) {
   return "Hole " + std::to_string(hole.id) + " (" + std::to_string(hole.vertices.size()) + " edges)";
 }
 
-void tell_outer(const FillResult& result, Findings& findings) {
+void tell_outer(const PolyMesh& scan, const FillResult& result, Findings& findings) {
   std::vector<Subject> subjects;
   for (const Hole& hole : result.analysis.holes) {
     if (hole.kind == HoleClass::Outer && result.outcomes[hole.id].action == FillAction::Leave)
-      subjects.push_back(hole_subject(result.mesh, hole));
+      subjects.push_back(hole_subject(scan, hole));
   }
   if (subjects.empty()) return;
   const std::string count = subjects.size() == 1 ? "1 rim looks" : std::to_string(subjects.size()) + " rims look";
@@ -32,43 +37,70 @@ void tell_outer(const FillResult& result, Findings& findings) {
                                   std::move(subjects)));
 }
 
-void tell_hole(const FillResult& result, const Hole& hole, Findings& findings) {
+void tell_hole(const PolyMesh& scan, const FillResult& result, const Hole& hole, Findings& findings) {
   const HoleOutcome& outcome = result.outcomes[hole.id];
   if (outcome.action == FillAction::Failed)
     findings.push_back(make_warning(Category::Geometry, "W_HOLE_FAILED",
                                     named(hole) + " stays open, since no method made a sound patch (" + outcome.reason +
                                         "): look at the surface around it.",
-                                    {hole_subject(result.mesh, hole)}));
+                                    {hole_subject(scan, hole)}));
   else if (outcome.action == FillAction::Fill && !outcome.reason.empty())
     findings.push_back(make_warning(
         Category::Geometry, "W_FALLBACK",
         named(hole) + " was filled by " + outcome.method + " instead (" + outcome.reason + "): look at its shape.",
-        {hole_subject(result.mesh, hole)}));
+        {hole_subject(scan, hole)}));
 }
 
-/// One warning for all of them: their shape is a guess, whatever the method.
-void tell_low_confidence(const FillResult& result, Findings& findings) {
+/// The holes filled for which something holds.
+template <typename Holds>
+std::vector<Subject> filled_where(const PolyMesh& scan, const FillResult& result, Holds&& holds) {
   std::vector<Subject> subjects;
   for (const Hole& hole : result.analysis.holes) {
     const HoleOutcome& outcome = result.outcomes[hole.id];
-    if (outcome.action == FillAction::Fill && outcome.confidence < low_confidence)
-      subjects.push_back(hole_subject(result.mesh, hole));
+    if (outcome.action == FillAction::Fill && holds(outcome)) subjects.push_back(hole_subject(scan, hole));
   }
-  if (subjects.empty()) return;
-  const std::string count = subjects.size() == 1 ? "1 hole was" : std::to_string(subjects.size()) + " holes were";
-  findings.push_back(make_warning(Category::Geometry, "W_LOW_CONFIDENCE",
-                                  count + " filled far beyond what the surface around tells: look at the shape, or "
-                                          "choose flat patches.",
-                                  std::move(subjects)));
+  return subjects;
+}
+
+/// "Holes 3, 7 and 9", or with many the first of them and how many more.
+std::string names_of(const std::vector<Subject>& subjects) {
+  constexpr std::size_t most_named = 10;
+  if (subjects.size() == 1) return "Hole " + subjects[0].id;
+  const std::size_t named = std::min(subjects.size() - 1, most_named);
+  std::string text = "Holes " + subjects[0].id;
+  for (std::size_t i = 1; i < named; ++i) text += ", " + subjects[i].id;
+  const std::size_t left = subjects.size() - named;
+  return text + " and " + (left == 1 ? subjects.back().id : std::to_string(left) + " more");
+}
+
+/// One warning for all of them: their shape is a guess, whatever the method.
+void tell_low_confidence(const PolyMesh& scan, const FillResult& result, Findings& findings) {
+  const auto far = filled_where(scan, result, [](const HoleOutcome& o) { return o.confidence < low_confidence; });
+  if (!far.empty())
+    findings.push_back(
+        make_warning(Category::Geometry, "W_LOW_CONFIDENCE",
+                     names_of(far) + (far.size() == 1 ? " was" : " were") +
+                         " filled far beyond what the surface around tells: look at the shape, or choose "
+                         "flat patches.",
+                     far));
+  const auto folded =
+      filled_where(scan, result, [](const HoleOutcome& o) { return o.max_normal_jump > doubtful_fold; });
+  if (!folded.empty())
+    findings.push_back(
+        make_warning(Category::Geometry, "W_LOW_CONFIDENCE",
+                     names_of(folded) + (folded.size() == 1 ? " was" : " were") +
+                         " filled with a fold of more than 150 degrees at the rim: look at the rim, or trim "
+                         "it.",
+                     folded));
 }
 
 }  // namespace
 
-Findings fill_findings(const FillResult& result) {
+Findings fill_findings(const PolyMesh& scan, const FillResult& result) {
   Findings findings = result.analysis.warnings;
-  tell_outer(result, findings);
-  for (const Hole& hole : result.analysis.holes) tell_hole(result, hole, findings);
-  tell_low_confidence(result, findings);
+  tell_outer(scan, result, findings);
+  for (const Hole& hole : result.analysis.holes) tell_hole(scan, result, hole, findings);
+  tell_low_confidence(scan, result, findings);
   return findings;
 }
 

@@ -7,6 +7,6 @@
 namespace croquis::hole_filling {
 
 /// The analysis' findings, then what is to be said about the holes: left as OUTER, filled by another method, failed.
-Findings fill_findings(const FillResult& result);
+Findings fill_findings(const PolyMesh& scan, const FillResult& result);
 
 }  // namespace croquis::hole_filling

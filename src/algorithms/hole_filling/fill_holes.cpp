@@ -2,165 +2,148 @@
 #include "croquis/hole_filling/fill_holes.h"
 
 #include <algorithm>
-#include <optional>
-#include <span>
+#include <memory>
 #include <utility>
 
 #include "algorithms/hole_filling/fill_findings.h"
+#include "algorithms/hole_filling/fill_jobs.h"
 #include "algorithms/hole_filling/patch_assembly.h"
+#include "algorithms/hole_filling/patch_climb.h"
 #include "algorithms/hole_filling/patch_confidence.h"
-#include "algorithms/hole_filling/patch_ladder.h"
-#include "algorithms/hole_filling/single_precision.h"
+#include "algorithms/hole_filling/rim_trimming.h"
+#include "algorithms/hole_filling/stage_key.h"
 #include "croquis/hole_filling/hole_choice.h"
-#include "croquis/hole_filling/hole_groups.h"
 
 namespace croquis::hole_filling {
 namespace {
 
-/// Holes that one patch joins, and how far their ladder is climbed.
-struct Job {
-  std::vector<Index> holes;
-  const Ladder* ladder = nullptr;
-  std::size_t rung = 0;
-  std::string first_fault;
-  std::optional<HolePatch> patch;  ///< accepted
-  PatchVerdict verdict;
+std::size_t bytes_of(const HoleAnalysis& analysis) {
+  const SurfaceView& view = analysis.view;
+  std::size_t bytes = sizeof analysis + view.triangles.size() * (sizeof view.triangles[0] + 5 * sizeof(Index) + 1) +
+                      (view.representative.size() + view.rim_corners.size()) * sizeof(Index);
+  for (const Hole& hole : analysis.holes) bytes += sizeof hole + 2 * hole.vertices.size() * sizeof(Index);
+  return bytes;
+}
 
-  bool is_pending() const { return !patch && rung < ladder->size(); }
-};
+/// The mesh as the caller names it, or all of it.
+StageKey key_of(const PolyMesh& mesh, const FillOptions& options) {
+  StageKey key;
+  key.add(options.analysis.small_edges).add(options.analysis.exact_area_edges);
+  key.add(std::string_view(options.scan_key));
+  if (options.scan_key.empty() && options.cache != nullptr)
+    key.add(mesh.positions).add(mesh.face_offsets).add(mesh.corners);
+  return key;
+}
+
+std::size_t bytes_of(const TrimmedScan& trimmed) {
+  const PolyMesh& mesh = trimmed.part.mesh;
+  std::size_t bytes = bytes_of(trimmed.analysis) + mesh.positions.size() * (sizeof(Vec3) + sizeof(Index)) +
+                      (2 * mesh.face_offsets.size() + mesh.corners.size()) * sizeof(Index);
+  for (const AttributeChannel& channel : mesh.channels) bytes += channel.size() * sizeof(double);
+  return bytes;
+}
+
+template <typename List>
+bool begins_with(const List& list, const List& first) {
+  return list.size() >= first.size() && std::equal(first.begin(), first.end(), list.begin());
+}
 
 class Filling {
  public:
-  Filling(const PolyMesh& mesh, const FillOptions& options, HoleAnalysis analysis)
-      : mesh_(mesh),
-        options_(options),
-        chosen_(choose_holes(analysis.holes, options)),
-        wish_{options.fairness, options.implicit, options.bulge, {}},
-        ladder_(ladder_for(wish_, options.preset, false, options.most_patch_triangles)),
-        flat_ladder_(ladder_for(wish_, options.preset, true, options.most_patch_triangles)) {
-    result_.analysis = std::move(analysis);
-    make_jobs();
-  }
+  Filling(const PolyMesh& mesh, const FillOptions& options)
+      : scan_(mesh), options_(options), key_(key_of(mesh, options)) {}
 
   FillResult run(Progress& progress) {
-    if (!jobs_.empty()) climb(progress);
-    report_outcomes();
+    Progress analysing = progress.step("analyse holes", 0.2);
+    result_.analysis = analysed(analysing);
+    const HoleChoice choice = choose_holes(result_.analysis.holes, options_);
+    const std::vector<FillJob> jobs = make_jobs(result_.analysis.holes, options_, choice.is_chosen);
+    Progress trimming = progress.step("trim rims", 0.1);
+    trim(choice, trimming);
+    Progress filling = progress.step("fill holes", 0.7);
+    climbed_ =
+        climb(mesh(), analysis(), trimmed_ ? moved_jobs(*trimmed_, jobs) : jobs, options_, key_.bytes(), filling);
+    report_outcomes(choice);
     assemble();
-    result_.warnings = fill_findings(result_);
+    result_.warnings = fill_findings(scan_, result_);
+    progress.report(1);
     return std::move(result_);
   }
 
  private:
-  const std::vector<Hole>& holes() const { return result_.analysis.holes; }
-
-  /// Companions that are chosen go together.
-  void make_jobs() {
-    HoleGroups together(holes().size());
-    for (const Hole& hole : holes()) {
-      for (const Index other : hole.companions) {
-        if (chosen_.is_chosen[hole.id] && chosen_.is_chosen[other]) together.merge(hole.id, other);
-      }
-    }
-    for (std::vector<Index>& group : together.lists()) {
-      if (!chosen_.is_chosen[group.front()]) continue;
-      const bool is_cap = options_.flat_caps && holes()[group.front()].kind == HoleClass::Outer;
-      jobs_.push_back({std::move(group), is_cap ? &flat_ladder_ : &ladder_, 0, {}, {}, {}});
-    }
+  HoleAnalysis analysed(Progress& progress) const {
+    const auto make = [&] { return analyse_holes(scan_, progress, options_.analysis); };
+    if (options_.cache == nullptr) return make();
+    return *cached<HoleAnalysis>(options_.cache, "fill/analysis/1", key_, make,
+                                 [](const HoleAnalysis& analysis) { return bytes_of(analysis); });
   }
 
-  /// In rounds: each open job makes a patch by its next method, then all are verified together.
-  void climb(Progress& progress) {
-    PatchVerifier verifier(mesh_, result_.analysis, options_.precision);
-    const std::size_t rounds = std::max(ladder_.size(), flat_ladder_.size());
-    for (std::size_t round = 0; round < rounds; ++round) {
-      // The first round has nearly all the work; the others take what is left of the scale.
-      Progress patching = progress.step("make patches", round == 0 ? 0.7 : 0.02);
-      std::vector<Job*> tried;
-      std::vector<HolePatch> candidates;
-      attempt_all(verifier, tried, candidates, patching);
-      Progress verifying = progress.step("verify patches", round == 0 ? 0.2 : 0.01);
-      const std::vector<PatchVerdict> verdicts = verifier.accept_sound(candidates, verifying);
-      for (std::size_t i = 0; i < tried.size(); ++i) settle(*tried[i], std::move(candidates[i]), verdicts[i]);
-    }
+  void trim(const HoleChoice& choice, Progress& progress) {
+    const std::vector<int> rings = rings_to_trim(result_.analysis.holes, options_, choice.is_chosen);
+    if (std::ranges::all_of(rings, [](int count) { return count == 0; })) return;
+    key_.add(rings);
+    trimmed_ = cached<TrimmedScan>(
+        options_.cache, "fill/trimmed/1", key_,
+        [&] { return trim_rims(scan_, result_.analysis, rings, options_.analysis, progress); },
+        [](const TrimmedScan& trimmed) { return bytes_of(trimmed); });
   }
 
-  void attempt_all(const PatchVerifier& verifier, std::vector<Job*>& tried, std::vector<HolePatch>& candidates,
-                   Progress& progress) {
-    for (std::size_t i = 0; i < jobs_.size(); ++i) {
-      progress.report(static_cast<double>(i) / static_cast<double>(jobs_.size()));
-      Job& job = jobs_[i];
-      if (!job.is_pending()) continue;
-      HoleSite site = make_site(mesh_, result_.analysis, job.holes, verifier.rim_edges());
-      site.wish = wish_;
-      std::optional<HolePatch> patch = (*job.ladder)[job.rung]->attempt(site, progress);
-      if (!patch) {
-        fail(job, "the method found no patch");
-        continue;
-      }
-      tried.push_back(&job);
-      candidates.push_back(as_stored(std::move(*patch)));
-    }
-  }
+  /// What patches are made for: the scan, or what trimming leaves of it.
+  const PolyMesh& mesh() const { return trimmed_ ? trimmed_->part.mesh : scan_; }
+  const HoleAnalysis& analysis() const { return trimmed_ ? trimmed_->analysis : result_.analysis; }
 
-  HolePatch as_stored(HolePatch patch) const {
-    if (options_.precision == Precision::Single) round_to_single(patch.points);
-    return patch;
-  }
-
-  static void fail(Job& job, const std::string& fault) {
-    if (job.rung == 0) job.first_fault = std::string((*job.ladder)[0]->method()) + ": " + fault;
-    ++job.rung;
-  }
-
-  static void settle(Job& job, HolePatch patch, const PatchVerdict& verdict) {
-    if (!verdict.is_sound()) {
-      fail(job, verdict.fault);
-      return;
-    }
-    job.patch = std::move(patch);
-    job.verdict = verdict;
-  }
-
-  void report_outcomes() {
-    result_.outcomes.resize(holes().size());
-    for (std::size_t i = 0; i < holes().size(); ++i) result_.outcomes[i].reason = chosen_.reason[i];
-    Index patch_number = 0;
-    for (const Job& job : jobs_) {
-      const double confidence = job.patch ? confidence_of(*job.patch, mesh_, result_.analysis) : 0;
-      for (const Index hole : job.holes) {
-        HoleOutcome& outcome = result_.outcomes[hole];
-        outcome.action = job.patch ? FillAction::Fill : FillAction::Failed;
-        outcome.reason = job.first_fault;
-        if (!job.patch) continue;
-        outcome.method = (*job.ladder)[job.rung]->method();
-        outcome.max_normal_jump = job.verdict.max_normal_jump;
-        outcome.min_angle = job.verdict.min_angle;
-        outcome.confidence = confidence;
-        outcome.patch = patch_number;
-      }
+  void report_outcomes(const HoleChoice& choice) {
+    std::vector<HoleOutcome> outcomes(analysis().holes.size());
+    Index number = next_patch_number(scan_);
+    for (const ClimbedJob& job : climbed_) {
+      const HoleOutcome outcome = outcome_of(job, number);
+      for (const Index hole : job.holes) outcomes[hole] = outcome;
       if (!job.patch) continue;
-      ++patch_number;
-      result_.outcomes[job.holes.front()].new_vertices = job.patch->points.size();
-      result_.outcomes[job.holes.front()].new_faces = job.patch->triangles.size();
+      ++number;
+      outcomes[job.holes.front()].new_vertices = job.patch->points.size();
+      outcomes[job.holes.front()].new_faces = job.patch->triangles.size();
     }
+    if (trimmed_) outcomes = outcomes_before_trimming(*trimmed_, outcomes, choice.is_chosen);
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+      if (!choice.is_chosen[i]) outcomes[i].reason = choice.reason[i];
+    }
+    result_.outcomes = std::move(outcomes);
+  }
+
+  HoleOutcome outcome_of(const ClimbedJob& job, Index patch_number) const {
+    HoleOutcome outcome;
+    outcome.action = job.patch ? FillAction::Fill : FillAction::Failed;
+    outcome.reason = job.first_fault;
+    if (!job.patch) return outcome;
+    outcome.method = job.method;
+    outcome.max_normal_jump = job.verdict.max_normal_jump;
+    outcome.min_angle = job.verdict.min_angle;
+    outcome.confidence = confidence_of(*job.patch, mesh(), analysis());
+    outcome.expected_error = job.patch->expected_error;
+    outcome.patch = patch_number;
+    return outcome;
   }
 
   void assemble() {
     std::vector<HolePatch> patches;
-    for (Job& job : jobs_) {
+    for (ClimbedJob& job : climbed_) {
       if (job.patch) patches.push_back(std::move(*job.patch));
     }
-    result_.mesh = append_patches(mesh_, result_.analysis, patches, options_.mark_patches);
-    result_.new_vertices = result_.mesh.vertex_count() - mesh_.vertex_count();
-    result_.new_faces = result_.mesh.face_count() - mesh_.face_count();
+    result_.mesh = append_patches(mesh(), analysis(), patches, options_.mark_patches);
+    result_.new_vertices = result_.mesh.vertex_count() - mesh().vertex_count();
+    result_.new_faces = result_.mesh.face_count() - mesh().face_count();
+    result_.removed_vertices = scan_.vertex_count() - mesh().vertex_count();
+    result_.removed_faces = scan_.face_count() - mesh().face_count();
+    result_.outside_unchanged = begins_with(result_.mesh.positions, mesh().positions) &&
+                                begins_with(result_.mesh.face_offsets, mesh().face_offsets) &&
+                                begins_with(result_.mesh.corners, mesh().corners);
   }
 
-  const PolyMesh& mesh_;
+  const PolyMesh& scan_;
   const FillOptions& options_;
-  HoleChoice chosen_;
-  PatchWish wish_;
-  Ladder ladder_, flat_ladder_;
-  std::vector<Job> jobs_;
+  StageKey key_;  ///< of what patches are made for
+  std::shared_ptr<const TrimmedScan> trimmed_;
+  std::vector<ClimbedJob> climbed_;
   FillResult result_;
 };
 
@@ -176,12 +159,7 @@ const char* to_string(FillAction action) {
 }
 
 FillResult fill_holes(const PolyMesh& mesh, const FillOptions& options, Progress& progress) {
-  Progress analysing = progress.step("analyse holes", 0.2);
-  HoleAnalysis analysis = analyse_holes(mesh, analysing, options.analysis);
-  Progress filling = progress.step("fill holes", 0.8);
-  FillResult result = Filling(mesh, options, std::move(analysis)).run(filling);
-  progress.report(1);
-  return result;
+  return Filling(mesh, options).run(progress);
 }
 
 }  // namespace croquis::hole_filling

@@ -13,11 +13,13 @@
 #include <Eigen/Geometry>
 
 #include "algorithms/hole_filling/harmonic_values.h"
+#include "algorithms/hole_filling/patch_confidence.h"
 
 namespace croquis::hole_filling {
 namespace {
 
 constexpr const char* patch_channel = "patch_id";
+constexpr const char* confidence_channel = "confidence";
 
 /// The patches as they stand in the grown mesh: each with the numbers of its first new vertex and face.
 struct Placed {
@@ -131,8 +133,14 @@ void continue_corner_channel(const PolyMesh& mesh, AttributeChannel& channel) {
       channel.data);
 }
 
+const std::vector<std::int32_t>* numbers_of(const PolyMesh& mesh) {
+  const AttributeChannel* channel = mesh.channel(patch_channel, Domain::Face);
+  if (channel == nullptr || channel->width != 1) return nullptr;
+  return std::get_if<std::vector<std::int32_t>>(&channel->data);
+}
+
 /// Numbers the patches' faces; a channel of that name from an earlier filling is continued.
-void number_patches(PolyMesh& mesh, std::size_t faces_given, std::span<const Placed> placed) {
+void number_patches(PolyMesh& mesh, Index first_number, std::span<const Placed> placed) {
   AttributeChannel* channel = mesh.channel(patch_channel, Domain::Face);
   if (channel == nullptr) {
     mesh.channels.push_back({patch_channel, Domain::Face, 1, std::vector<std::int32_t>(mesh.face_count(), -1), {}});
@@ -140,12 +148,35 @@ void number_patches(PolyMesh& mesh, std::size_t faces_given, std::span<const Pla
   }
   auto* values = std::get_if<std::vector<std::int32_t>>(&channel->data);
   if (values == nullptr || channel->width != 1) return;
-  std::int32_t number = 0;
-  for (std::size_t f = 0; f < faces_given; ++f) number = std::max(number, (*values)[f] + 1);
+  auto number = static_cast<std::int32_t>(first_number);
   for (const Placed& p : placed) {
     std::fill_n(values->begin() + p.first_face, p.patch->triangles.size(), number);
     ++number;
   }
+}
+
+/// A scanner's own confidence, where it is a floating number, goes on in ours.
+void tell_confidence(PolyMesh& grown, const PolyMesh& mesh, const HoleAnalysis& analysis,
+                     std::span<const Placed> placed) {
+  AttributeChannel* channel = grown.channel(confidence_channel, Domain::Vertex);
+  if (channel == nullptr) {
+    grown.channels.push_back(
+        {confidence_channel, Domain::Vertex, 1, std::vector<float>(grown.vertex_count(), 1.0F), {}});
+    channel = &grown.channels.back();
+  }
+  if (channel->width != 1) return;
+  std::visit(
+      [&](auto& values) {
+        using T = typename std::remove_reference_t<decltype(values)>::value_type;
+        if constexpr (std::is_floating_point_v<T>) {
+          for (const Placed& p : placed) {
+            const std::vector<float> found = vertex_confidence(*p.patch, mesh, analysis);
+            std::transform(found.begin(), found.end(), values.begin() + p.first_vertex,
+                           [](float value) { return static_cast<T>(value); });
+          }
+        }
+      },
+      channel->data);
 }
 
 }  // namespace
@@ -168,8 +199,16 @@ PolyMesh append_patches(const PolyMesh& mesh, const HoleAnalysis& analysis, std:
     if (channel.domain == Domain::Face) continue_face_channel(analysis, placed, channel);
     if (channel.domain == Domain::Corner) continue_corner_channel(grown, channel);
   }
-  if (mark_patches) number_patches(grown, mesh.face_count(), placed);
+  if (!mark_patches) return grown;
+  number_patches(grown, next_patch_number(mesh), placed);
+  tell_confidence(grown, mesh, analysis, placed);
   return grown;
+}
+
+Index next_patch_number(const PolyMesh& mesh) {
+  const std::vector<std::int32_t>* numbers = numbers_of(mesh);
+  if (numbers == nullptr || numbers->empty()) return 0;
+  return static_cast<Index>(std::max(-1, *std::max_element(numbers->begin(), numbers->end())) + 1);
 }
 
 }  // namespace croquis::hole_filling

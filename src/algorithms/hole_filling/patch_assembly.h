@@ -9,8 +9,13 @@
 namespace croquis::hole_filling {
 
 /// The mesh with the patches' vertices and faces behind its own, in the patches' order; all channels continued.
-/// @param mark_patches whether the face channel "patch_id" tells each patch's number
+/// @param mark_patches whether the face channel "patch_id" tells each patch's number, and the vertex channel
+/// "confidence"
+///        how far the surface around backs each new vertex; one of that name and a floating type keeps its values
 PolyMesh append_patches(const PolyMesh& mesh, const HoleAnalysis& analysis, std::span<const HolePatch> patches,
                         bool mark_patches);
+
+/// The number that the first patch gets: 0, or one more than the highest of an earlier filling. Linear.
+Index next_patch_number(const PolyMesh& mesh);
 
 }  // namespace croquis::hole_filling

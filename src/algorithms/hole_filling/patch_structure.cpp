@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "algorithms/hole_filling/single_precision.h"
 #include "croquis/geometry/degenerate_faces.h"
 #include "croquis/geometry/mesh_topology.h"
 
@@ -69,7 +70,7 @@ double corner_angle(const Vec3& at, const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-LocalPatch make_local(const PolyMesh& mesh, const HoleAnalysis& analysis, const HolePatch& patch) {
+LocalPatch make_local(const PolyMesh& mesh, const HoleAnalysis& analysis, const HolePatch& patch, Precision precision) {
   LocalPatch local;
   std::vector<std::array<Index, 3>> triangles = patch.triangles;
   for (auto& t : triangles) {
@@ -79,6 +80,7 @@ LocalPatch make_local(const PolyMesh& mesh, const HoleAnalysis& analysis, const 
   local.vertices.erase(std::unique(local.vertices.begin(), local.vertices.end()), local.vertices.end());
   for (const Index v : local.vertices)
     local.mesh.positions.push_back(v < mesh.vertex_count() ? mesh.positions[v] : patch.points[v - mesh.vertex_count()]);
+  if (precision == Precision::Single) round_to_single(local.mesh.positions);
   for (auto& t : triangles) {
     for (Index& vertex : t) {
       const auto found = std::lower_bound(local.vertices.begin(), local.vertices.end(), vertex);
@@ -89,12 +91,13 @@ LocalPatch make_local(const PolyMesh& mesh, const HoleAnalysis& analysis, const 
   return local;
 }
 
-std::string structure_fault(const PolyMesh& mesh, const HoleAnalysis& analysis, const HolePatch& patch) {
+std::string structure_fault(const PolyMesh& mesh, const HoleAnalysis& analysis, const HolePatch& patch,
+                            Precision precision) {
   if (patch.triangles.empty()) return "the patch is empty";
   for (const Vec3& point : patch.points) {
     if (!point.allFinite()) return "a coordinate isn't finite";
   }
-  const LocalPatch local = make_local(mesh, analysis, patch);
+  const LocalPatch local = make_local(mesh, analysis, patch, precision);
   if (!degenerate_faces(local.mesh).empty()) return "a triangle of the patch has no area";
   const MeshTopology topology(local.mesh);
   const std::vector<Edge> border = expected_border(analysis, patch);

@@ -8,6 +8,7 @@
 
 #include "croquis/hole_filling/hole_analysis.h"
 #include "croquis/hole_filling/hole_patch.h"
+#include "croquis/hole_filling/patch_verification.h"
 
 namespace croquis::hole_filling {
 
@@ -17,10 +18,14 @@ struct LocalPatch {
   std::vector<Index> vertices;  ///< sorted: vertex i is that vertex of the view, or #V + a new point's number
 };
 
-LocalPatch make_local(const PolyMesh& mesh, const HoleAnalysis& analysis, const HolePatch& patch);
+/// @param precision how coordinates will be stored
+LocalPatch make_local(const PolyMesh& mesh, const HoleAnalysis& analysis, const HolePatch& patch,
+                      Precision precision = Precision::Double);
 
 /// What is wrong with how a patch hangs together and on to its rims, or nothing: see PatchVerifier.
-std::string structure_fault(const PolyMesh& mesh, const HoleAnalysis& analysis, const HolePatch& patch);
+/// @param precision how coordinates will be stored
+std::string structure_fault(const PolyMesh& mesh, const HoleAnalysis& analysis, const HolePatch& patch,
+                            Precision precision = Precision::Double);
 
 /// The inner edges of a patch between two vertices of the mesh, as pairs (low, high) of the view's vertices.
 std::vector<std::array<Index, 2>> chords_of(const PolyMesh& mesh, const HoleAnalysis& analysis, const HolePatch& patch);

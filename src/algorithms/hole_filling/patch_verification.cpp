@@ -19,20 +19,28 @@ namespace {
 constexpr std::size_t most_pairs = 1000000;
 
 constexpr const char* intersects = "the patch cuts through the surface or itself";
+constexpr const char* meets_another = "the patch cuts through another one";
 
 /// Faces of the scene behind `first`, and which candidate each is of.
 struct AddedFaces {
   Index first = 0;
   std::vector<Index> candidate;
+
+  std::vector<Index> faces() const {
+    std::vector<Index> all(candidate.size());
+    std::iota(all.begin(), all.end(), first);
+    return all;
+  }
 };
 
-void append_patch(PolyMesh& scene, const SurfaceView& view, std::size_t vertex_count, const HolePatch& patch) {
+/// @param known tells the scene's number of a vertex of the mesh
+template <typename Known>
+void append_patch(PolyMesh& scene, std::size_t vertex_count, const HolePatch& patch, Known&& known) {
   const auto base = static_cast<Index>(scene.vertex_count());
   scene.positions.insert(scene.positions.end(), patch.points.begin(), patch.points.end());
   for (auto t : patch.triangles) {
     for (Index& vertex : t)
-      vertex =
-          vertex < vertex_count ? view.representative_of(vertex) : base + (vertex - static_cast<Index>(vertex_count));
+      vertex = vertex < vertex_count ? known(vertex) : base + (vertex - static_cast<Index>(vertex_count));
     scene.add_face(t);
   }
 }
@@ -57,90 +65,152 @@ class Restore {
   std::size_t faces_;
 };
 
-/// Of two candidates that meet the later one goes, unless the earlier one is condemned for other reasons.
-void condemn(std::span<const std::array<Index, 2>> pairs, const AddedFaces& added,
-             std::vector<PatchVerdict>& verdicts) {
+/// Of two candidates that meet the later one goes, unless the earlier one goes for other reasons.
+void condemn_later(std::span<const std::array<Index, 2>> pairs, const AddedFaces& added,
+                   std::vector<PatchVerdict>& verdicts) {
   std::vector<std::array<Index, 2>> between;
   for (const auto& [low, high] : pairs) {
     const Index later = added.candidate[high - added.first];
-    const Index earlier = low < added.first ? later : added.candidate[low - added.first];
-    if (earlier == later)
-      verdicts[later].fault = intersects;
-    else
+    if (low < added.first)
+      verdicts[later].fault = meets_another;
+    else if (const Index earlier = added.candidate[low - added.first]; earlier != later)
       between.push_back({later, earlier});
   }
   std::sort(between.begin(), between.end());
   for (const auto& [later, earlier] : between) {
-    if (verdicts[earlier].is_sound()) verdicts[later].fault = intersects;
+    if (verdicts[earlier].is_sound()) verdicts[later].fault = meets_another;
   }
 }
 
 }  // namespace
 
 PatchVerifier::PatchVerifier(const PolyMesh& mesh, const HoleAnalysis& analysis, Precision precision)
-    : mesh_(mesh), analysis_(analysis), rim_edges_(edges_between_rims(mesh, analysis)) {
-  scene_.positions = mesh.positions;
-  if (precision == Precision::Single) round_to_single(scene_.positions);
-  scene_.face_offsets.reserve(analysis.view.triangles.size() + 1);
-  scene_.corners.reserve(3 * analysis.view.triangles.size());
-  for (const auto& t : analysis.view.triangles) scene_.add_face(t);
+    : mesh_(mesh),
+      analysis_(analysis),
+      precision_(precision),
+      mesh_edges_(edges_between_rims(mesh, analysis)),
+      rim_edges_(mesh_edges_) {
+  for (const Hole& hole : analysis.holes) {
+    for (const Index vertex : hole.vertices) rim_vertices_.push_back(analysis.view.representative_of(vertex));
+  }
+  std::sort(rim_vertices_.begin(), rim_vertices_.end());
+  rim_vertices_.erase(std::unique(rim_vertices_.begin(), rim_vertices_.end()), rim_vertices_.end());
+  for (const Index vertex : rim_vertices_) patches_.positions.push_back(mesh.positions[vertex]);
+  if (precision_ == Precision::Single) round_to_single(patches_.positions);
 }
 
-std::vector<PatchVerdict> PatchVerifier::accept_sound(std::span<const HolePatch> candidates, Progress& progress) {
+std::vector<PatchVerdict> PatchVerifier::judge(std::span<const HolePatch> candidates, Progress& progress) {
   std::vector<PatchVerdict> verdicts;
   for (const HolePatch& candidate : candidates) {
     progress.check();
-    verdicts.push_back(judge_alone(candidate));
+    verdicts.push_back(judge_structure(candidate));
   }
-  Progress searching = progress.step("search intersections", 1);
-  judge_intersections(candidates, verdicts, searching);
+  judge_against_mesh(candidates, verdicts, progress);
+  return verdicts;
+}
+
+std::vector<PatchVerdict> PatchVerifier::accept_sound(std::span<const HolePatch> candidates,
+                                                      std::vector<PatchVerdict> verdicts, Progress& progress) {
+  constexpr const char* joins = "an edge of the patch joins vertices that another patch joins already";
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (verdicts[i].is_sound() && joins_any(candidates[i], rim_edges_)) verdicts[i].fault = joins;
+  }
+  judge_against_each_other(candidates, verdicts, progress);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (!verdicts[i].is_sound()) continue;
-    if (clashes_with_accepted(candidates[i]))
-      verdicts[i].fault = "an edge of the patch joins vertices that another patch joins already";
+    if (joins_any(candidates[i], rim_edges_))
+      verdicts[i].fault = joins;
     else
       accept(candidates[i]);
   }
   return verdicts;
 }
 
-PatchVerdict PatchVerifier::judge_alone(const HolePatch& patch) const {
-  if (std::string fault = structure_fault(mesh_, analysis_, patch); !fault.empty()) return {std::move(fault), 0, 0};
+std::vector<PatchVerdict> PatchVerifier::accept_sound(std::span<const HolePatch> candidates, Progress& progress) {
+  Progress judging = progress.step("search intersections", 0.8);
+  std::vector<PatchVerdict> verdicts = judge(candidates, judging);
+  Progress comparing = progress.step("compare patches", 0.2);
+  return accept_sound(candidates, std::move(verdicts), comparing);
+}
+
+PatchVerdict PatchVerifier::judge_structure(const HolePatch& patch) const {
+  if (std::string fault = structure_fault(mesh_, analysis_, patch, precision_); !fault.empty())
+    return {std::move(fault), 0, 0};
   PatchVerdict verdict = measure_patch(mesh_, analysis_, patch);
-  if (clashes_with_accepted(patch)) verdict.fault = "an edge of the patch joins vertices that are joined already";
+  if (joins_any(patch, mesh_edges_)) verdict.fault = "an edge of the patch joins vertices that are joined already";
   return verdict;
 }
 
-bool PatchVerifier::clashes_with_accepted(const HolePatch& patch) const {
+bool PatchVerifier::joins_any(const HolePatch& patch, const Edges& edges) const {
   const auto chords = chords_of(mesh_, analysis_, patch);
-  return std::any_of(chords.begin(), chords.end(), [&](const auto& chord) {
-    return std::binary_search(rim_edges_.begin(), rim_edges_.end(), chord);
+  return std::any_of(chords.begin(), chords.end(),
+                     [&](const auto& chord) { return std::binary_search(edges.begin(), edges.end(), chord); });
+}
+
+void PatchVerifier::judge_against_mesh(std::span<const HolePatch> candidates, std::vector<PatchVerdict>& verdicts,
+                                       Progress& progress) {
+  make_scene();
+  const SurfaceView& view = analysis_.view;
+  /// Those from `begin` to `end`, together. @return whether all their pairs were seen
+  const auto judge_some = [&](Index begin, Index end) {
+    const Restore restore(scene_);
+    AddedFaces added{static_cast<Index>(scene_.face_count()), {}};
+    for (Index i = begin; i < end; ++i) {
+      if (!verdicts[i].is_sound()) continue;
+      append_patch(scene_, mesh_.vertex_count(), candidates[i], [&](Index v) { return view.representative_of(v); });
+      added.candidate.insert(added.candidate.end(), candidates[i].triangles.size(), i);
+    }
+    if (added.candidate.empty()) return true;
+    const auto found = find_intersections_of(scene_, added.faces(), progress, {.max_pairs = most_pairs});
+    for (const auto& [low, high] : found.pairs) {
+      const Index candidate = added.candidate[high - added.first];
+      if (low < added.first || added.candidate[low - added.first] == candidate) verdicts[candidate].fault = intersects;
+    }
+    return found.count <= found.pairs.size();
+  };
+  const auto count = static_cast<Index>(candidates.size());
+  if (judge_some(0, count)) return;
+  for (Index i = 0; i < count; ++i) judge_some(i, i + 1);
+}
+
+void PatchVerifier::make_scene() {
+  if (scene_.face_count() > 0) return;
+  scene_.positions = mesh_.positions;
+  if (precision_ == Precision::Single) round_to_single(scene_.positions);
+  scene_.face_offsets.reserve(analysis_.view.triangles.size() + 1);
+  scene_.corners.reserve(3 * analysis_.view.triangles.size());
+  for (const auto& t : analysis_.view.triangles) scene_.add_face(t);
+}
+
+void PatchVerifier::append_to_patches(const HolePatch& patch) {
+  append_patch(patches_, mesh_.vertex_count(), patch, [&](Index vertex) {
+    const Index representative = analysis_.view.representative_of(vertex);
+    const auto found = std::lower_bound(rim_vertices_.begin(), rim_vertices_.end(), representative);
+    return static_cast<Index>(found - rim_vertices_.begin());
   });
 }
 
-void PatchVerifier::judge_intersections(std::span<const HolePatch> candidates, std::vector<PatchVerdict>& verdicts,
-                                        Progress& progress) {
-  const Restore restore(scene_);
+void PatchVerifier::judge_against_each_other(std::span<const HolePatch> candidates, std::vector<PatchVerdict>& verdicts,
+                                             Progress& progress) {
+  const Restore restore(patches_);
   bool is_complete = false;
   while (!is_complete) {
     restore.now();
-    AddedFaces added{static_cast<Index>(scene_.face_count()), {}};
+    AddedFaces added{static_cast<Index>(patches_.face_count()), {}};
     for (Index i = 0; i < candidates.size(); ++i) {
       if (!verdicts[i].is_sound()) continue;
-      append_patch(scene_, analysis_.view, mesh_.vertex_count(), candidates[i]);
+      append_to_patches(candidates[i]);
       added.candidate.insert(added.candidate.end(), candidates[i].triangles.size(), i);
     }
     if (added.candidate.empty()) return;
-    std::vector<Index> faces(added.candidate.size());
-    std::iota(faces.begin(), faces.end(), added.first);
-    const SelfIntersections found = find_intersections_of(scene_, faces, progress, {.max_pairs = most_pairs});
-    condemn(found.pairs, added, verdicts);
+    const auto found = find_intersections_of(patches_, added.faces(), progress, {.max_pairs = most_pairs});
+    condemn_later(found.pairs, added, verdicts);
     is_complete = found.count <= found.pairs.size();
   }
 }
 
 void PatchVerifier::accept(const HolePatch& patch) {
-  append_patch(scene_, analysis_.view, mesh_.vertex_count(), patch);
+  append_to_patches(patch);
   const auto chords = chords_of(mesh_, analysis_, patch);
   const auto known = std::ssize(rim_edges_);
   rim_edges_.insert(rim_edges_.end(), chords.begin(), chords.end());

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "croquis/geometry/vector.h"
+
+/// The parameter `holes` of the operation `fill`: what is wanted of single holes, as text that people can write.
+///
+/// Wishes are separated by ';', each is `HOLES: WISH, WISH…`. HOLES are numbers and ranges (`2`, `5-7`), separated by
+/// ',', '+' or spaces. A WISH is one of
+///
+///     fill  leave  bridge  rbf  smooth  flat
+///     kernel NAME   bulge NUMBER   trim RINGS   through X Y Z
+///
+/// such as `3: leave; 5-7: flat, bulge 0.4; 4: through 0.1 0.2 0.3; 2+9: bridge`. `through` may come several times.
+namespace croquis {
+
+/// What one of them says. Empty or absent: nothing said, the parameters for all holes count.
+struct HoleWish {
+  std::vector<Index> holes = {};              ///< ids, in the order written
+  bool bridge = false;                        ///< one patch joins these rims, two or more, as a band
+  std::optional<bool> fill = {};              ///< false for `leave`; any other wish but `trim` fills the hole too
+  std::string fairness = {};                  ///< "", "rbf", "smooth" or "flat"
+  std::string kernel = {};                    ///< "" or one of the choices of the parameter `kernel`
+  std::optional<double> bulge = {};           ///< -1..1
+  std::optional<std::int64_t> trim_rim = {};  ///< 0..3 rings of faces
+  std::vector<Vec3> through = {};             ///< places that the patch goes through, model units
+
+  friend bool operator==(const HoleWish&, const HoleWish&) = default;
+};
+
+/// Linear in the text and the ids that it names.
+/// @throws Error with one E_PARAMETER finding for every part that isn't as above, naming it
+std::vector<HoleWish> parse_hole_wishes(const std::string& text);
+
+/// The text that parse_hole_wishes turns back into the same wishes. A wish without holes, or that says nothing about
+/// them, is left out: it has no text.
+/// @param wishes of finite numbers, within their ranges
+std::string to_text(std::span<const HoleWish> wishes);
+
+}  // namespace croquis

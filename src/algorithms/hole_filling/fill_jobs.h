@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "croquis/hole_filling/fill_holes.h"
+
+namespace croquis::hole_filling {
+
+/// Holes that one patch joins, and how it is to be made.
+struct FillJob {
+  std::vector<Index> holes;  ///< ascending
+  PatchWish wish;
+  bool bridge = false;  ///< a band between the rims
+  bool is_cap = false;  ///< closes an open section: flat
+};
+
+/// What is to be done, by the lowest holes: companions that are both chosen go together, and so do rims that a request
+/// bridges. A job goes by the requests that name any of its holes, later ones over earlier ones, then by the options.
+/// Linear but for sorting.
+/// @param is_chosen per hole
+std::vector<FillJob> make_jobs(std::span<const Hole> holes, const FillOptions& options,
+                               const std::vector<bool>& is_chosen);
+
+/// Rings of faces to be removed around each hole, 0 for holes that aren't chosen.
+std::vector<int> rings_to_trim(std::span<const Hole> holes, const FillOptions& options,
+                               const std::vector<bool>& is_chosen);
+
+}  // namespace croquis::hole_filling

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/hole_filling/patch_climb.h"
+
+#include <algorithm>
+#include <atomic>
+#include <deque>
+#include <span>
+#include <thread>
+#include <utility>
+
+#include "algorithms/hole_filling/patch_ladder.h"
+#include "algorithms/hole_filling/single_precision.h"
+#include "algorithms/hole_filling/stage_key.h"
+#include "croquis/base/parallel.h"
+
+namespace croquis::hole_filling {
+namespace {
+
+constexpr const char* patch_stage = "fill/patch/1";
+constexpr const char* verdict_stage = "fill/verdict/1";
+
+/// A job on its ladder.
+struct Climber {
+  FillJob job;
+  Ladder ladder;
+  std::size_t rung = 0;
+  StageKey key;  ///< of the patch under way
+  std::optional<HolePatch> candidate;
+  PatchVerdict alone;  ///< of the candidate, against the mesh
+  ClimbedJob result;
+  std::vector<Climber> joined;  ///< those it was made of, each on its next rung: tried alone when this one has no patch
+  bool may_join = true;
+  bool is_gone = false;  ///< has become part of another
+
+  bool is_pending() const { return !is_gone && !result.patch && rung < ladder.size(); }
+  bool holds(Index hole) const { return std::binary_search(job.holes.begin(), job.holes.end(), hole); }
+  std::string method() const { return ladder[rung]->method(); }
+};
+
+/// What a method made; kept as it is, so that failures aren't tried again either.
+struct Attempt {
+  std::optional<HolePatch> patch;
+};
+
+std::size_t bytes_of(const Attempt& attempt) {
+  if (!attempt.patch) return sizeof attempt;
+  return sizeof attempt + attempt.patch->points.size() * sizeof(Vec3) +
+         attempt.patch->triangles.size() * sizeof(std::array<Index, 3>);
+}
+
+void add_wish(const PatchWish& wish, StageKey& key) {
+  const ImplicitOptions& implicit = wish.implicit;
+  key.add(wish.fairness).add(wish.bulge).add(wish.through);
+  key.add(implicit.kernel).add(implicit.reach).add(implicit.most_centres);
+  key.add(implicit.value_smoothing).add(implicit.gradient_smoothing).add(implicit.both_sides);
+}
+
+class Climb {
+ public:
+  Climb(const PolyMesh& mesh, const HoleAnalysis& analysis, const FillOptions& options, const std::string& scan_key)
+      : mesh_(mesh),
+        analysis_(analysis),
+        options_(options),
+        scan_key_(scan_key),
+        verifier_(mesh, analysis, options.precision) {}
+
+  std::vector<ClimbedJob> run(std::vector<FillJob> jobs, Progress& progress) {
+    for (FillJob& job : jobs) climbers_.push_back(climber_for(std::move(job)));
+    for (std::size_t round = 0; find_pending(); ++round) {
+      // The first round has nearly all the work; the others take what is left of the scale.
+      Progress patching = progress.step("make patches", round == 0 ? 0.7 : 0.02);
+      attempt_all(patching);
+      Progress verifying = progress.step("verify patches", round == 0 ? 0.2 : 0.01);
+      verify(verifying);
+      part_failed();
+    }
+    return take_results();
+  }
+
+ private:
+  Climber climber_for(FillJob job) const {
+    Climber climber;
+    climber.ladder = ladder_for(site_of(job), options_.preset, job.is_cap, options_.most_patch_triangles);
+    climber.result.holes = job.holes;
+    climber.job = std::move(job);
+    return climber;
+  }
+
+  /// By their lowest holes.
+  std::vector<ClimbedJob> take_results() {
+    std::vector<ClimbedJob> results;
+    for (Climber& climber : climbers_) {
+      if (!climber.is_gone) results.push_back(std::move(climber.result));
+    }
+    std::ranges::sort(results, {}, [](const ClimbedJob& job) { return job.holes.front(); });
+    return results;
+  }
+
+  HoleSite site_of(const FillJob& job) const {
+    HoleSite site = make_site(mesh_, analysis_, job.holes, verifier_.rim_edges());
+    site.wish = job.wish;
+    site.bridge = job.bridge;
+    return site;
+  }
+
+  bool find_pending() {
+    pending_.clear();
+    for (Climber& climber : climbers_) {
+      if (climber.is_pending()) pending_.push_back(&climber);
+    }
+    return !pending_.empty();
+  }
+
+  /// Reports the number of patches made, and from the calling thread alone.
+  void attempt_all(Progress& progress) {
+    const auto caller = std::this_thread::get_id();
+    std::atomic<std::size_t> done = 0;
+    Progress silent = progress.silent();
+    progress.report(0, pending_.size());
+    for_each_part(pending_.size(), 1, options_.threads, silent, [&](std::size_t begin, std::size_t end) {
+      Progress own = progress.silent();
+      for (std::size_t i = begin; i < end; ++i) attempt(*pending_[i], own);
+      done += end - begin;
+      if (std::this_thread::get_id() == caller) progress.report(done, pending_.size());
+    });
+    progress.report(pending_.size(), pending_.size());
+  }
+
+  void attempt(Climber& climber, Progress& progress) const {
+    const HoleSite site = site_of(climber.job);
+    climber.key = key_of(climber, site);
+    const auto made = cached<Attempt>(
+        options_.cache, patch_stage, climber.key,
+        [&] { return Attempt{climber.ladder[climber.rung]->attempt(site, progress)}; },
+        [](const Attempt& attempt) { return bytes_of(attempt); });
+    climber.candidate = made->patch;
+    if (climber.candidate && options_.precision == Precision::Single) round_to_single(climber.candidate->points);
+  }
+
+  /// Of all that a method may look at.
+  StageKey key_of(const Climber& climber, const HoleSite& site) const {
+    const FillJob& job = climber.job;
+    StageKey key;
+    key.add(scan_key_).add(job.holes).add(job.bridge).add(job.is_cap).add(site.polygon.blocked);
+    add_wish(job.wish, key);
+    key.add(options_.preset).add(options_.most_patch_triangles).add(climber.rung);
+    return key;
+  }
+
+  void verify(Progress& progress) {
+    for (Climber* climber : pending_) {
+      if (climber->is_pending() && climber->candidate && !climber->candidate->arrives_at.empty())
+        join_or_fail(*climber);
+    }
+    std::vector<Climber*> tried;
+    for (Climber* climber : pending_) {
+      if (climber->is_gone) continue;
+      if (climber->candidate)
+        tried.push_back(climber);
+      else
+        refuse(*climber, "the method found no patch");
+    }
+    Progress judging = progress.step("verify patches", 0.8);
+    judge_alone(tried, judging);
+    std::vector<HolePatch> candidates;
+    std::vector<PatchVerdict> verdicts;
+    for (Climber* climber : tried) {
+      candidates.push_back(std::move(*climber->candidate));
+      verdicts.push_back(climber->alone);
+    }
+    Progress comparing = progress.step("compare patches", 0.2);
+    verdicts = verifier_.accept_sound(candidates, std::move(verdicts), comparing);
+    for (std::size_t i = 0; i < tried.size(); ++i) settle(*tried[i], std::move(candidates[i]), verdicts[i]);
+  }
+
+  /// Those not yet known together: one look at the mesh for all.
+  void judge_alone(std::span<Climber* const> tried, Progress& progress) {
+    std::vector<Climber*> unknown;
+    std::vector<HolePatch> candidates;
+    for (Climber* climber : tried) {
+      climber->key.add(options_.precision);
+      if (const auto verdict = kept<PatchVerdict>(options_.cache, verdict_stage, climber->key)) {
+        climber->alone = *verdict;
+        continue;
+      }
+      unknown.push_back(climber);
+      candidates.push_back(*climber->candidate);
+    }
+    const std::vector<PatchVerdict> verdicts = verifier_.judge(candidates, progress);
+    for (std::size_t i = 0; i < unknown.size(); ++i) {
+      unknown[i]->alone = *cached<PatchVerdict>(
+          options_.cache, verdict_stage, unknown[i]->key, [&] { return verdicts[i]; },
+          [](const PatchVerdict& verdict) { return sizeof verdict + verdict.fault.size(); });
+    }
+  }
+
+  /// The surface continued from some rims arrives at others: one patch for all of them, where those are to be filled
+  /// and aren't yet.
+  void join_or_fail(Climber& climber) {
+    std::vector<Climber*> others;
+    for (const Index hole : climber.candidate->arrives_at) {
+      const auto found =
+          std::ranges::find_if(climbers_, [&](const Climber& c) { return c.is_pending() && c.holds(hole); });
+      if (found == climbers_.end() || found->job.is_cap || !climber.may_join || !found->may_join) {
+        refuse(climber, "the surface around it goes on to hole " + std::to_string(hole));
+        return;
+      }
+      if (std::ranges::find(others, &*found) == others.end()) others.push_back(&*found);
+    }
+    refuse(climber, "");
+    FillJob job = climber.job;
+    std::vector<Climber> joined;
+    others.push_back(&climber);
+    for (Climber* part : others) {
+      if (part->job.holes.front() < job.holes.front()) job.wish = part->job.wish;
+      job.holes.insert(job.holes.end(), part->job.holes.begin(), part->job.holes.end());
+      joined.push_back(*part);
+      part->is_gone = true;
+    }
+    std::ranges::sort(job.holes);
+    job.holes.erase(std::unique(job.holes.begin(), job.holes.end()), job.holes.end());
+    Climber whole = climber_for(std::move(job));
+    whole.joined = std::move(joined);
+    climbers_.push_back(std::move(whole));
+  }
+
+  /// Those that were joined in vain go on alone.
+  void part_failed() {
+    for (std::size_t i = 0; i < climbers_.size(); ++i) {  // it grows
+      Climber& climber = climbers_[i];
+      const bool is_done = climber.is_gone || climber.result.patch || climber.is_pending();
+      if (is_done || climber.joined.empty()) continue;
+      climber.is_gone = true;
+      for (Climber& part : climber.joined) {
+        part.may_join = false;
+        climbers_.push_back(std::move(part));
+      }
+    }
+  }
+
+  /// On to the next method. The first one's fault is told.
+  static void refuse(Climber& climber, const std::string& fault) {
+    if (climber.rung == 0 && !fault.empty()) climber.result.first_fault = climber.method() + ": " + fault;
+    climber.candidate.reset();
+    ++climber.rung;
+  }
+
+  static void settle(Climber& climber, HolePatch patch, const PatchVerdict& verdict) {
+    if (!verdict.is_sound()) {
+      refuse(climber, verdict.fault);
+      return;
+    }
+    climber.result.verdict = verdict;
+    climber.result.method = patch.method.empty() ? climber.method() : patch.method;
+    climber.result.patch = std::move(patch);
+  }
+
+  const PolyMesh& mesh_;
+  const HoleAnalysis& analysis_;
+  const FillOptions& options_;
+  const std::string& scan_key_;
+  PatchVerifier verifier_;
+  std::deque<Climber> climbers_;  ///< grows while others are pointed at
+  std::vector<Climber*> pending_;
+};
+
+}  // namespace
+
+std::vector<ClimbedJob> climb(const PolyMesh& mesh, const HoleAnalysis& analysis, std::vector<FillJob> jobs,
+                              const FillOptions& options, const std::string& scan_key, Progress& progress) {
+  if (jobs.empty()) return {};
+  return Climb(mesh, analysis, options, scan_key).run(std::move(jobs), progress);
+}
+
+}  // namespace croquis::hole_filling

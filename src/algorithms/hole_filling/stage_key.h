@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "croquis/base/stage_cache.h"
+#include "croquis/geometry/vector.h"
+
+namespace croquis::hole_filling {
+
+/// Writes byte by byte what a stage's result depends on. Lists bring their length along.
+class StageKey {
+ public:
+  template <typename Number>
+  requires std::is_arithmetic_v<Number> || std::is_enum_v<Number> StageKey& add(Number number) {
+    bytes_.append(reinterpret_cast<const char*>(&number), sizeof number);
+    return *this;
+  }
+  StageKey& add(const Vec3& point) { return add(point.x()).add(point.y()).add(point.z()); }
+  StageKey& add(std::string_view text) {
+    add(text.size());
+    bytes_.append(text);
+    return *this;
+  }
+  template <typename T, std::size_t Size>
+  StageKey& add(const std::array<T, Size>& elements) {
+    for (const T& element : elements) add(element);
+    return *this;
+  }
+  template <typename T>
+  StageKey& add(const std::vector<T>& list) {
+    add(list.size());
+    for (const T& element : list) add(element);
+    return *this;
+  }
+
+  const std::string& bytes() const { return bytes_; }
+
+ private:
+  std::string bytes_;
+};
+
+/// The result of a stage from the cache, or made; without a cache always made.
+/// @param make  returns a Result
+/// @param bytes tells from a const Result& about what it takes
+template <typename Result, typename Make, typename Bytes>
+std::shared_ptr<const Result> cached(StageCache* cache, std::string_view stage, const StageKey& key, Make&& make,
+                                     Bytes&& bytes) {
+  if (cache == nullptr) return std::make_shared<const Result>(std::forward<Make>(make)());
+  return std::static_pointer_cast<const Result>(cache->get(stage, key.bytes(), [&] {
+    auto result = std::make_shared<const Result>(make());
+    const std::size_t size = bytes(*result);
+    return StageCache::Stage{std::move(result), size};
+  }));
+}
+
+/// What the cache holds of a stage, or null: for results that are made many at a time.
+template <typename Result>
+std::shared_ptr<const Result> kept(StageCache* cache, std::string_view stage, const StageKey& key) {
+  struct NotKept {};
+  if (cache == nullptr) return nullptr;
+  try {
+    return std::static_pointer_cast<const Result>(
+        cache->get(stage, key.bytes(), []() -> StageCache::Stage { throw NotKept(); }));
+  } catch (const NotKept&) {
+    return nullptr;
+  }
+}
+
+}  // namespace croquis::hole_filling

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/operators/hole_wishes.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "croquis/base/error.h"
+#include "operators/fill_settings.h"
+#include "operators/hole_ids.h"
+
+namespace croquis {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n";
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+/// The pieces between separators, without blanks around them; those without anything are left out.
+std::vector<std::string_view> split(std::string_view text, std::string_view separators) {
+  std::vector<std::string_view> pieces;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find_first_of(separators), text.size());
+    if (const std::string_view piece = trimmed(text.substr(0, end)); !piece.empty()) pieces.push_back(piece);
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return pieces;
+}
+
+std::optional<double> number_in(std::string_view word) {
+  double number = 0;
+  const auto [stopped, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  const bool is_whole = error == std::errc{} && stopped == word.data() + word.size();
+  return is_whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
+bool read_bulge(std::string_view word, HoleWish& wish) {
+  const auto bulge = number_in(word);
+  if (!bulge || std::abs(*bulge) > 1) return false;
+  wish.bulge = *bulge;
+  return true;
+}
+
+bool read_trim(std::string_view word, HoleWish& wish) {
+  if (word.size() != 1 || word[0] < '0' || word[0] > '3') return false;
+  wish.trim_rim = word[0] - '0';
+  return true;
+}
+
+bool read_kernel(std::string_view word, HoleWish& wish) {
+  if (std::find(kernel_names.begin(), kernel_names.end(), word) == kernel_names.end()) return false;
+  wish.kernel = word;
+  return true;
+}
+
+bool read_through(const std::vector<std::string_view>& words, HoleWish& wish) {
+  Vec3 place;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto coordinate = number_in(words[i + 1]);
+    if (!coordinate) return false;
+    place[static_cast<Eigen::Index>(i)] = *coordinate;
+  }
+  wish.through.push_back(place);
+  return true;
+}
+
+bool read_word(std::string_view word, HoleWish& wish) {
+  if (word == "bridge") return wish.bridge = true;
+  if (word == "fill" || word == "leave") {
+    wish.fill = word == "fill";
+    return true;
+  }
+  if (std::find(fairness_names.begin(), fairness_names.end(), word) == fairness_names.end()) return false;
+  wish.fairness = word;
+  return true;
+}
+
+bool read_part(std::string_view part, HoleWish& wish) {
+  const std::vector<std::string_view> words = split(part, blanks);
+  if (words.size() == 1) return read_word(words[0], wish);
+  if (words.size() == 4) return words[0] == "through" && read_through(words, wish);
+  if (words.size() != 2) return false;
+  if (words[0] == "bulge") return read_bulge(words[1], wish);
+  if (words[0] == "trim") return read_trim(words[1], wish);
+  return words[0] == "kernel" && read_kernel(words[1], wish);
+}
+
+Finding refusal(std::string_view part, const std::string& instead) {
+  return make_error(Category::Usage, "E_PARAMETER", "'" + std::string(part) + "' is no value for holes: " + instead,
+                    {{SubjectKind::Parameter, "holes", {}, {}, {}}});
+}
+
+HoleWish read_wish(std::string_view text, Findings& findings) {
+  HoleWish wish;
+  const std::size_t colon = text.find(':');
+  for (const std::string_view word : split(text.substr(0, colon), ",+ \t\r\n")) {
+    if (!append_hole_ids(word, wish.holes))
+      findings.push_back(
+          refusal(word, "wishes begin with the numbers of holes, counted from 0, such as '0,3-5: fill'."));
+  }
+  const auto parts = split(colon == std::string_view::npos ? std::string_view() : text.substr(colon + 1), ",");
+  for (const std::string_view part : parts) {
+    if (!read_part(part, wish))
+      findings.push_back(refusal(part,
+                                 "a hole can be told fill, leave, bridge, rbf, smooth, flat, kernel NAME, bulge "
+                                 "-1..1, trim 0..3 or through X Y Z."));
+  }
+  if (parts.empty() || text.substr(0, colon).find_first_not_of(blanks) == std::string_view::npos)
+    findings.push_back(refusal(text, "it takes holes and what is wanted of them, such as '3: leave; 5-7: flat'."));
+  if (wish.bridge && std::set<Index>(wish.holes.begin(), wish.holes.end()).size() < 2)
+    findings.push_back(refusal(text, "a bridge joins two holes or more, such as '2+9: bridge'."));
+  return wish;
+}
+
+/// The shortest text that reads back as the same number.
+std::string shortest(double number) {
+  std::array<char, 32> buffer{};
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number);
+  return {buffer.data(), result.ptr};
+}
+
+std::vector<std::string> parts_of(const HoleWish& wish) {
+  std::vector<std::string> parts;
+  if (wish.fill) parts.emplace_back(*wish.fill ? "fill" : "leave");
+  if (wish.bridge) parts.emplace_back("bridge");
+  if (!wish.fairness.empty()) parts.push_back(wish.fairness);
+  if (!wish.kernel.empty()) parts.push_back("kernel " + wish.kernel);
+  if (wish.bulge) parts.push_back("bulge " + shortest(*wish.bulge));
+  if (wish.trim_rim) parts.push_back("trim " + std::to_string(*wish.trim_rim));
+  for (const Vec3& place : wish.through)
+    parts.push_back("through " + shortest(place.x()) + ' ' + shortest(place.y()) + ' ' + shortest(place.z()));
+  return parts;
+}
+
+}  // namespace
+
+std::vector<HoleWish> parse_hole_wishes(const std::string& text) {
+  std::vector<HoleWish> wishes;
+  Findings findings;
+  for (const std::string_view piece : split(text, ";")) wishes.push_back(read_wish(piece, findings));
+  if (!findings.empty()) throw Error(std::move(findings));
+  return wishes;
+}
+
+std::string to_text(std::span<const HoleWish> wishes) {
+  std::string text;
+  for (const HoleWish& wish : wishes) {
+    const std::vector<std::string> parts = parts_of(wish);
+    if (wish.holes.empty() || parts.empty()) continue;
+    if (!text.empty()) text += "; ";
+    text += hole_ids_text(wish.holes, wish.bridge ? '+' : ',') + ": " + parts.front();
+    for (std::size_t i = 1; i < parts.size(); ++i) text += ", " + parts[i];
+  }
+  return text;
+}
+
+}  // namespace croquis

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+
+#include "croquis/base/error.h"
+#include "croquis/operators/hole_wishes.h"
+#include "operators/fill_settings.h"
+#include "support/random.h"
+
+namespace croquis {
+namespace {
+
+std::size_t refused_parts(const std::string& text) {
+  try {
+    parse_hole_wishes(text);
+  } catch (const Error& error) {
+    for (const Finding& finding : error.findings()) {
+      CHECK(finding.code == "E_PARAMETER");
+      REQUIRE(finding.subjects.size() == 1);
+      CHECK(finding.subjects[0].id == "holes");
+    }
+    return error.findings().size();
+  }
+  return 0;
+}
+
+TEST_CASE("wishes for single holes are read as people write them") {
+  const auto wishes = parse_hole_wishes(
+      "3: leave; 5-7: flat, bulge 0.4; 4: through 0.1 0.2 0.3; 2+9: bridge; 8: fill; 1: kernel biharmonic; 6: trim 1");
+  REQUIRE(wishes.size() == 7);
+  CHECK(wishes[0] == HoleWish{.holes = {3}, .fill = false});
+  CHECK(wishes[1] == HoleWish{.holes = {5, 6, 7}, .fairness = "flat", .bulge = 0.4});
+  CHECK(wishes[2] == HoleWish{.holes = {4}, .through = {Vec3(0.1, 0.2, 0.3)}});
+  CHECK(wishes[3] == HoleWish{.holes = {2, 9}, .bridge = true});
+  CHECK(wishes[4] == HoleWish{.holes = {8}, .fill = true});
+  CHECK(wishes[5] == HoleWish{.holes = {1}, .kernel = "biharmonic"});
+  CHECK(wishes[6] == HoleWish{.holes = {6}, .trim_rim = 1});
+  CHECK(parse_hole_wishes("").empty());
+  CHECK(parse_hole_wishes(" ; ;").empty());
+}
+
+TEST_CASE("blanks don't matter in wishes, and places may be several") {
+  const auto wishes = parse_hole_wishes("\n 1 3,5 :through 1 2 3 ,\tthrough -1e-3 0 4;");
+  REQUIRE(wishes.size() == 1);
+  CHECK(wishes[0] == HoleWish{.holes = {1, 3, 5}, .through = {Vec3(1, 2, 3), Vec3(-1e-3, 0, 4)}});
+}
+
+TEST_CASE("every part of a wish that can't be read is refused by name") {
+  for (const char* wrong : {"3",
+                            "3:",
+                            ": fill",
+                            "a: fill",
+                            "-1: fill",
+                            "5-3: fill",
+                            "3: melt",
+                            "3: bulge",
+                            "3: bulge 2",
+                            "3: bulge nan",
+                            "3: trim 4",
+                            "3: trim -1",
+                            "3: trim 1.5",
+                            "3: kernel cubic",
+                            "3: kernel",
+                            "3: through 1 2",
+                            "3: through 1 2 x",
+                            "3: through 1 2 inf",
+                            "3: through 1 2 3 4",
+                            "3: fill leave",
+                            "2: bridge",
+                            "2+2: bridge",
+                            "3: Fill"}) {
+    INFO(wrong);
+    CHECK(refused_parts(wrong) == 1);
+  }
+  CHECK(refused_parts("a: fill; 3: melt, bulge 7; 4: leave") == 3);
+}
+
+TEST_CASE("wishes as text read back as the same wishes") {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    test::Random random(seed);
+    std::vector<HoleWish> wishes(1 + random.below(4));
+    for (HoleWish& wish : wishes) {
+      for (Index i = 0; i < 1 + random.below(6); ++i) wish.holes.push_back(random.below(12));
+      wish.fill = random.below(2) == 0;
+      if (random.below(3) == 0) wish.fill = std::nullopt;
+      if (random.below(2) == 0) wish.fairness = fairness_names[random.below(3)];
+      if (random.below(2) == 0) wish.kernel = kernel_names[random.below(4)];
+      if (random.below(2) == 0) wish.bulge = 2 * random.unit() - 1;
+      if (random.below(2) == 0) wish.trim_rim = random.below(4);
+      for (Index i = random.below(3); i > 0; --i)
+        wish.through.emplace_back(random.unit() * 1e6, -random.unit() * 1e-9, random.unit());
+      if (wish.through.empty()) wish.through.emplace_back(0.1, 1e300, -5);
+      if (random.below(4) == 0) {
+        wish.holes = {7, 2};
+        wish.bridge = true;
+      }
+    }
+    const std::string text = to_text(wishes);
+    INFO(text);
+    CHECK(parse_hole_wishes(text) == wishes);
+    CHECK(to_text(parse_hole_wishes(text)) == text);
+  }
+  CHECK(to_text(std::vector<HoleWish>{{.holes = {3}}, {.fairness = "flat"}}).empty());
+  CHECK(to_text(std::vector<HoleWish>{{.holes = {5, 6, 7, 2}, .fairness = "flat"}}) == "5-7,2: flat");
+}
+
+}  // namespace
+}  // namespace croquis
