@@ -2,11 +2,16 @@
 #pragma once
 
 #include <ostream>
+#include <string>
+#include <vector>
 
 /// Each prints a table of times as ratios against a peer measured in the same run. Times are medians of several runs.
 namespace croquis::bench {
 
-void bench_holes(std::ostream& out);
+/// @param sections of it to run, none for all that need no further word; `external FOLDER` measures scans
+/// of one's own, `export FOLDER` writes those that are measured
+void bench_holes(std::ostream& out, const std::vector<std::string>& sections);
+
 void bench_implicit(std::ostream& out);
 void bench_readers(std::ostream& out);
 void bench_solver(std::ostream& out);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
 #include <iostream>
 #include <map>
 #include <string>
@@ -6,25 +7,61 @@
 
 #include "bench/bench.h"
 
-int main(int argc, char** argv) {
+namespace {
+
+using Bench = std::function<void(std::ostream&, const std::vector<std::string>&)>;
+
+/// A benchmark that takes no words of its own.
+Bench plain(void (*bench)(std::ostream&)) {
+  return [bench](std::ostream& out, const std::vector<std::string>&) { bench(out); };
+}
+
+const std::map<std::string, Bench>& benches() {
   using namespace croquis::bench;
-  const std::map<std::string, void (*)(std::ostream&)> benches = {{"holes", bench_holes},
-                                                                  {"implicit", bench_implicit},
-                                                                  {"readers", bench_readers},
-                                                                  {"silhouette", bench_silhouette},
-                                                                  {"solver", bench_solver},
-                                                                  {"subdivision", bench_subdivision}};
-  std::vector<std::string> chosen(argv + 1, argv + argc);
-  if (chosen.empty()) chosen = {"readers", "solver", "silhouette", "subdivision", "implicit", "holes"};
-  for (const std::string& name : chosen) {
-    const auto bench = benches.find(name);
-    if (bench == benches.end()) {
-      std::cerr << "There is no benchmark '" << name << "': use holes, implicit, readers, silhouette, solver or subdivision.\n";
-      return 2;
+  static const std::map<std::string, Bench> all = {{"holes", bench_holes},
+                                                   {"implicit", plain(bench_implicit)},
+                                                   {"readers", plain(bench_readers)},
+                                                   {"silhouette", plain(bench_silhouette)},
+                                                   {"solver", plain(bench_solver)},
+                                                   {"subdivision", plain(bench_subdivision)}};
+  return all;
+}
+
+/// One benchmark, and the words behind its name.
+using Choice = std::pair<std::string, std::vector<std::string>>;
+
+/// Words that are no benchmark's name belong to `holes`, which has sections. @return whether all words mean something
+bool read_choices(const std::vector<std::string>& words, std::vector<Choice>& choices) {
+  for (const std::string& word : words) {
+    if (benches().contains(word)) {
+      choices.push_back({word, {}});
+    } else if (!choices.empty() && choices.back().first == "holes") {
+      choices.back().second.push_back(word);
+    } else {
+      std::cerr << "There is no benchmark '" << word
+                << "': use holes, implicit, readers, silhouette, solver or subdivision.\n";
+      return false;
     }
-    std::cout << "# " << name << "\n\n";
-    bench->second(std::cout);
-    std::cout << std::endl;
+  }
+  return true;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.empty()) words = {"readers", "solver", "silhouette", "subdivision", "implicit", "holes"};
+  std::vector<Choice> choices;
+  if (!read_choices(words, choices)) return 2;
+  try {
+    for (const auto& [name, sections] : choices) {
+      std::cout << "# " << name << "\n\n";
+      benches().at(name)(std::cout, sections);
+      std::cout << std::endl;
+    }
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 1;
   }
   return 0;
 }

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <span>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -22,29 +21,30 @@ constexpr double reach = 3;             // everything lies within this of the or
 constexpr double trial_cell = 0.05;     // of the mesh whose triangles tell how many a cell gives
 constexpr double gradient_step = 1e-5;  // units
 
+using Solid = std::function<double(const Vec3&)>;
+
 /// A place on the surface: where a line through the solid enters it.
-Vec3 place_on(Sculpture sculpture) {
+Vec3 place_on(const Solid& solid) {
   for (const double z : {0.0, -0.3, 0.3, -0.6, 0.6}) {
     for (const double y : {0.0, -0.25, 0.25, -0.5, 0.5}) {
       for (double x = -reach; x < reach; x += 0.01) {
-        if (field_value(sculpture, {x, y, z}) < 0) return {x, y, z};
+        if (solid({x, y, z}) < 0) return {x, y, z};
       }
     }
   }
-  throw std::logic_error(std::string("no line meets ") + name_of(sculpture));
+  throw std::logic_error("no line meets the solid");
 }
 
-implicit::Field field_for(Sculpture sculpture) {
-  return implicit::field_of([sculpture](const Vec3& p) { return field_value(sculpture, p); }, gradient_step);
+Solid solid_of(Sculpture sculpture) {
+  return [sculpture](const Vec3& p) { return field_value(sculpture, p); };
 }
 
-PolyMesh cubes(Sculpture sculpture, const implicit::Field& field, double cell) {
+PolyMesh cubes(const Vec3& seed, const implicit::Field& field, double cell) {
   implicit::PolygonizerOptions options;
   options.cell = cell;
   options.origin = Vec3(-0.0137, 0.0071, 0.0113);  // no plane of a machined piece lies in the lattice
   options.bounds = {Vec3::Constant(-reach), Vec3::Constant(reach)};
   Progress progress;
-  const Vec3 seed = place_on(sculpture);
   return implicit::polygonize(field, std::span(&seed, 1), options, progress).mesh;
 }
 
@@ -99,6 +99,15 @@ void sharpen(PolyMesh& mesh, const implicit::Field& field, double cell) {
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) mesh.positions[v] = meetings[v].solve(1.5 * cell);
 }
 
+double mean_edge(const PolyMesh& mesh) {
+  double sum = 0;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto t = mesh.face(f);
+    for (std::size_t i = 0; i < 3; ++i) sum += (mesh.positions[t[i]] - mesh.positions[t[(i + 1) % 3]]).norm();
+  }
+  return sum / (3 * static_cast<double>(mesh.face_count()));
+}
+
 }  // namespace
 
 const char* name_of(Sculpture sculpture) {
@@ -110,17 +119,23 @@ const char* name_of(Sculpture sculpture) {
 bool is_machined(Sculpture sculpture) { return sculpture == Sculpture::Bracket || sculpture == Sculpture::Housing; }
 
 PolyMesh sculpt(Sculpture sculpture, std::size_t triangles) {
-  const implicit::Field field = field_for(sculpture);
-  const auto trial = static_cast<double>(cubes(sculpture, field, trial_cell).face_count());
-  const double cell = trial_cell * std::sqrt(trial / static_cast<double>(triangles));
-  PolyMesh mesh = cubes(sculpture, field, cell);
+  PolyMesh mesh = sculpt(solid_of(sculpture), triangles);
+  if (!is_machined(sculpture)) return mesh;
+  const implicit::Field field = implicit::field_of(solid_of(sculpture), gradient_step);
+  const double cell = mean_edge(mesh);
+  for (int round = 0; round < 3; ++round) sharpen(mesh, field, cell);
+  return mesh;
+}
+
+PolyMesh sculpt(const Solid& solid, std::size_t triangles) {
+  const implicit::Field field = implicit::field_of(solid, gradient_step);
+  const Vec3 seed = place_on(solid);
+  const auto trial = static_cast<double>(cubes(seed, field, trial_cell).face_count());
   implicit::ProjectionOptions options;
-  options.cell = cell;
+  options.cell = trial_cell * std::sqrt(trial / static_cast<double>(triangles));
   options.accuracy = 1e-4;
+  PolyMesh mesh = cubes(seed, field, options.cell);
   implicit::smooth_on_surface(mesh, {}, field, 2, options);
-  if (is_machined(sculpture)) {
-    for (int round = 0; round < 3; ++round) sharpen(mesh, field, cell);
-  }
   return mesh;
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 
 #include "croquis/geometry/poly_mesh.h"
 
@@ -38,5 +39,9 @@ double field_value(Sculpture sculpture, const Vec3& point);
 /// of machined ones run along edges of the mesh. Thin walls need 8,000 triangles. Takes about 0.15 s for 10,000
 /// triangles, in proportion for more; the same for any number of threads.
 PolyMesh sculpt(Sculpture sculpture, std::size_t triangles);
+
+/// The same for a solid of one's own: about the signed distance, within 3 units of the origin, met by one of the lines
+/// along x through (0, ±0.25 i, ±0.3 k), i and k up to 2. Sharp edges come out cut.
+PolyMesh sculpt(const std::function<double(const Vec3&)>& solid, std::size_t triangles);
 
 }  // namespace croquis::test

@@ -136,6 +136,14 @@ std::vector<Index> difference(const std::vector<Index>& faces, const std::vector
   return rest;
 }
 
+/// Around the centre, in whose face it begins, but for an island; empty where the island has no face.
+std::vector<Index> ragged_piece(const PieceCutter& cutter, Index first, const Vec3& centre, const RaggedRadius& outer,
+                                double island) {
+  const auto all = cutter.grow(first, [&](const Vec3& p) { return (p - centre).norm() < outer.at(p - centre); });
+  const auto kept = cutter.grow(first, [&](const Vec3& p) { return (p - centre).norm() < island; });
+  return island > 0 && kept.empty() ? kept : difference(all, kept);
+}
+
 CutScan without(const PolyMesh& complete, std::vector<std::vector<Index>> removed) {
   std::vector<Index> all;
   for (const auto& faces : removed) all.insert(all.end(), faces.begin(), faces.end());
@@ -202,17 +210,24 @@ CutScan ragged_cuts(const PolyMesh& complete, const RaggedCuts& cuts) {
     const Vec3 centre = complete.positions[complete.face(first)[0]];
     const double radius = diagonal * cuts.low * std::pow(cuts.high / cuts.low, random.unit());
     const RaggedRadius outer(random, radius, cuts.raggedness);
-    std::vector<Index> faces =
-        cutter.grow(first, [&](const Vec3& p) { return (p - centre).norm() < outer.at(p - centre); });
-    const std::vector<Index> island =
-        cutter.grow(first, [&](const Vec3& p) { return (p - centre).norm() < cuts.island * radius; });
-    if (cuts.island > 0 && island.empty()) continue;
-    faces = difference(faces, island);
+    std::vector<Index> faces = ragged_piece(cutter, first, centre, outer, cuts.island * radius);
     if (!cutter.is_free(faces, cuts.island > 0 ? 2 : 1)) continue;
     cutter.take(faces);
     removed.push_back(std::move(faces));
   }
   return without(complete, std::move(removed));
+}
+
+PolyMesh cut_ragged(const PolyMesh& mesh, const Vec3& centre, double radius, double island, std::uint64_t seed) {
+  Random random(seed);
+  const RaggedRadius outer(random, radius, RaggedCuts().raggedness);
+  Index first = 0;
+  const auto distance = [&](Index face) { return (mesh.positions[mesh.face(face)[0]] - centre).norm(); };
+  for (Index f = 1; f < mesh.face_count(); ++f) {
+    if (distance(f) < distance(first)) first = f;
+  }
+  const Vec3 middle = mesh.positions[mesh.face(first)[0]];
+  return without_faces(mesh, ragged_piece(PieceCutter(mesh), first, middle, outer, island));
 }
 
 PolyMesh with_noise(PolyMesh mesh, std::uint64_t seed, double amount) {

@@ -27,6 +27,10 @@ struct RaggedCuts {
 /// Linear in faces plus the pieces.
 CutScan ragged_cuts(const PolyMesh& complete, const RaggedCuts& cuts);
 
+/// Removes the ragged piece around the place on the mesh nearest to `centre`, but for an island.
+/// @param radius, island model units; @param seed of the rim's shape
+PolyMesh cut_ragged(const PolyMesh& mesh, const Vec3& centre, double radius, double island, std::uint64_t seed);
+
 /// Vertices moved along their normals by a normal distribution.
 /// @param amount its standard deviation, × the mean edge
 PolyMesh with_noise(PolyMesh mesh, std::uint64_t seed, double amount);

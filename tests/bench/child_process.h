@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace croquis::bench {
+
+/// Runs a program that PATH finds, without its output, and waits for it.
+/// @return processor time of it and of the processes that it waited for, in ms; nothing when it can't be run or fails
+std::optional<double> cpu_ms_of(const std::vector<std::string>& command);
+
+bool is_installed(const std::string& program);
+
+/// A new folder for files, removed with all in it at the end.
+class ScratchFolder {
+ public:
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  std::string file(const std::string& name) const { return path_ + "/" + name; }
+
+ private:
+  std::string path_;
+};
+
+}  // namespace croquis::bench
