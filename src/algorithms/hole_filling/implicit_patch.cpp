@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/hole_filling/implicit_patch.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
 
 #include "algorithms/hole_filling/harmonic_values.h"
-#include "algorithms/hole_filling/implicit_patch.h"
+#include "algorithms/hole_filling/patch_displacement.h"
 #include "algorithms/hole_filling/patch_editing.h"
 #include "algorithms/hole_filling/patcher.h"
 #include "algorithms/hole_filling/rim_field.h"
@@ -22,6 +24,8 @@ constexpr int smoothings = 2;  // per round
 
 /// A patch that strays farther from its rims than this has run away: the surface around doesn't close. × size
 constexpr double longest_way = 1.5;
+
+constexpr std::size_t most_guides = 80;
 
 /// The zero set has a vertex this near to any place that it goes through, or it doesn't go there. × edge
 constexpr double farthest_pin = 1.5;
@@ -112,14 +116,10 @@ class ImplicitPatcher : public Patcher {
   const char* method() const override { return careful_ ? "implicit-careful" : "implicit"; }
 
   std::optional<HolePatch> attempt(const HoleSite& site, Progress& progress) const override {
+    if (!site.wish.through.empty()) return pulled(site, progress);
     const auto start = start_->attempt(site, progress);
     if (!start || start->points.empty()) return start;
-    progress.check();
-    const auto surface = fit_rims(site, options_, {careful_ ? stiffness : 1, careful_});
-    if (!surface) return std::nullopt;
-    auto patch = laid_onto(site, *surface, *start, progress);
-    if (patch && careful_) untangle(site, *patch, progress);
-    return patch;
+    return continued(site, *start, {}, progress);
   }
 
   std::optional<HolePatch> laid_onto(const HoleSite& site, const RimField& surface, const HolePatch& start,
@@ -136,6 +136,29 @@ class ImplicitPatcher : public Patcher {
   }
 
  private:
+  std::optional<HolePatch> continued(const HoleSite& site, const HolePatch& start, std::vector<PassingPoint> guides,
+                                     Progress& progress) const {
+    progress.check();
+    const auto surface = fit_rims(site, options_, {careful_ ? stiffness : 1, careful_, std::move(guides)});
+    if (!surface) return std::nullopt;
+    auto patch = laid_onto(site, *surface, start, progress);
+    if (patch && careful_) untangle(site, *patch, progress);
+    return patch;
+  }
+
+  /// The patch as it comes is pulled to the places that it is to go through; what it looks like then guides the fit.
+  /// The places alone would be met by a spike.
+  std::optional<HolePatch> pulled(const HoleSite& site, Progress& progress) const {
+    HoleSite plain = site;
+    plain.wish.through.clear();
+    auto start = attempt(plain, progress);
+    if (!start || !displace_through(*site.mesh, *start, site.wish.through)) return std::nullopt;
+    double perimeter = 0;
+    for (const Index id : site.holes) perimeter += site.analysis->holes[id].perimeter;
+    const double edge = perimeter / static_cast<double>(site.vertices.size());
+    return continued(site, *start, spread_points(*site.mesh, *start, 2 * edge, most_guides), progress);
+  }
+
   bool move_onto(const RimField& surface, LoosePatch& loose, const std::vector<Vec3>& through,
                  Progress& progress) const {
     implicit::ProjectionOptions projection;
@@ -149,8 +172,8 @@ class ImplicitPatcher : public Patcher {
       for (const auto& [a, b, c] : loose.triangles) mesh.add_triangle(a, b, c);
       std::vector<std::uint8_t> fixed(mesh.vertex_count(), 0);
       std::fill_n(fixed.begin(), loose.rim_points, std::uint8_t{1});
+      pin(mesh.positions, fixed, loose, through);
       if (round == 0) implicit::project(mesh.positions, fixed, surface.field(), projection);
-      if (round > 0) pin(mesh.positions, fixed, loose, through);
       const auto report = implicit::smooth_on_surface(mesh, fixed, surface.field(), smoothings, projection);
       loose.points = std::move(mesh.positions);
       if (has_run_away(surface, loose, through) || (round + 1 == rounds && report.not_converged > 0)) return false;

@@ -20,6 +20,9 @@ namespace {
 /// aren't in special position.
 constexpr std::size_t most_cgal_points = 1500;
 
+/// Fairing sees a ring or two of the surface alone and follows its slope weakly: it is shown more of it.
+constexpr double faired_turn = 4;
+
 std::optional<std::vector<Triangle>> by_area(const HoleSite& site, Progress& progress) {
   auto found = triangulate_rim(site.polygon, progress);
   if (!found) return std::nullopt;
@@ -137,7 +140,8 @@ LocalSite make_local_site(const HoleSite& site, const std::vector<Triangle>& pat
   if (site.wish.bulge != 0) hinge.emplace(site, site.wish.bulge);
   for (const Index v : local.vertices) {
     const Vec3& place = site.mesh->positions[v];
-    local.input.points.push_back(((hinge ? hinge->place(place) : place) - local.centre) / local.size);
+    const Vec3 shown = hinge ? Vec3(place + faired_turn * (hinge->place(place) - place)) : place;
+    local.input.points.push_back((shown - local.centre) / local.size);
   }
   const auto renumbered = [&](const Triangle& t) {
     return Triangle{local.number(t[0]), local.number(t[1]), local.number(t[2])};

@@ -66,6 +66,10 @@ class RimFitting {
     passing_ = other_sheets(site, reached_, reach_, passing_spacing * edge_, most_passing);
   }
 
+  void follow(const std::vector<PassingPoint>& guides) {
+    passing_.insert(passing_.end(), guides.begin(), guides.end());
+  }
+
   std::optional<RimField> run(double stiffness) {
     sample_reached();
     choose_centres();
@@ -163,6 +167,7 @@ class RimFitting {
 std::optional<RimField> fit_rims(const HoleSite& site, const ImplicitOptions& options, const RimFitOptions& how) {
   RimFitting fitting(site, options);
   if (how.other_sheets) fitting.keep_clear_of_others(site);
+  fitting.follow(how.guides);
   return fitting.run(how.stiffness);
 }
 

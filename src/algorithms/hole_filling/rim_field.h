@@ -3,8 +3,10 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "algorithms/hole_filling/hole_site.h"
+#include "algorithms/hole_filling/other_sheets.h"
 #include "croquis/hole_filling/implicit_options.h"
 #include "croquis/implicit/local_fit.h"
 
@@ -22,6 +24,7 @@ struct RimField {
 struct RimFitOptions {
   double stiffness = 1;       ///< factor of the smoothing
   bool other_sheets = false;  ///< sheets that pass nearby count too, so that the continuation keeps clear of them
+  std::vector<PassingPoint> guides = {};  ///< further places and normals of the surface
 };
 
 /// Fits one radial basis function to the surface around the rims: vertices within max(4 edges, reach × size) along the
