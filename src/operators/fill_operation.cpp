@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "operators/fill_operation.h"
 
+#include <string>
 #include <utility>
 
+#include "croquis/document/content_hash.h"
 #include "croquis/hole_filling/hole_choice.h"
 #include "operators/fill_report.h"
 #include "operators/fill_settings.h"
+#include "operators/memo_stage_cache.h"
 
 namespace croquis {
 namespace {
@@ -21,6 +24,30 @@ OperationResult list_holes(std::shared_ptr<const PolyMesh> scan, const FillOptio
   result.outputs["rims"] = std::make_shared<const PolyMesh>(rim_lines(*scan, analysis.holes));
   result.outputs["mesh"] = std::move(scan);
   result.warnings = std::move(analysis.warnings);
+  return result;
+}
+
+/// Tells the scan from every other one in the memo.
+std::string key_of(const std::shared_ptr<const PolyMesh>& scan) {
+  const ContentHash hash = content_hash(Value(scan));
+  return std::to_string(hash.high) + ' ' + std::to_string(hash.low);
+}
+
+OperationResult patch_holes(const std::shared_ptr<const PolyMesh>& scan, const FillSettings& settings,
+                            Context& context) {
+  FillOptions options = settings.options.fill;
+  options.threads = context.threads;
+  MemoStageCache cache(context.memo);
+  if (context.memo != nullptr) {
+    options.cache = &cache;
+    options.scan_key = key_of(scan);
+  }
+  FillResult filled = fill_holes(*scan, options, context.progress);
+  OperationResult result;
+  result.outputs["details"] = std::make_shared<const Report>(fill_details(*scan, filled));
+  result.outputs["rims"] = std::make_shared<const PolyMesh>(rim_lines(*scan, filled.analysis.holes));
+  result.outputs["mesh"] = std::make_shared<const PolyMesh>(std::move(filled.mesh));
+  result.warnings = std::move(filled.warnings);
   return result;
 }
 
@@ -51,13 +78,9 @@ OperationResult FillOperation::compute(const Values& inputs, const ParameterValu
                                        Context& context) const {
   const auto& scan = std::get<std::shared_ptr<const PolyMesh>>(inputs.at("scan"));
   const FillSettings settings = read_fill_settings(parameters);
-  if (settings.list_only) return list_holes(scan, settings.options, context.progress);
-  FillResult filled = fill_holes(*scan, settings.options, context.progress);
-  OperationResult result;
-  result.outputs["details"] = std::make_shared<const Report>(fill_details(*scan, filled));
-  result.outputs["rims"] = std::make_shared<const PolyMesh>(rim_lines(*scan, filled.analysis.holes));
-  result.outputs["mesh"] = std::make_shared<const PolyMesh>(std::move(filled.mesh));
-  result.warnings = std::move(filled.warnings);
+  OperationResult result = settings.list_only ? list_holes(scan, settings.options.fill, context.progress)
+                                              : patch_holes(scan, settings, context);
+  result.warnings.insert(result.warnings.begin(), settings.warnings.begin(), settings.warnings.end());
   return result;
 }
 

@@ -2,10 +2,13 @@
 #include "operators/fill_settings.h"
 
 #include <algorithm>
+#include <charconv>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "croquis/base/error.h"
 #include "croquis/operators/hole_wishes.h"
 #include "operators/hole_ids.h"
 
@@ -17,6 +20,7 @@ using hole_filling::FillOptions;
 using hole_filling::HoleRequest;
 using hole_filling::Precision;
 using hole_filling::Preset;
+using hole_filling::RemeshOptions;
 using hole_filling::Selection;
 using implicit::Kernel;
 
@@ -94,9 +98,76 @@ void read_choice(const ParameterValues& parameters, FillOptions& options) {
 void read_shape(const ParameterValues& parameters, FillOptions& options) {
   options.fairness = fairness_of(text(parameters, "fairness"));
   options.preset = preset_of(text(parameters, "preset"));
-  options.implicit.kernel = kernel_of(text(parameters, "kernel"));
+  const Kernel kernel = kernel_of(text(parameters, "kernel"));
+  if (kernel != Kernel::Hermite) options.implicit.kernel = kernel;
   options.bulge = number(parameters, "bulge");
   options.trim_rim = static_cast<int>(std::get<std::int64_t>(parameters.at("trim-rim")));
+}
+
+std::optional<std::size_t> count_in(std::string_view word) {
+  std::size_t count = 0;
+  const auto [stopped, error] = std::from_chars(word.data(), word.data() + word.size(), count);
+  return error == std::errc{} && stopped == word.data() + word.size() ? std::optional(count) : std::nullopt;
+}
+
+/// "30:300".
+void read_point_range(const std::string& range, RemeshOptions& options) {
+  constexpr std::size_t fewest = 4, most = 2000;
+  const std::size_t colon = std::min(range.find(':'), range.size());
+  const auto low = count_in(std::string_view(range).substr(0, colon));
+  const auto high = colon < range.size() ? count_in(std::string_view(range).substr(colon + 1)) : std::nullopt;
+  if (!low || !high || *low < fewest || *high < *low || *high > most)
+    throw Error(make_error(Category::Usage, "E_PARAMETER",
+                           "'" + range +
+                               "' is no value for points-per-domain: it takes the least and the most points, "
+                               "4 to 2000, such as 30:300.",
+                           {{SubjectKind::Parameter, "points-per-domain", {}, {}, {}}}));
+  options.min_points = *low;
+  options.max_points = *high;
+}
+
+const ParameterDescription& described(const std::vector<ParameterDescription>& descriptions, const std::string& name) {
+  return *std::ranges::find(descriptions, name, &ParameterDescription::name);
+}
+
+/// As the preset has it, but for what was changed.
+RemeshOptions remesh_options(const ParameterValues& parameters) {
+  const auto descriptions = fill_parameters();
+  const auto is_changed = [&](const std::string& name) {
+    return parameters.at(name) != described(descriptions, name).default_value;
+  };
+  RemeshOptions options;
+  if (is_changed("overlap")) options.overlap = number(parameters, "overlap");
+  if (is_changed("points-per-domain")) read_point_range(text(parameters, "points-per-domain"), options);
+  if (is_changed("smoothing")) options.smoothing = static_cast<int>(std::get<std::int64_t>(parameters.at("smoothing")));
+  if (is_changed("refine")) options.refine = static_cast<int>(std::get<std::int64_t>(parameters.at("refine")));
+  if (is_changed("cell")) options.cell = number(parameters, "cell");
+  constexpr double mebibyte = 1024 * 1024;
+  options.memory_limit = static_cast<std::size_t>(std::min(number(parameters, "memory-limit") * mebibyte, 1e18));
+  return options;
+}
+
+/// What only one of the modes looks at.
+constexpr std::array<const char*, 5> remesh_alone = {"overlap", "points-per-domain", "smoothing", "refine", "cell"};
+constexpr std::array<const char*, 3> patch_alone = {"fairness", "bulge", "trim-rim"};
+
+Findings unused_parameters(const ParameterValues& parameters, bool remesh) {
+  std::string names;
+  std::vector<Subject> subjects;
+  const auto descriptions = fill_parameters();
+  const auto look_at = [&](const char* name) {
+    if (parameters.at(name) == described(descriptions, name).default_value) return;
+    names += (names.empty() ? "" : ", ") + std::string(name);
+    subjects.push_back({SubjectKind::Parameter, name, {}, {}, {}});
+  };
+  if (remesh)
+    std::ranges::for_each(patch_alone, look_at);
+  else
+    std::ranges::for_each(remesh_alone, look_at);
+  if (subjects.empty()) return {};
+  const std::string mode = remesh ? "remesh" : "patch";
+  return {make_warning(Category::Usage, "W_PARAMETER_UNUSED", "Not looked at in mode " + mode + ": " + names + ".",
+                       std::move(subjects))};
 }
 
 }  // namespace
@@ -142,6 +213,54 @@ std::vector<ParameterDescription> fill_parameters() {
        {},
        "rings of faces",
        "Removes so much of the scan along the rims that are filled, where scans are worst."},
+      {"overlap",
+       ParameterType::Number,
+       0.25,
+       0,
+       1,
+       {},
+       "× domain",
+       "remesh: how much larger domains are than their boxes; 0.1 with the preset paper."},
+      {"points-per-domain",
+       ParameterType::Text,
+       std::string("30:300"),
+       0,
+       0,
+       {},
+       "",
+       "remesh: least and most points of a domain, MIN:MAX."},
+      {"smoothing",
+       ParameterType::Integer,
+       std::int64_t{2},
+       0,
+       20,
+       {},
+       "rounds",
+       "remesh: how often the triangles are evened out on the surface."},
+      {"refine",
+       ParameterType::Integer,
+       std::int64_t{0},
+       0,
+       4,
+       {},
+       "times",
+       "remesh: how often every triangle is cut in four."},
+      {"cell",
+       ParameterType::Number,
+       1.0,
+       0.1,
+       10,
+       {},
+       "× mean edge",
+       "remesh: edge of the cubes; small ones keep more detail and take more memory. 0.5 with the preset sharp."},
+      {"memory-limit",
+       ParameterType::Number,
+       0.0,
+       0,
+       unlimited,
+       {},
+       "MiB",
+       "A mesh that would take more is refused before anything is allocated; 0 for no limit."},
       choice("precision", {"double", "single"},
              "How coordinates will be stored, by which patches are judged; files of single numbers set it."),
       flag("patch-ids", true,
@@ -152,12 +271,16 @@ std::vector<ParameterDescription> fill_parameters() {
 
 FillSettings read_fill_settings(const ParameterValues& parameters) {
   FillSettings settings;
-  FillOptions& options = settings.options;
+  settings.remesh = text(parameters, "mode") == "remesh";
+  settings.options = remesh_options(parameters);
+  FillOptions& options = settings.options.fill;
   read_choice(parameters, options);
   read_shape(parameters, options);
+  options.memory_limit = settings.options.memory_limit;
   if (text(parameters, "precision") == "single") options.precision = Precision::Single;
   options.mark_patches = std::get<bool>(parameters.at("patch-ids"));
   settings.list_only = std::get<bool>(parameters.at("list"));
+  if (!settings.list_only) settings.warnings = unused_parameters(parameters, settings.remesh);
   return settings;
 }
 

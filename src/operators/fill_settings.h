@@ -5,26 +5,28 @@
 #include <string_view>
 #include <vector>
 
+#include "croquis/base/finding.h"
 #include "croquis/base/parameter.h"
-#include "croquis/hole_filling/fill_holes.h"
+#include "croquis/hole_filling/remesh.h"
 
 namespace croquis {
 
-/// The words for Fairness and implicit::Kernel, the default first; `kernel` has "auto" before them: what the preset
-/// says.
+/// The words for Fairness and implicit::Kernel, the default first.
 inline constexpr std::array<std::string_view, 3> fairness_names = {"rbf", "smooth", "flat"};
 inline constexpr std::array<std::string_view, 4> kernel_names = {"hermite", "triharmonic", "biharmonic", "thin-plate"};
 
 /// What the parameters of `fill` ask for.
 struct FillSettings {
-  hole_filling::FillOptions options;
-  bool list_only = false;  ///< holes are looked at, none is filled
+  hole_filling::RemeshOptions options;  ///< of both modes: patches go by options.fill alone
+  bool remesh = false;                  ///< the whole model is made anew
+  bool list_only = false;               ///< holes are looked at, none is filled
+  Findings warnings;                    ///< W_PARAMETER_UNUSED
 };
 
 std::vector<ParameterDescription> fill_parameters();
 
 /// @param parameters complete (see croquis::complete)
-/// @throws Error (E_PARAMETER) for a list of ids, or wishes for single holes, that can't be read
+/// @throws Error (E_PARAMETER) for a list of ids, wishes for single holes or a range of points that can't be read
 FillSettings read_fill_settings(const ParameterValues& parameters);
 
 }  // namespace croquis

@@ -40,9 +40,10 @@ struct FillOptions {
       true;  ///< tell the patches apart by a face channel "patch_id" (int32, -1 for the faces given), and
              ///< how they are backed by a vertex channel "confidence" (float, 1 for the vertices given)
   HoleAnalysisOptions analysis;
-  int threads = 1;              ///< 0: as many as the machine has. The result is the same for any
-  StageCache* cache = nullptr;  ///< analysis and patches of earlier runs, not owned; null: everything is made anew
-  std::string scan_key;         ///< tells the mesh from all others in the cache; empty: all its bytes do
+  int threads = 1;               ///< 0: as many as the machine has. The result is the same for any
+  std::size_t memory_limit = 0;  ///< bytes; a mesh predicted to need more is refused. 0: none
+  StageCache* cache = nullptr;   ///< analysis and patches of earlier runs, not owned; null: everything is made anew
+  std::string scan_key;          ///< tells the mesh from all others in the cache; empty: all its bytes do
 };
 
 enum class FillAction {
@@ -76,6 +77,10 @@ struct FillResult {
   Findings warnings;               ///< those of the analysis, W_OUTER_LEFT, W_FALLBACK, W_LOW_CONFIDENCE, W_HOLE_FAILED
 };
 
+/// The most that fill_holes will hold at a time, in bytes, the mesh given not counted. Linear in its channels, and
+/// allocates nothing.
+std::size_t predicted_fill_bytes(const PolyMesh& mesh, const FillOptions& options);
+
 /// "fill", "leave", "failed".
 const char* to_string(FillAction action);
 
@@ -85,7 +90,8 @@ const char* to_string(FillAction action);
 /// patches ("normal" is computed), those of faces get the value beside the rim, those of corners NaN or 0.
 ///
 /// Near-linear in faces; see triangulate_rim and FillOptions for rims. The same for any number of threads.
-/// @throws Error as analyse_holes, or E_PARAMETER for an id in `only` that no hole has
+/// @throws Error as analyse_holes; E_PARAMETER for an id that no hole has; E_MEMORY (Category::Limit) before anything
+///         large is allocated
 /// @throws Cancelled
 FillResult fill_holes(const PolyMesh& mesh, const FillOptions& options, Progress& progress);
 

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <memory>
+#include <string>
 #include <utility>
+#include <variant>
 
 #include "algorithms/hole_filling/fill_findings.h"
 #include "algorithms/hole_filling/fill_jobs.h"
@@ -12,6 +14,7 @@
 #include "algorithms/hole_filling/patch_confidence.h"
 #include "algorithms/hole_filling/rim_trimming.h"
 #include "algorithms/hole_filling/stage_key.h"
+#include "croquis/base/error.h"
 #include "croquis/hole_filling/hole_choice.h"
 
 namespace croquis::hole_filling {
@@ -147,7 +150,40 @@ class Filling {
   FillResult result_;
 };
 
+void require_memory(const PolyMesh& mesh, const FillOptions& options) {
+  if (options.memory_limit == 0) return;
+  const std::size_t bytes = predicted_fill_bytes(mesh, options);
+  if (bytes <= options.memory_limit) return;
+  const auto mebibytes = [](std::size_t count) { return std::to_string((count + (1 << 20) - 1) >> 20) + " MiB"; };
+  throw Error(make_error(Category::Limit, "E_MEMORY",
+                         "Filling the holes of these " + std::to_string(mesh.face_count()) +
+                             " faces would take about " + mebibytes(bytes) + ", more than the limit of " +
+                             mebibytes(options.memory_limit) +
+                             ": raise the limit, or fill the parts of the model one by one."));
+}
+
 }  // namespace
+
+std::size_t predicted_fill_bytes(const PolyMesh& mesh, const FillOptions& options) {
+  constexpr std::size_t view_triangle = 35, joined_triangle = 75;  // of SurfaceView, and at most while it is made
+  constexpr std::size_t index = sizeof(Index), point = sizeof(Vec3);
+  constexpr std::size_t allowance = std::size_t{24} << 20;  // patches under way and what they are made with
+  const std::size_t vertices = mesh.vertex_count();
+  const std::size_t corners = mesh.corners.size();
+  const std::size_t triangles = corners - std::min(corners, 2 * mesh.face_count());
+  const std::size_t views = (options.cache == nullptr ? 1 : 2) * view_triangle * triangles;
+  // Verification has the triangles twice, once for the search.
+  const std::size_t verification = 2 * point * vertices + (4 + 1 + 3) * index * triangles;
+  std::size_t result = point * vertices + index * (corners + mesh.face_count());
+  for (const AttributeChannel& channel : mesh.channels)
+    result += channel.size() * std::visit([](const auto& values) { return sizeof values[0]; }, channel.data);
+  if (options.mark_patches) result += index * (mesh.face_count() + vertices);
+  const bool trims = options.trim_rim > 0 || std::ranges::any_of(options.requests, [](const HoleRequest& request) {
+                       return request.trim_rim.value_or(0) > 0;
+                     });
+  const std::size_t trimmed = trims ? result + view_triangle * triangles : 0;
+  return allowance + trimmed + std::max(joined_triangle * triangles, views + std::max(verification, result));
+}
 
 const char* to_string(FillAction action) {
   switch (action) {
@@ -159,6 +195,7 @@ const char* to_string(FillAction action) {
 }
 
 FillResult fill_holes(const PolyMesh& mesh, const FillOptions& options, Progress& progress) {
+  require_memory(mesh, options);
   return Filling(mesh, options).run(progress);
 }
 
