@@ -13,6 +13,7 @@ struct ProcessResult {
   std::string out;
   std::string err;
   long peak_kilobytes = 0;
+  double cpu_seconds = 0;  ///< processor time of the program, the system's on its behalf included
 };
 
 struct ProcessOptions {

@@ -10,8 +10,8 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
-#include "croquis/geometry/mesh_report.h"
 #include "croquis/hole_filling/fill_holes.h"
+#include "hole_filling/fill_invariants.h"
 #include "support/mesh_shapes.h"
 #include "support/random.h"
 #include "support/sample_count.h"
@@ -25,62 +25,10 @@ namespace {
 
 constexpr Fairness all_fairness[] = {Fairness::Flat, Fairness::Tangent, Fairness::Curved, Fairness::Implicit};
 
-FillResult fill(const PolyMesh& mesh, const FillOptions& options = {}) {
-  Progress progress;
-  return fill_holes(mesh, options, progress);
-}
-
-MeshReport report_of(const PolyMesh& mesh) {
-  Progress progress;
-  return inspect(mesh, true, progress);
-}
-
 std::vector<std::string> codes_of(const FillResult& result) {
   std::vector<std::string> codes;
   for (const Finding& finding : result.warnings) codes.push_back(finding.code);
   return codes;
-}
-
-std::size_t filled(const FillResult& result) {
-  std::size_t count = 0;
-  for (const HoleOutcome& outcome : result.outcomes) count += outcome.action == FillAction::Fill;
-  return count;
-}
-
-/// The first vertices and faces are those given, bit by bit.
-bool begins_with(const PolyMesh& grown, const PolyMesh& given) {
-  return grown.vertex_count() >= given.vertex_count() && grown.face_count() >= given.face_count() &&
-         std::equal(given.positions.begin(), given.positions.end(), grown.positions.begin()) &&
-         std::equal(given.face_offsets.begin(), given.face_offsets.end(), grown.face_offsets.begin()) &&
-         std::equal(given.corners.begin(), given.corners.end(), grown.corners.begin());
-}
-
-/// Whatever is filled must hold these: nothing given changes, what is closed is closed soundly, the rest stays.
-/// @param pinches vertices that two rims of one patch share
-void check_invariants(const PolyMesh& mesh, const FillResult& result, std::int64_t pinches = 0) {
-  CHECK(begins_with(result.mesh, mesh));
-  const MeshReport before = report_of(mesh);
-  const MeshReport after = report_of(result.mesh);
-  std::size_t rims = 0, closed_edges = 0;
-  std::set<Index> patches;
-  for (std::size_t i = 0; i < result.outcomes.size(); ++i) {
-    if (result.outcomes[i].action != FillAction::Fill) continue;
-    ++rims;
-    closed_edges += result.analysis.holes[i].vertices.size();
-    patches.insert(result.outcomes[i].patch);
-  }
-  Progress progress;
-  CHECK(analyse_holes(result.mesh, progress).holes.size() == result.analysis.holes.size() - rims);
-  CHECK(after.boundary_edges == before.boundary_edges - closed_edges);
-  CHECK(after.nonmanifold_edges == before.nonmanifold_edges);
-  CHECK(after.nonmanifold_vertices <= before.nonmanifold_vertices);
-  CHECK(after.oriented == before.oriented);
-  CHECK(*after.self_intersections == *before.self_intersections);
-  // Each patch is a sphere with as many holes as it closes.
-  CHECK(after.euler_characteristic ==
-        before.euler_characteristic + pinches + static_cast<std::int64_t>(2 * patches.size() - rims));
-  CHECK(result.new_vertices == result.mesh.vertex_count() - mesh.vertex_count());
-  CHECK(result.new_faces == result.mesh.face_count() - mesh.face_count());
 }
 
 double greatest_radial_error(const FillResult& result) {

@@ -209,6 +209,27 @@ TEST_CASE("coordinates are judged as they will be written") {
   CHECK_FALSE(as_single.accept_sound(std::vector{patch}, progress)[0].is_sound());
 }
 
+TEST_CASE("a triangle that loses its area to single precision is refused where the file will have that") {
+  // A new vertex so near to one of the rim that 32 bits hold both at one place.
+  PolyMesh mesh = without_faces(grid(3, 3), std::vector<Index>{4});
+  for (Vec3& p : mesh.positions) p.x() += 1e6;
+  Index corner = no_index;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.positions[v] == Vec3(1e6 + 1, 1, 0)) corner = v;
+  }
+  mesh.positions[corner] -= Vec3(0.01, 0.01 * 0x1p-24, 0);
+  const Scene scene(mesh);
+  const auto hole = std::find_if(scene.analysis.holes.begin(), scene.analysis.holes.end(),
+                                 [](const Hole& h) { return h.vertices.size() == 4; });
+  REQUIRE(hole != scene.analysis.holes.end());
+  const HolePatch patch = scene.fan(hole->id, Vec3(1e6 + 1, 1, 0));
+  Progress progress;
+  PatchVerifier as_double(scene.mesh, scene.analysis, Precision::Double);
+  CHECK(as_double.accept_sound(std::vector{patch}, progress)[0].is_sound());
+  PatchVerifier as_single(scene.mesh, scene.analysis, Precision::Single);
+  CHECK(as_single.accept_sound(std::vector{patch}, progress)[0].fault == "a triangle of the patch has no area");
+}
+
 TEST_CASE("cancelling accepts nothing") {
   const Scene scene(cut(round_sphere(4), Vec3(0, 0, 1), 0.3).mesh);
   const HolePatch patch = scene.fan(0, Vec3(0, 0, 1));

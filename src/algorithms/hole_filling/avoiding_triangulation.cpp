@@ -53,10 +53,11 @@ Triangles offenders(const HoleSite& site, const NearScene& scene, const Triangle
 }  // namespace
 
 std::optional<Triangles> avoiding_triangulation(const HoleSite& site, Progress& progress) {
-  if (site.polygon.points.size() > most_points) return std::nullopt;
+  const std::size_t points = site.polygon.points.size();
+  if (points == 3 || points > most_points) return std::nullopt;  // a triangle has no other triangulation
   const NearScene scene(*site.mesh, site.analysis->view, reach_of(site.polygon));
   RimPolygon polygon = site.polygon;
-  for (std::size_t searches = searches_for(polygon.points.size()); searches > 0; --searches) {
+  for (std::size_t searches = searches_for(points); searches > 0; --searches) {
     progress.check();
     auto found = triangulate_rim(polygon, progress, {.exact_points = most_points});
     if (!found) return std::nullopt;

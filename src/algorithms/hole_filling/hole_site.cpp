@@ -7,10 +7,21 @@
 namespace croquis::hole_filling {
 namespace {
 
+bool lies_before(const Vec3& a, const Vec3& b) {
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+}
+
+/// From the vertex with the least coordinates on, so that a rim gives the same patch however vertices are numbered.
 void append_rim(const Hole& hole, HoleSite& site) {
-  for (auto vertex = hole.vertices.rbegin(); vertex != hole.vertices.rend(); ++vertex) {
-    site.vertices.push_back(*vertex);
-    site.polygon.points.push_back(site.mesh->positions[*vertex]);
+  const std::vector<Vec3>& positions = site.mesh->positions;
+  std::vector<Index> rim(hole.vertices.rbegin(), hole.vertices.rend());
+  std::rotate(rim.begin(),
+              std::min_element(rim.begin(), rim.end(),
+                               [&](Index a, Index b) { return lies_before(positions[a], positions[b]); }),
+              rim.end());
+  for (const Index vertex : rim) {
+    site.vertices.push_back(vertex);
+    site.polygon.points.push_back(positions[vertex]);
   }
   site.polygon.loop_ends.push_back(static_cast<Index>(site.vertices.size()));
 }

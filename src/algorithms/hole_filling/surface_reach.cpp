@@ -2,6 +2,7 @@
 #include "algorithms/hole_filling/surface_reach.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <queue>
@@ -29,7 +30,7 @@ class Reach {
   std::vector<ReachedVertex> run() {
     std::vector<ReachedVertex> reached;
     while (!queue_.empty()) {
-      const auto [distance, vertex, corner] = queue_.top();
+      const auto [distance, place, vertex, corner] = queue_.top();
       queue_.pop();
       if (distance > known_.at(vertex)) continue;
       known_[vertex] = -1;  // done: nothing is nearer
@@ -44,14 +45,17 @@ class Reach {
   }
 
  private:
-  using Entry = std::tuple<double, Index, Index>;  // distance, vertex, a corner there
+  // Distance, place, vertex, a corner there: of places equally far the one with the least coordinates comes first, so
+  // that the numbers of vertices tell nothing.
+  using Entry = std::tuple<double, std::array<double, 3>, Index, Index>;
 
   void offer(Index corner, double distance) {
     const Index vertex = view_.origin(corner);
     const auto [entry, is_new] = known_.try_emplace(vertex, distance);
     if (!is_new && distance >= entry->second) return;
     entry->second = distance;
-    queue_.emplace(distance, vertex, corner);
+    const Vec3& place = positions_[vertex];
+    queue_.emplace(distance, std::array{place.x(), place.y(), place.z()}, vertex, corner);
   }
 
   void offer_neighbours(Index triangle, Index vertex, double distance) {

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "croquis/geometry/mesh_report.h"
+#include "croquis/hole_filling/fill_holes.h"
+
+/// What holds whatever is filled, however, and by whatever method.
+namespace croquis::test {
+
+hole_filling::FillResult fill(const PolyMesh& mesh, const hole_filling::FillOptions& options = {});
+
+/// With self-intersections.
+MeshReport report_of(const PolyMesh& mesh);
+
+std::size_t filled(const hole_filling::FillResult& result);
+std::size_t filled_by(const hole_filling::FillResult& result, const std::string& method);
+
+/// The first vertices and faces are those given, bit by bit.
+bool begins_with(const PolyMesh& grown, const PolyMesh& given);
+
+/// Nothing given changes, what is closed is closed soundly, the rest stays: rims, edges, direction, intersections and
+/// Euler number as they must be.
+/// @param pinches vertices that two rims of one patch share
+void check_invariants(const PolyMesh& mesh, const hole_filling::FillResult& result, std::int64_t pinches = 0);
+
+}  // namespace croquis::test

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "croquis/hole_filling/fill_holes.h"
+#include "hole_filling/fill_invariants.h"
+#include "support/mesh_shapes.h"
+#include "support/sample_count.h"
+#include "support/scans.h"
+#include "support/virtual_scans.h"
+
+/// What fillers are known to fail at: surfaces that run away, skins that get joined, rims that share vertices, rough
+/// rims, sharp edges.
+using namespace croquis;
+using namespace croquis::test;
+using namespace croquis::hole_filling;
+
+namespace {
+
+FillOptions everything(Fairness fairness = Fairness::Implicit) {
+  FillOptions options;
+  options.selection = Selection::All;
+  options.flat_caps = false;
+  options.fairness = fairness;
+  return options;
+}
+
+/// How far new vertices lie from the box of the vertices given, × its diagonal.
+double farthest_out(const PolyMesh& mesh, const FillResult& result) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : mesh.positions) box.extend(p);
+  double farthest = 0;
+  for (std::size_t v = mesh.vertex_count(); v < result.mesh.vertex_count(); ++v)
+    farthest = std::max(farthest, box.exteriorDistance(result.mesh.positions[v]) / box.diagonal().norm());
+  return farthest;
+}
+
+/// Quads in z = height(x, y) over a square of `size`.
+template <typename Height>
+PolyMesh height_field(Index size, Height&& height) {
+  PolyMesh mesh = sheet(size, size);
+  for (Vec3& p : mesh.positions) p.z() = height(p.x(), p.y());
+  return mesh;
+}
+
+/// A sphere of quads of which every third one is missing in each ring, one further in each: each missing one shares
+/// corners with two others.
+PolyMesh chains_around_sphere(Index segments, Index rings) {
+  const PolyMesh whole = uv_sphere(segments, rings);
+  std::vector<Index> missing;
+  for (Index f = 0; f < whole.face_count(); ++f) {
+    const Index ring = f / segments;
+    if (whole.face(f).size() == 4 && (ring + f) % 3 == 0) missing.push_back(f);
+  }
+  return without_faces(whole, missing);
+}
+
+}  // namespace
+
+TEST_CASE("borders of open surfaces that are to be closed smoothly don't run away") {
+  const std::vector<PolyMesh> surfaces = {
+      sheet(16, 16),
+      height_field(16, [](double x, double y) { return 0.03 * (x - 8) * (y - 8); }),
+      height_field(16, [](double x, double y) { return 2 * std::sin(x / 3) * std::cos(y / 4); }),
+      height_field(16, [](double x, double) { return -0.02 * (x - 8) * (x - 8); }),
+      open_tube(1, 4, 32, 12),
+      bowl(40, 12),
+      moebius(30)};
+  for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(sample_count(1, 10)); ++seed) {
+    for (const PolyMesh& surface : surfaces) {
+      for (const double noise : {0.0, 0.2}) {
+        const PolyMesh mesh = with_noise(triangulated(surface), seed, noise);
+        for (const Fairness fairness : {Fairness::Tangent, Fairness::Implicit}) {
+          const FillResult result = fill(mesh, everything(fairness));
+          check_invariants(mesh, result);
+          CHECK(farthest_out(mesh, result) < 0.7);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("skins of thin plates and shells are never joined") {
+  for (const double wall : {0.015, 0.03, 0.06}) {
+    const PolyMesh skins = shell(4, wall);
+    for (const Fairness fairness : {Fairness::Flat, Fairness::Tangent, Fairness::Implicit}) {
+      PolyMesh mesh = cut(cut(skins, Vec3(0, 0, 1), 0.35).mesh, Vec3(0, 0, 1 - wall), 0.35).mesh;
+      mesh = cut(cut(mesh, Vec3(1, 0, 0), 0.2).mesh, Vec3(0, -1 + wall, 0), 0.5).mesh;
+      const FillResult result = fill(mesh, everything(fairness));
+      check_invariants(mesh, result);
+      CHECK(report_of(result.mesh).components == 2);
+      for (const HoleOutcome& outcome : result.outcomes) {
+        for (const HoleOutcome& other : result.outcomes)
+          CHECK((&outcome == &other || outcome.patch != other.patch || outcome.patch == no_index));
+      }
+    }
+  }
+}
+
+TEST_CASE("a hundred holes that share vertices are closed without an edge of many faces") {
+  for (const bool in_triangles : {false, true}) {
+    PolyMesh mesh = chains_around_sphere(36, 16);
+    if (in_triangles) mesh = triangulated(mesh);
+    for (const Fairness fairness : {Fairness::Flat, Fairness::Tangent, Fairness::Implicit}) {
+      FillOptions options;
+      options.fairness = fairness;
+      const FillResult result = fill(mesh, options);
+      check_invariants(mesh, result);
+      CHECK(result.outcomes.size() > 100);
+      CHECK(filled(result) == result.outcomes.size());
+      CHECK(report_of(result.mesh).closed);
+      CHECK(report_of(result.mesh).genus == 0);
+    }
+  }
+}
+
+TEST_CASE("rims as rough as their edges are long are closed soundly or left open") {
+  std::size_t closed = 0, asked = 0;
+  for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(sample_count(3, 40)); ++seed) {
+    for (const double roughness : {0.5, 1.0}) {
+      const PolyMesh mesh = with_noisy_rims(random_cuts(ring_torus(60, 30), seed, 4, 0.15, 0.3).mesh, seed, roughness);
+      for (const Fairness fairness : {Fairness::Flat, Fairness::Tangent, Fairness::Implicit}) {
+        FillOptions options;
+        options.fairness = fairness;
+        const FillResult result = fill(mesh, options);
+        check_invariants(mesh, result);
+        closed += filled(result);
+        asked += result.outcomes.size();
+      }
+    }
+  }
+  CHECK(4 * closed > 3 * asked);
+}
+
+TEST_CASE("holes across sharp edges and corners of machined parts are closed without intersections") {
+  for (const Sculpture part : {Sculpture::Bracket, Sculpture::Housing}) {
+    for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(sample_count(2, 20)); ++seed) {
+      RaggedCuts cuts;
+      cuts.seed = seed;
+      cuts.count = 8;
+      cuts.low = 0.03;
+      cuts.high = 0.12;
+      const PolyMesh mesh = ragged_cuts(sculpt(part, 8000), cuts).mesh;
+      const FillResult result = fill(mesh);
+      check_invariants(mesh, result);
+      CHECK(filled(result) == result.outcomes.size());
+    }
+  }
+  const PolyMesh box = cut(divided_box(12), Vec3(1, 1, 1), 0.4).mesh;  // a corner is gone
+  for (const Fairness fairness : {Fairness::Flat, Fairness::Tangent, Fairness::Curved, Fairness::Implicit}) {
+    FillOptions options;
+    options.fairness = fairness;
+    const FillResult result = fill(box, options);
+    check_invariants(box, result);
+    CHECK(filled(result) == 1);
+  }
+}
