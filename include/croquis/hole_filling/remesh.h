@@ -18,12 +18,12 @@ struct RemeshOptions {
   std::size_t leaf_points = 40;  ///< a box with more points of its own is cut in eight
   std::size_t min_points = 30;   ///< a domain with fewer takes so many nearest ones
   std::size_t max_points = 300;  ///< a domain with more is thinned; 2000 at most
-  double cell = 1;               ///< edge of the cubes, × the mean edge of the mesh, > 0
-  int smoothing = 2;             ///< rounds of smoothing with projection (Yoo 2005, eq. 9)
-  int refine = 0;                ///< every triangle is cut in four so often (4 at most), with projection
-  double chord = 0;              ///< refine ends once edges are as near to the surface as this, model units; 0: never
-  double snap = 0;               ///< vertices within this distance of one given move there, × cell; usual 0.3
-  double min_component = 0;      ///< smaller pieces of the mesh are left out, as fraction of its triangles
+  double cell = 1;           ///< edge of the cubes, × mean edge of the mesh (a 40th of its diagonal, if that is less)
+  int smoothing = 2;         ///< rounds of smoothing with projection (Yoo 2005, eq. 9)
+  int refine = 0;            ///< every triangle is cut in four so often (4 at most), with projection
+  double chord = 0;          ///< refine ends once edges are as near to the surface as this, model units; 0: never
+  double snap = 0;           ///< vertices within this distance of one given move there, × cell; usual 0.3
+  double min_component = 0;  ///< smaller pieces of the mesh are left out, as fraction of its triangles
   std::size_t memory_limit = 0;  ///< bytes; a model predicted to need more is refused. 0: none
 };
 
