@@ -10,6 +10,8 @@
 #include <tuple>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 namespace croquis {
 namespace {
 

@@ -92,6 +92,44 @@ TEST_CASE("steps for meshes read back as they were written") {
   CHECK(pick.elements == std::vector<Index>{7});
 }
 
+TEST_CASE("steps for holes read back as they were written") {
+  for (const Step& step : std::vector<Step>{
+           HoleChoice{{3}, "fill", {}}, HoleChoice{{1, 4000000000U, 2}, "toggle", "fill"}, HoleChoice{{}, "select", {}},
+           HolePoint{7, Vec3(0.1, -2, 1e-9), Vec3(1.0 / 3, 0, 1), {}},
+           HolePoint{7, std::nullopt, Vec3(0, 0, 1), "fill"}, HolePoint{7, Vec3(0, 0, 1), std::nullopt, {}}}) {
+    const std::string line = to_line(step);
+    INFO(line);
+    const Step back = parse(line, "walk.jsonl").front().step;
+    CHECK(back.index() == step.index());
+    CHECK(to_line(back) == line);
+  }
+  const auto choice = std::get<HoleChoice>(parse(R"({"do":"hole","hole":3})", "").front().step);
+  CHECK(choice.holes == std::vector<Index>{3});
+  CHECK(choice.action == "select");
+  const auto point =
+      std::get<HolePoint>(parse(to_line(HolePoint{7, Vec3(1, 2, 3), Vec3(4, 5, 6), {}}), "").front().step);
+  CHECK(point.hole == 7);
+  CHECK(point.from == Vec3(1, 2, 3));
+  CHECK(point.to == Vec3(4, 5, 6));
+}
+
+TEST_CASE("every mistake in a step for holes is told") {
+  const std::vector<std::string> wrong = {R"({"do":"hole"})",
+                                          R"({"do":"hole","holes":[]  ,"action":"fill"})",
+                                          R"({"do":"hole","hole":-1})",
+                                          R"({"do":"hole","hole":1,"holes":[2]})",
+                                          R"({"do":"hole","holes":[1],"action":"close"})",
+                                          R"({"do":"hole-point","from":[1,2,3],"to":[1,2,3]})",
+                                          R"({"do":"hole-point","hole":1})",
+                                          R"({"do":"hole-point","hole":1,"to":[1,2]})"};
+  std::string text;
+  for (const std::string& line : wrong) text += line + "\n";
+  const Findings findings = findings_of(text);
+  REQUIRE(findings.size() == wrong.size());
+  for (std::size_t i = 0; i < wrong.size(); ++i)
+    CHECK(findings[i].message.find("Line " + std::to_string(i + 1) + " ") == 0);
+}
+
 TEST_CASE("every mistake in a step for meshes is told") {
   const std::vector<std::string> wrong = {
       R"({"do":"pick","node":"a","kind":"corner","elements":[1]})",
