@@ -13,6 +13,7 @@
 #include "algorithms/hole_filling/rim_field.h"
 #include "algorithms/hole_filling/rim_loops.h"
 #include "algorithms/hole_filling/rim_zip.h"
+#include "algorithms/hole_filling/untangling.h"
 #include "croquis/implicit/marching_cubes.h"
 #include "croquis/implicit/surface_improvement.h"
 
@@ -24,11 +25,12 @@ using Triangle = std::array<Index, 3>;
 constexpr double seed_distance = 0.9;  // beyond the rim, × cell: the first that isn't covered
 constexpr double most_cells = 40;      // × area to be expected / cell²
 constexpr double triangles_per_square_cell = 3.2;
-constexpr double wall_share = 0.4;    // the greatest cell between two skins, × their distance
-constexpr double farthest_wall = 3;   // × edge: beyond, two skins don't disturb each other
-constexpr double least_cell = 0.2;    // × edge
-constexpr double finer[] = {1, 0.5};  // cells that are tried
-constexpr double more_careful = 3;    // factor of the smoothing between skins
+constexpr double wall_share = 0.4;          // the greatest cell between two skins, × their distance
+constexpr double farthest_wall = 3;         // × edge: beyond, two skins don't disturb each other
+constexpr double least_cell = 0.2;          // × edge
+constexpr double finer[] = {1, 0.5, 0.25};  // cells that are tried, × the first
+constexpr std::size_t least_rim = 11;       // edges; there is no room for cubes in smaller holes
+constexpr double more_careful = 3;          // factor of the smoothing between skins
 
 /// A box around rims and places that a patch shouldn't leave: one that does has run away.
 implicit::Box box_around(const HoleSite& site, double size) {
@@ -60,7 +62,7 @@ class PolygonisedPatch {
     const Covering covering(site_, box_);
     const double wall = covering.wall(farthest_wall * edge_);
     const bool is_thin = wall < farthest_wall * edge_;
-    auto surface = fit_rims(site_, options_, {is_thin ? more_careful : 1, is_thin});
+    auto surface = fit_rims(site_, options_, {.stiffness = is_thin ? more_careful : 1, .other_sheets = is_thin});
     if (!surface) return std::nullopt;
     field_ = surface->field();
     const double few_enough =
@@ -71,7 +73,9 @@ class PolygonisedPatch {
       auto start = zipped(covering, share * widest, progress);
       if (!start) continue;
       if (!start->arrives_at.empty()) return start;
-      return lay_onto(site_, *surface, *start, most_triangles_, progress);
+      auto patch = lay_onto(site_, *surface, *start, most_triangles_, progress);
+      if (patch) untangle(site_, *patch, progress);
+      return patch;
     }
     return std::nullopt;
   }
@@ -182,6 +186,7 @@ class PolygonisedPatcher : public Patcher {
   const char* method() const override { return "implicit-cubes"; }
 
   std::optional<HolePatch> attempt(const HoleSite& site, Progress& progress) const override {
+    if (site.vertices.size() < least_rim) return std::nullopt;
     return PolygonisedPatch(site, options_, most_triangles_).run(progress);
   }
 
