@@ -80,6 +80,35 @@ class PlaneMeeting {
   double count_ = 0;
 };
 
+class FacesOfVertices {
+ public:
+  explicit FacesOfVertices(const PolyMesh& mesh) : ends_(mesh.vertex_count() + 1, 0), faces_(mesh.corners.size()) {
+    for (const Index v : mesh.corners) ++ends_[v];
+    for (std::size_t v = 1; v < ends_.size(); ++v) ends_[v] += ends_[v - 1];
+    for (auto f = static_cast<Index>(mesh.face_count()); f-- > 0;) {
+      for (const Index v : mesh.face(f)) faces_[--ends_[v]] = f;
+    }
+  }
+
+  std::span<const Index> of(Index v) const { return {faces_.data() + ends_[v], faces_.data() + ends_[v + 1]}; }
+
+ private:
+  std::vector<std::size_t> ends_;  // once all are placed, the beginnings
+  std::vector<Index> faces_;
+};
+
+/// Whether a triangle looks about where the surface does, and isn't too thin to tell.
+bool lies_right(const PolyMesh& mesh, Index face, const Vec3& surface_normal) {
+  constexpr double least_cosine = 0.5;
+  constexpr double least_height = 0.1;  // × longest edge
+  const auto t = mesh.face(face);
+  const Vec3 ab = mesh.positions[t[1]] - mesh.positions[t[0]], ac = mesh.positions[t[2]] - mesh.positions[t[0]];
+  const Vec3 normal = ab.cross(ac);
+  const double longest = std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()});
+  return normal.norm() > least_height * longest &&
+         normal.dot(surface_normal) > least_cosine * normal.norm() * surface_normal.norm();
+}
+
 /// Ohtake, Belyaev 2002: middles of triangles go onto the surface, and vertices to where the planes there meet.
 void sharpen(PolyMesh& mesh, const implicit::Field& field, double cell) {
   std::vector<Vec3> middles, normals(mesh.face_count());
@@ -96,7 +125,15 @@ void sharpen(PolyMesh& mesh, const implicit::Field& field, double cell) {
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     for (const Index v : mesh.face(f)) meetings[v].add(middles[f], normals[f].normalized());
   }
-  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) mesh.positions[v] = meetings[v].solve(1.5 * cell);
+  const FacesOfVertices around(mesh);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    const Vec3 from = mesh.positions[v], move = meetings[v].solve(1.5 * cell) - from;
+    for (const double share : {1.0, 0.5, 0.25, 0.0}) {
+      mesh.positions[v] = from + share * move;
+      const auto faces = around.of(v);
+      if (std::all_of(faces.begin(), faces.end(), [&](Index f) { return lies_right(mesh, f, normals[f]); })) break;
+    }
+  }
 }
 
 double mean_edge(const PolyMesh& mesh) {

@@ -8,61 +8,84 @@
 #include <utility>
 
 #include "croquis/io/mesh_file.h"
-#include "support/random.h"
-#include "support/scans.h"
+#include "support/mesh_shapes.h"
+#include "support/virtual_scans.h"
 
 namespace {
 
 using namespace croquis;
 using namespace croquis::test;
 
-constexpr double ribs = 10;
-constexpr double noise = 0.0015;  // of a radius of about 1, along it
+constexpr std::size_t triangles = 26000;
+constexpr double noise = 0.03;          // of an edge
+constexpr double floor_height = -0.36;  // what is below hasn't been seen
 
-/// 0 in a groove between two ribs, 1 on a rib's back; ribs run out at the poles.
-double rib(const Vec3& on_sphere) {
-  const double angle = std::atan2(on_sphere.y(), on_sphere.x());
-  return std::abs(std::cos(ribs / 2 * angle)) * (1 - on_sphere.z() * on_sphere.z());
+double blend(double a, double b, double k) {
+  const double h = std::max(k - std::abs(a - b), 0.0) / k;
+  return std::min(a, b) - h * h * k / 4;
 }
 
-/// A pumpkin: ribs, flat, with a dent at both poles.
-Vec3 sculpted(const Vec3& on_sphere) {
-  const double dent = 0.45 * std::exp(-12 * (1 - std::abs(on_sphere.z())));
-  const double radius = 0.9 + 0.12 * rib(on_sphere);
-  return {radius * on_sphere.x(), radius * on_sphere.y(), on_sphere.z() * (0.75 - dent)};
+/// 0 in a groove between two ribs, 1 on a rib's back; ribs run out at the poles. The axis is y.
+double rib(const Vec3& p) {
+  constexpr double ribs = 10;
+  const double across = std::hypot(p.x(), p.z());
+  const double steepness = p.y() / std::hypot(across, p.y() / 0.75) / 0.75;
+  return std::sqrt(std::abs(std::cos(ribs / 2 * std::atan2(p.z(), p.x())))) * (1 - steepness * steepness);
 }
 
-AttributeChannel painted(const PolyMesh& on_sphere) {
+/// Flat, with a dent at both poles.
+double body(const Vec3& p) {
+  const double across = std::hypot(p.x(), p.z());
+  const double dent = 0.22 * std::exp(-across * across / 0.09);
+  const double height = std::abs(p.y()) + dent;
+  return 0.85 * (std::hypot(across, height / 0.78) - 0.86 - 0.13 * rib(p));
+}
+
+/// Bent, with five edges, wide where it grows out.
+double stem(const Vec3& p) {
+  const double along = (p.y() - 0.42) / 0.6;
+  const double lean = 0.22 * along * along;
+  const double x = p.x() - lean, z = p.z() + 0.4 * lean;
+  const double radius = 0.1 + 0.12 * std::exp(-6 * std::max(along, 0.0)) + 0.02 * std::max(along, 0.0);
+  const double edges = 1 + 0.12 * std::cos(5 * std::atan2(z, x) + 1.5 * along);
+  return 0.8 * -blend(radius * edges - std::hypot(x, z), 0.6 * (1 - along), 0.05);
+}
+
+double solid(const Vec3& p) {
+  return std::max(blend(body(p), std::max(stem(p), 0.35 - p.y()), 0.06), floor_height - p.y());
+}
+
+AttributeChannel painted(const PolyMesh& mesh) {
   std::vector<std::uint8_t> values;
-  for (const Vec3& p : on_sphere.positions) {
-    const double light = 0.6 + 0.4 * rib(p);
-    for (const double c : {235.0, 120.0, 30.0}) values.push_back(static_cast<std::uint8_t>(c * light));
+  for (const Vec3& p : mesh.positions) {
+    const double green = 1 / (1 + std::exp(-40 * (body(p) - 0.025)));
+    const double light = 0.55 + 0.45 * rib(p);
+    const double pale = 0.06 * std::sin(23 * p.x()) * std::sin(19 * p.y()) * std::sin(21 * p.z());
+    const Vec3 orange = Vec3(238, 118, 22) * (light + pale), stalk = Vec3(112, 122, 58) * (0.9 + 2 * pale);
+    const Vec3 color = (1 - green) * orange + green * stalk;
+    for (const double c : color) values.push_back(static_cast<std::uint8_t>(std::clamp(c, 0.0, 255.0)));
   }
   return {"color", Domain::Vertex, 3, std::move(values), {}};
 }
 
-/// Three holes, and one with an island in it: five rims.
-PolyMesh with_holes(const PolyMesh& on_sphere) {
-  PolyMesh mesh = cut(on_sphere, Vec3(0.8, 0.5, 0.3).normalized(), 0.42).mesh;
-  mesh = cut(mesh, Vec3(-0.7, 0.6, -0.2).normalized(), 0.25).mesh;
-  mesh = cut(mesh, Vec3(-0.3, -0.2, 1).normalized(), 0.15).mesh;
-  return cut_ring(mesh, Vec3(0.3, -0.9, 0.1).normalized(), 0.14, 0.34).mesh;
+/// The underside can't be seen: the rest ends in a plane rim.
+PolyMesh without_floor(const PolyMesh& mesh) {
+  std::vector<Index> floor;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const auto t = mesh.face(f);
+    if (std::all_of(t.begin(), t.end(), [&](Index v) { return mesh.positions[v].y() < floor_height + 1e-3; }))
+      floor.push_back(f);
+  }
+  return without_faces(mesh, floor);
 }
 
-/// Vertices without a face go; the others keep their order.
-PolyMesh without_loose_vertices(const PolyMesh& mesh) {
-  std::vector<Index> number(mesh.vertex_count(), no_index);
-  for (const Index v : mesh.corners) number[v] = 0;
-  PolyMesh used;
-  for (std::size_t v = 0; v < number.size(); ++v) {
-    if (number[v] == no_index) continue;
-    number[v] = static_cast<Index>(used.positions.size());
-    used.positions.push_back(mesh.positions[v]);
-  }
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    used.add_triangle(number[mesh.face(f)[0]], number[mesh.face(f)[1]], number[mesh.face(f)[2]]);
-  }
-  return used;
+/// Ragged holes of four sizes, and one with an island in it.
+PolyMesh with_holes(PolyMesh mesh) {
+  mesh = cut_ragged(mesh, {0.95, 0.05, 0.25}, 0.32, 0, 4);
+  mesh = cut_ragged(mesh, {-0.3, 0.5, -0.6}, 0.22, 0, 5);
+  mesh = cut_ragged(mesh, {-0.5, 0.5, 0.4}, 0.12, 0, 7);
+  mesh = cut_ragged(mesh, {0.6, 0.45, 0.55}, 0.06, 0, 9);
+  return cut_ragged(mesh, {0.15, 0.05, 0.95}, 0.3, 0.12, 11);
 }
 
 /// Volatile: GCC 12 may drop the rounding to 32 bits and back.
@@ -75,12 +98,10 @@ Vec3 as_floats(Vec3 point) {
 }
 
 PolyMesh pumpkin() {
-  PolyMesh mesh = without_loose_vertices(with_holes(round_sphere(5)));
+  PolyMesh mesh = without_loose_vertices(with_holes(without_floor(sculpt(solid, triangles))));
   mesh.channels.push_back(painted(mesh));
-  Random random(5);
-  for (Vec3& p : mesh.positions) {
-    p = as_floats(sculpted(p) * (1 + noise * random.between(-1, 1)));
-  }
+  mesh = with_noise(mesh, 5, noise);
+  for (Vec3& p : mesh.positions) p = as_floats(p);
   return mesh;
 }
 
