@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
-#include "algorithms/hole_filling/surface_reach.h"
+#include "algorithms/hole_filling/known_surface.h"
 #include "algorithms/hole_filling/triangle_distance.h"
 #include "croquis/base/error.h"
 
@@ -22,44 +21,8 @@ constexpr double probe_radius = 0.25;         // × diameter of the hole
 constexpr double least_radius = 2.5;          // × edge: a disc of some twenty triangles
 constexpr double margin = 2;                  // × edge, that stay between the rim and a disc
 
-/// The known surface around a site, by itself.
-struct Surroundings {
-  PolyMesh mesh;
-  std::vector<double> distance;  ///< per vertex, to the rims
-  double edge = 0, size = 0;
-};
-
-Surroundings surroundings_of(const HoleSite& site) {
-  Surroundings around;
-  double perimeter = 0;
-  for (const Index id : site.holes) {
-    perimeter += site.analysis->holes[id].perimeter;
-    around.size = std::max(around.size, site.analysis->holes[id].diameter);
-  }
-  around.edge = perimeter / static_cast<double>(site.vertices.size());
-  auto reached = reach_from_rims(site, std::max(reach * around.size, 4 * least_radius * around.edge));
-  if (reached.size() > most_vertices) reached.resize(most_vertices);
-  std::vector<std::pair<Index, Index>> number;  // vertex of the view, of the surroundings
-  for (const ReachedVertex& r : reached) {
-    number.emplace_back(r.vertex, static_cast<Index>(number.size()));
-    around.mesh.positions.push_back(site.mesh->positions[r.vertex]);
-    around.distance.push_back(r.distance);
-  }
-  std::sort(number.begin(), number.end());
-  const auto numbered = [&](Index v) -> std::optional<Index> {
-    const auto place = std::lower_bound(number.begin(), number.end(), std::pair(v, Index{0}));
-    if (place == number.end() || place->first != v) return std::nullopt;
-    return place->second;
-  };
-  for (const auto& t : site.analysis->view.triangles) {
-    const auto a = numbered(t[0]), b = numbered(t[1]), c = numbered(t[2]);
-    if (a && b && c) around.mesh.add_triangle(*a, *b, *c);
-  }
-  return around;
-}
-
 /// Vertices beside the rims that are far from each other.
-std::vector<Index> spread_centres(const Surroundings& around, double radius) {
+std::vector<Index> spread_centres(const KnownSurface& around, double radius) {
   std::vector<Index> candidates;
   for (Index v = 0; v < around.distance.size(); ++v) {
     const double beyond = around.distance[v] - radius - margin * around.edge;
@@ -95,7 +58,7 @@ Vec3 middle_of(const PolyMesh& mesh, std::size_t face) {
 CrossValidation::CrossValidation(const HoleSite& site, Progress& progress) : wish_(site.wish) {
   wish_.bulge = 0;
   wish_.through.clear();
-  const Surroundings around = surroundings_of(site);
+  const KnownSurface around = known_surface(site, reach, 4 * least_radius, most_vertices);
   const double radius = std::max(probe_radius * around.size, least_radius * around.edge);
   for (const Index centre : spread_centres(around, radius)) {
     progress.check();
@@ -130,10 +93,16 @@ CrossValidation::CrossValidation(const HoleSite& site, Progress& progress) : wis
 }
 
 double CrossValidation::error(const Patcher& patcher, Progress& progress) const {
-  if (probes_.empty()) return std::numeric_limits<double>::infinity();
   double sum = 0;
-  for (const Probe& probe : probes_) sum += error_at(probe, patcher, progress);
-  return sum / static_cast<double>(probes_.size());
+  for (const double error : errors(patcher, progress)) sum += error;
+  const double mean = sum / static_cast<double>(probes_.size());
+  return std::isfinite(mean) ? mean : std::numeric_limits<double>::infinity();
+}
+
+std::vector<double> CrossValidation::errors(const Patcher& patcher, Progress& progress) const {
+  std::vector<double> errors;
+  for (const Probe& probe : probes_) errors.push_back(error_at(probe, patcher, progress));
+  return errors;
 }
 
 double CrossValidation::error_at(const Probe& probe, const Patcher& patcher, Progress& progress) const {
@@ -141,7 +110,7 @@ double CrossValidation::error_at(const Probe& probe, const Patcher& patcher, Pro
   HoleSite site = make_site(probe.mesh, probe.analysis, {&hole, 1}, {});
   site.wish = wish_;
   const auto patch = patcher.attempt(site, progress);
-  if (!patch) return std::numeric_limits<double>::infinity();
+  if (!patch) return std::numeric_limits<double>::quiet_NaN();
   const auto given = static_cast<Index>(probe.mesh.vertex_count());
   const auto at = [&](Index v) { return v < given ? probe.mesh.positions[v] : patch->points[v - given]; };
   std::vector<std::array<Vec3, 3>> triangles;

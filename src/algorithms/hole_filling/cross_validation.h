@@ -25,6 +25,9 @@ class CrossValidation {
   /// @throws Cancelled
   double error(const Patcher& patcher, Progress& progress) const;
 
+  /// The same for each probe; NaN where the method makes no patch.
+  std::vector<double> errors(const Patcher& patcher, Progress& progress) const;
+
  private:
   struct Probe {
     PolyMesh mesh;

@@ -2,6 +2,7 @@
 #include "algorithms/hole_filling/patch_ladder.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace croquis::hole_filling {
 namespace {
@@ -9,6 +10,9 @@ namespace {
 // What noise asks for, × the usual smoothing.
 constexpr double noisy_values = 10;
 constexpr double noisy_gradients = 6;
+
+/// × the diagonal of the component: from here on a third of all patches that project a triangulation cut something.
+constexpr double wide_hole = 0.2;
 
 ImplicitOptions adapted(ImplicitOptions options, Preset preset) {
   if (preset == Preset::Noisy) {
@@ -24,6 +28,7 @@ ImplicitOptions adapted(ImplicitOptions options, Preset preset) {
 
 void add_implicit(const ImplicitOptions& options, std::size_t most_triangles, Ladder& ladder) {
   ladder.push_back(implicit_patcher(options, most_triangles));
+  ladder.push_back(polygonised_patcher(options, most_triangles));
   ladder.push_back(implicit_patcher(options, most_triangles, true));
 }
 
@@ -42,8 +47,10 @@ void add_flat(Ladder& ladder) {
 
 /// In the order that repairs known surface best.
 void add_validated(const ImplicitOptions& options, std::size_t most_triangles, Ladder& ladder) {
-  const Ladder ways = {implicit_patcher(options, most_triangles), faired_patcher(2, most_triangles)};
+  const Ladder ways = {creased_patcher(options, most_triangles), implicit_patcher(options, most_triangles),
+                       faired_patcher(2, most_triangles)};
   for (std::size_t rank = 0; rank < ways.size(); ++rank) ladder.push_back(validated_patcher(ways, rank));
+  ladder.push_back(polygonised_patcher(options, most_triangles));
   ladder.push_back(implicit_patcher(options, most_triangles, true));
 }
 
@@ -61,6 +68,14 @@ bool joins_two_rims(const HoleSite& site) {
 bool is_plain_slit(const HoleSite& site) {
   return site.holes.size() == 1 && site.analysis->holes[site.holes.front()].kind == HoleClass::Slit &&
          site.wish.bulge == 0;
+}
+
+/// Where triangulations of the rims, which the projecting methods begin with, often cut through the surface; or may
+/// pass a piece of it that belongs to the hole.
+bool is_hard_to_triangulate(const HoleSite& site) {
+  if (site.holes.size() > 1) return true;
+  const Hole& hole = site.analysis->holes[site.holes.front()];
+  return hole.diameter > wide_hole * site.analysis->component_diagonal[hole.component];
 }
 
 Ladder ladder_between(const HoleSite& site, Preset preset, std::size_t most_triangles) {
@@ -101,6 +116,8 @@ Ladder ladder_for(const HoleSite& site, Preset preset, bool is_cap, std::size_t 
   if (!site.wish.through.empty()) return ladder_for(site.wish, preset, false, most_triangles);
   if (joins_two_rims(site)) return ladder_between(site, preset, most_triangles);
   Ladder ladder = ladder_for(site.wish, preset, is_cap, most_triangles);
+  const bool is_implicit = !is_cap && site.wish.fairness == Fairness::Implicit && preset != Preset::Sharp;
+  if (is_implicit && is_hard_to_triangulate(site)) std::swap(ladder[0], ladder[1]);  // by cubes first
   if (is_plain_slit(site)) ladder.insert(ladder.begin(), zip_patcher());
   return ladder;
 }

@@ -55,8 +55,14 @@ std::shared_ptr<const Patcher> faired_patcher(unsigned continuity, std::size_t m
 std::shared_ptr<const Patcher> zip_patcher();
 std::shared_ptr<const Patcher> band_patcher(bool shortest);
 
-/// Of several ways the one that repairs known surface beside the hole best (see CrossValidation), or the second best,
-/// and so on. What it makes carries the name of the way taken and the error to be expected.
+/// "creased": each smooth side of the surface around continued by itself, creases where they meet (see CreaseField);
+/// nothing for a hole that no crease runs into.
+std::shared_ptr<const Patcher> creased_patcher(const ImplicitOptions& options, std::size_t most_triangles);
+
+/// Of several ways that make a patch the one that repairs known surface beside the hole best (see CrossValidation), or
+/// the second best, and so on. What it makes carries the name of the way taken and the error to be expected.
+/// @param ways each has to be better by a fifth than those before it; a probe of which one makes nothing doesn't count
+///        against it
 /// @param rank 0 for the best
 std::shared_ptr<const Patcher> validated_patcher(std::vector<std::shared_ptr<const Patcher>> ways, std::size_t rank);
 

@@ -18,7 +18,9 @@ struct RimField {
   double edge = 0;  ///< mean length of the rims' edges, model units
   double size = 0;  ///< diameter of the widest rim
 
-  implicit::Field field() const { return fit->field(); }
+  implicit::Field other = {};  ///< instead of `fit`, where one fit isn't enough
+
+  implicit::Field field() const { return other ? other : fit->field(); }
 };
 
 struct RimFitOptions {
