@@ -27,6 +27,17 @@ OperationResult list_holes(std::shared_ptr<const PolyMesh> scan, const FillOptio
   return result;
 }
 
+/// @param made a FillResult or RemeshResult, whose mesh and warnings are taken
+template <typename Result>
+OperationResult outputs_of(const PolyMesh& scan, Result& made, Report details) {
+  OperationResult result;
+  result.outputs["details"] = std::make_shared<const Report>(std::move(details));
+  result.outputs["rims"] = std::make_shared<const PolyMesh>(rim_lines(scan, made.analysis.holes));
+  result.outputs["mesh"] = std::make_shared<const PolyMesh>(std::move(made.mesh));
+  result.warnings = std::move(made.warnings);
+  return result;
+}
+
 /// Tells the scan from every other one in the memo.
 std::string key_of(const std::shared_ptr<const PolyMesh>& scan) {
   const ContentHash hash = content_hash(Value(scan));
@@ -43,12 +54,14 @@ OperationResult patch_holes(const std::shared_ptr<const PolyMesh>& scan, const F
     options.scan_key = key_of(scan);
   }
   FillResult filled = fill_holes(*scan, options, context.progress);
-  OperationResult result;
-  result.outputs["details"] = std::make_shared<const Report>(fill_details(*scan, filled));
-  result.outputs["rims"] = std::make_shared<const PolyMesh>(rim_lines(*scan, filled.analysis.holes));
-  result.outputs["mesh"] = std::make_shared<const PolyMesh>(std::move(filled.mesh));
-  result.warnings = std::move(filled.warnings);
-  return result;
+  return outputs_of(*scan, filled, fill_details(*scan, filled));
+}
+
+OperationResult make_anew(const PolyMesh& scan, const FillSettings& settings, Context& context) {
+  RemeshOptions options = settings.options;
+  options.fill.threads = context.threads;
+  RemeshResult made = remesh_surface(scan, options, context.progress);
+  return outputs_of(scan, made, remesh_details(made));
 }
 
 }  // namespace
@@ -56,16 +69,17 @@ OperationResult patch_holes(const std::shared_ptr<const PolyMesh>& scan, const F
 OperationDescription FillOperation::describe() const {
   PortDescription scan{"scan", ValueType::Mesh, "Any mesh, dirty ones too; it isn't changed."};
   scan.is_raw = true;
-  PortDescription mesh{
-      "mesh", ValueType::Mesh,
-      "The scan's vertices and faces, then those of the patches: faces tell theirs by patch_id, vertices "
-      "how well the surface around backs them by confidence."};
+  PortDescription mesh{"mesh", ValueType::Mesh,
+                       "The scan's vertices and faces, then those of the patches, or the model made anew: faces tell "
+                       "theirs by patch_id, vertices "
+                       "how well the surface around backs them by confidence."};
   mesh.counts_self_intersections = true;
   return {
       "fill",
       1,
       "Fill Holes",
-      "Closes the holes of a scan by patches that continue the surface, and leaves everything else as it is.",
+      "Closes the holes of a scan by patches that continue the surface and leaves everything else as it is, or makes "
+      "the whole model anew.",
       {std::move(scan)},
       {std::move(mesh),
        {"rims", ValueType::Mesh, "The rims of the scan's holes as closed polylines, in the order of their numbers."},
@@ -79,6 +93,7 @@ OperationResult FillOperation::compute(const Values& inputs, const ParameterValu
   const auto& scan = std::get<std::shared_ptr<const PolyMesh>>(inputs.at("scan"));
   const FillSettings settings = read_fill_settings(parameters);
   OperationResult result = settings.list_only ? list_holes(scan, settings.options.fill, context.progress)
+                           : settings.remesh  ? make_anew(*scan, settings, context)
                                               : patch_holes(scan, settings, context);
   result.warnings.insert(result.warnings.begin(), settings.warnings.begin(), settings.warnings.end());
   return result;

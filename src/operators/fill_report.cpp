@@ -88,6 +88,29 @@ Report fill_details(const PolyMesh& scan, const FillResult& result) {
                        .set("checks", checks_of(result)));
 }
 
+Report remesh_details(const RemeshResult& result) {
+  const RemeshChecks& made = result.checks;
+  const DomainPointCounts& counts = result.points_per_domain;
+  Report points, checks;
+  points.set("min", counts.min).set("median", counts.median).set("max", counts.max);
+  checks.set("manifold", made.manifold)
+      .set("components", made.components)
+      .set("open_loops", made.open_loops)
+      .set("failed_loops", made.failed_loops)
+      .set("repaired_loops", made.repaired_loops)
+      .set("self_intersections", made.self_intersections);
+  Report details = details_of(result.analysis.holes, result.outcomes, sentence(result.outcomes, "filled"));
+  return std::move(details.set("domains", result.domains)
+                       .set("points_per_domain", std::move(points))
+                       .set("new_vertices", result.mesh.vertex_count())
+                       .set("new_faces", result.mesh.face_count())
+                       .set("untouched_vertices", 0)
+                       .set("removed_faces", 0)
+                       .set("closed_rims", count_of(result.outcomes, FillAction::Fill))
+                       .set("predicted_bytes", result.predicted_bytes)
+                       .set("checks", std::move(checks)));
+}
+
 Report list_details(const PolyMesh& scan, std::span<const Hole> holes, const HoleChoice& choice) {
   std::vector<HoleOutcome> outcomes(holes.size());
   for (std::size_t i = 0; i < holes.size(); ++i) {

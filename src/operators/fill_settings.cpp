@@ -126,17 +126,18 @@ void read_point_range(const std::string& range, RemeshOptions& options) {
   options.max_points = *high;
 }
 
+/// The one of that name.
 const ParameterDescription& described(const std::vector<ParameterDescription>& descriptions, const std::string& name) {
   return *std::ranges::find(descriptions, name, &ParameterDescription::name);
 }
 
-/// As the preset has it, but for what was changed.
-RemeshOptions remesh_options(const ParameterValues& parameters) {
+/// For remeshing as the preset has it, but for what was changed. Methods for patches know the preset themselves.
+RemeshOptions mode_options(const ParameterValues& parameters, bool remesh) {
   const auto descriptions = fill_parameters();
   const auto is_changed = [&](const std::string& name) {
     return parameters.at(name) != described(descriptions, name).default_value;
   };
-  RemeshOptions options;
+  RemeshOptions options = remesh ? remesh_preset(preset_of(text(parameters, "preset"))) : RemeshOptions();
   if (is_changed("overlap")) options.overlap = number(parameters, "overlap");
   if (is_changed("points-per-domain")) read_point_range(text(parameters, "points-per-domain"), options);
   if (is_changed("smoothing")) options.smoothing = static_cast<int>(std::get<std::int64_t>(parameters.at("smoothing")));
@@ -149,7 +150,7 @@ RemeshOptions remesh_options(const ParameterValues& parameters) {
 
 /// What only one of the modes looks at.
 constexpr std::array<const char*, 5> remesh_alone = {"overlap", "points-per-domain", "smoothing", "refine", "cell"};
-constexpr std::array<const char*, 3> patch_alone = {"fairness", "bulge", "trim-rim"};
+constexpr std::array<const char*, 2> patch_alone = {"bulge", "trim-rim"};
 
 Findings unused_parameters(const ParameterValues& parameters, bool remesh) {
   std::string names;
@@ -174,7 +175,8 @@ Findings unused_parameters(const ParameterValues& parameters, bool remesh) {
 
 std::vector<ParameterDescription> fill_parameters() {
   return {
-      choice("mode", {"patch"}, "patch closes holes and changes nothing else."),
+      choice("mode", {"patch", "remesh"},
+             "patch closes holes and changes nothing else; remesh makes the whole model anew from one function."),
       choice("select", {"inner", "all", "all-but-largest", "none"},
              "inner fills all holes that don't look like the border of an open surface; none only those that holes "
              "names."),
@@ -272,11 +274,11 @@ std::vector<ParameterDescription> fill_parameters() {
 FillSettings read_fill_settings(const ParameterValues& parameters) {
   FillSettings settings;
   settings.remesh = text(parameters, "mode") == "remesh";
-  settings.options = remesh_options(parameters);
+  settings.options = mode_options(parameters, settings.remesh);
   FillOptions& options = settings.options.fill;
   read_choice(parameters, options);
   read_shape(parameters, options);
-  options.memory_limit = settings.options.memory_limit;
+  if (!settings.remesh) options.memory_limit = settings.options.memory_limit;
   if (text(parameters, "precision") == "single") options.precision = Precision::Single;
   options.mark_patches = std::get<bool>(parameters.at("patch-ids"));
   settings.list_only = std::get<bool>(parameters.at("list"));

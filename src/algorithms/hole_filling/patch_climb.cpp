@@ -55,6 +55,13 @@ void add_wish(const PatchWish& wish, StageKey& key) {
   key.add(implicit.value_smoothing).add(implicit.gradient_smoothing).add(implicit.both_sides);
 }
 
+/// Ways to the same kind of patch are told by names that begin alike: which of them was taken is nobody's worry.
+bool is_as_asked(const std::string& method, const FillJob& job) {
+  if (job.is_cap || job.wish.fairness == Fairness::Flat) return false;
+  if (job.wish.fairness == Fairness::Implicit || !job.wish.through.empty()) return method.starts_with("implicit");
+  return method.starts_with(job.wish.fairness == Fairness::Tangent ? "cgal-c1" : "cgal-c2");
+}
+
 class Climb {
  public:
   Climb(const PolyMesh& mesh, const HoleAnalysis& analysis, const FillOptions& options, const std::string& scan_key)
@@ -252,6 +259,7 @@ class Climb {
     }
     climber.result.verdict = verdict;
     climber.result.method = patch.method.empty() ? climber.method() : patch.method;
+    if (is_as_asked(climber.result.method, climber.job)) climber.result.first_fault.clear();
     climber.result.patch = std::move(patch);
   }
 

@@ -27,6 +27,9 @@ constexpr const char* drop_option = "drop-bad";
 constexpr const char* precision_parameter = "precision";
 constexpr const char* single_precision = "single";
 
+/// The parameter of operations that refuse what would take more memory: --max-memory is a limit for them, too.
+constexpr const char* memory_parameter = "memory-limit";
+
 /// The flag of operations that mark the faces they make: only PLY files can hold the marks.
 constexpr const char* marks_parameter = "patch-ids";
 
@@ -139,6 +142,16 @@ void settle_by_format(MeshFormat format, const Value& input, ParameterValues& va
   if (marks != values.end() && format != MeshFormat::Ply) marks->second = false;
 }
 
+/// What operations may predict to need: no more than the process gets.
+void settle_by_memory(std::int64_t limit, ParameterValues& values) {
+  const auto known = values.find(memory_parameter);
+  if (known == values.end() || limit <= 0) return;
+  constexpr double mebibyte = 1024 * 1024;
+  double& wanted = std::get<double>(known->second);
+  const double most = static_cast<double>(limit) / mebibyte;
+  if (wanted == 0 || wanted > most) wanted = most;
+}
+
 /// Options that name files are the command's, all others the operation's.
 ParameterValues operation_parameters(const OperationDescription& description, const Invocation& invocation,
                                      const Values& inputs) {
@@ -146,6 +159,7 @@ ParameterValues operation_parameters(const OperationDescription& description, co
   for (const ParameterDescription& parameter : description.parameters) {
     values[parameter.name] = invocation.parameters.at(parameter.name);
   }
+  settle_by_memory(invocation.memory_limit, values);
   if (invocation.output.empty() || description.outputs.front().type != ValueType::Mesh) return values;
   const MeshFormat format = output_mesh_format(invocation.output, invocation.output_format);
   settle_by_format(format, inputs.at(description.inputs.front().name), values);
