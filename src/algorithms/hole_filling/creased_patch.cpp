@@ -10,6 +10,7 @@
 #include "algorithms/hole_filling/crease_field.h"
 #include "algorithms/hole_filling/implicit_patch.h"
 #include "algorithms/hole_filling/patcher.h"
+#include "algorithms/hole_filling/untangling.h"
 
 namespace croquis::hole_filling {
 namespace {
@@ -144,7 +145,11 @@ class CreasedPatcher : public Patcher {
     }
     surface.edge = perimeter / static_cast<double>(site.vertices.size());
     auto patch = lay_onto(site, surface, *start, most_triangles_, progress);
-    if (patch) CreaseAlignment(*site.mesh, *field, surface.edge, *patch).run();
+    if (!patch) return std::nullopt;
+    HolePatch aligned = *patch;
+    CreaseAlignment(*site.mesh, *field, surface.edge, aligned).run();
+    if (untangle(site, aligned, progress)) return aligned;
+    untangle(site, *patch, progress);
     return patch;
   }
 
