@@ -17,6 +17,7 @@ namespace croquis {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
+constexpr std::string_view separators_of_ids = ",+ \t\r\n";
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(blanks);
@@ -101,7 +102,7 @@ Finding refusal(std::string_view part, const std::string& instead) {
 HoleWish read_wish(std::string_view text, Findings& findings) {
   HoleWish wish;
   const std::size_t colon = text.find(':');
-  for (const std::string_view word : split(text.substr(0, colon), ",+ \t\r\n")) {
+  for (const std::string_view word : split(text.substr(0, colon), separators_of_ids)) {
     if (!append_hole_ids(word, wish.holes))
       findings.push_back(
           refusal(word, "wishes begin with the numbers of holes, counted from 0, such as '0,3-5: fill'."));
@@ -113,7 +114,7 @@ HoleWish read_wish(std::string_view text, Findings& findings) {
                                  "a hole can be told fill, leave, bridge, rbf, smooth, flat, kernel NAME, bulge "
                                  "-1..1, trim 0..3 or through X Y Z."));
   }
-  if (parts.empty() || text.substr(0, colon).find_first_not_of(blanks) == std::string_view::npos)
+  if (parts.empty() || split(text.substr(0, colon), separators_of_ids).empty())
     findings.push_back(refusal(text, "it takes holes and what is wanted of them, such as '3: leave; 5-7: flat'."));
   if (wish.bridge && std::set<Index>(wish.holes.begin(), wish.holes.end()).size() < 2)
     findings.push_back(refusal(text, "a bridge joins two holes or more, such as '2+9: bridge'."));

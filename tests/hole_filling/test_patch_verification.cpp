@@ -230,6 +230,34 @@ TEST_CASE("a triangle that loses its area to single precision is refused where t
   CHECK(as_single.accept_sound(std::vector{patch}, progress)[0].fault == "a triangle of the patch has no area");
 }
 
+TEST_CASE("a mesh of double numbers that will be stored as single ones is judged as both") {
+  // A triangle above a hole, whose tip cuts it unless single precision lifts it by a sixteen thousandth.
+  PolyMesh mesh = without_faces(grid(3, 3), std::vector<Index>{4});
+  const Index base = static_cast<Index>(mesh.vertex_count());
+  for (const Vec3& p : {Vec3(1.2, 1.2, 1.55e-4), Vec3(1.8, 1.2, 1.55e-4), Vec3(1.5, 1.8, 1.55e-4)})
+    mesh.positions.push_back(p);
+  mesh.add_triangle(base, base + 1, base + 2);
+  for (Vec3& p : mesh.positions) p.z() += 1000;
+  const auto is_sound = [](const PolyMesh& given, Precision precision) {
+    const Scene scene(given);
+    const auto hole = std::find_if(scene.analysis.holes.begin(), scene.analysis.holes.end(),
+                                   [](const Hole& h) { return h.vertices.size() == 4; });
+    Progress progress;
+    PatchVerifier verifier(scene.mesh, scene.analysis, precision);
+    const HolePatch patch = scene.fan(hole->id, Vec3(1.5, 1.5, 1000 + 1.587e-4));
+    return verifier.accept_sound(std::vector{patch}, progress)[0].is_sound();
+  };
+  CHECK_FALSE(is_sound(mesh, Precision::Double));
+  CHECK_FALSE(is_sound(mesh, Precision::Single));
+  for (Index v = base; v < base + 3; ++v) {
+    for (double& coordinate : mesh.positions[v]) {
+      const volatile float rounded = static_cast<float>(coordinate);
+      coordinate = static_cast<double>(rounded);
+    }
+  }
+  CHECK(is_sound(mesh, Precision::Single));
+}
+
 TEST_CASE("cancelling accepts nothing") {
   const Scene scene(cut(round_sphere(4), Vec3(0, 0, 1), 0.3).mesh);
   const HolePatch patch = scene.fan(0, Vec3(0, 0, 1));

@@ -48,6 +48,7 @@ TEST_CASE("every part of a wish that can't be read is refused by name") {
   for (const char* wrong : {"3",
                             "3:",
                             ": fill",
+                            ",+: fill",
                             "a: fill",
                             "-1: fill",
                             "5-3: fill",

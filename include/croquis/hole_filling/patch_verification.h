@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -11,7 +12,8 @@
 
 namespace croquis::hole_filling {
 
-/// How coordinates will be stored, which is how they are judged.
+/// How coordinates will be stored, which is how they are judged. A mesh that is given in double precision and will be
+/// stored in single is judged as both: somebody looks at it before, or stores it otherwise after all.
 enum class Precision { Double, Single };
 
 /// Lets nothing into a mesh but what closes holes soundly.
@@ -62,9 +64,10 @@ class PatchVerifier {
   Precision precision_;
   PolyMesh scene_;    ///< the view's triangles, with coordinates as written; empty before the first judgement
   PolyMesh patches_;  ///< all vertices on rims and the accepted patches, likewise
-  std::vector<Index> rim_vertices_;  ///< of the view, ascending: the first of `patches_`
-  Edges mesh_edges_;                 ///< between vertices on rims
-  Edges rim_edges_;                  ///< and those of accepted patches
+  std::vector<Index> rim_vertices_;          ///< of the view, ascending: the first of `patches_`
+  Edges mesh_edges_;                         ///< between vertices on rims
+  Edges rim_edges_;                          ///< and those of accepted patches
+  std::unique_ptr<PatchVerifier> as_given_;  ///< judges in double precision besides, where that differs
 };
 
 }  // namespace croquis::hole_filling

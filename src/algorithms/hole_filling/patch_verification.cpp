@@ -96,7 +96,11 @@ PatchVerifier::PatchVerifier(const PolyMesh& mesh, const HoleAnalysis& analysis,
   std::sort(rim_vertices_.begin(), rim_vertices_.end());
   rim_vertices_.erase(std::unique(rim_vertices_.begin(), rim_vertices_.end()), rim_vertices_.end());
   for (const Index vertex : rim_vertices_) patches_.positions.push_back(mesh.positions[vertex]);
-  if (precision_ == Precision::Single) round_to_single(patches_.positions);
+  if (precision_ != Precision::Single) return;
+  const std::vector<Vec3> as_given = patches_.positions;
+  round_to_single(patches_.positions);
+  // Where rims are single the rest is taken for single, too.
+  if (patches_.positions != as_given) as_given_ = std::make_unique<PatchVerifier>(mesh, analysis);
 }
 
 std::vector<PatchVerdict> PatchVerifier::judge(std::span<const HolePatch> candidates, Progress& progress) {
@@ -106,6 +110,13 @@ std::vector<PatchVerdict> PatchVerifier::judge(std::span<const HolePatch> candid
     verdicts.push_back(judge_structure(candidate));
   }
   judge_against_mesh(candidates, verdicts, progress);
+  if (as_given_) {
+    Progress silent = progress.silent();
+    const std::vector<PatchVerdict> besides = as_given_->judge(candidates, silent);
+    for (std::size_t i = 0; i < verdicts.size(); ++i) {
+      if (verdicts[i].is_sound()) verdicts[i] = besides[i];
+    }
+  }
   return verdicts;
 }
 
@@ -116,6 +127,10 @@ std::vector<PatchVerdict> PatchVerifier::accept_sound(std::span<const HolePatch>
     if (verdicts[i].is_sound() && joins_any(candidates[i], rim_edges_)) verdicts[i].fault = joins;
   }
   judge_against_each_other(candidates, verdicts, progress);
+  if (as_given_) {
+    Progress silent = progress.silent();
+    as_given_->judge_against_each_other(candidates, verdicts, silent);
+  }
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (!verdicts[i].is_sound()) continue;
     if (joins_any(candidates[i], rim_edges_))
@@ -210,6 +225,7 @@ void PatchVerifier::judge_against_each_other(std::span<const HolePatch> candidat
 }
 
 void PatchVerifier::accept(const HolePatch& patch) {
+  if (as_given_) as_given_->append_to_patches(patch);
   append_to_patches(patch);
   const auto chords = chords_of(mesh_, analysis_, patch);
   const auto known = std::ssize(rim_edges_);
