@@ -31,6 +31,8 @@ void main() {
   if (zebra_stripes > 0.0) {
     vec3 to_eye = perspective ? normalize(-view_position) : vec3(0.0, 0.0, 1.0);
     color.rgb = zebra(color.rgb, n, to_eye, zebra_stripes);
+    // Through a hole one sees the inside: its stripes mustn't be taken for those of a patch.
+    if (!gl_FrontFacing) color.rgb = mix(color.rgb, vec3(0.45), 0.6);
   }
   if (fixed_color.a > 0.0) color = fixed_color;
   normal = vec4(n, 0.0);

@@ -15,7 +15,7 @@ vec3 zebra(vec3 surface, vec3 normal, vec3 to_eye, float dark_stripes) {
   light = mix(light, 0.5, smoothstep(0.35, 0.9, step_size));
   // A little shape remains for the eye to hold on to.
   float facing = max(dot(normal, to_eye), 0.0);
-  vec3 bright = mix(vec3(0.97), surface, 0.4) * (0.72 + 0.28 * facing);
+  vec3 bright = mix(vec3(0.97), surface, 0.3) * (0.72 + 0.28 * facing);
   vec3 dark = mix(vec3(0.03), 0.25 * surface, 0.3) + 0.05 * (1.0 - facing);
   return mix(dark, bright, light);
 }

@@ -101,7 +101,7 @@ PolyMesh with_value_colors(const PolyMesh& mesh, const ValueColoring& coloring) 
   const CornerValues values(mesh, coloring);
   if (values.none()) return mesh;
   const OwnColors own(mesh);
-  AttributeChannel colors{"color", Domain::Corner, 3, {}};
+  AttributeChannel colors{"color", Domain::Corner, 3, {}, {}};
   std::vector<float> numbers;
   numbers.reserve(3 * mesh.corners.size());
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {

@@ -52,7 +52,7 @@ struct RenderOptions {
   AxisCrossOptions axis_cross;
   EmphasisOptions emphasis;
   Shading shading = Shading::Clay;
-  int zebra_stripes = 16;      ///< dark stripes from straight above to straight below, in [2, 200]
+  int zebra_stripes = 12;      ///< dark stripes from straight above to straight below, in [2, 200]
   bool occlusion = true;       ///< with Clay: darkens hollows and where parts come close
   bool contours = true;        ///< lines where the surface turns away from the eye, at creases and where patches meet
   double contour_width = 1.5;  ///< in [0.5, 8]
