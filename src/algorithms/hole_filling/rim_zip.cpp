@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/hole_filling/rim_zip.h"
 
+#include <algorithm>
+#include <limits>
+
 #include <Eigen/Geometry>
 
 #include "algorithms/hole_filling/band_triangulation.h"
+#include "croquis/implicit/point_tree.h"
 
 namespace croquis::hole_filling {
 namespace {
@@ -11,6 +15,7 @@ namespace {
 using Triangle = std::array<Index, 3>;
 
 constexpr double most_turned_over = 0.1;  // of the strip's area
+constexpr double longest_ways = 2;        // from one side to the other, × the shortest there are
 
 /// Both sides as the rims of a patch: the right one the other way round.
 RimPolygon as_rims(const ZipSides& sides) {
@@ -19,6 +24,31 @@ RimPolygon as_rims(const ZipSides& sides) {
   rims.points.insert(rims.points.end(), sides.right.rbegin(), sides.right.rend());
   rims.loop_ends = {static_cast<Index>(sides.left.size()), static_cast<Index>(rims.points.size())};
   return rims;
+}
+
+/// Whether edges lead elsewhere than to what is near on the other side.
+bool is_twisted(const ZipSides& sides, const std::vector<Triangle>& strip) {
+  const auto first_right = static_cast<Index>(sides.left.size());
+  std::vector<Vec3> places = sides.left;
+  places.insert(places.end(), sides.right.begin(), sides.right.end());
+  std::vector<double> way(places.size(), std::numeric_limits<double>::infinity());
+  for (const Triangle& t : strip) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index a = t[i], b = t[(i + 1) % 3];
+      if ((a < first_right) == (b < first_right)) continue;
+      const double length = (places[a] - places[b]).norm();
+      way[a] = std::min(way[a], length);
+      way[b] = std::min(way[b], length);
+    }
+  }
+  const implicit::PointTree left(sides.left), right(sides.right);
+  double taken = 0, shortest = 0;
+  for (Index v = 0; v < places.size(); ++v) {
+    const Vec3& other = v < first_right ? sides.right[right.nearest(places[v])] : sides.left[left.nearest(places[v])];
+    taken += way[v];
+    shortest += (other - places[v]).norm();
+  }
+  return !(taken <= longest_ways * shortest);
 }
 
 bool turns_over(const ZipSides& sides, const std::vector<Triangle>& strip) {
@@ -47,7 +77,7 @@ std::optional<std::vector<Triangle>> zip(const ZipSides& sides, Progress& progre
   for (Triangle& t : *strip) {
     for (Index& v : t) v = v < first_right ? v : first_right + (last - v);
   }
-  if (turns_over(sides, *strip)) return std::nullopt;
+  if (is_twisted(sides, *strip) || turns_over(sides, *strip)) return std::nullopt;
   return strip;
 }
 

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "algorithms/hole_filling/covering.h"
+#include "algorithms/hole_filling/open_sheet.h"
+#include "algorithms/hole_filling/patcher.h"
+#include "algorithms/hole_filling/rim_field.h"
+#include "algorithms/hole_filling/rim_zip.h"
+#include "algorithms/hole_filling/triangle_tree.h"
+#include "croquis/geometry/mesh_report.h"
+#include "croquis/geometry/mesh_topology.h"
+#include "croquis/hole_filling/fill_holes.h"
+#include "croquis/hole_filling/hole_groups.h"
+#include "croquis/hole_filling/patch_verification.h"
+#include "support/mesh_shapes.h"
+#include "support/random.h"
+#include "support/sample_count.h"
+#include "support/scans.h"
+#include "support/sculptures.h"
+#include "support/virtual_scans.h"
+
+using namespace croquis;
+using namespace croquis::test;
+using namespace croquis::hole_filling;
+
+namespace {
+
+HoleAnalysis analysis_of(const PolyMesh& mesh) {
+  Progress progress;
+  return analyse_holes(mesh, progress);
+}
+
+/// A hole with its companions each.
+std::vector<std::vector<Index>> groups_of(const HoleAnalysis& analysis) {
+  HoleGroups groups(analysis.holes.size());
+  for (const Hole& hole : analysis.holes) {
+    for (const Index other : hole.companions) groups.merge(hole.id, other);
+  }
+  return groups.lists();
+}
+
+std::optional<HolePatch> by_cubes(const PolyMesh& mesh, const HoleAnalysis& analysis, const std::vector<Index>& holes) {
+  Progress progress;
+  return polygonised_patcher({}, 40000)->attempt(make_site(mesh, analysis, holes, {}), progress);
+}
+
+struct Tally {
+  std::size_t sites = 0, made = 0, sound = 0;
+};
+
+/// Patches by cubes alone, each through the door that leads into meshes.
+Tally tally(const PolyMesh& mesh) {
+  const HoleAnalysis analysis = analysis_of(mesh);
+  PatchVerifier verifier(mesh, analysis);
+  Progress progress;
+  Tally result;
+  for (const std::vector<Index>& group : groups_of(analysis)) {
+    ++result.sites;
+    const auto patch = by_cubes(mesh, analysis, group);
+    if (!patch || !patch->arrives_at.empty()) continue;
+    ++result.made;
+    result.sound += verifier.accept_sound(std::vector{*patch}, progress)[0].is_sound() ? 1U : 0U;
+  }
+  return result;
+}
+
+PolyMesh without(const PolyMesh& mesh, const std::function<bool(const Vec3&)>& is_gone) {
+  std::vector<Index> gone;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    if (std::ranges::all_of(mesh.face(f), [&](Index v) { return is_gone(mesh.positions[v]); })) gone.push_back(f);
+  }
+  return without_faces(mesh, gone);
+}
+
+FillResult fill_all(const PolyMesh& mesh) {
+  FillOptions options;
+  options.selection = Selection::All;
+  options.flat_caps = false;
+  Progress progress;
+  return fill_holes(mesh, options, progress);
+}
+
+MeshReport report_of(const PolyMesh& mesh) {
+  Progress progress;
+  return inspect(mesh, true, progress);
+}
+
+/// Of new vertices to the unit sphere.
+double greatest_radial_error(const FillResult& result) {
+  double worst = 0;
+  for (std::size_t v = result.mesh.vertex_count() - result.new_vertices; v < result.mesh.vertex_count(); ++v)
+    worst = std::max(worst, std::abs(result.mesh.positions[v].norm() - 1));
+  return worst;
+}
+
+void check_one_sphere(const FillResult& result) {
+  const MeshReport report = report_of(result.mesh);
+  CHECK(report.components == 1);
+  CHECK(report.closed);
+  CHECK(report.genus == 0);
+  CHECK(*report.self_intersections == 0);
+  for (const HoleOutcome& outcome : result.outcomes) CHECK(outcome.method == "implicit-cubes");
+}
+
+/// Counter-clockwise about z.
+std::vector<Vec3> circle(double radius, std::size_t count) {
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
+    points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+  }
+  return points;
+}
+
+ZipSides sides_of(std::vector<Vec3> left, std::vector<Vec3> right) {
+  ZipSides sides{std::move(left), std::move(right), {}, {}};
+  sides.left_normals.assign(sides.left.size(), Vec3::UnitZ());
+  sides.right_normals.assign(sides.right.size(), Vec3::UnitZ());
+  return sides;
+}
+
+}  // namespace
+
+TEST_CASE("patches by cubes alone are sound over random cuts") {
+  const std::vector<PolyMesh> shapes = {round_sphere(5), ring_torus(120, 60), triangulated(uv_sphere(80, 60)),
+                                        triangulated(bust(80, 100))};
+  for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(sample_count(2, 20)); ++seed) {
+    for (const PolyMesh& shape : shapes) {
+      const CutScan scan = random_cuts(shape, seed, 4, 0.12, 0.4);
+      const HoleAnalysis analysis = analysis_of(scan.mesh);
+      PatchVerifier verifier(scan.mesh, analysis);
+      Progress progress;
+      for (const Hole& hole : analysis.holes) {
+        if (hole.kind == HoleClass::Outer) continue;
+        const auto patch = by_cubes(scan.mesh, analysis, {hole.id});
+        REQUIRE(patch);
+        CHECK(verifier.accept_sound(std::vector{*patch}, progress)[0].fault.empty());
+      }
+    }
+  }
+}
+
+TEST_CASE("huge ragged holes of sculptures get sound patches by cubes, or none") {
+  Tally total;
+  for (const Sculpture sculpture : {Sculpture::Beast, Sculpture::Hand, Sculpture::Knot}) {
+    const PolyMesh whole = sculpt(sculpture, 12000);
+    for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(sample_count(2, 10)); ++seed) {
+      const Tally tried =
+          tally(ragged_cuts(whole, {.seed = seed, .count = 1, .low = 0.12, .high = 0.2, .raggedness = 0.3}).mesh);
+      total.sites += tried.sites;
+      total.made += tried.made;
+      total.sound += tried.sound;
+    }
+  }
+  CAPTURE(total.sites, total.made);
+  CHECK(total.sound == total.made);
+  CHECK(4 * total.sound >= 3 * total.sites);
+}
+
+TEST_CASE("a hole and its islands become one sphere by cubes") {
+  const PolyMesh ball = round_sphere(5);
+  check_one_sphere(fill_all(cut_ring(ball, Vec3(0, 0.6, 0.8), 0.25, 0.6).mesh));
+  const PolyMesh two = without(ball, [](const Vec3& p) {
+    return (p - Vec3(0, 0, 1)).norm() < 0.8 && (p - Vec3(0.4, 0, 0.92)).norm() > 0.15 &&
+           (p - Vec3(-0.4, 0, 0.92)).norm() > 0.15;
+  });
+  const FillResult result = fill_all(two);
+  REQUIRE(result.outcomes.size() == 3);
+  check_one_sphere(result);
+  CHECK(greatest_radial_error(result) < 0.003);
+}
+
+TEST_CASE("a continuation that comes upon another rim tells, and both are filled together") {
+  // The wider rim is taken for a border, the piece beyond it therefore not for an island.
+  const PolyMesh mesh = without(round_sphere(4), [](const Vec3& p) { return p.z() > 0.2 && p.z() < 0.95; });
+  const HoleAnalysis analysis = analysis_of(mesh);
+  REQUIRE(analysis.holes.size() == 2);
+  REQUIRE(analysis.holes[0].companions.empty());
+  std::vector<std::vector<Index>> arrivals;
+  for (const Index hole : {0U, 1U}) {
+    const auto patch = by_cubes(mesh, analysis, {hole});
+    if (!patch) continue;
+    arrivals.push_back(patch->arrives_at);
+    CHECK(patch->arrives_at == std::vector<Index>{1 - hole});
+    CHECK(patch->triangles.empty());
+  }
+  CHECK_FALSE(arrivals.empty());
+  check_one_sphere(fill_all(mesh));
+}
+
+TEST_CASE("continuations that don't close come to nothing, soon") {
+  PolyMesh saddle = sheet(20, 20), slope = sheet(20, 20);
+  for (Vec3& p : saddle.positions) p.z() = 0.02 * (p.x() - 10) * (p.y() - 10);
+  for (Vec3& p : slope.positions) p = Vec3(p.x() + 1e5, 0.6 * p.y(), 0.8 * p.y());
+  const PolyMesh half_plane = without(sheet(40, 40), [](const Vec3& p) { return p.x() > 19.5 || p.y() > 30.5; });
+  for (const PolyMesh& mesh : {sheet(20, 20), saddle, slope, half_plane}) {
+    const HoleAnalysis analysis = analysis_of(mesh);
+    REQUIRE(analysis.holes.size() == 1);
+    CHECK_FALSE(by_cubes(mesh, analysis, {0}));
+  }
+}
+
+TEST_CASE("both skins of a thin shell are continued each by itself") {
+  for (const double wall : {0.03, 0.06, 0.1}) {
+    const PolyMesh whole = shell(4, wall);
+    const PolyMesh mesh = cut(cut(whole, Vec3(0, 0, 1), 0.3).mesh, Vec3(0, 0, 1 - wall), 0.3).mesh;
+    const HoleAnalysis analysis = analysis_of(mesh);
+    REQUIRE(analysis.holes.size() == 2);
+    PatchVerifier verifier(mesh, analysis);
+    Progress progress;
+    for (const Hole& hole : analysis.holes) {
+      INFO(wall);
+      const auto patch = by_cubes(mesh, analysis, {hole.id});
+      REQUIRE(patch);
+      CHECK(patch->arrives_at.empty());
+      CHECK(verifier.accept_sound(std::vector{*patch}, progress)[0].fault.empty());
+      const double radius = mesh.positions[hole.vertices.front()].norm();
+      for (const Vec3& p : patch->points) CHECK(std::abs(p.norm() - radius) < 0.5 * wall);
+    }
+  }
+}
+
+TEST_CASE("a strip between circles has a triangle for each of their edges and their area") {
+  Progress progress;
+  for (const std::size_t count : {7U, 20U, 33U, 3000U}) {
+    const auto strip = zip(sides_of(circle(1, 24), circle(0.8, count)), progress);
+    REQUIRE(strip);
+    CHECK(strip->size() == 24 + count);
+  }
+  const auto strip = zip(sides_of(circle(1, 64), circle(0.8, 50)), progress);
+  REQUIRE(strip);
+  PolyMesh mesh;
+  for (const auto& points : {circle(1, 64), circle(0.8, 50)})
+    mesh.positions.insert(mesh.positions.end(), points.begin(), points.end());
+  double area = 0;
+  for (const auto& [a, b, c] : *strip) {
+    mesh.add_triangle(a, b, c);
+    const Vec3 ab = mesh.positions[b] - mesh.positions[a], ac = mesh.positions[c] - mesh.positions[a];
+    CHECK(ab.cross(ac).z() > 0);
+    area += ab.cross(ac).z() / 2;
+  }
+  const auto polygon = [](double radius, double n) {
+    return n / 2 * radius * radius * std::sin(2 * std::numbers::pi / n);
+  };
+  CHECK(area == Approx(polygon(1, 64) - polygon(0.8, 50)));
+  CHECK(MeshTopology(mesh).boundary_loops().size() == 2);
+}
+
+TEST_CASE("a strip between sides that run against each other isn't made") {
+  Progress progress;
+  std::vector<Vec3> against = circle(0.8, 30);
+  std::reverse(against.begin(), against.end());
+  CHECK_FALSE(zip(sides_of(circle(1, 30), against), progress));
+}
+
+TEST_CASE("places on the surface around a hole are covered, those beyond its rim or on the other skin aren't") {
+  const PolyMesh mesh = cut(shell(4, 0.2), Vec3(0, 0, 1), 0.5).mesh;
+  const HoleAnalysis analysis = analysis_of(mesh);
+  REQUIRE(analysis.holes.size() == 1);
+  const HoleSite site = make_site(mesh, analysis, std::vector<Index>{0}, {});
+  const Covering covering(site, {Vec3::Constant(-2), Vec3::Constant(2)});
+  const auto surface = fit_rims(site, {}, {});
+  REQUIRE(surface);
+  const double cell = surface->edge;
+  std::vector<Vec3> places;
+  for (const double angle : {0.0, 0.1, 0.25, 0.7, 1.0}) places.emplace_back(std::sin(angle), 0, std::cos(angle));
+  std::vector<std::uint8_t> covered(places.size());
+  covering.mark(surface->field(), cell, places, covered);
+  CHECK(covered == std::vector<std::uint8_t>{0, 0, 0, 1, 1});
+  CHECK(covering.wall(1) == Approx(0.2).epsilon(0.1));
+  CHECK(covering.wall(0.1) == 0.1);
+}
+
+TEST_CASE("sheets lose what hangs at their borders by one edge or touches them in a vertex") {
+  PolyMesh mesh = sheet(6, 6);
+  const std::vector<std::uint8_t> none(mesh.vertex_count() + 2, 0);
+  const std::size_t faces = open_sheet(mesh, none).face_count();
+  CHECK(open_sheet(open_sheet(mesh, none), none).face_count() == faces);
+  CHECK(mesh.face_count() - faces <= 2);  // corners of the square
+  mesh.positions.emplace_back(3, -1, 0);
+  mesh.add_triangle(3, 2, static_cast<Index>(mesh.vertex_count() - 1));
+  CHECK(open_sheet(mesh, none).face_count() == faces);
+  std::vector<std::uint8_t> middle(mesh.vertex_count(), 0);
+  middle[3 * 7 + 3] = 1;
+  const PolyMesh ring = open_sheet(mesh, middle);
+  CHECK(border_loops(ring).size() == 2);
+  const MeshTopology topology(ring);
+  for (Index v = 0; v < ring.vertex_count(); ++v) CHECK(topology.fan_count(v) == 1);
+}
+
+TEST_CASE("the nearest triangle of a tree is that of a search of all, whichever count") {
+  const PolyMesh soup = random_soup(3, 300);
+  std::vector<std::array<Vec3, 3>> triangles;
+  for (std::size_t f = 0; f < soup.face_count(); ++f)
+    triangles.push_back(
+        {soup.positions[soup.face(f)[0]], soup.positions[soup.face(f)[1]], soup.positions[soup.face(f)[2]]});
+  const TriangleTree tree(triangles);
+  Random random(5);
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 place(random.between(-1, 2), random.between(-1, 2), random.between(-1, 2));
+    for (const Index modulus : {1U, 7U}) {
+      double least = std::numeric_limits<double>::infinity();
+      for (Index t = 0; t < triangles.size(); t += modulus)
+        least = std::min(least, foot_on_triangle(triangles[t], place).distance);
+      const TriangleFoot foot = tree.nearest(place, 10, [&](Index t) { return t % modulus == 0; });
+      CHECK(foot.distance == least);
+      CHECK((foot.point - place).norm() == Approx(least));
+    }
+  }
+}
