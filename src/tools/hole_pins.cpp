@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
 #include <optional>
 #include <tuple>
@@ -81,7 +80,12 @@ std::vector<Wish> wishes_of(std::span<const HoleRim> rims, const ViewFrame& fram
 class PinBoard {
  public:
   PinBoard(const Vec2& size, const HolePinOptions& options)
-      : size_(size), options_(options), apart_(std::max(1.0, 2 * options.radius + options.gap)) {}
+      : size_(size), options_(options), apart_(std::max(1.0, 2 * options.radius + options.gap)) {
+    std::tie(columns_, rows_) = cell_of(size);
+    ++columns_;
+    ++rows_;
+    cells_.resize(index_of(columns_ - 1, rows_ - 1) + 1);
+  }
 
   void add(const Wish& wish, const ViewFrame& frame) {
     HolePin pin = wish.pin;
@@ -94,7 +98,8 @@ class PinBoard {
       pin.pixel = *place;
       pin.place = frame.unproject(pin.pixel, wish.depth);
     }
-    cells_[cell_of(pin.pixel)].push_back(pins_.size());
+    const auto [column, row] = cell_of(pin.pixel);
+    cells_[index_of(column, row)].push_back(pins_.size());
     pins_.push_back(std::move(pin));
   }
 
@@ -111,17 +116,19 @@ class PinBoard {
     return {static_cast<int>(std::floor(pixel.x() / apart_)), static_cast<int>(std::floor(pixel.y() / apart_))};
   }
 
+  std::size_t index_of(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  }
+
   /// The pin nearest to a place and less than that away, of equally near ones the first; or null.
   HolePin* nearest(const Vec2& pixel, double within) {
     const int reach = static_cast<int>(std::ceil(within / apart_));
     const auto [column, row] = cell_of(pixel);
     std::size_t best = pins_.size();
     double best_distance = within;
-    for (int x = column - reach; x <= column + reach; ++x) {
-      for (int y = row - reach; y <= row + reach; ++y) {
-        const auto found = cells_.find({x, y});
-        if (found == cells_.end()) continue;
-        for (const std::size_t number : found->second) {
+    for (int x = std::max(column - reach, 0); x <= std::min(column + reach, columns_ - 1); ++x) {
+      for (int y = std::max(row - reach, 0); y <= std::min(row + reach, rows_ - 1); ++y) {
+        for (const std::size_t number : cells_[index_of(x, y)]) {
           const double distance = (pins_[number].pixel - pixel).norm();
           if (!(distance < best_distance || (distance == best_distance && number < best))) continue;
           if (distance >= within) continue;
@@ -151,7 +158,8 @@ class PinBoard {
   Vec2 size_;
   HolePinOptions options_;
   double apart_;
-  std::map<Cell, std::vector<std::size_t>> cells_;
+  int columns_ = 0, rows_ = 0;
+  std::vector<std::vector<std::size_t>> cells_;
   std::vector<HolePin> pins_;
 };
 
