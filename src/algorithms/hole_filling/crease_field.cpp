@@ -7,11 +7,9 @@
 #include <limits>
 #include <utility>
 
-#include <Eigen/Geometry>
-
 #include "algorithms/hole_filling/known_surface.h"
+#include "algorithms/hole_filling/smooth_sides.h"
 #include "croquis/base/error.h"
-#include "croquis/geometry/disjoint_sets.h"
 
 namespace croquis::hole_filling {
 namespace {
@@ -19,96 +17,18 @@ namespace {
 using Node = CreaseField::Node;
 using Tree = std::vector<Node>;
 
-constexpr double crease_cosine = 0.819;  // 35 degrees
-constexpr double least_reach = 6;        // × edge
+constexpr double least_reach = 6;  // × edge
 constexpr std::size_t most_known = 4000;
-constexpr std::size_t most_sides = 5;       // the number of trees grows with the factorial
-constexpr std::size_t least_triangles = 4;  // of a side: less tells nothing
-constexpr std::size_t most_centres = 120;   // per side
-constexpr double first_spacing = 0.7;       // of centres, × edge
-constexpr double spacing_slope = 0.25;      // by how much it grows per distance from the rim
+constexpr std::size_t most_sides = 5;      // the number of trees grows with the factorial
+constexpr std::size_t most_centres = 120;  // per side
+constexpr double first_spacing = 0.7;      // of centres, × edge
+constexpr double spacing_slope = 0.25;     // by how much it grows per distance from the rim
 constexpr double spacing_growth = 1.2;
 constexpr double worst_residual = 0.2;  // mean distance of known points to the surface, × edge
 constexpr std::size_t most_samples = 1000;
 
-struct Side {
-  std::vector<Index> vertices;  ///< of the known surface, ascending: nearest to the rim first
-  std::vector<Vec3> normals;    ///< unit, of this side's triangles alone
-};
-
-class SideFinder {
- public:
-  explicit SideFinder(const KnownSurface& known) : mesh_(known.mesh), distance_(known.distance) {}
-
-  std::vector<Side> run() {
-    for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
-      const auto c = mesh_.face(f);
-      normals_.push_back(
-          (mesh_.positions[c[1]] - mesh_.positions[c[0]]).cross(mesh_.positions[c[2]] - mesh_.positions[c[0]]));
-    }
-    join_over_smooth_edges();
-    std::vector<std::vector<Index>> triangles(mesh_.face_count());
-    for (Index f = 0; f < mesh_.face_count(); ++f) triangles[sets_.root(f)].push_back(f);
-    std::vector<Side> sides;
-    for (const auto& part : triangles) {
-      if (part.size() >= least_triangles && reaches_rim(part)) sides.push_back(side_of(part));
-    }
-    return sides;
-  }
-
- private:
-  void join_over_smooth_edges() {
-    sets_ = DisjointSets(mesh_.face_count());
-    std::vector<std::array<Index, 3>> edges;  // low, high, face
-    for (Index f = 0; f < mesh_.face_count(); ++f) {
-      const auto c = mesh_.face(f);
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto [low, high] = std::minmax(c[i], c[(i + 1) % 3]);
-        edges.push_back({low, high, f});
-      }
-    }
-    std::sort(edges.begin(), edges.end());
-    for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
-      const auto& [low, high, face] = edges[i];
-      if (edges[i + 1][0] != low || edges[i + 1][1] != high) continue;
-      const Vec3 &a = normals_[face], &b = normals_[edges[i + 1][2]];
-      if (a.dot(b) >= crease_cosine * a.norm() * b.norm()) sets_.unite(face, edges[i + 1][2]);
-    }
-  }
-
-  bool reaches_rim(const std::vector<Index>& part) const {
-    return std::any_of(part.begin(), part.end(), [&](Index f) {
-      const auto c = mesh_.face(f);
-      return std::count_if(c.begin(), c.end(), [&](Index v) { return distance_[v] == 0; }) >= 2;
-    });
-  }
-
-  Side side_of(const std::vector<Index>& part) const {
-    std::vector<std::pair<Index, Index>> uses;  // vertex, triangle
-    for (const Index f : part) {
-      for (const Index v : mesh_.face(f)) uses.emplace_back(v, f);
-    }
-    std::sort(uses.begin(), uses.end());
-    Side side;
-    for (std::size_t i = 0; i < uses.size();) {
-      const Index v = uses[i].first;
-      Vec3 sum = Vec3::Zero();
-      for (; i < uses.size() && uses[i].first == v; ++i) sum += normals_[uses[i].second];
-      if (!(sum.norm() > 0)) continue;
-      side.vertices.push_back(v);
-      side.normals.push_back(sum.normalized());
-    }
-    return side;
-  }
-
-  const PolyMesh& mesh_;
-  const std::vector<double>& distance_;
-  std::vector<Vec3> normals_;  ///< per triangle, as long as twice its area
-  DisjointSets sets_{0};
-};
-
 /// Places in the side's list: none nearer to another than the spacing there.
-std::vector<std::size_t> spread(const KnownSurface& known, const Side& side) {
+std::vector<std::size_t> spread(const KnownSurface& known, const SmoothSide& side) {
   for (double scale = first_spacing;; scale *= spacing_growth) {
     std::vector<std::size_t> taken;
     for (std::size_t i = 0; i < side.vertices.size() && taken.size() <= most_centres; ++i) {
@@ -123,7 +43,7 @@ std::vector<std::size_t> spread(const KnownSurface& known, const Side& side) {
   }
 }
 
-std::shared_ptr<const implicit::LocalFit> fit_of(const KnownSurface& known, const Side& side,
+std::shared_ptr<const implicit::LocalFit> fit_of(const KnownSurface& known, const SmoothSide& side,
                                                  const ImplicitOptions& options) {
   implicit::Constraints constraints;
   for (const std::size_t i : spread(known, side)) {
@@ -207,17 +127,17 @@ implicit::Field CreaseField::field() const {
 
 std::optional<CreaseField> fit_sides(const HoleSite& site, const ImplicitOptions& options) {
   const KnownSurface known = known_surface(site, options.reach, least_reach, most_known);
-  const std::vector<Side> sides = SideFinder(known).run();
+  const std::vector<SmoothSide> sides = smooth_sides(known);
   if (sides.size() < 2 || sides.size() > most_sides) return std::nullopt;
   std::vector<std::shared_ptr<const implicit::LocalFit>> fits;
-  for (const Side& side : sides) {
+  for (const SmoothSide& side : sides) {
     fits.push_back(fit_of(known, side, options));
     if (!fits.back()) return std::nullopt;
   }
   std::vector<std::vector<double>> samples;  // values of all sides, per place
   std::size_t count = 0;
-  for (const Side& side : sides) count += side.vertices.size();
-  for (const Side& side : sides) {
+  for (const SmoothSide& side : sides) count += side.vertices.size();
+  for (const SmoothSide& side : sides) {
     for (std::size_t i = 0; i < side.vertices.size(); i += count / most_samples + 1) {
       samples.emplace_back();
       for (const auto& fit : fits) samples.back().push_back(fit->value(known.mesh.positions[side.vertices[i]]));

@@ -5,20 +5,46 @@
 #include <optional>
 #include <utility>
 
-#include "algorithms/hole_filling/surface_reach.h"
-
 namespace croquis::hole_filling {
+namespace {
+
+/// All at the vertices reached, ascending.
+std::vector<Index> triangles_at(const SurfaceView& view, const std::vector<ReachedVertex>& reached) {
+  std::vector<Index> triangles;
+  for (const ReachedVertex& r : reached) {
+    triangles.push_back(r.corner / 3);
+    add_fan(view, r.corner, triangles);
+  }
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  return triangles;
+}
+
+double size_of(const HoleSite& site) {
+  double size = 0;
+  for (const Index id : site.holes) size = std::max(size, site.analysis->holes[id].diameter);
+  return size;
+}
+
+double mean_edge(const HoleSite& site) {
+  double perimeter = 0;
+  for (const Index id : site.holes) perimeter += site.analysis->holes[id].perimeter;
+  return perimeter / static_cast<double>(site.vertices.size());
+}
+
+}  // namespace
 
 KnownSurface known_surface(const HoleSite& site, double reach, double least_reach, std::size_t most_vertices) {
-  KnownSurface known;
-  double perimeter = 0;
-  for (const Index id : site.holes) {
-    perimeter += site.analysis->holes[id].perimeter;
-    known.size = std::max(known.size, site.analysis->holes[id].diameter);
-  }
-  known.edge = perimeter / static_cast<double>(site.vertices.size());
-  auto reached = reach_from_rims(site, std::max(reach * known.size, least_reach * known.edge));
+  auto reached = reach_from_rims(site, std::max(reach * size_of(site), least_reach * mean_edge(site)));
   if (reached.size() > most_vertices) reached.resize(most_vertices);
+  return known_surface(site, reached);
+}
+
+KnownSurface known_surface(const HoleSite& site, const std::vector<ReachedVertex>& reached) {
+  const SurfaceView& view = site.analysis->view;
+  KnownSurface known;
+  known.edge = mean_edge(site);
+  known.size = size_of(site);
   std::vector<std::pair<Index, Index>> numbers;  // vertex of the view, of the known surface
   for (const ReachedVertex& r : reached) {
     numbers.emplace_back(r.vertex, static_cast<Index>(numbers.size()));
@@ -31,7 +57,8 @@ KnownSurface known_surface(const HoleSite& site, double reach, double least_reac
     if (place == numbers.end() || place->first != v) return std::nullopt;
     return place->second;
   };
-  for (const auto& t : site.analysis->view.triangles) {
+  for (const Index triangle : triangles_at(view, reached)) {
+    const auto& t = view.triangles[triangle];
     const auto a = number_of(t[0]), b = number_of(t[1]), c = number_of(t[2]);
     if (a && b && c) known.mesh.add_triangle(*a, *b, *c);
   }

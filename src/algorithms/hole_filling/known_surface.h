@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "algorithms/hole_filling/hole_site.h"
+#include "algorithms/hole_filling/surface_reach.h"
 
 namespace croquis::hole_filling {
 
@@ -17,7 +17,10 @@ struct KnownSurface {
 };
 
 /// Triangles all of whose vertices edges join to the rims within max(`reach` × size, `least_reach` × edge), and of
-/// these the `most_vertices` nearest. Linear in the view, n log n in what is reached.
+/// these the `most_vertices` nearest. n log n in what is reached.
 KnownSurface known_surface(const HoleSite& site, double reach, double least_reach, std::size_t most_vertices);
+
+/// The same of what has been reached already: vertex i is reached[i].
+KnownSurface known_surface(const HoleSite& site, const std::vector<ReachedVertex>& reached);
 
 }  // namespace croquis::hole_filling

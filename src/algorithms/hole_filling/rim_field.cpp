@@ -9,6 +9,7 @@
 #include "algorithms/hole_filling/other_sheets.h"
 #include "algorithms/hole_filling/quadric_normals.h"
 #include "algorithms/hole_filling/rim_hinge.h"
+#include "algorithms/hole_filling/smooth_sides.h"
 #include "algorithms/hole_filling/surface_reach.h"
 #include "croquis/base/error.h"
 #include "croquis/implicit/offset_points.h"
@@ -24,6 +25,7 @@ constexpr double most_slope_growth = 2;         // else long rims would take all
 constexpr double worst_residual = 0.5;          // × edge, or for long rims × what the centres resolve
 constexpr std::size_t most_candidates = 30000;  // beside the rim; thinning looks at all of them, so more are sampled
 constexpr double smoother = 10;
+constexpr double same_normal = 0.99;      // cosine; a vertex on a crease has the normal of its side
 constexpr std::size_t most_passing = 80;  // points of other sheets
 constexpr double passing_spacing = 2;     // × edge
 
@@ -57,6 +59,7 @@ class RimFitting {
     edge_ = perimeter / static_cast<double>(rim_size_);
     reach_ = std::max(least_reach * edge_, options.reach * size_);
     reached_ = reach_from_rims(site, reach_);
+    stay_within_creases(site);
     fit_rim_normals(reached_, positions_);
     through_ = site.wish.through;
     if (site.wish.bulge != 0) hinge_.emplace(site, site.wish.bulge);
@@ -81,6 +84,23 @@ class RimFitting {
   }
 
  private:
+  /// A hole within one smooth side is continued from that side alone: what lies beyond its creases isn't the same
+  /// surface, and would bend it.
+  void stay_within_creases(const HoleSite& site) {
+    const std::vector<SmoothSide> sides = smooth_sides(known_surface(site, reached_));
+    if (sides.size() != 1 || sides.front().vertices.size() == reached_.size()) return;
+    std::vector<ReachedVertex> kept;
+    std::size_t next = 0;
+    for (Index i = 0; i < reached_.size(); ++i) {
+      const bool is_inside = next < sides.front().vertices.size() && sides.front().vertices[next] == i;
+      if (is_inside && sides.front().normals[next].dot(reached_[i].normal) < same_normal)
+        reached_[i].normal = sides.front().normals[next];
+      if (is_inside) ++next;
+      if (is_inside || reached_[i].distance == 0) kept.push_back(reached_[i]);
+    }
+    reached_ = std::move(kept);
+  }
+
   /// Every so many of those that aren't on the rim.
   void sample_reached() {
     const std::size_t stride = reached_.size() / most_candidates + 1;

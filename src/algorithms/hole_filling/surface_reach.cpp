@@ -38,7 +38,7 @@ class Reach {
       add_fan(view_, corner, fan_);
       std::sort(fan_.begin(), fan_.end());
       fan_.erase(std::unique(fan_.begin(), fan_.end()), fan_.end());
-      reached.push_back({vertex, distance, normal_at(vertex)});
+      reached.push_back({vertex, distance, normal_at(vertex), corner});
       for (const Index triangle : fan_) offer_neighbours(triangle, vertex, distance);
     }
     return reached;
