@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "algorithms/hole_filling/crease_field.h"
+#include "algorithms/hole_filling/cross_validation.h"
+#include "algorithms/hole_filling/smooth_sides.h"
+#include "croquis/geometry/mesh_report.h"
+#include "croquis/hole_filling/fill_holes.h"
+#include "support/scans.h"
+#include "support/surface_distance.h"
+#include "support/virtual_scans.h"
+
+using namespace croquis;
+using namespace croquis::test;
+using namespace croquis::hole_filling;
+
+namespace {
+
+/// A site with what it refers to.
+struct Scene {
+  PolyMesh mesh;
+  HoleAnalysis analysis;
+  HoleSite site;
+
+  explicit Scene(PolyMesh cut_mesh) : mesh(std::move(cut_mesh)) {
+    Progress progress;
+    analysis = analyse_holes(mesh, progress);
+    const std::vector<Index> holes = {0};
+    site = make_site(mesh, analysis, holes, {});
+  }
+  Scene(const Scene&) = delete;
+};
+
+/// Outside the unit box, negative inside.
+double box_value(const Vec3& p) { return std::max({(p - Vec3::Ones()).maxCoeff(), (-p).maxCoeff()}); }
+
+FillResult fill(const PolyMesh& mesh, Preset preset) {
+  FillOptions options;
+  options.preset = preset;
+  options.selection = Selection::All;
+  options.flat_caps = false;
+  Progress progress;
+  return fill_holes(mesh, options, progress);
+}
+
+/// Mean distance of new vertices and middles of new edges to a surface.
+template <typename Value>
+double mean_error(const FillResult& result, Value value) {
+  double sum = 0, count = 0;
+  for (std::size_t f = result.mesh.face_count() - result.new_faces; f < result.mesh.face_count(); ++f) {
+    const auto c = result.mesh.face(f);
+    for (std::size_t i = 0; i < 3; ++i) {
+      sum += std::abs(value(0.5 * (result.mesh.positions[c[i]] + result.mesh.positions[c[(i + 1) % 3]])));
+      count += 1;
+    }
+  }
+  return sum / count;
+}
+
+}  // namespace
+
+TEST_CASE("the sides of a box around a hole are told apart by its edges") {
+  const std::vector<std::pair<Vec3, std::size_t>> expected = {
+      {Vec3(0.5, 0.5, 1), 1}, {Vec3(0.5, 1, 1), 2}, {Vec3(1, 1, 1), 3}};
+  for (const auto& [centre, count] : expected) {
+    const Scene scene(cut(divided_box(16), centre, 0.22).mesh);
+    const auto sides = smooth_sides(known_surface(scene.site, 0.6, 6, 4000));
+    INFO(centre.transpose());
+    CHECK(sides.size() == count);
+    for (const SmoothSide& side : sides) {
+      for (const Vec3& normal : side.normals) CHECK((normal - side.normals.front()).norm() < 1e-9);
+    }
+  }
+}
+
+TEST_CASE("a smooth surface is one side") {
+  const Scene scene(cut(round_sphere(4), Vec3(0, 0, 1), 0.4).mesh);
+  const KnownSurface known = known_surface(scene.site, 0.6, 6, 4000);
+  const auto sides = smooth_sides(known);
+  REQUIRE(sides.size() == 1);
+  CHECK(sides.front().vertices.size() == known.mesh.vertex_count());
+}
+
+TEST_CASE("fits of a box' sides combine to the box around its edges and corners") {
+  for (const Vec3& centre : {Vec3(0.5, 1, 1), Vec3(1, 1, 1)}) {
+    const Scene scene(cut(divided_box(16), centre, 0.22).mesh);
+    const auto field = fit_sides(scene.site, {});
+    REQUIRE(field);
+    for (const Vec3& offset : {Vec3(0.01, 0.02, 0.03), Vec3(-0.1, -0.02, 0.04), Vec3(-0.05, -0.07, -0.01)}) {
+      const Vec3 place = centre + offset;
+      CHECK(field->value(place).value == Approx(box_value(place)).margin(1e-6));
+    }
+  }
+}
+
+TEST_CASE("preset sharp continues edges and corners of a box: errors a tenth of the standard's") {
+  for (const Vec3& centre : {Vec3(0.5, 1, 1), Vec3(1, 1, 1), Vec3(0.3, 0, 1)}) {
+    const PolyMesh mesh = cut(divided_box(20), centre, 0.23).mesh;
+    const FillResult sharp = fill(mesh, Preset::Sharp);
+    const double standard = mean_error(fill(mesh, Preset::Standard), box_value);
+    INFO(centre.transpose() << " " << sharp.outcomes[0].method << " " << sharp.outcomes[0].reason);
+    CHECK(sharp.outcomes[0].method == "creased");
+    CHECK(mean_error(sharp, box_value) < 0.2 * standard);
+    CHECK(sharp.outcomes[0].expected_error < 0.01);
+    Progress progress;
+    CHECK(*inspect(sharp.mesh, true, progress).self_intersections == 0);
+  }
+}
+
+TEST_CASE("a hole beside an edge is filled flat: what lies beyond the edge doesn't bend it") {
+  const PolyMesh mesh = cut(divided_box(20), Vec3(0.5, 0.8, 1), 0.16).mesh;
+  const FillResult result = fill(mesh, Preset::Standard);
+  for (std::size_t v = mesh.vertex_count(); v < result.mesh.vertex_count(); ++v)
+    CHECK(std::abs(result.mesh.positions[v].z() - 1) < 1e-9);
+}
+
+TEST_CASE("cross-validation tells smooth methods from flat ones on a sphere, and none of them from nothing") {
+  Progress progress;
+  const Scene scene(cut(round_sphere(4), Vec3(0, 0, 1), 0.6).mesh);
+  const CrossValidation validation(scene.site, progress);
+  CHECK(validation.probe_count() >= 3);
+  const double implicit = validation.error(*implicit_patcher({}, 40000), progress);
+  const double flat = validation.error(*minimal_patcher(), progress);
+  CHECK(implicit < 0.2 * flat);
+  CHECK(flat > 0.005);  // a disc of radius 0.3 lies 0.02 below the sphere in the mean
+  CHECK(flat < 0.05);
+  const Scene small(cut(round_sphere(0), Vec3(0, 0, 1), 1.2).mesh);
+  const CrossValidation nothing(small.site, progress);
+  CHECK(nothing.probe_count() == 0);
+  CHECK(std::isinf(nothing.error(*minimal_patcher(), progress)));
+}
+
+TEST_CASE("machined sculptures come out better by preset sharp, smooth ones not worse") {
+  for (const Sculpture sculpture : {Sculpture::Bracket, Sculpture::Beast}) {
+    const PolyMesh complete = sculpt(sculpture, 12000);
+    RaggedCuts cuts;
+    cuts.seed = 3;
+    const CutScan scan = ragged_cuts(complete, cuts);
+    const auto error = [&](Preset preset) {
+      const FillResult result = fill(scan.mesh, preset);
+      const SurfaceDistance distance(result.mesh, scan.mesh.face_count());
+      double sum = 0;
+      for (const auto& removed : scan.removed)
+        sum += summary_of_distances(sample_faces(complete, removed, 200), distance).mean;
+      return sum;
+    };
+    INFO(name_of(sculpture));
+    CHECK(error(Preset::Sharp) < (is_machined(sculpture) ? 0.8 : 1.05) * error(Preset::Standard));
+  }
+}
+
+TEST_CASE("preset noisy makes calmer patches than the standard over rough rims") {
+  const PolyMesh mesh = with_noise(cut(round_sphere(5), Vec3(0, 0, 1), 0.5).mesh, 7, 0.25);
+  const auto roughness = [](const FillResult& result) {
+    double sum = 0, count = 0;
+    const std::size_t given = result.mesh.vertex_count() - result.new_vertices;
+    for (std::size_t v = given; v < result.mesh.vertex_count(); ++v) {
+      sum += std::abs(result.mesh.positions[v].norm() - 1);
+      count += 1;
+    }
+    return sum / count;
+  };
+  CHECK(roughness(fill(mesh, Preset::Noisy)) < roughness(fill(mesh, Preset::Standard)));
+}
