@@ -19,8 +19,9 @@ namespace croquis::hole_filling {
 namespace {
 
 constexpr double stiffness = 3;  // the smoothing's factor, when careful
-constexpr int rounds = 5;
-constexpr int smoothings = 2;  // per round
+constexpr int usual_rounds = 5;
+constexpr int draft_rounds = 2;  // of a patch that is only to be pulled
+constexpr int smoothings = 2;    // per round
 
 /// A patch that strays farther from its rims than this has run away: the surface around doesn't close. × size
 constexpr double longest_way = 1.5;
@@ -107,10 +108,11 @@ double mean_edge(const LoosePatch& loose) {
 
 class ImplicitPatcher : public Patcher {
  public:
-  ImplicitPatcher(const ImplicitOptions& options, std::size_t most_triangles, bool careful)
+  ImplicitPatcher(const ImplicitOptions& options, std::size_t most_triangles, bool careful, int rounds = usual_rounds)
       : options_(options),
         most_triangles_(most_triangles),
         careful_(careful),
+        rounds_(rounds),
         start_(faired_patcher(1, most_triangles, careful)) {}
 
   const char* method() const override { return careful_ ? "implicit-careful" : "implicit"; }
@@ -151,7 +153,8 @@ class ImplicitPatcher : public Patcher {
   std::optional<HolePatch> pulled(const HoleSite& site, Progress& progress) const {
     HoleSite plain = site;
     plain.wish.through.clear();
-    auto start = attempt(plain, progress);
+    auto start = ImplicitPatcher(options_, most_triangles_, careful_, draft_rounds).attempt(plain, progress);
+    if (!start) start = start_->attempt(plain, progress);
     if (!start || !displace_through(*site.mesh, *start, site.wish.through)) return std::nullopt;
     double perimeter = 0;
     for (const Index id : site.holes) perimeter += site.analysis->holes[id].perimeter;
@@ -165,7 +168,7 @@ class ImplicitPatcher : public Patcher {
     projection.cell = std::max(surface.edge, mean_edge(loose));
     projection.iterations = 20 + static_cast<int>(std::min(200.0, 2 * surface.size / projection.cell));
     projection.threads = 1;
-    for (int round = 0; round < rounds; ++round) {
+    for (int round = 0; round < rounds_; ++round) {
       progress.check();
       PolyMesh mesh;
       mesh.positions = loose.points;
@@ -176,8 +179,8 @@ class ImplicitPatcher : public Patcher {
       if (round == 0) implicit::project(mesh.positions, fixed, surface.field(), projection);
       const auto report = implicit::smooth_on_surface(mesh, fixed, surface.field(), smoothings, projection);
       loose.points = std::move(mesh.positions);
-      if (has_run_away(surface, loose, through) || (round + 1 == rounds && report.not_converged > 0)) return false;
-      if (round + 1 == rounds) break;
+      if (has_run_away(surface, loose, through) || (round + 1 == rounds_ && report.not_converged > 0)) return false;
+      if (round + 1 == rounds_) break;
       limit_count(loose, most_triangles_);
       if (!bring_to_size(loose)) return false;
     }
@@ -245,6 +248,7 @@ class ImplicitPatcher : public Patcher {
   ImplicitOptions options_;
   std::size_t most_triangles_;
   bool careful_;
+  int rounds_;
   std::shared_ptr<const Patcher> start_;
 };
 
