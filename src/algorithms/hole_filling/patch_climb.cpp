@@ -201,6 +201,13 @@ class Climb {
     }
   }
 
+  /// Whether a cap closes a piece of surface that a climber's own holes are in: no island of theirs.
+  bool is_own_border(const Climber& climber, const Climber& cap) const {
+    return cap.job.is_cap && std::ranges::any_of(climber.job.holes, [&](Index hole) {
+             return analysis_.holes[hole].component == analysis_.holes[cap.job.holes.front()].component;
+           });
+  }
+
   /// The surface continued from some rims arrives at others: one patch for all of them, where those are to be filled
   /// and aren't yet.
   void join_or_fail(Climber& climber) {
@@ -208,7 +215,7 @@ class Climb {
     for (const Index hole : climber.candidate->arrives_at) {
       const auto found =
           std::ranges::find_if(climbers_, [&](const Climber& c) { return c.is_pending() && c.holds(hole); });
-      if (found == climbers_.end() || found->job.is_cap || !climber.may_join || !found->may_join) {
+      if (found == climbers_.end() || is_own_border(climber, *found) || !climber.may_join || !found->may_join) {
         refuse(climber, "the surface around it goes on to hole " + std::to_string(hole));
         return;
       }

@@ -29,8 +29,8 @@ constexpr double wall_share = 0.4;          // the greatest cell between two ski
 constexpr double farthest_wall = 3;         // × edge: beyond, two skins don't disturb each other
 constexpr double least_cell = 0.2;          // × edge
 constexpr double finer[] = {1, 0.5, 0.25};  // cells that are tried, × the first
+constexpr double between_skins = 3;         // factor of the smoothing there, if it has to be
 constexpr std::size_t least_rim = 11;       // edges; there is no room for cubes in smaller holes
-constexpr double more_careful = 3;          // factor of the smoothing between skins
 
 /// A box around rims and places that a patch shouldn't leave: one that does has run away.
 implicit::Box box_around(const HoleSite& site, double size) {
@@ -61,16 +61,25 @@ class PolygonisedPatch {
   std::optional<HolePatch> run(Progress& progress) {
     const Covering covering(site_, box_);
     const double wall = covering.wall(farthest_wall * edge_);
-    const bool is_thin = wall < farthest_wall * edge_;
-    auto surface = fit_rims(site_, options_, {.stiffness = is_thin ? more_careful : 1, .other_sheets = is_thin});
-    if (!surface) return std::nullopt;
-    field_ = surface->field();
     const double few_enough =
         std::sqrt(triangles_per_square_cell * area_ / static_cast<double>(std::max<std::size_t>(1, most_triangles_)));
     const double widest = std::max({std::min(edge_, wall_share * wall), least_cell * edge_, few_enough});
+    auto patch = on_field(covering, {}, widest, progress);
+    if (patch || wall >= farthest_wall * edge_) return patch;
+    return on_field(covering, {.stiffness = between_skins, .other_sheets = true}, widest, progress);
+  }
+
+ private:
+  std::optional<HolePatch> on_field(const Covering& covering, const RimFitOptions& how, double widest,
+                                    Progress& progress) {
+    const auto surface = fit_rims(site_, options_, how);
+    if (!surface) return std::nullopt;
+    field_ = surface->field();
     for (const double share : finer) {
       progress.check();
-      auto start = zipped(covering, share * widest, progress);
+      const auto cubes = continued(covering, share * widest, progress);
+      if (!cubes) return std::nullopt;  // and finer ones would run away, too
+      const auto start = zipped(*cubes, share * widest, progress);
       if (!start) continue;
       if (!start->arrives_at.empty()) return start;
       auto patch = lay_onto(site_, *surface, *start, most_triangles_, progress);
@@ -80,12 +89,9 @@ class PolygonisedPatch {
     return std::nullopt;
   }
 
- private:
   /// The continuation beside the hole, joined to the rims.
-  std::optional<HolePatch> zipped(const Covering& covering, double cell, Progress& progress) const {
-    const auto cubes = continued(covering, cell, progress);
-    if (!cubes) return std::nullopt;
-    const auto matched = match_loops(site_, open_sheet(cubes->mesh, cubes->covered), cell, progress);
+  std::optional<HolePatch> zipped(const implicit::Polygonized& cubes, double cell, Progress& progress) const {
+    const auto matched = match_loops(site_, open_sheet(cubes.mesh, cubes.covered), cell, progress);
     if (!matched) return std::nullopt;
     if (matched->arrives_at.empty()) return joined(*matched, progress);
     HolePatch arrival{site_.holes, {}, {}};
