@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <atomic>
 
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
 #include "croquis/document/content_hash.h"
+#include "croquis/document/memo.h"
 #include "operators/fill_operation.h"
 #include "operators/hole_ids.h"
 #include "support/check_operation.h"
@@ -61,6 +63,9 @@ TEST_CASE("filling is a function of its arguments, for every choice") {
   }
   test::check_operation(FillOperation(), inputs_of(test::open_tube(1, 4, 24, 12)),
                         {{"select", std::string("all-but-largest")}, {"precision", std::string("single")}});
+  test::check_operation(FillOperation(), inputs_of(scan()),
+                        {{"holes", std::string("0: leave; 1: flat, trim 1; 2: bulge 0.3")}});
+  test::check_operation(FillOperation(), inputs_of(scan()), {{"mode", std::string("remesh")}});
 }
 
 TEST_CASE("filling refuses unusable scans with the same findings every time") {
@@ -70,6 +75,47 @@ TEST_CASE("filling refuses unusable scans with the same findings every time") {
   CHECK_THROWS_AS(fill(points), Error);
   test::check_operation(FillOperation(), inputs_of(scan()), {{"only", std::string("99")}});
   CHECK_THROWS_AS(fill(scan(), {{"only", std::string("99")}}), Error);
+}
+
+TEST_CASE("a wish that changes is the same with what an earlier run left in the memo") {
+  Memo memo;
+  const auto fill_with_memo = [&](const std::string& holes) {
+    Progress progress;
+    Context context{progress};
+    context.memo = &memo;
+    return run(FillOperation(), inputs_of(scan()), {{"holes", holes}}, context);
+  };
+  for (const std::string holes :
+       {"", "1: flat", "1: flat; 2: leave", "1: smooth", "", "3: trim 1", "3: trim 1; 4: flat"}) {
+    INFO(holes);
+    const OperationResult warm = fill_with_memo(holes);
+    const OperationResult cold = fill(scan(), {{"holes", holes}});
+    CHECK(content_hash(warm.outputs.at("mesh")) == content_hash(cold.outputs.at("mesh")));
+    CHECK(content_hash(warm.outputs.at("details")) == content_hash(cold.outputs.at("details")));
+  }
+}
+
+TEST_CASE("rims come out as lines in the order of the holes, whether filled or listed") {
+  const PolyMesh given = scan();
+  for (const bool list : {false, true}) {
+    const OperationResult result = fill(given, {{"list", list}});
+    const PolyMesh& rims = *std::get<std::shared_ptr<const PolyMesh>>(result.outputs.at("rims"));
+    const auto& holes = details_of(result).at("holes").as_array();
+    REQUIRE(rims.line_count() == holes.size());
+    for (std::size_t i = 0; i < holes.size(); ++i)
+      CHECK(rims.line(i).size() == static_cast<std::size_t>(holes[i].at("boundary_edges").as_integer()) + 1);
+  }
+}
+
+TEST_CASE("the number of a hole's patch is the one that its faces have, after an earlier filling too") {
+  const OperationResult once = fill(scan(), {{"only", std::string("2,4")}});
+  const OperationResult twice = fill(mesh_of(once));
+  const auto& ids = std::get<std::vector<std::int32_t>>(mesh_of(twice).channel("patch_id", Domain::Face)->data);
+  for (const Report& hole : details_of(twice).at("holes").as_array()) {
+    const std::int64_t patch = hole.at("patch").as_integer();
+    CHECK(patch >= 2);
+    CHECK(std::count(ids.begin(), ids.end(), static_cast<std::int32_t>(patch)) > 0);
+  }
 }
 
 TEST_CASE("a filled scan begins with the scan, and its report counts the rest") {

@@ -173,7 +173,8 @@ std::size_t predicted_fill_bytes(const PolyMesh& mesh, const FillOptions& option
   const std::size_t triangles = corners - std::min(corners, 2 * mesh.face_count());
   const std::size_t views = (options.cache == nullptr ? 1 : 2) * view_triangle * triangles;
   // Verification has the triangles twice, once for the search.
-  const std::size_t verification = 2 * point * vertices + (4 + 1 + 3) * index * triangles;
+  const std::size_t scenes = options.precision == Precision::Single ? 2 : 1;
+  const std::size_t verification = (scenes + 1) * point * vertices + (4 * scenes + 1 + 3) * index * triangles;
   std::size_t result = point * vertices + index * (corners + mesh.face_count());
   for (const AttributeChannel& channel : mesh.channels)
     result += channel.size() * std::visit([](const auto& values) { return sizeof values[0]; }, channel.data);
