@@ -24,6 +24,7 @@ void AttributePanel::show_node(const Node* node, const OperationDescription* des
   node_ = node->id;
   if (description->id != operation_) make_fields(*description);
   for (const ParameterDescription& parameter : description->parameters) {
+    if (!fields_.contains(parameter.name)) continue;
     const auto given = node->parameters.find(parameter.name);
     fields_.at(parameter.name)->show_value(given == node->parameters.end() ? parameter.default_value : given->second);
   }
@@ -44,6 +45,7 @@ void AttributePanel::make_fields(const OperationDescription& description) {
   clear();
   operation_ = description.id;
   for (const ParameterDescription& parameter : description.parameters) {
+    if (parameter.name == description.list_flag) continue;  // for hosts that only want the list
     ParameterField* field = make_parameter_field(parameter, this);
     connect(field, &ParameterField::edited, this,
             [this, name = parameter.name](const ParameterValue& value, bool drag) {

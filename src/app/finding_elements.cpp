@@ -3,6 +3,7 @@
 
 #include <cctype>
 #include <optional>
+#include <utility>
 
 #include "croquis/tools/tag_edit.h"
 
@@ -49,6 +50,15 @@ std::vector<std::string> strokes_of(const Finding& finding) {
     if (subject.kind == SubjectKind::Stroke) strokes.push_back(subject.id);
   }
   return strokes;
+}
+
+std::vector<Index> holes_of(const Finding& finding) {
+  std::vector<Index> holes;
+  for (const Subject& subject : finding.subjects) {
+    if (subject.kind != SubjectKind::Hole) continue;
+    for (const Index hole : numbers_in(subject.id)) holes.push_back(hole);
+  }
+  return sorted_unique(std::move(holes));
 }
 
 FoundElements elements_of(const Finding& finding, const MeshTopology& topology) {

@@ -15,6 +15,9 @@ namespace croquis::app {
 /// Names of the strokes that a finding is about.
 std::vector<std::string> strokes_of(const Finding& finding);
 
+/// Numbers of the holes that a finding is about.
+std::vector<Index> holes_of(const Finding& finding);
+
 struct FoundElements {
   ComponentKind kind = ComponentKind::Vertex;
   Elements elements;

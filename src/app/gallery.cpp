@@ -3,6 +3,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <map>
 
 #include "croquis/base/error.h"
 #include "croquis/document/operation.h"
@@ -13,6 +14,9 @@ namespace croquis::app {
 namespace {
 
 const QString folder = QStringLiteral(":/sketches/");
+
+const std::map<SampleKind, QString> endings{
+    {SampleKind::Sketch, ".svg"}, {SampleKind::Cage, ".obj"}, {SampleKind::Scan, ".ply"}};
 
 Sample sample_of(const QString& file, SampleKind kind) {
   const QString name = file.chopped(4);
@@ -26,18 +30,24 @@ Sample sample_of(const QString& file, SampleKind kind) {
 
 std::vector<Sample> samples() {
   std::vector<Sample> found;
-  for (const QString& file : QDir(folder).entryList({"*.svg"}, QDir::Files, QDir::Name)) {
-    found.push_back(sample_of(file, SampleKind::Sketch));
-  }
-  for (const QString& file : QDir(folder).entryList({"*.obj"}, QDir::Files, QDir::Name)) {
-    found.push_back(sample_of(file, SampleKind::Cage));
+  for (const auto& [kind, ending] : endings) {
+    for (const QString& file : QDir(folder).entryList({"*" + ending}, QDir::Files, QDir::Name)) {
+      found.push_back(sample_of(file, kind));
+    }
   }
   return found;
 }
 
+SampleKind kind_of_sample(const QString& name) {
+  for (const auto& [kind, ending] : endings) {
+    if (QFile::exists(folder + name + ending)) return kind;
+  }
+  return SampleKind::Sketch;
+}
+
 Value load_sample(const QString& name) {
-  const bool sketch = QFile::exists(folder + name + ".svg");
-  const QString file_name = name + (sketch ? ".svg" : ".obj");
+  const SampleKind kind = kind_of_sample(name);
+  const QString file_name = name + endings.at(kind);
   QFile file(folder + file_name);
   if (!file.open(QIODevice::ReadOnly)) {
     throw Error(make_error(Category::Malformed, "E_FILE_OPEN",
@@ -46,17 +56,19 @@ Value load_sample(const QString& name) {
   const QByteArray bytes = file.readAll();
   const std::string_view text(bytes.constData(), static_cast<std::size_t>(bytes.size()));
   Progress progress;
-  if (sketch) {
+  if (kind == SampleKind::Sketch) {
     return std::make_shared<const Drawing>(read_svg_drawing(text, file_name.toStdString(), progress).drawing);
   }
-  return std::make_shared<const PolyMesh>(read_mesh(text, MeshFormat::Obj, file_name.toStdString(), progress).mesh);
+  const MeshFormat format = kind == SampleKind::Scan ? MeshFormat::Ply : MeshFormat::Obj;
+  return std::make_shared<const PolyMesh>(read_mesh(text, format, file_name.toStdString(), progress).mesh);
 }
 
 std::shared_ptr<const PolyMesh> sample_surface(const QString& name, const Registry& registry, Progress& progress) {
   const Value sample = load_sample(name);
   const bool sketch = type_of(sample) == ValueType::Drawing;
   const Operation* operation = registry.find(sketch ? "inflate" : "subdivide");
-  if (operation == nullptr) return std::get<std::shared_ptr<const PolyMesh>>(sample);
+  if (operation == nullptr || kind_of_sample(name) == SampleKind::Scan)
+    return std::get<std::shared_ptr<const PolyMesh>>(sample);
   Context context{progress, Quality::Draft};
   const ParameterValues parameters = sketch ? ParameterValues() : ParameterValues{{"levels", std::int64_t{3}}};
   const OperationResult result = run(*operation, {{sketch ? "drawing" : "cage", sample}}, parameters, context);

@@ -13,7 +13,8 @@ namespace croquis::app {
 /// What a sample begins.
 enum class SampleKind {
   Sketch,  ///< a drawing that becomes solid
-  Cage     ///< a mesh with sharp edges that becomes smooth
+  Cage,    ///< a mesh with sharp edges that becomes smooth
+  Scan     ///< a mesh with holes that are to be filled
 };
 
 /// A sketch or mesh that ships inside the program.
@@ -23,13 +24,15 @@ struct Sample {
   SampleKind kind = SampleKind::Sketch;
 };
 
-/// Sketches, then cages, each in the order of their names.
+/// Sketches, then cages, then scans, each in the order of their names.
 std::vector<Sample> samples();
 
 /// A drawing or a mesh. @throws Error (E_FILE_OPEN) when there is none of that name
 Value load_sample(const QString& name);
 
-/// What becomes of it, coarse: for a small picture. @throws Error, Cancelled
+SampleKind kind_of_sample(const QString& name);
+
+/// What becomes of it, coarse: for a small picture. A scan is shown as it is. @throws Error, Cancelled
 std::shared_ptr<const PolyMesh> sample_surface(const QString& name, const Registry& registry, Progress& progress);
 
 }  // namespace croquis::app

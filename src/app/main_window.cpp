@@ -14,6 +14,7 @@
 #include <QStatusBar>
 #include <QToolBar>
 
+#include "app/gallery.h"
 #include "app/gallery_thumbnails.h"
 #include "app/start_page.h"
 #include "app/viewport.h"
@@ -47,6 +48,7 @@ MainWindow::MainWindow(const QString& state_folder) : files_(studio_, pictures_,
   thumbnails_ = new GalleryThumbnails(studio_.registry(), pictures_, this);
   make_docks();
   make_actions();
+  make_hole_dock();
   make_help_line();
   connect_studio();
   connect_files();
@@ -97,7 +99,9 @@ void MainWindow::connect_start_page() {
   connect(start_page_, &StartPage::open_wanted, this, &MainWindow::ask_open);
   connect(start_page_, &StartPage::project_wanted, this, [this](const QString& path) { begin_open({path}); });
   connect(start_page_, &StartPage::sample_wanted, this, [this](const QString& name) {
-    if (may_discard() && attempt([&] { files_.start_sample(name); })) show_views();
+    if (!may_discard() || !attempt([&] { files_.start_sample(name); })) return;
+    show_views();
+    if (kind_of_sample(name) == SampleKind::Scan) action("holes")->trigger();
   });
   connect(start_page_, &StartPage::recovery_wanted, this, [this](const RecoveryOffer& offer) {
     if (attempt([&] { files_.recover(offer); })) show_views();
@@ -233,6 +237,7 @@ void MainWindow::show_start_page() {
   for (QDockWidget* dock : docks_) dock->hide();
   edges_dock_->hide();
   sets_dock_->hide();
+  holes_dock_->hide();
   for (QToolBar* bar : findChildren<QToolBar*>()) bar->hide();
   update_help();
 }

@@ -26,6 +26,8 @@ class CreaseSetPanel;
 class FindingsList;
 class GalleryThumbnails;
 class HistoryList;
+class HoleInteraction;
+class HolePanel;
 class ObjectList;
 class StartPage;
 class TagPanel;
@@ -112,6 +114,14 @@ class MainWindow : public QMainWindow {
                            std::function<Verdict(MeshTool&)> work);
   void set_mesh_mode(MeshMode mode);
   void update_mesh_actions();
+  void make_hole_actions();
+  void make_hole_dock();
+  QAction* add_hole_action(QMenu* menu, const QString& name, const QString& text, const QList<QKeySequence>& keys,
+                           std::function<void(HoleInteraction&)> work, bool tells_itself = false);
+  void update_hole_actions();
+  void frame_holes();
+  bool show_hole_finding(const NodeFinding& finding);  ///< @return whether it is about holes
+  void tell(const QString& sentence);                  ///< below the views
   void make_docks();
   void connect_files();
   void connect_start_page();
@@ -166,6 +176,9 @@ class MainWindow : public QMainWindow {
   QList<QDockWidget*> docks_;
   QDockWidget* edges_dock_ = nullptr;  ///< of meshes alone
   QDockWidget* sets_dock_ = nullptr;
+  QDockWidget* holes_dock_ = nullptr;  ///< while holes are worked on
+  HolePanel* holes_panel_ = nullptr;
+  QList<QAction*> hole_actions_;  ///< that need holes to work on
   bool unattended_ = false;
   bool docks_sized_ = false;  ///< people's own sizes are kept
   Findings last_findings_;

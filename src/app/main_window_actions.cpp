@@ -53,6 +53,7 @@ void MainWindow::make_actions() {
   make_view_actions();
   make_tool_actions();
   make_mesh_actions();
+  make_hole_actions();
 }
 
 void MainWindow::make_file_actions() {
@@ -95,6 +96,7 @@ void MainWindow::make_edit_actions() {
 }
 
 void MainWindow::select_all() {
+  if (viewport_->holes().active()) return viewport_->holes().select_all();
   if (viewport_->edits_meshes() && viewport_->mesh().tool().mode() != MeshMode::Object) {
     viewport_->mesh().act([](MeshTool& tool) { return tool.select_all(); });
     return;
@@ -117,6 +119,7 @@ void MainWindow::delete_selection() {
 void MainWindow::select_none() {
   if (viewport_->abandon()) return;
   viewport_->marking_menu().dismiss();
+  if (viewport_->holes().active()) return viewport_->holes().select({});
   viewport_->mesh().act([](MeshTool& tool) { return tool.select_none(); });
   studio_.session().select({});
 }
@@ -152,6 +155,9 @@ void MainWindow::make_view_actions() {
   QAction* flat = add_action(menu, "flat", tr("&Every face flat"), {QKeySequence("Shift+5")},
                              [this] { viewport_->set_flat(action("flat")->isChecked()); });
   flat->setCheckable(true);
+  QAction* zebra = add_action(menu, "zebra", tr("&Zebra stripes"), {QKeySequence("Shift+6")},
+                              [this] { viewport_->set_zebra(action("zebra")->isChecked()); });
+  zebra->setCheckable(true);
 }
 
 void MainWindow::make_tool_actions() {

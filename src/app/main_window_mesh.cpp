@@ -215,7 +215,7 @@ void MainWindow::update_mesh_actions() {
   if (mode != mode_actions_.end()) mode->second->setChecked(true);
   const auto tool = tool_actions_.find(viewport_->tool_kind());
   if (tool != tool_actions_.end()) tool->second->setChecked(true);
-  mesh_bar_->setVisible(mesh && !shows_start_page());
+  mesh_bar_->setVisible(mesh && !shows_start_page() && !viewport_->holes().active());
   action("erase")->setEnabled(!studio_.drawing().strokes.empty() || !mesh);
   for (const char* name : {"move", "rotate", "scale", "sharpen"}) action(name)->setEnabled(mesh);
 }

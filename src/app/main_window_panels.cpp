@@ -83,7 +83,8 @@ void MainWindow::update_panels() {
   chains_->show_chains(object);
   sets_->follow();
   status_->setText(ChainTable::summary(object));
-  const bool mesh = object != nullptr && object->cage != 0 && !shows_start_page();
+  const bool filling = viewport_->holes().active();
+  const bool mesh = object != nullptr && object->cage != 0 && !shows_start_page() && !filling;
   edges_dock_->setVisible(mesh);
   sets_dock_->setVisible(mesh);
   action("undo")->setEnabled(session.can_undo());
@@ -93,6 +94,7 @@ void MainWindow::update_panels() {
   action("export-solid")->setEnabled(shown);
   action("export-picture")->setEnabled(shown);
   update_mesh_actions();
+  update_hole_actions();
   setWindowModified(session.modified());
   update_help();
 }
@@ -111,6 +113,7 @@ void MainWindow::select_objects(const std::vector<NodeId>& nodes) {
 }
 
 void MainWindow::show_finding(const NodeFinding& found) {
+  if (show_hole_finding(found)) return;
   if (found.node == studio_.solid_node()) {
     select_strokes(strokes_of(found.finding));
     return;
@@ -134,6 +137,8 @@ void MainWindow::select_chain(int chain) {
   set_mesh_mode(MeshMode::Edge);
   viewport_->mesh().act([&](MeshTool& t) { return t.pick(ComponentKind::Edge, edges); });
 }
+
+void MainWindow::tell(const QString& sentence) { message_->setText(sentence); }
 
 void MainWindow::go_to_step(int steps) {
   Session& session = studio_.session();

@@ -61,6 +61,7 @@ ObjectScenes::Items& ObjectScenes::items_of(NodeId node) {
   if (!items.surface) {
     items.surface = make_item();
     items.cage = make_item();
+    items.filling = make_item();
   }
   return items;
 }
@@ -76,15 +77,46 @@ void ObjectScenes::set_flat(bool flat) {
   follow();
 }
 
+void ObjectScenes::set_patch_look(PatchLook look) {
+  if (patch_look_ == look) return;
+  patch_look_ = look;
+  follow();
+}
+
+const PatchSurface* ObjectScenes::patches(NodeId object) const {
+  const auto items = items_.find(object);
+  return items == items_.end() || !items->second.patches.mesh ? nullptr : &items->second.patches;
+}
+
+void ObjectScenes::follow_patches(const StudioObject& object, Items& items) {
+  const Report* details = report_of(object.result.get(), "details");
+  const bool has_holes = details != nullptr && details->find("holes") != nullptr;
+  const auto filled = has_holes && object.shown() == object.mesh ? object.mesh : nullptr;
+  const bool is_new = filled != items.filled;
+  if (is_new) items.patches = filled ? patches_of(*filled, object.cage_mesh.get()) : PatchSurface();
+  if (is_new || items.filling_look != patch_look_) {
+    items.filling_mesh = items.patches.completes ? colored(items.patches, patch_look_) : nullptr;
+  }
+  items.filled = filled;
+  items.filling_look = patch_look_;
+  render::MeshItemOptions options = item_options();
+  options.use_normal_channel = !flat_;
+  items.filling->show(items.filling_mesh, options);
+}
+
 void ObjectScenes::follow() {
   std::set<NodeId> there;
   for (const StudioObject& object : studio_.objects()) {
     there.insert(object.node);
     if (!object.visible) continue;
     Items& items = items_of(object.node);
-    items.surface->show(object.shown(), item_options(), object.shown() == object.mesh ? paint_of(object) : nullptr);
+    follow_patches(object, items);
+    // A scan stays as it is: only its patches, which are few, are made ready anew.
+    const auto surface = items.patches.completes ? object.cage_mesh : object.shown();
+    items.shows_cage = surface == object.cage_mesh;
+    items.surface->show(surface, item_options(), surface == object.mesh ? paint_of(object) : nullptr);
     // The cage's own item serves its wire; a cage that is shown as a surface has one already.
-    items.cage->show(object.shown() == object.cage_mesh ? nullptr : object.cage_mesh, {});
+    items.cage->show(items.shows_cage ? nullptr : object.cage_mesh, {});
   }
   std::erase_if(items_, [&](const auto& entry) { return !there.contains(entry.first); });
   emit changed();
@@ -99,7 +131,8 @@ render::Scene ObjectScenes::scene(const Wanted& wanted) const {
     });
   };
   // A single object needs no colour to be told from others.
-  const bool several = surfaces().size() > 1;
+  const auto seen = [](const StudioObject& object) { return object.visible && object.shown() != nullptr; };
+  const bool several = std::count_if(studio_.objects().begin(), studio_.objects().end(), seen) > 1;
   for (const StudioObject& object : studio_.objects()) {
     const auto items = items_.find(object.node);
     if (!object.visible || items == items_.end()) continue;
@@ -113,10 +146,13 @@ render::Scene ObjectScenes::scene(const Wanted& wanted) const {
     if (edited && cage_alone && wanted.look == MeshLook::Shaded) style = render::MeshStyle::shaded_wire();
     const bool replaced = object.node == wanted.replaced;
     scene.meshes.emplace_back(replaced ? wanted.by : items->second.surface->item(), emphasis, style);
+    if (!replaced && items->second.filling->item()) {
+      scene.meshes.emplace_back(items->second.filling->item(), emphasis, style);
+    }
     if (!cage_alone && (edited || object.view == SmoothView::Both)) {
       const QColor& color = colors::cage;
       const render::Color wire(color.red(), color.green(), color.blue(), 230);
-      scene.meshes.emplace_back(items->second.cage->item(), render::Emphasis{}, render::MeshStyle::cage(wire));
+      scene.meshes.emplace_back(cage_item(object.cage), render::Emphasis{}, render::MeshStyle::cage(wire));
     }
   }
   return scene;
@@ -128,6 +164,7 @@ std::vector<render::MeshItemPtr> ObjectScenes::surfaces() const {
     const auto items = items_.find(object.node);
     if (!object.visible || items == items_.end()) continue;
     if (const auto& item = items->second.surface->item()) surfaces.push_back(item);
+    if (const auto& item = items->second.filling->item()) surfaces.push_back(item);
   }
   return surfaces;
 }
@@ -136,14 +173,16 @@ render::MeshItemPtr ObjectScenes::cage_item(NodeId cage) const {
   for (const StudioObject& object : studio_.objects()) {
     const auto items = items_.find(object.node);
     if (object.cage != cage || items == items_.end()) continue;
-    return (object.shown() == object.cage_mesh ? items->second.surface : items->second.cage)->item();
+    return (items->second.shows_cage ? items->second.surface : items->second.cage)->item();
   }
   return nullptr;
 }
 
 bool ObjectScenes::busy() const {
-  return std::any_of(items_.begin(), items_.end(),
-                     [](const auto& entry) { return entry.second.surface->busy() || entry.second.cage->busy(); });
+  return std::any_of(items_.begin(), items_.end(), [](const auto& entry) {
+    const Items& items = entry.second;
+    return items.surface->busy() || items.cage->busy() || items.filling->busy();
+  });
 }
 
 }  // namespace croquis::app

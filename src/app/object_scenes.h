@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/live_item.h"
+#include "app/patch_surface.h"
 #include "app/studio.h"
 #include "croquis/render/scene.h"
 
@@ -28,6 +29,13 @@ class ObjectScenes : public QObject {
   /// Every face by its own normal.
   void set_flat(bool flat);
   bool flat() const { return flat_; }
+
+  /// How patches of filled holes are coloured.
+  void set_patch_look(PatchLook look);
+  PatchLook patch_look() const { return patch_look_; }
+
+  /// Of an object whose last operation filled holes; null for any other, and before its first result.
+  const PatchSurface* patches(NodeId object) const;
 
   /// After the studio's objects have changed.
   void follow();
@@ -62,12 +70,20 @@ class ObjectScenes : public QObject {
   struct Items {
     std::unique_ptr<LiveItem> surface;
     std::unique_ptr<LiveItem> cage;
+    bool shows_cage = false;                       ///< the surface is the cage
+    std::unique_ptr<LiveItem> filling;             ///< patches, where the surface is the scan as it was
+    PatchSurface patches;                          ///< of …
+    std::shared_ptr<const PolyMesh> filled;        ///< … this mesh
+    std::shared_ptr<const PolyMesh> filling_mesh;  ///< they, in …
+    PatchLook filling_look = PatchLook::Plain;     ///< … this look
   };
   Items& items_of(NodeId node);
+  void follow_patches(const StudioObject& object, Items& items);
   std::unique_ptr<LiveItem> make_item();
 
   Studio& studio_;
   bool flat_ = false;
+  PatchLook patch_look_ = PatchLook::Plain;
   QThreadPool threads_;
   std::map<NodeId, Items> items_;  ///< by the object's node
 };

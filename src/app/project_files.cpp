@@ -63,8 +63,13 @@ void ProjectFiles::start_sample(const QString& name) {
   if (auto* drawing = std::get_if<std::shared_ptr<const Drawing>>(&sample)) {
     studio_.start_with(**drawing);
   } else {
-    auto cage = std::get<std::shared_ptr<const PolyMesh>>(sample);
-    studio_.load(smoothed_document(studio_, name.toStdString(), std::move(cage)));
+    auto mesh = std::get<std::shared_ptr<const PolyMesh>>(sample);
+    if (kind_of_sample(name) == SampleKind::Scan) {
+      studio_.load(Document());
+      studio_.add_mesh(name.toStdString(), std::move(mesh));
+    } else {
+      studio_.load(smoothed_document(studio_, name.toStdString(), std::move(mesh)));
+    }
   }
   set_path({});
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <set>
 #include <utility>
 #include <variant>
 
@@ -80,6 +81,22 @@ std::size_t count_in_mesh(const StudioObject& object, const std::string& what) {
   if (what == "faces") return mesh.face_count();
   if (what == "sharp-edges") return mesh.tags.creases.size();
   return MeshTopology(mesh).edge_count();
+}
+
+std::size_t count_selected(MainWindow& window) {
+  const HoleInteraction& holes = window.viewport().holes();
+  return holes.active() ? holes.selected().size() : window.studio().session().components().elements.size();
+}
+
+/// Those that are open or failed, or the patches that fill others.
+std::size_t count_holes(const StudioObject& object, bool patches) {
+  std::size_t open = 0;
+  std::set<Index> numbers;
+  for (const HoleRow& row : hole_rows(&object)) {
+    open += row.state != HoleState::Filled;
+    if (row.patch && row.state == HoleState::Filled) numbers.insert(*row.patch);
+  }
+  return patches ? numbers.size() : open;
 }
 
 void expect_dihedral(const Studio& studio, const recorded::Expect& step) {
@@ -242,7 +259,9 @@ void ReplayPlayer::play(const recorded::Expect& step) {
   else if (step.what == "strokes")
     count = studio.drawing().strokes.size();
   else if (step.what == "selected")
-    count = studio.session().components().elements.size();
+    count = count_selected(window_);
+  else if (step.what == "holes" || step.what == "patches")
+    count = count_holes(object_named(studio, step.node), step.what == "patches");
   else
     count = count_in_mesh(object_named(studio, step.node), step.what);
   if (static_cast<std::int64_t>(count) != step.count) {
@@ -276,8 +295,17 @@ void ReplayPlayer::play(const recorded::Pin& step) { play_on_mesh(step); }
 void ReplayPlayer::play(const recorded::TagSet& step) { play_on_mesh(step); }
 void ReplayPlayer::play(const recorded::Extrude& step) { play_on_mesh(step); }
 void ReplayPlayer::play(const recorded::LoopCut& step) { play_on_mesh(step); }
-void ReplayPlayer::play(const recorded::HoleChoice&) { refuse("No scan with holes is being worked on"); }
-void ReplayPlayer::play(const recorded::HolePoint&) { refuse("No scan with holes is being worked on"); }
+template <typename HoleStep>
+void ReplayPlayer::play_on_holes(const HoleStep& step) {
+  if (!step.node.empty()) window_.studio().set_active(object_named(window_.studio(), step.node).node);
+  HoleInteraction& holes = window_.viewport().holes();
+  if (!holes.active()) refuse("No holes are being worked on: the action \"holes\" opens them");
+  wait_until_settled(window_);  // their numbers are known once they have been found
+  holes.replay(step);
+}
+
+void ReplayPlayer::play(const recorded::HoleChoice& step) { play_on_holes(step); }
+void ReplayPlayer::play(const recorded::HolePoint& step) { play_on_holes(step); }
 
 int print_findings(const Findings& findings) {
   for (const Finding& finding : findings) {

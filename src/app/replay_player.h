@@ -45,6 +45,8 @@ class ReplayPlayer {
   void play(const recorded::HolePoint& step);
   template <typename MeshStep>
   void play_on_mesh(const MeshStep& step);
+  template <typename HoleStep>
+  void play_on_holes(const HoleStep& step);
 
   MainWindow& window_;
 };

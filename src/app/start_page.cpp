@@ -75,6 +75,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   gallery_ = right;
   add_gallery(tr("Start from a sketch"), SampleKind::Sketch);
   add_gallery(tr("Start from a cage with sharp edges"), SampleKind::Cage);
+  add_gallery(tr("Start from a scan with holes"), SampleKind::Scan);
   right->addStretch();
 }
 

@@ -6,6 +6,7 @@
 
 #include "app/theme.h"
 #include "croquis/render/sharpness_color.h"
+#include "croquis/render/value_color.h"
 
 namespace croquis::app {
 namespace {
@@ -79,6 +80,35 @@ void SharpnessLegend::paintEvent(QPaintEvent*) {
   }
 }
 
+ConfidenceLegend::ConfidenceLegend(QWidget* parent) : QWidget(parent) {
+  setObjectName("confidence-legend");
+  setAccessibleName(tr("Colours of patches by confidence"));
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  setFixedSize(legend_size.width(), legend_row * 6 + 14);
+  hide();
+}
+
+void ConfidenceLegend::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(255, 255, 255, 190));
+  painter.drawRoundedRect(rect(), 6, 6);
+  QFont font = painter.font();
+  font.setPixelSize(11);
+  painter.setFont(font);
+  painter.setPen(QColor(60, 66, 76));
+  painter.drawText(QRect(8, 4, width() - 8, legend_row), Qt::AlignVCenter, tr("Confidence"));
+  int y = 4 + legend_row;
+  auto samples = render::value_legend();
+  std::reverse(samples.begin(), samples.end());  // as scales stand: much above
+  for (const render::ValueSample& sample : samples) {
+    painter.fillRect(QRect(10, y, 22, legend_row), QColor(sample.color.r, sample.color.g, sample.color.b));
+    painter.drawText(QRect(40, y, width() - 40, legend_row), Qt::AlignVCenter, QString::fromStdString(sample.label));
+    y += legend_row;
+  }
+}
+
 ViewChips::ViewChips(Studio& studio, QWidget* views)
     : QObject(views),
       studio_(studio),
@@ -86,7 +116,8 @@ ViewChips::ViewChips(Studio& studio, QWidget* views)
       hint_(label(views, "color: #8a93a0; background: transparent; font-size: 15px")),
       counts_(label(views, name_style)),
       value_(label(views, value_style)),
-      legend_(new SharpnessLegend(views)) {
+      legend_(new SharpnessLegend(views)),
+      confidence_(new ConfidenceLegend(views)) {
   hint_->setText(tr("Trace me: one closed line becomes a solid"));
   counts_->setObjectName("counts");
   value_->setObjectName("edge-value");
@@ -156,6 +187,9 @@ void ViewChips::place_names(const PaneLayout& layout, const Wanted& wanted) {
   legend_->setVisible(wanted.legend && solid.visible());
   legend_->move(static_cast<int>(solid.rect.right()) - legend_->width() - 10,
                 static_cast<int>(solid.rect.bottom()) - legend_->height() - 10);
+  confidence_->setVisible(wanted.confidence && solid.visible());
+  confidence_->move(static_cast<int>(solid.rect.right()) - confidence_->width() - 10,
+                    static_cast<int>(solid.rect.bottom()) - confidence_->height() - 10);
 }
 
 void ViewChips::place_findings(const ViewPane& pane, const Wanted& wanted) {

@@ -26,6 +26,17 @@ class SharpnessLegend : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 };
 
+/// The colours of patches with how far one can trust them.
+class ConfidenceLegend : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ConfidenceLegend(QWidget* parent);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+};
+
 /// The small things that stand over the views: their names, counts, the invitation to draw, sentences at findings,
 /// buttons at joints, the value of the edge under the pointer.
 class ViewChips : public QObject {
@@ -49,7 +60,8 @@ class ViewChips : public QObject {
     const SketchScene* sketch = nullptr;
     bool drawing = false;  ///< a stroke is under way: nothing stands in its way
     bool legend = false;
-    QString comparison;  ///< what the second view of a comparison shows
+    bool confidence = false;  ///< the legend of patches instead
+    QString comparison;       ///< what the second view of a comparison shows
     struct Value {
       QPointF at;
       QString text;
@@ -73,6 +85,7 @@ class ViewChips : public QObject {
   QLabel* counts_;
   QLabel* value_;
   SharpnessLegend* legend_;
+  ConfidenceLegend* confidence_;
   std::vector<Joint> joints_;
   std::vector<QToolButton*> joint_chips_;  ///< one for each of joints_; later ones wait hidden
 };

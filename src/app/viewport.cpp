@@ -33,9 +33,12 @@ Viewport::Viewport(Studio& studio, QWidget* parent)
       objects_(studio, nullptr),
       sketch_(studio, layout_.pane(SketchView), nullptr),
       mesh_(studio, objects_, layout_, nullptr),
+      holes_(
+          studio, objects_, [this](int view) { return mesh_.frame_of(view); }, nullptr),
       comparison_(studio, objects_.threads(), nullptr),
       chips_(studio, this),
-      marking_menu_(this) {
+      marking_menu_(this),
+      pins_(this) {
   setObjectName("viewport");
   setAccessibleName(tr("Views"));
   setMouseTracking(true);
@@ -79,6 +82,9 @@ void Viewport::connect_parts() {
   connect(&mesh_, &MeshInteraction::changed, this, &Viewport::redraw_all);
   connect(&mesh_, &MeshInteraction::committed, this, &Viewport::committed);
   connect(&mesh_, &MeshInteraction::mode_changed, this, &Viewport::help_changed);
+  connect(&holes_, &HoleInteraction::changed, this, &Viewport::redraw_all);
+  connect(&holes_, &HoleInteraction::committed, this, &Viewport::committed);
+  connect(&holes_, &HoleInteraction::holes_changed, this, &Viewport::help_changed);
   connect(&objects_, &ObjectScenes::changed, this, [this] {
     mesh_.follow();
     keep_in_view();
@@ -88,7 +94,7 @@ void Viewport::connect_parts() {
 }
 
 bool Viewport::edits_meshes() const {
-  return kind_ != ToolKind::Draw && kind_ != ToolKind::Erase && has_editable_mesh(studio_);
+  return kind_ != ToolKind::Draw && kind_ != ToolKind::Erase && kind_ != ToolKind::Holes && has_editable_mesh(studio_);
 }
 
 bool Viewport::sketches_in(int view) const {
@@ -109,6 +115,8 @@ void Viewport::set_tool(ToolKind tool) {
     case ToolKind::Sharpen: mesh_.set_handles(MeshHandles::Sharpen); break;
     default: mesh_.set_handles(MeshHandles::Select);
   }
+  holes_.set_active(tool == ToolKind::Holes);
+  show_patch_look();
   const bool draws = tool == ToolKind::Draw || tool == ToolKind::Erase;
   if (draws && !layout_.pane(SketchView).visible()) arrange(Arrangement::SketchAndSolid);
   show_cursor(under_pointer_);
@@ -122,6 +130,20 @@ void Viewport::set_look(MeshLook look) {
 }
 
 void Viewport::set_flat(bool flat) { objects_.set_flat(flat); }
+
+void Viewport::set_tinted(bool tinted) {
+  tinted_ = tinted;
+  show_patch_look();
+}
+
+void Viewport::show_patch_look() {
+  objects_.set_patch_look(tinted_ ? PatchLook::Confidence : holes_.active() ? PatchLook::Told : PatchLook::Plain);
+}
+
+void Viewport::set_zebra(bool zebra) {
+  zebra_ = zebra;
+  redraw_all();
+}
 
 void Viewport::frame_all() {
   after_layout();
@@ -139,9 +161,13 @@ void Viewport::frame_all() {
 }
 
 void Viewport::frame_selection() {
+  if (!layout_.pane(under_pointer_).visible()) under_pointer_ = layout_.shown().front();
   ViewPane& pane = layout_.pane(under_pointer_);
   if (sketches_in(under_pointer_)) {
     pane.frame(sketch_.scene().bounds(true));
+  } else if (holes_.active() && !holes_.selection_bounds().empty()) {
+    pane.frame(holes_.selection_bounds());
+    turned_ = true;
   } else if (!mesh_.overlay().selection_bounds().empty() && edits_meshes()) {
     pane.frame(mesh_.overlay().selection_bounds());
   } else if (const StudioObject* active = studio_.active();
@@ -200,6 +226,7 @@ void Viewport::compare(bool shown) {
 }
 
 void Viewport::delete_selection() {
+  if (holes_.active()) return holes_.reopen_selected();
   if (sketch_.tool().delete_selected() == Verdict::Commit) return;
   const Selection selection = studio_.session().selection();
   for (const SelectedItem& item : selection) {
@@ -207,7 +234,7 @@ void Viewport::delete_selection() {
   }
 }
 
-bool Viewport::abandon() { return sketch_.abandon() || mesh_.abandon(); }
+bool Viewport::abandon() { return sketch_.abandon() || mesh_.abandon() || holes_.abandon(); }
 
 void Viewport::export_picture(OffscreenPictures& pictures, const QString& path) const {
   const ViewPane& pane = layout_.pane(PerspectiveView);
@@ -246,6 +273,7 @@ void Viewport::follow_document() {
   sketch_.follow_document();
   comparison_.follow();
   mesh_.follow();
+  holes_.follow();
   const bool has_meshes = has_editable_mesh(studio_);
   if (has_meshes && !had_meshes_ && studio_.drawing_node() == 0) {
     // A document of meshes begins with the perspective view; Space shows the others.
@@ -264,6 +292,7 @@ void Viewport::follow_result() {
   objects_.follow();
   sketch_.follow_result();
   mesh_.follow();
+  holes_.follow();
   chips_.show_joints();
   keep_in_view();
   redraw_all();
@@ -370,6 +399,7 @@ render::Scene Viewport::scene_of(int view) {
   render::Scene scene = objects_.scene(wanted);
   mesh_.overlay().add_to(scene, view != ComparisonView);
   if (edits_meshes()) mesh_.add_handles_to(scene, view);
+  holes_.add_to(scene, view);
   if (view == SketchView) {
     const render::Scene sketch = sketch_.scene().scene();
     scene.lines.insert(scene.lines.end(), sketch.lines.begin(), sketch.lines.end());
@@ -389,6 +419,7 @@ render::RenderOptions Viewport::options_of(int view) const {
     options.axis_cross.shown = true;
     if (layout_.pane(view).flat()) options.grid.kind = render::GridKind::Lines;
   }
+  if (zebra_ && !paper) options.shading = render::Shading::Zebra;
   options.pixel_ratio = devicePixelRatioF();
   options.upload_budget = upload_budget;
   return options;
@@ -417,7 +448,17 @@ void Viewport::place_chips() {
     const QPointF in_view(value->pixel.x(), value->pixel.y());
     wanted.value = ViewChips::Wanted::Value{layout_.pane(value->view).rect.topLeft() + in_view, value->text};
   }
+  wanted.confidence = tinted_ && holes_.active();
   chips_.place(layout_, wanted);
+  place_pins();
+}
+
+void Viewport::place_pins() {
+  HolePinView::Pins pins;
+  for (const int view : holes_.active() ? layout_.shown() : std::vector<int>()) {
+    if (!sketches_in(view)) pins.push_back({layout_.pane(view).rect, holes_.pins(view)});
+  }
+  pins_.show_pins(std::move(pins), holes_);
 }
 
 }  // namespace croquis::app

@@ -9,6 +9,8 @@
 #include <optional>
 
 #include "app/comparison.h"
+#include "app/hole_interaction.h"
+#include "app/hole_pin_view.h"
 #include "app/marking_menu.h"
 #include "app/mesh_interaction.h"
 #include "app/object_scenes.h"
@@ -24,8 +26,8 @@ namespace croquis::app {
 class OffscreenPictures;
 
 /// What the hand does: draw and erase on the sketch, select strokes and meshes, move, turn and scale parts of meshes,
-/// change the sharpness of edges.
-enum class ToolKind { Draw, Erase, Select, Move, Rotate, Scale, Sharpen };
+/// change the sharpness of edges, fill holes.
+enum class ToolKind { Draw, Erase, Select, Move, Rotate, Scale, Sharpen, Holes };
 
 /// All views in one widget with one OpenGL context. Takes pen, mouse, fingers and wheel, hands them to navigation, to
 /// the sketch or to the meshes, and draws what these show.
@@ -44,6 +46,7 @@ class Viewport : public QOpenGLWidget {
   SketchTool& tool() { return sketch_.tool(); }
   SketchInteraction& sketch() { return sketch_; }
   MeshInteraction& mesh() { return mesh_; }
+  HoleInteraction& holes() { return holes_; }
   Comparison& comparison() { return comparison_; }
   ViewChips& chips() { return chips_; }
   MarkingMenu& marking_menu() { return marking_menu_; }
@@ -53,6 +56,8 @@ class Viewport : public QOpenGLWidget {
 
   void set_look(MeshLook look);
   void set_flat(bool flat);
+  void set_zebra(bool zebra);    ///< stripes that show how smoothly surfaces meet
+  void set_tinted(bool tinted);  ///< patches by how far one can trust them
 
   void frame_all();
   void frame_selection();
@@ -94,7 +99,7 @@ class Viewport : public QOpenGLWidget {
   void settle_now();
 
   /// Every item of what is shown has been made and sent to the graphics card.
-  bool settled() const { return !objects_.busy() && !comparison_.busy() && !uploading_; }
+  bool settled() const { return !objects_.busy() && !comparison_.busy() && !holes_.busy() && !uploading_; }
 
   /// Where a place of the sketch plane, or of the model in a view, is seen, in the widget's logical pixels.
   QPointF sketch_to_widget(const Vec2& place) const;
@@ -106,6 +111,7 @@ class Viewport : public QOpenGLWidget {
 
  signals:
   void help_changed();
+  void accept_wanted();  ///< Enter, while holes are worked on
 
   /// A gesture changed the document or the selection.
   void committed(const croquis::recorded::Step& step);
@@ -149,7 +155,9 @@ class Viewport : public QOpenGLWidget {
   void draw_view(int view);
   render::Scene scene_of(int view);
   render::RenderOptions options_of(int view) const;
+  void show_patch_look();
   void place_chips();
+  void place_pins();
 
   Studio& studio_;
   PaneLayout layout_;
@@ -157,13 +165,17 @@ class Viewport : public QOpenGLWidget {
   ObjectScenes objects_;
   SketchInteraction sketch_;
   MeshInteraction mesh_;
+  HoleInteraction holes_;
   Comparison comparison_;
   ViewChips chips_;
   MarkingMenu marking_menu_;
+  HolePinView pins_;
   std::unique_ptr<render::Renderer> renderer_;
   std::array<PaneState, view_count> states_;
   ToolKind kind_ = ToolKind::Draw;
   MeshLook look_ = MeshLook::Shaded;
+  bool zebra_ = false;
+  bool tinted_ = false;
   int grabbed_ = -1;  ///< the view that the gesture under way began in, or -1
   int under_pointer_ = SketchView;
   PaneLayout::Border dragged_border_;

@@ -25,6 +25,8 @@ bool Viewport::event(QEvent* event) {
   if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease) {
     const auto* key = static_cast<QKeyEvent*>(event);
     if (key->key() == twin_key && !key->isAutoRepeat()) navigation_.set_twin_key(event->type() == QEvent::KeyPress);
+    const bool enter = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
+    if (enter && event->type() == QEvent::KeyPress && holes_.active()) emit accept_wanted();
     navigation_.modifiers_changed(
         {key->modifiers().testFlag(Qt::ShiftModifier), key->modifiers().testFlag(Qt::ControlModifier),
          key->modifiers().testFlag(Qt::AltModifier), key->modifiers().testFlag(Qt::MetaModifier)});
@@ -77,7 +79,7 @@ void Viewport::take(PointerEvent event, const QPointF& place) {
   event.view = grabbed_ >= 0 ? grabbed_ : under_pointer_;
   event.position = to_vec(place - layout_.pane(event.view).rect.topLeft());
   if (take_marking(event, place)) return;
-  const bool down = sketch_.down() || mesh_.down();
+  const bool down = sketch_.down() || mesh_.down() || holes_.down();
   if (event.buttons.any())
     grabbed_ = event.view;
   else if (!down)
@@ -93,6 +95,8 @@ void Viewport::take(PointerEvent event, const QPointF& place) {
         QToolTip::hideText();
       told_finding_ = !sentence.isEmpty();
     }
+  } else if (holes_.active()) {
+    leaving ? holes_.leave() : holes_.take(event);
   } else if (edits_meshes()) {
     leaving ? mesh_.leave() : mesh_.take(event);
   }
@@ -101,7 +105,7 @@ void Viewport::take(PointerEvent event, const QPointF& place) {
 bool Viewport::navigate(const PointerEvent& event) {
   PointerEvent seen = event;
   // Where there is nothing to pick and nothing to draw on, plain drags turn the view.
-  if (!sketches_in(event.view) && !edits_meshes()) seen.modifiers.super = true;
+  if (!sketches_in(event.view) && !edits_meshes() && !holes_.active()) seen.modifiers.super = true;
   const Navigation::Answer answer = navigation_.handle(seen);
   for (const auto& motion : {answer.motion, answer.second}) {
     if (!motion) continue;
@@ -148,7 +152,8 @@ void Viewport::show_cursor(int view) {
 
 bool Viewport::drag_border(const PointerEvent& event, const QPointF& place) {
   const PaneLayout::Border under = layout_.border_at(place);
-  if (event.action == PointerEvent::Action::Press && under.any() && !sketch_.down() && !mesh_.down()) {
+  if (event.action == PointerEvent::Action::Press && under.any() && !sketch_.down() && !mesh_.down() &&
+      !holes_.down()) {
     dragged_border_ = under;
   }
   if (!dragged_border_.any()) {
@@ -174,6 +179,7 @@ QString Viewport::help() const {
   if (navigation_.alt_swallowed()) {
     return tr("Alt belongs to your desktop: hold Super, or the key left of 1, and drag to turn, shift and come nearer");
   }
+  if (holes_.active()) return holes_.help();
   if (edits_meshes() && !sketches_in(under_pointer_)) return mesh_.help();
   switch (sketch_.mode()) {
     case SketchMode::Select:

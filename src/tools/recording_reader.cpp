@@ -338,8 +338,8 @@ Step read_hole_point(Fields& fields) {
 
 Step read_expect(Fields& fields) {
   Expect step;
-  step.what = fields.one_of(
-      "what", {"objects", "findings", "strokes", "faces", "vertices", "edges", "sharp-edges", "selected", "dihedral"});
+  step.what = fields.one_of("what", {"objects", "findings", "strokes", "faces", "vertices", "edges", "sharp-edges",
+                                     "selected", "holes", "patches", "dihedral"});
   step.node = fields.text("node", "");
   if (step.what == "dihedral") {
     step.value = fields.number("value");

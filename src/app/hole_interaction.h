@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/hole_overlay.h"
+#include "app/hole_plan.h"
+#include "app/hole_rows.h"
+#include "app/hole_sight.h"
+#include "app/object_scenes.h"
+#include "app/patch_preview.h"
+#include "croquis/tools/hole_tool.h"
+#include "croquis/tools/pen.h"
+
+namespace croquis::app {
+
+/// The hand on the holes of the active object: picks, fills, reopens, bridges and shapes them, by view, list and menu.
+/// Whatever it changes is a parameter of the object's `fill` operation.
+class HoleInteraction : public QObject {
+  Q_OBJECT
+
+ public:
+  /// @param frame_of how tools see the model in a view
+  HoleInteraction(Studio& studio, ObjectScenes& scenes, std::function<ViewFrame(int)> frame_of, QObject* parent);
+
+  /// While it isn't active nothing of it is shown or computed.
+  bool active() const { return active_; }
+  void set_active(bool active);
+
+  HoleTool& tool() { return tool_; }
+  const std::vector<HoleRow>& rows() const { return rows_; }
+  const HoleRow* row(Index hole) const;
+  const std::vector<Index>& selected() const { return tool_.selected(); }
+  const std::vector<Index>& hovered() const { return tool_.preview().hovered.holes; }
+  const PatchPreview& preview() const { return preview_; }
+  bool busy() const { return active_ && preview_.busy(); }
+
+  // ---- Selection
+  void select(std::vector<Index> holes);
+  void select_all();
+  void select_by_size(double diameter);  ///< open holes that aren't borders, up to that wide
+
+  // ---- What becomes of holes; each is one step of the history
+  void fill_selected();
+  void fill_all(const std::string& select);  ///< one of the choices of the parameter `select`
+  void fill_up_to(double diameter);
+  void reopen_selected();
+  void bridge_selected();
+  void clear_handles();  ///< of the selected holes
+
+  // ---- How patches are made: of the selected holes, of all when none is selected
+  struct Way {
+    std::string fairness, kernel;
+    double bulge = 0;
+    int trim_rim = 0;
+  };
+  Way way() const;
+  void set_fairness(const std::string& fairness);
+  void set_kernel(const std::string& kernel);
+  void set_bulge(double bulge, bool dragging);
+  void set_trim(int rings);
+  void set_mode(const std::string& mode);  ///< of all holes: patches, or the model made anew
+
+  // ---- The hand
+  void take(const PointerEvent& event);  ///< its place in pixels of its view
+  void leave();
+  bool down() const { return pen_.down(); }
+  bool abandon();  ///< gives up the gesture under way. @return false when there was none
+  void replay(const recorded::HoleChoice& step);
+  void replay(const recorded::HolePoint& step);
+
+  /// Shows what is there after the document, a result or the selection has changed.
+  void follow();
+
+  /// What is drawn over a view.
+  void add_to(render::Scene& scene, int view);
+  const std::vector<HolePin>& pins(int view) { return tool_.pins(frame_of_(view)); }
+  render::Bounds selection_bounds() const { return HoleOverlay::bounds_of(tool_, tool_.selected()); }
+
+  /// The next action, in words and keys.
+  QString help() const;
+
+ signals:
+  void changed();        ///< what is drawn over the views
+  void holes_changed();  ///< rows or selection
+  void committed(const croquis::recorded::Step& step);
+  void told(const QString& sentence);
+  void frame_wanted();  ///< of what is selected
+
+ private:
+  const Node* node() const;
+  std::vector<Index> filled() const;
+  std::vector<Index> open_of(const std::vector<Index>& holes) const;
+  std::string target() const;
+  void attempt(const std::function<void()>& work);
+  void edit(const std::string& label, const ParameterValues& values, bool dragging, bool recorded);
+  void change_plan(const std::string& label, const std::function<void(HolePlan&)>& change, bool recorded = true);
+  void change_way(const std::string& label, const std::string& parameter, const ParameterValue& value,
+                  const std::function<void(HoleWish&)>& change, bool dragging = false);
+  void finish(Verdict verdict);
+  void apply(const recorded::HoleChoice& step);
+  void apply(const recorded::HolePoint& step);
+  void follow_pull();
+  void feed(const PenStep& step);
+  void hover(const PointerEvent& event);
+  void take_result(const StudioObject* object);
+  void show_patches();
+  void show_handles();
+  void selection_moved();
+
+  Studio& studio_;
+  ObjectScenes& scenes_;
+  std::function<ViewFrame(int)> frame_of_;
+  bool active_ = false;
+  HoleTool tool_;
+  PenInput pen_;
+  HoleOverlay overlay_;
+  PatchPreview preview_;
+  HoleSightMaker sight_;
+  std::vector<HoleRow> rows_;
+  std::shared_ptr<const Evaluation> shown_;  ///< the result that rows_ tell of
+  NodeId shown_node_ = 0;
+  int gesture_view_ = 0;
+  std::optional<HolePlan> pulled_;  ///< before the pull under way
+  bool dragging_ = false;           ///< the session's drag has begun
+  std::set<std::string> dragged_;   ///< parameters that it has changed
+};
+
+}  // namespace croquis::app

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/surface_check.h"
+
+#include <QMetaObject>
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "croquis/base/error.h"
+#include "croquis/base/progress.h"
+#include "croquis/geometry/mesh_report.h"
+#include "croquis/geometry/self_intersection.h"
+
+namespace croquis::app {
+namespace {
+
+constexpr int pause_ms = 400;  // checks take longer than patches: not while somebody is trying values
+
+std::vector<Index> patch_faces(const PolyMesh& mesh) {
+  std::vector<Index> faces;
+  const AttributeChannel* channel = mesh.channel("patch_id", Domain::Face);
+  const auto* ids = channel == nullptr ? nullptr : std::get_if<std::vector<std::int32_t>>(&channel->data);
+  for (std::size_t face = 0; ids != nullptr && face < ids->size(); ++face) {
+    if ((*ids)[face] >= 0) faces.push_back(static_cast<Index>(face));
+  }
+  return faces;
+}
+
+bool keeps_vertices(const PolyMesh& filled, const PolyMesh& scan) {
+  return filled.vertex_count() >= scan.vertex_count() &&
+         std::equal(scan.positions.begin(), scan.positions.end(), filled.positions.begin());
+}
+
+bool keeps_faces(const PolyMesh& filled, const PolyMesh& scan) {
+  return filled.face_count() >= scan.face_count() &&
+         std::equal(scan.face_offsets.begin(), scan.face_offsets.end(), filled.face_offsets.begin()) &&
+         std::equal(scan.corners.begin(), scan.corners.end(), filled.corners.begin());
+}
+
+QString counted(std::size_t count, const QString& one, const QString& many) {
+  return (count == 1 ? one : many).arg(count);
+}
+
+}  // namespace
+
+CheckedSurface check_surface(const PolyMesh& filled, const PolyMesh* scan, Progress& progress) {
+  CheckedSurface checked;
+  Progress counting = progress.step("count", 0.4);
+  const MeshReport report = inspect(filled, false, counting);
+  checked.open_edges = report.boundary_edges;
+  checked.crowded_edges = report.nonmanifold_edges;
+  const std::vector<Index> patches = patch_faces(filled);
+  checked.has_patches = !patches.empty();
+  Progress meeting = progress.step("intersections", 0.6);
+  checked.intersections = checked.has_patches ? find_intersections_of(filled, patches, meeting, {}).count
+                                              : find_self_intersections(filled, meeting, {}).count;
+  if (scan == nullptr) return checked;
+  const bool vertices = keeps_vertices(filled, *scan);
+  const bool faces = keeps_faces(filled, *scan);
+  checked.outside_unchanged = vertices && faces;
+  checked.trimmed = vertices && !faces && checked.has_patches;
+  return checked;
+}
+
+QString sentence_of(const CheckedSurface& checked) {
+  const auto tr = [](const char* text) { return SurfaceCheck::tr(text); };
+  QStringList parts;
+  parts << (checked.open_edges == 0 ? tr("closed")
+                                    : counted(checked.open_edges, tr("%1 open edge"), tr("%1 open edges")));
+  parts << (checked.crowded_edges == 0 ? tr("manifold")
+                                       : counted(checked.crowded_edges, tr("%1 edge of three and more faces"),
+                                                 tr("%1 edges of three and more faces")));
+  parts << counted(checked.intersections, tr("%1 intersection"), tr("%1 intersections"));
+  if (!checked.has_patches)
+    parts << tr("made anew");
+  else if (checked.outside_unchanged)
+    parts << tr("outside unchanged");
+  else
+    parts << (checked.trimmed ? tr("rims trimmed, else unchanged") : tr("outside CHANGED"));
+  return parts.join(", ");
+}
+
+SurfaceCheck::SurfaceCheck(QObject* parent) : QObject(parent) {
+  thread_.setMaxThreadCount(1);
+  pause_.setSingleShot(true);
+  connect(&pause_, &QTimer::timeout, this, &SurfaceCheck::begin);
+}
+
+SurfaceCheck::~SurfaceCheck() {
+  stop();
+  thread_.waitForDone();
+}
+
+void SurfaceCheck::stop() {
+  if (cancelled_) *cancelled_ = true;
+  cancelled_.reset();
+  pause_.stop();
+}
+
+void SurfaceCheck::follow(std::shared_ptr<const PolyMesh> filled, std::shared_ptr<const PolyMesh> scan) {
+  if (filled == filled_ && scan == scan_) return;
+  stop();
+  filled_ = std::move(filled);
+  scan_ = std::move(scan);
+  found_.reset();
+  if (filled_) pause_.start(pause_ms);
+  emit changed();
+}
+
+void SurfaceCheck::begin() {
+  cancelled_ = std::make_shared<std::atomic<bool>>(false);
+  thread_.start([this, cancelled = cancelled_, filled = filled_, scan = scan_] {
+    std::optional<CheckedSurface> found;
+    try {
+      Progress progress(nullptr, cancelled.get());
+      found = check_surface(*filled, scan.get(), progress);
+    } catch (const Cancelled&) {
+      return;
+    } catch (const Error&) {
+      return;  // a mesh that can't be looked at is told of by whoever made it
+    }
+    QMetaObject::invokeMethod(
+        this,
+        [this, cancelled, found] {
+          if (*cancelled) return;
+          found_ = found;
+          emit changed();
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+}  // namespace croquis::app

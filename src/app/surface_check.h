@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QThreadPool>
+#include <QTimer>
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <optional>
+
+#include "croquis/base/progress.h"
+#include "croquis/geometry/poly_mesh.h"
+
+namespace croquis::app {
+
+/// What can be said of a filled mesh by looking at it.
+struct CheckedSurface {
+  std::size_t open_edges = 0;     ///< of one face
+  std::size_t crowded_edges = 0;  ///< of more than two
+  std::size_t intersections = 0;  ///< pairs in which patches take part; of a mesh made anew, all
+  bool has_patches = true;        ///< else it was made anew
+  bool outside_unchanged = true;  ///< the scan's vertices and faces come first, digit by digit
+  bool trimmed = false;           ///< all but the faces that were taken off along rims
+
+  bool is_sound() const {
+    return crowded_edges == 0 && intersections == 0 && (outside_unchanged || trimmed || !has_patches);
+  }
+};
+
+/// @throws Error, Cancelled
+CheckedSurface check_surface(const PolyMesh& filled, const PolyMesh* scan, Progress& progress);
+
+/// "closed, manifold, 0 intersections, outside unchanged", or what is wrong.
+QString sentence_of(const CheckedSurface& checked);
+
+/// Checks the newest filled mesh beside the window's thread, once nothing has changed for a moment.
+class SurfaceCheck : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit SurfaceCheck(QObject* parent);
+  ~SurfaceCheck() override;
+
+  /// Null meshes: there is nothing to be checked. The same ones as before: what was found stays.
+  void follow(std::shared_ptr<const PolyMesh> filled, std::shared_ptr<const PolyMesh> scan);
+
+  const std::optional<CheckedSurface>& found() const { return found_; }
+  bool busy() const { return filled_ != nullptr && !found_; }
+
+ signals:
+  void changed();
+
+ private:
+  void begin();
+  void stop();
+
+  std::shared_ptr<const PolyMesh> filled_;
+  std::shared_ptr<const PolyMesh> scan_;
+  std::optional<CheckedSurface> found_;
+  std::shared_ptr<std::atomic<bool>> cancelled_;
+  QTimer pause_;
+  QThreadPool thread_;
+};
+
+}  // namespace croquis::app

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QPushButton>
+#include <QTest>
+#include <QTimer>
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+
+#include <catch2/catch.hpp>
+
+#include "app/attribute_panel.h"
+#include "app/hole_panel.h"
+#include "app/hole_table.h"
+#include "app/lists.h"
+#include "app/parameter_field.h"
+#include "app/replay_player.h"
+#include "app/size_slider.h"
+#include "app/studio_fixture.h"
+#include "croquis/document/content_hash.h"
+#include "croquis/geometry/mesh_topology.h"
+#include "croquis/io/file.h"
+#include "croquis/io/mesh_file.h"
+#include "support/sample_count.h"
+#include "support/scans.h"
+#include "support/virtual_scans.h"
+
+using namespace croquis;
+using app::HoleState;
+using app::Viewport;
+using croquis::test::StudioFixture;
+
+namespace {
+
+/// Opens a mesh as a file, its hole tool with it.
+void open_scan(StudioFixture& hand, const PolyMesh& scan, const QString& name = "scan") {
+  Progress progress;
+  const QString file = hand.folder() + "/" + name + ".ply";
+  std::ofstream(file.toStdString(), std::ios::binary) << write_mesh(scan, MeshFormat::Ply, {}, progress).bytes;
+  REQUIRE(hand.window().open(file));
+  hand.act("holes");
+  hand.settle();
+}
+
+PolyMesh ball_with_holes(std::size_t count = 6) {
+  return test::without_loose_vertices(test::random_cuts(test::round_sphere(4), 7, count, 0.15, 0.3).mesh);
+}
+
+app::HoleInteraction& holes(StudioFixture& hand) { return hand.viewport().holes(); }
+
+std::size_t count(StudioFixture& hand, HoleState state) {
+  const auto& rows = holes(hand).rows();
+  return static_cast<std::size_t>(
+      std::count_if(rows.begin(), rows.end(), [&](const app::HoleRow& row) { return row.state == state; }));
+}
+
+std::string last_step(StudioFixture& hand) { return hand.studio().session().undo_labels().back(); }
+
+QString label(StudioFixture& hand, const char* name) { return hand.window().findChild<QLabel*>(name)->text(); }
+
+const PolyMesh& filled_mesh(StudioFixture& hand) { return *hand.studio().active()->mesh; }
+
+std::size_t rims_of(const PolyMesh& mesh) { return MeshTopology(mesh).boundary_loops().size(); }
+
+}  // namespace
+
+TEST_CASE("the tool lists a scan's holes in one step and changes nothing of it", "[holes]") {
+  StudioFixture hand;
+  open_scan(hand, ball_with_holes());
+  CHECK(last_step(hand) == "Find holes of scan");
+  CHECK(holes(hand).rows().size() == 6);
+  CHECK(count(hand, HoleState::Open) == 6);
+  CHECK(filled_mesh(hand).face_count() == hand.studio().active()->cage_mesh->face_count());
+  auto* table = hand.window().findChild<app::HoleTable*>("holes");
+  CHECK(table->rowCount() == 6);
+  CHECK(label(hand, "hole-summary") == "6 holes: 6 open");
+  const std::size_t steps = hand.studio().session().undo_labels().size();
+  hand.act("select");
+  CHECK(!hand.window().findChild<QWidget*>("holes-dock")->isVisible());
+  hand.act("holes");
+  CHECK(hand.window().findChild<QWidget*>("holes-dock")->isVisible());
+  CHECK(hand.studio().session().undo_labels().size() == steps);
+}
+
+TEST_CASE("a selected hole is previewed outside of the document, filled, and opened again by itself", "[holes]") {
+  StudioFixture hand;
+  open_scan(hand, ball_with_holes());
+  const ContentHash before = content_hash(hand.studio().session().document());
+  holes(hand).select({2});
+  hand.settle();
+  CHECK(holes(hand).preview().item() != nullptr);
+  CHECK(count(hand, HoleState::Open) == 6);
+  CHECK(content_hash(hand.studio().session().document()) == before);
+  hand.act("fill-selected");
+  hand.settle();
+  CHECK(last_step(hand) == "Fill hole 2");
+  CHECK(count(hand, HoleState::Filled) == 1);
+  CHECK(holes(hand).preview().item() == nullptr);
+  CHECK(rims_of(filled_mesh(hand)) == 5);
+  holes(hand).select({4});
+  hand.act("fill-selected");
+  hand.settle();
+  CHECK(count(hand, HoleState::Filled) == 2);
+  holes(hand).select({2});
+  hand.act("reopen-selected");
+  hand.settle();
+  CHECK(last_step(hand) == "Reopen hole 2");
+  CHECK(holes(hand).row(2)->state == HoleState::Open);
+  CHECK(holes(hand).row(4)->state == HoleState::Filled);
+  hand.act("undo");
+  hand.settle();
+  CHECK(count(hand, HoleState::Filled) == 2);
+}
+
+TEST_CASE("all inner, all but the largest, up to a size: each one step, checked when it is done", "[holes]") {
+  StudioFixture hand;
+  open_scan(hand, ball_with_holes());
+  hand.act("fill-all-but-largest");
+  hand.settle();
+  CHECK(last_step(hand) == "Fill all but the largest hole");
+  CHECK(count(hand, HoleState::Filled) == 5);
+  hand.act("fill-inner");
+  hand.settle();
+  CHECK(count(hand, HoleState::Filled) == 6);
+  CHECK(hand.wait_for([&] { return label(hand, "hole-check").startsWith("closed"); }));
+  CHECK(label(hand, "hole-check") == "closed, manifold, 0 intersections, outside unchanged");
+  CHECK(label(hand, "hole-summary") == "6 holes: 6 filled");
+  hand.act("undo");
+  hand.act("undo");
+  hand.settle();
+  CHECK(count(hand, HoleState::Filled) == 0);
+
+  auto& panel = *hand.window().findChild<app::HolePanel*>("hole-panel");
+  const HoleHistogram sizes = panel.sizes().histogram();
+  const double middle = sizes.diameter(0.5);
+  panel.sizes().set_diameter(middle);
+  emit panel.sizes().moved(middle);
+  hand.settle();
+  CHECK(holes(hand).selected().size() == sizes.count_up_to(middle));
+  CHECK(count(hand, HoleState::Filled) == 0);
+  hand.window().findChild<QPushButton*>("fill-sizes")->click();
+  hand.settle();
+  CHECK(count(hand, HoleState::Filled) == sizes.count_up_to(middle));
+}
+
+TEST_CASE("the way of a patch belongs to what is selected, else to all, and a drag of bulge is one step", "[holes]") {
+  StudioFixture hand;
+  open_scan(hand, ball_with_holes());
+  hand.act("fill-inner");
+  hand.settle();
+  holes(hand).select({1});
+  hand.act("way-flat");
+  hand.settle();
+  CHECK(last_step(hand) == "Way flat of hole 1");
+  CHECK(holes(hand).row(1)->method != holes(hand).row(0)->method);
+  CHECK(holes(hand).way().fairness == "flat");
+  hand.act("deselect");
+  CHECK(holes(hand).way().fairness == "rbf");
+  const std::size_t steps = hand.studio().session().undo_labels().size();
+  holes(hand).select({0});
+  const PolyMesh before = filled_mesh(hand);
+  for (const double bulge : {0.1, 0.2, 0.3}) holes(hand).set_bulge(bulge, true);
+  holes(hand).set_bulge(0.4, false);
+  hand.settle();
+  CHECK(hand.studio().session().undo_labels().size() == steps + 1);
+  CHECK(last_step(hand) == "Bulge of hole 0");
+  CHECK(holes(hand).way().bulge == Approx(0.4));
+  CHECK(filled_mesh(hand).positions != before.positions);
+  hand.act("undo");
+  hand.settle();
+  CHECK(filled_mesh(hand).positions == before.positions);
+}
+
+TEST_CASE("an open hole's way shows in its preview and leaves it open", "[holes]") {
+  StudioFixture hand;
+  open_scan(hand, ball_with_holes());
+  holes(hand).select({3});
+  hand.settle();
+  const auto before = holes(hand).preview().item();
+  REQUIRE(before != nullptr);
+  holes(hand).set_bulge(0.5, false);
+  hand.settle();
+  CHECK(holes(hand).preview().item() != before);
+  CHECK(count(hand, HoleState::Open) == 6);
+  hand.act("fill-selected");
+  hand.settle();
+  CHECK(count(hand, HoleState::Filled) == 1);
+  CHECK(holes(hand).way().bulge == Approx(0.5));
+}
+
+TEST_CASE("holes are picked in the views, by list and box; a double click fills", "[holes]") {
+  StudioFixture hand;
+  open_scan(hand, ball_with_holes());
+  const auto& pins = holes(hand).pins(Viewport::PerspectiveView);
+  const auto seen = std::find_if(pins.begin(), pins.end(), [](const HolePin& pin) { return pin.visible && pin.facing; });
+  REQUIRE(seen != pins.end());
+  const Index hole = seen->hole;
+  const QPointF at = hand.viewport().pane(Viewport::PerspectiveView).rect.topLeft() +
+                     QPointF(seen->pixel.x(), seen->pixel.y());
+  hand.drag_pixels(at, at, Qt::LeftButton, Qt::NoModifier);
+  CHECK(holes(hand).selected() == std::vector<Index>{hole});
+  CHECK(hand.window().findChild<app::HoleTable*>("holes")->selectedItems().front()->text().toUInt() == hole);
+  hand.act("deselect");
+  CHECK(holes(hand).selected().empty());
+  const QRectF view = hand.viewport().pane(Viewport::PerspectiveView).rect;
+  hand.drag_pixels(view.topLeft() + QPointF(20, 40), view.bottomRight() - QPointF(20, 20), Qt::LeftButton,
+                   Qt::NoModifier);
+  CHECK(holes(hand).selected().size() >= 1);
+  hand.act("select-all");
+  CHECK(holes(hand).selected().size() == 6);
+  hand.act("deselect");
+  QTest::qWait(500);  // two clicks soon after one another would be a double click
+  for (int click = 0; click < 2; ++click) hand.drag_pixels(at, at, Qt::LeftButton, Qt::NoModifier);
+  hand.settle();
+  CHECK(last_step(hand) == "Fill hole " + std::to_string(hole));
+  CHECK(holes(hand).row(hole)->state == HoleState::Filled);
+}
+
+TEST_CASE("a place of a patch is pulled, live and in one step, and its handles are cleared", "[holes]") {
+  StudioFixture hand;
+  open_scan(hand, ball_with_holes());
+  hand.act("fill-inner");
+  hand.settle();
+  holes(hand).select({0});
+  const Vec3 from = holes(hand).row(0)->at;
+  holes(hand).replay(recorded::HolePoint{0, from, Vec3(from + 0.2 * from.normalized()), {}});
+  hand.settle();
+  CHECK(last_step(hand) == "Shape hole 0");
+  CHECK(holes(hand).tool().handles().size() == 1);
+  hand.act("clear-handles");
+  hand.settle();
+  CHECK(holes(hand).tool().handles().empty());
+}
+
+TEST_CASE("the panel of attributes has no switch for listing alone", "[holes]") {
+  StudioFixture hand;
+  open_scan(hand, ball_with_holes(1));
+  auto* attributes = hand.window().findChild<app::AttributePanel*>("attributes");
+  CHECK(attributes->field("list") == nullptr);
+  CHECK(attributes->field("fairness") != nullptr);
+}
+
+TEST_CASE("filled holes are in projects, recordings and files", "[holes]") {
+  StudioFixture hand;
+  const QString recording = hand.folder() + "/session.jsonl";
+  hand.window().record_to(recording);
+  open_scan(hand, ball_with_holes());
+  holes(hand).select({1, 3});
+  hand.act("fill-selected");
+  hand.settle();
+  holes(hand).select({3});
+  holes(hand).set_bulge(0.25, false);
+  hand.act("fill-inner");
+  hand.settle();
+  holes(hand).select({5});
+  hand.act("reopen-selected");
+  hand.settle();
+  const ContentHash done = content_hash(hand.studio().session().document());
+  const QString project = hand.folder() + "/scan.croq";
+  hand.window().files().save(project);
+  const QString file = hand.folder() + "/filled.ply";
+  hand.window().files().export_solid(file);
+  Progress progress;
+  const PolyMesh back = read_mesh(read_file(file.toStdString()), MeshFormat::Ply, "filled.ply", progress).mesh;
+  CHECK(rims_of(back) == 1);
+  CHECK(back.channel("patch_id", Domain::Face) != nullptr);
+  CHECK(back.channel("confidence", Domain::Vertex) != nullptr);
+
+  StudioFixture other;
+  app::ReplayPlayer(other.window()).play(recorded::parse(read_file(recording.toStdString()), "session.jsonl"));
+  CHECK(content_hash(other.studio().session().document()) == done);
+  StudioFixture third;
+  REQUIRE(third.window().open(project));
+  third.act("holes");
+  third.settle();
+  CHECK(count(third, HoleState::Open) == 1);
+  CHECK(count(third, HoleState::Filled) == 5);
+}
+
+TEST_CASE("a finding about a hole selects and frames it", "[holes]") {
+  StudioFixture hand;
+  open_scan(hand, ball_with_holes());
+  hand.act("select");
+  Finding finding = make_error(Category::Geometry, "W_LOW_CONFIDENCE", "Hole 4 is wide");
+  finding.subjects.push_back({SubjectKind::Hole, "4", {}, {}, {}});
+  auto* list = hand.window().findChild<app::FindingsList*>("findings");
+  emit list->finding_chosen({hand.studio().active()->node, finding});
+  hand.settle();
+  CHECK(holes(hand).active());
+  CHECK(holes(hand).selected() == std::vector<Index>{4});
+}
+
+TEST_CASE("the window is never held up while a large scan's holes are worked on", "[holes]") {
+  StudioFixture hand;
+  const auto triangles = static_cast<std::size_t>(test::sample_count(30'000, 300'000));
+  const PolyMesh complete = test::sculpt(test::Sculpture::Beast, triangles);
+  test::RaggedCuts cuts;
+  cuts.count = 12;
+  cuts.low = 0.015;
+  cuts.high = 0.05;
+  open_scan(hand, test::without_loose_vertices(test::ragged_cuts(complete, cuts).mesh));
+  REQUIRE(holes(hand).rows().size() == 12);
+  hand.act("fill-all-but-largest");
+  hand.settle();
+  CHECK(count(hand, HoleState::Open) == 1);
+  CHECK(count(hand, HoleState::Failed) == 0);
+  hand.act("fill-inner");
+  hand.settle();
+  CHECK(hand.wait_for([&] { return label(hand, "hole-check").contains("outside unchanged"); }));
+  CHECK(label(hand, "hole-check").startsWith("closed, manifold, 0 intersections"));
+  hand.act("tint-patches");
+  CHECK(hand.viewport().findChild<QWidget*>("confidence-legend") != nullptr);
+  hand.act("undo");
+  hand.act("undo");
+  hand.settle();
+  CHECK(count(hand, HoleState::Open) == 12);
+}
