@@ -166,14 +166,18 @@ TEST_CASE("a surface that looks inwards keeps looking inwards") {
 
 TEST_CASE("patches bend across their rims little more than the surface beside them") {
   const std::vector<PolyMesh> shapes = {round_sphere(5), ring_torus(120, 60), uv_sphere(80, 60), bust(80, 100)};
-  for (std::uint64_t seed = 0; seed < samples(2, 20); ++seed) {
-    for (const PolyMesh& shape : shapes) {
-      const FillResult result = fill(random_cuts(triangulated(shape), seed, 3, 0.12, 0.3).mesh);
-      const Bends bends = bends_of(result);
-      const double own = quantile(bends.beside_rims, 0.5);
-      CHECK(quantile(bends.across_rims, 0.5) <= own + 3 * degree);
-      CHECK(quantile(bends.across_rims, 0.95) <= own + 15 * degree);
+  for (const PolyMesh& shape : shapes) {
+    Bends bends;
+    for (std::uint64_t seed = 0; seed < samples(2, 20); ++seed) {
+      const Bends some = bends_of(fill(random_cuts(triangulated(shape), seed, 3, 0.12, 0.3).mesh));
+      bends.across_rims.insert(bends.across_rims.end(), some.across_rims.begin(), some.across_rims.end());
+      bends.beside_rims.insert(bends.beside_rims.end(), some.beside_rims.begin(), some.beside_rims.end());
     }
+    std::sort(bends.across_rims.begin(), bends.across_rims.end());
+    std::sort(bends.beside_rims.begin(), bends.beside_rims.end());
+    const double own = quantile(bends.beside_rims, 0.5);
+    CHECK(quantile(bends.across_rims, 0.5) <= own + 3 * degree);
+    CHECK(quantile(bends.across_rims, 0.95) <= own + 15 * degree);
   }
 }
 
