@@ -37,8 +37,9 @@ Box cube_around(std::span<const Vec3> positions, const std::vector<ExtraDomain>&
   return {(box.middle().array() - 0.5 * side).matrix(), (box.middle().array() + 0.5 * side).matrix()};
 }
 
-OctreeRule rule_of(const DomainOptions& options, const DomainPoints& points) {
-  const auto crowded = [&options, &points](const Box& cube) {
+OctreeRule rule_of(const DomainOptions& options, const DomainPoints& points, const Progress& progress) {
+  const auto crowded = [&options, &points, &progress](const Box& cube) {
+    progress.check();
     return points.holds_more_than(crowd * options.leaf_points, cube.grown(options.overlap));
   };
   return {options.leaf_points, options.max_depth, crowded, options.equal_boxes};
@@ -47,10 +48,10 @@ OctreeRule rule_of(const DomainOptions& options, const DomainPoints& points) {
 }  // namespace
 
 BlendedDomains::BlendedDomains(std::span<const Vec3> positions, std::span<const Vec3> normals,
-                               std::vector<ExtraDomain> extras, const DomainOptions& options)
+                               std::vector<ExtraDomain> extras, const DomainOptions& options, Progress& progress)
     : options_(options),
-      points_(positions, normals, options),
-      tree_(positions, cube_around(positions, extras), rule_of(options, points_)),
+      points_(positions, normals, options, progress),
+      tree_(positions, cube_around(positions, extras), rule_of(options, points_, progress)),
       extras_of_leaf_(tree_.leaves().size()) {
   add_leaf_domains();
   add_extras(std::move(extras));
@@ -192,6 +193,12 @@ DomainReport BlendedDomains::report() const {
     report.max_centres = centres.back();
   }
   return report;
+}
+
+std::size_t BlendedDomains::domain_count() const {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < domains_.size(); ++i) count += is_filler(i) ? 0U : 1U;
+  return count;
 }
 
 std::vector<Box> BlendedDomains::boxes() const {

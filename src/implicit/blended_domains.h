@@ -24,7 +24,7 @@ enum class Wanted { Value, FirstSum, Gradient };
 class BlendedDomains {
  public:
   BlendedDomains(std::span<const Vec3> positions, std::span<const Vec3> normals, std::vector<ExtraDomain> extras,
-                 const DomainOptions& options);
+                 const DomainOptions& options, Progress& progress);
 
   /// Fits the domains that have points and the extra ones.
   void fit(Progress& progress) const;
@@ -32,6 +32,7 @@ class BlendedDomains {
   void evaluate(std::span<const Vec3> places, std::span<double> values, std::span<Vec3> gradients, Wanted wanted) const;
   std::vector<Box> boxes() const;
   DomainReport report() const;
+  std::size_t domain_count() const;  ///< those that fit() fits
 
  private:
   /// One box with its fit, which is made when it is first asked for.

@@ -22,11 +22,12 @@ double mean_spacing(const PointTree& tree, std::span<const Vec3> positions) {
 
 }  // namespace
 
-DomainPoints::DomainPoints(std::span<const Vec3> positions, std::span<const Vec3> normals, const DomainOptions& options)
+DomainPoints::DomainPoints(std::span<const Vec3> positions, std::span<const Vec3> normals, const DomainOptions& options,
+                           Progress& progress)
     : options_(options),
       positions_(positions.begin(), positions.end()),
       normals_(normals.begin(), normals.end()),
-      tree_(positions) {
+      tree_(positions, options.threads, progress) {
   if (options.fit.kernel != Kernel::Hermite && !normals_.empty()) make_offsets();
 }
 

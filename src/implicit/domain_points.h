@@ -13,7 +13,8 @@ namespace croquis::implicit {
 /// All points of a field, and what a domain takes of them.
 class DomainPoints {
  public:
-  DomainPoints(std::span<const Vec3> positions, std::span<const Vec3> normals, const DomainOptions& options);
+  DomainPoints(std::span<const Vec3> positions, std::span<const Vec3> normals, const DomainOptions& options,
+               Progress& progress);
 
   /// The points in the box, with their normals or, for kernels without gradients, their offset points: if fewer than
   /// min_points, the nearest to its middle instead; if more than `most`, thinned.

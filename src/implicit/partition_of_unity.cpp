@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "croquis/implicit/partition_of_unity.h"
 
+#include <string>
 #include <utility>
 
 #include "implicit/blended_domains.h"
@@ -40,8 +41,10 @@ PartitionOfUnity::PartitionOfUnity(std::span<const Vec3> positions, std::span<co
   for (const ExtraDomain& extra : extras) require_extra(extra);
   require_options(options);
   progress.check();
-  state_ = std::make_unique<State>(positions, normals, std::move(extras), options);
-  state_->fit(progress);
+  Progress cutting = progress.step("cut space", 0.1);
+  state_ = std::make_unique<State>(positions, normals, std::move(extras), options, cutting);
+  Progress fitting = progress.step("fit " + std::to_string(state_->domain_count()) + " domains", 0.9);
+  state_->fit(fitting);
 }
 
 PartitionOfUnity::~PartitionOfUnity() = default;

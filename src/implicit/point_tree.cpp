@@ -2,14 +2,18 @@
 #include "croquis/implicit/point_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
 #include <utility>
+
+#include "croquis/base/parallel.h"
 
 namespace croquis::implicit {
 namespace {
 
 constexpr std::size_t leaf_size = 8;
+constexpr std::size_t range_size = 32768;  // points that one thread orders by itself
 
 using Found = std::pair<double, Index>;  // squared distance, index: the order of answers
 
@@ -84,18 +88,49 @@ void collect(const TreeView& tree, std::size_t begin, std::size_t end, const Box
 
 }  // namespace
 
-PointTree::PointTree(std::span<const Vec3> points)
+PointTree::PointTree(std::span<const Vec3> points, int threads, Progress& progress)
     : points_(points.begin(), points.end()), indices_(points.size()), axes_(points.size(), 0) {
   std::iota(indices_.begin(), indices_.end(), Index{0});
-  build(0, points_.size());
+  build(threads, progress);
   std::vector<Vec3> ordered;
   ordered.reserve(points_.size());
   for (const Index i : indices_) ordered.push_back(points_[i]);
   points_ = std::move(ordered);
 }
 
-void PointTree::build(std::size_t begin, std::size_t end) {
+PointTree::PointTree(std::span<const Vec3> points, int threads) {
+  Progress silent;
+  *this = PointTree(points, threads, silent);
+}
+
+/// Level by level while ranges are large, all of a level at the same time; then each range to its end.
+void PointTree::build(int threads, Progress& progress) {
+  using Range = std::array<std::size_t, 2>;
+  std::vector<Range> ranges = {{0, points_.size()}};
+  while (ranges.front()[1] - ranges.front()[0] > range_size) {
+    std::vector<Range> halves(2 * ranges.size());
+    Progress splitting = progress.step("order points", 0.1);
+    for_each_part(ranges.size(), 1, threads, splitting, [&](std::size_t r, std::size_t) {
+      const std::size_t middle = split(ranges[r][0], ranges[r][1]);
+      halves[2 * r] = {ranges[r][0], middle};
+      halves[2 * r + 1] = {middle + 1, ranges[r][1]};
+    });
+    ranges = std::move(halves);
+  }
+  Progress finishing = progress.step("order points", 0.3);
+  for_each_part(ranges.size(), 1, threads, finishing,
+                [&](std::size_t r, std::size_t) { build_range(ranges[r][0], ranges[r][1]); });
+}
+
+void PointTree::build_range(std::size_t begin, std::size_t end) {
   if (end - begin <= leaf_size) return;
+  const std::size_t middle = split(begin, end);
+  build_range(begin, middle);
+  build_range(middle + 1, end);
+}
+
+/// Puts the node of the range into its middle, lower points before it.
+std::size_t PointTree::split(std::size_t begin, std::size_t end) {
   Box box = {points_[indices_[begin]], points_[indices_[begin]]};
   for (std::size_t i = begin; i < end; ++i) {
     box.low = box.low.cwiseMin(points_[indices_[i]]);
@@ -109,8 +144,7 @@ void PointTree::build(std::size_t begin, std::size_t end) {
     return points_[a][axis] != points_[b][axis] ? points_[a][axis] < points_[b][axis] : a < b;
   });
   axes_[middle] = static_cast<unsigned char>(axis);
-  build(begin, middle);
-  build(middle + 1, end);
+  return middle;
 }
 
 Index PointTree::nearest(const Vec3& place) const {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "croquis/base/progress.h"
 #include "croquis/geometry/vector.h"
 #include "croquis/implicit/box_weight.h"
 
@@ -14,8 +15,12 @@ namespace croquis::implicit {
 /// points. Building N log N; a query log N for spread points. Reading is thread-safe. The points are copied.
 class PointTree {
  public:
-  /// @param points finite
-  explicit PointTree(std::span<const Vec3> points);
+  /// @param points finite; @param threads that build it, 0: as many as the machine has. The tree is the same for any
+  explicit PointTree(std::span<const Vec3> points, int threads = 1);
+
+  /// The same, which can be cancelled.
+  /// @throws Cancelled
+  PointTree(std::span<const Vec3> points, int threads, Progress& progress);
 
   std::size_t size() const { return points_.size(); }
 
@@ -32,7 +37,9 @@ class PointTree {
 
  private:
   // Implicit tree: the middle of each range is its node; ranges of up to leaf_size points are leaves.
-  void build(std::size_t begin, std::size_t end);
+  void build(int threads, Progress& progress);
+  void build_range(std::size_t begin, std::size_t end);
+  std::size_t split(std::size_t begin, std::size_t end);
 
   std::vector<Vec3> points_;         // in tree order
   std::vector<Index> indices_;       // of tree order
