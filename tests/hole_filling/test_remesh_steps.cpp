@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
 
+#include "algorithms/hole_filling/remesh_cuts.h"
 #include "algorithms/hole_filling/remesh_improvement.h"
 #include "algorithms/hole_filling/remesh_openings.h"
 #include "algorithms/hole_filling/remesh_trimming.h"
@@ -58,13 +59,23 @@ TEST_CASE("vertices that were moved through the surface go back, and no others")
   moved.positions[0] *= -1;
   moved.positions[100] *= -0.5;
   Progress progress;
-  CHECK(undo_where_cut(moved, mesh.positions, progress) == 0);
+  CHECK(undo_where_cut(moved, mesh.positions, 1, progress) == 0);
   Progress again;
   CHECK(find_self_intersections(moved, again).count == 0);
   std::size_t back = 0;
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) back += moved.positions[v] == mesh.positions[v] ? 1U : 0U;
   CHECK(back >= 2);
   CHECK(back < mesh.vertex_count() / 2);
+}
+
+TEST_CASE("slab by slab the same cuts are found as at once") {
+  PolyMesh mesh = merged(round_sphere(6), translated(scaled(round_sphere(5), 0.9), Vec3(0.3, 0.2, 0.1)));
+  REQUIRE(mesh.face_count() > 80000);
+  Progress progress;
+  const auto expected = find_self_intersections(mesh, progress, {.max_pairs = 1000000});
+  CHECK(expected.count > 100);
+  Progress again;
+  CHECK(find_cuts(mesh, 2, again) == expected.pairs);
 }
 
 TEST_CASE("trimmed borders are manifold, whatever is beyond") {

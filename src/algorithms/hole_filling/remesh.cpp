@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "algorithms/hole_filling/remesh_attributes.h"
+#include "algorithms/hole_filling/remesh_cuts.h"
 #include "algorithms/hole_filling/remesh_field.h"
 #include "algorithms/hole_filling/remesh_findings.h"
 #include "algorithms/hole_filling/remesh_improvement.h"
@@ -17,7 +18,6 @@
 #include "algorithms/hole_filling/remesh_plan.h"
 #include "algorithms/hole_filling/remesh_points.h"
 #include "algorithms/hole_filling/remesh_trimming.h"
-#include "croquis/geometry/self_intersection.h"
 #include "croquis/implicit/marching_cubes.h"
 
 namespace croquis::hole_filling {
@@ -125,7 +125,7 @@ class Remeshing {
   PieceSurface attempt_piece(const RemeshPiece& piece, const RemeshPoints& points, double growth, bool is_last,
                              Progress& progress) {
     PieceSurface surface;
-    Progress fitting = progress.step("fit functions to " + std::to_string(points.positions.size()) + " points", 0.5);
+    Progress fitting = progress.step("fit functions", 0.5);
     std::vector<implicit::ExtraDomain> holes =
         hole_domains(mesh_, result_.analysis, piece, normals_, options_, growth, fitting);
     std::vector<implicit::Box> boxes;
@@ -167,7 +167,7 @@ class Remeshing {
     cubes.threads = threads();
     std::unique_ptr<OpenBorders> borders;
     if (piece.stays_open) {
-      borders = std::make_unique<OpenBorders>(piece, points, pieces_.rims, boxes, cell_, edge_);
+      borders = std::make_unique<OpenBorders>(piece, points, pieces_.rims, boxes, cell_, edge_, threads());
       cubes.covered = [&](std::span<const Vec3> places, std::span<std::uint8_t> beyond) {
         for (std::size_t i = 0; i < places.size(); ++i) beyond[i] = borders->is_beyond(places[i]) ? 1 : 0;
       };
@@ -212,7 +212,7 @@ class Remeshing {
     checks.self_intersections += surface.cuts;
     const bool is_wanted = !result_.mesh.channels.empty() || !piece.groups.empty();
     if (is_wanted) {
-      const NearestSurface nearest(mesh_, view(), fans_, piece, points);
+      const NearestSurface nearest(mesh_, view(), fans_, piece, points, threads());
       transfer(surface.mesh, nearest, mesh_, result_.analysis, piece, pieces_.rims, cell_, threads(),
                result_.mesh.channels, marks_, progress);
     }
@@ -297,7 +297,7 @@ class Remeshing {
     // Each piece was looked at alone.
     if (pieces_.pieces.size() < 2 && checks.repaired_loops == 0) return;
     Progress cutting = progress.step("look for cuts", 0.8);
-    checks.self_intersections = find_self_intersections(mesh, cutting, {.max_pairs = 1}).count;
+    checks.self_intersections = find_cuts(mesh, threads(), cutting).size();
   }
 
   const PolyMesh& mesh_;

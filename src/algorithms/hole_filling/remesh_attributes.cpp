@@ -128,8 +128,8 @@ class Transfer {
 }  // namespace
 
 NearestSurface::NearestSurface(const PolyMesh& mesh, const SurfaceView& view, const TriangleFans& fans,
-                               const RemeshPiece& piece, const RemeshPoints& points)
-    : mesh_(mesh), view_(view), fans_(fans), piece_(piece), points_(points), tree_(points.positions) {}
+                               const RemeshPiece& piece, const RemeshPoints& points, int threads)
+    : mesh_(mesh), view_(view), fans_(fans), piece_(piece), points_(points), tree_(points.positions, threads) {}
 
 SurfacePlace NearestSurface::nearest(const Vec3& place) const {
   SurfacePlace found;

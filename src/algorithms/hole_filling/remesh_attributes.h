@@ -24,7 +24,7 @@ class NearestSurface {
  public:
   /// Keeps references to all.
   NearestSurface(const PolyMesh& mesh, const SurfaceView& view, const TriangleFans& fans, const RemeshPiece& piece,
-                 const RemeshPoints& points);
+                 const RemeshPoints& points, int threads);
 
   /// Thread-safe; log n.
   SurfacePlace nearest(const Vec3& place) const;

@@ -2,11 +2,13 @@
 #include "algorithms/hole_filling/remesh_improvement.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <utility>
 
 #include <Eigen/Geometry>
 
+#include "algorithms/hole_filling/remesh_cuts.h"
 #include "algorithms/hole_filling/single_precision.h"
 #include "algorithms/hole_filling/triangle_fans.h"
 #include "croquis/base/error.h"
@@ -158,12 +160,12 @@ void as_stored(std::vector<Vec3>& positions, Precision precision) {
 
 }  // namespace
 
-std::size_t undo_where_cut(PolyMesh& mesh, const std::vector<Vec3>& before, Progress& progress) {
+std::size_t undo_where_cut(PolyMesh& mesh, const std::vector<Vec3>& before, int threads, Progress& progress) {
   Progress first = progress.step("look for cuts", 0.9);
-  SelfIntersections found = find_self_intersections(mesh, first, {.max_pairs = most_pairs});
-  for (int round = 0; round < undo_rounds && found.count > 0; ++round) {
+  std::vector<std::array<Index, 2>> pairs = find_cuts(mesh, threads, first);
+  for (int round = 0; round < undo_rounds && !pairs.empty(); ++round) {
     std::vector<std::uint8_t> marked(mesh.vertex_count(), 0);
-    for (const auto& pair : found.pairs) {
+    for (const auto& pair : pairs) {
       for (const Index f : pair)
         for (const Index v : mesh.face(f)) marked[v] = 1;
     }
@@ -171,9 +173,9 @@ std::size_t undo_where_cut(PolyMesh& mesh, const std::vector<Vec3>& before, Prog
     for (std::size_t v = 0; v < marked.size(); ++v)
       if (marked[v] != 0) mesh.positions[v] = before[v];
     Progress again = progress.step("look for cuts", 0.1 / undo_rounds);
-    found = find_intersections_of(mesh, faces_at(mesh, marked), again, {.max_pairs = most_pairs});
+    pairs = find_intersections_of(mesh, faces_at(mesh, marked), again, {.max_pairs = most_pairs}).pairs;
   }
-  return found.count;
+  return pairs.size();
 }
 
 std::size_t improve(PolyMesh& mesh, const implicit::Field& field, std::span<const Vec3> points,
@@ -189,7 +191,7 @@ std::size_t improve(PolyMesh& mesh, const implicit::Field& field, std::span<cons
   }
   as_stored(mesh.positions, options.precision);
   Progress checking = progress.step("look for cuts", options.refine > 0 ? 0.1 : 0.35);
-  std::size_t cuts = undo_where_cut(mesh, before, checking);
+  std::size_t cuts = undo_where_cut(mesh, before, options.threads, checking);
   for (int round = 0; round < options.refine; ++round) {
     Progress refining = progress.step("refine", 0.65 / options.refine);
     const std::size_t known = mesh.vertex_count();
@@ -201,7 +203,7 @@ std::size_t improve(PolyMesh& mesh, const implicit::Field& field, std::span<cons
     const double largest = improvement.onto_surface({}, known, projecting);
     as_stored(mesh.positions, options.precision);
     Progress looking = refining.step("look for cuts", 0.3);
-    cuts = undo_where_cut(mesh, before, looking);
+    cuts = undo_where_cut(mesh, before, options.threads, looking);
     if (largest < options.chord) break;
   }
   return cuts;

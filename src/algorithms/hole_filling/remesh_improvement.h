@@ -35,6 +35,6 @@ std::size_t improve(PolyMesh& mesh, const implicit::Field& field, std::span<cons
 /// Moves vertices back, about pairs of triangles that intersect and in growing rings around them, until none do.
 /// @param before positions of all vertices at which nothing intersects
 /// @return pairs that intersect all the same
-std::size_t undo_where_cut(PolyMesh& mesh, const std::vector<Vec3>& before, Progress& progress);
+std::size_t undo_where_cut(PolyMesh& mesh, const std::vector<Vec3>& before, int threads, Progress& progress);
 
 }  // namespace croquis::hole_filling

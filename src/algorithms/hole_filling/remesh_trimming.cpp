@@ -45,9 +45,9 @@ std::vector<Index> parts_of(const PolyMesh& mesh) {
 }  // namespace
 
 OpenBorders::OpenBorders(const RemeshPiece& piece, const RemeshPoints& points, const std::vector<RimPlace>& rims,
-                         std::vector<implicit::Box> holes, double cell, double edge)
+                         std::vector<implicit::Box> holes, double cell, double edge, int threads)
     : points_(points),
-      tree_(points.positions),
+      tree_(points.positions, threads),
       rim_of_(points.positions.size(), no_index),
       holes_(std::move(holes)),
       far_(far_from_data * std::max(cell, edge)),

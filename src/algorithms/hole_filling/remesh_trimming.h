@@ -17,7 +17,7 @@ class OpenBorders {
  public:
   /// @param cell,edge the cubes' edge and the mesh's mean edge: data can't be nearer to everything than these
   OpenBorders(const RemeshPiece& piece, const RemeshPoints& points, const std::vector<RimPlace>& rims,
-              std::vector<implicit::Box> holes, double cell, double edge);
+              std::vector<implicit::Box> holes, double cell, double edge, int threads);
 
   /// Thread-safe; log n.
   bool is_beyond(const Vec3& place) const;
