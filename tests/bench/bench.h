@@ -15,6 +15,7 @@ void bench_holes(std::ostream& out, const std::vector<std::string>& sections);
 void bench_implicit(std::ostream& out);
 void bench_readers(std::ostream& out);
 void bench_solver(std::ostream& out);
+void bench_remesh(std::ostream& out);
 void bench_silhouette(std::ostream& out);
 void bench_subdivision(std::ostream& out);
 

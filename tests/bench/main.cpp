@@ -21,6 +21,7 @@ const std::map<std::string, Bench>& benches() {
   static const std::map<std::string, Bench> all = {{"holes", bench_holes},
                                                    {"implicit", plain(bench_implicit)},
                                                    {"readers", plain(bench_readers)},
+                                                   {"remesh", plain(bench_remesh)},
                                                    {"silhouette", plain(bench_silhouette)},
                                                    {"solver", plain(bench_solver)},
                                                    {"subdivision", plain(bench_subdivision)}};
@@ -39,7 +40,7 @@ bool read_choices(const std::vector<std::string>& words, std::vector<Choice>& ch
       choices.back().second.push_back(word);
     } else {
       std::cerr << "There is no benchmark '" << word
-                << "': use holes, implicit, readers, silhouette, solver or subdivision.\n";
+                << "': use holes, implicit, readers, remesh, silhouette, solver or subdivision.\n";
       return false;
     }
   }
@@ -50,7 +51,7 @@ bool read_choices(const std::vector<std::string>& words, std::vector<Choice>& ch
 
 int main(int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
-  if (words.empty()) words = {"readers", "solver", "silhouette", "subdivision", "implicit", "holes"};
+  if (words.empty()) words = {"readers", "solver", "silhouette", "subdivision", "implicit", "holes", "remesh"};
   std::vector<Choice> choices;
   if (!read_choices(words, choices)) return 2;
   try {
