@@ -67,11 +67,11 @@ std::vector<std::pair<Index, Vec3>> onwards_at_rims(const HoleSite& site) {
 
 }  // namespace
 
-Covering::Covering(const HoleSite& site, const implicit::Box& box)
+Covering::Covering(const HoleSite& site, const implicit::Box& box, const Progress& progress)
     : site_(site),
       triangles_(triangles_in(site, box)),
       at_rim_(onwards_at_rims(site)),
-      tree_(corners_of_all(site, triangles_)) {
+      tree_(corners_of_all(site, triangles_), progress) {
   for (const Index t : triangles_) {
     const auto [a, b, c] = corners_of(site, t);
     normals_.push_back((b - a).cross(c - a).normalized());

@@ -17,7 +17,8 @@ namespace croquis::hole_filling {
 class Covering {
  public:
   /// Takes the triangles that reach into the box. Linear in the view, n log n in those.
-  Covering(const HoleSite& site, const implicit::Box& box);
+  /// @throws Cancelled
+  Covering(const HoleSite& site, const implicit::Box& box, const Progress& progress = {});
 
   /// A place on the field's zero set is covered when the nearest triangle that looks the same way (within 100 degrees)
   /// is within two cells and lies under it; where its foot is on a rim, when the place isn't further than 0.45 cells

@@ -29,6 +29,7 @@ constexpr double wall_share = 0.4;          // the greatest cell between two ski
 constexpr double farthest_wall = 3;         // × edge: beyond, two skins don't disturb each other
 constexpr double least_cell = 0.2;          // × edge
 constexpr double finer[] = {1, 0.5, 0.25};  // cells that are tried, × the first
+constexpr int most_runaways = 2;            // of a field: where the second does, too, it doesn't close
 constexpr double between_skins = 3;         // factor of the smoothing there, if it has to be
 constexpr std::size_t least_rim = 11;       // edges; there is no room for cubes in smaller holes
 
@@ -59,7 +60,7 @@ class PolygonisedPatch {
   }
 
   std::optional<HolePatch> run(Progress& progress) {
-    const Covering covering(site_, box_);
+    const Covering covering(site_, box_, progress);
     const double wall = covering.wall(farthest_wall * edge_);
     const double few_enough =
         std::sqrt(triangles_per_square_cell * area_ / static_cast<double>(std::max<std::size_t>(1, most_triangles_)));
@@ -75,10 +76,12 @@ class PolygonisedPatch {
     const auto surface = fit_rims(site_, options_, how);
     if (!surface) return std::nullopt;
     field_ = surface->field();
+    int runaways = 0;
     for (const double share : finer) {
       progress.check();
       const auto cubes = continued(covering, share * widest, progress);
-      if (!cubes) return std::nullopt;  // and finer ones would run away, too
+      if (!cubes && ++runaways == most_runaways) return std::nullopt;
+      if (!cubes) continue;
       const auto start = zipped(*cubes, share * widest, progress);
       if (!start) continue;
       if (!start->arrives_at.empty()) return start;

@@ -9,6 +9,9 @@
 namespace croquis::hole_filling {
 namespace {
 
+/// Triangles; smaller parts of a tree are built in some milliseconds, without a look at the cancel flag.
+constexpr std::size_t step = 16384;
+
 TriangleFoot foot_on_edge(const Vec3& a, const Vec3& b, int edge, const Vec3& place) {
   const Vec3 along = b - a;
   const double squared = along.squaredNorm();
@@ -47,14 +50,15 @@ TriangleFoot foot_on_triangle(const std::array<Vec3, 3>& triangle, const Vec3& p
   return best;
 }
 
-TriangleTree::TriangleTree(std::vector<std::array<Vec3, 3>> triangles)
+TriangleTree::TriangleTree(std::vector<std::array<Vec3, 3>> triangles, const Progress& progress)
     : triangles_(std::move(triangles)), order_(triangles_.size()), bounds_(triangles_.size()) {
   std::iota(order_.begin(), order_.end(), Index{0});
-  build(0, order_.size());
+  build(0, order_.size(), progress);
 }
 
-void TriangleTree::build(std::size_t begin, std::size_t end) {
+void TriangleTree::build(std::size_t begin, std::size_t end, const Progress& progress) {
   if (begin == end) return;
+  if (end - begin > step) progress.check();
   Eigen::AlignedBox3d bounds;
   for (std::size_t i = begin; i < end; ++i) {
     for (const Vec3& corner : triangles_[order_[i]]) bounds.extend(corner);
@@ -68,8 +72,8 @@ void TriangleTree::build(std::size_t begin, std::size_t end) {
   };
   std::nth_element(at(begin), at(middle), at(end), [&](Index a, Index b) { return place(a) < place(b); });
   bounds_[middle] = bounds;
-  build(begin, middle);
-  build(middle + 1, end);
+  build(begin, middle, progress);
+  build(middle + 1, end, progress);
 }
 
 TriangleFoot TriangleTree::nearest(const Vec3& place, double farthest, const Filter& counts) const {

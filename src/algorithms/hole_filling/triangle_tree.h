@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "croquis/base/progress.h"
 #include "croquis/geometry/vector.h"
 
 namespace croquis::hole_filling {
@@ -30,14 +31,15 @@ class TriangleTree {
  public:
   using Filter = std::function<bool(Index)>;
 
-  explicit TriangleTree(std::vector<std::array<Vec3, 3>> triangles);
+  /// @throws Cancelled
+  explicit TriangleTree(std::vector<std::array<Vec3, 3>> triangles, const Progress& progress = {});
 
   /// The nearest triangle that counts, no farther than `farthest`.
   /// @param counts asked for triangles that might be the nearest; empty: all count
   TriangleFoot nearest(const Vec3& place, double farthest, const Filter& counts = {}) const;
 
  private:
-  void build(std::size_t begin, std::size_t end);
+  void build(std::size_t begin, std::size_t end, const Progress& progress);
   void descend(std::size_t begin, std::size_t end, const Vec3& place, const Filter& counts, TriangleFoot& best) const;
 
   std::vector<std::array<Vec3, 3>> triangles_;
