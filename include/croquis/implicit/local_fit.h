@@ -15,7 +15,7 @@ struct Constraints {
   std::vector<Vec3> positions;  ///< #N, model units
   std::vector<double> values;   ///< #N, or none: all 0, points on the surface
   std::vector<Vec3> gradients;  ///< #N, or none; unit normals outwards. 0 where unknown: that point has its value alone
-  std::vector<double> softness;  ///< #N, or none: all 1; >= 0, factor of the smoothing at a point; 0 is met exactly
+  std::vector<double> softness = {};  ///< #N, or none: all 1; >= 0, factor of a point's smoothing: 0 is met exactly
 
   std::size_t size() const { return positions.size(); }
 };
