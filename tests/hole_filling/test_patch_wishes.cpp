@@ -86,7 +86,7 @@ std::size_t self_intersections(const PolyMesh& mesh) {
 
 TEST_CASE("a bulge lifts the patch steadily to the side that the faces look to") {
   const PolyMesh mesh = holed_sheet();
-  for (const Fairness fairness : {Fairness::Implicit, Fairness::Tangent}) {
+  for (const Fairness fairness : {Fairness::Implicit, Fairness::Tangent, Fairness::Curved}) {
     double before = -std::numeric_limits<double>::infinity();
     for (const double bulge : {-1.0, -0.5, -0.2, 0.0, 0.2, 0.5, 1.0}) {
       const FillResult result = fill_inner(mesh, inner(fairness, bulge));

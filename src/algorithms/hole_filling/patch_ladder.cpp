@@ -32,8 +32,9 @@ void add_implicit(const ImplicitOptions& options, std::size_t most_triangles, La
   ladder.push_back(implicit_patcher(options, most_triangles, true));
 }
 
-void add_smooth(Fairness fairness, std::size_t most_triangles, Ladder& ladder) {
-  if (fairness == Fairness::Curved) ladder.push_back(faired_patcher(2, most_triangles));
+/// A bulge turns the rings around the rim; their curvature, which continuity 2 goes by, is then that of the turn.
+void add_smooth(const PatchWish& wish, std::size_t most_triangles, Ladder& ladder) {
+  if (wish.fairness == Fairness::Curved && wish.bulge == 0) ladder.push_back(faired_patcher(2, most_triangles));
   ladder.push_back(faired_patcher(1, most_triangles));
   ladder.push_back(faired_patcher(1, most_triangles, true));
 }
@@ -85,7 +86,7 @@ Ladder ladder_between(const HoleSite& site, Preset preset, std::size_t most_tria
   if (!is_flat) {
     if (site.wish.fairness == Fairness::Implicit && face_each_other(holes[site.holes[0]], holes[site.holes[1]]))
       add_implicit(adapted(site.wish.implicit, preset), most_triangles, ladder);
-    add_smooth(site.wish.fairness, most_triangles, ladder);
+    add_smooth(site.wish, most_triangles, ladder);
   }
   ladder.push_back(band_patcher(false));
   ladder.push_back(band_patcher(true));
@@ -107,7 +108,7 @@ Ladder ladder_for(const PatchWish& wish, Preset preset, bool is_cap, std::size_t
       add_implicit(options, most_triangles, ladder);
     }
   }
-  if (fairness != Fairness::Flat) add_smooth(fairness, most_triangles, ladder);
+  if (fairness != Fairness::Flat) add_smooth(wish, most_triangles, ladder);
   add_flat(ladder);
   return ladder;
 }
