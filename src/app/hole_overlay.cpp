@@ -13,7 +13,7 @@ constexpr double rim_width = 2.2;
 constexpr double selected_width = 4;
 constexpr double hovered_width = 5;
 constexpr std::uint8_t covered_alpha = 55;  // of rims behind the surface
-constexpr double frame_share = 1.5;         // of a hole's size, to be seen around it
+constexpr double frame_share = 0.9;         // of a hole's size, to be seen around it
 
 render::Color to_color(const QColor& color) { return {color.red(), color.green(), color.blue(), color.alpha()}; }
 

@@ -112,6 +112,7 @@ QPushButton* HolePanel::action_button(const QString& name, const QString& text, 
     if (does->isCheckable()) button->setChecked(does->isChecked());
   });
   button->setCheckable(does->isCheckable());
+  if (does->isCheckable()) button->setStyleSheet("QPushButton:checked { background: #6a4a26 }");
   row->addWidget(button);
   return button;
 }

@@ -8,7 +8,7 @@
 #include <QTest>
 #include <QTimer>
 #include <algorithm>
-#include <cstdlib>
+#include <ctime>
 #include <fstream>
 
 #include <catch2/catch.hpp>
@@ -196,11 +196,12 @@ TEST_CASE("holes are picked in the views, by list and box; a double click fills"
   StudioFixture hand;
   open_scan(hand, ball_with_holes());
   const auto& pins = holes(hand).pins(Viewport::PerspectiveView);
-  const auto seen = std::find_if(pins.begin(), pins.end(), [](const HolePin& pin) { return pin.visible && pin.facing; });
+  const auto seen =
+      std::find_if(pins.begin(), pins.end(), [](const HolePin& pin) { return pin.visible && pin.facing; });
   REQUIRE(seen != pins.end());
   const Index hole = seen->hole;
-  const QPointF at = hand.viewport().pane(Viewport::PerspectiveView).rect.topLeft() +
-                     QPointF(seen->pixel.x(), seen->pixel.y());
+  const QPointF at =
+      hand.viewport().pane(Viewport::PerspectiveView).rect.topLeft() + QPointF(seen->pixel.x(), seen->pixel.y());
   hand.drag_pixels(at, at, Qt::LeftButton, Qt::NoModifier);
   CHECK(holes(hand).selected() == std::vector<Index>{hole});
   CHECK(hand.window().findChild<app::HoleTable*>("holes")->selectedItems().front()->text().toUInt() == hole);
@@ -214,7 +215,10 @@ TEST_CASE("holes are picked in the views, by list and box; a double click fills"
   CHECK(holes(hand).selected().size() == 6);
   hand.act("deselect");
   QTest::qWait(500);  // two clicks soon after one another would be a double click
-  for (int click = 0; click < 2; ++click) hand.drag_pixels(at, at, Qt::LeftButton, Qt::NoModifier);
+  for (int click = 0; click < 2; ++click) {
+    hand.send_mouse(QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::NoModifier);
+    hand.send_mouse(QEvent::MouseButtonRelease, at, Qt::LeftButton, Qt::NoModifier);
+  }
   hand.settle();
   CHECK(last_step(hand) == "Fill hole " + std::to_string(hole));
   CHECK(holes(hand).row(hole)->state == HoleState::Filled);
@@ -294,6 +298,24 @@ TEST_CASE("a finding about a hole selects and frames it", "[holes]") {
   CHECK(holes(hand).selected() == std::vector<Index>{4});
 }
 
+/// Settles, and measures what the window's thread itself works at most between two looks at its events.
+double longest_turn_ms(StudioFixture& hand) {
+  const auto used_ms = [] {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+  };
+  double longest = 0;
+  hand.wait_for([&, last = used_ms()]() mutable {
+    const double now = used_ms();
+    longest = std::max(longest, now - last);
+    last = now;
+    return hand.window().settled();
+  });
+  hand.settle();
+  return longest;
+}
+
 TEST_CASE("the window is never held up while a large scan's holes are worked on", "[holes]") {
   StudioFixture hand;
   const auto triangles = static_cast<std::size_t>(test::sample_count(30'000, 300'000));
@@ -304,8 +326,17 @@ TEST_CASE("the window is never held up while a large scan's holes are worked on"
   cuts.high = 0.05;
   open_scan(hand, test::without_loose_vertices(test::ragged_cuts(complete, cuts).mesh));
   REQUIRE(holes(hand).rows().size() == 12);
+  holes(hand).select({3});
+  double longest = longest_turn_ms(hand);
+  const double previewed = holes(hand).preview().last_latency_ms();
+  holes(hand).set_bulge(0.2, false);
+  longest = std::max(longest, longest_turn_ms(hand));
+  WARN(triangles << " triangles: preview " << previewed << " ms, of another bulge "
+                 << holes(hand).preview().last_latency_ms() << " ms");
   hand.act("fill-all-but-largest");
-  hand.settle();
+  longest = std::max(longest, longest_turn_ms(hand));
+  WARN("the window's thread was busy for " << longest << " ms at a time at most");
+  CHECK(longest < 1000);  // machines differ: what is to be seen is that no patch is made on it
   CHECK(count(hand, HoleState::Open) == 1);
   CHECK(count(hand, HoleState::Failed) == 0);
   hand.act("fill-inner");
@@ -314,8 +345,7 @@ TEST_CASE("the window is never held up while a large scan's holes are worked on"
   CHECK(label(hand, "hole-check").startsWith("closed, manifold, 0 intersections"));
   hand.act("tint-patches");
   CHECK(hand.viewport().findChild<QWidget*>("confidence-legend") != nullptr);
-  hand.act("undo");
-  hand.act("undo");
+  for (int step = 0; step < 3; ++step) hand.act("undo");
   hand.settle();
   CHECK(count(hand, HoleState::Open) == 12);
 }
