@@ -139,6 +139,7 @@ TEST_CASE("patches by cubes alone are sound over random cuts") {
       for (const Hole& hole : analysis.holes) {
         if (hole.kind == HoleClass::Outer) continue;
         const auto patch = by_cubes(scan.mesh, analysis, {hole.id});
+        CAPTURE(seed, shape.vertex_count(), hole.id, hole.vertices.size());
         REQUIRE(patch);
         CHECK(verifier.accept_sound(std::vector{*patch}, progress)[0].fault.empty());
       }
