@@ -116,6 +116,7 @@ Ladder ladder_for(const PatchWish& wish, Preset preset, bool is_cap, std::size_t
 Ladder ladder_for(const HoleSite& site, Preset preset, bool is_cap, std::size_t most_triangles) {
   if (!site.wish.through.empty()) return ladder_for(site.wish, preset, false, most_triangles);
   if (joins_two_rims(site)) return ladder_between(site, preset, most_triangles);
+  if (preset == Preset::Sharp && site.holes.size() > 1) preset = Preset::Standard;  // probes know nothing of islands
   Ladder ladder = ladder_for(site.wish, preset, is_cap, most_triangles);
   const bool is_implicit = !is_cap && site.wish.fairness == Fairness::Implicit && preset != Preset::Sharp;
   if (is_implicit && is_hard_to_triangulate(site)) std::swap(ladder[0], ladder[1]);  // by cubes first
