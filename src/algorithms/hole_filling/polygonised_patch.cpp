@@ -73,6 +73,7 @@ class PolygonisedPatch {
  private:
   std::optional<HolePatch> on_field(const Covering& covering, const RimFitOptions& how, double widest,
                                     Progress& progress) {
+    progress.check();
     const auto surface = fit_rims(site_, options_, how);
     if (!surface) return std::nullopt;
     field_ = surface->field();
