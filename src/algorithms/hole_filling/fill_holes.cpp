@@ -167,7 +167,7 @@ void require_memory(const PolyMesh& mesh, const FillOptions& options) {
 std::size_t predicted_fill_bytes(const PolyMesh& mesh, const FillOptions& options) {
   constexpr std::size_t view_triangle = 35, joined_triangle = 75;  // of SurfaceView, and at most while it is made
   constexpr std::size_t index = sizeof(Index), point = sizeof(Vec3);
-  constexpr std::size_t allowance = std::size_t{24} << 20;  // patches under way and what they are made with
+  constexpr std::size_t allowance = std::size_t{48} << 20;  // patches under way and what they are made with
   const std::size_t vertices = mesh.vertex_count();
   const std::size_t corners = mesh.corners.size();
   const std::size_t triangles = corners - std::min(corners, 2 * mesh.face_count());
