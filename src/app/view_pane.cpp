@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace croquis::app {
 namespace {
@@ -77,16 +78,21 @@ void ViewPane::frame(const render::Scene& scene) {
 
 bool ViewPane::fits(const render::Scene& scene) const {
   if (!visible()) return true;
-  QRectF seen;
+  // For scans of hundreds of thousands of points: matrices once, not for every point.
+  const ViewFrame frame = view_frame(render::bounds_of(scene));
+  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
+  Vec2 high = -low;
   for (const glm::dvec3& point : framing_points(scene)) {
-    const auto pixel = render::project(camera, point, size());
-    if (!pixel) return false;
-    const QRectF place(pixel->x - 0.5, pixel->y - 0.5, 1, 1);
-    seen = seen.isNull() ? place : seen.united(place);
+    const auto seen = frame.project({point.x, point.y, point.z});
+    if (!seen) return false;
+    low = low.cwiseMin(seen->pixel);
+    high = high.cwiseMax(seen->pixel);
   }
-  const QRectF inside(0, 0, rect.width(), rect.height());
-  const bool large = seen.width() > least_share * rect.width() || seen.height() > least_share * rect.height();
-  return inside.contains(seen) && large;
+  if (!(low.x() <= high.x())) return false;
+  constexpr double half = 0.5;  // pixels
+  const bool inside = low.minCoeff() >= half && high.x() <= rect.width() - half && high.y() <= rect.height() - half;
+  const Vec2 extent = high - low;
+  return inside && (extent.x() > least_share * rect.width() || extent.y() > least_share * rect.height());
 }
 
 ViewPane first_pane(render::NamedView kind) {
