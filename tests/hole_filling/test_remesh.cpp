@@ -61,6 +61,7 @@ void check_sound(const RemeshResult& result, std::size_t components, std::size_t
   CHECK(result.checks.components == components);
   CHECK(result.checks.open_loops == loops);
   CHECK(result.checks.failed_loops == 0);
+  CHECK(result.checks.lost_points == 0);
   CHECK(result.checks.self_intersections == 0);
   CHECK(validate(result.mesh).empty());
 }
@@ -196,6 +197,26 @@ TEST_CASE("a model of few large faces is sampled in their middle") {
   check_sound(result, 1, 0, 2);
   CHECK(*report_of(result.mesh).volume == Approx(1).epsilon(0.03));
   CHECK(mean_distance(cube(), result.mesh) < 0.015);  // corners become round
+}
+
+TEST_CASE("parts thinner than a cube are told, and come out whole with smaller cubes") {
+  // A ball with a needle of 0.08 across.
+  std::vector<Vec2> profile = {{0, -1}};
+  for (int i = 1; i < 20; ++i) {
+    const double angle = std::numbers::pi * (i / 20.0 - 0.5);
+    profile.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  for (int i = 0; i <= 10; ++i) profile.emplace_back(0.04, 1 + 0.1 * i);
+  profile.emplace_back(0, 2.05);
+  const PolyMesh mesh = revolved(profile, 24);
+  const RemeshResult result = remesh(mesh);
+  CHECK(report_of(result.mesh).closed);
+  CHECK(result.checks.lost_points > 0);
+  CHECK(std::any_of(result.warnings.begin(), result.warnings.end(),
+                    [](const Finding& finding) { return finding.code == "W_DETAIL_LOST"; }));
+  RemeshOptions options;
+  options.cell = 0.15;
+  CHECK(remesh(mesh, options).checks.lost_points == 0);
 }
 
 TEST_CASE("colours and other values of vertices go over to where they belong") {

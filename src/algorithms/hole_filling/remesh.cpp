@@ -30,6 +30,7 @@ constexpr std::array growths = {0.35, 0.7, 1.4};
 constexpr double room = 0.2;            // around points and holes' boxes, × the longest side; fields reach 0.25
 constexpr double cells_to_expect = 20;  // per cube face of a sphere around everything
 constexpr int farthest_seeds = 2;       // cubes around a point that are looked at, when its own has no surface
+constexpr double lost_beyond = 1.25;    // × cell: a surface has vertices at less than one cell of any of its points
 constexpr const char* patch_channel = "patch_id";
 
 /// What came out for one piece.
@@ -118,7 +119,9 @@ class Remeshing {
       tell_patched(surface.openings);
       surface.repaired = close_by_patches(surface.mesh, surface.openings, options_.fill, patching);
     }
-    Progress transferring = progress.step("carry over attributes", 0.04);
+    Progress comparing = progress.step("look for lost detail", 0.02);
+    result_.checks.lost_points += count_far(surface.mesh, points.positions, lost_beyond * cell_, threads(), comparing);
+    Progress transferring = progress.step("carry over attributes", 0.02);
     take(piece, points, std::move(surface), transferring);
   }
 

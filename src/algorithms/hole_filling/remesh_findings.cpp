@@ -32,6 +32,11 @@ Findings remesh_findings(const PolyMesh& mesh, const RemeshResult& result, std::
     findings.push_back(warning("W_PIECE_LOST", counted(lost, "piece has", "pieces have") +
                                                    " no surface that cubes of this size could find: choose smaller "
                                                    "cells."));
+  if (result.checks.lost_points > 0)
+    findings.push_back(
+        warning("W_DETAIL_LOST", counted(result.checks.lost_points, "point", "points") +
+                                     " of the mesh lie on parts thinner than a cell, which came out torn "
+                                     "or shorter: choose smaller cells, or fill holes by patches."));
   if (result.checks.failed_loops > 0)
     findings.push_back(
         warning("W_NOT_CLOSED", counted(result.checks.failed_loops, "opening is", "openings are") +

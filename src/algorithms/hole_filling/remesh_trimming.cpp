@@ -2,6 +2,7 @@
 #include "algorithms/hole_filling/remesh_trimming.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "croquis/base/parallel.h"
@@ -104,6 +105,22 @@ PolyMesh trimmed(const PolyMesh& mesh, std::span<const std::uint8_t> beyond) {
     if (!mark_spoilt(kept, round < ear_rounds, removed)) return kept;
     kept = without(kept, removed);
   }
+}
+
+std::size_t count_far(const PolyMesh& mesh, std::span<const Vec3> points, double distance, int threads,
+                      Progress& progress) {
+  if (mesh.vertex_count() == 0) return points.size();
+  Progress ordering = progress.step("look for lost detail", 0.3);
+  const implicit::PointTree tree(mesh.positions, threads, ordering);
+  std::vector<std::size_t> far(points.size() / grain + 1, 0);
+  Progress looking = progress.step("look for lost detail", 0.7);
+  for_each_part(points.size(), grain, threads, looking, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vec3 away = points[i] - mesh.positions[tree.nearest(points[i])];
+      if (away.squaredNorm() > distance * distance) ++far[begin / grain];
+    }
+  });
+  return std::accumulate(far.begin(), far.end(), std::size_t{0});
 }
 
 std::size_t drop_strays(PolyMesh& mesh, std::span<const Vec3> points, int threads, Progress& progress) {

@@ -41,6 +41,10 @@ PolyMesh without(const PolyMesh& mesh, std::span<const std::uint8_t> removed);
 /// edges, until every vertex is manifold.
 PolyMesh trimmed(const PolyMesh& mesh, std::span<const std::uint8_t> beyond);
 
+/// Points that no vertex is within `distance` of.
+std::size_t count_far(const PolyMesh& mesh, std::span<const Vec3> points, double distance, int threads,
+                      Progress& progress);
+
 /// Removes connected parts that hardly any point lies on. Parts that points do lie on stay, however many.
 /// @return how many were removed
 std::size_t drop_strays(PolyMesh& mesh, std::span<const Vec3> points, int threads, Progress& progress);
