@@ -154,6 +154,17 @@ TEST_CASE("rims left open stay open, near to where they were, on clean borders")
   for (const HoleOutcome& outcome : result.outcomes) CHECK(outcome.action == FillAction::Leave);
 }
 
+TEST_CASE("open sections are closed too when they are chosen, and told to be guesses") {
+  RemeshOptions options;
+  options.fill.selection = Selection::All;
+  for (const PolyMesh& mesh : {bowl(48, 20), open_tube(1, 4, 60, 40), bust(60, 40)}) {
+    const RemeshResult result = remesh(mesh, options);
+    check_sound(result, 1, 0, 2);
+    CHECK(std::any_of(result.warnings.begin(), result.warnings.end(),
+                      [](const Finding& finding) { return finding.code == "W_LOW_CONFIDENCE"; }));
+  }
+}
+
 TEST_CASE("of two holes the one that isn't chosen stays open") {
   PolyMesh mesh = cut(round_sphere(5), Vec3(0, 0, 1), 0.3).mesh;
   mesh = cut(mesh, Vec3(0, 0, -1), 0.3).mesh;

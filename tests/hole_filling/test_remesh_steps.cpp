@@ -113,7 +113,7 @@ TEST_CASE("openings are told apart from rims that stay open, and closed by patch
   CHECK(pieces.pieces[0].stays_open);
   PolyMesh surface = mesh;
   Progress looking;
-  Openings openings = find_openings(surface, mesh, pieces.pieces[0], pieces.rims, looking);
+  Openings openings = find_openings(surface, mesh, pieces.pieces[0], pieces.rims, 1, looking);
   CHECK(openings.meant == 1);
   REQUIRE(openings.loops.size() == 1);
   CHECK(analysis.holes[openings.holes[0]].kind != HoleClass::Outer);

@@ -138,7 +138,7 @@ class Remeshing {
     Progress polygonizing = progress.step("polygonize", 0.25);
     surface.mesh = polygons(piece, points, boxes, field, polygonizing);
     Progress looking = progress.step("look for openings", 0.05);
-    surface.openings = find_openings(surface.mesh, mesh_, piece, pieces_.rims, looking);
+    surface.openings = find_openings(surface.mesh, mesh_, piece, pieces_.rims, threads(), looking);
     if (!surface.openings.none() && !is_last) return surface;
     count_domains(field.report());
     Progress improving = progress.step("improve", 0.2);

@@ -21,9 +21,9 @@ Index elected(const PolyMesh& surface, const Hole& loop, const implicit::PointTr
       ->first;
 }
 
-bool is_open(const PolyMesh& surface, Progress& progress) {
+bool is_open(const PolyMesh& surface, int threads, Progress& progress) {
   const TriangleFans fans(surface.vertex_count(), surface.corners);
-  const std::vector<TriangleFans::Link> links = fans.links(0, progress);
+  const std::vector<TriangleFans::Link> links = fans.links(threads, progress);
   return std::any_of(links.begin(), links.end(), [](TriangleFans::Link link) {
     return link == TriangleFans::Link::Path || link == TriangleFans::Link::Broken;
   });
@@ -32,10 +32,10 @@ bool is_open(const PolyMesh& surface, Progress& progress) {
 }  // namespace
 
 Openings find_openings(const PolyMesh& surface, const PolyMesh& mesh, const RemeshPiece& piece,
-                       const std::vector<RimPlace>& rims, Progress& progress) {
+                       const std::vector<RimPlace>& rims, int threads, Progress& progress) {
   Openings openings;
   Progress looking = progress.step("look for openings", 0.2);
-  if (surface.face_count() == 0 || !is_open(surface, looking)) return openings;
+  if (surface.face_count() == 0 || !is_open(surface, threads, looking)) return openings;
   std::vector<Vec3> places;
   std::vector<Index> hole_of;
   for (const RimPlace& rim : rims) {

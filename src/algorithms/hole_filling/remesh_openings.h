@@ -22,7 +22,7 @@ struct Openings {
 /// @param surface what came out for the piece; @param rims of the whole mesh given
 /// @throws Cancelled
 Openings find_openings(const PolyMesh& surface, const PolyMesh& mesh, const RemeshPiece& piece,
-                       const std::vector<RimPlace>& rims, Progress& progress);
+                       const std::vector<RimPlace>& rims, int threads, Progress& progress);
 
 /// Closes the loops by patches, the best that is sound for each, and takes those that were closed out of the openings.
 /// @return how many were closed
