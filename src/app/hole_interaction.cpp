@@ -17,22 +17,29 @@ std::vector<HolePatchView> patch_views(const PatchSurface& patches, const std::v
     if (row.patch) views.try_emplace(static_cast<std::int32_t>(*row.patch)).first->second.hole = row.id;
   }
   const PolyMesh& mesh = *patches.mesh;
-  std::map<std::pair<std::int32_t, Index>, Index> place;
+  struct Place {
+    std::int32_t patch = -1;
+    Index index = no_index;
+  };
+  std::vector<Place> places(mesh.vertex_count());  // in the patch that asked last: few share a vertex
+  auto view = views.end();
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
-    const auto view = views.find(patches.patch[face]);
+    const std::int32_t patch = patches.patch[face];
+    if (view == views.end() || view->first != patch) view = views.find(patch);
     if (view == views.end() || mesh.face(face).size() != 3) continue;
     std::array<Index, 3> triangle{};
     for (std::size_t k = 0; k < 3; ++k) {
       const Index vertex = mesh.face(face)[k];
-      const auto [own, fresh] =
-          place.try_emplace({view->first, vertex}, static_cast<Index>(view->second.positions.size()));
-      if (fresh) view->second.positions.push_back(mesh.positions[vertex]);
-      triangle[k] = own->second;
+      if (places[vertex].patch != patch) {
+        places[vertex] = {patch, static_cast<Index>(view->second.positions.size())};
+        view->second.positions.push_back(mesh.positions[vertex]);
+      }
+      triangle[k] = places[vertex].index;
     }
     view->second.triangles.push_back(triangle);
   }
   std::vector<HolePatchView> list;
-  for (auto& [patch, view] : views) list.push_back(std::move(view));
+  for (auto& [patch, seen] : views) list.push_back(std::move(seen));
   return list;
 }
 

@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "app/hole_overlay.h"
@@ -55,6 +56,12 @@ QString degrees(const std::optional<double>& angle) {
 
 QString percent(const std::optional<double>& share) {
   return share ? QString::number(std::lround(*share * 100)) + QStringLiteral(" %") : QString();
+}
+
+bool same_cells(const HoleRow& a, const HoleRow& b) {
+  return a.id == b.id && a.kind == b.kind && a.edges == b.edges && a.diameter == b.diameter && a.area == b.area &&
+         a.state == b.state && a.method == b.method && a.reason == b.reason && a.normal_jump == b.normal_jump &&
+         a.confidence == b.confidence && a.companions == b.companions;
 }
 
 QString tip_of(const HoleRow& hole) {
@@ -125,7 +132,12 @@ std::vector<Index> HoleTable::order() const {
 }
 
 void HoleTable::show_holes(const std::vector<HoleRow>& holes) {
+  if (std::equal(holes.begin(), holes.end(), shown_.begin(), shown_.end(), same_cells)) return;
+  shown_ = holes;
   showing_ = true;
+  // Widths are reckoned once, not for every cell.
+  horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
+  std::map<QString, QIcon> icons;
   setSortingEnabled(false);  // rows would run away while they are written
   setRowCount(static_cast<int>(holes.size()));
   for (int row = 0; row < rowCount(); ++row) {
@@ -142,7 +154,9 @@ void HoleTable::show_holes(const std::vector<HoleRow>& holes) {
     write(Number, QString::number(hole.id), hole.id);
     item(row, Number)->setData(hole_role, hole.id);
     write(StateColumn, words_for(hole.state));
-    item(row, StateColumn)->setIcon(state_icon(hole));
+    QIcon& icon = icons[words_for(hole.state) + (hole.is_border() ? "|" : "")];
+    if (icon.isNull()) icon = state_icon(hole);
+    item(row, StateColumn)->setIcon(icon);
     write(Kind, words_for(hole));
     write(Diameter, measure(hole.diameter), hole.diameter);
     write(Edges, QString::number(hole.edges), static_cast<qulonglong>(hole.edges));
@@ -152,6 +166,7 @@ void HoleTable::show_holes(const std::vector<HoleRow>& holes) {
     write(Jump, degrees(hole.normal_jump), optional(hole.normal_jump));
   }
   setSortingEnabled(true);
+  horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   showing_ = false;
 }
 

@@ -32,6 +32,7 @@ class HoleTable : public QTableWidget {
  private:
   Index hole_of(int row) const;
 
+  std::vector<HoleRow> shown_;
   bool showing_ = false;  ///< what is selected isn't somebody's choice
 };
 

@@ -289,12 +289,11 @@ void Viewport::follow_document() {
 }
 
 void Viewport::follow_result() {
-  objects_.follow();
+  objects_.follow();  // tells when it has changed: views are framed then
   sketch_.follow_result();
   mesh_.follow();
   holes_.follow();
   chips_.show_joints();
-  keep_in_view();
   redraw_all();
   emit help_changed();
 }
