@@ -75,6 +75,21 @@ const HoleRow* HoleInteraction::row(Index hole) const {
   return found == rows_.end() ? nullptr : &*found;
 }
 
+std::shared_ptr<const PolyMesh> HoleInteraction::scan() const {
+  const StudioObject* object = studio_.active();
+  const Node* operation = node();
+  if (object == nullptr || operation == nullptr || operation->inputs.empty()) return nullptr;
+  const Link& from = operation->inputs.begin()->second;
+  if (from.node == object->cage) return object->cage_mesh;
+  // What comes from another operation was computed on the way: it is at hand.
+  Progress progress;
+  const auto before = studio_.evaluator().evaluate(studio_.session().document(), from.node, Quality::Final, progress);
+  const auto found = before->outputs.find(from.output);
+  const auto* mesh =
+      found == before->outputs.end() ? nullptr : std::get_if<std::shared_ptr<const PolyMesh>>(&found->second);
+  return mesh == nullptr ? nullptr : *mesh;
+}
+
 const Node* HoleInteraction::node() const { return filling_node(studio_); }
 
 std::vector<Index> HoleInteraction::filled() const {
@@ -115,7 +130,7 @@ void HoleInteraction::take_result(const StudioObject* object) {
   shown_ = result;
   shown_node_ = now;
   rows_ = hole_rows(object);
-  sight_.follow(object == nullptr ? nullptr : object->cage_mesh);
+  sight_.follow(result ? scan() : nullptr);
   const auto rims = result ? result->outputs.find("rims") : Values::const_iterator();
   if (other_object || !result) tool_.select_none();
   if (!result || rims == result->outputs.end())

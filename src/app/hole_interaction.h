@@ -36,6 +36,7 @@ class HoleInteraction : public QObject {
   HoleTool& tool() { return tool_; }
   const std::vector<HoleRow>& rows() const { return rows_; }
   const HoleRow* row(Index hole) const;
+  std::shared_ptr<const PolyMesh> scan() const;  ///< that is filled; null before it has been computed itself
   const std::vector<Index>& selected() const { return tool_.selected(); }
   const std::vector<Index>& hovered() const { return tool_.preview().hovered.holes; }
   const PatchPreview& preview() const { return preview_; }

@@ -252,7 +252,8 @@ void HolePanel::follow() {
   const bool filled = there && object->quality == Quality::Final && object->result && !object->result->failed &&
                       std::any_of(holes_.rows().begin(), holes_.rows().end(),
                                   [](const HoleRow& row) { return row.state == HoleState::Filled; });
-  check_.follow(filled ? object->mesh : nullptr, filled ? object->cage_mesh : nullptr);
+  const bool anew = filled && std::get<std::string>(filling_value(studio_, *filling_node(studio_), "mode")) == "remesh";
+  check_.follow(filled ? object->mesh : nullptr, filled && !anew ? holes_.scan() : nullptr);
 }
 
 void HolePanel::follow_sizes() {

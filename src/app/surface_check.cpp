@@ -50,7 +50,7 @@ CheckedSurface check_surface(const PolyMesh& filled, const PolyMesh* scan, Progr
   checked.open_edges = report.boundary_edges;
   checked.crowded_edges = report.nonmanifold_edges;
   const std::vector<Index> patches = patch_faces(filled);
-  checked.has_patches = !patches.empty();
+  checked.has_patches = scan != nullptr && !patches.empty();
   Progress meeting = progress.step("intersections", 0.6);
   checked.intersections = checked.has_patches ? find_intersections_of(filled, patches, meeting, {}).count
                                               : find_self_intersections(filled, meeting, {}).count;

@@ -29,6 +29,7 @@ struct CheckedSurface {
   }
 };
 
+/// @param scan that was filled by patches; null: the mesh was made anew
 /// @throws Error, Cancelled
 CheckedSurface check_surface(const PolyMesh& filled, const PolyMesh* scan, Progress& progress);
 

@@ -248,7 +248,7 @@ TEST_CASE("the panel of attributes has no switch for listing alone", "[holes]") 
   CHECK(attributes->field("fairness") != nullptr);
 }
 
-TEST_CASE("filled holes are in projects, recordings and files", "[holes]") {
+TEST_CASE("filled holes are in projects, recordings and files", "[hole-sessions]") {
   StudioFixture hand;
   const QString recording = hand.folder() + "/session.jsonl";
   hand.window().record_to(recording);
@@ -316,7 +316,7 @@ double longest_turn_ms(StudioFixture& hand) {
   return longest;
 }
 
-TEST_CASE("the window is never held up while a large scan's holes are worked on", "[holes]") {
+TEST_CASE("the window is never held up while a large scan's holes are worked on", "[hole-sessions]") {
   StudioFixture hand;
   const auto triangles = static_cast<std::size_t>(test::sample_count(30'000, 300'000));
   const PolyMesh complete = test::sculpt(test::Sculpture::Beast, triangles);
