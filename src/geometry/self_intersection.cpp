@@ -2,82 +2,56 @@
 #include "croquis/geometry/self_intersection.h"
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
 #include <utility>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/box_intersection_d.h>
 #include <Eigen/Geometry>
 
+#include "geometry/box_tree.h"
+#include "geometry/ranked_places.h"
 #include "geometry/require_usable.h"
+#include "geometry/triangle_meeting.h"
 
 namespace croquis {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, Index, CGAL::Box_intersection_d::ID_FROM_BOX_ADDRESS>;
+/// So many leaves of boxes are done between two reports of progress.
+constexpr std::size_t leaves_per_report = 512;
 
-/// Below this many boxes CGAL tests all pairs instead of dividing further; CGAL's own self-intersection test uses the
-/// same number.
-constexpr std::ptrdiff_t box_cutoff = 2000;
-
-/// Overlapping boxes per triangle of a well-shaped mesh, for the estimate of the progress.
-constexpr double usual_overlaps = 10;
-
-/// How clear a sign must be before the exact test is spared, relative to the product of the lengths multiplied.
-/// Rounding of differences and products stays below 20 × 2^-53 of it; this leaves a wide margin.
-constexpr double sign_margin = 1e-12;
-
-/// Under this products may have lost their precision to underflow.
-constexpr double smallest_product = 1e-200;
-
-/// Beyond this products may overflow; the exact tests decide.
-constexpr double largest_size = 1e100;
-
-struct FanTriangle {
-  std::array<Index, 3> vertices{};
-  Index face = no_index;
-};
-
-class IntersectionTest {
+/// The triangles with an area of the fans of some faces.
+class Fans {
  public:
   /// @param is_wanted which faces to look at, by their index
   template <typename IsWanted>
-  IntersectionTest(const PolyMesh& mesh, IsWanted&& is_wanted) : mesh_(mesh) {
-    points_.reserve(mesh.positions.size());
-    for (const Vec3& p : mesh.positions) points_.emplace_back(p.x(), p.y(), p.z());
+  Fans(const PolyMesh& mesh, IsWanted&& is_wanted) : mesh_(mesh), meet_(mesh.positions) {
+    triangles_.reserve(mesh.face_count());
+    faces_.reserve(mesh.face_count());
     first_triangle_.reserve(mesh.face_count() + 1);
     for (Index f = 0; f < mesh.face_count(); ++f) {
-      first_triangle_.push_back(static_cast<Index>(triangles_.size()));
+      first_triangle_.push_back(triangle_count());
       if (is_wanted(f)) add_fan(f);
     }
-    first_triangle_.push_back(static_cast<Index>(triangles_.size()));
+    first_triangle_.push_back(triangle_count());
   }
 
   Index triangle_count() const { return static_cast<Index>(triangles_.size()); }
+  Index face(Index triangle) const { return faces_[triangle]; }
+  bool meet(Index a, Index b) const { return meet_(triangles_[a], triangles_[b]); }
 
-  Box box(Index triangle) const {
-    CGAL::Bbox_3 bounds;
-    for (const Index v : triangles_[triangle].vertices) bounds += points_[v].bbox();
-    return {bounds, triangle};
+  std::vector<PackedBox> boxes() const {
+    const std::vector<Index> vertices = used_vertices();
+    std::vector<Vec3> points(vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i) points[i] = mesh_.positions[vertices[i]];
+    const std::vector<PackedPlace> ranked = ranked_places(points);
+    std::vector<PackedPlace> places(mesh_.vertex_count());
+    for (std::size_t i = 0; i < vertices.size(); ++i) places[vertices[i]] = ranked[i];
+    std::vector<PackedBox> boxes;
+    boxes.reserve(triangles_.size());
+    for (const auto& [v, longest] : triangles_)
+      boxes.push_back(extended(extended({places[v[0]], places[v[0]]}, places[v[1]]), places[v[2]]));
+    return boxes;
   }
 
-  Index face(Index triangle) const { return triangles_[triangle].face; }
-
-  bool intersect(Index a, Index b) const {
-    std::array<Index, 3> u = triangles_[a].vertices;
-    std::array<Index, 3> v = triangles_[b].vertices;
-    switch (move_shared_to_front(u, v)) {
-      case 0: return !clearly_apart(u, v, 0) && CGAL::do_intersect(triangle(u), triangle(v));
-      case 1: return !clearly_apart(u, v, 1) && meet_beyond_vertex(u, v);
-      case 2: return fold_over(u[0], u[1], u[2], v[2]);
-      default: return true;
-    }
-  }
-
-  /// Whether these two triangles, which intersect, are the first pair of their faces that does.
+  /// Whether these two triangles, which meet, are the first pair of their faces that does.
   bool first_of_faces(Index a, Index b) const {
     const Index face_a = face(a);
     const Index face_b = face(b);
@@ -85,85 +59,39 @@ class IntersectionTest {
       const Index begin = face_a == face_b ? i + 1 : first_triangle_[face_b];
       for (Index j = begin; j < first_triangle_[face_b + 1]; ++j) {
         if (i == a && j == b) return true;
-        if (intersect(i, j)) return false;
+        if (meet(i, j)) return false;
       }
     }
     return true;
   }
 
  private:
-  Kernel::Triangle_3 triangle(const std::array<Index, 3>& v) const {
-    return {points_[v[0]], points_[v[1]], points_[v[2]]};
-  }
-
   void add_fan(Index f) {
     const auto face = mesh_.face(f);
+    MeetingTriangle triangle;
     for (std::size_t i = 2; i < face.size(); ++i) {
-      const std::array<Index, 3> v = {face[0], face[i - 1], face[i]};
-      if (!CGAL::collinear(points_[v[0]], points_[v[1]], points_[v[2]])) triangles_.push_back({v, f});
+      if (!meet_.make({face[0], face[i - 1], face[i]}, triangle)) continue;
+      triangles_.push_back(triangle);
+      faces_.push_back(f);
     }
   }
 
-  /// Brings the vertices common to both to the same places at the front. @return how many there are
-  static std::size_t move_shared_to_front(std::array<Index, 3>& u, std::array<Index, 3>& v) {
-    std::size_t shared = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto found = std::find(v.begin() + static_cast<std::ptrdiff_t>(shared), v.end(), u[i]);
-      if (found == v.end()) continue;
-      std::swap(*found, v[shared]);
-      std::swap(u[i], u[shared]);
-      ++shared;
+  std::vector<Index> used_vertices() const {
+    std::vector<char> is_used(mesh_.vertex_count(), 0);
+    for (const MeetingTriangle& triangle : triangles_) {
+      for (const Index v : triangle.vertices) is_used[v] = 1;
     }
-    return shared;
-  }
-
-  /// Spares most exact tests: a plane across the line between the centroids that clearly separates the triangles, but
-  /// for the `shared` (0 or 1) vertices in front, through which it must go.
-  bool clearly_apart(const std::array<Index, 3>& u, const std::array<Index, 3>& v, std::size_t shared) const {
-    const Vec3& origin = mesh_.positions[u[0]];
-    std::array<Vec3, 3> a;
-    std::array<Vec3, 3> b;
-    for (std::size_t i = 0; i < 3; ++i) {
-      a[i] = mesh_.positions[u[i]] - origin;
-      b[i] = mesh_.positions[v[i]] - origin;
+    std::vector<Index> vertices;
+    for (Index v = 0; v < is_used.size(); ++v) {
+      if (is_used[v] != 0) vertices.push_back(v);
     }
-    // Directions, not distances, from a shared vertex: else the larger triangle alone would turn the plane.
-    Vec3 across = shared == 0 ? Vec3(b[0] + b[1] + b[2] - a[1] - a[2])
-                              : Vec3(b[1].normalized() + b[2].normalized() - a[1].normalized() - a[2].normalized());
-    double low_b = std::numeric_limits<double>::infinity();
-    double high_a = -low_b;
-    double size = 0;
-    for (std::size_t i = shared; i < 3; ++i) {
-      high_a = std::max(high_a, across.dot(a[i]));
-      low_b = std::min(low_b, across.dot(b[i]));
-      size = std::max({size, a[i].norm(), b[i].norm()});
-    }
-    if (!(size < largest_size)) return false;
-    const double margin = sign_margin * size * across.norm() + smallest_product;
-    return shared == 0 ? low_b - high_a > margin : low_b > margin && high_a < -margin;
-  }
-
-  /// Triangles with the common vertex u[0] = v[0] that meet elsewhere too: following a common ray from the vertex, one
-  /// of them ends first, on its opposite edge, inside the other.
-  bool meet_beyond_vertex(const std::array<Index, 3>& u, const std::array<Index, 3>& v) const {
-    return CGAL::do_intersect(triangle(u), Kernel::Segment_3(points_[v[1]], points_[v[2]])) ||
-           CGAL::do_intersect(triangle(v), Kernel::Segment_3(points_[u[1]], points_[u[2]]));
-  }
-
-  /// Triangles on the common edge (p, q) overlap only when they lie in one plane on the same side of it.
-  bool fold_over(Index p, Index q, Index r, Index s) const {
-    const Vec3 edge = mesh_.positions[q] - mesh_.positions[p];
-    const Vec3 a = mesh_.positions[r] - mesh_.positions[p];
-    const Vec3 b = mesh_.positions[s] - mesh_.positions[p];
-    const double product = edge.squaredNorm() * a.norm() * b.norm();
-    if (edge.cross(a).dot(edge.cross(b)) < -(sign_margin * product + smallest_product)) return false;
-    return CGAL::coplanar(points_[p], points_[q], points_[r], points_[s]) &&
-           CGAL::coplanar_orientation(points_[p], points_[q], points_[r], points_[s]) == CGAL::POSITIVE;
+    return vertices;
   }
 
   const PolyMesh& mesh_;
-  std::vector<Kernel::Point_3> points_;
-  std::vector<FanTriangle> triangles_;
+  TriangleMeeting meet_;
+  std::vector<MeetingTriangle> triangles_;
+  std::vector<Index> faces_;           ///< per triangle
   std::vector<Index> first_triangle_;  ///< per face, in triangles_
 };
 
@@ -255,25 +183,16 @@ class TouchedCells {
   std::vector<bool> touched_;
 };
 
-std::vector<const Box*> pointers_to(const std::vector<Box>& boxes) {
-  std::vector<const Box*> pointers;
-  pointers.reserve(boxes.size());
-  for (const Box& box : boxes) pointers.push_back(&box);
-  return pointers;
-}
-
 /// What is done with each pair of triangles whose boxes meet.
 class PairSearch {
  public:
-  PairSearch(const IntersectionTest& test, std::size_t max_pairs, Progress& progress)
-      : test_(test), found_(max_pairs), progress_(progress) {}
+  PairSearch(const Fans& fans, std::size_t max_pairs, Progress& progress)
+      : fans_(fans), found_(max_pairs), progress_(progress) {}
 
-  void operator()(const Box* first, const Box* second) {
+  void operator()(Index first, Index second) {
     progress_.check();
-    if (++tested_ % 65536 == 0)
-      progress_.report(std::min(0.95, static_cast<double>(tested_) / (usual_overlaps * test_.triangle_count())));
-    const auto [a, b] = std::minmax({first->info(), second->info()});
-    if (test_.intersect(a, b) && test_.first_of_faces(a, b)) found_.add(test_.face(a), test_.face(b));
+    const auto [a, b] = std::minmax(first, second);
+    if (fans_.meet(a, b) && fans_.first_of_faces(a, b)) found_.add(fans_.face(a), fans_.face(b));
   }
 
   SelfIntersections finish() {
@@ -282,10 +201,9 @@ class PairSearch {
   }
 
  private:
-  const IntersectionTest& test_;
+  const Fans& fans_;
   PairList found_;
   Progress& progress_;
-  std::size_t tested_ = 0;
 };
 
 }  // namespace
@@ -294,13 +212,15 @@ SelfIntersections find_self_intersections(const PolyMesh& mesh, Progress& progre
                                           const SelfIntersectionOptions& options) {
   require_usable(mesh);
   progress.check();
-  const IntersectionTest test(mesh, [](Index) { return true; });
-  std::vector<Box> boxes;
-  boxes.reserve(test.triangle_count());
-  for (Index t = 0; t < test.triangle_count(); ++t) boxes.push_back(test.box(t));
-  std::vector<const Box*> pointers = pointers_to(boxes);
-  PairSearch search(test, options.max_pairs, progress);
-  CGAL::box_self_intersection_d(pointers.begin(), pointers.end(), std::ref(search), box_cutoff);
+  const Fans fans(mesh, [](Index) { return true; });
+  progress.check();
+  const BoxTree tree(fans.boxes());
+  PairSearch search(fans, options.max_pairs, progress);
+  for (std::size_t leaf = 0; leaf < tree.leaf_count(); ++leaf) {
+    if (leaf % leaves_per_report == 0)
+      progress.report(static_cast<double>(leaf) / static_cast<double>(tree.leaf_count()));
+    tree.visit_pairs_of_leaf(leaf, search);
+  }
   return search.finish();
 }
 
@@ -309,17 +229,20 @@ SelfIntersections find_intersections_of(const PolyMesh& mesh, std::span<const In
   require_usable(mesh);
   progress.check();
   const TouchedCells cells(mesh, faces);
-  const auto is_chosen = [&](Index f) { return std::binary_search(faces.begin(), faces.end(), f); };
-  const IntersectionTest test(mesh, [&](Index f) { return cells.may_be_near(f); });
-  std::vector<Box> chosen;
-  std::vector<Box> others;
-  for (Index t = 0; t < test.triangle_count(); ++t) (is_chosen(test.face(t)) ? chosen : others).push_back(test.box(t));
-  std::vector<const Box*> chosen_pointers = pointers_to(chosen);
-  std::vector<const Box*> other_pointers = pointers_to(others);
-  PairSearch search(test, options.max_pairs, progress);
-  CGAL::box_self_intersection_d(chosen_pointers.begin(), chosen_pointers.end(), std::ref(search), box_cutoff);
-  CGAL::box_intersection_d(chosen_pointers.begin(), chosen_pointers.end(), other_pointers.begin(), other_pointers.end(),
-                           std::ref(search), box_cutoff);
+  const Fans fans(mesh, [&](Index f) { return cells.may_be_near(f); });
+  const std::vector<PackedBox> boxes = fans.boxes();
+  const BoxTree tree(boxes);
+  std::vector<char> is_chosen(fans.triangle_count());
+  for (Index t = 0; t < fans.triangle_count(); ++t)
+    is_chosen[t] = std::binary_search(faces.begin(), faces.end(), fans.face(t)) ? 1 : 0;
+  PairSearch search(fans, options.max_pairs, progress);
+  for (Index t = 0; t < fans.triangle_count(); ++t) {
+    if (is_chosen[t] == 0) continue;
+    // A pair of chosen ones comes up from both sides.
+    tree.visit_overlapping(boxes[t], [&](Index other) {
+      if (other > t || is_chosen[other] == 0) search(t, other);
+    });
+  }
   return search.finish();
 }
 
