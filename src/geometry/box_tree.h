@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -54,14 +55,19 @@ class BoxTree {
     for (std::size_t child = begin; child < end; ++child) visit_leaves(level - 1, child, box, first, visit);
   }
 
+  /// Lists first and visits then: whether boxes overlap is as good as random, and a list needs no branches.
   template <typename Visit>
   void join(std::size_t leaf, std::size_t other, Visit&& visit) const {
+    std::array<std::array<Index, 2>, fan * fan> found;  // not initialised, that would cost more than the search
+    std::size_t count = 0;
     for (std::size_t i = leaf * fan; i < end_of(leaf); ++i) {
       if (!overlap(boxes_[i], levels_.front()[other])) continue;
       for (std::size_t j = leaf == other ? i + 1 : other * fan; j < end_of(other); ++j) {
-        if (overlap(boxes_[i], boxes_[j])) visit(items_[i], items_[j]);
+        found[count] = {items_[i], items_[j]};
+        count += overlap(boxes_[i], boxes_[j]) ? 1U : 0U;
       }
     }
+    for (std::size_t k = 0; k < count; ++k) visit(found[k][0], found[k][1]);
   }
 
   std::vector<Index> items_;                    ///< in Morton order
