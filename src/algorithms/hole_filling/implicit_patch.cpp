@@ -9,6 +9,7 @@
 #include "algorithms/hole_filling/harmonic_values.h"
 #include "algorithms/hole_filling/patch_displacement.h"
 #include "algorithms/hole_filling/patch_editing.h"
+#include "algorithms/hole_filling/patch_relaxation.h"
 #include "algorithms/hole_filling/patcher.h"
 #include "algorithms/hole_filling/rim_field.h"
 #include "algorithms/hole_filling/triangle_cost.h"
@@ -22,6 +23,11 @@ constexpr double stiffness = 3;  // the smoothing's factor, when careful
 constexpr int usual_rounds = 5;
 constexpr int draft_rounds = 2;  // of a patch that is only to be pulled
 constexpr int smoothings = 2;    // per round
+
+/// Newton's steps square what is left: one shorter than this ends within 1e-3 of an edge of the surface, and the next
+/// smoothing moves farther than that anyway. × cell
+constexpr double draft_accuracy = 0.03;
+constexpr double final_accuracy = 1e-4;
 
 /// A patch that strays farther from its rims than this has run away: the surface around doesn't close. × size
 constexpr double longest_way = 1.5;
@@ -167,20 +173,21 @@ class ImplicitPatcher : public Patcher {
     implicit::ProjectionOptions projection;
     projection.cell = std::max(surface.edge, mean_edge(loose));
     projection.iterations = 20 + static_cast<int>(std::min(200.0, 2 * surface.size / projection.cell));
+    projection.accuracy = draft_accuracy;
     projection.threads = 1;
     for (int round = 0; round < rounds_; ++round) {
       progress.check();
-      PolyMesh mesh;
-      mesh.positions = loose.points;
-      for (const auto& [a, b, c] : loose.triangles) mesh.add_triangle(a, b, c);
-      std::vector<std::uint8_t> fixed(mesh.vertex_count(), 0);
-      std::fill_n(fixed.begin(), loose.rim_points, std::uint8_t{1});
-      pin(mesh.positions, fixed, loose, through);
-      if (round == 0) implicit::project(mesh.positions, fixed, surface.field(), projection);
-      const auto report = implicit::smooth_on_surface(mesh, fixed, surface.field(), smoothings, projection);
-      loose.points = std::move(mesh.positions);
-      if (has_run_away(surface, loose, through) || (round + 1 == rounds_ && report.not_converged > 0)) return false;
-      if (round + 1 == rounds_) break;
+      const bool is_last = round + 1 == rounds_;
+      const std::vector<std::uint8_t> fixed = pinned(loose, through);
+      if (round == 0) implicit::project(loose.points, fixed, surface.field(), projection);
+      std::size_t not_converged = 0;
+      for (int i = 0; i < smoothings; ++i) {
+        relax(loose, fixed);
+        if (is_last && i + 1 == smoothings) projection.accuracy = final_accuracy;
+        not_converged = implicit::project(loose.points, fixed, surface.field(), projection).not_converged;
+      }
+      if (has_run_away(surface, loose, through) || (is_last && not_converged > 0)) return false;
+      if (is_last) break;
       limit_count(loose, most_triangles_);
       if (!bring_to_size(loose)) return false;
     }
@@ -203,14 +210,17 @@ class ImplicitPatcher : public Patcher {
     return pins;
   }
 
-  /// Vertices near the places that the patch goes through come to lie there, and stay.
-  static void pin(std::vector<Vec3>& positions, std::vector<std::uint8_t>& fixed, const LoosePatch& loose,
-                  const std::vector<Vec3>& places) {
+  /// Vertices near the places that the patch goes through come to lie there.
+  /// @return marks of what stays: they and the rims
+  static std::vector<std::uint8_t> pinned(LoosePatch& loose, const std::vector<Vec3>& places) {
+    std::vector<std::uint8_t> fixed(loose.points.size(), 0);
+    std::fill_n(fixed.begin(), loose.rim_points, std::uint8_t{1});
     const std::vector<std::size_t> pins = nearest_free(loose, places);
     for (std::size_t i = 0; i < pins.size(); ++i) {
-      positions[pins[i]] = places[i];
+      loose.points[pins[i]] = places[i];
       fixed[pins[i]] = 1;
     }
+    return fixed;
   }
 
   static bool has_run_away(const RimField& surface, const LoosePatch& loose, const std::vector<Vec3>& through) {
@@ -234,6 +244,7 @@ class ImplicitPatcher : public Patcher {
     for (const Index v : graph.rim_vertices()) feet.push_back(site.mesh->positions[v]);
     implicit::ProjectionOptions projection;
     projection.cell = surface.edge;
+    projection.accuracy = final_accuracy;
     projection.threads = 1;
     implicit::project(feet, {}, surface.field(), projection);
     std::vector<double> away(feet.size());
