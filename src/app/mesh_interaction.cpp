@@ -205,7 +205,7 @@ QString MeshInteraction::help() const {
     case MeshMode::Object: {
       const StudioObject* object = studio_.active();
       if (object != nullptr && object->is_source()) {
-        return tr("3 makes it smooth · F10 edges, F9 vertices, F11 faces · Alt+drag turns the view");
+        return tr("O finds its holes · 3 makes it smooth · F9 vertices, F10 edges, F11 faces · Alt+drag turns the view");
       }
       return tr("1 cage, 2 both, 3 smooth · Page Up and Down change the level · F10 picks edges to sharpen");
     }

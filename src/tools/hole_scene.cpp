@@ -13,7 +13,8 @@
 namespace croquis {
 namespace {
 
-constexpr std::size_t most_views = 4;  // as many as a window shows at once
+constexpr std::size_t most_views = 4;     // as many as a window shows at once
+constexpr std::size_t sight_samples = 8;  // places of a rim of which one has to be seen
 
 bool same_view(const ViewFrame& a, const ViewFrame& b) { return a.to_clip == b.to_clip && a.size == b.size; }
 
@@ -54,6 +55,18 @@ std::optional<double> meets_triangle(const Ray& ray, const Vec3& a, const Vec3& 
 double share_of(const Vec2& pixel, const Vec2& a, const Vec2& b) {
   const double length = (b - a).squaredNorm();
   return length > 0 ? std::clamp((pixel - a).dot(b - a) / length, 0.0, 1.0) : 0;
+}
+
+/// Whether a ray from the pixel to the right crosses the polygon an odd number of times. NaN sides don't count.
+bool encloses(const std::vector<Vec2>& polygon, const Vec2& pixel) {
+  bool inside = false;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2& a = polygon[i];
+    const Vec2& b = polygon[(i + 1) % polygon.size()];
+    if ((a.y() > pixel.y()) == (b.y() > pixel.y()) || !a.allFinite() || !b.allFinite()) continue;
+    if (pixel.x() < a.x() + (pixel.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) inside = !inside;
+  }
+  return inside;
 }
 
 }  // namespace
@@ -120,6 +133,7 @@ HoleHover HoleScene::at(const ViewFrame& frame, const Vec2& pixel) {
   if (const HolePin* pin = pin_at(seen, pixel)) return {HolePart::Pin, pin->holes, 0, std::nullopt};
   if (const Index rim = rim_at(seen, pixel); rim != no_index) return {HolePart::Rim, {rim}, 0, std::nullopt};
   if (const auto hit = patch_at(frame, pixel)) return {HolePart::Patch, {hit->hole}, 0, hit->place};
+  if (const Index hole = opening_at(seen, pixel); hole != no_index) return {HolePart::Opening, {hole}, 0, std::nullopt};
   return {};
 }
 
@@ -201,6 +215,29 @@ std::optional<HoleScene::PatchHit> HoleScene::patch_at(const ViewFrame& frame, c
     }
   }
   return best && sees(frame, best->place) ? best : std::nullopt;
+}
+
+/// Of the rims around the pixel that look at the eye and are seen, the smallest on screen: the inner one of two.
+Index HoleScene::opening_at(const View& view, const Vec2& pixel) const {
+  Index best = no_index;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t r = 0; r < rims_.size(); ++r) {
+    const PickBox& box = view.rims[r].box;
+    const double size = (box.high - box.low).prod();
+    if (!(size < least) || !encloses(view.rims[r].pixels, pixel)) continue;
+    if (rims_[r].normal.dot(view.frame.to_eye(rims_[r].at)) <= 0 || !sees_some_of(view.frame, rims_[r])) continue;
+    best = rims_[r].id;
+    least = size;
+  }
+  return best;
+}
+
+bool HoleScene::sees_some_of(const ViewFrame& frame, const HoleRim& rim) const {
+  const std::size_t stride = rim.points.size() / sight_samples + 1;
+  for (std::size_t i = 0; i < rim.points.size(); i += stride) {
+    if (sees(frame, rim.points[i])) return true;
+  }
+  return false;
 }
 
 std::vector<Index> HoleScene::in_box(const ViewFrame& frame, const PickBox& box) const {

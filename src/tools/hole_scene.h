@@ -60,6 +60,8 @@ class HoleScene {
   const HolePin* pin_at(const View& view, const Vec2& pixel) const;
   Index rim_at(const View& view, const Vec2& pixel) const;
   std::optional<PatchHit> patch_at(const ViewFrame& frame, const Vec2& pixel) const;
+  Index opening_at(const View& view, const Vec2& pixel) const;
+  bool sees_some_of(const ViewFrame& frame, const HoleRim& rim) const;
 
   HoleToolOptions options_;
   std::vector<HoleRim> rims_;  ///< by id

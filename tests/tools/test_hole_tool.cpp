@@ -110,6 +110,25 @@ TEST_CASE("rims are picked within reach, pins before them") {
   CHECK_FALSE(desk.tool.leave());
 }
 
+TEST_CASE("a click into an opening picks its hole, the inner one of two, and none that looks away or is hidden") {
+  Desk desk;
+  desk.tool.set_rims({test::ring(1, {0, 0, 0}, 1.2), test::ring(3, {0.5, 0, 0}, 0.4)});
+  const Vec3 between(-0.7, 0.3, 0), within(0.65, 0.15, 0);
+  desk.hover(between);
+  CHECK(desk.hovered() == HoleHover{HolePart::Opening, {1}, 0, std::nullopt});
+  CHECK(desk.click(within) == Verdict::Commit);
+  CHECK(desk.tool.selected() == Holes{3});
+  desk.tool.set_sight([](const ViewFrame&, const Vec3& place) { return place.x() < -2; });
+  desk.hover(between);
+  CHECK(desk.hovered().part == HolePart::None);
+  desk.tool.set_sight({});
+  std::vector<HoleRim> away = desk.tool.rims();
+  for (HoleRim& rim : away) rim.normal = -rim.normal;
+  desk.tool.set_rims(away);
+  desk.hover(between);
+  CHECK(desk.hovered().part == HolePart::None);
+}
+
 TEST_CASE("hidden rims aren't picked, and boxes leave hidden holes out") {
   Desk desk;
   desk.tool.set_sight([](const ViewFrame&, const Vec3& place) { return place.x() < 0; });

@@ -39,7 +39,7 @@ struct HoleToolOptions {
 };
 
 /// What the pointer is over, the first of these that is within reach.
-enum class HolePart { None, Handle, Pin, Rim, Patch };
+enum class HolePart { None, Handle, Pin, Rim, Patch, Opening };
 
 struct HoleHover {
   HolePart part = HolePart::None;
@@ -68,7 +68,7 @@ struct HolePreview {
   std::optional<PatchPull> pull;  ///< while a handle or patch is dragged; show the patch as it would be at `to`
 };
 
-/// Works on the holes of one scan: picks them by pin, rim, patch or box, says which to fill, pulls patches.
+/// Works on the holes of one scan: picks them by pin, rim, patch, opening or box, says which to fill, pulls patches.
 ///
 /// Clicks: plain replaces the selection, Shift toggles, Ctrl removes, Ctrl+Shift adds; boxes the same, for holes whose
 /// place is in the box and not hidden. A plain click on nothing selects none. Double click: fill this one; leave it
