@@ -6,6 +6,8 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include "geometry/clear_sign.h"
+
 namespace croquis {
 namespace {
 
@@ -29,6 +31,15 @@ bool on_one_line(const PolyMesh& mesh, std::span<const Index> face) {
                      [&](Index v) { return CGAL::collinear(a, b, exact_point(mesh.positions[v])); });
 }
 
+/// A triangle with three places clearly apart, as nearly all are.
+bool clearly_fine(const PolyMesh& mesh, std::span<const Index> face) {
+  if (face.size() != 3) return false;
+  const Vec3& a = mesh.positions[face[0]];
+  const Vec3& b = mesh.positions[face[1]];
+  const Vec3& c = mesh.positions[face[2]];
+  return clearly_has_area(a, b, c, longest_edge_squared(a, b, c));
+}
+
 }  // namespace
 
 std::vector<Index> degenerate_faces(const PolyMesh& mesh) {
@@ -36,6 +47,7 @@ std::vector<Index> degenerate_faces(const PolyMesh& mesh) {
   std::vector<Index> scratch;
   for (Index f = 0; f < mesh.face_count(); ++f) {
     const auto face = mesh.face(f);
+    if (clearly_fine(mesh, face)) continue;
     if (face.size() < 3 || repeats_vertex(face, scratch) || on_one_line(mesh, face)) degenerate.push_back(f);
   }
   return degenerate;

@@ -27,8 +27,16 @@ std::optional<std::array<Vec3, 2>> bounds_of(const PolyMesh& mesh) {
   return bounds;
 }
 
-/// Area and volume of the fan of a face from the mean of its corners, the volume of the cone to `origin`.
-std::pair<double, double> measure_face(const PolyMesh& mesh, std::span<const Index> face, const Vec3& origin) {
+/// Twice the area of a triangle and six times the volume of the cone from it to `origin`.
+std::pair<double, double> measure_triangle(const PolyMesh& mesh, std::span<const Index> face, const Vec3& origin) {
+  const Vec3 a = mesh.positions[face[0]] - origin;
+  const Vec3 b = mesh.positions[face[1]] - origin;
+  const Vec3 c = mesh.positions[face[2]] - origin;
+  return {(b - a).cross(c - a).norm(), a.dot(b.cross(c))};
+}
+
+/// The same of the fan of a face from the mean of its corners.
+std::pair<double, double> measure_polygon(const PolyMesh& mesh, std::span<const Index> face, const Vec3& origin) {
   Vec3 mean = Vec3::Zero();
   for (const Index vertex : face) mean += mesh.positions[vertex] - origin;
   mean /= static_cast<double>(face.size());
@@ -40,7 +48,7 @@ std::pair<double, double> measure_face(const PolyMesh& mesh, std::span<const Ind
     twice_area += (a - mean).cross(b - mean).norm();
     six_volumes += mean.dot(a.cross(b));
   }
-  return {twice_area / 2, six_volumes / 6};
+  return {twice_area, six_volumes};
 }
 
 void measure(const PolyMesh& mesh, MeshReport& figures) {
@@ -48,13 +56,17 @@ void measure(const PolyMesh& mesh, MeshReport& figures) {
   if (!figures.bounds) return;
   // Far from the origin the cones' volumes would be large and cancel; from the middle they are of the mesh's own size.
   const Vec3 origin = (*figures.bounds)[0] / 2 + (*figures.bounds)[1] / 2;
-  double volume = 0;
+  double twice_area = 0;
+  double six_volumes = 0;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const auto [face_area, face_volume] = measure_face(mesh, mesh.face(f), origin);
-    figures.area += face_area;
-    volume += face_volume;
+    const auto face = mesh.face(f);
+    const auto [area, volume] =
+        face.size() == 3 ? measure_triangle(mesh, face, origin) : measure_polygon(mesh, face, origin);
+    twice_area += area;
+    six_volumes += volume;
   }
-  if (figures.closed) figures.volume = volume;
+  figures.area = twice_area / 2;
+  if (figures.closed) figures.volume = six_volumes / 6;
 }
 
 /// How often faces run an edge in its own direction, less how often the other way.
@@ -65,25 +77,32 @@ std::ptrdiff_t surplus(const MeshTopology& topology, Index edge) {
   return sum;
 }
 
-void count_edges(const MeshTopology& topology, MeshReport& figures) {
+/// @return per vertex, whether it is at an edge of more than two faces
+std::vector<bool> count_edges(const MeshTopology& topology, MeshReport& figures) {
+  std::vector<bool> at_nonmanifold(topology.vertex_count(), false);
   figures.edges = topology.edge_count();
   for (Index edge = 0; edge < topology.edge_count(); ++edge) {
     const std::size_t faces = topology.edge_corners(edge).size();
     if (faces == 1) ++figures.boundary_edges;
-    if (faces > 2) ++figures.nonmanifold_edges;
-    if (std::abs(surplus(topology, edge)) > 1) figures.oriented = false;
+    if (faces > 1 && std::abs(surplus(topology, edge)) > 1) figures.oriented = false;
+    if (faces <= 2) continue;
+    ++figures.nonmanifold_edges;
+    for (const Index vertex : topology.edge_vertices(edge)) at_nonmanifold[vertex] = true;
   }
   figures.closed = topology.face_count() > 0 && figures.boundary_edges == 0;
+  return at_nonmanifold;
 }
 
+/// @param at_nonmanifold see count_edges
 /// @return the number of fans of all vertices
-std::int64_t count_vertices(const MeshTopology& topology, MeshReport& figures) {
+std::int64_t count_vertices(const MeshTopology& topology, const std::vector<bool>& at_nonmanifold,
+                            MeshReport& figures) {
   std::int64_t fans = 0;
   std::int64_t used = 0;
   for (Index vertex = 0; vertex < topology.vertex_count(); ++vertex) {
     fans += topology.fan_count(vertex);
     if (topology.fan_count(vertex) > 0) ++used;
-    if (!topology.is_manifold(vertex)) ++figures.nonmanifold_vertices;
+    if (topology.fan_count(vertex) > 1 || at_nonmanifold[vertex]) ++figures.nonmanifold_vertices;
   }
   figures.euler_characteristic =
       used - static_cast<std::int64_t>(topology.edge_count()) + static_cast<std::int64_t>(topology.face_count());
@@ -126,9 +145,10 @@ void count_elements(const PolyMesh& mesh, MeshReport& figures) {
   figures.components = topology.component_count();
   figures.boundary_loops = topology.boundary_loops().size();
   figures.degenerate_faces = degenerate_faces(mesh).size();
-  count_edges(topology, figures);
-  const std::int64_t fans = count_vertices(topology, figures);
-  if (!figures.closed || figures.nonmanifold_edges > 0 || !orientable(mesh, topology)) return;
+  const std::vector<bool> at_nonmanifold = count_edges(topology, figures);
+  const std::int64_t fans = count_vertices(topology, at_nonmanifold, figures);
+  if (!figures.closed || figures.nonmanifold_edges > 0) return;
+  if (!figures.oriented && !orientable(mesh, topology)) return;
   // Pulled apart at the vertices where only corners touch, the shells are surfaces: V - E + F = 2 (shells - genus).
   const std::int64_t euler = fans - static_cast<std::int64_t>(figures.edges) + static_cast<std::int64_t>(figures.faces);
   figures.genus = static_cast<std::int64_t>(figures.components) - euler / 2;
