@@ -61,28 +61,48 @@ std::size_t number_by_appearance(std::vector<Index>& values, std::size_t value_b
   return count;
 }
 
+/// The lower and the higher vertex of the edge that each corner starts; no_index where it starts none.
+struct EdgeEnds {
+  explicit EdgeEnds(const PolyMesh& mesh) : low(mesh.corners.size(), no_index), high(mesh.corners.size(), no_index) {
+    for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+      const Index end = mesh.face_offsets[face + 1];
+      for (Index corner = mesh.face_offsets[face]; corner < end; ++corner) {
+        const Index next = corner + 1 == end ? mesh.face_offsets[face] : corner + 1;
+        if (mesh.corners[corner] == mesh.corners[next]) continue;
+        low[corner] = std::min(mesh.corners[corner], mesh.corners[next]);
+        high[corner] = std::max(mesh.corners[corner], mesh.corners[next]);
+      }
+    }
+  }
+
+  std::vector<Index> low, high;
+};
+
+/// Up to so many edges from one vertex are compared all with all; beyond they are sorted.
+constexpr std::size_t most_to_compare = 16;
+
+/// Of corners with the same low end, ascending: the lowest with each high end.
+void match_high_ends(std::span<const Index> corners, const std::vector<Index>& high, std::vector<Index>& lowest) {
+  if (corners.size() <= most_to_compare) {
+    for (const Index corner : corners)
+      lowest[corner] = *std::ranges::find_if(corners, [&](Index other) { return high[other] == high[corner]; });
+    return;
+  }
+  std::vector<Index> sorted(corners.begin(), corners.end());
+  std::stable_sort(sorted.begin(), sorted.end(), [&](Index a, Index b) { return high[a] < high[b]; });
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const bool same = i > 0 && high[sorted[i - 1]] == high[sorted[i]];
+    lowest[sorted[i]] = same ? lowest[sorted[i - 1]] : sorted[i];
+  }
+}
+
 /// For each corner the lowest corner that starts the same edge.
-std::vector<Index> lowest_corner_of_edge(const MeshTopology& topology) {
-  const std::size_t corner_count = topology.corner_count();
-  std::vector<Index> low_end(corner_count, no_index);
-  for (Index corner = 0; corner < corner_count; ++corner) {
-    const auto [low, high] = std::minmax({topology.vertex(corner), topology.vertex(topology.next(corner))});
-    if (low != high) low_end[corner] = low;
-  }
-  const IndexTable by_low_end = group_by(low_end, topology.vertex_count());
-  std::vector<Index> lowest(corner_count, no_index);
-  std::vector<std::pair<Index, Index>> by_high_end;  // (high end, corner)
-  for (std::size_t vertex = 0; vertex < by_low_end.size(); ++vertex) {
-    by_high_end.clear();
-    for (const Index corner : by_low_end[vertex]) {
-      by_high_end.emplace_back(std::max(topology.vertex(corner), topology.vertex(topology.next(corner))), corner);
-    }
-    std::sort(by_high_end.begin(), by_high_end.end());
-    for (std::size_t i = 0; i < by_high_end.size(); ++i) {
-      const bool same = i > 0 && by_high_end[i - 1].first == by_high_end[i].first;
-      lowest[by_high_end[i].second] = same ? lowest[by_high_end[i - 1].second] : by_high_end[i].second;
-    }
-  }
+std::vector<Index> lowest_corner_of_edge(const PolyMesh& mesh) {
+  const EdgeEnds ends(mesh);
+  const IndexTable by_low_end = group_by(ends.low, mesh.vertex_count());
+  std::vector<Index> lowest(mesh.corners.size(), no_index);
+  for (std::size_t vertex = 0; vertex < by_low_end.size(); ++vertex)
+    match_high_ends(by_low_end[vertex], ends.high, lowest);
   return lowest;
 }
 
@@ -96,11 +116,13 @@ std::pair<Index, Index> end_corners(const MeshTopology& topology, Index corner, 
 std::vector<Index> lowest_corner_of_fan(const MeshTopology& topology) {
   DisjointSets fans(topology.corner_count());
   for (Index corner = 0; corner < topology.corner_count(); ++corner) {
-    const Index other = topology.opposite(corner);
     if (topology.edge(corner) == no_index) fans.unite(corner, topology.next(corner));
-    if (other == no_index || other < corner) continue;
-    const auto [a, b] = end_corners(topology, corner, topology.vertex(corner));
-    const auto [other_a, other_b] = end_corners(topology, other, topology.vertex(corner));
+  }
+  for (Index edge = 0; edge < topology.edge_count(); ++edge) {
+    const auto corners = topology.edge_corners(edge);
+    if (corners.size() != 2) continue;
+    const auto [a, b] = end_corners(topology, corners[0], topology.vertex(corners[0]));
+    const auto [other_a, other_b] = end_corners(topology, corners[1], topology.vertex(corners[0]));
     fans.unite(a, other_a);
     fans.unite(b, other_b);
   }
@@ -131,7 +153,7 @@ MeshTopology::MeshTopology(const PolyMesh& mesh) {
   corner_face_ = faces_of_corners(face_offsets_, corner_vertex_.size());
   vertex_corners_ = group_by(corner_vertex_, mesh.vertex_count());
 
-  corner_edge_ = lowest_corner_of_edge(*this);
+  corner_edge_ = lowest_corner_of_edge(mesh);
   edge_corners_ = group_by(corner_edge_, number_by_appearance(corner_edge_, corner_edge_.size()));
 
   corner_fan_ = lowest_corner_of_fan(*this);
