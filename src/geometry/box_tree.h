@@ -25,18 +25,15 @@ class BoxTree {
   template <typename Visit>
   void visit_pairs_of_leaf(std::size_t leaf, Visit&& visit) const {
     visit_leaves(levels_.size() - 1, 0, levels_.front()[leaf], leaf,
-                 [&](std::size_t other) { join(leaf, other, visit); });
+                 [&](std::size_t other) { join(leaf, *this, other, visit); });
   }
 
-  /// Calls visit(i) for each box that overlaps this one.
+  /// Calls visit(i, j) for each box i in this leaf and each box j of the other tree that overlap.
   template <typename Visit>
-  void visit_overlapping(const PackedBox& box, Visit&& visit) const {
-    if (boxes_.empty()) return;
-    visit_leaves(levels_.size() - 1, 0, box, 0, [&](std::size_t leaf) {
-      for (std::size_t i = leaf * fan; i < end_of(leaf); ++i) {
-        if (overlap(box, boxes_[i])) visit(items_[i]);
-      }
-    });
+  void visit_pairs_between(std::size_t leaf, const BoxTree& other, Visit&& visit) const {
+    if (other.boxes_.empty()) return;
+    other.visit_leaves(other.levels_.size() - 1, 0, levels_.front()[leaf], 0,
+                       [&](std::size_t other_leaf) { join(leaf, other, other_leaf, visit); });
   }
 
  private:
@@ -57,14 +54,16 @@ class BoxTree {
 
   /// Lists first and visits then: whether boxes overlap is as good as random, and a list needs no branches.
   template <typename Visit>
-  void join(std::size_t leaf, std::size_t other, Visit&& visit) const {
+  void join(std::size_t leaf, const BoxTree& other, std::size_t other_leaf, Visit&& visit) const {
+    const bool is_same = this == &other && leaf == other_leaf;
+    const std::size_t end = other.end_of(other_leaf);
     std::array<std::array<Index, 2>, fan * fan> found;  // not initialised, that would cost more than the search
     std::size_t count = 0;
     for (std::size_t i = leaf * fan; i < end_of(leaf); ++i) {
-      if (!overlap(boxes_[i], levels_.front()[other])) continue;
-      for (std::size_t j = leaf == other ? i + 1 : other * fan; j < end_of(other); ++j) {
-        found[count] = {items_[i], items_[j]};
-        count += overlap(boxes_[i], boxes_[j]) ? 1U : 0U;
+      if (!overlap(boxes_[i], other.levels_.front()[other_leaf])) continue;
+      for (std::size_t j = is_same ? i + 1 : other_leaf * fan; j < end; ++j) {
+        found[count] = {items_[i], other.items_[j]};
+        count += overlap(boxes_[i], other.boxes_[j]) ? 1U : 0U;
       }
     }
     for (std::size_t k = 0; k < count; ++k) visit(found[k][0], found[k][1]);

@@ -206,6 +206,18 @@ class PairSearch {
   Progress& progress_;
 };
 
+void report_leaf(std::size_t leaf, const BoxTree& tree, Progress& progress) {
+  if (leaf % leaves_per_report == 0)
+    progress.report(static_cast<double>(leaf) / static_cast<double>(tree.leaf_count()));
+}
+
+std::vector<PackedBox> picked(const std::vector<PackedBox>& boxes, const std::vector<Index>& which) {
+  std::vector<PackedBox> result;
+  result.reserve(which.size());
+  for (const Index i : which) result.push_back(boxes[i]);
+  return result;
+}
+
 }  // namespace
 
 SelfIntersections find_self_intersections(const PolyMesh& mesh, Progress& progress,
@@ -217,8 +229,7 @@ SelfIntersections find_self_intersections(const PolyMesh& mesh, Progress& progre
   const BoxTree tree(fans.boxes());
   PairSearch search(fans, options.max_pairs, progress);
   for (std::size_t leaf = 0; leaf < tree.leaf_count(); ++leaf) {
-    if (leaf % leaves_per_report == 0)
-      progress.report(static_cast<double>(leaf) / static_cast<double>(tree.leaf_count()));
+    report_leaf(leaf, tree, progress);
     tree.visit_pairs_of_leaf(leaf, search);
   }
   return search.finish();
@@ -230,18 +241,18 @@ SelfIntersections find_intersections_of(const PolyMesh& mesh, std::span<const In
   progress.check();
   const TouchedCells cells(mesh, faces);
   const Fans fans(mesh, [&](Index f) { return cells.may_be_near(f); });
+  const auto is_chosen = [&](Index t) { return std::binary_search(faces.begin(), faces.end(), fans.face(t)); };
+  std::vector<Index> chosen;
+  std::vector<Index> others;
+  for (Index t = 0; t < fans.triangle_count(); ++t) (is_chosen(t) ? chosen : others).push_back(t);
   const std::vector<PackedBox> boxes = fans.boxes();
-  const BoxTree tree(boxes);
-  std::vector<char> is_chosen(fans.triangle_count());
-  for (Index t = 0; t < fans.triangle_count(); ++t)
-    is_chosen[t] = std::binary_search(faces.begin(), faces.end(), fans.face(t)) ? 1 : 0;
+  const BoxTree chosen_tree(picked(boxes, chosen));
+  const BoxTree other_tree(picked(boxes, others));
   PairSearch search(fans, options.max_pairs, progress);
-  for (Index t = 0; t < fans.triangle_count(); ++t) {
-    if (is_chosen[t] == 0) continue;
-    // A pair of chosen ones comes up from both sides.
-    tree.visit_overlapping(boxes[t], [&](Index other) {
-      if (other > t || is_chosen[other] == 0) search(t, other);
-    });
+  for (std::size_t leaf = 0; leaf < chosen_tree.leaf_count(); ++leaf) {
+    report_leaf(leaf, chosen_tree, progress);
+    chosen_tree.visit_pairs_of_leaf(leaf, [&](Index i, Index j) { search(chosen[i], chosen[j]); });
+    chosen_tree.visit_pairs_between(leaf, other_tree, [&](Index i, Index j) { search(chosen[i], others[j]); });
   }
   return search.finish();
 }
