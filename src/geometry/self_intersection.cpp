@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <utility>
 
-#include <Eigen/Geometry>
-
 #include "geometry/box_tree.h"
 #include "geometry/ranked_places.h"
 #include "geometry/require_usable.h"
+#include "geometry/touched_cells.h"
 #include "geometry/triangle_meeting.h"
 
 namespace croquis {
@@ -120,67 +119,6 @@ class PairList {
 
   std::size_t capacity_;
   SelfIntersections result_;
-};
-
-/// The cells of a coarse grid that the boxes of some faces touch: tells cheaply which other faces may be near them.
-class TouchedCells {
- public:
-  TouchedCells(const PolyMesh& mesh, std::span<const Index> faces)
-      : mesh_(mesh), touched_(cells_per_axis * cells_per_axis * cells_per_axis, false) {
-    for (const Index f : faces) bounds_.extend(box_of(f));
-    for (const Index f : faces) {
-      visit_cells(box_of(f), [&](std::size_t cell) {
-        touched_[cell] = true;
-        return false;
-      });
-    }
-  }
-
-  bool may_be_near(Index face) const {
-    const Bounds box = box_of(face);
-    return bounds_.intersects(box) && visit_cells(box, [&](std::size_t cell) { return touched_[cell]; });
-  }
-
- private:
-  using Bounds = Eigen::AlignedBox3d;
-
-  static constexpr std::size_t cells_per_axis = 64;
-
-  Bounds box_of(Index face) const {
-    Bounds box;
-    for (const Index v : mesh_.face(face)) box.extend(mesh_.positions[v]);
-    return box;
-  }
-
-  /// Monotonic in the coordinate, so that boxes which meet have a cell in common however coordinates are rounded.
-  std::size_t cell(double coordinate, Eigen::Index axis) const {
-    const double size = bounds_.sizes()[axis];
-    const double share = size > 0 ? (coordinate - bounds_.min()[axis]) / size : 0;
-    return static_cast<std::size_t>(std::clamp(share, 0.0, 1.0) * (cells_per_axis - 1));
-  }
-
-  /// Stops at the first cell for which `found` says so. @return whether there was one
-  template <typename Found>
-  bool visit_cells(const Bounds& box, Found&& found) const {
-    std::array<std::size_t, 3> low{};
-    std::array<std::size_t, 3> high{};
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      low[static_cast<std::size_t>(axis)] = cell(box.min()[axis], axis);
-      high[static_cast<std::size_t>(axis)] = cell(box.max()[axis], axis);
-    }
-    for (std::size_t x = low[0]; x <= high[0]; ++x) {
-      for (std::size_t y = low[1]; y <= high[1]; ++y) {
-        for (std::size_t z = low[2]; z <= high[2]; ++z) {
-          if (found((x * cells_per_axis + y) * cells_per_axis + z)) return true;
-        }
-      }
-    }
-    return false;
-  }
-
-  const PolyMesh& mesh_;
-  Bounds bounds_;
-  std::vector<bool> touched_;
 };
 
 /// What is done with each pair of triangles whose boxes meet.

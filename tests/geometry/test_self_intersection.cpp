@@ -383,6 +383,28 @@ TEST_CASE("a search for some faces finds the pairs of all that involve them") {
   CHECK(find_intersections_of(random_soup(1, 50), {}, progress).count == 0);
 }
 
+TEST_CASE("a search for some faces finds what reaches them from afar, at any scale and in a plane") {
+  PolyMesh mesh = triangulated(uv_sphere(12, 9));
+  const auto first = static_cast<Index>(mesh.face_count());
+  for (const double reach : {0.3, 3.0, 1e3, 1e6}) {  // needles through the sphere's side and each other
+    const auto base = static_cast<Index>(mesh.vertex_count());
+    mesh.positions.insert(mesh.positions.end(), {{0.1, 0.2, 0.01}, {reach + 1, 0.3, 0.02}, {reach + 1, 0.32, 0.5}});
+    mesh.add_triangle(base, base + 1, base + 2);
+  }
+  for (const double scale : {1.0, 1e-310, 1e-150, 1e150, 1e300}) {
+    const PolyMesh scaled_mesh = scaled(mesh, scale);
+    const Pairs all = pairs_of(scaled_mesh);
+    for (Index f = 0; f < mesh.face_count(); f += f < first ? 7 : 1) {
+      Pairs expected = all;
+      std::erase_if(expected, [&](const auto& pair) { return pair[0] != f && pair[1] != f; });
+      Progress progress;
+      const SelfIntersections found = find_intersections_of(scaled_mesh, std::array{f}, progress);
+      CHECK(Pairs(found.pairs.begin(), found.pairs.end()) == expected);
+      CHECK((f < first || !expected.empty()));
+    }
+  }
+}
+
 TEST_CASE("a search can be cancelled before and during its work") {
   std::atomic<bool> cancel{true};
   Progress before({}, &cancel);
