@@ -28,7 +28,7 @@ DomainPoints::DomainPoints(std::span<const Vec3> positions, std::span<const Vec3
       positions_(positions.begin(), positions.end()),
       normals_(normals.begin(), normals.end()),
       tree_(positions, options.threads, progress) {
-  if (options.fit.kernel != Kernel::Hermite && !normals_.empty()) make_offsets();
+  if (!takes_gradients(options.fit.kernel) && !normals_.empty()) make_offsets();
 }
 
 void DomainPoints::make_offsets() {
@@ -60,7 +60,7 @@ Constraints DomainPoints::of(const Box& box, std::size_t most) const {
   std::sort(chosen.begin(), chosen.end());
   Constraints constraints;
   for (const Index i : chosen) constraints.positions.push_back(positions_[i]);
-  if (options_.fit.kernel == Kernel::Hermite && !normals_.empty()) {
+  if (takes_gradients(options_.fit.kernel) && !normals_.empty()) {
     for (const Index i : chosen) constraints.gradients.push_back(normals_[i]);
   }
   if (first_offset_.empty()) return constraints;

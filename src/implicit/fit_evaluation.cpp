@@ -105,6 +105,29 @@ CROQUIS_PART void add_hermite(const Offsets& o, std::size_t i, const double* wei
   }
 }
 
+/// The same for r^5: r^3 (a r^2 - 5 s), and 5 (r (a r^2 - 3 s) d - r^3 b).
+template <bool with_gradients>
+CROQUIS_PART void add_quintic(const Offsets& o, std::size_t i, const double* weights, std::size_t stride, Sums& sums) {
+  Lanes x, y, z, square, radius, a, bx, by, bz;
+  load(x, o.x + i);
+  load(y, o.y + i);
+  load(z, o.z + i);
+  load(square, o.square + i);
+  load(radius, o.radius + i);
+  load(a, weights);
+  load(bx, weights + stride);
+  load(by, weights + 2 * stride);
+  load(bz, weights + 3 * stride);
+  const Lanes s = bx * x + by * y + bz * z, cube = radius * square;
+  sums.value += cube * (a * square - 5 * s);
+  if constexpr (with_gradients) {
+    const Lanes t = radius * (a * square - 3 * s);
+    sums.x += t * x - cube * bx;
+    sums.y += t * y - cube * by;
+    sums.z += t * z - cube * bz;
+  }
+}
+
 template <Kernel kernel, bool with_gradients>
 CROQUIS_PART void evaluate_point(const FitColumns& fit, const Vec3& point, double& value, Vec3* gradient) {
   Offsets offsets;
@@ -116,6 +139,8 @@ CROQUIS_PART void evaluate_point(const FitColumns& fit, const Vec3& point, doubl
     for (std::size_t i = 0; i < count; i += lane_count) {
       if constexpr (kernel == Kernel::Hermite) {
         add_hermite<with_gradients>(offsets, i, weights + i, fit.stride, sums);
+      } else if constexpr (kernel == Kernel::HermiteQuintic) {
+        add_quintic<with_gradients>(offsets, i, weights + i, fit.stride, sums);
       } else {
         Lanes a;
         load(a, weights + i);
@@ -126,7 +151,7 @@ CROQUIS_PART void evaluate_point(const FitColumns& fit, const Vec3& point, doubl
   value = sum(sums.value);
   if constexpr (with_gradients) {
     *gradient = Vec3(sum(sums.x), sum(sums.y), sum(sums.z));
-    if constexpr (kernel == Kernel::Hermite) *gradient *= 3;
+    if constexpr (takes_gradients(kernel)) *gradient *= kernel == Kernel::Hermite ? 3 : 5;
   }
 }
 
@@ -145,6 +170,11 @@ CROQUIS_PART void evaluate_points(const FitColumns& fit, std::span<const Vec3> p
 CROQUIS_FOR_EVERY_MACHINE void evaluate_hermite(const FitColumns& fit, std::span<const Vec3> points,
                                                 std::span<double> values, std::span<Vec3> gradients) {
   evaluate_points<Kernel::Hermite>(fit, points, values, gradients);
+}
+
+CROQUIS_FOR_EVERY_MACHINE void evaluate_quintic(const FitColumns& fit, std::span<const Vec3> points,
+                                                std::span<double> values, std::span<Vec3> gradients) {
+  evaluate_points<Kernel::HermiteQuintic>(fit, points, values, gradients);
 }
 
 CROQUIS_FOR_EVERY_MACHINE void evaluate_triharmonic(const FitColumns& fit, std::span<const Vec3> points,
@@ -168,6 +198,7 @@ void evaluate_columns(const FitColumns& fit, std::span<const Vec3> points, std::
                       std::span<Vec3> gradients) {
   switch (fit.kernel) {
     case Kernel::Hermite: return evaluate_hermite(fit, points, values, gradients);
+    case Kernel::HermiteQuintic: return evaluate_quintic(fit, points, values, gradients);
     case Kernel::Triharmonic: return evaluate_triharmonic(fit, points, values, gradients);
     case Kernel::Biharmonic: return evaluate_biharmonic(fit, points, values, gradients);
     case Kernel::ThinPlate: return evaluate_thin_plate(fit, points, values, gradients);

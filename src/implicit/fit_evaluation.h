@@ -8,7 +8,8 @@
 
 namespace croquis::implicit {
 
-/// Centres and weights of a fit in its unit box, column behind column: x, y, z, a and for Kernel::Hermite bx, by, bz.
+/// Centres and weights of a fit in its unit box, column behind column: x, y, z, a and for kernels with
+/// gradients bx, by, bz.
 struct FitColumns {
   Kernel kernel;
   const double* columns;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "implicit/fit_system.h"
 
+#include <array>
 #include <cmath>
 
 namespace croquis::implicit {
@@ -21,7 +22,7 @@ std::vector<std::size_t> number_unknowns(const UnitCentres& centres) {
 
 /// The block of two centres with gradients, d from the second to the first:
 /// [phi, -grad phi'; grad phi, -Hess phi] with phi = r^3, grad phi = 3 r d, Hess phi = 3 (r I + d d'/r).
-Eigen::Matrix4d hermite_block(const Vec3& d) {
+Eigen::Matrix4d cubic_block(const Vec3& d) {
   Eigen::Matrix4d block = Eigen::Matrix4d::Zero();
   const double squared = d.squaredNorm();
   const double r = std::sqrt(squared);
@@ -34,13 +35,28 @@ Eigen::Matrix4d hermite_block(const Vec3& d) {
   return block;
 }
 
-void fill_hermite(const UnitCentres& centres, FitSystem& system) {
+/// The same times -1, r^5's sign: phi = r^5, grad phi = 5 r^3 d, Hess phi = 5 (r^3 I + 3 r d d').
+Eigen::Matrix4d quintic_block(const Vec3& d) {
+  Eigen::Matrix4d block;
+  const double squared = d.squaredNorm();
+  const double r = std::sqrt(squared);
+  const double cube = r * squared;
+  block(0, 0) = -cube * squared;
+  block.topRightCorner<1, 3>() = 5 * cube * d.transpose();
+  block.bottomLeftCorner<3, 1>() = -5 * cube * d;
+  block.bottomRightCorner<3, 3>() = (15 * r) * (d * d.transpose());
+  block.diagonal().tail<3>().array() += 5 * cube;
+  return block;
+}
+
+void fill_hermite(const UnitCentres& centres, Kernel kernel, FitSystem& system) {
   const std::size_t count = centres.positions.size();
   for (std::size_t j = 0; j < count; ++j) {
     const Index column = at(system.first[j]);
     const Index columns = at(system.first[j + 1]) - column;
     for (std::size_t i = j; i < count; ++i) {
-      const Eigen::Matrix4d block = hermite_block(centres.positions[i] - centres.positions[j]);
+      const Vec3 d = centres.positions[i] - centres.positions[j];
+      const Eigen::Matrix4d block = kernel == Kernel::Hermite ? cubic_block(d) : quintic_block(d);
       const Index row = at(system.first[i]);
       const Index rows = at(system.first[i + 1]) - row;
       if (rows == 4 && columns == 4) {
@@ -67,23 +83,36 @@ void fill_values(const UnitCentres& centres, Kernel kernel, FitSystem& system) {
 
 /// Smoothing has the kernel's sign, so that the system times that sign only gains on the diagonal.
 void add_smoothing(const UnitCentres& centres, const FitOptions& options, FitSystem& system) {
-  const double on_values = options.value_smoothing * std::pow(centres.spacing, traits(options.kernel).degree);
-  const double on_gradients = options.gradient_smoothing * centres.spacing;
+  const int degree = traits(options.kernel).degree;
+  const double on_values = options.value_smoothing * std::pow(centres.spacing, degree);
+  const double on_gradients = options.gradient_smoothing * std::pow(centres.spacing, degree - 2);
   for (std::size_t c = 0; c < centres.positions.size(); ++c) {
     for (std::size_t k = system.first[c]; k < system.first[c + 1]; ++k)
       system.a(at(k), at(k)) += centres.softness[c] * (k == system.first[c] ? on_values : on_gradients);
   }
 }
 
-void fill_sides(const UnitCentres& centres, FitSystem& system) {
+/// The quadratic terms x², y², z², xy, yz, zx at a centre, and their gradients.
+void fill_quadratic(const Vec3& p, Index row, bool has_gradient, Eigen::MatrixXd& q) {
+  const auto [x, y, z] = std::array{p.x(), p.y(), p.z()};
+  q.row(row).tail(6) << x * x, y * y, z * z, x * y, y * z, z * x;
+  if (!has_gradient) return;
+  q.row(row + 1).tail(6) << 2 * x, 0, 0, y, 0, z;
+  q.row(row + 2).tail(6) << 0, 2 * y, 0, x, z, 0;
+  q.row(row + 3).tail(6) << 0, 0, 2 * z, 0, y, x;
+}
+
+void fill_sides(const UnitCentres& centres, Kernel kernel, FitSystem& system) {
   const bool linear = system.first.back() > centres.positions.size() || centres.positions.size() >= least_for_linear;
-  system.q = Eigen::MatrixXd::Zero(at(system.first.back()), linear ? 4 : 1);
+  const bool quadratic = linear && traits(kernel).order == 3;
+  system.q = Eigen::MatrixXd::Zero(at(system.first.back()), quadratic ? 10 : linear ? 4 : 1);
   system.h = Eigen::VectorXd::Zero(at(system.first.back()));
   for (std::size_t c = 0; c < centres.positions.size(); ++c) {
     const Index row = at(system.first[c]);
     system.q(row, 0) = 1;
     system.h[row] = centres.values[c];
-    if (linear) system.q.row(row).tail(3) = centres.positions[c].transpose();
+    if (linear) system.q.block<1, 3>(row, 1) = centres.positions[c].transpose();
+    if (quadratic) fill_quadratic(centres.positions[c], row, centres.has_gradient(c), system.q);
     if (!centres.has_gradient(c)) continue;
     system.q.block(row + 1, 1, 3, 3).setIdentity();
     system.h.segment(row + 1, 3) = centres.gradients[c];
@@ -97,13 +126,13 @@ FitSystem assemble(const UnitCentres& centres, const FitOptions& options) {
   system.sign = traits(options.kernel).sign;
   system.first = number_unknowns(centres);
   system.a.resize(at(system.first.back()), at(system.first.back()));
-  if (options.kernel == Kernel::Hermite) {
-    fill_hermite(centres, system);
+  if (takes_gradients(options.kernel)) {
+    fill_hermite(centres, options.kernel, system);
   } else {
     fill_values(centres, options.kernel, system);
   }
   add_smoothing(centres, options, system);
-  fill_sides(centres, system);
+  fill_sides(centres, options.kernel, system);
   return system;
 }
 

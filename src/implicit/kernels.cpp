@@ -11,6 +11,7 @@ KernelTraits traits(Kernel kernel) {
   switch (kernel) {
     case Kernel::Biharmonic: return {1, -1, 1};
     case Kernel::ThinPlate: return {2, 1, 2};
+    case Kernel::HermiteQuintic: return {3, -1, 5};
     case Kernel::Hermite:
     case Kernel::Triharmonic: break;
   }
@@ -22,6 +23,7 @@ double kernel_value(Kernel kernel, const Vec3& d) {
   switch (kernel) {
     case Kernel::Biharmonic: return std::sqrt(squared);
     case Kernel::ThinPlate: return squared > 0 ? 0.5 * squared * log_of_normal(squared) : 0;
+    case Kernel::HermiteQuintic: return squared * squared * std::sqrt(squared);
     case Kernel::Hermite:
     case Kernel::Triharmonic: break;
   }
@@ -34,6 +36,7 @@ Vec3 kernel_gradient(Kernel kernel, const Vec3& d) {
   switch (kernel) {
     case Kernel::Biharmonic: return d / std::sqrt(squared);
     case Kernel::ThinPlate: return (log_of_normal(squared) + 1) * d;
+    case Kernel::HermiteQuintic: return 5 * squared * std::sqrt(squared) * d;
     case Kernel::Hermite:
     case Kernel::Triharmonic: break;
   }
@@ -49,6 +52,7 @@ Eigen::Matrix3d kernel_hessian(Kernel kernel, const Vec3& d) {
   switch (kernel) {
     case Kernel::Biharmonic: return (Matrix3d::Identity() - outer) / r;
     case Kernel::ThinPlate: return (log_of_normal(squared) + 1) * Matrix3d::Identity() + 2 * outer;
+    case Kernel::HermiteQuintic: return 5 * squared * r * (Matrix3d::Identity() + 3 * outer);
     case Kernel::Hermite:
     case Kernel::Triharmonic: break;
   }

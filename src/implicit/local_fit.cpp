@@ -15,7 +15,14 @@ namespace {
 
 constexpr std::size_t batch = 64;  // points whose scaled copies are kept at once
 
-std::size_t column_count(Kernel kernel) { return kernel == Kernel::Hermite ? 7 : 4; }
+std::size_t column_count(Kernel kernel) { return takes_gradients(kernel) ? 7 : 4; }
+
+/// Second derivatives of c0 x² + c1 y² + c2 z² + c3 xy + c4 yz + c5 zx.
+Eigen::Matrix3d bend_of(const Eigen::Matrix<double, 6, 1>& c) {
+  Eigen::Matrix3d bend;
+  bend << 2 * c[0], c[3], c[5], c[3], 2 * c[1], c[4], c[5], c[4], 2 * c[2];
+  return bend;
+}
 
 }  // namespace
 
@@ -25,7 +32,9 @@ LocalFit::LocalFit(const Constraints& constraints, const FitOptions& options) : 
   const ConstrainedWeights solved = solve_constrained(system.a, system.q, system.h);
   middle_ = centres.middle;
   size_ = centres.size;
-  polynomial_.head(solved.coefficients.size()) = solved.coefficients;
+  const Eigen::Index terms = std::min<Eigen::Index>(4, solved.coefficients.size());
+  polynomial_.head(terms) = solved.coefficients.head(terms);
+  if (solved.coefficients.size() > terms) bend_ = bend_of(solved.coefficients.tail<6>());
   report_.centres = centres.positions.size();
   report_.unknowns = system.first.back();
   report_.merged = centres.merged;
@@ -49,9 +58,9 @@ void LocalFit::evaluate(std::span<const Vec3> points, std::span<double> values, 
     const auto part = gradients.empty() ? gradients : gradients.subspan(begin, count);
     evaluate_columns({kernel_, columns_.data(), stride_}, {scaled.data(), count}, values.subspan(begin, count), part);
     for (std::size_t i = 0; i < count; ++i) {
-      const Vec3 linear = polynomial_.tail<3>();
-      values[begin + i] = size_ * (values[begin + i] + (polynomial_[0] + linear.dot(scaled[i])));
-      if (!part.empty()) part[i] += linear;
+      const Vec3 linear = polynomial_.tail<3>(), bend = bend_ * scaled[i];
+      values[begin + i] = size_ * (values[begin + i] + (polynomial_[0] + Vec3(linear + 0.5 * bend).dot(scaled[i])));
+      if (!part.empty()) part[i] += linear + bend;
     }
   }
 }
@@ -81,7 +90,7 @@ std::span<const double> LocalFit::value_weights() const { return {columns_.data(
 
 std::vector<Vec3> LocalFit::gradient_weights() const {
   std::vector<Vec3> weights;
-  if (kernel_ != Kernel::Hermite) return weights;
+  if (!takes_gradients(kernel_)) return weights;
   const double* b = columns_.data() + 4 * stride_;
   for (std::size_t c = 0; c < report_.centres; ++c) weights.emplace_back(b[c], b[stride_ + c], b[2 * stride_ + c]);
   return weights;

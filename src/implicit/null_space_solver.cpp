@@ -22,25 +22,34 @@ constexpr double flat = 1e-9;
 // Of the largest diagonal entry: a smaller pivot is rounding.
 constexpr double least_pivot = 1e-14;
 
-constexpr std::size_t width = 4;  // columns of Q, missing ones 0
+constexpr Index width = 4;  // reflectors that are applied at once, missing ones 0
 
-/// The first reflectors of a QR decomposition as H = I - V T V'.
+/// Some reflectors of a QR decomposition as H = I - V T V'.
 struct Reflectors {
   MatrixXd v;  // n by 4, padded with 0
   MatrixXd t;  // 4 by 4, upper triangular
 };
 
-Reflectors reflectors_of(const Eigen::ColPivHouseholderQR<MatrixXd>& qr, Index rank) {
+/// Those from `first` on, `width` at most.
+Reflectors reflectors_from(const Eigen::ColPivHouseholderQR<MatrixXd>& qr, Index first, Index rank) {
   const Index n = qr.rows();
   Reflectors h = {MatrixXd::Zero(n, width), MatrixXd::Zero(width, width)};
-  for (Index k = 0; k < rank; ++k) {
-    const double tau = qr.hCoeffs()[k];
-    h.v(k, k) = 1;
-    h.v.col(k).tail(n - k - 1) = qr.matrixQR().col(k).tail(n - k - 1);
+  for (Index k = 0; k < std::min(width, rank - first); ++k) {
+    const Index row = first + k;
+    const double tau = qr.hCoeffs()[row];
+    h.v(row, k) = 1;
+    h.v.col(k).tail(n - row - 1) = qr.matrixQR().col(row).tail(n - row - 1);
     h.t.col(k).head(k) = -tau * (h.t.topLeftCorner(k, k) * (h.v.leftCols(k).transpose() * h.v.col(k)));
     h.t(k, k) = tau;
   }
   return h;
+}
+
+/// H = H1 H2 ...
+std::vector<Reflectors> reflectors_of(const Eigen::ColPivHouseholderQR<MatrixXd>& qr, Index rank) {
+  std::vector<Reflectors> blocks;
+  for (Index first = 0; first < rank; first += width) blocks.push_back(reflectors_from(qr, first, rank));
+  return blocks;
 }
 
 /// y = A v for four columns at once; A is read column by column.
@@ -87,17 +96,34 @@ VectorXd reflected(const Reflectors& h, const VectorXd& x, bool transposed) {
   return x - h.v * (h.t * inner);
 }
 
-/// The whole matrix again, which the fast way has spoilt above the diagonal in nothing.
+/// The whole matrix again: one block of reflectors has spoilt nothing above the diagonal.
 void mirror_upper_triangle(MatrixXd& a) {
   for (Index j = 0; j < a.cols(); ++j)
     for (Index i = j + 1; i < a.rows(); ++i) a(i, j) = a(j, i);
 }
 
-ConstrainedWeights solve_whole(MatrixXd& a, const VectorXd& diagonal, const MatrixXd& q, const VectorXd& h, int rank) {
+void mirror_lower_triangle(MatrixXd& a) {
+  for (Index j = 0; j < a.cols(); ++j)
+    for (Index i = 0; i < j; ++i) a(i, j) = a(j, i);
+}
+
+/// The lower triangle of H'AH.
+void reflect_both_sides(MatrixXd& a, const std::vector<Reflectors>& blocks) {
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    if (i > 0) mirror_lower_triangle(a);
+    reflect_both_sides(a, blocks[i]);
+  }
+}
+
+VectorXd reflected(const std::vector<Reflectors>& blocks, VectorXd x, bool transposed) {
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    x = reflected(blocks[transposed ? i : blocks.size() - 1 - i], x, transposed);
+  return x;
+}
+
+ConstrainedWeights solve_whole(const MatrixXd& a, const MatrixXd& q, const VectorXd& h, int rank) {
   const Index n = a.rows();
   const Index k = q.cols();
-  mirror_upper_triangle(a);
-  a.diagonal() = diagonal;
   MatrixXd whole = MatrixXd::Zero(n + k, n + k);
   whole << a, q, q.transpose(), MatrixXd::Zero(k, k);
   VectorXd right = VectorXd::Zero(n + k);
@@ -114,8 +140,9 @@ ConstrainedWeights solve_constrained(MatrixXd& a, const MatrixXd& q, const Vecto
   qr.setThreshold(flat);
   qr.compute(q);
   const Index rank = qr.rank();
-  const Reflectors reflectors = reflectors_of(qr, rank);
+  const std::vector<Reflectors> reflectors = reflectors_of(qr, rank);
   const VectorXd diagonal = a.diagonal();
+  const MatrixXd original = reflectors.size() > 1 ? a : MatrixXd();  // else its upper triangle stays
   reflect_both_sides(a, reflectors);
 
   const VectorXd right = reflected(reflectors, h, true);
@@ -125,8 +152,12 @@ ConstrainedWeights solve_constrained(MatrixXd& a, const MatrixXd& q, const Vecto
   const auto count = static_cast<std::size_t>(n - rank);
   const auto stride = static_cast<std::size_t>(n);
   double* corner = a.data() + rank * (n + 1);
-  if (count > 0 && !factor_cholesky(corner, count, stride, least_pivot * largest))
-    return solve_whole(a, diagonal, q, h, static_cast<int>(rank));
+  if (count > 0 && !factor_cholesky(corner, count, stride, least_pivot * largest)) {
+    if (original.size() > 0) return solve_whole(original, q, h, static_cast<int>(rank));
+    mirror_upper_triangle(a);
+    a.diagonal() = diagonal;
+    return solve_whole(a, q, h, static_cast<int>(rank));
+  }
   solve_cholesky(corner, count, stride, free.data());
 
   ConstrainedWeights result;

@@ -20,7 +20,7 @@ struct ConstrainedWeights {
 ///
 /// n^3/3 multiplications; where that breaks down, the whole system by a rank-revealing method, about ten times as dear.
 /// @param a n by n, symmetric, both triangles; overwritten
-/// @param q n by k, k <= 4, n >= 1
+/// @param q n by k, k small, n >= 1
 ConstrainedWeights solve_constrained(Eigen::MatrixXd& a, const Eigen::MatrixXd& q, const Eigen::VectorXd& h);
 
 }  // namespace croquis::implicit

@@ -67,7 +67,7 @@ UnitCentres unit_centres(const Constraints& constraints, const FitOptions& optio
   for (const std::size_t i : distinct(scaled, duplicate_distance)) {
     centres.positions.push_back(scaled[i]);
     centres.values.push_back(constraints.values.empty() ? 0 : constraints.values[i] / centres.size);
-    const bool directed = options.kernel == Kernel::Hermite && !constraints.gradients.empty();
+    const bool directed = takes_gradients(options.kernel) && !constraints.gradients.empty();
     centres.gradients.push_back(directed ? constraints.gradients[i] : Vec3(Vec3::Zero()));
     centres.softness.push_back(constraints.softness.empty() ? 1 : constraints.softness[i]);
   }

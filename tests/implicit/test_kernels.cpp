@@ -12,7 +12,8 @@
 namespace croquis::implicit {
 namespace {
 
-constexpr std::array all_kernels = {Kernel::Hermite, Kernel::Triharmonic, Kernel::Biharmonic, Kernel::ThinPlate};
+constexpr std::array all_kernels = {Kernel::Hermite, Kernel::Triharmonic, Kernel::Biharmonic, Kernel::ThinPlate,
+                                    Kernel::HermiteQuintic};
 
 Vec3 random_offset(test::Random& random, double reach) {
   return {random.between(-reach, reach), random.between(-reach, reach), random.between(-reach, reach)};
@@ -41,6 +42,7 @@ TEST_CASE("values of the kernels at known radii") {
   const Vec3 two(0, 2, 0);
   CHECK(kernel_value(Kernel::Hermite, two) == 8);
   CHECK(kernel_value(Kernel::Triharmonic, two) == 8);
+  CHECK(kernel_value(Kernel::HermiteQuintic, two) == 32);
   CHECK(kernel_value(Kernel::Biharmonic, two) == 2);
   CHECK(kernel_value(Kernel::ThinPlate, two) == Approx(4 * std::log(2.0)).epsilon(1e-15));
   for (const Kernel kernel : all_kernels) {
@@ -54,17 +56,21 @@ TEST_CASE("every kernel is definite, with its sign, where polynomials of its ord
   test::Random random(2);
   for (const Kernel kernel : all_kernels) {
     const KernelTraits known = traits(kernel);
-    const int count = 12;
+    const int count = 20;
     std::vector<Vec3> centres(count);
     for (Vec3& centre : centres) centre = random_offset(random, 1);
     Eigen::MatrixXd phi(count, count);
-    Eigen::MatrixXd sides(count, known.order == 1 ? 1 : 4);
+    Eigen::MatrixXd sides(count, known.order == 1 ? 1 : known.order == 2 ? 4 : 10);
     for (int i = 0; i < count; ++i) {
       for (int j = 0; j < count; ++j)
         phi(i, j) = known.sign *
                     kernel_value(kernel, centres[static_cast<std::size_t>(i)] - centres[static_cast<std::size_t>(j)]);
       sides(i, 0) = 1;
-      if (known.order == 2) sides.row(i).tail(3) = centres[static_cast<std::size_t>(i)].transpose();
+      const Vec3& p = centres[static_cast<std::size_t>(i)];
+      if (known.order > 1) sides.block<1, 3>(i, 1) = p.transpose();
+      if (known.order > 2)
+        sides.row(i).tail(6) << p.x() * p.x(), p.y() * p.y(), p.z() * p.z(), p.x() * p.y(), p.y() * p.z(),
+            p.z() * p.x();
     }
     const Eigen::MatrixXd q = Eigen::HouseholderQR<Eigen::MatrixXd>(sides).householderQ();
     const Eigen::MatrixXd null_space = q.rightCols(count - sides.cols());

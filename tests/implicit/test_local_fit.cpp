@@ -157,6 +157,51 @@ TEST_CASE("points at one place are merged and counted") {
   }
 }
 
+/// Any quadratic, and its gradient.
+double quadratic(const Vec3& p) { return p.x() * p.x() - 2 * p.y() * p.z() + 3 * p.z() * p.z() + p.x() * p.z() - 1; }
+Vec3 slope_of_quadratic(const Vec3& p) { return {2 * p.x() + p.z(), -2 * p.z(), -2 * p.y() + 6 * p.z() + p.x()}; }
+
+TEST_CASE("values and gradients of a quadratic give it everywhere by the quintic kernel, without any weight") {
+  for (const FitOptions& options : {exact(Kernel::HermiteQuintic), FitOptions{Kernel::HermiteQuintic, 1, 1000, 0}}) {
+    Constraints data;
+    data.positions = random_points(30, 5);
+    for (const Vec3& p : data.positions) {
+      data.values.push_back(quadratic(p));
+      data.gradients.push_back(slope_of_quadratic(p));
+    }
+    const LocalFit fit(data, options);
+    CHECK_FALSE(fit.report().rank_revealing);
+    CHECK(fit.report().polynomial_rank == 10);
+    for (const double weight : fit.value_weights()) CHECK(std::abs(weight) < 1e-7);
+    for (const Vec3& p : random_points(50, 6)) {
+      CHECK(std::abs(fit.value(3 * p) - quadratic(3 * p)) < 1e-7);
+      CHECK((fit.gradient(3 * p) - slope_of_quadratic(3 * p)).norm() < 1e-7);
+    }
+  }
+}
+
+TEST_CASE("the quintic kernel interpolates values and normals, and its gradients agree with finite differences") {
+  Constraints data = ellipsoid_points(120, Vec3(3, 2, 1));
+  Random random(21);
+  for (std::size_t i = 0; i < data.size(); ++i) data.values.push_back(0.1 * random.between(-1, 1));
+  data.gradients[7] = Vec3::Zero();  // unknown
+  const LocalFit fit(data, exact(Kernel::HermiteQuintic));
+  CHECK_FALSE(fit.report().rank_revealing);
+  for (std::size_t i = 0; i < data.size(); ++i) {
+    CHECK(std::abs(fit.value(data.positions[i]) - data.values[i]) < 1e-7);
+    if (i != 7) CHECK((fit.gradient(data.positions[i]) - data.gradients[i]).norm() < 1e-6);
+  }
+  for (const Vec3& unit : random_points(50, 9)) {
+    const Vec3 p = 3 * unit, gradient = fit.gradient(p);
+    Vec3 slopes;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vec3 aside = 1e-5 * Vec3::Unit(axis);
+      slopes[axis] = (fit.value(p + aside) - fit.value(p - aside)) / 2e-5;
+    }
+    CHECK((slopes - gradient).norm() < 1e-5 * gradient.norm());
+  }
+}
+
 TEST_CASE("fewer than four centres without normals have a constant term alone") {
   for (const Kernel kernel : all_kernels) {
     for (std::size_t count = 1; count <= 3; ++count) {

@@ -9,18 +9,22 @@ namespace croquis::implicit {
 
 /// Basis functions phi(r), r the distance of a centre.
 enum class Kernel {
-  Hermite,      ///< r^3 with values and gradients (4 unknowns per centre): needs no points off the surface. Default
-  Triharmonic,  ///< r^3, values alone; twice differentiable
-  Biharmonic,   ///< r, values alone; its gradient jumps at the centres (Carr et al. 2001)
-  ThinPlate     ///< r^2 log r, values alone, phi(0) = 0 (Yoo 2005, eq. 2): the plane's thin plate, here for comparison
+  Hermite,        ///< r^3 with values and gradients (4 unknowns per centre): needs no points off the surface. Default
+  Triharmonic,    ///< r^3, values alone; twice differentiable
+  Biharmonic,     ///< r, values alone; its gradient jumps at the centres (Carr et al. 2001)
+  ThinPlate,      ///< r^2 log r, values alone, phi(0) = 0 (Yoo 2005, eq. 2): the plane's thin plate, for comparison
+  HermiteQuintic  ///< r^5 with values and gradients, quadratic polynomials: continues curvature, strays farther off
 };
+
+/// Whether a fit by it takes gradients, and thus needs no points off the surface.
+constexpr bool takes_gradients(Kernel kernel) { return kernel == Kernel::Hermite || kernel == Kernel::HermiteQuintic; }
 
 /// What solvability needs to know of a kernel.
 ///
 /// It is conditionally positive definite of order m: sign * sum_ij lambda_i lambda_j phi(|c_i - c_j|) > 0 for all
 /// lambda != 0 that annul polynomials of degree < m at distinct centres.
 struct KernelTraits {
-  int order;   ///< m: 1 constants, 2 linear polynomials
+  int order;   ///< m: 1 constants, 2 linear polynomials, 3 quadratic ones
   int sign;    ///< +1 or -1
   int degree;  ///< k: phi scales like r^k (r^2 log r up to a quadratic polynomial)
 };
@@ -29,11 +33,12 @@ KernelTraits traits(Kernel kernel);
 /// phi at the offset d = x - c, in any unit of length.
 double kernel_value(Kernel kernel, const Vec3& d);
 
-/// Gradient of phi for x: 3 r d for r^3, d/r for r (0 at the centre, where it jumps), d (2 log r + 1) for r^2 log r.
+/// Gradient of phi for x: 3 r d for r^3, 5 r^3 d for r^5, d/r for r (0 at the centre, where it jumps), d (2 log r + 1)
+/// for r^2 log r.
 Vec3 kernel_gradient(Kernel kernel, const Vec3& d);
 
-/// Second derivatives of phi for x: 3 (r I + d d'/r) for r^3, 0 at its centre. For r and r^2 log r these grow without
-/// bound towards the centre; there 0 is returned.
+/// Second derivatives of phi for x: 3 (r I + d d'/r) for r^3, 5 (r^3 I + 3 r d d') for r^5, 0 at its centre. For r and
+/// r^2 log r these grow without bound towards the centre; there 0 is returned.
 Eigen::Matrix3d kernel_hessian(Kernel kernel, const Vec3& d);
 
 /// Natural logarithm of a positive normal number, within 2 units in the last place; the same bits on every machine,

@@ -27,7 +27,7 @@ struct FitOptions {
   /// k = the kernel's degree, so that it means the same for any scale. 0 interpolates.
   double value_smoothing = 1;
 
-  /// c_g: c_g u is added to the rows of gradients. 0 interpolates.
+  /// c_g: c_g u^(k - 2) is added to the rows of gradients. 0 interpolates.
   double gradient_smoothing = 5;
 
   /// Mean distance of neighbouring points, model units; 0: measured. Only smoothing uses it.
@@ -36,15 +36,17 @@ struct FitOptions {
 
 /// How a fit came out.
 struct FitReport {
-  std::size_t centres = 0;      ///< after merging
-  std::size_t unknowns = 0;     ///< without the polynomial's
-  std::size_t merged = 0;       ///< points at the place of another (within 1e-9 of the box), left out
-  int polynomial_rank = 0;      ///< 4; 3 for centres in one plane, 1 for fewer than 4 centres without gradients
+  std::size_t centres = 0;   ///< after merging
+  std::size_t unknowns = 0;  ///< without the polynomial's
+  std::size_t merged = 0;    ///< points at the place of another (within 1e-9 of the box), left out
+  int polynomial_rank =
+      0;  ///< 4, 10 with quadratic terms; 3 for centres in one plane, 1 for fewer than 4 centres without gradients
   bool rank_revealing = false;  ///< the fast solve broke down; a complete orthogonal decomposition did it
 };
 
 /// One radial basis function f(x) = sum_j [a_j phi(x - c_j) - b_j . grad phi(x - c_j)] + p0 + p . x, fitted to one set
-/// of points (Yoo 2005, eq. 1-6; b_j = 0 but for Kernel::Hermite).
+/// of points (Yoo 2005, eq. 1-6; b_j = 0 but for Hermite kernels; p also quadratic for
+/// Kernel::HermiteQuintic).
 ///
 /// Coordinates are shifted and scaled to the unit box first: far from the origin or tiny, the digits are the same. The
 /// side conditions are met by working in their null space, where the matrix is positive definite (Cholesky, half the
@@ -53,7 +55,7 @@ struct FitReport {
 /// in the number of centres; the same bits for one point or many, on any machine.
 class LocalFit {
  public:
-  /// @param constraints at least one point; gradients are used by Kernel::Hermite alone
+  /// @param constraints at least one point; gradients are used by kernels that take them alone
   /// @throws Error (E_NO_POINTS, E_NOT_FINITE, E_COUNT, E_PARAMETER)
   LocalFit(const Constraints& constraints, const FitOptions& options);
 
@@ -73,7 +75,7 @@ class LocalFit {
   std::span<const double> value_weights() const;
   std::vector<Vec3> gradient_weights() const;
 
-  /// p0, p1, p2, p3 for model coordinates.
+  /// p0, p1, p2, p3 for model coordinates, without quadratic terms.
   Eigen::Vector4d polynomial() const;
 
  private:
@@ -84,6 +86,7 @@ class LocalFit {
   std::size_t stride_ = 0;       // centres, rounded up to whole lanes
   std::vector<double> columns_;  // x, y, z, a (, bx, by, bz), one behind the other, each stride_ long
   Eigen::Vector4d polynomial_ = Eigen::Vector4d::Zero();  // in the unit box
+  Eigen::Matrix3d bend_ = Eigen::Matrix3d::Zero();        // second derivatives of the polynomial there
 };
 
 }  // namespace croquis::implicit
