@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "croquis/base/progress.h"
 #include "croquis/hole_filling/hole_analysis.h"
 #include "croquis/hole_filling/hole_patch.h"
@@ -56,7 +58,7 @@ class PatchVerifier {
   void judge_against_each_other(std::span<const HolePatch> candidates, std::vector<PatchVerdict>& verdicts,
                                 Progress& progress);
   void make_scene();
-  void append_to_patches(const HolePatch& patch);
+  Eigen::AlignedBox3d append_to_patches(const HolePatch& patch);
   void accept(const HolePatch& patch);
 
   const PolyMesh& mesh_;
@@ -64,10 +66,11 @@ class PatchVerifier {
   Precision precision_;
   PolyMesh scene_;    ///< the view's triangles, with coordinates as written; empty before the first judgement
   PolyMesh patches_;  ///< all vertices on rims and the accepted patches, likewise
-  std::vector<Index> rim_vertices_;          ///< of the view, ascending: the first of `patches_`
-  Edges mesh_edges_;                         ///< between vertices on rims
-  Edges rim_edges_;                          ///< and those of accepted patches
-  std::unique_ptr<PatchVerifier> as_given_;  ///< judges in double precision besides, where that differs
+  std::vector<Eigen::AlignedBox3d> accepted_boxes_;  ///< of the accepted patches
+  std::vector<Index> rim_vertices_;                  ///< of the view, ascending: the first of `patches_`
+  Edges mesh_edges_;                                 ///< between vertices on rims
+  Edges rim_edges_;                                  ///< and those of accepted patches
+  std::unique_ptr<PatchVerifier> as_given_;          ///< judges in double precision besides, where that differs
 };
 
 }  // namespace croquis::hole_filling

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -15,10 +17,6 @@ namespace croquis::hole_filling {
 namespace {
 
 using Edge = std::array<Index, 2>;
-
-Index in_view(const PolyMesh& mesh, const SurfaceView& view, Index vertex) {
-  return vertex < mesh.vertex_count() ? view.representative_of(vertex) : vertex;
-}
 
 /// Rim edges as the patch must run them: against the holes' faces, by the view's vertices; sorted.
 std::vector<Edge> expected_border(const HoleAnalysis& analysis, const HolePatch& patch) {
@@ -64,30 +62,93 @@ bool is_sphere_with_holes(const LocalPatch& local, const MeshTopology& topology,
   return topology.component_count() == 1 && euler == 2 - static_cast<std::ptrdiff_t>(holes);
 }
 
-double corner_angle(const Vec3& at, const Vec3& a, const Vec3& b) {
-  return std::atan2((a - at).cross(b - at).norm(), (a - at).dot(b - at));
+double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+/// Numbers a patch's vertices: those of the view first, which are few and searched for, then the new ones.
+class LocalNumbers {
+ public:
+  LocalNumbers(const PolyMesh& mesh, const SurfaceView& view, const HolePatch& patch)
+      : mesh_(mesh), view_(view), number_of_new_(patch.points.size(), no_index) {
+    constexpr Index used = 0;
+    for (const auto& t : patch.triangles) {
+      for (const Index vertex : t) {
+        if (vertex < mesh.vertex_count())
+          vertices_.push_back(view.representative_of(vertex));
+        else
+          number_of_new_[vertex - mesh.vertex_count()] = used;
+      }
+    }
+    std::sort(vertices_.begin(), vertices_.end());
+    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+    of_view_ = std::ssize(vertices_);
+    for (Index i = 0; i < number_of_new_.size(); ++i) {
+      if (number_of_new_[i] == no_index) continue;
+      number_of_new_[i] = static_cast<Index>(vertices_.size());
+      vertices_.push_back(static_cast<Index>(mesh.vertex_count()) + i);
+    }
+  }
+
+  /// As LocalPatch has them.
+  const std::vector<Index>& vertices() const { return vertices_; }
+
+  Index operator()(Index vertex) const {
+    if (vertex >= mesh_.vertex_count()) return number_of_new_[vertex - mesh_.vertex_count()];
+    const auto end = vertices_.begin() + of_view_;
+    return static_cast<Index>(std::lower_bound(vertices_.begin(), end, view_.representative_of(vertex)) -
+                              vertices_.begin());
+  }
+
+ private:
+  const PolyMesh& mesh_;
+  const SurfaceView& view_;
+  std::vector<Index> vertices_;
+  std::ptrdiff_t of_view_ = 0;
+  std::vector<Index> number_of_new_;
+};
+
+/// The least corner angle. Angles fall as cotangents rise, so that one arc tangent does for all.
+double least_angle(const PolyMesh& mesh) {
+  double greatest = -std::numeric_limits<double>::infinity();
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto t = mesh.face(f);
+    const std::array<Vec3, 3> sides = {mesh.positions[t[1]] - mesh.positions[t[0]],
+                                       mesh.positions[t[2]] - mesh.positions[t[1]],
+                                       mesh.positions[t[0]] - mesh.positions[t[2]]};
+    const double twice_area = sides[0].cross(sides[1]).norm();
+    for (std::size_t i = 0; i < 3; ++i) greatest = std::max(greatest, -sides[i].dot(sides[(i + 1) % 3]) / twice_area);
+  }
+  return std::isinf(greatest) && greatest < 0 ? std::numbers::pi : std::atan2(1, greatest);
+}
+
+/// The patch's faces across its rims: directed edges between vertices of the view with their faces' normals, sorted.
+std::vector<std::pair<Edge, Vec3>> normals_at_rims(const PolyMesh& mesh, const LocalPatch& local) {
+  std::vector<std::pair<Edge, Vec3>> edges;
+  for (std::size_t f = 0; f < local.mesh.face_count(); ++f) {
+    const auto t = local.mesh.face(f);
+    const auto at = [&](std::size_t i) -> const Vec3& { return local.mesh.positions[t[i]]; };
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Edge edge = {local.vertices[t[i]], local.vertices[t[(i + 1) % 3]]};
+      if (std::max(edge[0], edge[1]) >= mesh.vertex_count()) continue;
+      edges.emplace_back(edge, (at(1) - at(0)).cross(at(2) - at(0)));
+    }
+  }
+  std::sort(edges.begin(), edges.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  return edges;
 }
 
 }  // namespace
 
 LocalPatch make_local(const PolyMesh& mesh, const HoleAnalysis& analysis, const HolePatch& patch, Precision precision) {
+  const LocalNumbers number(mesh, analysis.view, patch);
   LocalPatch local;
-  std::vector<std::array<Index, 3>> triangles = patch.triangles;
-  for (auto& t : triangles) {
-    for (Index& vertex : t) local.vertices.push_back(vertex = in_view(mesh, analysis.view, vertex));
-  }
-  std::sort(local.vertices.begin(), local.vertices.end());
-  local.vertices.erase(std::unique(local.vertices.begin(), local.vertices.end()), local.vertices.end());
+  local.vertices = number.vertices();
+  local.mesh.positions.reserve(local.vertices.size());
   for (const Index v : local.vertices)
     local.mesh.positions.push_back(v < mesh.vertex_count() ? mesh.positions[v] : patch.points[v - mesh.vertex_count()]);
   if (precision == Precision::Single) round_to_single(local.mesh.positions);
-  for (auto& t : triangles) {
-    for (Index& vertex : t) {
-      const auto found = std::lower_bound(local.vertices.begin(), local.vertices.end(), vertex);
-      vertex = static_cast<Index>(found - local.vertices.begin());
-    }
-    local.mesh.add_face(t);
-  }
+  local.mesh.corners.reserve(3 * patch.triangles.size());
+  local.mesh.face_offsets.reserve(patch.triangles.size() + 1);
+  for (const auto& t : patch.triangles) local.mesh.add_face(std::array{number(t[0]), number(t[1]), number(t[2])});
   return local;
 }
 
@@ -111,9 +172,10 @@ std::vector<Edge> chords_of(const PolyMesh& mesh, const HoleAnalysis& analysis, 
   std::vector<Edge> edges;
   for (const auto& t : patch.triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
+      if (std::max(t[i], t[(i + 1) % 3]) >= mesh.vertex_count()) continue;
       const auto [low, high] =
-          std::minmax({in_view(mesh, analysis.view, t[i]), in_view(mesh, analysis.view, t[(i + 1) % 3])});
-      if (high < mesh.vertex_count()) edges.push_back({low, high});
+          std::minmax({analysis.view.representative_of(t[i]), analysis.view.representative_of(t[(i + 1) % 3])});
+      edges.push_back({low, high});
     }
   }
   std::sort(edges.begin(), edges.end());
@@ -126,30 +188,19 @@ std::vector<Edge> chords_of(const PolyMesh& mesh, const HoleAnalysis& analysis, 
 
 PatchVerdict measure_patch(const PolyMesh& mesh, const HoleAnalysis& analysis, const HolePatch& patch) {
   const LocalPatch local = make_local(mesh, analysis, patch);
-  const auto normal = [](const Vec3& a, const Vec3& b, const Vec3& c) { return Vec3((b - a).cross(c - a)); };
-  std::vector<std::pair<Edge, Vec3>> border;  // every directed edge of the patch with its face's normal
+  const auto edges = normals_at_rims(mesh, local);
   PatchVerdict verdict;
-  verdict.min_angle = std::numbers::pi;
-  for (std::size_t f = 0; f < local.mesh.face_count(); ++f) {
-    const auto t = local.mesh.face(f);
-    const auto at = [&](std::size_t i) -> const Vec3& { return local.mesh.positions[t[i % 3]]; };
-    const Vec3 face_normal = normal(at(0), at(1), at(2));
-    for (std::size_t i = 0; i < 3; ++i) {
-      verdict.min_angle = std::min(verdict.min_angle, corner_angle(at(i), at(i + 1), at(i + 2)));
-      border.emplace_back(Edge{local.vertices[t[i]], local.vertices[t[(i + 1) % 3]]}, face_normal);
-    }
-  }
-  const auto by_edge = [](const auto& a, const auto& b) { return a.first < b.first; };
-  std::sort(border.begin(), border.end(), by_edge);
+  verdict.min_angle = least_angle(local.mesh);
   const SurfaceView& view = analysis.view;
   for (const Index id : patch.holes) {
     for (const Index corner : analysis.holes[id].corners) {
       const Edge across = {view.target(corner), view.origin(corner)};
-      const auto found = std::lower_bound(border.begin(), border.end(), std::pair(across, Vec3()), by_edge);
-      if (found == border.end() || found->first != across) continue;
+      const auto found = std::ranges::lower_bound(edges, across, {}, [](const auto& edge) { return edge.first; });
+      if (found == edges.end() || found->first != across) continue;
       const auto& t = view.triangles[corner / 3];
-      const Vec3 own = normal(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
-      verdict.max_normal_jump = std::max(verdict.max_normal_jump, corner_angle(Vec3::Zero(), own, found->second));
+      const Vec3& a = mesh.positions[t[0]];
+      const Vec3 own = (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
+      verdict.max_normal_jump = std::max(verdict.max_normal_jump, angle_between(own, found->second));
     }
   }
   return verdict;

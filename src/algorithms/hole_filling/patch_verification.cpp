@@ -31,7 +31,42 @@ struct AddedFaces {
     std::iota(all.begin(), all.end(), first);
     return all;
   }
+
+  std::vector<Index> faces_of(const std::vector<bool>& is_wanted) const {
+    std::vector<Index> wanted;
+    for (std::size_t i = 0; i < candidate.size(); ++i) {
+      if (is_wanted[candidate[i]]) wanted.push_back(first + static_cast<Index>(i));
+    }
+    return wanted;
+  }
 };
+
+using Box = Eigen::AlignedBox3d;
+
+Box box_of(const PolyMesh& scene, std::size_t first_face, std::size_t end_face) {
+  Box box;
+  for (std::size_t f = first_face; f < end_face; ++f) {
+    for (const Index vertex : scene.face(f)) box.extend(scene.positions[vertex]);
+  }
+  return box;
+}
+
+/// Which boxes meet another one: a sweep along x.
+std::vector<bool> meet_others(const std::vector<Box>& boxes) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (!boxes[i].isEmpty()) order.push_back(i);
+  }
+  const auto low = [&](std::size_t i) { return boxes[i].min().x(); };
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return low(a) < low(b); });
+  std::vector<bool> result(boxes.size(), false);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    for (std::size_t j = i + 1; j < order.size() && low(order[j]) <= boxes[order[i]].max().x(); ++j) {
+      if (boxes[order[i]].intersects(boxes[order[j]])) result[order[i]] = result[order[j]] = true;
+    }
+  }
+  return result;
+}
 
 /// @param known tells the scene's number of a vertex of the mesh
 template <typename Known>
@@ -197,12 +232,14 @@ void PatchVerifier::make_scene() {
   for (const auto& t : analysis_.view.triangles) scene_.add_face(t);
 }
 
-void PatchVerifier::append_to_patches(const HolePatch& patch) {
+Eigen::AlignedBox3d PatchVerifier::append_to_patches(const HolePatch& patch) {
+  const std::size_t first = patches_.face_count();
   append_patch(patches_, mesh_.vertex_count(), patch, [&](Index vertex) {
     const Index representative = analysis_.view.representative_of(vertex);
     const auto found = std::lower_bound(rim_vertices_.begin(), rim_vertices_.end(), representative);
     return static_cast<Index>(found - rim_vertices_.begin());
   });
+  return box_of(patches_, first, patches_.face_count());
 }
 
 void PatchVerifier::judge_against_each_other(std::span<const HolePatch> candidates, std::vector<PatchVerdict>& verdicts,
@@ -212,21 +249,25 @@ void PatchVerifier::judge_against_each_other(std::span<const HolePatch> candidat
   while (!is_complete) {
     restore.now();
     AddedFaces added{static_cast<Index>(patches_.face_count()), {}};
+    std::vector<Box> boxes(candidates.size());
     for (Index i = 0; i < candidates.size(); ++i) {
       if (!verdicts[i].is_sound()) continue;
-      append_to_patches(candidates[i]);
+      boxes[i] = append_to_patches(candidates[i]);
       added.candidate.insert(added.candidate.end(), candidates[i].triangles.size(), i);
     }
-    if (added.candidate.empty()) return;
-    const auto found = find_intersections_of(patches_, added.faces(), progress, {.max_pairs = most_pairs});
+    // What else meets themselves was seen against the mesh: those apart from all others need no second look.
+    boxes.insert(boxes.end(), accepted_boxes_.begin(), accepted_boxes_.end());
+    const std::vector<Index> faces = added.faces_of(meet_others(boxes));
+    if (faces.empty()) return;
+    const auto found = find_intersections_of(patches_, faces, progress, {.max_pairs = most_pairs});
     condemn_later(found.pairs, added, verdicts);
     is_complete = found.count <= found.pairs.size();
   }
 }
 
 void PatchVerifier::accept(const HolePatch& patch) {
-  if (as_given_) as_given_->append_to_patches(patch);
-  append_to_patches(patch);
+  if (as_given_) as_given_->accepted_boxes_.push_back(as_given_->append_to_patches(patch));
+  accepted_boxes_.push_back(append_to_patches(patch));
   const auto chords = chords_of(mesh_, analysis_, patch);
   const auto known = std::ssize(rim_edges_);
   rim_edges_.insert(rim_edges_.end(), chords.begin(), chords.end());
