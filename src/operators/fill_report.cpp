@@ -32,7 +32,8 @@ Report hole_entry(const Hole& hole, const HoleOutcome& outcome) {
       .set("action", to_string(outcome.action))
       .set("method", text_or_null(outcome.method))
       .set("reason", text_or_null(outcome.reason))
-      .set("max_normal_jump", has_patch ? Report(outcome.max_normal_jump * degrees) : Report())
+      .set("max_normal_jump",
+           has_patch && !std::isnan(outcome.max_normal_jump) ? Report(outcome.max_normal_jump * degrees) : Report())
       .set("confidence", has_patch ? Report(outcome.confidence) : Report())
       .set("at", triple(hole.centre))
       .set("normal", triple(hole.normal))

@@ -52,7 +52,8 @@ enum class FillAction {
   Failed  ///< chosen, but no method made a sound patch: still open
 };
 
-/// What happened to one hole; its measures are in the analysis. Angles in radians.
+/// What happened to one hole; its measures are in the analysis. Angles in radians, NaN where a model made anew has no
+/// face of its own there.
 struct HoleOutcome {
   FillAction action = FillAction::Leave;
   std::string method;          ///< of the patch taken, empty without one

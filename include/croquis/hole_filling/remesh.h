@@ -46,6 +46,7 @@ struct RemeshChecks {
   std::size_t failed_loops = 0;        ///< of these, the ones where no rim was left open on purpose
   std::size_t repaired_loops = 0;      ///< openings of the field that were closed by patches
   std::size_t self_intersections = 0;  ///< pairs of faces
+  std::size_t piece_crossings = 0;     ///< of these, the ones of different pieces
   std::size_t lost_points = 0;         ///< vertices given that no new one is within 1.25 cells of
   bool manifold = false;               ///< no edge of more than two faces, no vertex of more than one fan
 };

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "algorithms/hole_filling/remesh_attributes.h"
@@ -17,6 +19,7 @@
 #include "algorithms/hole_filling/remesh_pieces.h"
 #include "algorithms/hole_filling/remesh_plan.h"
 #include "algorithms/hole_filling/remesh_points.h"
+#include "algorithms/hole_filling/remesh_topology.h"
 #include "algorithms/hole_filling/remesh_trimming.h"
 #include "croquis/implicit/marching_cubes.h"
 
@@ -33,12 +36,30 @@ constexpr int farthest_seeds = 2;       // cubes around a point that are looked 
 constexpr double lost_beyond = 1.25;    // × cell: a surface has vertices at less than one cell of any of its points
 constexpr const char* patch_channel = "patch_id";
 
+constexpr double runs_away_beyond = 0.4;  // × diagonal: no continuation of a surface leads so far out of its box
+constexpr int retries = 2;             // of pieces that come out torn or grown together, each with cells of half size
+constexpr double retry_overlap = 0.6;  // domains of thin walls have to see both sides, and much of them
+constexpr std::size_t retry_points = 100;
+constexpr double few_lost = 0.001;     // of the points of a piece: not worth four times the triangles
+constexpr double retry_bytes = 1.5e9;  // for the triangles of one retry, when no limit is given
+
 /// What came out for one piece.
 struct PieceSurface {
   PolyMesh mesh;
   Openings openings;
-  std::size_t repaired = 0;
+  PatchedHoles patched;
+  implicit::DomainReport domains;
+  SurfaceTopology topology;
+  std::vector<Index> lost;  ///< points without a surface
   std::size_t cuts = 0;
+  bool runs_away = false;
+};
+
+/// How one piece is tried.
+struct Trial {
+  RemeshOptions options;
+  double cell = 0;  ///< model units
+  RemeshPoints points;
 };
 
 class Remeshing {
@@ -54,10 +75,9 @@ class Remeshing {
     Progress preparing = progress.step("normals", 0.04);
     prepare(preparing);
     Progress making = progress.step("make pieces", 0.8);
-    for (const RemeshPiece& piece : pieces_.pieces) {
-      const double share = static_cast<double>(piece.triangles.size()) / static_cast<double>(view().triangles.size());
-      Progress part = making.step("make pieces", share);
-      make_piece(piece, part);
+    for (std::size_t p = 0; p < pieces_.pieces.size(); ++p) {
+      Progress part = making.step("make pieces", share_of(pieces_.pieces[p]));
+      make_piece(p, part);
     }
     Progress finishing = progress.step("verify", 0.1);
     finish(finishing);
@@ -68,6 +88,9 @@ class Remeshing {
  private:
   const SurfaceView& view() const { return result_.analysis.view; }
   int threads() const { return options_.fill.threads; }
+  double share_of(const RemeshPiece& piece) const {
+    return static_cast<double>(piece.triangles.size()) / static_cast<double>(view().triangles.size());
+  }
 
   void prepare(Progress& progress) {
     edge_ = typical_edge(mesh_, view());
@@ -75,6 +98,7 @@ class Remeshing {
     pieces_ = make_pieces(mesh_, result_.analysis, choice_, options_);
     fans_ = TriangleFans(mesh_.vertex_count(), flat(view().triangles));
     normals_ = vertex_normals(mesh_, result_.analysis, fans_, pieces_, threads(), progress);
+    links_ = fans_.links(threads(), progress);
     result_.mesh.channels = channels_like(mesh_);
     number_groups();
     report_choice();
@@ -88,6 +112,7 @@ class Remeshing {
         for (const Index hole : group) patch_of_[hole] = number;
         ++number;
       }
+      for (const Index hole : piece.caps) patch_of_[hole] = number++;
     }
   }
 
@@ -105,27 +130,83 @@ class Remeshing {
     }
   }
 
-  void make_piece(const RemeshPiece& piece, Progress& progress) {
-    const RemeshPoints points = points_of(mesh_, result_.analysis, piece, normals_, edge_);
+  void make_piece(std::size_t number, Progress& progress) {
+    const RemeshPiece& piece = pieces_.pieces[number];
+    const std::optional<SurfaceTopology> wanted =
+        options_.fill.preset == Preset::Paper ? std::nullopt : wanted_topology(result_.analysis, piece, links_);
+    const auto torn = [&](const PieceSurface& surface) {
+      return surface.openings.loops.size() + (wanted ? difference(surface.topology, *wanted) : 0);
+    };
+    const double few = few_lost * static_cast<double>(piece.vertices.size());
+    Progress first = progress.step("make surface", 0.9);
+    Trial trial = trial_of(piece, 0);
+    PieceSurface best = make_surface(number, trial, first);
+    for (int retry = 1; retry <= retries; ++retry) {
+      if (torn(best) == 0 && static_cast<double>(best.lost.size()) <= few) break;
+      if (!may_retry(piece, retry)) break;
+      Progress again = progress.step("make surface with smaller cells", 0.08 / retries);
+      const Trial finer = trial_of(piece, retry);
+      PieceSurface other = make_surface(number, finer, again);
+      if (std::pair(torn(other), other.lost.size()) >= std::pair(torn(best), best.lost.size())) break;
+      best = std::move(other);
+    }
+    tell_losses(number, trial.points, best, wanted);
+    Progress transferring = progress.step("carry over attributes", 0.02);
+    take(piece, trial.points, std::move(best), transferring);
+  }
+
+  /// As asked for at first; retries have cells of half the size, and fits that reach farther.
+  Trial trial_of(const RemeshPiece& piece, int retry) const {
+    Trial trial{options_, std::ldexp(cell_, -retry), {}};
+    if (retry > 0) {
+      trial.options.overlap = std::max(options_.overlap, retry_overlap);
+      trial.options.min_points = std::max(options_.min_points, retry_points);
+      trial.options.max_points = std::max(options_.max_points, retry_points);
+    }
+    trial.points = points_of(mesh_, result_.analysis, piece, normals_, edge_);
+    return trial;
+  }
+
+  /// Whether memory allows cells of half the size, so many times.
+  bool may_retry(const RemeshPiece& piece, int retry) const {
+    if (options_.fill.preset == Preset::Paper) return false;
+    RemeshOptions finer = options_;
+    finer.cell = std::ldexp(options_.cell, -retry);
+    const double whole = static_cast<double>(result_.predicted_bytes);
+    const double more = share_of(piece) * (static_cast<double>(predicted_remesh_bytes(mesh_, finer)) - whole);
+    return options_.memory_limit == 0 ? more <= retry_bytes
+                                      : whole + more <= static_cast<double>(options_.memory_limit);
+  }
+
+  PieceSurface make_surface(std::size_t number, const Trial& trial, Progress& progress) {
     PieceSurface surface;
-    const bool has_boxes = !piece.groups.empty() && options_.fill.preset != Preset::Paper;
     for (std::size_t attempt = 0; attempt < growths.size(); ++attempt) {
+      const RemeshPiece& piece = pieces_.pieces[number];
+      const bool has_boxes = !piece.groups.empty() && options_.fill.preset != Preset::Paper;
+      const bool is_last = attempt + 1 == growths.size() || !has_boxes;
       Progress trying = progress.step("make surface", attempt == 0 ? 0.9 : 0.02);
-      surface = attempt_piece(piece, points, growths[attempt], attempt + 1 == growths.size() || !has_boxes, trying);
-      if (surface.openings.none() || !has_boxes) break;
+      surface = attempt_piece(piece, trial, growths[attempt], is_last, trying);
+      if (surface.runs_away && has_boxes) {
+        tell_runaway(piece);
+        leave_to_patches(pieces_, number);
+      } else if (!surface.openings.any_of_field() || !has_boxes) {
+        break;
+      }
     }
     if (!surface.openings.none()) {
       Progress patching = progress.step("close openings by patches", 0.02);
-      tell_patched(surface.openings);
-      surface.repaired = close_by_patches(surface.mesh, surface.openings, options_.fill, patching);
+      surface.patched = close_by_patches(surface.mesh, surface.openings, options_.fill, patching);
     }
     Progress comparing = progress.step("look for lost detail", 0.02);
-    result_.checks.lost_points += count_far(surface.mesh, points.positions, lost_beyond * cell_, threads(), comparing);
-    Progress transferring = progress.step("carry over attributes", 0.02);
-    take(piece, points, std::move(surface), transferring);
+    surface.lost =
+        far_points(surface.mesh, std::span(trial.points.positions).first(pieces_.pieces[number].vertices.size()),
+                   lost_beyond * cell_, threads(), comparing);
+    Progress counting = progress.step("count parts and handles", 0.01);
+    surface.topology = topology_of(surface.mesh, threads(), counting);
+    return surface;
   }
 
-  PieceSurface attempt_piece(const RemeshPiece& piece, const RemeshPoints& points, double growth, bool is_last,
+  PieceSurface attempt_piece(const RemeshPiece& piece, const Trial& trial, double growth, bool is_last,
                              Progress& progress) {
     PieceSurface surface;
     Progress fitting = progress.step("fit functions", 0.5);
@@ -133,44 +214,55 @@ class Remeshing {
         hole_domains(mesh_, result_.analysis, piece, normals_, options_, growth, fitting);
     std::vector<implicit::Box> boxes;
     for (const implicit::ExtraDomain& hole : holes) boxes.push_back(hole.box);
-    const implicit::PartitionOfUnity field(points.positions, points.normals, std::move(holes),
-                                           domain_options(options_, edge_), fitting);
+    const implicit::PartitionOfUnity field(trial.points.positions, trial.points.normals, std::move(holes),
+                                           domain_options(trial.options, edge_), fitting);
     Progress polygonizing = progress.step("polygonize", 0.25);
-    surface.mesh = polygons(piece, points, boxes, field, polygonizing);
+    surface.mesh = polygons(piece, trial, boxes, field, polygonizing);
+    surface.runs_away = runs_away(surface.mesh, trial.points);
+    if (surface.runs_away && !is_last) return surface;
     Progress looking = progress.step("look for openings", 0.05);
     surface.openings = find_openings(surface.mesh, mesh_, piece, pieces_.rims, threads(), looking);
-    if (!surface.openings.none() && !is_last) return surface;
-    count_domains(field.report());
+    if (surface.openings.any_of_field() && !is_last) return surface;
+    surface.domains = field.report();
     Progress improving = progress.step("improve", 0.2);
-    surface.cuts = improve(surface.mesh, field.projection_field(), points.positions, improvement(), improving);
+    surface.cuts =
+        improve(surface.mesh, field.projection_field(), trial.points.positions, improvement(trial.cell), improving);
     return surface;
   }
 
-  ImprovementOptions improvement() const {
-    return {cell_,          options_.smoothing,    options_.refine,
-            options_.chord, options_.snap * cell_, options_.fill.precision,
+  static bool runs_away(const PolyMesh& surface, const RemeshPoints& points) {
+    if (surface.positions.empty()) return false;
+    const implicit::Box made = implicit::bounds(surface.positions), given = implicit::bounds(points.positions);
+    const double beyond = std::max((given.low - made.low).maxCoeff(), (made.high - given.high).maxCoeff());
+    return beyond > runs_away_beyond * given.size().norm();
+  }
+
+  ImprovementOptions improvement(double cell) const {
+    return {cell,           options_.smoothing,   options_.refine,
+            options_.chord, options_.snap * cell, options_.fill.precision,
             threads()};
   }
 
-  PolyMesh polygons(const RemeshPiece& piece, const RemeshPoints& points, const std::vector<implicit::Box>& boxes,
-                    const implicit::PartitionOfUnity& field, Progress& progress) {
+  PolyMesh polygons(const RemeshPiece& piece, const Trial& trial, const std::vector<implicit::Box>& boxes,
+                    const implicit::PartitionOfUnity& field, Progress& progress) const {
+    const RemeshPoints& points = trial.points;
     implicit::PolygonizerOptions cubes;
-    cubes.cell = cell_;
+    cubes.cell = trial.cell;
     cubes.bounds = implicit::bounds(points.positions);
     for (const implicit::Box& box : boxes) {
       cubes.bounds.low = cubes.bounds.low.cwiseMin(box.low);
       cubes.bounds.high = cubes.bounds.high.cwiseMax(box.high);
     }
     cubes.origin = cubes.bounds.low;
-    const Vec3 margin = Vec3::Constant(std::max(room * cubes.bounds.size().maxCoeff(), 4 * cell_));
+    const Vec3 margin = Vec3::Constant(std::max(room * cubes.bounds.size().maxCoeff(), 4 * trial.cell));
     cubes.bounds = {cubes.bounds.low - margin, cubes.bounds.high + margin};
-    const double faces = std::pow(cubes.bounds.size().maxCoeff() / cell_, 2);
+    const double faces = std::pow(cubes.bounds.size().maxCoeff() / trial.cell, 2);
     cubes.max_cells = static_cast<std::size_t>(
         std::min(1e6 + cells_to_expect * faces + 20.0 * static_cast<double>(points.positions.size()), 5e8));
     cubes.threads = threads();
     std::unique_ptr<OpenBorders> borders;
-    if (piece.stays_open) {
-      borders = std::make_unique<OpenBorders>(piece, points, pieces_.rims, boxes, cell_, edge_, threads());
+    if (piece.ends) {
+      borders = std::make_unique<OpenBorders>(piece, points, pieces_.rims, boxes, trial.cell, edge_, threads());
       cubes.covered = [&](std::span<const Vec3> places, std::span<std::uint8_t> beyond) {
         for (std::size_t i = 0; i < places.size(); ++i) beyond[i] = borders->is_beyond(places[i]) ? 1 : 0;
       };
@@ -197,23 +289,50 @@ class Remeshing {
     result_.domains += domains;
   }
 
-  void tell_patched(const Openings& openings) {
-    for (const Index hole : openings.holes) {
-      if (hole == no_index) continue;
-      result_.outcomes[hole].method = "remesh-patched";
-      result_.outcomes[hole].reason = "the field left an opening there";
-    }
+  void tell_runaway(const RemeshPiece& piece) {
+    for (const std::vector<Index>& group : piece.groups)
+      for (const Index hole : group) result_.outcomes[hole].reason = "the field leads far out of the model there";
+  }
+
+  void tell_patched(const PatchedHole& patched) {
+    if (patched.hole == no_index) return;
+    HoleOutcome& outcome = result_.outcomes[patched.hole];
+    outcome.method = patched.is_cap ? patched.outcome.method : "remesh-patched";
+    if (!patched.is_cap) outcome.reason = "the field left an opening there";
+    outcome.confidence = std::min(outcome.confidence, patched.outcome.confidence);
+  }
+
+  /// Which piece isn't what it should be, and where.
+  void tell_losses(std::size_t number, const RemeshPoints& points, const PieceSurface& surface,
+                   const std::optional<SurfaceTopology>& wanted) {
+    if (surface.mesh.face_count() == 0) return;  // told as lost
+    result_.checks.lost_points += surface.lost.size();
+    const bool differs = wanted && difference(surface.topology, *wanted) > 0;
+    if (surface.lost.empty() && !differs) return;
+    PieceLosses losses;
+    losses.piece = number;
+    losses.lost_points = surface.lost.size();
+    if (differs) losses.wanted = wanted;
+    losses.made = surface.topology;
+    losses.at = surface.lost.empty() ? place_of_smallest_part(surface.mesh) : points.positions[surface.lost.front()];
+    losses_.push_back(losses);
   }
 
   /// Appends a piece's surface to the result.
   void take(const RemeshPiece& piece, const RemeshPoints& points, PieceSurface surface, Progress& progress) {
     if (surface.mesh.face_count() == 0) ++lost_;
     for (const Index hole : surface.openings.holes) fail(hole);
+    for (const PatchedHole& patched : surface.patched.loops) tell_patched(patched);
+    if (surface.domains.fitted > 0) count_domains(surface.domains);
     RemeshChecks& checks = result_.checks;
     checks.failed_loops += surface.openings.loops.size();
-    checks.repaired_loops += surface.repaired;
+    for (const PatchedHole& patched : surface.patched.loops) checks.repaired_loops += patched.is_cap ? 0U : 1U;
+    any_patched_ = any_patched_ || !surface.patched.loops.empty();
+    for (const auto& [face, hole] : surface.patched.faces)
+      if (hole != no_index) patched_faces_.emplace_back(result_.mesh.face_count() + face, hole);
+    first_faces_.push_back(result_.mesh.face_count());
     checks.self_intersections += surface.cuts;
-    const bool is_wanted = !result_.mesh.channels.empty() || !piece.groups.empty();
+    const bool is_wanted = !result_.mesh.channels.empty() || !piece.groups.empty() || !piece.caps.empty();
     if (is_wanted) {
       const NearestSurface nearest(mesh_, view(), fans_, piece, points, threads());
       transfer(surface.mesh, nearest, mesh_, result_.analysis, piece, pieces_.rims, cell_, threads(),
@@ -250,12 +369,13 @@ class Remeshing {
   void finish(Progress& progress) {
     fans_ = TriangleFans(0, {});
     normals_ = {};
+    links_ = {};
     Progress computing = progress.step("normals", 0.1);
     compute_normals(result_.mesh, threads(), computing);
     mark();
     Progress checking = progress.step("verify", 0.9);
     check(checking);
-    result_.warnings = remesh_findings(mesh_, result_, lost_, pieces_.left_out);
+    result_.warnings = remesh_findings(mesh_, result_, {lost_, pieces_.left_out, options_.cell, losses_});
   }
 
   /// Channels "confidence" and "patch_id", and what outcomes say of the patches.
@@ -269,14 +389,18 @@ class Remeshing {
       outcome.confidence = std::min(outcome.confidence, static_cast<double>(marks_.confidence[v]));
     }
     std::vector<std::int32_t> patches(mesh.face_count(), -1);
+    const auto put = [&](std::size_t face, Index hole) {
+      patches[face] = static_cast<std::int32_t>(patch_of_[hole]);
+      ++first_of_patch(hole).new_faces;
+    };
+    for (const auto& [face, hole] : patched_faces_) put(face, hole);
     for (std::size_t f = 0; f < patches.size(); ++f) {
       const auto face = mesh.face(f);
       const auto in_hole = std::count_if(face.begin(), face.end(), [&](Index v) { return marks_.hole[v] != no_index; });
-      if (in_hole < 2) continue;
-      const Index hole = std::min({marks_.hole[face[0]], marks_.hole[face[1]], marks_.hole[face[2]]});
-      patches[f] = static_cast<std::int32_t>(patch_of_[hole]);
-      ++first_of_patch(hole).new_faces;
+      if (in_hole < 2 || patches[f] >= 0) continue;
+      put(f, std::min({marks_.hole[face[0]], marks_.hole[face[1]], marks_.hole[face[2]]}));
     }
+    measure_patches(mesh, patches, patch_of_, result_.outcomes);
     if (!options_.fill.mark_patches) return;
     mesh.channels.push_back({"confidence", Domain::Vertex, 1, std::move(marks_.confidence), {}});
     mesh.channels.push_back({patch_channel, Domain::Face, 1, std::move(patches), {}});
@@ -298,9 +422,13 @@ class Remeshing {
     checks.components = part_count(mesh);
     checks.open_loops = open_loop_count(fans, links);
     // Each piece was looked at alone.
-    if (pieces_.pieces.size() < 2 && checks.repaired_loops == 0) return;
+    if (pieces_.pieces.size() < 2 && !any_patched_) return;
     Progress cutting = progress.step("look for cuts", 0.8);
-    checks.self_intersections = find_cuts(mesh, threads(), cutting).size();
+    const auto cuts = find_cuts(mesh, threads(), cutting);
+    checks.self_intersections = cuts.size();
+    const auto piece_at = [&](std::size_t face) { return std::ranges::upper_bound(first_faces_, face); };
+    checks.piece_crossings = static_cast<std::size_t>(
+        std::ranges::count_if(cuts, [&](const auto& pair) { return piece_at(pair[0]) != piece_at(pair[1]); }));
   }
 
   const PolyMesh& mesh_;
@@ -308,8 +436,13 @@ class Remeshing {
   HoleChoice choice_;
   RemeshPieces pieces_;
   TriangleFans fans_ = TriangleFans(0, {});
-  std::vector<Vec3> normals_;    // of the view's vertices
-  std::vector<Index> patch_of_;  // per hole
+  std::vector<Vec3> normals_;  // of the view's vertices
+  std::vector<TriangleFans::Link> links_;
+  std::vector<Index> patch_of_;                               // per hole
+  std::vector<std::size_t> first_faces_;                      // of the result, per piece
+  std::vector<std::pair<std::size_t, Index>> patched_faces_;  // of the result, and their holes
+  std::vector<PieceLosses> losses_;
+  bool any_patched_ = false;
   double edge_ = 0, cell_ = 0;
   HoleMarks marks_;
   std::size_t lost_ = 0, most_domains_ = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -72,6 +73,14 @@ void interpolate(const AttributeChannel& from, const std::array<Index, 3>& corne
       },
       to.data);
 }
+
+Vec3 face_normal(const PolyMesh& mesh, std::size_t face) {
+  const auto corners = mesh.face(face);
+  const Vec3& a = mesh.positions[corners[0]];
+  return (mesh.positions[corners[1]] - a).cross(mesh.positions[corners[2]] - a);
+}
+
+double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 void resize(AttributeChannel& channel, std::size_t count) {
   std::visit([&](auto& values) { values.resize(count * static_cast<std::size_t>(channel.width)); }, channel.data);
@@ -187,6 +196,38 @@ void transfer(const PolyMesh& surface, const NearestSurface& nearest, const Poly
         if (!is_normal(channels[c])) interpolate(*given[c], work.corners(place), place, first + v, channels[c]);
     }
   });
+}
+
+void measure_patches(const PolyMesh& mesh, const std::vector<std::int32_t>& patches, const std::vector<Index>& patch_of,
+                     std::vector<HoleOutcome>& outcomes) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  struct Measures {
+    double jump = unknown, angle = unknown;
+  };
+  std::map<std::int32_t, Measures> measures;
+  const TriangleFans fans(mesh.vertex_count(), mesh.corners);
+  for (std::size_t f = 0; f < patches.size(); ++f) {
+    if (patches[f] < 0) continue;
+    Measures& patch = measures[patches[f]];
+    const Vec3 normal = face_normal(mesh, f);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index a = mesh.corners[3 * f + i], b = mesh.corners[3 * f + (i + 1) % 3],
+                  c = mesh.corners[3 * f + (i + 2) % 3];
+      patch.angle = std::fmin(
+          patch.angle, angle_between(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]));
+      for (const Index corner : fans.at(b)) {
+        if (fans.next(corner) == a && patches[corner / 3] != patches[f])
+          patch.jump = std::fmax(patch.jump, angle_between(normal, face_normal(mesh, corner / 3)));
+      }
+    }
+  }
+  for (std::size_t hole = 0; hole < outcomes.size(); ++hole) {
+    const auto found =
+        patch_of[hole] == no_index ? measures.end() : measures.find(static_cast<std::int32_t>(patch_of[hole]));
+    const Measures known = found == measures.end() ? Measures() : found->second;
+    outcomes[hole].max_normal_jump = known.jump;
+    outcomes[hole].min_angle = known.angle;
+  }
 }
 
 void compute_normals(PolyMesh& mesh, int threads, Progress& progress) {

@@ -56,6 +56,12 @@ void transfer(const PolyMesh& surface, const NearestSurface& nearest, const Poly
               const HoleAnalysis& analysis, const RemeshPiece& piece, const std::vector<RimPlace>& rims, double cell,
               int threads, std::vector<AttributeChannel>& channels, HoleMarks& marks, Progress& progress);
 
+/// Sets the greatest fold across the rims and the least angle of every patch that has faces, on all its holes; NaN
+/// where it has none.
+/// @param patches per face, -1 for none; @param patch_of per hole
+void measure_patches(const PolyMesh& mesh, const std::vector<std::int32_t>& patches, const std::vector<Index>& patch_of,
+                     std::vector<HoleOutcome>& outcomes);
+
 /// Fills a channel "normal" of three floating numbers per vertex, if there is one, from the faces around.
 void compute_normals(PolyMesh& mesh, int threads, Progress& progress);
 

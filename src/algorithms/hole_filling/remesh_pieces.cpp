@@ -6,8 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include "algorithms/hole_filling/fill_jobs.h"
 #include "croquis/geometry/disjoint_sets.h"
-#include "croquis/hole_filling/hole_groups.h"
 
 namespace croquis::hole_filling {
 namespace {
@@ -48,24 +48,16 @@ class PieceMaker {
   Index component_of_rim(const Hole& hole) const { return view_.component[hole.corners.front() / 3]; }
 
   void join_at_holes() {
-    HoleGroups together(holes_.size());
-    for (const Hole& hole : holes_) {
-      if (!choice_.is_chosen[hole.id]) continue;
-      for (const Index corner : hole.corners) joined_.unite(component_of_rim(hole), view_.component[corner / 3]);
-      for (const Index other : hole.companions) {
-        if (!choice_.is_chosen[other]) continue;
-        together.merge(hole.id, other);
-        joined_.unite(component_of_rim(hole), component_of_rim(holes_[other]));
+    fates_.assign(holes_.size(), RimFate::Open);
+    jobs_ = make_jobs(holes_, options_.fill, choice_.is_chosen);
+    for (FillJob& job : jobs_) {
+      job.is_cap = job.is_cap && options_.fill.preset != Preset::Paper;
+      for (const Index hole : job.holes) {
+        fates_[hole] = job.is_cap ? RimFate::Patch : RimFate::Field;
+        for (const Index corner : holes_[hole].corners)
+          joined_.unite(component_of_rim(holes_[job.holes.front()]), view_.component[corner / 3]);
       }
     }
-    for (const HoleRequest& request : options_.fill.requests) {
-      for (const Index hole : request.holes) {
-        if (!request.bridge || !choice_.is_chosen[hole] || !choice_.is_chosen[request.holes.front()]) continue;
-        together.merge(request.holes.front(), hole);
-        joined_.unite(component_of_rim(holes_[request.holes.front()]), component_of_rim(holes_[hole]));
-      }
-    }
-    groups_ = together.lists();
   }
 
   void number_pieces() {
@@ -87,11 +79,16 @@ class PieceMaker {
       const Index piece = piece_of_[view_.component[t]];
       if (piece != no_index) result_.pieces[piece].triangles.push_back(t);
     }
-    for (std::vector<Index>& group : groups_) {
-      const Index piece = piece_of_[component_of_rim(holes_[group.front()])];
-      if (choice_.is_chosen[group.front()] && piece != no_index)
-        result_.pieces[piece].groups.push_back(std::move(group));
+    for (FillJob& job : jobs_) {
+      const Index number = piece_of_[component_of_rim(holes_[job.holes.front()])];
+      if (number == no_index) continue;
+      RemeshPiece& piece = result_.pieces[number];
+      if (job.is_cap)
+        piece.caps.insert(piece.caps.end(), job.holes.begin(), job.holes.end());
+      else
+        piece.groups.push_back(std::move(job.holes));
     }
+    for (RemeshPiece& piece : result_.pieces) std::sort(piece.caps.begin(), piece.caps.end());
   }
 
   void list_vertices() {
@@ -107,24 +104,25 @@ class PieceMaker {
   }
 
   void list_rims() {
-    std::vector<std::pair<Index, Index>> holes_of_corners;  // of those to be closed
+    std::vector<std::pair<Index, Index>> holes_of_corners;
     for (const Hole& hole : holes_) {
-      for (const Index corner : hole.corners)
-        if (choice_.is_chosen[hole.id]) holes_of_corners.emplace_back(corner, hole.id);
+      for (const Index corner : hole.corners) holes_of_corners.emplace_back(corner, hole.id);
     }
     std::sort(holes_of_corners.begin(), holes_of_corners.end());
     for (const Index corner : view_.rim_corners) {
       const auto found = std::ranges::lower_bound(holes_of_corners, std::pair{corner, Index{0}});
-      const bool is_chosen = found != holes_of_corners.end() && found->first == corner;
+      const bool is_hole = found != holes_of_corners.end() && found->first == corner;
+      const RimFate fate = is_hole ? fates_[found->second] : RimFate::Patch;
       const Index piece = piece_of_[view_.component[corner / 3]];
-      if (!is_chosen && piece != no_index) result_.pieces[piece].stays_open = true;
+      if (fate != RimFate::Field && piece != no_index) result_.pieces[piece].ends = true;
       for (const Index vertex : {view_.origin(corner), view_.target(corner)})
-        result_.rims.push_back({vertex, is_chosen ? found->second : no_index, outwards(corner)});
+        result_.rims.push_back(
+            {vertex, is_hole && fate != RimFate::Open ? found->second : no_index, fate, outwards(corner)});
     }
     merge_rims();
   }
 
-  /// Sum of both edges at a vertex. no_index, the highest number, wins: open.
+  /// Sum of both edges at a vertex; the strongest fate holds.
   void merge_rims() {
     std::vector<RimPlace>& rims = result_.rims;
     std::stable_sort(rims.begin(), rims.end(), [](const auto& a, const auto& b) { return a.vertex < b.vertex; });
@@ -132,7 +130,10 @@ class PieceMaker {
     for (std::size_t i = 0; i < rims.size(); ++i) {
       if (kept > 0 && rims[kept - 1].vertex == rims[i].vertex) {
         rims[kept - 1].outwards += rims[i].outwards;
-        rims[kept - 1].hole = std::max(rims[kept - 1].hole, rims[i].hole);
+        if (std::pair(rims[i].fate, rims[i].hole) > std::pair(rims[kept - 1].fate, rims[kept - 1].hole)) {
+          rims[kept - 1].fate = rims[i].fate;
+          rims[kept - 1].hole = rims[i].hole;
+        }
       } else {
         rims[kept++] = rims[i];
       }
@@ -161,7 +162,8 @@ class PieceMaker {
   DisjointSets joined_;
   std::vector<Index> component_at_;  // of a vertex, no_index where it isn't used
   std::vector<Index> piece_of_;      // of a component
-  std::vector<std::vector<Index>> groups_;
+  std::vector<FillJob> jobs_;
+  std::vector<RimFate> fates_;  // of a hole
   RemeshPieces result_;
 };
 
@@ -170,6 +172,19 @@ class PieceMaker {
 RemeshPieces make_pieces(const PolyMesh& mesh, const HoleAnalysis& analysis, const HoleChoice& choice,
                          const RemeshOptions& options) {
   return PieceMaker(mesh, analysis, choice, options).run();
+}
+
+void leave_to_patches(RemeshPieces& pieces, std::size_t piece) {
+  RemeshPiece& changed = pieces.pieces[piece];
+  for (const std::vector<Index>& group : changed.groups)
+    changed.caps.insert(changed.caps.end(), group.begin(), group.end());
+  std::sort(changed.caps.begin(), changed.caps.end());
+  changed.groups.clear();
+  changed.ends = true;
+  for (RimPlace& rim : pieces.rims) {
+    if (rim.hole != no_index && std::binary_search(changed.caps.begin(), changed.caps.end(), rim.hole))
+      rim.fate = RimFate::Patch;
+  }
 }
 
 }  // namespace croquis::hole_filling

@@ -2,7 +2,6 @@
 #include "algorithms/hole_filling/remesh_trimming.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "croquis/base/parallel.h"
@@ -31,18 +30,6 @@ bool mark_spoilt(const PolyMesh& mesh, bool ears, std::vector<std::uint8_t>& rem
   return found;
 }
 
-/// Of every vertex the lowest one that edges lead to.
-std::vector<Index> parts_of(const PolyMesh& mesh) {
-  DisjointSets sets(mesh.vertex_count());
-  for (std::size_t c = 0; c < mesh.corners.size(); c += 3) {
-    sets.unite(mesh.corners[c], mesh.corners[c + 1]);
-    sets.unite(mesh.corners[c], mesh.corners[c + 2]);
-  }
-  std::vector<Index> parts(mesh.vertex_count());
-  for (Index v = 0; v < parts.size(); ++v) parts[v] = sets.root(v);
-  return parts;
-}
-
 }  // namespace
 
 OpenBorders::OpenBorders(const RemeshPiece& piece, const RemeshPoints& points, const std::vector<RimPlace>& rims,
@@ -55,7 +42,7 @@ OpenBorders::OpenBorders(const RemeshPiece& piece, const RemeshPoints& points, c
       over_(over_the_rim * cell) {
   for (const RimPlace& rim : rims) {
     const auto found = std::lower_bound(piece.vertices.begin(), piece.vertices.end(), rim.vertex);
-    if (rim.hole != no_index || found == piece.vertices.end() || *found != rim.vertex) continue;
+    if (rim.fate == RimFate::Field || found == piece.vertices.end() || *found != rim.vertex) continue;
     rim_of_[static_cast<std::size_t>(found - piece.vertices.begin())] = static_cast<Index>(outwards_.size());
     outwards_.push_back(rim.outwards);
   }
@@ -68,6 +55,17 @@ bool OpenBorders::is_beyond(const Vec3& place) const {
   if (rim != no_index && away.dot(outwards_[rim]) > over_) return true;
   if (away.squaredNorm() <= far_ * far_) return false;
   return std::none_of(holes_.begin(), holes_.end(), [&](const implicit::Box& box) { return box.contains(place); });
+}
+
+std::vector<Index> parts_of(const PolyMesh& mesh) {
+  DisjointSets sets(mesh.vertex_count());
+  for (std::size_t c = 0; c < mesh.corners.size(); c += 3) {
+    sets.unite(mesh.corners[c], mesh.corners[c + 1]);
+    sets.unite(mesh.corners[c], mesh.corners[c + 2]);
+  }
+  std::vector<Index> parts(mesh.vertex_count());
+  for (Index v = 0; v < parts.size(); ++v) parts[v] = sets.root(v);
+  return parts;
 }
 
 std::size_t part_count(const PolyMesh& mesh) {
@@ -107,20 +105,22 @@ PolyMesh trimmed(const PolyMesh& mesh, std::span<const std::uint8_t> beyond) {
   }
 }
 
-std::size_t count_far(const PolyMesh& mesh, std::span<const Vec3> points, double distance, int threads,
-                      Progress& progress) {
-  if (mesh.vertex_count() == 0) return points.size();
+std::vector<Index> far_points(const PolyMesh& mesh, std::span<const Vec3> points, double distance, int threads,
+                              Progress& progress) {
+  std::vector<std::uint8_t> is_far(points.size(), 1);
   Progress ordering = progress.step("look for lost detail", 0.3);
   const implicit::PointTree tree(mesh.positions, threads, ordering);
-  std::vector<std::size_t> far(points.size() / grain + 1, 0);
   Progress looking = progress.step("look for lost detail", 0.7);
   for_each_part(points.size(), grain, threads, looking, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
+    for (std::size_t i = begin; i < end && tree.size() > 0; ++i) {
       const Vec3 away = points[i] - mesh.positions[tree.nearest(points[i])];
-      if (away.squaredNorm() > distance * distance) ++far[begin / grain];
+      is_far[i] = away.squaredNorm() > distance * distance ? 1 : 0;
     }
   });
-  return std::accumulate(far.begin(), far.end(), std::size_t{0});
+  std::vector<Index> far;
+  for (Index i = 0; i < is_far.size(); ++i)
+    if (is_far[i] != 0) far.push_back(i);
+  return far;
 }
 
 std::size_t drop_strays(PolyMesh& mesh, std::span<const Vec3> points, int threads, Progress& progress) {

@@ -12,7 +12,7 @@
 namespace croquis::hole_filling {
 
 /// Where the surface of a piece with open rims ends: beyond 1.5 cells from all data, unless in the box of a hole that
-/// is filled, and half a cell beyond a rim that stays open.
+/// is filled, and half a cell beyond a rim that stays open or gets a patch.
 class OpenBorders {
  public:
   /// @param cell,edge the cubes' edge and the mesh's mean edge: data can't be nearer to everything than these
@@ -25,11 +25,14 @@ class OpenBorders {
  private:
   const RemeshPoints& points_;
   implicit::PointTree tree_;
-  std::vector<Vec3> outwards_;  // per open rim
+  std::vector<Vec3> outwards_;  // per place on such a rim
   std::vector<Index> rim_of_;   // of a point: into outwards_, or no_index; empty without rims
   std::vector<implicit::Box> holes_;
   double far_, over_;
 };
+
+/// Of every vertex the lowest one that edges lead to.
+std::vector<Index> parts_of(const PolyMesh& mesh);
 
 /// Number of parts that edges join, vertices without triangles left out.
 std::size_t part_count(const PolyMesh& mesh);
@@ -41,9 +44,9 @@ PolyMesh without(const PolyMesh& mesh, std::span<const std::uint8_t> removed);
 /// edges, until every vertex is manifold.
 PolyMesh trimmed(const PolyMesh& mesh, std::span<const std::uint8_t> beyond);
 
-/// Points that no vertex is within `distance` of.
-std::size_t count_far(const PolyMesh& mesh, std::span<const Vec3> points, double distance, int threads,
-                      Progress& progress);
+/// Points that no vertex is within `distance` of, ascending.
+std::vector<Index> far_points(const PolyMesh& mesh, std::span<const Vec3> points, double distance, int threads,
+                              Progress& progress);
 
 /// Removes connected parts that hardly any point lies on. Parts that points do lie on stay, however many.
 /// @return how many were removed
