@@ -232,7 +232,7 @@ TEST_CASE("a scaled, turned or moved surface gets the same patches in its own pl
         Eigen::Translation3d(any_direction(random)) * Eigen::AngleAxisd(random.between(0, 6), any_direction(random));
     FillResult moved = fill(transformed(mesh, motion));
     for (Vec3& p : moved.mesh.positions) p = motion.inverse() * p;
-    CHECK(greatest_distance_of_new(plain, moved) < 2e-3 * diagonal);
+    CHECK(greatest_distance_of_new(plain, moved) < 3e-3 * diagonal);  // other triangles of the same function
   }
 }
 

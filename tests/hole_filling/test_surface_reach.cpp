@@ -12,6 +12,7 @@
 #include "algorithms/hole_filling/surface_reach.h"
 #include "support/mesh_shapes.h"
 #include "support/scans.h"
+#include "support/virtual_scans.h"
 
 using namespace croquis;
 using namespace croquis::test;
@@ -86,6 +87,20 @@ TEST_CASE("normals at a sharp edge aren't turned far") {
   const auto before = reached;
   fit_rim_normals(reached, scene->mesh.positions);
   for (std::size_t i = 0; i < reached.size(); ++i) CHECK(reached[i].normal.dot(before[i].normal) > 0.86);
+}
+
+TEST_CASE("a surface's roughness is the noise that it was given, × an edge") {
+  const PolyMesh ball = cut(round_sphere(5), Vec3(0, 0, 1), 0.3).mesh;
+  const auto roughness = [](const PolyMesh& mesh, double reach) {
+    const auto scene = scene_of(mesh);
+    return surface_roughness(reach_from_rims(scene->site, reach), scene->mesh.positions);
+  };
+  CHECK(roughness(ball, 0.6) < 0.005);
+  for (const double noise : {0.02, 0.1, 0.2})
+    CHECK(roughness(with_noise(ball, 3, noise), 0.6) == Approx(noise).epsilon(0.2));
+  PolyMesh scaled = with_noise(ball, 3, 0.1);
+  for (Vec3& p : scaled.positions) p = 1000 * p + Vec3(5, 0, 0);
+  CHECK(roughness(scaled, 600) == Approx(0.1).epsilon(0.2));
 }
 
 TEST_CASE("sheets that pass by a hole are found where they are near, sparsely") {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/hole_filling/quadric_normals.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 
 #include <Eigen/Dense>
 
@@ -14,6 +17,11 @@ constexpr std::size_t neighbour_count = 16;
 constexpr Eigen::Index least_neighbours = 7;  // for five unknowns
 constexpr double same_way = 0.5;              // cosine between neighbours' normals
 constexpr double least_agreement = 0.866;     // cosine between the old normal and the new
+constexpr std::size_t most_places = 100;      // that tell how rough the surface is
+constexpr std::size_t rough_neighbours = 17;  // the vertex itself among them
+constexpr Eigen::Index quadric_terms = 6;
+constexpr Eigen::Index least_rough = 10;
+constexpr std::size_t usual_neighbour = 2;  // the third nearest: its distance is that of neighbours
 
 /// Slopes of z = a x + b y + c x² + d x y + e y² at 0, weighted by 1 / distance.
 /// @param offsets in a frame whose z axis is the normal, scaled to about 1
@@ -52,7 +60,47 @@ Vec3 fitted_normal(const Vec3& place, const Vec3& normal, const std::vector<Vec3
   return found.allFinite() && found.dot(normal) > least_agreement ? found : normal;
 }
 
+/// Standard deviation of the offsets (the place's own, 0, among them) from their quadric, × the neighbours' distance.
+/// @param offsets nearest first
+std::optional<double> roughness_at(const std::vector<Vec3>& offsets, const Vec3& normal) {
+  const auto rows = static_cast<Eigen::Index>(offsets.size());
+  if (rows < least_rough) return std::nullopt;
+  const Vec3 x = normal.unitOrthogonal(), y = normal.cross(x);
+  const double size = offsets.back().norm();
+  Eigen::Matrix<double, Eigen::Dynamic, quadric_terms> matrix(rows, quadric_terms);
+  Eigen::VectorXd heights(rows);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const Vec3& p = offsets[static_cast<std::size_t>(i)];
+    const double u = p.dot(x) / size, v = p.dot(y) / size;
+    matrix.row(i) << 1, u, v, u * u, u * v, v * v;
+    heights[i] = p.dot(normal);
+  }
+  const Eigen::VectorXd rest = heights - matrix * matrix.colPivHouseholderQr().solve(heights);
+  const double spacing = offsets[usual_neighbour + 1].norm();
+  if (!(spacing > 0)) return std::nullopt;
+  return rest.norm() / std::sqrt(static_cast<double>(rows - quadric_terms)) / spacing;
+}
+
 }  // namespace
+
+double surface_roughness(const std::vector<ReachedVertex>& reached, const std::vector<Vec3>& positions) {
+  std::vector<Vec3> places;
+  for (const ReachedVertex& r : reached) places.push_back(positions[r.vertex]);
+  const implicit::PointTree tree(places);
+  std::vector<double> found;
+  for (std::size_t i = 0; i < reached.size(); i += reached.size() / most_places + 1) {
+    if (reached[i].normal == Vec3::Zero()) continue;
+    std::vector<Vec3> offsets;
+    for (const Index j : tree.nearest(places[i], rough_neighbours)) {
+      if (reached[j].normal.dot(reached[i].normal) > same_way) offsets.push_back(places[j] - places[i]);
+    }
+    if (const auto roughness = roughness_at(offsets, reached[i].normal)) found.push_back(*roughness);
+  }
+  if (found.empty()) return 0;
+  const auto middle = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2);
+  std::nth_element(found.begin(), middle, found.end());
+  return *middle;
+}
 
 void fit_rim_normals(std::vector<ReachedVertex>& reached, const std::vector<Vec3>& positions) {
   std::vector<Vec3> places;

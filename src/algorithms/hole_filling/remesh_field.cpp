@@ -123,7 +123,7 @@ std::vector<implicit::ExtraDomain> hole_domains(const PolyMesh& mesh, const Hole
       domain.constraints.positions.push_back(place);
       domain.constraints.gradients.emplace_back(Vec3::Zero());
     }
-    if (options.fill.implicit.kernel != implicit::Kernel::Hermite)
+    if (!implicit::takes_gradients(options.fill.implicit.kernel))
       domain.constraints = implicit::with_offset_points(domain.constraints.positions, domain.constraints.gradients,
                                                         {0.5 * hole.edge(), 6, true})
                                .constraints;

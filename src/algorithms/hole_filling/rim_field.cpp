@@ -25,6 +25,23 @@ constexpr double most_slope_growth = 2;         // else long rims would take all
 constexpr double worst_residual = 0.5;          // × edge, or for long rims × what the centres resolve
 constexpr std::size_t most_candidates = 30000;  // beside the rim; thinning looks at all of them, so more are sampled
 constexpr double smoother = 10;
+
+/// Wider holes, × the component's diagonal, let quadratic terms stray.
+constexpr double widest_quintic = 0.25;
+
+/// What smoothing the surface's roughness asks for: `smooth` + `rough` × (roughness / 0.1)^power.
+struct Smoothing {
+  double smooth, rough;
+  int power;
+
+  double at(double roughness) const {
+    double share = 1;
+    for (int i = 0; i < power; ++i) share *= roughness / 0.1;
+    return smooth + rough * share;
+  }
+};
+constexpr Smoothing quintic_values = {1, 1e4, 8}, quintic_gradients = {1000, 1e4, 2};
+constexpr Smoothing cubic_values = {0.1, 10, 4}, cubic_gradients = {0.5, 30, 2};
 constexpr double same_normal = 0.99;      // cosine; a vertex on a crease has the normal of its side
 constexpr std::size_t most_passing = 80;  // points of other sheets
 constexpr double passing_spacing = 2;     // × edge
@@ -50,32 +67,55 @@ std::optional<std::vector<std::size_t>> thin(const std::vector<ReachedVertex>& r
 class RimFitting {
  public:
   RimFitting(const HoleSite& site, const ImplicitOptions& options)
-      : positions_(site.mesh->positions), options_(options), rim_size_(site.vertices.size()) {
+      : positions_(site.mesh->positions), options_(options), kernel_(options.kernel), rim_size_(site.vertices.size()) {
     double perimeter = 0;
     for (const Index id : site.holes) {
       perimeter += site.analysis->holes[id].perimeter;
       size_ = std::max(size_, site.analysis->holes[id].diameter);
     }
     edge_ = perimeter / static_cast<double>(rim_size_);
+    if (kernel_ == implicit::Kernel::Hermite && is_safe_for_quintic(site)) kernel_ = implicit::Kernel::HermiteQuintic;
     reach_ = std::max(least_reach * edge_, options.reach * size_);
     reached_ = reach_from_rims(site, reach_);
     stay_within_creases(site);
+    roughness_ = surface_roughness(reached_, positions_);
     fit_rim_normals(reached_, positions_);
     through_ = site.wish.through;
     if (site.wish.bulge != 0) hinge_.emplace(site, site.wish.bulge);
   }
 
   void keep_clear_of_others(const HoleSite& site) {
+    take_cubic();
     passing_ = other_sheets(site, reached_, reach_, passing_spacing * edge_, most_passing);
   }
 
   void follow(const std::vector<PassingPoint>& guides) {
+    if (!guides.empty()) take_cubic();
     passing_.insert(passing_.end(), guides.begin(), guides.end());
   }
 
   std::optional<RimField> run(double stiffness) {
     sample_reached();
     choose_centres();
+    const auto field = on_kernel(stiffness);
+    if (field || kernel_ != implicit::Kernel::HermiteQuintic) return field;
+    take_cubic();
+    return on_kernel(stiffness);
+  }
+
+ private:
+  /// r^5 takes the curvature along, which is right beside one plain hole, and too much where the surface has to turn.
+  bool is_safe_for_quintic(const HoleSite& site) const {
+    const Hole& hole = site.analysis->holes[site.holes.front()];
+    return site.polygon.loop_count() == 1 && site.wish.bulge == 0 && site.wish.through.empty() &&
+           size_ <= widest_quintic * site.analysis->component_diagonal[hole.component];
+  }
+
+  void take_cubic() {
+    if (kernel_ == implicit::Kernel::HermiteQuintic) kernel_ = implicit::Kernel::Hermite;
+  }
+
+  std::optional<RimField> on_kernel(double stiffness) const {
     for (const double factor : {stiffness, stiffness * smoother}) {
       auto fit = fitted(factor);
       if (fit && residual(*fit) <= worst_residual * resolution_) return RimField{std::move(fit), edge_, size_};
@@ -83,7 +123,6 @@ class RimFitting {
     return std::nullopt;
   }
 
- private:
   /// A hole within one smooth side is continued from that side alone: what lies beyond its creases isn't the same
   /// surface, and would bend it.
   void stay_within_creases(const HoleSite& site) {
@@ -134,13 +173,9 @@ class RimFitting {
       constraints.positions.push_back(point.position);
       constraints.gradients.push_back(point.normal);
     }
-    implicit::FitOptions options;
-    options.kernel = options_.kernel;
-    options.value_smoothing = factor * options_.value_smoothing;
-    options.gradient_smoothing = factor * options_.gradient_smoothing;
-    options.spacing = edge_;
+    const implicit::FitOptions options = fit_options(factor);
     try {
-      if (options_.kernel != implicit::Kernel::Hermite)
+      if (!implicit::takes_gradients(kernel_))
         constraints = implicit::with_offset_points(constraints.positions, constraints.gradients,
                                                    {0.5 * edge_, 6, options_.both_sides})
                           .constraints;
@@ -149,6 +184,19 @@ class RimFitting {
     } catch (const Error&) {
       return nullptr;  // nothing that could be fitted: another method's turn
     }
+  }
+
+  /// For kernels with gradients what is asked for, compared with the defaults, is a factor of what the surface needs.
+  implicit::FitOptions fit_options(double factor) const {
+    const ImplicitOptions usual;
+    implicit::FitOptions options{kernel_, factor * options_.value_smoothing, factor * options_.gradient_smoothing,
+                                 edge_};
+    if (!implicit::takes_gradients(kernel_) || hinge_) return options;  // a turned rim is met less closely
+    const bool is_quintic = kernel_ == implicit::Kernel::HermiteQuintic;
+    options.value_smoothing *= (is_quintic ? quintic_values : cubic_values).at(roughness_) / usual.value_smoothing;
+    options.gradient_smoothing *=
+        (is_quintic ? quintic_gradients : cubic_gradients).at(roughness_) / usual.gradient_smoothing;
+    return options;
   }
 
   /// Places that are met exactly, whatever the smoothing; nobody knows the normals there.
@@ -173,6 +221,8 @@ class RimFitting {
 
   const std::vector<Vec3>& positions_;
   const ImplicitOptions& options_;
+  implicit::Kernel kernel_;
+  double roughness_ = 0;
   std::size_t rim_size_;
   double edge_ = 0, size_ = 0, reach_ = 0, resolution_ = 0;
   std::vector<ReachedVertex> reached_;
