@@ -141,16 +141,21 @@ class Remeshing {
     Progress first = progress.step("make surface", 0.9);
     Trial trial = trial_of(piece, 0);
     PieceSurface best = make_surface(number, trial, first);
+    bool retried = false;
     for (int retry = 1; retry <= retries; ++retry) {
       if (torn(best) == 0 && static_cast<double>(best.lost.size()) <= few) break;
       if (!may_retry(piece, retry)) break;
       Progress again = progress.step("make surface with smaller cells", 0.08 / retries);
+      retried = true;
       const Trial finer = trial_of(piece, retry);
       PieceSurface other = make_surface(number, finer, again);
       if (std::pair(torn(other), other.lost.size()) >= std::pair(torn(best), best.lost.size())) break;
       best = std::move(other);
     }
-    tell_losses(number, trial.points, best, wanted);
+    PieceLosses losses;
+    losses.piece = number;
+    losses.retried = retried;
+    tell_losses(losses, trial.points, best, wanted);
     Progress transferring = progress.step("carry over attributes", 0.02);
     take(piece, trial.points, std::move(best), transferring);
   }
@@ -303,14 +308,12 @@ class Remeshing {
   }
 
   /// Which piece isn't what it should be, and where.
-  void tell_losses(std::size_t number, const RemeshPoints& points, const PieceSurface& surface,
+  void tell_losses(PieceLosses losses, const RemeshPoints& points, const PieceSurface& surface,
                    const std::optional<SurfaceTopology>& wanted) {
     if (surface.mesh.face_count() == 0) return;  // told as lost
     result_.checks.lost_points += surface.lost.size();
     const bool differs = wanted && difference(surface.topology, *wanted) > 0;
     if (surface.lost.empty() && !differs) return;
-    PieceLosses losses;
-    losses.piece = number;
     losses.lost_points = surface.lost.size();
     if (differs) losses.wanted = wanted;
     losses.made = surface.topology;

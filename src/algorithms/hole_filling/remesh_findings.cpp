@@ -41,6 +41,7 @@ std::string sentence(const PieceLosses& part, double cell) {
   if (part.lost_points > 0)
     text += std::string(part.wanted ? ", and " : "has lost its surface at ") +
             counted(part.lost_points, "point", "points") + (part.wanted ? " lost their surface" : "");
+  if (part.retried) return text + ", with smaller cells too: fill holes by patches, which keep the surface.";
   return text + ": choose cells of " + number(cell / 4) + " mean edges, or fill holes by patches.";
 }
 

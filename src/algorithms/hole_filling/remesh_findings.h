@@ -13,6 +13,7 @@ namespace croquis::hole_filling {
 /// What a piece has lost.
 struct PieceLosses {
   std::size_t piece = 0;
+  bool retried = false;  ///< with smaller cubes, which didn't mend all
   std::size_t lost_points = 0;
   SurfaceTopology made;
   std::optional<SurfaceTopology> wanted;  ///< where it came out otherwise
