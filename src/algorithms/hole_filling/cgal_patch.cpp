@@ -131,7 +131,7 @@ std::optional<FairingResult> cgal_refine_and_fair(const FairingInput& input, Pro
                 CGAL::parameters::density_control_factor(input.density));
     local.patch.insert(local.patch.end(), new_faces.begin(), new_faces.end());
     progress.check();
-    if (!new_vertices.empty() &&
+    if (input.is_faired && !new_vertices.empty() &&
         !pmp::fair(local.mesh, new_vertices, CGAL::parameters::fairing_continuity(input.continuity)))
       return std::nullopt;
     return read_back(input, local);

@@ -20,9 +20,10 @@ namespace croquis::hole_filling {
 namespace {
 
 constexpr double stiffness = 3;  // the smoothing's factor, when careful
-constexpr int usual_rounds = 5;
-constexpr int draft_rounds = 2;  // of a patch that is only to be pulled
-constexpr int smoothings = 2;    // per round
+constexpr int usual_rounds = 3;
+constexpr int careful_rounds = 5;  // and of patches that begin with cubes, whose triangles are worse
+constexpr int draft_rounds = 2;    // of a patch that is only to be pulled
+constexpr int smoothings = 2;      // per round
 
 /// Newton's steps square what is left: one shorter than this ends within 1e-3 of an edge of the surface, and the next
 /// smoothing moves farther than that anyway. × cell
@@ -31,6 +32,8 @@ constexpr double final_accuracy = 1e-4;
 
 /// A patch that strays farther from its rims than this has run away: the surface around doesn't close. × size
 constexpr double longest_way = 1.5;
+
+constexpr double wide_hole = 0.2;  // × the diagonal of the component
 
 constexpr std::size_t most_guides = 80;
 
@@ -112,20 +115,30 @@ double mean_edge(const LoosePatch& loose) {
   return std::sqrt(4 / std::sqrt(3.0) * area / static_cast<double>(loose.triangles.size()));
 }
 
+/// Where the place to begin from decides whether a patch comes to rest.
+bool is_wide(const HoleSite& site) {
+  return std::any_of(site.holes.begin(), site.holes.end(), [&](Index id) {
+    const Hole& hole = site.analysis->holes[id];
+    return hole.diameter > wide_hole * site.analysis->component_diagonal[hole.component];
+  });
+}
+
 class ImplicitPatcher : public Patcher {
  public:
-  ImplicitPatcher(const ImplicitOptions& options, std::size_t most_triangles, bool careful, int rounds = usual_rounds)
+  ImplicitPatcher(const ImplicitOptions& options, std::size_t most_triangles, bool careful, int rounds)
       : options_(options),
         most_triangles_(most_triangles),
         careful_(careful),
         rounds_(rounds),
-        start_(faired_patcher(1, most_triangles, careful)) {}
+        start_(faired_patcher(1, most_triangles, careful)),
+        quick_start_(evenly_faired_patcher(most_triangles)) {}
 
   const char* method() const override { return careful_ ? "implicit-careful" : "implicit"; }
 
   std::optional<HolePatch> attempt(const HoleSite& site, Progress& progress) const override {
     if (!site.wish.through.empty()) return pulled(site, progress);
-    const auto start = start_->attempt(site, progress);
+    const bool is_quick = !careful_ && !is_wide(site);
+    const auto start = (is_quick ? quick_start_ : start_)->attempt(site, progress);
     if (!start || start->points.empty()) return start;
     return continued(site, *start, {}, progress);
   }
@@ -260,19 +273,19 @@ class ImplicitPatcher : public Patcher {
   std::size_t most_triangles_;
   bool careful_;
   int rounds_;
-  std::shared_ptr<const Patcher> start_;
+  std::shared_ptr<const Patcher> start_, quick_start_;
 };
 
 }  // namespace
 
 std::shared_ptr<const Patcher> implicit_patcher(const ImplicitOptions& options, std::size_t most_triangles,
                                                 bool careful) {
-  return std::make_shared<ImplicitPatcher>(options, most_triangles, careful);
+  return std::make_shared<ImplicitPatcher>(options, most_triangles, careful, careful ? careful_rounds : usual_rounds);
 }
 
 std::optional<HolePatch> lay_onto(const HoleSite& site, const RimField& surface, const HolePatch& start,
                                   std::size_t most_triangles, Progress& progress) {
-  return ImplicitPatcher({}, most_triangles, false).laid_onto(site, surface, start, progress);
+  return ImplicitPatcher({}, most_triangles, false, careful_rounds).laid_onto(site, surface, start, progress);
 }
 
 }  // namespace croquis::hole_filling

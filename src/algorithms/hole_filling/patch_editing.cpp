@@ -3,26 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Geometry>
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+
+#include "algorithms/hole_filling/editable_triangles.h"
 
 namespace croquis::hole_filling {
 namespace {
 
-struct MeshTraits : OpenMesh::DefaultTraits {
-  VertexAttributes(OpenMesh::Attributes::Status);
-  EdgeAttributes(OpenMesh::Attributes::Status);
-  FaceAttributes(OpenMesh::Attributes::Status);
-  HalfedgeAttributes(OpenMesh::Attributes::PrevHalfedge | OpenMesh::Attributes::Status);
-  using Point = OpenMesh::Vec3d;
-  using Normal = OpenMesh::Vec3d;
-  VertexTraits { double size = 1; };
-};
-using Mesh = OpenMesh::TriMesh_ArrayKernelT<MeshTraits>;
-using Vertex = OpenMesh::VertexHandle;
-using Halfedge = OpenMesh::HalfedgeHandle;
-using Edge = OpenMesh::EdgeHandle;
+using Side = EditableTriangles::Side;
 
 constexpr double too_long = 4.0 / 3;
 constexpr double too_short = 4.0 / 5;
@@ -31,155 +21,148 @@ constexpr int flip_rounds = 5;
 /// Cosine: triangles that a step makes may not turn further from those they come from.
 constexpr double least_agreement = 0.5;
 
+/// Of the sine of the two angles against an edge: rounding must not flip back and forth.
+constexpr double least_gain = 1e-9;
+
 class PatchEditing {
  public:
-  explicit PatchEditing(const LoosePatch& patch) : rim_points_(static_cast<int>(patch.rim_points)) {
-    for (std::size_t i = 0; i < patch.points.size(); ++i) {
-      const Vec3& p = patch.points[i];
-      mesh_.data(mesh_.add_vertex({p.x(), p.y(), p.z()})).size = patch.sizes[i];
-    }
-    for (const auto& [a, b, c] : patch.triangles)
-      is_manifold_ &= mesh_.add_face(vertex(a), vertex(b), vertex(c)).is_valid();
-  }
-
-  bool is_manifold() const { return is_manifold_; }
+  PatchEditing(LoosePatch& patch, EditableTriangles& sides)
+      : points_(patch.points), sizes_(patch.sizes), rim_points_(static_cast<Index>(patch.rim_points)), sides_(sides) {}
 
   void run() {
     split_long();
     collapse_short();
-    mesh_.garbage_collection();
     for (int round = 0; round < flip_rounds && flip_once(); ++round) {
     }
   }
 
-  LoosePatch result() const {
-    LoosePatch patch;
-    patch.rim_points = static_cast<std::size_t>(rim_points_);
-    for (const auto v : mesh_.vertices()) {
-      patch.points.push_back(at(v));
-      patch.sizes.push_back(mesh_.data(v).size);
-    }
-    for (const auto face : mesh_.faces()) {
-      std::array<Index, 3> t{};
-      std::size_t i = 0;
-      for (const auto v : mesh_.fv_range(face)) t[i++] = static_cast<Index>(v.idx());
-      patch.triangles.push_back(t);
-    }
-    return patch;
-  }
-
  private:
-  static Vertex vertex(Index i) { return Vertex(static_cast<int>(i)); }
-  Vec3 at(Vertex v) const {
-    const auto& p = mesh_.point(v);
-    return {p[0], p[1], p[2]};
-  }
-  bool on_rim(Vertex v) const { return v.idx() < rim_points_; }
-
-  Halfedge half(Edge e) const { return mesh_.halfedge_handle(e, 0); }
-  Vertex from(Halfedge h) const { return mesh_.from_vertex_handle(h); }
-  Vertex to(Halfedge h) const { return mesh_.to_vertex_handle(h); }
+  bool on_rim(Index v) const { return v < rim_points_; }
+  Index from(Side s) const { return sides_.from(s); }
+  Index to(Side s) const { return sides_.to(s); }
 
   /// Length as a share of what is wanted.
-  double relative_length(Vertex a, Vertex b) const {
-    return 2 * (at(a) - at(b)).norm() / (mesh_.data(a).size + mesh_.data(b).size);
+  double relative_length(Index a, Index b) const {
+    return 2 * (points_[a] - points_[b]).norm() / (sizes_[a] + sizes_[b]);
   }
 
-  Vec3 normal(Vertex a, Vertex b, Vertex c) const { return (at(b) - at(a)).cross(at(c) - at(a)); }
-  static bool agree(const Vec3& a, const Vec3& b) { return a.dot(b) > least_agreement * a.norm() * b.norm(); }
+  Vec3 normal(Index a, Index b, Index c) const { return (points_[b] - points_[a]).cross(points_[c] - points_[a]); }
+  static bool agree(const Vec3& a, const Vec3& b) {
+    const double dot = a.dot(b);
+    return dot > 0 && dot * dot > least_agreement * least_agreement * a.squaredNorm() * b.squaredNorm();
+  }
 
   /// The edges there are now, the longest first.
   void split_long() {
-    std::vector<std::pair<double, int>> order;
-    for (const auto e : mesh_.edges()) {
-      const double length = relative_length(from(half(e)), to(half(e)));
-      if (!mesh_.is_boundary(e) && length > too_long) order.emplace_back(-length, e.idx());
+    std::vector<std::pair<double, Side>> order;
+    for (Side s = 0; s < sides_.count(); ++s) {
+      if (!sides_.is_inner_edge(s)) continue;
+      const double length = relative_length(from(s), to(s));
+      if (length > too_long) order.emplace_back(-length, s);
     }
     std::sort(order.begin(), order.end());
-    for (const auto& [length, index] : order) {
-      const Edge e(index);
-      const Vertex a = from(half(e)), b = to(half(e));
-      if (relative_length(a, b) <= too_long) continue;
-      const auto middle = mesh_.add_vertex(0.5 * (mesh_.point(a) + mesh_.point(b)));
-      mesh_.data(middle).size = 0.5 * (mesh_.data(a).size + mesh_.data(b).size);
-      mesh_.split(e, middle);
+    for (const auto& [length, side] : order) {
+      const Side s = sides_.where_is_now(side);
+      const Index a = from(s), b = to(s);
+      points_.push_back(0.5 * (points_[a] + points_[b]));
+      sizes_.push_back(0.5 * (sizes_[a] + sizes_[b]));
+      sides_.split(s);
     }
   }
 
   void collapse_short() {
-    for (int index = 0; index < static_cast<int>(mesh_.n_edges()); ++index) {
-      const Edge e(index);
-      if (mesh_.status(e).deleted() || mesh_.is_boundary(e)) continue;
-      Halfedge h = half(e);
-      if (on_rim(from(h))) h = mesh_.opposite_halfedge_handle(h);
-      if (on_rim(from(h)) || relative_length(from(h), to(h)) >= too_short) continue;
-      if (mesh_.is_collapse_ok(h) && keeps_shape(h)) mesh_.collapse(h);
+    for (Side side = 0; side < sides_.count(); ++side) {
+      if (!sides_.is_inner_edge(side)) continue;
+      const Side s = on_rim(from(side)) ? sides_.twin(side) : side;
+      if (on_rim(from(s)) || relative_length(from(s), to(s)) >= too_short) continue;
+      if (keeps_shape(s) && keeps_edges_apart(s)) sides_.collapse(s);
     }
   }
 
-  /// Whether the triangles around stay of good size, on their side, and apart from other rim points.
-  bool keeps_shape(Halfedge h) const {
-    const Vertex gone = from(h), kept = to(h);
-    for (const auto out : mesh_.voh_range(gone)) {
-      const Vertex a = to(out);
-      if (a == kept) continue;
+  /// Whether the triangles around stay of good size and on their side.
+  bool keeps_shape(Side s) const {
+    const Index gone = from(s), kept = to(s);
+    return sides_.all_around(gone, [&](Side out) {
+      const Index a = to(out), b = sides_.apex(out);
+      if (a == kept) return true;
       if (relative_length(a, kept) > too_long) return false;
-      if (on_rim(a) && on_rim(kept) && !mesh_.find_halfedge(a, kept).is_valid()) return false;
-      const Vertex b = to(mesh_.next_halfedge_handle(out));
-      if (mesh_.is_boundary(out) || b == kept) continue;
-      if (!agree(normal(gone, a, b), normal(kept, a, b))) return false;
-    }
-    return true;
+      return b == kept || agree(normal(gone, a, b), normal(kept, a, b));
+    });
+  }
+
+  /// Whether no edge comes to lie on another one, nor a further one between two rim points.
+  bool keeps_edges_apart(Side s) const {
+    const Index gone = from(s), kept = to(s);
+    const Index left = sides_.apex(s), right = sides_.apex(sides_.twin(s));
+    if (left == right) return false;
+    return sides_.all_around(gone, [&](Side out) {
+      const Index a = to(out);
+      return a == kept || a == left || a == right || can_be_joined(a, kept);
+    });
+  }
+
+  bool can_be_joined(Index a, Index b) const {
+    if (on_rim(a) && on_rim(b)) return false;
+    if (on_rim(a)) std::swap(a, b);  // a rim point's triangles may be several fans: the other one is asked
+    return sides_.all_around(a, [&](Side out) { return to(out) != b; });
   }
 
   bool flip_once() {
     bool any = false;
-    for (const auto e : mesh_.edges()) {
-      if (mesh_.is_boundary(e) || !mesh_.is_flip_ok(e) || !gains_by_flip(e)) continue;
-      mesh_.flip(e);
+    for (Side s = 0; s < sides_.count(); ++s) {
+      if (!sides_.is_inner_edge(s) || !gains_by_flip(s)) continue;
+      sides_.flip(s);
       any = true;
     }
     return any;
   }
 
-  double angle(Vertex apex, Vertex a, Vertex b) const {
-    const Vec3 u = at(a) - at(apex), v = at(b) - at(apex);
-    return std::atan2(u.cross(v).norm(), u.dot(v));
-  }
-
-  bool gains_by_flip(Edge e) const {
-    const Halfedge h = half(e);
-    const Vertex a = from(h), b = to(h);
-    const Vertex c = to(mesh_.next_halfedge_handle(h));
-    const Vertex d = to(mesh_.next_halfedge_handle(mesh_.opposite_halfedge_handle(h)));
-    if (on_rim(c) && on_rim(d)) return false;
-    constexpr double pi = 3.14159265358979323846;
-    if (angle(c, a, b) + angle(d, a, b) <= pi + 1e-9) return false;  // rounding must not flip back and forth
+  /// Whether the angles against the edge are more than two right ones together, by the sign of their sine, and the
+  /// triangles go on looking the same way.
+  bool gains_by_flip(Side s) const {
+    const Index a = from(s), b = to(s), c = sides_.apex(s), d = sides_.apex(sides_.twin(s));
+    const Vec3 ca = points_[a] - points_[c], cb = points_[b] - points_[c];
+    const Vec3 da = points_[a] - points_[d], db = points_[b] - points_[d];
+    const double at_c = ca.dot(cb), at_d = da.dot(db);
+    if (at_c >= 0 && at_d >= 0) return false;
+    const double sine = ca.cross(cb).norm() * at_d + at_c * da.cross(db).norm();
+    const double scale = std::sqrt(ca.squaredNorm() * cb.squaredNorm() * da.squaredNorm() * db.squaredNorm());
+    if (sine >= -least_gain * scale || !can_be_joined(c, d)) return false;
     const Vec3 both = normal(a, b, c) + normal(b, a, d);
     return agree(both, normal(a, d, c)) && agree(both, normal(b, c, d));
   }
 
-  Mesh mesh_;
-  int rim_points_;
-  bool is_manifold_ = true;
+  std::vector<Vec3>& points_;
+  std::vector<double>& sizes_;
+  Index rim_points_;
+  EditableTriangles& sides_;
 };
 
-/// Whether some edge has two triangles that run the same way. Asked first, since OpenMesh prints what it refuses.
-bool has_crowded_edge(const LoosePatch& patch) {
-  std::vector<std::array<Index, 2>> edges;
-  for (const auto& [a, b, c] : patch.triangles) edges.insert(edges.end(), {{a, b}, {b, c}, {c, a}});
-  std::sort(edges.begin(), edges.end());
-  return std::adjacent_find(edges.begin(), edges.end()) != edges.end();
+/// Without the points that have collapsed.
+void take_back(const EditableTriangles& sides, LoosePatch& patch) {
+  std::vector<Index> numbers(patch.points.size());
+  Index next = 0;
+  for (Index v = 0; v < patch.points.size(); ++v) {
+    numbers[v] = next;
+    if (sides.is_gone(v)) continue;
+    patch.points[next] = patch.points[v];
+    patch.sizes[next++] = patch.sizes[v];
+  }
+  patch.points.resize(next);
+  patch.sizes.resize(next);
+  patch.triangles = sides.triangles();
+  for (auto& t : patch.triangles) {
+    for (Index& v : t) v = numbers[v];
+  }
 }
 
 }  // namespace
 
 bool bring_to_size(LoosePatch& patch) {
-  if (has_crowded_edge(patch)) return false;
-  PatchEditing editing(patch);
-  if (!editing.is_manifold()) return false;
-  editing.run();
-  patch = editing.result();
+  EditableTriangles sides(patch.triangles, patch.points.size());
+  if (!sides.is_manifold(patch.rim_points)) return false;
+  PatchEditing(patch, sides).run();
+  take_back(sides, patch);
   return true;
 }
 

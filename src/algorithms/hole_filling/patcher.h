@@ -50,6 +50,9 @@ std::shared_ptr<const Patcher> cgal_patcher();
 ///        until nothing is cut; slower
 std::shared_ptr<const Patcher> faired_patcher(unsigned continuity, std::size_t most_triangles, bool careful = false);
 
+/// "even": the same as "cgal-c1", but faired evenly (see fair_evenly): for methods that only begin with it.
+std::shared_ptr<const Patcher> evenly_faired_patcher(std::size_t most_triangles);
+
 /// "zip" for one rim: its two sides joined by a band. "band" for two rims: the band between them. No new vertices.
 /// @param shortest whether the band has the shortest edges ("-shortest" in the name), else the least area
 std::shared_ptr<const Patcher> zip_patcher();
@@ -66,7 +69,8 @@ std::shared_ptr<const Patcher> creased_patcher(const ImplicitOptions& options, s
 /// @param rank 0 for the best
 std::shared_ptr<const Patcher> validated_patcher(std::vector<std::shared_ptr<const Patcher>> ways, std::size_t rank);
 
-/// "implicit", or "implicit-careful": what "cgal-c1" or "cgal-c1-careful" makes, moved onto the zero set of a radial
+/// "implicit", or "implicit-careful": what "even" (wide holes: "cgal-c1") or
+/// "cgal-c1-careful" makes, moved onto the zero set of a radial
 /// basis function fitted to the surface around (Yoo 2005), with triangles kept at the size of the rim's edges.
 /// @param careful whether to smooth the surface around more, so that it continues more calmly
 std::shared_ptr<const Patcher> implicit_patcher(const ImplicitOptions& options, std::size_t most_triangles,

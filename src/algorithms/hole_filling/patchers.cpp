@@ -7,6 +7,7 @@
 #include "algorithms/hole_filling/avoiding_triangulation.h"
 #include "algorithms/hole_filling/band_triangulation.h"
 #include "algorithms/hole_filling/cgal_patch.h"
+#include "algorithms/hole_filling/even_fairing.h"
 #include "algorithms/hole_filling/patcher.h"
 #include "algorithms/hole_filling/plane_triangulation.h"
 #include "algorithms/hole_filling/rim_hinge.h"
@@ -171,10 +172,11 @@ double density_for(const HoleSite& site, const std::vector<Triangle>& patch, std
 
 class FairedPatcher : public Patcher {
  public:
-  FairedPatcher(unsigned continuity, std::size_t most_triangles, bool careful)
-      : continuity_(continuity), most_triangles_(most_triangles), careful_(careful) {}
+  FairedPatcher(unsigned continuity, std::size_t most_triangles, bool careful, bool evenly = false)
+      : continuity_(continuity), most_triangles_(most_triangles), careful_(careful), evenly_(evenly) {}
 
   const char* method() const override {
+    if (evenly_) return "even";
     if (careful_) return continuity_ == 2 ? "cgal-c2-careful" : "cgal-c1-careful";
     return continuity_ == 2 ? "cgal-c2" : "cgal-c1";
   }
@@ -184,8 +186,9 @@ class FairedPatcher : public Patcher {
     if (!triangles) return std::nullopt;
     LocalSite local = make_local_site(site, *triangles, continuity_);
     local.input.density = density_for(site, *triangles, most_triangles_);
-    const auto faired = cgal_refine_and_fair(local.input, progress);
-    if (!faired) return std::nullopt;
+    local.input.is_faired = !evenly_;
+    auto faired = cgal_refine_and_fair(local.input, progress);
+    if (!faired || (evenly_ && !fair_evenly(local.input, *faired))) return std::nullopt;
     HolePatch patch = in_mesh(site, local, *faired);
     if (careful_ && !untangle(site, patch, progress)) return std::nullopt;
     return patch;
@@ -211,6 +214,7 @@ class FairedPatcher : public Patcher {
   unsigned continuity_;
   std::size_t most_triangles_;
   bool careful_;
+  bool evenly_;
 };
 
 }  // namespace
@@ -221,6 +225,9 @@ std::shared_ptr<const Patcher> plane_patcher() { return std::make_shared<PlanePa
 std::shared_ptr<const Patcher> cgal_patcher() { return std::make_shared<CgalPatcher>(); }
 std::shared_ptr<const Patcher> faired_patcher(unsigned continuity, std::size_t most_triangles, bool careful) {
   return std::make_shared<FairedPatcher>(continuity, most_triangles, careful);
+}
+std::shared_ptr<const Patcher> evenly_faired_patcher(std::size_t most_triangles) {
+  return std::make_shared<FairedPatcher>(1, most_triangles, false, true);
 }
 
 }  // namespace croquis::hole_filling
