@@ -102,7 +102,7 @@ std::vector<Index> HoleInteraction::filled() const {
 
 std::vector<Index> HoleInteraction::open_of(const std::vector<Index>& holes) const {
   std::vector<Index> open;
-  for (const Index hole : holes) {
+  for (const Index hole : with_islands(rows_, holes)) {
     const HoleRow* found = row(hole);
     if (found != nullptr && found->state == HoleState::Open) open.push_back(hole);
   }
@@ -266,7 +266,7 @@ void HoleInteraction::change_plan(const std::string& label, const std::function<
 void HoleInteraction::fill_selected() {
   const std::vector<Index> holes = tool_.selected();
   if (holes.empty()) return emit told(tr("No hole is selected: click one in the list or in a view"));
-  change_plan("Fill " + target(), [&](HolePlan& plan) { plan.fill(holes); });
+  change_plan("Fill " + target(), [&](HolePlan& plan) { plan.fill(with_islands(rows_, holes)); });
 }
 
 void HoleInteraction::fill_all(const std::string& select) {
@@ -284,7 +284,7 @@ void HoleInteraction::fill_up_to(double diameter) {
 void HoleInteraction::reopen_selected() {
   const std::vector<Index> holes = tool_.selected();
   if (holes.empty()) return emit told(tr("No hole is selected: click one in the list or in a view"));
-  change_plan("Reopen " + target(), [&](HolePlan& plan) { plan.reopen(holes); });
+  change_plan("Reopen " + target(), [&](HolePlan& plan) { plan.reopen(with_islands(rows_, holes)); });
 }
 
 void HoleInteraction::bridge_selected() {
@@ -435,12 +435,12 @@ void HoleInteraction::apply(const recorded::HoleChoice& step) {
     const std::string name = (step.holes.size() == 1 ? "hole " : "holes ") +
                              numbers_of({step.holes.begin(), step.holes.end()}).toStdString();
     change_plan(
-        "Fill " + name, [&](HolePlan& plan) { plan.fill(step.holes); }, false);
+        "Fill " + name, [&](HolePlan& plan) { plan.fill(with_islands(rows_, step.holes)); }, false);
   } else if (step.action == "leave") {
     const std::string name = (step.holes.size() == 1 ? "hole " : "holes ") +
                              numbers_of({step.holes.begin(), step.holes.end()}).toStdString();
     change_plan(
-        "Reopen " + name, [&](HolePlan& plan) { plan.reopen(step.holes); }, false);
+        "Reopen " + name, [&](HolePlan& plan) { plan.reopen(with_islands(rows_, step.holes)); }, false);
   }
   selection_moved();
 }

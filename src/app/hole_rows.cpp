@@ -69,6 +69,15 @@ std::vector<HoleRow> hole_rows(const StudioObject* object) {
   return rows;
 }
 
+std::vector<Index> with_islands(const std::vector<HoleRow>& rows, const std::vector<Index>& holes) {
+  std::set<Index> all(holes.begin(), holes.end());
+  for (const HoleRow& row : rows) {
+    if (row.kind == "islands" && std::find(holes.begin(), holes.end(), row.id) != holes.end())
+      all.insert(row.companions.begin(), row.companions.end());
+  }
+  return {all.begin(), all.end()};
+}
+
 QString words_for(const HoleRow& hole) {
   static const std::map<std::string, const char*> words{
       {"small", "small"},         {"simple", "hole"}, {"islands", "with island"},    {"tunnel", "tunnel end"},

@@ -37,6 +37,10 @@ struct HoleRow {
 /// Of an object whose last operation is `fill`; empty for any other, and before its first result.
 std::vector<HoleRow> hole_rows(const StudioObject* object);
 
+/// These, and the islands in them or the holes around them: one without the other leaves the island cut off, or its
+/// patch in the way. Ascending.
+std::vector<Index> with_islands(const std::vector<HoleRow>& rows, const std::vector<Index>& holes);
+
 /// "island", "border, keep?" … as people say it.
 QString words_for(const HoleRow& hole);
 

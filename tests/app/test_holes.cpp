@@ -25,6 +25,7 @@
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/io/file.h"
 #include "croquis/io/mesh_file.h"
+#include "support/mesh_shapes.h"
 #include "support/sample_count.h"
 #include "support/scans.h"
 #include "support/virtual_scans.h"
@@ -348,4 +349,53 @@ TEST_CASE("the window is never held up while a large scan's holes are worked on"
   for (int step = 0; step < 3; ++step) hand.act("undo");
   hand.settle();
   CHECK(count(hand, HoleState::Open) == 12);
+}
+
+TEST_CASE("a hole and its island are previewed, filled and opened together, whichever is picked", "[holes]") {
+  StudioFixture hand;
+  open_scan(hand, test::without_loose_vertices(test::cut_ring(test::round_sphere(4), {0, 0, 1}, 0.2, 0.5).mesh));
+  REQUIRE(holes(hand).rows().size() == 2);
+  for (const Index picked : {Index{0}, Index{1}}) {
+    holes(hand).select({picked});
+    hand.settle();
+    CHECK(holes(hand).preview().item() != nullptr);
+    hand.act("fill-selected");
+    hand.settle();
+    CHECK(count(hand, HoleState::Filled) == 2);
+    CHECK(rims_of(filled_mesh(hand)) == 0);
+    hand.act("reopen-selected");
+    hand.settle();
+    CHECK(count(hand, HoleState::Open) == 2);
+  }
+}
+
+TEST_CASE("two selected rims are bridged by one band; trimming takes faces along a rim away", "[holes]") {
+  StudioFixture hand;
+  const PolyMesh below = test::open_tube(1, 2, 24, 12);
+  PolyMesh above = below;
+  for (Vec3& place : above.positions) place.z() += 2.5;
+  open_scan(hand, test::merged(below, above));
+  REQUIRE(holes(hand).rows().size() == 4);
+  std::vector<Index> facing;
+  for (const app::HoleRow& row : holes(hand).rows()) {
+    if (row.kind == "tunnel") facing.push_back(row.id);
+  }
+  REQUIRE(facing.size() == 2);
+  holes(hand).select(facing);
+  hand.act("bridge-holes");
+  hand.settle();
+  CHECK(count(hand, HoleState::Filled) == 2);
+  CHECK(rims_of(filled_mesh(hand)) == 2);
+  const std::size_t bridged = filled_mesh(hand).face_count();
+  hand.act("undo");
+  hand.settle();
+  CHECK(count(hand, HoleState::Filled) == 0);
+  hand.act("redo");
+  hand.settle();
+  CHECK(filled_mesh(hand).face_count() == bridged);
+  holes(hand).set_trim(1);
+  hand.settle();
+  CHECK(count(hand, HoleState::Filled) == 2);
+  CHECK(rims_of(filled_mesh(hand)) == 2);
+  CHECK(filled_mesh(hand).face_count() != bridged);
 }
