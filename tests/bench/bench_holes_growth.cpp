@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/hole_filling/edge_pairing.h"
+#include "algorithms/hole_filling/triangulation/edge_pairing.h"
 #include "bench/bench_holes.h"
 #include "bench/cpu_time.h"
 #include "bench/peak_memory.h"

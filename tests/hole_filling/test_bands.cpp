@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "algorithms/hole_filling/band_triangulation.h"
+#include "algorithms/hole_filling/triangulation/band_triangulation.h"
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/hole_filling/fill_holes.h"
 #include "support/random.h"

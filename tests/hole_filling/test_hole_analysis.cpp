@@ -7,7 +7,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/hole_filling/farthest_pair.h"
+#include "algorithms/hole_filling/analysis/farthest_pair.h"
 #include "croquis/base/error.h"
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/hole_filling/hole_analysis.h"

@@ -4,8 +4,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/hole_filling/patch_confidence.h"
-#include "algorithms/hole_filling/patcher.h"
+#include "algorithms/hole_filling/patching/patch_confidence.h"
+#include "algorithms/hole_filling/patching/patcher.h"
 #include "support/scans.h"
 
 using namespace croquis;

@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "algorithms/hole_filling/triangle_distance.h"
+#include "algorithms/hole_filling/patching/triangle_distance.h"
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/hole_filling/fill_holes.h"
 #include "support/scans.h"

@@ -7,12 +7,12 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/hole_filling/covering.h"
-#include "algorithms/hole_filling/open_sheet.h"
-#include "algorithms/hole_filling/patcher.h"
-#include "algorithms/hole_filling/rim_field.h"
-#include "algorithms/hole_filling/rim_zip.h"
-#include "algorithms/hole_filling/triangle_tree.h"
+#include "algorithms/hole_filling/continuation/rim_field.h"
+#include "algorithms/hole_filling/patching/covering.h"
+#include "algorithms/hole_filling/patching/open_sheet.h"
+#include "algorithms/hole_filling/patching/patcher.h"
+#include "algorithms/hole_filling/patching/rim_zip.h"
+#include "algorithms/hole_filling/patching/triangle_tree.h"
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/hole_filling/fill_holes.h"

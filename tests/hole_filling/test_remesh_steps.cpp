@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
 
-#include "algorithms/hole_filling/remesh_cuts.h"
-#include "algorithms/hole_filling/remesh_improvement.h"
-#include "algorithms/hole_filling/remesh_openings.h"
-#include "algorithms/hole_filling/remesh_trimming.h"
-#include "algorithms/hole_filling/triangle_fans.h"
+#include "algorithms/hole_filling/analysis/triangle_fans.h"
+#include "algorithms/hole_filling/remeshing/remesh_cuts.h"
+#include "algorithms/hole_filling/remeshing/remesh_improvement.h"
+#include "algorithms/hole_filling/remeshing/remesh_openings.h"
+#include "algorithms/hole_filling/remeshing/remesh_trimming.h"
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/geometry/self_intersection.h"

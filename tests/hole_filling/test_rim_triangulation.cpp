@@ -10,10 +10,10 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "algorithms/hole_filling/cgal_patch.h"
-#include "algorithms/hole_filling/ear_clipping.h"
-#include "algorithms/hole_filling/edge_flips.h"
-#include "algorithms/hole_filling/minimal_triangulation.h"
+#include "algorithms/hole_filling/patching/cgal_patch.h"
+#include "algorithms/hole_filling/triangulation/ear_clipping.h"
+#include "algorithms/hole_filling/triangulation/edge_flips.h"
+#include "algorithms/hole_filling/triangulation/minimal_triangulation.h"
 #include "croquis/base/error.h"
 #include "croquis/hole_filling/rim_triangulation.h"
 #include "support/random.h"

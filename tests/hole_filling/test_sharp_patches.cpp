@@ -6,9 +6,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/hole_filling/crease_field.h"
-#include "algorithms/hole_filling/cross_validation.h"
-#include "algorithms/hole_filling/smooth_sides.h"
+#include "algorithms/hole_filling/continuation/crease_field.h"
+#include "algorithms/hole_filling/continuation/smooth_sides.h"
+#include "algorithms/hole_filling/patching/cross_validation.h"
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/hole_filling/fill_holes.h"
 #include "support/scans.h"

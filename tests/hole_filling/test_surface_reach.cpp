@@ -7,9 +7,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/hole_filling/other_sheets.h"
-#include "algorithms/hole_filling/quadric_normals.h"
-#include "algorithms/hole_filling/surface_reach.h"
+#include "algorithms/hole_filling/continuation/other_sheets.h"
+#include "algorithms/hole_filling/continuation/quadric_normals.h"
+#include "algorithms/hole_filling/continuation/surface_reach.h"
 #include "support/mesh_shapes.h"
 #include "support/scans.h"
 #include "support/virtual_scans.h"

@@ -4,8 +4,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/hole_filling/avoiding_triangulation.h"
-#include "algorithms/hole_filling/untangling.h"
+#include "algorithms/hole_filling/patching/avoiding_triangulation.h"
+#include "algorithms/hole_filling/patching/untangling.h"
 #include "croquis/hole_filling/patch_verification.h"
 #include "support/mesh_shapes.h"
 #include "support/scans.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "algorithms/hole_filling/patch_confidence.h"
+#include "algorithms/hole_filling/patching/patch_confidence.h"
 
 namespace croquis::hole_filling {
 namespace {

@@ -11,7 +11,7 @@
 #include "algorithms/hole_filling/fill_jobs.h"
 #include "algorithms/hole_filling/patch_assembly.h"
 #include "algorithms/hole_filling/patch_climb.h"
-#include "algorithms/hole_filling/patch_confidence.h"
+#include "algorithms/hole_filling/patching/patch_confidence.h"
 #include "algorithms/hole_filling/rim_trimming.h"
 #include "algorithms/hole_filling/stage_key.h"
 #include "croquis/base/error.h"

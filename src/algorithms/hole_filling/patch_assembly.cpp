@@ -12,8 +12,8 @@
 
 #include <Eigen/Geometry>
 
-#include "algorithms/hole_filling/harmonic_values.h"
-#include "algorithms/hole_filling/patch_confidence.h"
+#include "algorithms/hole_filling/patching/harmonic_values.h"
+#include "algorithms/hole_filling/patching/patch_confidence.h"
 
 namespace croquis::hole_filling {
 namespace {

@@ -8,9 +8,9 @@
 #include <thread>
 #include <utility>
 
-#include "algorithms/hole_filling/patch_ladder.h"
-#include "algorithms/hole_filling/single_precision.h"
+#include "algorithms/hole_filling/patching/patch_ladder.h"
 #include "algorithms/hole_filling/stage_key.h"
+#include "algorithms/hole_filling/verification/single_precision.h"
 #include "croquis/base/parallel.h"
 
 namespace croquis::hole_filling {

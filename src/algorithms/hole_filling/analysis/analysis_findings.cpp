@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/hole_filling/analysis/analysis_findings.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace croquis::hole_filling {
+namespace {
+
+/// Elements listed with a finding at most; the sentence tells how many there are.
+constexpr std::size_t most_subjects = 20;
+
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+  return count == 1 ? "1 " + one : std::to_string(count) + " " + many;
+}
+
+Finding warn(std::string code, std::string message, std::vector<Subject> subjects = {}) {
+  return make_warning(Category::Geometry, std::move(code), std::move(message), std::move(subjects));
+}
+
+std::vector<Subject> flagged_faces(const SurfaceView& view, unsigned flags) {
+  std::vector<Subject> subjects;
+  Index last = no_index;
+  for (std::size_t t = 0; t < view.triangles.size() && subjects.size() < most_subjects; ++t) {
+    if ((view.flags[t] & flags) == 0 || view.face[t] == last) continue;
+    last = view.face[t];
+    subjects.push_back({SubjectKind::Face, std::to_string(last), {}, {}, {}});
+  }
+  return subjects;
+}
+
+std::vector<Subject> crowded_edge_subjects(const SurfaceView& view) {
+  std::vector<std::array<Index, 2>> edges;
+  for (Index corner = 0; corner < view.opposite.size() && edges.size() < most_subjects; ++corner) {
+    if (view.opposite[corner] != crowded_edge) continue;
+    const auto [low, high] = std::minmax({view.origin(corner), view.target(corner)});
+    if (std::find(edges.begin(), edges.end(), std::array{low, high}) == edges.end()) edges.push_back({low, high});
+  }
+  std::vector<Subject> subjects;
+  for (const auto& [low, high] : edges)
+    subjects.push_back({SubjectKind::Edge, std::to_string(low) + "-" + std::to_string(high), {}, {}, {}});
+  return subjects;
+}
+
+void tell_orientation(const SurfaceView& view, Findings& findings) {
+  if (view.turned_faces > 0)
+    findings.push_back(warn("W_ORIENTATION",
+                            counted(view.turned_faces, "face runs", "faces run") +
+                                " against the neighbours: taken the other way round, and written as they were; "
+                                "flip them in the source.",
+                            flagged_faces(view, SurfaceView::turned)));
+  if (view.one_sided_components > 0)
+    findings.push_back(
+        warn("W_ORIENTATION",
+             "The orientation is ambiguous: " + counted(view.one_sided_components, "component has", "components have") +
+                 " only one side; look at what is filled there."));
+}
+
+void tell_crowded_edges(const HoleAnalysis& analysis, Findings& findings) {
+  if (analysis.view.crowded_edges == 0) return;
+  std::string message =
+      counted(analysis.view.crowded_edges, "edge has", "edges have") + " more than two faces and stay as they are";
+  if (analysis.open_rims > 0)
+    message += "; " + counted(analysis.open_rims, "rim ends", "rims end") + " there and can't be filled";
+  findings.push_back(warn("W_NONMANIFOLD", message + ": separate the sheets that meet in them.",
+                          crowded_edge_subjects(analysis.view)));
+}
+
+void tell_shared_vertices(const HoleAnalysis& analysis, Findings& findings) {
+  std::vector<Subject> subjects;
+  std::size_t count = 0;
+  for (const Hole& hole : analysis.holes) {
+    if (!hole.shares_vertex) continue;
+    ++count;
+    if (subjects.size() < most_subjects) subjects.push_back({SubjectKind::Hole, std::to_string(hole.id), {}, {}, {}});
+  }
+  if (count > 0)
+    findings.push_back(warn("W_BOWTIE",
+                            counted(count, "hole shares", "holes share") +
+                                " a vertex with another one and were cut apart there: look at what is filled.",
+                            std::move(subjects)));
+}
+
+}  // namespace
+
+Findings analysis_findings(const HoleAnalysis& analysis) {
+  const SurfaceView& view = analysis.view;
+  Findings findings;
+  if (view.welded_vertices > 0)
+    findings.push_back(warn("W_WELDED", counted(view.welded_vertices, "vertex lies", "vertices lie") +
+                                            " exactly on another one and count as the same; they are written as they "
+                                            "were, so weld the source to get a closed file."));
+  tell_orientation(view, findings);
+  tell_crowded_edges(analysis, findings);
+  if (view.unsound_triangles + view.dropped_triangles > 0)
+    findings.push_back(warn("W_DEGENERATE",
+                            counted(view.unsound_triangles + view.dropped_triangles, "triangle has", "triangles have") +
+                                " next to no area; kept, but not used to continue the surface.",
+                            flagged_faces(view, SurfaceView::no_area | SurfaceView::is_sliver)));
+  tell_shared_vertices(analysis, findings);
+  return findings;
+}
+
+}  // namespace croquis::hole_filling

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/hole_filling/analysis/orientation.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "algorithms/hole_filling/triangulation/cancel_check.h"
+#include "croquis/geometry/disjoint_sets.h"
+
+namespace croquis::hole_filling {
+namespace {
+
+/// Both corners start at one end: their triangles run the common edge the same way.
+bool run_alike(const SurfaceView& view, Index corner, Index other) { return view.origin(corner) == view.origin(other); }
+
+struct Flood {
+  std::vector<Index> members;
+  std::size_t turned = 0;
+  bool one_sided = false;
+};
+
+/// Marks the part around `seed` with its number and, where a triangle disagrees with the seed, as turned.
+Flood flood_part(SurfaceView& view, Index seed, Index number, CancelCheck& cancel) {
+  Flood flood;
+  flood.members.push_back(seed);
+  view.component[seed] = number;
+  for (std::size_t done = 0; done < flood.members.size(); ++done) {
+    cancel.step();
+    const Index triangle = flood.members[done];
+    for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner) {
+      if (!view.has_opposite(corner)) continue;
+      const Index other = view.opposite[corner];
+      const bool is_turned = ((view.flags[triangle] & SurfaceView::turned) != 0) != run_alike(view, corner, other);
+      std::uint8_t& flags = view.flags[other / 3];
+      if (view.component[other / 3] != no_index) {
+        flood.one_sided |= is_turned != ((flags & SurfaceView::turned) != 0);
+        continue;
+      }
+      view.component[other / 3] = number;
+      if (is_turned) flags |= SurfaceView::turned, ++flood.turned;
+      flood.members.push_back(other / 3);
+    }
+  }
+  return flood;
+}
+
+/// Where a corner's edge is once the last two corners of turned triangles have changed places.
+Index corner_after_turning(const SurfaceView& view, Index corner) {
+  if (corner >= crowded_edge || (view.flags[corner / 3] & SurfaceView::turned) == 0) return corner;
+  constexpr std::array<Index, 3> place = {2, 1, 0};
+  return corner - corner % 3 + place[corner % 3];
+}
+
+void apply_turns(SurfaceView& view) {
+  for (Index& other : view.opposite) other = corner_after_turning(view, other);
+  for (Index t = 0; t < view.triangles.size(); ++t) {
+    if ((view.flags[t] & SurfaceView::turned) == 0) continue;
+    std::swap(view.triangles[t][1], view.triangles[t][2]);
+    std::swap(view.opposite[3 * t], view.opposite[3 * t + 2]);
+  }
+}
+
+/// Joins parts across edges of many triangles and numbers the result by the lowest triangle.
+void number_components(SurfaceView& view, std::span<const std::array<Index, 2>> crowded_corners, Index part_count) {
+  view.component_count = part_count;
+  if (crowded_corners.empty()) return;  // parts come numbered by their lowest triangles
+  DisjointSets sets(part_count);
+  for (const auto& [a, b] : crowded_corners) sets.unite(view.component[a / 3], view.component[b / 3]);
+  std::vector<Index> number(part_count, no_index);
+  Index count = 0;
+  for (Index part = 0; part < part_count; ++part) {
+    const Index root = sets.root(part);
+    if (root == part) number[part] = count++;
+    number[part] = number[root];
+  }
+  for (Index& component : view.component) component = number[component];
+  view.component_count = count;
+}
+
+}  // namespace
+
+void orient_and_number(SurfaceView& view, std::span<const std::array<Index, 2>> crowded_corners, Progress& progress) {
+  view.component.assign(view.triangles.size(), no_index);
+  CancelCheck cancel(progress);
+  Index parts = 0;
+  bool any_turned = false;
+  for (Index seed = 0; seed < view.triangles.size(); ++seed) {
+    if (view.component[seed] != no_index) continue;
+    Flood flood = flood_part(view, seed, parts++, cancel);
+    if (flood.one_sided) {
+      ++view.one_sided_components;
+      for (const Index triangle : flood.members)
+        view.flags[triangle] &= static_cast<std::uint8_t>(~SurfaceView::turned);
+      continue;  // no way to turn is better than the one given
+    }
+    if (2 * flood.turned > flood.members.size()) {
+      for (const Index triangle : flood.members) view.flags[triangle] ^= SurfaceView::turned;
+      flood.turned = flood.members.size() - flood.turned;
+    }
+    any_turned |= flood.turned > 0;
+  }
+  if (any_turned) apply_turns(view);
+  number_components(view, crowded_corners, parts);
+}
+
+}  // namespace croquis::hole_filling

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/hole_filling/analysis/rim_walk.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <tuple>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "algorithms/hole_filling/analysis/fan_order.h"
+#include "algorithms/hole_filling/triangulation/cancel_check.h"
+
+namespace croquis::hole_filling {
+namespace {
+
+/// One end of a rim edge: 2 × place in rim_corners, + 1 for the target.
+using End = Index;
+
+class RimWalk {
+ public:
+  RimWalk(const SurfaceView& view, std::span<const Vec3> positions, Progress& progress)
+      : view_(view), positions_(positions), cancel_(progress), partner_(2 * view.rim_corners.size(), no_index) {}
+
+  RimCycles run() {
+    link_around_vertices();
+    link_across_gaps();
+    link_dead_ends();
+    visited_.assign(view_.rim_corners.size(), 0);
+    place_.assign(view_.representative.empty() ? vertex_bound() : view_.representative.size(), no_index);
+    for (End end = 0; end < partner_.size(); ++end) {
+      if (partner_[end] != no_index || visited_[end / 2] != 0) continue;
+      ++result_.open_rims;
+      walk_from(end);
+    }
+    for (Index edge = 0; edge < visited_.size(); ++edge) {
+      if (visited_[edge] == 0) walk_from(2 * edge);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  struct Step {
+    Index vertex, corner;
+    bool forward;
+  };
+
+  Index vertex_bound() const {
+    Index bound = 0;
+    for (const Index corner : view_.rim_corners) bound = std::max({bound, view_.origin(corner), view_.target(corner)});
+    return bound + 1;
+  }
+
+  Index corner(End end) const { return view_.rim_corners[end / 2]; }
+  Index vertex(End end) const { return end % 2 == 0 ? view_.origin(corner(end)) : view_.target(corner(end)); }
+
+  Index place_of(Index rim_corner) const {
+    const auto found = std::lower_bound(view_.rim_corners.begin(), view_.rim_corners.end(), rim_corner);
+    return static_cast<Index>(found - view_.rim_corners.begin());
+  }
+
+  /// The end that one arrives at by turning around the end's vertex through its triangles, or no_index at an edge of
+  /// many triangles.
+  End turn(End end) {
+    const Index pivot = vertex(end);
+    Index edge = view_.other_edge_at(corner(end), pivot);
+    while (view_.has_opposite(edge)) {
+      cancel_.step();
+      edge = view_.other_edge_at(view_.opposite[edge], pivot);
+    }
+    if (view_.opposite[edge] == crowded_edge) return no_index;
+    return 2 * place_of(edge) + (view_.origin(edge) == pivot ? 0 : 1);
+  }
+
+  void link_around_vertices() {
+    for (End end = 0; end < partner_.size(); ++end) {
+      if (partner_[end] != no_index) continue;
+      const End other = turn(end);
+      if (other == no_index) continue;
+      partner_[end] = other;
+      partner_[other] = end;
+    }
+  }
+
+  /// Vertices with several fans: each fan's last rim edge goes on with the first one of the fan across the gap.
+  void link_across_gaps() {
+    std::vector<std::pair<Index, End>> arrivals;  // vertex, end
+    for (End end = 1; end < partner_.size(); end += 2) {
+      const End other = partner_[end];
+      if (other != no_index && other % 2 == 0) arrivals.emplace_back(vertex(end), end);
+    }
+    std::sort(arrivals.begin(), arrivals.end());
+    for (auto begin = arrivals.begin(); begin != arrivals.end();) {
+      const auto end = std::find_if(begin, arrivals.end(), [&](const auto& a) { return a.first != begin->first; });
+      if (end - begin > 1) link_petals({begin, end});
+      begin = end;
+    }
+  }
+
+  void link_petals(std::span<const std::pair<Index, End>> arrivals) {
+    std::vector<Petal> petals;
+    std::vector<End> leaving;
+    for (const auto& [at, end] : arrivals) {
+      leaving.push_back(partner_[end]);
+      const Vec3& tip = positions_[at];
+      petals.push_back({positions_[view_.target(corner(partner_[end]))] - tip,
+                        positions_[view_.origin(corner(end))] - tip, fan_normal(end)});
+    }
+    const std::vector<std::size_t> across = petal_across_gap(petals);
+    for (std::size_t i = 0; i < across.size(); ++i) {
+      partner_[arrivals[i].second] = leaving[across[i]];
+      partner_[leaving[across[i]]] = arrivals[i].second;
+    }
+  }
+
+  /// Sum of the normals, weighted by area, of the triangles that `turn` goes through.
+  Vec3 fan_normal(End end) const {
+    const Index pivot = vertex(end);
+    Vec3 sum = Vec3::Zero();
+    for (Index edge = corner(end);;) {
+      const auto& t = view_.triangles[edge / 3];
+      sum += (positions_[t[1]] - positions_[t[0]]).cross(positions_[t[2]] - positions_[t[0]]);
+      edge = view_.other_edge_at(edge, pivot);
+      if (!view_.has_opposite(edge)) return sum;
+      edge = view_.opposite[edge];
+    }
+  }
+
+  /// Rims that break off at edges of many triangles go on with another one that does so at the same vertex.
+  void link_dead_ends() {
+    std::vector<std::tuple<Index, Index, End>> dead;  // (vertex, arriving or leaving, end)
+    for (End end = 0; end < partner_.size(); ++end) {
+      if (partner_[end] == no_index) dead.emplace_back(vertex(end), 1 - end % 2, end);
+    }
+    std::sort(dead.begin(), dead.end());
+    for (auto begin = dead.begin(); begin != dead.end();) {
+      const Index at = std::get<0>(*begin);
+      const auto end = std::find_if(begin, dead.end(), [&](const auto& d) { return std::get<0>(d) != at; });
+      auto leaving = std::find_if(begin, end, [](const auto& d) { return std::get<1>(d) == 1; });
+      for (auto arriving = begin; leaving != end && std::get<1>(*arriving) == 0; ++arriving, ++leaving) {
+        partner_[std::get<2>(*arriving)] = std::get<2>(*leaving);
+        partner_[std::get<2>(*leaving)] = std::get<2>(*arriving);
+      }
+      begin = end;
+    }
+  }
+
+  /// Walks from the near end of an edge until an edge comes again, which closes the cycle, or the chain ends, which
+  /// leaves a remainder that is none.
+  void walk_from(End near) {
+    while (near != no_index && visited_[near / 2] == 0) {
+      visited_[near / 2] = 1;
+      push({vertex(near), corner(near), near % 2 == 0});
+      near = partner_[near ^ 1U];
+    }
+    if (near == no_index) {
+      for (const Step& step : stack_) place_[step.vertex] = no_index;
+      stack_.clear();
+    } else if (!stack_.empty()) {
+      emit_from(0);
+    }
+  }
+
+  void push(const Step& step) {
+    if (place_[step.vertex] != no_index) emit_from(place_[step.vertex]);
+    place_[step.vertex] = static_cast<Index>(stack_.size());
+    stack_.push_back(step);
+  }
+
+  void emit_from(std::size_t first) {
+    RimCycle cycle;
+    std::size_t backward = 0;
+    for (std::size_t i = first; i < stack_.size(); ++i) {
+      cycle.corners.push_back(stack_[i].corner);
+      cycle.vertices.push_back(stack_[i].vertex);
+      if (!stack_[i].forward) ++backward;
+      place_[stack_[i].vertex] = no_index;
+    }
+    stack_.resize(first);
+    cycle.ambiguous = backward > 0;
+    if (cycle.corners.size() >= 3) result_.cycles.push_back(std::move(cycle));
+  }
+
+  const SurfaceView& view_;
+  std::span<const Vec3> positions_;
+  CancelCheck cancel_;
+  std::vector<End> partner_;           ///< #2R
+  std::vector<std::uint8_t> visited_;  ///< per rim edge
+  std::vector<Index> place_;           ///< per vertex, in stack_
+  std::vector<Step> stack_;
+  RimCycles result_;
+};
+
+}  // namespace
+
+RimCycles walk_rims(const SurfaceView& view, std::span<const Vec3> positions, Progress& progress) {
+  return RimWalk(view, positions, progress).run();
+}
+
+}  // namespace croquis::hole_filling

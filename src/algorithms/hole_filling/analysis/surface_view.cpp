@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/hole_filling/surface_view.h"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "algorithms/hole_filling/analysis/orientation.h"
+#include "algorithms/hole_filling/analysis/welding.h"
+#include "algorithms/hole_filling/triangulation/cancel_check.h"
+#include "algorithms/hole_filling/triangulation/edge_pairing.h"
+#include "croquis/base/error.h"
+
+namespace croquis::hole_filling {
+namespace {
+
+/// A triangle below this share of the squared diagonal is noise of its own coordinates.
+constexpr double least_area = 1e-14;
+
+/// Longest edge over height: beyond it a normal in double precision has no digit left for single-precision input.
+constexpr double greatest_aspect = 1e6;
+
+/// Corners are counted with 32 bits, and two values are reserved.
+constexpr std::size_t most_triangles = crowded_edge / 3 - 1;
+
+void require_fillable(const PolyMesh& mesh) {
+  Findings findings = validate(mesh);
+  std::erase_if(findings, [](const Finding& f) { return f.code != "E_INDEX" && f.code != "E_NOT_FINITE"; });
+  if (mesh.face_count() == 0 && findings.empty())
+    findings.push_back(make_error(Category::Malformed, "E_NO_FACES",
+                                  "The mesh has no faces, so it has no holes to fill: give a mesh with faces."));
+  if (!findings.empty()) throw Error(std::move(findings));
+}
+
+[[noreturn]] void throw_degenerate() {
+  throw Error(make_error(Category::Malformed, "E_DEGENERATE",
+                         "The mesh has no area: all its faces lie on points or lines; check the scale of its export."));
+}
+
+void add_fan(SurfaceView& view, std::span<const Index> corners, Index face) {
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    const std::array<Index, 3> t = {view.representative_of(corners[0]), view.representative_of(corners[i - 1]),
+                                    view.representative_of(corners[i])};
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
+      ++view.dropped_triangles;
+      continue;
+    }
+    view.triangles.push_back(t);
+    view.face.push_back(face);
+  }
+}
+
+void triangulate_faces(const PolyMesh& mesh, SurfaceView& view, Progress& progress) {
+  const std::size_t count = mesh.corners.size() - std::min(mesh.corners.size(), 2 * mesh.face_count());
+  if (count > most_triangles)
+    throw Error(make_error(Category::Limit, "E_LIMIT", "The mesh has more triangles than can be numbered: split it."));
+  view.triangles.reserve(count);
+  view.face.reserve(count);
+  CancelCheck cancel(progress);
+  for (Index face = 0; face < mesh.face_count(); ++face) {
+    cancel.step();
+    add_fan(view, mesh.face(face), face);
+  }
+  view.flags.assign(view.triangles.size(), 0);
+}
+
+double diagonal_of(const PolyMesh& mesh, const SurfaceView& view) {
+  if (view.triangles.empty()) return 0;
+  Vec3 low = mesh.positions[view.triangles.front()[0]];
+  Vec3 high = low;
+  for (const auto& triangle : view.triangles) {
+    for (const Index vertex : triangle) {
+      low = low.cwiseMin(mesh.positions[vertex]);
+      high = high.cwiseMax(mesh.positions[vertex]);
+    }
+  }
+  return (high - low).norm();
+}
+
+/// Flags the triangles that tell nothing about the surface. @return the area of all
+double flag_unsound(const PolyMesh& mesh, SurfaceView& view, Progress& progress) {
+  const double area_limit = least_area * view.diagonal * view.diagonal;
+  double area = 0;
+  CancelCheck cancel(progress);
+  for (std::size_t t = 0; t < view.triangles.size(); ++t) {
+    cancel.step();
+    const Vec3& a = mesh.positions[view.triangles[t][0]];
+    const Vec3 ab = mesh.positions[view.triangles[t][1]] - a;
+    const Vec3 ac = mesh.positions[view.triangles[t][2]] - a;
+    const double twice_area = ab.cross(ac).norm();
+    const double longest = std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()});
+    area += twice_area / 2;
+    if (twice_area < 2 * area_limit) view.flags[t] |= SurfaceView::no_area;
+    if (twice_area * greatest_aspect < longest) view.flags[t] |= SurfaceView::is_sliver;
+    if ((view.flags[t] & (SurfaceView::no_area | SurfaceView::is_sliver)) != 0) ++view.unsound_triangles;
+  }
+  return area;
+}
+
+void list_rim_corners(SurfaceView& view) {
+  for (Index corner = 0; corner < view.opposite.size(); ++corner) {
+    if (view.opposite[corner] == no_index) view.rim_corners.push_back(corner);
+  }
+}
+
+void count_turned_faces(SurfaceView& view) {
+  Index last = no_index;
+  for (std::size_t t = 0; t < view.triangles.size(); ++t) {
+    if ((view.flags[t] & SurfaceView::turned) == 0 || view.face[t] == last) continue;
+    last = view.face[t];
+    ++view.turned_faces;
+  }
+}
+
+}  // namespace
+
+SurfaceView view_surface(const PolyMesh& mesh, Progress& progress) {
+  require_fillable(mesh);
+  progress.report(0.1);
+  SurfaceView view;
+  Welding welding = weld_identical(mesh, progress);
+  view.representative = std::move(welding.representative);
+  view.welded_vertices = welding.welded;
+  progress.report(0.25);
+  triangulate_faces(mesh, view, progress);
+  view.diagonal = diagonal_of(mesh, view);
+  if (!(view.diagonal > 0)) throw_degenerate();
+  if (!(flag_unsound(mesh, view, progress) > 0)) throw_degenerate();
+  progress.report(0.5);
+  {
+    EdgePairing pairing = pair_edges(view.triangles, mesh.vertex_count(), progress);
+    progress.report(0.8);
+    view.opposite = std::move(pairing.opposite);
+    view.crowded_edges = pairing.crowded_edges;
+    orient_and_number(view, pairing.crowded_corners, progress);
+  }
+  list_rim_corners(view);
+  count_turned_faces(view);
+  progress.report(1);
+  return view;
+}
+
+Index mesh_vertex(const SurfaceView& view, const PolyMesh& mesh, Index corner) {
+  const Index wanted = view.origin(corner);
+  if (view.representative.empty()) return wanted;
+  for (const Index vertex : mesh.face(view.face[corner / 3])) {
+    if (view.representative[vertex] == wanted) return vertex;
+  }
+  return wanted;
+}
+
+}  // namespace croquis::hole_filling

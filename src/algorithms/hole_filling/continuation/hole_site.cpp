@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/hole_filling/continuation/hole_site.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace croquis::hole_filling {
+namespace {
+
+bool lies_before(const Vec3& a, const Vec3& b) {
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+}
+
+/// From the vertex with the least coordinates on, so that a rim gives the same patch however vertices are numbered.
+void append_rim(const Hole& hole, HoleSite& site) {
+  const std::vector<Vec3>& positions = site.mesh->positions;
+  std::vector<Index> rim(hole.vertices.rbegin(), hole.vertices.rend());
+  std::rotate(rim.begin(),
+              std::min_element(rim.begin(), rim.end(),
+                               [&](Index a, Index b) { return lies_before(positions[a], positions[b]); }),
+              rim.end());
+  for (const Index vertex : rim) {
+    site.vertices.push_back(vertex);
+    site.polygon.points.push_back(positions[vertex]);
+  }
+  site.polygon.loop_ends.push_back(static_cast<Index>(site.vertices.size()));
+}
+
+/// The edges between the site's own vertices, as pairs of points of its polygon.
+void block_known_edges(HoleSite& site, std::span<const std::array<Index, 2>> rim_edges) {
+  std::vector<std::pair<Index, Index>> by_vertex;  // vertex of the view, point
+  for (Index point = 0; point < site.vertices.size(); ++point)
+    by_vertex.emplace_back(site.analysis->view.representative_of(site.vertices[point]), point);
+  std::sort(by_vertex.begin(), by_vertex.end());
+  const auto points_of = [&](Index vertex) {
+    return std::ranges::equal_range(by_vertex, vertex, {}, &std::pair<Index, Index>::first);
+  };
+  for (const auto& [vertex, point] : by_vertex) {
+    for (const auto& edge : std::ranges::equal_range(rim_edges, vertex, {}, [](const auto& e) { return e[0]; })) {
+      for (const auto& [other, other_point] : points_of(edge[1])) {
+        const auto [low, high] = std::minmax({point, other_point});
+        site.polygon.blocked.push_back({low, high});
+      }
+    }
+  }
+  std::sort(site.polygon.blocked.begin(), site.polygon.blocked.end());
+}
+
+void sort_unique(std::vector<Index>& values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+}  // namespace
+
+HoleSite make_site(const PolyMesh& mesh, const HoleAnalysis& analysis, std::span<const Index> holes,
+                   std::span<const std::array<Index, 2>> rim_edges) {
+  HoleSite site;
+  site.mesh = &mesh;
+  site.analysis = &analysis;
+  site.holes.assign(holes.begin(), holes.end());
+  std::vector<Index> order = site.holes;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return analysis.holes[a].diameter > analysis.holes[b].diameter; });
+  for (const Index id : order) append_rim(analysis.holes[id], site);
+  block_known_edges(site, rim_edges);
+  return site;
+}
+
+void add_fan(const SurfaceView& view, Index corner, std::vector<Index>& triangles) {
+  const Index pivot = view.origin(corner);
+  for (Index edge : {corner, SurfaceView::previous(corner)}) {
+    while (view.has_opposite(edge) && view.opposite[edge] / 3 != corner / 3) {
+      const Index other = view.opposite[edge];
+      triangles.push_back(other / 3);
+      edge = view.other_edge_at(other, pivot);
+    }
+  }
+}
+
+std::vector<Index> surroundings(const HoleSite& site, int rings) {
+  const SurfaceView& view = site.analysis->view;
+  std::vector<Index> triangles;
+  for (const Index id : site.holes) {
+    for (const Index corner : site.analysis->holes[id].corners) {
+      triangles.push_back(corner / 3);
+      add_fan(view, corner, triangles);
+      add_fan(view, SurfaceView::next(corner), triangles);
+    }
+  }
+  sort_unique(triangles);
+  for (int ring = 1; ring < rings; ++ring) {
+    const std::vector<Index> inner = triangles;
+    for (const Index triangle : inner) {
+      for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner) add_fan(view, corner, triangles);
+    }
+    sort_unique(triangles);
+  }
+  return triangles;
+}
+
+}  // namespace croquis::hole_filling

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/hole_filling/continuation/rim_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "algorithms/hole_filling/continuation/other_sheets.h"
+#include "algorithms/hole_filling/continuation/quadric_normals.h"
+#include "algorithms/hole_filling/continuation/rim_hinge.h"
+#include "algorithms/hole_filling/continuation/smooth_sides.h"
+#include "algorithms/hole_filling/continuation/surface_reach.h"
+#include "croquis/base/error.h"
+#include "croquis/implicit/offset_points.h"
+
+namespace croquis::hole_filling {
+namespace {
+
+constexpr double least_reach = 4;       // × edge
+constexpr double rim_spacing = 0.7;     // of centres at the rim, × edge
+constexpr double spacing_slope = 0.25;  // by how much spacing grows per distance from the rim
+constexpr double spacing_growth = 1.15;
+constexpr double most_slope_growth = 2;         // else long rims would take all centres and leave none behind them
+constexpr double worst_residual = 0.5;          // × edge, or for long rims × what the centres resolve
+constexpr std::size_t most_candidates = 30000;  // beside the rim; thinning looks at all of them, so more are sampled
+constexpr double smoother = 10;
+
+/// Wider holes, × the component's diagonal, let quadratic terms stray.
+constexpr double widest_quintic = 0.25;
+
+/// What smoothing the surface's roughness asks for: `smooth` + `rough` × (roughness / 0.1)^power.
+struct Smoothing {
+  double smooth, rough;
+  int power;
+
+  double at(double roughness) const {
+    double share = 1;
+    for (int i = 0; i < power; ++i) share *= roughness / 0.1;
+    return smooth + rough * share;
+  }
+};
+constexpr Smoothing quintic_values = {1, 1e4, 8}, quintic_gradients = {1000, 1e4, 2};
+constexpr Smoothing cubic_values = {0.1, 10, 4}, cubic_gradients = {0.5, 30, 2};
+constexpr double same_normal = 0.99;      // cosine; a vertex on a crease has the normal of its side
+constexpr std::size_t most_passing = 80;  // points of other sheets
+constexpr double passing_spacing = 2;     // × edge
+
+/// Takes each vertex unless a taken one is nearer than the spacing there, rims first.
+/// @return the vertices taken, or nothing when they are more than `most`
+std::optional<std::vector<std::size_t>> thin(const std::vector<ReachedVertex>& reached,
+                                             const std::vector<Vec3>& positions, double spacing, double slope,
+                                             std::size_t most) {
+  std::vector<std::size_t> taken;
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    const double least = std::max(spacing, slope * reached[i].distance);
+    const bool is_free = std::all_of(taken.begin(), taken.end(), [&](std::size_t j) {
+      return (positions[reached[i].vertex] - positions[reached[j].vertex]).squaredNorm() >= least * least;
+    });
+    if (!is_free) continue;
+    if (taken.size() == most) return std::nullopt;
+    taken.push_back(i);
+  }
+  return taken;
+}
+
+class RimFitting {
+ public:
+  RimFitting(const HoleSite& site, const ImplicitOptions& options)
+      : positions_(site.mesh->positions), options_(options), kernel_(options.kernel), rim_size_(site.vertices.size()) {
+    double perimeter = 0;
+    for (const Index id : site.holes) {
+      perimeter += site.analysis->holes[id].perimeter;
+      size_ = std::max(size_, site.analysis->holes[id].diameter);
+    }
+    edge_ = perimeter / static_cast<double>(rim_size_);
+    if (kernel_ == implicit::Kernel::Hermite && is_safe_for_quintic(site)) kernel_ = implicit::Kernel::HermiteQuintic;
+    reach_ = std::max(least_reach * edge_, options.reach * size_);
+    reached_ = reach_from_rims(site, reach_);
+    stay_within_creases(site);
+    roughness_ = surface_roughness(reached_, positions_);
+    fit_rim_normals(reached_, positions_);
+    through_ = site.wish.through;
+    if (site.wish.bulge != 0) hinge_.emplace(site, site.wish.bulge);
+  }
+
+  void keep_clear_of_others(const HoleSite& site) {
+    take_cubic();
+    passing_ = other_sheets(site, reached_, reach_, passing_spacing * edge_, most_passing);
+  }
+
+  void follow(const std::vector<PassingPoint>& guides) {
+    if (!guides.empty()) take_cubic();
+    passing_.insert(passing_.end(), guides.begin(), guides.end());
+  }
+
+  std::optional<RimField> run(double stiffness) {
+    sample_reached();
+    choose_centres();
+    const auto field = on_kernel(stiffness);
+    if (field || kernel_ != implicit::Kernel::HermiteQuintic) return field;
+    take_cubic();
+    return on_kernel(stiffness);
+  }
+
+ private:
+  /// r^5 takes the curvature along, which is right beside one plain hole, and too much where the surface has to turn.
+  bool is_safe_for_quintic(const HoleSite& site) const {
+    const Hole& hole = site.analysis->holes[site.holes.front()];
+    return site.polygon.loop_count() == 1 && site.wish.bulge == 0 && site.wish.through.empty() &&
+           size_ <= widest_quintic * site.analysis->component_diagonal[hole.component];
+  }
+
+  void take_cubic() {
+    if (kernel_ == implicit::Kernel::HermiteQuintic) kernel_ = implicit::Kernel::Hermite;
+  }
+
+  std::optional<RimField> on_kernel(double stiffness) const {
+    for (const double factor : {stiffness, stiffness * smoother}) {
+      auto fit = fitted(factor);
+      if (fit && residual(*fit) <= worst_residual * resolution_) return RimField{std::move(fit), edge_, size_};
+    }
+    return std::nullopt;
+  }
+
+  /// A hole within one smooth side is continued from that side alone: what lies beyond its creases isn't the same
+  /// surface, and would bend it.
+  void stay_within_creases(const HoleSite& site) {
+    const std::vector<SmoothSide> sides = smooth_sides(known_surface(site, reached_));
+    if (sides.size() != 1 || sides.front().vertices.size() == reached_.size()) return;
+    std::vector<ReachedVertex> kept;
+    std::size_t next = 0;
+    for (Index i = 0; i < reached_.size(); ++i) {
+      const bool is_inside = next < sides.front().vertices.size() && sides.front().vertices[next] == i;
+      if (is_inside && sides.front().normals[next].dot(reached_[i].normal) < same_normal)
+        reached_[i].normal = sides.front().normals[next];
+      if (is_inside) ++next;
+      if (is_inside || reached_[i].distance == 0) kept.push_back(reached_[i]);
+    }
+    reached_ = std::move(kept);
+  }
+
+  /// Every so many of those that aren't on the rim.
+  void sample_reached() {
+    const std::size_t stride = reached_.size() / most_candidates + 1;
+    std::vector<ReachedVertex> sampled;
+    for (std::size_t i = 0; i < reached_.size(); ++i) {
+      if (reached_[i].distance == 0 || i % stride == 0) sampled.push_back(reached_[i]);
+    }
+    reached_ = std::move(sampled);
+  }
+
+  void choose_centres() {
+    const std::size_t most = std::min(options_.most_centres, 2 * rim_size_ + 40);
+    for (double scale = 1;; scale *= spacing_growth) {
+      auto taken = thin(reached_, positions_, scale * rim_spacing * edge_,
+                        std::min(scale, most_slope_growth) * spacing_slope, most);
+      if (!taken) continue;
+      centres_ = std::move(*taken);
+      resolution_ = std::max(1.0, scale * rim_spacing) * edge_;
+      return;
+    }
+  }
+
+  std::shared_ptr<const implicit::LocalFit> fitted(double factor) const {
+    implicit::Constraints constraints;
+    for (const std::size_t i : centres_) {
+      const Vec3& place = positions_[reached_[i].vertex];
+      constraints.positions.push_back(hinge_ ? hinge_->place(place) : place);
+      constraints.gradients.push_back(hinge_ ? hinge_->normal(place, reached_[i].normal) : reached_[i].normal);
+    }
+    for (const PassingPoint& point : passing_) {
+      constraints.positions.push_back(point.position);
+      constraints.gradients.push_back(point.normal);
+    }
+    const implicit::FitOptions options = fit_options(factor);
+    try {
+      if (!implicit::takes_gradients(kernel_))
+        constraints = implicit::with_offset_points(constraints.positions, constraints.gradients,
+                                                   {0.5 * edge_, 6, options_.both_sides})
+                          .constraints;
+      if (!through_.empty()) go_through(constraints);
+      return std::make_shared<const implicit::LocalFit>(constraints, options);
+    } catch (const Error&) {
+      return nullptr;  // nothing that could be fitted: another method's turn
+    }
+  }
+
+  /// For kernels with gradients what is asked for, compared with the defaults, is a factor of what the surface needs.
+  implicit::FitOptions fit_options(double factor) const {
+    const ImplicitOptions usual;
+    implicit::FitOptions options{kernel_, factor * options_.value_smoothing, factor * options_.gradient_smoothing,
+                                 edge_};
+    if (!implicit::takes_gradients(kernel_) || hinge_) return options;  // a turned rim is met less closely
+    const bool is_quintic = kernel_ == implicit::Kernel::HermiteQuintic;
+    options.value_smoothing *= (is_quintic ? quintic_values : cubic_values).at(roughness_) / usual.value_smoothing;
+    options.gradient_smoothing *=
+        (is_quintic ? quintic_gradients : cubic_gradients).at(roughness_) / usual.gradient_smoothing;
+    return options;
+  }
+
+  /// Places that are met exactly, whatever the smoothing; nobody knows the normals there.
+  void go_through(implicit::Constraints& constraints) const {
+    constraints.softness.assign(constraints.size(), 1.0);
+    constraints.softness.insert(constraints.softness.end(), through_.size(), 0.0);
+    constraints.positions.insert(constraints.positions.end(), through_.begin(), through_.end());
+    if (!constraints.values.empty()) constraints.values.resize(constraints.size(), 0.0);
+    if (!constraints.gradients.empty()) constraints.gradients.resize(constraints.size(), Vec3::Zero());
+  }
+
+  /// The farthest that the field takes a rim vertex for being off the surface.
+  double residual(const implicit::LocalFit& fit) const {
+    double worst = 0;
+    for (const ReachedVertex& reached : reached_) {
+      if (reached.distance > 0) break;
+      const double value = std::abs(fit.value(positions_[reached.vertex]));
+      if (!(value <= worst)) worst = value;
+    }
+    return worst;
+  }
+
+  const std::vector<Vec3>& positions_;
+  const ImplicitOptions& options_;
+  implicit::Kernel kernel_;
+  double roughness_ = 0;
+  std::size_t rim_size_;
+  double edge_ = 0, size_ = 0, reach_ = 0, resolution_ = 0;
+  std::vector<ReachedVertex> reached_;
+  std::vector<std::size_t> centres_;
+  std::vector<PassingPoint> passing_;
+  std::vector<Vec3> through_;
+  std::optional<RimHinge> hinge_;  ///< where the patch is to bulge
+};
+
+}  // namespace
+
+std::optional<RimField> fit_rims(const HoleSite& site, const ImplicitOptions& options, const RimFitOptions& how) {
+  RimFitting fitting(site, options);
+  if (how.other_sheets) fitting.keep_clear_of_others(site);
+  fitting.follow(how.guides);
+  return fitting.run(how.stiffness);
+}
+
+}  // namespace croquis::hole_filling

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "algorithms/hole_filling/continuation/hole_site.h"
+#include "algorithms/hole_filling/continuation/other_sheets.h"
+#include "croquis/hole_filling/implicit_options.h"
+#include "croquis/implicit/local_fit.h"
+
+namespace croquis::hole_filling {
+
+/// The surface around a site continued over its hole.
+struct RimField {
+  std::shared_ptr<const implicit::LocalFit> fit;
+  double edge = 0;  ///< mean length of the rims' edges, model units
+  double size = 0;  ///< diameter of the widest rim
+
+  implicit::Field other = {};  ///< instead of `fit`, where one fit isn't enough
+
+  implicit::Field field() const { return other ? other : fit->field(); }
+};
+
+struct RimFitOptions {
+  double stiffness = 1;       ///< factor of the smoothing
+  bool other_sheets = false;  ///< sheets that pass nearby count too, so that the continuation keeps clear of them
+  std::vector<PassingPoint> guides = {};  ///< further places and normals of the surface
+};
+
+/// Fits one radial basis function to the surface around the rims: vertices within max(4 edges, reach × size) along the
+/// surface, the sparser the farther away, rims included. A bulge that the site wishes for turns them about the rims
+/// first; places that the patch is to go through are met exactly.
+///
+/// Fitted again with ten times the smoothing when a rim vertex that isn't a centre lies half an edge off (half of what
+/// the centres resolve, for rims with more edges than centres); nothing when that doesn't help either, or there is
+/// nothing to go by.
+std::optional<RimField> fit_rims(const HoleSite& site, const ImplicitOptions& options, const RimFitOptions& how);
+
+}  // namespace croquis::hole_filling

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "croquis/base/progress.h"
+#include "croquis/geometry/vector.h"
+
+/// The one place where CGAL's hole filling is called. Whatever it throws or refuses becomes "nothing".
+namespace croquis::hole_filling {
+
+using Triangle = std::array<Index, 3>;
+
+/// CGAL's triangulation of a closed polygon by dihedral angles and area, searched among the triangles of the points'
+/// Delaunay tetrahedra, for short polygons in the whole cubic space when that fails.
+/// @param polygon at least 3 points, runs with the patch on its left
+/// @throws Cancelled
+std::optional<std::vector<Triangle>> cgal_triangulation(std::span<const Vec3> polygon, Progress& progress);
+
+/// Part of a mesh with a triangulated hole.
+struct FairingInput {
+  std::vector<Vec3> points;
+  std::vector<Triangle> surroundings;  ///< faces around the hole: two rings for continuity 2, else one
+  std::vector<Triangle> patch;         ///< turned like the surroundings
+  unsigned continuity = 1;             ///< 0: positions, 1: tangents, 2: curvatures agree at the rim
+  bool is_faired = true;               ///< else new vertices stay in the triangles given, where refining puts them
+  double density = 0;  ///< CGAL's density control; larger is denser, sqrt(2) gives the rim's own density
+};
+
+struct FairingResult {
+  std::vector<Vec3> new_points;  ///< numbered behind the input's
+  std::vector<Triangle> patch;
+};
+
+/// Refines the patch (Liepa 2003, section 3) and, if so asked, moves its new vertices where the surface bends least
+/// (Botsch et al., Polygon Mesh Processing, section 4.3, cotangent weights). Nothing when the surroundings aren't
+/// manifold, the system is singular, or a coordinate isn't finite.
+/// @throws Cancelled between the two
+std::optional<FairingResult> cgal_refine_and_fair(const FairingInput& input, Progress& progress);
+
+}  // namespace croquis::hole_filling

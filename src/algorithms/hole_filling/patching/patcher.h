@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algorithms/hole_filling/continuation/hole_site.h"
+#include "croquis/base/progress.h"
+#include "croquis/hole_filling/hole_patch.h"
+#include "croquis/hole_filling/implicit_options.h"
+
+namespace croquis::hole_filling {
+
+/// One way to make a patch. Nothing it makes is trusted: the caller verifies every patch and tries the next way when
+/// this one has none that is sound.
+class Patcher {
+ public:
+  virtual ~Patcher() = default;
+
+  /// The name in reports.
+  virtual const char* method() const = 0;
+
+  /// A patch for the site, or nothing when this way doesn't lead to one.
+  /// @throws Cancelled
+  virtual std::optional<HolePatch> attempt(const HoleSite& site, Progress& progress) const = 0;
+};
+
+/// Ways in the order in which they are tried.
+using Ladder = std::vector<std::shared_ptr<const Patcher>>;
+
+/// "minimal": the triangulation of least area, without new vertices.
+std::shared_ptr<const Patcher> minimal_patcher();
+
+/// "avoiding": the triangulation of least area of triangles that cut through nothing, for short rims.
+std::shared_ptr<const Patcher> avoiding_patcher();
+
+/// "plane": the Delaunay triangulation of the rims in their plane, as it is, without new vertices.
+std::shared_ptr<const Patcher> plane_patcher();
+
+/// "cgal-triangulation": by dihedral angles and area, without new vertices; one rim only.
+std::shared_ptr<const Patcher> cgal_patcher();
+
+/// "cgal-c1", "cgal-c2", with "-careful" behind it when so asked: triangulated, refined to the density of the rim,
+/// faired.
+/// @param continuity 1 or 2
+/// @param most_triangles a patch that would get more is refined less
+/// @param careful whether to begin with the triangulation of `avoiding_patcher`, where there is one, and to flip edges
+///        until nothing is cut; slower
+std::shared_ptr<const Patcher> faired_patcher(unsigned continuity, std::size_t most_triangles, bool careful = false);
+
+/// "even": the same as "cgal-c1", but faired evenly (see fair_evenly): for methods that only begin with it.
+std::shared_ptr<const Patcher> evenly_faired_patcher(std::size_t most_triangles);
+
+/// "zip" for one rim: its two sides joined by a band. "band" for two rims: the band between them. No new vertices.
+/// @param shortest whether the band has the shortest edges ("-shortest" in the name), else the least area
+std::shared_ptr<const Patcher> zip_patcher();
+std::shared_ptr<const Patcher> band_patcher(bool shortest);
+
+/// "creased": each smooth side of the surface around continued by itself, creases where they meet (see CreaseField);
+/// nothing for a hole that no crease runs into.
+std::shared_ptr<const Patcher> creased_patcher(const ImplicitOptions& options, std::size_t most_triangles);
+
+/// Of several ways that make a patch the one that repairs known surface beside the hole best (see CrossValidation), or
+/// the second best, and so on. What it makes carries the name of the way taken and the error to be expected.
+/// @param ways each has to be better by a fifth than those before it; a probe of which one makes nothing doesn't count
+///        against it
+/// @param rank 0 for the best
+std::shared_ptr<const Patcher> validated_patcher(std::vector<std::shared_ptr<const Patcher>> ways, std::size_t rank);
+
+/// "implicit", or "implicit-careful": what "even" (wide holes: "cgal-c1") or
+/// "cgal-c1-careful" makes, moved onto the zero set of a radial
+/// basis function fitted to the surface around (Yoo 2005), with triangles kept at the size of the rim's edges.
+/// @param careful whether to smooth the surface around more, so that it continues more calmly
+std::shared_ptr<const Patcher> implicit_patcher(const ImplicitOptions& options, std::size_t most_triangles,
+                                                bool careful = false);
+
+/// "implicit-cubes": the zero set of the same function polygonised beside the hole alone, zipped to the rims and
+/// brought to the size of their edges. Needs no triangulation of the rims: several rims, huge and crooked ones are all
+/// the same to it. Where the continuation arrives at further rims, the patch tells those instead of triangles.
+std::shared_ptr<const Patcher> polygonised_patcher(const ImplicitOptions& options, std::size_t most_triangles);
+
+}  // namespace croquis::hole_filling

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/hole_filling/remeshing/remesh_improvement.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "algorithms/hole_filling/analysis/triangle_fans.h"
+#include "algorithms/hole_filling/remeshing/remesh_cuts.h"
+#include "algorithms/hole_filling/verification/single_precision.h"
+#include "croquis/base/error.h"
+#include "croquis/base/parallel.h"
+#include "croquis/geometry/self_intersection.h"
+#include "croquis/implicit/point_tree.h"
+#include "croquis/implicit/surface_improvement.h"
+
+namespace croquis::hole_filling {
+namespace {
+
+constexpr std::size_t grain = 4096;          // vertices per part
+constexpr std::size_t chunk = 65536;         // vertices between two reports
+constexpr std::size_t most_pairs = 1000000;  // of intersecting triangles that are looked at in a round
+constexpr int undo_rounds = 6;
+constexpr double least_turn = 0.5;  // cosine: a vertex doesn't snap when that turns a triangle further
+
+class Improvement {
+ public:
+  Improvement(PolyMesh& mesh, const implicit::Field& field, const ImprovementOptions& options)
+      : mesh_(mesh), field_(field), options_(options) {}
+
+  void smooth(Progress& progress) {
+    const TriangleFans fans(mesh_.vertex_count(), mesh_.corners);
+    Progress looking = progress.step("find borders", 0.05);
+    const std::vector<TriangleFans::Link> links = fans.links(options_.threads, looking);
+    const double share = 0.95 / std::max(options_.smoothing, 1);
+    std::vector<std::uint8_t> fixed(links.size());
+    for (std::size_t v = 0; v < links.size(); ++v) fixed[v] = links[v] == TriangleFans::Link::Cycle ? 0 : 1;
+    if (options_.smoothing == 0) onto_surface(fixed, 0, progress);
+    for (int round = 0; round < options_.smoothing; ++round) {
+      Progress smoothing = progress.step("smooth", 0.2 * share);
+      move_to_centroids(fans, fixed, smoothing);
+      Progress projecting = progress.step("project " + std::to_string(mesh_.vertex_count()) + " vertices", 0.8 * share);
+      onto_surface(fixed, 0, projecting);
+    }
+  }
+
+  /// @return the greatest distance that a vertex moved
+  double onto_surface(std::span<const std::uint8_t> fixed, std::size_t first, Progress& progress) {
+    const implicit::Field field = [&](std::span<const Vec3> points, std::span<double> values,
+                                      std::span<Vec3> gradients) {
+      if (progress.cancelled()) throw Cancelled();
+      field_(points, values, gradients);
+    };
+    implicit::ProjectionOptions projection;
+    projection.cell = options_.cell;
+    projection.threads = options_.threads;
+    double largest = 0;
+    const std::span<Vec3> all(mesh_.positions);
+    for (std::size_t begin = first; begin < all.size(); begin += chunk) {
+      const std::size_t count = std::min(chunk, all.size() - begin);
+      const auto marks = fixed.empty() ? fixed : fixed.subspan(begin, count);
+      largest = std::max(largest, implicit::project(all.subspan(begin, count), marks, field, projection).largest_move);
+      progress.report(static_cast<double>(begin + count) / static_cast<double>(all.size()));
+    }
+    return largest;
+  }
+
+  void move_to_centroids(const TriangleFans& fans, const std::vector<std::uint8_t>& fixed, Progress& progress) {
+    std::vector<Vec3> moved(mesh_.vertex_count());
+    for_each_part(moved.size(), grain, options_.threads, progress, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v)
+        moved[v] = fixed[v] != 0 ? mesh_.positions[v] : centroid(fans, static_cast<Index>(v));
+    });
+    mesh_.positions = std::move(moved);
+  }
+
+  void snap(std::span<const Vec3> points, Progress& progress);
+
+ private:
+  /// Of the triangles' centroids, weighted by area, from the vertex itself for the digits of models far away.
+  Vec3 centroid(const TriangleFans& fans, Index v) const {
+    const Vec3& here = mesh_.positions[v];
+    Vec3 sum = Vec3::Zero();
+    double areas = 0;
+    for (const Index corner : fans.at(v)) {
+      const Vec3 b = mesh_.positions[fans.next(corner)] - here;
+      const Vec3 c = mesh_.positions[fans.previous(corner)] - here;
+      const double area = b.cross(c).norm();
+      sum += area / 3 * (b + c);
+      areas += area;
+    }
+    return areas > 0 ? Vec3(here + sum / areas) : here;
+  }
+
+  bool is_turned(std::size_t face, const std::vector<Vec3>& before) const {
+    const auto f = mesh_.face(face);
+    const auto normal = [&](const std::vector<Vec3>& p) { return Vec3((p[f[1]] - p[f[0]]).cross(p[f[2]] - p[f[0]])); };
+    const Vec3 was = normal(before), is = normal(mesh_.positions);
+    return !(is.dot(was) > least_turn * is.norm() * was.norm());
+  }
+
+  PolyMesh& mesh_;
+  const implicit::Field& field_;
+  const ImprovementOptions& options_;
+};
+
+/// Each point takes the vertex nearest to it among those that have it as their nearest point.
+void Improvement::snap(std::span<const Vec3> points, Progress& progress) {
+  const implicit::PointTree tree(points);
+  const std::vector<Vec3> before = mesh_.positions;
+  std::vector<Index> nearest(before.size());
+  for_each_part(nearest.size(), grain, options_.threads, progress, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) nearest[v] = tree.nearest(before[v]);
+  });
+  const auto distance = [&](Index v) { return (before[v] - points[nearest[v]]).squaredNorm(); };
+  std::vector<Index> taker(points.size(), no_index);
+  for (Index v = 0; v < nearest.size(); ++v) {
+    Index& best = taker[nearest[v]];
+    if (distance(v) <= options_.snap * options_.snap && (best == no_index || distance(v) < distance(best))) best = v;
+  }
+  for (std::size_t p = 0; p < points.size(); ++p)
+    if (taker[p] != no_index) mesh_.positions[taker[p]] = points[p];
+  for (bool settled = false; !settled;) {
+    progress.check();
+    settled = true;
+    for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
+      if (!is_turned(f, before)) continue;
+      for (const Index v : mesh_.face(f)) {
+        settled = settled && mesh_.positions[v] == before[v];
+        mesh_.positions[v] = before[v];
+      }
+    }
+  }
+}
+
+/// One ring more around the marked vertices.
+void grow(const PolyMesh& mesh, std::vector<std::uint8_t>& marked) {
+  const std::vector<std::uint8_t> inner = marked;
+  for (std::size_t c = 0; c < mesh.corners.size(); ++c) {
+    if (inner[mesh.corners[c]] == 0) continue;
+    for (const Index v : mesh.face(c / 3)) marked[v] = 1;
+  }
+}
+
+std::vector<Index> faces_at(const PolyMesh& mesh, const std::vector<std::uint8_t>& marked) {
+  std::vector<Index> faces;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    if (std::any_of(face.begin(), face.end(), [&](Index v) { return marked[v] != 0; })) faces.push_back(f);
+  }
+  return faces;
+}
+
+void as_stored(std::vector<Vec3>& positions, Precision precision) {
+  if (precision == Precision::Single) round_to_single(positions);
+}
+
+}  // namespace
+
+std::size_t undo_where_cut(PolyMesh& mesh, const std::vector<Vec3>& before, int threads, Progress& progress) {
+  Progress first = progress.step("look for cuts", 0.9);
+  std::vector<std::array<Index, 2>> pairs = find_cuts(mesh, threads, first);
+  for (int round = 0; round < undo_rounds && !pairs.empty(); ++round) {
+    std::vector<std::uint8_t> marked(mesh.vertex_count(), 0);
+    for (const auto& pair : pairs) {
+      for (const Index f : pair)
+        for (const Index v : mesh.face(f)) marked[v] = 1;
+    }
+    for (int ring = 0; ring < round; ++ring) grow(mesh, marked);
+    for (std::size_t v = 0; v < marked.size(); ++v)
+      if (marked[v] != 0) mesh.positions[v] = before[v];
+    Progress again = progress.step("look for cuts", 0.1 / undo_rounds);
+    pairs = find_intersections_of(mesh, faces_at(mesh, marked), again, {.max_pairs = most_pairs}).pairs;
+  }
+  return pairs.size();
+}
+
+std::size_t improve(PolyMesh& mesh, const implicit::Field& field, std::span<const Vec3> points,
+                    const ImprovementOptions& options, Progress& progress) {
+  Improvement improvement(mesh, field, options);
+  as_stored(mesh.positions, options.precision);
+  std::vector<Vec3> before = mesh.positions;
+  Progress smoothing = progress.step("smooth", options.refine > 0 ? 0.2 : 0.6);
+  improvement.smooth(smoothing);
+  if (options.snap > 0) {
+    Progress snapping = progress.step("snap", 0.05);
+    improvement.snap(points, snapping);
+  }
+  as_stored(mesh.positions, options.precision);
+  Progress checking = progress.step("look for cuts", options.refine > 0 ? 0.1 : 0.35);
+  std::size_t cuts = undo_where_cut(mesh, before, options.threads, checking);
+  for (int round = 0; round < options.refine; ++round) {
+    Progress refining = progress.step("refine", 0.65 / options.refine);
+    const std::size_t known = mesh.vertex_count();
+    refining.check();
+    mesh = implicit::split_in_four(mesh);
+    as_stored(mesh.positions, options.precision);
+    before = mesh.positions;
+    Progress projecting = refining.step("project " + std::to_string(mesh.vertex_count() - known) + " vertices", 0.7);
+    const double largest = improvement.onto_surface({}, known, projecting);
+    as_stored(mesh.positions, options.precision);
+    Progress looking = refining.step("look for cuts", 0.3);
+    cuts = undo_where_cut(mesh, before, options.threads, looking);
+    if (largest < options.chord) break;
+  }
+  return cuts;
+}
+
+}  // namespace croquis::hole_filling

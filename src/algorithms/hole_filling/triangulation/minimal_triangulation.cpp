@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/hole_filling/triangulation/minimal_triangulation.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include "algorithms/hole_filling/triangulation/cancel_check.h"
+#include "algorithms/hole_filling/triangulation/triangle_cost.h"
+
+namespace croquis::hole_filling {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+class CostTable {
+ public:
+  CostTable(const RimPolygon& rims, std::span<const Index> order)
+      : rims_(rims), order_(order), size_(order.size()), cost_(size_ * size_, infinite), apex_(size_ * size_, 0) {}
+
+  /// @return whether there is a triangulation
+  bool fill(Progress& progress) {
+    for (std::size_t i = 0; i + 1 < size_; ++i) cost_[at(i, i + 1)] = 0;
+    for (std::size_t span = 2; span < size_; ++span) {
+      progress.check();
+      for (std::size_t i = 0; i + span < size_; ++i) choose_apex(i, i + span);
+    }
+    return cost_[at(0, size_ - 1)] < infinite;
+  }
+
+  std::vector<std::array<Index, 3>> triangles() const {
+    std::vector<std::array<Index, 3>> result;
+    std::vector<std::pair<std::size_t, std::size_t>> pending = {{0, size_ - 1}};
+    while (!pending.empty()) {
+      const auto [i, k] = pending.back();
+      pending.pop_back();
+      if (k - i < 2) continue;
+      const std::size_t j = apex_[at(i, k)];
+      result.push_back({order_[i], order_[j], order_[k]});
+      pending.emplace_back(i, j);
+      pending.emplace_back(j, k);
+    }
+    return result;
+  }
+
+ private:
+  std::size_t at(std::size_t i, std::size_t k) const { return i * size_ + k; }
+  const Vec3& point(std::size_t i) const { return rims_.points[order_[i]]; }
+
+  /// Sides of the polygon may be edges of the mesh, chords must not be.
+  bool may_join(std::size_t i, std::size_t k) const {
+    if (k == i + 1 || (i == 0 && k + 1 == size_)) return true;
+    return order_[i] != order_[k] && !rims_.is_blocked(order_[i], order_[k]);
+  }
+
+  bool is_avoided(std::size_t i, std::size_t j, std::size_t k) const {
+    if (rims_.avoided.empty()) return false;
+    std::array<Index, 3> triangle = {order_[i], order_[j], order_[k]};
+    std::sort(triangle.begin(), triangle.end());
+    return std::binary_search(rims_.avoided.begin(), rims_.avoided.end(), triangle);
+  }
+
+  void choose_apex(std::size_t i, std::size_t k) {
+    if (!may_join(i, k)) return;
+    double best = infinite;
+    for (std::size_t j = i + 1; j < k; ++j) {
+      const double parts = cost_[at(i, j)] + cost_[at(j, k)];
+      if (!(parts < best) || is_avoided(i, j, k)) continue;
+      const double total = parts + triangle_cost(point(i), point(j), point(k));
+      if (!(total < best)) continue;
+      best = total;
+      apex_[at(i, k)] = static_cast<std::uint32_t>(j);
+    }
+    cost_[at(i, k)] = best;
+  }
+
+  const RimPolygon& rims_;
+  std::span<const Index> order_;
+  std::size_t size_;
+  std::vector<double> cost_;         ///< of the part from i to k
+  std::vector<std::uint32_t> apex_;  ///< the third corner of the triangle on (i, k)
+};
+
+/// The places in `joined` and in a loop that are nearest to each other.
+std::pair<std::size_t, Index> shortest_bridge(const RimPolygon& rims, const std::vector<Index>& joined, Index begin,
+                                              Index end) {
+  std::pair<std::size_t, Index> best{0, begin};
+  double shortest = infinite;
+  for (std::size_t i = 0; i < joined.size(); ++i) {
+    for (Index point = begin; point < end; ++point) {
+      const double squared = (rims.points[joined[i]] - rims.points[point]).squaredNorm();
+      if (squared < shortest && !rims.is_blocked(joined[i], point)) {
+        shortest = squared;
+        best = {i, point};
+      }
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<std::vector<std::array<Index, 3>>> minimal_triangulation(const RimPolygon& rims,
+                                                                       std::span<const Index> order,
+                                                                       Progress& progress) {
+  if (order.size() < 3) return std::nullopt;
+  CostTable table(rims, order);
+  if (!table.fill(progress)) return std::nullopt;
+  return table.triangles();
+}
+
+std::vector<Index> bridged_order(const RimPolygon& rims) {
+  std::vector<Index> joined;
+  for (Index point = 0; point < rims.loop_ends.front(); ++point) joined.push_back(point);
+  for (std::size_t loop = 1; loop < rims.loop_count(); ++loop) {
+    const Index begin = rims.loop_ends[loop - 1];
+    const Index end = rims.loop_ends[loop];
+    const auto [place, landing] = shortest_bridge(rims, joined, begin, end);
+    std::vector<Index> detour;
+    for (Index step = 0; step <= end - begin; ++step)
+      detour.push_back(begin + (landing - begin + step) % (end - begin));
+    // Loops that share a vertex are joined there, without a bridge there and back.
+    if (rims.points[joined[place]] == rims.points[landing])
+      detour.erase(detour.begin());
+    else
+      detour.push_back(joined[place]);
+    joined.insert(joined.begin() + static_cast<std::ptrdiff_t>(place) + 1, detour.begin(), detour.end());
+  }
+  return joined;
+}
+
+}  // namespace croquis::hole_filling
