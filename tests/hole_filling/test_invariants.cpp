@@ -236,6 +236,18 @@ TEST_CASE("a scaled, turned or moved surface gets the same patches in its own pl
   }
 }
 
+TEST_CASE("an even surface that is turned and moved gets patches in the same place, to 2e-3 of its size") {
+  Random random(41);
+  for (std::uint64_t seed = 0; seed < sample_count(4, 30); ++seed) {
+    const PolyMesh mesh = random_cuts(ring_torus(60, 30), seed, 3, 0.15, 0.3).mesh;
+    const Eigen::Affine3d motion =
+        Eigen::Translation3d(any_direction(random)) * Eigen::AngleAxisd(random.between(0, 6), any_direction(random));
+    FillResult moved = fill(transformed(mesh, motion));
+    for (Vec3& p : moved.mesh.positions) p = motion.inverse() * p;
+    CHECK(greatest_distance_of_new(fill(mesh), moved) < 2e-3 * diagonal_of(mesh));
+  }
+}
+
 TEST_CASE("millimetres a kilometre from the origin are filled as well as anywhere") {
   // A torus of 2.8 mm, coordinates in metres and in millimetres.
   const PolyMesh mesh = random_cuts(ring_torus(60, 30), 7, 4, 0.15, 0.3).mesh;
