@@ -14,6 +14,7 @@ namespace {
 constexpr int joint_size = 18;
 constexpr int legend_row = 16;
 constexpr QSize legend_size(96, 16 * 7 + 24);
+constexpr QColor legend_ink(60, 66, 76);
 constexpr const char* name_style = "color: #5c6470; background: transparent; font-size: 12px";
 constexpr const char* value_style =
     "background: #2b2d31; color: #f2f3f5; border: 1px solid #609ce6; border-radius: 5px; padding: 1px 6px;"
@@ -48,58 +49,55 @@ QString faces(std::size_t count) {
   return count == 1 ? ViewChips::tr("1 face") : ViewChips::tr("%1 faces").arg(QLocale().toString(qulonglong(count)));
 }
 
+void prepare_legend(QWidget& legend, const QString& name, const QString& meaning, const QSize& size) {
+  legend.setObjectName(name);
+  legend.setAccessibleName(meaning);
+  legend.setAttribute(Qt::WA_TransparentForMouseEvents);
+  legend.setFixedSize(size);
+  legend.hide();
+}
+
+/// A legend's ground and title. @return where its first row begins
+int draw_card(QPainter& painter, const QRect& card, const QString& title) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(255, 255, 255, 190));
+  painter.drawRoundedRect(card, 6, 6);
+  QFont font = painter.font();
+  font.setPixelSize(11);
+  painter.setFont(font);
+  painter.setPen(legend_ink);
+  painter.drawText(QRect(8, 4, card.width() - 8, legend_row), Qt::AlignVCenter, title);
+  return 4 + legend_row;
+}
+
 }  // namespace
 
 SharpnessLegend::SharpnessLegend(QWidget* parent) : QWidget(parent) {
-  setObjectName("sharpness-legend");
-  setAccessibleName(tr("Colours of tagged edges by sharpness"));
-  setAttribute(Qt::WA_TransparentForMouseEvents);
-  setFixedSize(legend_size);
-  hide();
+  prepare_legend(*this, "sharpness-legend", tr("Colours of tagged edges by sharpness"), legend_size);
 }
 
 void SharpnessLegend::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(QColor(255, 255, 255, 190));
-  painter.drawRoundedRect(rect(), 6, 6);
-  QFont font = painter.font();
-  font.setPixelSize(11);
-  painter.setFont(font);
-  painter.setPen(QColor(60, 66, 76));
-  painter.drawText(QRect(8, 4, width() - 8, legend_row), Qt::AlignVCenter, tr("Sharpness"));
-  int y = 4 + legend_row;
+  int y = draw_card(painter, rect(), tr("Sharpness"));
   for (const render::SharpnessSample& sample : render::sharpness_legend()) {
     const QColor color(sample.color.r, sample.color.g, sample.color.b);
     painter.setPen(QPen(color, render::sharpness_width(sample.sharpness), Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(QPointF(10, y + legend_row / 2.0), QPointF(32, y + legend_row / 2.0));
-    painter.setPen(QColor(60, 66, 76));
+    painter.setPen(legend_ink);
     painter.drawText(QRect(40, y, width() - 40, legend_row), Qt::AlignVCenter, QString::fromStdString(sample.label));
     y += legend_row;
   }
 }
 
 ConfidenceLegend::ConfidenceLegend(QWidget* parent) : QWidget(parent) {
-  setObjectName("confidence-legend");
-  setAccessibleName(tr("Colours of patches by confidence"));
-  setAttribute(Qt::WA_TransparentForMouseEvents);
-  setFixedSize(legend_size.width(), legend_row * 6 + 14);
-  hide();
+  prepare_legend(*this, "confidence-legend", tr("Colours of patches by confidence"),
+                 {legend_size.width(), legend_row * 6 + 14});
 }
 
 void ConfidenceLegend::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(QColor(255, 255, 255, 190));
-  painter.drawRoundedRect(rect(), 6, 6);
-  QFont font = painter.font();
-  font.setPixelSize(11);
-  painter.setFont(font);
-  painter.setPen(QColor(60, 66, 76));
-  painter.drawText(QRect(8, 4, width() - 8, legend_row), Qt::AlignVCenter, tr("Confidence"));
-  int y = 4 + legend_row;
+  int y = draw_card(painter, rect(), tr("Confidence"));
   auto samples = render::value_legend();
   std::reverse(samples.begin(), samples.end());  // as scales stand: much above
   for (const render::ValueSample& sample : samples) {

@@ -7,11 +7,12 @@
 #include <glm/glm.hpp>
 
 #include "croquis/geometry/mesh_tags.h"
+#include "render/color_ramp.h"
 
 namespace croquis::render {
 namespace {
 
-constexpr std::array<std::array<double, 3>, 4> ramp = {{{104, 206, 172}, {22, 156, 142}, {26, 96, 146}, {44, 26, 104}}};
+constexpr ColorRamp<4> ramp = {{{104, 206, 172}, {22, 156, 142}, {26, 96, 146}, {44, 26, 104}}};
 constexpr Color infinite_color = {200, 0, 112, 255};
 
 /// In [0, 1]: half a level matters more between 0 and 2 than between 8 and 10.
@@ -30,15 +31,7 @@ std::string label_of(double sharpness) {
 
 Color sharpness_color(double sharpness) {
   if (sharpness > greatest_sharpness) return infinite_color;
-  const double place = share_of_ramp(sharpness) * (ramp.size() - 1);
-  const auto stop = std::min(static_cast<std::size_t>(place), ramp.size() - 2);
-  const double share = place - static_cast<double>(stop);
-  Color color(0, 0, 0, 255);
-  for (int i = 0; i < 3; ++i) {
-    const auto c = static_cast<std::size_t>(i);
-    color[i] = static_cast<std::uint8_t>(std::lround((1 - share) * ramp[stop][c] + share * ramp[stop + 1][c]));
-  }
-  return color;
+  return color_on(ramp, share_of_ramp(sharpness));
 }
 
 float sharpness_width(double sharpness) {

@@ -9,13 +9,13 @@
 #include <span>
 #include <utility>
 
+#include "render/color_ramp.h"
 #include "render/item_colors.h"
 
 namespace croquis::render {
 namespace {
 
-constexpr std::array<std::array<double, 3>, 5> ramp = {
-    {{68, 20, 92}, {58, 82, 139}, {33, 145, 140}, {105, 200, 92}, {248, 230, 84}}};
+constexpr ColorRamp<5> ramp = {{{68, 20, 92}, {58, 82, 139}, {33, 145, 140}, {105, 200, 92}, {248, 230, 84}}};
 constexpr Color no_value_color = {150, 150, 150, 255};
 
 double number_at(const AttributeChannel& channel, std::size_t element) {
@@ -76,15 +76,7 @@ void append(std::vector<float>& values, const std::optional<Color>& color) {
 
 Color value_color(double value) {
   if (std::isnan(value)) return no_value_color;
-  const double place = std::clamp(value, 0.0, 1.0) * (ramp.size() - 1);
-  const auto stop = std::min(static_cast<std::size_t>(place), ramp.size() - 2);
-  const double share = place - static_cast<double>(stop);
-  Color color(0, 0, 0, 255);
-  for (int i = 0; i < 3; ++i) {
-    const auto c = static_cast<std::size_t>(i);
-    color[i] = static_cast<std::uint8_t>(std::lround((1 - share) * ramp[stop][c] + share * ramp[stop + 1][c]));
-  }
-  return color;
+  return color_on(ramp, value);
 }
 
 std::vector<ValueSample> value_legend(int count) {
