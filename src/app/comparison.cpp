@@ -63,14 +63,8 @@ void Comparison::follow() {
   other.id = compared_node;
   other.parameters[parameter_] = shown_value_;
   if (!live_) {
-    LiveNode::Host host;
-    host.post = [this](std::function<void()> task) {
-      QMetaObject::invokeMethod(this, std::move(task), Qt::QueuedConnection);
-    };
-    host.changed = [this] { take(); };
-    host.progress = [](double, const std::string&) {};
-    host.busy_changed = [] {};
-    live_ = std::make_unique<LiveNode>(studio_.evaluator(), compared_node, std::move(host));
+    live_ =
+        std::make_unique<LiveNode>(studio_.evaluator(), compared_node, LiveNode::quiet_host(this, [this] { take(); }));
   }
   live_->follow(studio_.session().document().with(std::move(other)));
 }

@@ -31,6 +31,17 @@ std::vector<std::shared_ptr<const Node>> upstream(const Document& document, Node
 
 }  // namespace
 
+LiveNode::Host LiveNode::quiet_host(QObject* receiver, std::function<void()> changed) {
+  Host host;
+  host.post = [receiver](std::function<void()> task) {
+    QMetaObject::invokeMethod(receiver, std::move(task), Qt::QueuedConnection);
+  };
+  host.changed = std::move(changed);
+  host.progress = [](double, const std::string&) {};
+  host.busy_changed = [] {};
+  return host;
+}
+
 LiveNode::LiveNode(Evaluator& evaluator, NodeId node, Host host) : node_(node), host_(std::move(host)) {
   LiveEvaluation::Callbacks callbacks;
   callbacks.result = [this](NodeId, std::shared_ptr<const Evaluation> result, Quality quality) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QElapsedTimer>
+#include <QObject>
 #include <functional>
 #include <memory>
 #include <string>
@@ -22,6 +23,10 @@ class LiveNode {
     std::function<void(double fraction, const std::string& step)> progress;
     std::function<void()> busy_changed;
   };
+
+  /// Of a node that is looked at beside the document: it tells of nothing but results.
+  /// @param receiver in the window's thread; outlives the node
+  static Host quiet_host(QObject* receiver, std::function<void()> changed);
 
   /// @param evaluator outlives this
   LiveNode(Evaluator& evaluator, NodeId node, Host host);

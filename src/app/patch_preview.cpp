@@ -52,14 +52,8 @@ void PatchPreview::follow() {
   }
   other.id = previewed_node;
   if (!live_) {
-    LiveNode::Host host;
-    host.post = [this](std::function<void()> task) {
-      QMetaObject::invokeMethod(this, std::move(task), Qt::QueuedConnection);
-    };
-    host.changed = [this] { take(); };
-    host.progress = [](double, const std::string&) {};
-    host.busy_changed = [] {};
-    live_ = std::make_unique<LiveNode>(studio_.evaluator(), previewed_node, std::move(host));
+    live_ =
+        std::make_unique<LiveNode>(studio_.evaluator(), previewed_node, LiveNode::quiet_host(this, [this] { take(); }));
   }
   since_.start();
   live_->follow(document.with(std::move(other)));

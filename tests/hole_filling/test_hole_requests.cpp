@@ -13,6 +13,7 @@
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/hole_filling/fill_holes.h"
 #include "croquis/hole_filling/hole_request.h"
+#include "hole_filling/fill_invariants.h"
 #include "support/mesh_shapes.h"
 #include "support/scans.h"
 
@@ -20,16 +21,6 @@ namespace croquis::hole_filling {
 namespace {
 
 using namespace test;
-
-FillResult fill(const PolyMesh& mesh, const FillOptions& options) {
-  Progress progress;
-  return fill_holes(mesh, options, progress);
-}
-
-MeshReport report_of(const PolyMesh& mesh) {
-  Progress progress;
-  return inspect(mesh, true, progress);
-}
 
 /// A sphere with six holes.
 PolyMesh scan() { return random_cuts(round_sphere(4), 7, 6, 0.12, 0.3).mesh; }

@@ -73,25 +73,19 @@ std::string names_of(const std::vector<Subject>& subjects) {
   return text + " and " + (left == 1 ? subjects.back().id : std::to_string(left) + " more");
 }
 
-/// One warning for all of them: their shape is a guess, whatever the method.
+/// One warning for all of them.
+void tell_doubtful(std::vector<Subject> holes, const std::string& what, Findings& findings) {
+  if (holes.empty()) return;
+  const std::string sentence = names_of(holes) + (holes.size() == 1 ? " was" : " were") + " filled " + what;
+  findings.push_back(make_warning(Category::Geometry, "W_LOW_CONFIDENCE", sentence, std::move(holes)));
+}
+
+/// Their shape is a guess, whatever the method.
 void tell_low_confidence(const PolyMesh& scan, const FillResult& result, Findings& findings) {
-  const auto far = filled_where(scan, result, [](const HoleOutcome& o) { return o.confidence < low_confidence; });
-  if (!far.empty())
-    findings.push_back(
-        make_warning(Category::Geometry, "W_LOW_CONFIDENCE",
-                     names_of(far) + (far.size() == 1 ? " was" : " were") +
-                         " filled far beyond what the surface around tells: look at the shape, or choose "
-                         "flat patches.",
-                     far));
-  const auto folded =
-      filled_where(scan, result, [](const HoleOutcome& o) { return o.max_normal_jump > doubtful_fold; });
-  if (!folded.empty())
-    findings.push_back(
-        make_warning(Category::Geometry, "W_LOW_CONFIDENCE",
-                     names_of(folded) + (folded.size() == 1 ? " was" : " were") +
-                         " filled with a fold of more than 150 degrees at the rim: look at the rim, or trim "
-                         "it.",
-                     folded));
+  tell_doubtful(filled_where(scan, result, [](const HoleOutcome& o) { return o.confidence < low_confidence; }),
+                "far beyond what the surface around tells: look at the shape, or choose flat patches.", findings);
+  tell_doubtful(filled_where(scan, result, [](const HoleOutcome& o) { return o.max_normal_jump > doubtful_fold; }),
+                "with a fold of more than 150 degrees at the rim: look at the rim, or trim it.", findings);
 }
 
 }  // namespace
