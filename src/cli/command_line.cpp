@@ -151,6 +151,33 @@ void check_subcommand(const std::vector<std::string>& arguments, const std::vect
   if (!known) throw usage_error("There is no subcommand '" + arguments.front() + "'; see --help.");
 }
 
+Error no_value(const std::string& option) {
+  return usage_error("There is no value behind " + option + "; see --help.");
+}
+
+/// CLI11 would take the next option for a value that is missing behind "=", and the "=" behind a letter for a part of
+/// the value.
+void check_equal_signs(const std::vector<std::string>& arguments) {
+  for (const std::string& argument : arguments) {
+    if (argument == "--") return;  // what follows are names of files
+    if (argument.starts_with("--") && argument.find('=') == argument.size() - 1) throw no_value(argument);
+    if (argument.size() > 2 && argument[0] == '-' && argument[1] != '-' && argument[2] == '=') {
+      throw usage_error("Between " + argument.substr(0, 2) + " and its value belongs a space, no '='; see --help.");
+    }
+  }
+}
+
+/// A word that is there and empty, as unset variables of scripts leave it, is never meant.
+void check_values(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    const std::vector<std::string>& values = option->results();
+    const bool is_flag = option->get_items_expected_max() == 0;
+    if (is_flag || std::find(values.begin(), values.end(), "") == values.end()) continue;
+    if (option->get_positional()) throw usage_error("The name of the file to read is empty; see --help.");
+    throw no_value(option->get_name());
+  }
+}
+
 void set_up(CLI::App& app) {
   app.name("croquis-cli");
   app.require_subcommand(1);
@@ -176,6 +203,7 @@ ParsedLine parse_command_line(const std::vector<std::string>& arguments,
     add_subcommand(app, *slots.back());
   }
   check_subcommand(arguments, slots);
+  check_equal_signs(arguments);
 
   ParsedLine line;
   try {
@@ -191,6 +219,7 @@ ParsedLine parse_command_line(const std::vector<std::string>& arguments,
   }
   for (const auto& slot : slots) {
     if (!slot->app->parsed()) continue;
+    check_values(*slot->app);
     read_parameters(*slot);
     line.command = slot->command;
     line.invocation = std::move(slot->invocation);

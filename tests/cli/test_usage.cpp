@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <sstream>
 
 #include <catch2/catch.hpp>
@@ -117,6 +118,8 @@ TEST_CASE("wrong usage is answered with exit code 2 and the word at fault") {
       {{"inflate", sketch, "-o", folder / "a.obj", "--timeout", "-1"}, "timeout"},
       {{"info", cube, "extra"}, "extra"},
       {{"convert", cube}, "output"},
+      {{"convert", cube, "-o=" + (folder / "a.obj")}, "space"},
+      {{"convert", "", "-o", folder / "a.obj"}, "empty"},
       {{"convert", cube, "-o", folder / "noextension"}, "noextension"},
       {{"render", cube, "-o", folder / "a.png", "--size", "0x10"}, "size"},
       {{"render", cube, "-o", folder / "a.jpg"}, "PNG"},
@@ -129,6 +132,44 @@ TEST_CASE("wrong usage is answered with exit code 2 and the word at fault") {
     CHECK(result.out.empty());
   }
   CHECK(folder.names() == std::vector<std::string>{"cube.obj", "sketch.svg"});
+}
+
+/// The long names of a subcommand's options; those with a value are followed by a word for it.
+std::vector<std::string> options_with_values(const std::string& help) {
+  std::vector<std::string> names;
+  std::istringstream stream(help);
+  for (std::string line; std::getline(stream, line);) {
+    const std::size_t name = line.find("--");
+    if (!line.starts_with("  -") || name == std::string::npos) continue;
+    const std::size_t end = line.find(' ', name);
+    if (end != std::string::npos && end + 1 < line.size() && line[end + 1] != ' ') {
+      names.push_back(line.substr(name, end - name));
+    }
+  }
+  return names;
+}
+
+TEST_CASE("a missing value is never made up from what follows, whatever the option") {
+  const ScratchFolder folder;
+  const std::string cube = folder.write("cube.obj", cube_obj);
+  for (const std::string& name : subcommands) {
+    const std::vector<std::string> options = options_with_values(run_cli({name, "--help"}).out);
+    CHECK(std::find(options.begin(), options.end(), "--threads") != options.end());
+    const bool writes = std::find(options.begin(), options.end(), "--output") != options.end();
+    for (const std::string& option : options) {
+      for (const std::vector<std::string>& words : {std::vector<std::string>{option + "="}, {option, ""}}) {
+        std::vector<std::string> line = {name, cube};
+        line.insert(line.end(), words.begin(), words.end());
+        if (writes) line.insert(line.end(), {"-o", folder / "a.obj"});
+        if (name == "operations") line.erase(line.begin() + 1);
+        const ProcessResult result = run_cli(line);
+        CAPTURE(line, result.err);
+        CHECK(result.code == 2);
+        CHECK(result.err.find(option) != std::string::npos);
+      }
+    }
+  }
+  CHECK(folder.names() == std::vector<std::string>{"cube.obj"});
 }
 
 TEST_CASE("wrong usage under --json is one object with every finding") {
