@@ -30,11 +30,14 @@ void tell_outer(const PolyMesh& scan, const FillResult& result, Findings& findin
       subjects.push_back(hole_subject(scan, hole));
   }
   if (subjects.empty()) return;
-  const std::string count = subjects.size() == 1 ? "1 rim looks" : std::to_string(subjects.size()) + " rims look";
-  findings.push_back(make_warning(Category::Geometry, "W_OUTER_LEFT",
-                                  count + " like the border of an open surface and stayed open: choose all holes, or "
-                                          "these by their numbers, to close them too.",
-                                  std::move(subjects)));
+  const bool one = subjects.size() == 1;
+  const std::string count = one ? "1 rim looks" : std::to_string(subjects.size()) + " rims look";
+  const std::string choice =
+      one ? "this one by its number, to close it too." : "these by their numbers, to close them too.";
+  findings.push_back(
+      make_warning(Category::Geometry, "W_OUTER_LEFT",
+                   count + " like the border of an open surface and stayed open: choose all holes, or " + choice,
+                   std::move(subjects)));
 }
 
 void tell_hole(const PolyMesh& scan, const FillResult& result, const Hole& hole, Findings& findings) {

@@ -47,8 +47,9 @@ void tell_orientation(const SurfaceView& view, Findings& findings) {
   if (view.turned_faces > 0)
     findings.push_back(warn("W_ORIENTATION",
                             counted(view.turned_faces, "face runs", "faces run") +
-                                " against the neighbours: taken the other way round, and written as they were; "
-                                "flip them in the source.",
+                                " against the neighbours: taken the other way round, and written as " +
+                                (view.turned_faces == 1 ? "it was; flip it" : "they were; flip them") +
+                                " in the source.",
                             flagged_faces(view, SurfaceView::turned)));
   if (view.one_sided_components > 0)
     findings.push_back(
@@ -59,11 +60,12 @@ void tell_orientation(const SurfaceView& view, Findings& findings) {
 
 void tell_crowded_edges(const HoleAnalysis& analysis, Findings& findings) {
   if (analysis.view.crowded_edges == 0) return;
-  std::string message =
-      counted(analysis.view.crowded_edges, "edge has", "edges have") + " more than two faces and stay as they are";
+  const bool one = analysis.view.crowded_edges == 1;
+  std::string message = counted(analysis.view.crowded_edges, "edge has", "edges have") + " more than two faces and " +
+                        (one ? "stays as it is" : "stay as they are");
   if (analysis.open_rims > 0)
     message += "; " + counted(analysis.open_rims, "rim ends", "rims end") + " there and can't be filled";
-  findings.push_back(warn("W_NONMANIFOLD", message + ": separate the sheets that meet in them.",
+  findings.push_back(warn("W_NONMANIFOLD", message + ": separate the sheets that meet in " + (one ? "it." : "them."),
                           crowded_edge_subjects(analysis.view)));
 }
 
@@ -77,8 +79,8 @@ void tell_shared_vertices(const HoleAnalysis& analysis, Findings& findings) {
   }
   if (count > 0)
     findings.push_back(warn("W_BOWTIE",
-                            counted(count, "hole shares", "holes share") +
-                                " a vertex with another one and were cut apart there: look at what is filled.",
+                            counted(count, "hole shares", "holes share") + " a vertex with another one and " +
+                                (count == 1 ? "was" : "were") + " cut apart there: look at what is filled.",
                             std::move(subjects)));
 }
 
@@ -89,8 +91,11 @@ Findings analysis_findings(const HoleAnalysis& analysis) {
   Findings findings;
   if (view.welded_vertices > 0)
     findings.push_back(warn("W_WELDED", counted(view.welded_vertices, "vertex lies", "vertices lie") +
-                                            " exactly on another one and count as the same; they are written as they "
-                                            "were, so weld the source to get a closed file."));
+                                            " exactly on another one and " +
+                                            (view.welded_vertices == 1 ? "counts as the same; it is written as it was"
+                                                                       : "count as the same; they are written as they "
+                                                                         "were") +
+                                            ", so weld the source to get a closed file."));
   tell_orientation(view, findings);
   tell_crowded_edges(analysis, findings);
   if (view.unsound_triangles + view.dropped_triangles > 0)

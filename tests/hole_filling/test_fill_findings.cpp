@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+
+#include "croquis/hole_filling/fill_holes.h"
+#include "hole_filling/fill_invariants.h"
+#include "support/mesh_shapes.h"
+#include "support/scans.h"
+
+using namespace croquis;
+using namespace croquis::test;
+using namespace croquis::hole_filling;
+
+namespace {
+
+/// The sentence of the only warning with that code.
+std::string sentence(const PolyMesh& mesh, const std::string& code) {
+  const FillResult result = fill(mesh, {});
+  std::string found;
+  for (const Finding& finding : result.warnings) {
+    if (finding.code != code) continue;
+    CHECK(found.empty());
+    found = finding.message;
+  }
+  return found;
+}
+
+/// The mesh, its first faces with corners of their own where they have the vertex.
+PolyMesh with_doubled_vertices(PolyMesh mesh, Index count) {
+  for (Index vertex = 0; vertex < count; ++vertex) {
+    const auto corner = std::find(mesh.corners.begin(), mesh.corners.end(), vertex);
+    *corner = static_cast<Index>(mesh.positions.size());
+    mesh.positions.push_back(mesh.positions[vertex]);
+  }
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("warnings about holes speak of one thing and of many as people do") {
+  const PolyMesh ball = round_sphere(3);
+  CHECK(sentence(tetrahedra_sharing_edge(), "W_NONMANIFOLD") ==
+        "1 edge has more than two faces and stays as it is: separate the sheets that meet in it.");
+  CHECK(sentence(merged(tetrahedra_sharing_edge(), translated(tetrahedra_sharing_edge(), Vec3(9, 0, 0))),
+                 "W_NONMANIFOLD") ==
+        "2 edges have more than two faces and stay as they are: separate the sheets that meet in them.");
+  CHECK(sentence(with_doubled_vertices(ball, 1), "W_WELDED") ==
+        "1 vertex lies exactly on another one and counts as the same; it is written as it was, so weld the source to "
+        "get a closed file.");
+  CHECK(sentence(with_doubled_vertices(ball, 2), "W_WELDED") ==
+        "2 vertices lie exactly on another one and count as the same; they are written as they were, so weld the "
+        "source to get a closed file.");
+  CHECK(sentence(flipped_face(ball, 3), "W_ORIENTATION") ==
+        "1 face runs against the neighbours: taken the other way round, and written as it was; flip it in the source.");
+  CHECK(sentence(flipped_face(flipped_face(ball, 3), 90), "W_ORIENTATION") ==
+        "2 faces run against the neighbours: taken the other way round, and written as they were; flip them in the "
+        "source.");
+  CHECK(sentence(sheet(6, 6), "W_OUTER_LEFT") ==
+        "1 rim looks like the border of an open surface and stayed open: choose all holes, or this one by its number, "
+        "to close it too.");
+  CHECK(sentence(merged(sheet(6, 6), translated(sheet(6, 6), Vec3(99, 0, 0))), "W_OUTER_LEFT") ==
+        "2 rims look like the border of an open surface and stayed open: choose all holes, or these by their numbers, "
+        "to close them too.");
+}
