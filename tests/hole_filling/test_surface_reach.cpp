@@ -76,7 +76,7 @@ TEST_CASE("normals of rims are those of the surface, once quadrics are fitted") 
   const auto scene = scene_of(cut(round_sphere(4), Vec3(0, 0, 1), 0.5).mesh);
   auto reached = reach_from_rims(scene->site, 0.5);
   const double before = greatest_tilt(reached, scene->mesh);
-  fit_rim_normals(reached, scene->mesh.positions);
+  fit_rim_normals(reached, scene->mesh.positions, tree_of(reached, scene->mesh.positions));
   CHECK(before > 0.015);
   CHECK(greatest_tilt(reached, scene->mesh) < before / 10);
 }
@@ -85,7 +85,7 @@ TEST_CASE("normals at a sharp edge aren't turned far") {
   const auto scene = scene_of(cut(divided_box(12), Vec3(1, 0.5, 1), 0.2).mesh);
   auto reached = reach_from_rims(scene->site, 0.5);
   const auto before = reached;
-  fit_rim_normals(reached, scene->mesh.positions);
+  fit_rim_normals(reached, scene->mesh.positions, tree_of(reached, scene->mesh.positions));
   for (std::size_t i = 0; i < reached.size(); ++i) CHECK(reached[i].normal.dot(before[i].normal) > 0.86);
 }
 
@@ -93,7 +93,8 @@ TEST_CASE("a surface's roughness is the noise that it was given, × an edge") {
   const PolyMesh ball = cut(round_sphere(5), Vec3(0, 0, 1), 0.3).mesh;
   const auto roughness = [](const PolyMesh& mesh, double reach) {
     const auto scene = scene_of(mesh);
-    return surface_roughness(reach_from_rims(scene->site, reach), scene->mesh.positions);
+    const auto reached = reach_from_rims(scene->site, reach);
+    return surface_roughness(reached, scene->mesh.positions, tree_of(reached, scene->mesh.positions));
   };
   CHECK(roughness(ball, 0.6) < 0.005);
   for (const double noise : {0.02, 0.1, 0.2})

@@ -2,8 +2,8 @@
 #include "algorithms/hole_filling/continuation/known_surface.h"
 
 #include <algorithm>
-#include <optional>
-#include <utility>
+
+#include "algorithms/hole_filling/continuation/vertex_numbers.h"
 
 namespace croquis::hole_filling {
 namespace {
@@ -45,22 +45,16 @@ KnownSurface known_surface(const HoleSite& site, const std::vector<ReachedVertex
   KnownSurface known;
   known.edge = mean_edge(site);
   known.size = size_of(site);
-  std::vector<std::pair<Index, Index>> numbers;  // vertex of the view, of the known surface
+  VertexNumbers numbers;
   for (const ReachedVertex& r : reached) {
-    numbers.emplace_back(r.vertex, static_cast<Index>(numbers.size()));
+    numbers.number(r.vertex);
     known.mesh.positions.push_back(site.mesh->positions[r.vertex]);
     known.distance.push_back(r.distance);
   }
-  std::sort(numbers.begin(), numbers.end());
-  const auto number_of = [&](Index v) -> std::optional<Index> {
-    const auto place = std::lower_bound(numbers.begin(), numbers.end(), std::pair(v, Index{0}));
-    if (place == numbers.end() || place->first != v) return std::nullopt;
-    return place->second;
-  };
   for (const Index triangle : triangles_at(view, reached)) {
     const auto& t = view.triangles[triangle];
-    const auto a = number_of(t[0]), b = number_of(t[1]), c = number_of(t[2]);
-    if (a && b && c) known.mesh.add_triangle(*a, *b, *c);
+    const Index a = numbers.known_number(t[0]), b = numbers.known_number(t[1]), c = numbers.known_number(t[2]);
+    if (a != no_index && b != no_index && c != no_index) known.mesh.add_triangle(a, b, c);
   }
   return known;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -18,9 +19,12 @@ namespace croquis::hole_filling {
 namespace {
 
 constexpr double least_reach = 4;       // × edge
+constexpr double quick_reach = 0.75;    // × the reach asked for, where few normals count
 constexpr double rim_spacing = 0.7;     // of centres at the rim, × edge
 constexpr double spacing_slope = 0.25;  // by how much spacing grows per distance from the rim
 constexpr double spacing_growth = 1.15;
+constexpr double normal_spacing = 2;            // of centres whose normals count, × edge, and at least
+constexpr double normal_slope = 1;              // per distance from the rim
 constexpr double most_slope_growth = 2;         // else long rims would take all centres and leave none behind them
 constexpr double worst_residual = 0.5;          // × edge, or for long rims × what the centres resolve
 constexpr std::size_t most_candidates = 30000;  // beside the rim; thinning looks at all of them, so more are sampled
@@ -52,34 +56,42 @@ std::optional<std::vector<std::size_t>> thin(const std::vector<ReachedVertex>& r
                                              const std::vector<Vec3>& positions, double spacing, double slope,
                                              std::size_t most) {
   std::vector<std::size_t> taken;
+  std::vector<Vec3> places;
   for (std::size_t i = 0; i < reached.size(); ++i) {
+    const Vec3& place = positions[reached[i].vertex];
     const double least = std::max(spacing, slope * reached[i].distance);
-    const bool is_free = std::all_of(taken.begin(), taken.end(), [&](std::size_t j) {
-      return (positions[reached[i].vertex] - positions[reached[j].vertex]).squaredNorm() >= least * least;
-    });
+    // What was taken last is the likeliest to be too near.
+    const bool is_free = std::all_of(places.rbegin(), places.rend(),
+                                     [&](const Vec3& other) { return (place - other).squaredNorm() >= least * least; });
     if (!is_free) continue;
     if (taken.size() == most) return std::nullopt;
     taken.push_back(i);
+    places.push_back(place);
   }
   return taken;
 }
 
 class RimFitting {
  public:
-  RimFitting(const HoleSite& site, const ImplicitOptions& options)
-      : positions_(site.mesh->positions), options_(options), kernel_(options.kernel), rim_size_(site.vertices.size()) {
+  RimFitting(const HoleSite& site, const ImplicitOptions& options, bool every_normal)
+      : positions_(site.mesh->positions),
+        options_(options),
+        every_normal_(every_normal),
+        kernel_(options.kernel),
+        rim_size_(site.vertices.size()) {
     double perimeter = 0;
     for (const Index id : site.holes) {
       perimeter += site.analysis->holes[id].perimeter;
       size_ = std::max(size_, site.analysis->holes[id].diameter);
     }
     edge_ = perimeter / static_cast<double>(rim_size_);
-    if (kernel_ == implicit::Kernel::Hermite && is_safe_for_quintic(site)) kernel_ = implicit::Kernel::HermiteQuintic;
-    reach_ = std::max(least_reach * edge_, options.reach * size_);
+    if (continues_curvature(site, options)) kernel_ = implicit::Kernel::HermiteQuintic;
+    reach_ = std::max(least_reach * edge_, (takes_few_normals() ? quick_reach : 1) * options.reach * size_);
     reached_ = reach_from_rims(site, reach_);
     stay_within_creases(site);
-    roughness_ = surface_roughness(reached_, positions_);
-    fit_rim_normals(reached_, positions_);
+    const implicit::PointTree tree = tree_of(reached_, positions_);
+    roughness_ = surface_roughness(reached_, positions_, tree);
+    fit_rim_normals(reached_, positions_, tree);
     through_ = site.wish.through;
     if (site.wish.bulge != 0) hinge_.emplace(site, site.wish.bulge);
   }
@@ -104,13 +116,6 @@ class RimFitting {
   }
 
  private:
-  /// r^5 takes the curvature along, which is right beside one plain hole, and too much where the surface has to turn.
-  bool is_safe_for_quintic(const HoleSite& site) const {
-    const Hole& hole = site.analysis->holes[site.holes.front()];
-    return site.polygon.loop_count() == 1 && site.wish.bulge == 0 && site.wish.through.empty() &&
-           size_ <= widest_quintic * site.analysis->component_diagonal[hole.component];
-  }
-
   void take_cubic() {
     if (kernel_ == implicit::Kernel::HermiteQuintic) kernel_ = implicit::Kernel::Hermite;
   }
@@ -126,6 +131,7 @@ class RimFitting {
   /// A hole within one smooth side is continued from that side alone: what lies beyond its creases isn't the same
   /// surface, and would bend it.
   void stay_within_creases(const HoleSite& site) {
+    if (std::none_of(reached_.begin(), reached_.end(), [](const ReachedVertex& r) { return r.on_crease; })) return;
     const std::vector<SmoothSide> sides = smooth_sides(known_surface(site, reached_));
     if (sides.size() != 1 || sides.front().vertices.size() == reached_.size()) return;
     std::vector<ReachedVertex> kept;
@@ -162,12 +168,29 @@ class RimFitting {
     }
   }
 
+  bool takes_few_normals() const { return !every_normal_ && kernel_ == implicit::Kernel::HermiteQuintic; }
+
+  /// Those of the centres whose normals count.
+  std::vector<std::uint8_t> directed_centres() const {
+    if (!takes_few_normals()) return std::vector<std::uint8_t>(centres_.size(), 1);
+    std::vector<ReachedVertex> centres;
+    for (const std::size_t i : centres_) centres.push_back(reached_[i]);
+    std::vector<std::uint8_t> directed(centres_.size(), 0);
+    const auto sparse = thin(centres, positions_, normal_spacing * edge_, normal_slope, centres.size());
+    for (const std::size_t i : *sparse) directed[i] = 1;
+    return directed;
+  }
+
   std::shared_ptr<const implicit::LocalFit> fitted(double factor) const {
     implicit::Constraints constraints;
-    for (const std::size_t i : centres_) {
-      const Vec3& place = positions_[reached_[i].vertex];
+    const std::vector<std::uint8_t> directed = directed_centres();
+    for (std::size_t c = 0; c < centres_.size(); ++c) {
+      const ReachedVertex& centre = reached_[centres_[c]];
+      const Vec3& place = positions_[centre.vertex];
       constraints.positions.push_back(hinge_ ? hinge_->place(place) : place);
-      constraints.gradients.push_back(hinge_ ? hinge_->normal(place, reached_[i].normal) : reached_[i].normal);
+      constraints.gradients.push_back(directed[c] == 0 ? Vec3(Vec3::Zero())
+                                      : hinge_         ? hinge_->normal(place, centre.normal)
+                                                       : centre.normal);
     }
     for (const PassingPoint& point : passing_) {
       constraints.positions.push_back(point.position);
@@ -221,6 +244,7 @@ class RimFitting {
 
   const std::vector<Vec3>& positions_;
   const ImplicitOptions& options_;
+  bool every_normal_;
   implicit::Kernel kernel_;
   double roughness_ = 0;
   std::size_t rim_size_;
@@ -234,8 +258,15 @@ class RimFitting {
 
 }  // namespace
 
+bool continues_curvature(const HoleSite& site, const ImplicitOptions& options) {
+  if (options.kernel != implicit::Kernel::Hermite || site.polygon.loop_count() != 1) return false;
+  const Hole& hole = site.analysis->holes[site.holes.front()];
+  return site.wish.bulge == 0 && site.wish.through.empty() &&
+         hole.diameter <= widest_quintic * site.analysis->component_diagonal[hole.component];
+}
+
 std::optional<RimField> fit_rims(const HoleSite& site, const ImplicitOptions& options, const RimFitOptions& how) {
-  RimFitting fitting(site, options);
+  RimFitting fitting(site, options, how.every_normal);
   if (how.other_sheets) fitting.keep_clear_of_others(site);
   fitting.follow(how.guides);
   return fitting.run(how.stiffness);

@@ -50,8 +50,7 @@ class SideFinder {
     for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
       const auto& [low, high, face] = edges[i];
       if (edges[i + 1][0] != low || edges[i + 1][1] != high) continue;
-      const Vec3 &a = normals_[face], &b = normals_[edges[i + 1][2]];
-      if (a.dot(b) >= crease_cosine * a.norm() * b.norm()) sets_.unite(face, edges[i + 1][2]);
+      if (is_smooth(normals_[face], normals_[edges[i + 1][2]])) sets_.unite(face, edges[i + 1][2]);
     }
   }
 
@@ -87,6 +86,10 @@ class SideFinder {
 };
 
 }  // namespace
+
+bool is_smooth(const Vec3& normal, const Vec3& other) {
+  return normal.dot(other) >= crease_cosine * normal.norm() * other.norm();
+}
 
 std::vector<SmoothSide> smooth_sides(const KnownSurface& known) { return SideFinder(known).run(); }
 

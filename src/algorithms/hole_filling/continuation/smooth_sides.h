@@ -7,14 +7,17 @@
 
 namespace croquis::hole_filling {
 
+/// Whether an edge between triangles of these normals, of any length, is no crease: up to 35 degrees.
+bool is_smooth(const Vec3& normal, const Vec3& other);
+
 /// A part of the surface around a hole that is bounded by creases.
 struct SmoothSide {
   std::vector<Index> vertices;  ///< of the known surface, ascending: nearest to the rims first
   std::vector<Vec3> normals;    ///< unit, of this side's triangles alone
 };
 
-/// The parts that have an edge on a rim and four triangles at least. A crease is an edge with more than 35 degrees
-/// between its faces; one that ends somewhere separates nothing. n log n.
+/// The parts that have an edge on a rim and four triangles at least. A crease that ends somewhere separates nothing.
+/// n log n.
 std::vector<SmoothSide> smooth_sides(const KnownSurface& known);
 
 }  // namespace croquis::hole_filling

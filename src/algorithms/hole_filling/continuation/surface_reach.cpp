@@ -2,19 +2,17 @@
 #include "algorithms/hole_filling/continuation/surface_reach.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
-#include <queue>
-#include <tuple>
-#include <unordered_map>
 
 #include <Eigen/Geometry>
+
+#include "algorithms/hole_filling/continuation/smooth_sides.h"
+#include "algorithms/hole_filling/continuation/vertex_numbers.h"
 
 namespace croquis::hole_filling {
 namespace {
 
-/// Dijkstra over the edges of the view. The map is only looked up, so that its order reaches no result.
+/// Dijkstra over the edges of the view.
 class Reach {
  public:
   Reach(const HoleSite& site, double reach)
@@ -30,64 +28,122 @@ class Reach {
   std::vector<ReachedVertex> run() {
     std::vector<ReachedVertex> reached;
     while (!queue_.empty()) {
-      const auto [distance, place, vertex, corner] = queue_.top();
-      queue_.pop();
-      if (distance > known_.at(vertex)) continue;
-      known_[vertex] = -1;  // done: nothing is nearer
-      fan_.assign(1, corner / 3);
-      add_fan(view_, corner, fan_);
-      std::sort(fan_.begin(), fan_.end());
-      fan_.erase(std::unique(fan_.begin(), fan_.end()), fan_.end());
-      reached.push_back({vertex, distance, normal_at(vertex), corner});
-      for (const Index triangle : fan_) offer_neighbours(triangle, vertex, distance);
+      const Entry entry = queue_.front();
+      std::pop_heap(queue_.begin(), queue_.end(), is_later_);
+      queue_.pop_back();
+      double& known = distances_[numbers_.known_number(entry.vertex)];
+      if (entry.distance > known) continue;
+      known = -1;  // done: nothing is nearer
+      look_around(entry.corner);
+      reached.push_back({entry.vertex, entry.distance, normal(), entry.corner, is_on_crease()});
+      for (const Spoke& spoke : fan_) {
+        offer(spoke.out, entry.distance + spoke.out_length);
+        offer(spoke.in, entry.distance + spoke.in_length);
+      }
     }
     return reached;
   }
 
  private:
-  // Distance, place, vertex, a corner there: of places equally far the one with the least coordinates comes first, so
-  // that the numbers of vertices tell nothing.
-  using Entry = std::tuple<double, std::array<double, 3>, Index, Index>;
+  struct Entry {
+    double distance;
+    Index vertex;
+    Index corner;  ///< one at the vertex
+  };
+
+  /// A triangle of the fan around a vertex, with the corners at its other vertices.
+  struct Spoke {
+    Index triangle;
+    Index out, in;
+    double out_length, in_length;
+    Vec3 across;   ///< its normal, as long as twice its area
+    double angle;  ///< at the vertex
+  };
+
+  /// Of places equally far the one with the least coordinates comes first, so that the numbers of vertices tell
+  /// nothing.
+  struct IsLater {
+    const std::vector<Vec3>& positions;
+
+    bool operator()(const Entry& a, const Entry& b) const {
+      if (a.distance != b.distance) return a.distance > b.distance;
+      const Vec3 &p = positions[a.vertex], &q = positions[b.vertex];
+      for (int axis = 0; axis < 3; ++axis) {
+        if (p[axis] != q[axis]) return p[axis] > q[axis];
+      }
+      return a.vertex != b.vertex ? a.vertex > b.vertex : a.corner > b.corner;
+    }
+  };
 
   void offer(Index corner, double distance) {
+    if (!(distance <= reach_)) return;
     const Index vertex = view_.origin(corner);
-    const auto [entry, is_new] = known_.try_emplace(vertex, distance);
-    if (!is_new && distance >= entry->second) return;
-    entry->second = distance;
-    const Vec3& place = positions_[vertex];
-    queue_.emplace(distance, std::array{place.x(), place.y(), place.z()}, vertex, corner);
+    const auto [number, is_new] = numbers_.number(vertex);
+    if (is_new) {
+      distances_.push_back(distance);
+    } else if (distance < distances_[number]) {
+      distances_[number] = distance;
+    } else {
+      return;
+    }
+    queue_.push_back({distance, vertex, corner});
+    std::push_heap(queue_.begin(), queue_.end(), is_later_);
   }
 
-  void offer_neighbours(Index triangle, Index vertex, double distance) {
-    for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner) {
-      const double further = distance + (positions_[view_.origin(corner)] - positions_[vertex]).norm();
-      if (further <= reach_) offer(corner, further);
+  /// Takes the fan around a corner's vertex, by the numbers of its triangles.
+  void look_around(Index corner) {
+    triangles_.assign(1, corner / 3);
+    add_fan(view_, corner, triangles_);
+    std::sort(triangles_.begin(), triangles_.end());
+    triangles_.erase(std::unique(triangles_.begin(), triangles_.end()), triangles_.end());
+    const Index vertex = view_.origin(corner);
+    const Vec3& place = positions_[vertex];
+    fan_.clear();
+    for (const Index triangle : triangles_) {
+      Index here = 3 * triangle;
+      while (view_.origin(here) != vertex) ++here;
+      Spoke spoke{triangle, SurfaceView::next(here), SurfaceView::previous(here), 0, 0, {}, 0};
+      const Vec3 out = positions_[view_.origin(spoke.out)] - place, in = positions_[view_.origin(spoke.in)] - place;
+      spoke.out_length = out.norm();
+      spoke.in_length = in.norm();
+      spoke.across = out.cross(in);
+      spoke.angle = std::atan2(spoke.across.norm(), out.dot(in));
+      fan_.push_back(spoke);
     }
   }
 
-  Vec3 normal_at(Index vertex) const {
+  Vec3 normal() const {
     Vec3 sum = Vec3::Zero();
-    for (const Index triangle : fan_) {
-      if ((view_.flags[triangle] & (SurfaceView::no_area | SurfaceView::is_sliver)) != 0) continue;
-      for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner) {
-        if (view_.origin(corner) != vertex) continue;
-        const Vec3 out = positions_[view_.target(corner)] - positions_[vertex];
-        const Vec3 in = positions_[view_.origin(SurfaceView::previous(corner))] - positions_[vertex];
-        const Vec3 across = out.cross(in);
-        const double length = across.norm();
-        if (length > 0) sum += std::atan2(length, out.dot(in)) / length * across;
-      }
+    for (const Spoke& spoke : fan_) {
+      if ((view_.flags[spoke.triangle] & (SurfaceView::no_area | SurfaceView::is_sliver)) != 0) continue;
+      const double length = spoke.across.norm();
+      if (length > 0) sum += spoke.angle / length * spoke.across;
     }
     const double length = sum.norm();
     return length > 0 ? Vec3(sum / length) : Vec3(Vec3::Zero());
   }
 
+  /// Any two triangles that share an edge of the fan are compared.
+  bool is_on_crease() const {
+    for (const Spoke& spoke : fan_) {
+      const Index edge = SurfaceView::previous(spoke.out);
+      if (!view_.has_opposite(edge)) continue;
+      const Index beyond = view_.opposite[edge] / 3;
+      const auto other = std::find_if(fan_.begin(), fan_.end(), [&](const Spoke& s) { return s.triangle == beyond; });
+      if (other != fan_.end() && !is_smooth(spoke.across, other->across)) return true;
+    }
+    return false;
+  }
+
   const SurfaceView& view_;
   const std::vector<Vec3>& positions_;
   double reach_;
-  std::unordered_map<Index, double> known_;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
-  std::vector<Index> fan_;
+  VertexNumbers numbers_;
+  std::vector<double> distances_;  ///< per number, the least so far; -1 once it is final
+  std::vector<Entry> queue_;       ///< a heap, the nearest first
+  const IsLater is_later_{positions_};
+  std::vector<Index> triangles_;
+  std::vector<Spoke> fan_;
 };
 
 }  // namespace

@@ -26,10 +26,13 @@ ImplicitOptions adapted(ImplicitOptions options, Preset preset) {
   return options;
 }
 
+constexpr std::ptrdiff_t cubes_rung = 2;
+
 void add_implicit(const ImplicitOptions& options, std::size_t most_triangles, Ladder& ladder) {
   ladder.push_back(implicit_patcher(options, most_triangles));
+  ladder.push_back(implicit_patcher(options, most_triangles, ContinuationCare::Steady));
   ladder.push_back(polygonised_patcher(options, most_triangles));
-  ladder.push_back(implicit_patcher(options, most_triangles, true));
+  ladder.push_back(implicit_patcher(options, most_triangles, ContinuationCare::Careful));
 }
 
 /// A bulge turns the rings around the rim; their curvature, which continuity 2 goes by, is then that of the turn.
@@ -52,7 +55,7 @@ void add_validated(const ImplicitOptions& options, std::size_t most_triangles, L
                        faired_patcher(2, most_triangles)};
   for (std::size_t rank = 0; rank < ways.size(); ++rank) ladder.push_back(validated_patcher(ways, rank));
   ladder.push_back(polygonised_patcher(options, most_triangles));
-  ladder.push_back(implicit_patcher(options, most_triangles, true));
+  ladder.push_back(implicit_patcher(options, most_triangles, ContinuationCare::Careful));
 }
 
 /// Whether the surface at each of two rims goes on towards the other one.
@@ -119,7 +122,8 @@ Ladder ladder_for(const HoleSite& site, Preset preset, bool is_cap, std::size_t 
   if (preset == Preset::Sharp && site.holes.size() > 1) preset = Preset::Standard;  // probes know nothing of islands
   Ladder ladder = ladder_for(site.wish, preset, is_cap, most_triangles);
   const bool is_implicit = !is_cap && site.wish.fairness == Fairness::Implicit && preset != Preset::Sharp;
-  if (is_implicit && is_hard_to_triangulate(site)) std::swap(ladder[0], ladder[1]);  // by cubes first
+  if (is_implicit && is_hard_to_triangulate(site))
+    std::rotate(ladder.begin(), ladder.begin() + cubes_rung, ladder.begin() + cubes_rung + 1);
   if (is_plain_slit(site)) ladder.insert(ladder.begin(), zip_patcher());
   return ladder;
 }

@@ -69,12 +69,18 @@ std::shared_ptr<const Patcher> creased_patcher(const ImplicitOptions& options, s
 /// @param rank 0 for the best
 std::shared_ptr<const Patcher> validated_patcher(std::vector<std::shared_ptr<const Patcher>> ways, std::size_t rank);
 
-/// "implicit", or "implicit-careful": what "even" (wide holes: "cgal-c1") or
-/// "cgal-c1-careful" makes, moved onto the zero set of a radial
-/// basis function fitted to the surface around (Yoo 2005), with triangles kept at the size of the rim's edges.
-/// @param careful whether to smooth the surface around more, so that it continues more calmly
+/// What a continuation may cost, and how calm it is.
+enum class ContinuationCare {
+  Quick,    ///< few normals count (see RimFitOptions::every_normal)
+  Steady,   ///< all do; nothing where that is the same as Quick
+  Careful,  ///< smoothed more, clear of other sheets, and untangled
+};
+
+/// "implicit", or "implicit-careful": what "even" (wide holes: "cgal-c1") or "cgal-c1-careful" makes, moved onto the
+/// zero set of a radial basis function fitted to the surface around (Yoo 2005), with triangles kept at the size of the
+/// rim's edges.
 std::shared_ptr<const Patcher> implicit_patcher(const ImplicitOptions& options, std::size_t most_triangles,
-                                                bool careful = false);
+                                                ContinuationCare care = ContinuationCare::Quick);
 
 /// "implicit-cubes": the zero set of the same function polygonised beside the hole alone, zipped to the rims and
 /// brought to the size of their edges. Needs no triangulation of the rims: several rims, huge and crooked ones are all

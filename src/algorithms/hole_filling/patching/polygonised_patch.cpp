@@ -65,7 +65,7 @@ class PolygonisedPatch {
     const double few_enough =
         std::sqrt(triangles_per_square_cell * area_ / static_cast<double>(std::max<std::size_t>(1, most_triangles_)));
     const double widest = std::max({std::min(edge_, wall_share * wall), least_cell * edge_, few_enough});
-    auto patch = on_field(covering, {}, widest, progress);
+    auto patch = on_field(covering, {.every_normal = true}, widest, progress);
     if (patch || wall >= farthest_wall * edge_) return patch;
     return on_field(covering, {.stiffness = between_skins, .other_sheets = true}, widest, progress);
   }

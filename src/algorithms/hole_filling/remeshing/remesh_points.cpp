@@ -131,7 +131,7 @@ std::vector<Vec3> vertex_normals(const PolyMesh& mesh, const HoleAnalysis& analy
       for (const Index hole : group) perimeter += analysis.holes[hole].perimeter;
       const double reach = quadric_reach * perimeter / static_cast<double>(site.vertices.size());
       std::vector<ReachedVertex> reached = reach_from_rims(site, reach);
-      fit_rim_normals(reached, mesh.positions);
+      fit_rim_normals(reached, mesh.positions, tree_of(reached, mesh.positions));
       for (std::size_t i = 0; i < reached.size() && reached[i].distance == 0; ++i)
         normals[reached[i].vertex] = reached[i].normal;
     }
