@@ -93,6 +93,7 @@ void check_faces(const PolyMesh& mesh, Collector& collector) {
   std::vector<Index> sorted;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     const auto face = mesh.face(f);
+    if (face.size() == 3 && face[0] != face[1] && face[1] != face[2] && face[2] != face[0]) continue;
     sorted.assign(face.begin(), face.end());
     std::sort(sorted.begin(), sorted.end());
     const auto repeated = std::adjacent_find(sorted.begin(), sorted.end());

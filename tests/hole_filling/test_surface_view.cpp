@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <limits>
+#include <map>
 #include <set>
 
 #include <catch2/catch.hpp>
 
+#include "algorithms/hole_filling/analysis/welding.h"
 #include "croquis/base/error.h"
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/hole_filling/surface_view.h"
@@ -34,7 +37,8 @@ std::vector<std::string> codes_of(const PolyMesh& mesh) {
 }
 
 /// Triangles on few vertices, so that edges have any number of them.
-PolyMesh crowded_soup(std::uint64_t seed, Index vertices, Index triangles) {
+/// @param window of these vertices each takes its corners, from there on along the way from the first to the last one
+PolyMesh crowded_soup(std::uint64_t seed, Index vertices, Index triangles, Index window) {
   Random random(seed);
   PolyMesh mesh;
   for (Index v = 0; v < vertices; ++v) {
@@ -42,7 +46,8 @@ PolyMesh crowded_soup(std::uint64_t seed, Index vertices, Index triangles) {
     mesh.positions.emplace_back(x, y, random.unit());
   }
   while (mesh.face_count() < triangles) {
-    const Index a = random.below(vertices), b = random.below(vertices), c = random.below(vertices);
+    const Index first = static_cast<Index>(mesh.face_count()) * (vertices - window) / triangles;
+    const Index a = first + random.below(window), b = first + random.below(window), c = first + random.below(window);
     if (a != b && b != c && c != a) mesh.add_triangle(a, b, c);
   }
   return mesh;
@@ -51,8 +56,10 @@ PolyMesh crowded_soup(std::uint64_t seed, Index vertices, Index triangles) {
 }  // namespace
 
 TEST_CASE("neighbours agree with the topology of the mesh, on any soup") {
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    const PolyMesh mesh = crowded_soup(seed, 4 + static_cast<Index>(seed % 20), 30);
+  for (std::uint64_t seed = 0; seed < 120; ++seed) {
+    const bool is_ordered = seed % 2 != 0;  // numbers in order and in none are matched in different ways
+    const Index vertices = is_ordered ? 300 : 4 + static_cast<Index>(seed % 20);
+    const PolyMesh mesh = crowded_soup(seed, vertices, is_ordered ? 400 : 30, is_ordered ? 8 : vertices);
     const MeshTopology topology(mesh);
     const SurfaceView view = view_of(mesh);
     REQUIRE(view.triangles.size() == mesh.face_count());
@@ -102,6 +109,33 @@ TEST_CASE("the lowest used vertex of a place stands for it, and both zeros are o
   CHECK(view.representative == std::vector<Index>{0, 1, 2, 3, 1, 5});  // vertex 0 is nobody's
   CHECK(view.welded_vertices == 1);
   CHECK(view.rim_corners.size() == 4);
+}
+
+TEST_CASE("vertices are joined as a search of all places would join them, however many there are") {
+  for (const int width : {1, 3, 30, 3000}) {
+    PolyMesh mesh;
+    Random random(static_cast<std::uint64_t>(width));
+    const auto coordinate = [&] { return random.below(static_cast<Index>(width)) / 7.0; };
+    for (int v = 0; v < 5000; ++v) {
+      const double x = coordinate(), y = coordinate();
+      mesh.positions.emplace_back(x, y, width > 3 ? coordinate() : v % 2);
+    }
+    for (Index v = 0; v + 2 < mesh.vertex_count(); v += 3) mesh.add_triangle(v, v + 1, v + 2);
+    mesh.add_triangle(0, 1, static_cast<Index>(mesh.vertex_count()) - 1);
+    std::map<std::array<double, 3>, Index> lowest;
+    std::size_t joined = 0;
+    Progress progress;
+    const Welding welding = weld_identical(mesh, progress);
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      if (v + 2 == mesh.vertex_count()) continue;  // nobody's
+      const Vec3& p = mesh.positions[v];
+      const auto [place, is_new] = lowest.insert({{p.x(), p.y(), p.z()}, v});
+      joined += is_new ? 0U : 1U;
+      if (!welding.representative.empty()) CHECK(welding.representative[v] == place->second);
+    }
+    CHECK(welding.welded == joined);
+    CHECK(welding.representative.empty() == (joined == 0));
+  }
 }
 
 TEST_CASE("the minority of a sheet is turned to agree with the rest") {

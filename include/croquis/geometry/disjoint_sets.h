@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "croquis/geometry/vector.h"
@@ -25,8 +26,22 @@ class DisjointSets {
   }
 
   void unite(Index a, Index b) {
+    if (parent_[a] == parent_[b]) return;
     const auto [low, high] = std::minmax({root(a), root(b)});
     parent_[high] = low;
+  }
+
+  /// Numbers the sets by their lowest elements and uses them up.
+  /// @param numbers is given, for each element, the number of its set
+  /// @return how many sets there are
+  Index number(std::vector<Index>& numbers) {
+    Index count = 0;
+    for (Index element = 0; element < parent_.size(); ++element) {
+      // A parent is lower than its child and so holds its number already.
+      parent_[element] = parent_[element] == element ? count++ : parent_[parent_[element]];
+    }
+    numbers = std::move(parent_);
+    return count;
   }
 
  private:

@@ -62,28 +62,25 @@ void apply_turns(SurfaceView& view) {
   }
 }
 
-/// Joins parts across edges of many triangles and numbers the result by the lowest triangle.
-void number_components(SurfaceView& view, std::span<const std::array<Index, 2>> crowded_corners, Index part_count) {
-  view.component_count = part_count;
-  if (crowded_corners.empty()) return;  // parts come numbered by their lowest triangles
-  DisjointSets sets(part_count);
-  for (const auto& [a, b] : crowded_corners) sets.unite(view.component[a / 3], view.component[b / 3]);
-  std::vector<Index> number(part_count, no_index);
-  Index count = 0;
-  for (Index part = 0; part < part_count; ++part) {
-    const Index root = sets.root(part);
-    if (root == part) number[part] = count++;
-    number[part] = number[root];
+/// Joins the triangles on both sides of each edge, in the order of memory: nearly all meshes agree already, and a flood
+/// would jump about in the larger ones. Numbers the parts by their lowest triangles.
+/// @return whether all triangles agree; if not, nothing is changed
+bool number_agreeing_parts(SurfaceView& view, CancelCheck& cancel) {
+  DisjointSets parts(view.triangles.size());
+  for (Index corner = 0; corner < view.opposite.size(); ++corner) {
+    cancel.step();
+    const Index other = view.opposite[corner];
+    if (other > corner) continue;  // there is none, or the pair is met there
+    if (run_alike(view, corner, other)) return false;
+    parts.unite(corner / 3, other / 3);
   }
-  for (Index& component : view.component) component = number[component];
-  view.component_count = count;
+  view.component_count = parts.number(view.component);
+  return true;
 }
 
-}  // namespace
-
-void orient_and_number(SurfaceView& view, std::span<const std::array<Index, 2>> crowded_corners, Progress& progress) {
+/// Floods part by part and turns minorities. Numbers the parts as number_agreeing_parts does.
+void flood_parts(SurfaceView& view, CancelCheck& cancel) {
   view.component.assign(view.triangles.size(), no_index);
-  CancelCheck cancel(progress);
   Index parts = 0;
   bool any_turned = false;
   for (Index seed = 0; seed < view.triangles.size(); ++seed) {
@@ -102,7 +99,25 @@ void orient_and_number(SurfaceView& view, std::span<const std::array<Index, 2>> 
     any_turned |= flood.turned > 0;
   }
   if (any_turned) apply_turns(view);
-  number_components(view, crowded_corners, parts);
+  view.component_count = parts;
+}
+
+/// Joins parts across edges of many triangles; numbers stay those of the lowest triangles.
+void join_across_crowded(SurfaceView& view, std::span<const std::array<Index, 2>> crowded_corners) {
+  if (crowded_corners.empty()) return;
+  DisjointSets sets(view.component_count);
+  for (const auto& [a, b] : crowded_corners) sets.unite(view.component[a / 3], view.component[b / 3]);
+  std::vector<Index> number;
+  view.component_count = sets.number(number);
+  for (Index& component : view.component) component = number[component];
+}
+
+}  // namespace
+
+void orient_and_number(SurfaceView& view, std::span<const std::array<Index, 2>> crowded_corners, Progress& progress) {
+  CancelCheck cancel(progress);
+  if (!number_agreeing_parts(view, cancel)) flood_parts(view, cancel);
+  join_across_crowded(view, crowded_corners);
 }
 
 }  // namespace croquis::hole_filling

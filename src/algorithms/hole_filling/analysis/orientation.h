@@ -9,7 +9,7 @@
 
 namespace croquis::hole_filling {
 
-/// Floods each part that edges of two triangles join, turns the minority of its triangles (of two halves the one
+/// Of each part that edges of two triangles join, turns the minority of its triangles (of two halves the one
 /// without the lowest triangle) and numbers the components. Fills component, component_count, one_sided_components and
 /// the `turned` flags; rewrites triangles and opposite where triangles are turned. Linear.
 /// @param crowded_corners see EdgePairing: they join components but decide no orientation

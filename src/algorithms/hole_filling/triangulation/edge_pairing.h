@@ -17,8 +17,9 @@ struct EdgePairing {
   std::vector<std::array<Index, 2>> crowded_corners;  ///< of each edge of many triangles: (first corner, a further one)
 };
 
-/// Finds the triangles on both sides of every edge by sorting the edges' keys (low end, high end, corner): by counting
-/// on the low end, then by comparison within each vertex.
+/// Finds the triangles on both sides of every edge by sorting the edges' keys (low end, high end, corner): by lists or
+/// counts of the low ends, then by comparison within each vertex. Where neighbours have near numbers it takes 4 bytes
+/// per vertex beside the result, else 28 bytes per triangle.
 /// @param triangles #T by 3, vertices below vertex_count, three different ones each
 EdgePairing pair_edges(std::span<const std::array<Index, 3>> triangles, std::size_t vertex_count, Progress& progress);
 
