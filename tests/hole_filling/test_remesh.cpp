@@ -395,13 +395,3 @@ TEST_CASE("how sharply a closed hole bends, and how slender its triangles are, i
   CHECK(round.outcomes[0].min_angle > 0.1);
   CHECK(round.outcomes[0].min_angle < std::numbers::pi / 3);
 }
-
-TEST_CASE("pieces that cross are told as such") {
-  const RemeshResult result = remesh(merged(round_sphere(4), translated(round_sphere(4), Vec3(1.5, 0, 0))));
-  CHECK(result.checks.self_intersections > 0);
-  CHECK(result.checks.piece_crossings == result.checks.self_intersections);
-  const auto told = std::find_if(result.warnings.begin(), result.warnings.end(),
-                                 [](const Finding& finding) { return finding.code == "W_CUTS_ITSELF"; });
-  REQUIRE(told != result.warnings.end());
-  CHECK(told->message.find("different pieces") != std::string::npos);
-}

@@ -46,7 +46,8 @@ struct RemeshChecks {
   std::size_t failed_loops = 0;        ///< of these, the ones where no rim was left open on purpose
   std::size_t repaired_loops = 0;      ///< openings of the field that were closed by patches
   std::size_t self_intersections = 0;  ///< pairs of faces
-  std::size_t piece_crossings = 0;     ///< of these, the ones of different pieces
+  std::size_t piece_crossings = 0;     ///< of these, the ones of different pieces, or of solids of several
+  std::size_t united_pieces = 0;       ///< pieces given that crossed others and are one solid with these
   std::size_t lost_points = 0;         ///< vertices given that no new one is within 1.25 cells of
   bool manifold = false;               ///< no edge of more than two faces, no vertex of more than one fan
 };
@@ -72,7 +73,8 @@ std::size_t predicted_remesh_bytes(const PolyMesh& mesh, const RemeshOptions& op
 /// smoothed, and verified. Holes that are chosen are closed, the others stay open.
 ///
 /// Pieces that the mesh doesn't join, and no hole that is filled does, get functions of their own: they never grow
-/// together, however near (under Preset::Paper one function has them all). Openings that the field leaves are told
+/// together, however near (under Preset::Paper one function has them all). Only where the surfaces made cross each
+/// other, these pieces are polygonised again as one solid: the union of what they enclose, less their cavities. Openings that the field leaves are told
 /// apart from rims left open, and closed with larger boxes, then by patches; what stays open all the same is a hole
 /// with FillAction::Failed. Vertices have the channels of the nearest place of the mesh; channels of faces and corners
 /// end here.

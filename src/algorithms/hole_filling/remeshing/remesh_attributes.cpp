@@ -173,27 +173,28 @@ std::vector<AttributeChannel> channels_like(const PolyMesh& mesh) {
   return channels;
 }
 
-void transfer(const PolyMesh& surface, const NearestSurface& nearest, const PolyMesh& mesh,
+void make_room(std::size_t count, std::vector<AttributeChannel>& channels, HoleMarks& marks) {
+  for (AttributeChannel& channel : channels) resize(channel, count);
+  marks.hole.resize(count, no_index);
+  marks.confidence.resize(count, 1);
+}
+
+void transfer(PolyMesh& made, const NewVertices& vertices, const NearestSurface& nearest, const PolyMesh& mesh,
               const HoleAnalysis& analysis, const RemeshPiece& piece, const std::vector<RimPlace>& rims, double cell,
-              int threads, std::vector<AttributeChannel>& channels, HoleMarks& marks, Progress& progress) {
-  const std::size_t first = marks.hole.size();
-  const std::size_t count = surface.vertex_count();
-  marks.hole.resize(first + count, no_index);
-  marks.confidence.resize(first + count, 1);
+              int threads, HoleMarks& marks, Progress& progress) {
   std::vector<const AttributeChannel*> given;
-  for (AttributeChannel& channel : channels) {
-    resize(channel, first + count);
-    given.push_back(mesh.channel(channel.name, Domain::Vertex));
-  }
+  for (const AttributeChannel& channel : made.channels) given.push_back(mesh.channel(channel.name, Domain::Vertex));
   const Transfer work(mesh, analysis, piece, rims, cell);
-  for_each_part(count, grain, threads, progress, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      const SurfacePlace place = nearest.nearest(surface.positions[v]);
-      const Index hole = work.hole_at(surface.positions[v], place);
-      marks.hole[first + v] = hole;
-      if (hole != no_index) marks.confidence[first + v] = work.confidence(hole, place.distance);
-      for (std::size_t c = 0; c < channels.size(); ++c)
-        if (!is_normal(channels[c])) interpolate(*given[c], work.corners(place), place, first + v, channels[c]);
+  for_each_part(vertices.count, grain, threads, progress, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!vertices.piece_at.empty() && vertices.piece_at[i] != vertices.piece) continue;
+      const std::size_t v = vertices.first + i;
+      const SurfacePlace place = nearest.nearest(made.positions[v]);
+      const Index hole = work.hole_at(made.positions[v], place);
+      marks.hole[v] = hole;
+      if (hole != no_index) marks.confidence[v] = work.confidence(hole, place.distance);
+      for (std::size_t c = 0; c < given.size(); ++c)
+        if (!is_normal(made.channels[c])) interpolate(*given[c], work.corners(place), place, v, made.channels[c]);
     }
   });
 }

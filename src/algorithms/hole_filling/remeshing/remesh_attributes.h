@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "algorithms/hole_filling/remeshing/remesh_points.h"
@@ -45,16 +47,26 @@ struct HoleMarks {
       confidence;  ///< per new vertex: 1 on what was given, else 1 / (1 + (2 d)^4), d = distance / diameter
 };
 
+/// Vertices of the result that one piece has values for.
+struct NewVertices {
+  std::size_t first = 0, count = 0;
+  std::span<const Index> piece_at;  ///< per vertex: whose surface it lies on; none: all on one
+  Index piece = 0;
+};
+
 /// The vertex channels of the result, all empty: those of the mesh given but "confidence".
 std::vector<AttributeChannel> channels_like(const PolyMesh& mesh);
 
-/// Appends the values of one piece's new vertices to the result's channels, interpolated in the nearest triangle
+/// Lets channels and marks have values for so many vertices: 0, and of no hole.
+void make_room(std::size_t count, std::vector<AttributeChannel>& channels, HoleMarks& marks);
+
+/// Sets the values of one piece's new vertices in the result's channels, interpolated in the nearest triangle
 /// ("normal" is left 0: see compute_normals), and marks the vertices in holes.
-/// @param cell of the cubes, model units
+/// @param made the result, whose channels and marks have room @param cell of the cubes, model units
 /// @throws Cancelled
-void transfer(const PolyMesh& surface, const NearestSurface& nearest, const PolyMesh& mesh,
+void transfer(PolyMesh& made, const NewVertices& vertices, const NearestSurface& nearest, const PolyMesh& mesh,
               const HoleAnalysis& analysis, const RemeshPiece& piece, const std::vector<RimPlace>& rims, double cell,
-              int threads, std::vector<AttributeChannel>& channels, HoleMarks& marks, Progress& progress);
+              int threads, HoleMarks& marks, Progress& progress);
 
 /// Sets the greatest fold across the rims and the least angle of every patch that has faces, on all its holes; NaN
 /// where it has none.

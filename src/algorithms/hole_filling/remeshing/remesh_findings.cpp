@@ -61,6 +61,14 @@ void tell_parts(const RemeshLosses& losses, Findings& findings) {
                                      " lost detail: choose smaller cells, or fill holes by patches."));
 }
 
+void tell_united(const RemeshChecks& checks, Findings& findings) {
+  if (checks.united_pieces == 0) return;
+  findings.push_back(warning("W_PIECES_UNITED",
+                             std::to_string(checks.united_pieces) +
+                                 " pieces of the model cross or nearly touch each other and were made into one solid: "
+                                 "take them apart before if they should stay pieces."));
+}
+
 void tell_cuts(const RemeshChecks& checks, Findings& findings) {
   if (checks.self_intersections == 0) return;
   std::string text = counted(checks.self_intersections, "pair of faces intersects", "pairs of faces intersect");
@@ -94,6 +102,7 @@ Findings remesh_findings(const PolyMesh& mesh, const RemeshResult& result, const
     findings.push_back(
         warning("W_NOT_CLOSED", counted(result.checks.failed_loops, "opening is", "openings are") +
                                     " left where none was: choose smaller cells, or fill holes by patches."));
+  tell_united(result.checks, findings);
   tell_cuts(result.checks, findings);
   return findings;
 }

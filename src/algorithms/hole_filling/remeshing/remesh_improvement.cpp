@@ -23,7 +23,9 @@ namespace {
 constexpr std::size_t grain = 4096;          // vertices per part
 constexpr std::size_t chunk = 65536;         // vertices between two reports
 constexpr std::size_t most_pairs = 1000000;  // of intersecting triangles that are looked at in a round
-constexpr int undo_rounds = 6;
+
+/// Rings about faces that intersect that go back, round by round; then everything does.
+constexpr std::array undo_rings = {0, 1, 2, 3, 4, 5, 10, 20};
 constexpr double least_turn = 0.5;  // cosine: a vertex doesn't snap when that turns a triangle further
 
 class Improvement {
@@ -163,16 +165,17 @@ void as_stored(std::vector<Vec3>& positions, Precision precision) {
 std::size_t undo_where_cut(PolyMesh& mesh, const std::vector<Vec3>& before, int threads, Progress& progress) {
   Progress first = progress.step("look for cuts", 0.9);
   std::vector<std::array<Index, 2>> pairs = find_cuts(mesh, threads, first);
-  for (int round = 0; round < undo_rounds && !pairs.empty(); ++round) {
-    std::vector<std::uint8_t> marked(mesh.vertex_count(), 0);
+  for (std::size_t round = 0; round <= undo_rings.size() && !pairs.empty(); ++round) {
+    const bool is_last = round == undo_rings.size();
+    std::vector<std::uint8_t> marked(mesh.vertex_count(), is_last ? 1 : 0);
     for (const auto& pair : pairs) {
       for (const Index f : pair)
         for (const Index v : mesh.face(f)) marked[v] = 1;
     }
-    for (int ring = 0; ring < round; ++ring) grow(mesh, marked);
+    for (int ring = 0; !is_last && ring < undo_rings[round]; ++ring) grow(mesh, marked);
     for (std::size_t v = 0; v < marked.size(); ++v)
       if (marked[v] != 0) mesh.positions[v] = before[v];
-    Progress again = progress.step("look for cuts", 0.1 / undo_rounds);
+    Progress again = progress.step("look for cuts", 0.1 / static_cast<double>(undo_rings.size() + 1));
     pairs = find_intersections_of(mesh, faces_at(mesh, marked), again, {.max_pairs = most_pairs}).pairs;
   }
   return pairs.size();
@@ -196,7 +199,9 @@ std::size_t improve(PolyMesh& mesh, const implicit::Field& field, std::span<cons
     Progress refining = progress.step("refine", 0.65 / options.refine);
     const std::size_t known = mesh.vertex_count();
     refining.check();
-    mesh = implicit::split_in_four(mesh);
+    PolyMesh coarse = std::move(mesh);
+    const std::size_t cuts_before = cuts;
+    mesh = implicit::split_in_four(coarse);
     as_stored(mesh.positions, options.precision);
     before = mesh.positions;
     Progress projecting = refining.step("project " + std::to_string(mesh.vertex_count() - known) + " vertices", 0.7);
@@ -204,6 +209,10 @@ std::size_t improve(PolyMesh& mesh, const implicit::Field& field, std::span<cons
     as_stored(mesh.positions, options.precision);
     Progress looking = refining.step("look for cuts", 0.3);
     cuts = undo_where_cut(mesh, before, options.threads, looking);
+    if (cuts > cuts_before) {  // rounding alone can do that
+      mesh = std::move(coarse);
+      return cuts_before;
+    }
     if (largest < options.chord) break;
   }
   return cuts;

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/hole_filling/remeshing/remesh_shape.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "algorithms/hole_filling/remeshing/remesh_field.h"
+#include "algorithms/hole_filling/remeshing/remesh_trimming.h"
+#include "croquis/implicit/marching_cubes.h"
+
+namespace croquis::hole_filling {
+namespace {
+
+// Around a hole, × its diameter. Each is tried when the one before leaves an opening: the surface may bulge out of its
+// box.
+constexpr std::array growths = {0.35, 0.7, 1.4};
+
+constexpr double room = 0.2;            // around points and holes' boxes, × the longest side; fields reach 0.25
+constexpr double cells_to_expect = 20;  // per cube face of a sphere around everything
+constexpr int farthest_seeds = 2;       // cubes around a point that are looked at, when its own has no surface
+constexpr double lost_beyond = 1.25;    // × cell: a surface has vertices at less than one cell of any of its points
+
+constexpr double runs_away_beyond = 0.4;  // × diagonal: no continuation of a surface leads so far out of its box
+constexpr int retries = 2;             // of pieces that come out torn or grown together, each with cells of half size
+constexpr double retry_overlap = 0.6;  // domains of thin walls have to see both sides, and much of them
+constexpr std::size_t retry_points = 100;
+constexpr double few_lost = 0.001;     // of the points of a piece: not worth four times the triangles
+constexpr double retry_bytes = 1.5e9;  // for the triangles of one retry, when no limit is given
+
+/// How one piece is tried.
+struct Trial {
+  RemeshOptions options;
+  double cell = 0;  ///< model units
+  RemeshPoints points;
+};
+
+class Shaping {
+ public:
+  Shaping(const RemeshModel& model, std::size_t number)
+      : model_(model), number_(number), piece_(model.pieces.pieces[number]) {}
+
+  PieceShape run(Progress& progress);
+
+ private:
+  Trial trial_of(int retry) const;
+  PieceShape make_surface(const Trial& trial, Progress& progress);
+  PieceShape attempt(const Trial& trial, double growth, bool is_last, Progress& progress) const;
+  PolyMesh polygons(const Trial& trial, const std::vector<implicit::Box>& boxes,
+                    const implicit::PartitionOfUnity& field, Progress& progress) const;
+  implicit::PolygonizerOptions cubes_of(const Trial& trial, const std::vector<implicit::Box>& boxes) const;
+
+  const RemeshModel& model_;
+  std::size_t number_;
+  const RemeshPiece& piece_;
+};
+
+bool runs_away(const PolyMesh& surface, const RemeshPoints& points) {
+  if (surface.positions.empty()) return false;
+  const implicit::Box made = implicit::bounds(surface.positions), given = implicit::bounds(points.positions);
+  const double beyond = std::max((given.low - made.low).maxCoeff(), (made.high - given.high).maxCoeff());
+  return beyond > runs_away_beyond * given.size().norm();
+}
+
+PieceShape Shaping::run(Progress& progress) {
+  const bool is_paper = model_.options.fill.preset == Preset::Paper;
+  const auto wanted = is_paper ? std::nullopt : wanted_topology(model_.analysis, piece_, model_.links);
+  Progress first = progress.step("make surface", 0.9);
+  PieceShape best = make_surface(trial_of(0), first);
+  best.wanted = wanted;
+  bool retried = false;
+  for (int retry = 1; retry <= retries; ++retry) {
+    if (best.torn() == 0 && are_few(best.lost.size(), piece_.vertices.size())) break;
+    if (!may_halve(model_, model_.share_of(piece_), retry)) break;
+    Progress again = progress.step("make surface with smaller cells", 0.08 / retries);
+    retried = true;
+    PieceShape other = make_surface(trial_of(retry), again);
+    other.wanted = wanted;
+    if (other.left_to_patches.empty()) other.left_to_patches = best.left_to_patches;
+    if (std::pair(other.torn(), other.lost.size()) >= std::pair(best.torn(), best.lost.size())) break;
+    best = std::move(other);
+  }
+  best.retried = retried;
+  return best;
+}
+
+/// As asked for at first; retries have cells of half the size, and fits that reach farther.
+Trial Shaping::trial_of(int retry) const {
+  Trial trial{model_.options, std::ldexp(model_.cell, -retry), {}};
+  if (retry > 0) {
+    trial.options.overlap = std::max(model_.options.overlap, retry_overlap);
+    trial.options.min_points = std::max(model_.options.min_points, retry_points);
+    trial.options.max_points = std::max(model_.options.max_points, retry_points);
+  }
+  trial.points = points_of(model_.mesh, model_.analysis, piece_, model_.normals, model_.edge);
+  return trial;
+}
+
+PieceShape Shaping::make_surface(const Trial& trial, Progress& progress) {
+  PieceShape shape;
+  std::vector<Index> left;
+  for (std::size_t i = 0; i < growths.size(); ++i) {
+    const bool has_boxes = !piece_.groups.empty() && model_.options.fill.preset != Preset::Paper;
+    const bool is_last = i + 1 == growths.size() || !has_boxes;
+    Progress trying = progress.step("make surface", i == 0 ? 0.9 : 0.02);
+    shape = attempt(trial, growths[i], is_last, trying);
+    if (shape.runs_away && has_boxes) {
+      for (const std::vector<Index>& group : piece_.groups) left.insert(left.end(), group.begin(), group.end());
+      leave_to_patches(model_.pieces, number_);
+    } else if (!shape.openings.any_of_field() || !has_boxes) {
+      break;
+    }
+  }
+  shape.left_to_patches = std::move(left);
+  if (!shape.openings.none()) {
+    Progress patching = progress.step("close openings by patches", 0.02);
+    shape.patched = close_by_patches(shape.mesh, shape.openings, model_.options.fill, patching);
+  }
+  Progress comparing = progress.step("look for lost detail", 0.02);
+  shape.lost = lost_points(shape.mesh, std::span(trial.points.positions).first(piece_.vertices.size()), model_.cell,
+                           model_.threads(), comparing);
+  Progress counting = progress.step("count parts and handles", 0.01);
+  shape.topology = topology_of(shape.mesh, model_.threads(), counting);
+  return shape;
+}
+
+PieceShape Shaping::attempt(const Trial& trial, double growth, bool is_last, Progress& progress) const {
+  PieceShape shape;
+  shape.cell = trial.cell;
+  Progress fitting = progress.step("fit functions", 0.5);
+  std::vector<implicit::ExtraDomain> holes =
+      hole_domains(model_.mesh, model_.analysis, piece_, model_.normals, model_.options, growth, fitting);
+  std::vector<implicit::Box> boxes;
+  for (const implicit::ExtraDomain& hole : holes) boxes.push_back(hole.box);
+  const implicit::PartitionOfUnity field(trial.points.positions, trial.points.normals, std::move(holes),
+                                         domain_options(trial.options, model_.edge), fitting);
+  Progress polygonizing = progress.step("polygonize", 0.25);
+  shape.mesh = polygons(trial, boxes, field, polygonizing);
+  shape.runs_away = runs_away(shape.mesh, trial.points);
+  if (shape.runs_away && !is_last) return shape;
+  Progress looking = progress.step("look for openings", 0.05);
+  shape.openings = find_openings(shape.mesh, model_.mesh, piece_, model_.pieces.rims, model_.threads(), looking);
+  if (shape.openings.any_of_field() && !is_last) return shape;
+  shape.domains = field.report();
+  Progress improving = progress.step("improve", 0.2);
+  shape.cuts = improve(shape.mesh, field.projection_field(), trial.points.positions,
+                       improvement_of(model_.options, trial.cell), improving);
+  return shape;
+}
+
+implicit::PolygonizerOptions Shaping::cubes_of(const Trial& trial, const std::vector<implicit::Box>& boxes) const {
+  implicit::PolygonizerOptions cubes;
+  cubes.cell = trial.cell;
+  cubes.bounds = implicit::bounds(trial.points.positions);
+  for (const implicit::Box& box : boxes) {
+    cubes.bounds.low = cubes.bounds.low.cwiseMin(box.low);
+    cubes.bounds.high = cubes.bounds.high.cwiseMax(box.high);
+  }
+  cubes.origin = cubes.bounds.low;
+  const Vec3 margin = Vec3::Constant(std::max(room * cubes.bounds.size().maxCoeff(), 4 * trial.cell));
+  cubes.bounds = {cubes.bounds.low - margin, cubes.bounds.high + margin};
+  const double faces = std::pow(cubes.bounds.size().maxCoeff() / trial.cell, 2);
+  cubes.max_cells = static_cast<std::size_t>(
+      std::min(1e6 + cells_to_expect * faces + 20.0 * static_cast<double>(trial.points.positions.size()), 5e8));
+  cubes.threads = model_.threads();
+  return cubes;
+}
+
+PolyMesh Shaping::polygons(const Trial& trial, const std::vector<implicit::Box>& boxes,
+                           const implicit::PartitionOfUnity& field, Progress& progress) const {
+  const RemeshPoints& points = trial.points;
+  implicit::PolygonizerOptions cubes = cubes_of(trial, boxes);
+  std::unique_ptr<OpenBorders> borders;
+  if (piece_.ends) {
+    borders = std::make_unique<OpenBorders>(piece_, points, model_.pieces.rims, boxes, trial.cell, model_.edge,
+                                            model_.threads());
+    cubes.covered = [&](std::span<const Vec3> places, std::span<std::uint8_t> beyond) {
+      for (std::size_t i = 0; i < places.size(); ++i) beyond[i] = borders->is_beyond(places[i]) ? 1 : 0;
+    };
+  }
+  implicit::Polygonized found;
+  for (cubes.seed_reach = 0; cubes.seed_reach <= farthest_seeds && found.mesh.face_count() == 0; ++cubes.seed_reach) {
+    Progress searching = progress.step("polygonize", cubes.seed_reach == 0 ? 0.9 : 0.02);
+    found = implicit::polygonize(field.field(), points.positions, cubes, searching);
+  }
+  if (borders) found.mesh = trimmed(found.mesh, found.covered);
+  Progress dropping = progress.step("drop stray sheets", 0.04);
+  drop_strays(found.mesh, points.positions, model_.threads(), dropping);
+  return std::move(found.mesh);
+}
+
+}  // namespace
+
+PieceShape make_shape(const RemeshModel& model, std::size_t piece, Progress& progress) {
+  return Shaping(model, piece).run(progress);
+}
+
+bool may_halve(const RemeshModel& model, double share, int times) {
+  if (model.options.fill.preset == Preset::Paper) return false;
+  RemeshOptions finer = model.options;
+  finer.cell = std::ldexp(model.options.cell, -times);
+  const auto whole = static_cast<double>(model.predicted_bytes);
+  const double more = share * (static_cast<double>(predicted_remesh_bytes(model.mesh, finer)) - whole);
+  return model.options.memory_limit == 0 ? more <= retry_bytes
+                                         : whole + more <= static_cast<double>(model.options.memory_limit);
+}
+
+ImprovementOptions improvement_of(const RemeshOptions& options, double cell) {
+  return {cell,
+          options.smoothing,
+          options.refine,
+          options.chord,
+          options.snap * cell,
+          options.fill.precision,
+          options.fill.threads};
+}
+
+std::vector<Index> lost_points(const PolyMesh& surface, std::span<const Vec3> points, double cell, int threads,
+                               Progress& progress) {
+  return far_points(surface, points, lost_beyond * cell, threads, progress);
+}
+
+bool are_few(std::size_t lost, std::size_t points) {
+  return static_cast<double>(lost) <= few_lost * static_cast<double>(points);
+}
+
+}  // namespace croquis::hole_filling

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/hole_filling/remeshing/remesh_union.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "algorithms/hole_filling/remeshing/remesh_cuts.h"
+#include "algorithms/hole_filling/remeshing/remesh_trimming.h"
+#include "algorithms/hole_filling/remeshing/united_solid.h"
+#include "croquis/geometry/disjoint_sets.h"
+
+namespace croquis::hole_filling {
+namespace {
+
+constexpr int rounds = 4;               // what was united may cross something else
+constexpr int halvings = 1;             // of the cells, where thin parts get lost or faces still intersect
+constexpr double margin = 4;            // × cell, around everything
+constexpr double cells_to_expect = 40;  // per triangle of the surfaces given
+constexpr double hidden_below = 0.1;    // × cell: vertices deeper inside the solid aren't on its surface
+constexpr double least_bubble = 2;      // × cell: smaller shells are what cubes make of surfaces that all but touch
+
+/// One try at a solid of several pieces.
+struct Solid {
+  PolyMesh mesh;
+  std::size_t cuts = 0, lost = 0;
+  bool is_good = false;
+};
+
+class Joining {
+ public:
+  Joining(const RemeshModel& model, std::vector<PieceShape>& shapes)
+      : model_(model), shapes_(shapes), surfaces_(shapes.size()), group_(static_cast<Index>(shapes.size())) {}
+
+  JoinedShapes run(Progress& progress);
+
+ private:
+  void join_as_they_are();
+  bool needs_a_look() const;
+  bool group_by_cuts(Progress& progress);
+  void unite_groups(Progress& progress);
+  PolyMesh extracted(const RemeshPart& part) const;
+  void put(RemeshPart part, const PolyMesh& mesh, JoinedShapes& joined) const;
+  void keep_surface(const RemeshPart& part, Progress& progress);
+  std::pair<RemeshPart, PolyMesh> united(std::vector<std::size_t> pieces, Progress& progress);
+  Solid solid_of(const UnitedSolid& solid, std::span<const std::unique_ptr<const SignedSurface>> members,
+                 const std::vector<std::size_t>& pieces, double cell, Progress& progress) const;
+  std::vector<Vec3> visible(const UnitedSolid& solid, const std::vector<Vec3>& places, double least,
+                            const Progress& progress) const;
+  void name_places(const UnitedSolid& solid, std::span<const std::unique_ptr<const SignedSurface>> members,
+                   const PolyMesh& mesh, RemeshPart& part, const Progress& progress) const;
+
+  const RemeshModel& model_;
+  std::vector<PieceShape>& shapes_;
+  std::vector<std::unique_ptr<const SignedSurface>> surfaces_;  // of pieces that were united
+  DisjointSets group_;
+  std::vector<std::uint8_t> marked_;  // of parts: cut themselves or others
+  JoinedShapes joined_;
+};
+
+JoinedShapes Joining::run(Progress& progress) {
+  join_as_they_are();
+  for (const PieceShape& shape : shapes_) joined_.cuts += shape.cuts;
+  if (!needs_a_look()) return std::move(joined_);
+  for (int round = 0; round <= rounds; ++round) {
+    Progress looking = progress.step("look for cuts", round == 0 ? 0.4 : 0.02);
+    if (!group_by_cuts(looking) || round == rounds) break;
+    Progress uniting = progress.step("unite pieces that cross", round == 0 ? 0.4 : 0.02);
+    unite_groups(uniting);
+  }
+  return std::move(joined_);
+}
+
+/// A piece alone was looked at when it was improved; patches were put in afterwards.
+bool Joining::needs_a_look() const {
+  return shapes_.size() > 1 || joined_.cuts > 0 ||
+         std::ranges::any_of(shapes_, [](const PieceShape& shape) { return !shape.patched.loops.empty(); });
+}
+
+void Joining::join_as_they_are() {
+  for (std::size_t p = 0; p < shapes_.size(); ++p) {
+    RemeshPart part;
+    part.pieces = {p};
+    for (const auto& [face, hole] : shapes_[p].patched.faces)
+      if (hole != no_index) part.patched.emplace_back(face, hole);
+    PolyMesh mesh = std::move(shapes_[p].mesh);
+    shapes_[p].mesh = {};
+    if (shapes_.size() == 1) {
+      part.vertex_count = mesh.vertex_count();
+      part.face_count = mesh.face_count();
+      joined_.mesh = std::move(mesh);
+      joined_.parts.push_back(std::move(part));
+    } else {
+      put(std::move(part), mesh, joined_);
+    }
+  }
+}
+
+/// Appends a mesh, and lets its part know where. Faces of patches are numbered from its own first one before.
+void Joining::put(RemeshPart part, const PolyMesh& mesh, JoinedShapes& joined) const {
+  part.first_vertex = joined.mesh.vertex_count();
+  part.vertex_count = mesh.vertex_count();
+  part.first_face = joined.mesh.face_count();
+  part.face_count = mesh.face_count();
+  for (auto& [face, hole] : part.patched) face += part.first_face;
+  const auto first = static_cast<Index>(part.first_vertex);
+  PolyMesh& whole = joined.mesh;
+  whole.positions.insert(whole.positions.end(), mesh.positions.begin(), mesh.positions.end());
+  for (const Index corner : mesh.corners) whole.corners.push_back(first + corner);
+  while (whole.face_offsets.back() < whole.corners.size()) whole.face_offsets.push_back(whole.face_offsets.back() + 3);
+  joined.parts.push_back(std::move(part));
+}
+
+/// Finds what intersects and joins the pieces concerned. False when there is nothing, or nothing new can be tried.
+bool Joining::group_by_cuts(Progress& progress) {
+  const auto cuts = find_cuts(joined_.mesh, model_.threads(), progress);
+  std::vector<RemeshPart>& parts = joined_.parts;
+  const auto part_at = [&](Index face) {
+    const auto next = std::ranges::upper_bound(parts, std::size_t{face}, {}, &RemeshPart::first_face);
+    return static_cast<std::size_t>(next - parts.begin()) - 1;
+  };
+  joined_.cuts = cuts.size();
+  joined_.crossings = 0;
+  marked_.assign(parts.size(), 0);
+  bool is_new = false;
+  for (const auto& pair : cuts) {
+    const std::size_t a = part_at(pair[0]), b = part_at(pair[1]);
+    marked_[a] = marked_[b] = 1;
+    if (a != b) ++joined_.crossings;
+    is_new = is_new || a != b || !parts[a].is_solid;
+    group_.unite(static_cast<Index>(parts[a].pieces.front()), static_cast<Index>(parts[b].pieces.front()));
+  }
+  return is_new && model_.options.fill.preset != Preset::Paper;
+}
+
+PolyMesh Joining::extracted(const RemeshPart& part) const {
+  const PolyMesh& whole = joined_.mesh;
+  PolyMesh mesh;
+  mesh.positions.assign(whole.positions.begin() + static_cast<std::ptrdiff_t>(part.first_vertex),
+                        whole.positions.begin() + static_cast<std::ptrdiff_t>(part.first_vertex + part.vertex_count));
+  const auto first = static_cast<Index>(part.first_vertex);
+  for (std::size_t f = part.first_face; f < part.first_face + part.face_count; ++f) {
+    const auto face = whole.face(f);
+    mesh.add_triangle(face[0] - first, face[1] - first, face[2] - first);
+  }
+  return mesh;
+}
+
+void Joining::keep_surface(const RemeshPart& part, Progress& progress) {
+  if (part.is_solid) return;
+  surfaces_[part.pieces.front()] = std::make_unique<const SignedSurface>(extracted(part), model_.threads(), progress);
+}
+
+void Joining::unite_groups(Progress& progress) {
+  JoinedShapes next;
+  std::vector<std::uint8_t> done(joined_.parts.size(), 0);
+  const double share = 1 / static_cast<double>(joined_.parts.size());
+  for (std::size_t i = 0; i < joined_.parts.size(); ++i) {
+    if (done[i] != 0) continue;
+    RemeshPart& part = joined_.parts[i];
+    if (marked_[i] == 0) {
+      for (auto& [face, hole] : part.patched) face -= part.first_face;
+      const PolyMesh mesh = extracted(part);
+      put(std::move(part), mesh, next);
+      continue;
+    }
+    Progress uniting = progress.step("unite pieces that cross", share);
+    std::vector<std::size_t> pieces;
+    for (std::size_t j = i; j < joined_.parts.size(); ++j) {
+      const RemeshPart& other = joined_.parts[j];
+      if (marked_[j] == 0 ||
+          group_.root(static_cast<Index>(other.pieces.front())) != group_.root(static_cast<Index>(part.pieces.front())))
+        continue;
+      done[j] = 1;
+      pieces.insert(pieces.end(), other.pieces.begin(), other.pieces.end());
+      keep_surface(other, uniting);
+    }
+    std::sort(pieces.begin(), pieces.end());
+    auto [whole, mesh] = united(std::move(pieces), uniting);
+    put(std::move(whole), mesh, next);
+  }
+  for (const RemeshPart& part : next.parts) next.united += part.pieces.size() > 1 ? part.pieces.size() : 0;
+  joined_ = std::move(next);
+}
+
+std::pair<RemeshPart, PolyMesh> Joining::united(std::vector<std::size_t> pieces, Progress& progress) {
+  std::vector<std::unique_ptr<const SignedSurface>> members;
+  double cell = model_.cell, share = 0;
+  for (const std::size_t p : pieces) {
+    members.push_back(std::move(surfaces_[p]));
+    cell = std::min(cell, shapes_[p].cell);
+    share += model_.share_of(model_.pieces.pieces[p]);
+  }
+  const int finer = static_cast<int>(std::lround(std::log2(model_.cell / cell)));
+  Solid best;
+  for (int halving = 0; halving <= halvings; ++halving) {
+    if (halving > 0 && !may_halve(model_, share, finer + halving)) break;
+    const double size = std::ldexp(cell, -halving);
+    Progress trying = progress.step("unite pieces that cross", halving == 0 ? 0.8 : 0.05);
+    const UnitedSolid solid(members, size);
+    Solid found = solid_of(solid, members, pieces, size, trying);
+    if (halving == 0 || std::pair(found.cuts, found.lost) < std::pair(best.cuts, best.lost)) best = std::move(found);
+    if (best.is_good) break;
+  }
+  RemeshPart part;
+  part.pieces = std::move(pieces);
+  part.is_solid = true;
+  name_places(UnitedSolid(members, cell), members, best.mesh, part, progress);
+  for (std::size_t m = 0; m < members.size(); ++m) surfaces_[part.pieces[m]] = std::move(members[m]);
+  return {std::move(part), std::move(best.mesh)};
+}
+
+/// Parts that are smaller than some cubes, where no piece is so small.
+void drop_bubbles(PolyMesh& mesh, double size) {
+  const std::vector<Index> parts = parts_of(mesh);
+  std::vector<implicit::Box> boxes(parts.size());
+  for (Index v = 0; v < parts.size(); ++v) boxes[v] = {mesh.positions[v], mesh.positions[v]};
+  for (Index v = 0; v < parts.size(); ++v) {
+    boxes[parts[v]].low = boxes[parts[v]].low.cwiseMin(mesh.positions[v]);
+    boxes[parts[v]].high = boxes[parts[v]].high.cwiseMax(mesh.positions[v]);
+  }
+  std::vector<std::uint8_t> removed(mesh.face_count(), 0);
+  for (std::size_t f = 0; f < removed.size(); ++f)
+    removed[f] = boxes[parts[mesh.corners[3 * f]]].size().norm() < size ? 1 : 0;
+  if (std::find(removed.begin(), removed.end(), 1) != removed.end()) mesh = without(mesh, removed);
+}
+
+std::vector<Vec3> Joining::visible(const UnitedSolid& solid, const std::vector<Vec3>& places, double least,
+                                   const Progress& progress) const {
+  Progress silent = progress.silent();
+  const std::vector<UnitedSolid::Place> found = solid.at(places, model_.threads(), silent);
+  std::vector<Vec3> kept;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (found[i].value >= least) kept.push_back(places[i]);
+  return kept;
+}
+
+Solid Joining::solid_of(const UnitedSolid& solid, std::span<const std::unique_ptr<const SignedSurface>> members,
+                        const std::vector<std::size_t>& pieces, double cell, Progress& progress) const {
+  std::vector<Vec3> seeds;
+  std::size_t triangles = 0;
+  double smallest = least_bubble * cell;
+  for (const auto& member : members) {
+    seeds.insert(seeds.end(), member->mesh().positions.begin(), member->mesh().positions.end());
+    triangles += member->mesh().face_count();
+    smallest = std::min(smallest, 0.5 * member->box().size().norm());
+  }
+  implicit::PolygonizerOptions cubes;
+  cubes.cell = cell;
+  cubes.threads = model_.threads();
+  cubes.bounds = solid.box();
+  cubes.origin = cubes.bounds.low;
+  cubes.bounds.low.array() -= margin * cell;
+  cubes.bounds.high.array() += margin * cell;
+  cubes.max_cells = static_cast<std::size_t>(
+      std::min(1e6 + cells_to_expect * static_cast<double>(triangles) * std::pow(model_.cell / cell, 2), 5e8));
+  cubes.covered = solid.covered();
+  cubes.seed_reach = 0;
+  Progress polygonizing = progress.step("polygonize", 0.5);
+  implicit::Polygonized found = implicit::polygonize(solid.field(), seeds, cubes, polygonizing);
+  Solid made;
+  made.mesh = cubes.covered ? trimmed(found.mesh, found.covered) : std::move(found.mesh);
+  drop_bubbles(made.mesh, smallest);
+  std::vector<Vec3> given;
+  for (const std::size_t p : pieces)
+    for (const Index v : model_.pieces.pieces[p].vertices) given.push_back(model_.mesh.positions[v]);
+  Progress improving = progress.step("improve", 0.4);
+  const implicit::Field field = solid.field();
+  made.cuts = improve(made.mesh, field, given, improvement_of(model_.options, cell), improving);
+  drop_bubbles(made.mesh, smallest);  // chips of sharp edges shrink
+  Progress comparing = progress.step("look for lost detail", 0.1);
+  seeds = visible(solid, seeds, -hidden_below * cell, comparing);
+  made.lost = lost_points(made.mesh, seeds, model_.cell, model_.threads(), comparing).size();
+  // Where it ends at borders it may end a little earlier: no reason for four times the triangles.
+  made.is_good = made.cuts == 0 && (cubes.covered || are_few(made.lost, seeds.size()));
+  return made;
+}
+
+/// Which piece every vertex lies on, and which faces lie on patches.
+void Joining::name_places(const UnitedSolid& solid, std::span<const std::unique_ptr<const SignedSurface>> members,
+                          const PolyMesh& mesh, RemeshPart& part, const Progress& progress) const {
+  part.piece_at.reserve(mesh.vertex_count());
+  Progress silent = progress.silent();
+  for (const UnitedSolid::Place& place : solid.at(mesh.positions, model_.threads(), silent))
+    part.piece_at.push_back(static_cast<Index>(part.pieces[place.member]));
+  UnitedSolid::Walk walk(solid);
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    const Vec3 middle = (mesh.positions[face[0]] + mesh.positions[face[1]] + mesh.positions[face[2]]) / 3;
+    const std::size_t piece = part.piece_at[face[0]];
+    const auto& patched = shapes_[piece].patched.faces;
+    if (patched.empty()) continue;
+    const Index member = walk.at(middle).member;
+    if (part.pieces[member] != piece) continue;
+    const std::size_t nearest = members[member]->at(middle).triangle;
+    const auto found = std::ranges::lower_bound(patched, nearest, {}, [](const auto& p) { return p.first; });
+    if (found != patched.end() && found->first == nearest && found->second != no_index)
+      part.patched.emplace_back(f, found->second);
+  }
+}
+
+}  // namespace
+
+JoinedShapes join_shapes(const RemeshModel& model, std::vector<PieceShape>& shapes, Progress& progress) {
+  return Joining(model, shapes).run(progress);
+}
+
+}  // namespace croquis::hole_filling
