@@ -16,8 +16,9 @@ namespace {
 constexpr std::size_t most_threads = 256;
 
 std::size_t thread_count(int wanted) {
-  const std::size_t all = std::max(1U, std::thread::hardware_concurrency());
-  return std::min(wanted > 0 ? static_cast<std::size_t>(wanted) : all, most_threads);
+  if (wanted > 0) return std::min(static_cast<std::size_t>(wanted), most_threads);
+  static const std::size_t all = std::max(1U, std::thread::hardware_concurrency());  // it reads a file
+  return std::min(all, most_threads);
 }
 
 /// The parts of one call. Parts are taken in ascending order: whatever lies below a part that failed was begun before

@@ -128,6 +128,26 @@ CROQUIS_PART void add_quintic(const Offsets& o, std::size_t i, const double* wei
   }
 }
 
+/// The terms of 8 centres of a kernel with gradients that have none, with the factor of the others: a phi, and t d.
+template <Kernel kernel, bool with_gradients>
+CROQUIS_PART void add_undirected(const Offsets& o, std::size_t i, const double* weights, Sums& sums) {
+  Lanes square, radius, a;
+  load(square, o.square + i);
+  load(radius, o.radius + i);
+  load(a, weights);
+  const Lanes t = kernel == Kernel::Hermite ? a * radius : radius * (a * square);
+  sums.value += t * square;
+  if constexpr (with_gradients) {
+    Lanes x, y, z;
+    load(x, o.x + i);
+    load(y, o.y + i);
+    load(z, o.z + i);
+    sums.x += t * x;
+    sums.y += t * y;
+    sums.z += t * z;
+  }
+}
+
 template <Kernel kernel, bool with_gradients>
 CROQUIS_PART void evaluate_point(const FitColumns& fit, const Vec3& point, double& value, Vec3* gradient) {
   Offsets offsets;
@@ -137,7 +157,9 @@ CROQUIS_PART void evaluate_point(const FitColumns& fit, const Vec3& point, doubl
     measure<kernel>(fit.columns, fit.stride, begin, count, point, offsets);
     const double* weights = fit.columns + 3 * fit.stride + begin;
     for (std::size_t i = 0; i < count; i += lane_count) {
-      if constexpr (kernel == Kernel::Hermite) {
+      if (takes_gradients(kernel) && begin + i >= fit.directed) {
+        add_undirected<kernel, with_gradients>(offsets, i, weights + i, sums);
+      } else if constexpr (kernel == Kernel::Hermite) {
         add_hermite<with_gradients>(offsets, i, weights + i, fit.stride, sums);
       } else if constexpr (kernel == Kernel::HermiteQuintic) {
         add_quintic<with_gradients>(offsets, i, weights + i, fit.stride, sums);

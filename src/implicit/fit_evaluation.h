@@ -13,7 +13,8 @@ namespace croquis::implicit {
 struct FitColumns {
   Kernel kernel;
   const double* columns;
-  std::size_t stride;  ///< length of a column, whole lanes; unused rows have weights 0
+  std::size_t stride;    ///< length of a column, whole lanes; unused rows have weights 0
+  std::size_t directed;  ///< of kernels with gradients: from this row on, whole lanes, bx, by and bz are 0
 };
 
 /// Sum over the centres without the polynomial, all in the unit box.

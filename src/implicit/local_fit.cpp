@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "implicit/fit_evaluation.h"
 #include "implicit/fit_system.h"
@@ -24,6 +25,16 @@ Eigen::Matrix3d bend_of(const Eigen::Matrix<double, 6, 1>& c) {
   return bend;
 }
 
+/// Centres, those with gradients first. @param directed rows that these take, in whole lanes
+std::vector<std::size_t> directed_first(const UnitCentres& centres, std::size_t& directed) {
+  std::vector<std::size_t> order(centres.positions.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto end =
+      std::stable_partition(order.begin(), order.end(), [&](std::size_t c) { return centres.has_gradient(c); });
+  directed = whole_lanes(static_cast<std::size_t>(end - order.begin()));
+  return order;
+}
+
 }  // namespace
 
 LocalFit::LocalFit(const Constraints& constraints, const FitOptions& options) : kernel_(options.kernel) {
@@ -43,10 +54,12 @@ LocalFit::LocalFit(const Constraints& constraints, const FitOptions& options) : 
 
   stride_ = whole_lanes(report_.centres);
   columns_.assign(column_count(kernel_) * stride_, 0.0);
-  for (std::size_t c = 0; c < report_.centres; ++c) {
-    for (std::size_t k = 0; k < 3; ++k) columns_[k * stride_ + c] = centres.positions[c][static_cast<int>(k)];
+  const std::vector<std::size_t> order = directed_first(centres, directed_);
+  for (std::size_t row = 0; row < order.size(); ++row) {
+    const std::size_t c = order[row];
+    for (std::size_t k = 0; k < 3; ++k) columns_[k * stride_ + row] = centres.positions[c][static_cast<int>(k)];
     for (std::size_t k = 0; k < system.first[c + 1] - system.first[c]; ++k)
-      columns_[(3 + k) * stride_ + c] = system.sign * solved.weights[static_cast<Eigen::Index>(system.first[c] + k)];
+      columns_[(3 + k) * stride_ + row] = system.sign * solved.weights[static_cast<Eigen::Index>(system.first[c] + k)];
   }
 }
 
@@ -56,7 +69,8 @@ void LocalFit::evaluate(std::span<const Vec3> points, std::span<double> values, 
     const std::size_t count = std::min(batch, points.size() - begin);
     for (std::size_t i = 0; i < count; ++i) scaled[i] = (points[begin + i] - middle_) / size_;
     const auto part = gradients.empty() ? gradients : gradients.subspan(begin, count);
-    evaluate_columns({kernel_, columns_.data(), stride_}, {scaled.data(), count}, values.subspan(begin, count), part);
+    evaluate_columns({kernel_, columns_.data(), stride_, directed_}, {scaled.data(), count},
+                     values.subspan(begin, count), part);
     for (std::size_t i = 0; i < count; ++i) {
       const Vec3 linear = polynomial_.tail<3>(), bend = bend_ * scaled[i];
       values[begin + i] = size_ * (values[begin + i] + (polynomial_[0] + Vec3(linear + 0.5 * bend).dot(scaled[i])));

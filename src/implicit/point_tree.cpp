@@ -48,13 +48,24 @@ class Nearest {
   std::vector<Found> heap_;
 };
 
+class NearestOne {
+ public:
+  double reach() const { return found_.first; }
+  void offer(const Found& found) { found_ = std::min(found_, found); }
+  Index index() const { return found_.second; }
+
+ private:
+  Found found_ = {std::numeric_limits<double>::infinity(), no_index};
+};
+
 struct TreeView {
   std::span<const Vec3> points;
   std::span<const Index> indices;
   std::span<const unsigned char> axes;
 };
 
-void search(const TreeView& tree, std::size_t begin, std::size_t end, const Vec3& place, Nearest& nearest) {
+template <typename Answer>
+void search(const TreeView& tree, std::size_t begin, std::size_t end, const Vec3& place, Answer& nearest) {
   if (end - begin <= leaf_size) {
     for (std::size_t i = begin; i < end; ++i) nearest.offer({(tree.points[i] - place).squaredNorm(), tree.indices[i]});
     return;
@@ -148,8 +159,9 @@ std::size_t PointTree::split(std::size_t begin, std::size_t end) {
 }
 
 Index PointTree::nearest(const Vec3& place) const {
-  const std::vector<Index> found = nearest(place, 1);
-  return found.empty() ? no_index : found.front();
+  NearestOne nearest;
+  search({points_, indices_, axes_}, 0, points_.size(), place, nearest);
+  return nearest.index();
 }
 
 std::vector<Index> PointTree::nearest(const Vec3& place, std::size_t count) const {

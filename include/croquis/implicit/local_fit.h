@@ -71,7 +71,7 @@ class LocalFit {
   const FitReport& report() const { return report_; }
   std::size_t bytes() const;
 
-  /// Weight a_j of every centre, and b_j (#centres or none), in the unit box' own units.
+  /// Weight a_j of every centre, and b_j (#centres or none), in the unit box' own units; centres with gradients first.
   std::span<const double> value_weights() const;
   std::vector<Vec3> gradient_weights() const;
 
@@ -84,6 +84,7 @@ class LocalFit {
   Vec3 middle_ = Vec3::Zero();
   double size_ = 1;
   std::size_t stride_ = 0;       // centres, rounded up to whole lanes
+  std::size_t directed_ = 0;     // those with gradients, which come first, rounded up likewise
   std::vector<double> columns_;  // x, y, z, a (, bx, by, bz), one behind the other, each stride_ long
   Eigen::Vector4d polynomial_ = Eigen::Vector4d::Zero();  // in the unit box
   Eigen::Matrix3d bend_ = Eigen::Matrix3d::Zero();        // second derivatives of the polynomial there

@@ -53,6 +53,8 @@ T stored(double value) {
 template <typename T>
 constexpr T none = std::is_floating_point_v<T> ? std::numeric_limits<T>::quiet_NaN() : T{0};
 
+constexpr double channel_accuracy = 1e-7;  // a float's digits
+
 /// Values of one component of a vertex channel for a patch's new vertices.
 template <typename T>
 void continue_component(const PatchGraph& graph, std::size_t width, std::size_t component, const Placed& placed,
@@ -65,7 +67,7 @@ void continue_component(const PatchGraph& graph, std::size_t width, std::size_t 
       values[(placed.first_vertex + i) * width + component] = values[graph.rim_vertices().front() * width + component];
     return;
   }
-  const std::vector<double> found = graph.harmonic(known);
+  const std::vector<double> found = graph.harmonic(known, channel_accuracy);
   for (std::size_t i = 0; i < found.size(); ++i)
     values[(placed.first_vertex + i) * width + component] = stored<T>(found[i]);
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/hole_filling/patching/cgal_patch.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <exception>
 #include <iterator>
 
@@ -65,6 +67,36 @@ auto guarded(Call&& call) -> decltype(call()) {
 
 Point to_point(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
+/// Points moved by far less than matters, always alike: of triangulations of exactly equal cost, which symmetric rims
+/// have, CGAL would take one by where things lie in memory.
+std::vector<Point> without_ties(std::span<const Vec3> polygon, double extent) {
+  constexpr double share = 1e-9;  // of the extent: far above rounding
+  std::uint32_t state = 1;
+  const auto next = [&] {
+    state = state * 1664525U + 1013904223U;  // the linear congruence of Numerical Recipes
+    return share * extent * (static_cast<double>(state) / 0x1p31 - 1);
+  };
+  std::vector<Point> points;
+  for (const Vec3& point : polygon) {
+    const double x = next(), y = next(), z = next();
+    points.push_back(to_point(point + Vec3(x, y, z)));
+  }
+  return points;
+}
+
+/// The farthest from the first point.
+Vec3 farthest(std::span<const Vec3> polygon) {
+  return *std::ranges::max_element(polygon, {}, [&](const Vec3& point) { return (point - polygon[0]).squaredNorm(); });
+}
+
+bool is_straight(std::span<const Vec3> polygon) {
+  constexpr double thinnest = 1e-7;  // × length²: what moved points of a line may span
+  const Vec3 along = farthest(polygon) - polygon[0];
+  return std::ranges::all_of(polygon, [&](const Vec3& point) {
+    return along.cross(point - polygon[0]).norm() <= thinnest * along.squaredNorm();
+  });
+}
+
 struct LocalMesh {
   Mesh mesh;
   std::vector<Mesh::Face_index> patch;
@@ -105,8 +137,8 @@ std::optional<FairingResult> read_back(const FairingInput& input, const LocalMes
 
 std::optional<std::vector<Triangle>> cgal_triangulation(std::span<const Vec3> polygon, Progress& progress) {
   return guarded([&]() -> std::optional<std::vector<Triangle>> {
-    std::vector<Point> points;
-    for (const Vec3& point : polygon) points.push_back(to_point(point));
+    if (is_straight(polygon)) return std::nullopt;
+    const std::vector<Point> points = without_ties(polygon, (farthest(polygon) - polygon[0]).norm());
     std::vector<IndexTriangle> found;
     pmp::triangulate_hole_polyline(points, std::back_inserter(found),
                                    CGAL::parameters::use_delaunay_triangulation(true)
@@ -131,7 +163,7 @@ std::optional<FairingResult> cgal_refine_and_fair(const FairingInput& input, Pro
                 CGAL::parameters::density_control_factor(input.density));
     local.patch.insert(local.patch.end(), new_faces.begin(), new_faces.end());
     progress.check();
-    if (input.is_faired && !new_vertices.empty() &&
+    if (!new_vertices.empty() &&
         !pmp::fair(local.mesh, new_vertices, CGAL::parameters::fairing_continuity(input.continuity)))
       return std::nullopt;
     return read_back(input, local);

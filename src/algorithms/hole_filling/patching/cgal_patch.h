@@ -27,7 +27,6 @@ struct FairingInput {
   std::vector<Triangle> surroundings;  ///< faces around the hole: two rings for continuity 2, else one
   std::vector<Triangle> patch;         ///< turned like the surroundings
   unsigned continuity = 1;             ///< 0: positions, 1: tangents, 2: curvatures agree at the rim
-  bool is_faired = true;               ///< else new vertices stay in the triangles given, where refining puts them
   double density = 0;  ///< CGAL's density control; larger is denser, sqrt(2) gives the rim's own density
 };
 
@@ -36,7 +35,7 @@ struct FairingResult {
   std::vector<Triangle> patch;
 };
 
-/// Refines the patch (Liepa 2003, section 3) and, if so asked, moves its new vertices where the surface bends least
+/// Refines the patch (Liepa 2003, section 3) and moves its new vertices where the surface bends least
 /// (Botsch et al., Polygon Mesh Processing, section 4.3, cotangent weights). Nothing when the surroundings aren't
 /// manifold, the system is singular, or a coordinate isn't finite.
 /// @throws Cancelled between the two

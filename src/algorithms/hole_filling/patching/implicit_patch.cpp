@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "algorithms/hole_filling/continuation/rim_field.h"
@@ -36,6 +38,10 @@ constexpr double longest_way = 1.5;
 constexpr double wide_hole = 0.2;  // × the diagonal of the component
 
 constexpr std::size_t most_guides = 80;
+constexpr int size_rounds = 10;
+
+/// Of how far the rim is off, which is a hundredth of an edge.
+constexpr double meeting_accuracy = 1e-4;
 
 /// The zero set has a vertex this near to any place that it goes through, or it doesn't go there. × edge
 constexpr double farthest_pin = 1.5;
@@ -43,21 +49,24 @@ constexpr double farthest_pin = 1.5;
 /// The new vertices of a patch as the editing takes them, and back.
 class Loosening {
  public:
-  Loosening(const HoleSite& site, const HolePatch& patch)
-      : graph_(patch, given(site)), rim_(graph_.rim_vertices().begin(), graph_.rim_vertices().end()), site_(site) {}
+  Loosening(const HoleSite& site, const HolePatch& patch) : site_(site) {
+    for (const auto& t : patch.triangles)
+      std::copy_if(t.begin(), t.end(), std::back_inserter(rim_), [&](Index v) { return v < given(site); });
+    std::sort(rim_.begin(), rim_.end());
+    rim_.erase(std::unique(rim_.begin(), rim_.end()), rim_.end());
+  }
 
   LoosePatch loosen(const HolePatch& patch) const {
     LoosePatch loose;
     loose.rim_points = rim_.size();
     for (const Index v : rim_) loose.points.push_back(site_.mesh->positions[v]);
     loose.points.insert(loose.points.end(), patch.points.begin(), patch.points.end());
-    loose.sizes = rim_sizes();
-    const std::vector<double> inner = graph_.harmonic(loose.sizes);
-    loose.sizes.insert(loose.sizes.end(), inner.begin(), inner.end());
     for (auto t : patch.triangles) {
       for (Index& v : t) v = v < given(site_) ? rim_number(v) : v - given(site_) + rim_count();
       loose.triangles.push_back(t);
     }
+    loose.sizes = rim_sizes();
+    spread_sizes(loose);
     return loose;
   }
 
@@ -91,7 +100,25 @@ class Loosening {
     return sum;
   }
 
-  PatchGraph graph_;
+  /// Continues the rim's sizes inwards, ring by ring; what lies deeper than there are rounds has their mean.
+  static void spread_sizes(LoosePatch& loose) {
+    const double mean =
+        std::accumulate(loose.sizes.begin(), loose.sizes.end(), 0.0) / static_cast<double>(loose.rim_points);
+    loose.sizes.resize(loose.points.size(), mean);
+    for (int round = 0; round < size_rounds; ++round) {
+      std::vector<double> sums(loose.points.size(), 0), counts(loose.points.size(), 0);
+      for (const auto& [a, b, c] : loose.triangles) {
+        sums[a] += loose.sizes[b] + loose.sizes[c];
+        sums[b] += loose.sizes[c] + loose.sizes[a];
+        sums[c] += loose.sizes[a] + loose.sizes[b];
+        for (const Index v : {a, b, c}) counts[v] += 2;
+      }
+      for (std::size_t v = loose.rim_points; v < loose.points.size(); ++v) {
+        if (counts[v] > 0) loose.sizes[v] = sums[v] / counts[v];
+      }
+    }
+  }
+
   std::vector<Index> rim_;
   const HoleSite& site_;
 };
@@ -263,13 +290,9 @@ class ImplicitPatcher : public Patcher {
     projection.accuracy = final_accuracy;
     projection.threads = 1;
     implicit::project(feet, {}, surface.field(), projection);
-    std::vector<double> away(feet.size());
-    for (int axis = 0; axis < 3; ++axis) {
-      for (std::size_t i = 0; i < feet.size(); ++i)
-        away[i] = site.mesh->positions[graph.rim_vertices()[i]][axis] - feet[i][axis];
-      const std::vector<double> moves = graph.harmonic(away);
-      for (std::size_t i = 0; i < moves.size(); ++i) patch.points[i][axis] += moves[i];
-    }
+    for (std::size_t i = 0; i < feet.size(); ++i) feet[i] = site.mesh->positions[graph.rim_vertices()[i]] - feet[i];
+    const std::vector<Vec3> moves = graph.harmonic(feet, meeting_accuracy);
+    for (std::size_t i = 0; i < moves.size(); ++i) patch.points[i] += moves[i];
   }
 
   ImplicitOptions options_;

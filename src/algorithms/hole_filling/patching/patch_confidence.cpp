@@ -15,6 +15,7 @@ namespace croquis::hole_filling {
 namespace {
 
 constexpr double doubtful_jump = std::numbers::pi / 4;
+constexpr double jump_accuracy = 1e-3;  // more than a colour shows
 
 std::vector<Vec3> edge_middles(const HolePatch& patch, const PolyMesh& mesh) {
   std::vector<Vec3> middles;
@@ -54,7 +55,10 @@ class RimJumps {
   RimJumps(const HolePatch& patch, const PolyMesh& mesh, const SurfaceView& view, std::span<const Index> rim)
       : patch_(patch), mesh_(mesh), rim_(rim), jumps_(rim.size(), 0) {
     for (const auto& t : patch.triangles) {
-      for (std::size_t i = 0; i < 3; ++i) sides_.push_back({t[i], t[(i + 1) % 3], t[(i + 2) % 3]});
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (std::max(t[i], t[(i + 1) % 3]) < mesh.vertex_count())
+          sides_.push_back({t[i], t[(i + 1) % 3], t[(i + 2) % 3]});
+      }
     }
     std::sort(sides_.begin(), sides_.end());
     view_ = &view;
@@ -94,7 +98,7 @@ class RimJumps {
   const PolyMesh& mesh_;
   std::span<const Index> rim_;
   const SurfaceView* view_ = nullptr;
-  std::vector<std::array<Index, 3>> sides_;  ///< from, to, the corner across: sorted
+  std::vector<std::array<Index, 3>> sides_;  ///< of edges between rim vertices: from, to, the corner across; sorted
   std::vector<double> jumps_;
 };
 
@@ -115,7 +119,7 @@ std::vector<float> vertex_confidence(const HolePatch& patch, const PolyMesh& mes
   const implicit::PointTree tree(rims.points);
   const PatchGraph graph(patch, static_cast<Index>(mesh.vertex_count()));
   const std::vector<double> jumps =
-      graph.harmonic(RimJumps(patch, mesh, analysis.view, graph.rim_vertices()).run(analysis));
+      graph.harmonic(RimJumps(patch, mesh, analysis.view, graph.rim_vertices()).run(analysis), jump_accuracy);
   std::vector<float> confidence;
   for (std::size_t i = 0; i < patch.points.size(); ++i) {
     const Vec3& place = patch.points[i];

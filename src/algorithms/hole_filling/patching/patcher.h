@@ -50,7 +50,8 @@ std::shared_ptr<const Patcher> cgal_patcher();
 ///        until nothing is cut; slower
 std::shared_ptr<const Patcher> faired_patcher(unsigned continuity, std::size_t most_triangles, bool careful = false);
 
-/// "even": the same as "cgal-c1", but faired evenly (see fair_evenly): for methods that only begin with it.
+/// "even": triangulated in the rims' plane where that can be, refined to twice the edges of the rim, faired evenly (see
+/// refine_evenly, fair_evenly): quick, for methods that only begin with it.
 std::shared_ptr<const Patcher> evenly_faired_patcher(std::size_t most_triangles);
 
 /// "zip" for one rim: its two sides joined by a band. "band" for two rims: the band between them. No new vertices.

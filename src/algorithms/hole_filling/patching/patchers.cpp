@@ -8,6 +8,7 @@
 #include "algorithms/hole_filling/patching/avoiding_triangulation.h"
 #include "algorithms/hole_filling/patching/cgal_patch.h"
 #include "algorithms/hole_filling/patching/even_fairing.h"
+#include "algorithms/hole_filling/patching/even_refinement.h"
 #include "algorithms/hole_filling/patching/patcher.h"
 #include "algorithms/hole_filling/patching/untangling.h"
 #include "algorithms/hole_filling/triangulation/band_triangulation.h"
@@ -20,6 +21,11 @@ namespace {
 /// CGAL's triangulation looks at all triangles of a Delaunay tetrahedrisation: fine for some thousand points, if they
 /// aren't in special position.
 constexpr std::size_t most_cgal_points = 1500;
+
+const double usual_density = std::sqrt(2.0);  // CGAL's for triangles of the rim's own size
+
+/// Edges of the even start, × those of the rim: who continues it cuts them where the surface is.
+constexpr double even_coarseness = 2;
 
 /// Fairing sees a ring or two of the surface alone and follows its slope weakly: it is shown more of it.
 constexpr double faired_turn = 4;
@@ -167,16 +173,31 @@ double density_for(const HoleSite& site, const std::vector<Triangle>& patch, std
   const double equilateral = std::sqrt(3.0) / 4 * edge * edge;
   const double predicted = equilateral > 0 ? area / equilateral : 0;
   const double share = std::min(1.0, static_cast<double>(most_triangles) / std::max(1.0, predicted));
-  return std::sqrt(2 * share);
+  return usual_density * std::sqrt(share);
+}
+
+HolePatch in_mesh(const HoleSite& site, const LocalSite& local, const FairingResult& faired) {
+  std::vector<std::pair<Index, Index>> rim;  // number in the local site, vertex of the mesh
+  for (const Index v : site.vertices) rim.emplace_back(local.number(site.analysis->view.representative_of(v)), v);
+  std::sort(rim.begin(), rim.end());
+  const auto known = static_cast<Index>(local.vertices.size());
+  const auto first_new = static_cast<Index>(site.mesh->vertex_count());
+  HolePatch patch{site.holes, {}, faired.patch};
+  for (const Vec3& point : faired.new_points) patch.points.push_back(point * local.size + local.centre);
+  for (Triangle& t : patch.triangles) {
+    for (Index& corner : t)
+      corner = corner >= known ? first_new + (corner - known)
+                               : std::lower_bound(rim.begin(), rim.end(), std::pair(corner, Index{0}))->second;
+  }
+  return patch;
 }
 
 class FairedPatcher : public Patcher {
  public:
-  FairedPatcher(unsigned continuity, std::size_t most_triangles, bool careful, bool evenly = false)
-      : continuity_(continuity), most_triangles_(most_triangles), careful_(careful), evenly_(evenly) {}
+  FairedPatcher(unsigned continuity, std::size_t most_triangles, bool careful)
+      : continuity_(continuity), most_triangles_(most_triangles), careful_(careful) {}
 
   const char* method() const override {
-    if (evenly_) return "even";
     if (careful_) return continuity_ == 2 ? "cgal-c2-careful" : "cgal-c1-careful";
     return continuity_ == 2 ? "cgal-c2" : "cgal-c1";
   }
@@ -186,35 +207,40 @@ class FairedPatcher : public Patcher {
     if (!triangles) return std::nullopt;
     LocalSite local = make_local_site(site, *triangles, continuity_);
     local.input.density = density_for(site, *triangles, most_triangles_);
-    local.input.is_faired = !evenly_;
-    auto faired = cgal_refine_and_fair(local.input, progress);
-    if (!faired || (evenly_ && !fair_evenly(local.input, *faired))) return std::nullopt;
+    const auto faired = cgal_refine_and_fair(local.input, progress);
+    if (!faired) return std::nullopt;
     HolePatch patch = in_mesh(site, local, *faired);
     if (careful_ && !untangle(site, patch, progress)) return std::nullopt;
     return patch;
   }
 
  private:
-  HolePatch in_mesh(const HoleSite& site, const LocalSite& local, const FairingResult& faired) const {
-    std::vector<std::pair<Index, Index>> rim;  // number in the local site, vertex of the mesh
-    for (const Index v : site.vertices) rim.emplace_back(local.number(site.analysis->view.representative_of(v)), v);
-    std::sort(rim.begin(), rim.end());
-    const auto known = static_cast<Index>(local.vertices.size());
-    const auto first_new = static_cast<Index>(site.mesh->vertex_count());
-    HolePatch patch{site.holes, {}, faired.patch};
-    for (const Vec3& point : faired.new_points) patch.points.push_back(point * local.size + local.centre);
-    for (Triangle& t : patch.triangles) {
-      for (Index& corner : t)
-        corner = corner >= known ? first_new + (corner - known)
-                                 : std::lower_bound(rim.begin(), rim.end(), std::pair(corner, Index{0}))->second;
-    }
-    return patch;
-  }
-
   unsigned continuity_;
   std::size_t most_triangles_;
   bool careful_;
-  bool evenly_;
+};
+
+class EvenPatcher : public Patcher {
+ public:
+  explicit EvenPatcher(std::size_t most_triangles) : most_triangles_(most_triangles) {}
+
+  const char* method() const override { return "even"; }
+
+  std::optional<HolePatch> attempt(const HoleSite& site, Progress& progress) const override {
+    progress.check();
+    auto triangles = plane_triangulation(site.polygon);
+    if (!triangles) triangles = base_for_fairing(site, progress);
+    if (!triangles) return std::nullopt;
+    const LocalSite local = make_local_site(site, *triangles, 1);
+    const double thinning = usual_density / density_for(site, *triangles, most_triangles_);
+    auto refined = refine_evenly(local.input, even_coarseness * thinning);
+    if (refined && refined->new_points.empty()) refined = refine_evenly(local.input, thinning);
+    if (!refined || !fair_evenly(local.input, *refined)) return std::nullopt;
+    return in_mesh(site, local, *refined);
+  }
+
+ private:
+  std::size_t most_triangles_;
 };
 
 }  // namespace
@@ -227,7 +253,7 @@ std::shared_ptr<const Patcher> faired_patcher(unsigned continuity, std::size_t m
   return std::make_shared<FairedPatcher>(continuity, most_triangles, careful);
 }
 std::shared_ptr<const Patcher> evenly_faired_patcher(std::size_t most_triangles) {
-  return std::make_shared<FairedPatcher>(1, most_triangles, false, true);
+  return std::make_shared<EvenPatcher>(most_triangles);
 }
 
 }  // namespace croquis::hole_filling
