@@ -15,6 +15,8 @@
 #include "croquis/hole_filling/hole_request.h"
 #include "hole_filling/fill_invariants.h"
 #include "support/mesh_shapes.h"
+#include "support/random.h"
+#include "support/sample_count.h"
 #include "support/scans.h"
 
 namespace croquis::hole_filling {
@@ -295,6 +297,21 @@ TEST_CASE("filling gives the same bytes on any number of threads") {
   }
 }
 
+TEST_CASE("rims with many triangulations of equal cost are filled the same again and again") {
+  // Wherever in memory things come to lie.
+  const PolyMesh mesh = random_cuts(round_sphere(4), 0, 7, 0.1, 0.3).mesh;
+  FillOptions options;
+  options.fairness = Fairness::Tangent;
+  const FillResult first = fill(mesh, options);
+  for (std::size_t step = 1; step < 8; ++step) {
+    std::vector<std::vector<char>> elsewhere;
+    for (std::size_t i = 0; i < 40 * step; ++i) elsewhere.emplace_back(17 * i + 1000 * step);
+    const FillResult again = fill(mesh, options);
+    CHECK((again.mesh.positions == first.mesh.positions));
+    CHECK((again.mesh.corners == first.mesh.corners));
+  }
+}
+
 TEST_CASE("with a cache the result is the same, and a changed wish makes one patch anew") {
   CountingCache cache;
   FillOptions options;
@@ -311,12 +328,81 @@ TEST_CASE("with a cache the result is the same, and a changed wish makes one pat
   options.requests[0].fairness = Fairness::Flat;
   const FillResult changed = fill(scan(), options);
   CHECK(changed.outcomes[3].method == "minimal");
-  CHECK(cache.take_counts() == std::map<std::string, int>{{"fill/patch/1", 1}, {"fill/verdict/1", 1}});
+  CHECK(cache.take_counts() == std::map<std::string, int>{{"fill/patch/2", 1}, {"fill/verdict/2", 1}});
   // Another mesh, or another view of it, has nothing in common with this one.
   PolyMesh moved = scan();
   moved.positions.back().x() += 1e-9;
   fill(moved, options);
   CHECK(cache.take_counts()["fill/analysis/1"] == 1);
+}
+
+TEST_CASE("trimming one rim makes the patches within its reach anew, and no others") {
+  // Small holes all over a ball: each has the next one out of reach, but for two that lie side by side.
+  PolyMesh ball = round_sphere(5);
+  const std::vector<Vec3> places = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0.22, 0, 0.97}};
+  for (const Vec3& place : places) ball = cut(ball, place.normalized(), 0.07).mesh;
+  CountingCache cache;
+  FillOptions options;
+  options.cache = &cache;
+  const auto counts_of_filling = [&] {
+    cache.take_counts();
+    const FillResult filled = fill(ball, options);
+    const auto counts = cache.take_counts();
+    options.cache = nullptr;
+    const FillResult plain = fill(ball, options);
+    options.cache = &cache;
+    CHECK((filled.mesh.positions == plain.mesh.positions));
+    CHECK((filled.mesh.corners == plain.mesh.corners));
+    for (std::size_t i = 0; i < plain.outcomes.size(); ++i)
+      CHECK(filled.outcomes[i].method == plain.outcomes[i].method);
+    return counts;
+  };
+  const std::map<std::string, int> one = {{"fill/patch/2", 1}, {"fill/trimmed/1", 1}, {"fill/verdict/2", 1}};
+  const auto first = counts_of_filling();
+  CHECK(first.at("fill/patch/2") == static_cast<int>(places.size()));
+  const auto hole_at = [&](const Vec3& place) {
+    const auto holes = fill(ball, {}).analysis.holes;
+    const auto nearest = std::ranges::min_element(
+        holes, {}, [&](const Hole& hole) { return (hole.centre - place.normalized()).norm(); });
+    return nearest->id;
+  };
+  for (const int rings : {1, 2, 0}) {
+    options.requests = {request_for({hole_at(places[0])})};
+    options.requests[0].trim_rim = rings;
+    if (rings > 0)
+      CHECK(counts_of_filling() == one);
+    else
+      CHECK(counts_of_filling().empty());
+  }
+  options.requests[0].trim_rim = 1;
+  options.requests.push_back(request_for({hole_at(places[3])}));
+  options.requests[1].trim_rim = 1;
+  CHECK(counts_of_filling() == one);
+  options.requests = {request_for({hole_at(places[4])})};
+  options.requests[0].trim_rim = 1;
+  CHECK(counts_of_filling().at("fill/patch/2") == 2);
+}
+
+TEST_CASE("whatever is trimmed after what, a cache never changes the result") {
+  for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(sample_count(2, 20)); ++seed) {
+    const PolyMesh mesh = random_cuts(seed % 2 == 0 ? round_sphere(4) : bust(50, 60), seed, 7, 0.1, 0.3).mesh;
+    Random random(seed);
+    CountingCache cache;
+    for (int step = 0; step < 6; ++step) {
+      FillOptions options;
+      const auto holes = static_cast<Index>(fill(mesh, options).analysis.holes.size());
+      for (int k = 0; k < 2; ++k) {
+        options.requests.push_back(request_for({random.below(holes)}));
+        options.requests.back().trim_rim = 1 + k;
+      }
+      if (step % 3 == 2) options.preset = Preset::Sharp;
+      const FillResult plain = fill(mesh, options);
+      options.cache = &cache;
+      const FillResult kept = fill(mesh, options);
+      CHECK((kept.mesh.positions == plain.mesh.positions));
+      CHECK((kept.mesh.corners == plain.mesh.corners));
+    }
+  }
 }
 
 TEST_CASE("a cancelled filling leaves nothing wrong in the cache") {

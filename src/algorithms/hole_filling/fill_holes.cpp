@@ -13,6 +13,7 @@
 #include "algorithms/hole_filling/patch_climb.h"
 #include "algorithms/hole_filling/patching/patch_confidence.h"
 #include "algorithms/hole_filling/rim_trimming.h"
+#include "algorithms/hole_filling/scan_numbers.h"
 #include "algorithms/hole_filling/stage_key.h"
 #include "croquis/base/error.h"
 #include "croquis/hole_filling/hole_choice.h"
@@ -64,8 +65,8 @@ class Filling {
     Progress trimming = progress.step("trim rims", 0.1);
     trim(choice, trimming);
     Progress filling = progress.step("fill holes", 0.7);
-    climbed_ =
-        climb(mesh(), analysis(), trimmed_ ? moved_jobs(*trimmed_, jobs) : jobs, options_, key_.bytes(), filling);
+    const ScanNumbers numbers(scan_, trimmed_.get(), analysis(), key_.bytes());
+    climbed_ = climb(mesh(), analysis(), trimmed_ ? moved_jobs(*trimmed_, jobs) : jobs, options_, numbers, filling);
     report_outcomes(choice);
     assemble();
     result_.warnings = fill_findings(scan_, result_);
@@ -84,9 +85,10 @@ class Filling {
   void trim(const HoleChoice& choice, Progress& progress) {
     const std::vector<int> rings = rings_to_trim(result_.analysis.holes, options_, choice.is_chosen);
     if (std::ranges::all_of(rings, [](int count) { return count == 0; })) return;
-    key_.add(rings);
+    StageKey key = key_;
+    key.add(rings);
     trimmed_ = cached<TrimmedScan>(
-        options_.cache, "fill/trimmed/1", key_,
+        options_.cache, "fill/trimmed/1", key,
         [&] { return trim_rims(scan_, result_.analysis, rings, options_.analysis, progress); },
         [](const TrimmedScan& trimmed) { return bytes_of(trimmed); });
   }
@@ -144,7 +146,7 @@ class Filling {
 
   const PolyMesh& scan_;
   const FillOptions& options_;
-  StageKey key_;  ///< of what patches are made for
+  StageKey key_;  ///< of the scan
   std::shared_ptr<const TrimmedScan> trimmed_;
   std::vector<ClimbedJob> climbed_;
   FillResult result_;

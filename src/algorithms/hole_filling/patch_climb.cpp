@@ -16,8 +16,8 @@
 namespace croquis::hole_filling {
 namespace {
 
-constexpr const char* patch_stage = "fill/patch/1";
-constexpr const char* verdict_stage = "fill/verdict/1";
+constexpr const char* patch_stage = "fill/patch/2";
+constexpr const char* verdict_stage = "fill/verdict/2";
 
 /// A job on its ladder.
 struct Climber {
@@ -35,11 +35,6 @@ struct Climber {
   bool is_pending() const { return !is_gone && !result.patch && rung < ladder.size(); }
   bool holds(Index hole) const { return std::binary_search(job.holes.begin(), job.holes.end(), hole); }
   std::string method() const { return ladder[rung]->method(); }
-};
-
-/// What a method made; kept as it is, so that failures aren't tried again either.
-struct Attempt {
-  std::optional<HolePatch> patch;
 };
 
 std::size_t bytes_of(const Attempt& attempt) {
@@ -64,11 +59,11 @@ bool is_as_asked(const std::string& method, const FillJob& job) {
 
 class Climb {
  public:
-  Climb(const PolyMesh& mesh, const HoleAnalysis& analysis, const FillOptions& options, const std::string& scan_key)
+  Climb(const PolyMesh& mesh, const HoleAnalysis& analysis, const FillOptions& options, const ScanNumbers& numbers)
       : mesh_(mesh),
         analysis_(analysis),
         options_(options),
-        scan_key_(scan_key),
+        numbers_(numbers),
         verifier_(mesh, analysis, options.precision) {}
 
   std::vector<ClimbedJob> run(std::vector<FillJob> jobs, Progress& progress) {
@@ -138,9 +133,9 @@ class Climb {
     climber.key = key_of(climber, site);
     const auto made = cached<Attempt>(
         options_.cache, patch_stage, climber.key,
-        [&] { return Attempt{climber.ladder[climber.rung]->attempt(site, progress)}; },
+        [&] { return numbers_.in_scan(climber.ladder[climber.rung]->attempt(site, progress)); },
         [](const Attempt& attempt) { return bytes_of(attempt); });
-    climber.candidate = made->patch;
+    climber.candidate = numbers_.in_mesh(*made, climber.job.holes);
     if (climber.candidate && options_.precision == Precision::Single) round_to_single(climber.candidate->points);
   }
 
@@ -148,7 +143,8 @@ class Climb {
   StageKey key_of(const Climber& climber, const HoleSite& site) const {
     const FillJob& job = climber.job;
     StageKey key;
-    key.add(scan_key_).add(job.holes).add(job.bridge).add(job.is_cap).add(site.polygon.blocked);
+    numbers_.add_surroundings(site, key);
+    key.add(job.bridge).add(job.is_cap).add(site.polygon.blocked);
     add_wish(job.wish, key);
     key.add(options_.preset).add(options_.most_patch_triangles).add(climber.rung);
     return key;
@@ -185,7 +181,7 @@ class Climb {
     std::vector<Climber*> unknown;
     std::vector<HolePatch> candidates;
     for (Climber* climber : tried) {
-      climber->key.add(options_.precision);
+      numbers_.add_removed(*climber->candidate, climber->key.add(options_.precision));
       if (const auto verdict = kept<PatchVerdict>(options_.cache, verdict_stage, climber->key)) {
         climber->alone = *verdict;
         continue;
@@ -273,7 +269,7 @@ class Climb {
   const PolyMesh& mesh_;
   const HoleAnalysis& analysis_;
   const FillOptions& options_;
-  const std::string& scan_key_;
+  const ScanNumbers& numbers_;
   PatchVerifier verifier_;
   std::deque<Climber> climbers_;  ///< grows while others are pointed at
   std::vector<Climber*> pending_;
@@ -282,9 +278,9 @@ class Climb {
 }  // namespace
 
 std::vector<ClimbedJob> climb(const PolyMesh& mesh, const HoleAnalysis& analysis, std::vector<FillJob> jobs,
-                              const FillOptions& options, const std::string& scan_key, Progress& progress) {
+                              const FillOptions& options, const ScanNumbers& numbers, Progress& progress) {
   if (jobs.empty()) return {};
-  return Climb(mesh, analysis, options, scan_key).run(std::move(jobs), progress);
+  return Climb(mesh, analysis, options, numbers).run(std::move(jobs), progress);
 }
 
 }  // namespace croquis::hole_filling

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algorithms/hole_filling/fill_jobs.h"
+#include "algorithms/hole_filling/scan_numbers.h"
 #include "croquis/hole_filling/hole_patch.h"
 
 namespace croquis::hole_filling {
@@ -23,9 +24,9 @@ struct ClimbedJob {
 ///
 /// In rounds: every open job makes a patch by its next method, on several threads, then all are verified together; of
 /// two that meet the first one is taken. The same for any number of threads, and with any cache.
-/// @param scan_key tells mesh and analysis from all others in the cache of the options
+/// @param numbers of the scan that the mesh is left of, for the cache of the options
 /// @throws Cancelled
 std::vector<ClimbedJob> climb(const PolyMesh& mesh, const HoleAnalysis& analysis, std::vector<FillJob> jobs,
-                              const FillOptions& options, const std::string& scan_key, Progress& progress);
+                              const FillOptions& options, const ScanNumbers& numbers, Progress& progress);
 
 }  // namespace croquis::hole_filling

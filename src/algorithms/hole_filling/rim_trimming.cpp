@@ -164,6 +164,18 @@ std::vector<std::vector<Index>> rims_of_holes(const HoleAnalysis& before, const 
   return rims;
 }
 
+/// What is small beside its piece of surface shouldn't depend on what was trimmed elsewhere: pieces are measured whole.
+void take_diagonals(std::size_t faces, const HoleAnalysis& before, TrimmedScan& trimmed) {
+  std::vector<Index> component_of_face(faces, no_index);
+  for (std::size_t t = 0; t < before.view.triangles.size(); ++t)
+    component_of_face[before.view.face[t]] = before.view.component[t];
+  const SurfaceView& view = trimmed.analysis.view;
+  for (std::size_t t = 0; t < view.triangles.size(); ++t) {
+    const Index whole = component_of_face[trimmed.part.faces[view.face[t]]];
+    trimmed.analysis.component_diagonal[view.component[t]] = before.component_diagonal[whole];
+  }
+}
+
 }  // namespace
 
 TrimmedScan trim_rims(const PolyMesh& mesh, const HoleAnalysis& analysis, const std::vector<int>& rings,
@@ -176,6 +188,7 @@ TrimmedScan trim_rims(const PolyMesh& mesh, const HoleAnalysis& analysis, const 
                            "Trimming the rims would leave no face of the mesh: remove fewer rings.",
                            {{SubjectKind::Parameter, "trim-rim", {}, {}, {}}}));
   trimmed.analysis = analyse_holes(trimmed.part.mesh, progress, options);
+  take_diagonals(mesh.face_count(), analysis, trimmed);
   trimmed.rims = rims_of_holes(analysis, trimmed, holes_at_vertices(analysis, hole_of_face));
   return trimmed;
 }
