@@ -206,168 +206,6 @@ void HoleInteraction::select_by_size(double diameter) {
   select(std::move(holes));
 }
 
-// ---- Changes
-
-void HoleInteraction::attempt(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const Error& error) {
-    QStringList sentences;
-    for (const Finding& finding : error.findings()) sentences << QString::fromStdString(finding.message);
-    emit told(sentences.join(" "));
-  }
-}
-
-std::string HoleInteraction::target() const {
-  const std::vector<Index>& chosen = tool_.selected();
-  if (chosen.empty()) return "all holes";
-  const std::string numbers = numbers_of({chosen.begin(), chosen.end()}).toStdString();
-  return (chosen.size() == 1 ? "hole " : "holes ") + numbers;
-}
-
-void HoleInteraction::edit(const std::string& label, const ParameterValues& values, bool dragging, bool recorded) {
-  const Node* operation = node();
-  if (operation == nullptr) return;
-  const std::string name = operation->name;
-  ParameterValues changed;
-  for (const auto& [parameter, value] : values) {
-    if (dragged_.contains(parameter) || filling_value(studio_, *operation, parameter) != value) {
-      changed[parameter] = value;
-    }
-  }
-  Document document = with_values(studio_, *operation, values);
-  Session& session = studio_.session();
-  const bool in_drag = dragging || dragging_;
-  if (dragging && !dragging_) session.begin_drag(label);
-  for (const auto& [parameter, value] : changed) dragged_.insert(parameter);
-  dragging_ = dragging;
-  if (!in_drag)
-    session.edit(label, std::move(document));
-  else
-    session.drag(std::move(document));
-  if (dragging) return;
-  if (in_drag) session.end_drag();
-  dragged_.clear();
-  if (!recorded) return;
-  for (const auto& [parameter, value] : changed) emit committed(recorded::Set{name, parameter, value});
-}
-
-void HoleInteraction::change_plan(const std::string& label, const std::function<void(HolePlan&)>& change,
-                                  bool recorded) {
-  const Node* operation = node();
-  if (operation == nullptr) return;
-  attempt([&] {
-    HolePlan plan(studio_, *operation);
-    change(plan);
-    edit(label, plan.values(), false, recorded);
-  });
-}
-
-void HoleInteraction::fill_selected() {
-  const std::vector<Index> holes = tool_.selected();
-  if (holes.empty()) return emit told(tr("No hole is selected: click one in the list or in a view"));
-  change_plan("Fill " + target(), [&](HolePlan& plan) { plan.fill(with_islands(rows_, holes)); });
-}
-
-void HoleInteraction::fill_all(const std::string& select) {
-  const std::string what = select == "all-but-largest" ? "all but the largest hole"
-                           : select == "inner"         ? "all inner holes"
-                                                       : "all holes";
-  change_plan("Fill " + what, [&](HolePlan& plan) { plan.fill_all(select); });
-}
-
-void HoleInteraction::fill_up_to(double diameter) {
-  change_plan("Fill holes up to " + measure(diameter).toStdString(),
-              [&](HolePlan& plan) { plan.fill_all("inner", diameter); });
-}
-
-void HoleInteraction::reopen_selected() {
-  const std::vector<Index> holes = tool_.selected();
-  if (holes.empty()) return emit told(tr("No hole is selected: click one in the list or in a view"));
-  change_plan("Reopen " + target(), [&](HolePlan& plan) { plan.reopen(with_islands(rows_, holes)); });
-}
-
-void HoleInteraction::bridge_selected() {
-  const std::vector<Index> holes = tool_.selected();
-  if (holes.size() < 2) return emit told(tr("Select two rims to bridge: click one, then Shift+click the other"));
-  const std::string label = holes.size() == 2
-                                ? "Bridge holes " + std::to_string(holes[0]) + " and " + std::to_string(holes[1])
-                                : "Bridge " + target();
-  change_plan(label, [&](HolePlan& plan) { plan.bridge(holes); });
-}
-
-void HoleInteraction::clear_handles() {
-  const std::vector<Index> holes = tool_.selected();
-  const std::vector<Index> now_filled = filled();
-  change_plan("Clear handles of " + target(),
-              [&](HolePlan& plan) { plan.change(holes, now_filled, [](HoleWish& wish) { wish.through.clear(); }); });
-}
-
-// ---- The way patches are made
-
-HoleInteraction::Way HoleInteraction::way() const {
-  Way way;
-  const Node* operation = node();
-  if (operation == nullptr) return way;
-  const auto value = [&](const char* name) { return filling_value(studio_, *operation, name); };
-  const auto text = [&](const char* name) {
-    const ParameterValue found = value(name);
-    return std::holds_alternative<std::string>(found) ? std::get<std::string>(found) : std::string();
-  };
-  way.fairness = text("fairness");
-  way.kernel = text("kernel");
-  if (const auto bulge = value("bulge"); std::holds_alternative<double>(bulge)) way.bulge = std::get<double>(bulge);
-  if (const auto trim = value("trim-rim"); std::holds_alternative<std::int64_t>(trim)) {
-    way.trim_rim = static_cast<int>(std::get<std::int64_t>(trim));
-  }
-  if (tool_.selected().empty()) return way;
-  try {
-    const HoleWish wish = HolePlan(studio_, *operation).wish(tool_.selected().front());
-    if (!wish.fairness.empty()) way.fairness = wish.fairness;
-    if (!wish.kernel.empty()) way.kernel = wish.kernel;
-    way.bulge = wish.bulge.value_or(way.bulge);
-    way.trim_rim = static_cast<int>(wish.trim_rim.value_or(way.trim_rim));
-  } catch (const Error&) {
-    return way;  // the operation says what is wrong
-  }
-  return way;
-}
-
-void HoleInteraction::change_way(const std::string& label, const std::string& parameter, const ParameterValue& value,
-                                 const std::function<void(HoleWish&)>& change, bool dragging) {
-  const Node* operation = node();
-  if (operation == nullptr) return;
-  const std::string full = label + " of " + target();
-  if (tool_.selected().empty()) return edit(full, {{parameter, value}}, dragging, true);
-  const std::vector<Index> holes = tool_.selected();
-  attempt([&] {
-    HolePlan plan(studio_, *operation);
-    plan.change(holes, filled(), change);
-    edit(full, plan.values(), dragging, true);
-  });
-}
-
-void HoleInteraction::set_fairness(const std::string& fairness) {
-  change_way("Way " + fairness, "fairness", fairness, [&](HoleWish& wish) { wish.fairness = fairness; });
-}
-
-void HoleInteraction::set_kernel(const std::string& kernel) {
-  change_way("Kernel " + kernel, "kernel", kernel, [&](HoleWish& wish) { wish.kernel = kernel; });
-}
-
-void HoleInteraction::set_bulge(double bulge, bool dragging) {
-  change_way(
-      "Bulge", "bulge", bulge, [&](HoleWish& wish) { wish.bulge = bulge; }, dragging);
-}
-
-void HoleInteraction::set_trim(int rings) {
-  change_way("Trim rim", "trim-rim", std::int64_t{rings}, [&](HoleWish& wish) { wish.trim_rim = rings; });
-}
-
-void HoleInteraction::set_mode(const std::string& mode) {
-  edit(mode == "remesh" ? "Make the model anew" : "Fill by patches", {{"mode", mode}}, false, true);
-}
-
 // ---- The hand
 
 void HoleInteraction::take(const PointerEvent& event) {
@@ -409,7 +247,6 @@ void HoleInteraction::follow_pull() {
   const Node* operation = node();
   if (!pull || operation == nullptr) {
     if (std::exchange(dragging_, false)) studio_.session().cancel_drag();
-    dragged_.clear();
     pulled_.reset();
     return;
   }
@@ -418,7 +255,7 @@ void HoleInteraction::follow_pull() {
     HolePlan plan = *pulled_;
     const std::vector<Index> hole{pull->hole};
     plan.change(hole, filled(), [&](HoleWish& wish) { wish.through = moved_through(wish.through, pull->as_step()); });
-    edit("Shape hole " + std::to_string(pull->hole), plan.values(), true, false);
+    edit("Shape hole " + std::to_string(pull->hole), plan.values(), true);
   });
 }
 
@@ -430,31 +267,6 @@ void HoleInteraction::finish(Verdict verdict) {
   emit committed(done);
 }
 
-void HoleInteraction::apply(const recorded::HoleChoice& step) {
-  if (step.action == "fill") {
-    const std::string name = (step.holes.size() == 1 ? "hole " : "holes ") +
-                             numbers_of({step.holes.begin(), step.holes.end()}).toStdString();
-    change_plan(
-        "Fill " + name, [&](HolePlan& plan) { plan.fill(with_islands(rows_, step.holes)); }, false);
-  } else if (step.action == "leave") {
-    const std::string name = (step.holes.size() == 1 ? "hole " : "holes ") +
-                             numbers_of({step.holes.begin(), step.holes.end()}).toStdString();
-    change_plan(
-        "Reopen " + name, [&](HolePlan& plan) { plan.reopen(with_islands(rows_, step.holes)); }, false);
-  }
-  selection_moved();
-}
-
-void HoleInteraction::apply(const recorded::HolePoint& step) {
-  const Node* operation = node();
-  if (operation == nullptr) return;
-  HolePlan plan = pulled_ ? *pulled_ : HolePlan(studio_, *operation);
-  pulled_.reset();
-  const std::vector<Index> hole{step.hole};
-  plan.change(hole, filled(), [&](HoleWish& wish) { wish.through = moved_through(wish.through, step); });
-  edit("Shape hole " + std::to_string(step.hole), plan.values(), false, false);
-}
-
 void HoleInteraction::replay(const recorded::HoleChoice& step) {
   follow();
   finish(tool_.replay(step));
@@ -463,6 +275,16 @@ void HoleInteraction::replay(const recorded::HoleChoice& step) {
 void HoleInteraction::replay(const recorded::HolePoint& step) {
   follow();
   finish(tool_.replay(step));
+}
+
+void HoleInteraction::replay(const recorded::HoleWay& step) {
+  follow();
+  for (const Index hole : step.holes) {
+    if (row(hole) == nullptr) {
+      throw Error(make_error(Category::Malformed, "E_INPUT", "There is no hole " + std::to_string(hole)));
+    }
+  }
+  change_way(step, false);
 }
 
 QString HoleInteraction::help() const {

@@ -5,7 +5,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -75,6 +74,7 @@ class HoleInteraction : public QObject {
   bool abandon();  ///< gives up the gesture under way. @return false when there was none
   void replay(const recorded::HoleChoice& step);
   void replay(const recorded::HolePoint& step);
+  void replay(const recorded::HoleWay& step);
 
   /// Shows what is there after the document, a result or the selection has changed.
   void follow();
@@ -98,12 +98,12 @@ class HoleInteraction : public QObject {
   const Node* node() const;
   std::vector<Index> filled() const;
   std::vector<Index> open_of(const std::vector<Index>& holes) const;
-  std::string target() const;
   void attempt(const std::function<void()>& work);
-  void edit(const std::string& label, const ParameterValues& values, bool dragging, bool recorded);
-  void change_plan(const std::string& label, const std::function<void(HolePlan&)>& change, bool recorded = true);
-  void change_way(const std::string& label, const std::string& parameter, const ParameterValue& value,
-                  const std::function<void(HoleWish&)>& change, bool dragging = false);
+  void edit(const std::string& label, const ParameterValues& values, bool dragging);
+  void change_plan(const std::string& label, const std::function<void(HolePlan&)>& change);
+  Way way_of(std::optional<Index> hole) const;  ///< without one, of holes for which nothing is said
+  bool is_made_so(const recorded::HoleWay& step) const;
+  void change_way(const recorded::HoleWay& step, bool dragging);
   void finish(Verdict verdict);
   void apply(const recorded::HoleChoice& step);
   void apply(const recorded::HolePoint& step);
@@ -130,7 +130,6 @@ class HoleInteraction : public QObject {
   int gesture_view_ = 0;
   std::optional<HolePlan> pulled_;  ///< before the pull under way
   bool dragging_ = false;           ///< the session's drag has begun
-  std::set<std::string> dragged_;   ///< parameters that it has changed
 };
 
 }  // namespace croquis::app

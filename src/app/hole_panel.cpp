@@ -46,6 +46,17 @@ void show_choice(QComboBox* box, const std::string& value) {
   box->setCurrentIndex(box->findData(QString::fromStdString(value)));
 }
 
+LeftOpen left_open(const std::vector<HoleRow>& rows) {
+  LeftOpen left;
+  for (const HoleRow& row : rows) {
+    if (row.state == HoleState::Filled) continue;
+    ++(row.is_border() ? left.borders : left.holes);
+    if (row.state == HoleState::Failed) ++left.failed;
+    (row.is_border() ? left.border_edges : left.hole_edges) += row.edges;
+  }
+  return left;
+}
+
 const ParameterDescription* parameter(const Studio& studio, const std::string& name) {
   const OperationDescription* operation = studio.description("fill");
   if (operation == nullptr) return nullptr;
@@ -299,8 +310,9 @@ void HolePanel::follow_mode() {
 void HolePanel::follow_check() {
   const auto& found = check_.found();
   checked_->setVisible(found.has_value() || check_.busy());
-  checked_->setText(found ? sentence_of(*found) : tr("Checking …"));
-  const bool fine = found && found->is_sound();
+  const LeftOpen left = left_open(holes_.rows());
+  checked_->setText(found ? sentence_of(*found, left) : tr("Checking …"));
+  const bool fine = found && is_as_wanted(*found, left);
   checked_->setStyleSheet(!found ? "" : fine ? "color: #6fd3b0" : "color: #ffb65c");
 }
 

@@ -305,6 +305,7 @@ void ReplayPlayer::play_on_holes(const HoleStep& step) {
 }
 
 void ReplayPlayer::play(const recorded::HoleChoice& step) { play_on_holes(step); }
+void ReplayPlayer::play(const recorded::HoleWay& step) { play_on_holes(step); }
 void ReplayPlayer::play(const recorded::HolePoint& step) { play_on_holes(step); }
 
 int print_findings(const Findings& findings) {

@@ -42,6 +42,7 @@ class ReplayPlayer {
   void play(const recorded::Extrude& step);
   void play(const recorded::LoopCut& step);
   void play(const recorded::HoleChoice& step);
+  void play(const recorded::HoleWay& step);
   void play(const recorded::HolePoint& step);
   template <typename MeshStep>
   void play_on_mesh(const MeshStep& step);

@@ -37,8 +37,51 @@ bool keeps_faces(const PolyMesh& filled, const PolyMesh& scan) {
          std::equal(scan.corners.begin(), scan.corners.end(), filled.corners.begin());
 }
 
+/// Whether all faces that are of no patch are the scan's, in its order, though some are missing: trimming takes faces
+/// and vertices away, so that only places can be compared.
+bool keeps_what_trimming_left(const PolyMesh& filled, const PolyMesh& scan, const std::vector<Index>& patches) {
+  const auto same_place = [&](Index ours, Index theirs) { return filled.positions[ours] == scan.positions[theirs]; };
+  const std::size_t kept = filled.face_count() - patches.size();
+  std::size_t theirs = 0;
+  for (std::size_t face = 0; face < kept; ++face) {
+    const auto ours = filled.face(face);
+    while (theirs < scan.face_count() && !std::ranges::equal(ours, scan.face(theirs), same_place)) ++theirs;
+    if (theirs++ == scan.face_count()) return false;
+  }
+  return kept < scan.face_count();
+}
+
 QString counted(std::size_t count, const QString& one, const QString& many) {
   return (count == 1 ? one : many).arg(count);
+}
+
+/// Edges that nothing explains. A mesh made anew has other edges along the same border.
+std::size_t surprising_edges(const CheckedSurface& checked, const LeftOpen& left) {
+  const std::size_t known = left.border_edges + left.hole_edges;
+  if (!checked.has_patches) return left.borders + left.holes == 0 ? checked.open_edges : 0;
+  return checked.open_edges - std::min(checked.open_edges, known);
+}
+
+QString opening(const CheckedSurface& checked, const LeftOpen& left) {
+  const auto tr = [](const char* text) { return SurfaceCheck::tr(text); };
+  if (checked.open_edges == 0) return tr("closed");
+  const std::size_t surprising = surprising_edges(checked, left);
+  const auto edges = [&](std::size_t count) { return counted(count, tr("%1 edge"), tr("%1 edges")); };
+  if (surprising == checked.open_edges) return counted(surprising, tr("%1 open edge"), tr("%1 open edges"));
+  // Of a mesh made anew only the sum is known.
+  const bool apart = checked.has_patches && left.borders > 0 && left.holes > 0;
+  const QString all = apart ? QString() : " (" + edges(checked.open_edges - surprising) + ")";
+  QStringList places;
+  if (left.borders > 0) {
+    places << (left.borders == 1 ? tr("its outer border") : tr("its %1 borders").arg(left.borders)) +
+                  (apart ? " (" + edges(left.border_edges) + ")" : QString());
+  }
+  if (left.holes > 0) {
+    places << counted(left.holes, tr("%1 hole"), tr("%1 holes")) +
+                  (apart ? " (" + edges(left.hole_edges) + ")" : QString());
+  }
+  const QString text = tr("open at %1").arg(places.join(tr(" and "))) + all;
+  return surprising == 0 ? text : text + tr(" and along %1 more").arg(edges(surprising));
 }
 
 }  // namespace
@@ -58,15 +101,18 @@ CheckedSurface check_surface(const PolyMesh& filled, const PolyMesh* scan, Progr
   const bool vertices = keeps_vertices(filled, *scan);
   const bool faces = keeps_faces(filled, *scan);
   checked.outside_unchanged = vertices && faces;
-  checked.trimmed = vertices && !faces && checked.has_patches;
+  checked.trimmed =
+      !checked.outside_unchanged && checked.has_patches && keeps_what_trimming_left(filled, *scan, patches);
   return checked;
 }
 
-QString sentence_of(const CheckedSurface& checked) {
+bool is_as_wanted(const CheckedSurface& checked, const LeftOpen& left) {
+  return checked.is_sound() && left.failed == 0 && surprising_edges(checked, left) == 0;
+}
+
+QString sentence_of(const CheckedSurface& checked, const LeftOpen& left) {
   const auto tr = [](const char* text) { return SurfaceCheck::tr(text); };
   QStringList parts;
-  parts << (checked.open_edges == 0 ? tr("closed")
-                                    : counted(checked.open_edges, tr("%1 open edge"), tr("%1 open edges")));
   parts << (checked.crowded_edges == 0 ? tr("manifold")
                                        : counted(checked.crowded_edges, tr("%1 edge of three and more faces"),
                                                  tr("%1 edges of three and more faces")));
@@ -77,7 +123,9 @@ QString sentence_of(const CheckedSurface& checked) {
     parts << tr("outside unchanged");
   else
     parts << (checked.trimmed ? tr("rims trimmed, else unchanged") : tr("outside CHANGED"));
-  return parts.join(", ");
+  const bool otherwise_sound = checked.open_edges > 0 && is_as_wanted(checked, left);
+  return opening(checked, left) + (otherwise_sound ? tr(", otherwise sound: ") : QStringLiteral(", ")) +
+         parts.join(", ");
 }
 
 SurfaceCheck::SurfaceCheck(QObject* parent) : QObject(parent) {

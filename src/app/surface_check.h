@@ -29,12 +29,25 @@ struct CheckedSurface {
   }
 };
 
+/// What was left open, as those know it who chose it: edges of it are no surprise.
+struct LeftOpen {
+  std::size_t borders = 0;
+  std::size_t holes = 0;         ///< that aren't borders …
+  std::size_t failed = 0;        ///< … of which these were to be filled
+  std::size_t border_edges = 0;  ///< of the scan
+  std::size_t hole_edges = 0;
+};
+
 /// @param scan that was filled by patches; null: the mesh was made anew
 /// @throws Error, Cancelled
 CheckedSurface check_surface(const PolyMesh& filled, const PolyMesh* scan, Progress& progress);
 
-/// "closed, manifold, 0 intersections, outside unchanged", or what is wrong.
-QString sentence_of(const CheckedSurface& checked);
+/// "closed, manifold, 0 intersections, outside unchanged", or what is wrong. Where something was left open on purpose:
+/// "open at its outer border (204 edges), otherwise sound: manifold, …".
+QString sentence_of(const CheckedSurface& checked, const LeftOpen& left);
+
+/// No worse than was asked for: sound, and no edge is open but those left so.
+bool is_as_wanted(const CheckedSurface& checked, const LeftOpen& left);
 
 /// Checks the newest filled mesh beside the window's thread, once nothing has changed for a moment.
 class SurfaceCheck : public QObject {

@@ -130,7 +130,20 @@ Json to_json(const LoopCut& step) {
 }
 
 Json to_json(const HoleChoice& step) {
-  Json json = {{"do", "hole"}, {"holes", step.holes}, {"action", step.action}};
+  Json json = {{"do", "hole"}};
+  if (!step.up_to) json["holes"] = step.holes;
+  json["action"] = step.action;
+  if (step.up_to) json["up-to"] = *step.up_to;
+  if (!step.node.empty()) json["node"] = step.node;
+  return json;
+}
+
+Json to_json(const HoleWay& step) {
+  Json json = {{"do", "hole-way"}, {"holes", step.holes}};
+  if (step.fairness) json["fairness"] = *step.fairness;
+  if (step.kernel) json["kernel"] = *step.kernel;
+  if (step.bulge) json["bulge"] = *step.bulge;
+  if (step.trim_rim) json["trim-rim"] = *step.trim_rim;
   if (!step.node.empty()) json["node"] = step.node;
   return json;
 }

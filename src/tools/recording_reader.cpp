@@ -321,11 +321,31 @@ Step read_loop_cut(Fields& fields) {
 
 Step read_hole(Fields& fields) {
   HoleChoice step;
+  if (fields.has("up-to")) {
+    step.action = fields.one_of("action", {"fill"});
+    step.up_to = fields.number("up-to");
+    if (!(*step.up_to > 0)) throw Mistake{"\"up-to\" must be greater than 0"};
+    step.node = fields.text("node", "");
+    return step;
+  }
   step.holes = fields.has("hole") ? std::vector<Index>{fields.index("hole")} : fields.indices("holes");
   if (fields.has("action"))
     step.action = fields.one_of("action", {"select", "add", "remove", "toggle", "fill", "leave"});
   if (step.holes.empty() && step.action != "select")
     throw Mistake{"\"holes\" must name a hole for \"" + step.action + "\""};
+  step.node = fields.text("node", "");
+  return step;
+}
+
+Step read_hole_way(Fields& fields) {
+  HoleWay step{fields.has("holes") ? fields.indices("holes") : std::vector<Index>{}};
+  if (fields.has("fairness")) step.fairness = fields.one_of("fairness", {"rbf", "smooth", "flat"});
+  if (fields.has("kernel")) step.kernel = fields.text("kernel");
+  if (fields.has("bulge")) step.bulge = fields.number("bulge");
+  if (fields.has("trim-rim")) step.trim_rim = fields.count("trim-rim");
+  if (step.bulge && std::abs(*step.bulge) > 1) throw Mistake{"\"bulge\" must be from -1 to 1"};
+  if (!step.fairness && !step.kernel && !step.bulge && !step.trim_rim)
+    throw Mistake{"\"fairness\", \"kernel\", \"bulge\" or \"trim-rim\" is missing"};
   step.node = fields.text("node", "");
   return step;
 }
@@ -378,6 +398,7 @@ Step read_step(Fields& fields) {
   if (verb == "navigate") return read_navigate(fields);
   if (verb == "expect") return read_expect(fields);
   if (verb == "hole") return read_hole(fields);
+  if (verb == "hole-way") return read_hole_way(fields);
   if (verb == "hole-point") return read_hole_point(fields);
   if (std::optional<Step> step = read_mesh_step(verb, fields)) return *std::move(step);
   throw Mistake{"there is no step \"" + verb + "\""};

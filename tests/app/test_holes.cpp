@@ -21,6 +21,7 @@
 #include "app/replay_player.h"
 #include "app/size_slider.h"
 #include "app/studio_fixture.h"
+#include "croquis/base/error.h"
 #include "croquis/document/content_hash.h"
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/io/file.h"
@@ -146,6 +147,83 @@ TEST_CASE("all inner, all but the largest, up to a size: each one step, checked 
   hand.window().findChild<QPushButton*>("fill-sizes")->click();
   hand.settle();
   CHECK(count(hand, HoleState::Filled) == sizes.count_up_to(middle));
+}
+
+TEST_CASE("filling up to a size and ways of patches are recorded as what was done, and replayed so",
+          "[hole-sessions]") {
+  StudioFixture hand;
+  const QString recording = hand.folder() + "/session.jsonl";
+  hand.window().record_to(recording);
+  open_scan(hand, ball_with_holes());
+  const double size = holes(hand).rows()[2].diameter * (1 + 1e-9);
+  auto& panel = *hand.window().findChild<app::HolePanel*>("hole-panel");
+  panel.sizes().set_diameter(size);
+  emit panel.sizes().moved(size);
+  hand.window().findChild<QPushButton*>("fill-sizes")->click();
+  hand.settle();
+  holes(hand).select({1});
+  for (const double bulge : {0.1, 0.2}) holes(hand).set_bulge(bulge, true);
+  holes(hand).set_bulge(0.3, false);
+  holes(hand).set_bulge(0.3, false);  // nothing new
+  hand.act("deselect");
+  hand.act("way-smooth");
+  hand.settle();
+  const std::string text = read_file(recording.toStdString());
+  CHECK(text.find("\"set\"") == std::string::npos);
+  CHECK(text.find(R"("do":"hole","action":"fill","up-to":)") != std::string::npos);
+  CHECK(text.find(R"({"do":"hole-way","holes":[1],"bulge":0.3})") != std::string::npos);
+  CHECK(text.find(R"({"do":"hole-way","holes":[],"fairness":"smooth"})") != std::string::npos);
+
+  StudioFixture other;
+  app::ReplayPlayer(other.window()).play(recorded::parse(text, "session.jsonl"));
+  CHECK(other.studio().session().undo_labels() == hand.studio().session().undo_labels());
+  CHECK(content_hash(other.studio().session().document()) == content_hash(hand.studio().session().document()));
+  const auto steps = recorded::parse(R"({"do":"hole-way","holes":[99],"bulge":0.3})", "bad.jsonl");
+  CHECK_THROWS_AS(app::ReplayPlayer(other.window()).play(steps), Error);
+}
+
+TEST_CASE("what was left open on purpose is said with its name, and is no fault", "[holes]") {
+  StudioFixture hand;
+  open_scan(hand, test::without_loose_vertices(test::random_cuts(test::sheet(24, 24), 3, 2, 2, 4).mesh));
+  REQUIRE(holes(hand).rows().size() == 3);
+  const auto checked = [&] {
+    hand.settle();
+    REQUIRE(hand.wait_for([&] { return label(hand, "hole-check").contains("manifold"); }));
+    return label(hand, "hole-check");
+  };
+  const auto is_calm = [&] { return hand.window().findChild<QLabel*>("hole-check")->styleSheet().contains("#6fd3b0"); };
+  hand.act("fill-inner");
+  CHECK(checked() ==
+        "open at its outer border (96 edges), otherwise sound: manifold, 0 intersections, outside unchanged");
+  CHECK(is_calm());
+  const auto& rows = holes(hand).rows();
+  const auto inner = std::find_if(rows.begin(), rows.end(), [](const auto& row) { return !row.is_border(); });
+  const app::HoleRow opened = *inner;
+  holes(hand).select({opened.id});
+  hand.act("reopen-selected");
+  CHECK(checked() == QString("open at its outer border (96 edges) and 1 hole (%1 edges), otherwise sound: manifold, "
+                             "0 intersections, outside unchanged")
+                         .arg(opened.edges));
+  CHECK(is_calm());
+  hand.act("deselect");
+  holes(hand).set_trim(1);
+  CHECK(checked().contains("otherwise sound: manifold, 0 intersections, rims trimmed, else unchanged"));
+  CHECK(is_calm());
+}
+
+TEST_CASE("an edge that nobody left open is no part of a border", "[holes]") {
+  app::CheckedSurface checked;
+  checked.open_edges = 10;
+  CHECK(!app::is_as_wanted(checked, {}));
+  CHECK(app::sentence_of(checked, {}).startsWith("10 open edges, manifold"));
+  const app::LeftOpen border{.borders = 1, .border_edges = 7};
+  CHECK(!app::is_as_wanted(checked, border));
+  CHECK(app::sentence_of(checked, border).startsWith("open at its outer border (7 edges) and along 3 edges more, man"));
+  checked.has_patches = false;  // made anew: with other edges
+  CHECK(app::is_as_wanted(checked, border));
+  CHECK(app::sentence_of(checked, border) ==
+        "open at its outer border (10 edges), otherwise sound: manifold, 0 intersections, made anew");
+  CHECK(!app::is_as_wanted(checked, {.borders = 1, .holes = 1, .failed = 1}));
 }
 
 TEST_CASE("the way of a patch belongs to what is selected, else to all, and a drag of bulge is one step", "[holes]") {

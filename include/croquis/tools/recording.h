@@ -140,9 +140,19 @@ struct LoopCut {
 
 /// Holes were selected, or are to be filled or left open.
 struct HoleChoice {
-  std::vector<Index> holes;       ///< none: only for "select", which then selects nothing
-  std::string action = "select";  ///< "select" (instead of others), "add", "remove", "toggle", "fill" or "leave"
-  std::string node = {};          ///< the operation that fills them; empty for that of the object worked on
+  std::vector<Index> holes;          ///< none: only for "select", which then selects nothing, and with `up_to`
+  std::string action = "select";     ///< "select" (instead of others), "add", "remove", "toggle", "fill" or "leave"
+  std::string node = {};             ///< the operation that fills them; empty for that of the object worked on
+  std::optional<double> up_to = {};  ///< of "fill" instead of holes: all inner ones up to that width, no others
+};
+/// Patches are to be made in another way; what isn't there stays as it was.
+struct HoleWay {
+  std::vector<Index> holes;                   ///< none: of all holes for which nothing else was said
+  std::optional<std::string> fairness = {};   ///< "rbf", "smooth" or "flat"
+  std::optional<std::string> kernel = {};     ///< as the operation names them
+  std::optional<double> bulge = {};           ///< -1..1
+  std::optional<std::int64_t> trim_rim = {};  ///< rings of faces
+  std::string node = {};                      ///< as above
 };
 /// A place that a patch goes through was moved, made or taken away; see moved_through.
 struct HolePoint {
@@ -164,7 +174,7 @@ struct Expect {
 
 using Step =
     std::variant<StrokeDrawn, Drag, Action, Set, Wait, Screenshot, File, Click, Box, Navigate, Expect, ModelDrag, Pick,
-                 Move, Rotate, Scale, Tag, Pin, TagSet, Extrude, LoopCut, HoleChoice, HolePoint>;
+                 Move, Rotate, Scale, Tag, Pin, TagSet, Extrude, LoopCut, HoleChoice, HoleWay, HolePoint>;
 
 struct Line {
   Step step;
