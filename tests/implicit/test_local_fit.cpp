@@ -117,6 +117,34 @@ TEST_CASE("gradients of fits agree with finite differences") {
   }
 }
 
+TEST_CASE("centres without gradients, wherever they stand, are met by their values") {
+  for (const Kernel kernel : {Kernel::Hermite, Kernel::HermiteQuintic}) {
+    Constraints data = ellipsoid_points(75, Vec3(3, 2, 1));
+    for (std::size_t i = 0; i < data.size(); ++i) {
+      data.values.push_back(0.1 * std::sin(static_cast<double>(i)));
+      if (i % 3 != 1) data.gradients[i].setZero();
+    }
+    const LocalFit fit(data, exact(kernel));
+    CHECK(fit.report().unknowns == 75 + 3 * 25);
+    std::vector<double> values(data.size());
+    std::vector<Vec3> gradients(data.size());
+    fit.evaluate(data.positions, values, gradients);
+    for (std::size_t i = 0; i < data.size(); ++i) {
+      CHECK(std::abs(values[i] - data.values[i]) < 1e-8);
+      if (i % 3 == 1) CHECK((gradients[i] - data.gradients[i]).norm() < 1e-7);
+      CHECK(fit.value(data.positions[i]) == values[i]);
+    }
+    for (const Vec3& unit : random_points(50, 9)) {
+      const Vec3 p = 3 * unit, gradient = fit.gradient(p);
+      for (int axis = 0; axis < 3; ++axis) {
+        const Vec3 aside = 1e-5 * Vec3::Unit(axis);
+        const double slope = (fit.value(p + aside) - fit.value(p - aside)) / 2e-5;
+        CHECK(slope == Approx(gradient[axis]).margin(1e-5 * gradient.norm()));
+      }
+    }
+  }
+}
+
 TEST_CASE("a fit far from the origin or tiny is the same fit") {
   const Constraints data = ellipsoid_points(120, Vec3(1, 0.8, 0.6));
   const LocalFit fit(data, {});

@@ -250,7 +250,8 @@ class Climb {
 
   /// On to the next method. The first one's fault is told.
   static void refuse(Climber& climber, const std::string& fault) {
-    if (climber.rung == 0 && !fault.empty()) climber.result.first_fault = climber.method() + ": " + fault;
+    if (climber.result.first_fault.empty() && !fault.empty())
+      climber.result.first_fault = climber.method() + ": " + fault;
     climber.candidate.reset();
     ++climber.rung;
   }

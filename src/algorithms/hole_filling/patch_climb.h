@@ -16,8 +16,9 @@ struct ClimbedJob {
   std::vector<Index> holes;        ///< ascending
   std::optional<HolePatch> patch;  ///< verified; none when no method had a sound one
   PatchVerdict verdict;
-  std::string method;       ///< of the patch
-  std::string first_fault;  ///< what was wrong with the first method's, empty when it was taken
+  std::string method;  ///< of the patch
+  std::string
+      first_fault;  ///< what was wrong with the first patch that was tried, empty when one of its kind was taken
 };
 
 /// Makes a patch for each job, by the first of its methods whose patch is sound.
