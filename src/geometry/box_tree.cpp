@@ -27,7 +27,7 @@ std::uint64_t morton_key(const PackedBox& box) {
     const std::uint64_t middle = middles >> (axis * packed_stride) & ((std::uint64_t{1} << packed_stride) - 1);
     key |= spread(middle >> (packed_stride - morton_bits)) << axis;
   }
-  return key;
+  return key >> 1;  // 32 bits are faster to sort than 33
 }
 
 std::vector<PackedBox> level_above(const std::vector<PackedBox>& boxes, std::size_t fan) {

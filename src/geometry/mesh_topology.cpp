@@ -48,34 +48,50 @@ std::vector<Index> faces_of_corners(const std::vector<Index>& face_offsets, std:
   return faces;
 }
 
-/// Renumbers the sets of equal values by their first appearance; no_index stays.
+/// Numbers sets by their first members. @param firsts per item the first of its set; no_index stays
 /// @return number of sets
-std::size_t number_by_appearance(std::vector<Index>& values, std::size_t value_bound) {
-  std::vector<Index> number(value_bound, no_index);
+std::size_t number_by_firsts(std::vector<Index>& firsts) {
   Index count = 0;
-  for (Index& value : values) {
-    if (value == no_index) continue;
-    if (number[value] == no_index) number[value] = count++;
-    value = number[value];
+  for (Index item = 0; item < firsts.size(); ++item) {
+    if (firsts[item] == no_index) continue;
+    firsts[item] = firsts[item] == item ? count++ : firsts[firsts[item]];  // the first has its number already
   }
   return count;
 }
 
-/// The lower and the higher vertex of the edge that each corner starts; no_index where it starts none.
-struct EdgeEnds {
-  explicit EdgeEnds(const PolyMesh& mesh) : low(mesh.corners.size(), no_index), high(mesh.corners.size(), no_index) {
+/// The corners whose edges have the same low end, vertex by vertex: linked lists, in one pass over the faces.
+class LowEndLists {
+ public:
+  explicit LowEndLists(const PolyMesh& mesh)
+      : mesh_(mesh), last_(mesh.vertex_count(), no_index), before_(mesh.corners.size(), no_index), high_(before_) {
     for (std::size_t face = 0; face < mesh.face_count(); ++face) {
       const Index end = mesh.face_offsets[face + 1];
-      for (Index corner = mesh.face_offsets[face]; corner < end; ++corner) {
-        const Index next = corner + 1 == end ? mesh.face_offsets[face] : corner + 1;
-        if (mesh.corners[corner] == mesh.corners[next]) continue;
-        low[corner] = std::min(mesh.corners[corner], mesh.corners[next]);
-        high[corner] = std::max(mesh.corners[corner], mesh.corners[next]);
-      }
+      for (Index corner = mesh.face_offsets[face]; corner < end; ++corner)
+        add(corner, mesh.corners[corner + 1 == end ? mesh.face_offsets[face] : corner + 1]);
     }
   }
 
-  std::vector<Index> low, high;
+  /// @param corners is given the corners of one list, ascending
+  void take(Index vertex, std::vector<Index>& corners) const {
+    corners.clear();
+    for (Index corner = last_[vertex]; corner != no_index; corner = before_[corner]) corners.push_back(corner);
+    std::reverse(corners.begin(), corners.end());
+  }
+
+  const std::vector<Index>& high_ends() const { return high_; }  ///< per corner
+
+ private:
+  void add(Index corner, Index to) {
+    const auto [low, high] = std::minmax(mesh_.corners[corner], to);
+    if (low == high) return;  // starts no edge
+    high_[corner] = high;
+    before_[corner] = last_[low];
+    last_[low] = corner;
+  }
+
+  const PolyMesh& mesh_;
+  std::vector<Index> last_;  ///< per vertex
+  std::vector<Index> before_, high_;
 };
 
 /// Up to so many edges from one vertex are compared all with all; beyond they are sorted.
@@ -98,11 +114,13 @@ void match_high_ends(std::span<const Index> corners, const std::vector<Index>& h
 
 /// For each corner the lowest corner that starts the same edge.
 std::vector<Index> lowest_corner_of_edge(const PolyMesh& mesh) {
-  const EdgeEnds ends(mesh);
-  const IndexTable by_low_end = group_by(ends.low, mesh.vertex_count());
+  const LowEndLists lists(mesh);
   std::vector<Index> lowest(mesh.corners.size(), no_index);
-  for (std::size_t vertex = 0; vertex < by_low_end.size(); ++vertex)
-    match_high_ends(by_low_end[vertex], ends.high, lowest);
+  std::vector<Index> corners;
+  for (Index vertex = 0; vertex < mesh.vertex_count(); ++vertex) {
+    lists.take(vertex, corners);
+    match_high_ends(corners, lists.high_ends(), lowest);
+  }
   return lowest;
 }
 
@@ -126,22 +144,18 @@ std::vector<Index> lowest_corner_of_fan(const MeshTopology& topology) {
     fans.unite(a, other_a);
     fans.unite(b, other_b);
   }
-  std::vector<Index> lowest(topology.corner_count());
-  for (Index corner = 0; corner < lowest.size(); ++corner) lowest[corner] = fans.root(corner);
-  return lowest;
+  return fans.take_roots();
 }
 
-/// For each face the lowest face of its component.
-std::vector<Index> lowest_face_of_component(const MeshTopology& topology) {
+/// Faces joined across edges.
+DisjointSets components_of(const MeshTopology& topology) {
   DisjointSets components(topology.face_count());
   for (Index edge = 0; edge < topology.edge_count(); ++edge) {
     const auto corners = topology.edge_corners(edge);
     for (const Index corner : corners.subspan(1))
       components.unite(topology.face(corners.front()), topology.face(corner));
   }
-  std::vector<Index> lowest(topology.face_count());
-  for (Index face = 0; face < lowest.size(); ++face) lowest[face] = components.root(face);
-  return lowest;
+  return components;
 }
 
 }  // namespace
@@ -154,13 +168,12 @@ MeshTopology::MeshTopology(const PolyMesh& mesh) {
   vertex_corners_ = group_by(corner_vertex_, mesh.vertex_count());
 
   corner_edge_ = lowest_corner_of_edge(mesh);
-  edge_corners_ = group_by(corner_edge_, number_by_appearance(corner_edge_, corner_edge_.size()));
+  edge_corners_ = group_by(corner_edge_, number_by_firsts(corner_edge_));
 
   corner_fan_ = lowest_corner_of_fan(*this);
   number_fans();
 
-  face_component_ = lowest_face_of_component(*this);
-  component_count_ = number_by_appearance(face_component_, face_component_.size());
+  component_count_ = components_of(*this).number(face_component_);
 
   boundary_loops_ = trace_boundary_loops(*this);
 }

@@ -31,6 +31,12 @@ class DisjointSets {
     parent_[high] = low;
   }
 
+  /// For each element the lowest one of its set; uses the sets up.
+  std::vector<Index> take_roots() {
+    for (Index& parent : parent_) parent = parent_[parent];  // a parent is lower, so it is a root by now
+    return std::move(parent_);
+  }
+
   /// Numbers the sets by their lowest elements and uses them up.
   /// @param numbers is given, for each element, the number of its set
   /// @return how many sets there are

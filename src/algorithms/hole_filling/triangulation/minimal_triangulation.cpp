@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include <Eigen/Core>
+
 #include "algorithms/hole_filling/triangulation/cancel_check.h"
 #include "algorithms/hole_filling/triangulation/triangle_cost.h"
 
@@ -14,14 +16,62 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
+/// The costs of many triangles on one edge, as triangle_cost tells them, bit by bit.
+class TriangleCosts {
+ public:
+  void add(const Vec3& point) {
+    for (std::size_t axis = 0; axis < 3; ++axis) points_[axis].push_back(point[static_cast<Eigen::Index>(axis)]);
+    areas_.push_back(0);
+    squares_.push_back(0);
+    flat_.push_back(0);
+  }
+
+  /// Of the triangles from i over each point between them to k. Valid until the next call.
+  std::span<const double> costs(std::size_t i, std::size_t k) {
+    const auto size = static_cast<Eigen::Index>(k - i - 1);
+    measure(i, k);
+    Eigen::Map<Eigen::ArrayXd> areas(&areas_[i + 1], size);
+    areas = areas.sqrt();
+    for (std::size_t j = i + 1; j < k; ++j)
+      areas_[j] = areas_[j] > flat_[j] ? areas_[j] + edge_weight * squares_[j] : infinite;
+    return areas_;
+  }
+
+ private:
+  /// Squared areas (twice) and sums of squared edges. Plain loops over arrays: done two or four at a time.
+  void measure(std::size_t i, std::size_t k) {
+    const double *x = points_[0].data(), *y = points_[1].data(), *z = points_[2].data();
+    const double x0 = x[i], y0 = y[i], z0 = z[i];
+    const double cx = x[k] - x0, cy = y[k] - y0, cz = z[k] - z0;
+    const double c_square = square(cx, cy, cz);
+    double *areas = areas_.data(), *squares = squares_.data(), *flat = flat_.data();
+#pragma GCC ivdep
+    for (std::size_t j = i + 1; j < k; ++j) {
+      const double bx = x[j] - x0, by = y[j] - y0, bz = z[j] - z0;
+      areas[j] = square(by * cz - bz * cy, bz * cx - bx * cz, bx * cy - by * cx);
+      const double b_square = square(bx, by, bz), a_square = square(cx - bx, cy - by, cz - bz);
+      const double two = b_square < c_square ? c_square : b_square;
+      flat[j] = least_flatness * (two < a_square ? a_square : two);
+      squares[j] = b_square + c_square + a_square;
+    }
+  }
+
+  static double square(double x, double y, double z) { return x * x + y * y + z * z; }
+
+  std::array<std::vector<double>, 3> points_;   ///< per axis
+  std::vector<double> areas_, squares_, flat_;  ///< per point between
+};
+
 class CostTable {
  public:
   CostTable(const RimPolygon& rims, std::span<const Index> order)
-      : rims_(rims), order_(order), size_(order.size()), cost_(size_ * size_, infinite), apex_(size_ * size_, 0) {}
+      : rims_(rims), order_(order), size_(order.size()), cost_(size_ * size_, infinite), apex_(size_ * size_, 0) {
+    for (const Index point : order) corners_.add(rims.points[point]);
+  }
 
   /// @return whether there is a triangulation
   bool fill(Progress& progress) {
-    for (std::size_t i = 0; i + 1 < size_; ++i) cost_[at(i, i + 1)] = 0;
+    for (std::size_t i = 0; i + 1 < size_; ++i) cost_[at(i, i + 1)] = cost_[at(i + 1, i)] = 0;
     for (std::size_t span = 2; span < size_; ++span) {
       progress.check();
       for (std::size_t i = 0; i + span < size_; ++i) choose_apex(i, i + span);
@@ -63,22 +113,24 @@ class CostTable {
 
   void choose_apex(std::size_t i, std::size_t k) {
     if (!may_join(i, k)) return;
+    const std::span<const double> triangles = corners_.costs(i, k);
+    const double* before = &cost_[at(i, 0)];
+    const double* after = &cost_[at(k, 0)];
     double best = infinite;
     for (std::size_t j = i + 1; j < k; ++j) {
-      const double parts = cost_[at(i, j)] + cost_[at(j, k)];
-      if (!(parts < best) || is_avoided(i, j, k)) continue;
-      const double total = parts + triangle_cost(point(i), point(j), point(k));
-      if (!(total < best)) continue;
+      const double total = before[j] + after[j] + triangles[j];
+      if (!(total < best) || is_avoided(i, j, k)) continue;
       best = total;
       apex_[at(i, k)] = static_cast<std::uint32_t>(j);
     }
-    cost_[at(i, k)] = best;
+    cost_[at(i, k)] = cost_[at(k, i)] = best;
   }
 
   const RimPolygon& rims_;
   std::span<const Index> order_;
   std::size_t size_;
-  std::vector<double> cost_;         ///< of the part from i to k
+  TriangleCosts corners_;
+  std::vector<double> cost_;         ///< of the part from i to k, at (i, k) and (k, i): both are read row by row
   std::vector<std::uint32_t> apex_;  ///< the third corner of the triangle on (i, k)
 };
 

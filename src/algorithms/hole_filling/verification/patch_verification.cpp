@@ -227,9 +227,10 @@ void PatchVerifier::make_scene() {
   if (scene_.face_count() > 0) return;
   scene_.positions = mesh_.positions;
   if (precision_ == Precision::Single) round_to_single(scene_.positions);
-  scene_.face_offsets.reserve(analysis_.view.triangles.size() + 1);
-  scene_.corners.reserve(3 * analysis_.view.triangles.size());
-  for (const auto& t : analysis_.view.triangles) scene_.add_face(t);
+  const auto& triangles = analysis_.view.triangles;
+  scene_.face_offsets.resize(triangles.size() + 1);
+  for (std::size_t t = 0; t <= triangles.size(); ++t) scene_.face_offsets[t] = static_cast<Index>(3 * t);
+  scene_.corners.assign(triangles.front().data(), triangles.front().data() + 3 * triangles.size());
 }
 
 Eigen::AlignedBox3d PatchVerifier::append_to_patches(const HolePatch& patch) {
