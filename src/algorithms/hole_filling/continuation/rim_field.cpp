@@ -157,7 +157,8 @@ class RimFitting {
   }
 
   void choose_centres() {
-    const std::size_t most = std::min(options_.most_centres, 2 * rim_size_ + 40);
+    const std::size_t quick_surplus = takes_few_normals() ? options_.most_centres / 4 : 0;  // they cost less
+    const std::size_t most = std::min(options_.most_centres + quick_surplus, 2 * rim_size_ + 40);
     for (double scale = 1;; scale *= spacing_growth) {
       auto taken = thin(reached_, positions_, scale * rim_spacing * edge_,
                         std::min(scale, most_slope_growth) * spacing_slope, most);
