@@ -20,7 +20,7 @@ struct Offsets {
   double x[chunk], y[chunk], z[chunk];
   double square[chunk];   // |d|^2
   double radius[chunk];   // |d|
-  double special[chunk];  // 1/|d|, or ln |d|^2 for the thin plate
+  double special[chunk];  // 1/|d| where a kernel needs it, or ln |d|^2 for the thin plate
 };
 
 struct Sums {
@@ -45,9 +45,9 @@ CROQUIS_PART void measure(const double* columns, std::size_t stride, std::size_t
   if constexpr (kernel == Kernel::ThinPlate) {
     for (std::size_t i = 0; i < count; ++i) o.special[i] = log_of_normal(o.square[i]);
   } else {
-    for (std::size_t i = 0; i < count; ++i) {
-      o.radius[i] = std::sqrt(o.square[i]);
-      o.special[i] = 1 / o.radius[i];
+    for (std::size_t i = 0; i < count; ++i) o.radius[i] = std::sqrt(o.square[i]);
+    if constexpr (kernel == Kernel::Hermite || kernel == Kernel::Biharmonic) {
+      for (std::size_t i = 0; i < count; ++i) o.special[i] = 1 / o.radius[i];
     }
   }
 }
@@ -55,10 +55,10 @@ CROQUIS_PART void measure(const double* columns, std::size_t stride, std::size_t
 /// The terms of 8 centres of value kernels: a phi, and t d with t = phi'/r.
 template <Kernel kernel, bool with_gradients>
 CROQUIS_PART void add_values(const Offsets& o, std::size_t i, const Lanes& a, Sums& sums) {
-  Lanes square, radius = {}, special, t;
+  Lanes square, radius = {}, special = {}, t;
   load(square, o.square + i);
   if constexpr (kernel != Kernel::ThinPlate) load(radius, o.radius + i);
-  load(special, o.special + i);
+  if constexpr (kernel != Kernel::Triharmonic) load(special, o.special + i);
   if constexpr (kernel == Kernel::Triharmonic) {
     sums.value += a * (square * radius);
     t = 3 * (a * radius);

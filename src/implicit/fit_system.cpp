@@ -56,9 +56,13 @@ void fill_hermite(const UnitCentres& centres, Kernel kernel, FitSystem& system) 
     const Index columns = at(system.first[j + 1]) - column;
     for (std::size_t i = j; i < count; ++i) {
       const Vec3 d = centres.positions[i] - centres.positions[j];
-      const Eigen::Matrix4d block = kernel == Kernel::Hermite ? cubic_block(d) : quintic_block(d);
       const Index row = at(system.first[i]);
       const Index rows = at(system.first[i + 1]) - row;
+      if (rows == 1 && columns == 1) {
+        system.a(row, column) = system.a(column, row) = system.sign * kernel_value(kernel, d);
+        continue;
+      }
+      const Eigen::Matrix4d block = kernel == Kernel::Hermite ? cubic_block(d) : quintic_block(d);
       if (rows == 4 && columns == 4) {
         system.a.block<4, 4>(row, column) = block;
         system.a.block<4, 4>(column, row) = block.transpose();
