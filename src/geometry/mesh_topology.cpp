@@ -59,39 +59,21 @@ std::size_t number_by_firsts(std::vector<Index>& firsts) {
   return count;
 }
 
-/// The corners whose edges have the same low end, vertex by vertex: linked lists, in one pass over the faces.
-class LowEndLists {
- public:
-  explicit LowEndLists(const PolyMesh& mesh)
-      : mesh_(mesh), last_(mesh.vertex_count(), no_index), before_(mesh.corners.size(), no_index), high_(before_) {
+/// The lower and the higher vertex of the edge that each corner starts; no_index where it starts none.
+struct EdgeEnds {
+  explicit EdgeEnds(const PolyMesh& mesh) : low(mesh.corners.size(), no_index), high(mesh.corners.size(), no_index) {
     for (std::size_t face = 0; face < mesh.face_count(); ++face) {
       const Index end = mesh.face_offsets[face + 1];
-      for (Index corner = mesh.face_offsets[face]; corner < end; ++corner)
-        add(corner, mesh.corners[corner + 1 == end ? mesh.face_offsets[face] : corner + 1]);
+      for (Index corner = mesh.face_offsets[face]; corner < end; ++corner) {
+        const Index next = corner + 1 == end ? mesh.face_offsets[face] : corner + 1;
+        if (mesh.corners[corner] == mesh.corners[next]) continue;
+        low[corner] = std::min(mesh.corners[corner], mesh.corners[next]);
+        high[corner] = std::max(mesh.corners[corner], mesh.corners[next]);
+      }
     }
   }
 
-  /// @param corners is given the corners of one list, ascending
-  void take(Index vertex, std::vector<Index>& corners) const {
-    corners.clear();
-    for (Index corner = last_[vertex]; corner != no_index; corner = before_[corner]) corners.push_back(corner);
-    std::reverse(corners.begin(), corners.end());
-  }
-
-  const std::vector<Index>& high_ends() const { return high_; }  ///< per corner
-
- private:
-  void add(Index corner, Index to) {
-    const auto [low, high] = std::minmax(mesh_.corners[corner], to);
-    if (low == high) return;  // starts no edge
-    high_[corner] = high;
-    before_[corner] = last_[low];
-    last_[low] = corner;
-  }
-
-  const PolyMesh& mesh_;
-  std::vector<Index> last_;  ///< per vertex
-  std::vector<Index> before_, high_;
+  std::vector<Index> low, high;
 };
 
 /// Up to so many edges from one vertex are compared all with all; beyond they are sorted.
@@ -114,13 +96,11 @@ void match_high_ends(std::span<const Index> corners, const std::vector<Index>& h
 
 /// For each corner the lowest corner that starts the same edge.
 std::vector<Index> lowest_corner_of_edge(const PolyMesh& mesh) {
-  const LowEndLists lists(mesh);
+  const EdgeEnds ends(mesh);
+  const IndexTable by_low_end = group_by(ends.low, mesh.vertex_count());
   std::vector<Index> lowest(mesh.corners.size(), no_index);
-  std::vector<Index> corners;
-  for (Index vertex = 0; vertex < mesh.vertex_count(); ++vertex) {
-    lists.take(vertex, corners);
-    match_high_ends(corners, lists.high_ends(), lowest);
-  }
+  for (std::size_t vertex = 0; vertex < by_low_end.size(); ++vertex)
+    match_high_ends(by_low_end[vertex], ends.high, lowest);
   return lowest;
 }
 

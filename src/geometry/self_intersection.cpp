@@ -7,6 +7,8 @@
 #include "geometry/box_tree.h"
 #include "geometry/ranked_places.h"
 #include "geometry/require_usable.h"
+#include "geometry/shared_corners.h"
+#include "geometry/spread_stars.h"
 #include "geometry/touched_cells.h"
 #include "geometry/triangle_meeting.h"
 
@@ -30,11 +32,19 @@ class Fans {
       if (is_wanted(f)) add_fan(f);
     }
     first_triangle_.push_back(triangle_count());
+    is_spread_ = spread_stars(mesh.positions, triangles_);
   }
 
   Index triangle_count() const { return static_cast<Index>(triangles_.size()); }
   Index face(Index triangle) const { return faces_[triangle]; }
-  bool meet(Index a, Index b) const { return meet_(triangles_[a], triangles_[b]); }
+
+  bool meet(Index a, Index b) const {
+    const SharedCorners& shared = shared_corners(triangles_[a].vertices, triangles_[b].vertices);
+    for (std::size_t i = 0; i < shared.count; ++i) {
+      if (is_spread_[triangles_[a].vertices[shared.first[i]]] != 0) return false;
+    }
+    return meet_(triangles_[a], triangles_[b], shared);
+  }
 
   std::vector<PackedBox> boxes() const {
     const std::vector<Index> vertices = used_vertices();
@@ -90,6 +100,7 @@ class Fans {
   const PolyMesh& mesh_;
   TriangleMeeting meet_;
   std::vector<MeetingTriangle> triangles_;
+  std::vector<char> is_spread_;        ///< per vertex
   std::vector<Index> faces_;           ///< per triangle
   std::vector<Index> first_triangle_;  ///< per face, in triangles_
 };

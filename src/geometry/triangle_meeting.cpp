@@ -7,7 +7,6 @@
 #include <Eigen/Geometry>
 
 #include "geometry/clear_sign.h"
-#include "geometry/shared_corners.h"
 
 namespace croquis {
 namespace {
@@ -35,8 +34,8 @@ bool TriangleMeeting::make(const std::array<Index, 3>& vertices, MeetingTriangle
          !CGAL::collinear(exact_point(a), exact_point(b), exact_point(c));
 }
 
-bool TriangleMeeting::operator()(const MeetingTriangle& a, const MeetingTriangle& b) const {
-  const SharedCorners& shared = shared_corners(a.vertices, b.vertices);
+bool TriangleMeeting::operator()(const MeetingTriangle& a, const MeetingTriangle& b,
+                                 const SharedCorners& shared) const {
   const Corners u = arranged(a.vertices, shared.first);
   const Corners v = arranged(b.vertices, shared.second);
   const double longest = std::max(a.longest, b.longest);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "croquis/geometry/poly_mesh.h"
+#include "geometry/shared_corners.h"
 
 namespace croquis {
 
@@ -24,7 +25,8 @@ class TriangleMeeting {
   /// Whether the three vertices span an area, exactly; if so, the pair tests accept the triangle.
   bool make(const std::array<Index, 3>& vertices, MeetingTriangle& triangle) const;
 
-  bool operator()(const MeetingTriangle& a, const MeetingTriangle& b) const;
+  /// @param shared the corners that the two have in common
+  bool operator()(const MeetingTriangle& a, const MeetingTriangle& b, const SharedCorners& shared) const;
 
  private:
   using Corners = std::array<Index, 3>;
