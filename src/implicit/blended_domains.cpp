@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include "croquis/base/parallel.h"
@@ -63,11 +64,16 @@ bool BlendedDomains::is_filler(std::size_t domain) const {
 
 const LocalFit& BlendedDomains::fit_of(const Domain& domain) const {
   if (const LocalFit* fit = domain.ready.load(std::memory_order_acquire)) return *fit;
-  std::call_once(domain.once, [&] {
-    domain.fit =
-        std::make_unique<const LocalFit>(domain.own ? *domain.own : points_.of(domain.box, domain.most), options_.fit);
-    domain.ready.store(domain.fit.get(), std::memory_order_release);
-  });
+  const std::lock_guard lock(locks_[domain.number % lock_count]);
+  if (const LocalFit* fit = domain.ready.load(std::memory_order_acquire)) return *fit;
+  domain.fit =
+      std::make_unique<const LocalFit>(domain.own ? *domain.own : points_.of(domain.box, domain.most), options_.fit);
+  const FitReport& report = domain.fit->report();
+  domain.centres = static_cast<std::uint32_t>(report.centres);
+  domain.merged = static_cast<std::uint32_t>(report.merged);
+  domain.rank_revealing = report.rank_revealing;
+  ++domain.fits;
+  domain.ready.store(domain.fit.get(), std::memory_order_release);
   return *domain.fit;
 }
 
@@ -75,14 +81,38 @@ void BlendedDomains::fit(Progress& progress) const {
   std::vector<const Domain*> needed;
   for (std::size_t i = 0; i < domains_.size(); ++i)
     if (!is_filler(i)) needed.push_back(&domains_[i]);
+  fit_these(needed, progress);
+}
+
+void BlendedDomains::fit_between(int axis, double low, double high, Progress& progress) const {
+  std::vector<const Domain*> needed;
+  for (std::size_t i = 0; i < domains_.size(); ++i) {
+    const Domain& domain = domains_[i];
+    if (is_filler(i) || domain.ready.load(std::memory_order_acquire) != nullptr) continue;
+    if (domain.box.low[axis] <= high && domain.box.high[axis] >= low) needed.push_back(&domain);
+  }
+  Progress fitting = progress.step("fit " + std::to_string(needed.size()) + " domains", 1);
+  fit_these(needed, fitting);
+}
+
+void BlendedDomains::fit_these(const std::vector<const Domain*>& needed, Progress& progress) const {
   for_each_part(needed.size(), 1, options_.threads, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) fit_of(*needed[i]);
   });
 }
 
+void BlendedDomains::forget_below(int axis, double place) {
+  for (const Domain& domain : domains_) {
+    if (domain.box.high[axis] >= place || domain.ready.load(std::memory_order_acquire) == nullptr) continue;
+    domain.ready.store(nullptr, std::memory_order_release);
+    domain.fit.reset();
+  }
+}
+
 void BlendedDomains::add_leaf_domains() {
   for (const Octree::Leaf& leaf : tree_.leaves()) {
     Domain& domain = domains_.emplace_back();
+    domain.number = domains_.size();
     domain.box = leaf.cube.grown(options_.overlap);
     const bool filler = leaf.point_count() == 0;
     domain.weight = filler ? options_.filler_weight : options_.data_weight;
@@ -97,6 +127,7 @@ void BlendedDomains::add_extras(std::vector<ExtraDomain>&& extras) {
     const auto index = static_cast<Index>(domains_.size());
     tree_.for_each_meeting(extra.box, [&](Index leaf) { extras_of_leaf_[leaf].push_back(index); });
     Domain& domain = domains_.emplace_back();
+    domain.number = domains_.size();
     domain.box = extra.box;
     domain.weight = extra.weight;
     domain.own = std::move(extra.constraints);
@@ -177,14 +208,15 @@ DomainReport BlendedDomains::report() const {
     const bool has_points = !is_extra && tree_.leaves()[i].point_count() > 0;
     ++(is_extra ? report.extra_domains : has_points ? report.data_domains : report.filler_domains);
     report.bytes += sizeof(Domain);
-    const LocalFit* fit = domains_[i].ready.load(std::memory_order_acquire);
-    if (fit == nullptr) continue;
+    const Domain& domain = domains_[i];
+    if (const LocalFit* fit = domain.ready.load(std::memory_order_acquire)) report.bytes += fit->bytes();
+    report.fits += domain.fits;
+    if (domain.fits == 0) continue;
     ++report.fitted;
-    report.bytes += fit->bytes();
-    if (fit->report().rank_revealing) ++report.rank_revealing;
+    if (domain.rank_revealing) ++report.rank_revealing;
     if (!has_points) continue;
-    report.merged += fit->report().merged;
-    centres.push_back(fit->report().centres);
+    report.merged += domain.merged;
+    centres.push_back(domain.centres);
   }
   std::sort(centres.begin(), centres.end());
   if (!centres.empty()) {

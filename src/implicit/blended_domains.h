@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <mutex>
@@ -29,6 +31,12 @@ class BlendedDomains {
   /// Fits the domains that have points and the extra ones.
   void fit(Progress& progress) const;
 
+  /// The same, of those that reach into a slab.
+  void fit_between(int axis, double low, double high, Progress& progress) const;
+
+  /// Frees the fits of those that end below a place. Not while others evaluate.
+  void forget_below(int axis, double place);
+
   void evaluate(std::span<const Vec3> places, std::span<double> values, std::span<Vec3> gradients, Wanted wanted) const;
   std::vector<Box> boxes() const;
   DomainReport report() const;
@@ -37,13 +45,15 @@ class BlendedDomains {
  private:
   /// One box with its fit, which is made when it is first asked for.
   struct Domain {
+    std::size_t number = 0;
     Box box;
     double weight = 1;
     std::size_t most = 0;            // points that it takes at most
     std::optional<Constraints> own;  // an extra domain's; the others take theirs from the points
-    mutable std::once_flag once;
     mutable std::unique_ptr<const LocalFit> fit;
     mutable std::atomic<const LocalFit*> ready = nullptr;
+    mutable std::uint32_t centres = 0, merged = 0, fits = 0;  // of the fit, also when it was forgotten
+    mutable bool rank_revealing = false;
   };
 
   /// What the domains at one place add up to.
@@ -60,6 +70,7 @@ class BlendedDomains {
   void add_leaf_domains();
   void add_extras(std::vector<ExtraDomain>&& extras);
   bool is_filler(std::size_t domain) const;
+  void fit_these(const std::vector<const Domain*>& needed, Progress& progress) const;
   const LocalFit& fit_of(const Domain& domain) const;
   void add(const Domain& domain, const BoxWeight& w, const Vec3& place, Wanted wanted, Blend& blend) const;
   void add_domain(const Domain& domain, const Vec3& place, Wanted wanted, Blend& blend) const;
@@ -72,6 +83,10 @@ class BlendedDomains {
   std::deque<Domain> domains_;                      // one per leaf, then the extra ones
   std::vector<std::vector<Index>> extras_of_leaf_;  // domains whose boxes meet the leaf's cube
   bool has_extras_ = false;
+
+  // One thread makes a fit. Domains share locks: few are made at a time.
+  static constexpr std::size_t lock_count = 64;
+  mutable std::array<std::mutex, lock_count> locks_;
 };
 
 }  // namespace croquis::implicit

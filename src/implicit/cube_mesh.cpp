@@ -68,7 +68,8 @@ class CubeMesher {
 
 void CubeMesher::number_vertices() {
   lattice_.link();
-  for (LatticeBlock& block : lattice_.blocks()) blocks_.push_back({&block, {}});
+  for (auto& [layer, blocks] : lattice_.layers())
+    for (LatticeBlock& block : blocks) blocks_.push_back({&block, {}});
   std::sort(blocks_.begin(), blocks_.end(), [](const NumberedBlock& a, const NumberedBlock& b) {
     const auto reversed = [](const LatticeBlock& block) {
       return std::array{block.first[2], block.first[1], block.first[0]};

@@ -14,11 +14,15 @@ constexpr int farthest_reach = 16;
 
 }  // namespace
 
-Polygonized polygonize(const Field& field, std::span<const Vec3> seeds, const PolygonizerOptions& options,
-                       Progress& progress) {
+void require_polygonizer(const PolygonizerOptions& options) {
   require_parameter(options.max_cells <= most_cells, "max-cells", "at most 500000000 cubes are possible");
   require_parameter(options.seed_reach >= 0 && options.seed_reach <= farthest_reach, "seed-reach",
                     "it must lie between 0 and 16 cubes");
+}
+
+Polygonized polygonize(const Field& field, std::span<const Vec3> seeds, const PolygonizerOptions& options,
+                       Progress& progress) {
+  require_polygonizer(options);
   Polygonized result;
   SparseLattice lattice(options.origin, options.cell, options.bounds);
   Progress searching = progress.step("search", 0.8);

@@ -43,6 +43,7 @@ PartitionOfUnity::PartitionOfUnity(std::span<const Vec3> positions, std::span<co
   progress.check();
   Progress cutting = progress.step("cut space", 0.1);
   state_ = std::make_unique<State>(positions, normals, std::move(extras), options, cutting);
+  if (options.lazy) return;
   Progress fitting = progress.step("fit " + std::to_string(state_->domain_count()) + " domains", 0.9);
   state_->fit(fitting);
 }
@@ -85,6 +86,12 @@ Field PartitionOfUnity::projection_field() const {
     evaluate_for_projection(points, values, gradients);
   };
 }
+
+void PartitionOfUnity::fit_between(int axis, double low, double high, Progress& progress) {
+  state_->fit_between(axis, low, high, progress);
+}
+
+void PartitionOfUnity::forget_below(int axis, double place) { state_->forget_below(axis, place); }
 
 std::vector<Box> PartitionOfUnity::domain_boxes() const { return state_->boxes(); }
 

@@ -22,7 +22,8 @@ std::array<std::int32_t, 3> first_of_upper(const LatticeBlock& block, unsigned b
 
 }  // namespace
 
-SparseLattice::SparseLattice(const Vec3& origin, double cell, const Box& bounds) : origin_(origin), cell_(cell) {
+SparseLattice::SparseLattice(const Vec3& origin, double cell, const Box& bounds, int layer_axis)
+    : origin_(origin), cell_(cell), axis_(static_cast<std::size_t>(layer_axis)) {
   require_parameter(std::isfinite(cell) && cell > 0, "cell", "the cubes' edge length must be positive");
   require_parameter(origin.allFinite() && bounds.low.allFinite() && bounds.high.allFinite() &&
                         (bounds.low.array() <= bounds.high.array()).all(),
@@ -112,13 +113,32 @@ CornerValues SparseLattice::values(const LatticePlace& cube) {
   return values;
 }
 
+double SparseLattice::bottom(int layer) const {
+  std::array<std::int32_t, 3> corner = {};
+  corner[axis_] = layer * LatticeBlock::side;
+  return position(corner)[static_cast<Eigen::Index>(axis_)];
+}
+
 void SparseLattice::link() {
-  for (LatticeBlock& block : blocks_) {
+  for (auto& [layer, blocks] : layers_) link(layer);
+}
+
+void SparseLattice::link(int layer) {
+  const auto here = layers_.find(layer);
+  if (here == layers_.end()) return;
+  for (LatticeBlock& block : here->second) {
     for (unsigned bits = 1; bits < 8; ++bits) {
       const auto found = by_key_.find(key_of(first_of_upper(block, bits)));
       block.upper[bits] = found == by_key_.end() ? nullptr : found->second;
     }
   }
+}
+
+void SparseLattice::drop(int layer) {
+  const auto here = layers_.find(layer);
+  if (here == layers_.end()) return;
+  for (const LatticeBlock& block : here->second) by_key_.erase(key_of(block.first));
+  layers_.erase(here);
 }
 
 std::uint64_t SparseLattice::key_of(const std::array<std::int32_t, 3>& first) {
@@ -131,7 +151,7 @@ std::uint64_t SparseLattice::key_of(const std::array<std::int32_t, 3>& first) {
 LatticeBlock& SparseLattice::block(const std::array<std::int32_t, 3>& first) {
   LatticeBlock*& found = by_key_[key_of(first)];
   if (found == nullptr) {
-    found = &blocks_.emplace_back();
+    found = &layers_[first[axis_] / LatticeBlock::side].emplace_back();
     found->first = first;
   }
   return *found;
@@ -139,7 +159,9 @@ LatticeBlock& SparseLattice::block(const std::array<std::int32_t, 3>& first) {
 
 std::size_t SparseLattice::bytes() const {
   constexpr std::size_t entry = 48;  // of the table: key, pointer, link and bucket, about
-  return blocks_.size() * (sizeof(LatticeBlock) + entry);
+  std::size_t count = 0;
+  for (const auto& [layer, blocks] : layers_) count += blocks.size();
+  return count * (sizeof(LatticeBlock) + entry);
 }
 
 }  // namespace croquis::implicit

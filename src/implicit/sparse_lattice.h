@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <optional>
 #include <unordered_map>
 
@@ -62,8 +63,9 @@ struct LatticePlace {
 /// Cubes of one size within a box, of which only the blocks that are asked for exist. Blocks never move.
 class SparseLattice {
  public:
+  /// @param axis across which blocks lie in layers
   /// @throws Error E_PARAMETER when cell or bounds can't be used
-  SparseLattice(const Vec3& origin, double cell, const Box& bounds);
+  SparseLattice(const Vec3& origin, double cell, const Box& bounds, int axis = 2);
 
   /// Model coordinates of a corner: the same bits in every lattice of this origin and cell.
   Vec3 position(const std::array<std::int32_t, 3>& corner) const;
@@ -91,7 +93,21 @@ class SparseLattice {
   /// Lets all blocks know their neighbours.
   void link();
 
-  std::deque<LatticeBlock>& blocks() { return blocks_; }
+  /// Blocks by layers; a layer is as thick as a block.
+  using Layers = std::map<int, std::deque<LatticeBlock>>;
+  Layers& layers() { return layers_; }
+  int layer_of(const LatticeBlock& block) const { return block.first[axis_] / LatticeBlock::side; }
+  int layer_of(const std::array<std::int64_t, 3>& cube) const {
+    return static_cast<int>(cube[axis_] / LatticeBlock::side);
+  }
+  double bottom(int layer) const;  ///< model coordinate along the axis of its lowest corners
+
+  /// Lets the blocks of one layer know their neighbours.
+  void link(int layer);
+
+  /// Frees one layer. Nothing below may still ask for it, nor for what leads up from there.
+  void drop(int layer);
+
   std::size_t bytes() const;
 
  private:
@@ -102,7 +118,8 @@ class SparseLattice {
   double cell_;
   std::array<double, 3> base_ = {};          // of lattice coordinate 0, in cells from the origin: whole numbers
   std::array<std::int64_t, 3> counts_ = {};  // of cubes per axis
-  std::deque<LatticeBlock> blocks_;
+  std::size_t axis_;
+  Layers layers_;
   std::unordered_map<std::uint64_t, LatticeBlock*> by_key_;  // looked up, never walked through
 };
 

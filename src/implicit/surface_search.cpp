@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "croquis/base/parallel.h"
 #include "implicit/cube_loops.h"
@@ -66,7 +67,29 @@ SurfaceSearch::SurfaceSearch(SparseLattice& lattice, const Field& field, const P
     : lattice_(lattice), field_(field), options_(options), result_(result) {}
 
 void SurfaceSearch::run(std::span<const Vec3> seeds, Progress& progress) {
-  std::vector<LatticePlace> front = first_front(seeds);
+  from_seeds_ = true;
+  go_on(first_front(seeds), progress);
+}
+
+void SurfaceSearch::run_slab(std::span<const Vec3> seeds, std::span<const std::array<std::int64_t, 3>> cubes, int begin,
+                             int end, Progress& progress) {
+  begin_ = begin;
+  end_ = end;
+  from_seeds_ = true;
+  Progress sowing = progress.step("search", 0.5);
+  go_on(first_front(seeds), sowing);
+  std::vector<LatticePlace> front;
+  const std::vector<LatticePlace> ahead = std::exchange(ahead_, {});
+  for (const LatticePlace& cube : ahead) (lattice_.layer_of(*cube.block) < end ? front : ahead_).push_back(cube);
+  for (const auto& cube : cubes)
+    if (lattice_.has_cube(cube)) visit(lattice_.place(cube), front);
+  from_seeds_ = false;
+  std::sort(front.begin(), front.end(), comes_before);
+  Progress joining = progress.step("search", 0.5);
+  go_on(std::move(front), joining);
+}
+
+void SurfaceSearch::go_on(std::vector<LatticePlace> front, Progress& progress) {
   while (!front.empty()) {
     ++result_.rounds;
     Progress evaluating = progress.step("search", share_of_front);
@@ -78,6 +101,7 @@ void SurfaceSearch::run(std::span<const Vec3> seeds, Progress& progress) {
       result_.reached_max_cells = true;
       return;
     }
+    from_seeds_ = false;
     front = next_front(cubes);
   }
 }
@@ -102,8 +126,14 @@ std::vector<LatticePlace> SurfaceSearch::first_front(std::span<const Vec3> seeds
 
 void SurfaceSearch::visit(const LatticePlace& cube, std::vector<LatticePlace>& front) {
   if (!cube.block->visited.insert(cube.local)) return;
+  const int layer = lattice_.layer_of(*cube.block);
+  if (layer < begin_) {
+    const auto place = cube.coordinates();
+    missed_.push_back({place[0], place[1], place[2]});
+    return;
+  }
   ++result_.visited_cells;
-  front.push_back(cube);
+  (layer < end_ ? front : ahead_).push_back(cube);
 }
 
 void SurfaceSearch::evaluate_corners(const std::vector<LatticePlace>& front, Progress& progress) {
@@ -135,7 +165,7 @@ std::vector<SurfaceSearch::ActiveCube> SurfaceSearch::active_cubes(const std::ve
       defined = defined && std::isfinite(values[corner]);
     }
     // Seeds may lie anywhere; but a later front came here along the surface.
-    if (!defined && result_.rounds > 1) result_.reached_undefined = true;
+    if (!defined && !from_seeds_) result_.reached_undefined = true;
     if (!defined || signs == 0 || signs == all_inside) continue;
     cube.block->active.set(cube.local);
     cubes.push_back({cube, static_cast<std::uint8_t>(signs)});

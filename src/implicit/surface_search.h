@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -15,6 +17,9 @@ namespace croquis::implicit {
 /// @param edge begins at the place, along the axis; both ends are known
 Vec3 crossing(SparseLattice& lattice, const LatticePlace& edge, int axis);
 
+/// @throws Error (E_PARAMETER) for limits out of range
+void require_polygonizer(const PolygonizerOptions& options);
+
 /// Goes over the surface front by front, until nothing is left to visit or a limit is met. Marks active cubes, crossed
 /// and covered edges in the lattice, and counts in the result.
 class SurfaceSearch {
@@ -22,6 +27,12 @@ class SurfaceSearch {
   SurfaceSearch(SparseLattice& lattice, const Field& field, const PolygonizerOptions& options, Polygonized& result);
 
   void run(std::span<const Vec3> seeds, Progress& progress);
+
+  /// The same within layers below `end`, beginning also where earlier slabs led there. Cubes in layers below `begin`
+  /// are not visited any more: they come into `missed`, unless they were visited before.
+  void run_slab(std::span<const Vec3> seeds, std::span<const std::array<std::int64_t, 3>> cubes, int begin, int end,
+                Progress& progress);
+  const std::vector<std::array<std::int64_t, 3>>& missed() const { return missed_; }
 
  private:
   struct Edge {
@@ -35,6 +46,7 @@ class SurfaceSearch {
     std::uint8_t signs;
   };
 
+  void go_on(std::vector<LatticePlace> front, Progress& progress);
   std::vector<LatticePlace> first_front(std::span<const Vec3> seeds);
   void visit(const LatticePlace& cube, std::vector<LatticePlace>& front);
   void evaluate_corners(const std::vector<LatticePlace>& front, Progress& progress);
@@ -48,6 +60,11 @@ class SurfaceSearch {
   const Field& field_;
   const PolygonizerOptions& options_;
   Polygonized& result_;
+  bool from_seeds_ = true;                       // the front under way
+  int begin_ = std::numeric_limits<int>::min();  // layers that are open
+  int end_ = std::numeric_limits<int>::max();
+  std::vector<LatticePlace> ahead_;  // visited, in layers that come later
+  std::vector<std::array<std::int64_t, 3>> missed_;
 };
 
 }  // namespace croquis::implicit

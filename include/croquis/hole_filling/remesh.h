@@ -24,6 +24,7 @@ struct RemeshOptions {
   double chord = 0;          ///< refine ends once edges are as near to the surface as this, model units; 0: never
   double snap = 0;           ///< vertices within this distance of one given move there, × cell; usual 0.3
   double min_component = 0;  ///< smaller pieces of the mesh are left out, as fraction of its triangles
+  std::size_t slab_points = 0;   ///< that a slab of the model has, about: no bit of the result depends on it. 0: usual
   std::size_t memory_limit = 0;  ///< bytes; a model predicted to need more is refused. 0: none
 };
 
@@ -60,6 +61,7 @@ struct RemeshResult {
   std::size_t domains = 0;            ///< with points, those of holes included
   DomainPointCounts points_per_domain;
   RemeshChecks checks;
+  std::size_t slabs = 0;            ///< that the piece with most of them was made in
   std::size_t predicted_bytes = 0;  ///< see predicted_remesh_bytes
   Findings warnings;
 };

@@ -30,7 +30,8 @@ struct DomainOptions {
   bool offset_both_sides = true;  ///< false: outside only, as in Yoo 2005
 
   FitOptions fit;
-  int threads = 0;  ///< of the fitting; 0: as many as the machine has. The result is the same for any
+  bool lazy = false;  ///< domains are fitted when they are first needed, or by fit_between, not at once
+  int threads = 0;    ///< of the fitting; 0: as many as the machine has. The result is the same for any
 };
 
 /// A domain of the caller's own beside those of the points, as for a hole: its box has to contain the whole rim.
@@ -44,7 +45,8 @@ struct DomainReport {
   std::size_t data_domains = 0;
   std::size_t filler_domains = 0;
   std::size_t extra_domains = 0;
-  std::size_t fitted = 0;       ///< fits made so far; fillers are fitted when they are first needed
+  std::size_t fitted = 0;       ///< domains fitted so far; fillers are fitted when they are first needed
+  std::size_t fits = 0;         ///< made so far: more than `fitted` where some were forgotten
   std::size_t min_centres = 0;  ///< over the data domains
   std::size_t median_centres = 0;
   std::size_t max_centres = 0;
@@ -84,6 +86,14 @@ class PartitionOfUnity {
   /// This as a field. It must outlive what it returns.
   Field field() const;
   Field projection_field() const;  ///< with the gradients of evaluate_for_projection
+
+  /// Fits the domains with points, and the extra ones, whose boxes reach into [low, high] along an axis.
+  /// @throws Cancelled
+  void fit_between(int axis, double low, double high, Progress& progress);
+
+  /// Frees the fits of domains whose boxes end below a place along an axis. They are made again when they are needed
+  /// again: values stay the same. Not while others evaluate.
+  void forget_below(int axis, double place);
 
   /// Boxes of all domains as grown, data and fillers in the tree's order, then the extra ones.
   std::vector<Box> domain_boxes() const;

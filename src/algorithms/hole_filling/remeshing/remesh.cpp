@@ -88,12 +88,15 @@ class Remeshing {
   }
 
   void make_pieces_anew(Progress& progress) {
-    const RemeshModel model{mesh_,  result_.analysis,       options_, pieces_, normals_, links_, edge_,
-                            cell(), result_.predicted_bytes};
+    const SlabPoints slabs = slab_points(options_);
+    const RemeshModel model{
+        mesh_,      result_.analysis,       options_, pieces_, normals_, links_, edge_, cell(), slabs.closed,
+        slabs.open, result_.predicted_bytes};
     std::vector<PieceShape> shapes;
     for (std::size_t p = 0; p < pieces_.pieces.size(); ++p) {
       Progress part = progress.step("make pieces", 0.9 * model.share_of(pieces_.pieces[p]));
       shapes.push_back(make_shape(model, p, part));
+      result_.slabs = std::max(result_.slabs, shapes.back().slabs);
       tell(p, shapes.back());
     }
     Progress joining = progress.step("join pieces", 0.07);

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include <Eigen/Geometry>
 
-#include "algorithms/hole_filling/analysis/triangle_fans.h"
 #include "algorithms/hole_filling/remeshing/remesh_cuts.h"
+#include "algorithms/hole_filling/remeshing/remesh_smoothing.h"
 #include "algorithms/hole_filling/verification/single_precision.h"
 #include "croquis/base/error.h"
 #include "croquis/base/parallel.h"
@@ -26,77 +27,16 @@ constexpr std::size_t most_pairs = 1000000;  // of intersecting triangles that a
 
 /// Rings about faces that intersect that go back, round by round; then everything does.
 constexpr std::array undo_rings = {0, 1, 2, 3, 4, 5, 10, 20};
+constexpr double drift = 2;         // × cell: no vertex moves so far
 constexpr double least_turn = 0.5;  // cosine: a vertex doesn't snap when that turns a triangle further
 
-class Improvement {
+class Snapping {
  public:
-  Improvement(PolyMesh& mesh, const implicit::Field& field, const ImprovementOptions& options)
-      : mesh_(mesh), field_(field), options_(options) {}
+  Snapping(PolyMesh& mesh, const ImprovementOptions& options) : mesh_(mesh), options_(options) {}
 
-  void smooth(Progress& progress) {
-    const TriangleFans fans(mesh_.vertex_count(), mesh_.corners);
-    Progress looking = progress.step("find borders", 0.05);
-    const std::vector<TriangleFans::Link> links = fans.links(options_.threads, looking);
-    const double share = 0.95 / std::max(options_.smoothing, 1);
-    std::vector<std::uint8_t> fixed(links.size());
-    for (std::size_t v = 0; v < links.size(); ++v) fixed[v] = links[v] == TriangleFans::Link::Cycle ? 0 : 1;
-    if (options_.smoothing == 0) onto_surface(fixed, 0, progress);
-    for (int round = 0; round < options_.smoothing; ++round) {
-      Progress smoothing = progress.step("smooth", 0.2 * share);
-      move_to_centroids(fans, fixed, smoothing);
-      Progress projecting = progress.step("project " + std::to_string(mesh_.vertex_count()) + " vertices", 0.8 * share);
-      onto_surface(fixed, 0, projecting);
-    }
-  }
-
-  /// @return the greatest distance that a vertex moved
-  double onto_surface(std::span<const std::uint8_t> fixed, std::size_t first, Progress& progress) {
-    const implicit::Field field = [&](std::span<const Vec3> points, std::span<double> values,
-                                      std::span<Vec3> gradients) {
-      if (progress.cancelled()) throw Cancelled();
-      field_(points, values, gradients);
-    };
-    implicit::ProjectionOptions projection;
-    projection.cell = options_.cell;
-    projection.threads = options_.threads;
-    double largest = 0;
-    const std::span<Vec3> all(mesh_.positions);
-    for (std::size_t begin = first; begin < all.size(); begin += chunk) {
-      const std::size_t count = std::min(chunk, all.size() - begin);
-      const auto marks = fixed.empty() ? fixed : fixed.subspan(begin, count);
-      largest = std::max(largest, implicit::project(all.subspan(begin, count), marks, field, projection).largest_move);
-      progress.report(static_cast<double>(begin + count) / static_cast<double>(all.size()));
-    }
-    return largest;
-  }
-
-  void move_to_centroids(const TriangleFans& fans, const std::vector<std::uint8_t>& fixed, Progress& progress) {
-    std::vector<Vec3> moved(mesh_.vertex_count());
-    for_each_part(moved.size(), grain, options_.threads, progress, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t v = begin; v < end; ++v)
-        moved[v] = fixed[v] != 0 ? mesh_.positions[v] : centroid(fans, static_cast<Index>(v));
-    });
-    mesh_.positions = std::move(moved);
-  }
-
-  void snap(std::span<const Vec3> points, Progress& progress);
+  void run(std::span<const Vec3> points, Progress& progress);
 
  private:
-  /// Of the triangles' centroids, weighted by area, from the vertex itself for the digits of models far away.
-  Vec3 centroid(const TriangleFans& fans, Index v) const {
-    const Vec3& here = mesh_.positions[v];
-    Vec3 sum = Vec3::Zero();
-    double areas = 0;
-    for (const Index corner : fans.at(v)) {
-      const Vec3 b = mesh_.positions[fans.next(corner)] - here;
-      const Vec3 c = mesh_.positions[fans.previous(corner)] - here;
-      const double area = b.cross(c).norm();
-      sum += area / 3 * (b + c);
-      areas += area;
-    }
-    return areas > 0 ? Vec3(here + sum / areas) : here;
-  }
-
   bool is_turned(std::size_t face, const std::vector<Vec3>& before) const {
     const auto f = mesh_.face(face);
     const auto normal = [&](const std::vector<Vec3>& p) { return Vec3((p[f[1]] - p[f[0]]).cross(p[f[2]] - p[f[0]])); };
@@ -105,12 +45,11 @@ class Improvement {
   }
 
   PolyMesh& mesh_;
-  const implicit::Field& field_;
   const ImprovementOptions& options_;
 };
 
 /// Each point takes the vertex nearest to it among those that have it as their nearest point.
-void Improvement::snap(std::span<const Vec3> points, Progress& progress) {
+void Snapping::run(std::span<const Vec3> points, Progress& progress) {
   const implicit::PointTree tree(points);
   const std::vector<Vec3> before = mesh_.positions;
   std::vector<Index> nearest(before.size());
@@ -181,39 +120,93 @@ std::size_t undo_where_cut(PolyMesh& mesh, const std::vector<Vec3>& before, int 
   return pairs.size();
 }
 
-std::size_t improve(PolyMesh& mesh, const implicit::Field& field, std::span<const Vec3> points,
+double onto_surface(std::span<Vec3> points, std::span<const std::uint8_t> fixed, const ImprovedField& field,
                     const ImprovementOptions& options, Progress& progress) {
-  Improvement improvement(mesh, field, options);
+  const implicit::Field asked = [&](std::span<const Vec3> places, std::span<double> values, std::span<Vec3> gradients) {
+    if (progress.cancelled()) throw Cancelled();
+    field.field(places, values, gradients);
+  };
+  implicit::ProjectionOptions projection;
+  projection.cell = options.cell;
+  projection.threads = options.threads;
+  double largest = 0;
+  for (std::size_t begin = 0; begin < points.size(); begin += chunk) {
+    const std::size_t count = std::min(chunk, points.size() - begin);
+    const auto marks = fixed.empty() ? fixed : fixed.subspan(begin, count);
+    largest = std::max(largest, implicit::project(points.subspan(begin, count), marks, asked, projection).largest_move);
+    progress.report(static_cast<double>(begin + count) / static_cast<double>(points.size()));
+  }
+  return largest;
+}
+
+namespace {
+
+/// Points that come along the field's axis, about.
+double sweep_onto_surface(std::span<Vec3> points, const ImprovedField& field, const ImprovementOptions& options,
+                          Progress& progress) {
+  std::vector<double> lowest(points.size() / chunk + 2, std::numeric_limits<double>::infinity());
+  for (std::size_t i = points.size(); i-- > 0;) {
+    double& here = lowest[i / chunk];
+    here = std::min({here, lowest[i / chunk + 1], points[i][field.axis]});
+  }
+  double largest = 0;
+  for (std::size_t begin = 0; begin < points.size(); begin += chunk) {
+    const std::size_t count = std::min(chunk, points.size() - begin);
+    if (field.forget_below) field.forget_below(lowest[begin / chunk] - drift * options.cell);
+    Progress projecting = progress.step("project " + std::to_string(count) + " vertices",
+                                        static_cast<double>(count) / static_cast<double>(points.size()));
+    largest = std::max(largest, onto_surface(points.subspan(begin, count), {}, field, options, projecting));
+  }
+  return largest;
+}
+
+/// Cuts every triangle in four. @return false when that is enough
+bool refine(PolyMesh& mesh, std::size_t& cuts, const ImprovedField& field, const ImprovementOptions& options,
+            Progress& progress) {
+  const std::size_t known = mesh.vertex_count();
+  progress.check();
+  PolyMesh coarse = std::move(mesh);
+  mesh = implicit::split_in_four(coarse);
   as_stored(mesh.positions, options.precision);
-  std::vector<Vec3> before = mesh.positions;
+  const std::vector<Vec3> before = mesh.positions;
+  Progress projecting = progress.step("project vertices", 0.7);
+  const double largest = sweep_onto_surface(std::span(mesh.positions).subspan(known), field, options, projecting);
+  as_stored(mesh.positions, options.precision);
+  Progress looking = progress.step("look for cuts", 0.3);
+  const std::size_t left = undo_where_cut(mesh, before, options.threads, looking);
+  if (left > cuts) {  // rounding alone can do that
+    mesh = std::move(coarse);
+    return false;
+  }
+  cuts = left;
+  return !(largest < options.chord);
+}
+
+}  // namespace
+
+std::size_t improve(PolyMesh& mesh, const ImprovedField& field, std::span<const Vec3> points,
+                    const ImprovementOptions& options, Progress& progress) {
+  as_stored(mesh.positions, options.precision);
   Progress smoothing = progress.step("smooth", options.refine > 0 ? 0.2 : 0.6);
-  improvement.smooth(smoothing);
+  SweptSmoothing sweep(field, options);
+  sweep.run(mesh.positions, mesh.corners, smoothing);
+  return improve_smoothed(mesh, sweep.take(), field, points, options, progress);
+}
+
+std::size_t improve_smoothed(PolyMesh& mesh, std::vector<Vec3> smooth, const ImprovedField& field,
+                             std::span<const Vec3> points, const ImprovementOptions& options, Progress& progress) {
+  std::vector<Vec3> before = std::exchange(mesh.positions, std::move(smooth));
   if (options.snap > 0) {
     Progress snapping = progress.step("snap", 0.05);
-    improvement.snap(points, snapping);
+    Snapping(mesh, options).run(points, snapping);
   }
   as_stored(mesh.positions, options.precision);
   Progress checking = progress.step("look for cuts", options.refine > 0 ? 0.1 : 0.35);
   std::size_t cuts = undo_where_cut(mesh, before, options.threads, checking);
+  before = {};
   for (int round = 0; round < options.refine; ++round) {
     Progress refining = progress.step("refine", 0.65 / options.refine);
-    const std::size_t known = mesh.vertex_count();
-    refining.check();
-    PolyMesh coarse = std::move(mesh);
-    const std::size_t cuts_before = cuts;
-    mesh = implicit::split_in_four(coarse);
-    as_stored(mesh.positions, options.precision);
-    before = mesh.positions;
-    Progress projecting = refining.step("project " + std::to_string(mesh.vertex_count() - known) + " vertices", 0.7);
-    const double largest = improvement.onto_surface({}, known, projecting);
-    as_stored(mesh.positions, options.precision);
-    Progress looking = refining.step("look for cuts", 0.3);
-    cuts = undo_where_cut(mesh, before, options.threads, looking);
-    if (cuts > cuts_before) {  // rounding alone can do that
-      mesh = std::move(coarse);
-      return cuts_before;
-    }
-    if (largest < options.chord) break;
+    if (!refine(mesh, cuts, field, options, refining)) break;
   }
   return cuts;
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -22,15 +24,34 @@ struct ImprovementOptions {
   int threads = 0;
 };
 
+/// A field that vertices are brought onto.
+struct ImprovedField {
+  implicit::Field field;  ///< with gradients for projection
+  int axis = 0;           ///< along which the mesh' vertices come, about
+
+  /// From now on the field is asked for hardly anywhere below a place along the axis. Empty: nobody wants to know.
+  std::function<void(double place)> forget_below;
+};
+
+/// Projects points, in parts that can be cancelled. @param fixed per point, or none
+/// @return the greatest distance that a point moved
+double onto_surface(std::span<Vec3> points, std::span<const std::uint8_t> fixed, const ImprovedField& field,
+                    const ImprovementOptions& options, Progress& progress);
+
 /// Brings cubes' triangles to the surface: smoothing and projection in turns (Yoo 2005, eq. 9), vertices given are
 /// kept where they are near (snap), then every triangle is cut in four where so asked. After each step what cuts
 /// through itself goes back to where it was before: the cubes' own triangles never do.
 /// Borders stay where they are.
-/// @param mesh triangles; @param field with gradients for projection; @param points that vertices may snap to
+/// @param mesh triangles; @param points that vertices may snap to
 /// @return pairs of triangles that intersect all the same
 /// @throws Cancelled
-std::size_t improve(PolyMesh& mesh, const implicit::Field& field, std::span<const Vec3> points,
+std::size_t improve(PolyMesh& mesh, const ImprovedField& field, std::span<const Vec3> points,
                     const ImprovementOptions& options, Progress& progress);
+
+/// The same when smoothing is done.
+/// @param mesh with positions as the cubes have them @param smooth those after smoothing
+std::size_t improve_smoothed(PolyMesh& mesh, std::vector<Vec3> smooth, const ImprovedField& field,
+                             std::span<const Vec3> points, const ImprovementOptions& options, Progress& progress);
 
 /// Moves vertices back, about pairs of triangles that intersect and in growing rings around them, until none do.
 /// @param before positions of all vertices at which nothing intersects

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <string>
 
 #include <Eigen/Geometry>
@@ -20,6 +21,7 @@ constexpr double per_point = 420;                // fits, trees, normals
 constexpr double per_new_triangle = 130;         // cubes, triangles, their improvement and checks
 constexpr double fixed_bytes = 32e6;             // of the fits and buffers that are there for any mesh
 constexpr double triangles_per_cube_face = 3.3;  // new triangles per area of one cube's face
+constexpr std::size_t usual_slab = 50'000;       // points: thinner ones save little more and keep few threads busy
 constexpr double gibibyte = 1073741824;
 constexpr double most_cell = 64;
 
@@ -127,6 +129,11 @@ std::size_t predicted_remesh_bytes(const PolyMesh& mesh, const RemeshOptions& op
   const Extent extent = extent_of(mesh);
   const double bytes = without_cells(mesh, extent) + of_cells(extent, options);
   return bytes < 1e18 ? static_cast<std::size_t>(bytes) : static_cast<std::size_t>(1e18);
+}
+
+SlabPoints slab_points(const RemeshOptions& options) {
+  if (options.slab_points > 0) return {options.slab_points, options.slab_points};
+  return {usual_slab, std::numeric_limits<std::size_t>::max()};
 }
 
 std::size_t require_memory(const PolyMesh& mesh, const RemeshOptions& options) {

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
 #include "algorithms/hole_filling/remeshing/remesh_field.h"
+#include "algorithms/hole_filling/remeshing/remesh_smoothing.h"
 #include "algorithms/hole_filling/remeshing/remesh_trimming.h"
-#include "croquis/implicit/marching_cubes.h"
+#include "croquis/implicit/slab_polygonizer.h"
 
 namespace croquis::hole_filling {
 namespace {
@@ -37,6 +39,30 @@ struct Trial {
   RemeshPoints points;
 };
 
+/// What cubes give of a piece.
+struct Cubes {
+  PolyMesh mesh;
+  std::vector<std::uint8_t> covered;  ///< per vertex, or none
+  std::vector<Vec3> smooth;           ///< the vertices after smoothing, or none
+  std::size_t slabs = 1;
+};
+
+/// The axis along which points extend most.
+int longest_axis(std::span<const Vec3> points) {
+  Eigen::Index axis = 0;
+  implicit::bounds(points).size().maxCoeff(&axis);
+  return static_cast<int>(axis);
+}
+
+/// The search goes on from the last layer, or from one slab before it at most.
+void forget_below_last_layer(implicit::PartitionOfUnity& field, const implicit::LayeredMesh& made, int axis,
+                             double cell) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (std::size_t v = made.first_vertices.back(); v < made.positions.size(); ++v)
+    lowest = std::min(lowest, made.positions[v][axis]);
+  if (std::isfinite(lowest)) field.forget_below(axis, lowest - cell);
+}
+
 class Shaping {
  public:
   Shaping(const RemeshModel& model, std::size_t number)
@@ -47,10 +73,13 @@ class Shaping {
  private:
   Trial trial_of(int retry) const;
   PieceShape make_surface(const Trial& trial, Progress& progress);
-  PieceShape attempt(const Trial& trial, double growth, bool is_last, Progress& progress) const;
-  PolyMesh polygons(const Trial& trial, const std::vector<implicit::Box>& boxes,
-                    const implicit::PartitionOfUnity& field, Progress& progress) const;
+  PieceShape attempt(const Trial& trial, double growth, bool is_last, Progress& progress);
+  Cubes polygons(const Trial& trial, const std::vector<implicit::Box>& boxes, implicit::PartitionOfUnity& field,
+                 Progress& progress);
   implicit::PolygonizerOptions cubes_of(const Trial& trial, const std::vector<implicit::Box>& boxes) const;
+  Cubes swept(const Trial& trial, const implicit::PolygonizerOptions& cubes, implicit::PartitionOfUnity& field,
+              Progress& progress) const;
+  ImprovedField improved(implicit::PartitionOfUnity& field, int axis) const;
 
   const RemeshModel& model_;
   std::size_t number_;
@@ -126,28 +155,41 @@ PieceShape Shaping::make_surface(const Trial& trial, Progress& progress) {
   return shape;
 }
 
-PieceShape Shaping::attempt(const Trial& trial, double growth, bool is_last, Progress& progress) const {
+PieceShape Shaping::attempt(const Trial& trial, double growth, bool is_last, Progress& progress) {
   PieceShape shape;
   shape.cell = trial.cell;
-  Progress fitting = progress.step("fit functions", 0.5);
+  Progress fitting = progress.step("fit functions", 0.1);
   std::vector<implicit::ExtraDomain> holes =
       hole_domains(model_.mesh, model_.analysis, piece_, model_.normals, model_.options, growth, fitting);
   std::vector<implicit::Box> boxes;
   for (const implicit::ExtraDomain& hole : holes) boxes.push_back(hole.box);
-  const implicit::PartitionOfUnity field(trial.points.positions, trial.points.normals, std::move(holes),
-                                         domain_options(trial.options, model_.edge), fitting);
-  Progress polygonizing = progress.step("polygonize", 0.25);
-  shape.mesh = polygons(trial, boxes, field, polygonizing);
+  implicit::DomainOptions domains = domain_options(trial.options, model_.edge);
+  domains.lazy = true;
+  implicit::PartitionOfUnity field(trial.points.positions, trial.points.normals, std::move(holes), domains, fitting);
+  Progress polygonizing = progress.step("polygonize", 0.7);
+  Cubes cubes = polygons(trial, boxes, field, polygonizing);
+  shape.mesh = std::move(cubes.mesh);
+  shape.slabs = cubes.slabs;
   shape.runs_away = runs_away(shape.mesh, trial.points);
   if (shape.runs_away && !is_last) return shape;
   Progress looking = progress.step("look for openings", 0.05);
   shape.openings = find_openings(shape.mesh, model_.mesh, piece_, model_.pieces.rims, model_.threads(), looking);
   if (shape.openings.any_of_field() && !is_last) return shape;
   shape.domains = field.report();
-  Progress improving = progress.step("improve", 0.2);
-  shape.cuts = improve(shape.mesh, field.projection_field(), trial.points.positions,
-                       improvement_of(model_.options, trial.cell), improving);
+  Progress improving = progress.step("improve", 0.15);
+  const ImprovementOptions options = improvement_of(model_.options, trial.cell);
+  const ImprovedField onto = improved(field, cubes.slabs > 1 ? longest_axis(trial.points.positions) : -1);
+  const std::vector<Vec3>& points = trial.points.positions;
+  shape.cuts = cubes.smooth.empty()
+                   ? improve(shape.mesh, onto, points, options, improving)
+                   : improve_smoothed(shape.mesh, std::move(cubes.smooth), onto, points, options, improving);
   return shape;
+}
+
+/// @param axis of slabs, -1 without any
+ImprovedField Shaping::improved(implicit::PartitionOfUnity& field, int axis) const {
+  if (axis < 0) return {field.projection_field(), 0, {}};
+  return {field.projection_field(), axis, [&field, axis](double place) { field.forget_below(axis, place); }};
 }
 
 implicit::PolygonizerOptions Shaping::cubes_of(const Trial& trial, const std::vector<implicit::Box>& boxes) const {
@@ -168,27 +210,66 @@ implicit::PolygonizerOptions Shaping::cubes_of(const Trial& trial, const std::ve
   return cubes;
 }
 
-PolyMesh Shaping::polygons(const Trial& trial, const std::vector<implicit::Box>& boxes,
-                           const implicit::PartitionOfUnity& field, Progress& progress) const {
-  const RemeshPoints& points = trial.points;
+Cubes Shaping::polygons(const Trial& trial, const std::vector<implicit::Box>& boxes, implicit::PartitionOfUnity& field,
+                        Progress& progress) {
   implicit::PolygonizerOptions cubes = cubes_of(trial, boxes);
   std::unique_ptr<OpenBorders> borders;
   if (piece_.ends) {
-    borders = std::make_unique<OpenBorders>(piece_, points, model_.pieces.rims, boxes, trial.cell, model_.edge,
+    borders = std::make_unique<OpenBorders>(piece_, trial.points, model_.pieces.rims, boxes, trial.cell, model_.edge,
                                             model_.threads());
     cubes.covered = [&](std::span<const Vec3> places, std::span<std::uint8_t> beyond) {
       for (std::size_t i = 0; i < places.size(); ++i) beyond[i] = borders->is_beyond(places[i]) ? 1 : 0;
     };
   }
-  implicit::Polygonized found;
+  Cubes found;
   for (cubes.seed_reach = 0; cubes.seed_reach <= farthest_seeds && found.mesh.face_count() == 0; ++cubes.seed_reach) {
     Progress searching = progress.step("polygonize", cubes.seed_reach == 0 ? 0.9 : 0.02);
-    found = implicit::polygonize(field.field(), points.positions, cubes, searching);
+    found = swept(trial, cubes, field, searching);
   }
   if (borders) found.mesh = trimmed(found.mesh, found.covered);
   Progress dropping = progress.step("drop stray sheets", 0.04);
-  drop_strays(found.mesh, points.positions, model_.threads(), dropping);
-  return std::move(found.mesh);
+  drop_strays(found.mesh, trial.points.positions, model_.threads(), dropping,
+              found.smooth.empty() ? nullptr : &found.smooth);
+  return found;
+}
+
+/// Slab by slab. Vertices are smoothed at once, while fits are there; but those at open borders can't be, before the
+/// borders are trimmed.
+Cubes Shaping::swept(const Trial& trial, const implicit::PolygonizerOptions& cubes, implicit::PartitionOfUnity& field,
+                     Progress& progress) const {
+  implicit::SlabOptions slabs;
+  slabs.axis = longest_axis(trial.points.positions);
+  slabs.seeds_per_slab = piece_.ends ? model_.open_slab_points : model_.slab_points;
+  const ImprovementOptions options = improvement_of(model_.options, trial.cell);
+  const bool is_split = trial.points.positions.size() > slabs.seeds_per_slab;
+  const ImprovedField onto = improved(field, is_split ? slabs.axis : -1);
+  SweptSmoothing smoothing(onto, options);
+  implicit::SlabEvents events;
+  events.enter = [&](double low, double high, Progress& part) { field.fit_between(slabs.axis, low, high, part); };
+  events.finished = [&](implicit::LayeredMesh& made, Progress& part) {
+    if (!piece_.ends)
+      smoothing.advance(made, false, part);
+    else if (is_split)
+      forget_below_last_layer(field, made, slabs.axis, trial.cell);
+  };
+  events.begun_anew = [&] { smoothing.begin_anew(); };
+  Progress polygonizing = progress.step("polygonize", 0.95);
+  auto [made, report, count, bytes] =
+      implicit::polygonize_by_slabs(field.field(), trial.points.positions, cubes, slabs, events, polygonizing);
+  Cubes found;
+  Progress finishing = progress.step("smooth", 0.05);
+  if (!piece_.ends && !made.positions.empty()) {
+    smoothing.advance(made, true, finishing);
+    found.smooth = smoothing.take();
+  }
+  found.slabs = count;
+  found.covered = std::move(made.covered);
+  found.mesh.positions = std::move(made.positions);
+  found.mesh.corners = std::move(made.corners);
+  found.mesh.face_offsets.reserve(found.mesh.corners.size() / 3 + 1);
+  while (found.mesh.face_offsets.back() < found.mesh.corners.size())
+    found.mesh.face_offsets.push_back(found.mesh.face_offsets.back() + 3);
+  return found;
 }
 
 }  // namespace

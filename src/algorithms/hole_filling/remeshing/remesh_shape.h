@@ -25,6 +25,8 @@ struct RemeshModel {
   const std::vector<TriangleFans::Link>& links;  ///< of the view's vertices
   double edge = 0;                               ///< typical, model units
   double cell = 0;                               ///< as asked for, model units
+  std::size_t slab_points = 0;                   ///< that a slab of a closed piece has, about
+  std::size_t open_slab_points = 0;              ///< the same for pieces with rims that stay open or get patches
   std::size_t predicted_bytes = 0;               ///< of the whole with these cells
 
   int threads() const { return options.fill.threads; }
@@ -43,6 +45,7 @@ struct PieceShape {
   std::optional<SurfaceTopology> wanted;  ///< see wanted_topology
   std::vector<Index> lost;                ///< points without a surface
   double cell = 0;                        ///< of its cubes, model units
+  std::size_t slabs = 1;                  ///< that it was made in
   std::size_t cuts = 0;                   ///< pairs of its faces that intersect
   bool runs_away = false;                 ///< leads far out of the model
   std::vector<Index> left_to_patches;     ///< holes where it did, and was ended therefore

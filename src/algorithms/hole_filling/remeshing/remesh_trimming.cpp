@@ -123,7 +123,8 @@ std::vector<Index> far_points(const PolyMesh& mesh, std::span<const Vec3> points
   return far;
 }
 
-std::size_t drop_strays(PolyMesh& mesh, std::span<const Vec3> points, int threads, Progress& progress) {
+std::size_t drop_strays(PolyMesh& mesh, std::span<const Vec3> points, int threads, Progress& progress,
+                        std::vector<Vec3>* other) {
   const std::vector<Index> parts = parts_of(mesh);
   std::vector<std::size_t> sizes(mesh.vertex_count(), 0), votes(mesh.vertex_count(), 0);
   for (const Index part : parts) ++sizes[part];
@@ -139,7 +140,13 @@ std::size_t drop_strays(PolyMesh& mesh, std::span<const Vec3> points, int thread
   for (std::size_t f = 0; f < removed.size(); ++f) removed[f] = is_stray(parts[mesh.corners[3 * f]]) ? 1 : 0;
   std::size_t strays = 0;
   for (Index v = 0; v < parts.size(); ++v) strays += parts[v] == v && is_stray(v) ? 1U : 0U;
-  if (strays > 0) mesh = without(mesh, removed);
+  if (strays == 0) return 0;
+  if (other != nullptr) {
+    std::swap(mesh.positions, *other);
+    std::vector<Vec3> kept = without(mesh, removed).positions;
+    mesh.positions = std::exchange(*other, std::move(kept));
+  }
+  mesh = without(mesh, removed);
   return strays;
 }
 

@@ -49,7 +49,9 @@ std::vector<Index> far_points(const PolyMesh& mesh, std::span<const Vec3> points
                               Progress& progress);
 
 /// Removes connected parts that hardly any point lies on. Parts that points do lie on stay, however many.
+/// @param other positions of the same vertices elsewhere, which go along; or none
 /// @return how many were removed
-std::size_t drop_strays(PolyMesh& mesh, std::span<const Vec3> points, int threads, Progress& progress);
+std::size_t drop_strays(PolyMesh& mesh, std::span<const Vec3> points, int threads, Progress& progress,
+                        std::vector<Vec3>* other = nullptr);
 
 }  // namespace croquis::hole_filling

@@ -267,8 +267,7 @@ Solid Joining::solid_of(const UnitedSolid& solid, std::span<const std::unique_pt
   for (const std::size_t p : pieces)
     for (const Index v : model_.pieces.pieces[p].vertices) given.push_back(model_.mesh.positions[v]);
   Progress improving = progress.step("improve", 0.4);
-  const implicit::Field field = solid.field();
-  made.cuts = improve(made.mesh, field, given, improvement_of(model_.options, cell), improving);
+  made.cuts = improve(made.mesh, {solid.field(), 0, {}}, given, improvement_of(model_.options, cell), improving);
   drop_bubbles(made.mesh, smallest);  // chips of sharp edges shrink
   Progress comparing = progress.step("look for lost detail", 0.1);
   seeds = visible(solid, seeds, -hidden_below * cell, comparing);
