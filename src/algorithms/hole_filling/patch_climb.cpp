@@ -8,6 +8,7 @@
 #include <thread>
 #include <utility>
 
+#include "algorithms/hole_filling/patching/near_scene.h"
 #include "algorithms/hole_filling/patching/patch_ladder.h"
 #include "algorithms/hole_filling/stage_key.h"
 #include "algorithms/hole_filling/verification/single_precision.h"
@@ -64,7 +65,8 @@ class Climb {
         analysis_(analysis),
         options_(options),
         numbers_(numbers),
-        verifier_(mesh, analysis, options.precision) {}
+        verifier_(mesh, analysis, options.precision),
+        search_(mesh, analysis.view) {}
 
   std::vector<ClimbedJob> run(std::vector<FillJob> jobs, Progress& progress) {
     for (FillJob& job : jobs) climbers_.push_back(climber_for(std::move(job)));
@@ -102,6 +104,7 @@ class Climb {
     HoleSite site = make_site(mesh_, analysis_, job.holes, verifier_.rim_edges());
     site.wish = job.wish;
     site.bridge = job.bridge;
+    site.search = &search_;
     return site;
   }
 
@@ -272,6 +275,7 @@ class Climb {
   const FillOptions& options_;
   const ScanNumbers& numbers_;
   PatchVerifier verifier_;
+  SurfaceSearch search_;
   std::deque<Climber> climbers_;  ///< grows while others are pointed at
   std::vector<Climber*> pending_;
 };

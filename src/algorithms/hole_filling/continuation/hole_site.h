@@ -11,6 +11,8 @@
 
 namespace croquis::hole_filling {
 
+class SurfaceSearch;
+
 /// Where a patch is to be made: one hole, or several that one patch joins.
 struct HoleSite {
   const PolyMesh* mesh = nullptr;
@@ -19,7 +21,8 @@ struct HoleSite {
   RimPolygon polygon;           ///< rims with the patch on their left, the widest first
   std::vector<Index> vertices;  ///< of the mesh, per point of the polygon
   PatchWish wish;
-  bool bridge = false;  ///< a band between the rims is wanted, rather than one rim's inside
+  const SurfaceSearch* search = nullptr;  ///< of the mesh, shared by its sites; null: whoever needs one makes it
+  bool bridge = false;                    ///< a band between the rims is wanted, rather than one rim's inside
 };
 
 /// @param rim_edges sorted pairs of the view's vertices that edges join already: kept free by the patch

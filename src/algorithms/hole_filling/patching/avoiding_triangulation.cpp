@@ -55,7 +55,7 @@ Triangles offenders(const HoleSite& site, const NearScene& scene, const Triangle
 std::optional<Triangles> avoiding_triangulation(const HoleSite& site, Progress& progress) {
   const std::size_t points = site.polygon.points.size();
   if (points == 3 || points > most_points) return std::nullopt;  // a triangle has no other triangulation
-  const NearScene scene(*site.mesh, site.analysis->view, reach_of(site.polygon));
+  const NearScene scene(site, reach_of(site.polygon));
   RimPolygon polygon = site.polygon;
   for (std::size_t searches = searches_for(points); searches > 0; --searches) {
     progress.check();

@@ -2,7 +2,9 @@
 #include "algorithms/hole_filling/patching/near_scene.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
+#include <utility>
 
 #include "croquis/geometry/self_intersection.h"
 
@@ -12,20 +14,100 @@ namespace {
 /// More than can help to mend a patch.
 constexpr std::size_t most_pairs = 100000;
 
+/// So many questions without a tree cost about as much as making one.
+constexpr std::size_t questions_before_tree = 8;
+
+constexpr std::size_t fan = 8;  ///< boxes in one of the level above
+
+/// Bits of three coordinates in turn, ten of each: near places mostly have near keys.
+std::uint32_t morton_key(const Vec3& place, const Eigen::AlignedBox3d& bounds) {
+  std::uint32_t key = 0;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const double size = bounds.sizes()[axis];
+    const double share = size > 0 ? (place[axis] - bounds.min()[axis]) / size : 0;
+    const auto cell = static_cast<std::uint32_t>(std::clamp(share * 1024, 0.0, 1023.0));
+    for (int bit = 0; bit < 10; ++bit) key |= (cell >> bit & 1U) << (3 * bit + axis);
+  }
+  return key;
+}
+
+std::vector<Eigen::AlignedBox3d> level_above(const std::vector<Eigen::AlignedBox3d>& boxes) {
+  std::vector<Eigen::AlignedBox3d> above((boxes.size() + fan - 1) / fan);
+  for (std::size_t i = 0; i < boxes.size(); ++i) above[i / fan].extend(boxes[i]);
+  return above;
+}
+
 }  // namespace
 
-NearScene::NearScene(const PolyMesh& mesh, const SurfaceView& view, const Eigen::AlignedBox3d& box)
-    : view_(view), vertex_count_(static_cast<Index>(mesh.vertex_count())) {
-  std::vector<std::array<Index, 3>> near;
-  for (const auto& t : view.triangles) {
-    Eigen::AlignedBox3d bounds;
-    for (const Index vertex : t) bounds.extend(mesh.positions[vertex]);
-    if (bounds.intersects(box)) near.push_back(t);
+SurfaceSearch::Box SurfaceSearch::box_of(Index triangle) const {
+  Box box;
+  for (const Index vertex : view_.triangles[triangle]) box.extend(mesh_.positions[vertex]);
+  return box;
+}
+
+std::vector<Index> SurfaceSearch::near(const Box& box) const {
+  if (questions_++ < questions_before_tree) return near_by_looking_at_all(box);
+  std::call_once(made_, [&] { make_tree(); });
+  std::vector<Index> found;
+  looked_at_ += descend(levels_.size() - 1, 0, box, found);
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::vector<Index> SurfaceSearch::near_by_looking_at_all(const Box& box) const {
+  std::vector<Index> found;
+  for (Index t = 0; t < view_.triangles.size(); ++t) {
+    if (box_of(t).intersects(box)) found.push_back(t);
   }
+  looked_at_ += view_.triangles.size();
+  return found;
+}
+
+void SurfaceSearch::make_tree() const {
+  std::vector<Box> boxes;
+  Box bounds;
+  for (Index t = 0; t < view_.triangles.size(); ++t) {
+    boxes.push_back(box_of(t));
+    bounds.extend(boxes.back());
+  }
+  std::vector<std::pair<std::uint32_t, Index>> keys;
+  for (Index t = 0; t < boxes.size(); ++t) keys.emplace_back(morton_key(boxes[t].center(), bounds), t);
+  std::sort(keys.begin(), keys.end());
+  std::vector<Box> ordered;
+  for (const auto& [key, t] : keys) {
+    order_.push_back(t);
+    ordered.push_back(boxes[t]);
+  }
+  levels_.push_back(level_above(ordered));
+  while (levels_.back().size() > 1) levels_.push_back(level_above(levels_.back()));
+  looked_at_ += boxes.size();
+}
+
+std::size_t SurfaceSearch::descend(std::size_t level, std::size_t node, const Box& box,
+                                   std::vector<Index>& found) const {
+  if (!levels_[level][node].intersects(box)) return 1;
+  std::size_t looked_at = 1;
+  const std::size_t end = std::min((node + 1) * fan, level == 0 ? order_.size() : levels_[level - 1].size());
+  for (std::size_t child = node * fan; child < end; ++child) {
+    if (level > 0) {
+      looked_at += descend(level - 1, child, box, found);
+      continue;
+    }
+    ++looked_at;
+    if (box_of(order_[child]).intersects(box)) found.push_back(order_[child]);
+  }
+  return looked_at;
+}
+
+NearScene::NearScene(const HoleSite& site, const Eigen::AlignedBox3d& box)
+    : view_(site.analysis->view), vertex_count_(static_cast<Index>(site.mesh->vertex_count())) {
+  std::vector<std::array<Index, 3>> near;
+  const SurfaceSearch own(*site.mesh, view_);
+  for (const Index t : (site.search == nullptr ? own : *site.search).near(box)) near.push_back(view_.triangles[t]);
   for (const auto& t : near) vertices_.insert(vertices_.end(), t.begin(), t.end());
   std::sort(vertices_.begin(), vertices_.end());
   vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
-  for (const Index vertex : vertices_) scene_.positions.push_back(mesh.positions[vertex]);
+  for (const Index vertex : vertices_) scene_.positions.push_back(site.mesh->positions[vertex]);
   for (auto& t : near) {
     for (Index& vertex : t) {
       const auto found = std::lower_bound(vertices_.begin(), vertices_.end(), vertex);

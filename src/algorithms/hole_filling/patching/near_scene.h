@@ -2,15 +2,49 @@
 #pragma once
 
 #include <array>
+#include <atomic>
+#include <cstddef>
+#include <mutex>
 #include <span>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include "algorithms/hole_filling/continuation/hole_site.h"
 #include "croquis/base/progress.h"
-#include "croquis/hole_filling/hole_analysis.h"
 
 namespace croquis::hole_filling {
+
+/// Finds a surface's triangles in boxes, for all holes of a mesh. The first few questions look at every triangle; then
+/// a tree of boxes is made, which costs about as much as these and makes each further one cheap. Thread-safe.
+class SurfaceSearch {
+ public:
+  using Box = Eigen::AlignedBox3d;
+
+  /// Keeps references.
+  SurfaceSearch(const PolyMesh& mesh, const SurfaceView& view) : mesh_(mesh), view_(view) {}
+
+  /// Triangles whose boxes meet the box, ascending.
+  std::vector<Index> near(const Box& box) const;
+
+  /// So far, of triangles and of the tree.
+  std::size_t boxes_looked_at() const { return looked_at_; }
+
+ private:
+  Box box_of(Index triangle) const;
+  std::vector<Index> near_by_looking_at_all(const Box& box) const;
+  void make_tree() const;
+  /// @return how many boxes it looked at
+  std::size_t descend(std::size_t level, std::size_t node, const Box& box, std::vector<Index>& found) const;
+
+  const PolyMesh& mesh_;
+  const SurfaceView& view_;
+  mutable std::atomic<std::size_t> questions_ = 0;
+  mutable std::atomic<std::size_t> looked_at_ = 0;
+  mutable std::once_flag made_;
+  mutable std::vector<Index> order_;              ///< triangles, neighbours mostly behind one another
+  mutable std::vector<std::vector<Box>> levels_;  ///< around eights of triangles, of the level before, up to one
+};
 
 /// A triangle of a patch that meets something where it shouldn't.
 struct Clash {
@@ -21,8 +55,8 @@ struct Clash {
 /// The part of a surface within a box, for asking again and again what patches would cut.
 class NearScene {
  public:
-  /// Linear in the view.
-  NearScene(const PolyMesh& mesh, const SurfaceView& view, const Eigen::AlignedBox3d& box);
+  /// By the site's search, or where it has none by one of its own.
+  NearScene(const HoleSite& site, const Eigen::AlignedBox3d& box);
 
   /// @param points    new vertices, numbered behind those of the mesh
   /// @param triangles within the box

@@ -21,7 +21,7 @@ constexpr std::size_t most_clashes = 60;
 class Untangling {
  public:
   Untangling(const HoleSite& site, HolePatch& patch, Progress& progress)
-      : site_(site), patch_(patch), progress_(progress), scene_(*site.mesh, site.analysis->view, reach()) {}
+      : site_(site), patch_(patch), progress_(progress), scene_(site, reach()) {}
 
   bool run() {
     std::vector<Clash> clashes = find();

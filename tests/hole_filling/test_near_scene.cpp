@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "algorithms/hole_filling/patching/near_scene.h"
+#include "support/mesh_shapes.h"
+#include "support/random.h"
+#include "support/scans.h"
+
+using namespace croquis;
+using namespace croquis::hole_filling;
+using namespace croquis::test;
+
+namespace {
+
+using Box = Eigen::AlignedBox3d;
+
+HoleAnalysis analysis_of(const PolyMesh& mesh) {
+  Progress progress;
+  return analyse_holes(mesh, progress);
+}
+
+Box box_around(const PolyMesh& mesh, const Hole& hole) {
+  Box box;
+  for (const Index vertex : hole.vertices) box.extend(mesh.positions[vertex]);
+  return box;
+}
+
+/// Boxes looked at when each hole of a sheet with a hole in every third square asks what is near.
+std::size_t boxes_looked_at(Index rows) {
+  const PolyMesh whole = sheet(3 * rows, 3 * rows);
+  std::vector<Index> removed;
+  for (Index f = 0; f < whole.face_count(); ++f) {
+    const Vec3& corner = whole.positions[whole.face(f)[0]];
+    const Vec3 middle = (corner + whole.positions[whole.face(f)[1]] + whole.positions[whole.face(f)[2]]) / 3;
+    if (static_cast<int>(middle.x()) % 3 == 1 && static_cast<int>(middle.y()) % 3 == 1) removed.push_back(f);
+  }
+  const PolyMesh mesh = shuffled(without_faces(whole, removed), 1);
+  const HoleAnalysis analysis = analysis_of(mesh);
+  REQUIRE(analysis.holes.size() == std::size_t{rows} * rows + 1);
+  const SurfaceSearch search(mesh, analysis.view);
+  for (const Hole& hole : analysis.holes) {
+    if (hole.kind != HoleClass::Outer) CHECK(search.near(box_around(mesh, hole)).size() > 4);
+  }
+  return search.boxes_looked_at();
+}
+
+}  // namespace
+
+TEST_CASE("triangles near boxes are those that a look at all finds, question after question") {
+  for (const PolyMesh& mesh : {round_sphere(3), shuffled(round_sphere(4), 2), as_soup(ring_torus(20, 12)), sheet(1, 1),
+                               translated(ring_torus(30, 20), Vec3(1e6, 0, 0))}) {
+    const HoleAnalysis analysis = analysis_of(mesh);
+    const SurfaceSearch search(mesh, analysis.view);
+    Random random(3);
+    for (int question = 0; question < 60; ++question) {
+      const Vec3& centre = mesh.positions[random.below(static_cast<Index>(mesh.vertex_count()))];
+      const double reach = 0.3 * random.unit();
+      const Box box(Vec3(centre.array() - reach), Vec3(centre.array() + reach));
+      std::vector<Index> expected;
+      for (Index t = 0; t < analysis.view.triangles.size(); ++t) {
+        Box bounds;
+        for (const Index vertex : analysis.view.triangles[t]) bounds.extend(mesh.positions[vertex]);
+        if (bounds.intersects(box)) expected.push_back(t);
+      }
+      CHECK(search.near(box) == expected);
+    }
+  }
+}
+
+TEST_CASE("many holes that ask what is near cost little more each in a large mesh") {
+  const std::size_t few = boxes_looked_at(16), many = boxes_looked_at(64);  // 16 times the holes and triangles
+  CHECK(many < 20 * few);
+}
