@@ -130,7 +130,7 @@ void BlendedDomains::add_extras(std::vector<ExtraDomain>&& extras) {
     domain.number = domains_.size();
     domain.box = extra.box;
     domain.weight = extra.weight;
-    domain.own = std::move(extra.constraints);
+    domain.own = std::make_unique<const Constraints>(std::move(extra.constraints));
   }
 }
 

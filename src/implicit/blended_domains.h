@@ -8,7 +8,6 @@
 #include <deque>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -48,8 +47,8 @@ class BlendedDomains {
     std::size_t number = 0;
     Box box;
     double weight = 1;
-    std::size_t most = 0;            // points that it takes at most
-    std::optional<Constraints> own;  // an extra domain's; the others take theirs from the points
+    std::size_t most = 0;                    // points that it takes at most
+    std::unique_ptr<const Constraints> own;  // an extra domain's; the others take theirs from the points
     mutable std::unique_ptr<const LocalFit> fit;
     mutable std::atomic<const LocalFit*> ready = nullptr;
     mutable std::uint32_t centres = 0, merged = 0, fits = 0;  // of the fit, also when it was forgotten

@@ -24,10 +24,13 @@ double mean_spacing(const PointTree& tree, std::span<const Vec3> positions) {
 
 DomainPoints::DomainPoints(std::span<const Vec3> positions, std::span<const Vec3> normals, const DomainOptions& options,
                            Progress& progress)
-    : options_(options),
-      positions_(positions.begin(), positions.end()),
-      normals_(normals.begin(), normals.end()),
-      tree_(positions, options.threads, progress) {
+    : options_(options), positions_(positions), normals_(normals), tree_(positions, options.threads, progress) {
+  if (!options.borrow) {
+    own_positions_.assign(positions.begin(), positions.end());
+    own_normals_.assign(normals.begin(), normals.end());
+    positions_ = own_positions_;
+    normals_ = own_normals_;
+  }
   if (!takes_gradients(options.fit.kernel) && !normals_.empty()) make_offsets();
 }
 
@@ -75,7 +78,7 @@ Constraints DomainPoints::of(const Box& box, std::size_t most) const {
 }
 
 std::size_t DomainPoints::bytes() const {
-  return (positions_.capacity() + normals_.capacity() + offsets_.positions.capacity()) * sizeof(Vec3) +
+  return (own_positions_.capacity() + own_normals_.capacity() + offsets_.positions.capacity()) * sizeof(Vec3) +
          offsets_.values.capacity() * sizeof(double) + first_offset_.capacity() * sizeof(std::size_t) + tree_.bytes();
 }
 

@@ -30,8 +30,8 @@ class DomainPoints {
   void make_offsets();
 
   DomainOptions options_;
-  std::vector<Vec3> positions_;
-  std::vector<Vec3> normals_;
+  std::vector<Vec3> own_positions_, own_normals_;  // none when they are borrowed
+  std::span<const Vec3> positions_, normals_;
   PointTree tree_;
   Constraints offsets_;                    // points off the surface, behind those on it
   std::vector<std::size_t> first_offset_;  // #N+1 into offsets_, or none

@@ -30,8 +30,9 @@ struct DomainOptions {
   bool offset_both_sides = true;  ///< false: outside only, as in Yoo 2005
 
   FitOptions fit;
-  bool lazy = false;  ///< domains are fitted when they are first needed, or by fit_between, not at once
-  int threads = 0;    ///< of the fitting; 0: as many as the machine has. The result is the same for any
+  bool borrow = false;  ///< points and normals aren't copied: they have to outlive the field
+  bool lazy = false;    ///< domains are fitted when they are first needed, or by fit_between, not at once
+  int threads = 0;      ///< of the fitting; 0: as many as the machine has. The result is the same for any
 };
 
 /// A domain of the caller's own beside those of the points, as for a hole: its box has to contain the whole rim.

@@ -164,6 +164,7 @@ PieceShape Shaping::attempt(const Trial& trial, double growth, bool is_last, Pro
   std::vector<implicit::Box> boxes;
   for (const implicit::ExtraDomain& hole : holes) boxes.push_back(hole.box);
   implicit::DomainOptions domains = domain_options(trial.options, model_.edge);
+  domains.borrow = true;
   domains.lazy = true;
   implicit::PartitionOfUnity field(trial.points.positions, trial.points.normals, std::move(holes), domains, fitting);
   Progress polygonizing = progress.step("polygonize", 0.7);
