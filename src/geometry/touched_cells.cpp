@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -14,8 +15,15 @@ namespace {
 using Bounds = Eigen::AlignedBox3d;
 using Cell = std::array<std::size_t, 3>;
 
-/// The first and the last along each axis lie outside the bounds and are never touched.
-constexpr std::size_t cells_per_axis = 64;
+/// Powers of two. The first and the last along each axis lie outside the bounds and are never touched.
+constexpr std::size_t fewest_cells_per_axis = 8;
+constexpr std::size_t most_cells_per_axis = 64;
+
+/// As fine as faces are small where they cover a volume: a few faces each touch a large part of their bounds.
+std::size_t cells_per_axis_for(std::size_t faces) {
+  const auto cells = static_cast<std::size_t>(4 * std::cbrt(static_cast<double>(faces)));
+  return std::clamp(std::bit_floor(cells), fewest_cells_per_axis, most_cells_per_axis);
+}
 
 /// A face in more cells is taken for near without a look at each.
 constexpr std::size_t most_cells = 512;
@@ -29,28 +37,28 @@ Bounds bounds_of(const PolyMesh& mesh, std::span<const Index> faces) {
 }
 
 /// Monotonic in the coordinate, so that boxes which meet have a cell in common however coordinates are rounded.
-std::uint64_t cell(double coordinate, double low, double high, double cells_per_length) {
+std::uint64_t cell(double coordinate, double low, double high, double cells_per_length, std::size_t cells_per_axis) {
   if (coordinate < low) return 0;
   if (coordinate > high) return cells_per_axis - 1;
-  const double inside = cells_per_axis - 3;
+  const auto inside = static_cast<double>(cells_per_axis - 3);
   return 1 + static_cast<std::uint64_t>(std::min((coordinate - low) * cells_per_length, inside));
 }
 
 /// Zero where lengths are too small or too large for numbers: all lies in one cell then.
-double cells_per_length(double size) {
-  const double scale = (cells_per_axis - 2) / size;
+double cells_per_length(double size, std::size_t cells_per_axis) {
+  const double scale = static_cast<double>(cells_per_axis - 2) / size;
   return std::isnormal(size) && std::isnormal(scale) ? scale : 0;
 }
 
 Cell unpacked(PackedPlace place) {
   const auto axis = [&](unsigned k) {
-    return static_cast<std::size_t>(place >> (k * packed_stride) & (cells_per_axis - 1));
+    return static_cast<std::size_t>(place >> (k * packed_stride) & (most_cells_per_axis - 1));
   };
   return {axis(0), axis(1), axis(2)};
 }
 
 std::size_t number_of(std::size_t x, std::size_t y, std::size_t z) {
-  return (x * cells_per_axis + y) * cells_per_axis + z;
+  return (x * most_cells_per_axis + y) * most_cells_per_axis + z;
 }
 
 /// Stops at the first cell for which `found` says so. @return whether there was one
@@ -69,15 +77,18 @@ bool visit_cells(const Cell& low, const Cell& high, Found&& found) {
 }  // namespace
 
 TouchedCells::TouchedCells(const PolyMesh& mesh, std::span<const Index> faces)
-    : mesh_(mesh), touched_(cells_per_axis * cells_per_axis * cells_per_axis, false) {
+    : mesh_(mesh),
+      cells_per_axis_(cells_per_axis_for(faces.size())),
+      touched_(most_cells_per_axis * most_cells_per_axis * cells_per_axis_, false) {
   const Bounds bounds = bounds_of(mesh, faces);
   cells_.assign(mesh.vertex_count(), 0);
   for (Eigen::Index axis = 0; axis < 3 && !bounds.isEmpty(); ++axis) {
     const double low = bounds.min()[axis];
     const double high = bounds.max()[axis];
-    const double scale = cells_per_length(high - low);
+    const double scale = cells_per_length(high - low, cells_per_axis_);
     for (std::size_t v = 0; v < mesh.vertex_count(); ++v)
-      cells_[v] |= packed(cell(mesh.positions[v][axis], low, high, scale), static_cast<std::size_t>(axis));
+      cells_[v] |=
+          packed(cell(mesh.positions[v][axis], low, high, scale, cells_per_axis_), static_cast<std::size_t>(axis));
   }
   for (const Index f : faces) {
     if (mesh.face(f).empty()) continue;
@@ -103,7 +114,7 @@ bool TouchedCells::may_be_near(Index face) const {
   const Cell high = unpacked(box.high);
   std::size_t count = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (high[axis] == 0 || low[axis] == cells_per_axis - 1) return false;
+    if (high[axis] == 0 || low[axis] == cells_per_axis_ - 1) return false;
     count *= high[axis] - low[axis] + 1;
   }
   return count > most_cells || visit_cells(low, high, [&](std::size_t number) { return touched_[number]; });

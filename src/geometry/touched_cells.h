@@ -23,6 +23,7 @@ class TouchedCells {
   PackedBox cells_of(Index face) const;
 
   const PolyMesh& mesh_;
+  std::size_t cells_per_axis_;
   std::vector<PackedPlace> cells_;  ///< per vertex
   std::vector<bool> touched_;
 };
