@@ -43,6 +43,22 @@ std::vector<HolePatchView> patch_views(const PatchSurface& patches, const std::v
   return list;
 }
 
+/// By the sign of the volume that its faces see from the middle.
+bool is_inside_out(const PolyMesh& mesh) {
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& place : mesh.positions) middle += place / static_cast<double>(mesh.vertex_count());
+  double volume = 0;
+  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+    const auto corners = mesh.face(face);
+    const Vec3 first = mesh.positions[corners[0]] - middle;
+    for (std::size_t k = 2; k < corners.size(); ++k) {
+      const Vec3 second = mesh.positions[corners[k - 1]] - middle, third = mesh.positions[corners[k]] - middle;
+      volume += first.dot(second.cross(third));
+    }
+  }
+  return volume < 0;
+}
+
 }  // namespace
 
 HoleInteraction::HoleInteraction(Studio& studio, ObjectScenes& scenes, std::function<ViewFrame(int)> frame_of,
@@ -287,7 +303,21 @@ void HoleInteraction::replay(const recorded::HoleWay& step) {
   change_way(step, false);
 }
 
+std::optional<Vec3> HoleInteraction::selection_facing() const {
+  constexpr double one_direction = 0.7;  // length of the mean
+  const auto whole = scan();
+  const std::vector<Index>& chosen = tool_.selected();
+  if (!whole || chosen.empty()) return std::nullopt;
+  Vec3 sum = Vec3::Zero();
+  for (const Index hole : chosen) {
+    if (const HoleRow* found = row(hole)) sum += found->normal;
+  }
+  if (sum.norm() < one_direction * static_cast<double>(chosen.size())) return std::nullopt;
+  return (is_inside_out(*whole) ? -1 : 1) * sum.normalized();
+}
+
 QString HoleInteraction::help() const {
+  if (node() == nullptr) return tr("O looks for the holes of this mesh");
   if (tool_.preview().pull) return tr("The patch goes through here · Shift moves it in and out · Escape gives it up");
   if (rows_.empty()) return shown_ ? tr("This mesh has no holes") : tr("Looking for holes …");
   const std::vector<Index>& chosen = tool_.selected();

@@ -67,6 +67,9 @@ class HoleInteraction : public QObject {
   void set_trim(int rings);
   void set_mode(const std::string& mode);  ///< of all holes: patches, or the model made anew
 
+  /// Stops what the studio computes. A model that was to be made anew isn't wanted any more: all is as it was before.
+  void cancel();
+
   // ---- The hand
   void take(const PointerEvent& event);  ///< its place in pixels of its view
   void leave();
@@ -81,8 +84,12 @@ class HoleInteraction : public QObject {
 
   /// What is drawn over a view.
   void add_to(render::Scene& scene, int view);
+  bool knows_sight() const { return sight_.sight() != nullptr; }  ///< of pins: whether the scan hides them
   const std::vector<HolePin>& pins(int view) { return tool_.pins(frame_of_(view)); }
   render::Bounds selection_bounds() const { return HoleOverlay::bounds_of(tool_, tool_.selected()); }
+
+  /// Where what is selected looks to, out of the scan; nothing where that isn't one direction.
+  std::optional<Vec3> selection_facing() const;
 
   /// The next action, in words and keys.
   QString help() const;

@@ -10,6 +10,8 @@
 namespace croquis::app {
 namespace {
 
+const std::string remesh_label = "Make the model anew";
+
 /// "hole 3", "holes 1, 4"; "all holes" for none.
 std::string words_for(const std::vector<Index>& holes) {
   if (holes.empty()) return "all holes";
@@ -223,8 +225,20 @@ void HoleInteraction::set_mode(const std::string& mode) {
   const Node* operation = node();
   if (operation == nullptr) return;
   const std::string name = operation->name;
-  edit(mode == "remesh" ? "Make the model anew" : "Fill by patches", {{"mode", mode}}, false);
+  edit(mode == "remesh" ? remesh_label : "Fill by patches", {{"mode", mode}}, false);
   emit committed(recorded::Set{name, "mode", mode});
+}
+
+void HoleInteraction::cancel() {
+  const bool was_busy = studio_.busy();
+  studio_.cancel();
+  const Node* operation = node();
+  if (!was_busy || operation == nullptr) return;
+  if (filling_value(studio_, *operation, "mode") != ParameterValue(std::string("remesh"))) return;
+  const std::vector<std::string> steps = studio_.session().undo_labels();
+  if (steps.empty() || steps.back() != remesh_label) return set_mode("patch");
+  studio_.session().undo();
+  emit committed(recorded::Action{"undo"});
 }
 
 }  // namespace croquis::app

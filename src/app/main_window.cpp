@@ -141,7 +141,7 @@ void MainWindow::make_help_line() {
   cancel_->setObjectName("cancel");
   connect(cancel_, &QPushButton::clicked, this, [this] {
     files_.reader().cancel();
-    studio_.cancel();
+    viewport_->holes().cancel();
   });
   status_ = new QLabel(this);
   status_->setObjectName("status");

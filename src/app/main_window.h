@@ -77,6 +77,10 @@ class MainWindow : public QMainWindow {
   /// Nothing that the window shows is still being made.
   bool settled() const;
 
+  /// Selects faces by the names of their sets; of a mesh that isn't computed also one by one, to be worked on.
+  /// @throws Error (E_INPUT) when the object has no such set
+  void select_face_sets(NodeId node, const std::vector<std::string>& names);
+
   /// Leaves the start page for the document as it is.
   void show_views();
 

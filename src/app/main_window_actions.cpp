@@ -87,10 +87,13 @@ void MainWindow::make_edit_actions() {
              [this] { studio_.session().redo(); });
   menu->addSeparator();
   add_action(menu, "join-limbs", tr("&Join limbs"), {QKeySequence("J")}, [this] { viewport_->join_all(); });
-  add_action(menu, "delete", tr("&Delete"), {QKeySequence::Delete, QKeySequence(Qt::Key_Backspace)}, [this] {
-    viewport_->delete_selection();
-    update_panels();
-  });
+  add_action(
+      menu, "delete", tr("&Delete"), {QKeySequence::Delete, QKeySequence(Qt::Key_Backspace)},
+      [this] {
+        delete_selection();
+        update_panels();
+      },
+      Recorded::ByItself);
   add_action(menu, "select-all", tr("Select &all"), {QKeySequence::SelectAll}, [this] { select_all(); });
   add_action(menu, "deselect", tr("Select &none"), {QKeySequence("Escape")}, [this] { select_none(); });
 }
@@ -119,7 +122,12 @@ void MainWindow::delete_selection() {
 void MainWindow::select_none() {
   if (viewport_->abandon()) return;
   viewport_->marking_menu().dismiss();
-  if (viewport_->holes().active()) return viewport_->holes().select({});
+  Selection selection = studio_.session().selection();
+  std::erase_if(selection, [](const SelectedItem& item) { return !item.part.empty(); });
+  if (viewport_->holes().active()) {
+    studio_.session().select(std::move(selection));
+    return viewport_->holes().select({});
+  }
   viewport_->mesh().act([](MeshTool& tool) { return tool.select_none(); });
   studio_.session().select({});
 }

@@ -66,6 +66,7 @@ void MainWindow::make_hole_actions() {
         [name = std::string(way)](HoleInteraction& holes) { holes.set_fairness(name); }, true);
   }
   menu->addSeparator();
+  menu->addAction(action("freeze"));
   QAction* tint = add_action(menu, "tint-patches", tr("Patches by c&onfidence"), {QKeySequence("T")},
                              [this] { viewport_->set_tinted(action("tint-patches")->isChecked()); });
   tint->setCheckable(true);
@@ -97,9 +98,15 @@ void MainWindow::update_hole_actions() {
   const bool working = viewport_->holes().active() && filling_node(studio_) != nullptr;
   const auto& selected = viewport_->holes().selected();
   for (QAction* action : hole_actions_) action->setEnabled(working);
-  for (const char* name : {"fill-selected", "reopen-selected", "clear-handles"}) {
-    action(name)->setEnabled(working && !selected.empty());
-  }
+  const auto any = [&](auto&& holds) {
+    return working && std::any_of(selected.begin(), selected.end(), [&](Index hole) {
+             const HoleRow* row = viewport_->holes().row(hole);
+             return row == nullptr || holds(*row);
+           });
+  };
+  action("fill-selected")->setEnabled(any([](const HoleRow& row) { return row.state != HoleState::Filled; }));
+  action("reopen-selected")->setEnabled(any([](const HoleRow& row) { return row.state != HoleState::Open; }));
+  action("clear-handles")->setEnabled(working && !viewport_->holes().tool().handles().empty());
   action("bridge-holes")->setEnabled(working && selected.size() > 1);
   action("holes")->setEnabled(can_fill(studio_) && !shows_start_page());
   if (working) action("delete")->setEnabled(!selected.empty());

@@ -195,8 +195,10 @@ void MainWindow::make_smoothing_actions() {
   };
   add_keep("keep-shape", tr("&Keep the shape of the selected faces"), KeptShape::Faces);
   add_keep("keep-outline", tr("Keep their &outline"), KeptShape::Outline);
-  mesh_actions_ << add_action(menu, "freeze", tr("F&reeze level as a cage"), {},
-                              [this] { attempt([this] { freeze_level(studio_); }); });
+  mesh_actions_ << add_action(menu, "freeze", tr("F&reeze as a mesh of its own"), {}, [this] {
+    if (!attempt([this] { freeze_level(studio_); })) return;
+    if (viewport_->holes().active()) viewport_->set_tool(ToolKind::Select);
+  });
 }
 
 void MainWindow::make_marking_menu() {

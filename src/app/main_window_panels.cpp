@@ -5,16 +5,19 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QSplitter>
+#include <algorithm>
 
 #include "app/attribute_panel.h"
 #include "app/chain_table.h"
 #include "app/crease_set_panel.h"
+#include "app/face_sets.h"
 #include "app/finding_elements.h"
 #include "app/lists.h"
 #include "app/main_window.h"
 #include "app/object_list.h"
 #include "app/tag_panel.h"
 #include "app/viewport.h"
+#include "croquis/base/error.h"
 
 namespace croquis::app {
 
@@ -63,6 +66,11 @@ void MainWindow::connect_panels() {
           });
   connect(objects_, &ObjectList::strokes_chosen, this, &MainWindow::select_strokes);
   connect(objects_, &ObjectList::objects_chosen, this, &MainWindow::select_objects);
+  connect(objects_, &ObjectList::sets_chosen, this, [this](NodeId node, const std::vector<std::string>& names) {
+    attempt([&] { select_face_sets(node, names); });
+    const StudioObject* object = studio_.object(node);
+    if (object != nullptr) record(recorded::FaceSetChoice{object->name, names});
+  });
   connect(objects_, &ObjectList::renamed, &studio_, &Studio::rename_object);
   connect(objects_, &ObjectList::shown, &studio_, &Studio::show_object);
   connect(objects_, &ObjectList::removed, &studio_, &Studio::remove_object);
@@ -110,6 +118,33 @@ void MainWindow::select_objects(const std::vector<NodeId>& nodes) {
   for (const NodeId node : nodes) selection.push_back({node, ""});
   if (!nodes.empty()) studio_.set_active(nodes.front());
   studio_.session().select(std::move(selection));
+}
+
+void MainWindow::select_face_sets(NodeId node, const std::vector<std::string>& names) {
+  const StudioObject* object = studio_.object(node);
+  if (object == nullptr) return;
+  const std::vector<FaceSet>& sets = studio_.face_sets().of(*object);
+  Selection selection;
+  std::vector<Index> holes;
+  for (const std::string& name : names) {
+    const auto set = std::ranges::find(sets, name, &FaceSet::name);
+    if (set == sets.end()) {
+      throw Error(
+          make_error(Category::Usage, "E_INPUT", "There are no faces named \"" + name + "\" in " + object->name));
+    }
+    selection.push_back({object->node, name});
+    holes.insert(holes.end(), set->holes.begin(), set->holes.end());
+  }
+  const bool is_source = object->is_source();
+  studio_.set_active(object->node);
+  studio_.session().select(std::move(selection));
+  if (viewport_->holes().active() && !holes.empty()) viewport_->holes().select(holes);
+  if (!is_source) return viewport_->redraw_all();
+  const std::vector<Index> faces = studio_.face_sets().selected(*studio_.active(), studio_.session().selection());
+  set_mesh_mode(MeshMode::Face);
+  viewport_->mesh().follow();
+  viewport_->mesh().tool().pick(ComponentKind::Face, faces);
+  viewport_->mesh().follow();
 }
 
 void MainWindow::show_finding(const NodeFinding& found) {

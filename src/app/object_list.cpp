@@ -16,6 +16,8 @@ namespace {
 
 constexpr int strokes_role = Qt::UserRole;
 constexpr int node_role = Qt::UserRole + 1;
+constexpr int set_role = Qt::UserRole + 2;
+constexpr int step_in = 14;  // pixels
 
 QStringList names_of(const Report& list) {
   QStringList names;
@@ -43,7 +45,7 @@ ObjectList::ObjectList(QWidget* parent) : QTreeWidget(parent) {
   setColumnCount(2);
   setHeaderHidden(true);
   setRootIsDecorated(false);
-  setIndentation(0);
+  setIndentation(step_in);
   setSelectionMode(QAbstractItemView::ExtendedSelection);
   setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
   header()->setSectionResizeMode(0, QHeaderView::Stretch);
@@ -51,11 +53,19 @@ ObjectList::ObjectList(QWidget* parent) : QTreeWidget(parent) {
   header()->setStretchLastSection(false);
   connect(this, &QTreeWidget::itemClicked, this, &ObjectList::take_click);
   connect(this, &QTreeWidget::itemChanged, this, &ObjectList::take_change);
+  connect(this, &QTreeWidget::itemExpanded, this, [this](QTreeWidgetItem* row) {
+    if (!set_of(row).empty()) opened_.insert(node_of(row));
+  });
+  connect(this, &QTreeWidget::itemCollapsed, this, [this](QTreeWidgetItem* row) {
+    if (!set_of(row).empty()) opened_.erase(node_of(row));
+  });
 }
 
 NodeId ObjectList::node_of(const QTreeWidgetItem* row) { return row->data(0, node_role).toULongLong(); }
 
-void ObjectList::show_objects(const Studio& studio) {
+std::string ObjectList::set_of(const QTreeWidgetItem* row) { return row->data(0, set_role).toString().toStdString(); }
+
+void ObjectList::show_objects(Studio& studio) {
   if (state() == QAbstractItemView::EditingState) return;  // a name is being typed
   const QSignalBlocker quiet(this);
   clear();
@@ -64,9 +74,9 @@ void ObjectList::show_objects(const Studio& studio) {
   for (const StudioObject& object : studio.objects()) {
     if (object.node == studio.solid_node()) continue;
     const bool selected = std::any_of(selection.begin(), selection.end(), [&](const SelectedItem& item) {
-      return item.node == object.node || item.node == object.cage;
+      return item.part.empty() && (item.node == object.node || item.node == object.cage);
     });
-    add_mesh(object, selected);
+    add_mesh(object, selected, studio);
   }
 }
 
@@ -101,7 +111,27 @@ void ObjectList::add_sketch(const Studio& studio) {
   }
 }
 
-void ObjectList::add_mesh(const StudioObject& object, bool selected) {
+/// One row for all patches, and in it one for each.
+void ObjectList::add_sets(QTreeWidgetItem* row, const StudioObject& object, Studio& studio) {
+  const Selection& selection = studio.session().selection();
+  QTreeWidgetItem* all = nullptr;
+  for (const FaceSet& set : studio.face_sets().of(object)) {
+    auto* own = new QTreeWidgetItem(all == nullptr ? row : all);
+    own->setText(0, QString::fromStdString(set.name));
+    own->setText(
+        1, set.faces.size() == 1 ? tr("1 face") : tr("%1 faces").arg(QLocale().toString(qulonglong(set.faces.size()))));
+    own->setData(0, node_role, qulonglong(object.node));
+    own->setData(0, set_role, QString::fromStdString(set.name));
+    own->setToolTip(0, tr("Click to select these faces; F frames them"));
+    own->setForeground(1, colors::guide);
+    own->setSelected(std::binary_search(selection.begin(), selection.end(), SelectedItem{object.node, set.name}));
+    if (all == nullptr) all = own;
+  }
+  row->setExpanded(true);
+  if (all != nullptr) all->setExpanded(opened_.contains(object.node));
+}
+
+void ObjectList::add_mesh(const StudioObject& object, bool selected, Studio& studio) {
   const auto& mesh = object.shown();
   const QString info = mesh ? tr("%1 faces").arg(QLocale().toString(qulonglong(mesh->face_count()))) : QString("…");
   QTreeWidgetItem* row = add_row(QString::fromStdString(object.name), info);
@@ -111,6 +141,7 @@ void ObjectList::add_mesh(const StudioObject& object, bool selected) {
   row->setToolTip(0, tr("Click the eye to hide or show, double click to rename"));
   if (!object.visible) row->setForeground(0, colors::guide);
   row->setSelected(selected);
+  add_sets(row, object, studio);
 }
 
 void ObjectList::take_click(QTreeWidgetItem* row) {
@@ -118,16 +149,24 @@ void ObjectList::take_click(QTreeWidgetItem* row) {
     emit strokes_chosen(strokes_of(row));
     return;
   }
+  if (!set_of(row).empty()) {
+    std::vector<std::string> names;
+    for (const QTreeWidgetItem* selected : selectedItems()) {
+      if (node_of(selected) == node_of(row) && !set_of(selected).empty()) names.push_back(set_of(selected));
+    }
+    emit sets_chosen(node_of(row), names);
+    return;
+  }
   std::vector<NodeId> nodes;
   for (const QTreeWidgetItem* selected : selectedItems()) {
-    if (node_of(selected) != 0) nodes.push_back(node_of(selected));
+    if (node_of(selected) != 0 && set_of(selected).empty()) nodes.push_back(node_of(selected));
   }
   emit objects_chosen(nodes);
 }
 
 void ObjectList::take_change(QTreeWidgetItem* row, int column) {
   const NodeId node = node_of(row);
-  if (node == 0 || column != 0) return;
+  if (node == 0 || column != 0 || !set_of(row).empty()) return;
   const std::string name = row->text(0).toStdString();
   const bool visible = row->checkState(0) == Qt::Checked;
   // Whoever hears it shows all rows anew.
@@ -142,7 +181,7 @@ void ObjectList::take_change(QTreeWidgetItem* row, int column) {
 
 void ObjectList::contextMenuEvent(QContextMenuEvent* event) {
   QTreeWidgetItem* row = itemAt(event->pos());
-  if (row == nullptr || node_of(row) == 0) return;
+  if (row == nullptr || node_of(row) == 0 || !set_of(row).empty()) return;
   const NodeId node = node_of(row);
   QMenu menu(this);
   menu.addAction(tr("Rename"), this, [this, row] { editItem(row, 0); });

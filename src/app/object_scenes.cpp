@@ -42,6 +42,8 @@ render::MeshStyle style_of(MeshLook look) {
   return render::MeshStyle::shaded();
 }
 
+constexpr int highlight_strength = 110;  // as of faces that are picked
+
 }  // namespace
 
 ObjectScenes::ObjectScenes(Studio& studio, QObject* parent) : QObject(parent), studio_(studio) {
@@ -104,6 +106,39 @@ void ObjectScenes::follow_patches(const StudioObject& object, Items& items) {
   items.filling->show(items.filling_mesh, options);
 }
 
+/// Which item shows them is only known when it is drawn: those of large meshes come later.
+void ObjectScenes::highlight_chosen(const StudioObject& object, Items& items) const {
+  const std::vector<Index> faces = studio_.face_sets().selected(object, studio_.session().selection());
+  const bool apart = items.patches.completes;
+  const LiveItem& live = apart ? *items.filling : *items.surface;
+  const bool is_shown = live.item() != nullptr && live.mesh() == (apart ? items.filling_mesh : object.mesh);
+  if (faces.empty() || !is_shown || object.shown() != object.mesh) {
+    items.highlight.reset();
+    return;
+  }
+  if (items.highlight && items.highlight->mesh == live.item() && items.chosen == faces) return;
+  items.chosen = faces;
+  std::vector<Index> own = faces;
+  for (Index& face : own) face -= static_cast<Index>(apart ? object.cage_mesh->face_count() : 0);
+  const QColor& color = colors::accent;
+  items.highlight =
+      render::make_face_highlight(live.item(), own, {color.red(), color.green(), color.blue(), highlight_strength});
+}
+
+render::Bounds ObjectScenes::chosen_bounds() const {
+  render::Bounds bounds;
+  for (const StudioObject& object : studio_.objects()) {
+    if (!object.visible) continue;
+    for (const Index face : studio_.face_sets().selected(object, studio_.session().selection())) {
+      for (const Index vertex : object.mesh->face(face)) {
+        const Vec3& place = object.mesh->positions[vertex];
+        bounds.add({place.x(), place.y(), place.z()});
+      }
+    }
+  }
+  return bounds;
+}
+
 void ObjectScenes::follow() {
   std::set<NodeId> there;
   for (const StudioObject& object : studio_.objects()) {
@@ -148,6 +183,10 @@ render::Scene ObjectScenes::scene(const Wanted& wanted) const {
     scene.meshes.emplace_back(replaced ? wanted.by : items->second.surface->item(), emphasis, style);
     if (!replaced && items->second.filling->item()) {
       scene.meshes.emplace_back(items->second.filling->item(), emphasis, style);
+    }
+    if (!replaced && !edited) {
+      highlight_chosen(object, items->second);
+      if (items->second.highlight) scene.highlights.push_back(items->second.highlight);
     }
     if (!cage_alone && (edited || object.view == SmoothView::Both)) {
       const QColor& color = colors::cage;

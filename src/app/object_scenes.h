@@ -51,6 +51,9 @@ class ObjectScenes : public QObject {
   };
   render::Scene scene(const Wanted& wanted) const;
 
+  /// Of the faces that are selected by their names; empty without any.
+  render::Bounds chosen_bounds() const;
+
   /// The surfaces alone, as pictures and thumbnails show them.
   std::vector<render::MeshItemPtr> surfaces() const;
 
@@ -76,16 +79,19 @@ class ObjectScenes : public QObject {
     std::shared_ptr<const PolyMesh> filled;        ///< … this mesh
     std::shared_ptr<const PolyMesh> filling_mesh;  ///< they, in …
     PatchLook filling_look = PatchLook::Plain;     ///< … this look
+    std::vector<Index> chosen;                     ///< faces of the shown mesh that are selected by name …
+    render::FaceHighlightPtr highlight;            ///< … as this item of theirs shows them
   };
   Items& items_of(NodeId node);
   void follow_patches(const StudioObject& object, Items& items);
+  void highlight_chosen(const StudioObject& object, Items& items) const;
   std::unique_ptr<LiveItem> make_item();
 
   Studio& studio_;
   bool flat_ = false;
   PatchLook patch_look_ = PatchLook::Plain;
   QThreadPool threads_;
-  std::map<NodeId, Items> items_;  ///< by the object's node
+  mutable std::map<NodeId, Items> items_;  ///< by the object's node
 };
 
 }  // namespace croquis::app

@@ -295,6 +295,11 @@ void ReplayPlayer::play(const recorded::Pin& step) { play_on_mesh(step); }
 void ReplayPlayer::play(const recorded::TagSet& step) { play_on_mesh(step); }
 void ReplayPlayer::play(const recorded::Extrude& step) { play_on_mesh(step); }
 void ReplayPlayer::play(const recorded::LoopCut& step) { play_on_mesh(step); }
+void ReplayPlayer::play(const recorded::FaceSetChoice& step) {
+  wait_until_settled(window_);
+  window_.select_face_sets(object_named(window_.studio(), step.node).node, step.names);
+}
+
 template <typename HoleStep>
 void ReplayPlayer::play_on_holes(const HoleStep& step) {
   if (!step.node.empty()) window_.studio().set_active(object_named(window_.studio(), step.node).node);

@@ -41,6 +41,7 @@ class ReplayPlayer {
   void play(const recorded::TagSet& step);
   void play(const recorded::Extrude& step);
   void play(const recorded::LoopCut& step);
+  void play(const recorded::FaceSetChoice& step);
   void play(const recorded::HoleChoice& step);
   void play(const recorded::HoleWay& step);
   void play(const recorded::HolePoint& step);

@@ -95,10 +95,12 @@ void freeze_level(Studio& studio) {
   const bool finished = object != nullptr && !object->is_source() && object->cage != 0 && object->mesh &&
                         object->result && !object->result->failed && object->quality == Quality::Final;
   if (!finished) {
-    throw Error(make_error(Category::Usage, "E_EMPTY", "There is no finished smooth mesh to freeze: press 3 first"));
+    throw Error(
+        make_error(Category::Usage, "E_EMPTY", "There is no finished mesh to freeze: press 3 or fill holes first"));
   }
   const Document& before = studio.session().document();
-  const std::string name = object->name + " level " + std::to_string(std::max(shown_level(studio), 0));
+  const int level = shown_level(studio);
+  const std::string name = object->name + (level < 0 ? " filled" : " level " + std::to_string(level));
   Node hidden = *before.find(object->node);
   hidden.visible = false;
   Node frozen;

@@ -24,8 +24,9 @@ void change_level(Studio& studio, int by);
 /// Gives the operation's parameter another value. @return whether there is such an operation
 bool set_smoothing(Studio& studio, const std::string& parameter, const ParameterValue& value);
 
-/// The level that is seen becomes a cage of its own, with its tags; the old object is hidden.
-/// @throws Error (E_EMPTY) when nothing smooth is seen, or it isn't finished
+/// What is computed, a level or a scan with filled holes, becomes a mesh of its own, with its tags and patches; the old
+/// object is hidden.
+/// @throws Error (E_EMPTY) when nothing computed is seen, or it isn't finished
 void freeze_level(Studio& studio);
 
 enum class KeptShape { Faces, Outline };

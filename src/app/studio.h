@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/face_sets.h"
 #include "app/live_node.h"
 #include "app/studio_object.h"
 #include "croquis/document/evaluator.h"
@@ -48,6 +49,9 @@ class Studio : public QObject {
   /// Of the active object, when it is an operation.
   const Node* active_operation() const;
   const OperationDescription* description(const std::string& operation) const;  ///< null for none of that id
+
+  /// Named faces of an object. Selected as parts of its node by their names.
+  FaceSets& face_sets() { return face_sets_; }
 
   void set_view(NodeId object, SmoothView view);
 
@@ -112,6 +116,7 @@ class Studio : public QObject {
   Session session_;
   std::vector<StudioObject> objects_;
   std::map<NodeId, SmoothView> views_;
+  FaceSets face_sets_;
   NodeId active_ = 0;
   std::map<std::string, OperationDescription> descriptions_;
   bool dragging_parameter_ = false;

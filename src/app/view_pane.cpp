@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace croquis::app {
@@ -59,6 +60,20 @@ void ViewPane::move(const CameraMotion& motion) {
                    : render::dolly(camera, motion.factor);
       break;
   }
+}
+
+void ViewPane::turn_to(const Vec3& facing) {
+  constexpr double steep = 0.5, upright = 0.95;  // cosines
+  const glm::dvec3 front(facing.x(), facing.y(), facing.z());
+  const double distance = glm::length(camera.eye - camera.target);
+  const glm::dvec3 to_eye = (camera.eye - camera.target) / distance;
+  if (flat() || glm::dot(front, to_eye) >= steep) return;
+  const glm::dvec3 up = glm::normalize(camera.up);
+  // From straight above or below a little of where the eye was is kept: up has to stay up.
+  const glm::dvec3 aside = to_eye - glm::dot(to_eye, up) * up;
+  const bool is_upright = std::abs(glm::dot(front, up)) > upright && glm::length(aside) > 0;
+  const glm::dvec3 seen_from = is_upright ? glm::normalize(front + 0.5 * glm::normalize(aside)) : front;
+  camera.eye = camera.target + distance * seen_from;
 }
 
 void ViewPane::frame(const render::Bounds& bounds) {

@@ -36,6 +36,9 @@ struct ViewPane {
   /// The whole scene is seen, and not much smaller than it could be.
   bool fits(const render::Scene& scene) const;
 
+  /// Where what faces that way (unit) is seen too much from the side or from behind, looks at it from its front.
+  void turn_to(const Vec3& facing);
+
   /// Shows the box; the whole of a scene as close as it fits.
   void frame(const render::Bounds& bounds);
   void frame(const render::Scene& scene);

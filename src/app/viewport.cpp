@@ -166,10 +166,14 @@ void Viewport::frame_selection() {
   if (sketches_in(under_pointer_)) {
     pane.frame(sketch_.scene().bounds(true));
   } else if (holes_.active() && !holes_.selection_bounds().empty()) {
+    if (const auto facing = holes_.selection_facing()) pane.turn_to(*facing);
     pane.frame(holes_.selection_bounds());
     turned_ = true;
   } else if (!mesh_.overlay().selection_bounds().empty() && edits_meshes()) {
     pane.frame(mesh_.overlay().selection_bounds());
+  } else if (const render::Bounds chosen = objects_.chosen_bounds(); !chosen.empty()) {
+    pane.frame(chosen);
+    turned_ = true;
   } else if (const StudioObject* active = studio_.active();
              active != nullptr && !studio_.session().selection().empty() && active->cage != 0) {
     render::Bounds bounds;

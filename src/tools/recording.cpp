@@ -129,6 +129,8 @@ Json to_json(const LoopCut& step) {
   return {{"do", "loop-cut"}, {"node", step.node}, {"edge", step.edge}, {"at", step.at}};
 }
 
+Json to_json(const FaceSetChoice& step) { return {{"do", "face-set"}, {"node", step.node}, {"names", step.names}}; }
+
 Json to_json(const HoleChoice& step) {
   Json json = {{"do", "hole"}};
   if (!step.up_to) json["holes"] = step.holes;

@@ -317,6 +317,17 @@ Step read_loop_cut(Fields& fields) {
   return step;
 }
 
+Step read_face_set(Fields& fields) {
+  FaceSetChoice step{fields.text("node"), {}};
+  const Json& names = fields.get("names");
+  if (!names.is_array() || names.empty()) throw Mistake{"\"names\" must be a list of names"};
+  for (const Json& name : names) {
+    if (!name.is_string()) throw Mistake{"\"names\" must be a list of names"};
+    step.names.push_back(name.get<std::string>());
+  }
+  return step;
+}
+
 // ---- Holes
 
 Step read_hole(Fields& fields) {
@@ -397,6 +408,7 @@ Step read_step(Fields& fields) {
   if (verb == "box") return read_box(fields);
   if (verb == "navigate") return read_navigate(fields);
   if (verb == "expect") return read_expect(fields);
+  if (verb == "face-set") return read_face_set(fields);
   if (verb == "hole") return read_hole(fields);
   if (verb == "hole-way") return read_hole_way(fields);
   if (verb == "hole-point") return read_hole_point(fields);

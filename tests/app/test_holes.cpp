@@ -15,6 +15,7 @@
 
 #include "app/attribute_panel.h"
 #include "app/hole_panel.h"
+#include "app/hole_scans.h"
 #include "app/hole_table.h"
 #include "app/lists.h"
 #include "app/parameter_field.h"
@@ -35,40 +36,7 @@ using namespace croquis;
 using app::HoleState;
 using app::Viewport;
 using croquis::test::StudioFixture;
-
-namespace {
-
-/// Opens a mesh as a file, its hole tool with it.
-void open_scan(StudioFixture& hand, const PolyMesh& scan, const QString& name = "scan") {
-  Progress progress;
-  const QString file = hand.folder() + "/" + name + ".ply";
-  std::ofstream(file.toStdString(), std::ios::binary) << write_mesh(scan, MeshFormat::Ply, {}, progress).bytes;
-  REQUIRE(hand.window().open(file));
-  hand.act("holes");
-  hand.settle();
-}
-
-PolyMesh ball_with_holes(std::size_t count = 6) {
-  return test::without_loose_vertices(test::random_cuts(test::round_sphere(4), 7, count, 0.15, 0.3).mesh);
-}
-
-app::HoleInteraction& holes(StudioFixture& hand) { return hand.viewport().holes(); }
-
-std::size_t count(StudioFixture& hand, HoleState state) {
-  const auto& rows = holes(hand).rows();
-  return static_cast<std::size_t>(
-      std::count_if(rows.begin(), rows.end(), [&](const app::HoleRow& row) { return row.state == state; }));
-}
-
-std::string last_step(StudioFixture& hand) { return hand.studio().session().undo_labels().back(); }
-
-QString label(StudioFixture& hand, const char* name) { return hand.window().findChild<QLabel*>(name)->text(); }
-
-const PolyMesh& filled_mesh(StudioFixture& hand) { return *hand.studio().active()->mesh; }
-
-std::size_t rims_of(const PolyMesh& mesh) { return MeshTopology(mesh).boundary_loops().size(); }
-
-}  // namespace
+using namespace croquis::test;
 
 TEST_CASE("the tool lists a scan's holes in one step and changes nothing of it", "[holes]") {
   StudioFixture hand;

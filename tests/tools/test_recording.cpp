@@ -95,8 +95,9 @@ TEST_CASE("steps for meshes read back as they were written") {
 TEST_CASE("steps for holes read back as they were written") {
   for (const Step& step : std::vector<Step>{
            HoleChoice{{3}, "fill", {}}, HoleChoice{{}, "fill", "fill", 0.25}, HoleWay{{1, 2}, "flat", {}, {}, {}, {}},
-           HoleWay{{}, {}, "biharmonic", -0.5, 2, "fill"}, HoleChoice{{1, 4000000000U, 2}, "toggle", "fill"},
-           HoleChoice{{}, "select", {}}, HolePoint{7, Vec3(0.1, -2, 1e-9), Vec3(1.0 / 3, 0, 1), {}},
+           FaceSetChoice{"scan", {"patches", "patch of hole 3"}}, HoleWay{{}, {}, "biharmonic", -0.5, 2, "fill"},
+           HoleChoice{{1, 4000000000U, 2}, "toggle", "fill"}, HoleChoice{{}, "select", {}},
+           HolePoint{7, Vec3(0.1, -2, 1e-9), Vec3(1.0 / 3, 0, 1), {}},
            HolePoint{7, std::nullopt, Vec3(0, 0, 1), "fill"}, HolePoint{7, Vec3(0, 0, 1), std::nullopt, {}}}) {
     const std::string line = to_line(step);
     INFO(line);
@@ -123,6 +124,8 @@ TEST_CASE("every mistake in a step for holes is told") {
                                           R"({"do":"hole","holes":[1],"action":"fill","up-to":2})",
                                           R"({"do":"hole","action":"leave","up-to":2})",
                                           R"({"do":"hole","action":"fill","up-to":0})",
+                                          R"({"do":"face-set","node":"scan","names":[]})",
+                                          R"({"do":"face-set","names":["patches"]})",
                                           R"({"do":"hole-way","holes":[1]})",
                                           R"({"do":"hole-way","holes":[1],"bulge":2})",
                                           R"({"do":"hole-way","holes":[1],"fairness":"round"})",

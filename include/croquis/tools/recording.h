@@ -136,6 +136,12 @@ struct LoopCut {
   double at = 0.5;
 };
 
+/// Faces were selected by the names of their sets.
+struct FaceSetChoice {
+  std::string node;                ///< the object's name
+  std::vector<std::string> names;  ///< "patches", "patch of hole 3" …
+};
+
 // ---- Holes of a scan, by the numbers that the operation's report gives them
 
 /// Holes were selected, or are to be filled or left open.
@@ -172,9 +178,9 @@ struct Expect {
   std::string node = {};          ///< whose result is counted; empty for the object worked on
 };
 
-using Step =
-    std::variant<StrokeDrawn, Drag, Action, Set, Wait, Screenshot, File, Click, Box, Navigate, Expect, ModelDrag, Pick,
-                 Move, Rotate, Scale, Tag, Pin, TagSet, Extrude, LoopCut, HoleChoice, HoleWay, HolePoint>;
+using Step = std::variant<StrokeDrawn, Drag, Action, Set, Wait, Screenshot, File, Click, Box, Navigate, Expect,
+                          ModelDrag, Pick, Move, Rotate, Scale, Tag, Pin, TagSet, Extrude, LoopCut, FaceSetChoice,
+                          HoleChoice, HoleWay, HolePoint>;
 
 struct Line {
   Step step;
