@@ -218,6 +218,26 @@ TEST_CASE("triangles to avoid are avoided at the least cost in area") {
   }
 }
 
+TEST_CASE("when more triangles are avoided the next search finds what one from the beginning would") {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    Random random(seed);
+    RimPolygon polygon = wavy(20, 0.2, 0.4, 4, 0.2);
+    for (Vec3& point : polygon.points) point.z() += 0.3 * random.unit();
+    MinimalTriangulations triangulations(polygon, bridged_order(polygon));
+    Progress progress;
+    for (auto found = triangulations.next(progress); found; found = triangulations.next(progress)) {
+      CHECK(found == minimal_triangulation(polygon, bridged_order(polygon), progress));
+      for (Index count = 0; count <= random.below(6); ++count) {
+        polygon.avoided.push_back((*found)[random.below(static_cast<Index>(found->size()))]);
+        std::sort(polygon.avoided.back().begin(), polygon.avoided.back().end());
+      }
+      std::sort(polygon.avoided.begin(), polygon.avoided.end());
+    }
+    CHECK_FALSE(minimal_triangulation(polygon, bridged_order(polygon), progress));  // none is left
+    CHECK(polygon.avoided.size() > 30);
+  }
+}
+
 TEST_CASE("rims with points on one line get no triangle without area, and rims on one line none at all") {
   std::vector<Vec3> sides;
   for (int i = 0; i < 8; ++i) sides.emplace_back(i, 0, 0);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "algorithms/hole_filling/patching/near_scene.h"
+#include "algorithms/hole_filling/triangulation/minimal_triangulation.h"
 #include "algorithms/hole_filling/triangulation/triangle_cost.h"
 
 namespace croquis::hole_filling {
@@ -54,15 +55,16 @@ Triangles offenders(const HoleSite& site, const NearScene& scene, const Triangle
 
 std::optional<Triangles> avoiding_triangulation(const HoleSite& site, Progress& progress) {
   const std::size_t points = site.polygon.points.size();
-  if (points == 3 || points > most_points) return std::nullopt;  // a triangle has no other triangulation
+  if (points <= 3 || points > most_points) return std::nullopt;  // a triangle has no other triangulation
   const NearScene scene(site, reach_of(site.polygon));
   RimPolygon polygon = site.polygon;
+  MinimalTriangulations triangulations(polygon, bridged_order(polygon));
   for (std::size_t searches = searches_for(points); searches > 0; --searches) {
     progress.check();
-    auto found = triangulate_rim(polygon, progress, {.exact_points = most_points});
+    auto found = triangulations.next(progress);
     if (!found) return std::nullopt;
-    const Triangles forbidden = offenders(site, scene, found->triangles, progress);
-    if (forbidden.empty()) return std::move(found->triangles);
+    const Triangles forbidden = offenders(site, scene, *found, progress);
+    if (forbidden.empty()) return found;
     polygon.avoided.insert(polygon.avoided.end(), forbidden.begin(), forbidden.end());
     std::sort(polygon.avoided.begin(), polygon.avoided.end());
     polygon.avoided.erase(std::unique(polygon.avoided.begin(), polygon.avoided.end()), polygon.avoided.end());

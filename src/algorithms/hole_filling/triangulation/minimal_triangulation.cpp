@@ -62,12 +62,37 @@ class TriangleCosts {
   std::vector<double> areas_, squares_, flat_;  ///< per point between
 };
 
-class CostTable {
- public:
-  CostTable(const RimPolygon& rims, std::span<const Index> order)
-      : rims_(rims), order_(order), size_(order.size()), cost_(size_ * size_, infinite), apex_(size_ * size_, 0) {
-    for (const Index point : order) corners_.add(rims.points[point]);
+/// The places in `joined` and in a loop that are nearest to each other.
+std::pair<std::size_t, Index> shortest_bridge(const RimPolygon& rims, const std::vector<Index>& joined, Index begin,
+                                              Index end) {
+  std::pair<std::size_t, Index> best{0, begin};
+  double shortest = infinite;
+  for (std::size_t i = 0; i < joined.size(); ++i) {
+    for (Index point = begin; point < end; ++point) {
+      const double squared = (rims.points[joined[i]] - rims.points[point]).squaredNorm();
+      if (squared < shortest && !rims.is_blocked(joined[i], point)) {
+        shortest = squared;
+        best = {i, point};
+      }
+    }
   }
+  return best;
+}
+
+}  // namespace
+
+class MinimalTriangulations::Table {
+ public:
+  Table(const RimPolygon& rims, std::vector<Index> order)
+      : rims_(rims),
+        order_(std::move(order)),
+        size_(order_.size()),
+        cost_(size_ * size_, infinite),
+        apex_(size_ * size_, 0) {
+    for (const Index point : order_) corners_.add(rims.points[point]);
+  }
+
+  bool is_filled() const { return cost_[at(0, 1)] == 0; }
 
   /// @return whether there is a triangulation
   bool fill(Progress& progress) {
@@ -75,6 +100,24 @@ class CostTable {
     for (std::size_t span = 2; span < size_; ++span) {
       progress.check();
       for (std::size_t i = 0; i + span < size_; ++i) choose_apex(i, i + span);
+    }
+    return cost_[at(0, size_ - 1)] < infinite;
+  }
+
+  /// After more triangles are avoided. Costs only grow by that: where the best triangle is neither avoided nor costs
+  /// more than before, it is still the best. @return as fill
+  bool update(Progress& progress) {
+    grown_.assign(size_ * size_, 0);
+    for (std::size_t span = 2; span < size_; ++span) {
+      progress.check();
+      for (std::size_t i = 0; i + span < size_; ++i) {
+        const std::size_t k = i + span, j = apex_[at(i, k)];
+        const double before = cost_[at(i, k)];
+        if (before == infinite) continue;
+        if (grown_[at(i, j)] == 0 && grown_[at(j, k)] == 0 && !is_avoided(i, j, k)) continue;
+        choose_apex(i, k);
+        grown_[at(i, k)] = cost_[at(i, k)] > before ? 1 : 0;
+      }
     }
     return cost_[at(0, size_ - 1)] < infinite;
   }
@@ -96,7 +139,6 @@ class CostTable {
 
  private:
   std::size_t at(std::size_t i, std::size_t k) const { return i * size_ + k; }
-  const Vec3& point(std::size_t i) const { return rims_.points[order_[i]]; }
 
   /// Sides of the polygon may be edges of the mesh, chords must not be.
   bool may_join(std::size_t i, std::size_t k) const {
@@ -127,39 +169,30 @@ class CostTable {
   }
 
   const RimPolygon& rims_;
-  std::span<const Index> order_;
+  std::vector<Index> order_;
   std::size_t size_;
   TriangleCosts corners_;
   std::vector<double> cost_;         ///< of the part from i to k, at (i, k) and (k, i): both are read row by row
   std::vector<std::uint32_t> apex_;  ///< the third corner of the triangle on (i, k)
+  std::vector<char> grown_;          ///< whether the cost is higher than before the update
 };
 
-/// The places in `joined` and in a loop that are nearest to each other.
-std::pair<std::size_t, Index> shortest_bridge(const RimPolygon& rims, const std::vector<Index>& joined, Index begin,
-                                              Index end) {
-  std::pair<std::size_t, Index> best{0, begin};
-  double shortest = infinite;
-  for (std::size_t i = 0; i < joined.size(); ++i) {
-    for (Index point = begin; point < end; ++point) {
-      const double squared = (rims.points[joined[i]] - rims.points[point]).squaredNorm();
-      if (squared < shortest && !rims.is_blocked(joined[i], point)) {
-        shortest = squared;
-        best = {i, point};
-      }
-    }
-  }
-  return best;
-}
+MinimalTriangulations::MinimalTriangulations(const RimPolygon& rims, std::vector<Index> order)
+    : table_(std::make_unique<Table>(rims, std::move(order))) {}
 
-}  // namespace
+MinimalTriangulations::~MinimalTriangulations() = default;
+
+std::optional<std::vector<std::array<Index, 3>>> MinimalTriangulations::next(Progress& progress) {
+  const bool is_found = table_->is_filled() ? table_->update(progress) : table_->fill(progress);
+  if (!is_found) return std::nullopt;
+  return table_->triangles();
+}
 
 std::optional<std::vector<std::array<Index, 3>>> minimal_triangulation(const RimPolygon& rims,
                                                                        std::span<const Index> order,
                                                                        Progress& progress) {
   if (order.size() < 3) return std::nullopt;
-  CostTable table(rims, order);
-  if (!table.fill(progress)) return std::nullopt;
-  return table.triangles();
+  return MinimalTriangulations(rims, {order.begin(), order.end()}).next(progress);
 }
 
 std::vector<Index> bridged_order(const RimPolygon& rims) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -18,6 +19,22 @@ namespace croquis::hole_filling {
 std::optional<std::vector<std::array<Index, 3>>> minimal_triangulation(const RimPolygon& rims,
                                                                        std::span<const Index> order,
                                                                        Progress& progress);
+
+/// The same again and again, while more triangles are avoided: each time only what that changes is searched anew.
+class MinimalTriangulations {
+ public:
+  /// @param rims kept as a reference: `avoided` may grow between searches, nothing else may change
+  /// @param order as for minimal_triangulation, three or more
+  MinimalTriangulations(const RimPolygon& rims, std::vector<Index> order);
+  ~MinimalTriangulations();
+
+  /// @return what minimal_triangulation would
+  std::optional<std::vector<std::array<Index, 3>>> next(Progress& progress);
+
+ private:
+  class Table;
+  std::unique_ptr<Table> table_;
+};
 
 /// One closed polygon of all loops: each further loop is entered and left over the shortest bridge to what is joined
 /// already, or where they share a vertex. Quadratic in the points.
