@@ -14,6 +14,7 @@
 #include "bench/hole_case.h"
 #include "croquis/hole_filling/fill_holes.h"
 #include "croquis/io/mesh_file.h"
+#include "support/scratch_folder.h"
 #include "support/virtual_scans.h"
 
 namespace croquis::bench {
@@ -51,17 +52,15 @@ void print(std::ostream& out, const std::string& what, std::optional<double> ms,
 }
 
 void report_programs(std::ostream& out, const HoleCase& scan) {
-  const ScratchFolder scratch;
+  const test::ScratchFolder scratch;
   Progress progress;
-  std::ofstream(scratch.file("scan.ply"), std::ios::binary)
-      << write_mesh(scan.mesh, MeshFormat::Ply, {}, progress).bytes;
+  std::ofstream(scratch / "scan.ply", std::ios::binary) << write_mesh(scan.mesh, MeshFormat::Ply, {}, progress).bytes;
   const auto croquis = [&](const std::string& fairness) {
     return best_of([&] {
-      return cpu_ms_of(
-          {CROQUIS_CLI, "fill", scratch.file("scan.ply"), "-o", scratch.file("out.ply"), "--fairness", fairness});
+      return cpu_ms_of({CROQUIS_CLI, "fill", scratch / "scan.ply", "-o", scratch / "out.ply", "--fairness", fairness});
     });
   };
-  const auto peer = best_of([&] { return meshlab_fill_file(scratch.file("scan.ply"), scratch.file("peer.ply")); });
+  const auto peer = best_of([&] { return meshlab_fill_file(scratch / "scan.ply", scratch / "peer.ply"); });
   out << "| from file to file: " << scan.mesh.face_count() << " triangles, " << scan.removed.size()
       << " holes | processor time | / MeshLab | target |\n|---|---|---|---|\n";
   print(out, "MeshLab, Close Holes", peer, std::nullopt, "");

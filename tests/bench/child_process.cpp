@@ -2,10 +2,6 @@
 #include "bench/child_process.h"
 
 #include <cerrno>
-#include <cstdlib>
-#include <filesystem>
-#include <stdexcept>
-#include <system_error>
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -45,17 +41,6 @@ std::optional<double> cpu_ms_of(const std::vector<std::string>& command) {
 
 bool is_installed(const std::string& program) {
   return cpu_ms_of({"sh", "-c", "command -v \"$1\"", "sh", program}).has_value();
-}
-
-ScratchFolder::ScratchFolder() {
-  std::string pattern = std::filesystem::temp_directory_path().string() + "/croquis-bench-XXXXXX";
-  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no folder for scratch files: " + pattern);
-  path_ = pattern;
-}
-
-ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
 }
 
 }  // namespace croquis::bench

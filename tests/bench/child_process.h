@@ -13,18 +13,4 @@ std::optional<double> cpu_ms_of(const std::vector<std::string>& command);
 
 bool is_installed(const std::string& program);
 
-/// A new folder for files, removed with all in it at the end.
-class ScratchFolder {
- public:
-  ScratchFolder();
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  std::string file(const std::string& name) const { return path_ + "/" + name; }
-
- private:
-  std::string path_;
-};
-
 }  // namespace croquis::bench

@@ -6,6 +6,7 @@
 #include "bench/child_process.h"
 #include "bench/hole_peers.h"
 #include "croquis/io/mesh_file.h"
+#include "support/scratch_folder.h"
 
 namespace croquis::bench {
 namespace {
@@ -28,22 +29,22 @@ constexpr const char* timed =
 
 std::optional<double> meshlab_fill_file(const std::string& in, const std::string& out) {
   if (!is_installed("meshlabserver") || !is_installed("xvfb-run")) return std::nullopt;
-  const ScratchFolder scratch;
-  std::ofstream(scratch.file("close.mlx")) << script;
-  const auto ran = cpu_ms_of(
-      {"xvfb-run", "-a", "bash", "-c", timed, "bash", in, out, scratch.file("close.mlx"), scratch.file("time")});
+  const test::ScratchFolder scratch;
+  std::ofstream(scratch / "close.mlx") << script;
+  const auto ran =
+      cpu_ms_of({"xvfb-run", "-a", "bash", "-c", timed, "bash", in, out, scratch / "close.mlx", scratch / "time"});
   double user = 0, system = 0;
-  if (!ran || !(std::ifstream(scratch.file("time")) >> user >> system)) return std::nullopt;
+  if (!ran || !(std::ifstream(scratch / "time") >> user >> system)) return std::nullopt;
   return 1e3 * (user + system);
 }
 
 std::optional<FilledMesh> meshlab_fill(const PolyMesh& mesh) {
-  const ScratchFolder scratch;
+  const test::ScratchFolder scratch;
   Progress progress;
-  std::ofstream(scratch.file("in.ply"), std::ios::binary) << write_mesh(mesh, MeshFormat::Ply, {}, progress).bytes;
-  const auto time = meshlab_fill_file(scratch.file("in.ply"), scratch.file("out.ply"));
+  std::ofstream(scratch / "in.ply", std::ios::binary) << write_mesh(mesh, MeshFormat::Ply, {}, progress).bytes;
+  const auto time = meshlab_fill_file(scratch / "in.ply", scratch / "out.ply");
   if (!time) return std::nullopt;
-  std::ifstream file(scratch.file("out.ply"), std::ios::binary);
+  std::ifstream file(scratch / "out.ply", std::ios::binary);
   std::stringstream bytes;
   bytes << file.rdbuf();
   FilledMesh filled;

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "support/scratch_folder.h"
+
 /// The real croquis-cli, run as a stranger's script would.
 namespace croquis::test {
 
@@ -24,29 +26,6 @@ struct ProcessOptions {
 
 /// Runs croquis-cli with these arguments to its end (killed after 60 s).
 ProcessResult run_cli(const std::vector<std::string>& arguments, const ProcessOptions& options = {});
-
-/// A new empty folder that is removed with its content at the end of the test.
-class ScratchFolder {
- public:
-  ScratchFolder();
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
-  /// Writes a file into it and returns its path.
-  std::string write(const std::string& name, const std::string& bytes) const;
-
-  /// The path a file of that name would have.
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-
-  /// Names of everything in it, sorted.
-  std::vector<std::string> names() const;
-
- private:
-  std::filesystem::path path_;
-};
 
 /// The whole file.
 std::string slurp(const std::filesystem::path& path);
