@@ -89,7 +89,7 @@ TEST_CASE("splits, collapses and flips in any order do what they do to a list of
     EditableTriangles edited(list, vertices);
     REQUIRE(edited.is_manifold(0));
     Random random(seed);
-    for (int trial = 0; trial < 400; ++trial) {
+    for (int trial = 0; trial < 600; ++trial) {
       const EditableTriangles::Side s = random.below(edited.count());
       if (edited.from(s) == EditableTriangles::none) continue;
       const Index a = edited.from(s), b = edited.to(s), c = edited.apex(s), d = edited.apex(edited.twin(s));
