@@ -12,6 +12,7 @@
 #include "algorithms/hole_filling/patching/harmonic_values.h"
 #include "algorithms/hole_filling/patching/patcher.h"
 #include "algorithms/hole_filling/triangulation/triangle_cost.h"
+#include "hole_filling/site_scene.h"
 #include "support/scans.h"
 
 using namespace croquis;
@@ -55,18 +56,6 @@ DiscMeasures measure(const FairingInput& input, const FairingResult& refined) {
   }
   return measures;
 }
-
-struct Scene {
-  PolyMesh mesh;
-  HoleAnalysis analysis;
-  HoleSite site;
-
-  explicit Scene(PolyMesh given) : mesh(std::move(given)) {
-    Progress progress;
-    analysis = analyse_holes(mesh, progress);
-    site = make_site(mesh, analysis, std::vector<Index>{0}, {});
-  }
-};
 
 }  // namespace
 
@@ -128,7 +117,7 @@ TEST_CASE("harmonic values are the mean of their neighbours', and exact where th
 
 TEST_CASE("a patch to begin with lies between its rims' heights, whatever its size") {
   for (const double radius : {0.15, 0.4, 0.8}) {
-    const Scene scene(cut(round_sphere(4), Vec3(0, 0, 1), radius).mesh);
+    const SiteScene scene(cut(round_sphere(4), Vec3(0, 0, 1), radius).mesh);
     Progress progress;
     const auto patch = evenly_faired_patcher(40000)->attempt(scene.site, progress);
     REQUIRE(patch);
@@ -144,7 +133,7 @@ TEST_CASE("a patch to begin with lies between its rims' heights, whatever its si
 
 TEST_CASE("a few normals continue a sphere as well as all of them, with a third of the unknowns") {
   for (const double radius : {0.2, 0.35}) {
-    const Scene scene(cut(round_sphere(5), Vec3(0, 0, 1), radius).mesh);
+    const SiteScene scene(cut(round_sphere(5), Vec3(0, 0, 1), radius).mesh);
     REQUIRE(continues_curvature(scene.site, {}));
     const auto few = fit_rims(scene.site, {}, {});
     const auto all = fit_rims(scene.site, {}, {.every_normal = true});
@@ -163,9 +152,9 @@ TEST_CASE("a few normals continue a sphere as well as all of them, with a third 
 }
 
 TEST_CASE("wide holes, islands, bulges and pulled patches aren't continued with their curvature") {
-  Scene wide(cut(round_sphere(4), Vec3(0, 0, 1), 1).mesh);
+  SiteScene wide(cut(round_sphere(4), Vec3(0, 0, 1), 1).mesh);
   CHECK_FALSE(continues_curvature(wide.site, {}));
-  Scene small(cut(round_sphere(4), Vec3(0, 0, 1), 0.3).mesh);
+  SiteScene small(cut(round_sphere(4), Vec3(0, 0, 1), 0.3).mesh);
   CHECK(continues_curvature(small.site, {}));
   CHECK_FALSE(continues_curvature(small.site, {.kernel = implicit::Kernel::Triharmonic}));
   small.site.wish.bulge = 0.5;

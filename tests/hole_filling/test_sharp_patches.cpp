@@ -11,6 +11,7 @@
 #include "algorithms/hole_filling/patching/cross_validation.h"
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/hole_filling/fill_holes.h"
+#include "hole_filling/site_scene.h"
 #include "support/scans.h"
 #include "support/surface_distance.h"
 #include "support/virtual_scans.h"
@@ -20,21 +21,6 @@ using namespace croquis::test;
 using namespace croquis::hole_filling;
 
 namespace {
-
-/// A site with what it refers to.
-struct Scene {
-  PolyMesh mesh;
-  HoleAnalysis analysis;
-  HoleSite site;
-
-  explicit Scene(PolyMesh cut_mesh) : mesh(std::move(cut_mesh)) {
-    Progress progress;
-    analysis = analyse_holes(mesh, progress);
-    const std::vector<Index> holes = {0};
-    site = make_site(mesh, analysis, holes, {});
-  }
-  Scene(const Scene&) = delete;
-};
 
 /// Outside the unit box, negative inside.
 double box_value(const Vec3& p) { return std::max({(p - Vec3::Ones()).maxCoeff(), (-p).maxCoeff()}); }
@@ -68,7 +54,7 @@ TEST_CASE("the sides of a box around a hole are told apart by its edges") {
   const std::vector<std::pair<Vec3, std::size_t>> expected = {
       {Vec3(0.5, 0.5, 1), 1}, {Vec3(0.5, 1, 1), 2}, {Vec3(1, 1, 1), 3}};
   for (const auto& [centre, count] : expected) {
-    const Scene scene(cut(divided_box(16), centre, 0.22).mesh);
+    const SiteScene scene(cut(divided_box(16), centre, 0.22).mesh);
     const auto sides = smooth_sides(known_surface(scene.site, 0.6, 6, 4000));
     INFO(centre.transpose());
     CHECK(sides.size() == count);
@@ -79,7 +65,7 @@ TEST_CASE("the sides of a box around a hole are told apart by its edges") {
 }
 
 TEST_CASE("a smooth surface is one side") {
-  const Scene scene(cut(round_sphere(4), Vec3(0, 0, 1), 0.4).mesh);
+  const SiteScene scene(cut(round_sphere(4), Vec3(0, 0, 1), 0.4).mesh);
   const KnownSurface known = known_surface(scene.site, 0.6, 6, 4000);
   const auto sides = smooth_sides(known);
   REQUIRE(sides.size() == 1);
@@ -88,7 +74,7 @@ TEST_CASE("a smooth surface is one side") {
 
 TEST_CASE("fits of a box' sides combine to the box around its edges and corners") {
   for (const Vec3& centre : {Vec3(0.5, 1, 1), Vec3(1, 1, 1)}) {
-    const Scene scene(cut(divided_box(16), centre, 0.22).mesh);
+    const SiteScene scene(cut(divided_box(16), centre, 0.22).mesh);
     const auto field = fit_sides(scene.site, {});
     REQUIRE(field);
     for (const Vec3& offset : {Vec3(0.01, 0.02, 0.03), Vec3(-0.1, -0.02, 0.04), Vec3(-0.05, -0.07, -0.01)}) {
@@ -121,7 +107,7 @@ TEST_CASE("a hole beside an edge is filled flat: what lies beyond the edge doesn
 
 TEST_CASE("cross-validation tells smooth methods from flat ones on a sphere, and none of them from nothing") {
   Progress progress;
-  const Scene scene(cut(round_sphere(4), Vec3(0, 0, 1), 0.6).mesh);
+  const SiteScene scene(cut(round_sphere(4), Vec3(0, 0, 1), 0.6).mesh);
   const CrossValidation validation(scene.site, progress);
   CHECK(validation.probe_count() >= 3);
   const double implicit = validation.error(*implicit_patcher({}, 40000), progress);
@@ -129,7 +115,7 @@ TEST_CASE("cross-validation tells smooth methods from flat ones on a sphere, and
   CHECK(implicit < 0.2 * flat);
   CHECK(flat > 0.005);  // a disc of radius 0.3 lies 0.02 below the sphere in the mean
   CHECK(flat < 0.05);
-  const Scene small(cut(round_sphere(0), Vec3(0, 0, 1), 1.2).mesh);
+  const SiteScene small(cut(round_sphere(0), Vec3(0, 0, 1), 1.2).mesh);
   const CrossValidation nothing(small.site, progress);
   CHECK(nothing.probe_count() == 0);
   CHECK(std::isinf(nothing.error(*minimal_patcher(), progress)));

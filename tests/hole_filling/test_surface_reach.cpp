@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <set>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "algorithms/hole_filling/continuation/other_sheets.h"
 #include "algorithms/hole_filling/continuation/quadric_normals.h"
 #include "algorithms/hole_filling/continuation/surface_reach.h"
+#include "hole_filling/site_scene.h"
 #include "support/mesh_shapes.h"
 #include "support/scans.h"
 #include "support/virtual_scans.h"
@@ -19,27 +19,6 @@ using namespace croquis::test;
 using namespace croquis::hole_filling;
 
 namespace {
-
-struct Scene {
-  PolyMesh mesh;
-  HoleAnalysis analysis;
-  HoleSite site;
-};
-
-/// The scene's first hole that isn't a border.
-std::unique_ptr<Scene> scene_of(PolyMesh mesh) {
-  auto scene = std::make_unique<Scene>();
-  scene->mesh = std::move(mesh);
-  Progress progress;
-  scene->analysis = analyse_holes(scene->mesh, progress);
-  for (const Hole& hole : scene->analysis.holes) {
-    if (hole.kind == HoleClass::Outer) continue;
-    scene->site = make_site(scene->mesh, scene->analysis, std::vector<Index>{hole.id}, {});
-    return scene;
-  }
-  FAIL("a hole is needed");
-  return nullptr;
-}
 
 double greatest_tilt(const std::vector<ReachedVertex>& reached, const PolyMesh& mesh) {
   double tilt = 0;
@@ -53,8 +32,8 @@ double greatest_tilt(const std::vector<ReachedVertex>& reached, const PolyMesh& 
 }  // namespace
 
 TEST_CASE("vertices around a hole are reached along edges, nearest first") {
-  const auto scene = scene_of(cut(sheet(20, 20), Vec3(10, 10, 0), 3).mesh);
-  const auto reached = reach_from_rims(scene->site, 4);
+  const SiteScene scene(cut(sheet(20, 20), Vec3(10, 10, 0), 3).mesh);
+  const auto reached = reach_from_rims(scene.site, 4);
   CHECK(std::is_sorted(reached.begin(), reached.end(),
                        [](const auto& a, const auto& b) { return a.distance < b.distance; }));
   std::set<Index> seen;
@@ -64,37 +43,37 @@ TEST_CASE("vertices around a hole are reached along edges, nearest first") {
     CHECK(r.distance <= 4);
     CHECK((r.normal - Vec3(0, 0, 1)).norm() < 1e-12);
     double nearest = 1e9;
-    for (const Vec3& rim : scene->site.polygon.points)
-      nearest = std::min(nearest, (rim - scene->mesh.positions[r.vertex]).norm());
+    for (const Vec3& rim : scene.site.polygon.points)
+      nearest = std::min(nearest, (rim - scene.mesh.positions[r.vertex]).norm());
     CHECK(nearest <= r.distance + 1e-12);
     on_rim += r.distance == 0;
   }
-  CHECK(on_rim == scene->site.vertices.size());
+  CHECK(on_rim == scene.site.vertices.size());
 }
 
 TEST_CASE("normals of rims are those of the surface, once quadrics are fitted") {
-  const auto scene = scene_of(cut(round_sphere(4), Vec3(0, 0, 1), 0.5).mesh);
-  auto reached = reach_from_rims(scene->site, 0.5);
-  const double before = greatest_tilt(reached, scene->mesh);
-  fit_rim_normals(reached, scene->mesh.positions, tree_of(reached, scene->mesh.positions));
+  const SiteScene scene(cut(round_sphere(4), Vec3(0, 0, 1), 0.5).mesh);
+  auto reached = reach_from_rims(scene.site, 0.5);
+  const double before = greatest_tilt(reached, scene.mesh);
+  fit_rim_normals(reached, scene.mesh.positions, tree_of(reached, scene.mesh.positions));
   CHECK(before > 0.015);
-  CHECK(greatest_tilt(reached, scene->mesh) < before / 10);
+  CHECK(greatest_tilt(reached, scene.mesh) < before / 10);
 }
 
 TEST_CASE("normals at a sharp edge aren't turned far") {
-  const auto scene = scene_of(cut(divided_box(12), Vec3(1, 0.5, 1), 0.2).mesh);
-  auto reached = reach_from_rims(scene->site, 0.5);
+  const SiteScene scene(cut(divided_box(12), Vec3(1, 0.5, 1), 0.2).mesh);
+  auto reached = reach_from_rims(scene.site, 0.5);
   const auto before = reached;
-  fit_rim_normals(reached, scene->mesh.positions, tree_of(reached, scene->mesh.positions));
+  fit_rim_normals(reached, scene.mesh.positions, tree_of(reached, scene.mesh.positions));
   for (std::size_t i = 0; i < reached.size(); ++i) CHECK(reached[i].normal.dot(before[i].normal) > 0.86);
 }
 
 TEST_CASE("a surface's roughness is the noise that it was given, × an edge") {
   const PolyMesh ball = cut(round_sphere(5), Vec3(0, 0, 1), 0.3).mesh;
   const auto roughness = [](const PolyMesh& mesh, double reach) {
-    const auto scene = scene_of(mesh);
-    const auto reached = reach_from_rims(scene->site, reach);
-    return surface_roughness(reached, scene->mesh.positions, tree_of(reached, scene->mesh.positions));
+    const SiteScene scene(mesh);
+    const auto reached = reach_from_rims(scene.site, reach);
+    return surface_roughness(reached, scene.mesh.positions, tree_of(reached, scene.mesh.positions));
   };
   CHECK(roughness(ball, 0.6) < 0.005);
   for (const double noise : {0.02, 0.1, 0.2})
@@ -106,9 +85,9 @@ TEST_CASE("a surface's roughness is the noise that it was given, × an edge") {
 
 TEST_CASE("sheets that pass by a hole are found where they are near, sparsely") {
   const PolyMesh holed = cut(sheet(20, 20), Vec3(10, 10, 0), 3).mesh;
-  const auto scene = scene_of(merged(holed, translated(sheet(20, 20), Vec3(0, 0, 2))));
-  const auto reached = reach_from_rims(scene->site, 3);
-  const auto points = other_sheets(scene->site, reached, 3, 1, 40);
+  const SiteScene scene(merged(holed, translated(sheet(20, 20), Vec3(0, 0, 2))));
+  const auto reached = reach_from_rims(scene.site, 3);
+  const auto points = other_sheets(scene.site, reached, 3, 1, 40);
   CHECK_FALSE(points.empty());
   CHECK(points.size() <= 40);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -116,5 +95,5 @@ TEST_CASE("sheets that pass by a hole are found where they are near, sparsely") 
     CHECK((points[i].normal - Vec3(0, 0, 1)).norm() < 1e-12);
     for (std::size_t j = 0; j < i; ++j) CHECK((points[i].position - points[j].position).norm() >= 1);
   }
-  CHECK(other_sheets(scene->site, reached, 1.5, 1, 40).empty());
+  CHECK(other_sheets(scene.site, reached, 1.5, 1, 40).empty());
 }
