@@ -220,7 +220,7 @@ TEST_CASE("parts thinner than a cube come out whole where memory allows smaller 
   const PolyMesh mesh = revolved(profile, 24);
   check_sound(remesh(mesh), 1, 0, 2);
   RemeshOptions options;
-  options.memory_limit = predicted_remesh_bytes(mesh, options);
+  options.memory_limit = least_remesh_bytes(mesh, options);
   const RemeshResult result = remesh(mesh, options);
   CHECK(report_of(result.mesh).closed);
   CHECK(result.checks.lost_points > 0);

@@ -80,7 +80,7 @@ TEST_CASE("the order of vertices and faces changes nothing that can be seen") {
 TEST_CASE("a model that would need too much memory is refused with the cell that would fit") {
   const PolyMesh mesh = holed_torus();
   RemeshOptions options;
-  const std::size_t whole = predicted_remesh_bytes(mesh, options);
+  const std::size_t whole = least_remesh_bytes(mesh, options);
   options.memory_limit = whole;
   CHECK(refusal_of(mesh, options).empty());
   options.memory_limit = whole - 100000;
@@ -99,16 +99,23 @@ TEST_CASE("a model that would need too much memory is refused with the cell that
   CHECK(refusal_of(mesh, options)[0].message.find("patches") != std::string::npos);
 }
 
-TEST_CASE("the prediction grows with vertices, finer cells and refinement") {
+TEST_CASE("what is needed grows with vertices, finer cells and refinement, and never exceeds what is predicted") {
   RemeshOptions options;
-  const std::size_t base = predicted_remesh_bytes(round_sphere(5), options);
-  CHECK(predicted_remesh_bytes(round_sphere(7), options) > 4 * base);
+  const PolyMesh mesh = round_sphere(5);
+  const std::size_t base = least_remesh_bytes(mesh, options);
+  const auto beyond = [&](const PolyMesh& other) { return least_remesh_bytes(other, options) - base; };
+  CHECK(beyond(round_sphere(7)) > 4 * beyond(round_sphere(6)));
   options.cell = 0.5;
-  const std::size_t fine = predicted_remesh_bytes(round_sphere(5), options);
+  const std::size_t fine = least_remesh_bytes(mesh, options);
   CHECK(fine > base);
   options.cell = 1;
   options.refine = 1;
-  CHECK(predicted_remesh_bytes(round_sphere(5), options) == fine);  // four times the triangles, both
+  CHECK(least_remesh_bytes(mesh, options) == fine);  // four times the triangles, both
+  CHECK(predicted_remesh_bytes(mesh, options) > fine);
+  options.memory_limit = fine;
+  CHECK(predicted_remesh_bytes(mesh, options) == fine);
+  options.memory_limit = 2 * fine;
+  CHECK(predicted_remesh_bytes(mesh, options) <= 2 * fine);
 }
 
 TEST_CASE("options out of range are all told") {

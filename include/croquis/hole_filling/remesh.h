@@ -25,7 +25,7 @@ struct RemeshOptions {
   double snap = 0;           ///< vertices within this distance of one given move there, × cell; usual 0.3
   double min_component = 0;  ///< smaller pieces of the mesh are left out, as fraction of its triangles
   std::size_t slab_points = 0;   ///< that a slab of the model has, about: no bit of the result depends on it. 0: usual
-  std::size_t memory_limit = 0;  ///< bytes; a model predicted to need more is refused. 0: none
+  std::size_t memory_limit = 0;  ///< bytes; a model that needs more at least is refused. 0: none
 };
 
 /// The options as a preset has them; those for single values may be changed afterwards.
@@ -66,9 +66,13 @@ struct RemeshResult {
   Findings warnings;
 };
 
-/// The most that remesh_surface will hold at a time, in bytes, the mesh given not counted. Linear, and allocates
-/// nothing.
+/// The most that remesh_surface will hold at a time, in bytes, the mesh given not counted: also while pieces that come
+/// out torn are tried with smaller cells, or that cross are made one solid. Such tries are left out where they would
+/// exceed the limit, or 1.5 GB without one. Linear, and allocates nothing.
 std::size_t predicted_remesh_bytes(const PolyMesh& mesh, const RemeshOptions& options);
+
+/// The same when nothing has to be tried again, in thin slabs: the least limit that isn't refused.
+std::size_t least_remesh_bytes(const PolyMesh& mesh, const RemeshOptions& options);
 
 /// Makes a model anew from one function (Yoo 2005): radial basis functions fitted in small overlapping domains to its
 /// vertices and normals, one larger domain for each hole, blended; the zero set polygonised from every vertex,

@@ -27,11 +27,13 @@ constexpr const char* patch_channel = "patch_id";
 
 class Remeshing {
  public:
-  Remeshing(const PolyMesh& mesh, const RemeshOptions& options) : mesh_(mesh), options_(options) {}
+  Remeshing(const PolyMesh& mesh, const RemeshOptions& options)
+      : mesh_(mesh), options_(options), memory_(mesh, options) {}
 
   RemeshResult run(Progress& progress) {
     require_options(options_);
-    result_.predicted_bytes = require_memory(mesh_, options_);
+    require_memory(memory_, options_.memory_limit);
+    result_.predicted_bytes = predicted_remesh_bytes(mesh_, options_);
     Progress analysing = progress.step("analyse holes", 0.06);
     result_.analysis = analyse_holes(mesh_, analysing, options_.fill.analysis);
     choice_ = choose_holes(result_.analysis.holes, options_.fill);
@@ -88,10 +90,7 @@ class Remeshing {
   }
 
   void make_pieces_anew(Progress& progress) {
-    const SlabPoints slabs = slab_points(options_);
-    const RemeshModel model{
-        mesh_,      result_.analysis,       options_, pieces_, normals_, links_, edge_, cell(), slabs.closed,
-        slabs.open, result_.predicted_bytes};
+    const RemeshModel model{mesh_, result_.analysis, options_, pieces_, normals_, links_, edge_, cell(), memory_};
     std::vector<PieceShape> shapes;
     for (std::size_t p = 0; p < pieces_.pieces.size(); ++p) {
       Progress part = progress.step("make pieces", 0.9 * model.share_of(pieces_.pieces[p]));
@@ -246,6 +245,7 @@ class Remeshing {
 
   const PolyMesh& mesh_;
   const RemeshOptions& options_;
+  RemeshMemory memory_;
   HoleChoice choice_;
   RemeshPieces pieces_;
   TriangleFans fans_ = TriangleFans(0, {});

@@ -4,67 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <string>
 
-#include <Eigen/Geometry>
-
-#include "algorithms/hole_filling/remeshing/remesh_points.h"
 #include "croquis/base/error.h"
 
 namespace croquis::hole_filling {
 namespace {
 
-// Bytes, measured: see "The whole model anew" in docs/algorithms/hole_filling.md.
-constexpr double per_triangle = 75;              // the view and its neighbours
-constexpr double per_point = 420;                // fits, trees, normals
-constexpr double per_new_triangle = 130;         // cubes, triangles, their improvement and checks
-constexpr double fixed_bytes = 32e6;             // of the fits and buffers that are there for any mesh
-constexpr double triangles_per_cube_face = 3.3;  // new triangles per area of one cube's face
-constexpr std::size_t usual_slab = 50'000;       // points: thinner ones save little more and keep few threads busy
 constexpr double gibibyte = 1073741824;
 constexpr double most_cell = 64;
-
-/// Triangles, area and mean edge, polygons taken as fans.
-struct Extent {
-  double triangles = 0, area = 0, edges = 0;
-  Eigen::AlignedBox3d box;
-
-  double typical_edge() const {
-    return triangles > 0 ? std::min(edges / (3 * triangles), longest_typical_edge * box.diagonal().norm()) : 0;
-  }
-};
-
-Extent extent_of(const PolyMesh& mesh) {
-  Extent extent;
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const auto face = mesh.face(f);
-    for (std::size_t i = 0; i < face.size(); ++i) {
-      if (face[i] >= mesh.vertex_count()) return {};  // the analysis will tell
-      extent.box.extend(mesh.positions[face[i]]);
-    }
-    for (std::size_t i = 2; i < face.size(); ++i) {
-      const Vec3 b = mesh.positions[face[i - 1]] - mesh.positions[face[0]];
-      const Vec3 c = mesh.positions[face[i]] - mesh.positions[face[0]];
-      extent.area += 0.5 * b.cross(c).norm();
-      extent.edges += b.norm() + c.norm() + (c - b).norm();
-      extent.triangles += 1;
-    }
-  }
-  return extent;
-}
-
-double without_cells(const PolyMesh& mesh, const Extent& extent) {
-  return fixed_bytes + per_triangle * extent.triangles + per_point * static_cast<double>(mesh.vertex_count());
-}
-
-/// Of all that grows as cells get smaller.
-double of_cells(const Extent& extent, const RemeshOptions& options) {
-  const double cell = options.cell * extent.typical_edge();
-  if (!(cell > 0)) return 0;
-  const double triangles = triangles_per_cube_face * extent.area / (cell * cell) * std::pow(4, options.refine);
-  return per_new_triangle * triangles;
-}
 
 std::string gibibytes(double bytes) {
   char text[32];
@@ -72,15 +20,15 @@ std::string gibibytes(double bytes) {
   return text;
 }
 
-std::string advice(const PolyMesh& mesh, const RemeshOptions& options) {
-  const Extent extent = extent_of(mesh);
-  const double room = static_cast<double>(options.memory_limit) - without_cells(mesh, extent);
-  const double cell = room > 0 ? options.cell * std::sqrt(of_cells(extent, options) / room) : most_cell + 1;
+std::string advice(const RemeshMemory& memory) {
+  const double cell = memory.fitting_cell();
   if (!(cell <= most_cell)) return "fill its holes by patches";
   char text[64];
   std::snprintf(text, sizeof text, "choose cells of %.2g times the mean edge", std::ceil(20 * cell) / 20 + 0.05);
   return std::string(text) + ", or fill its holes by patches";
 }
+
+std::size_t whole_bytes(double bytes) { return static_cast<std::size_t>(std::min(std::ceil(bytes), 1e18)); }
 
 Finding out_of_range(const std::string& name, const std::string& range) {
   return make_error(Category::Usage, "E_PARAMETER", "The option " + name + " is out of range: choose " + range + ".",
@@ -126,23 +74,19 @@ void require_options(const RemeshOptions& options) {
 }
 
 std::size_t predicted_remesh_bytes(const PolyMesh& mesh, const RemeshOptions& options) {
-  const Extent extent = extent_of(mesh);
-  const double bytes = without_cells(mesh, extent) + of_cells(extent, options);
-  return bytes < 1e18 ? static_cast<std::size_t>(bytes) : static_cast<std::size_t>(1e18);
+  return whole_bytes(RemeshMemory(mesh, options).most());
 }
 
-SlabPoints slab_points(const RemeshOptions& options) {
-  if (options.slab_points > 0) return {options.slab_points, options.slab_points};
-  return {usual_slab, std::numeric_limits<std::size_t>::max()};
+std::size_t least_remesh_bytes(const PolyMesh& mesh, const RemeshOptions& options) {
+  return whole_bytes(RemeshMemory(mesh, options).least());
 }
 
-std::size_t require_memory(const PolyMesh& mesh, const RemeshOptions& options) {
-  const std::size_t bytes = predicted_remesh_bytes(mesh, options);
-  if (options.memory_limit == 0 || bytes <= options.memory_limit) return bytes;
+void require_memory(const RemeshMemory& memory, std::size_t limit) {
+  const double bytes = memory.least();
+  if (limit == 0 || bytes <= static_cast<double>(limit)) return;
   throw Error(make_error(Category::Limit, "E_MEMORY",
-                         "Making this model anew needs about " + gibibytes(static_cast<double>(bytes)) + ", and " +
-                             gibibytes(static_cast<double>(options.memory_limit)) +
-                             " are allowed: " + advice(mesh, options) + ".",
+                         "Making this model anew needs about " + gibibytes(bytes) + ", and " +
+                             gibibytes(static_cast<double>(limit)) + " are allowed: " + advice(memory) + ".",
                          {{SubjectKind::Parameter, "memory-limit", {}, {}, {}}}));
 }
 

@@ -15,8 +15,6 @@ namespace croquis::hole_filling {
 namespace {
 
 constexpr std::size_t grain = 4096;      // vertices per part
-constexpr double longest_edge = 2.5;     // × mean edge: longer ones get points
-constexpr double sample_spacing = 1.5;   // × mean edge
 constexpr double quadric_reach = 4;      // × mean edge of the rim, around it
 constexpr double smooth_dihedral = 0.5;  // cosine: beyond, the normal of an edge isn't known
 constexpr std::uint8_t unsound = SurfaceView::no_area | SurfaceView::is_sliver;

@@ -20,6 +20,9 @@ struct RemeshPoints {
 /// The scale of models of few triangles, × their diagonal: cubes as large as their edges would find nothing.
 inline constexpr double longest_typical_edge = 0.025;
 
+inline constexpr double longest_edge = 2.5;    ///< × typical edge: longer ones get points
+inline constexpr double sample_spacing = 1.5;  ///< of these, × typical edge
+
 /// Mean length of the view's edges, model units, or longest_typical_edge where that is less; edges of two triangles
 /// count twice. Linear.
 double typical_edge(const PolyMesh& mesh, const SurfaceView& view);

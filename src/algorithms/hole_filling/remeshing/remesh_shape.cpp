@@ -29,8 +29,7 @@ constexpr double runs_away_beyond = 0.4;  // × diagonal: no continuation of a s
 constexpr int retries = 2;             // of pieces that come out torn or grown together, each with cells of half size
 constexpr double retry_overlap = 0.6;  // domains of thin walls have to see both sides, and much of them
 constexpr std::size_t retry_points = 100;
-constexpr double few_lost = 0.001;     // of the points of a piece: not worth four times the triangles
-constexpr double retry_bytes = 1.5e9;  // for the triangles of one retry, when no limit is given
+constexpr double few_lost = 0.001;  // of the points of a piece: not worth four times the triangles
 
 /// How one piece is tried.
 struct Trial {
@@ -102,7 +101,7 @@ PieceShape Shaping::run(Progress& progress) {
   bool retried = false;
   for (int retry = 1; retry <= retries; ++retry) {
     if (best.torn() == 0 && are_few(best.lost.size(), piece_.vertices.size())) break;
-    if (!may_halve(model_, model_.share_of(piece_), retry)) break;
+    if (!model_.memory.may_halve(model_.share_of(piece_), retry)) break;
     Progress again = progress.step("make surface with smaller cells", 0.08 / retries);
     retried = true;
     PieceShape other = make_surface(trial_of(retry), again);
@@ -134,6 +133,7 @@ PieceShape Shaping::make_surface(const Trial& trial, Progress& progress) {
     const bool has_boxes = !piece_.groups.empty() && model_.options.fill.preset != Preset::Paper;
     const bool is_last = i + 1 == growths.size() || !has_boxes;
     Progress trying = progress.step("make surface", i == 0 ? 0.9 : 0.02);
+    shape = {};
     shape = attempt(trial, growths[i], is_last, trying);
     if (shape.runs_away && has_boxes) {
       for (const std::vector<Index>& group : piece_.groups) left.insert(left.end(), group.begin(), group.end());
@@ -240,7 +240,7 @@ Cubes Shaping::swept(const Trial& trial, const implicit::PolygonizerOptions& cub
                      Progress& progress) const {
   implicit::SlabOptions slabs;
   slabs.axis = longest_axis(trial.points.positions);
-  slabs.seeds_per_slab = piece_.ends ? model_.open_slab_points : model_.slab_points;
+  slabs.seeds_per_slab = piece_.ends ? model_.memory.slabs().open : model_.memory.slabs().closed;
   const ImprovementOptions options = improvement_of(model_.options, trial.cell);
   const bool is_split = trial.points.positions.size() > slabs.seeds_per_slab;
   const ImprovedField onto = improved(field, is_split ? slabs.axis : -1);
@@ -277,16 +277,6 @@ Cubes Shaping::swept(const Trial& trial, const implicit::PolygonizerOptions& cub
 
 PieceShape make_shape(const RemeshModel& model, std::size_t piece, Progress& progress) {
   return Shaping(model, piece).run(progress);
-}
-
-bool may_halve(const RemeshModel& model, double share, int times) {
-  if (model.options.fill.preset == Preset::Paper) return false;
-  RemeshOptions finer = model.options;
-  finer.cell = std::ldexp(model.options.cell, -times);
-  const auto whole = static_cast<double>(model.predicted_bytes);
-  const double more = share * (static_cast<double>(predicted_remesh_bytes(model.mesh, finer)) - whole);
-  return model.options.memory_limit == 0 ? more <= retry_bytes
-                                         : whole + more <= static_cast<double>(model.options.memory_limit);
 }
 
 ImprovementOptions improvement_of(const RemeshOptions& options, double cell) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algorithms/hole_filling/remeshing/remesh_improvement.h"
+#include "algorithms/hole_filling/remeshing/remesh_memory.h"
 #include "algorithms/hole_filling/remeshing/remesh_openings.h"
 #include "algorithms/hole_filling/remeshing/remesh_pieces.h"
 #include "algorithms/hole_filling/remeshing/remesh_points.h"
@@ -25,9 +26,7 @@ struct RemeshModel {
   const std::vector<TriangleFans::Link>& links;  ///< of the view's vertices
   double edge = 0;                               ///< typical, model units
   double cell = 0;                               ///< as asked for, model units
-  std::size_t slab_points = 0;                   ///< that a slab of a closed piece has, about
-  std::size_t open_slab_points = 0;              ///< the same for pieces with rims that stay open or get patches
-  std::size_t predicted_bytes = 0;               ///< of the whole with these cells
+  const RemeshMemory& memory;
 
   int threads() const { return options.fill.threads; }
   double share_of(const RemeshPiece& piece) const {
@@ -62,9 +61,6 @@ PieceShape make_shape(const RemeshModel& model, std::size_t piece, Progress& pro
 
 /// How surfaces made of cubes of this size are improved.
 ImprovementOptions improvement_of(const RemeshOptions& options, double cell);
-
-/// Whether memory allows cells of half the size, so many times, for a share of the model.
-bool may_halve(const RemeshModel& model, double share, int times);
 
 /// Points that no vertex of a surface is within 1.25 cells of, and how many of them are few.
 std::vector<Index> lost_points(const PolyMesh& surface, std::span<const Vec3> points, double cell, int threads,

@@ -132,7 +132,12 @@ bool Joining::group_by_cuts(Progress& progress) {
     is_new = is_new || a != b || !parts[a].is_solid;
     group_.unite(static_cast<Index>(parts[a].pieces.front()), static_cast<Index>(parts[b].pieces.front()));
   }
-  return is_new && model_.options.fill.preset != Preset::Paper;
+  if (!is_new || model_.options.fill.preset == Preset::Paper) return false;
+  double share = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    for (const std::size_t piece : parts[i].pieces)
+      share += marked_[i] != 0 ? model_.share_of(model_.pieces.pieces[piece]) : 0;
+  return model_.memory.may_unite(share);
 }
 
 PolyMesh Joining::extracted(const RemeshPart& part) const {
@@ -196,7 +201,7 @@ std::pair<RemeshPart, PolyMesh> Joining::united(std::vector<std::size_t> pieces,
   const int finer = static_cast<int>(std::lround(std::log2(model_.cell / cell)));
   Solid best;
   for (int halving = 0; halving <= halvings; ++halving) {
-    if (halving > 0 && !may_halve(model_, share, finer + halving)) break;
+    if (halving > 0 && !model_.memory.may_halve(share, finer + halving)) break;
     const double size = std::ldexp(cell, -halving);
     Progress trying = progress.step("unite pieces that cross", halving == 0 ? 0.8 : 0.05);
     const UnitedSolid solid(members, size);
