@@ -93,7 +93,8 @@ double serial_share(const PolyMesh& mesh) {
 }
 
 struct Row {
-  double triangles = 0, seconds = 0, patch_seconds = 0, mebibytes = 0, predicted = 0, serial = 0;
+  double triangles = 0, seconds = 0, patch_seconds = 0, mebibytes = 0, least = 0, predicted = 0, serial = 0;
+  std::size_t slabs = 0;
   std::size_t made = 0;
   StepTimes steps;
 };
@@ -107,9 +108,11 @@ Row row_of(double triangles) {
   row.seconds = 1e-3 * cpu_ms([&] {
                   const RemeshResult result = row.steps.run(mesh);
                   row.made = result.mesh.face_count();
+                  row.slabs = result.slabs;
                   row.predicted = static_cast<double>(result.predicted_bytes) / 1048576;
                 });
   row.mebibytes = memory.used();
+  row.least = static_cast<double>(least_remesh_bytes(mesh, {})) / 1048576;
   Progress progress;
   row.patch_seconds = 1e-3 * cpu_ms([&] { fill_holes(mesh, {}, progress); });
   row.serial = serial_share(mesh);
@@ -120,9 +123,12 @@ Row row_of(double triangles) {
 
 void bench_remesh(std::ostream& out) {
   out << "A torus with eight holes, made anew with the standard options; processor time of one thread, memory beside "
-         "the mesh given. Serial: what one thread does alone. Peer: filling the same holes by implicit patches.\n\n"
-      << "| triangles | made | s per million | exponent | MiB per million | predicted / used | fit, cubes, improve, "
-         "cuts, other % | serial % | time / patches' time |\n|---|---|---|---|---|---|---|---|---|\n";
+         "the mesh given. Least: what the limit must allow; predicted: with all that may be tried again. Serial: what "
+         "one "
+         "thread does alone. Peer: filling the same holes by implicit patches.\n\n"
+      << "| triangles | made | s per million | exponent | MiB per million | slabs | least, predicted / used | fit, "
+         "cubes, improve, "
+         "cuts, other % | serial % | time / patches' time |\n|---|---|---|---|---|---|---|---|---|---|\n";
   std::vector<double> sizes = {7e4, 3.3e5, 1.05e6};
   if (test::sample_count(0, 1) > 0) sizes.push_back(4e6);
   Row before;
@@ -131,8 +137,9 @@ void bench_remesh(std::ostream& out) {
     out << std::fixed << "| " << std::setprecision(0) << row.triangles << " | " << row.made << " | "
         << std::setprecision(2) << row.seconds / row.triangles * million << " | ";
     if (before.seconds > 0) out << std::log(row.seconds / before.seconds) / std::log(row.triangles / before.triangles);
-    out << " | " << std::setprecision(0) << row.mebibytes / row.triangles * million << " | " << std::setprecision(2)
-        << row.predicted / row.mebibytes << " |" << std::setprecision(0);
+    out << " | " << std::setprecision(0) << row.mebibytes / row.triangles * million << " | " << row.slabs << " | "
+        << std::setprecision(2) << row.least / row.mebibytes << ", " << row.predicted / row.mebibytes << " |"
+        << std::setprecision(0);
     for (const char* step : {"fit", "cubes", "improve", "cuts", "other"}) out << ' ' << row.steps.share(step);
     out << " | " << row.serial << " | " << std::setprecision(1) << row.seconds / row.patch_seconds << " |" << std::endl;
     before = row;
