@@ -60,8 +60,8 @@ struct SurfaceView {
 /// Makes the view: vertices at exactly equal places count as one, polygons as the fan from their first corner, and of
 /// each part that edges of two triangles join the minority that runs the other way is turned.
 ///
-/// Edges are matched by sorting (low end, high end, corner), the low end by counting: n log n in the worst case, linear
-/// for bounded valences; about 75 bytes per triangle at the peak, 35 after.
+/// Edges are matched by sorting (low end, high end, corner), the low end by lists or by counting: n log n in the worst
+/// case, linear for bounded valences; at most about 75 bytes per triangle at the peak, 35 after.
 /// @throws Error (E_INDEX, E_NOT_FINITE, E_NO_FACES, E_DEGENERATE) with all findings
 /// @throws Cancelled
 SurfaceView view_surface(const PolyMesh& mesh, Progress& progress);
