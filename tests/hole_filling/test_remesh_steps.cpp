@@ -68,6 +68,20 @@ TEST_CASE("vertices that were moved through the surface go back, and no others")
   CHECK(back < mesh.vertex_count() / 2);
 }
 
+TEST_CASE("however vertices were moved, they go back until nothing intersects") {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    CAPTURE(seed);
+    const PolyMesh mesh = round_sphere(3);
+    PolyMesh moved = mesh;
+    Random random(seed);
+    for (Vec3& p : moved.positions)
+      if (random.unit() < 0.2 * static_cast<double>(seed)) p *= random.between(-1, 1.5);
+    Progress progress, again;
+    CHECK(undo_where_cut(moved, mesh.positions, 2, progress) == 0);
+    CHECK(find_self_intersections(moved, again).count == 0);
+  }
+}
+
 TEST_CASE("slab by slab the same cuts are found as at once") {
   PolyMesh mesh = merged(round_sphere(6), translated(scaled(round_sphere(5), 0.9), Vec3(0.3, 0.2, 0.1)));
   REQUIRE(mesh.face_count() > 80000);
