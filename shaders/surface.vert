@@ -10,6 +10,7 @@ uniform mat4 to_view;
 uniform mat4 to_clip;
 uniform mat3 normal_to_view;
 uniform uint first_patch;
+uniform uint patch_step;  // 0: all is one patch
 
 out vec3 view_position;
 out vec3 view_normal;
@@ -22,6 +23,6 @@ void main() {
   view_normal = normal_to_view * normal;
   surface_color = color;
   // 0 is the background; numbers stay exact in a float.
-  patch_number = float((first_patch + patch_index) % 16777213u + 1u);
+  patch_number = float((first_patch + patch_step * patch_index) % 16777213u + 1u);
   gl_Position = to_clip * in_view;
 }

@@ -57,6 +57,13 @@ LeftOpen left_open(const std::vector<HoleRow>& rows) {
   return left;
 }
 
+/// Only a model made anew has domains.
+bool is_made_anew(const StudioObject& object) {
+  const Report* details = report_of(object.result.get(), "details");
+  const Report* domains = details == nullptr ? nullptr : details->find("domains");
+  return domains != nullptr && !domains->is_null();
+}
+
 const ParameterDescription* parameter(const Studio& studio, const std::string& name) {
   const OperationDescription* operation = studio.description("fill");
   if (operation == nullptr) return nullptr;
@@ -263,7 +270,7 @@ void HolePanel::follow() {
   const bool filled = there && object->quality == Quality::Final && object->result && !object->result->failed &&
                       std::any_of(holes_.rows().begin(), holes_.rows().end(),
                                   [](const HoleRow& row) { return row.state == HoleState::Filled; });
-  const bool anew = filled && std::get<std::string>(filling_value(studio_, *filling_node(studio_), "mode")) == "remesh";
+  const bool anew = filled && is_made_anew(*object);  // what is shown, whatever is being computed
   check_.follow(filled ? object->mesh : nullptr, filled && !anew ? holes_.scan() : nullptr);
 }
 

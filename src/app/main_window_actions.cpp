@@ -11,6 +11,7 @@
 #include <QToolBar>
 #include <utility>
 
+#include "app/filling.h"
 #include "app/icons.h"
 #include "app/main_window.h"
 #include "app/viewport.h"
@@ -227,8 +228,21 @@ bool MainWindow::may_discard() {
 }
 
 void MainWindow::ask_export_solid() {
-  const QString path = QFileDialog::getSaveFileName(this, tr("Export mesh"), {}, mesh_filter);
-  if (!path.isEmpty()) attempt([&] { files_.export_solid(path); });
+  // Of the formats, PLY alone keeps which faces are patches, and how far to trust them.
+  const bool is_filled = filling_node(studio_) != nullptr;
+  const StudioObject* object = studio_.active();
+  const QString name = object == nullptr ? QString() : QString::fromStdString(object->name);
+  QString filter = is_filled ? QStringLiteral("PLY (*.ply)") : QStringLiteral("OBJ (*.obj)");
+  const QString proposed = is_filled ? tr("%1 filled.ply").arg(name) : name + ".obj";
+  QString path = QFileDialog::getSaveFileName(this, tr("Export mesh"), proposed, mesh_filter, &filter);
+  if (path.isEmpty()) return;
+  const QString suffix = filter.section("*", 1).section(")", 0, 0);
+  if (QFileInfo(path).suffix().isEmpty() && !QFileInfo::exists(path + suffix)) path += suffix;
+  attempt([&] {
+    const Findings told = files_.export_solid(path);
+    tell(tr("%1 has been written").arg(QFileInfo(path).fileName()));
+    if (!told.empty()) show_message(told);
+  });
 }
 
 void MainWindow::ask_export_picture() {

@@ -182,7 +182,9 @@ render::Scene ObjectScenes::scene(const Wanted& wanted) const {
     const bool replaced = object.node == wanted.replaced;
     scene.meshes.emplace_back(replaced ? wanted.by : items->second.surface->item(), emphasis, style);
     if (!replaced && items->second.filling->item()) {
-      scene.meshes.emplace_back(items->second.filling->item(), emphasis, style);
+      render::MeshStyle further = style;
+      further.goes_on = true;
+      scene.meshes.emplace_back(items->second.filling->item(), emphasis, further);
     }
     if (!replaced && !edited) {
       highlight_chosen(object, items->second);

@@ -163,18 +163,21 @@ void MeshPainter::draw_surfaces(const Drawing& drawing, const FrameBuffers& fram
   surface_.set("normal_to_view", glm::mat3(drawing.view.model_to_view * drawing.view.unit));
   surface_.set("zebra_stripes", zebra_stripes(drawing.options));
   surface_.set("fixed_color", glm::vec4(0));
-  unsigned first_patch = 0;
+  unsigned first_patch = 0, patch_before = 0;
   for (const Shown<MeshItem>& shown : drawing.scene.meshes) {
     const MeshItemPtr& item = shown.item;
     if (!item || shown.style.surface == SurfaceLook::None || is_translucent(shown)) continue;
     set_emphasis(surface_, drawing.options, shown.emphasis);
     surface_.set("filled", shown.style.surface == SurfaceLook::Filled);
     surface_.set("to_view", glm::mat4(item_to_view(*item, drawing.view)));
-    surface_.set("first_patch", first_patch);
+    if (!shown.style.goes_on) patch_before = first_patch;
+    surface_.set("first_patch", patch_before);
+    surface_.set("patch_step", shown.style.goes_on ? 0U : 1U);
     gpu_meshes_.get(item, shared_).draw_triangles();
     first_patch += item->patch_count;
   }
   surface_.set("filled", true);
+  surface_.set("patch_step", 1U);
   for (const FaceHighlightPtr& highlight : drawing.scene.highlights) draw_highlight(highlight, drawing);
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
@@ -209,6 +212,7 @@ void MeshPainter::draw_veil(const Drawing& drawing, const FrameBuffers& frame) {
   veil_.set("perspective", drawing.view.perspective);
   veil_.set("normal_to_view", glm::mat3(drawing.view.model_to_view * drawing.view.unit));
   veil_.set("first_patch", 0U);
+  veil_.set("patch_step", 1U);
   veil_.set("lit", drawing.options.shading == Shading::Clay);
   veil_.set("zebra_stripes", zebra_stripes(drawing.options));
   for (const Shown<MeshItem>* shown : translucent_from_afar(drawing)) {

@@ -162,6 +162,26 @@ TEST_CASE("a hole that is brought near is seen from its front, inside-out scans 
   }
 }
 
+TEST_CASE("where holes were filled no line is left in the picture", "[holes]") {
+  StudioFixture hand;
+  const auto share_of_lines = [&] {
+    hand.settle();
+    const QRect solid = box_of_solid(hand);
+    const double ratio = hand.picture().devicePixelRatio();
+    const QRectF inside(solid.x() / ratio + solid.width() / ratio / 4, solid.y() / ratio + solid.height() / ratio / 4,
+                        solid.width() / ratio / 2, solid.height() / ratio / 2);
+    return share_of_pixels(hand.picture(), inside, [](const QColor& color) { return color.lightness() < 100; });
+  };
+  const Vec3 towards_eye = Vec3(1, 0.8, 1.2).normalized();
+  open_scan(hand, without_loose_vertices(cut(round_sphere(4), towards_eye, 0.35).mesh));
+  hand.act("fill-inner");
+  hand.settle();
+  hand.act("select");
+  CHECK(share_of_lines() == 0);
+  hand.act("undo");
+  CHECK(share_of_lines() > 0.001);
+}
+
 TEST_CASE("another kernel of one hole changes its patch alone", "[holes]") {
   StudioFixture hand;
   open_scan(hand, ball_with_holes());
@@ -195,8 +215,11 @@ TEST_CASE("a cancelled making anew changes nothing, and the window works on", "[
   const auto steps = hand.studio().session().undo_labels();
   const std::size_t faces = filled_mesh(hand).face_count();
   auto* cancel = hand.window().findChild<QPushButton*>("cancel");
+  REQUIRE(hand.wait_for([&] { return label(hand, "hole-check").contains("outside unchanged"); }));
   holes(hand).set_mode("remesh");
   REQUIRE(hand.wait_for([&] { return cancel->isVisible(); }));
+  // What is seen meanwhile are the patches, and that is what is said of them.
+  CHECK(label(hand, "hole-check").contains("outside unchanged"));
   cancel->click();
   hand.settle();
   CHECK(content_hash(hand.studio().session().document()) == document);

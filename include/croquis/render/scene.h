@@ -54,6 +54,7 @@ struct MeshStyle {
   /// mesh first, and cover neither these nor each other: a preview. They have no contours, darken no hollows, cover no
   /// lines and marks, and their highlights are left out.
   double opacity = 1;
+  bool goes_on = false;  ///< one surface with the mesh before it in the list: no contour where they meet
 
   static MeshStyle shaded() { return {SurfaceLook::Filled, false, {}, {}, 0}; }
   static MeshStyle shaded_wire() { return {SurfaceLook::Filled, true, {}, {}, 0}; }
