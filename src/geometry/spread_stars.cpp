@@ -40,8 +40,9 @@ class Star {
     return to_[size_ - 1] == from_[0];
   }
 
-  /// Of a closed ring of three or more.
+  /// Of a closed ring; of fewer than three triangles it isn't.
   bool is_clearly_spread(const std::vector<Vec3>& positions, const Vec3& middle) const {
+    if (size_ < 3) return false;
     Spokes spokes;
     double longest = 0;
     for (std::size_t i = 0; i < size_; ++i) {
