@@ -100,7 +100,7 @@ TEST_CASE("two balls that cross become one solid, whatever their distance") {
     CHECK(tells(result, "W_PIECES_UNITED"));
     for (const Vec3& p : result.mesh.positions) {
       const double away = std::min(std::abs(p.norm() - 1), std::abs((p - Vec3(distance, 0.01, 0.02)).norm() - 1));
-      CHECK(away < 0.02);
+      CHECK(away < 0.002);
     }
   }
 }

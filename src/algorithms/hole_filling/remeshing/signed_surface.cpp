@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/hole_filling/remeshing/signed_surface.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -12,6 +14,10 @@ namespace croquis::hole_filling {
 namespace {
 
 constexpr std::size_t grain = 4096;  // vertices per part
+
+// Cosines of a vertex' normal and its triangles': surfaces are smooth above the one, creased below the other.
+constexpr double smooth_cosine = 0.9;
+constexpr double crease_cosine = 0.75;
 
 std::vector<std::array<Vec3, 3>> triangles_of(const PolyMesh& mesh) {
   std::vector<std::array<Vec3, 3>> triangles;
@@ -44,6 +50,7 @@ SignedSurface::SignedSurface(const PolyMesh& mesh, int threads, Progress& progre
       tree_(triangles_of(mesh_), progress),
       box_(implicit::bounds(mesh_.positions)) {
   find_vertex_normals(threads, progress);
+  find_smooth_places();
   find_ways_out();
   for (Index t = 0; t < mesh_.face_count(); ++t) {
     const auto face = mesh_.face(t);
@@ -68,8 +75,36 @@ void SignedSurface::find_vertex_normals(int threads, Progress& progress) {
         const Vec3 previous = mesh_.positions[fans_.previous(corner)] - mesh_.positions[v];
         normals_[v] += std::atan2(next.cross(previous).norm(), next.dot(previous)) * normal_of(corner / 3);
       }
+      normals_[v] = unit_or_zero(normals_[v]);
     }
   });
+}
+
+void SignedSurface::find_smooth_places() {
+  smooth_.assign(mesh_.vertex_count(), 1);
+  for (std::size_t c = 0; c < mesh_.corners.size(); ++c) {
+    const Index v = mesh_.corners[c];
+    const double agrees = normals_[v].dot(normal_of(static_cast<Index>(c / 3)));
+    const double share = std::clamp((agrees - crease_cosine) / (smooth_cosine - crease_cosine), 0.0, 1.0);
+    smooth_[v] = std::min(smooth_[v], static_cast<float>(share));
+  }
+}
+
+/// How far above a triangle the curved surface lies.
+double SignedSurface::bulge(Index triangle, const Vec3& foot) const {
+  const auto face = mesh_.face(triangle);
+  const Vec3 &a = mesh_.positions[face[0]], &b = mesh_.positions[face[1]], &c = mesh_.positions[face[2]];
+  const Vec3 normal = (b - a).cross(c - a);
+  const double squared = normal.squaredNorm();
+  if (!(squared > 0)) return 0;
+  double above = 0;
+  const std::array<Vec3, 3> corners = {a, b, c};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3& next = corners[(i + 1) % 3];
+    const double weight = (corners[(i + 2) % 3] - next).cross(foot - next).dot(normal) / squared;
+    above += weight * static_cast<double>(smooth_[face[i]]) * (corners[i] - foot).dot(normals_[face[i]]);
+  }
+  return 0.5 * above;
 }
 
 /// Of the edge that begins at a corner: the sum of its triangles' normals.
@@ -121,6 +156,7 @@ SignedPlace SignedSurface::at(const Vec3& place, double within) const {
   const Vec3 away = place - foot.point;
   const bool is_inside = away.dot(normal) < 0;
   found.distance = is_inside ? -foot.distance : foot.distance;
+  found.value = found.distance - bulge(foot.triangle, foot.point);
   found.out = away.dot(unit_or_zero(out));
   found.gradient = foot.distance > 0 ? Vec3((is_inside ? -1 : 1) / foot.distance * away) : unit_or_zero(normal);
   return found;

@@ -79,10 +79,10 @@ UnitedSolid::Place UnitedSolid::Walk::of_member(Index member, const Vec3& place,
   const SignedPlace found = surface.at(place, (1 + rounding) * (std::abs(last.distance) + moved));
   last = {place, found.distance};
   if (found.out > ends_beyond * solid_.cell_) {
-    const double flip = found.distance * absent < 0 ? -1 : 1;
-    return {flip * found.distance, flip * found.gradient, member};
+    const double flip = found.value * absent < 0 ? -1 : 1;
+    return {flip * found.value, flip * found.gradient, member};
   }
-  return {found.distance, found.gradient, member};
+  return {found.value, found.gradient, member};
 }
 
 UnitedSolid::Place UnitedSolid::Walk::of_solid(std::size_t number, const Vec3& place) {
