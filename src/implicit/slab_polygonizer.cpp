@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <limits>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -18,30 +18,42 @@ namespace {
 
 using Cube = std::array<std::int64_t, 3>;
 
-constexpr int most_tries = 3;     // the last in one slab
-constexpr double reserve = 1.05;  // of the room for vertices and triangles that the seeds so far suggest
+constexpr std::size_t check_after = 65536;  // seeds
+constexpr int most_tries = 3;               // the last in one slab
+constexpr double reserve = 1.05;            // of the room for vertices and triangles that the seeds so far suggest
 constexpr int lowest = std::numeric_limits<int>::min();
 constexpr int highest = std::numeric_limits<int>::max();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
+constexpr int no_layer = -1;                // of seeds below everything
+constexpr int beyond_layers = 4194304 / 8;  // and above
+
 /// Seeds by the layers that they lie in.
 class Seeds {
  public:
-  Seeds(std::span<const Vec3> seeds, const SparseLattice& lattice) {
-    order_.reserve(seeds.size());
-    for (std::size_t i = 0; i < seeds.size(); ++i)
-      order_.emplace_back(lattice.layer_of(lattice.cube_at(seeds[i])), static_cast<Index>(i));
-    std::sort(order_.begin(), order_.end());
+  Seeds(std::span<const Vec3> seeds, const SparseLattice& lattice, const Progress& progress) : order_(seeds.size()) {
+    std::vector<int> layers(seeds.size());
+    int last = no_layer;
+    for (std::size_t i = 0; i < seeds.size(); ++i) {
+      if (i % check_after == 0) progress.check();
+      layers[i] = std::clamp(lattice.layer_of(lattice.cube_at(seeds[i])), no_layer, beyond_layers);
+      last = std::max(last, layers[i]);
+    }
+    first_.assign(static_cast<std::size_t>(last - no_layer) + 2, 0);
+    for (const int layer : layers) ++first_[place(layer) + 1];
+    for (std::size_t l = 1; l < first_.size(); ++l) first_[l] += first_[l - 1];
+    std::vector<std::size_t> next = first_;
+    for (std::size_t i = 0; i < seeds.size(); ++i) order_[next[place(layers[i])]++] = static_cast<Index>(i);
   }
 
   /// First layers beyond slabs of so many seeds, the last one unbounded.
   std::vector<int> ends(std::size_t seeds_per_slab) const {
     std::vector<int> ends;
     std::size_t begin = 0;
-    for (std::size_t i = 1; i < order_.size(); ++i) {
-      if (order_[i].first == order_[i - 1].first || i - begin < seeds_per_slab) continue;
-      ends.push_back(order_[i].first);
-      begin = i;
+    for (std::size_t l = 1; l + 1 < first_.size(); ++l) {
+      if (first_[l + 1] == first_[l] || first_[l] - begin < seeds_per_slab) continue;
+      ends.push_back(static_cast<int>(l) + no_layer);
+      begin = first_[l];
     }
     ends.push_back(highest);
     return ends;
@@ -49,8 +61,9 @@ class Seeds {
 
   /// Those in layers below `end` that weren't taken before.
   std::vector<Vec3> take_until(int end, std::span<const Vec3> seeds) {
+    const std::size_t last = std::min(place(end), first_.size() - 1);
     std::vector<Vec3> taken;
-    for (; next_ < order_.size() && order_[next_].first < end; ++next_) taken.push_back(seeds[order_[next_].second]);
+    for (; next_ < first_[last]; ++next_) taken.push_back(seeds[order_[next_]]);
     return taken;
   }
 
@@ -58,7 +71,10 @@ class Seeds {
   void begin_anew() { next_ = 0; }
 
  private:
-  std::vector<std::pair<int, Index>> order_;  // layer, number
+  static std::size_t place(int layer) { return static_cast<std::size_t>(std::int64_t{layer} - no_layer); }
+
+  std::vector<Index> order_;
+  std::vector<std::size_t> first_;  // into order_, of every layer from no_layer on, and the end
   std::size_t next_ = 0;
 };
 
@@ -174,7 +190,7 @@ SlabPolygonized polygonize_by_slabs(const Field& field, std::span<const Vec3> se
   require_polygonizer(options);
   require_parameter(slabs.axis >= 0 && slabs.axis <= 2 && slabs.seeds_per_slab > 0, "slabs",
                     "the axis must be 0, 1 or 2, and slabs need at least one seed");
-  Seeds order(seeds, SparseLattice(options.origin, options.cell, options.bounds, slabs.axis));
+  Seeds order(seeds, SparseLattice(options.origin, options.cell, options.bounds, slabs.axis), progress);
   std::vector<Cube> more;
   for (int tried = 1;; ++tried) {
     SlabPolygonized result;

@@ -51,7 +51,7 @@ SignedSurface::SignedSurface(const PolyMesh& mesh, int threads, Progress& progre
       box_(implicit::bounds(mesh_.positions)) {
   find_vertex_normals(threads, progress);
   find_smooth_places();
-  find_ways_out();
+  find_ways_out(progress);
   for (Index t = 0; t < mesh_.face_count(); ++t) {
     const auto face = mesh_.face(t);
     const Vec3 a = mesh_.positions[face[0]] - box_.middle();
@@ -120,8 +120,9 @@ Vec3 SignedSurface::across(Index corner, bool& is_border) const {
   return sum;
 }
 
-void SignedSurface::find_ways_out() {
+void SignedSurface::find_ways_out(const Progress& progress) {
   for (Index corner = 0; corner < mesh_.corners.size(); ++corner) {
+    if (corner % grain == 0) progress.check();
     bool is_border = false;
     across(corner, is_border);
     if (!is_border) continue;

@@ -50,7 +50,7 @@ class SignedSurface {
   void find_vertex_normals(int threads, Progress& progress);
   void find_smooth_places();
   double bulge(Index triangle, const Vec3& foot) const;
-  void find_ways_out();
+  void find_ways_out(const Progress& progress);
 
   PolyMesh mesh_;
   TriangleFans fans_;
