@@ -108,7 +108,10 @@ class Remeshing {
     result_.checks.united_pieces = joined.united;
     make_room(result_.mesh.vertex_count(), result_.mesh.channels, marks_);
     Progress transferring = progress.step("carry over attributes", 0.03);
-    for (const RemeshPart& part : joined.parts) transfer_to(part, transferring);
+    for (const RemeshPart& part : joined.parts) {
+      tell_losses(part);
+      transfer_to(part, transferring);
+    }
   }
 
   /// Counts add up over pieces; the median is that of the piece with most domains.
@@ -158,6 +161,18 @@ class Remeshing {
     losses.made = shape.topology;
     losses.at = shape.lost.empty() ? place_of_smallest_part(shape.mesh)
                                    : mesh_.positions[pieces_.pieces[piece].vertices[shape.lost.front()]];
+    losses_.push_back(losses);
+  }
+
+  /// What a solid of several pieces lost on top of that.
+  void tell_losses(const RemeshPart& part) {
+    if (part.lost == 0) return;
+    result_.checks.lost_points += part.lost;
+    PieceLosses losses;
+    losses.piece = part.pieces.front();
+    losses.retried = true;
+    losses.lost_points = part.lost;
+    losses.at = part.lost_at;
     losses_.push_back(losses);
   }
 

@@ -26,6 +26,8 @@ constexpr double least_bubble = 2;      // × cell: smaller shells are what cube
 struct Solid {
   PolyMesh mesh;
   std::size_t cuts = 0, lost = 0;
+  Vec3 lost_at = Vec3::Zero();
+  bool is_torn = false;  // has lost more than a few places
   bool is_good = false;
 };
 
@@ -212,6 +214,8 @@ std::pair<RemeshPart, PolyMesh> Joining::united(std::vector<std::size_t> pieces,
   RemeshPart part;
   part.pieces = std::move(pieces);
   part.is_solid = true;
+  part.lost = best.is_torn ? best.lost : 0;
+  part.lost_at = best.lost_at;
   name_places(UnitedSolid(members, cell), members, best.mesh, part, progress);
   for (std::size_t m = 0; m < members.size(); ++m) surfaces_[part.pieces[m]] = std::move(members[m]);
   return {std::move(part), std::move(best.mesh)};
@@ -276,9 +280,12 @@ Solid Joining::solid_of(const UnitedSolid& solid, std::span<const std::unique_pt
   drop_bubbles(made.mesh, smallest);  // chips of sharp edges shrink
   Progress comparing = progress.step("look for lost detail", 0.1);
   seeds = visible(solid, seeds, -hidden_below * cell, comparing);
-  made.lost = lost_points(made.mesh, seeds, model_.cell, model_.threads(), comparing).size();
+  const std::vector<Index> lost = lost_points(made.mesh, seeds, model_.cell, model_.threads(), comparing);
+  made.lost = lost.size();
+  if (!lost.empty()) made.lost_at = seeds[lost.front()];
+  made.is_torn = !are_few(lost.size(), seeds.size());
   // Where it ends at borders it may end a little earlier: no reason for four times the triangles.
-  made.is_good = made.cuts == 0 && (cubes.covered || are_few(made.lost, seeds.size()));
+  made.is_good = made.cuts == 0 && (cubes.covered || !made.is_torn);
   return made;
 }
 

@@ -17,6 +17,8 @@ struct RemeshPart {
   std::size_t first_face = 0, face_count = 0;
   std::vector<std::pair<std::size_t, Index>> patched;  ///< faces of patches, of the joined mesh, with their holes
   std::vector<Index> piece_at;  ///< per vertex, where there are several pieces: the one whose surface it lies on
+  std::size_t lost = 0;         ///< places of the pieces' surfaces that the solid has no surface near, if many
+  Vec3 lost_at = Vec3::Zero();  ///< one of these
   bool is_solid = false;        ///< was made of its pieces' surfaces as a solid
 };
 
