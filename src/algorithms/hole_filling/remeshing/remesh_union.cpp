@@ -194,21 +194,26 @@ void Joining::unite_groups(Progress& progress) {
 
 std::pair<RemeshPart, PolyMesh> Joining::united(std::vector<std::size_t> pieces, Progress& progress) {
   std::vector<std::unique_ptr<const SignedSurface>> members;
-  double cell = model_.cell, share = 0;
+  double finest = model_.cell, share = 0;
+  bool is_closed = true;
   for (const std::size_t p : pieces) {
+    is_closed = is_closed && surfaces_[p]->is_closed();
     members.push_back(std::move(surfaces_[p]));
-    cell = std::min(cell, shapes_[p].cell);
+    finest = std::min(finest, shapes_[p].cell);
     share += model_.share_of(model_.pieces.pieces[p]);
   }
-  const int finer = static_cast<int>(std::lround(std::log2(model_.cell / cell)));
+  // Closed pieces get the cells of the finest: their thin parts have two sides. Sheets don't need it.
+  int halving = is_closed ? static_cast<int>(std::lround(std::log2(model_.cell / finest))) : 0;
+  while (halving > 0 && !model_.memory.may_halve(share, halving)) --halving;
   Solid best;
-  for (int halving = 0; halving <= halvings; ++halving) {
-    if (halving > 0 && !model_.memory.may_halve(share, finer + halving)) break;
-    const double size = std::ldexp(cell, -halving);
-    Progress trying = progress.step("unite pieces that cross", halving == 0 ? 0.8 : 0.05);
+  for (const int first = halving; halving <= first + halvings; ++halving) {
+    if (halving > first && !model_.memory.may_halve(share, halving)) break;
+    const double size = std::ldexp(model_.cell, -halving);
+    Progress trying = progress.step("unite pieces that cross", halving == first ? 0.8 : 0.05);
     const UnitedSolid solid(members, size);
     Solid found = solid_of(solid, members, pieces, size, trying);
-    if (halving == 0 || std::pair(found.cuts, found.lost) < std::pair(best.cuts, best.lost)) best = std::move(found);
+    if (halving == first || std::pair(found.cuts, found.lost) < std::pair(best.cuts, best.lost))
+      best = std::move(found);
     if (best.is_good) break;
   }
   RemeshPart part;
@@ -216,7 +221,7 @@ std::pair<RemeshPart, PolyMesh> Joining::united(std::vector<std::size_t> pieces,
   part.is_solid = true;
   part.lost = best.is_torn ? best.lost : 0;
   part.lost_at = best.lost_at;
-  name_places(UnitedSolid(members, cell), members, best.mesh, part, progress);
+  name_places(UnitedSolid(members, model_.cell), members, best.mesh, part, progress);
   for (std::size_t m = 0; m < members.size(); ++m) surfaces_[part.pieces[m]] = std::move(members[m]);
   return {std::move(part), std::move(best.mesh)};
 }
