@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -14,6 +15,7 @@
 #include "croquis/hole_filling/remesh.h"
 #include "support/mesh_shapes.h"
 #include "support/random.h"
+#include "support/sample_count.h"
 #include "support/scans.h"
 #include "support/surface_distance.h"
 
@@ -270,5 +272,27 @@ TEST_CASE("values of vertices go over from the piece on whose surface they lie")
   for (std::size_t v = 0; v < made.size(); ++v) {
     if (result.mesh.positions[v].x() < 0.7) CHECK(made[v] == 0);
     if (result.mesh.positions[v].x() > 0.8) CHECK(made[v] == Approx(1));
+  }
+}
+
+TEST_CASE("however balls, rings and boxes lie in each other, nothing intersects and all is closed") {
+  const int seeds = sample_count(6, 60);
+  for (int seed = 1; seed <= seeds; ++seed) {
+    CAPTURE(seed);
+    Random random(static_cast<std::uint64_t>(seed));
+    PolyMesh mesh;
+    for (std::uint32_t left = 2 + random.below(4); left > 0; --left) {
+      const Vec3 place(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+      const Vec3 axis(random.between(-1, 1), random.between(-1, 1), 1);
+      const std::array shapes = {round_sphere(4), ring_torus(64, 32),
+                                 translated(divided_box(16), Vec3(-0.5, -0.5, -0.5))};
+      const PolyMesh body = translated(
+          rotated(scaled(shapes[random.below(3)], random.between(0.4, 1)), random.between(0, 6), axis.normalized()),
+          place);
+      mesh = merged(mesh, body);
+    }
+    const RemeshResult result = remesh(mesh);
+    check_uncut(result);
+    CHECK(report_of(result.mesh).closed);
   }
 }
