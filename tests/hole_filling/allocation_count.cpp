@@ -9,9 +9,15 @@
 
 namespace {
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool counts = false;
+#else
+constexpr bool counts = true;
+#endif
+
 std::atomic<std::ptrdiff_t> out = 0, most = 0;
 
-void* counted(void* block) {
+[[maybe_unused]] void* counted(void* block) {
   if (block == nullptr) throw std::bad_alloc();
   const std::ptrdiff_t now = out += static_cast<std::ptrdiff_t>(malloc_usable_size(block));
   for (std::ptrdiff_t seen = most; now > seen && !most.compare_exchange_weak(seen, now);) {
@@ -19,7 +25,7 @@ void* counted(void* block) {
   return block;
 }
 
-void release(void* block) {
+[[maybe_unused]] void release(void* block) {
   if (block == nullptr) return;
   out -= static_cast<std::ptrdiff_t>(malloc_usable_size(block));
   std::free(block);
@@ -27,6 +33,7 @@ void release(void* block) {
 
 }  // namespace
 
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 void* operator new(std::size_t size) { return counted(std::malloc(size > 0 ? size : 1)); }
 void* operator new(std::size_t size, std::align_val_t alignment) {
   const auto unit = static_cast<std::size_t>(alignment);
@@ -36,11 +43,15 @@ void operator delete(void* block) noexcept { release(block); }
 void operator delete(void* block, std::size_t) noexcept { release(block); }
 void operator delete(void* block, std::align_val_t) noexcept { release(block); }
 void operator delete(void* block, std::size_t, std::align_val_t) noexcept { release(block); }
+#endif
 
 namespace croquis::test {
 
 AllocationPeak::AllocationPeak() : before_(out) { most = before_; }
 
-std::size_t AllocationPeak::bytes() const { return static_cast<std::size_t>(most - before_); }
+std::optional<std::size_t> AllocationPeak::bytes() const {
+  if (!counts) return std::nullopt;
+  return static_cast<std::size_t>(most - before_);
+}
 
 }  // namespace croquis::test

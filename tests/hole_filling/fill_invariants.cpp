@@ -2,6 +2,7 @@
 #include "hole_filling/fill_invariants.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 #include <vector>
@@ -31,6 +32,21 @@ std::size_t filled(const FillResult& result) {
 std::size_t filled_by(const FillResult& result, const std::string& method) {
   return static_cast<std::size_t>(std::count_if(result.outcomes.begin(), result.outcomes.end(),
                                                 [&](const HoleOutcome& outcome) { return outcome.method == method; }));
+}
+
+double mean_error_of_first_ring(const FillResult& result) {
+  const std::size_t given = result.mesh.vertex_count() - result.new_vertices;
+  double sum = 0, count = 0;
+  for (std::size_t f = result.mesh.face_count() - result.new_faces; f < result.mesh.face_count(); ++f) {
+    const auto face = result.mesh.face(f);
+    if (std::none_of(face.begin(), face.end(), [&](Index v) { return v < given; })) continue;
+    for (const Index v : face) {
+      if (v < given) continue;
+      sum += std::abs(result.mesh.positions[v].norm() - 1);
+      count += 1;
+    }
+  }
+  return sum / count;
 }
 
 bool begins_with(const PolyMesh& grown, const PolyMesh& given) {

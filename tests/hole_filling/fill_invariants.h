@@ -17,6 +17,9 @@ MeshReport report_of(const PolyMesh& mesh);
 std::size_t filled(const hole_filling::FillResult& result);
 std::size_t filled_by(const hole_filling::FillResult& result, const std::string& method);
 
+/// Mean distance from the unit sphere of the new vertices that have a face with one given.
+double mean_error_of_first_ring(const hole_filling::FillResult& result);
+
 /// The first vertices and faces are those given, bit by bit.
 bool begins_with(const PolyMesh& grown, const PolyMesh& given);
 

@@ -10,6 +10,7 @@
 
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/hole_filling/fill_holes.h"
+#include "hole_filling/fill_invariants.h"
 #include "support/mesh_shapes.h"
 #include "support/sample_count.h"
 #include "support/scans.h"
@@ -20,12 +21,6 @@ using namespace croquis::test;
 using namespace croquis::hole_filling;
 
 namespace {
-
-FillResult fill(const PolyMesh& mesh, FillOptions options = {}) {
-  Progress progress;
-  options.fairness = Fairness::Implicit;
-  return fill_holes(mesh, options, progress);
-}
 
 FillOptions everything() {
   FillOptions options;
@@ -136,19 +131,7 @@ TEST_CASE("the cap of a sphere is continued as a sphere") {
 
 TEST_CASE("halving the edges brings the first ring much nearer to the surface") {
   const auto first_ring_error = [](int levels) {
-    const FillResult result = fill(cut(round_sphere(levels), Vec3(0, 0, 1), 0.52).mesh);
-    const std::size_t given = result.mesh.vertex_count() - result.new_vertices;
-    double sum = 0, count = 0;
-    for (std::size_t f = result.mesh.face_count() - result.new_faces; f < result.mesh.face_count(); ++f) {
-      const auto face = result.mesh.face(f);
-      if (std::none_of(face.begin(), face.end(), [&](Index v) { return v < given; })) continue;
-      for (const Index v : face) {
-        if (v < given) continue;
-        sum += std::abs(result.mesh.positions[v].norm() - 1);
-        count += 1;
-      }
-    }
-    return sum / count;
+    return mean_error_of_first_ring(fill(cut(round_sphere(levels), Vec3(0, 0, 1), 0.52).mesh));
   };
   const double coarse = first_ring_error(3), middle = first_ring_error(4), fine = first_ring_error(5);
   CAPTURE(coarse, middle, fine);
