@@ -29,11 +29,6 @@ FillOptions everything() {
   return options;
 }
 
-MeshReport report_of(const PolyMesh& mesh) {
-  Progress progress;
-  return inspect(mesh, true, progress);
-}
-
 /// Filled by one of the ways that continue the surface implicitly.
 std::size_t count_of(const FillResult& result, const std::string& method) {
   return static_cast<std::size_t>(
