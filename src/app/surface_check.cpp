@@ -116,7 +116,8 @@ QString sentence_of(const CheckedSurface& checked, const LeftOpen& left) {
   parts << (checked.crowded_edges == 0 ? tr("manifold")
                                        : counted(checked.crowded_edges, tr("%1 edge of three and more faces"),
                                                  tr("%1 edges of three and more faces")));
-  parts << counted(checked.intersections, tr("%1 intersection"), tr("%1 intersections"));
+  parts << (checked.has_patches ? counted(checked.intersections, tr("%1 new intersection"), tr("%1 new intersections"))
+                                : counted(checked.intersections, tr("%1 intersection"), tr("%1 intersections")));
   if (!checked.has_patches)
     parts << tr("made anew");
   else if (checked.outside_unchanged)

@@ -42,8 +42,8 @@ struct LeftOpen {
 /// @throws Error, Cancelled
 CheckedSurface check_surface(const PolyMesh& filled, const PolyMesh* scan, Progress& progress);
 
-/// "closed, manifold, 0 intersections, outside unchanged", or what is wrong. Where something was left open on purpose:
-/// "open at its outer border (204 edges), otherwise sound: manifold, …".
+/// "closed, manifold, 0 new intersections, outside unchanged", or what is wrong; a scan's own intersections aren't new.
+/// Where something was left open on purpose: "open at its outer border (204 edges), otherwise sound: manifold, …".
 QString sentence_of(const CheckedSurface& checked, const LeftOpen& left);
 
 /// No worse than was asked for: sound, and no edge is open but those left so.

@@ -97,7 +97,7 @@ TEST_CASE("all inner, all but the largest, up to a size: each one step, checked 
   hand.settle();
   CHECK(count(hand, HoleState::Filled) == 6);
   CHECK(hand.wait_for([&] { return label(hand, "hole-check").startsWith("closed"); }));
-  CHECK(label(hand, "hole-check") == "closed, manifold, 0 intersections, outside unchanged");
+  CHECK(label(hand, "hole-check") == "closed, manifold, 0 new intersections, outside unchanged");
   CHECK(label(hand, "hole-summary") == "6 holes: 6 filled");
   hand.act("undo");
   hand.act("undo");
@@ -162,7 +162,7 @@ TEST_CASE("what was left open on purpose is said with its name, and is no fault"
   const auto is_calm = [&] { return hand.window().findChild<QLabel*>("hole-check")->styleSheet().contains("#6fd3b0"); };
   hand.act("fill-inner");
   CHECK(checked() ==
-        "open at its outer border (96 edges), otherwise sound: manifold, 0 intersections, outside unchanged");
+        "open at its outer border (96 edges), otherwise sound: manifold, 0 new intersections, outside unchanged");
   CHECK(is_calm());
   const auto& rows = holes(hand).rows();
   const auto inner = std::find_if(rows.begin(), rows.end(), [](const auto& row) { return !row.is_border(); });
@@ -170,12 +170,12 @@ TEST_CASE("what was left open on purpose is said with its name, and is no fault"
   holes(hand).select({opened.id});
   hand.act("reopen-selected");
   CHECK(checked() == QString("open at its outer border (96 edges) and 1 hole (%1 edges), otherwise sound: manifold, "
-                             "0 intersections, outside unchanged")
+                             "0 new intersections, outside unchanged")
                          .arg(opened.edges));
   CHECK(is_calm());
   hand.act("deselect");
   holes(hand).set_trim(1);
-  CHECK(checked().contains("otherwise sound: manifold, 0 intersections, rims trimmed, else unchanged"));
+  CHECK(checked().contains("otherwise sound: manifold, 0 new intersections, rims trimmed, else unchanged"));
   CHECK(is_calm());
 }
 
@@ -389,7 +389,7 @@ TEST_CASE("the window is never held up while a large scan's holes are worked on"
   hand.act("fill-inner");
   hand.settle();
   CHECK(hand.wait_for([&] { return label(hand, "hole-check").contains("outside unchanged"); }));
-  CHECK(label(hand, "hole-check").startsWith("closed, manifold, 0 intersections"));
+  CHECK(label(hand, "hole-check").startsWith("closed, manifold, 0 new intersections"));
   hand.act("tint-patches");
   CHECK(hand.viewport().findChild<QWidget*>("confidence-legend") != nullptr);
   for (int step = 0; step < 3; ++step) hand.act("undo");
