@@ -182,6 +182,7 @@ TEST_CASE("huge holes are continued better than by fairing") {
   options.fairness = Fairness::Tangent;
   options.only = {0};
   const Errors faired = radial_errors(fill_holes(mesh, options, progress));
+  options.fairness = Fairness::Implicit;
   const FillResult result = fill(mesh, options);
   CHECK(count_of(result, "implicit") == 1);
   CHECK(radial_errors(result).mean < 0.6 * faired.mean);

@@ -87,12 +87,13 @@ std::size_t without_fixed(std::size_t bytes) { return bytes - std::min<std::size
 }  // namespace
 
 TEST_CASE("no model takes more memory than predicted, even if it is tried again and made one solid") {
+  if (!AllocationPeak().bytes()) return;  // the models are made elsewhere, too
   for (const Trial& trial : trials()) {
     CAPTURE(trial.name);
     RemeshOptions options = trial.options;
     options.fill.threads = 2;
     const std::size_t predicted = predicted_remesh_bytes(trial.mesh, options);
-    if (const auto bytes = used(trial.mesh, options)) CHECK(*bytes < without_fixed(predicted));
+    CHECK(*used(trial.mesh, options) < without_fixed(predicted));
   }
 }
 
@@ -103,7 +104,7 @@ TEST_CASE("within the least limit that isn't refused models are made, in thinner
     options.fill.threads = 2;
     options.memory_limit = least_remesh_bytes(trial.mesh, options);
     CHECK(predicted_remesh_bytes(trial.mesh, options) == options.memory_limit);
-    if (const auto bytes = used(trial.mesh, options)) CHECK(*bytes < options.memory_limit);
+    if (AllocationPeak().bytes()) CHECK(*used(trial.mesh, options) < options.memory_limit);
     options.memory_limit -= 1;
     CHECK_THROWS_AS(used(trial.mesh, options), Error);
   }
