@@ -399,6 +399,7 @@ TEST_CASE("whatever is trimmed after what, a cache never changes the result") {
       const FillResult plain = fill(mesh, options);
       options.cache = &cache;
       const FillResult kept = fill(mesh, options);
+      CAPTURE(seed, step, options.requests[0].holes, options.requests[1].holes, plain.analysis.holes.size());
       CHECK((kept.mesh.positions == plain.mesh.positions));
       CHECK((kept.mesh.corners == plain.mesh.corners));
     }

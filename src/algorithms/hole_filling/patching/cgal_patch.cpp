@@ -53,6 +53,12 @@ void turn_along_polygon(std::vector<Triangle>& triangles) {
   for (Triangle& t : triangles) std::swap(t[1], t[2]);
 }
 
+/// The order of triangles and of their corners comes from where things lie in memory, too.
+void put_in_order(std::vector<Triangle>& triangles) {
+  for (Triangle& t : triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  std::sort(triangles.begin(), triangles.end());
+}
+
 /// Calls CGAL: what it throws is "nothing", but cancelling passes.
 template <typename Call>
 auto guarded(Call&& call) -> decltype(call()) {
@@ -130,6 +136,7 @@ std::optional<FairingResult> read_back(const FairingInput& input, const LocalMes
     for (const auto vertex : local.mesh.vertices_around_face(local.mesh.halfedge(face))) t[i++] = vertex.idx();
     result.patch.push_back(t);
   }
+  put_in_order(result.patch);
   return result;
 }
 
@@ -148,6 +155,7 @@ std::optional<std::vector<Triangle>> cgal_triangulation(std::span<const Vec3> po
     std::vector<Triangle> triangles;
     for (const IndexTriangle& t : found) triangles.push_back(t.corners);
     turn_along_polygon(triangles);
+    put_in_order(triangles);
     return triangles;
   });
 }
