@@ -11,6 +11,7 @@
 #include <CGAL/Polygon_mesh_processing/fair.h>
 #include <CGAL/Polygon_mesh_processing/refine.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/Random.h>
 #include <CGAL/Surface_mesh.h>
 
 #include "croquis/base/error.h"
@@ -59,9 +60,11 @@ void put_in_order(std::vector<Triangle>& triangles) {
   std::sort(triangles.begin(), triangles.end());
 }
 
-/// Calls CGAL: what it throws is "nothing", but cancelling passes.
+/// Calls CGAL: what it throws is "nothing", but cancelling passes. Its random numbers, which begin with the time of
+/// day, are the same ones every time.
 template <typename Call>
 auto guarded(Call&& call) -> decltype(call()) {
+  CGAL::get_default_random() = CGAL::Random(1);
   try {
     return call();
   } catch (const Cancelled&) {
