@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "croquis/implicit/marching_cubes.h"
 
-#include "implicit/cube_mesh.h"
+#include <limits>
+#include <utility>
+
+#include "croquis/implicit/slab_polygonizer.h"
 #include "implicit/point_checks.h"
-#include "implicit/sparse_lattice.h"
 #include "implicit/surface_search.h"
 
 namespace croquis::implicit {
@@ -22,15 +24,17 @@ void require_polygonizer(const PolygonizerOptions& options) {
 
 Polygonized polygonize(const Field& field, std::span<const Vec3> seeds, const PolygonizerOptions& options,
                        Progress& progress) {
-  require_polygonizer(options);
-  Polygonized result;
-  SparseLattice lattice(options.origin, options.cell, options.bounds);
-  Progress searching = progress.step("search", 0.8);
-  SurfaceSearch(lattice, field, options, result).run(seeds, searching);
-  Progress meshing = progress.step("mesh", 0.2);
-  make_cube_mesh(lattice, options, result, meshing);
-  result.bytes = lattice.bytes() + result.mesh.positions.capacity() * sizeof(Vec3) +
-                 (result.mesh.corners.capacity() + result.mesh.face_offsets.capacity()) * sizeof(Index);
+  const SlabOptions one_slab = {2, std::numeric_limits<std::size_t>::max()};
+  SlabPolygonized found = polygonize_by_slabs(field, seeds, options, one_slab, {}, progress);
+  Polygonized result = std::move(found.report);
+  PolyMesh& mesh = result.mesh;
+  mesh.positions = std::move(found.made.positions);
+  mesh.corners = std::move(found.made.corners);
+  mesh.face_offsets.resize(mesh.corners.size() / 3 + 1);
+  for (std::size_t f = 0; f < mesh.face_offsets.size(); ++f) mesh.face_offsets[f] = static_cast<Index>(3 * f);
+  result.covered = std::move(found.made.covered);
+  result.bytes = found.most_bytes + mesh.positions.capacity() * sizeof(Vec3) +
+                 (mesh.corners.capacity() + mesh.face_offsets.capacity()) * sizeof(Index);
   return result;
 }
 

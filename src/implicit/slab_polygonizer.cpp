@@ -100,6 +100,7 @@ class Sweep {
               Progress& progress);
   void make_layers(int end, Progress& progress);
   void make_last(Progress& progress);
+  void make_room_for_all();
   void make_room(double share);
 
   const PolygonizerOptions& options_;
@@ -120,6 +121,7 @@ bool Sweep::run(std::span<const Vec3> all, Seeds& seeds, const std::vector<Cube>
     search(seeds.take_until(end, all), more, open, begin, end, slab);
     if (!missed().empty()) return false;
     result_.most_bytes = std::max(result_.most_bytes, lattice_.bytes() + layers_.bytes());
+    if (ends.size() == 1) make_room_for_all();
     Progress making = slab.step("mesh", 0.1);
     make_layers(begin, making);
     make_room(share);
@@ -146,7 +148,7 @@ void Sweep::search(std::span<const Vec3> seeds, const std::vector<Cube>& more, i
     const int layer = lattice_.layer_of(cube);
     if (layer >= begin && layer < end) cubes.push_back(cube);
   }
-  Progress searching = progress.step("search", 0.4);
+  Progress searching = progress.step("search", events_.enter ? 0.4 : 0.8);
   search_.run_slab(seeds, cubes, open, end, searching);
 }
 
@@ -171,6 +173,13 @@ void Sweep::make_last(Progress& progress) {
   make_layers(highest, progress);
   Progress silent = progress.silent();
   if (next_) layers_.finish(silent);
+}
+
+/// All cubes are known: a closed surface has as many vertices as they are, and twice as many triangles.
+void Sweep::make_room_for_all() {
+  const auto expected = static_cast<std::size_t>(reserve * static_cast<double>(result_.report.cells));
+  result_.made.positions.reserve(expected);
+  result_.made.corners.reserve(6 * expected);
 }
 
 void Sweep::make_room(double share) {

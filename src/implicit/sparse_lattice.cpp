@@ -119,10 +119,6 @@ double SparseLattice::bottom(int layer) const {
   return position(corner)[static_cast<Eigen::Index>(axis_)];
 }
 
-void SparseLattice::link() {
-  for (auto& [layer, blocks] : layers_) link(layer);
-}
-
 void SparseLattice::link(int layer) {
   const auto here = layers_.find(layer);
   if (here == layers_.end()) return;

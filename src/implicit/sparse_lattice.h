@@ -80,7 +80,7 @@ class SparseLattice {
   /// @param corner within the bounds
   LatticePlace place(const std::array<std::int64_t, 3>& corner);
 
-  /// The corner one step up along the axes of `bits`. May make its block; after link(), threads may ask for corners
+  /// The corner one step up along the axes of `bits`. May make its block; after link, threads may ask for corners
   /// whose blocks exist.
   LatticePlace upper(const LatticePlace& place, unsigned bits);
 
@@ -89,9 +89,6 @@ class SparseLattice {
 
   /// @param cube its corners are known
   CornerValues values(const LatticePlace& cube);
-
-  /// Lets all blocks know their neighbours.
-  void link();
 
   /// Blocks by layers; a layer is as thick as a block.
   using Layers = std::map<int, std::deque<LatticeBlock>>;

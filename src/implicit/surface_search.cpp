@@ -66,11 +66,6 @@ SurfaceSearch::SurfaceSearch(SparseLattice& lattice, const Field& field, const P
                              Polygonized& result)
     : lattice_(lattice), field_(field), options_(options), result_(result) {}
 
-void SurfaceSearch::run(std::span<const Vec3> seeds, Progress& progress) {
-  from_seeds_ = true;
-  go_on(first_front(seeds), progress);
-}
-
 void SurfaceSearch::run_slab(std::span<const Vec3> seeds, std::span<const std::array<std::int64_t, 3>> cubes, int begin,
                              int end, Progress& progress) {
   begin_ = begin;

@@ -26,10 +26,8 @@ class SurfaceSearch {
  public:
   SurfaceSearch(SparseLattice& lattice, const Field& field, const PolygonizerOptions& options, Polygonized& result);
 
-  void run(std::span<const Vec3> seeds, Progress& progress);
-
-  /// The same within layers below `end`, beginning also where earlier slabs led there. Cubes in layers below `begin`
-  /// are not visited any more: they come into `missed`, unless they were visited before.
+  /// Begins at seeds, cubes, and where earlier slabs led, and stays within layers below `end`. Cubes in layers below
+  /// `begin` are not visited any more: they come into `missed`, unless they were visited before.
   void run_slab(std::span<const Vec3> seeds, std::span<const std::array<std::int64_t, 3>> cubes, int begin, int end,
                 Progress& progress);
   const std::vector<std::array<std::int64_t, 3>>& missed() const { return missed_; }
