@@ -52,6 +52,27 @@ CROQUIS_PART void measure(const double* columns, std::size_t stride, std::size_t
   }
 }
 
+/// 8 vectors.
+struct LaneVectors {
+  Lanes x, y, z;
+};
+
+/// The offsets of 8 centres.
+CROQUIS_PART void load_offsets(LaneVectors& d, const Offsets& o, std::size_t i) {
+  load(d.x, o.x + i);
+  load(d.y, o.y + i);
+  load(d.z, o.z + i);
+}
+
+/// Adds t d.
+CROQUIS_PART void add_along(const Offsets& o, std::size_t i, const Lanes& t, Sums& sums) {
+  LaneVectors d;
+  load_offsets(d, o, i);
+  sums.x += t * d.x;
+  sums.y += t * d.y;
+  sums.z += t * d.z;
+}
+
 /// The terms of 8 centres of value kernels: a phi, and t d with t = phi'/r.
 template <Kernel kernel, bool with_gradients>
 CROQUIS_PART void add_values(const Offsets& o, std::size_t i, const Lanes& a, Sums& sums) {
@@ -69,63 +90,56 @@ CROQUIS_PART void add_values(const Offsets& o, std::size_t i, const Lanes& a, Su
     sums.value += a * (0.5 * square * special);
     t = a * (special + 1);
   }
-  if constexpr (with_gradients) {
-    Lanes x, y, z;
-    load(x, o.x + i);
-    load(y, o.y + i);
-    load(z, o.z + i);
-    sums.x += t * x;
-    sums.y += t * y;
-    sums.z += t * z;
-  }
+  if constexpr (with_gradients) add_along(o, i, t, sums);
+}
+
+/// What kernels with gradients take of 8 centres.
+struct Directed {
+  LaneVectors d, b;
+  Lanes square, radius, a;
+  Lanes s;  // b . d
+};
+
+CROQUIS_PART void load_directed(Directed& c, const Offsets& o, std::size_t i, const double* weights,
+                                std::size_t stride) {
+  load_offsets(c.d, o, i);
+  load(c.square, o.square + i);
+  load(c.radius, o.radius + i);
+  load(c.a, weights);
+  load(c.b.x, weights + stride);
+  load(c.b.y, weights + 2 * stride);
+  load(c.b.z, weights + 3 * stride);
+  c.s = c.b.x * c.d.x + c.b.y * c.d.y + c.b.z * c.d.z;
+}
+
+/// Adds t d - u b.
+CROQUIS_PART void add_between(const Directed& c, const Lanes& t, const Lanes& u, Sums& sums) {
+  sums.x += t * c.d.x - u * c.b.x;
+  sums.y += t * c.d.y - u * c.b.y;
+  sums.z += t * c.d.z - u * c.b.z;
 }
 
 /// The terms of 8 centres of the Hermite kernel, with s = b . d: r (a r^2 - 3 s), and 3 ((a r - s/r) d - r b).
 template <bool with_gradients>
 CROQUIS_PART void add_hermite(const Offsets& o, std::size_t i, const double* weights, std::size_t stride, Sums& sums) {
-  Lanes x, y, z, square, radius, a, bx, by, bz;
-  load(x, o.x + i);
-  load(y, o.y + i);
-  load(z, o.z + i);
-  load(square, o.square + i);
-  load(radius, o.radius + i);
-  load(a, weights);
-  load(bx, weights + stride);
-  load(by, weights + 2 * stride);
-  load(bz, weights + 3 * stride);
-  const Lanes s = bx * x + by * y + bz * z;
-  sums.value += radius * (a * square - 3 * s);
+  Directed c;
+  load_directed(c, o, i, weights, stride);
+  sums.value += c.radius * (c.a * c.square - 3 * c.s);
   if constexpr (with_gradients) {
     Lanes inverse;
     load(inverse, o.special + i);
-    const Lanes t = a * radius - s * inverse;
-    sums.x += t * x - radius * bx;
-    sums.y += t * y - radius * by;
-    sums.z += t * z - radius * bz;
+    add_between(c, c.a * c.radius - c.s * inverse, c.radius, sums);
   }
 }
 
 /// The same for r^5: r^3 (a r^2 - 5 s), and 5 (r (a r^2 - 3 s) d - r^3 b).
 template <bool with_gradients>
 CROQUIS_PART void add_quintic(const Offsets& o, std::size_t i, const double* weights, std::size_t stride, Sums& sums) {
-  Lanes x, y, z, square, radius, a, bx, by, bz;
-  load(x, o.x + i);
-  load(y, o.y + i);
-  load(z, o.z + i);
-  load(square, o.square + i);
-  load(radius, o.radius + i);
-  load(a, weights);
-  load(bx, weights + stride);
-  load(by, weights + 2 * stride);
-  load(bz, weights + 3 * stride);
-  const Lanes s = bx * x + by * y + bz * z, cube = radius * square;
-  sums.value += cube * (a * square - 5 * s);
-  if constexpr (with_gradients) {
-    const Lanes t = radius * (a * square - 3 * s);
-    sums.x += t * x - cube * bx;
-    sums.y += t * y - cube * by;
-    sums.z += t * z - cube * bz;
-  }
+  Directed c;
+  load_directed(c, o, i, weights, stride);
+  const Lanes cube = c.radius * c.square;
+  sums.value += cube * (c.a * c.square - 5 * c.s);
+  if constexpr (with_gradients) add_between(c, c.radius * (c.a * c.square - 3 * c.s), cube, sums);
 }
 
 /// The terms of 8 centres of a kernel with gradients that have none, with the factor of the others: a phi, and t d.
@@ -137,15 +151,7 @@ CROQUIS_PART void add_undirected(const Offsets& o, std::size_t i, const double* 
   load(a, weights);
   const Lanes t = kernel == Kernel::Hermite ? a * radius : radius * (a * square);
   sums.value += t * square;
-  if constexpr (with_gradients) {
-    Lanes x, y, z;
-    load(x, o.x + i);
-    load(y, o.y + i);
-    load(z, o.z + i);
-    sums.x += t * x;
-    sums.y += t * y;
-    sums.z += t * z;
-  }
+  if constexpr (with_gradients) add_along(o, i, t, sums);
 }
 
 template <Kernel kernel, bool with_gradients>
