@@ -11,6 +11,7 @@
 #include <catch2/catch.hpp>
 
 #include "algorithms/hole_filling/patching/cgal_patch.h"
+#include "algorithms/hole_filling/triangulation/dihedral_triangulation.h"
 #include "algorithms/hole_filling/triangulation/ear_clipping.h"
 #include "algorithms/hole_filling/triangulation/edge_flips.h"
 #include "algorithms/hole_filling/triangulation/minimal_triangulation.h"
@@ -107,6 +108,26 @@ RimPolygon two_rings(Index outer, Index inner, double height) {
   }
   polygon.loop_ends = {outer, outer + inner};
   return polygon;
+}
+
+std::optional<std::vector<Triangle>> bending_least(const RimPolygon& polygon) {
+  Progress progress;
+  return dihedral_triangulation(polygon, cgal_delaunay_triangles(polygon.points), progress);
+}
+
+/// The largest angle between neighbours.
+double largest_bend(const RimPolygon& polygon, const std::vector<Triangle>& triangles) {
+  std::map<std::pair<Index, Index>, Vec3> normals;
+  double largest = 0;
+  for (const auto& [a, b, c] : triangles) {
+    const Vec3 normal = (polygon.points[b] - polygon.points[a]).cross(polygon.points[c] - polygon.points[a]);
+    for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, a}}) {
+      if (const auto other = normals.find({to, from}); other != normals.end())
+        largest = std::max(largest, std::atan2(normal.cross(other->second).norm(), normal.dot(other->second)));
+      normals.emplace(std::pair{from, to}, normal);
+    }
+  }
+  return largest;
 }
 
 }  // namespace
@@ -279,16 +300,62 @@ TEST_CASE("the triangulation of a rim of thousands of edges is sound") {
   CHECK(spans(polygon, found->triangles));
 }
 
-TEST_CASE("CGAL's triangulation is turned like the rim, and refuses what has none") {
-  Progress progress;
-  for (const Index count : {3u, 4u, 12u, 150u}) {
-    const RimPolygon polygon = wavy(count, 0.1, 0.2, 3, 0.05);
-    const auto found = cgal_triangulation(polygon.points, progress);
-    REQUIRE(found);
-    CHECK(spans(polygon, *found));
+TEST_CASE("the triangulation that bends least is turned like the rim, and a line has none") {
+  for (const Index count : {3u, 4u, 12u, 150u, 600u}) {
+    for (const double height : {0.0, 0.2}) {
+      CAPTURE(count, height);
+      const RimPolygon polygon = wavy(count, 0.1, height, 3, 0.5 / count);
+      const auto found = bending_least(polygon);
+      REQUIRE(found);
+      CHECK(spans(polygon, *found));
+    }
   }
-  const std::vector<Vec3> line = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1.5, 0, 0}};
-  CHECK_FALSE(cgal_triangulation(line, progress));
+  CHECK_FALSE(bending_least(polygon_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1.5, 0, 0}})));
+}
+
+TEST_CASE("the triangulation that bends least folds less than that of least area") {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const RimPolygon polygon = wavy(40, 0.1, 0.4, seed, 0.01);
+    CAPTURE(seed);
+    const auto least_area = triangulated(polygon);
+    const auto least_bend = bending_least(polygon);
+    REQUIRE((least_area && least_bend));
+    CHECK(largest_bend(polygon, *least_bend) < largest_bend(polygon, least_area->triangles));
+  }
+}
+
+TEST_CASE("of triangulations that bend and cost the same it is always one, in whatever order triangles are offered") {
+  for (const Index count : {4u, 6u, 12u, 40u}) {
+    const RimPolygon polygon = wavy(count, 0, 0.25);
+    std::vector<Triangle> candidates = cgal_delaunay_triangles(polygon.points);
+    Progress progress;
+    const auto first = dihedral_triangulation(polygon, candidates, progress);
+    REQUIRE(first);
+    Random random(count);
+    for (int again = 0; again < 20; ++again) {
+      for (std::size_t i = candidates.size(); i > 1; --i)
+        std::swap(candidates[i - 1], candidates[random.below(static_cast<Index>(i))]);
+      CHECK(dihedral_triangulation(polygon, candidates, progress) == first);
+    }
+  }
+}
+
+TEST_CASE("the triangulation that bends least leaves blocked edges out, and takes triangles where none are offered") {
+  RimPolygon square = polygon_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+  Progress progress;
+  for (const std::array<Index, 2> blocked : {std::array<Index, 2>{0, 2}, {1, 3}}) {
+    square.blocked = {blocked};
+    for (const auto& candidates : {std::vector<Triangle>{}, {{0, 1, 2}}, {{0, 1, 3}, {1, 2, 3}}}) {
+      const auto found = dihedral_triangulation(square, candidates, progress);
+      REQUIRE(found);
+      CHECK(spans(square, *found));
+      const Index apart = blocked[0] == 0 ? 1 : 0;
+      for (const Triangle& t : *found)
+        CHECK(std::count(t.begin(), t.end(), apart) + std::count(t.begin(), t.end(), apart + 2) == 2);
+    }
+  }
+  square.blocked = {{0, 2}, {1, 3}};
+  CHECK_FALSE(bending_least(square));
 }
 
 TEST_CASE("triangulations can be cancelled") {

@@ -10,16 +10,15 @@
 #include "croquis/base/progress.h"
 #include "croquis/geometry/vector.h"
 
-/// The one place where CGAL's hole filling is called. Whatever it throws or refuses becomes "nothing".
+/// The one place where CGAL is called to fill holes.
 namespace croquis::hole_filling {
 
 using Triangle = std::array<Index, 3>;
 
-/// CGAL's triangulation of a closed polygon by dihedral angles and area, searched among the triangles of the points'
-/// Delaunay tetrahedra, for short polygons in the whole cubic space when that fails.
-/// @param polygon at least 3 points, runs with the patch on its left
-/// @throws Cancelled
-std::optional<std::vector<Triangle>> cgal_triangulation(std::span<const Vec3> polygon, Progress& progress);
+/// The triangles of the points' Delaunay tetrahedra, of their plane's when they lie in one, none when in a line. Of
+/// points at the same place one counts.
+/// @return corners ascending, in an order that may be another one every time
+std::vector<Triangle> cgal_delaunay_triangles(std::span<const Vec3> points);
 
 /// Part of a mesh with a triangulated hole.
 struct FairingInput {
@@ -37,7 +36,7 @@ struct FairingResult {
 
 /// Refines the patch (Liepa 2003, section 3) and moves its new vertices where the surface bends least
 /// (Botsch et al., Polygon Mesh Processing, section 4.3, cotangent weights). Nothing when the surroundings aren't
-/// manifold, the system is singular, or a coordinate isn't finite.
+/// manifold, the system is singular, a coordinate isn't finite, or CGAL throws.
 /// @throws Cancelled between the two
 std::optional<FairingResult> cgal_refine_and_fair(const FairingInput& input, Progress& progress);
 

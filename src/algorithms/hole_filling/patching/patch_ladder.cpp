@@ -44,7 +44,7 @@ void add_smooth(const PatchWish& wish, std::size_t most_triangles, Ladder& ladde
 
 void add_flat(Ladder& ladder) {
   ladder.push_back(minimal_patcher());
-  ladder.push_back(cgal_patcher());
+  ladder.push_back(dihedral_patcher());
   ladder.push_back(plane_patcher());
   ladder.push_back(avoiding_patcher());
 }

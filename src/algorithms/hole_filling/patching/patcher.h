@@ -39,8 +39,8 @@ std::shared_ptr<const Patcher> avoiding_patcher();
 /// "plane": the Delaunay triangulation of the rims in their plane, as it is, without new vertices.
 std::shared_ptr<const Patcher> plane_patcher();
 
-/// "cgal-triangulation": by dihedral angles and area, without new vertices; one rim only.
-std::shared_ptr<const Patcher> cgal_patcher();
+/// "dihedral": by dihedral angles and area, without new vertices; one rim only.
+std::shared_ptr<const Patcher> dihedral_patcher();
 
 /// "cgal-c1", "cgal-c2", with "-careful" behind it when so asked: triangulated, refined to the density of the rim,
 /// faired.

@@ -12,15 +12,15 @@
 #include "algorithms/hole_filling/patching/patcher.h"
 #include "algorithms/hole_filling/patching/untangling.h"
 #include "algorithms/hole_filling/triangulation/band_triangulation.h"
+#include "algorithms/hole_filling/triangulation/dihedral_triangulation.h"
 #include "algorithms/hole_filling/triangulation/plane_triangulation.h"
 #include "algorithms/hole_filling/triangulation/triangle_cost.h"
 
 namespace croquis::hole_filling {
 namespace {
 
-/// CGAL's triangulation looks at all triangles of a Delaunay tetrahedrisation: fine for some thousand points, if they
-/// aren't in special position.
-constexpr std::size_t most_cgal_points = 1500;
+/// The Delaunay tetrahedra of points in special position have a triangle for each pair of them.
+constexpr std::size_t most_dihedral_points = 1500;
 
 const double usual_density = std::sqrt(2.0);  // CGAL's for triangles of the rim's own size
 
@@ -37,8 +37,8 @@ std::optional<std::vector<Triangle>> by_area(const HoleSite& site, Progress& pro
 }
 
 std::optional<std::vector<Triangle>> by_dihedral_angle(const HoleSite& site, Progress& progress) {
-  if (site.polygon.loop_count() > 1 || site.polygon.points.size() > most_cgal_points) return std::nullopt;
-  return cgal_triangulation(site.polygon.points, progress);
+  if (site.polygon.loop_count() > 1 || site.polygon.points.size() > most_dihedral_points) return std::nullopt;
+  return dihedral_triangulation(site.polygon, cgal_delaunay_triangles(site.polygon.points), progress);
 }
 
 /// Two rims that a band is to join, whatever lies between them.
@@ -53,7 +53,7 @@ std::optional<std::vector<Triangle>> by_band(const HoleSite& site, BandCost cost
 std::optional<std::vector<Triangle>> base_for_fairing(const HoleSite& site, Progress& progress) {
   auto triangles = by_band(site, BandCost::Area, progress);
   if (!triangles) triangles = by_dihedral_angle(site, progress);
-  if (!triangles && site.polygon.points.size() > most_cgal_points) triangles = plane_triangulation(site.polygon);
+  if (!triangles && site.polygon.points.size() > most_dihedral_points) triangles = plane_triangulation(site.polygon);
   if (!triangles) triangles = by_area(site, progress);
   return triangles;
 }
@@ -106,9 +106,9 @@ class PlanePatcher : public Patcher {
   }
 };
 
-class CgalPatcher : public Patcher {
+class DihedralPatcher : public Patcher {
  public:
-  const char* method() const override { return "cgal-triangulation"; }
+  const char* method() const override { return "dihedral"; }
 
   std::optional<HolePatch> attempt(const HoleSite& site, Progress& progress) const override {
     auto triangles = by_dihedral_angle(site, progress);
@@ -248,7 +248,7 @@ class EvenPatcher : public Patcher {
 std::shared_ptr<const Patcher> minimal_patcher() { return std::make_shared<MinimalPatcher>(); }
 std::shared_ptr<const Patcher> avoiding_patcher() { return std::make_shared<AvoidingPatcher>(); }
 std::shared_ptr<const Patcher> plane_patcher() { return std::make_shared<PlanePatcher>(); }
-std::shared_ptr<const Patcher> cgal_patcher() { return std::make_shared<CgalPatcher>(); }
+std::shared_ptr<const Patcher> dihedral_patcher() { return std::make_shared<DihedralPatcher>(); }
 std::shared_ptr<const Patcher> faired_patcher(unsigned continuity, std::size_t most_triangles, bool careful) {
   return std::make_shared<FairedPatcher>(continuity, most_triangles, careful);
 }

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "croquis/base/progress.h"
+#include "croquis/hole_filling/rim_triangulation.h"
+
+namespace croquis::hole_filling {
+
+/// The triangulation of one closed polygon that bends least: the largest angle between neighbours counts first, then
+/// `triangle_cost` (Liepa 2003, section 2). It is chosen among `candidates`, among all triangles too on sides of the
+/// polygon that no candidate has, and for short polygons among all triangles when that gives nothing. The choice
+/// depends on the numbers alone, not on the order of the candidates.
+/// @param polygon of one loop; `avoided` is not looked at
+/// @param candidates corners ascending
+/// @return nothing when every triangulation has a triangle without area or a blocked edge
+/// @throws Cancelled
+std::optional<std::vector<std::array<Index, 3>>> dihedral_triangulation(const RimPolygon& polygon,
+                                                                        std::vector<std::array<Index, 3>> candidates,
+                                                                        Progress& progress);
+
+}  // namespace croquis::hole_filling
