@@ -8,6 +8,8 @@
 
 #include <Eigen/SparseCholesky>
 
+#include "algorithms/hole_filling/patching/patch_editing.h"
+
 namespace croquis::hole_filling {
 namespace {
 
@@ -34,14 +36,6 @@ Neighbours neighbours_of(const FairingInput& input, const FairingResult& patch) 
   }
   for (std::size_t v = 1; v < result.begin.size(); ++v) result.begin[v] += result.begin[v - 1];
   return result;
-}
-
-std::vector<Index> vertices_of(const FairingResult& patch) {
-  std::vector<Index> vertices;
-  for (const Triangle& t : patch.patch) vertices.insert(vertices.end(), t.begin(), t.end());
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  return vertices;
 }
 
 /// The normal equations, their lower triangle, a vertex' equation after the other.
@@ -94,7 +88,7 @@ bool fair_evenly(const FairingInput& input, FairingResult& patch) {
   if (patch.new_points.empty()) return true;
   const Neighbours neighbours = neighbours_of(input, patch);
   Equations equations(input, patch);
-  for (const Index v : vertices_of(patch)) {
+  for (const Index v : vertices_of(patch.patch)) {
     const Index begin = neighbours.begin[v];
     equations.add(v, std::span(neighbours.vertices).subspan(begin, neighbours.begin[v + 1] - begin));
   }

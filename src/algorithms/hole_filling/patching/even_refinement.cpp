@@ -2,7 +2,7 @@
 #include "algorithms/hole_filling/patching/even_refinement.h"
 
 #include <algorithm>
-#include <utility>
+#include <array>
 #include <vector>
 
 #include "algorithms/hole_filling/patching/patch_editing.h"
@@ -12,39 +12,23 @@ namespace {
 
 constexpr int most_rounds = 16;  // each halves edges
 
-std::vector<Index> vertices_of(const std::vector<Triangle>& triangles) {
-  std::vector<Index> vertices;
-  for (const Triangle& t : triangles) vertices.insert(vertices.end(), t.begin(), t.end());
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  return vertices;
-}
-
-/// Mean length of the boundary's edges at each point.
-std::vector<double> boundary_sizes(const LoosePatch& loose) {
-  std::vector<std::pair<Index, Index>> edges;
-  for (const Triangle& t : loose.triangles) {
-    for (std::size_t i = 0; i < 3; ++i) edges.push_back(std::minmax(t[i], t[(i + 1) % 3]));
+/// Edges of one triangle alone.
+std::vector<std::array<Index, 2>> boundary_of(const std::vector<Triangle>& triangles) {
+  std::vector<std::array<Index, 2>> edges;
+  for (const Triangle& t : triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [low, high] = std::minmax(t[i], t[(i + 1) % 3]);
+      edges.push_back({low, high});
+    }
   }
   std::sort(edges.begin(), edges.end());
-  std::vector<double> sums(loose.points.size(), 0), counts(loose.points.size(), 0);
-  for (std::size_t i = 0; i < edges.size();) {
-    const auto& edge = edges[i];
-    std::size_t end = i + 1;
-    while (end < edges.size() && edges[end] == edge) ++end;
-    if (end == i + 1) {
-      const double length = (loose.points[edge.first] - loose.points[edge.second]).norm();
-      for (const Index v : {edge.first, edge.second}) {
-        sums[v] += length;
-        counts[v] += 1;
-      }
-    }
-    i = end;
+  std::size_t kept = 0;
+  for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
+    while (end < edges.size() && edges[end] == edges[i]) ++end;
+    if (end == i + 1) edges[kept++] = edges[i];
   }
-  for (std::size_t v = 0; v < sums.size(); ++v) {
-    if (counts[v] > 0) sums[v] /= counts[v];
-  }
-  return sums;
+  edges.resize(kept);
+  return edges;
 }
 
 }  // namespace
@@ -58,7 +42,7 @@ std::optional<FairingResult> refine_evenly(const FairingInput& input, double coa
     for (Index& v : t) v = static_cast<Index>(std::lower_bound(rim.begin(), rim.end(), v) - rim.begin());
     loose.triangles.push_back(t);
   }
-  loose.sizes = boundary_sizes(loose);
+  loose.sizes = mean_lengths(loose.points, boundary_of(loose.triangles));
   for (double& size : loose.sizes) size *= coarseness;
   for (int round = 0; round < most_rounds; ++round) {
     const std::size_t before = loose.points.size();

@@ -2,9 +2,9 @@
 #include "algorithms/hole_filling/patching/implicit_patch.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -49,11 +49,8 @@ constexpr double farthest_pin = 1.5;
 /// The new vertices of a patch as the editing takes them, and back.
 class Loosening {
  public:
-  Loosening(const HoleSite& site, const HolePatch& patch) : site_(site) {
-    for (const auto& t : patch.triangles)
-      std::copy_if(t.begin(), t.end(), std::back_inserter(rim_), [&](Index v) { return v < given(site); });
-    std::sort(rim_.begin(), rim_.end());
-    rim_.erase(std::unique(rim_.begin(), rim_.end()), rim_.end());
+  Loosening(const HoleSite& site, const HolePatch& patch) : rim_(vertices_of(patch.triangles)), site_(site) {
+    rim_.erase(std::lower_bound(rim_.begin(), rim_.end(), given(site)), rim_.end());
   }
 
   LoosePatch loosen(const HolePatch& patch) const {
@@ -65,7 +62,7 @@ class Loosening {
       for (Index& v : t) v = v < given(site_) ? rim_number(v) : v - given(site_) + rim_count();
       loose.triangles.push_back(t);
     }
-    loose.sizes = rim_sizes();
+    loose.sizes = mean_lengths({loose.points.data(), loose.rim_points}, rim_edges());
     spread_sizes(loose);
     return loose;
   }
@@ -85,19 +82,11 @@ class Loosening {
     return static_cast<Index>(std::lower_bound(rim_.begin(), rim_.end(), v) - rim_.begin());
   }
 
-  /// Mean length of the rim edges at each vertex.
-  std::vector<double> rim_sizes() const {
-    std::vector<double> sum(rim_.size(), 0), count(rim_.size(), 0);
-    for (Index i = 0; i < site_.vertices.size(); ++i) {
-      const Index j = site_.polygon.next(i);
-      const double length = (site_.polygon.points[i] - site_.polygon.points[j]).norm();
-      for (const Index end : {rim_number(site_.vertices[i]), rim_number(site_.vertices[j])}) {
-        sum[end] += length;
-        count[end] += 1;
-      }
-    }
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] /= count[i];
-    return sum;
+  std::vector<std::array<Index, 2>> rim_edges() const {
+    std::vector<std::array<Index, 2>> edges;
+    for (Index i = 0; i < site_.vertices.size(); ++i)
+      edges.push_back({rim_number(site_.vertices[i]), rim_number(site_.vertices[site_.polygon.next(i)])});
+    return edges;
   }
 
   /// Continues the rim's sizes inwards, ring by ring; what lies deeper than there are rounds has their mean.

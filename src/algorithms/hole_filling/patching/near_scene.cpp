@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "algorithms/hole_filling/patching/patch_editing.h"
 #include "croquis/geometry/self_intersection.h"
 
 namespace croquis::hole_filling {
@@ -104,9 +105,7 @@ NearScene::NearScene(const HoleSite& site, const Eigen::AlignedBox3d& box)
   std::vector<std::array<Index, 3>> near;
   const SurfaceSearch own(*site.mesh, view_);
   for (const Index t : (site.search == nullptr ? own : *site.search).near(box)) near.push_back(view_.triangles[t]);
-  for (const auto& t : near) vertices_.insert(vertices_.end(), t.begin(), t.end());
-  std::sort(vertices_.begin(), vertices_.end());
-  vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+  vertices_ = vertices_of(near);
   for (const Index vertex : vertices_) scene_.positions.push_back(site.mesh->positions[vertex]);
   for (auto& t : near) {
     for (Index& vertex : t) {

@@ -158,6 +158,29 @@ void take_back(const EditableTriangles& sides, LoosePatch& patch) {
 
 }  // namespace
 
+std::vector<Index> vertices_of(std::span<const std::array<Index, 3>> triangles) {
+  std::vector<Index> vertices;
+  for (const auto& t : triangles) vertices.insert(vertices.end(), t.begin(), t.end());
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+std::vector<double> mean_lengths(std::span<const Vec3> points, std::span<const std::array<Index, 2>> edges) {
+  std::vector<double> sums(points.size(), 0), counts(points.size(), 0);
+  for (const auto& edge : edges) {
+    const double length = (points[edge[0]] - points[edge[1]]).norm();
+    for (const Index v : edge) {
+      sums[v] += length;
+      counts[v] += 1;
+    }
+  }
+  for (std::size_t v = 0; v < sums.size(); ++v) {
+    if (counts[v] > 0) sums[v] /= counts[v];
+  }
+  return sums;
+}
+
 bool bring_to_size(LoosePatch& patch) {
   EditableTriangles sides(patch.triangles, patch.points.size());
   if (!sides.is_manifold(patch.rim_points)) return false;
