@@ -119,6 +119,7 @@ TEST_CASE("vertices move to the mean of their triangles' centroids, weighted by 
   LoosePatch patch;
   patch.points = {{0, 0, 0}, {4, 0, 0}, {4, 2, 0}, {0, 2, 0}, {1, 1.5, 1}};
   patch.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+  patch.sizes.assign(5, 0.7);
   Vec3 sum = Vec3::Zero();
   double areas = 0;
   for (const auto& [a, b, c] : patch.triangles) {
@@ -138,4 +139,16 @@ TEST_CASE("vertices move to the mean of their triangles' centroids, weighted by 
   LoosePatch line = {{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}}, {1, 1, 1}, {{0, 1, 2}}, 0};
   relax(line, std::vector<std::uint8_t>{0, 0, 0});
   CHECK(line.points[1] == Vec3(1, 0, 0));  // no area says where to
+}
+
+TEST_CASE("vertices come to rest nearer to where shorter edges are wanted") {
+  LoosePatch patch = {{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {2, 2, 0}},
+                      {1, 3, 3, 1, 2},
+                      {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}},
+                      4};
+  const std::vector<std::uint8_t> fixed = {1, 1, 1, 1, 0};
+  for (int round = 0; round < 200; ++round) relax(patch, fixed);
+  CHECK(patch.points[4].x() < 1.7);
+  CHECK(patch.points[4].x() > 1);
+  CHECK((patch.points[4] - Vec3(patch.points[4].x(), 2, 0)).norm() < 1e-9);
 }

@@ -8,8 +8,10 @@
 
 namespace croquis::hole_filling {
 
-/// Every vertex moves to the mean of the centroids of its triangles, weighted by their areas, all at the same time
-/// (Yoo 2005, eq. 9). What `smooth_towards_centroids` does for meshes, without looking for their boundary.
+/// Every vertex moves to the mean of the centroids of its triangles, weighted by how many triangles of the size wanted
+/// there would fit into them, all at the same time. Where one size is wanted everywhere these weights are the areas
+/// (Yoo 2005, eq. 9); by areas alone, vertices near short edges of a rim would drift off to the larger triangles behind
+/// them and leave slender ones at the rim.
 /// @param fixed #points, 1 where a vertex stays, as those of rims must
 void relax(LoosePatch& patch, std::span<const std::uint8_t> fixed);
 
