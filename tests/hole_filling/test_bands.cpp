@@ -8,8 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "algorithms/hole_filling/triangulation/band_triangulation.h"
-#include "croquis/geometry/mesh_report.h"
-#include "croquis/hole_filling/fill_holes.h"
+#include "hole_filling/fill_invariants.h"
 #include "support/random.h"
 #include "support/scans.h"
 
@@ -18,16 +17,6 @@ using namespace croquis::test;
 using namespace croquis::hole_filling;
 
 namespace {
-
-MeshReport report_of(const PolyMesh& mesh) {
-  Progress progress;
-  return inspect(mesh, true, progress);
-}
-
-FillResult fill(const PolyMesh& mesh, const FillOptions& options) {
-  Progress progress;
-  return fill_holes(mesh, options, progress);
-}
 
 /// Loops that run so that a band between them lies on their left: the first around z, the second the other way.
 RimPolygon two_circles(Index first, Index second, double distance, double noise) {

@@ -10,9 +10,8 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "croquis/geometry/mesh_report.h"
 #include "croquis/geometry/mesh_topology.h"
-#include "croquis/hole_filling/remesh.h"
+#include "hole_filling/fill_invariants.h"
 #include "support/mesh_shapes.h"
 #include "support/random.h"
 #include "support/sample_count.h"
@@ -25,16 +24,6 @@ using namespace croquis::test;
 using namespace croquis::hole_filling;
 
 namespace {
-
-RemeshResult remesh(const PolyMesh& mesh, const RemeshOptions& options = {}) {
-  Progress progress;
-  return remesh_surface(mesh, options, progress);
-}
-
-MeshReport report_of(const PolyMesh& mesh) {
-  Progress progress;
-  return inspect(mesh, true, progress);
-}
 
 std::vector<Vec3> used_vertices(const PolyMesh& mesh) {
   std::vector<bool> used(mesh.vertex_count(), false);

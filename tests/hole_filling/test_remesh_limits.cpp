@@ -7,7 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
-#include "croquis/hole_filling/remesh.h"
+#include "hole_filling/fill_invariants.h"
 #include "support/mesh_shapes.h"
 #include "support/scans.h"
 #include "support/surface_distance.h"
@@ -21,10 +21,7 @@ namespace {
 
 PolyMesh holed_torus() { return random_cuts(ring_torus(80, 40), 1, 5, 0.06, 0.2).mesh; }
 
-PolyMesh remeshed(const PolyMesh& mesh, const RemeshOptions& options = {}) {
-  Progress progress;
-  return remesh_surface(mesh, options, progress).mesh;
-}
+PolyMesh remeshed(const PolyMesh& mesh, const RemeshOptions& options = {}) { return remesh(mesh, options).mesh; }
 
 Findings refusal_of(const PolyMesh& mesh, const RemeshOptions& options) {
   try {

@@ -9,8 +9,8 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
-#include "croquis/hole_filling/remesh.h"
 #include "hole_filling/allocation_count.h"
+#include "hole_filling/fill_invariants.h"
 #include "support/mesh_shapes.h"
 #include "support/sample_count.h"
 #include "support/scans.h"
@@ -85,8 +85,7 @@ std::vector<Trial> trials(std::size_t first) {
 std::optional<std::size_t> used(const PolyMesh& mesh, RemeshOptions options) {
   options.fill.threads = 2;
   const AllocationPeak peak;
-  Progress progress;
-  remesh_surface(mesh, options, progress);
+  remesh(mesh, options);
   return peak.bytes();
 }
 
@@ -125,15 +124,13 @@ TEST_CASE("what the whole model at once would exceed, slabs make within the limi
   options.fill.threads = 2;
   options.slab_points = 2 * mesh.vertex_count();
   const std::size_t at_once = least_remesh_bytes(mesh, options);
-  Progress progress;
-  const RemeshResult whole = remesh_surface(mesh, options, progress);
+  const RemeshResult whole = remesh(mesh, options);
   CHECK(whole.slabs == 1);
   const auto used_at_once = used(mesh, options);
   options.slab_points = 0;
   options.memory_limit = least_remesh_bytes(mesh, options) + 5'000'000;
   CHECK(options.memory_limit < at_once);
-  Progress again;
-  const RemeshResult thin = remesh_surface(mesh, options, again);
+  const RemeshResult thin = remesh(mesh, options);
   CHECK(thin.slabs > 5);
   CHECK(thin.mesh.positions == whole.mesh.positions);
   CHECK(thin.mesh.corners == whole.mesh.corners);

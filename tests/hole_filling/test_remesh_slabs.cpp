@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "croquis/hole_filling/remesh.h"
+#include "hole_filling/fill_invariants.h"
 #include "support/mesh_shapes.h"
 #include "support/scans.h"
 
@@ -18,8 +18,7 @@ namespace {
 RemeshResult remesh(const PolyMesh& mesh, RemeshOptions options, std::size_t slab_points, int threads = 2) {
   options.slab_points = slab_points;
   options.fill.threads = threads;
-  Progress progress;
-  return remesh_surface(mesh, options, progress);
+  return test::remesh(mesh, options);
 }
 
 void check_same(const RemeshResult& a, const RemeshResult& b) {

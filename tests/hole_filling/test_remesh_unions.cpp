@@ -11,8 +11,7 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "croquis/geometry/mesh_report.h"
-#include "croquis/hole_filling/remesh.h"
+#include "hole_filling/fill_invariants.h"
 #include "support/mesh_shapes.h"
 #include "support/random.h"
 #include "support/sample_count.h"
@@ -24,16 +23,6 @@ using namespace croquis::test;
 using namespace croquis::hole_filling;
 
 namespace {
-
-RemeshResult remesh(const PolyMesh& mesh, const RemeshOptions& options = {}) {
-  Progress progress;
-  return remesh_surface(mesh, options, progress);
-}
-
-MeshReport report_of(const PolyMesh& mesh) {
-  Progress progress;
-  return inspect(mesh, true, progress);
-}
 
 bool tells(const RemeshResult& result, const std::string& code) {
   return std::any_of(result.warnings.begin(), result.warnings.end(),

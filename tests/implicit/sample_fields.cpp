@@ -27,4 +27,12 @@ double pierced_shell_at(const Vec3& p, double thickness) {
   return std::max(shell, 0.4 - std::hypot(p.x(), p.y()));
 }
 
+implicit::PolygonizerOptions within(double reach, double cell, int seed_reach) {
+  implicit::PolygonizerOptions options;
+  options.cell = cell;
+  options.bounds = {Vec3::Constant(-reach), Vec3::Constant(reach)};
+  options.seed_reach = seed_reach;
+  return options;
+}
+
 }  // namespace croquis::test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "croquis/implicit/field.h"
+#include "croquis/implicit/marching_cubes.h"
 
 /// Functions whose zero sets are known; distances where not said otherwise. Negative inside.
 namespace croquis::test {
@@ -14,5 +14,8 @@ double gyroid_at(const Vec3& p);                             ///< sin x cos y + 
 /// A sphere of radius 1 with a shell of that thickness, cut by a cylinder of radius 0.4 along z: a thin sheet with
 /// sharp edges, of genus 1.
 double pierced_shell_at(const Vec3& p, double thickness);
+
+/// Cubes in [-reach, reach]^3.
+implicit::PolygonizerOptions within(double reach, double cell, int seed_reach = 1);
 
 }  // namespace croquis::test

@@ -20,13 +20,6 @@ namespace {
 
 using namespace croquis::test;
 
-PolygonizerOptions within(double reach, double cell) {
-  PolygonizerOptions options;
-  options.cell = cell;
-  options.bounds = {Vec3::Constant(-reach), Vec3::Constant(reach)};
-  return options;
-}
-
 template <typename Function>
 Polygonized surface_of(Function function, const std::vector<Vec3>& seeds, const PolygonizerOptions& options) {
   Progress progress;

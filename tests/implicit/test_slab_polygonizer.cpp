@@ -16,14 +16,6 @@ namespace {
 
 using namespace croquis::test;
 
-PolygonizerOptions within(double reach, double cell) {
-  PolygonizerOptions options;
-  options.cell = cell;
-  options.bounds = {Vec3::Constant(-reach), Vec3::Constant(reach)};
-  options.seed_reach = 0;
-  return options;
-}
-
 PolyMesh mesh_of(const LayeredMesh& made) {
   PolyMesh mesh;
   mesh.positions = made.positions;
@@ -66,7 +58,7 @@ std::vector<Vec3> seeds_on_torus(int count) {
 TEST_CASE("slab by slab the same surface comes out as at once, along every axis, the same bits for any slabs") {
   const Field field = field_of([](const Vec3& p) { return torus_at(p, 1, 0.4); }, 1e-6);
   const std::vector<Vec3> seeds = seeds_on_torus(2000);
-  const PolygonizerOptions options = within(2, 0.031);
+  const PolygonizerOptions options = within(2, 0.031, 0);
   Progress progress;
   const Polygonized whole = polygonize(field, seeds, options, progress);
   for (const int axis : {0, 1, 2}) {
@@ -106,7 +98,7 @@ TEST_CASE("a surface that leads back through many slabs is found whole") {
     const double angle = std::numbers::pi * (i / 1000.0);
     seeds.emplace_back(Vec3(first.x() + 0.4 * std::sin(angle), 0, 1.8 * std::cos(angle)));
   }
-  const PolygonizerOptions options = within(2, 0.031);
+  const PolygonizerOptions options = within(2, 0.031, 0);
   int begun_anew = 0;
   SlabEvents events;
   events.begun_anew = [&] { ++begun_anew; };
@@ -142,7 +134,7 @@ TEST_CASE("slabs are entered in order, and finished layers never change") {
     for (const Index corner : corners) CHECK(corner < made.positions.size());
   };
   Progress progress;
-  const SlabPolygonized result = polygonize_by_slabs(field, seeds, within(2, 0.1), {0, 200}, events, progress);
+  const SlabPolygonized result = polygonize_by_slabs(field, seeds, within(2, 0.1, 0), {0, 200}, events, progress);
   CHECK(result.slabs > 3);
   CHECK(corners.size() == result.made.corners.size());
 }
