@@ -214,12 +214,14 @@ void HoleInteraction::select_all() {
   select(std::move(holes));
 }
 
-void HoleInteraction::select_by_size(double diameter) {
+void HoleInteraction::select_by_size(double diameter) { select(open_up_to(diameter)); }
+
+std::vector<Index> HoleInteraction::open_up_to(double diameter) const {
   std::vector<Index> holes;
   for (const HoleRow& row : rows_) {
-    if (!row.is_border() && row.state != HoleState::Filled && row.diameter <= diameter) holes.push_back(row.id);
+    if (row.state == HoleState::Open && is_named(row, "inner", diameter)) holes.push_back(row.id);
   }
-  select(std::move(holes));
+  return holes;
 }
 
 // ---- The hand

@@ -44,12 +44,15 @@ class HoleInteraction : public QObject {
   // ---- Selection
   void select(std::vector<Index> holes);
   void select_all();
-  void select_by_size(double diameter);  ///< open holes that aren't borders, up to that wide
+  void select_by_size(double diameter);
+  std::vector<Index> open_up_to(double diameter) const;  ///< open holes that aren't borders, up to that wide
 
   // ---- What becomes of holes; each is one step of the history
   void fill_selected();
-  void fill_all(const std::string& select);  ///< one of the choices of the parameter `select`
-  void fill_up_to(double diameter);
+  /// @param select one of the parameter's choices; of "inner", nothing that is filled is opened
+  void fill_all(const std::string& select);
+  bool can_fill_all(const std::string& select) const;  ///< it would change something, or nobody knows yet
+  void fill_up_to(double diameter);                    ///< what is filled already stays
   void reopen_selected();
   void bridge_selected();
   void clear_handles();  ///< of the selected holes
@@ -61,11 +64,13 @@ class HoleInteraction : public QObject {
     int trim_rim = 0;
   };
   Way way() const;
+  std::string preset() const;  ///< of all holes
   void set_fairness(const std::string& fairness);
   void set_kernel(const std::string& kernel);
   void set_bulge(double bulge, bool dragging);
   void set_trim(int rings);
-  void set_mode(const std::string& mode);  ///< of all holes: patches, or the model made anew
+  void set_preset(const std::string& preset);  ///< of all holes: what is scanned
+  void set_mode(const std::string& mode);      ///< of all holes: patches, or the model made anew
 
   /// Stops what the studio computes. A model that was to be made anew isn't wanted any more: all is as it was before.
   void cancel();
@@ -105,6 +110,10 @@ class HoleInteraction : public QObject {
   const Node* node() const;
   std::vector<Index> filled() const;
   std::vector<Index> open_of(const std::vector<Index>& holes) const;
+  Index largest() const;
+  bool is_named(const HoleRow& row, const std::string& select, double max_diameter) const;
+  bool stays_filled(const HoleRow& row, const std::string& select) const;
+  void fill_named(const std::string& label, const std::string& select, double max_diameter);
   void attempt(const std::function<void()>& work);
   void edit(const std::string& label, const ParameterValues& values, bool dragging);
   void change_plan(const std::string& label, const std::function<void(HolePlan&)>& change);

@@ -92,7 +92,45 @@ void HoleInteraction::fill_all(const std::string& select) {
                            : select == "inner"         ? "Fill all inner holes"
                            : select == "none"          ? "Reopen all holes"
                                                        : "Fill all holes";
-  change_plan(what, [&](HolePlan& plan) { plan.fill_all(select); });
+  fill_named(what, select, 0);
+}
+
+/// Of the longest rim, as the operation has it.
+Index HoleInteraction::largest() const {
+  const auto found = std::max_element(rows_.begin(), rows_.end(),
+                                      [](const HoleRow& a, const HoleRow& b) { return a.perimeter < b.perimeter; });
+  return found == rows_.end() ? no_index : found->id;
+}
+
+bool HoleInteraction::is_named(const HoleRow& row, const std::string& select, double max_diameter) const {
+  if (max_diameter > 0 && row.diameter > max_diameter) return false;
+  if (select == "inner") return !row.is_border();
+  return select == "all" || (select == "all-but-largest" && row.id != largest());
+}
+
+bool HoleInteraction::stays_filled(const HoleRow& row, const std::string& select) const {
+  return select == "inner" && row.state == HoleState::Filled;
+}
+
+bool HoleInteraction::can_fill_all(const std::string& select) const {
+  return rows_.empty() || std::any_of(rows_.begin(), rows_.end(), [&](const HoleRow& row) {
+           const bool fills = is_named(row, select, 0) || stays_filled(row, select);
+           return fills ? row.state == HoleState::Open : row.state != HoleState::Open;
+         });
+}
+
+void HoleInteraction::fill_named(const std::string& label, const std::string& select, double max_diameter) {
+  std::vector<Index> kept;
+  for (const HoleRow& row : rows_) {
+    if (stays_filled(row, select) && !is_named(row, select, max_diameter)) kept.push_back(row.id);
+  }
+  change_plan(label, [&](HolePlan& plan) {
+    plan.fill_all(select, max_diameter, [&](Index hole) {
+      const HoleRow* found = row(hole);
+      return found == nullptr || is_named(*found, select, max_diameter) || stays_filled(*found, select);
+    });
+    plan.fill(kept);
+  });
 }
 
 void HoleInteraction::fill_up_to(double diameter) {
@@ -125,8 +163,7 @@ void HoleInteraction::clear_handles() {
 
 void HoleInteraction::apply(const recorded::HoleChoice& step) {
   if (step.up_to) {
-    change_plan("Fill holes up to " + measure(*step.up_to).toStdString(),
-                [&](HolePlan& plan) { plan.fill_all("inner", *step.up_to); });
+    fill_named("Fill holes up to " + measure(*step.up_to).toStdString(), "inner", *step.up_to);
   } else if (step.action == "fill") {
     change_plan("Fill " + words_for(step.holes), [&](HolePlan& plan) { plan.fill(with_islands(rows_, step.holes)); });
   } else if (step.action == "leave") {
@@ -220,6 +257,19 @@ void HoleInteraction::set_bulge(double bulge, bool dragging) {
 }
 
 void HoleInteraction::set_trim(int rings) { change_way({.holes = tool_.selected(), .trim_rim = rings}, false); }
+
+std::string HoleInteraction::preset() const {
+  const Node* operation = node();
+  return operation == nullptr ? std::string() : std::get<std::string>(filling_value(studio_, *operation, "preset"));
+}
+
+void HoleInteraction::set_preset(const std::string& preset) {
+  const Node* operation = node();
+  if (operation == nullptr || preset == this->preset()) return;
+  const std::string name = operation->name;
+  edit("Preset " + preset + " of all holes", {{"preset", preset}}, false);
+  emit committed(recorded::Set{name, "preset", preset});
+}
 
 void HoleInteraction::set_mode(const std::string& mode) {
   const Node* operation = node();

@@ -17,6 +17,7 @@
 
 #include "app/filling.h"
 #include "app/hole_table.h"
+#include "app/number_keys.h"
 #include "app/remesh_estimate.h"
 #include "app/size_slider.h"
 
@@ -33,6 +34,11 @@ struct Choice {
 constexpr std::array<Choice, 3> ways{{{"rbf", QT_TRANSLATE_NOOP("HolePanel", "Continue the surface")},
                                       {"smooth", QT_TRANSLATE_NOOP("HolePanel", "Continue its slope")},
                                       {"flat", QT_TRANSLATE_NOOP("HolePanel", "Flat")}}};
+
+constexpr std::array<Choice, 4> presets{{{"standard", QT_TRANSLATE_NOOP("HolePanel", "Standard")},
+                                         {"sharp", QT_TRANSLATE_NOOP("HolePanel", "Sharp: machined parts")},
+                                         {"noisy", QT_TRANSLATE_NOOP("HolePanel", "Noisy: rough scans")},
+                                         {"paper", QT_TRANSLATE_NOOP("HolePanel", "Paper: as Yoo 2005 has it")}}};
 
 QBoxLayout* add_row(QBoxLayout* column) {
   auto* row = new QHBoxLayout;
@@ -55,6 +61,10 @@ LeftOpen left_open(const std::vector<HoleRow>& rows) {
     (row.is_border() ? left.border_edges : left.hole_edges) += row.edges;
   }
   return left;
+}
+
+QString fill_text(std::size_t count, double limit) {
+  return HolePanel::tr("Fill %1 up to %2").arg(count).arg(measure(limit));
 }
 
 /// Only a model made anew has domains.
@@ -93,6 +103,7 @@ HolePanel::HolePanel(Studio& studio, HoleInteraction& holes, std::function<QActi
   make_head(column);
   make_buttons(column);
   make_sizes(column);
+  make_preset(column);
   make_way(column);
   make_shape(column);
   make_mode(column);
@@ -152,13 +163,32 @@ void HolePanel::make_sizes(QBoxLayout* column) {
   fill_sizes_ = new QPushButton(this);
   fill_sizes_->setObjectName("fill-sizes");
   fill_sizes_->setFocusPolicy(Qt::NoFocus);
-  fill_sizes_->setToolTip(tr("Fills the inner holes that are at most that wide; wider ones stay open"));
+  // Of one width for all numbers, so that the slider beside it stays under the pointer.
+  const int widest = fill_sizes_->fontMetrics().horizontalAdvance(fill_text(9999, 0.000012345));
+  fill_sizes_->setFixedWidth(widest + 2 * fill_sizes_->fontMetrics().averageCharWidth());
   row->addWidget(fill_sizes_);
   connect(sizes_, &SizeSlider::moved, this, [this](double diameter) {
     holes_.select_by_size(diameter);
     follow_sizes();
   });
   connect(fill_sizes_, &QPushButton::clicked, this, [this] { holes_.fill_up_to(sizes_->diameter()); });
+}
+
+void HolePanel::make_preset(QBoxLayout* column) {
+  QBoxLayout* row = add_row(column);
+  auto* name = new QLabel(tr("Preset, of all holes:"), this);
+  preset_ = new QComboBox(this);
+  preset_->setObjectName("hole-preset");
+  preset_->setAccessibleName(tr("Preset"));
+  for (const Choice& choice : presets) preset_->addItem(tr(choice.text), QString(choice.value));
+  if (const ParameterDescription* described = parameter(studio_, "preset")) {
+    name->setToolTip(QString::fromStdString(described->sentence));
+    preset_->setToolTip(name->toolTip());
+  }
+  row->addWidget(name);
+  row->addWidget(preset_, 1);
+  connect(preset_, &QComboBox::activated, this,
+          [this] { holes_.set_preset(preset_->currentData().toString().toStdString()); });
 }
 
 void HolePanel::make_way(QBoxLayout* column) {
@@ -207,6 +237,8 @@ void HolePanel::make_shape(QBoxLayout* column) {
   trim_->setToolTip(tr("Rings of faces taken off the rim before it is filled: frayed borders of scans"));
   trim_->setRange(0, most_trimmed);
   trim_->setPrefix(tr("trim "));
+  share_keys(bulge_);
+  share_keys(trim_);
   row->addWidget(name);
   row->addWidget(bulge_slider_, 1);
   row->addWidget(bulge_);
@@ -281,9 +313,15 @@ void HolePanel::follow_sizes() {
   }
   sizes_->show_sizes(diameters);
   const double limit = sizes_->diameter();
-  const std::size_t count = limit > 0 ? sizes_->histogram().count_up_to(limit) : 0;
+  const std::size_t count = limit > 0 ? holes_.open_up_to(limit).size() : 0;
   fill_sizes_->setEnabled(count > 0);
-  fill_sizes_->setText(count > 0 ? tr("Fill %1 to %2").arg(count).arg(measure(limit)) : tr("Fill to size"));
+  fill_sizes_->setText(limit > 0 ? fill_text(count, limit) : tr("Fill up to size"));
+  fill_sizes_->setToolTip(
+      diameters.empty() ? tr("There is no hole inside a border")
+      : limit <= 0      ? tr("Drag the slider first: it says how wide holes may be")
+      : count == 0
+          ? tr("No hole that small is open")
+          : tr("Fills the open inner holes that are at most %1 wide; what is filled stays so").arg(measure(limit)));
 }
 
 void HolePanel::follow_way() {
@@ -292,6 +330,7 @@ void HolePanel::follow_way() {
   way_of_->setText(chosen.empty()       ? tr("Patches of all holes:")
                    : chosen.size() == 1 ? tr("Patch of hole %1:").arg(chosen.front())
                                         : tr("Patches of holes %1:").arg(numbers_of({chosen.begin(), chosen.end()})));
+  show_choice(preset_, holes_.preset());
   show_choice(fairness_, way.fairness);
   show_choice(kernel_, way.kernel);
   kernel_->setEnabled(way.fairness == "rbf");
@@ -310,7 +349,8 @@ void HolePanel::follow_mode() {
   const bool wanted = mode_->currentData() == "remesh" && node != nullptr && object->cage_mesh;
   const bool runs = wanted && std::get<std::string>(filling_value(studio_, *node, "mode")) == "remesh";
   start_->setVisible(wanted && !runs);
-  estimate_->setVisible(wanted);
+  const bool done = runs && !studio_.busy();
+  estimate_->setVisible(wanted && !done);
   if (wanted) estimate_->setText(estimate_sentence(studio_, *node, *object->cage_mesh));
 }
 

@@ -43,6 +43,7 @@ class HolePanel : public QWidget {
   void make_head(QBoxLayout* column);
   void make_buttons(QBoxLayout* column);
   void make_sizes(QBoxLayout* column);
+  void make_preset(QBoxLayout* column);
   void make_way(QBoxLayout* column);
   void make_shape(QBoxLayout* column);
   void make_mode(QBoxLayout* column);
@@ -61,6 +62,7 @@ class HolePanel : public QWidget {
   HoleTable* table_;
   SizeSlider* sizes_;
   QPushButton* fill_sizes_;
+  QComboBox* preset_;
   QLabel* way_of_;
   QComboBox* fairness_;
   QComboBox* kernel_;

@@ -86,12 +86,15 @@ void HolePlan::fill(std::span<const Index> holes) {
   }
 }
 
-void HolePlan::fill_all(const std::string& select, double max_diameter) {
+void HolePlan::fill_all(const std::string& select, double max_diameter, const std::function<bool(Index)>& fills) {
   select_ = select;
   max_diameter_ = max_diameter;
   only_.clear();
   for (auto& [hole, wish] : single_) wish.fill.reset();
   forget_empty();
+  for (auto& [hole, wish] : single_) wish.fill = fills(hole);
+  std::erase_if(bridges_,
+                [&](const HoleWish& wish) { return !std::all_of(wish.holes.begin(), wish.holes.end(), fills); });
 }
 
 void HolePlan::reopen(std::span<const Index> holes) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -27,9 +28,10 @@ class HolePlan {
 
   void fill(std::span<const Index> holes);
 
-  /// All that a selection names, whatever was said of single ones; how they are made stays.
+  /// What a selection of all fills, whatever was said of single ones; how they are made stays.
   /// @param select one of the parameter's choices. @param max_diameter 0 for any
-  void fill_all(const std::string& select, double max_diameter = 0);
+  /// @param fills whether a hole is to be filled then: words about its shape alone would fill it
+  void fill_all(const std::string& select, double max_diameter, const std::function<bool(Index)>& fills);
 
   /// What was wished of them goes away; those that would be filled with others are left.
   void reopen(std::span<const Index> holes);

@@ -96,6 +96,7 @@ HoleTable::HoleTable(QWidget* parent) : QTableWidget(parent) {
   horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   horizontalHeader()->setMinimumSectionSize(26);
   horizontalHeader()->setSortIndicatorShown(false);
+  horizontalHeader()->setHighlightSections(false);
   verticalHeader()->hide();
   verticalHeader()->setDefaultSectionSize(22);
   setSelectionBehavior(QAbstractItemView::SelectRows);

@@ -11,6 +11,7 @@ FindingsList::FindingsList(QWidget* parent) : QListWidget(parent) {
   setObjectName("findings");
   setAccessibleName(tr("Findings"));
   setWordWrap(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   connect(this, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) {
     const auto place = static_cast<std::size_t>(row(item));
     if (place < findings_.size()) emit finding_chosen(findings_[place]);

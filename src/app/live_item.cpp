@@ -29,9 +29,9 @@ render::MeshItemPtr made(const render::MeshItemPtr& previous, const std::shared_
 }  // namespace
 
 void LiveItem::show(const std::shared_ptr<const PolyMesh>& mesh, const render::MeshItemOptions& options,
-                    const Paint& paint) {
+                    const Paint& paint, int look) {
   const bool same = same_options(options_, options);
-  if (mesh == wanted_ && same) return;
+  if (mesh == wanted_ && same && look == look_) return;
   if (!same) {
     item_.reset();
     made_of_.reset();
@@ -39,9 +39,11 @@ void LiveItem::show(const std::shared_ptr<const PolyMesh>& mesh, const render::M
   wanted_ = mesh;
   options_ = options;
   paint_ = paint;
+  look_ = look;
   if (!mesh || mesh->corners.size() <= corners_at_once) {
     item_ = mesh ? made(item_, mesh, options_, paint_) : nullptr;
     made_of_ = mesh;
+    made_look_ = look;
   } else if (!making_) {
     begin();
   }
@@ -49,27 +51,28 @@ void LiveItem::show(const std::shared_ptr<const PolyMesh>& mesh, const render::M
 
 void LiveItem::begin() {
   making_ = true;
-  threads_.start(
-      [this, alive = std::weak_ptr(alive_), mesh = wanted_, previous = item_, options = options_, paint = paint_] {
-        const render::MeshItemPtr item = made(previous, mesh, options, paint);
-        QMetaObject::invokeMethod(
-            QCoreApplication::instance(),
-            [this, alive, mesh, options, item] {
-              if (!alive.expired()) take(mesh, options, item);
-            },
-            Qt::QueuedConnection);
-      });
+  threads_.start([this, alive = std::weak_ptr(alive_), mesh = wanted_, previous = item_, options = options_,
+                  paint = paint_, look = look_] {
+    const render::MeshItemPtr item = made(previous, mesh, options, paint);
+    QMetaObject::invokeMethod(
+        QCoreApplication::instance(),
+        [this, alive, mesh, options, look, item] {
+          if (!alive.expired()) take(mesh, options, look, item);
+        },
+        Qt::QueuedConnection);
+  });
 }
 
-void LiveItem::take(const std::shared_ptr<const PolyMesh>& mesh, const render::MeshItemOptions& options,
+void LiveItem::take(const std::shared_ptr<const PolyMesh>& mesh, const render::MeshItemOptions& options, int look,
                     const render::MeshItemPtr& item) {
   making_ = false;
-  if (wanted_ == made_of_) return;
+  if (!busy()) return;
   if (same_options(options, options_)) {
     item_ = item;
     made_of_ = mesh;
+    made_look_ = look;
   }
-  if (wanted_ != made_of_) begin();
+  if (busy()) begin();
   emit ready();
 }
 

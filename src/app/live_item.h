@@ -24,19 +24,20 @@ class LiveItem : public QObject {
   explicit LiveItem(QThreadPool& threads) : threads_(threads) {}
 
   /// Null shows nothing.
+  /// @param look tells one paint from another: the same mesh in another look is made anew
   void show(const std::shared_ptr<const PolyMesh>& mesh, const render::MeshItemOptions& options,
-            const Paint& paint = nullptr);
+            const Paint& paint = nullptr, int look = 0);
 
   const render::MeshItemPtr& item() const { return item_; }
   const std::shared_ptr<const PolyMesh>& mesh() const { return made_of_; }  ///< what item() shows
-  bool busy() const { return wanted_ != made_of_; }
+  bool busy() const { return wanted_ != made_of_ || look_ != made_look_; }
 
  signals:
   void ready();  ///< a large mesh's item has come
 
  private:
   void begin();
-  void take(const std::shared_ptr<const PolyMesh>& mesh, const render::MeshItemOptions& options,
+  void take(const std::shared_ptr<const PolyMesh>& mesh, const render::MeshItemOptions& options, int look,
             const render::MeshItemPtr& item);
 
   QThreadPool& threads_;
@@ -44,6 +45,8 @@ class LiveItem : public QObject {
   std::shared_ptr<const PolyMesh> made_of_;
   render::MeshItemOptions options_;
   Paint paint_;
+  int look_ = 0;
+  int made_look_ = 0;  ///< what item() shows it in
   render::MeshItemPtr item_;
   bool making_ = false;
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  ///< tells work that comes late that nobody is here

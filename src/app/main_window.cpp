@@ -13,9 +13,11 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
+#include <algorithm>
 
 #include "app/gallery.h"
 #include "app/gallery_thumbnails.h"
+#include "app/help_line.h"
 #include "app/start_page.h"
 #include "app/viewport.h"
 #include "croquis/base/error.h"
@@ -24,6 +26,17 @@ namespace croquis::app {
 namespace {
 
 constexpr QSize first_size(1440, 900);
+
+bool is_error(const Finding& finding) { return finding.severity == Severity::Error; }
+
+/// Without the folders: there is one line for the sentence.
+Findings with_short_name(Findings findings, const QString& path) {
+  for (Finding& finding : findings) {
+    const QString message = QString::fromStdString(finding.message);
+    finding.message = QString(message).replace(path, QFileInfo(path).fileName()).toStdString();
+  }
+  return findings;
+}
 
 QString sentences(const Findings& findings) {
   QStringList lines;
@@ -79,16 +92,17 @@ void MainWindow::connect_studio() {
 
 void MainWindow::connect_files() {
   connect(&files_, &ProjectFiles::path_changed, this, &MainWindow::update_title);
-  connect(&files_, &ProjectFiles::autosave_failed, this, [this](const QString& text) { message_->setText(text); });
+  connect(&files_, &ProjectFiles::autosave_failed, this, &MainWindow::tell);
   connect(&files_.reader(), &FileReader::busy_changed, this, &MainWindow::show_progress);
   connect(&files_, &ProjectFiles::opened, this, [this](const QString& path) {
     record(recorded::File{"open", QFileInfo(path).absoluteFilePath().toStdString()});
+    folder_ = QFileInfo(path).absolutePath();
     show_views();
   });
-  connect(&files_, &ProjectFiles::open_failed, this, [this](const QString&, const Findings& findings) {
+  connect(&files_, &ProjectFiles::open_failed, this, [this](const QString& path, const Findings& findings) {
     attempt([&] {
       if (findings.empty()) throw Cancelled();
-      throw Error(findings);
+      throw Error(with_short_name(findings, path));
     });
   });
   files_.set_items([this] { return viewport_->objects().surfaces(); });
@@ -117,7 +131,8 @@ void MainWindow::connect_viewport() {
   connect(viewport_, &Viewport::committed, this, &MainWindow::record);
   connect(viewport_, &Viewport::help_changed, this, &MainWindow::update_help);
   connect(&viewport_->mesh(), &MeshInteraction::mode_changed, this, &MainWindow::update_panels);
-  connect(&viewport_->mesh(), &MeshInteraction::told, message_, &QLabel::setText);
+  connect(&viewport_->mesh(), &MeshInteraction::told, this, &MainWindow::tell);
+  viewport_->installEventFilter(this);
 }
 
 void MainWindow::show_progress(bool) {
@@ -128,11 +143,7 @@ void MainWindow::show_progress(bool) {
 }
 
 void MainWindow::make_help_line() {
-  help_ = new QLabel(this);
-  help_->setObjectName("help-line");
-  message_ = new QLabel(this);
-  message_->setObjectName("message");
-  message_->setStyleSheet("color: #f0a09a");
+  help_ = new HelpLine(this);
   progress_ = new QProgressBar(this);
   progress_->setObjectName("progress");
   progress_->setRange(0, 1000);
@@ -146,8 +157,7 @@ void MainWindow::make_help_line() {
   status_ = new QLabel(this);
   status_->setObjectName("status");
   status_->setStyleSheet("color: #b9c0cb");
-  statusBar()->addWidget(help_);
-  statusBar()->addWidget(message_, 1);
+  statusBar()->addWidget(help_, 1);
   statusBar()->addPermanentWidget(status_);
   statusBar()->addPermanentWidget(progress_);
   statusBar()->addPermanentWidget(cancel_);
@@ -162,14 +172,14 @@ void MainWindow::update_title() {
 
 void MainWindow::update_help() {
   if (shows_start_page()) {
-    help_->setText(tr("Choose a sketch, or press Ctrl+N and draw"));
+    help_->show_help(tr("Choose a sketch, or press Ctrl+N and draw"));
     return;
   }
-  help_->setText(viewport_->help());
+  help_->show_help(viewport_->help());
 }
 
 bool MainWindow::attempt(const std::function<void()>& work) {
-  message_->clear();
+  help_->clear();
   try {
     work();
     return true;
@@ -177,14 +187,21 @@ bool MainWindow::attempt(const std::function<void()>& work) {
     last_findings_ = error.findings();
     show_message(error.findings());
   } catch (const Cancelled&) {
-    message_->setText(tr("Cancelled."));
+    tell(tr("Cancelled."));
   }
   return false;
 }
 
 void MainWindow::show_message(const Findings& findings) {
-  message_->setText(sentences(findings).section('\n', 0, 0));
-  message_->setToolTip(sentences(findings));
+  const bool error = std::ranges::any_of(findings, &is_error);
+  const QString all = sentences(findings);
+  help_->tell(all.section('\n', 0, 0), error ? HelpLine::Tone::Error : HelpLine::Tone::Warning, all);
+}
+
+/// What was told is old once the hand goes on.
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == viewport_ && event->type() == QEvent::MouseButtonPress) help_->clear();
+  return QMainWindow::eventFilter(watched, event);
 }
 
 void MainWindow::start_sketch() {

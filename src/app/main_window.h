@@ -25,6 +25,7 @@ class ChainTable;
 class CreaseSetPanel;
 class FindingsList;
 class GalleryThumbnails;
+class HelpLine;
 class HistoryList;
 class HoleInteraction;
 class HolePanel;
@@ -88,6 +89,7 @@ class MainWindow : public QMainWindow {
   void export_picture(const QString& path);
 
  protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
@@ -142,6 +144,7 @@ class MainWindow : public QMainWindow {
   bool ask_save();
   bool save_to(const QString& path);
   bool may_discard();
+  QString proposed_path(const QString& file) const;  ///< where people last opened or wrote something
   void ask_export_solid();
   void ask_export_picture();
   void select_all();
@@ -186,8 +189,8 @@ class MainWindow : public QMainWindow {
   bool unattended_ = false;
   bool docks_sized_ = false;  ///< people's own sizes are kept
   Findings last_findings_;
-  QLabel* help_ = nullptr;
-  QLabel* message_ = nullptr;
+  QString folder_;  ///< that people last opened a file of, or wrote one to
+  HelpLine* help_ = nullptr;
   QLabel* status_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QPushButton* cancel_ = nullptr;

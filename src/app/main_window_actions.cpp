@@ -2,6 +2,7 @@
 // Actions, menus, tools and docks of the window, and the questions that they ask.
 #include <QAction>
 #include <QActionGroup>
+#include <QDir>
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -12,6 +13,7 @@
 #include <utility>
 
 #include "app/filling.h"
+#include "app/help_line.h"
 #include "app/icons.h"
 #include "app/main_window.h"
 #include "app/viewport.h"
@@ -41,6 +43,7 @@ QAction* MainWindow::add_action(QMenu* menu, const QString& name, const QString&
   connect(action, &QAction::triggered, this, [this, name, recorded, work = std::move(work)] {
     // Those that ask for a file are recorded with its name, once it is known.
     if (recorded == Recorded::AsAction && !asks_for_file(name)) record(recorded::Action{name.toStdString()});
+    help_->clear();
     work();
   });
   menu->addAction(action);
@@ -73,7 +76,7 @@ void MainWindow::make_file_actions() {
   add_action(menu, "export-picture", tr("Export &picture…"), {QKeySequence("Ctrl+Shift+E")},
              [this] { ask_export_picture(); });
   add_action(menu, "export-drawing", tr("Export &drawing…"), {}, [this] {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Export drawing"), {}, tr("SVG (*.svg)"));
+    const QString path = QFileDialog::getSaveFileName(this, tr("Export drawing"), proposed_path({}), tr("SVG (*.svg)"));
     if (!path.isEmpty()) attempt([&] { files_.export_drawing(path); });
   });
   menu->addSeparator();
@@ -200,11 +203,15 @@ void MainWindow::make_tool_actions() {
   addToolBar(Qt::LeftToolBarArea, mesh_bar_);
 }
 
-void MainWindow::ask_open() { begin_open(QFileDialog::getOpenFileNames(this, tr("Open"), {}, open_filter)); }
+void MainWindow::ask_open() { begin_open(QFileDialog::getOpenFileNames(this, tr("Open"), folder_, open_filter)); }
 
 bool MainWindow::ask_save() {
   QString path = files_.path();
-  if (path.isEmpty()) path = QFileDialog::getSaveFileName(this, tr("Save project"), {}, project_filter);
+  if (path.isEmpty()) {
+    const StudioObject* object = studio_.active();
+    const QString name = object == nullptr ? QString() : QString::fromStdString(object->name) + ".croq";
+    path = QFileDialog::getSaveFileName(this, tr("Save project"), proposed_path(name), project_filter);
+  }
   return !path.isEmpty() && save_to(path);
 }
 
@@ -212,7 +219,12 @@ bool MainWindow::save_to(const QString& path) {
   const QString named = QFileInfo(path).suffix().isEmpty() ? path + ".croq" : path;
   if (!attempt([&] { files_.save(named); })) return false;
   record(recorded::File{"save", QFileInfo(named).absoluteFilePath().toStdString()});
+  folder_ = QFileInfo(named).absolutePath();
   return true;
+}
+
+QString MainWindow::proposed_path(const QString& file) const {
+  return folder_.isEmpty() ? file : QDir(folder_).filePath(file);
 }
 
 bool MainWindow::may_discard() {
@@ -234,19 +246,22 @@ void MainWindow::ask_export_solid() {
   const QString name = object == nullptr ? QString() : QString::fromStdString(object->name);
   QString filter = is_filled ? QStringLiteral("PLY (*.ply)") : QStringLiteral("OBJ (*.obj)");
   const QString proposed = is_filled ? tr("%1 filled.ply").arg(name) : name + ".obj";
-  QString path = QFileDialog::getSaveFileName(this, tr("Export mesh"), proposed, mesh_filter, &filter);
+  QString path = QFileDialog::getSaveFileName(this, tr("Export mesh"), proposed_path(proposed), mesh_filter, &filter);
   if (path.isEmpty()) return;
   const QString suffix = filter.section("*", 1).section(")", 0, 0);
   if (QFileInfo(path).suffix().isEmpty() && !QFileInfo::exists(path + suffix)) path += suffix;
   attempt([&] {
     const Findings told = files_.export_solid(path);
-    tell(tr("%1 has been written").arg(QFileInfo(path).fileName()));
-    if (!told.empty()) show_message(told);
+    folder_ = QFileInfo(path).absolutePath();
+    const QString written = tr("%1 has been written").arg(QFileInfo(path).fileName());
+    if (told.empty()) return tell(written);
+    const QString lost = QString::fromStdString(told.front().message);
+    help_->tell(written + ". " + lost, HelpLine::Tone::Warning, lost);
   });
 }
 
 void MainWindow::ask_export_picture() {
-  const QString path = QFileDialog::getSaveFileName(this, tr("Export picture"), {}, tr("PNG (*.png)"));
+  const QString path = QFileDialog::getSaveFileName(this, tr("Export picture"), proposed_path({}), tr("PNG (*.png)"));
   if (!path.isEmpty()) attempt([&] { export_picture(path); });
 }
 

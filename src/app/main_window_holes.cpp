@@ -106,6 +106,12 @@ void MainWindow::update_hole_actions() {
   };
   action("fill-selected")->setEnabled(any([](const HoleRow& row) { return row.state != HoleState::Filled; }));
   action("reopen-selected")->setEnabled(any([](const HoleRow& row) { return row.state != HoleState::Open; }));
+  for (const auto& [name, select] : {std::pair{"fill-inner", "inner"},
+                                     {"fill-all-but-largest", "all-but-largest"},
+                                     {"fill-all", "all"},
+                                     {"reopen-all", "none"}}) {
+    action(name)->setEnabled(working && viewport_->holes().can_fill_all(select));
+  }
   action("clear-handles")->setEnabled(working && !viewport_->holes().tool().handles().empty());
   action("bridge-holes")->setEnabled(working && selected.size() > 1);
   action("holes")->setEnabled(can_fill(studio_) && !shows_start_page());

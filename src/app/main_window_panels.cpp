@@ -12,6 +12,7 @@
 #include "app/crease_set_panel.h"
 #include "app/face_sets.h"
 #include "app/finding_elements.h"
+#include "app/help_line.h"
 #include "app/lists.h"
 #include "app/main_window.h"
 #include "app/object_list.h"
@@ -173,7 +174,7 @@ void MainWindow::select_chain(int chain) {
   viewport_->mesh().act([&](MeshTool& t) { return t.pick(ComponentKind::Edge, edges); });
 }
 
-void MainWindow::tell(const QString& sentence) { message_->setText(sentence); }
+void MainWindow::tell(const QString& sentence) { help_->tell(sentence); }
 
 void MainWindow::go_to_step(int steps) {
   Session& session = studio_.session();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/filling.h"
 #include "croquis/base/error.h"
 
 namespace croquis::app {
@@ -205,7 +206,12 @@ QString MeshInteraction::help() const {
     case MeshMode::Object: {
       const StudioObject* object = studio_.active();
       if (object != nullptr && object->is_source()) {
-        return tr("O finds its holes · 3 makes it smooth · F9 vertices, F10 edges, F11 faces · Alt+drag turns the view");
+        return tr(
+            "O finds its holes · 3 makes it smooth · F9 vertices, F10 edges, F11 faces · Alt+drag turns the view");
+      }
+      if (filling_node(studio_) != nullptr) {
+        return tr(
+            "O goes back to its holes: there patches are dragged · F9 vertices, F10 edges, F11 faces of the scan");
       }
       return tr("1 cage, 2 both, 3 smooth · Page Up and Down change the level · F10 picks edges to sharpen");
     }

@@ -33,6 +33,10 @@ LiveItem::Paint paint_of(const StudioObject& object) {
   };
 }
 
+LiveItem::Paint patch_paint(PatchLook look) {
+  return [look](const std::shared_ptr<const PolyMesh>& mesh) { return colored_whole(mesh, look); };
+}
+
 render::MeshStyle style_of(MeshLook look) {
   switch (look) {
     case MeshLook::Wire: return render::MeshStyle::wire_only();
@@ -149,7 +153,11 @@ void ObjectScenes::follow() {
     // A scan stays as it is: only its patches, which are few, are made ready anew.
     const auto surface = items.patches.completes ? object.cage_mesh : object.shown();
     items.shows_cage = surface == object.cage_mesh;
-    items.surface->show(surface, item_options(), surface == object.mesh ? paint_of(object) : nullptr);
+    const bool paints_patches = items.patches.mesh && !items.patches.completes && surface == items.filled;
+    const LiveItem::Paint paint = paints_patches           ? patch_paint(patch_look_)
+                                  : surface == object.mesh ? paint_of(object)
+                                                           : nullptr;
+    items.surface->show(surface, item_options(), paint, paints_patches ? static_cast<int>(patch_look_) : 0);
     // The cage's own item serves its wire; a cage that is shown as a surface has one already.
     items.cage->show(items.shows_cage ? nullptr : object.cage_mesh, {});
   }

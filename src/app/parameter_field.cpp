@@ -11,6 +11,8 @@
 #include <QSpinBox>
 #include <cmath>
 
+#include "app/number_keys.h"
+
 namespace croquis::app {
 namespace {
 
@@ -35,6 +37,7 @@ class NumberField : public ParameterField {
     box_->setSingleStep(std::isfinite(high_ - low_) ? (high_ - low_) / 100 : 1);
     box_->setKeyboardTracking(false);
     box_->setAccessibleName(parameter_title(description));
+    share_keys(box_);
     if (std::isfinite(high_ - low_)) row->addWidget(make_slider(description), 1);
     row->addWidget(box_);
     setFocusProxy(box_);
@@ -97,6 +100,7 @@ class IntegerField : public ParameterField {
                    static_cast<int>(std::min(description.maximum, limit)));
     box_->setKeyboardTracking(false);
     box_->setAccessibleName(parameter_title(description));
+    share_keys(box_);
     setFocusProxy(box_);
     connect(box_, &QSpinBox::valueChanged, this, [this](int value) { emit edited(std::int64_t{value}, false); });
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -119,6 +120,19 @@ bool begins_with(const PolyMesh& filled, const PolyMesh& scan, std::size_t patch
          std::equal(scan.positions.begin(), scan.positions.end(), filled.positions.begin());
 }
 
+/// None for faces that aren't of patches: they are drawn as if nothing had been said.
+AttributeChannel told_faces(const std::vector<std::int32_t>& ids) {
+  AttributeChannel channel{"color", Domain::Face, 3, std::vector<float>(), {}};
+  auto& values = std::get<std::vector<float>>(channel.data);
+  values.reserve(3 * ids.size());
+  for (const std::int32_t id : ids) {
+    for (const std::uint8_t level : {told_color.r, told_color.g, told_color.b}) {
+      values.push_back(id < 0 ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(level) / 255.0F);
+    }
+  }
+  return channel;
+}
+
 void paint(PolyMesh& mesh, PatchLook look) {
   if (look == PatchLook::Preview) std::erase_if(mesh.channels, [](const auto& c) { return c.name == "color"; });
   if (mesh.channel("color", Domain::Vertex) != nullptr) return;
@@ -158,6 +172,18 @@ std::shared_ptr<const PolyMesh> colored(const PatchSurface& patches, PatchLook l
   paint(*mesh, look);
   if (look != PatchLook::Confidence) return mesh;
   return std::make_shared<const PolyMesh>(render::with_value_colors(*mesh));
+}
+
+std::shared_ptr<const PolyMesh> colored_whole(const std::shared_ptr<const PolyMesh>& filled, PatchLook look) {
+  const std::vector<std::int32_t>* ids = patch_ids(*filled);
+  if (ids == nullptr || look == PatchLook::Plain) return filled;
+  if (look == PatchLook::Confidence) return std::make_shared<const PolyMesh>(render::with_value_colors(*filled));
+  const bool has_own = std::any_of(filled->channels.begin(), filled->channels.end(),
+                                   [](const AttributeChannel& channel) { return channel.name == "color"; });
+  if (has_own) return filled;
+  auto mesh = std::make_shared<PolyMesh>(*filled);
+  mesh->channels.push_back(told_faces(*ids));
+  return mesh;
 }
 
 }  // namespace croquis::app

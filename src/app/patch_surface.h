@@ -33,4 +33,8 @@ PatchSurface patches_of(const PolyMesh& filled, const PolyMesh* scan, const std:
 /// The same faces in the colours of a look.
 std::shared_ptr<const PolyMesh> colored(const PatchSurface& patches, PatchLook look);
 
+/// A whole filled mesh with its patches in the colours of a look: for one whose scan didn't stay as it was, since rims
+/// were trimmed or the model was made anew. Everything else of it keeps its colours.
+std::shared_ptr<const PolyMesh> colored_whole(const std::shared_ptr<const PolyMesh>& filled, PatchLook look);
+
 }  // namespace croquis::app

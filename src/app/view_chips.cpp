@@ -152,7 +152,7 @@ QString ViewChips::counts() const {
   for (const StudioObject& object : studio_.objects()) {
     if (!object.visible || !object.shown()) continue;
     QString line = QString::fromStdString(object.name) + ": " + faces(object.shown()->face_count());
-    if (object.cage_mesh && object.shown() != object.cage_mesh) {
+    if (object.cage_mesh && object.shown()->face_count() != object.cage_mesh->face_count()) {
       line += tr(" from %1").arg(faces(object.cage_mesh->face_count()));
     }
     lines << line;
