@@ -291,8 +291,8 @@ TEST_CASE("smooth patches come closer to a sphere than flat ones") {
   const FillResult curved = fill(mesh, options);
   CHECK(tangent.outcomes[0].max_normal_jump < flat_jump / 2);
   CHECK(greatest_radial_error(tangent) < 0.03);
-  CHECK(greatest_radial_error(curved) < 1.1 * greatest_radial_error(tangent));
-  CHECK(greatest_radial_error(curved) < 0.009);
+  CHECK(greatest_radial_error(curved) < greatest_radial_error(tangent));
+  CHECK(greatest_radial_error(curved) < 0.001);  // 0.007 when fairing's weights are measured once, on the flat
 }
 
 TEST_CASE("filling again changes nothing, and the same input gives the same bytes") {

@@ -116,7 +116,7 @@ TEST_CASE("the cap of a sphere is continued as a sphere") {
     REQUIRE(count_of(result, "implicit") == 1);
     const Errors errors = radial_errors(result);
     INFO(levels);
-    CHECK(errors.worst < 0.002);  // 0.009 by fairing to continuity 2
+    CHECK(errors.worst < 0.002);
     CHECK(errors.mean < 0.001);
     CHECK(result.outcomes[0].confidence > 0.45);
     CHECK(result.outcomes[0].confidence < 0.7);

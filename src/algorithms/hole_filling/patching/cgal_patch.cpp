@@ -74,10 +74,11 @@ std::optional<FairingResult> refine_and_fair(const FairingInput& input, const Pr
   pmp::refine(local.mesh, local.patch, std::back_inserter(new_faces), std::back_inserter(new_vertices),
               CGAL::parameters::density_control_factor(input.density));
   local.patch.insert(local.patch.end(), new_faces.begin(), new_faces.end());
-  progress.check();
-  if (!new_vertices.empty() &&
-      !pmp::fair(local.mesh, new_vertices, CGAL::parameters::fairing_continuity(input.continuity)))
-    return std::nullopt;
+  for (int round = 0; round < input.rounds && !new_vertices.empty(); ++round) {
+    progress.check();
+    if (!pmp::fair(local.mesh, new_vertices, CGAL::parameters::fairing_continuity(input.continuity)))
+      return std::nullopt;
+  }
   return read_back(input, local);
 }
 

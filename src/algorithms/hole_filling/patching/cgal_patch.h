@@ -27,6 +27,7 @@ struct FairingInput {
   std::vector<Triangle> patch;         ///< turned like the surroundings
   unsigned continuity = 1;             ///< 0: positions, 1: tangents, 2: curvatures agree at the rim
   double density = 0;  ///< CGAL's density control; larger is denser, sqrt(2) gives the rim's own density
+  int rounds = 1;      ///< of fairing: each measures its weights on what the one before has made
 };
 
 struct FairingResult {
@@ -37,7 +38,7 @@ struct FairingResult {
 /// Refines the patch (Liepa 2003, section 3) and moves its new vertices where the surface bends least
 /// (Botsch et al., Polygon Mesh Processing, section 4.3, cotangent weights). Nothing when the surroundings aren't
 /// manifold, the system is singular, a coordinate isn't finite, or CGAL throws.
-/// @throws Cancelled between the two
+/// @throws Cancelled between the steps
 std::optional<FairingResult> cgal_refine_and_fair(const FairingInput& input, Progress& progress);
 
 }  // namespace croquis::hole_filling

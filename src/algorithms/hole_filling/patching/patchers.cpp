@@ -27,6 +27,10 @@ const double usual_density = std::sqrt(2.0);  // CGAL's for triangles of the rim
 /// Edges of the even start, × those of the rim: who continues it cuts them where the surface is.
 constexpr double even_coarseness = 2;
 
+/// Of fairing to continuity 2. The weights of the first are measured on the triangulation of the rim, which is nearly
+/// flat: what is made so has the right tangents, but too much or too little curvature behind them.
+constexpr int curved_rounds = 2;
+
 /// Fairing sees a ring or two of the surface alone and follows its slope weakly: it is shown more of it.
 constexpr double faired_turn = 4;
 
@@ -207,6 +211,7 @@ class FairedPatcher : public Patcher {
     if (!triangles) return std::nullopt;
     LocalSite local = make_local_site(site, *triangles, continuity_);
     local.input.density = density_for(site, *triangles, most_triangles_);
+    if (continuity_ == 2) local.input.rounds = curved_rounds;
     const auto faired = cgal_refine_and_fair(local.input, progress);
     if (!faired) return std::nullopt;
     HolePatch patch = in_mesh(site, local, *faired);
