@@ -32,6 +32,11 @@ constexpr int smoothings = 2;      // per round
 constexpr double draft_accuracy = 0.03;
 constexpr double final_accuracy = 1e-4;
 
+/// Steps are damped where the field is flatter than 0.2, and then take too many to get there. What is near the surface
+/// already after the draft comes to rest on it by Newton's own, down to this gradient.
+constexpr double least_settling_gradient = 0.01;
+constexpr int most_settling_steps = 6;
+
 /// A patch that strays farther from its rims than this has run away: the surface around doesn't close. × size
 constexpr double longest_way = 1.5;
 
@@ -218,12 +223,21 @@ class ImplicitPatcher : public Patcher {
         if (is_last && i + 1 == smoothings) projection.accuracy = final_accuracy;
         not_converged = implicit::project(loose.points, fixed, surface.field(), projection).not_converged;
       }
+      if (is_last && not_converged > 0) not_converged = settle(surface, fixed, projection, loose);
       if (has_run_away(surface, loose, through) || (is_last && not_converged > 0)) return false;
       if (is_last) break;
       limit_count(loose, most_triangles_);
       if (!bring_to_size(loose)) return false;
     }
     return true;
+  }
+
+  /// @return how many points are still not on the surface
+  static std::size_t settle(const RimField& surface, const std::vector<std::uint8_t>& fixed,
+                            implicit::ProjectionOptions projection, LoosePatch& loose) {
+    projection.least_gradient = least_settling_gradient;
+    projection.iterations = most_settling_steps;
+    return implicit::project(loose.points, fixed, surface.field(), projection).not_converged;
   }
 
   /// The new vertex nearest to each of the places, each another one; fewer when there aren't so many near enough.

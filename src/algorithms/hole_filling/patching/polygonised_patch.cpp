@@ -30,7 +30,7 @@ constexpr double farthest_wall = 3;         // × edge: beyond, two skins don't 
 constexpr double least_cell = 0.2;          // × edge
 constexpr double finer[] = {1, 0.5, 0.25};  // cells that are tried, × the first
 constexpr int most_runaways = 2;            // of a field: where the second does, too, it doesn't close
-constexpr double between_skins = 3;         // factor of the smoothing there, if it has to be
+constexpr double calmer = 3;                // factor of the smoothing, by r³, between skins and where r⁵ runs away
 constexpr std::size_t least_rim = 11;       // edges; there is no room for cubes in smaller holes
 
 /// A box around rims and places that a patch shouldn't leave: one that does has run away.
@@ -66,8 +66,9 @@ class PolygonisedPatch {
         std::sqrt(triangles_per_square_cell * area_ / static_cast<double>(std::max<std::size_t>(1, most_triangles_)));
     const double widest = std::max({std::min(edge_, wall_share * wall), least_cell * edge_, few_enough});
     auto patch = on_field(covering, {.every_normal = true}, widest, progress);
-    if (patch || wall >= farthest_wall * edge_) return patch;
-    return on_field(covering, {.stiffness = between_skins, .other_sheets = true}, widest, progress);
+    const bool is_thin = wall < farthest_wall * edge_;
+    if (patch || !(is_thin || continues_curvature(site_, options_))) return patch;
+    return on_field(covering, {.stiffness = calmer, .other_sheets = true}, widest, progress);
   }
 
  private:
