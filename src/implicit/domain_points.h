@@ -21,7 +21,7 @@ class DomainPoints {
   Constraints of(const Box& box, std::size_t most) const;
 
   /// True when the box holds more than `most` points on the surface.
-  bool holds_more_than(std::size_t most, const Box& box) const { return tree_.inside(box).size() > most; }
+  bool holds_more_than(std::size_t most, const Box& box) const { return tree_.holds_more_than(most, box); }
 
   std::span<const Vec3> positions() const { return positions_; }
   std::size_t bytes() const;

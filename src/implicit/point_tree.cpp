@@ -13,7 +13,7 @@ namespace croquis::implicit {
 namespace {
 
 constexpr std::size_t leaf_size = 8;
-constexpr std::size_t range_size = 32768;  // points that one thread orders by itself
+constexpr std::size_t range_size = 8192;  // points that one thread orders by itself
 
 using Found = std::pair<double, Index>;  // squared distance, index: the order of answers
 
@@ -83,18 +83,21 @@ void search(const TreeView& tree, std::size_t begin, std::size_t end, const Vec3
   }
 }
 
-void collect(const TreeView& tree, std::size_t begin, std::size_t end, const Box& box, std::vector<Index>& found) {
+/// Visits the points in the box until `visit` says that it is enough.
+/// @return false when it did
+template <typename Visit>
+bool visit_inside(const TreeView& tree, std::size_t begin, std::size_t end, const Box& box, Visit& visit) {
   if (end - begin <= leaf_size) {
     for (std::size_t i = begin; i < end; ++i)
-      if (box.contains(tree.points[i])) found.push_back(tree.indices[i]);
-    return;
+      if (box.contains(tree.points[i]) && !visit(tree.indices[i])) return false;
+    return true;
   }
   const std::size_t middle = (begin + end) / 2;
   const int axis = tree.axes[middle];
   const double split = tree.points[middle][axis];
-  if (box.contains(tree.points[middle])) found.push_back(tree.indices[middle]);
-  if (box.low[axis] <= split) collect(tree, begin, middle, box, found);
-  if (box.high[axis] >= split) collect(tree, middle + 1, end, box, found);
+  if (box.contains(tree.points[middle]) && !visit(tree.indices[middle])) return false;
+  if (box.low[axis] <= split && !visit_inside(tree, begin, middle, box, visit)) return false;
+  return box.high[axis] < split || visit_inside(tree, middle + 1, end, box, visit);
 }
 
 }  // namespace
@@ -172,9 +175,19 @@ std::vector<Index> PointTree::nearest(const Vec3& place, std::size_t count) cons
 
 std::vector<Index> PointTree::inside(const Box& box) const {
   std::vector<Index> found;
-  collect({points_, indices_, axes_}, 0, points_.size(), box, found);
+  const auto take = [&](Index point) {
+    found.push_back(point);
+    return true;
+  };
+  visit_inside({points_, indices_, axes_}, 0, points_.size(), box, take);
   std::sort(found.begin(), found.end());
   return found;
+}
+
+bool PointTree::holds_more_than(std::size_t most, const Box& box) const {
+  std::size_t left = most;
+  const auto count = [&](Index) { return left-- > 0; };
+  return !visit_inside({points_, indices_, axes_}, 0, points_.size(), box, count);
 }
 
 std::size_t PointTree::bytes() const {

@@ -43,7 +43,7 @@ TEST_CASE("nearest points are those of a full search, ties by index") {
   }
 }
 
-TEST_CASE("points in a box are those of a full search, ascending") {
+TEST_CASE("points in a box are those of a full search, ascending, and counted as far as asked") {
   const std::vector<Vec3> points = test::random_points(1000, 33);
   const PointTree tree(points);
   const std::vector<Vec3> corners = test::random_points(100, 34);
@@ -53,6 +53,9 @@ TEST_CASE("points in a box are those of a full search, ascending") {
     for (Index p = 0; p < points.size(); ++p)
       if (box.contains(points[p])) expected.push_back(p);
     CHECK(tree.inside(box) == expected);
+    for (const std::size_t most : {std::size_t{0}, std::size_t{7}, expected.size(), expected.size() + 1})
+      CHECK(tree.holds_more_than(most, box) == (expected.size() > most));
+    if (!expected.empty()) CHECK(tree.holds_more_than(expected.size() - 1, box));
   }
   CHECK(tree.inside({points[3], points[3]}) == std::vector<Index>{3});
 }
@@ -62,6 +65,7 @@ TEST_CASE("a tree without points, or with one place many times, answers") {
   CHECK(none.nearest(Vec3::Zero()) == no_index);
   CHECK(none.nearest(Vec3::Zero(), 3).empty());
   CHECK(none.inside({-Vec3::Ones(), Vec3::Ones()}).empty());
+  CHECK_FALSE(none.holds_more_than(0, {-Vec3::Ones(), Vec3::Ones()}));
   const PointTree same(std::vector<Vec3>(50, Vec3(1, 2, 3)));
   CHECK(same.nearest(Vec3::Zero()) == 0);
   CHECK(same.nearest(Vec3::Zero(), 3) == std::vector<Index>{0, 1, 2});

@@ -33,6 +33,9 @@ class PointTree {
   /// All points in the box, its faces included, ascending.
   std::vector<Index> inside(const Box& box) const;
 
+  /// Whether there are more than `most` points in the box. No more of them are looked at than that takes.
+  bool holds_more_than(std::size_t most, const Box& box) const;
+
   std::size_t bytes() const;
 
  private:
