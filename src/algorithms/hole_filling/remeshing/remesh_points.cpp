@@ -105,6 +105,30 @@ class Sampling {
   RemeshPoints& points_;
 };
 
+/// The vertices on the rims of a group of holes, with their normals.
+std::vector<ReachedVertex> rim_normals(const PolyMesh& mesh, const HoleAnalysis& analysis,
+                                       const std::vector<Index>& group) {
+  const HoleSite site = make_site(mesh, analysis, group, {});
+  double perimeter = 0;
+  for (const Index hole : group) perimeter += analysis.holes[hole].perimeter;
+  const double reach = quadric_reach * perimeter / static_cast<double>(site.vertices.size());
+  std::vector<ReachedVertex> reached = reach_from_rims(site, reach);
+  fit_rim_normals(reached, mesh.positions, tree_of(reached, mesh.positions));
+  return {reached.begin(), std::ranges::find_if(reached, [](const ReachedVertex& r) { return r.distance != 0; })};
+}
+
+std::vector<std::vector<ReachedVertex>> rim_normals(const PolyMesh& mesh, const HoleAnalysis& analysis,
+                                                    const RemeshPieces& pieces, int threads, Progress& progress) {
+  std::vector<const std::vector<Index>*> groups;
+  for (const RemeshPiece& piece : pieces.pieces)
+    for (const std::vector<Index>& group : piece.groups) groups.push_back(&group);
+  std::vector<std::vector<ReachedVertex>> rims(groups.size());
+  for_each_part(groups.size(), 1, threads, progress, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t g = begin; g < end; ++g) rims[g] = rim_normals(mesh, analysis, *groups[g]);
+  });
+  return rims;
+}
+
 }  // namespace
 
 double typical_edge(const PolyMesh& mesh, const SurfaceView& view) {
@@ -121,19 +145,9 @@ std::vector<Vec3> vertex_normals(const PolyMesh& mesh, const HoleAnalysis& analy
   for_each_part(normals.size(), grain, threads, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) normals[v] = normal_at(mesh, analysis.view, fans, v);
   });
-  for (const RemeshPiece& piece : pieces.pieces) {
-    for (const std::vector<Index>& group : piece.groups) {
-      progress.check();
-      const HoleSite site = make_site(mesh, analysis, group, {});
-      double perimeter = 0;
-      for (const Index hole : group) perimeter += analysis.holes[hole].perimeter;
-      const double reach = quadric_reach * perimeter / static_cast<double>(site.vertices.size());
-      std::vector<ReachedVertex> reached = reach_from_rims(site, reach);
-      fit_rim_normals(reached, mesh.positions, tree_of(reached, mesh.positions));
-      for (std::size_t i = 0; i < reached.size() && reached[i].distance == 0; ++i)
-        normals[reached[i].vertex] = reached[i].normal;
-    }
-  }
+  const auto rims = rim_normals(mesh, analysis, pieces, threads, progress);
+  for (const std::vector<ReachedVertex>& rim : rims)
+    for (const ReachedVertex& vertex : rim) normals[vertex.vertex] = vertex.normal;
   return normals;
 }
 
