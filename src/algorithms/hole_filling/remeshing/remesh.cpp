@@ -33,7 +33,7 @@ class Remeshing {
   RemeshResult run(Progress& progress) {
     require_options(options_);
     require_memory(memory_, options_.memory_limit);
-    result_.predicted_bytes = predicted_remesh_bytes(mesh_, options_);
+    result_.predicted_bytes = whole_bytes(memory_.most());
     Progress analysing = progress.step("analyse holes", 0.06);
     result_.analysis = analyse_holes(mesh_, analysing, options_.fill.analysis);
     choice_ = choose_holes(result_.analysis.holes, options_.fill);

@@ -28,8 +28,6 @@ std::string advice(const RemeshMemory& memory) {
   return std::string(text) + ", or fill its holes by patches";
 }
 
-std::size_t whole_bytes(double bytes) { return static_cast<std::size_t>(std::min(std::ceil(bytes), 1e18)); }
-
 Finding out_of_range(const std::string& name, const std::string& range) {
   return make_error(Category::Usage, "E_PARAMETER", "The option " + name + " is out of range: choose " + range + ".",
                     {{SubjectKind::Parameter, name, {}, {}, {}}});
@@ -72,6 +70,8 @@ void require_options(const RemeshOptions& options) {
   require(options.min_component >= 0 && options.min_component < 1, "min-component", "0 to 1");
   if (!findings.empty()) throw Error(std::move(findings));
 }
+
+std::size_t whole_bytes(double bytes) { return static_cast<std::size_t>(std::min(std::ceil(bytes), 1e18)); }
 
 std::size_t predicted_remesh_bytes(const PolyMesh& mesh, const RemeshOptions& options) {
   return whole_bytes(RemeshMemory(mesh, options).most());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+
 #include "algorithms/hole_filling/remeshing/remesh_memory.h"
 #include "croquis/hole_filling/remesh.h"
 
@@ -12,5 +14,8 @@ void require_options(const RemeshOptions& options);
 /// @throws Error (E_MEMORY) when the least that is needed is above the limit (0: none), with the coarser cell that
 ///         would fit
 void require_memory(const RemeshMemory& memory, std::size_t limit);
+
+/// What is told of a number of bytes.
+std::size_t whole_bytes(double bytes);
 
 }  // namespace croquis::hole_filling
