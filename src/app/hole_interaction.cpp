@@ -329,6 +329,9 @@ QString HoleInteraction::help() const {
   if (!open_of(chosen).empty()) {
     return tr("Enter fills what is previewed · drag the patch to shape it · F frames · Shift adds, Ctrl takes away");
   }
+  if (failed_of(chosen).size() == chosen.size()) {
+    return tr("No way gave a sound patch here: try another way, a bulge or trimming · Delete leaves it open");
+  }
   return tr("Delete opens it again · drag the patch to shape it · F frames · Ctrl+Z undoes");
 }
 

@@ -49,6 +49,7 @@ class HoleInteraction : public QObject {
 
   // ---- What becomes of holes; each is one step of the history
   void fill_selected();
+  bool can_fill_selected() const;  ///< one is open, or belongs to a bridge that couldn't be made
   /// @param select one of the parameter's choices; of "inner", nothing that is filled is opened
   void fill_all(const std::string& select);
   bool can_fill_all(const std::string& select) const;  ///< it would change something, or nobody knows yet
@@ -110,6 +111,7 @@ class HoleInteraction : public QObject {
   const Node* node() const;
   std::vector<Index> filled() const;
   std::vector<Index> open_of(const std::vector<Index>& holes) const;
+  std::vector<Index> failed_of(const std::vector<Index>& holes) const;
   Index largest() const;
   bool is_named(const HoleRow& row, const std::string& select, double max_diameter) const;
   bool stays_filled(const HoleRow& row, const std::string& select) const;

@@ -87,6 +87,28 @@ void HoleInteraction::fill_selected() {
   apply(recorded::HoleChoice{holes, "fill"});
 }
 
+std::vector<Index> HoleInteraction::failed_of(const std::vector<Index>& holes) const {
+  std::vector<Index> failed;
+  for (const Index hole : holes) {
+    const HoleRow* found = row(hole);
+    if (found != nullptr && found->state == HoleState::Failed) failed.push_back(hole);
+  }
+  return failed;
+}
+
+bool HoleInteraction::can_fill_selected() const {
+  if (!open_of(tool_.selected()).empty()) return true;
+  const std::vector<Index> failed = failed_of(tool_.selected());
+  const Node* operation = node();
+  if (failed.empty() || operation == nullptr) return false;
+  try {
+    const HolePlan plan(studio_, *operation);
+    return std::any_of(failed.begin(), failed.end(), [&](Index hole) { return plan.is_bridged(hole); });
+  } catch (const Error&) {
+    return true;  // filling says what is wrong
+  }
+}
+
 void HoleInteraction::fill_all(const std::string& select) {
   const std::string what = select == "all-but-largest" ? "Fill all but the largest hole"
                            : select == "inner"         ? "Fill all inner holes"
@@ -165,7 +187,11 @@ void HoleInteraction::apply(const recorded::HoleChoice& step) {
   if (step.up_to) {
     fill_named("Fill holes up to " + measure(*step.up_to).toStdString(), "inner", *step.up_to);
   } else if (step.action == "fill") {
-    change_plan("Fill " + words_for(step.holes), [&](HolePlan& plan) { plan.fill(with_islands(rows_, step.holes)); });
+    change_plan("Fill " + words_for(step.holes), [&](HolePlan& plan) {
+      // Where a bridge couldn't be made, each rim gets a patch of its own.
+      plan.part_bridges(failed_of(step.holes));
+      plan.fill(with_islands(rows_, step.holes));
+    });
   } else if (step.action == "leave") {
     change_plan("Reopen " + words_for(step.holes),
                 [&](HolePlan& plan) { plan.reopen(with_islands(rows_, step.holes)); });

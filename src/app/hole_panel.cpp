@@ -118,6 +118,7 @@ void HolePanel::make_head(QBoxLayout* column) {
   summary_->setWordWrap(true);
   checked_->setObjectName("hole-check");
   checked_->setWordWrap(true);
+  checked_->hide();
   column->addWidget(summary_);
   column->addWidget(checked_);
   column->addWidget(table_, 1);

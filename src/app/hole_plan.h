@@ -36,6 +36,9 @@ class HolePlan {
   /// What was wished of them goes away; those that would be filled with others are left.
   void reopen(std::span<const Index> holes);
 
+  /// Those that hold one of the holes are no more; what else was wished of holes stays.
+  void part_bridges(std::span<const Index> holes);
+
   /// One patch joins the rims.
   void bridge(std::span<const Index> holes);
 
@@ -57,7 +60,6 @@ class HolePlan {
   HoleWish& entry(Index hole);
   static void keep_as_is(HoleWish& wish, std::span<const Index> filled);
   void forget_empty();
-  void part_bridges(std::span<const Index> holes);
 
   std::string select_;
   std::string only_;

@@ -104,7 +104,7 @@ void MainWindow::update_hole_actions() {
              return row == nullptr || holds(*row);
            });
   };
-  action("fill-selected")->setEnabled(any([](const HoleRow& row) { return row.state != HoleState::Filled; }));
+  action("fill-selected")->setEnabled(working && viewport_->holes().can_fill_selected());
   action("reopen-selected")->setEnabled(any([](const HoleRow& row) { return row.state != HoleState::Open; }));
   for (const auto& [name, select] : {std::pair{"fill-inner", "inner"},
                                      {"fill-all-but-largest", "all-but-largest"},

@@ -13,6 +13,9 @@ namespace {
 
 constexpr int patience_ms = 10'000;
 
+// Half the pixels of the window as it opens: without a graphics card nearly all the time goes into them.
+constexpr QSize window_size(1120, 700);
+
 }  // namespace
 
 StudioFixture::StudioFixture()
@@ -20,6 +23,7 @@ StudioFixture::StudioFixture()
           "pen", 7, QInputDevice::DeviceType::Stylus, QPointingDevice::PointerType::Pen,
           QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 1)),
       window_(std::make_unique<app::MainWindow>(folder_.path() + "/state")) {
+  window_->resize(window_size);
   window_->show();
   (void)QTest::qWaitForWindowExposed(window_.get());
   window_->start_sketch();

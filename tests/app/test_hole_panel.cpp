@@ -153,6 +153,26 @@ TEST_CASE("all holes are opened, also those whose patches were shaped or bridged
   }
 }
 
+TEST_CASE("where a bridge can't be made its rims are filled one by one", "[hole-panel]") {
+  StudioFixture hand;
+  PolyMesh ball = round_sphere(3);
+  for (const double side : {1.0, -1.0}) ball = without_loose_vertices(cut(ball, Vec3(0, 0, side), 0.4).mesh);
+  PolyMesh in_the_way = round_sphere(2);
+  for (Vec3& place : in_the_way.positions) place *= 0.8;
+  open_scan(hand, merged(ball, in_the_way));
+  REQUIRE(holes(hand).rows().size() == 2);
+  holes(hand).select({0, 1});
+  hand.act("bridge-holes");
+  hand.settle();
+  REQUIRE(count(hand, HoleState::Failed) == 2);
+  CHECK(label(hand, "help-line").startsWith("No way gave a sound patch here"));
+  CHECK(is_enabled(hand, "fill-selected"));
+  hand.act("fill-selected");
+  hand.settle();
+  CHECK(count(hand, HoleState::Filled) == 2);
+  CHECK(!is_enabled(hand, "fill-selected"));
+}
+
 TEST_CASE("patches are coloured too where rims were trimmed and where the model was made anew", "[hole-panel]") {
   StudioFixture hand;
   const Vec3 towards_eye = Vec3(1, 0.8, 1.2).normalized();

@@ -118,7 +118,7 @@ TEST_CASE("all inner, all but the largest, up to a size: each one step, checked 
 }
 
 TEST_CASE("filling up to a size and ways of patches are recorded as what was done, and replayed so",
-          "[hole-sessions]") {
+          "[hole-recordings]") {
   StudioFixture hand;
   const QString recording = hand.folder() + "/session.jsonl";
   hand.window().record_to(recording);
@@ -194,7 +194,8 @@ TEST_CASE("an edge that nobody left open is no part of a border", "[holes]") {
   CHECK(!app::is_as_wanted(checked, {.borders = 1, .holes = 1, .failed = 1}));
 }
 
-TEST_CASE("the way of a patch belongs to what is selected, else to all, and a drag of bulge is one step", "[holes]") {
+TEST_CASE("the way of a patch belongs to what is selected, else to all, and a drag of bulge is one step",
+          "[hole-ways]") {
   StudioFixture hand;
   open_scan(hand, ball_with_holes());
   hand.act("fill-inner");
@@ -222,7 +223,7 @@ TEST_CASE("the way of a patch belongs to what is selected, else to all, and a dr
   CHECK(filled_mesh(hand).positions == before.positions);
 }
 
-TEST_CASE("an open hole's way shows in its preview and leaves it open", "[holes]") {
+TEST_CASE("an open hole's way shows in its preview and leaves it open", "[hole-ways]") {
   StudioFixture hand;
   open_scan(hand, ball_with_holes());
   holes(hand).select({3});
@@ -271,7 +272,7 @@ TEST_CASE("holes are picked in the views, by list and box; a double click fills"
   CHECK(holes(hand).row(hole)->state == HoleState::Filled);
 }
 
-TEST_CASE("a place of a patch is pulled, live and in one step, and its handles are cleared", "[holes]") {
+TEST_CASE("a place of a patch is pulled, live and in one step, and its handles are cleared", "[hole-ways]") {
   StudioFixture hand;
   open_scan(hand, ball_with_holes());
   hand.act("fill-inner");
@@ -295,7 +296,7 @@ TEST_CASE("the panel of attributes has no switch for listing alone", "[holes]") 
   CHECK(attributes->field("fairness") != nullptr);
 }
 
-TEST_CASE("filled holes are in projects, recordings and files", "[hole-sessions]") {
+TEST_CASE("filled holes are in projects, recordings and files", "[hole-recordings]") {
   StudioFixture hand;
   const QString recording = hand.folder() + "/session.jsonl";
   hand.window().record_to(recording);
@@ -332,7 +333,7 @@ TEST_CASE("filled holes are in projects, recordings and files", "[hole-sessions]
   CHECK(count(third, HoleState::Filled) == 5);
 }
 
-TEST_CASE("a finding about a hole selects and frames it", "[holes]") {
+TEST_CASE("a finding about a hole selects and frames it", "[hole-ways]") {
   StudioFixture hand;
   open_scan(hand, ball_with_holes());
   hand.act("select");
@@ -397,7 +398,7 @@ TEST_CASE("the window is never held up while a large scan's holes are worked on"
   CHECK(count(hand, HoleState::Open) == 12);
 }
 
-TEST_CASE("a hole and its island are previewed, filled and opened together, whichever is picked", "[holes]") {
+TEST_CASE("a hole and its island are previewed, filled and opened together, whichever is picked", "[hole-ways]") {
   StudioFixture hand;
   open_scan(hand, test::without_loose_vertices(test::cut_ring(test::round_sphere(4), {0, 0, 1}, 0.2, 0.5).mesh));
   REQUIRE(holes(hand).rows().size() == 2);
@@ -415,7 +416,7 @@ TEST_CASE("a hole and its island are previewed, filled and opened together, whic
   }
 }
 
-TEST_CASE("two selected rims are bridged by one band; trimming takes faces along a rim away", "[holes]") {
+TEST_CASE("two selected rims are bridged by one band; trimming takes faces along a rim away", "[hole-ways]") {
   StudioFixture hand;
   const PolyMesh below = test::open_tube(1, 2, 24, 12);
   PolyMesh above = below;

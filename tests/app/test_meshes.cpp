@@ -126,7 +126,7 @@ TEST_CASE("what is under the pointer lights up, and a tagged edge tells its shar
   CHECK(value->text() == "∞");
 }
 
-TEST_CASE("the marking menu works by direction alone", "[meshes]") {
+TEST_CASE("the marking menu works by direction alone", "[mesh-views]") {
   CHECK(app::MarkingMenu::place_towards({0, -50}) == 0);
   CHECK(app::MarkingMenu::place_towards({40, -40}) == 1);
   CHECK(app::MarkingMenu::place_towards({50, 3}) == 2);
@@ -148,7 +148,7 @@ TEST_CASE("the marking menu works by direction alone", "[meshes]") {
   CHECK(hand.viewport().mesh().tool().mode() == MeshMode::Object);
 }
 
-TEST_CASE("four views look along the axes, never turn when flat, and Space shows one alone", "[meshes]") {
+TEST_CASE("four views look along the axes, never turn when flat, and Space shows one alone", "[mesh-views]") {
   StudioFixture hand;
   hand.open_cage("l_bracket");
   Viewport& view = hand.viewport();
@@ -174,7 +174,7 @@ TEST_CASE("four views look along the axes, never turn when flat, and Space shows
   CHECK(view.layout_of_views().shown().size() == 4);
 }
 
-TEST_CASE("several meshes are listed, hidden, renamed, deleted, and brought back", "[meshes]") {
+TEST_CASE("several meshes are listed, hidden, renamed, deleted, and brought back", "[mesh-views]") {
   StudioFixture hand;
   hand.open_cage("bolt");
   hand.open_cage("mug");
@@ -198,7 +198,7 @@ TEST_CASE("several meshes are listed, hidden, renamed, deleted, and brought back
   CHECK(hand.studio().objects()[0].visible);
 }
 
-TEST_CASE("keys 1, 2, 3 and levels change what is seen and lose nothing", "[meshes]") {
+TEST_CASE("keys 1, 2, 3 and levels change what is seen and lose nothing", "[mesh-views]") {
   StudioFixture hand;
   hand.open_cage("cube_corner");
   hand.act("show-smooth");
@@ -230,7 +230,7 @@ TEST_CASE("keys 1, 2, 3 and levels change what is seen and lose nothing", "[mesh
   CHECK(hand.studio().objects()[0].visible);
 }
 
-TEST_CASE("an exported cage keeps its tags", "[meshes]") {
+TEST_CASE("an exported cage keeps its tags", "[mesh-views]") {
   StudioFixture hand;
   hand.open_cage("bolt_pinned_square");
   const MeshTags tags = hand.studio().active()->cage_mesh->tags;
@@ -272,7 +272,7 @@ TEST_CASE("edges chosen by angle are counted and selected while one drags", "[me
   CHECK(selected(hand).elements.empty());
 }
 
-TEST_CASE("faces keep their shape or their outline on every level", "[meshes]") {
+TEST_CASE("faces keep their shape or their outline on every level", "[mesh-views]") {
   StudioFixture hand;
   show_collar(hand);
   hand.act("keep-shape");  // no faces are selected: said in words, nothing is changed
@@ -315,7 +315,7 @@ TEST_CASE("crease sets are made, named, given a sharpness and taken away", "[mes
   CHECK(sets().empty());
 }
 
-TEST_CASE("every action works by its name, on meshes and on a sketch", "[mesh-sessions]") {
+TEST_CASE("every action works by its name, on meshes and on a sketch", "[actions]") {
   StudioFixture hand;
   hand.window().set_unattended();
   const auto may_run = [](const QString& name) {
@@ -366,7 +366,7 @@ TEST_CASE("a recorded session plays back to the same document", "[mesh-sessions]
   CHECK(content_hash(other.studio().session().document()) == done);
 }
 
-TEST_CASE("a large mesh is read while the window goes on, and can be given up", "[meshes]") {
+TEST_CASE("a large mesh is read while the window goes on, and can be given up", "[mesh-views]") {
   StudioFixture hand;
   PolyMesh grid;
   constexpr Index side = 500;

@@ -136,7 +136,7 @@ TEST_CASE("a frozen scan keeps its patches as sets of faces that can be worked o
   CHECK(other.studio().session().components().elements.size() == picked_count);
 }
 
-TEST_CASE("a hole that is brought near is seen from its front, inside-out scans or not", "[patches]") {
+TEST_CASE("a hole that is brought near is seen from its front, inside-out scans or not", "[patch-views]") {
   for (const bool turned : {false, true}) {
     StudioFixture hand;
     const PolyMesh ball = ball_with_holes();
@@ -162,7 +162,7 @@ TEST_CASE("a hole that is brought near is seen from its front, inside-out scans 
   }
 }
 
-TEST_CASE("where holes were filled no line is left in the picture", "[patches]") {
+TEST_CASE("where holes were filled no line is left in the picture", "[patch-views]") {
   StudioFixture hand;
   const auto share_of_lines = [&] {
     hand.settle();
@@ -182,7 +182,7 @@ TEST_CASE("where holes were filled no line is left in the picture", "[patches]")
   CHECK(share_of_lines() > 0.001);
 }
 
-TEST_CASE("another kernel of one hole changes its patch alone", "[patches]") {
+TEST_CASE("another kernel of one hole changes its patch alone", "[patch-views]") {
   StudioFixture hand;
   open_scan(hand, ball_with_holes());
   hand.act("fill-inner");
@@ -234,7 +234,7 @@ TEST_CASE("a cancelled making anew changes nothing, and the window works on", "[
   hand.window().files().export_solid(hand.folder() + "/filled.ply");
 }
 
-TEST_CASE("move and rotate leave the holes as they are, and holes come back with their selection", "[patches]") {
+TEST_CASE("move and rotate leave the holes as they are, and holes come back with their selection", "[patch-views]") {
   StudioFixture hand;
   open_scan(hand, ball_with_holes());
   holes(hand).select({2});
