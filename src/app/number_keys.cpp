@@ -5,6 +5,8 @@
 #include <QEvent>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <algorithm>
+#include <array>
 
 namespace croquis::app {
 namespace {
@@ -19,15 +21,18 @@ class KeySharer : public QObject {
   bool eventFilter(QObject* field, QEvent* event) override {
     if (event->type() != QEvent::ShortcutOverride) return QObject::eventFilter(field, event);
     const auto* key = static_cast<QKeyEvent*>(event);
-    if (!is_letter(*key) && (!is_history(*key) || line_->isModified())) return QObject::eventFilter(field, event);
+    if (!is_command(*key) && (!is_history(*key) || line_->isModified())) return QObject::eventFilter(field, event);
     event->ignore();
     return true;
   }
 
  private:
-  static bool is_letter(const QKeyEvent& key) {
-    const bool plain = (key.modifiers() & ~Qt::ShiftModifier) == Qt::NoModifier;
-    return plain && key.key() >= Qt::Key_A && key.key() <= Qt::Key_Z;
+  /// A letter, or one with Ctrl that isn't for the clipboard or the history: fields know Ctrl+E as the end of a line.
+  static bool is_command(const QKeyEvent& key) {
+    if (key.key() < Qt::Key_A || key.key() > Qt::Key_Z) return false;
+    if (!key.modifiers().testFlag(Qt::ControlModifier)) return !key.modifiers().testFlag(Qt::AltModifier);
+    constexpr std::array own{Qt::Key_A, Qt::Key_C, Qt::Key_V, Qt::Key_X, Qt::Key_Y, Qt::Key_Z};
+    return std::ranges::find(own, key.key()) == own.end();
   }
   static bool is_history(const QKeyEvent& key) {
     return key.modifiers().testFlag(Qt::ControlModifier) && (key.key() == Qt::Key_Z || key.key() == Qt::Key_Y);

@@ -212,6 +212,7 @@ TEST_CASE("a field of numbers leaves undo and the names of tools to the window",
   CHECK(offered(Qt::Key_Z, Qt::ControlModifier, "\x1a"));
   CHECK(offered(Qt::Key_O, Qt::NoModifier, "o"));
   CHECK(offered(Qt::Key_F, Qt::ShiftModifier, "F"));
+  CHECK(offered(Qt::Key_E, Qt::ControlModifier, "\x05"));
   CHECK(!offered(Qt::Key_2, Qt::NoModifier, "2"));
   CHECK(!offered(Qt::Key_C, Qt::ControlModifier, "\x03"));
   QTest::keyClick(&trim, Qt::Key_2);
