@@ -129,6 +129,28 @@ TEST_CASE("a hundred holes that share vertices are closed without an edge of man
   }
 }
 
+TEST_CASE("pieces inside of wide holes are islands, not pieces to be capped by themselves") {
+  RaggedCuts rings;
+  rings.count = 3;
+  rings.low = 0.06;
+  rings.high = 0.1;
+  rings.island = 0.4;
+  FillOptions options;
+  options.selection = Selection::All;
+  for (const Sculpture sculpture : all_sculptures) {
+    const PolyMesh whole = sculpt(sculpture, 30000);
+    for (rings.seed = 1; rings.seed <= 2; ++rings.seed) {
+      CAPTURE(name_of(sculpture), rings.seed);
+      const PolyMesh mesh = without_loose_vertices(ragged_cuts(whole, rings).mesh);
+      const FillResult result = fill(mesh, options);
+      const MeshReport report = report_of(result.mesh);
+      CHECK(report.components == 1);
+      CHECK(report.closed);
+      CHECK(report.self_intersections == 0);
+    }
+  }
+}
+
 TEST_CASE("rims as rough as their edges are long are closed soundly or left open") {
   std::size_t closed = 0, asked = 0;
   for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(sample_count(3, 40)); ++seed) {

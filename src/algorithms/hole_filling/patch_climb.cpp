@@ -108,12 +108,17 @@ class Climb {
     return site;
   }
 
+  /// Caps come last: a rim that looked like the border of a piece by itself may prove to be an island's, when the
+  /// surface around another hole goes on to it.
   bool find_pending() {
     pending_.clear();
-    for (Climber& climber : climbers_) {
-      if (climber.is_pending()) pending_.push_back(&climber);
+    for (const bool is_cap : {false, true}) {
+      for (Climber& climber : climbers_) {
+        if (climber.is_pending() && climber.job.is_cap == is_cap) pending_.push_back(&climber);
+      }
+      if (!pending_.empty()) return true;
     }
-    return !pending_.empty();
+    return false;
   }
 
   /// Reports the number of patches made, and from the calling thread alone.
