@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <numbers>
+#include <string>
 
 #include <catch2/catch.hpp>
 
+#include "algorithms/hole_filling/fill_findings.h"
 #include "croquis/hole_filling/fill_holes.h"
 #include "hole_filling/fill_invariants.h"
 #include "support/mesh_shapes.h"
@@ -62,4 +65,21 @@ TEST_CASE("warnings about holes speak of one thing and of many as people do") {
   CHECK(sentence(merged(sheet(6, 6), translated(sheet(6, 6), Vec3(99, 0, 0))), "W_OUTER_LEFT") ==
         "2 rims look like the border of an open surface and stayed open: choose all holes, or these by their numbers, "
         "to close them too.");
+}
+
+TEST_CASE("a patch that folds back at its rim is doubtful, a flat one is what was asked for") {
+  const PolyMesh sphere = random_cuts(round_sphere(3), 1, 1, 0.3, 0.3).mesh;
+  FillResult result = fill(sphere, {});
+  REQUIRE(result.outcomes.size() == 1);
+  for (const double degrees : {10.0, 119.0, 121.0, 179.0}) {
+    for (const char* method : {"implicit", "cgal-c1", "band", "minimal"}) {
+      CAPTURE(degrees, method);
+      result.outcomes[0].max_normal_jump = degrees * std::numbers::pi / 180;
+      result.outcomes[0].method = method;
+      const Findings findings = fill_findings(sphere, result);
+      const auto folds = std::ranges::count_if(
+          findings, [](const Finding& finding) { return finding.message.find("fold") != std::string::npos; });
+      CHECK(folds == (degrees > 120 && method != std::string("minimal") ? 1 : 0));
+    }
+  }
 }

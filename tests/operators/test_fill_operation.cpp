@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <numbers>
 
 #include <catch2/catch.hpp>
 
@@ -141,33 +139,6 @@ TEST_CASE("a filled scan begins with the scan, and its report counts the rest") 
     // A sphere of radius 1 in 5120 triangles bends by 4 degrees from one to the next.
     CHECK(hole.at("max_normal_jump").as_number() > 0.1);
     CHECK(hole.at("max_normal_jump").as_number() < 20);
-  }
-}
-
-/// Open at its base, which a side meets at the angle. @param slope degrees
-PolyMesh open_cone(double slope) {
-  constexpr Index sides = 24;
-  PolyMesh cone;
-  cone.positions.push_back({0, 0, std::tan(slope * std::numbers::pi / 180)});
-  for (Index k = 0; k < sides; ++k) {
-    const double angle = 2 * std::numbers::pi * k / sides;
-    cone.positions.push_back({std::cos(angle), std::sin(angle), 0});
-  }
-  for (Index k = 0; k < sides; ++k) cone.add_face(std::vector<Index>{0, 1 + k, 1 + (k + 1) % sides});
-  return cone;
-}
-
-TEST_CASE("a patch that folds back at the rim is doubtful: no wedge of less than 60 degrees goes without a word") {
-  for (const double slope : {40.0, 55.0, 65.0, 80.0}) {
-    const OperationResult result =
-        fill(open_cone(slope), {{"select", std::string("all")}, {"fairness", std::string("flat")}});
-    REQUIRE(actions_of(result) == "f");
-    const double bend = details_of(result).at("holes").as_array()[0].at("max_normal_jump").as_number();
-    CHECK(bend == Approx(180 - slope).margin(1));  // 24 sides aren't quite round
-    const bool told = std::any_of(result.warnings.begin(), result.warnings.end(), [](const Finding& finding) {
-      return finding.code == "W_LOW_CONFIDENCE" && finding.message.find("fold") != std::string::npos;
-    });
-    CHECK(told == (slope < 60));
   }
 }
 

@@ -89,7 +89,11 @@ void tell_doubtful(std::vector<Subject> holes, const std::string& what, Findings
 void tell_low_confidence(const PolyMesh& scan, const FillResult& result, Findings& findings) {
   tell_doubtful(filled_where(scan, result, [](const HoleOutcome& o) { return o.confidence < low_confidence; }),
                 "far beyond what the surface around tells: look at the shape, or choose flat patches.", findings);
-  tell_doubtful(filled_where(scan, result, [](const HoleOutcome& o) { return o.max_normal_jump > doubtful_fold; }),
+  // Flat patches meet rims at whatever angle: they were asked for, or are told as taken instead.
+  const auto is_folded = [](const HoleOutcome& o) {
+    return o.max_normal_jump > doubtful_fold && o.method != "minimal";
+  };
+  tell_doubtful(filled_where(scan, result, is_folded),
                 "with a fold of more than 120 degrees at the rim: look at the rim, or trim it.", findings);
 }
 
