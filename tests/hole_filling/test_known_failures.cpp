@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -147,6 +148,23 @@ TEST_CASE("pieces inside of wide holes are islands, not pieces to be capped by t
       CHECK(report.components == 1);
       CHECK(report.closed);
       CHECK(report.self_intersections == 0);
+    }
+  }
+}
+
+TEST_CASE("a sound patch that folds back at its rim gives way to one that doesn't") {
+  for (const auto& [sculpture, seed] :
+       {std::pair{Sculpture::Mug, 2u}, {Sculpture::Bracket, 2u}, {Sculpture::Housing, 1u}}) {
+    RaggedCuts cuts;
+    cuts.seed = seed;
+    cuts.count = 5;
+    cuts.low = 0.06;
+    cuts.high = 0.12;
+    CAPTURE(name_of(sculpture));
+    const PolyMesh mesh = without_loose_vertices(ragged_cuts(sculpt(sculpture, 30000), cuts).mesh);
+    for (const HoleOutcome& outcome : fill(mesh, {}).outcomes) {
+      CHECK(outcome.method.starts_with("implicit"));
+      CHECK(outcome.max_normal_jump < doubtful_fold);
     }
   }
 }

@@ -2,7 +2,6 @@
 #include "algorithms/hole_filling/fill_findings.h"
 
 #include <algorithm>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -10,11 +9,6 @@
 
 namespace croquis::hole_filling {
 namespace {
-
-/// Beyond this angle across the rim a wedge of less than 60 degrees is left between patch and surface, which scans of
-/// things hardly ever have: of 95 patches of scans three bent by more than 85 degrees, and all of them by more than
-/// 130.
-constexpr double doubtful_fold = 120 * std::numbers::pi / 180;
 
 Subject hole_subject(const PolyMesh& mesh, const Hole& hole) {
   const Vec3& at = mesh.positions[hole.vertices.front()];

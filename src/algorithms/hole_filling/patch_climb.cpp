@@ -30,6 +30,8 @@ struct Climber {
   PatchVerdict alone;  ///< of the candidate, against the mesh
   ClimbedJob result;
   std::vector<Climber> joined;  ///< those it was made of, each on its next rung: tried alone when this one has no patch
+  std::optional<std::size_t> folded_rung;  ///< the first whose patch was sound but folded back at the rim
+  bool takes_folds = false;                ///< since no other method of the kind did better
   bool may_join = true;
   bool is_gone = false;  ///< has become part of another
 
@@ -77,6 +79,7 @@ class Climb {
       Progress verifying = progress.step("verify patches", round == 0 ? 0.2 : 0.01);
       verify(verifying);
       part_failed();
+      return_to_folded();
     }
     return take_results();
   }
@@ -173,6 +176,7 @@ class Climb {
     }
     Progress judging = progress.step("verify patches", 0.8);
     judge_alone(tried, judging);
+    std::erase_if(tried, [](Climber* climber) { return goes_on_for_fold(*climber); });
     std::vector<HolePatch> candidates;
     std::vector<PatchVerdict> verdicts;
     for (Climber* climber : tried) {
@@ -253,6 +257,26 @@ class Climb {
         part.may_join = false;
         climbers_.push_back(std::move(part));
       }
+    }
+  }
+
+  /// A patch that folds back over the surface at its rim is sound, but hardly what was there: other methods of the kind
+  /// come first. @return whether it goes on to those
+  static bool goes_on_for_fold(Climber& climber) {
+    const bool is_doubtful = climber.alone.is_sound() && climber.alone.max_normal_jump > doubtful_fold;
+    if (!is_doubtful || climber.takes_folds || !is_as_asked(climber.method(), climber.job)) return false;
+    if (!climber.folded_rung) climber.folded_rung = climber.rung;
+    refuse(climber, "");
+    return true;
+  }
+
+  /// Those that found nothing better.
+  void return_to_folded() {
+    for (Climber& climber : climbers_) {
+      const bool is_at_end = climber.is_pending() && !is_as_asked(climber.method(), climber.job);
+      if (!is_at_end || !climber.folded_rung || climber.takes_folds) continue;
+      climber.rung = *climber.folded_rung;
+      climber.takes_folds = true;
     }
   }
 

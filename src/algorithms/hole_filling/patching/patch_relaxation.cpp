@@ -11,8 +11,8 @@ void relax(LoosePatch& patch, std::span<const std::uint8_t> fixed) {
   for (const auto& t : patch.triangles) {
     const Vec3 ab = patch.points[t[1]] - patch.points[t[0]], ac = patch.points[t[2]] - patch.points[t[0]];
     const double size = patch.sizes[t[0]] + patch.sizes[t[1]] + patch.sizes[t[2]];
-    const double weight = ab.cross(ac).norm() / (size * size);  // but for a common factor
-    const Vec3 middle = (ab + ac) / 3;                          // from a, for the digits of patches far away
+    const double weight = ab.cross(ac).norm() / size;  // but for a common factor
+    const Vec3 middle = (ab + ac) / 3;                 // from a, for the digits of patches far away
     sums[t[0]] += weight * middle;
     sums[t[1]] += weight * (middle - ab);
     sums[t[2]] += weight * (middle - ac);
