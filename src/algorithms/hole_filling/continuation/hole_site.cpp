@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 namespace croquis::hole_filling {
 namespace {
 
@@ -65,6 +67,25 @@ HoleSite make_site(const PolyMesh& mesh, const HoleAnalysis& analysis, std::span
   for (const Index id : order) append_rim(analysis.holes[id], site);
   block_known_edges(site, rim_edges);
   return site;
+}
+
+std::vector<Vec3> normals_beyond(const HoleSite& site) {
+  std::vector<std::array<Index, 3>> sides;  // of the faces: from, to, triangle; the polygon runs them backwards
+  for (const Index id : site.holes) {
+    const Hole& hole = site.analysis->holes[id];
+    for (std::size_t i = 0; i < hole.vertices.size(); ++i)
+      sides.push_back({hole.vertices[i], hole.vertices[(i + 1) % hole.vertices.size()], hole.corners[i] / 3});
+  }
+  std::sort(sides.begin(), sides.end());
+  std::vector<Vec3> normals;
+  for (Index point = 0; point < site.vertices.size(); ++point) {
+    const std::array<Index, 3> side = {site.vertices[site.polygon.next(point)], site.vertices[point], 0};
+    const Index triangle = (*std::lower_bound(sides.begin(), sides.end(), side))[2];
+    const auto& [a, b, c] = site.analysis->view.triangles[triangle];
+    const std::vector<Vec3>& at = site.mesh->positions;
+    normals.push_back((at[b] - at[a]).cross(at[c] - at[a]).normalized());
+  }
+  return normals;
 }
 
 void add_fan(const SurfaceView& view, Index corner, std::vector<Index>& triangles) {

@@ -29,6 +29,10 @@ struct HoleSite {
 HoleSite make_site(const PolyMesh& mesh, const HoleAnalysis& analysis, std::span<const Index> holes,
                    std::span<const std::array<Index, 2>> rim_edges);
 
+/// The faces on the other side of the polygon's sides, each from a point to the next. #P unit normals, zero for a face
+/// without area.
+std::vector<Vec3> normals_beyond(const HoleSite& site);
+
 /// Appends every triangle at the vertex of a corner that edges join to the corner's own, which isn't appended.
 void add_fan(const SurfaceView& view, Index corner, std::vector<Index>& triangles);
 

@@ -42,7 +42,8 @@ std::optional<std::vector<Triangle>> by_area(const HoleSite& site, Progress& pro
 
 std::optional<std::vector<Triangle>> by_dihedral_angle(const HoleSite& site, Progress& progress) {
   if (site.polygon.loop_count() > 1 || site.polygon.points.size() > most_dihedral_points) return std::nullopt;
-  return dihedral_triangulation(site.polygon, cgal_delaunay_triangles(site.polygon.points), progress);
+  const std::vector<Vec3> beyond = normals_beyond(site);
+  return dihedral_triangulation(site.polygon, beyond, cgal_delaunay_triangles(site.polygon.points), progress);
 }
 
 /// Two rims that a band is to join, whatever lies between them.

@@ -32,8 +32,12 @@ struct Weight {
 /// The cheapest triangulations of the polygon's parts from i to k, of wider and wider parts.
 class Table {
  public:
-  explicit Table(const RimPolygon& polygon)
-      : polygon_(polygon), size_(polygon.points.size()), weight_(size_ * size_), apex_(size_ * size_, none) {
+  Table(const RimPolygon& polygon, std::span<const Vec3> beyond)
+      : polygon_(polygon),
+        beyond_(beyond),
+        size_(polygon.points.size()),
+        weight_(size_ * size_),
+        apex_(size_ * size_, none) {
     for (std::size_t i = 0; i + 1 < size_; ++i) weight_[at(i, i + 1)] = {0, 0};
   }
 
@@ -78,7 +82,9 @@ class Table {
     const double cost = before.cost + after.cost + triangle_cost(point(i), point(j), point(k));
     if (cost == std::numeric_limits<double>::infinity() || !may_join(i, k)) return;
     const Vec3 normal = normal_of(i, j, k);
-    const Weight weight = {std::max({before.bend, after.bend, bend_at(i, j, normal), bend_at(j, k, normal)}), cost};
+    const double last = k - i + 1 == size_ ? bend_beyond(k, normal) : 0;
+    const double bend = std::max({before.bend, after.bend, bend_at(i, j, normal), bend_at(j, k, normal), last});
+    const Weight weight = {bend, cost};
     if (!(weight < weight_[at(i, k)])) return;
     weight_[at(i, k)] = weight;
     apex_[at(i, k)] = j;
@@ -88,15 +94,23 @@ class Table {
     return (point(j) - point(i)).cross(point(k) - point(i)).normalized();
   }
 
-  /// Between a triangle on the chord from i to k and the part's own there.
+  /// Between a triangle on the chord from i to k and the part's own there, or the face beyond a side.
   double bend_at(std::size_t i, std::size_t k, const Vec3& normal) const {
     const std::uint32_t apex = apex_[at(i, k)];
-    if (apex == none) return 0;  // a side of the polygon
-    const double bend = 1 - normal.dot(normal_of(i, apex, k));
+    return apex == none ? bend_beyond(i, normal) : bend_between(normal, normal_of(i, apex, k));
+  }
+
+  double bend_beyond(std::size_t side, const Vec3& normal) const {
+    return beyond_.empty() ? 0 : bend_between(normal, beyond_[side]);
+  }
+
+  static double bend_between(const Vec3& a, const Vec3& b) {
+    const double bend = 1 - a.dot(b);
     return bend < least_bend ? 0 : bend;
   }
 
   const RimPolygon& polygon_;
+  std::span<const Vec3> beyond_;
   std::size_t size_;
   std::vector<Weight> weight_;
   std::vector<std::uint32_t> apex_;  ///< the third corner of the triangle on (i, k)
@@ -136,26 +150,26 @@ std::vector<Triangle> all_triangles(Index size) {
   return result;
 }
 
-std::optional<std::vector<Triangle>> cheapest(const RimPolygon& polygon, std::vector<Triangle> candidates,
-                                              const Progress& progress) {
+std::optional<std::vector<Triangle>> cheapest(const RimPolygon& polygon, std::span<const Vec3> beyond,
+                                              std::vector<Triangle> candidates, const Progress& progress) {
   put_narrow_first(candidates);
-  Table table(polygon);
+  Table table(polygon, beyond);
   table.fill(candidates, progress);
   return table.triangles();
 }
 
 }  // namespace
 
-std::optional<std::vector<Triangle>> dihedral_triangulation(const RimPolygon& polygon, std::vector<Triangle> candidates,
-                                                            Progress& progress) {
+std::optional<std::vector<Triangle>> dihedral_triangulation(const RimPolygon& polygon, std::span<const Vec3> beyond,
+                                                            std::vector<Triangle> candidates, Progress& progress) {
   const auto size = static_cast<Index>(polygon.points.size());
   if (size < 3) return std::nullopt;
   progress.check();
   add_on_missing_sides(size, candidates);
-  auto triangles = cheapest(polygon, std::move(candidates), progress);
+  auto triangles = cheapest(polygon, beyond, std::move(candidates), progress);
   if (triangles || size > most_points_for_all) return triangles;
   progress.check();
-  return cheapest(polygon, all_triangles(size), progress);
+  return cheapest(polygon, beyond, all_triangles(size), progress);
 }
 
 }  // namespace croquis::hole_filling

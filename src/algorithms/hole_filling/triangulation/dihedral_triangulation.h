@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "croquis/base/progress.h"
@@ -10,15 +11,18 @@
 
 namespace croquis::hole_filling {
 
-/// The triangulation of one closed polygon that bends least: the largest angle between neighbours counts first, then
-/// `triangle_cost` (Liepa 2003, section 2). It is chosen among `candidates`, among all triangles too on sides of the
-/// polygon that no candidate has, and for short polygons among all triangles when that gives nothing. The choice
-/// depends on the numbers alone, not on the order of the candidates.
+/// The triangulation of one closed polygon that bends least: the largest angle between neighbours counts first, those
+/// beyond the polygon's sides included, then `triangle_cost` (Liepa 2003, section 2). It is chosen among `candidates`,
+/// among all triangles too on sides of the polygon that no candidate has, and for short polygons among all triangles
+/// when that gives nothing. The choice depends on the numbers alone, not on the order of the candidates.
 /// @param polygon of one loop; `avoided` is not looked at
+/// @param beyond #P, unit normals of the faces on the other side of the polygon's sides, each from a point to the next;
+///        empty where there are none
 /// @param candidates corners ascending
 /// @return nothing when every triangulation has a triangle without area or a blocked edge
 /// @throws Cancelled
 std::optional<std::vector<std::array<Index, 3>>> dihedral_triangulation(const RimPolygon& polygon,
+                                                                        std::span<const Vec3> beyond,
                                                                         std::vector<std::array<Index, 3>> candidates,
                                                                         Progress& progress);
 
