@@ -115,21 +115,21 @@ std::optional<std::vector<Triangle>> bending_least(const RimPolygon& polygon, st
   return dihedral_triangulation(polygon, beyond, cgal_delaunay_triangles(polygon.points), progress);
 }
 
-/// The largest angle between neighbours, and those beyond the polygon's sides.
-double largest_bend(const RimPolygon& polygon, const std::vector<Triangle>& triangles,
-                    std::span<const Vec3> beyond = {}) {
+/// The sum over edges of 1 - cos of the angle between their triangles, those beyond the polygon's sides included.
+double total_bend(const RimPolygon& polygon, const std::vector<Triangle>& triangles,
+                  std::span<const Vec3> beyond = {}) {
   std::map<std::pair<Index, Index>, Vec3> normals;
   for (Index side = 0; side < beyond.size(); ++side) normals[{polygon.next(side), side}] = beyond[side];
-  double largest = 0;
+  double total = 0;
   for (const auto& [a, b, c] : triangles) {
-    const Vec3 normal = (polygon.points[b] - polygon.points[a]).cross(polygon.points[c] - polygon.points[a]);
+    const Vec3 normal =
+        (polygon.points[b] - polygon.points[a]).cross(polygon.points[c] - polygon.points[a]).normalized();
     for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, a}}) {
-      if (const auto other = normals.find({to, from}); other != normals.end())
-        largest = std::max(largest, std::atan2(normal.cross(other->second).norm(), normal.dot(other->second)));
+      if (const auto other = normals.find({to, from}); other != normals.end()) total += 1 - normal.dot(other->second);
       normals.emplace(std::pair{from, to}, normal);
     }
   }
-  return largest;
+  return total;
 }
 
 }  // namespace
@@ -322,24 +322,28 @@ TEST_CASE("the triangulation that bends least folds less than that of least area
     const auto least_area = triangulated(polygon);
     const auto least_bend = bending_least(polygon);
     REQUIRE((least_area && least_bend));
-    CHECK(largest_bend(polygon, *least_bend) < largest_bend(polygon, least_area->triangles));
+    CHECK(total_bend(polygon, *least_bend) < total_bend(polygon, least_area->triangles));
   }
 }
 
-TEST_CASE("the triangulation that bends least bends least against the faces around, too") {
+TEST_CASE("a triangulation bends less against the faces around when it knows them") {
+  double alone = 0, around = 0;
   int gains = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     CAPTURE(seed);
     const RimPolygon polygon = wavy(40, 0.1, 0.4, seed, 0.01);
     std::vector<Vec3> beyond;
     for (Index side = 0; side < 40; ++side) beyond.push_back((polygon.points[side] + Vec3(0, 0, 1)).normalized());
-    const auto alone = bending_least(polygon), around = bending_least(polygon, beyond);
-    REQUIRE((alone && around));
-    const double difference = largest_bend(polygon, *alone, beyond) - largest_bend(polygon, *around, beyond);
-    CHECK(difference > -1e-9);
-    gains += difference > 0.01 ? 1 : 0;
+    const auto without = bending_least(polygon), with = bending_least(polygon, beyond);
+    REQUIRE((without && with));
+    const double before = total_bend(polygon, *without, beyond), after = total_bend(polygon, *with, beyond);
+    alone += before;
+    around += after;
+    gains += after < before ? 1 : 0;
   }
-  CHECK(gains > 10);
+  // Not always: the best of a part is chosen before the triangle on its chord is known.
+  CHECK(gains >= 15);
+  CHECK(around < 0.95 * alone);
 }
 
 TEST_CASE("of triangulations that bend and cost the same it is always one, in whatever order triangles are offered") {

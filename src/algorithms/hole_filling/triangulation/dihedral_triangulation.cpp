@@ -23,7 +23,7 @@ constexpr std::size_t most_points_for_all = 200;
 constexpr double least_bend = 1e-12;
 
 struct Weight {
-  double bend = std::numeric_limits<double>::infinity();  ///< 1 - cos of the largest angle between neighbours
+  double bend = std::numeric_limits<double>::infinity();  ///< sum over edges of 1 - cos
   double cost = std::numeric_limits<double>::infinity();
 
   bool operator<(const Weight& other) const { return std::tie(bend, cost) < std::tie(other.bend, other.cost); }
@@ -83,7 +83,7 @@ class Table {
     if (cost == std::numeric_limits<double>::infinity() || !may_join(i, k)) return;
     const Vec3 normal = normal_of(i, j, k);
     const double last = k - i + 1 == size_ ? bend_beyond(k, normal) : 0;
-    const double bend = std::max({before.bend, after.bend, bend_at(i, j, normal), bend_at(j, k, normal), last});
+    const double bend = before.bend + after.bend + bend_at(i, j, normal) + bend_at(j, k, normal) + last;
     const Weight weight = {bend, cost};
     if (!(weight < weight_[at(i, k)])) return;
     weight_[at(i, k)] = weight;
