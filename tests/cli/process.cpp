@@ -15,10 +15,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "support/sanitizers.h"
+
 namespace croquis::test {
 namespace {
 
-constexpr int kill_after_ms = 60'000;
+constexpr int kill_after_ms = 60'000 * slowness;
 
 struct Pipe {
   std::array<int, 2> ends{};
@@ -71,7 +73,7 @@ void collect(pid_t child, int out, int err, const ProcessOptions& options, Proce
       }
     }
     const auto elapsed = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - began).count();
-    if (!interrupted && elapsed >= options.interrupt_after_ms) {
+    if (!interrupted && elapsed >= slowness * options.interrupt_after_ms) {
       kill(child, SIGINT);
       interrupted = true;
     }
@@ -108,7 +110,7 @@ ProcessResult run_cli(const std::vector<std::string>& arguments, const ProcessOp
   rusage usage{};
   wait4(child, &status, 0, &usage);
   result.code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-  result.peak_kilobytes = usage.ru_maxrss;
+  if (!is_sanitized) result.peak_kilobytes = usage.ru_maxrss;
   const auto seconds = [](const timeval& time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
   };

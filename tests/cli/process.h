@@ -14,17 +14,17 @@ struct ProcessResult {
   int code = -1;  ///< exit code, or -signal
   std::string out;
   std::string err;
-  long peak_kilobytes = 0;
-  double cpu_seconds = 0;  ///< processor time of the program, the system's on its behalf included
+  long peak_kilobytes = 0;  ///< 0 under sanitizers, which use more than the program
+  double cpu_seconds = 0;   ///< processor time of the program, the system's on its behalf included
 };
 
 struct ProcessOptions {
   std::string standard_input = {};
   std::filesystem::path folder = {};  ///< where it runs; empty: here
-  int interrupt_after_ms = 0;         ///< sends SIGINT after this; 0: never
+  int interrupt_after_ms = 0;         ///< sends SIGINT after this, × slowness; 0: never
 };
 
-/// Runs croquis-cli with these arguments to its end (killed after 60 s).
+/// Runs croquis-cli with these arguments to its end (killed after 60 s, × slowness).
 ProcessResult run_cli(const std::vector<std::string>& arguments, const ProcessOptions& options = {});
 
 /// The whole file.

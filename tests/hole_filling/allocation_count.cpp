@@ -7,13 +7,9 @@
 
 #include <malloc.h>
 
-namespace {
+#include "support/sanitizers.h"
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool counts = false;
-#else
-constexpr bool counts = true;
-#endif
+namespace {
 
 std::atomic<std::ptrdiff_t> out = 0, most = 0;
 
@@ -50,7 +46,7 @@ namespace croquis::test {
 AllocationPeak::AllocationPeak() : before_(out) { most = before_; }
 
 std::optional<std::size_t> AllocationPeak::bytes() const {
-  if (!counts) return std::nullopt;
+  if (is_sanitized) return std::nullopt;
   return static_cast<std::size_t>(most - before_);
 }
 
