@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <csignal>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -142,15 +143,16 @@ TEST_CASE("an interrupted filling ends at once, with nothing left behind and wha
   const double whole = run_cli({"fill", input, "-o", folder / "whole.ply"}).cpu_seconds;
   std::filesystem::remove(folder / "whole.ply");
   bool was_interrupted = false;
-  for (const int after : {40, 80, 160}) {
+  for (const int after : {40, 80, 160, 240}) {
     const ProcessResult result =
         run_cli({"fill", input, "-o", folder / "out.ply", "--json"}, {.interrupt_after_ms = after});
     if (result.code == 0) break;  // it was done before
-    CHECK(result.code == 130);
+    // On a busy machine the signal may come before the program listens: shells show 130 for that, too.
+    CHECK((result.code == 130 || result.code == -SIGINT));
     CHECK(result.cpu_seconds < whole + 0.2);
     CHECK(slurp(folder / "out.ply") == "something of mine");
     CHECK(folder.names() == Words{"out.ply", "scan.ply"});
-    was_interrupted = true;
+    was_interrupted |= result.code == 130;
   }
   CHECK(was_interrupted);
 }
