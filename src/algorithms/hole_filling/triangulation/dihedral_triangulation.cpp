@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "algorithms/hole_filling/triangulation/apex_table.h"
 #include "algorithms/hole_filling/triangulation/cancel_check.h"
 #include "algorithms/hole_filling/triangulation/triangle_cost.h"
 
@@ -51,19 +52,8 @@ class Table {
   }
 
   std::optional<std::vector<Triangle>> triangles() const {
-    std::vector<Triangle> result;
-    std::vector<std::pair<std::size_t, std::size_t>> pending = {{0, size_ - 1}};
-    while (!pending.empty()) {
-      const auto [i, k] = pending.back();
-      pending.pop_back();
-      if (k - i < 2) continue;
-      const std::uint32_t j = apex_[at(i, k)];
-      if (j == none) return std::nullopt;
-      result.push_back({static_cast<Index>(i), j, static_cast<Index>(k)});
-      pending.emplace_back(i, j);
-      pending.emplace_back(j, k);
-    }
-    return result;
+    if (apex_[at(0, size_ - 1)] == none) return std::nullopt;
+    return triangles_of_apexes(size_, [&](std::size_t i, std::size_t k) { return apex_[at(i, k)]; });
   }
 
  private:

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "algorithms/hole_filling/triangulation/apex_table.h"
 #include "algorithms/hole_filling/triangulation/cancel_check.h"
 #include "algorithms/hole_filling/triangulation/triangle_cost.h"
 
@@ -123,16 +124,9 @@ class MinimalTriangulations::Table {
   }
 
   std::vector<std::array<Index, 3>> triangles() const {
-    std::vector<std::array<Index, 3>> result;
-    std::vector<std::pair<std::size_t, std::size_t>> pending = {{0, size_ - 1}};
-    while (!pending.empty()) {
-      const auto [i, k] = pending.back();
-      pending.pop_back();
-      if (k - i < 2) continue;
-      const std::size_t j = apex_[at(i, k)];
-      result.push_back({order_[i], order_[j], order_[k]});
-      pending.emplace_back(i, j);
-      pending.emplace_back(j, k);
+    auto result = triangles_of_apexes(size_, [&](std::size_t i, std::size_t k) { return apex_[at(i, k)]; });
+    for (std::array<Index, 3>& t : result) {
+      for (Index& corner : t) corner = order_[corner];
     }
     return result;
   }
