@@ -8,8 +8,14 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
 find_program(CROQUIS_CCACHE ccache)
 if(CROQUIS_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CROQUIS_CCACHE})
+  # Without this, nothing that reads compiled headers is ever found in the cache.
+  set(CMAKE_CXX_COMPILER_LAUNCHER
+    ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CROQUIS_CCACHE})
 endif()
+
+# Warnings stop what checks the project, not what only builds it: other compilers may warn of more.
+option(CROQUIS_WARNINGS_AS_ERRORS "Stop at the first warning" OFF)
+set(CMAKE_COMPILE_WARNING_AS_ERROR ${CROQUIS_WARNINGS_AS_ERRORS})
 
 add_library(croquis_compiler INTERFACE)
 target_compile_options(croquis_compiler INTERFACE
@@ -18,6 +24,12 @@ target_compile_options(croquis_compiler INTERFACE
 target_compile_options(croquis_compiler INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 # Results must not depend on whether the compiler contracts a*b+c: the same bytes on every machine.
 target_compile_options(croquis_compiler INTERFACE -ffp-contract=off)
+
+option(CROQUIS_QUICK_LINKER "Link with mold where it is installed" OFF)
+find_program(CROQUIS_MOLD mold)
+if(CROQUIS_QUICK_LINKER AND CROQUIS_MOLD)
+  add_link_options(-fuse-ld=mold)
+endif()
 
 if(CROQUIS_SANITIZE)
   add_compile_options(-fsanitize=${CROQUIS_SANITIZE} -fno-sanitize-recover=all)

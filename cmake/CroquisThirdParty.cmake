@@ -1,27 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every library the project uses is found here, once. Why each was chosen: docs/third-party.md.
+# Every library the project uses is found here or in CroquisDependencies.cmake, once. Which Debian package brings which:
+# scripts/packages; tests/scripts compares the two.
 
-find_package(PkgConfig REQUIRED)
-find_package(Threads REQUIRED)
-find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+include(CroquisDependencies)
 
-set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
-find_package(CGAL 5.5 REQUIRED)
-# Debian's OpenMesh config names no version, so none can be asked for.
-find_package(OpenMesh REQUIRED CONFIG)
-find_package(GLPK REQUIRED)
-find_package(OpenSubdiv 3.5 REQUIRED)
-
-find_package(glm REQUIRED CONFIG)
 find_package(CLI11 REQUIRED CONFIG)
-find_package(nlohmann_json 3.11 REQUIRED CONFIG)
-find_package(TinyGLTF REQUIRED CONFIG)
-find_package(PNG REQUIRED)
-pkg_check_modules(pugixml REQUIRED IMPORTED_TARGET pugixml)
-pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
-pkg_check_modules(egl REQUIRED IMPORTED_TARGET egl)
-pkg_check_modules(sqlite REQUIRED IMPORTED_TARGET sqlite3)
-pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
 
 if(CROQUIS_BUILD_APP)
   find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGLWidgets Svg)

@@ -9,8 +9,6 @@
 namespace croquis::app {
 namespace {
 
-const std::string filling_operation = "fill";
-
 const ParameterDescription* parameter_of(const Studio& studio, const Node& node, const std::string& name) {
   const OperationDescription* operation = studio.description(node.operation);
   if (operation == nullptr) return nullptr;

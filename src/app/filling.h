@@ -9,6 +9,9 @@
 /// Every change is one step of the history.
 namespace croquis::app {
 
+/// The operation's id.
+inline const std::string filling_operation = "fill";
+
 /// Of the active object, or null where its last operation isn't `fill`.
 const Node* filling_node(const Studio& studio);
 

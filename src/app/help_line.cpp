@@ -6,7 +6,7 @@
 namespace croquis::app {
 namespace {
 
-constexpr int gap = 12;  // between the two
+constexpr int words_gap = 12;  // between the two
 
 const char* color_of(HelpLine::Tone tone) {
   switch (tone) {
@@ -24,7 +24,7 @@ HelpLine::HelpLine(QWidget* parent) : QWidget(parent), help_(new QLabel(this)), 
   message_->setObjectName("message");
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(gap);
+  row->setSpacing(words_gap);
   row->addWidget(help_);
   row->addWidget(message_, 1);
   for (QLabel* label : {help_, message_}) {
@@ -55,7 +55,7 @@ void HelpLine::resizeEvent(QResizeEvent* event) {
 void HelpLine::fit() {
   const auto width_of = [](const QLabel* label) { return label->fontMetrics().horizontalAdvance(label->text()); };
   const bool told = !message_->text().isEmpty();
-  help_->setVisible(!told || width_of(help_) + gap + width_of(message_) <= width());
+  help_->setVisible(!told || width_of(help_) + words_gap + width_of(message_) <= width());
 }
 
 }  // namespace croquis::app

@@ -4,34 +4,33 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/render_color.h"
 #include "app/theme.h"
 
 namespace croquis::app {
 namespace {
 
 constexpr double rim_width = 2.2;
-constexpr double selected_width = 4;
-constexpr double hovered_width = 5;
-constexpr std::uint8_t covered_alpha = 55;  // of rims behind the surface
-constexpr double frame_share = 0.9;         // of a hole's size, to be seen around it
+constexpr double selected_rim_width = 4;
+constexpr double hovered_rim_width = 5;
+constexpr std::uint8_t covered_rim_alpha = 55;  // of rims behind the surface
+constexpr double frame_share = 0.9;             // of a hole's size, to be seen around it
 
-render::Color to_color(const QColor& color) { return {color.red(), color.green(), color.blue(), color.alpha()}; }
-
-glm::dvec3 to_glm(const Vec3& place) { return {place.x(), place.y(), place.z()}; }
+glm::dvec3 rim_place(const Vec3& place) { return {place.x(), place.y(), place.z()}; }
 
 render::LinePath path_of(const HoleRim& rim, const QColor& color) {
   render::LinePath path;
   path.closed = true;
-  for (const Vec3& place : rim.points) path.points.push_back({to_glm(place), 1, to_color(color)});
+  for (const Vec3& place : rim.points) path.points.push_back({rim_place(place), 1, with_own_alpha(color)});
   return path;
 }
 
 render::Mark handle_mark(const PatchHandle& handle, bool hovered) {
   render::Mark mark;
-  mark.position = to_glm(handle.place);
+  mark.position = rim_place(handle.place);
   mark.shape = render::MarkShape::Square;
   mark.size = hovered ? 11 : 9;
-  mark.color = to_color(hovered ? colors::accent.lighter(125) : colors::accent);
+  mark.color = with_own_alpha(hovered ? colors::accent.lighter(125) : colors::accent);
   mark.outline_width = 1.5F;
   return mark;
 }
@@ -49,7 +48,7 @@ HoleOverlay::SeenThrough HoleOverlay::rims(std::vector<render::LinePath> paths, 
   SeenThrough lines;
   lines.clear = render::make_line_item(paths, {width, {}, {}, render::LineDepth::OnSurface});
   for (render::LinePath& path : paths) {
-    for (render::LinePoint& point : path.points) point.color->a = covered_alpha;
+    for (render::LinePoint& point : path.points) point.color->a = covered_rim_alpha;
   }
   lines.faint = render::make_line_item(paths, {width, {}, {}, render::LineDepth::OnTop});
   return lines;
@@ -67,7 +66,7 @@ void HoleOverlay::follow(const HoleTool& tool, const std::vector<HoleRow>& rows)
       all.push_back(path_of(*rim, hole_color(row)));
   }
   all_ = rims(std::move(all), rim_width);
-  selected_ = rims(std::move(selected), selected_width);
+  selected_ = rims(std::move(selected), selected_rim_width);
   follow_hover(tool);
 }
 
@@ -77,7 +76,7 @@ void HoleOverlay::follow_hover(const HoleTool& tool) {
   for (const Index hole : preview.hovered.holes) {
     if (const HoleRim* rim = tool.rim(hole)) hovered.push_back(path_of(*rim, colors::hover));
   }
-  hovered_ = rims(std::move(hovered), hovered_width);
+  hovered_ = rims(std::move(hovered), hovered_rim_width);
   std::vector<render::Mark> marks;
   for (std::size_t k = 0; k < tool.handles().size(); ++k) {
     const bool over = preview.hovered.part == HolePart::Handle && preview.hovered.handle == k;
@@ -91,9 +90,9 @@ void HoleOverlay::follow_hover(const HoleTool& tool) {
   const Vec3 to = preview.pull ? preview.pull->to : *preview.hovered.place;
   pulled_ = render::make_mark_item(std::vector<render::Mark>{handle_mark({no_index, to, {}}, true)});
   if (!preview.pull) return;
-  const std::vector<glm::dvec3> way{to_glm(preview.pull->from), to_glm(to)};
+  const std::vector<glm::dvec3> way{rim_place(preview.pull->from), rim_place(to)};
   pull_ = render::make_line_item(render::line_through(way),
-                                 {1.5, to_color(colors::accent), {4, 3, 0, 0}, render::LineDepth::OnTop});
+                                 {1.5, with_own_alpha(colors::accent), {4, 3, 0, 0}, render::LineDepth::OnTop});
 }
 
 void HoleOverlay::add_to(render::Scene& scene) const {
@@ -112,8 +111,8 @@ render::Bounds HoleOverlay::bounds_of(const HoleTool& tool, const std::vector<In
     const HoleRim* rim = tool.rim(hole);
     if (rim == nullptr) continue;
     const Vec3 reach = Vec3::Constant(frame_share * rim->radius);
-    bounds.add(to_glm(rim->at - reach));
-    bounds.add(to_glm(rim->at + reach));
+    bounds.add(rim_place(rim->at - reach));
+    bounds.add(rim_place(rim->at + reach));
   }
   return bounds;
 }

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <map>
 
+#include "app/filling.h"
+
 namespace croquis::app {
 namespace {
-
-const std::string filling_operation = "fill";
 
 QString tr(const char* text, int count = -1) { return QCoreApplication::translate("Holes", text, nullptr, count); }
 

@@ -8,7 +8,7 @@
 namespace croquis::app {
 namespace {
 
-constexpr int patience_ms = 400;  // a draft that takes longer gives way to a newer one
+constexpr int draft_patience_ms = 400;  // a draft that takes longer gives way to a newer one
 
 /// The node and everything that leads to it, in the document's order.
 std::vector<std::shared_ptr<const Node>> upstream(const Document& document, NodeId id) {
@@ -57,7 +57,7 @@ void LiveNode::follow(const Document& document) {
   std::vector<std::shared_ptr<const Node>> nodes = upstream(document, node_);
   if (nodes == made_of_) return;
   made_of_ = std::move(nodes);
-  if (drafting_ && !since_request_.hasExpired(patience_ms)) {
+  if (drafting_ && !since_request_.hasExpired(draft_patience_ms)) {
     // A hand moves faster than solids are made: the draft under way is shown before the next one begins.
     waiting_ = true;
   } else {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "app/render_color.h"
 #include "app/theme.h"
 #include "croquis/render/sharpness_color.h"
 
@@ -16,10 +17,6 @@ constexpr std::size_t edges_at_most = 400'000;   // of more, what is behind the 
 constexpr float selected_width = 3.5F;
 constexpr float hovered_width = 4.5F;
 constexpr std::uint8_t covered_alpha = 80;  // of lines behind the surface
-
-render::Color to_color(const QColor& color, int alpha = 255) {
-  return {color.red(), color.green(), color.blue(), alpha};
-}
 
 glm::dvec3 to_glm(const Vec3& place) { return {place.x(), place.y(), place.z()}; }
 

@@ -7,9 +7,9 @@
 namespace croquis::app {
 namespace {
 
-constexpr double gap = 2;   // logical pixels between the views
-constexpr double grip = 4;  // to either side of a border
-constexpr double least_share = 0.15;
+constexpr double panes_gap = 2;  // logical pixels between the views
+constexpr double grip = 4;       // to either side of a border
+constexpr double least_pane_share = 0.15;
 
 }  // namespace
 
@@ -51,15 +51,15 @@ void PaneLayout::lay_out() {
     pane(views.front()).rect = QRectF(QPointF(), size_);
     return;
   }
-  const double left = std::round(size_.width() * across_ - gap / 2);
-  const double upper = views.size() == 2 ? size_.height() : std::round(size_.height() * down_ - gap / 2);
-  const double right_width = size_.width() - left - gap;
+  const double left = std::round(size_.width() * across_ - panes_gap / 2);
+  const double upper = views.size() == 2 ? size_.height() : std::round(size_.height() * down_ - panes_gap / 2);
+  const double right_width = size_.width() - left - panes_gap;
   pane(views[0]).rect = QRectF(0, 0, left, upper);
-  pane(views[1]).rect = QRectF(left + gap, 0, right_width, upper);
+  pane(views[1]).rect = QRectF(left + panes_gap, 0, right_width, upper);
   if (views.size() == 2) return;
-  const double lower_height = size_.height() - upper - gap;
-  pane(views[2]).rect = QRectF(0, upper + gap, left, lower_height);
-  pane(views[3]).rect = QRectF(left + gap, upper + gap, right_width, lower_height);
+  const double lower_height = size_.height() - upper - panes_gap;
+  pane(views[2]).rect = QRectF(0, upper + panes_gap, left, lower_height);
+  pane(views[3]).rect = QRectF(left + panes_gap, upper + panes_gap, right_width, lower_height);
 }
 
 int PaneLayout::view_at(const QPointF& place) const {
@@ -83,8 +83,8 @@ PaneLayout::Border PaneLayout::border_at(const QPointF& place) const {
 }
 
 void PaneLayout::drag_border(const Border& border, const QPointF& place) {
-  if (border.across) across_ = std::clamp(place.x() / size_.width(), least_share, 1 - least_share);
-  if (border.down) down_ = std::clamp(place.y() / size_.height(), least_share, 1 - least_share);
+  if (border.across) across_ = std::clamp(place.x() / size_.width(), least_pane_share, 1 - least_pane_share);
+  if (border.down) down_ = std::clamp(place.y() / size_.height(), least_pane_share, 1 - least_pane_share);
   lay_out();
 }
 

@@ -23,7 +23,7 @@ namespace croquis::app {
 namespace {
 
 constexpr int longest_wait_ms = 60'000;
-constexpr int pause_ms = 20;
+constexpr int replay_pause_ms = 20;
 constexpr double recorded_view_height = 1000;  // pixels in which motions are recorded
 
 [[noreturn]] void refuse(const std::string& sentence) {
@@ -124,7 +124,7 @@ void wait_until_settled(MainWindow& window) {
   QElapsedTimer watch;
   watch.start();
   do {
-    QApplication::processEvents(QEventLoop::AllEvents, pause_ms);
+    QApplication::processEvents(QEventLoop::AllEvents, replay_pause_ms);
     if (watch.elapsed() > longest_wait_ms) {
       throw Error(make_error(Category::Limit, "E_LIMIT", "The solid wasn't finished within a minute"));
     }

@@ -4,16 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/render_color.h"
 #include "app/theme.h"
 
 namespace croquis::app {
 namespace {
 
 constexpr double ink_width = 2.2;
-
-render::Color to_color(const QColor& color, int alpha = 255) {
-  return {color.red(), color.green(), color.blue(), alpha};
-}
 
 glm::dvec3 on_plane(const Vec2& place) { return {place.x(), place.y(), 0}; }
 

@@ -11,14 +11,14 @@ namespace {
 
 constexpr double radians_per_pixel = 0.008;
 constexpr double first_height = 640;  // sketch units
-constexpr double margin = 0.1;
-constexpr double least_share = 0.5;              // of the view: a scene that fills less is framed anew
-constexpr std::size_t points_at_most = 200'000;  // of more, the box alone is framed: nobody waits for a view
+constexpr double frame_margin = 0.1;
+constexpr double least_share = 0.5;                  // of the view: a scene that fills less is framed anew
+constexpr std::size_t most_framed_points = 200'000;  // of more, the box alone is framed: nobody waits for a view
 
 std::vector<glm::dvec3> framing_points(const render::Scene& scene) {
   std::size_t count = 0;
   for (const auto& mesh : scene.meshes) count += mesh.item ? mesh.item->vertices.size() : 0;
-  if (count <= points_at_most) return render::points_of(scene);
+  if (count <= most_framed_points) return render::points_of(scene);
   const render::Bounds bounds = render::bounds_of(scene);
   if (bounds.empty()) return {};
   const auto corners = bounds.corners();
@@ -81,14 +81,14 @@ void ViewPane::frame(const render::Bounds& bounds) {
   const render::ViewDirection direction =
       flat() ? render::view_direction(kind)
              : render::ViewDirection{camera.target - camera.eye, camera.up, camera.projection};
-  camera = render::frame(bounds, direction, rect.width() / rect.height(), margin);
+  camera = render::frame(bounds, direction, rect.width() / rect.height(), frame_margin);
 }
 
 void ViewPane::frame(const render::Scene& scene) {
   const std::vector<glm::dvec3> points = framing_points(scene);
   if (!visible() || points.empty()) return;
   const render::ViewDirection direction{camera.target - camera.eye, camera.up, camera.projection};
-  camera = render::frame(points, direction, rect.width() / rect.height(), margin);
+  camera = render::frame(points, direction, rect.width() / rect.height(), frame_margin);
 }
 
 bool ViewPane::fits(const render::Scene& scene) const {

@@ -16,4 +16,8 @@ const char* Error::what() const noexcept {
   return findings_.empty() ? "unknown error" : findings_.front().message.c_str();
 }
 
+void throw_internal(const std::string& sentence) {
+  throw Error(make_error(Category::Internal, "E_INTERNAL", sentence));
+}
+
 }  // namespace croquis

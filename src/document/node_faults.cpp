@@ -9,7 +9,7 @@
 namespace croquis {
 namespace {
 
-std::string quoted(const Node& node) {
+std::string in_quotes(const Node& node) {
   return "'" + (node.name.empty() ? "node " + std::to_string(node.id) : node.name) + "'";
 }
 
@@ -23,29 +23,29 @@ Findings own_faults(const NodeState& state) {
   const Node& node = *state.node;
   if (node.source) {
     if (std::visit([](const auto& content) { return content != nullptr; }, *node.source)) return {};
-    return {fault(Category::Malformed, "E_NO_VALUE", quoted(node) + " has no value: import it again or remove it.",
+    return {fault(Category::Malformed, "E_NO_VALUE", in_quotes(node) + " has no value: import it again or remove it.",
                   node.id)};
   }
   if (node.operation.empty()) {
-    return {fault(Category::Malformed, "E_NO_VALUE", quoted(node) + " has neither a value nor an operation: remove it.",
-                  node.id)};
+    return {fault(Category::Malformed, "E_NO_VALUE",
+                  in_quotes(node) + " has neither a value nor an operation: remove it.", node.id)};
   }
   if (state.operation == nullptr) {
     return {fault(Category::Malformed, "E_OPERATION_UNKNOWN",
-                  quoted(node) + " uses the operation '" + node.operation +
+                  in_quotes(node) + " uses the operation '" + node.operation +
                       "', which this Croquis doesn't have: open it with a newer one.",
                   node.id)};
   }
   if (node.version > state.description.version) {
     return {fault(Category::Malformed, "E_OPERATION_NEWER",
-                  quoted(node) + " was made with version " + std::to_string(node.version) + " of " +
+                  in_quotes(node) + " was made with version " + std::to_string(node.version) + " of " +
                       state.description.title + "; this Croquis has version " +
                       std::to_string(state.description.version) + ": open it with a newer one.",
                   node.id)};
   }
   if (state.in_circle) {
     return {fault(Category::Malformed, "E_CYCLE",
-                  "The inputs of " + quoted(node) + " lead back to itself: choose another input.", node.id)};
+                  "The inputs of " + in_quotes(node) + " lead back to itself: choose another input.", node.id)};
   }
   return {};
 }
@@ -60,7 +60,8 @@ void add_link_faults(const NodeState& state, const std::string& port, const Link
   const Node& node = *state.node;
   const auto broken = [&](const std::string& why) {
     findings.push_back(fault(Category::Malformed, "E_LINK",
-                             "The input '" + port + "' of " + quoted(node) + why + ": choose another one.", node.id));
+                             "The input '" + port + "' of " + in_quotes(node) + why + ": choose another one.",
+                             node.id));
   };
   if (!has_port(state.description, port)) {
     broken(" isn't one that " + state.description.title + " has");
@@ -73,14 +74,14 @@ void add_link_faults(const NodeState& state, const std::string& port, const Link
   }
   const NodeState& source = *input->second;
   if (!source.evaluation || source.evaluation->failed) {
-    findings.push_back(fault(
-        Category::Geometry, "E_INPUT_FAILED",
-        quoted(node) + " waits for its input " + quoted(*source.node) + ", which failed: see what is said of that.",
-        link.node));
+    findings.push_back(fault(Category::Geometry, "E_INPUT_FAILED",
+                             in_quotes(node) + " waits for its input " + in_quotes(*source.node) +
+                                 ", which failed: see what is said of that.",
+                             link.node));
     return;
   }
   if (!source.evaluation->outputs.contains(link.output)) {
-    broken(" comes from the output '" + link.output + "' of " + quoted(*source.node) + ", which isn't there");
+    broken(" comes from the output '" + link.output + "' of " + in_quotes(*source.node) + ", which isn't there");
   }
 }
 

@@ -4,16 +4,11 @@
 #include <algorithm>
 #include <span>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 #include "geometry/clear_sign.h"
+#include "geometry/exact_kernel.h"
 
 namespace croquis {
 namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-Kernel::Point_3 exact_point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
 bool repeats_vertex(std::span<const Index> face, std::vector<Index>& scratch) {
   scratch.assign(face.begin(), face.end());
@@ -25,8 +20,8 @@ bool on_one_line(const PolyMesh& mesh, std::span<const Index> face) {
   const Vec3& first = mesh.positions[face[0]];
   const auto elsewhere = std::find_if(face.begin(), face.end(), [&](Index v) { return mesh.positions[v] != first; });
   if (elsewhere == face.end()) return true;
-  const Kernel::Point_3 a = exact_point(first);
-  const Kernel::Point_3 b = exact_point(mesh.positions[*elsewhere]);
+  const ExactKernel::Point_3 a = exact_point(first);
+  const ExactKernel::Point_3 b = exact_point(mesh.positions[*elsewhere]);
   return std::all_of(elsewhere + 1, face.end(),
                      [&](Index v) { return CGAL::collinear(a, b, exact_point(mesh.positions[v])); });
 }

@@ -6,29 +6,29 @@
 #include <vector>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include "geometry/exact_kernel.h"
 
 namespace croquis {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
-using PlainFaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;
-using FaceBase = CGAL::Triangulation_face_base_with_info_2<Index, Kernel, PlainFaceBase>;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Index, ExactKernel>;
+using PlainFaceBase = CGAL::Constrained_triangulation_face_base_2<ExactKernel>;
+using FaceBase = CGAL::Triangulation_face_base_with_info_2<Index, ExactKernel, PlainFaceBase>;
 using DataStructure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Triangulation =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, DataStructure, CGAL::No_constraint_intersection_tag>;
+    CGAL::Constrained_Delaunay_triangulation_2<ExactKernel, DataStructure, CGAL::No_constraint_intersection_tag>;
 using VertexHandle = Triangulation::Vertex_handle;
 using FaceHandle = Triangulation::Face_handle;
 
 std::vector<VertexHandle> insert_points(std::span<const Vec2> points, Triangulation& triangulation,
                                         PlanarConflict& conflict) {
-  std::vector<std::pair<Kernel::Point_2, Index>> numbered;
+  std::vector<std::pair<ExactKernel::Point_2, Index>> numbered;
   numbered.reserve(points.size());
   for (const Vec2& point : points) {
-    numbered.emplace_back(Kernel::Point_2(point.x(), point.y()), static_cast<Index>(numbered.size()));
+    numbered.emplace_back(ExactKernel::Point_2(point.x(), point.y()), static_cast<Index>(numbered.size()));
   }
   triangulation.insert(numbered.begin(), numbered.end());
 

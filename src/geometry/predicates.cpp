@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "croquis/geometry/predicates.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include "geometry/exact_kernel.h"
 
 namespace croquis {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-Kernel::Point_2 to_cgal(const Vec2& point) { return {point.x(), point.y()}; }
+ExactKernel::Point_2 to_cgal(const Vec2& point) { return {point.x(), point.y()}; }
 
 }  // namespace
 

@@ -11,7 +11,7 @@ namespace croquis {
 namespace {
 
 /// A point's coordinate along one axis.
-struct Item {
+struct RankedPlace {
   double coordinate;
   Index point;
 };
@@ -19,11 +19,11 @@ struct Item {
 /// So few are sorted by insertion.
 constexpr std::ptrdiff_t few = 16;
 
-void sort_by_coordinate(std::span<Item> items) {
-  const auto is_less = [](const Item& a, const Item& b) { return a.coordinate < b.coordinate; };
+void sort_by_coordinate(std::span<RankedPlace> items) {
+  const auto is_less = [](const RankedPlace& a, const RankedPlace& b) { return a.coordinate < b.coordinate; };
   if (std::ssize(items) > few) return std::sort(items.begin(), items.end(), is_less);
   for (std::size_t i = 1; i < items.size(); ++i) {
-    const Item item = items[i];
+    const RankedPlace item = items[i];
     std::size_t place = i;
     for (; place > 0 && is_less(item, items[place - 1]); --place) items[place] = items[place - 1];
     items[place] = item;
@@ -32,7 +32,7 @@ void sort_by_coordinate(std::span<Item> items) {
 
 /// Points by ascending coordinate: as many buckets as points, evenly over their range, and each of these sorted. Equal
 /// coordinates come in any order.
-std::vector<Item> sorted_along(std::span<const Vec3> positions, Eigen::Index axis) {
+std::vector<RankedPlace> sorted_along(std::span<const Vec3> positions, Eigen::Index axis) {
   double low = positions.front()[axis], high = low;
   for (const Vec3& p : positions) low = std::min(low, p[axis]), high = std::max(high, p[axis]);
   const double scale = static_cast<double>(positions.size() - 1) / (high - low);
@@ -44,7 +44,7 @@ std::vector<Item> sorted_along(std::span<const Vec3> positions, Eigen::Index axi
   std::vector<std::uint32_t> ends(positions.size() + 1, 0);
   for (const Vec3& p : positions) ++ends[bucket(p[axis]) + 1];
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  std::vector<Item> items(positions.size());
+  std::vector<RankedPlace> items(positions.size());
   for (std::size_t i = 0; i < positions.size(); ++i)
     items[ends[bucket(positions[i][axis])]++] = {positions[i][axis], static_cast<Index>(i)};
   std::size_t begin = 0;
@@ -72,7 +72,7 @@ class RankScale {
   unsigned spread_ = 0;
 };
 
-void add_ranks(const std::vector<Item>& items, std::size_t axis, std::vector<PackedPlace>& places) {
+void add_ranks(const std::vector<RankedPlace>& items, std::size_t axis, std::vector<PackedPlace>& places) {
   const auto is_new = [&](std::size_t i) { return i > 0 && items[i].coordinate != items[i - 1].coordinate; };
   std::uint64_t different = 0;
   for (std::size_t i = 1; i < items.size(); ++i) different += is_new(i) ? 1U : 0U;

@@ -3,19 +3,15 @@
 
 #include <algorithm>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <Eigen/Geometry>
 
 #include "geometry/clear_sign.h"
+#include "geometry/exact_kernel.h"
 
 namespace croquis {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-Kernel::Point_3 exact_point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
-
-Kernel::Triangle_3 exact_triangle(const std::vector<Vec3>& positions, const std::array<Index, 3>& v) {
+ExactKernel::Triangle_3 exact_triangle(const std::vector<Vec3>& positions, const std::array<Index, 3>& v) {
   return {exact_point(positions[v[0]]), exact_point(positions[v[1]]), exact_point(positions[v[2]])};
 }
 
@@ -95,7 +91,7 @@ bool TriangleMeeting::meet_anywhere(const Corners& u, const Corners& v) const {
 /// of them ends first, on its opposite edge, inside the other.
 bool TriangleMeeting::meet_beyond_vertex(const Corners& u, const Corners& v) const {
   const auto opposite_edge = [&](const Corners& corners) {
-    return Kernel::Segment_3(exact_point(positions_[corners[1]]), exact_point(positions_[corners[2]]));
+    return ExactKernel::Segment_3(exact_point(positions_[corners[1]]), exact_point(positions_[corners[2]]));
   };
   return CGAL::do_intersect(exact_triangle(positions_, u), opposite_edge(v)) ||
          CGAL::do_intersect(exact_triangle(positions_, v), opposite_edge(u));
@@ -103,10 +99,10 @@ bool TriangleMeeting::meet_beyond_vertex(const Corners& u, const Corners& v) con
 
 /// Triangles on a common edge overlap only when they lie in one plane on the same side of it.
 bool TriangleMeeting::fold_over(const Corners& u, const Corners& v) const {
-  const Kernel::Point_3 p = exact_point(positions_[u[0]]);
-  const Kernel::Point_3 q = exact_point(positions_[u[1]]);
-  const Kernel::Point_3 r = exact_point(positions_[u[2]]);
-  const Kernel::Point_3 s = exact_point(positions_[v[2]]);
+  const ExactKernel::Point_3 p = exact_point(positions_[u[0]]);
+  const ExactKernel::Point_3 q = exact_point(positions_[u[1]]);
+  const ExactKernel::Point_3 r = exact_point(positions_[u[2]]);
+  const ExactKernel::Point_3 s = exact_point(positions_[v[2]]);
   return CGAL::coplanar(p, q, r, s) && CGAL::coplanar_orientation(p, q, r, s) == CGAL::POSITIVE;
 }
 

@@ -12,7 +12,7 @@
 namespace croquis::implicit {
 namespace {
 
-constexpr std::size_t grain = 16;  // blocks per part
+constexpr std::size_t blocks_per_part = 16;  // blocks per part
 
 // Corners of triangles until their layers' numbers are known.
 constexpr Index of_next_layer = Index{1} << 30;
@@ -60,9 +60,10 @@ CubeLayers::Layer CubeLayers::numbered(int number) {
 void CubeLayers::place(int number, Progress& progress) {
   lattice_.link(number);
   Layer layer = numbered(number);
-  for_each_part(layer.blocks.size(), grain, options_.threads, progress, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t b = begin; b < end; ++b) place_vertices(layer.blocks[b], layer);
-  });
+  for_each_part(layer.blocks.size(), blocks_per_part, options_.threads, progress,
+                [&](std::size_t begin, std::size_t end) {
+                  for (std::size_t b = begin; b < end; ++b) place_vertices(layer.blocks[b], layer);
+                });
   if (has_below_) {
     above_ = std::move(layer);
     return;
@@ -92,10 +93,12 @@ void CubeLayers::append_points(const Layer& layer) {
 }
 
 void CubeLayers::finish(Progress& progress) {
-  std::vector<Piece> pieces((below_.blocks.size() + grain - 1) / grain);
-  for_each_part(below_.blocks.size(), grain, options_.threads, progress, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t b = begin; b < end; ++b) add_triangles(*below_.blocks[b].block, pieces[begin / grain]);
-  });
+  std::vector<Piece> pieces((below_.blocks.size() + blocks_per_part - 1) / blocks_per_part);
+  for_each_part(below_.blocks.size(), blocks_per_part, options_.threads, progress,
+                [&](std::size_t begin, std::size_t end) {
+                  for (std::size_t b = begin; b < end; ++b)
+                    add_triangles(*below_.blocks[b].block, pieces[begin / blocks_per_part]);
+                });
   const Index own = made_.first_vertices.back();
   Index middle = own + static_cast<Index>(below_.points.size()), middles = 0;
   for (const Piece& piece : pieces) middles += static_cast<Index>(piece.middles.size());

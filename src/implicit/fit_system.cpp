@@ -7,11 +7,9 @@
 namespace croquis::implicit {
 namespace {
 
-using Eigen::Index;
-
 constexpr std::size_t least_for_linear = 4;  // fewer centres without gradients: constants alone
 
-Index at(std::size_t i) { return static_cast<Index>(i); }
+Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 std::vector<std::size_t> number_unknowns(const UnitCentres& centres) {
   std::vector<std::size_t> first = {0};
@@ -52,12 +50,12 @@ Eigen::Matrix4d quintic_block(const Vec3& d) {
 void fill_hermite(const UnitCentres& centres, Kernel kernel, FitSystem& system) {
   const std::size_t count = centres.positions.size();
   for (std::size_t j = 0; j < count; ++j) {
-    const Index column = at(system.first[j]);
-    const Index columns = at(system.first[j + 1]) - column;
+    const Eigen::Index column = at(system.first[j]);
+    const Eigen::Index columns = at(system.first[j + 1]) - column;
     for (std::size_t i = j; i < count; ++i) {
       const Vec3 d = centres.positions[i] - centres.positions[j];
-      const Index row = at(system.first[i]);
-      const Index rows = at(system.first[i + 1]) - row;
+      const Eigen::Index row = at(system.first[i]);
+      const Eigen::Index rows = at(system.first[i + 1]) - row;
       if (rows == 1 && columns == 1) {
         system.a(row, column) = system.a(column, row) = system.sign * kernel_value(kernel, d);
         continue;
@@ -97,7 +95,7 @@ void add_smoothing(const UnitCentres& centres, const FitOptions& options, FitSys
 }
 
 /// The quadratic terms x², y², z², xy, yz, zx at a centre, and their gradients.
-void fill_quadratic(const Vec3& p, Index row, bool has_gradient, Eigen::MatrixXd& q) {
+void fill_quadratic(const Vec3& p, Eigen::Index row, bool has_gradient, Eigen::MatrixXd& q) {
   const auto [x, y, z] = std::array{p.x(), p.y(), p.z()};
   q.row(row).tail(6) << x * x, y * y, z * z, x * y, y * z, z * x;
   if (!has_gradient) return;
@@ -112,7 +110,7 @@ void fill_sides(const UnitCentres& centres, Kernel kernel, FitSystem& system) {
   system.q = Eigen::MatrixXd::Zero(at(system.first.back()), quadratic ? 10 : linear ? 4 : 1);
   system.h = Eigen::VectorXd::Zero(at(system.first.back()));
   for (std::size_t c = 0; c < centres.positions.size(); ++c) {
-    const Index row = at(system.first[c]);
+    const Eigen::Index row = at(system.first[c]);
     system.q(row, 0) = 1;
     system.h[row] = centres.values[c];
     if (linear) system.q.block<1, 3>(row, 1) = centres.positions[c].transpose();

@@ -12,7 +12,6 @@
 namespace croquis::implicit {
 namespace {
 
-using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
@@ -22,7 +21,7 @@ constexpr double flat = 1e-9;
 // Of the largest diagonal entry: a smaller pivot is rounding.
 constexpr double least_pivot = 1e-14;
 
-constexpr Index width = 4;  // reflectors that are applied at once, missing ones 0
+constexpr Eigen::Index width = 4;  // reflectors that are applied at once, missing ones 0
 
 /// Some reflectors of a QR decomposition as H = I - V T V'.
 struct Reflectors {
@@ -31,11 +30,11 @@ struct Reflectors {
 };
 
 /// Those from `first` on, `width` at most.
-Reflectors reflectors_from(const Eigen::ColPivHouseholderQR<MatrixXd>& qr, Index first, Index rank) {
-  const Index n = qr.rows();
+Reflectors reflectors_from(const Eigen::ColPivHouseholderQR<MatrixXd>& qr, Eigen::Index first, Eigen::Index rank) {
+  const Eigen::Index n = qr.rows();
   Reflectors h = {MatrixXd::Zero(n, width), MatrixXd::Zero(width, width)};
-  for (Index k = 0; k < std::min(width, rank - first); ++k) {
-    const Index row = first + k;
+  for (Eigen::Index k = 0; k < std::min(width, rank - first); ++k) {
+    const Eigen::Index row = first + k;
     const double tau = qr.hCoeffs()[row];
     h.v(row, k) = 1;
     h.v.col(k).tail(n - row - 1) = qr.matrixQR().col(row).tail(n - row - 1);
@@ -46,9 +45,9 @@ Reflectors reflectors_from(const Eigen::ColPivHouseholderQR<MatrixXd>& qr, Index
 }
 
 /// H = H1 H2 ...
-std::vector<Reflectors> reflectors_of(const Eigen::ColPivHouseholderQR<MatrixXd>& qr, Index rank) {
+std::vector<Reflectors> reflectors_of(const Eigen::ColPivHouseholderQR<MatrixXd>& qr, Eigen::Index rank) {
   std::vector<Reflectors> blocks;
-  for (Index first = 0; first < rank; first += width) blocks.push_back(reflectors_from(qr, first, rank));
+  for (Eigen::Index first = 0; first < rank; first += width) blocks.push_back(reflectors_from(qr, first, rank));
   return blocks;
 }
 
@@ -98,13 +97,13 @@ VectorXd reflected(const Reflectors& h, const VectorXd& x, bool transposed) {
 
 /// The whole matrix again: one block of reflectors has spoilt nothing above the diagonal.
 void mirror_upper_triangle(MatrixXd& a) {
-  for (Index j = 0; j < a.cols(); ++j)
-    for (Index i = j + 1; i < a.rows(); ++i) a(i, j) = a(j, i);
+  for (Eigen::Index j = 0; j < a.cols(); ++j)
+    for (Eigen::Index i = j + 1; i < a.rows(); ++i) a(i, j) = a(j, i);
 }
 
 void mirror_lower_triangle(MatrixXd& a) {
-  for (Index j = 0; j < a.cols(); ++j)
-    for (Index i = 0; i < j; ++i) a(i, j) = a(j, i);
+  for (Eigen::Index j = 0; j < a.cols(); ++j)
+    for (Eigen::Index i = 0; i < j; ++i) a(i, j) = a(j, i);
 }
 
 /// The lower triangle of H'AH.
@@ -122,8 +121,8 @@ VectorXd reflected(const std::vector<Reflectors>& blocks, VectorXd x, bool trans
 }
 
 ConstrainedWeights solve_whole(const MatrixXd& a, const MatrixXd& q, const VectorXd& h, int rank) {
-  const Index n = a.rows();
-  const Index k = q.cols();
+  const Eigen::Index n = a.rows();
+  const Eigen::Index k = q.cols();
   MatrixXd whole = MatrixXd::Zero(n + k, n + k);
   whole << a, q, q.transpose(), MatrixXd::Zero(k, k);
   VectorXd right = VectorXd::Zero(n + k);
@@ -135,11 +134,11 @@ ConstrainedWeights solve_whole(const MatrixXd& a, const MatrixXd& q, const Vecto
 }  // namespace
 
 ConstrainedWeights solve_constrained(MatrixXd& a, const MatrixXd& q, const VectorXd& h) {
-  const Index n = a.rows();
+  const Eigen::Index n = a.rows();
   Eigen::ColPivHouseholderQR<MatrixXd> qr;
   qr.setThreshold(flat);
   qr.compute(q);
-  const Index rank = qr.rank();
+  const Eigen::Index rank = qr.rank();
   const std::vector<Reflectors> reflectors = reflectors_of(qr, rank);
   const VectorXd diagonal = a.diagonal();
   const MatrixXd original = reflectors.size() > 1 ? a : MatrixXd();  // else its upper triangle stays

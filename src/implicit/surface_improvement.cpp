@@ -15,7 +15,7 @@
 namespace croquis::implicit {
 namespace {
 
-constexpr std::size_t grain = 256;  // points that move together
+constexpr std::size_t points_per_part = 256;  // points that move together
 
 void require_triangles(const PolyMesh& mesh) {
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
@@ -76,8 +76,8 @@ Vec3 Projection::move_of(double value, const Vec3& gradient) const {
 }
 
 void Projection::step(std::vector<Moving>& moving) {
-  std::array<Vec3, grain> places, gradients;
-  std::array<double, grain> values;
+  std::array<Vec3, points_per_part> places, gradients;
+  std::array<double, points_per_part> values;
   for (std::size_t i = 0; i < moving.size(); ++i) places[i] = points_[moving[i].index];
   field_({places.data(), moving.size()}, {values.data(), moving.size()}, {gradients.data(), moving.size()});
   std::vector<Moving> still;
@@ -140,15 +140,15 @@ ProjectionReport project(std::span<Vec3> points, std::span<const std::uint8_t> f
                          const ProjectionOptions& options) {
   require_parameter(std::isfinite(options.cell) && options.cell > 0, "cell", "the scale of steps must be positive");
   require_marks(fixed, points.size());
-  std::vector<ProjectionReport> parts((points.size() + grain - 1) / grain);
+  std::vector<ProjectionReport> parts((points.size() + points_per_part - 1) / points_per_part);
   Progress silent;
-  for_each_part(points.size(), grain, options.threads, silent, [&](std::size_t begin, std::size_t end) {
+  for_each_part(points.size(), points_per_part, options.threads, silent, [&](std::size_t begin, std::size_t end) {
     std::vector<Moving> moving;
     for (std::size_t i = begin; i < end; ++i)
       if (fixed.empty() || fixed[i] == 0) moving.push_back({i, points[i]});
     Projection projection(points, field, options);
     projection.run(std::move(moving));
-    parts[begin / grain] = projection.report;
+    parts[begin / points_per_part] = projection.report;
   });
   ProjectionReport whole;
   for (const ProjectionReport& part : parts) {

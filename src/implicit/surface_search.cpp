@@ -18,7 +18,7 @@ constexpr double least_fraction = 1e-4;
 // Of the search: how many fronts there will be isn't known.
 constexpr double share_of_front = 0.02;
 
-constexpr std::size_t grain = 256;  // corners or vertices per call of the field
+constexpr std::size_t places_per_call = 256;  // corners or vertices per call of the field
 
 constexpr unsigned all_inside = 255;
 
@@ -140,9 +140,9 @@ void SurfaceSearch::evaluate_corners(const std::vector<LatticePlace>& front, Pro
     }
   }
   result_.evaluations += corners.size();
-  for_each_part(corners.size(), grain, options_.threads, progress, [&](std::size_t begin, std::size_t end) {
-    std::array<Vec3, grain> places;
-    std::array<double, grain> values;
+  for_each_part(corners.size(), places_per_call, options_.threads, progress, [&](std::size_t begin, std::size_t end) {
+    std::array<Vec3, places_per_call> places;
+    std::array<double, places_per_call> values;
     for (std::size_t i = begin; i < end; ++i) places[i - begin] = lattice_.position(corners[i]);
     field_({places.data(), end - begin}, {values.data(), end - begin}, {});
     for (std::size_t i = begin; i < end; ++i) corners[i].block->values[corners[i].local] = values[i - begin];
@@ -186,7 +186,7 @@ void SurfaceSearch::ask_covered(const std::vector<Edge>& edges, Progress& progre
   std::vector<std::uint8_t> covered(edges.size(), 0);
   std::vector<Vec3> places;
   for (const Edge& edge : edges) places.push_back(crossing(lattice_, edge.place, edge.axis));
-  for_each_part(edges.size(), grain, options_.threads, progress, [&](std::size_t begin, std::size_t end) {
+  for_each_part(edges.size(), places_per_call, options_.threads, progress, [&](std::size_t begin, std::size_t end) {
     options_.covered(std::span(places).subspan(begin, end - begin), std::span(covered).subspan(begin, end - begin));
   });
   for (std::size_t i = 0; i < edges.size(); ++i)

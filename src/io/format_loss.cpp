@@ -27,7 +27,7 @@ std::string counted(std::size_t count, const char* what) {
 }  // namespace
 
 void FormatLoss::note_channel(const AttributeChannel& channel) {
-  note("the attribute " + quoted(channel.name) + " of " + name_of(channel.domain));
+  note("the attribute " + in_quotes(channel.name) + " of " + name_of(channel.domain));
 }
 
 void FormatLoss::note_others(const PolyMesh& mesh, const std::vector<const AttributeChannel*>& written) {
@@ -45,7 +45,7 @@ void FormatLoss::note_sets(const MeshTags& tags) {
   if (tags.sets.empty()) return;
   std::string names;
   for (std::size_t i = 0; i < tags.sets.size() && i < named_sets; ++i) {
-    names += (i == 0 ? "" : ", ") + quoted(tags.sets[i].name);
+    names += (i == 0 ? "" : ", ") + in_quotes(tags.sets[i].name);
   }
   note(counted(tags.sets.size(), "set") + " of tags (" + names + (tags.sets.size() > named_sets ? ", ..." : "") +
        "; the tags are kept)");

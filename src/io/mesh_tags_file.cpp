@@ -60,7 +60,7 @@ class TagsReader {
   void note_unknown(const Report::Object& object, const char* what, std::initializer_list<std::string_view> known) {
     for (const auto& [key, value] : object) {
       const bool is_known = std::find(known.begin(), known.end(), std::string_view(key)) != known.end();
-      if (!is_known && ignored_.size() < most_findings) ++ignored_[quoted(key) + " of " + what];
+      if (!is_known && ignored_.size() < most_findings) ++ignored_[in_quotes(key) + " of " + what];
     }
   }
 

@@ -99,9 +99,9 @@ void OffReader::read_kind(std::string_view word) {
   has_normals_ = take("N");
   if (word == "OFF") return;
   if (word == "4OFF" || word == "nOFF" || word == "4nOFF") {
-    context_.fail("E_SYNTAX", quoted(whole) + " has points of another dimension than three", at_line(line_));
+    context_.fail("E_SYNTAX", in_quotes(whole) + " has points of another dimension than three", at_line(line_));
   }
-  context_.fail("E_SYNTAX", "an OFF file begins with OFF, COFF, NOFF or the like, not with " + quoted(whole),
+  context_.fail("E_SYNTAX", "an OFF file begins with OFF, COFF, NOFF or the like, not with " + in_quotes(whole),
                 at_line(line_));
 }
 
@@ -124,7 +124,7 @@ void OffReader::read_counts(std::size_t first_word) {
 bool OffReader::read_numbers(std::size_t first, std::span<double> values) {
   for (std::size_t k = 0; k < values.size(); ++k) {
     if (parse_number(words_[first + k], values[k])) continue;
-    context_.error("E_SYNTAX", quoted(words_[first + k]) + " is not a number", at_line(line_));
+    context_.error("E_SYNTAX", in_quotes(words_[first + k]) + " is not a number", at_line(line_));
     return false;
   }
   return true;
@@ -160,7 +160,7 @@ void OffReader::read_face(std::size_t face) {
   std::size_t count = 0;
   if (!parse_number(words_[0], count) || count >= words_.size()) {
     return context_.error("E_COUNT",
-                          "face " + std::to_string(face) + " claims " + quoted(words_[0]) +
+                          "face " + std::to_string(face) + " claims " + in_quotes(words_[0]) +
                               " corners, but its line has " + std::to_string(words_.size() - 1) + " values after that",
                           at_line(line_), face_subject(face));
   }
@@ -168,7 +168,7 @@ void OffReader::read_face(std::size_t face) {
   for (std::size_t i = 1; i <= count; ++i) {
     std::int64_t index = 0;
     if (!parse_number(words_[i], index)) {
-      context_.error("E_SYNTAX", quoted(words_[i]) + " is not the index of a vertex", at_line(line_),
+      context_.error("E_SYNTAX", in_quotes(words_[i]) + " is not the index of a vertex", at_line(line_),
                      face_subject(face));
     } else if (index < 0 || index >= static_cast<std::int64_t>(vertex_count_)) {
       context_.bad_index(face, index, vertex_count_, at_line(line_));

@@ -153,7 +153,7 @@ std::string_view TextStlReader::next() {
 void TextStlReader::fail_expecting(const std::string& keyword, std::string_view word) {
   const Place place = at_line(lines_.line_number());
   if (word.empty()) context_.fail("E_TRUNCATED", "the file ends where '" + keyword + "' must follow", place);
-  context_.fail("E_SYNTAX", quoted(word) + " stands where '" + keyword + "' must follow", place);
+  context_.fail("E_SYNTAX", in_quotes(word) + " stands where '" + keyword + "' must follow", place);
 }
 
 void TextStlReader::expect(const char* keyword) {

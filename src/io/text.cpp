@@ -65,7 +65,7 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   std::string result = "'";
   for (const char c : text.substr(0, longest_quote)) {
     const auto byte = static_cast<unsigned char>(c);

@@ -16,7 +16,7 @@ std::string_view trimmed(std::string_view text);
 std::string lower_case(std::string_view text);
 
 /// A piece of somebody's file as it may stand in a message: shortened, control characters replaced.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 struct TextLine {
   std::string_view text;    ///< without its end

@@ -21,7 +21,7 @@ std::optional<double> read_number(std::string_view text) {
   return number;
 }
 
-std::string_view trimmed(std::string_view text) {
+std::string_view without_spaces(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
   return text;
@@ -31,15 +31,15 @@ std::optional<AttachedPair> read_pair(std::string_view entry) {
   AttachedPair pair;
   const std::size_t equals = entry.rfind('=');
   if (equals != std::string_view::npos) {
-    const std::optional<double> kappa = read_number(trimmed(entry.substr(equals + 1)));
+    const std::optional<double> kappa = read_number(without_spaces(entry.substr(equals + 1)));
     if (!kappa) return std::nullopt;
     pair.kappa = *kappa;
     entry = entry.substr(0, equals);
   }
   const std::size_t comma = entry.find(',');
   if (comma == std::string_view::npos || entry.find(',', comma + 1) != std::string_view::npos) return std::nullopt;
-  pair.a = trimmed(entry.substr(0, comma));
-  pair.b = trimmed(entry.substr(comma + 1));
+  pair.a = without_spaces(entry.substr(0, comma));
+  pair.b = without_spaces(entry.substr(comma + 1));
   if (pair.a.empty() || pair.b.empty()) return std::nullopt;
   return pair;
 }
@@ -52,7 +52,7 @@ std::vector<AttachedPair> parse_attached_pairs(const std::string& text) {
   std::string_view rest = text;
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find(';'), rest.size());
-    const std::string_view entry = trimmed(rest.substr(0, end));
+    const std::string_view entry = without_spaces(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
     if (entry.empty()) continue;
     if (std::optional<AttachedPair> pair = read_pair(entry)) {

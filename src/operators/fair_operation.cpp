@@ -10,6 +10,7 @@
 #include "croquis/document/memo.h"
 #include "croquis/io/mesh_tags_file.h"
 #include "croquis/subdivision/fairing.h"
+#include "operators/parameter_values.h"
 #include "operators/subdivide_tags.h"
 
 namespace croquis {
@@ -74,11 +75,6 @@ std::shared_ptr<const PolyMesh> tagged_cage(const Values& inputs, Findings& warn
   PolyMesh mesh = *cage;
   mesh.tags = united_tags(mesh.tags, read.tags);
   return std::make_shared<const PolyMesh>(std::move(mesh));
-}
-
-ParameterDescription choice(const std::string& name, std::vector<std::string> choices, const std::string& sentence) {
-  const std::string first = choices.front();
-  return {name, ParameterType::Choice, first, 0, 0, std::move(choices), "", sentence};
 }
 
 }  // namespace

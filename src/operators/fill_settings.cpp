@@ -11,6 +11,7 @@
 #include "croquis/base/error.h"
 #include "croquis/operators/hole_wishes.h"
 #include "operators/hole_ids.h"
+#include "operators/parameter_values.h"
 
 namespace croquis {
 namespace {
@@ -26,25 +27,12 @@ using implicit::Kernel;
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-ParameterDescription choice(const std::string& name, const std::vector<std::string>& choices,
-                            const std::string& sentence) {
-  return {name, ParameterType::Choice, choices.front(), 0, 0, choices, "", sentence};
-}
-
 ParameterDescription list(const std::string& name, const std::string& sentence) {
   return {name, ParameterType::Text, std::string(), 0, 0, {}, "", sentence, true};
 }
 
 ParameterDescription flag(const std::string& name, bool value, const std::string& sentence) {
   return {name, ParameterType::Flag, value, 0, 0, {}, "", sentence};
-}
-
-const std::string& text(const ParameterValues& parameters, const std::string& name) {
-  return std::get<std::string>(parameters.at(name));
-}
-
-double number(const ParameterValues& parameters, const std::string& name) {
-  return std::get<double>(parameters.at(name));
 }
 
 Selection selection_of(const std::string& name) {

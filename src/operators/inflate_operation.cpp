@@ -8,6 +8,7 @@
 #include "operators/attach_parameter.h"
 #include "operators/inflate_report.h"
 #include "operators/memo_stage_cache.h"
+#include "operators/parameter_values.h"
 
 namespace croquis {
 namespace {
@@ -19,11 +20,7 @@ ParameterDescription weight(const std::string& name, double value, const std::st
   return {"weight-" + name, ParameterType::Number, value, 1e-3, 1.0, {}, "", sentence};
 }
 
-double number(const ParameterValues& parameters, const std::string& name) {
-  return std::get<double>(parameters.at(name));
-}
-
-Options read_options(const ParameterValues& parameters) {
+Options read_inflate_options(const ParameterValues& parameters) {
   const bool tablet = std::get<std::string>(parameters.at("preset")) == "tablet";
   Options options = Options::of(tablet ? Preset::Tablet : Preset::Clean);
   options.strokes.step = number(parameters, "resolution");
@@ -90,7 +87,7 @@ OperationDescription InflateOperation::describe() const {
 OperationResult InflateOperation::compute(const Values& inputs, const ParameterValues& parameters,
                                           Context& context) const {
   const Drawing& drawing = *std::get<std::shared_ptr<const Drawing>>(inputs.at("drawing"));
-  Options options = read_options(parameters);
+  Options options = read_inflate_options(parameters);
   options.quality = context.quality == Quality::Draft ? silhouette::Quality::Draft : silhouette::Quality::Final;
   MemoStageCache cache(context.memo);
   if (context.memo != nullptr) options.cache = &cache;

@@ -4,6 +4,8 @@
 #include <numbers>
 #include <string>
 
+#include "operators/parameter_values.h"
+
 namespace croquis {
 namespace {
 
@@ -11,17 +13,8 @@ using namespace subdivision;
 
 constexpr int most_levels = 10;
 
-ParameterDescription choice(const std::string& name, const std::vector<std::string>& choices,
-                            const std::string& sentence) {
-  return {name, ParameterType::Choice, choices.front(), 0, 0, choices, "", sentence};
-}
-
 ParameterDescription flag(const std::string& name, const std::string& sentence) {
   return {name, ParameterType::Flag, false, 0, 0, {}, "", sentence};
-}
-
-const std::string& text(const ParameterValues& parameters, const std::string& name) {
-  return std::get<std::string>(parameters.at(name));
 }
 
 /// The preset's rules, but for the switches that say something of their own.

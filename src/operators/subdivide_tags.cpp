@@ -41,8 +41,6 @@ std::vector<Vec3> face_normals(const subdivision::Cage& cage) {
   return normals;
 }
 
-double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
-
 }  // namespace
 
 MeshTags united_tags(const MeshTags& own, const MeshTags& added) {

@@ -35,7 +35,7 @@ Bounds something_to_frame(const Bounds& bounds) {
 }
 
 /// The shape of the picture and the share of it that may be filled.
-struct Canvas {
+struct PictureSize {
   double aspect = 1;
   double share = 1;
 };
@@ -57,7 +57,7 @@ glm::dvec3 seen_from(const glm::dvec3& target, const ViewAxes& axes, const glm::
   return {glm::dot(offset, axes.right), glm::dot(offset, axes.up), glm::dot(offset, axes.back)};
 }
 
-void frame_orthographic(std::span<const glm::dvec3> points, const ViewAxes& axes, const Canvas& canvas,
+void frame_orthographic(std::span<const glm::dvec3> points, const ViewAxes& axes, const PictureSize& canvas,
                         Camera& camera) {
   Reach reach;
   for (const glm::dvec3& point : points) reach.add(glm::dvec2(seen_from(camera.target, axes, point)));
@@ -67,7 +67,7 @@ void frame_orthographic(std::span<const glm::dvec3> points, const ViewAxes& axes
 }
 
 /// The distance from which all points fit around the target.
-double fitting_distance(std::span<const glm::dvec3> points, const ViewAxes& axes, const Canvas& canvas,
+double fitting_distance(std::span<const glm::dvec3> points, const ViewAxes& axes, const PictureSize& canvas,
                         const Camera& camera) {
   const double slope = std::tan(camera.field_of_view / 2) * canvas.share;
   double distance = 0;
@@ -78,7 +78,7 @@ double fitting_distance(std::span<const glm::dvec3> points, const ViewAxes& axes
   return distance;
 }
 
-double frame_perspective(std::span<const glm::dvec3> points, const ViewAxes& axes, const Canvas& canvas,
+double frame_perspective(std::span<const glm::dvec3> points, const ViewAxes& axes, const PictureSize& canvas,
                          Camera& camera) {
   double distance = fitting_distance(points, axes, canvas, camera);
   // Moving the target to the middle of what is seen changes what is seen, ever less: three rounds are within a pixel.
@@ -96,7 +96,7 @@ double frame_perspective(std::span<const glm::dvec3> points, const ViewAxes& axe
 
 /// @param box of the points, of some size
 Camera frame_points(std::span<const glm::dvec3> points, const Bounds& box, const ViewDirection& direction,
-                    const Canvas& canvas) {
+                    const PictureSize& canvas) {
   const ViewAxes axes = view_axes(direction.direction, direction.up);
   Camera camera;
   camera.projection = direction.projection;

@@ -8,11 +8,10 @@
 
 #include "croquis/base/error.h"
 #include "render/item_frame.h"
+#include "render/to_glm.h"
 
 namespace croquis::render {
 namespace {
-
-glm::dvec3 to_glm(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 void require_drawable(std::span<const Vec3> positions, std::span<const StyledEdge> edges) {
   Findings findings;

@@ -6,13 +6,13 @@
 
 #include <epoxy/gl.h>
 
+#include "render/vertex_places.h"
+
 namespace croquis::render {
 namespace {
 
 // The places that the shaders give their inputs.
-constexpr GLuint position_place = 0;
 constexpr GLuint normal_place = 1;
-constexpr GLuint color_place = 2;
 constexpr GLuint patch_place = 3;
 
 template <typename Vertex>

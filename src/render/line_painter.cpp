@@ -8,14 +8,13 @@
 #include <epoxy/gl.h>
 
 #include "render/line_lengths.h"
+#include "render/vertex_places.h"
 
 namespace croquis::render {
 namespace {
 
 // The places that stroke.vert gives its inputs; those of a segment's second end follow the first one's.
-constexpr GLuint position_place = 0;
 constexpr GLuint width_place = 1;
-constexpr GLuint color_place = 2;
 constexpr GLuint second_end = 3;
 constexpr GLuint length_place = 6;
 

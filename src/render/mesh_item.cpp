@@ -8,11 +8,10 @@
 #include "croquis/base/error.h"
 #include "render/item_frame.h"
 #include "render/mesh_plan.h"
+#include "render/to_glm.h"
 
 namespace croquis::render {
 namespace {
-
-glm::dvec3 to_glm(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 void require_drawable(const PolyMesh& mesh) {
   Findings findings = validate(mesh);

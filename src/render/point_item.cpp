@@ -6,11 +6,10 @@
 
 #include "croquis/base/error.h"
 #include "render/item_frame.h"
+#include "render/to_glm.h"
 
 namespace croquis::render {
 namespace {
-
-glm::dvec3 to_glm(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 template <typename PlaceOf>
 std::shared_ptr<PointItem> make_item(std::size_t count, const PlaceOf& place_of, const PointStyle& style) {

@@ -12,7 +12,7 @@
 namespace croquis::render {
 namespace {
 
-constexpr ColorRamp<4> ramp = {{{104, 206, 172}, {22, 156, 142}, {26, 96, 146}, {44, 26, 104}}};
+constexpr ColorRamp<4> sharpness_ramp = {{{104, 206, 172}, {22, 156, 142}, {26, 96, 146}, {44, 26, 104}}};
 constexpr Color infinite_color = {200, 0, 112, 255};
 
 /// In [0, 1]: half a level matters more between 0 and 2 than between 8 and 10.
@@ -31,7 +31,7 @@ std::string label_of(double sharpness) {
 
 Color sharpness_color(double sharpness) {
   if (sharpness > greatest_sharpness) return infinite_color;
-  return color_on(ramp, share_of_ramp(sharpness));
+  return color_on(sharpness_ramp, share_of_ramp(sharpness));
 }
 
 float sharpness_width(double sharpness) {

@@ -15,7 +15,7 @@
 namespace croquis::render {
 namespace {
 
-constexpr ColorRamp<5> ramp = {{{68, 20, 92}, {58, 82, 139}, {33, 145, 140}, {105, 200, 92}, {248, 230, 84}}};
+constexpr ColorRamp<5> value_ramp = {{{68, 20, 92}, {58, 82, 139}, {33, 145, 140}, {105, 200, 92}, {248, 230, 84}}};
 constexpr Color no_value_color = {150, 150, 150, 255};
 
 double number_at(const AttributeChannel& channel, std::size_t element) {
@@ -76,7 +76,7 @@ void append(std::vector<float>& values, const std::optional<Color>& color) {
 
 Color value_color(double value) {
   if (std::isnan(value)) return no_value_color;
-  return color_on(ramp, value);
+  return color_on(value_ramp, value);
 }
 
 std::vector<ValueSample> value_legend(int count) {

@@ -11,21 +11,19 @@
 namespace croquis {
 namespace {
 
-using Eigen::Index;
 using Eigen::VectorXd;
 
 using Outcome = DualActiveSet::Outcome;
 
-constexpr int most_rounds = 25;
+constexpr int most_row_changes = 25;
 /// Beyond this many rows the interior point's few factorisations are cheaper.
-constexpr Index most_rows = 1000;
+constexpr Eigen::Index most_rows = 1000;
 /// Rows that may join in one round, or half as many as press already: few are wasted, and few rounds are needed.
-constexpr Index least_rows_per_round = 16;
+constexpr Eigen::Index least_rows_per_round = 16;
 /// The worst so many join even if they share unknowns: where all rows do, rounds would run out.
-constexpr Index always_taken = 4;
+constexpr Eigen::Index always_taken = 4;
 /// Largest error of a point that passes, relative to the largest violation of the start (and for forces to the largest
 /// multiplier); polishing asks for the same.
-constexpr double verification_tolerance = 1e-10;
 /// Error that no further round is spent on.
 constexpr double rounding_floor = 1e-13;
 
@@ -41,8 +39,8 @@ class Rounds {
  private:
   const ScaledProblem& matrices() const { return *problem_.matrices; }
   void find_residuals();
-  std::vector<Index> violated_rows() const;
-  bool meets_taken_row(Index row);
+  std::vector<Eigen::Index> violated_rows() const;
+  bool meets_taken_row(Eigen::Index row);
   void take_violated_rows();
   double error() const;
 
@@ -50,9 +48,9 @@ class Rounds {
   const KktSystem& system_;
   RowFlexibility flexibility_;
   DualActiveSet active_set_;
-  std::vector<Index> known_;        ///< row of each entry of the active set
-  std::vector<char> is_known_;      ///< per row
-  Eigen::VectorXi taken_in_round_;  ///< per unknown, the last round that took a row of it
+  std::vector<Eigen::Index> known_;  ///< row of each entry of the active set
+  std::vector<char> is_known_;       ///< per row
+  Eigen::VectorXi taken_in_round_;   ///< per unknown, the last round that took a row of it
   VectorXd y_, equality_, multipliers_;
   VectorXd stationarity_, equality_gap_, violation_;
   double last_error_ = std::numeric_limits<double>::infinity();
@@ -83,7 +81,7 @@ void Rounds::find_residuals() {
 
 double Rounds::error() const {
   double rows = 0;
-  for (Index row = 0; row < violation_.size(); ++row)
+  for (Eigen::Index row = 0; row < violation_.size(); ++row)
     rows = std::max(rows, multipliers_[row] > 0 ? std::abs(violation_[row]) : violation_[row]);
   const double force = std::max(1.0, multipliers_.lpNorm<Eigen::Infinity>());
   return std::max({rows, equality_gap_.lpNorm<Eigen::Infinity>(), stationarity_.lpNorm<Eigen::Infinity>() / force});
@@ -101,18 +99,18 @@ bool Rounds::optimal() {
 }
 
 /// The unknown rows that are violated, the worst first.
-std::vector<Index> Rounds::violated_rows() const {
-  std::vector<Index> violated;
-  for (Index row = 0; row < violation_.size(); ++row)
+std::vector<Eigen::Index> Rounds::violated_rows() const {
+  std::vector<Eigen::Index> violated;
+  for (Eigen::Index row = 0; row < violation_.size(); ++row)
     if (violation_[row] > rounding_floor && is_known_[static_cast<std::size_t>(row)] == 0) violated.push_back(row);
-  std::sort(violated.begin(), violated.end(), [this](Index a, Index b) {
+  std::sort(violated.begin(), violated.end(), [this](Eigen::Index a, Eigen::Index b) {
     return violation_[a] > violation_[b] || (violation_[a] == violation_[b] && a < b);
   });
   return violated;
 }
 
 /// True when an unknown of the row belongs to one taken in this round; else marks its unknowns.
-bool Rounds::meets_taken_row(Index row) {
+bool Rounds::meets_taken_row(Eigen::Index row) {
   bool meets = false;
   for (RowMatrix::InnerIterator entry(matrices().inequalities, row); entry; ++entry)
     meets = meets || taken_in_round_[entry.col()] == count_ + 1;
@@ -123,9 +121,9 @@ bool Rounds::meets_taken_row(Index row) {
 
 /// Of rows that share an unknown the worst one comes first: it often settles the others.
 void Rounds::take_violated_rows() {
-  const Index places = std::max(least_rows_per_round, static_cast<Index>(active_set_.active_count() / 2));
-  Index taken = 0;
-  for (const Index row : violated_rows()) {
+  const Eigen::Index places = std::max(least_rows_per_round, static_cast<Eigen::Index>(active_set_.active_count() / 2));
+  Eigen::Index taken = 0;
+  for (const Eigen::Index row : violated_rows()) {
     if (meets_taken_row(row) && taken >= always_taken) continue;
     active_set_.add_row(flexibility_.add(row));
     known_.push_back(row);
@@ -139,13 +137,13 @@ Outcome Rounds::advance() {
   take_violated_rows();
   if (active_set_.size() > most_rows) return Outcome::GaveUp;
   VectorXd known_violation(active_set_.size());
-  for (Index i = 0; i < known_violation.size(); ++i)
+  for (Eigen::Index i = 0; i < known_violation.size(); ++i)
     known_violation[i] = violation_[known_[static_cast<std::size_t>(i)]];
   const Outcome outcome = active_set_.solve(known_violation, rounding_floor);
   if (outcome != Outcome::Solved) return outcome;
 
   VectorXd push = -multipliers_;
-  for (Index i = 0; i < known_violation.size(); ++i)
+  for (Eigen::Index i = 0; i < known_violation.size(); ++i)
     multipliers_[known_[static_cast<std::size_t>(i)]] = active_set_.multipliers()[i];
   push += multipliers_;
   VectorXd right_side(system_.size());
@@ -179,7 +177,7 @@ DualActiveSet::Outcome find_active_rows(const ElasticProblem& problem, const Kkt
                                         Progress& progress) {
   Rounds rounds(problem, system);
   while (!rounds.optimal()) {
-    if (rounds.count() == most_rounds) return Outcome::GaveUp;
+    if (rounds.count() == most_row_changes) return Outcome::GaveUp;
     progress.check();
     const Outcome outcome = rounds.advance();
     if (outcome != Outcome::Solved) return outcome;

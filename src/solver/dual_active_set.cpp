@@ -8,7 +8,6 @@
 namespace croquis {
 namespace {
 
-using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
@@ -25,9 +24,9 @@ constexpr int changes_per_row = 4;
 constexpr double implied_violation = 1e-5;
 
 /// At least `size` by `size`, the old entries kept; doubled, so that growing row by row stays cheap.
-void make_room(MatrixXd& matrix, Index size) {
+void make_room(MatrixXd& matrix, Eigen::Index size) {
   if (matrix.rows() >= size) return;
-  const Index room = std::max<Index>(16, 2 * size);
+  const Eigen::Index room = std::max<Eigen::Index>(16, 2 * size);
   matrix.conservativeResize(room, room);
 }
 
@@ -41,7 +40,7 @@ struct DualActiveSet::Answer {
 };
 
 void DualActiveSet::add_row(const VectorXd& flexibility) {
-  const Index row = size();
+  const Eigen::Index row = size();
   make_room(flexibility_, row + 1);
   flexibility_.row(row).head(row + 1) = flexibility.transpose();
   flexibility_.col(row).head(row + 1) = flexibility;
@@ -52,13 +51,13 @@ void DualActiveSet::add_row(const VectorXd& flexibility) {
 }
 
 VectorXd DualActiveSet::active_part(const VectorXd& values) const {
-  VectorXd part(static_cast<Index>(active_.size()));
-  for (std::size_t i = 0; i < active_.size(); ++i) part[static_cast<Index>(i)] = values[active_[i]];
+  VectorXd part(static_cast<Eigen::Index>(active_.size()));
+  for (std::size_t i = 0; i < active_.size(); ++i) part[static_cast<Eigen::Index>(i)] = values[active_[i]];
   return part;
 }
 
-DualActiveSet::Answer DualActiveSet::answer_to(Index row) const {
-  const auto count = static_cast<Index>(active_.size());
+DualActiveSet::Answer DualActiveSet::answer_to(Eigen::Index row) const {
+  const auto count = static_cast<Eigen::Index>(active_.size());
   const auto factor = factor_.topLeftCorner(count, count).triangularView<Eigen::Lower>();
   Answer answer;
   answer.half = factor.solve(active_part(flexibility_.col(row)));
@@ -72,14 +71,14 @@ DualActiveSet::Answer DualActiveSet::answer_to(Index row) const {
 /// Adds `length` times `change` to the active multipliers.
 void DualActiveSet::push(const VectorXd& change, double length, VectorXd& violation) {
   for (std::size_t i = 0; i < active_.size(); ++i) {
-    const double step = length * change[static_cast<Index>(i)];
+    const double step = length * change[static_cast<Eigen::Index>(i)];
     multipliers_[active_[i]] += step;
     violation -= step * flexibility_.col(active_[i]).head(size());
   }
 }
 
-void DualActiveSet::activate(Index row) {
-  const auto count = static_cast<Index>(active_.size());
+void DualActiveSet::activate(Eigen::Index row) {
+  const auto count = static_cast<Eigen::Index>(active_.size());
   const Answer answer = answer_to(row);
   make_room(factor_, count + 1);
   factor_.row(count).head(count) = answer.half.transpose();
@@ -91,10 +90,10 @@ void DualActiveSet::activate(Index row) {
 /// The rows that came later are factorised anew.
 void DualActiveSet::release(std::size_t place) {
   multipliers_[active_[place]] = 0;
-  const std::vector<Index> later(active_.begin() + static_cast<std::ptrdiff_t>(place) + 1, active_.end());
+  const std::vector<Eigen::Index> later(active_.begin() + static_cast<std::ptrdiff_t>(place) + 1, active_.end());
   is_active_[static_cast<std::size_t>(active_[place])] = 0;
   active_.resize(place);
-  for (const Index row : later) activate(row);
+  for (const Eigen::Index row : later) activate(row);
 }
 
 /// The first active row whose multiplier reaches 0 along `change`, and after what length of it.
@@ -105,7 +104,7 @@ struct Blocking {
 
 Blocking blocking_row(const VectorXd& multipliers, const VectorXd& change) {
   Blocking blocking;
-  for (Index i = 0; i < change.size(); ++i) {
+  for (Eigen::Index i = 0; i < change.size(); ++i) {
     if (!(change[i] < 0)) continue;
     const double length = -multipliers[i] / change[i];
     if (length < blocking.length) blocking = {static_cast<std::size_t>(i), length};
@@ -116,7 +115,7 @@ Blocking blocking_row(const VectorXd& multipliers, const VectorXd& change) {
 /// Meets the active rows exactly again, after the numbers have changed a little.
 DualActiveSet::Outcome DualActiveSet::settle(VectorXd& violation) {
   while (!active_.empty()) {
-    const auto count = static_cast<Index>(active_.size());
+    const auto count = static_cast<Eigen::Index>(active_.size());
     const auto factor = factor_.topLeftCorner(count, count).triangularView<Eigen::Lower>();
     VectorXd change = factor.solve(active_part(violation));
     factor.transpose().solveInPlace(change);
@@ -130,7 +129,7 @@ DualActiveSet::Outcome DualActiveSet::settle(VectorXd& violation) {
 }
 
 /// Raises the multiplier of a violated row until it is met; active rows that would pull instead of push give way.
-DualActiveSet::Outcome DualActiveSet::satisfy(Index row, VectorXd& violation) {
+DualActiveSet::Outcome DualActiveSet::satisfy(Eigen::Index row, VectorXd& violation) {
   while (--changes_left_ >= 0) {
     const Answer answer = answer_to(row);
     if (answer.flexibility == 0 && violation[row] <= implied_violation) {
@@ -154,10 +153,10 @@ DualActiveSet::Outcome DualActiveSet::satisfy(Index row, VectorXd& violation) {
 }
 
 /// -1 when none is.
-Index DualActiveSet::most_violated(const VectorXd& violation, double tolerance) const {
-  Index worst = -1;
+Eigen::Index DualActiveSet::most_violated(const VectorXd& violation, double tolerance) const {
+  Eigen::Index worst = -1;
   double largest = tolerance;
-  for (Index row = 0; row < violation.size(); ++row) {
+  for (Eigen::Index row = 0; row < violation.size(); ++row) {
     const auto place = static_cast<std::size_t>(row);
     if (is_active_[place] != 0 || is_implied_[place] != 0 || violation[row] <= largest) continue;
     worst = row;
@@ -171,7 +170,7 @@ DualActiveSet::Outcome DualActiveSet::solve(VectorXd& violation, double toleranc
   is_implied_.assign(is_implied_.size(), 0);
   Outcome outcome = settle(violation);
   while (outcome == Outcome::Solved) {
-    const Index row = most_violated(violation, tolerance);
+    const Eigen::Index row = most_violated(violation, tolerance);
     if (row < 0) break;
     outcome = satisfy(row, violation);
   }

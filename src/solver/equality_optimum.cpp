@@ -9,7 +9,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr int most_refinements = 12;
 /// |U v|^2 of a unit direction that counts as none: rounding leaves 1e-20 there, the flattest plate of 30 000 vertices
 /// bends with 1e-9.
 constexpr double flat_curvature = 1e-13;

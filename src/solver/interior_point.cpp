@@ -9,7 +9,6 @@ namespace croquis {
 namespace {
 
 using Eigen::ArrayXd;
-using Eigen::Index;
 using Eigen::VectorXd;
 
 /// The penalty is raised while it is below this multiple of the largest multiplier: the margin that makes it exact.
@@ -120,7 +119,7 @@ Step Run::direction(const VectorXd& distance_target, const VectorXd& shortfall_t
 /// The longest step that keeps `values` >= 0; infinite when all of them grow.
 double longest(const VectorXd& values, const VectorXd& change) {
   double length = std::numeric_limits<double>::infinity();
-  for (Index i = 0; i < values.size(); ++i)
+  for (Eigen::Index i = 0; i < values.size(); ++i)
     if (change[i] < 0) length = std::min(length, -values[i] / change[i]);
   return length;
 }

@@ -7,7 +7,6 @@
 namespace croquis {
 namespace {
 
-using Eigen::Index;
 using Eigen::VectorXd;
 using Matrix = Eigen::SparseMatrix<double>;
 using Triplet = Eigen::Triplet<double>;
@@ -35,26 +34,26 @@ KktSystem::KktSystem(const ScaledProblem& problem, Rows rows) : problem_(&proble
 }
 
 void KktSystem::build_pattern(const Matrix& hessian) {
-  const Index unknowns = problem_->objective.cols();
-  const Index equalities = problem_->equalities.rows();
+  const Eigen::Index unknowns = problem_->objective.cols();
+  const Eigen::Index equalities = problem_->equalities.rows();
   std::vector<Triplet> entries;
-  const auto add = [&entries](Index row, Index column) {
+  const auto add = [&entries](Eigen::Index row, Eigen::Index column) {
     entries.emplace_back(static_cast<int>(row), static_cast<int>(column), 0.0);
   };
-  for (Index i = 0; i < unknowns + equalities; ++i) add(i, i);
-  for (Index column = 0; column < unknowns; ++column)
+  for (Eigen::Index i = 0; i < unknowns + equalities; ++i) add(i, i);
+  for (Eigen::Index column = 0; column < unknowns; ++column)
     for (Matrix::InnerIterator entry(hessian, column); entry; ++entry) add(entry.row(), column);
-  for (Index row = 0; row < equalities; ++row)
+  for (Eigen::Index row = 0; row < equalities; ++row)
     for (RowMatrix::InnerIterator entry(problem_->equalities, row); entry; ++entry) add(unknowns + row, entry.col());
-  const Index weighted = rows_ == Rows::Weighted ? problem_->inequalities.rows() : 0;
-  for (Index row = 0; row < weighted; ++row)
+  const Eigen::Index weighted = rows_ == Rows::Weighted ? problem_->inequalities.rows() : 0;
+  for (Eigen::Index row = 0; row < weighted; ++row)
     for (RowMatrix::InnerIterator a(problem_->inequalities, row); a; ++a)
       for (RowMatrix::InnerIterator b(problem_->inequalities, row); b && b.col() <= a.col(); ++b) add(a.col(), b.col());
   matrix_.resize(unknowns + equalities, unknowns + equalities);
   matrix_.setFromTriplets(entries.begin(), entries.end());
 }
 
-int KktSystem::position_of(Index row, Index column) const {
+int KktSystem::position_of(Eigen::Index row, Eigen::Index column) const {
   const int* begin = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column];
   const int* end = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column + 1];
   const int* found = std::lower_bound(begin, end, static_cast<int>(row));
@@ -62,14 +61,14 @@ int KktSystem::position_of(Index row, Index column) const {
 }
 
 void KktSystem::fill_constant_part(const Matrix& hessian) {
-  const Index unknowns = problem_->objective.cols();
+  const Eigen::Index unknowns = problem_->objective.cols();
   constant_part_ = VectorXd::Zero(matrix_.nonZeros());
-  for (Index i = 0; i < size(); ++i)
+  for (Eigen::Index i = 0; i < size(); ++i)
     constant_part_[position_of(i, i)] = i < unknowns ? regularisation : -regularisation;
-  for (Index column = 0; column < unknowns; ++column)
+  for (Eigen::Index column = 0; column < unknowns; ++column)
     for (Matrix::InnerIterator entry(hessian, column); entry; ++entry)
       constant_part_[position_of(entry.row(), column)] += entry.value();
-  for (Index row = 0; row < problem_->equalities.rows(); ++row)
+  for (Eigen::Index row = 0; row < problem_->equalities.rows(); ++row)
     for (RowMatrix::InnerIterator entry(problem_->equalities, row); entry; ++entry)
       constant_part_[position_of(unknowns + row, entry.col())] = entry.value();
 }
@@ -78,7 +77,7 @@ void KktSystem::map_inequalities() {
   contributions_.clear();
   contribution_begin_.assign(1, 0);
   if (rows_ == Rows::None) return;
-  for (Index row = 0; row < problem_->inequalities.rows(); ++row) {
+  for (Eigen::Index row = 0; row < problem_->inequalities.rows(); ++row) {
     for (RowMatrix::InnerIterator a(problem_->inequalities, row); a; ++a)
       for (RowMatrix::InnerIterator b(problem_->inequalities, row); b && b.col() <= a.col(); ++b)
         contributions_.push_back({position_of(a.col(), b.col()), a.value() * b.value()});
@@ -88,7 +87,7 @@ void KktSystem::map_inequalities() {
 
 bool KktSystem::refill() {
   const Matrix hessian = lower_hessian(problem_->objective);
-  for (Index column = 0; column < hessian.cols(); ++column)
+  for (Eigen::Index column = 0; column < hessian.cols(); ++column)
     for (Matrix::InnerIterator entry(hessian, column); entry; ++entry)
       if (position_of(entry.row(), column) < 0) return false;
   fill_constant_part(hessian);
@@ -100,7 +99,7 @@ bool KktSystem::factorise(const VectorXd& row_weights) {
   if (size() == 0) return true;
   Eigen::Map<VectorXd> values(matrix_.valuePtr(), matrix_.nonZeros());
   values = constant_part_;
-  for (Index row = 0; row < row_weights.size(); ++row) {
+  for (Eigen::Index row = 0; row < row_weights.size(); ++row) {
     const auto q = static_cast<std::size_t>(row);
     for (std::size_t k = contribution_begin_[q]; k < contribution_begin_[q + 1]; ++k)
       values[contributions_[k].position] += row_weights[row] * contributions_[k].product;

@@ -11,6 +11,11 @@
 
 namespace croquis {
 
+/// Relative to the rows' and variables' own scales: what an accepted solution may miss a condition by.
+inline constexpr double verification_tolerance = 1e-10;
+/// Rounds of iterative refinement after one factorisation.
+inline constexpr int most_refinements = 12;
+
 /// The matrix K(D) = [[H + G^T D G, E^T], [E, 0]] with H = U^T U, D diagonal and >= 0, whose pattern never changes.
 ///
 /// What is factorised is K plus diag(d, -d), d = `regularisation`: quasi-definite, so that L D L^T exists for every

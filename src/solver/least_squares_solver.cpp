@@ -20,7 +20,6 @@
 namespace croquis {
 namespace {
 
-using Eigen::Index;
 using Eigen::VectorXd;
 
 /// A violation below this part of the row's terms is rounding.
@@ -97,7 +96,7 @@ void LeastSquaresSolver::State::factorise_at_rest() {
 /// h - G y per scaled row; rows without entries say nothing about y and count as met here.
 VectorXd LeastSquaresSolver::State::violations(const VectorXd& y) const {
   VectorXd violation = scaled.inequality_scale.cwiseProduct(problem.inequality_bounds) - scaled.inequalities * y;
-  for (Index row = 0; row < violation.size(); ++row)
+  for (Eigen::Index row = 0; row < violation.size(); ++row)
     if (scaled.inequalities.row(row).nonZeros() == 0) violation[row] = -std::numeric_limits<double>::infinity();
   return violation;
 }
@@ -116,7 +115,7 @@ LeastSquaresSolution LeastSquaresSolver::State::solve(Progress& progress) {
   const VectorXd sizes =
       row_sizes(scaled.inequalities, optimum.y, scaled.inequality_scale.cwiseProduct(problem.inequality_bounds));
   double unit = 0;
-  for (Index row = 0; row < violation.size(); ++row)
+  for (Eigen::Index row = 0; row < violation.size(); ++row)
     if (violation[row] > rounding_tolerance * sizes[row]) unit = std::max(unit, violation[row]);
   if (unit > 0) solve_elastic(violation, unit, optimum, solution, progress);
 
@@ -156,7 +155,7 @@ void LeastSquaresSolver::State::solve_elastic(const VectorXd& violation, double 
 
 void LeastSquaresSolver::State::report_rows(LeastSquaresSolution& solution) const {
   const auto judge = [&](const VectorXd& residual, const VectorXd& sizes, std::vector<int>& failed) {
-    for (Index row = 0; row < residual.size(); ++row) {
+    for (Eigen::Index row = 0; row < residual.size(); ++row) {
       if (residual[row] > options.row_tolerance * sizes[row])
         failed.push_back(static_cast<int>(row));
       else if (residual[row] > 0)

@@ -8,16 +8,13 @@
 namespace croquis {
 namespace {
 
-using Eigen::Index;
 using Eigen::VectorXd;
 
 /// Weight of an active row in K(D): its own multiplier's regularisation, the inverse of what equalities get.
 constexpr double active_weight = 1e8;
 /// Largest error of a point that passes, relative to the largest violation of the start (and for multipliers to the
 /// largest of them).
-constexpr double verification_tolerance = 1e-10;
-constexpr int most_rounds = 6;
-constexpr int most_refinements = 12;
+constexpr int most_polishing_rounds = 6;
 
 /// What a row does at the optimum.
 enum class Role {
@@ -40,8 +37,8 @@ class Polishing {
   ElasticPoint result() const;
 
  private:
-  double price(Index row) const { return start_.penalty * problem_.prices[row]; }
-  bool is(Index row, Role role) const { return roles_[static_cast<std::size_t>(row)] == role; }
+  double price(Eigen::Index row) const { return start_.penalty * problem_.prices[row]; }
+  bool is(Eigen::Index row, Role role) const { return roles_[static_cast<std::size_t>(row)] == role; }
   void prepare();
   double refine();
 
@@ -56,7 +53,7 @@ class Polishing {
 
 Polishing::Polishing(const ElasticProblem& problem, KktSystem& system, const ElasticPoint& point)
     : problem_(problem), system_(system), start_(point), roles_(static_cast<std::size_t>(problem.bounds.size())) {
-  for (Index row = 0; row < problem.bounds.size(); ++row) {
+  for (Eigen::Index row = 0; row < problem.bounds.size(); ++row) {
     Role role = point.multipliers[row] > point.distance[row] ? Role::Active : Role::Idle;
     if (role == Role::Active && point.shortfall[row] > point.slack_multipliers[row]) role = Role::Short;
     roles_[static_cast<std::size_t>(row)] = role;
@@ -67,7 +64,7 @@ Polishing::Polishing(const ElasticProblem& problem, KktSystem& system, const Ela
 void Polishing::prepare() {
   candidate_ = {start_.y, start_.equality, start_.multipliers};
   row_weights_ = VectorXd::Zero(problem_.bounds.size());
-  for (Index row = 0; row < problem_.bounds.size(); ++row) {
+  for (Eigen::Index row = 0; row < problem_.bounds.size(); ++row) {
     if (is(row, Role::Idle)) candidate_.multipliers[row] = 0;
     if (is(row, Role::Short)) candidate_.multipliers[row] = price(row);
     if (is(row, Role::Active)) row_weights_[row] = active_weight;
@@ -83,7 +80,7 @@ double Polishing::refine() {
                                 m.objective.transpose() * (m.objective * candidate_.y);
   const VectorXd equality = -(m.equalities * candidate_.y);
   VectorXd rows = problem_.bounds - m.inequalities * candidate_.y;
-  for (Index row = 0; row < rows.size(); ++row)
+  for (Eigen::Index row = 0; row < rows.size(); ++row)
     if (!is(row, Role::Active)) rows[row] = 0;
 
   VectorXd right_side(system_.size());
@@ -117,7 +114,7 @@ bool Polishing::correct_roles() {
   const VectorXd margin = problem_.matrices->inequalities * candidate_.y - problem_.bounds;
   const double slope_tolerance = verification_tolerance * multiplier_scale_;
   bool right = true;
-  for (Index row = 0; row < margin.size(); ++row) {
+  for (Eigen::Index row = 0; row < margin.size(); ++row) {
     Role& role = roles_[static_cast<std::size_t>(row)];
     Role demanded = role;
     if (role == Role::Idle && margin[row] < -verification_tolerance) demanded = Role::Active;
@@ -147,7 +144,7 @@ ElasticPoint Polishing::result() const {
 
 bool polish(const ElasticProblem& problem, KktSystem& system, ElasticPoint& point, const Progress& progress) {
   Polishing polishing(problem, system, point);
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < most_polishing_rounds; ++round) {
     progress.check();
     if (!polishing.round()) return false;
     if (!polishing.correct_roles()) continue;

@@ -10,15 +10,16 @@
 namespace croquis {
 namespace {
 
-using Eigen::Index;
 using Matrix = Eigen::SparseMatrix<double>;
 
 Finding solver_error(std::string message) { return make_error(Category::Internal, "E_SOLVER", std::move(message)); }
 
-std::string size_text(Index rows, Index columns) { return std::to_string(rows) + " by " + std::to_string(columns); }
+std::string size_text(Eigen::Index rows, Eigen::Index columns) {
+  return std::to_string(rows) + " by " + std::to_string(columns);
+}
 
 /// A matrix without rows may have any width.
-void check_matrix(Matrix& matrix, Index unknowns, const std::string& name, Findings& findings) {
+void check_matrix(Matrix& matrix, Eigen::Index unknowns, const std::string& name, Findings& findings) {
   matrix.makeCompressed();
   if (matrix.rows() == 0) matrix = Matrix(0, unknowns);
   if (matrix.cols() != unknowns)
@@ -30,11 +31,11 @@ void check_matrix(Matrix& matrix, Index unknowns, const std::string& name, Findi
         solver_error("The matrix of the " + name + " holds a number that is not finite; check the rows' geometry."));
 }
 
-void check_vector(const Eigen::VectorXd& vector, Index size, const std::string& name, Findings& findings) {
+void check_vector(const Eigen::VectorXd& vector, Eigen::Index size, const std::string& name, Findings& findings) {
   if (vector.size() != size)
     findings.push_back(solver_error("There are " + std::to_string(vector.size()) + " " + name + " for " +
                                     std::to_string(size) + " rows; give one for each."));
-  for (Index row = 0; row < vector.size(); ++row) {
+  for (Eigen::Index row = 0; row < vector.size(); ++row) {
     if (std::isfinite(vector[row])) continue;
     findings.push_back(solver_error("Number " + std::to_string(row) + " of the " + name +
                                     " is not finite; check the geometry it comes from."));
@@ -42,14 +43,15 @@ void check_vector(const Eigen::VectorXd& vector, Index size, const std::string& 
   }
 }
 
-void complete_vector(Eigen::VectorXd& vector, Index size) {
+void complete_vector(Eigen::VectorXd& vector, Eigen::Index size) {
   if (vector.size() == 0) vector = Eigen::VectorXd::Zero(size);
 }
 
 }  // namespace
 
 LeastSquaresProblem checked_and_completed(LeastSquaresProblem problem) {
-  const Index unknowns = std::max({problem.objective.cols(), problem.equalities.cols(), problem.inequalities.cols()});
+  const Eigen::Index unknowns =
+      std::max({problem.objective.cols(), problem.equalities.cols(), problem.inequalities.cols()});
   Findings findings;
   check_matrix(problem.objective, unknowns, "objective", findings);
   check_matrix(problem.equalities, unknowns, "equalities", findings);
@@ -65,7 +67,7 @@ LeastSquaresProblem checked_and_completed(LeastSquaresProblem problem) {
   return problem;
 }
 
-void check_replacement(const Eigen::VectorXd& vector, Index size, const char* name) {
+void check_replacement(const Eigen::VectorXd& vector, Eigen::Index size, const char* name) {
   Findings findings;
   check_vector(vector, size, name, findings);
   if (!findings.empty()) throw Error(std::move(findings));

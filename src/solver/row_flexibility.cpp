@@ -5,14 +5,13 @@
 
 namespace croquis {
 
-using Eigen::Index;
 using Eigen::VectorXd;
 
 RowFlexibility::RowFlexibility(const ScaledProblem& problem, const KktSystem& system)
     : problem_(problem), system_(system), work_(VectorXd::Zero(system.size())) {}
 
 /// Puts the row into the factors' order; returns where its entries are.
-std::vector<int> RowFlexibility::start(Index row) {
+std::vector<int> RowFlexibility::start(Eigen::Index row) {
   std::vector<int> places;
   const auto& order = system_.factors().permutationP().indices();
   for (RowMatrix::InnerIterator entry(problem_.inequalities, row); entry; ++entry) {
@@ -45,12 +44,12 @@ std::vector<int> RowFlexibility::reached(std::vector<int> start) const {
   return places;
 }
 
-RowFlexibility::HalfSolution RowFlexibility::half_solve(Index row) {
+RowFlexibility::HalfSolution RowFlexibility::half_solve(Eigen::Index row) {
   HalfSolution half;
   half.places = reached(start(row));
-  half.values.resize(static_cast<Index>(half.places.size()));
+  half.values.resize(static_cast<Eigen::Index>(half.places.size()));
   const auto& lower = system_.factors().matrixL().nestedExpression();
-  Index next = 0;
+  Eigen::Index next = 0;
   for (const int place : half.places) {
     const double value = work_[place];
     half.values[next++] = value;
@@ -61,19 +60,19 @@ RowFlexibility::HalfSolution RowFlexibility::half_solve(Index row) {
   return half;
 }
 
-VectorXd RowFlexibility::add(Index row) {
+VectorXd RowFlexibility::add(Eigen::Index row) {
   halves_.push_back(half_solve(row));
   const HalfSolution& last = halves_.back();
   const auto& pivots = system_.factors().vectorD();
   for (std::size_t i = 0; i < last.places.size(); ++i)
-    work_[last.places[i]] = last.values[static_cast<Index>(i)] / pivots[last.places[i]];
+    work_[last.places[i]] = last.values[static_cast<Eigen::Index>(i)] / pivots[last.places[i]];
 
-  VectorXd flexibility(static_cast<Index>(halves_.size()));
+  VectorXd flexibility(static_cast<Eigen::Index>(halves_.size()));
   for (std::size_t h = 0; h < halves_.size(); ++h) {
     double product = 0;
     for (std::size_t i = 0; i < halves_[h].places.size(); ++i)
-      product += work_[halves_[h].places[i]] * halves_[h].values[static_cast<Index>(i)];
-    flexibility[static_cast<Index>(h)] = product;
+      product += work_[halves_[h].places[i]] * halves_[h].values[static_cast<Eigen::Index>(i)];
+    flexibility[static_cast<Eigen::Index>(h)] = product;
   }
   for (const int place : last.places) work_[place] = 0;
   return flexibility;

@@ -7,13 +7,12 @@
 namespace croquis {
 namespace {
 
-using Eigen::Index;
 using Eigen::VectorXd;
 
 VectorXd column_lengths(const Eigen::SparseMatrix<double>& matrix) {
   VectorXd lengths = VectorXd::Zero(matrix.cols());
   if (matrix.rows() == 0) return lengths;  // Eigen sums no column without rows
-  for (Index j = 0; j < matrix.cols(); ++j) lengths[j] = matrix.col(j).norm();
+  for (Eigen::Index j = 0; j < matrix.cols(); ++j) lengths[j] = matrix.col(j).norm();
   return lengths;
 }
 
@@ -21,7 +20,7 @@ double inverse_or_one(double length) { return length > 0 ? 1 / length : 1; }
 
 /// An unknown that the objective doesn't see has no unit of its own: the rows it shares with others lend it theirs.
 void raise_by_rows(const RowMatrix& rows, const VectorXd& objective_lengths, VectorXd& lengths) {
-  for (Index row = 0; row < rows.rows(); ++row) {
+  for (Eigen::Index row = 0; row < rows.rows(); ++row) {
     double known = 0;
     for (RowMatrix::InnerIterator entry(rows, row); entry; ++entry) {
       const double length = objective_lengths[entry.col()];
@@ -44,7 +43,7 @@ VectorXd scale_rows(RowMatrix& rows, const VectorXd& column_scale) {
   }
   rows = rows * column_scale.asDiagonal();
   VectorXd factors(rows.rows());
-  for (Index row = 0; row < rows.rows(); ++row) factors[row] = inverse_or_one(rows.row(row).norm());
+  for (Eigen::Index row = 0; row < rows.rows(); ++row) factors[row] = inverse_or_one(rows.row(row).norm());
   rows = factors.asDiagonal() * rows;
   return factors;
 }

@@ -26,7 +26,7 @@ constexpr double steepest_step = 0.7;
 /// Of the closing distance: a joining piece shorter than this has no direction worth looking at.
 constexpr double no_step = 0.1;
 
-struct Candidate {
+struct ClosingCandidate {
   Closing closing;
   double cost = 0;
 };
@@ -56,7 +56,7 @@ class Seam {
 
   /// The cheapest pair of ends that joins well; all samples when there is none.
   Closing best() const {
-    std::vector<Candidate> candidates;
+    std::vector<ClosingCandidate> candidates;
     for (const std::size_t i : heads()) {
       for (const std::size_t k : tails()) {
         const double cut = lengths_[i] + total() - lengths_[k];
@@ -64,8 +64,8 @@ class Seam {
       }
     }
     std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
-    for (const Candidate& candidate : candidates) {
+                     [](const ClosingCandidate& a, const ClosingCandidate& b) { return a.cost < b.cost; });
+    for (const ClosingCandidate& candidate : candidates) {
       if (!folds(candidate.closing) && !crosses(candidate.closing)) return candidate.closing;
     }
     return {0, places_.size() - 1};

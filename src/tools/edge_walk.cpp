@@ -16,7 +16,7 @@ Index corner_beyond(const MeshTopology& topology, Index edge, Index face) {
   return topology.face(corners[1]) == face ? corners[0] : no_index;
 }
 
-bool on_rim(const MeshTopology& topology, Index edge) { return topology.edge_corners(edge).size() == 1; }
+bool is_rim_edge(const MeshTopology& topology, Index edge) { return topology.edge_corners(edge).size() == 1; }
 
 bool share_a_face(const MeshTopology& topology, Index a, Index b) {
   for (const Index corner : topology.edge_corners(a)) {
@@ -65,12 +65,13 @@ Elements edges_at(const MeshTopology& topology, Index vertex) {
 Index straight_on(const MeshTopology& topology, Index edge, Index vertex) {
   if (!topology.is_manifold(vertex)) return no_index;
   const Elements edges = edges_at(topology, vertex);
-  const auto rims = std::count_if(edges.begin(), edges.end(), [&](Index other) { return on_rim(topology, other); });
+  const auto rims =
+      std::count_if(edges.begin(), edges.end(), [&](Index other) { return is_rim_edge(topology, other); });
   if (rims == 0 && edges.size() != 4) return no_index;
-  if (rims != 0 && !on_rim(topology, edge)) return no_index;
+  if (rims != 0 && !is_rim_edge(topology, edge)) return no_index;
   for (const Index other : edges) {
     if (other == edge) continue;
-    if (rims != 0 ? on_rim(topology, other) : !share_a_face(topology, edge, other)) return other;
+    if (rims != 0 ? is_rim_edge(topology, other) : !share_a_face(topology, edge, other)) return other;
   }
   return no_index;
 }

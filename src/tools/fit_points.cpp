@@ -24,15 +24,16 @@ constexpr double dense_pixels = 3;
 /// Share of a corner's turn that half the reach must already show; an arc of a circle shows half of its turn.
 constexpr double corner_share = 0.7;
 
-[[noreturn]] void refuse(const Stroke& stroke, const char* code, const std::string& sentence) {
+[[noreturn]] void refuse_stroke(const Stroke& stroke, const char* code, const std::string& sentence) {
   throw Error(make_error(Category::Malformed, code, sentence, {{SubjectKind::Stroke, stroke.id, {}, {}, {}}}));
 }
 
 void require_usable(const Stroke& stroke) {
-  if (stroke.samples.empty()) refuse(stroke, "E_NO_STROKES", "Stroke " + stroke.id + " has no samples; remove it.");
+  if (stroke.samples.empty())
+    refuse_stroke(stroke, "E_NO_STROKES", "Stroke " + stroke.id + " has no samples; remove it.");
   for (const StrokeSample& sample : stroke.samples) {
     if (!sample.position.allFinite())
-      refuse(stroke, "E_NOT_FINITE", "Stroke " + stroke.id + " has a place that is not finite; draw it again.");
+      refuse_stroke(stroke, "E_NOT_FINITE", "Stroke " + stroke.id + " has a place that is not finite; draw it again.");
   }
 }
 

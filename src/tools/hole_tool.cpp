@@ -43,7 +43,7 @@ std::vector<Index> chosen(const std::vector<Index>& before, const std::vector<In
   return after;
 }
 
-bool contains(const std::vector<Index>& holes, Index hole) {
+bool has_hole(const std::vector<Index>& holes, Index hole) {
   return std::binary_search(holes.begin(), holes.end(), hole);
 }
 
@@ -151,7 +151,7 @@ Verdict HoleTool::State::click_on(const HoleHover& under, const Modifiers& modif
   if (under.holes.empty()) return action == "select" ? choose({}, action) : Verdict::Continue;
   if (!again) return choose(under.holes, action);
   const bool all_filled =
-      std::all_of(under.holes.begin(), under.holes.end(), [&](Index hole) { return contains(filled, hole); });
+      std::all_of(under.holes.begin(), under.holes.end(), [&](Index hole) { return has_hole(filled, hole); });
   return commit(recorded::HoleChoice{under.holes, all_filled ? "leave" : "fill", {}});
 }
 
@@ -198,7 +198,7 @@ void HoleTool::set_rims(std::vector<HoleRim> rims) {
 const std::vector<HoleRim>& HoleTool::rims() const { return state_->scene.rims(); }
 const HoleRim* HoleTool::rim(Index hole) const { return state_->scene.rim(hole); }
 void HoleTool::set_filled(std::vector<Index> holes) { state_->filled = sorted(std::move(holes)); }
-bool HoleTool::is_filled(Index hole) const { return contains(state_->filled, hole); }
+bool HoleTool::is_filled(Index hole) const { return has_hole(state_->filled, hole); }
 void HoleTool::set_patches(std::vector<HolePatchView> patches) { state_->scene.set_patches(std::move(patches)); }
 void HoleTool::set_handles(std::vector<PatchHandle> handles) { state_->scene.handles = std::move(handles); }
 const std::vector<PatchHandle>& HoleTool::handles() const { return state_->scene.handles; }
@@ -235,7 +235,7 @@ const std::optional<recorded::Step>& HoleTool::done() const { return state_->don
 const std::vector<HolePin>& HoleTool::pins(const ViewFrame& frame) { return state_->scene.pins(frame); }
 
 const std::vector<Index>& HoleTool::selected() const { return state_->selected; }
-bool HoleTool::is_selected(Index hole) const { return contains(state_->selected, hole); }
+bool HoleTool::is_selected(Index hole) const { return has_hole(state_->selected, hole); }
 
 Verdict HoleTool::select(std::vector<Index> holes) {
   std::erase_if(holes, [&](Index hole) { return rim(hole) == nullptr; });

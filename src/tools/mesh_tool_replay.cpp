@@ -8,7 +8,9 @@
 namespace croquis {
 namespace {
 
-[[noreturn]] void refuse(const std::string& sentence) { throw Error(make_error(Category::Usage, "E_INPUT", sentence)); }
+[[noreturn]] void refuse_step(const std::string& sentence) {
+  throw Error(make_error(Category::Usage, "E_INPUT", sentence));
+}
 
 ComponentKind kind_of(const std::string& name) {
   if (name == "vertex") return ComponentKind::Vertex;
@@ -29,10 +31,10 @@ MeshTool::How how_of(const std::string& name) {
 
 Verdict MeshTool::replay(const recorded::Pick& step) {
   const Cache* cache = fresh();
-  if (cache == nullptr) refuse("\"" + step.node + "\" holds no mesh");
+  if (cache == nullptr) refuse_step("\"" + step.node + "\" holds no mesh");
   const std::size_t count = element_count(*cache->topology, kind_of(step.kind));
   for (const Index element : step.elements) {
-    if (element >= count) refuse("The mesh has no " + step.kind + " " + std::to_string(element));
+    if (element >= count) refuse_step("The mesh has no " + step.kind + " " + std::to_string(element));
   }
   return pick(kind_of(step.kind), step.elements, how_of(step.how));
 }
@@ -43,7 +45,7 @@ Verdict MeshTool::replay(const recorded::Scale& step) { return scale_selected(st
 
 Verdict MeshTool::replay(const recorded::Tag& step) {
   const Cache* cache = fresh();
-  if (cache == nullptr) refuse("\"" + step.node + "\" holds no mesh");
+  if (cache == nullptr) refuse_step("\"" + step.node + "\" holds no mesh");
   if (step.change) return change_sharpness(*step.change);
   const double sharpness = step.sharpness.value_or(infinite_sharpness);
   if (step.edges == "boundary") return tag_boundary(sharpness);

@@ -6,13 +6,10 @@
 
 #include "croquis/base/error.h"
 #include "tools/sketch_labels.h"
+#include "tools/stroke_ids.h"
 
 namespace croquis {
 namespace {
-
-bool contains(const std::vector<std::string>& ids, const std::string& id) {
-  return std::find(ids.begin(), ids.end(), id) != ids.end();
-}
 
 const std::shared_ptr<const Drawing>* drawing_of(const Node* node) {
   if (node == nullptr || !node->source) return nullptr;

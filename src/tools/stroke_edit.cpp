@@ -16,6 +16,7 @@
 #include "tools/closing.h"
 #include "tools/redraw.h"
 #include "tools/segment_distance.h"
+#include "tools/stroke_ids.h"
 
 namespace croquis {
 namespace {
@@ -38,10 +39,6 @@ double diagonal(const Drawing& drawing) {
     for (const StrokeSample& sample : stroke.samples) box.extend(sample.position);
   }
   return box.isEmpty() ? 0 : box.diagonal().norm();
-}
-
-bool contains(const std::vector<std::string>& ids, const std::string& id) {
-  return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
 Stroke* find_to_change(Drawing& drawing, std::string_view id) {

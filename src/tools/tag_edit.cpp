@@ -18,7 +18,9 @@ Pair lower_first(Pair pair) {
   return pair;
 }
 
-[[noreturn]] void refuse(const std::string& sentence) { throw Error(make_error(Category::Usage, "E_INPUT", sentence)); }
+[[noreturn]] void refuse_tags(const std::string& sentence) {
+  throw Error(make_error(Category::Usage, "E_INPUT", sentence));
+}
 
 /// A sorted list of edges by their vertices.
 std::vector<Pair> pairs_of(const MeshTopology& topology, std::span<const Index> edges) {
@@ -80,12 +82,12 @@ std::size_t place_of(const MeshTags& tags, std::string_view name) {
   for (std::size_t i = 0; i < tags.sets.size(); ++i) {
     if (tags.sets[i].name == name) return i;
   }
-  refuse("There is no set \"" + std::string(name) + "\"");
+  refuse_tags("There is no set \"" + std::string(name) + "\"");
 }
 
 void require_free_name(const MeshTags& tags, const std::string& name) {
-  if (name.empty()) refuse("A set needs a name");
-  if (find_set(tags, name) != nullptr) refuse("There is a set \"" + name + "\" already: choose another name");
+  if (name.empty()) refuse_tags("A set needs a name");
+  if (find_set(tags, name) != nullptr) refuse_tags("There is a set \"" + name + "\" already: choose another name");
 }
 
 std::vector<Pair> sorted_members(const CreaseSet& set) {
@@ -167,8 +169,8 @@ MeshTags with_set(const MeshTags& tags, const MeshTopology& topology, const std:
   CreaseSet set{name, normal_sharpness(sharpness), pairs_of(topology, edges),
                 sorted_unique(Elements(vertices.begin(), vertices.end()))};
   std::erase_if(set.pins, [&](Index vertex) { return vertex >= topology.vertex_count(); });
-  if (set.sharpness == 0) refuse("A set needs a sharpness above 0");
-  if (set.edges.empty() && set.pins.empty()) refuse("A set needs at least one edge or vertex: select some");
+  if (set.sharpness == 0) refuse_tags("A set needs a sharpness above 0");
+  if (set.edges.empty() && set.pins.empty()) refuse_tags("A set needs at least one edge or vertex: select some");
   MeshTags result = changed(tags, set.edges, [&](double) { return set.sharpness; });
   add_pins(result, set.pins);
   leave_sets(result, set.edges, set.pins);
@@ -197,7 +199,7 @@ MeshTags with_set_sharpness(const MeshTags& tags, std::string_view name, double 
 MeshTags with_sets_merged(const MeshTags& tags, std::string_view into, std::string_view from) {
   const std::size_t target = place_of(tags, into);
   const std::size_t source = place_of(tags, from);
-  if (target == source) refuse("A set can't be merged with itself: choose two sets");
+  if (target == source) refuse_tags("A set can't be merged with itself: choose two sets");
   MeshTags result = tags;
   CreaseSet& set = result.sets[target];
   const CreaseSet& other = tags.sets[source];

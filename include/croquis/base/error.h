@@ -2,6 +2,7 @@
 #pragma once
 
 #include <exception>
+#include <string>
 
 #include "croquis/base/finding.h"
 
@@ -25,6 +26,9 @@ class Error : public std::exception {
  private:
   Findings findings_;
 };
+
+/// What must not happen whatever the input, as an Error with the code E_INTERNAL.
+[[noreturn]] void throw_internal(const std::string& sentence);
 
 /// The caller asked to stop. No finding: nothing is wrong with the input.
 class Cancelled : public std::exception {

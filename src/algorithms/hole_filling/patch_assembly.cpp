@@ -12,14 +12,12 @@
 
 #include <Eigen/Geometry>
 
+#include "algorithms/hole_filling/channel_names.h"
 #include "algorithms/hole_filling/patching/harmonic_values.h"
 #include "algorithms/hole_filling/patching/patch_confidence.h"
 
 namespace croquis::hole_filling {
 namespace {
-
-constexpr const char* patch_channel = "patch_id";
-constexpr const char* confidence_channel = "confidence";
 
 /// The patches as they stand in the grown mesh: each with the numbers of its first new vertex and face.
 struct Placed {

@@ -16,15 +16,15 @@
 namespace croquis::subdivision {
 namespace {
 
-struct Counts {
+struct ElementCounts {
   std::size_t vertices = 0, edges = 0, faces = 0;
 };
 
-Counts counts_of(const HalfEdges& mesh) { return {mesh.vertex_count(), mesh.edge_count(), mesh.face_count()}; }
+ElementCounts counts_of(const HalfEdges& mesh) { return {mesh.vertex_count(), mesh.edge_count(), mesh.face_count()}; }
 
 /// Predicts by the counts of closed meshes without tags, a little more than others have, how large the last level gets.
 /// @throws Error (E_TOO_MANY_FACES)
-void require_face_limit(Counts counts, int level, const Depth& depth) {
+void require_face_limit(ElementCounts counts, int level, const Depth& depth) {
   for (; level < depth.levels; ++level) {
     counts = {2 * counts.edges, 4 * counts.edges, counts.vertices + counts.edges + counts.faces};
     // Corners are numbered with 32 bits, and an edge has two.
@@ -39,7 +39,7 @@ void require_face_limit(Counts counts, int level, const Depth& depth) {
 }
 
 /// The cage as level 0.
-Level level_of(const Cage& cage) {
+Level first_level(const Cage& cage) {
   Level level;
   level.topology = cage.topology;
   const HalfEdges& mesh = level.topology;
@@ -114,7 +114,7 @@ struct DooSabinPlan::State {
 DooSabinPlan::DooSabinPlan(const Cage& cage, const Rules& rules, const Depth& depth, Progress& progress) {
   require_face_limit(counts_of(cage.topology), 0, depth);
   auto state = std::make_shared<State>(rules);
-  state->cage = level_of(cage);
+  state->cage = first_level(cage);
   state->refinements.reserve(static_cast<std::size_t>(depth.levels));
   FlatScratch scratch;
   for (int k = 1; k <= depth.levels; ++k) {

@@ -14,11 +14,11 @@ namespace {
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
 /// Slivers with a smaller share of area than this would outweigh everything else.
-constexpr double least_sine = 1e-6;
+constexpr double least_corner_sine = 1e-6;
 
 double cotangent(const Vec3& a, const Vec3& b) {
   const double area = a.cross(b).norm();
-  const double least = least_sine * a.norm() * b.norm();
+  const double least = least_corner_sine * a.norm() * b.norm();
   return least > 0 ? a.dot(b) / std::max(area, least) : 0;
 }
 

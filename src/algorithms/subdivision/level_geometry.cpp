@@ -25,8 +25,6 @@ Vec3 unit_or_zero(const Vec3& vector) {
   return length > shortest ? Vec3(vector / length) : Vec3(Vec3::Zero());
 }
 
-double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
-
 std::vector<double> edge_sharpness(const Level& level) {
   std::vector<double> sharpness(level.topology.edge_count(), 0);
   for (const SharpEdge& sharp : level.sharp) sharpness[sharp.edge] = sharp.sharpness;

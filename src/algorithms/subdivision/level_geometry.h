@@ -15,9 +15,6 @@ Vec3 area_vector(const HalfEdges& mesh, std::span<const Vec3> positions, Index f
 /// Of unit length, or zero where the vector is too short to have a direction.
 Vec3 unit_or_zero(const Vec3& vector);
 
-/// The angle between two vectors in [0, pi]; exact for small angles too.
-double angle_between(const Vec3& a, const Vec3& b);
-
 /// Sharpness of each edge, 0 where there is no tag, infinite on the boundary.
 std::vector<double> edge_sharpness(const Level& level);
 

@@ -19,7 +19,7 @@ struct LimitPlan::State {
 namespace {
 
 /// Tangents closer to one line than this (as the sine of their angle) span no plane.
-constexpr double least_sine = 1e-9;
+constexpr double least_normal_sine = 1e-9;
 
 std::vector<Vec3> normals_of(const LimitRows& rows, std::span<const Vec3> positions, int threads) {
   std::vector<Vec3> first(rows.first_tangents.size()), second(rows.second_tangents.size());
@@ -27,7 +27,7 @@ std::vector<Vec3> normals_of(const LimitRows& rows, std::span<const Vec3> positi
   apply(rows.second_tangents, positions, second, threads);
   for (std::size_t i = 0; i < first.size(); ++i) {
     const Vec3 normal = first[i].cross(second[i]);
-    const bool flat = normal.norm() <= least_sine * first[i].norm() * second[i].norm();
+    const bool flat = normal.norm() <= least_normal_sine * first[i].norm() * second[i].norm();
     first[i] = flat ? Vec3(Vec3::Zero()) : unit_or_zero(normal);
   }
   return first;

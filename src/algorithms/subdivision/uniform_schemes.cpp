@@ -27,11 +27,11 @@ struct UniformPlan::State {
 namespace {
 
 /// Elements of a level, before they are made.
-struct Counts {
+struct RefinedCounts {
   double vertices, edges, faces, corners;
 };
 
-Counts refined(const Counts& counts, UniformScheme scheme) {
+RefinedCounts refined(const RefinedCounts& counts, UniformScheme scheme) {
   if (scheme == UniformScheme::Loop) {
     const double faces = 4 * counts.faces;
     return {counts.vertices + counts.edges, 2 * counts.edges + 3 * counts.faces, faces, 3 * faces};
@@ -42,7 +42,7 @@ Counts refined(const Counts& counts, UniformScheme scheme) {
 
 std::string whole(double number) { return std::to_string(static_cast<long long>(number)); }
 
-void require_few_faces(Counts counts, UniformScheme scheme, const Depth& depth) {
+void require_few_faces(RefinedCounts counts, UniformScheme scheme, const Depth& depth) {
   constexpr double most_corners = 2e9;  // OpenSubdiv counts in 32 bits with a sign
   for (int k = 1; k <= depth.levels; ++k) {
     counts = refined(counts, scheme);
@@ -56,7 +56,7 @@ void require_few_faces(Counts counts, UniformScheme scheme, const Depth& depth) 
   }
 }
 
-Level level_of(const Cage& cage) {
+Level cage_level(const Cage& cage) {
   Level level;
   level.topology = cage.topology;
   for (Index corner = 0; corner < cage.topology.corner_count(); ++corner) {
@@ -97,7 +97,7 @@ void use_triangles(const LoopTriangles& triangles, PrimalTopology& topology) {
   topology.corners = triangles.corners;
 }
 
-Counts counts_of(const PrimalTopology& topology, const Level& base) {
+RefinedCounts counts_of(const PrimalTopology& topology, const Level& base) {
   const auto corners = static_cast<double>(topology.corners.size());
   return {static_cast<double>(topology.vertex_count), (corners + static_cast<double>(base.boundary.size())) / 2,
           static_cast<double>(topology.face_sizes.size()), corners};
@@ -114,7 +114,7 @@ std::vector<PrimalLevel> refined_levels(const PrimalTopology& topology, int leve
 UniformPlan::UniformPlan(const Cage& cage, const UniformRules& rules, const Depth& depth, Progress& progress) {
   auto state = std::make_shared<State>();
   state->rules = rules;
-  Level base = level_of(cage);
+  Level base = cage_level(cage);
   PrimalTopology topology = primal_topology(base, rules);
   std::vector<Index> base_parents(cage.topology.face_count());
   std::iota(base_parents.begin(), base_parents.end(), Index{0});

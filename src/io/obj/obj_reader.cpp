@@ -156,7 +156,7 @@ void ObjReader::handle(std::string_view keyword, WordReader& words) {
 
 void ObjReader::pass_over(std::string_view keyword) {
   if (std::find(passed_over.begin(), passed_over.end(), keyword) == passed_over.end()) {
-    return context_.error("E_SYNTAX", "the statement " + quoted(keyword) + " does not exist in OBJ", at_line(line_));
+    return context_.error("E_SYNTAX", "the statement " + in_quotes(keyword) + " does not exist in OBJ", at_line(line_));
   }
   note_passed_over(keyword);
 }
@@ -181,7 +181,7 @@ int ObjReader::read_numbers(WordReader& words, std::span<double> values) {
       return -1;
     }
     if (!parse_number(word, values[static_cast<std::size_t>(count)])) {
-      context_.error("E_SYNTAX", quoted(word) + " is not a number", at_line(line_));
+      context_.error("E_SYNTAX", in_quotes(word) + " is not a number", at_line(line_));
       return -1;
     }
     ++count;
@@ -226,7 +226,7 @@ bool ObjReader::read_references(WordReader& words) {
   for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
     Reference reference;
     if (!parse_reference(word, reference)) {
-      context_.error("E_SYNTAX", quoted(word) + " is not a vertex reference like 3, 3/1 or 3/1/2", at_line(line_));
+      context_.error("E_SYNTAX", in_quotes(word) + " is not a vertex reference like 3, 3/1 or 3/1/2", at_line(line_));
       return false;
     }
     references_.push_back(reference);
@@ -294,7 +294,7 @@ void ObjReader::read_smoothing(WordReader& words) {
   const std::string_view word = words.next();
   smoothing_group_ = 0;
   if (word != "off" && !parse_number(word, smoothing_group_)) {
-    context_.error("E_SYNTAX", quoted(word) + " is not the number of a smoothing group", at_line(line_));
+    context_.error("E_SYNTAX", in_quotes(word) + " is not the number of a smoothing group", at_line(line_));
   }
   smoothing_named_ = true;
 }
@@ -330,7 +330,7 @@ void ObjReader::finish() {
   for (const auto& [keyword, met] : passed_) {
     context_.warn(
         "W_IGNORED",
-        std::to_string(met.first) + " " + quoted(keyword) + " statements were passed over: " + what_is_lost(keyword),
+        std::to_string(met.first) + " " + in_quotes(keyword) + " statements were passed over: " + what_is_lost(keyword),
         at_line(met.second));
   }
   if (weights_ > 0) {

@@ -39,7 +39,7 @@ class ValueReader {
   bool read(Values& values) {
     const std::string_view header = words_.next();
     std::array<std::size_t, 3> counts{};
-    if (!parse_counts(header, counts)) return refuse(quoted(header) + " is not the counts of a tag, such as 2/1/0");
+    if (!parse_counts(header, counts)) return refuse(in_quotes(header) + " is not the counts of a tag, such as 2/1/0");
     return read_list(counts[0], values.vertices, "a vertex number") &&
            read_list(counts[1], values.numbers, "a sharpness") && pass_strings(counts[2]) && at_end();
   }
@@ -55,7 +55,7 @@ class ValueReader {
     for (; count > 0; --count) {
       const std::string_view word = words_.next();
       if (word.empty()) return refuse("the tag has fewer values than it announces");
-      if (!parse_number(word, list.emplace_back())) return refuse(quoted(word) + " is not " + what);
+      if (!parse_number(word, list.emplace_back())) return refuse(in_quotes(word) + " is not " + what);
     }
     return true;
   }

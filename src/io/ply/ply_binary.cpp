@@ -52,7 +52,7 @@ class BinaryRows {
     if (size <= bytes_.size() - cursor_.byte) return;
     context_.fail("E_TRUNCATED",
                   "the file ends in element " + std::to_string(row) + " of " + std::to_string(table_.element.count) +
-                      " elements " + quoted(table_.element.name),
+                      " elements " + in_quotes(table_.element.name),
                   at_byte(cursor_.byte));
   }
 

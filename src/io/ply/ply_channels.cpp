@@ -124,7 +124,7 @@ void add_corner_channels(PlyTable& faces, PolyMesh& mesh, ReadContext& context) 
     if (!column.property.is_list || column.list_ends.empty()) continue;
     const std::size_t width = element_size(faces, mesh, column);
     if (width == 0 || (is_integer(column.property.type) && has_empty_list(faces, column))) {
-      context.warn("W_IGNORED", "the list " + quoted(column.property.name) + " of faces was passed over", {});
+      context.warn("W_IGNORED", "the list " + in_quotes(column.property.name) + " of faces was passed over", {});
       continue;
     }
     const bool is_uv = column.property.name == "texcoord" && width == 2;

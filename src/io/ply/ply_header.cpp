@@ -89,7 +89,7 @@ void HeaderReader::handle(std::string_view keyword, WordReader& words) {
   if (keyword == "element") return read_element(words);
   if (keyword == "property") return read_property(words);
   if (keyword == "comment" || keyword == "obj_info" || keyword.empty()) return;
-  fail_syntax(quoted(keyword) + " does not belong in a PLY header");
+  fail_syntax(in_quotes(keyword) + " does not belong in a PLY header");
 }
 
 void HeaderReader::read_format(WordReader& words) {
@@ -101,7 +101,7 @@ void HeaderReader::read_format(WordReader& words) {
   } else if (name == "binary_big_endian") {
     header_.encoding = PlyEncoding::BigEndian;
   } else {
-    fail_syntax(quoted(name) + " is not a PLY format");
+    fail_syntax(in_quotes(name) + " is not a PLY format");
   }
   if (words.next() != "1.0") fail_syntax("only version 1.0 of PLY is known");
   has_format_ = true;
@@ -113,9 +113,10 @@ void HeaderReader::read_element(WordReader& words) {
   const std::string_view count = words.next();
   if (element.name.empty()) fail_syntax("an element needs a name and a count");
   if (!parse_number(count, element.count)) {
-    context_.fail("E_COUNT", quoted(count) + " is not a number of elements", at_line(line_));
+    context_.fail("E_COUNT", in_quotes(count) + " is not a number of elements", at_line(line_));
   }
-  if (!element_names_.insert(element.name).second) fail_syntax("the element " + quoted(element.name) + " comes twice");
+  if (!element_names_.insert(element.name).second)
+    fail_syntax("the element " + in_quotes(element.name) + " comes twice");
   property_names_.clear();
   header_.elements.push_back(std::move(element));
 }
@@ -123,7 +124,7 @@ void HeaderReader::read_element(WordReader& words) {
 PlyType HeaderReader::read_type(WordReader& words) {
   const std::string_view name = words.next();
   const std::optional<PlyType> type = type_named(name);
-  if (!type) fail_syntax(quoted(name) + " is not a PLY type");
+  if (!type) fail_syntax(in_quotes(name) + " is not a PLY type");
   return *type;
 }
 
@@ -141,7 +142,7 @@ void HeaderReader::read_property(WordReader& words) {
   property.name = words.next();
   if (property.name.empty()) fail_syntax("a property needs a name");
   if (!property_names_.insert(property.name).second) {
-    fail_syntax("the property " + quoted(property.name) + " comes twice");
+    fail_syntax("the property " + in_quotes(property.name) + " comes twice");
   }
   header_.elements.back().properties.push_back(std::move(property));
 }
@@ -163,7 +164,7 @@ void HeaderReader::check_sizes() {
     if (size == 0) element.count = 0;  // elements without properties take no bytes and say nothing
     if (size > 0 && element.count > left / size) {
       context_.fail("E_TRUNCATED",
-                    "the header claims " + std::to_string(element.count) + " elements " + quoted(element.name) +
+                    "the header claims " + std::to_string(element.count) + " elements " + in_quotes(element.name) +
                         ", but the rest of the file can hold no more than " + std::to_string(left / size),
                     at_byte(header_.body));
     }

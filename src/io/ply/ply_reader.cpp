@@ -63,7 +63,7 @@ void PlyReader::read_table(const PlyElement& element) {
     target->second->emplace(std::move(table));
   } else if (element.count > 0) {
     context_.warn("W_IGNORED",
-                  std::to_string(element.count) + " elements " + quoted(element.name) + " were passed over", {});
+                  std::to_string(element.count) + " elements " + in_quotes(element.name) + " were passed over", {});
   }
 }
 
@@ -121,14 +121,14 @@ void PlyReader::make_positions() {
   if (vertices_->element.count > 0) add_scalar_channels(*vertices_, Domain::Vertex, mesh_);
   for (const PlyColumn& list : vertices_->columns) {
     if (!list.property.is_list) continue;
-    context_.warn("W_IGNORED", "the list " + quoted(list.property.name) + " of vertices was passed over", {});
+    context_.warn("W_IGNORED", "the list " + in_quotes(list.property.name) + " of vertices was passed over", {});
   }
 }
 
 PlyColumn& PlyReader::index_list(PlyTable& table) {
   PlyColumn* const list = column(table, {"vertex_indices", "vertex_index"}, true);
   if (list == nullptr || !is_integer(list->property.type)) {
-    context_.fail("E_SYNTAX", quoted(table.element.name) + " has no list vertex_indices of integers", {});
+    context_.fail("E_SYNTAX", in_quotes(table.element.name) + " has no list vertex_indices of integers", {});
   }
   return *list;
 }
@@ -163,7 +163,7 @@ void PlyReader::make_faces() {
 bool PlyReader::check_index(std::int64_t index, const PlyTable& table, std::size_t row) {
   if (index >= 0 && static_cast<std::size_t>(index) < mesh_.vertex_count()) return true;
   context_.error("E_INDEX",
-                 "element " + std::to_string(row) + " of " + quoted(table.element.name) + " uses vertex " +
+                 "element " + std::to_string(row) + " of " + in_quotes(table.element.name) + " uses vertex " +
                      std::to_string(index) + ", but the file has " + std::to_string(mesh_.vertex_count()) + " vertices",
                  table.place(row));
   return false;

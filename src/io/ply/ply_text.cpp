@@ -36,7 +36,7 @@ class TextRows {
       bool good = true;
       for (std::size_t i = 0; good && i < table_.columns.size(); ++i) good = read_property(table_.columns[i], words);
       if (good && !words.next().empty()) {
-        context_.error("E_COUNT", "the line has more values than " + quoted(table_.element.name) + " has properties",
+        context_.error("E_COUNT", "the line has more values than " + in_quotes(table_.element.name) + " has properties",
                        at_line(line_));
       }
       if (!good) pad(row + 1);
@@ -52,7 +52,7 @@ class TextRows {
     if (!found) {
       context_.fail("E_TRUNCATED",
                     "the file ends after " + std::to_string(row) + " of " + std::to_string(table_.element.count) +
-                        " elements " + quoted(table_.element.name),
+                        " elements " + in_quotes(table_.element.name),
                     at_line(lines_.line_number()));
     }
     if (row == 0 || line.number != line_ + 1) table_.lines.emplace_back(row, line.number);
@@ -64,11 +64,11 @@ class TextRows {
     const std::string_view word = words.next();
     T value{};
     if (word.empty()) {
-      context_.error("E_COUNT", "the line has too few values for " + quoted(table_.element.name), at_line(line_));
+      context_.error("E_COUNT", "the line has too few values for " + in_quotes(table_.element.name), at_line(line_));
       return false;
     }
     if (!parse_value(word, value)) {
-      context_.error("E_SYNTAX", quoted(word) + " is not a value of type " + name_of(type_), at_line(line_));
+      context_.error("E_SYNTAX", in_quotes(word) + " is not a value of type " + name_of(type_), at_line(line_));
       return false;
     }
     if (keep_) values.push_back(value);
@@ -94,7 +94,7 @@ class TextRows {
   bool read_length(WordReader& words, std::int64_t& length) {
     const std::string_view word = words.next();
     if (parse_value(word, length) && length >= 0) return true;
-    context_.error("E_COUNT", quoted(word) + " is not the length of a list", at_line(line_));
+    context_.error("E_COUNT", in_quotes(word) + " is not the length of a list", at_line(line_));
     return false;
   }
 

@@ -120,7 +120,7 @@ PlyWriter::Channels PlyWriter::choose(Domain domain, std::set<std::string>& take
     taken.insert(names.begin(), names.end());
     channels.push_back(&channel);
     written_.push_back(&channel);
-    if (!channel.labels.empty()) loss_.note("the names of " + quoted(channel.name) + " (their numbers are kept)");
+    if (!channel.labels.empty()) loss_.note("the names of " + in_quotes(channel.name) + " (their numbers are kept)");
   }
   return channels;
 }

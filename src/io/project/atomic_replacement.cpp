@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int temporary_name_attempts = 10000;
+constexpr int most_name_attempts = 10000;
 
 [[noreturn]] void fail(const fs::path& path, int error) { fail_writing(path.string(), writing_reason(error)); }
 
@@ -57,7 +57,7 @@ void remove_remains(const fs::path& target) {
 }
 
 int open_temporary(const fs::path& target, const fs::path& path, fs::path& temporary) {
-  for (int attempt = 0; attempt < temporary_name_attempts; ++attempt) {
+  for (int attempt = 0; attempt < most_name_attempts; ++attempt) {
     const std::string number = std::to_string(::getpid()) + "-" + std::to_string(attempt);
     temporary = folder_of(target) / (temporary_prefix(target) + number + temporary_ending);
     const int file = ::open(temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);

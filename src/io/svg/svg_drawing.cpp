@@ -125,7 +125,7 @@ class SvgReader {
     }
     const pugi::xml_node root = document_.document_element();
     if (local_name(root) != "svg") {
-      refuse("E_SYNTAX", "The file is not SVG: its outermost element is " + quoted(root.name()), line_of(root));
+      refuse("E_SYNTAX", "The file is not SVG: its outermost element is " + in_quotes(root.name()), line_of(root));
     }
     return root;
   }
@@ -199,7 +199,9 @@ class SvgReader {
     const std::string id = node.attribute("id").value();
     const bool shape = is_svg_shape(local_name(node));
     const std::string name = !id.empty() ? id : shape ? "stroke-" + std::to_string(shape_count_) : "";
-    const std::string who = shape ? "Stroke " + quoted(name) : name.empty() ? "A group" : "The group " + quoted(name);
+    const std::string who = shape          ? "Stroke " + in_quotes(name)
+                            : name.empty() ? "A group"
+                                           : "The group " + in_quotes(name);
     const std::string message = who + " on line " + std::to_string(line) + ' ' + error.message + " (character " +
                                 std::to_string(error.position + 1) + " of its " + attribute + ")";
     if (shape) {
@@ -241,22 +243,22 @@ class SvgReader {
       name = wanted + '-' + std::to_string(++copies_.try_emplace(wanted, 1).first->second);
     } while (!names_.insert(name).second);
     findings_.stroke_warning("W_DUPLICATE_ID",
-                             "A second stroke named " + quoted(wanted) + " is called " + quoted(name) + " here", name,
-                             line);
+                             "A second stroke named " + in_quotes(wanted) + " is called " + in_quotes(name) + " here",
+                             name, line);
     return name;
   }
 
   /// False when the rest of the element must not be read.
   bool add(const Stroke& stroke, SvgSubpath subpath, const Eigen::Affine2d& map) {
     if (subpath.segments.empty()) {
-      findings_.stroke_warning("W_TINY", "Stroke " + quoted(stroke.id) + " is a single point and was ignored",
+      findings_.stroke_warning("W_TINY", "Stroke " + in_quotes(stroke.id) + " is a single point and was ignored",
                                stroke.id, *stroke.line);
       return true;
     }
     transform(subpath, Eigen::Affine2d(Eigen::Scaling(1.0, -1.0)) * map);
     if (!is_finite(subpath)) {
       findings_.stroke_error(Category::Malformed, "E_NOT_FINITE",
-                             "Stroke " + quoted(stroke.id) + " on line " + std::to_string(*stroke.line) +
+                             "Stroke " + in_quotes(stroke.id) + " on line " + std::to_string(*stroke.line) +
                                  " has a coordinate that is not a finite number",
                              stroke.id, *stroke.line);
       return true;
@@ -277,7 +279,7 @@ class SvgReader {
                                  : name == "text" ? ": turn text into paths to make it strokes"
                                                   : ": only lines are read";
       findings_.file_warning("W_IGNORED",
-                             std::to_string(entry.first) + ' ' + quoted(name) +
+                             std::to_string(entry.first) + ' ' + in_quotes(name) +
                                  (entry.first == 1 ? " element was" : " elements were") + " ignored" + advice,
                              entry.second);
     }

@@ -12,7 +12,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double most_pieces = 65536;
 
 /// Angle from u to v in (-pi, pi].
-double angle_between(const Vec2& u, const Vec2& v) { return std::atan2(cross(u, v), u.dot(v)); }
+double signed_angle(const Vec2& u, const Vec2& v) { return std::atan2(cross(u, v), u.dot(v)); }
 
 /// Centre of the unit circle through p and q that the two flags choose (F.6.5, in the frame where radii are 1).
 Vec2 unit_centre(const Vec2& p, const Vec2& q, const SvgArcShape& shape) {
@@ -55,7 +55,7 @@ SvgSegment svg_arc(const Vec2& from, const SvgArcShape& shape, const Vec2& to) {
   segment.b = scale * radii.y() * (turn * Vec2::UnitY());
   segment.centre = from + centre.x() * segment.a + centre.y() * segment.b;
   segment.angle = std::atan2(-centre.y(), -centre.x());
-  segment.sweep = angle_between(-centre, q - centre);
+  segment.sweep = signed_angle(-centre, q - centre);
   if (shape.positive && segment.sweep < 0) segment.sweep += 2 * pi;
   if (!shape.positive && segment.sweep > 0) segment.sweep -= 2 * pi;
   return segment;

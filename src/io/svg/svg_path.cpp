@@ -37,7 +37,7 @@ class PathParser {
   void read_command() {
     const char letter = scanner_.peek();
     if (std::string_view("MLHVCSQTAZ").find(upper(letter)) == std::string_view::npos) {
-      return fail("has " + quoted(std::string_view(&letter, 1)) + " where a command must stand");
+      return fail("has " + in_quotes(std::string_view(&letter, 1)) + " where a command must stand");
     }
     if (outline_.subpaths.empty() && upper(letter) != 'M') return fail("must begin with a moveto (M or m)");
     scanner_.take();

@@ -93,7 +93,7 @@ double svg_length(const SvgAttributes& attributes, const char* name, double fall
   const auto known = std::find_if(pixels_per_unit.begin(), pixels_per_unit.end(),
                                   [&](const auto& entry) { return entry.first == unit; });
   if (value && scanner.at_end() && known != pixels_per_unit.end()) return *value * known->second;
-  if (!error) error = SvgTextError{std::string("has ") + name + "=" + quoted(text) + ", which is no length", 0};
+  if (!error) error = SvgTextError{std::string("has ") + name + "=" + in_quotes(text) + ", which is no length", 0};
   return fallback;
 }
 

@@ -71,7 +71,7 @@ SvgTransform parse_svg_transform(std::string_view text) {
     const std::optional<Map> map = values ? named_map(name, *values) : std::nullopt;
     if (!map) {
       transform.error =
-          SvgTextError{"has a transform that is not understood, " + quoted(text.substr(begin, 40)), begin};
+          SvgTextError{"has a transform that is not understood, " + in_quotes(text.substr(begin, 40)), begin};
       return transform;
     }
     transform.map = transform.map * *map;

@@ -5,15 +5,13 @@
 #include <string>
 #include <utility>
 
+#include "algorithms/hole_filling/counted.h"
+
 namespace croquis::hole_filling {
 namespace {
 
 /// Elements listed with a finding at most; the sentence tells how many there are.
 constexpr std::size_t most_subjects = 20;
-
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
-  return count == 1 ? "1 " + one : std::to_string(count) + " " + many;
-}
 
 Finding warn(std::string code, std::string message, std::vector<Subject> subjects = {}) {
   return make_warning(Category::Geometry, std::move(code), std::move(message), std::move(subjects));

@@ -11,10 +11,10 @@ namespace croquis::hole_filling {
 namespace {
 
 /// Fans turned further than this from their mean normal (60 degrees) aren't seen as lying in one surface.
-constexpr double least_agreement = 0.5;
+constexpr double least_fan_agreement = 0.5;
 
 /// Where petals begin and end, as angles counter-clockwise from the first one's beginning.
-struct Extent {
+struct FanExtent {
   double begin, end;
   std::size_t petal;
 };
@@ -30,13 +30,13 @@ std::vector<std::size_t> petal_across_gap(std::span<const Petal> petals) {
   Vec3 axis = Vec3::Zero();
   for (const Petal& petal : petals) axis += petal.normal.normalized();
   axis.normalize();
-  std::vector<Extent> around;
+  std::vector<FanExtent> around;
   for (std::size_t i = 0; i < petals.size(); ++i) {
-    if (!(petals[i].normal.normalized().dot(axis) > least_agreement)) return {};
+    if (!(petals[i].normal.normalized().dot(axis) > least_fan_agreement)) return {};
     const double begin = i == 0 ? 0 : turn_between(petals[0].first, petals[i].first, axis);
     around.push_back({begin, begin + turn_between(petals[i].first, petals[i].last, axis), i});
   }
-  std::sort(around.begin(), around.end(), [](const Extent& a, const Extent& b) { return a.begin < b.begin; });
+  std::sort(around.begin(), around.end(), [](const FanExtent& a, const FanExtent& b) { return a.begin < b.begin; });
   std::vector<std::size_t> across(petals.size());
   for (std::size_t i = 0; i < around.size(); ++i) {
     const bool is_last = i + 1 == around.size();

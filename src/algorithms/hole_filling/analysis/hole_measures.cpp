@@ -44,8 +44,6 @@ void measure_area(const std::vector<Vec3>& polygon, const HoleAnalysisOptions& o
   hole.area = triangulation ? triangulation->area : vector_area(polygon).norm();
 }
 
-double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
-
 /// Unit normal of a triangle that has one, else zero.
 Vec3 normal_of(const PolyMesh& mesh, const SurfaceView& view, Index triangle) {
   if ((view.flags[triangle] & (SurfaceView::no_area | SurfaceView::is_sliver)) != 0) return Vec3::Zero();

@@ -4,14 +4,11 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "algorithms/hole_filling/vertices_per_part.h"
 #include "croquis/base/parallel.h"
 
 namespace croquis::hole_filling {
-namespace {
-
-constexpr std::size_t grain = 4096;  // vertices per part
-
-}  // namespace
+namespace {}  // namespace
 
 TriangleFans::TriangleFans(std::size_t vertex_count, std::span<const Index> corners)
     : corners_(corners), first_(vertex_count + 1, 0), corners_at_(corners.size()) {
@@ -58,7 +55,7 @@ TriangleFans::Link TriangleFans::link(std::size_t vertex) const {
 
 std::vector<TriangleFans::Link> TriangleFans::links(int threads, Progress& progress) const {
   std::vector<Link> found(vertex_count());
-  for_each_part(found.size(), grain, threads, progress, [&](std::size_t begin, std::size_t end) {
+  for_each_part(found.size(), vertices_per_part, threads, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) found[v] = link(v);
   });
   return found;

@@ -17,29 +17,29 @@ namespace {
 using Node = CreaseField::Node;
 using Tree = std::vector<Node>;
 
-constexpr double least_reach = 6;  // × edge
+constexpr double least_side_reach = 6;  // × edge
 constexpr std::size_t most_known = 4000;
-constexpr std::size_t most_sides = 5;      // the number of trees grows with the factorial
-constexpr std::size_t most_centres = 120;  // per side
-constexpr double first_spacing = 0.7;      // of centres, × edge
-constexpr double spacing_slope = 0.25;     // by how much it grows per distance from the rim
-constexpr double spacing_growth = 1.2;
-constexpr double worst_residual = 0.2;  // mean distance of known points to the surface, × edge
+constexpr std::size_t most_sides = 5;           // the number of trees grows with the factorial
+constexpr std::size_t most_side_centres = 120;  // per side
+constexpr double first_spacing = 0.7;           // of centres, × edge
+constexpr double side_spacing_slope = 0.25;     // by how much it grows per distance from the rim
+constexpr double side_spacing_growth = 1.2;
+constexpr double worst_side_residual = 0.2;  // mean distance of known points to the surface, × edge
 constexpr std::size_t most_samples = 1000;
 
 /// Places in the side's list: none nearer to another than the spacing there.
 std::vector<std::size_t> spread(const KnownSurface& known, const SmoothSide& side) {
-  for (double scale = first_spacing;; scale *= spacing_growth) {
+  for (double scale = first_spacing;; scale *= side_spacing_growth) {
     std::vector<std::size_t> taken;
-    for (std::size_t i = 0; i < side.vertices.size() && taken.size() <= most_centres; ++i) {
+    for (std::size_t i = 0; i < side.vertices.size() && taken.size() <= most_side_centres; ++i) {
       const Vec3& place = known.mesh.positions[side.vertices[i]];
-      const double least = std::max(scale * known.edge, spacing_slope * known.distance[side.vertices[i]]);
+      const double least = std::max(scale * known.edge, side_spacing_slope * known.distance[side.vertices[i]]);
       if (std::all_of(taken.begin(), taken.end(), [&](std::size_t j) {
             return (known.mesh.positions[side.vertices[j]] - place).squaredNorm() >= least * least;
           }))
         taken.push_back(i);
     }
-    if (taken.size() <= most_centres) return taken;
+    if (taken.size() <= most_side_centres) return taken;
   }
 }
 
@@ -126,7 +126,7 @@ implicit::Field CreaseField::field() const {
 }
 
 std::optional<CreaseField> fit_sides(const HoleSite& site, const ImplicitOptions& options) {
-  const KnownSurface known = known_surface(site, options.reach, least_reach, most_known);
+  const KnownSurface known = known_surface(site, options.reach, least_side_reach, most_known);
   const std::vector<SmoothSide> sides = smooth_sides(known);
   if (sides.size() < 2 || sides.size() > most_sides) return std::nullopt;
   std::vector<std::shared_ptr<const implicit::LocalFit>> fits;
@@ -144,7 +144,7 @@ std::optional<CreaseField> fit_sides(const HoleSite& site, const ImplicitOptions
     }
   }
   Tree best;
-  double least = worst_residual * known.edge * static_cast<double>(samples.size());
+  double least = worst_side_residual * known.edge * static_cast<double>(samples.size());
   for (const Tree& tree : trees_over((1U << sides.size()) - 1)) {
     double sum = 0;
     for (const auto& values : samples) sum += std::abs(value_of(tree, values).value);

@@ -11,7 +11,7 @@
 namespace croquis::hole_filling {
 namespace {
 
-constexpr double spacing_growth = 1.3;
+constexpr double sheet_spacing_growth = 1.3;
 
 std::vector<PassingPoint> all_passing(const HoleSite& site, const std::vector<ReachedVertex>& reached, double reach) {
   const SurfaceView& view = site.analysis->view;
@@ -54,7 +54,7 @@ std::optional<std::vector<PassingPoint>> thinned(const std::vector<PassingPoint>
 std::vector<PassingPoint> other_sheets(const HoleSite& site, const std::vector<ReachedVertex>& reached, double reach,
                                        double spacing, std::size_t most) {
   const std::vector<PassingPoint> all = all_passing(site, reached, reach);
-  for (;; spacing *= spacing_growth) {
+  for (;; spacing *= sheet_spacing_growth) {
     if (auto taken = thinned(all, spacing, most)) return *taken;
   }
 }

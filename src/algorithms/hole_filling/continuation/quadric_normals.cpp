@@ -13,11 +13,11 @@ namespace {
 
 constexpr std::size_t neighbour_count = 16;
 constexpr Eigen::Index normal_terms = 5;
-constexpr Eigen::Index least_neighbours = 7;  // for five unknowns
-constexpr double same_way = 0.5;              // cosine between neighbours' normals
-constexpr double least_agreement = 0.866;     // cosine between the old normal and the new
-constexpr std::size_t most_places = 100;      // that tell how rough the surface is
-constexpr std::size_t rough_neighbours = 17;  // the vertex itself among them
+constexpr Eigen::Index least_neighbours = 7;       // for five unknowns
+constexpr double same_way = 0.5;                   // cosine between neighbours' normals
+constexpr double least_quadric_agreement = 0.866;  // cosine between the old normal and the new
+constexpr std::size_t most_places = 100;           // that tell how rough the surface is
+constexpr std::size_t rough_neighbours = 17;       // the vertex itself among them
 constexpr Eigen::Index quadric_terms = 6;
 constexpr Eigen::Index least_rough = 10;
 constexpr std::size_t usual_neighbour = 2;  // the third nearest: its distance is that of neighbours
@@ -61,7 +61,7 @@ Vec3 fitted_normal(const Vec3& place, const Vec3& normal, const std::vector<Vec3
   double a = 0, b = 0;
   if (!slopes_of(offsets, a, b)) return normal;
   const Vec3 found = (normal - a * x - b * y).normalized();
-  return found.allFinite() && found.dot(normal) > least_agreement ? found : normal;
+  return found.allFinite() && found.dot(normal) > least_quadric_agreement ? found : normal;
 }
 
 /// Standard deviation of the offsets (the place's own, 0, among them) from their quadric, × the neighbours' distance.

@@ -6,7 +6,7 @@
 namespace croquis::hole_filling {
 namespace {
 
-constexpr int smoothings = 3;          // of the tangents: rims of removed triangles run in a zigzag
+constexpr int tangent_smoothings = 3;  // of the tangents: rims of removed triangles run in a zigzag
 constexpr std::size_t neighbours = 6;  // rim vertices that a point is turned about
 
 /// Both neighbours' difference, then each the mean with its neighbours'.
@@ -16,7 +16,7 @@ std::vector<Vec3> rim_tangents(const RimPolygon& polygon) {
   std::vector<Vec3> tangents;
   for (Index i = 0; i < polygon.points.size(); ++i)
     tangents.push_back((polygon.points[polygon.next(i)] - polygon.points[previous[i]]).normalized());
-  for (int round = 0; round < smoothings; ++round) {
+  for (int round = 0; round < tangent_smoothings; ++round) {
     const std::vector<Vec3> before = tangents;
     for (Index i = 0; i < tangents.size(); ++i)
       tangents[i] = (before[previous[i]] + 2 * before[i] + before[polygon.next(i)]).normalized();

@@ -9,9 +9,9 @@
 namespace croquis::hole_filling {
 namespace {
 
-constexpr double reach = 2;        // × cell
-constexpr double beyond = 0.45;    // × cell: a strip of good triangles fits between the rim and what is uncovered
-constexpr double opposite = -0.5;  // cosine between the two skins of a wall
+constexpr double covering_reach = 2;  // × cell
+constexpr double beyond = 0.45;       // × cell: a strip of good triangles fits between the rim and what is uncovered
+constexpr double opposite = -0.5;     // cosine between the two skins of a wall
 
 std::vector<Index> triangles_in(const HoleSite& site, const implicit::Box& box) {
   const SurfaceView& view = site.analysis->view;
@@ -100,7 +100,7 @@ void Covering::mark(const implicit::Field& field, double cell, std::span<const V
   std::vector<Vec3> near_places;
   for (std::size_t i = 0; i < places.size(); ++i) {
     covered[i] = 0;
-    if (tree_.nearest(places[i], reach * cell).triangle == no_index) continue;
+    if (tree_.nearest(places[i], covering_reach * cell).triangle == no_index) continue;
     near.push_back(i);
     near_places.push_back(places[i]);
   }
@@ -110,7 +110,7 @@ void Covering::mark(const implicit::Field& field, double cell, std::span<const V
   const double least_agreement = std::cos(greatest_group_angle);
   for (std::size_t k = 0; k < near.size(); ++k) {
     const Vec3 normal = gradients[k].normalized();
-    const TriangleFoot foot = tree_.nearest(near_places[k], reach * cell,
+    const TriangleFoot foot = tree_.nearest(near_places[k], covering_reach * cell,
                                             [&](Index t) { return normals_[t].dot(normal) >= least_agreement; });
     if (foot.triangle == no_index) continue;
     const Vec3 direction = onwards(foot);

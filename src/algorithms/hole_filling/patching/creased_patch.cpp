@@ -18,8 +18,8 @@ namespace {
 constexpr double farthest_snap = 0.45;  // × edge: nearer vertices come to lie on the crease
 constexpr double on_surface = 0.02;     // × edge
 constexpr int newton_steps = 8;
-constexpr int flip_rounds = 4;
-constexpr double least_gain = 0.7;  // a flip has to bring the edge's middle this much nearer to the surface
+constexpr int crease_flip_rounds = 4;
+constexpr double least_crease_gain = 0.7;  // a flip has to bring the edge's middle this much nearer to the surface
 
 /// Makes edges of a patch that lies on a creased surface run along its creases.
 class CreaseAlignment {
@@ -29,7 +29,7 @@ class CreaseAlignment {
 
   void run() {
     for (Vec3& point : patch_.points) snap(point);
-    for (int round = 0; round < flip_rounds && flip_once(); ++round) {
+    for (int round = 0; round < crease_flip_rounds && flip_once(); ++round) {
     }
   }
 
@@ -102,7 +102,7 @@ class CreaseAlignment {
   bool gains(Index a, Index b, Index c, Index d) const {
     if (c < given_ && d < given_) return false;
     const double now = distance_of_middle(a, b);
-    if (now < on_surface * edge_ || distance_of_middle(c, d) > least_gain * now) return false;
+    if (now < on_surface * edge_ || distance_of_middle(c, d) > least_crease_gain * now) return false;
     const double before = normal(a, b, c).norm() + normal(a, b, d).norm();
     const double after_first = normal(a, c, d).norm(), after_second = normal(b, c, d).norm();
     return std::min(after_first, after_second) > 0.1 * before;

@@ -16,16 +16,16 @@ namespace {
 constexpr std::size_t most_probes = 6;
 constexpr std::size_t most_vertices = 20000;  // of the surface around that is looked at
 constexpr std::size_t most_hidden = 300;      // places compared per probe
-constexpr double reach = 1.2;                 // × diameter of the hole
+constexpr double disc_reach = 1.2;            // × diameter of the hole
 constexpr double probe_radius = 0.25;         // × diameter of the hole
 constexpr double least_radius = 2.5;          // × edge: a disc of some twenty triangles
-constexpr double margin = 2;                  // × edge, that stay between the rim and a disc
+constexpr double disc_margin = 2;             // × edge, that stay between the rim and a disc
 
 /// Vertices beside the rims that are far from each other.
 std::vector<Index> spread_centres(const KnownSurface& around, double radius) {
   std::vector<Index> candidates;
   for (Index v = 0; v < around.distance.size(); ++v) {
-    const double beyond = around.distance[v] - radius - margin * around.edge;
+    const double beyond = around.distance[v] - radius - disc_margin * around.edge;
     if (beyond >= 0 && beyond <= radius) candidates.push_back(v);
   }
   std::vector<Index> centres;
@@ -58,7 +58,7 @@ Vec3 middle_of(const PolyMesh& mesh, std::size_t face) {
 CrossValidation::CrossValidation(const HoleSite& site, Progress& progress) : wish_(site.wish) {
   wish_.bulge = 0;
   wish_.through.clear();
-  const KnownSurface around = known_surface(site, reach, 4 * least_radius, most_vertices);
+  const KnownSurface around = known_surface(site, disc_reach, 4 * least_radius, most_vertices);
   const double radius = std::max(probe_radius * around.size, least_radius * around.edge);
   for (const Index centre : spread_centres(around, radius)) {
     progress.check();

@@ -10,7 +10,7 @@
 namespace croquis::hole_filling {
 namespace {
 
-constexpr int most_rounds = 16;  // each halves edges
+constexpr int most_halvings = 16;  // each halves edges
 
 /// Edges of one triangle alone.
 std::vector<std::array<Index, 2>> boundary_of(const std::vector<Triangle>& triangles) {
@@ -44,7 +44,7 @@ std::optional<FairingResult> refine_evenly(const FairingInput& input, double coa
   }
   loose.sizes = mean_lengths(loose.points, boundary_of(loose.triangles));
   for (double& size : loose.sizes) size *= coarseness;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < most_halvings; ++round) {
     const std::size_t before = loose.points.size();
     if (!bring_to_size(loose)) return std::nullopt;
     if (loose.points.size() <= before) break;

@@ -8,7 +8,7 @@
 namespace croquis::hole_filling {
 namespace {
 
-constexpr std::size_t most_rounds = 10000;  // a patch of a million vertices takes about 3000
+constexpr std::size_t most_solver_rounds = 10000;  // a patch of a million vertices takes about 3000
 
 double dot(double a, double b) { return a * b; }
 double dot(const Vec3& a, const Vec3& b) { return a.dot(b); }
@@ -83,7 +83,7 @@ std::vector<Value> PatchGraph::solve(std::span<const Value> known, double accura
   std::vector<Value> way = rest;
   double left = dot(rest, rest);
   const double enough = accuracy * accuracy * left;
-  for (std::size_t round = 0; round < most_rounds && left > enough; ++round) {
+  for (std::size_t round = 0; round < most_solver_rounds && left > enough; ++round) {
     apply(way, applied);
     const double step = left / dot(way, applied);
     for (Index v = 0; v < count; ++v) {

@@ -15,6 +15,7 @@
 #include "algorithms/hole_filling/patching/patch_relaxation.h"
 #include "algorithms/hole_filling/patching/patcher.h"
 #include "algorithms/hole_filling/patching/untangling.h"
+#include "algorithms/hole_filling/patching/wide_holes.h"
 #include "algorithms/hole_filling/triangulation/triangle_cost.h"
 #include "croquis/implicit/surface_improvement.h"
 
@@ -23,9 +24,9 @@ namespace {
 
 constexpr double stiffness = 3;  // the smoothing's factor, when careful
 constexpr int usual_rounds = 3;
-constexpr int careful_rounds = 5;  // and of patches that begin with cubes, whose triangles are worse
-constexpr int draft_rounds = 2;    // of a patch that is only to be pulled
-constexpr int smoothings = 2;      // per round
+constexpr int careful_rounds = 5;        // and of patches that begin with cubes, whose triangles are worse
+constexpr int draft_rounds = 2;          // of a patch that is only to be pulled
+constexpr int smoothings_per_round = 2;  // per round
 
 /// Newton's steps square what is left: one shorter than this ends within 1e-3 of an edge of the surface, and the next
 /// smoothing moves farther than that anyway. × cell
@@ -39,8 +40,6 @@ constexpr int most_settling_steps = 6;
 
 /// A patch that strays farther from its rims than this has run away: the surface around doesn't close. × size
 constexpr double longest_way = 1.5;
-
-constexpr double wide_hole = 0.2;  // × the diagonal of the component
 
 constexpr std::size_t most_guides = 80;
 constexpr int size_rounds = 10;
@@ -138,10 +137,7 @@ double mean_edge(const LoosePatch& loose) {
 
 /// Where the place to begin from decides whether a patch comes to rest.
 bool is_wide(const HoleSite& site) {
-  return std::any_of(site.holes.begin(), site.holes.end(), [&](Index id) {
-    const Hole& hole = site.analysis->holes[id];
-    return hole.diameter > wide_hole * site.analysis->component_diagonal[hole.component];
-  });
+  return std::any_of(site.holes.begin(), site.holes.end(), [&](Index id) { return is_wide(*site.analysis, id); });
 }
 
 class ImplicitPatcher : public Patcher {
@@ -218,9 +214,9 @@ class ImplicitPatcher : public Patcher {
       const std::vector<std::uint8_t> fixed = pinned(loose, through);
       if (round == 0) implicit::project(loose.points, fixed, surface.field(), projection);
       std::size_t not_converged = 0;
-      for (int i = 0; i < smoothings; ++i) {
+      for (int i = 0; i < smoothings_per_round; ++i) {
         relax(loose, fixed);
-        if (is_last && i + 1 == smoothings) projection.accuracy = final_accuracy;
+        if (is_last && i + 1 == smoothings_per_round) projection.accuracy = final_accuracy;
         not_converged = implicit::project(loose.points, fixed, surface.field(), projection).not_converged;
       }
       if (is_last && not_converged > 0) not_converged = settle(surface, fixed, projection, loose);

@@ -13,7 +13,7 @@ namespace croquis::hole_filling {
 namespace {
 
 /// More than can help to mend a patch.
-constexpr std::size_t most_pairs = 100000;
+constexpr std::size_t most_near_pairs = 100000;
 
 /// So many questions without a tree cost about as much as making one.
 constexpr std::size_t questions_before_tree = 8;
@@ -137,7 +137,7 @@ std::vector<Clash> NearScene::clashes(std::span<const Vec3> points, std::span<co
   std::iota(faces.begin(), faces.end(), first);
   Progress silent = progress.step("look for cuts", 0);
   std::vector<Clash> found;
-  for (const auto& [low, high] : find_intersections_of(scene, faces, silent, {.max_pairs = most_pairs}).pairs)
+  for (const auto& [low, high] : find_intersections_of(scene, faces, silent, {.max_pairs = most_near_pairs}).pairs)
     found.push_back({high - first, low < first ? no_index : low - first});
   return found;
 }

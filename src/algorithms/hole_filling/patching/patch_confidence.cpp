@@ -47,8 +47,6 @@ double nearness(double distance) {
 
 Vec3 normal_of(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a); }
 
-double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
-
 /// Per rim vertex of the patch the greatest angle across the rim's edges there.
 class RimJumps {
  public:

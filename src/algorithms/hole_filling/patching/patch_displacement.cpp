@@ -14,7 +14,7 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 /// Of a place that is to be met, beside 1 for every vertex' bending.
 constexpr double pin_weight = 1e6;
-constexpr double spacing_growth = 1.3;
+constexpr double pull_spacing_growth = 1.3;
 
 /// Rows for all vertices of the patch, columns for the new ones: the others don't move.
 Sparse umbrella_laplacian(const HolePatch& patch, Index given) {
@@ -92,7 +92,7 @@ std::vector<PassingPoint> spread_points(const PolyMesh& mesh, const HolePatch& p
       if (v >= given) normals[v - given] += normal;
     }
   }
-  for (;; spacing *= spacing_growth) {
+  for (;; spacing *= pull_spacing_growth) {
     std::vector<PassingPoint> taken;
     for (std::size_t v = 0; v < patch.points.size() && taken.size() <= most; ++v) {
       const double length = normals[v].norm();

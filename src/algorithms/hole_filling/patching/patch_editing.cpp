@@ -16,13 +16,13 @@ using Side = EditableTriangles::Side;
 
 constexpr double too_long = 4.0 / 3;
 constexpr double too_short = 4.0 / 5;
-constexpr int flip_rounds = 5;
+constexpr int most_flip_rounds = 5;
 
 /// Cosine: triangles that a step makes may not turn further from those they come from.
-constexpr double least_agreement = 0.5;
+constexpr double least_normal_agreement = 0.5;
 
 /// Of the sine of the two angles against an edge: rounding must not flip back and forth.
-constexpr double least_gain = 1e-9;
+constexpr double least_flip_gain = 1e-9;
 
 class PatchEditing {
  public:
@@ -32,7 +32,7 @@ class PatchEditing {
   void run() {
     split_long();
     collapse_short();
-    for (int round = 0; round < flip_rounds && flip_once(); ++round) {
+    for (int round = 0; round < most_flip_rounds && flip_once(); ++round) {
     }
   }
 
@@ -49,7 +49,7 @@ class PatchEditing {
   Vec3 normal(Index a, Index b, Index c) const { return (points_[b] - points_[a]).cross(points_[c] - points_[a]); }
   static bool agree(const Vec3& a, const Vec3& b) {
     const double dot = a.dot(b);
-    return dot > 0 && dot * dot > least_agreement * least_agreement * a.squaredNorm() * b.squaredNorm();
+    return dot > 0 && dot * dot > least_normal_agreement * least_normal_agreement * a.squaredNorm() * b.squaredNorm();
   }
 
   /// The edges there are now, the longest first.
@@ -127,7 +127,7 @@ class PatchEditing {
     if (at_c >= 0 && at_d >= 0) return false;
     const double sine = ca.cross(cb).norm() * at_d + at_c * da.cross(db).norm();
     const double scale = std::sqrt(ca.squaredNorm() * cb.squaredNorm() * da.squaredNorm() * db.squaredNorm());
-    if (sine >= -least_gain * scale || !can_be_joined(c, d)) return false;
+    if (sine >= -least_flip_gain * scale || !can_be_joined(c, d)) return false;
     const Vec3 both = normal(a, b, c) + normal(b, a, d);
     return agree(both, normal(a, d, c)) && agree(both, normal(b, c, d));
   }

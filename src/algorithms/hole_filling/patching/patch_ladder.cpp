@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "algorithms/hole_filling/patching/wide_holes.h"
+
 namespace croquis::hole_filling {
 namespace {
 
@@ -12,7 +14,6 @@ constexpr double noisy_values = 10;
 constexpr double noisy_gradients = 6;
 
 /// × the diagonal of the component: from here on a third of all patches that project a triangulation cut something.
-constexpr double wide_hole = 0.2;
 
 ImplicitOptions adapted(ImplicitOptions options, Preset preset) {
   if (preset == Preset::Noisy) {
@@ -78,8 +79,7 @@ bool is_plain_slit(const HoleSite& site) {
 /// pass a piece of it that belongs to the hole.
 bool is_hard_to_triangulate(const HoleSite& site) {
   if (site.holes.size() > 1) return true;
-  const Hole& hole = site.analysis->holes[site.holes.front()];
-  return hole.diameter > wide_hole * site.analysis->component_diagonal[hole.component];
+  return is_wide(*site.analysis, site.holes.front());
 }
 
 Ladder ladder_between(const HoleSite& site, Preset preset, std::size_t most_triangles) {

@@ -10,7 +10,7 @@ namespace croquis::hole_filling {
 namespace {
 
 /// Triangles; smaller parts of a tree are built in some milliseconds, without a look at the cancel flag.
-constexpr std::size_t step = 16384;
+constexpr std::size_t triangles_per_step = 16384;
 
 TriangleFoot foot_on_edge(const Vec3& a, const Vec3& b, int edge, const Vec3& place) {
   const Vec3 along = b - a;
@@ -58,7 +58,7 @@ TriangleTree::TriangleTree(std::vector<std::array<Vec3, 3>> triangles, const Pro
 
 void TriangleTree::build(std::size_t begin, std::size_t end, const Progress& progress) {
   if (begin == end) return;
-  if (end - begin > step) progress.check();
+  if (end - begin > triangles_per_step) progress.check();
   Eigen::AlignedBox3d bounds;
   for (std::size_t i = begin; i < end; ++i) {
     for (const Vec3& corner : triangles_[order_[i]]) bounds.extend(corner);

@@ -14,16 +14,16 @@ namespace {
 constexpr double handicap = 1.25;
 
 /// A way's patch for the site, and how it did at the probes.
-struct Entry {
+struct MethodEntry {
   HolePatch patch;
   std::vector<double> errors;  ///< per probe, NaN where it made nothing
   double handicapped = 0;      ///< what ways are compared by
 };
 
 /// Where a way makes nothing of a probe it is taken to do as well as the best: that says nothing against it here.
-std::vector<double> best_errors(const std::vector<Entry>& entries, std::size_t probes) {
+std::vector<double> best_errors(const std::vector<MethodEntry>& entries, std::size_t probes) {
   std::vector<double> best(probes, std::numeric_limits<double>::quiet_NaN());
-  for (const Entry& entry : entries) {
+  for (const MethodEntry& entry : entries) {
     for (std::size_t i = 0; i < probes; ++i) best[i] = std::fmin(best[i], entry.errors[i]);
   }
   return best;
@@ -49,7 +49,7 @@ class ValidatedPatcher : public Patcher {
 
   std::optional<HolePatch> attempt(const HoleSite& site, Progress& progress) const override {
     const CrossValidation validation(site, progress);
-    std::vector<Entry> entries;
+    std::vector<MethodEntry> entries;
     for (const auto& way : ways_) {
       auto patch = way->attempt(site, progress);
       if (!patch) continue;
@@ -59,13 +59,13 @@ class ValidatedPatcher : public Patcher {
     if (rank_ >= entries.size()) return std::nullopt;
     const std::vector<double> best = best_errors(entries, validation.probe_count());
     double factor = 1;
-    for (Entry& entry : entries) {
+    for (MethodEntry& entry : entries) {
       entry.patch.expected_error = mean_of(entry.errors, best);
       entry.handicapped = std::isnan(entry.patch.expected_error) ? factor : factor * entry.patch.expected_error;
       factor *= handicap;
     }
     std::stable_sort(entries.begin(), entries.end(),
-                     [](const Entry& a, const Entry& b) { return a.handicapped < b.handicapped; });
+                     [](const MethodEntry& a, const MethodEntry& b) { return a.handicapped < b.handicapped; });
     return std::move(entries[rank_].patch);
   }
 

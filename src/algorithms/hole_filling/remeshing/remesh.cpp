@@ -10,6 +10,7 @@
 #include <span>
 #include <utility>
 
+#include "algorithms/hole_filling/channel_names.h"
 #include "algorithms/hole_filling/remeshing/remesh_attributes.h"
 #include "algorithms/hole_filling/remeshing/remesh_findings.h"
 #include "algorithms/hole_filling/remeshing/remesh_pieces.h"
@@ -22,8 +23,6 @@
 
 namespace croquis::hole_filling {
 namespace {
-
-constexpr const char* patch_channel = "patch_id";
 
 class Remeshing {
  public:

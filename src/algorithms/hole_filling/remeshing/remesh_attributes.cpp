@@ -11,14 +11,14 @@
 
 #include <Eigen/Geometry>
 
+#include "algorithms/hole_filling/channel_names.h"
+#include "algorithms/hole_filling/vertices_per_part.h"
 #include "croquis/base/parallel.h"
 
 namespace croquis::hole_filling {
 namespace {
 
-constexpr std::size_t grain = 4096;     // vertices per part
 constexpr double least_from_rim = 0.2;  // × cell: nearer is still the surface given
-constexpr const char* confidence_channel = "confidence";
 
 /// Weights of the point of a triangle nearest to p (Ericson 2005, section 5.1.5: by the regions of its corners and
 /// edges).
@@ -38,7 +38,7 @@ std::array<double, 3> nearest_in_triangle(const Vec3& p, const Vec3& a, const Ve
 }
 
 template <typename T>
-T stored(double value) {
+T rounded_value(double value) {
   if constexpr (std::is_floating_point_v<T>) {
     return static_cast<T>(value);
   } else {
@@ -68,7 +68,8 @@ void interpolate(const AttributeChannel& from, const std::array<Index, 3>& corne
           double sum = 0;
           for (std::size_t k = 0; k < 3; ++k)
             sum += place.weights[k] > 0 ? place.weights[k] * static_cast<double>(given[corners[k] * width + i]) : 0;
-          values[vertex * width + i] = from.labels.empty() ? stored<T>(sum) : given[corners[heaviest] * width + i];
+          values[vertex * width + i] =
+              from.labels.empty() ? rounded_value<T>(sum) : given[corners[heaviest] * width + i];
         }
       },
       to.data);
@@ -79,8 +80,6 @@ Vec3 face_normal(const PolyMesh& mesh, std::size_t face) {
   const Vec3& a = mesh.positions[corners[0]];
   return (mesh.positions[corners[1]] - a).cross(mesh.positions[corners[2]] - a);
 }
-
-double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 void resize(AttributeChannel& channel, std::size_t count) {
   std::visit([&](auto& values) { values.resize(count * static_cast<std::size_t>(channel.width)); }, channel.data);
@@ -185,7 +184,7 @@ void transfer(PolyMesh& made, const NewVertices& vertices, const NearestSurface&
   std::vector<const AttributeChannel*> given;
   for (const AttributeChannel& channel : made.channels) given.push_back(mesh.channel(channel.name, Domain::Vertex));
   const Transfer work(mesh, analysis, piece, rims, cell);
-  for_each_part(vertices.count, grain, threads, progress, [&](std::size_t begin, std::size_t end) {
+  for_each_part(vertices.count, vertices_per_part, threads, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (!vertices.piece_at.empty() && vertices.piece_at[i] != vertices.piece) continue;
       const std::size_t v = vertices.first + i;
@@ -235,7 +234,7 @@ void compute_normals(PolyMesh& mesh, int threads, Progress& progress) {
   const auto channel = std::find_if(mesh.channels.begin(), mesh.channels.end(), is_normal);
   if (channel == mesh.channels.end()) return;
   const TriangleFans fans(mesh.vertex_count(), mesh.corners);
-  for_each_part(mesh.vertex_count(), grain, threads, progress, [&](std::size_t begin, std::size_t end) {
+  for_each_part(mesh.vertex_count(), vertices_per_part, threads, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       Vec3 sum = Vec3::Zero();
       for (const Index corner : fans.at(v)) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "algorithms/hole_filling/vertices_per_part.h"
 #include "croquis/base/parallel.h"
 #include "croquis/geometry/self_intersection.h"
 #include "croquis/implicit/box_weight.h"
@@ -14,8 +15,7 @@ namespace {
 constexpr std::size_t most_faces_per_slab = 40000;
 constexpr std::size_t least_faces_per_slab = 5000;  // in thinner slabs many faces are looked at twice
 constexpr std::size_t enough_slabs = 16;            // to keep threads busy
-constexpr std::size_t most_pairs = 1000000;
-constexpr std::size_t grain = 4096;  // vertices per part
+constexpr std::size_t most_cut_pairs = 1000000;
 
 std::size_t slab_count(std::size_t faces) {
   return std::max(faces / most_faces_per_slab + 1, std::min(faces / least_faces_per_slab, enough_slabs));
@@ -36,7 +36,7 @@ std::vector<std::uint32_t> slabs_of_vertices(const PolyMesh& mesh, std::size_t c
   Eigen::Index axis = 0;
   const double length = box.size().maxCoeff(&axis);
   std::vector<std::uint32_t> slabs(mesh.vertex_count());
-  for_each_part(slabs.size(), grain, threads, progress, [&](std::size_t begin, std::size_t end) {
+  for_each_part(slabs.size(), vertices_per_part, threads, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       const double share = std::max(0.0, (mesh.positions[v][axis] - box.low[axis]) / length);  // 0 for NaN
       slabs[v] =
@@ -107,7 +107,7 @@ PolyMesh part_of(const PolyMesh& mesh, const Slabs& slabs, std::size_t slab, std
 
 std::vector<std::array<Index, 2>> find_cuts(const PolyMesh& mesh, int threads, Progress& progress) {
   const std::size_t count = slab_count(mesh.face_count());
-  if (count == 1) return find_self_intersections(mesh, progress, {.max_pairs = most_pairs}).pairs;
+  if (count == 1) return find_self_intersections(mesh, progress, {.max_pairs = most_cut_pairs}).pairs;
   Progress slicing = progress.step("look for cuts", 0.02);
   const Slabs slabs = slabs_of(mesh, count, threads, slicing);
   Progress looking = progress.step("look for cuts", 0.98);
@@ -115,7 +115,8 @@ std::vector<std::array<Index, 2>> find_cuts(const PolyMesh& mesh, int threads, P
   for_each_part(count, 1, threads, looking, [&](std::size_t slab, std::size_t) {
     const auto faces = std::span(slabs.faces).subspan(slabs.first[slab], slabs.first[slab + 1] - slabs.first[slab]);
     Progress silent = progress.silent();
-    found[slab] = find_self_intersections(part_of(mesh, slabs, slab, faces), silent, {.max_pairs = most_pairs}).pairs;
+    found[slab] =
+        find_self_intersections(part_of(mesh, slabs, slab, faces), silent, {.max_pairs = most_cut_pairs}).pairs;
     for (auto& pair : found[slab]) pair = {faces[pair[0]], faces[pair[1]]};
   });
   std::vector<std::array<Index, 2>> pairs;

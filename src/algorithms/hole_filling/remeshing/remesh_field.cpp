@@ -13,12 +13,12 @@
 namespace croquis::hole_filling {
 namespace {
 
-constexpr std::size_t most_centres = 400;       // of a hole's domain
-constexpr std::size_t most_candidates = 20000;  // thinning looks at all of them
-constexpr double least_reach = 4;               // × edge of the rim
-constexpr double rim_spacing = 0.7;             // × edge
-constexpr double spacing_slope = 0.25;          // per distance from the rim
-constexpr double spacing_growth = 1.15;
+constexpr std::size_t most_hole_centres = 400;       // of a hole's domain
+constexpr std::size_t most_hole_candidates = 20000;  // thinning looks at all of them
+constexpr double least_rim_reach = 4;                // × edge of the rim
+constexpr double hole_rim_spacing = 0.7;             // × edge
+constexpr double hole_spacing_slope = 0.25;          // per distance from the rim
+constexpr double hole_spacing_growth = 1.15;
 
 /// Nearest first, each unless a taken one is nearer than the spacing there; nothing when they are too many.
 std::optional<std::vector<Index>> spread(std::span<const ReachedVertex> reached, const std::vector<Vec3>& positions,
@@ -30,7 +30,7 @@ std::optional<std::vector<Index>> spread(std::span<const ReachedVertex> reached,
       return (positions[r.vertex] - positions[v]).squaredNorm() >= least * least;
     });
     if (!is_free) continue;
-    if (taken.size() == most_centres) return std::nullopt;
+    if (taken.size() == most_hole_centres) return std::nullopt;
     taken.push_back(r.vertex);
   }
   return taken;
@@ -49,12 +49,13 @@ class HoleDomain {
   }
 
   std::vector<Index> centres(double reach) const {
-    std::vector<ReachedVertex> reached = reach_from_rims(site_, std::max(least_reach * edge_, reach * size_));
-    const std::size_t stride = reached.size() / most_candidates + 1;
+    std::vector<ReachedVertex> reached = reach_from_rims(site_, std::max(least_rim_reach * edge_, reach * size_));
+    const std::size_t stride = reached.size() / most_hole_candidates + 1;
     std::vector<ReachedVertex> sampled;
     for (std::size_t i = 0; i < reached.size(); i += stride) sampled.push_back(reached[i]);
-    for (double scale = 1;; scale *= spacing_growth) {
-      auto taken = spread(sampled, mesh_.positions, scale * rim_spacing * edge_, std::min(scale, 2.0) * spacing_slope);
+    for (double scale = 1;; scale *= hole_spacing_growth) {
+      auto taken =
+          spread(sampled, mesh_.positions, scale * hole_rim_spacing * edge_, std::min(scale, 2.0) * hole_spacing_slope);
       if (taken) return std::move(*taken);
     }
   }

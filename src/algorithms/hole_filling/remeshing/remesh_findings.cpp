@@ -7,14 +7,11 @@
 #include <string>
 #include <utility>
 
+#include "algorithms/hole_filling/counted.h"
 #include "algorithms/hole_filling/fill_findings.h"
 
 namespace croquis::hole_filling {
 namespace {
-
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
-  return count == 1 ? "1 " + one : std::to_string(count) + " " + many;
-}
 
 Finding warning(std::string code, std::string message) {
   return make_warning(Category::Geometry, std::move(code), std::move(message));

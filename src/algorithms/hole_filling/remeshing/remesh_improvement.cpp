@@ -12,6 +12,7 @@
 #include "algorithms/hole_filling/remeshing/remesh_cuts.h"
 #include "algorithms/hole_filling/remeshing/remesh_smoothing.h"
 #include "algorithms/hole_filling/verification/single_precision.h"
+#include "algorithms/hole_filling/vertices_per_part.h"
 #include "croquis/base/error.h"
 #include "croquis/base/parallel.h"
 #include "croquis/geometry/self_intersection.h"
@@ -21,14 +22,13 @@
 namespace croquis::hole_filling {
 namespace {
 
-constexpr std::size_t grain = 4096;          // vertices per part
-constexpr std::size_t chunk = 65536;         // vertices between two reports
-constexpr std::size_t most_pairs = 1000000;  // of intersecting triangles that are looked at in a round
+constexpr std::size_t chunk = 65536;                      // vertices between two reports
+constexpr std::size_t most_intersecting_pairs = 1000000;  // of intersecting triangles that are looked at in a round
 
 /// Rings about faces that intersect that go back, round by round; then everything does.
 constexpr std::array undo_rings = {0, 1, 2, 3, 4, 5, 10, 20};
-constexpr double drift = 2;         // × cell: no vertex moves so far
-constexpr double least_turn = 0.5;  // cosine: a vertex doesn't snap when that turns a triangle further
+constexpr double most_vertex_drift = 2;  // × cell: no vertex moves so far
+constexpr double least_turn = 0.5;       // cosine: a vertex doesn't snap when that turns a triangle further
 
 class Snapping {
  public:
@@ -53,7 +53,7 @@ void Snapping::run(std::span<const Vec3> points, Progress& progress) {
   const implicit::PointTree tree(points);
   const std::vector<Vec3> before = mesh_.positions;
   std::vector<Index> nearest(before.size());
-  for_each_part(nearest.size(), grain, options_.threads, progress, [&](std::size_t begin, std::size_t end) {
+  for_each_part(nearest.size(), vertices_per_part, options_.threads, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) nearest[v] = tree.nearest(before[v]);
   });
   const auto distance = [&](Index v) { return (before[v] - points[nearest[v]]).squaredNorm(); };
@@ -115,7 +115,7 @@ std::size_t undo_where_cut(PolyMesh& mesh, const std::vector<Vec3>& before, int 
     for (std::size_t v = 0; v < marked.size(); ++v)
       if (marked[v] != 0) mesh.positions[v] = before[v];
     Progress again = progress.step("look for cuts", 0.1 / static_cast<double>(undo_rings.size() + 1));
-    pairs = find_intersections_of(mesh, faces_at(mesh, marked), again, {.max_pairs = most_pairs}).pairs;
+    pairs = find_intersections_of(mesh, faces_at(mesh, marked), again, {.max_pairs = most_intersecting_pairs}).pairs;
   }
   return pairs.size();
 }
@@ -152,7 +152,7 @@ double sweep_onto_surface(std::span<Vec3> points, const ImprovedField& field, co
   double largest = 0;
   for (std::size_t begin = 0; begin < points.size(); begin += chunk) {
     const std::size_t count = std::min(chunk, points.size() - begin);
-    if (field.forget_below) field.forget_below(lowest[begin / chunk] - drift * options.cell);
+    if (field.forget_below) field.forget_below(lowest[begin / chunk] - most_vertex_drift * options.cell);
     Progress projecting = progress.step("project " + std::to_string(count) + " vertices",
                                         static_cast<double>(count) / static_cast<double>(points.size()));
     largest = std::max(largest, onto_surface(points.subspan(begin, count), {}, field, options, projecting));

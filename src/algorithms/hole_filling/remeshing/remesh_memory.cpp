@@ -29,11 +29,10 @@ constexpr double triangles_per_cube_face = 3.3;  // new triangles per area of on
 constexpr double usual_slab = 50'000;            // thinner ones save little more and keep few threads busy
 constexpr double thinnest_slab = 2'000;          // less than what is held beside it, for any mesh worth the while
 constexpr double retry_bytes = 1.5e9;            // for what may be tried, when no limit is given
-constexpr double most_cell = 64;
-constexpr int halvings = 2;
+constexpr int cell_halvings = 2;
 
 /// Triangles, area and edges, polygons taken as fans.
-struct Extent {
+struct PieceExtent {
   double triangles = 0, area = 0, edges = 0;
   Eigen::AlignedBox3d box;
 
@@ -54,15 +53,15 @@ bool for_each_triangle(const PolyMesh& mesh, Visit&& visit) {
   return true;
 }
 
-Extent extent_of(const PolyMesh& mesh) {
-  Extent extent;
+PieceExtent extent_of(const PolyMesh& mesh) {
+  PieceExtent extent;
   const bool is_sound = for_each_triangle(mesh, [&](const Vec3& a, const Vec3& b, const Vec3& c) {
     for (const Vec3& p : {a, b, c}) extent.box.extend(p);
     extent.area += 0.5 * (b - a).cross(c - a).norm();
     extent.edges += (b - a).norm() + (c - a).norm() + (c - b).norm();
     extent.triangles += 1;
   });
-  return is_sound ? extent : Extent();  // else the analysis will tell
+  return is_sound ? extent : PieceExtent();  // else the analysis will tell
 }
 
 /// Points that large triangles get in their middle, at most.
@@ -81,7 +80,7 @@ double samples(const PolyMesh& mesh, double edge) {
 }  // namespace
 
 RemeshMemory::RemeshMemory(const PolyMesh& mesh, const RemeshOptions& options) : options_(options) {
-  const Extent extent = extent_of(mesh);
+  const PieceExtent extent = extent_of(mesh);
   const double edge = extent.typical_edge(), cell = options.cell * edge;
   triangles_ = extent.triangles;
   vertices_ = static_cast<double>(mesh.vertex_count());
@@ -122,7 +121,7 @@ double RemeshMemory::uniting(double share) const { return held() + (2 * per_join
 double RemeshMemory::most() const {
   double tried = making(std::numeric_limits<double>::infinity());
   if (options_.fill.preset != Preset::Paper)
-    tried = std::max(tried, uniting(1)) + std::min(halving(1, halvings), retry_bytes);
+    tried = std::max(tried, uniting(1)) + std::min(halving(1, cell_halvings), retry_bytes);
   if (options_.memory_limit == 0) return tried;
   return std::clamp(static_cast<double>(options_.memory_limit), least(), std::max(least(), tried));
 }

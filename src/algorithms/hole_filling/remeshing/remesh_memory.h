@@ -7,6 +7,9 @@
 
 namespace croquis::hole_filling {
 
+/// The widest cell that may be asked for, in mean edges.
+inline constexpr double most_cell = 64;
+
 /// Points of a slab. Pieces with open rims are smoothed when all slabs are done, which costs them every fit twice: they
 /// are made in one slab unless memory asks for more.
 struct SlabPoints {

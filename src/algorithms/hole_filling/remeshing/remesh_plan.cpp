@@ -12,7 +12,6 @@ namespace croquis::hole_filling {
 namespace {
 
 constexpr double gibibyte = 1073741824;
-constexpr double most_cell = 64;
 
 std::string gibibytes(double bytes) {
   char text[32];

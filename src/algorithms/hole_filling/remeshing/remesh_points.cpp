@@ -9,20 +9,15 @@
 #include "algorithms/hole_filling/continuation/hole_site.h"
 #include "algorithms/hole_filling/continuation/quadric_normals.h"
 #include "algorithms/hole_filling/continuation/surface_reach.h"
+#include "algorithms/hole_filling/vertices_per_part.h"
 #include "croquis/base/parallel.h"
 
 namespace croquis::hole_filling {
 namespace {
 
-constexpr std::size_t grain = 4096;      // vertices per part
 constexpr double quadric_reach = 4;      // × mean edge of the rim, around it
 constexpr double smooth_dihedral = 0.5;  // cosine: beyond, the normal of an edge isn't known
 constexpr std::uint8_t unsound = SurfaceView::no_area | SurfaceView::is_sliver;
-
-Vec3 unit_or_zero(const Vec3& v) {
-  const double length = v.norm();
-  return length > 0 ? Vec3(v / length) : Vec3(Vec3::Zero());
-}
 
 Vec3 normal_of(const PolyMesh& mesh, const SurfaceView& view, std::size_t triangle) {
   if ((view.flags[triangle] & unsound) != 0) return Vec3::Zero();
@@ -142,7 +137,7 @@ double typical_edge(const PolyMesh& mesh, const SurfaceView& view) {
 std::vector<Vec3> vertex_normals(const PolyMesh& mesh, const HoleAnalysis& analysis, const TriangleFans& fans,
                                  const RemeshPieces& pieces, int threads, Progress& progress) {
   std::vector<Vec3> normals(mesh.vertex_count());
-  for_each_part(normals.size(), grain, threads, progress, [&](std::size_t begin, std::size_t end) {
+  for_each_part(normals.size(), vertices_per_part, threads, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) normals[v] = normal_at(mesh, analysis.view, fans, v);
   });
   const auto rims = rim_normals(mesh, analysis, pieces, threads, progress);

@@ -20,10 +20,10 @@ namespace {
 // box.
 constexpr std::array growths = {0.35, 0.7, 1.4};
 
-constexpr double room = 0.2;            // around points and holes' boxes, × the longest side; fields reach 0.25
-constexpr double cells_to_expect = 20;  // per cube face of a sphere around everything
-constexpr int farthest_seeds = 2;       // cubes around a point that are looked at, when its own has no surface
-constexpr double lost_beyond = 1.25;    // × cell: a surface has vertices at less than one cell of any of its points
+constexpr double room = 0.2;                // around points and holes' boxes, × the longest side; fields reach 0.25
+constexpr double cells_per_cube_face = 20;  // per cube face of a sphere around everything
+constexpr int farthest_seeds = 2;           // cubes around a point that are looked at, when its own has no surface
+constexpr double lost_beyond = 1.25;  // × cell: a surface has vertices at less than one cell of any of its points
 
 constexpr double runs_away_beyond = 0.4;  // × diagonal: no continuation of a surface leads so far out of its box
 constexpr int retries = 2;             // of pieces that come out torn or grown together, each with cells of half size
@@ -206,7 +206,7 @@ implicit::PolygonizerOptions Shaping::cubes_of(const Trial& trial, const std::ve
   cubes.bounds = {cubes.bounds.low - margin, cubes.bounds.high + margin};
   const double faces = std::pow(cubes.bounds.size().maxCoeff() / trial.cell, 2);
   cubes.max_cells = static_cast<std::size_t>(
-      std::min(1e6 + cells_to_expect * faces + 20.0 * static_cast<double>(trial.points.positions.size()), 5e8));
+      std::min(1e6 + cells_per_cube_face * faces + 20.0 * static_cast<double>(trial.points.positions.size()), 5e8));
   cubes.threads = model_.threads();
   return cubes;
 }

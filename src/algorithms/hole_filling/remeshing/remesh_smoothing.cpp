@@ -9,14 +9,14 @@
 #include <Eigen/Geometry>
 
 #include "algorithms/hole_filling/verification/single_precision.h"
+#include "algorithms/hole_filling/vertices_per_part.h"
 #include "croquis/base/parallel.h"
 
 namespace croquis::hole_filling {
 namespace {
 
-constexpr std::size_t grain = 4096;   // vertices per part
-constexpr std::size_t step = 50'000;  // vertices that a mesh advances by
-constexpr double drift = 2;           // × cell: no vertex moves so far, and none asks for the field further below
+constexpr std::size_t vertices_per_step = 50'000;  // vertices that a mesh advances by
+constexpr double most_drift = 2;  // × cell: no vertex moves so far, and none asks for the field further below
 
 }  // namespace
 
@@ -61,7 +61,7 @@ void SweptSmoothing::run(const std::vector<Vec3>& positions, const std::vector<I
   }
   std::vector<Index> bounds = {0};
   while (bounds.back() < positions.size()) {
-    const std::size_t least = std::min<std::size_t>(bounds.back() + step, positions.size());
+    const std::size_t least = std::min<std::size_t>(bounds.back() + vertices_per_step, positions.size());
     bounds.push_back(std::max(static_cast<Index>(least), bounds.size() > 1 ? reach[bounds.back() - 1] : 0));
   }
   std::vector<double> lowest(bounds.size(), std::numeric_limits<double>::infinity());
@@ -81,7 +81,7 @@ void SweptSmoothing::run(const std::vector<Vec3>& positions, const std::vector<I
 }
 
 void SweptSmoothing::forget(double lowest) const {
-  if (field_.forget_below) field_.forget_below(lowest - drift * options_.cell);
+  if (field_.forget_below) field_.forget_below(lowest - most_drift * options_.cell);
 }
 
 /// Round r needs the one before it up to one bound further.
@@ -121,7 +121,7 @@ void SweptSmoothing::advance_stage(std::size_t stage, std::size_t end, const Win
   made.places.resize(end - made.first);
   std::vector<std::uint8_t> fixed(end - begin);
   Progress smoothing = progress.step("smooth", 0.2);
-  for_each_part(end - begin, grain, options_.threads, smoothing, [&](std::size_t from, std::size_t to) {
+  for_each_part(end - begin, vertices_per_part, options_.threads, smoothing, [&](std::size_t from, std::size_t to) {
     for (std::size_t i = from; i < to; ++i) {
       const std::size_t v = begin + i;
       fixed[i] = window.fans.link(v - window.first) == TriangleFans::Link::Cycle ? 0 : 1;

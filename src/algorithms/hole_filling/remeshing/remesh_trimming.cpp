@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "algorithms/hole_filling/vertices_per_part.h"
 #include "croquis/base/parallel.h"
 #include "croquis/geometry/disjoint_sets.h"
 
@@ -11,10 +12,9 @@ namespace croquis::hole_filling {
 namespace {
 
 constexpr double far_from_data = 1.5;          // × cell or mean edge, whichever is longer
-constexpr double over_the_rim = 0.5;           // × cell
+constexpr double reach_over_rim = 0.5;         // × cell
 constexpr int ear_rounds = 2;                  // borders get straighter; more would eat narrow sheets
 constexpr std::size_t vertices_per_vote = 20;  // a part with fewer points per vertex is no data's
-constexpr std::size_t grain = 4096;
 
 /// Marks what spoils the border; false when nothing does.
 bool mark_spoilt(const PolyMesh& mesh, bool ears, std::vector<std::uint8_t>& removed) {
@@ -39,7 +39,7 @@ OpenBorders::OpenBorders(const RemeshPiece& piece, const RemeshPoints& points, c
       rim_of_(points.positions.size(), no_index),
       holes_(std::move(holes)),
       far_(far_from_data * std::max(cell, edge)),
-      over_(over_the_rim * cell) {
+      over_(reach_over_rim * cell) {
   for (const RimPlace& rim : rims) {
     const auto found = std::lower_bound(piece.vertices.begin(), piece.vertices.end(), rim.vertex);
     if (rim.fate == RimFate::Field || found == piece.vertices.end() || *found != rim.vertex) continue;
@@ -111,7 +111,7 @@ std::vector<Index> far_points(const PolyMesh& mesh, std::span<const Vec3> points
   Progress ordering = progress.step("look for lost detail", 0.3);
   const implicit::PointTree tree(mesh.positions, threads, ordering);
   Progress looking = progress.step("look for lost detail", 0.7);
-  for_each_part(points.size(), grain, threads, looking, [&](std::size_t begin, std::size_t end) {
+  for_each_part(points.size(), vertices_per_part, threads, looking, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end && tree.size() > 0; ++i) {
       const Vec3 away = points[i] - mesh.positions[tree.nearest(points[i])];
       is_far[i] = away.squaredNorm() > distance * distance ? 1 : 0;
@@ -131,7 +131,7 @@ std::size_t drop_strays(PolyMesh& mesh, std::span<const Vec3> points, int thread
   if (sizes.empty() || sizes[parts.front()] == mesh.vertex_count()) return 0;
   const implicit::PointTree tree(mesh.positions);
   std::vector<Index> nearest(points.size());
-  for_each_part(points.size(), grain, threads, progress, [&](std::size_t begin, std::size_t end) {
+  for_each_part(points.size(), vertices_per_part, threads, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) nearest[i] = tree.nearest(points[i]);
   });
   for (const Index vertex : nearest) ++votes[parts[vertex]];

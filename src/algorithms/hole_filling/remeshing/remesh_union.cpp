@@ -15,12 +15,12 @@
 namespace croquis::hole_filling {
 namespace {
 
-constexpr int rounds = 4;               // what was united may cross something else
-constexpr int halvings = 1;             // of the cells, where thin parts get lost or faces still intersect
-constexpr double margin = 4;            // × cell, around everything
-constexpr double cells_to_expect = 40;  // per triangle of the surfaces given
-constexpr double hidden_below = 0.1;    // × cell: vertices deeper inside the solid aren't on its surface
-constexpr double least_bubble = 2;      // × cell: smaller shells are what cubes make of surfaces that all but touch
+constexpr int rounds = 4;                  // what was united may cross something else
+constexpr int union_halvings = 1;          // of the cells, where thin parts get lost or faces still intersect
+constexpr double union_margin = 4;         // × cell, around everything
+constexpr double cells_per_triangle = 40;  // per triangle of the surfaces given
+constexpr double hidden_below = 0.1;       // × cell: vertices deeper inside the solid aren't on its surface
+constexpr double least_bubble = 2;         // × cell: smaller shells are what cubes make of surfaces that all but touch
 
 /// One try at a solid of several pieces.
 struct Solid {
@@ -206,7 +206,7 @@ std::pair<RemeshPart, PolyMesh> Joining::united(std::vector<std::size_t> pieces,
   int halving = is_closed ? static_cast<int>(std::lround(std::log2(model_.cell / finest))) : 0;
   while (halving > 0 && !model_.memory.may_halve(share, halving)) --halving;
   Solid best;
-  for (const int first = halving; halving <= first + halvings; ++halving) {
+  for (const int first = halving; halving <= first + union_halvings; ++halving) {
     if (halving > first && !model_.memory.may_halve(share, halving)) break;
     const double size = std::ldexp(model_.cell, -halving);
     Progress trying = progress.step("unite pieces that cross", halving == first ? 0.8 : 0.05);
@@ -266,10 +266,10 @@ Solid Joining::solid_of(const UnitedSolid& solid, std::span<const std::unique_pt
   cubes.threads = model_.threads();
   cubes.bounds = solid.box();
   cubes.origin = cubes.bounds.low;
-  cubes.bounds.low.array() -= margin * cell;
-  cubes.bounds.high.array() += margin * cell;
+  cubes.bounds.low.array() -= union_margin * cell;
+  cubes.bounds.high.array() += union_margin * cell;
   cubes.max_cells = static_cast<std::size_t>(
-      std::min(1e6 + cells_to_expect * static_cast<double>(triangles) * std::pow(model_.cell / cell, 2), 5e8));
+      std::min(1e6 + cells_per_triangle * static_cast<double>(triangles) * std::pow(model_.cell / cell, 2), 5e8));
   cubes.covered = solid.covered();
   cubes.seed_reach = 0;
   Progress polygonizing = progress.step("polygonize", 0.5);

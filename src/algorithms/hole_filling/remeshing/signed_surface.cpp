@@ -8,16 +8,15 @@
 
 #include <Eigen/Geometry>
 
+#include "algorithms/hole_filling/vertices_per_part.h"
 #include "croquis/base/parallel.h"
 
 namespace croquis::hole_filling {
 namespace {
 
-constexpr std::size_t grain = 4096;  // vertices per part
-
 // Cosines of a vertex' normal and its triangles': surfaces are smooth above the one, creased below the other.
 constexpr double smooth_cosine = 0.9;
-constexpr double crease_cosine = 0.75;
+constexpr double unbent_cosine = 0.75;
 
 std::vector<std::array<Vec3, 3>> triangles_of(const PolyMesh& mesh) {
   std::vector<std::array<Vec3, 3>> triangles;
@@ -27,11 +26,6 @@ std::vector<std::array<Vec3, 3>> triangles_of(const PolyMesh& mesh) {
     triangles.push_back({mesh.positions[face[0]], mesh.positions[face[1]], mesh.positions[face[2]]});
   }
   return triangles;
-}
-
-Vec3 unit_or_zero(const Vec3& v) {
-  const double length = v.norm();
-  return length > 0 ? Vec3(v / length) : Vec3(Vec3::Zero());
 }
 
 PolyMesh geometry_of(const PolyMesh& mesh) {
@@ -68,7 +62,7 @@ Vec3 SignedSurface::normal_of(Index triangle) const {
 
 void SignedSurface::find_vertex_normals(int threads, Progress& progress) {
   normals_.assign(mesh_.vertex_count(), Vec3::Zero());
-  for_each_part(normals_.size(), grain, threads, progress, [&](std::size_t begin, std::size_t end) {
+  for_each_part(normals_.size(), vertices_per_part, threads, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       for (const Index corner : fans_.at(v)) {
         const Vec3 next = mesh_.positions[fans_.next(corner)] - mesh_.positions[v];
@@ -85,7 +79,7 @@ void SignedSurface::find_smooth_places() {
   for (std::size_t c = 0; c < mesh_.corners.size(); ++c) {
     const Index v = mesh_.corners[c];
     const double agrees = normals_[v].dot(normal_of(static_cast<Index>(c / 3)));
-    const double share = std::clamp((agrees - crease_cosine) / (smooth_cosine - crease_cosine), 0.0, 1.0);
+    const double share = std::clamp((agrees - unbent_cosine) / (smooth_cosine - unbent_cosine), 0.0, 1.0);
     smooth_[v] = std::min(smooth_[v], static_cast<float>(share));
   }
 }
@@ -122,7 +116,7 @@ Vec3 SignedSurface::across(Index corner, bool& is_border) const {
 
 void SignedSurface::find_ways_out(const Progress& progress) {
   for (Index corner = 0; corner < mesh_.corners.size(); ++corner) {
-    if (corner % grain == 0) progress.check();
+    if (corner % vertices_per_part == 0) progress.check();
     bool is_border = false;
     across(corner, is_border);
     if (!is_border) continue;

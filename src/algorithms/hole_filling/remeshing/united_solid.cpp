@@ -10,12 +10,12 @@ namespace croquis::hole_filling {
 namespace {
 
 constexpr double ends_beyond = 2;         // × cell: so far a surface with a border goes on, to be cut off in between
-constexpr double over_the_rim = 0.5;      // × cell: so far it is there, as where rims are left open
+constexpr double rim_tolerance = 0.5;     // × cell: so far it is there, as where rims are left open
 constexpr double off_the_surface = 0.75;  // × cell: corners of cubes at a surface are nearer to it than this on average
 constexpr double clearly_far = 3;         // × cell: so far off a surface, or its box, the distance needn't be known
 constexpr double rounding = 1e-6;         // of distances that are added up
-constexpr std::size_t grain = 1024;       // places that one walk leads to
-constexpr std::size_t asked = 200;        // vertices of a cavity that tell whether it lies in a body
+constexpr std::size_t places_per_part = 1024;  // places that one walk leads to
+constexpr std::size_t asked = 200;             // vertices of a cavity that tell whether it lies in a body
 
 double distance_to(const implicit::Box& box, const Vec3& place) {
   return (box.low - place).cwiseMax(place - box.high).cwiseMax(Vec3::Zero()).norm();
@@ -109,7 +109,7 @@ UnitedSolid::Place UnitedSolid::Walk::at(const Vec3& place) {
 
 std::vector<UnitedSolid::Place> UnitedSolid::at(std::span<const Vec3> places, int threads, Progress& progress) const {
   std::vector<Place> found(places.size());
-  for_each_part(places.size(), grain, threads, progress, [&](std::size_t begin, std::size_t end) {
+  for_each_part(places.size(), places_per_part, threads, progress, [&](std::size_t begin, std::size_t end) {
     Walk walk(*this);
     for (std::size_t i = begin; i < end; ++i) found[i] = walk.at(places[i]);
   });
@@ -130,7 +130,7 @@ implicit::Field UnitedSolid::field() const {
 bool UnitedSolid::is_there(const Vec3& place, Walk& walk) const {
   const Index ruling = walk.at(place).member;
   const SignedPlace found = members_[ruling]->at(place);
-  return std::abs(found.distance) < off_the_surface * cell_ && found.out < over_the_rim * cell_;
+  return std::abs(found.distance) < off_the_surface * cell_ && found.out < rim_tolerance * cell_;
 }
 
 implicit::Covered UnitedSolid::covered() const {

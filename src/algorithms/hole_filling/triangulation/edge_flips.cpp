@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t flips_per_triangle = 20;
 
 /// A flip must gain more than rounding, relative to the cost.
-constexpr double least_gain = 1e-12;
+constexpr double least_angle_gain = 1e-12;
 
 /// What an impossible triangle or edge counts, so that a flip from two to one of them is a gain.
 constexpr double impossible = 1e100;
@@ -65,7 +65,7 @@ class EdgeFlips {
     if (c == d || has_edge(corner, c, d)) return false;
     const double before = cost(a, b, c) + cost(b, a, d) + edge_cost(a, b);
     const double after = cost(a, d, c) + cost(d, b, c) + edge_cost(c, d);
-    return after < before * (1 - least_gain);
+    return after < before * (1 - least_angle_gain);
   }
 
   /// Whether c and d are joined already on a triangle next to the two: the only place in a strip between two rims.

@@ -15,7 +15,7 @@
 namespace croquis::hole_filling {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double no_area = std::numeric_limits<double>::infinity();
 
 /// The costs of many triangles on one edge, as triangle_cost tells them, bit by bit.
 class TriangleCosts {
@@ -34,7 +34,7 @@ class TriangleCosts {
     Eigen::Map<Eigen::ArrayXd> areas(&areas_[i + 1], size);
     areas = areas.sqrt();
     for (std::size_t j = i + 1; j < k; ++j)
-      areas_[j] = areas_[j] > flat_[j] ? areas_[j] + edge_weight * squares_[j] : infinite;
+      areas_[j] = areas_[j] > flat_[j] ? areas_[j] + edge_weight * squares_[j] : no_area;
     return areas_;
   }
 
@@ -67,7 +67,7 @@ class TriangleCosts {
 std::pair<std::size_t, Index> shortest_bridge(const RimPolygon& rims, const std::vector<Index>& joined, Index begin,
                                               Index end) {
   std::pair<std::size_t, Index> best{0, begin};
-  double shortest = infinite;
+  double shortest = no_area;
   for (std::size_t i = 0; i < joined.size(); ++i) {
     for (Index point = begin; point < end; ++point) {
       const double squared = (rims.points[joined[i]] - rims.points[point]).squaredNorm();
@@ -88,7 +88,7 @@ class MinimalTriangulations::Table {
       : rims_(rims),
         order_(std::move(order)),
         size_(order_.size()),
-        cost_(size_ * size_, infinite),
+        cost_(size_ * size_, no_area),
         apex_(size_ * size_, 0) {
     for (const Index point : order_) corners_.add(rims.points[point]);
   }
@@ -102,7 +102,7 @@ class MinimalTriangulations::Table {
       progress.check();
       for (std::size_t i = 0; i + span < size_; ++i) choose_apex(i, i + span);
     }
-    return cost_[at(0, size_ - 1)] < infinite;
+    return cost_[at(0, size_ - 1)] < no_area;
   }
 
   /// After more triangles are avoided. Costs only grow by that: where the best triangle is neither avoided nor costs
@@ -114,13 +114,13 @@ class MinimalTriangulations::Table {
       for (std::size_t i = 0; i + span < size_; ++i) {
         const std::size_t k = i + span, j = apex_[at(i, k)];
         const double before = cost_[at(i, k)];
-        if (before == infinite) continue;
+        if (before == no_area) continue;
         if (grown_[at(i, j)] == 0 && grown_[at(j, k)] == 0 && !is_avoided(i, j, k)) continue;
         choose_apex(i, k);
         grown_[at(i, k)] = cost_[at(i, k)] > before ? 1 : 0;
       }
     }
-    return cost_[at(0, size_ - 1)] < infinite;
+    return cost_[at(0, size_ - 1)] < no_area;
   }
 
   std::vector<std::array<Index, 3>> triangles() const {
@@ -152,7 +152,7 @@ class MinimalTriangulations::Table {
     const std::span<const double> triangles = corners_.costs(i, k);
     const double* before = &cost_[at(i, 0)];
     const double* after = &cost_[at(k, 0)];
-    double best = infinite;
+    double best = no_area;
     for (std::size_t j = i + 1; j < k; ++j) {
       const double total = before[j] + after[j] + triangles[j];
       if (!(total < best) || is_avoided(i, j, k)) continue;

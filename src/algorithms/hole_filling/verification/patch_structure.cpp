@@ -62,8 +62,6 @@ bool is_sphere_with_holes(const LocalPatch& local, const MeshTopology& topology,
   return topology.component_count() == 1 && euler == 2 - static_cast<std::ptrdiff_t>(holes);
 }
 
-double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
-
 /// Numbers a patch's vertices: those of the view first, which are few and searched for, then the new ones.
 class LocalNumbers {
  public:

@@ -75,7 +75,7 @@ std::string fault_of(const FigureContext& context, const Arrangement& arrangemen
                      const Vec2& at) {
   const CrossedContour& contour = arrangement.contours[arc.contour];
   const std::string stroke =
-      quoted(context.drawing, contour.stroke[(arc.begin + arc.count / 2) % contour.stroke.size()]);
+      in_quotes(context.drawing, contour.stroke[(arc.begin + arc.count / 2) % contour.stroke.size()]);
   return arc.visible ? "the drawn part of " + stroke + " at " + place_text(at) + " would be covered"
                      : "the hidden part of " + stroke + " would lie in the open at " + place_text(at);
 }
@@ -97,8 +97,9 @@ Findings odd_end(const FigureContext& context, const PartLines& part) {
   const HiddenEnd& end = end_of(context, part, worst);
   const Index stroke = stroke_of(context, end);
   return {make_error(Category::Geometry, "E_ODD",
-                     "An odd number of lines passes behind others, and the end of " + quoted(context.drawing, stroke) +
-                         " at " + place_text(end.at) + " fits no other: extend or close it, or draw what is missing",
+                     "An odd number of lines passes behind others, and the end of " +
+                         in_quotes(context.drawing, stroke) + " at " + place_text(end.at) +
+                         " fits no other: extend or close it, or draw what is missing",
                      {stroke_subject(context.drawing, stroke, end.at)})};
 }
 
@@ -111,8 +112,9 @@ Findings ends_without_partner(const FigureContext& context, const PartLines& par
     const HiddenEnd& end = end_of(context, part, i);
     const Index stroke = stroke_of(context, end);
     findings.push_back(make_error(Category::Geometry, "E_NO_PARTNER",
-                                  "Nothing to connect the hidden end of " + quoted(context.drawing, stroke) + " at " +
-                                      place_text(end.at) + " to: draw where it comes out again, or close the stroke",
+                                  "Nothing to connect the hidden end of " + in_quotes(context.drawing, stroke) +
+                                      " at " + place_text(end.at) +
+                                      " to: draw where it comes out again, or close the stroke",
                                   {stroke_subject(context.drawing, stroke, end.at)}));
   }
   return findings;
@@ -161,7 +163,7 @@ Finding contours_touch(const FigureContext& context, const PartLines& part, cons
   std::string names;
   for (const Index stroke : strokes) {
     subjects.push_back(stroke_subject(context.drawing, stroke, at));
-    names += (names.empty() ? "" : ", ") + quoted(context.drawing, stroke);
+    names += (names.empty() ? "" : ", ") + in_quotes(context.drawing, stroke);
   }
   if (subjects.empty()) {
     subjects = all_strokes(context, part);

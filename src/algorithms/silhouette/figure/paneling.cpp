@@ -5,31 +5,12 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <tuple>
+
+#include "croquis/geometry/disjoint_sets.h"
 
 namespace croquis::silhouette {
 namespace {
-
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
-
-  Index find(Index i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-
-  /// The lower root stays, so that results don't depend on the order of joining.
-  void join(Index a, Index b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<Index> parent_;
-};
 
 /// An arc seen from the side with more layers.
 struct Step {
@@ -68,18 +49,18 @@ class Gluer {
     DisjointSets sets(result_.first_panel.back());
     for (const Step& step : steps_) {
       for (Index i = 0; i < static_cast<Index>(layers_[step.more]); ++i) {
-        if (i != step.depth) sets.join(panel(step.more, i), panel(step.fewer, step.across(i)));
+        if (i != step.depth) sets.unite(panel(step.more, i), panel(step.fewer, step.across(i)));
       }
     }
     std::map<Index, Index> number;
     result_.component_of_contour.assign(arrangement_.contours.size(), 0);
     for (Index arc = 0; arc < steps_.size(); ++arc) {
-      const Index root = sets.find(panel(steps_[arc].more, steps_[arc].depth));
+      const Index root = sets.root(panel(steps_[arc].more, steps_[arc].depth));
       const auto [entry, fresh] = number.try_emplace(root, result_.component_count);
       if (fresh) ++result_.component_count;
       result_.component_of_contour[arrangement_.arcs[arc].contour] = entry->second;
     }
-    for (Index p = 0; p < result_.first_panel.back(); ++p) result_.component.push_back(number.at(sets.find(p)));
+    for (Index p = 0; p < result_.first_panel.back(); ++p) result_.component.push_back(number.at(sets.root(p)));
   }
 
   /// Index of the pair of layers i above k in a face.
@@ -93,7 +74,7 @@ class Gluer {
       for (Index k = 1; k < static_cast<Index>(layers_[step.more]); ++k) {
         for (Index i = 0; i < k; ++i) {
           if (i == step.depth || k == step.depth) continue;
-          sets.join(pair(step.more, i, k), pair(step.fewer, step.across(i), step.across(k)));
+          sets.unite(pair(step.more, i, k), pair(step.fewer, step.across(i), step.across(k)));
         }
       }
     }
@@ -116,7 +97,7 @@ class Gluer {
       const Step& a = covered_step(crossing.contour_a, crossing.position_a);
       const Step& b = covered_step(crossing.contour_b, crossing.position_b);
       const auto [above, below] = std::minmax(a.depth, b.depth);
-      crossings[sets.find(pair(a.more, above, below))].push_back(k);
+      crossings[sets.root(pair(a.more, above, below))].push_back(k);
     }
     return crossings;
   }
@@ -140,7 +121,7 @@ class Gluer {
     for (Index f = 0; f < layers_.size(); ++f) {
       for (Index k = 1; k < static_cast<Index>(layers_[f]); ++k) {
         for (Index i = 0; i < k; ++i) {
-          Region& region = regions[sets.find(pair(f, i, k))];
+          Region& region = regions[sets.root(pair(f, i, k))];
           if (largest[f].first <= region.area) continue;
           region = {largest[f].first,
                     {largest[f].second, result_.component[panel(f, i)], result_.component[panel(f, k)], {}}};

@@ -10,7 +10,7 @@ namespace {
 
 /// How far beyond the half circle over an edge swallowed points may lie, relative to its radius: round ends whose
 /// samples lie on the circle must pass in spite of rounding and slight noise.
-constexpr double reach = 1.02;
+constexpr double covered_reach = 1.02;
 
 class Pruner {
  public:
@@ -68,7 +68,7 @@ class Pruner {
     const Vec2& a = point(corners[(exit + 1) % 3]);
     const Vec2& b = point(corners[(exit + 2) % 3]);
     const Vec2 middle = (a + b) / 2;
-    const double limit = reach * reach * (b - a).squaredNorm() / 4;
+    const double limit = covered_reach * covered_reach * (b - a).squaredNorm() / 4;
     return std::all_of(swallowed_[leaf].begin(), swallowed_[leaf].end(),
                        [&](Index vertex) { return (point(vertex) - middle).squaredNorm() <= limit; });
   }

@@ -12,7 +12,7 @@ namespace croquis::silhouette {
 namespace {
 
 /// Nodes nearer than this, in sketch units u, say nothing that the samples behind them know.
-constexpr double least_spacing = 4;
+constexpr double least_axis_spacing = 4;
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
@@ -116,7 +116,7 @@ Skeleton chordal_axis(const LabelledFigure& figure, const LiftedTriangulation& l
                       const ImmersedTriangulation& immersed, double node_spacing) {
   const AxisPruning pruning = prune_axis(immersed, figure.points);
   const AxisGraph full = axis_graph(immersed, figure.points, pruning);
-  const AxisGraph graph = decimate(full, {least_spacing * figure.unit, node_spacing});
+  const AxisGraph graph = decimate(full, {least_axis_spacing * figure.unit, node_spacing});
 
   Skeleton skeleton;
   const NodeMaker maker(figure, lifted, immersed);

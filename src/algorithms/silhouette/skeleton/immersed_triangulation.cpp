@@ -21,8 +21,6 @@ struct MeshTraits : OpenMesh::DefaultTraits {
 };
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<MeshTraits>;
 
-[[noreturn]] void fail(const std::string& what) { throw Error(make_error(Category::Internal, "E_INTERNAL", what)); }
-
 Index number(OpenMesh::BaseHandle handle) { return static_cast<Index>(handle.idx()); }
 Mesh::VertexHandle vertex_handle(Index vertex) { return Mesh::VertexHandle(static_cast<int>(vertex)); }
 
@@ -41,7 +39,7 @@ class Pace {
 
 void add_triangle(Mesh& mesh, Index a, Index b, Index c) {
   if (!mesh.add_face(vertex_handle(a), vertex_handle(b), vertex_handle(c)).is_valid()) {
-    fail("the immersed region isn't a surface at lifted vertex " + std::to_string(a));
+    throw_internal("the immersed region isn't a surface at lifted vertex " + std::to_string(a));
   }
 }
 
@@ -71,7 +69,7 @@ class EarClipper {
       polygon_.erase(polygon_.begin() + static_cast<std::ptrdiff_t>(i));
       return ear;
     }
-    fail("the star of an interior vertex has no ear");
+    throw_internal("the star of an interior vertex has no ear");
   }
 
  private:
@@ -158,7 +156,7 @@ std::size_t make_delaunay(const LabelledFigure& figure, const LiftedTriangulatio
     waiting[number(edge)] = false;
     pace.tick();
     if (!wants_flip(figure, lifted, mesh, edge)) continue;
-    if (!mesh.is_flip_ok(edge)) fail("two edges of the immersed region share both ends");
+    if (!mesh.is_flip_ok(edge)) throw_internal("two edges of the immersed region share both ends");
     mesh.flip(edge);
     ++flips;
     for (const unsigned int side : {0U, 1U}) {
@@ -194,7 +192,7 @@ void flatten(const Mesh& mesh, std::size_t lifted_count, ImmersedTriangulation& 
     Mesh::HalfedgeHandle halfedge = mesh.halfedge_handle(face);
     for (std::size_t i = 0; i < 3; ++i) {
       corners[i] = vertex[number(mesh.from_vertex_handle(halfedge))];
-      if (corners[i] == no_index) fail("a boundary vertex lies on no contour");
+      if (corners[i] == no_index) throw_internal("a boundary vertex lies on no contour");
       halfedge = mesh.next_halfedge_handle(halfedge);
       const Mesh::FaceHandle twin = mesh.opposite_face_handle(halfedge);
       neighbours[i] = twin.is_valid() ? face_number[number(twin)] : no_index;

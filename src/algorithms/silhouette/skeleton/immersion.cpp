@@ -5,22 +5,18 @@
 #include <string>
 #include <utility>
 
+#include "algorithms/silhouette/skeleton/triangle_corners.h"
 #include "croquis/base/error.h"
 #include "croquis/geometry/disjoint_sets.h"
 
 namespace croquis::silhouette {
 namespace {
 
-[[noreturn]] void fail(const std::string& what) { throw Error(make_error(Category::Internal, "E_INTERNAL", what)); }
-
-constexpr Index next(Index corner) { return corner == 2 ? 0 : corner + 1; }
-constexpr Index previous(Index corner) { return corner == 0 ? 2 : corner - 1; }
-
 void make_copies(const PlanarTriangulation& planar, std::span<const int> layers, LiftedTriangulation& lifted) {
-  if (layers.size() != planar.triangles.size()) fail("the layers don't match the triangulation");
+  if (layers.size() != planar.triangles.size()) throw_internal("the layers don't match the triangulation");
   lifted.first_copy.reserve(layers.size() + 1);
   for (Index t = 0; t < layers.size(); ++t) {
-    if (layers[t] < 0) fail("triangle " + std::to_string(t) + " has a negative number of layers");
+    if (layers[t] < 0) throw_internal("triangle " + std::to_string(t) + " has a negative number of layers");
     lifted.first_copy.push_back(static_cast<Index>(lifted.planar_triangle.size()));
     lifted.planar_triangle.insert(lifted.planar_triangle.end(), static_cast<std::size_t>(layers[t]), t);
   }
@@ -41,7 +37,7 @@ Side other_side(const PlanarTriangulation& planar, std::span<const int> layers, 
   for (Index corner = 0; corner < 3; ++corner) {
     if (planar.neighbours[twin][corner] == side.triangle) return {twin, corner, layers[twin]};
   }
-  fail("the neighbours of triangle " + std::to_string(side.triangle) + " disagree");
+  throw_internal("the neighbours of triangle " + std::to_string(side.triangle) + " disagree");
 }
 
 void glue(const Side& upper, const Side& lower, int ending, LiftedTriangulation& lifted) {
@@ -60,8 +56,8 @@ void glue_edge(const Side& a, const Side& b, int depth, LiftedTriangulation& lif
   const Side& fewer = a.layers >= b.layers ? b : a;
   const bool contour = depth >= 0;
   if (more.layers - fewer.layers != (contour ? 1 : 0) || depth >= more.layers) {
-    fail("the numbers of layers " + std::to_string(more.layers) + " and " + std::to_string(fewer.layers) +
-         " don't fit an edge of depth " + std::to_string(depth));
+    throw_internal("the numbers of layers " + std::to_string(more.layers) + " and " + std::to_string(fewer.layers) +
+                   " don't fit an edge of depth " + std::to_string(depth));
   }
   glue(more, fewer, contour ? depth : -1, lifted);
 }
@@ -74,7 +70,7 @@ void glue_copies(const PlanarTriangulation& planar, std::span<const int> layers,
       const Side twin = other_side(planar, layers, side);
       if (twin.triangle != no_index && twin.triangle < t) continue;
       const Index constraint = planar.constraints[t][corner];
-      if (constraint != no_index && constraint >= constraint_depth.size()) fail("a constraint has no depth");
+      if (constraint != no_index && constraint >= constraint_depth.size()) throw_internal("a constraint has no depth");
       glue_edge(side, twin, constraint == no_index ? -1 : constraint_depth[constraint], lifted);
     }
   }
@@ -135,7 +131,7 @@ void close_fans(const PlanarTriangulation& planar, LiftedTriangulation& lifted) 
   for (Index v = 0; v < ends.size(); ++v) {
     const Index point = lifted.planar_vertex[v];
     if (ends[v] > 1 || corners[v] > degree[point] || (ends[v] == 0 && corners[v] != degree[point])) {
-      fail("the layers around point " + std::to_string(point) + " don't close");
+      throw_internal("the layers around point " + std::to_string(point) + " don't close");
     }
     lifted.on_boundary[v] = ends[v] == 0 ? 0 : 1;
   }
@@ -156,7 +152,8 @@ struct SegmentTable {
   Index find(Index a, Index b) const {
     const std::array<Index, 3> wanted{std::min(a, b), std::max(a, b), 0};
     const auto row = std::lower_bound(rows.begin(), rows.end(), wanted);
-    if (row == rows.end() || (*row)[0] != wanted[0] || (*row)[1] != wanted[1]) fail("a contour runs off its segments");
+    if (row == rows.end() || (*row)[0] != wanted[0] || (*row)[1] != wanted[1])
+      throw_internal("a contour runs off its segments");
     return (*row)[2];
   }
 };
@@ -181,7 +178,7 @@ std::vector<RimEdge> rim_edges(const PlanarTriangulation& planar, const LiftedTr
 
 /// The lifted vertices at the ends of a contour's segment, in the contour's direction.
 std::array<Index, 2> rim_vertices(const LiftedTriangulation& lifted, const RimEdge& rim, Index begin) {
-  if (rim.triangle == no_index) fail("a contour segment bounds no sheet");
+  if (rim.triangle == no_index) throw_internal("a contour segment bounds no sheet");
   const std::array<Index, 3>& triangle = lifted.triangles[rim.triangle];
   const std::array<Index, 2> ends{triangle[next(rim.corner)], triangle[previous(rim.corner)]};
   if (lifted.planar_vertex[ends[0]] == begin) return ends;
@@ -209,7 +206,7 @@ std::vector<std::vector<Index>> contour_vertices(const LabelledFigure& figure, c
       const auto ends = rim_vertices(lifted, rims[table.find(begin, contour.vertices[after])], begin);
       for (const auto& [position, vertex] : {std::pair{i, ends[0]}, std::pair{after, ends[1]}}) {
         if (result[position] != no_index && result[position] != vertex) {
-          fail("the boundary leaves its contour at point " + std::to_string(contour.vertices[position]));
+          throw_internal("the boundary leaves its contour at point " + std::to_string(contour.vertices[position]));
         }
         result[position] = vertex;
       }

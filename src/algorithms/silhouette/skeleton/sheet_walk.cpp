@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/silhouette/skeleton/triangle_corners.h"
 #include "croquis/base/error.h"
 #include "croquis/geometry/predicates.h"
 
 namespace croquis::silhouette {
 namespace {
-
-constexpr Index next(Index corner) { return corner == 2 ? 0 : corner + 1; }
-constexpr Index previous(Index corner) { return corner == 0 ? 2 : corner - 1; }
 
 Index corner_across(const LiftedTriangulation& lifted, Index triangle, Index neighbour) {
   const std::array<Index, 3>& around = lifted.neighbours[triangle];

@@ -13,7 +13,6 @@ constexpr double own_samples = 8;
 // A line that ends exactly on its bar must be found to meet it: fractions of a segment, far above rounding.
 constexpr double fraction_slack = 1e-9;
 // The tangent of an end is fitted to so many steps: enough against noise, short against the bends of a limb.
-constexpr double tangent_steps = 6;
 
 }  // namespace
 

@@ -49,7 +49,7 @@ Findings find_doubled_lines(const Drawing& drawing, const std::vector<CleanLine>
     const Index first = std::min(lines[line].strokes.front(), lines[other].strokes.front());
     const Index second = std::max(lines[line].strokes.front(), lines[other].strokes.front());
     findings.push_back(make_warning(Category::Geometry, "W_DOUBLE",
-                                    quoted(drawing, first) + " and " + quoted(drawing, second) +
+                                    in_quotes(drawing, first) + " and " + in_quotes(drawing, second) +
                                         " look like the same line: remove one of them if they are",
                                     {stroke_subject(drawing, first), stroke_subject(drawing, second)}));
   }

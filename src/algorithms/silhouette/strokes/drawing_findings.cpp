@@ -41,7 +41,7 @@ Subject crossing_subject(const Drawing& drawing, const Vec2& at) {
   return subject;
 }
 
-std::string quoted(const Drawing& drawing, Index stroke) { return "\"" + drawing.strokes[stroke].id + "\""; }
+std::string in_quotes(const Drawing& drawing, Index stroke) { return "\"" + drawing.strokes[stroke].id + "\""; }
 
 std::string place_text(const Vec2& at) {
   return "(" + number_text(at.x(), 6) + ", " + number_text(flipped(at.y()), 6) + ")";

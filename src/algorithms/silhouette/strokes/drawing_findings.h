@@ -14,7 +14,7 @@ Subject stroke_subject(const Drawing& drawing, Index stroke, const Vec2& at);
 Subject crossing_subject(const Drawing& drawing, const Vec2& at);
 
 /// The stroke's id in quotes.
-std::string quoted(const Drawing& drawing, Index stroke);
+std::string in_quotes(const Drawing& drawing, Index stroke);
 
 /// "(x, y)", with as many digits as help to find the place.
 std::string place_text(const Vec2& at);

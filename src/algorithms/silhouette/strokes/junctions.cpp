@@ -18,12 +18,11 @@ namespace croquis::silhouette {
 namespace {
 
 // A stem that meets its bar flatter than this sine is turned to it: its completion would cross the bar again.
-constexpr double least_sine = 0.3;
+constexpr double least_junction_sine = 0.3;
 // A stem goes on behind its bar by this much (u).
 constexpr double extension = 1.5;
 // No sample lies nearer to the end of a trimmed line than this share of a step.
-constexpr double least_spacing = 0.3;
-constexpr double tangent_steps = 6;
+constexpr double least_junction_spacing = 0.3;
 
 /// What was found for the start and the end of a line.
 using EndHits = std::vector<std::array<std::optional<BarHit>, 2>>;
@@ -60,7 +59,7 @@ void move_end(CleanLine& line, const BarHit& hit, double step) {
     drop_last();
   }
   if (excess > 0) drop_last();
-  while (line.points.size() > 1 && (line.points.back() - hit.at).norm() < least_spacing * step) drop_last();
+  while (line.points.size() > 1 && (line.points.back() - hit.at).norm() < least_junction_spacing * step) drop_last();
   line.points.push_back(hit.at);
   line.stroke.push_back(stroke);
 }
@@ -128,14 +127,14 @@ HiddenEnd junction(const std::vector<CleanLine>& lines, Index line, bool at_star
   end.tangent = end_tangent(points, at_start, tangent_steps * step);
   const double sine = cross(direction, end.tangent);
   end.bar_side = sine >= 0 ? 1 : -1;
-  if (std::abs(sine) >= least_sine) return end;
+  if (std::abs(sine) >= least_junction_sine) return end;
   // Too flat for the tangent to tell: the stem comes from the side where its last samples lie.
   const Vec2 inward = -end_chord(points, at_start, 3 * step);
   const double from = cross(direction, inward);
   if (std::abs(from) > std::abs(sine)) end.bar_side = from > 0 ? -1 : 1;
   const double ahead = end.tangent.dot(direction) >= 0 ? 1 : -1;
-  end.tangent =
-      ahead * std::sqrt(1 - least_sine * least_sine) * direction + end.bar_side * least_sine * left_of(direction);
+  end.tangent = ahead * std::sqrt(1 - least_junction_sine * least_junction_sine) * direction +
+                end.bar_side * least_junction_sine * left_of(direction);
   return end;
 }
 
@@ -143,7 +142,7 @@ LineFinding free_end(const Drawing& drawing, const CleanLine& line, Index index,
   const Vec2 at = line.end(at_start);
   const Index stroke = line.end_stroke(at_start);
   return {make_error(Category::Geometry, "E_FREE_END",
-                     "The end of " + quoted(drawing, stroke) + " at " + place_text(at) +
+                     "The end of " + in_quotes(drawing, stroke) + " at " + place_text(at) +
                          " touches nothing: extend it to the line it passes behind, or close it",
                      {stroke_subject(drawing, stroke, at)}),
           {index}};
@@ -160,12 +159,12 @@ LineFinding two_sided(const Drawing& drawing, const std::vector<CleanLine>& line
     const Index name = lines[stem.line].end_stroke(stem.at_start);
     subjects.push_back(stroke_subject(drawing, name, stem.at));
     std::string& group = stem.bar_side > 0 ? right : left;  // a stem comes from the side without surface
-    if (group.find(quoted(drawing, name)) == std::string::npos) {
-      group += (group.empty() ? "" : ", ") + quoted(drawing, name);
+    if (group.find(in_quotes(drawing, name)) == std::string::npos) {
+      group += (group.empty() ? "" : ", ") + in_quotes(drawing, name);
     }
   }
   LineFinding result{make_error(Category::Geometry, "E_TWO_SIDED",
-                                "Lines end on both sides of " + quoted(drawing, stroke) +
+                                "Lines end on both sides of " + in_quotes(drawing, stroke) +
                                     ": only one side can be its surface, so move either " + left + " or " + right,
                                 std::move(subjects)),
                      {bar}};
@@ -197,7 +196,7 @@ Junctions find_junctions(const Drawing& drawing, std::vector<CleanLine>& lines, 
                          const Progress& progress) {
   move_ends(lines, search(lines, scale, scale.snap, progress), scale);
   // Once more on the trimmed lines: a bar may have lost the bit that a stem ended on.
-  const EndHits hits = search(lines, scale, least_spacing * scale.step, progress);
+  const EndHits hits = search(lines, scale, least_junction_spacing * scale.step, progress);
   move_ends(lines, hits, scale);
 
   Junctions junctions;

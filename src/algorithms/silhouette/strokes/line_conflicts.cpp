@@ -90,16 +90,16 @@ class ConflictSearch {
 LineFinding describe(const Drawing& drawing, Index s1, Index s2, const Meeting& meeting) {
   LineFinding result;
   const std::string place = place_text(meeting.at);
-  const std::string both = quoted(drawing, s1) + " and " + quoted(drawing, s2);
+  const std::string both = in_quotes(drawing, s1) + " and " + in_quotes(drawing, s2);
   std::string sentence;
   if (meeting.crossing && s1 == s2) {
-    sentence = quoted(drawing, s1) + " crosses itself in full view at " + place +
+    sentence = in_quotes(drawing, s1) + " crosses itself in full view at " + place +
                ": which part is in front? Let the other one stop where it passes behind";
   } else if (meeting.crossing) {
     sentence = both + " cross in full view at " + place +
                ": which one is in front? Let the other one stop where it passes behind";
   } else if (s1 == s2) {
-    sentence = quoted(drawing, s1) + " touches itself at " + place + ": draw the two parts apart";
+    sentence = in_quotes(drawing, s1) + " touches itself at " + place + ": draw the two parts apart";
   } else {
     sentence = both + " touch at " + place + ": draw them apart, or let one end at the other";
   }

@@ -35,6 +35,9 @@ inline double crossing_fraction(const Vec2& a, const Vec2& b, const Vec2& c, con
   return cross(c - a, d - c) / cross(b - a, d - c);
 }
 
+/// Over how much of a line's end its direction is taken, in steps of the resampled line.
+inline constexpr double tangent_steps = 6;
+
 /// Outward unit direction in which an open line ends, from a quadratic fitted to its last `reach` of length.
 /// Samples near the end count most, so that a tight bend further back does not turn it.
 Vec2 end_tangent(std::span<const Vec2> points, bool at_start, double reach);

@@ -27,7 +27,7 @@ struct UsableStroke {
 
 Finding unsupported_kind(const Drawing& drawing, Index stroke, const std::string& kind) {
   return make_error(Category::Geometry, "E_NOT_SUPPORTED",
-                    "The stroke " + quoted(drawing, stroke) + " is marked as \"" + kind +
+                    "The stroke " + in_quotes(drawing, stroke) + " is marked as \"" + kind +
                         "\", which is not understood yet: draw the visible contours instead",
                     {stroke_subject(drawing, stroke)});
 }
@@ -77,7 +77,7 @@ std::vector<UsableStroke> usable_strokes(const Drawing& drawing, const DrawingSc
     if (!all_finite(stroke)) {
       findings.push_back(
           make_error(Category::Malformed, "E_NOT_FINITE",
-                     "The stroke " + quoted(drawing, s) +
+                     "The stroke " + in_quotes(drawing, s) +
                          " has a coordinate that is not a finite number: correct it or remove the stroke",
                      {stroke_subject(drawing, s)}));
       continue;
@@ -86,7 +86,7 @@ std::vector<UsableStroke> usable_strokes(const Drawing& drawing, const DrawingSc
     candidate.length = croquis::length(candidate.points, candidate.closed);
     if (candidate.points.size() < 2 || candidate.length < scale.tiny) {
       findings.push_back(make_warning(Category::Geometry, "W_TINY",
-                                      "The stroke " + quoted(drawing, s) + " is too short and was ignored",
+                                      "The stroke " + in_quotes(drawing, s) + " is too short and was ignored",
                                       {stroke_subject(drawing, s)}));
       continue;
     }
@@ -110,7 +110,7 @@ void check_extent(const Drawing& drawing, const std::vector<UsableStroke>& usabl
   if (std::isfinite(length) && length <= maximum_samples * step) return;
   findings.push_back(make_error(Category::Limit, "E_LIMIT",
                                 "The strokes are too long in all for their size, the longest being " +
-                                    quoted(drawing, longest->stroke) + ": remove scribbles",
+                                    in_quotes(drawing, longest->stroke) + ": remove scribbles",
                                 {stroke_subject(drawing, longest->stroke)}));
   throw Error(findings);
 }
@@ -186,8 +186,9 @@ void finish(CleanLine& line, double step, int passes) {
 Finding gap_warning(const Drawing& drawing, const std::vector<SampledStroke>& sampled, const GapJoin& join) {
   const Index first = sampled[join.first].stroke;
   const Index second = sampled[join.second].stroke;
-  const std::string where = first == second ? "between the ends of " + quoted(drawing, first)
-                                            : "between " + quoted(drawing, first) + " and " + quoted(drawing, second);
+  const std::string where = first == second
+                                ? "between the ends of " + in_quotes(drawing, first)
+                                : "between " + in_quotes(drawing, first) + " and " + in_quotes(drawing, second);
   std::vector<Subject> subjects{stroke_subject(drawing, first, join.at)};
   if (first != second) subjects.push_back(stroke_subject(drawing, second, join.at));
   return make_warning(Category::Geometry, "W_GAP", "Closed a gap of " + length_text(join.distance) + " " + where,

@@ -7,7 +7,7 @@
 namespace croquis::silhouette {
 namespace {
 
-constexpr double reach = 0.8;  // of the radius, to either side; weights fall off linearly
+constexpr double turn_reach = 0.8;  // of the radius, to either side; weights fall off linearly
 
 /// The boundary's loops, and what they do at each vertex.
 struct RimLoops {
@@ -46,7 +46,7 @@ RimLoops rim_loops(const SheetSampling& sheets) {
 /// Turning per length around a vertex.
 double mean_curvature(const SheetSampling& sheets, const RimLoops& loops, Index vertex) {
   const auto place = [&](Index v) { return sheets.points[sheets.lifted.planar_vertex[v]]; };
-  const double far = reach * loops.radius[vertex];
+  const double far = turn_reach * loops.radius[vertex];
   double turn = loops.turn[vertex];
   double length = loops.length[vertex];
   for (const std::vector<Index>* onward : {&loops.next, &loops.previous}) {

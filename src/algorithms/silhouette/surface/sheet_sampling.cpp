@@ -28,8 +28,6 @@ constexpr SheetDensity draft_density{1, 3};
 
 constexpr int max_row_rounds = 1;  // later ones find only splinters between contours that nearly touch
 
-[[noreturn]] void fail(const std::string& what) { throw Error(make_error(Category::Internal, "E_INTERNAL", what)); }
-
 void cut_segments(const LabelledFigure& figure, const std::vector<DirectedSegment>& segments,
                   const std::vector<std::vector<double>>& cuts, SheetSampling& sheets) {
   sheets.points = figure.points;
@@ -52,7 +50,7 @@ void cut_segments(const LabelledFigure& figure, const std::vector<DirectedSegmen
 
 void triangulate_and_lift(const std::vector<DirectedSegment>& segments, SheetSampling& sheets) {
   PlanarTriangulationResult result = triangulate(sheets.points, sheets.segments);
-  if (!result.conflict.empty()) fail("The contours of the figure touch");
+  if (!result.conflict.empty()) throw_internal("The contours of the figure touch");
   sheets.planar = std::move(result.triangulation);
   std::vector<SidedSegment> sided;
   std::vector<int> depth;
@@ -192,7 +190,7 @@ SheetSampling sample_sheets(const LabelledFigure& figure, const Skeleton& skelet
     split_edges(edges, sheets);
     if (sheets.points.size() == count) return sheets;
   }
-  fail("The drawn region is too thin to be sampled");
+  throw_internal("The drawn region is too thin to be sampled");
 }
 
 std::vector<LiftedPlace> locate_nodes(const LabelledFigure& figure, const Skeleton& skeleton,
@@ -211,7 +209,7 @@ std::vector<LiftedPlace> locate_nodes(const LabelledFigure& figure, const Skelet
       }
     }
     if (triangle == no_index || static_cast<int>(node.place.layer) >= sheets.layers[triangle]) {
-      fail("A skeleton node lies outside of its sheet");
+      throw_internal("A skeleton node lies outside of its sheet");
     }
     places.push_back(place_in(sheets, triangle, node.place.layer, node.position));
   }

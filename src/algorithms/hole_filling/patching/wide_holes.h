@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "algorithms/hole_filling/continuation/hole_site.h"
+
+namespace croquis::hole_filling {
+
+/// Wider than a fifth of its piece: the place to begin from decides what a patch becomes.
+inline bool is_wide(const HoleAnalysis& analysis, Index hole) {
+  return analysis.holes[hole].diameter > 0.2 * analysis.component_diagonal[analysis.holes[hole].component];
+}
+
+}  // namespace croquis::hole_filling
