@@ -12,20 +12,20 @@ namespace croquis {
 namespace {
 
 /// Elements of a domain that stay, ascending.
-using Kept = std::vector<Index>;
+using KeptElements = std::vector<Index>;
 
 /// Old vertices' new numbers, no_index for those that go.
 using Renumbering = std::vector<Index>;
 
-Kept kept_of(const std::vector<bool>& keep) {
-  Kept kept;
+KeptElements kept_of(const std::vector<bool>& keep) {
+  KeptElements kept;
   for (std::size_t i = 0; i < keep.size(); ++i) {
     if (keep[i]) kept.push_back(static_cast<Index>(i));
   }
   return kept;
 }
 
-Renumbering renumbering_of(const Kept& kept, std::size_t count) {
+Renumbering renumbering_of(const KeptElements& kept, std::size_t count) {
   Renumbering number(count, no_index);
   for (std::size_t i = 0; i < kept.size(); ++i) number[kept[i]] = static_cast<Index>(i);
   return number;
@@ -42,7 +42,7 @@ std::vector<Index> renumbered(std::span<const Index> vertices, const Renumbering
   return result;
 }
 
-AttributeChannel selected(const AttributeChannel& channel, const Kept& kept) {
+AttributeChannel selected(const AttributeChannel& channel, const KeptElements& kept) {
   AttributeChannel result{channel.name, channel.domain, channel.width, {}, channel.labels};
   const auto width = static_cast<std::size_t>(channel.width);
   std::visit(
@@ -97,8 +97,8 @@ class TagSelection {
   const Renumbering& number_;
 };
 
-Kept corners_of(const PolyMesh& mesh, const Kept& faces) {
-  Kept corners;
+KeptElements corners_of(const PolyMesh& mesh, const KeptElements& faces) {
+  KeptElements corners;
   for (const Index f : faces) {
     for (Index c = mesh.face_offsets[f]; c < mesh.face_offsets[f + 1]; ++c) corners.push_back(c);
   }
@@ -118,15 +118,15 @@ MeshPart part_of(const PolyMesh& mesh, const std::vector<bool>& keep_vertex, con
     part.faces.push_back(f);
     part.mesh.add_face(renumbered(mesh.face(f), number));
   }
-  Kept lines;
+  KeptElements lines;
   for (Index l = 0; l < mesh.line_count(); ++l) {
     if (!all_stay(mesh.line(l), number)) continue;
     lines.push_back(l);
     part.mesh.add_line(renumbered(mesh.line(l), number));
   }
-  const Kept corners = corners_of(mesh, part.faces);
+  const KeptElements corners = corners_of(mesh, part.faces);
   for (const AttributeChannel& channel : mesh.channels) {
-    const Kept& kept = channel.domain == Domain::Vertex ? part.vertices
+    const KeptElements& kept = channel.domain == Domain::Vertex ? part.vertices
                        : channel.domain == Domain::Face ? part.faces
                        : channel.domain == Domain::Line ? lines
                                                         : corners;

@@ -138,7 +138,7 @@ TEST_CASE("only meshes with tags need a layout that older versions don't know") 
   CHECK(tagged.substr(4, plain.size() - 4) == plain.substr(4));
   CHECK(std::get<0>(decode(ValueType::Mesh, tagged))->tags == mesh.tags);
   CHECK(std::get<0>(decode(ValueType::Mesh, plain))->tags.empty());
-  for (const char layout : {0, 3, 1}) {
+  for (const char layout : {'\0', '\3', '\1'}) {
     std::string other = tagged;
     other[0] = layout;
     CHECK_THROWS_AS(decode(ValueType::Mesh, other), BadBytes);

@@ -84,7 +84,8 @@ TEST_CASE("bounds that change a little are followed from the last active set") {
 }
 
 TEST_CASE("rows that contradict each other are refused, repeated ones are not") {
-  const MatrixXd opposite = (MatrixXd(2, 2) << 1, -1, -1, 1).finished();
+  MatrixXd opposite(2, 2);
+  opposite << 1, -1, -1, 1;
   DualActiveSet contradictory;
   add_rows(opposite, 0, 2, contradictory);
   VectorXd violation = VectorXd::Constant(2, 0.5);

@@ -10,7 +10,7 @@ namespace croquis::hole_filling {
 namespace {
 
 constexpr double covering_reach = 2;  // × cell
-constexpr double beyond = 0.45;       // × cell: a strip of good triangles fits between the rim and what is uncovered
+constexpr double uncovered_beyond = 0.45;       // × cell: a strip of good triangles fits between the rim and what is uncovered
 constexpr double opposite = -0.5;     // cosine between the two skins of a wall
 
 std::vector<Index> triangles_in(const HoleSite& site, const implicit::Box& box) {
@@ -114,7 +114,7 @@ void Covering::mark(const implicit::Field& field, double cell, std::span<const V
                                             [&](Index t) { return normals_[t].dot(normal) >= least_agreement; });
     if (foot.triangle == no_index) continue;
     const Vec3 direction = onwards(foot);
-    const bool is_under = direction.isZero() || (near_places[k] - foot.point).dot(direction) < beyond * cell;
+    const bool is_under = direction.isZero() || (near_places[k] - foot.point).dot(direction) < uncovered_beyond * cell;
     covered[near[k]] = is_under ? 1 : 0;
   }
 }
