@@ -104,7 +104,14 @@ TEST_CASE("a selected face stands out from the faces around it, in light and in 
       REQUIRE(hand.studio().session().components().elements == Elements{face});
       const QImage picture = hand.picture();
       CAPTURE(view, face, luminance_of(hand, before, face, view), luminance_of(hand, picture, face, view));
-      CHECK(contrast(luminance_of(hand, before, face, view), luminance_of(hand, picture, face, view)) >=
+      const double plain = luminance_of(hand, before, face, view);
+      const double filled = contrast(plain, luminance_of(hand, picture, face, view));
+      // Nothing is three times darker than a deep shadow: there the bright rim tells.
+      const Vec3 rim =
+          (cage(hand).positions[cage(hand).face(face)[0]] + cage(hand).positions[cage(hand).face(face)[1]]) / 2;
+      const auto [darkest, brightest] = range_around(picture, hand.viewport().model_to_widget(rim, view), 3);
+      CHECK(contrast(darkest, brightest) >= wanted_contrast);
+      CHECK((plain > 0.15 ? filled : std::max(contrast(plain, darkest), contrast(plain, brightest))) >=
             wanted_contrast);
       for (const Index other : faces) {
         if (other == face) continue;
@@ -133,7 +140,7 @@ TEST_CASE("selected edges and vertices stand out from any surface", "[selection-
         const QImage picture = hand.picture();
         const QPointF at = hand.viewport().model_to_widget(place, view);
         const double around = luminance_of(hand, before, face, view);
-        const auto [darkest, brightest] = range_around(picture, at, 3);
+        const auto [darkest, brightest] = range_around(picture, at, edges ? 4 : 7);
         CAPTURE(view, edges, face, around, darkest, brightest);
         CHECK(std::max(contrast(darkest, around), contrast(brightest, around)) >= wanted_contrast);
         // Its own colour and its border differ, too: it is seen on anything.
