@@ -15,7 +15,7 @@ constexpr double wanted_triangles = 50'000;
 constexpr double sure_triangles = 60'000;  // with more than these a coarser grid is tried
 constexpr int most_tries = 4;
 /// Across each other, and aslant to the axes: the normals of a flat side agree about them.
-constexpr std::array<glm::vec3, 3> sides = {
+constexpr std::array<glm::vec3, 3> octant_axes = {
     {{0.7712F, 0.5453F, 0.3287F}, {-0.6017F, 0.7871F, 0.1359F}, {-0.2082F, -0.3026F, 0.9301F}}};
 
 constexpr double cells_per_area = 2.2;  // that a surface meets, its normals told apart, per square of a cell's side
@@ -44,7 +44,7 @@ std::uint64_t cell_key(const glm::vec3& position, const glm::vec3& normal, doubl
     const auto step = static_cast<std::uint64_t>(std::max(0.0, std::floor((position[axis] + 1.001) / cell)));
     key = key << 20 | std::min<std::uint64_t>(step, (1U << 20) - 1);
   }
-  for (const glm::vec3& side : sides) key = key << 1 | (glm::dot(normal, side) < 0 ? 1U : 0U);
+  for (const glm::vec3& side : octant_axes) key = key << 1 | (glm::dot(normal, side) < 0 ? 1U : 0U);
   return key;
 }
 
