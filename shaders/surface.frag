@@ -11,6 +11,7 @@ uniform float zebra_stripes;  // 0: none
 uniform vec4 fixed_color;  // of a highlight; alpha 0: none
 uniform vec4 tint;  // alpha is the strength
 uniform vec4 fade;  // likewise, over the tint
+uniform bool outlined;  // what is seen of it gets a line around it
 
 layout(location = 0) out vec4 color;
 layout(location = 1) out vec4 normal;
@@ -35,7 +36,7 @@ void main() {
     if (!gl_FrontFacing) color.rgb = mix(color.rgb, vec3(0.45), 0.6);
   }
   if (fixed_color.a > 0.0) color = fixed_color;
-  normal = vec4(n, 0.0);
+  normal = vec4(n, outlined ? 1.0 : 0.0);
   // A measure of depth that is linear over the picture on a plane, and grows away from the eye.
   float measure = perspective ? 1.0 / view_position.z : -view_position.z;
   depth_and_patch = vec2(measure, patch_number);

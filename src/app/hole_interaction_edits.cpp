@@ -135,10 +135,12 @@ bool HoleInteraction::stays_filled(const HoleRow& row, const std::string& select
 }
 
 bool HoleInteraction::can_fill_all(const std::string& select) const {
-  return rows_.empty() || std::any_of(rows_.begin(), rows_.end(), [&](const HoleRow& row) {
-           const bool fills = is_named(row, select, 0) || stays_filled(row, select);
-           return fills ? row.state == HoleState::Open : row.state != HoleState::Open;
-         });
+  const bool is_known = shown_ && !shown_->failed;
+  if (rows_.empty()) return !is_known;
+  return std::any_of(rows_.begin(), rows_.end(), [&](const HoleRow& row) {
+    const bool fills = is_named(row, select, 0) || stays_filled(row, select);
+    return fills ? row.state == HoleState::Open : row.state != HoleState::Open;
+  });
 }
 
 void HoleInteraction::fill_named(const std::string& label, const std::string& select, double max_diameter) {

@@ -98,6 +98,7 @@ void MainWindow::connect_files() {
     record(recorded::File{"open", QFileInfo(path).absoluteFilePath().toStdString()});
     folder_ = QFileInfo(path).absolutePath();
     show_views();
+    offer_scale();
   });
   connect(&files_, &ProjectFiles::open_failed, this, [this](const QString& path, const Findings& findings) {
     attempt([&] {

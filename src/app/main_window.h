@@ -9,6 +9,7 @@
 
 #include "app/offscreen_pictures.h"
 #include "app/project_files.h"
+#include "app/scene_scale.h"
 #include "app/studio.h"
 #include "croquis/tools/mesh_tool.h"
 #include "croquis/tools/recording.h"
@@ -114,6 +115,9 @@ class MainWindow : public QMainWindow {
   void make_selection_actions();
   void make_shape_actions();
   void make_tag_actions();
+  void make_scale_actions();
+  void offer_scale();  ///< beside the help line, where what has been added is far larger or smaller than the rest
+  void follow_scale();
   void make_smoothing_actions();
   void make_marking_menu();
   QAction* add_mesh_action(QMenu* menu, const QString& name, const QString& text, const QList<QKeySequence>& keys,
@@ -171,6 +175,10 @@ class MainWindow : public QMainWindow {
   ChainTable* chains_ = nullptr;
   CreaseSetPanel* sets_ = nullptr;
   GalleryThumbnails* thumbnails_ = nullptr;
+  SceneScale scale_ = SceneScale(studio_);
+  QPushButton* scale_offer_ = nullptr;
+  std::size_t scale_offered_at_ = 0;  ///< steps of the history when it was; another step takes the offer back
+  NodeId scale_offered_ = 0;          ///< the object that was added
   QMenu* mesh_menu_ = nullptr;
   QToolBar* mesh_bar_ = nullptr;
   QList<QAction*> mesh_actions_;  ///< that need a mesh to work on

@@ -4,6 +4,8 @@
 #include <QActionGroup>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPushButton>
+#include <QStatusBar>
 #include <QToolBar>
 #include <utility>
 
@@ -44,6 +46,7 @@ void MainWindow::make_mesh_actions() {
   make_mode_actions();
   make_selection_actions();
   make_shape_actions();
+  make_scale_actions();
   make_tag_actions();
   make_smoothing_actions();
   make_marking_menu();
@@ -94,13 +97,13 @@ void MainWindow::make_selection_actions() {
   menu->addSeparator();
   add("select-loop", tr("Edge &loop"), {QKeySequence("Shift+L")}, &MeshTool::select_loop);
   add("select-ring", tr("Edge &ring"), {QKeySequence("Shift+R")}, &MeshTool::select_ring);
-  add("select-between", tr("&Shortest way between two"), {QKeySequence("Shift+V")}, &MeshTool::select_between);
+  add("select-between", tr("&Shortest path between two"), {QKeySequence("Shift+V")}, &MeshTool::select_between);
   add("select-connected", tr("All that is &connected"), {QKeySequence("Shift+K")}, &MeshTool::select_connected);
   add("select-chain", tr("C&hain of sharp edges"), {QKeySequence("Shift+C")}, &MeshTool::select_chain);
   add("select-tagged", tr("All sharp &edges"), {QKeySequence("Shift+T")}, &MeshTool::select_tagged);
   add("select-boundary", tr("&Boundary"), {QKeySequence("Shift+B")}, &MeshTool::select_boundary);
   menu->addSeparator();
-  QAction* through = add_action(menu, "select-through", tr("Also what is hidden"), {QKeySequence("Ctrl+T")}, [this] {
+  QAction* through = add_action(menu, "select-through", tr("Select t&hrough"), {QKeySequence("Ctrl+T")}, [this] {
     viewport_->mesh().tool().set_pick_through(action("select-through")->isChecked());
   });
   through->setCheckable(true);
@@ -119,6 +122,36 @@ void MainWindow::make_shape_actions() {
     update_help();
   });
   mesh_actions_ << action("loop-cut");
+}
+
+void MainWindow::make_scale_actions() {
+  add_action(mesh_menu_, "scale-to-scene", tr("Scale t&o the scene"), {}, [this] {
+    if (attempt([this] { scale_.apply(); })) viewport_->frame_all();
+  });
+  scale_offer_ = new QPushButton(this);
+  scale_offer_->setObjectName("scale-offer");
+  scale_offer_->setFocusPolicy(Qt::NoFocus);  // keys belong to the views
+  scale_offer_->setToolTip(tr("Gives it the size of everything else; undo takes it back"));
+  connect(scale_offer_, &QPushButton::clicked, action("scale-to-scene"), &QAction::trigger);
+  statusBar()->addPermanentWidget(scale_offer_);
+  scale_offer_->hide();
+}
+
+void MainWindow::offer_scale() {
+  const StudioObject* object = studio_.active();
+  scale_offered_ = object == nullptr ? 0 : object->node;
+  scale_offered_at_ = studio_.session().undo_labels().size();
+  follow_scale();
+}
+
+void MainWindow::follow_scale() {
+  const StudioObject* object = studio_.active();
+  const bool offered = object != nullptr && object->node == scale_offered_ &&
+                       studio_.session().undo_labels().size() == scale_offered_at_ && !shows_start_page();
+  const QString sentence = offered ? scale_.sentence() : QString();
+  scale_offer_->setText(tr("%1: scale to the scene").arg(sentence));
+  scale_offer_->setVisible(!sentence.isEmpty());
+  action("scale-to-scene")->setEnabled(scale_.factor().has_value());
 }
 
 void MainWindow::make_tag_actions() {
@@ -220,6 +253,7 @@ void MainWindow::update_mesh_actions() {
   mesh_bar_->setVisible(mesh && !shows_start_page() && !viewport_->holes().active());
   action("erase")->setEnabled(!studio_.drawing().strokes.empty() || !mesh);
   for (const char* name : {"move", "rotate", "scale", "sharpen"}) action(name)->setEnabled(mesh);
+  follow_scale();
 }
 
 }  // namespace croquis::app

@@ -207,7 +207,7 @@ QString MeshInteraction::help() const {
       const StudioObject* object = studio_.active();
       if (object != nullptr && object->is_source()) {
         return tr(
-            "O finds its holes · 3 makes it smooth · F9 vertices, F10 edges, F11 faces · Alt+drag turns the view");
+            "O finds its holes · 3 makes it smooth · F9 vertices, F10 edges, F11 faces · Alt+drag rotates the view");
       }
       if (filling_node(studio_) != nullptr) {
         return tr(
@@ -219,10 +219,10 @@ QString MeshInteraction::help() const {
       if (selected) return tr("H makes them sharp, Shift+H smooth · right button: the menu · W moves · Ctrl+Z undoes");
       return tr("Click an edge, double click its loop · drag a box · Shift adds, Ctrl takes away");
     case MeshMode::Vertex:
-      if (selected) return tr("W moves, E turns, R scales · P pins, Shift+P lets go · Delete dissolves");
+      if (selected) return tr("W moves, E rotates, R scales · P pins, Shift+P lets go · Delete dissolves");
       return tr("Click a vertex or drag a box · Shift adds, Ctrl takes away");
     case MeshMode::Face:
-      if (selected) return tr("Shift+E extrudes · W moves, E turns, R scales · Delete removes");
+      if (selected) return tr("Shift+E extrudes · W moves, E rotates, R scales · Delete removes");
       return tr("Click a face, double click all that is connected · Shift adds, Ctrl takes away");
   }
   return {};

@@ -15,6 +15,8 @@ constexpr std::size_t points_at_most = 300'000;  // vertices of more aren't draw
 constexpr std::size_t rims_at_most = 50'000;     // faces of more are told by their colour alone
 constexpr std::size_t edges_at_most = 400'000;   // of more, what is behind the surface isn't drawn
 constexpr float selected_width = 3.5F;
+constexpr float rim_width = 2.5F;  // of selected faces
+constexpr float casing_width = 1.3F;
 constexpr float hovered_width = 4.5F;
 constexpr std::uint8_t covered_alpha = 80;  // of lines behind the surface
 
@@ -33,7 +35,7 @@ render::PointItemPtr points(const std::vector<Vec3>& places, std::span<const Ind
   render::PointStyle style;
   style.size = size;
   style.color = to_color(color);
-  style.outline = {30, 32, 38, 200};
+  style.outline = {30, 20, 12, 255};
   return chosen.empty() ? nullptr : render::make_point_item(places, chosen, style);
 }
 
@@ -134,19 +136,27 @@ void MeshOverlay::show_selection(MeshTool& tool, const ComponentSelection& selec
   const ComponentKind kind = selection.kind;
   if (kind == ComponentKind::Vertex) selected_vertices_ = points(places, selection.elements, colors::accent, 9);
   if (kind == ComponentKind::Edge) {
-    selected_edges_ = edges(tool, styled(topology, selection.elements, to_color(colors::accent), selected_width));
+    show_selected_edges(tool, topology, selection.elements, selected_width);
   }
   if (kind == ComponentKind::Face) {
     Elements rim;
     if (selection.elements.size() <= rims_at_most) {
       rim = converted(topology, ComponentKind::Face, ComponentKind::Edge, selection.elements);
     }
-    selected_edges_ = edges(tool, styled(topology, rim, to_color(colors::accent), 2.5F));
-    if (cage) faces_.push_back(render::make_face_highlight(cage, selection.elements, to_color(colors::accent, 110)));
+    show_selected_edges(tool, topology, rim, rim_width);
+    if (cage) faces_.push_back(render::make_face_highlight(cage, selection.elements, to_color(colors::selected_face)));
   }
   for (const Index vertex : converted(topology, kind, ComponentKind::Vertex, selection.elements)) {
     selection_bounds_.add(to_glm(places[vertex]));
   }
+}
+
+void MeshOverlay::show_selected_edges(const MeshTool& tool, const MeshTopology& topology, const Elements& chosen,
+                                      float width) {
+  selected_edges_ = edges(tool, styled(topology, chosen, to_color(colors::accent), width));
+  if (chosen.empty() || chosen.size() > edges_at_most) return;
+  selected_casing_ = render::make_edge_item(
+      tool.mesh()->positions, styled(topology, chosen, to_color(colors::selected_casing), width + 2 * casing_width));
 }
 
 void MeshOverlay::follow_hover(MeshTool& tool, const render::MeshItemPtr& cage) {
@@ -183,7 +193,7 @@ void MeshOverlay::follow_hover(MeshTool& tool, const render::MeshItemPtr& cage) 
 void MeshOverlay::add_to(render::Scene& scene, bool with_chains) const {
   if (with_chains && chains_) scene.lines.emplace_back(chains_);
   for (const render::LineItemPtr& item : {tags_.faint, selected_edges_.faint, hovered_edge_.faint, tags_.clear,
-                                          selected_edges_.clear, hovered_edge_.clear, cut_}) {
+                                          selected_casing_, selected_edges_.clear, hovered_edge_.clear, cut_}) {
     if (item) scene.lines.emplace_back(item);
   }
   for (const render::PointItemPtr& item : {vertices_, selected_vertices_, hovered_vertex_}) {

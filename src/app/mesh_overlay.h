@@ -42,6 +42,7 @@ class MeshOverlay {
     render::LineItemPtr clear;
     render::LineItemPtr faint;
   };
+  void show_selected_edges(const MeshTool& tool, const MeshTopology& topology, const Elements& chosen, float width);
   static SeenThrough edges(const MeshTool& tool, std::vector<render::StyledEdge> styled);
 
   SeenThrough tags_;
@@ -50,6 +51,7 @@ class MeshOverlay {
   render::PointItemPtr vertices_;
   render::PointItemPtr selected_vertices_;
   SeenThrough selected_edges_;
+  render::LineItemPtr selected_casing_;  ///< a dark border, so that they differ from any surface
   std::vector<render::FaceHighlightPtr> faces_;
   SeenThrough hovered_edge_;
   render::PointItemPtr hovered_vertex_;

@@ -46,8 +46,6 @@ render::MeshStyle style_of(MeshLook look) {
   return render::MeshStyle::shaded();
 }
 
-constexpr int highlight_strength = 110;  // as of faces that are picked
-
 }  // namespace
 
 ObjectScenes::ObjectScenes(Studio& studio, QObject* parent) : QObject(parent), studio_(studio) {
@@ -124,9 +122,9 @@ void ObjectScenes::highlight_chosen(const StudioObject& object, Items& items) co
   items.chosen = faces;
   std::vector<Index> own = faces;
   for (Index& face : own) face -= static_cast<Index>(apart ? object.cage_mesh->face_count() : 0);
-  const QColor& color = colors::accent;
+  const QColor& color = colors::selected_face;
   items.highlight =
-      render::make_face_highlight(live.item(), own, {color.red(), color.green(), color.blue(), highlight_strength});
+      render::make_face_highlight(live.item(), own, {color.red(), color.green(), color.blue(), color.alpha()});
 }
 
 render::Bounds ObjectScenes::chosen_bounds() const {
@@ -173,7 +171,7 @@ render::Scene ObjectScenes::scene(const Wanted& wanted) const {
       return item.part.empty() && (item.node == object.node || item.node == object.cage);
     });
   };
-  // A single object needs no colour to be told from others.
+  // A single object needs no colour to be told from others; its outline says that it is selected.
   const auto seen = [](const StudioObject& object) { return object.visible && object.shown() != nullptr; };
   const bool several = std::count_if(studio_.objects().begin(), studio_.objects().end(), seen) > 1;
   for (const StudioObject& object : studio_.objects()) {
@@ -183,6 +181,7 @@ render::Scene ObjectScenes::scene(const Wanted& wanted) const {
     render::Emphasis emphasis;
     emphasis.stale = wanted.stale && !object.is_source();
     emphasis.selected = wanted.edited == 0 && several && is_selected(object);
+    emphasis.outlined = wanted.edited == 0 && wanted.outlines && is_selected(object);
     render::MeshStyle style = style_of(wanted.look);
     const bool edited = object.cage != 0 && object.cage == wanted.edited;
     const bool cage_alone = object.shown() == object.cage_mesh;
@@ -216,6 +215,11 @@ std::vector<render::MeshItemPtr> ObjectScenes::surfaces() const {
     if (const auto& item = items->second.filling->item()) surfaces.push_back(item);
   }
   return surfaces;
+}
+
+render::MeshItemPtr ObjectScenes::surface_item(NodeId object) const {
+  const auto items = items_.find(object);
+  return items == items_.end() ? nullptr : items->second.surface->item();
 }
 
 render::MeshItemPtr ObjectScenes::cage_item(NodeId cage) const {

@@ -44,6 +44,7 @@ class ObjectScenes : public QObject {
   struct Wanted {
     MeshLook look = MeshLook::Shaded;
     bool stale = false;           ///< what is out of date is drawn faded
+    bool outlines = false;        ///< around selected objects
     bool only_with_cage = false;  ///< without the solid of the sketch
     NodeId edited = 0;            ///< the cage whose elements are being worked on: its edges are shown
     NodeId replaced = 0;          ///< an object in whose place …
@@ -58,6 +59,7 @@ class ObjectScenes : public QObject {
   std::vector<render::MeshItemPtr> surfaces() const;
 
   /// Made ready, or null.
+  render::MeshItemPtr surface_item(NodeId object) const;
   render::MeshItemPtr cage_item(NodeId cage) const;
 
   /// Some item is still being made.

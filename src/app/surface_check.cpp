@@ -3,6 +3,9 @@
 
 #include <QMetaObject>
 #include <algorithm>
+#include <numeric>
+#include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -51,6 +54,32 @@ bool keeps_what_trimming_left(const PolyMesh& filled, const PolyMesh& scan, cons
   return kept < scan.face_count();
 }
 
+/// The mesh with one vertex where several are, or nothing where none is at another one's place.
+std::optional<PolyMesh> with_equal_places_joined(const PolyMesh& mesh) {
+  std::vector<Index> order(mesh.vertex_count());
+  std::iota(order.begin(), order.end(), Index{0});
+  const auto place = [&](Index vertex) {
+    const Vec3& at = mesh.positions[vertex];
+    return std::tuple(at.x(), at.y(), at.z());
+  };
+  std::sort(order.begin(), order.end(),
+            [&](Index a, Index b) { return std::pair(place(a), a) < std::pair(place(b), b); });
+  std::vector<Index> first(order.size());
+  bool joins = false;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool again = i > 0 && place(order[i]) == place(order[i - 1]);
+    first[order[i]] = again ? first[order[i - 1]] : order[i];
+    joins = joins || again;
+  }
+  if (!joins) return std::nullopt;
+  PolyMesh joined;
+  joined.positions = mesh.positions;
+  joined.face_offsets = mesh.face_offsets;
+  joined.corners.reserve(mesh.corners.size());
+  for (const Index vertex : mesh.corners) joined.corners.push_back(first[vertex]);
+  return joined;
+}
+
 QString counted(std::size_t count, const QString& one, const QString& many) {
   return (count == 1 ? one : many).arg(count);
 }
@@ -64,9 +93,12 @@ std::size_t surprising_edges(const CheckedSurface& checked, const LeftOpen& left
 
 QString opening(const CheckedSurface& checked, const LeftOpen& left) {
   const auto tr = [](const char* text) { return SurfaceCheck::tr(text); };
-  if (checked.open_edges == 0) return tr("closed");
-  const std::size_t surprising = surprising_edges(checked, left);
   const auto edges = [&](std::size_t count) { return counted(count, tr("%1 edge"), tr("%1 edges")); };
+  if (checked.open_edges == 0) {
+    if (checked.seam_edges == 0) return tr("closed");
+    return tr("closed but for seams (%1): merge the vertices of the scan").arg(edges(checked.seam_edges));
+  }
+  const std::size_t surprising = surprising_edges(checked, left);
   if (surprising == checked.open_edges) return counted(surprising, tr("%1 open edge"), tr("%1 open edges"));
   // Of a mesh made anew only the sum is known.
   const bool apart = checked.has_patches && left.borders > 0 && left.holes > 0;
@@ -88,15 +120,22 @@ QString opening(const CheckedSurface& checked, const LeftOpen& left) {
 
 CheckedSurface check_surface(const PolyMesh& filled, const PolyMesh* scan, Progress& progress) {
   CheckedSurface checked;
-  Progress counting = progress.step("count", 0.4);
+  Progress counting = progress.step("count", 0.3);
   const MeshReport report = inspect(filled, false, counting);
   checked.open_edges = report.boundary_edges;
   checked.crowded_edges = report.nonmanifold_edges;
+  const std::optional<PolyMesh> joined = with_equal_places_joined(filled);
+  if (joined) {
+    Progress again = progress.step("seams", 0.2);
+    checked.open_edges = std::min(inspect(*joined, false, again).boundary_edges, report.boundary_edges);
+    checked.seam_edges = report.boundary_edges - checked.open_edges;
+  }
+  const PolyMesh& surface = joined ? *joined : filled;
   const std::vector<Index> patches = patch_faces(filled);
   checked.has_patches = scan != nullptr && !patches.empty();
-  Progress meeting = progress.step("intersections", 0.6);
-  checked.intersections = checked.has_patches ? find_intersections_of(filled, patches, meeting, {}).count
-                                              : find_self_intersections(filled, meeting, {}).count;
+  Progress meeting = progress.step("intersections", 0.5);
+  checked.intersections = checked.has_patches ? find_intersections_of(surface, patches, meeting, {}).count
+                                              : find_self_intersections(surface, meeting, {}).count;
   if (scan == nullptr) return checked;
   const bool vertices = keeps_vertices(filled, *scan);
   const bool faces = keeps_faces(filled, *scan);
@@ -113,13 +152,13 @@ bool is_as_wanted(const CheckedSurface& checked, const LeftOpen& left) {
 QString sentence_of(const CheckedSurface& checked, const LeftOpen& left) {
   const auto tr = [](const char* text) { return SurfaceCheck::tr(text); };
   QStringList parts;
-  parts << (checked.crowded_edges == 0 ? tr("manifold")
-                                       : counted(checked.crowded_edges, tr("%1 edge of three and more faces"),
-                                                 tr("%1 edges of three and more faces")));
+  parts << (checked.crowded_edges == 0
+                ? tr("manifold")
+                : counted(checked.crowded_edges, tr("%1 non-manifold edge"), tr("%1 non-manifold edges")));
   parts << (checked.has_patches ? counted(checked.intersections, tr("%1 new intersection"), tr("%1 new intersections"))
                                 : counted(checked.intersections, tr("%1 intersection"), tr("%1 intersections")));
   if (!checked.has_patches)
-    parts << tr("made anew");
+    parts << tr("remeshed");
   else if (checked.outside_unchanged)
     parts << tr("outside unchanged");
   else

@@ -15,9 +15,11 @@
 
 namespace croquis::app {
 
-/// What can be said of a filled mesh by looking at it.
+/// What can be said of a filled mesh by looking at it, with vertices at exactly equal places taken for one: so holes
+/// are looked for and filled.
 struct CheckedSurface {
-  std::size_t open_edges = 0;     ///< of one face
+  std::size_t open_edges = 0;     ///< of one face …
+  std::size_t seam_edges = 0;     ///< … and those that only vertices at equal places close
   std::size_t crowded_edges = 0;  ///< of more than two
   std::size_t intersections = 0;  ///< pairs in which patches take part; of a mesh made anew, all
   bool has_patches = true;        ///< else it was made anew
@@ -44,6 +46,7 @@ CheckedSurface check_surface(const PolyMesh& filled, const PolyMesh* scan, Progr
 
 /// "closed, manifold, 0 new intersections, outside unchanged", or what is wrong; a scan's own intersections aren't new.
 /// Where something was left open on purpose: "open at its outer border (204 edges), otherwise sound: manifold, …".
+/// Where vertices lie on others: "closed but for seams (72 edges): merge the vertices of the scan, manifold, …".
 QString sentence_of(const CheckedSurface& checked, const LeftOpen& left);
 
 /// No worse than was asked for: sound, and no edge is open but those left so.

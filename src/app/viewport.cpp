@@ -65,7 +65,7 @@ Viewport::~Viewport() {
 }
 
 void Viewport::connect_parts() {
-  connect(&settle_, &QTimer::timeout, this, [this] { settle_now(); });
+  connect(&settle_, &QTimer::timeout, this, [this] { settle(affordable_); });
   connect(&patience_, &QTimer::timeout, this, [this] {
     stale_ = true;
     redraw_all();
@@ -145,63 +145,11 @@ void Viewport::set_zebra(bool zebra) {
   redraw_all();
 }
 
-void Viewport::frame_all() {
-  after_layout();
-  for (const int view : layout_.shown()) {
-    if (view == SketchView && sketch_.scene().has_strokes()) {
-      layout_.pane(view).frame(sketch_.scene().bounds(false));
-    } else if (view == SketchView && objects_.surfaces().empty()) {
-      layout_.pane(view).camera = first_pane(render::NamedView::Front).camera;
-    } else {
-      layout_.pane(view).frame(objects_.scene({}));
-    }
-  }
-  turned_ = false;
-  redraw_all();
-}
-
-void Viewport::frame_selection() {
-  if (!layout_.pane(under_pointer_).visible()) under_pointer_ = layout_.shown().front();
-  ViewPane& pane = layout_.pane(under_pointer_);
-  if (sketches_in(under_pointer_)) {
-    pane.frame(sketch_.scene().bounds(true));
-  } else if (holes_.active() && !holes_.selection_bounds().empty()) {
-    if (const auto facing = holes_.selection_facing()) pane.turn_to(*facing);
-    pane.frame(holes_.selection_bounds());
-    turned_ = true;
-  } else if (!mesh_.overlay().selection_bounds().empty() && edits_meshes()) {
-    pane.frame(mesh_.overlay().selection_bounds());
-  } else if (const render::Bounds chosen = objects_.chosen_bounds(); !chosen.empty()) {
-    pane.frame(chosen);
-    turned_ = true;
-  } else if (const StudioObject* active = studio_.active();
-             active != nullptr && !studio_.session().selection().empty() && active->cage != 0) {
-    render::Bounds bounds;
-    for (const Vec3& place : active->shown() ? active->shown()->positions : std::vector<Vec3>()) {
-      bounds.add({place.x(), place.y(), place.z()});
-    }
-    pane.frame(bounds);
-  } else {
-    pane.frame(objects_.scene({}));
-  }
-  redraw_all();
-}
-
 void Viewport::after_layout() {
   layout_.resize(QSizeF(width(), height()));
   clear_ = true;
   frame_new_views();
   redraw_all();
-}
-
-void Viewport::frame_new_views() {
-  if (objects_.surfaces().empty()) return;
-  for (const int view : layout_.shown()) {
-    bool& framed = framed_[static_cast<std::size_t>(view)];
-    if (framed || !layout_.pane(view).flat() || (view == SketchView && sketch_.scene().has_strokes())) continue;
-    layout_.pane(view).frame(objects_.scene({}));
-    framed = layout_.pane(view).visible();
-  }
 }
 
 void Viewport::toggle_layout() {
@@ -267,6 +215,7 @@ void Viewport::follow_load() {
     if (view != SketchView) pane.camera = first_pane(pane.kind).camera;
   }
   framed_ = {};
+  known_.clear();
   affordable_ = true;
   turned_ = false;
   had_meshes_ = false;
@@ -314,16 +263,6 @@ void Viewport::note_busy(bool busy) {
   stale_ = stale;
 }
 
-void Viewport::keep_in_view() {
-  const render::Scene scene = objects_.scene({});
-  // Without a solid there is nothing that anybody looks at: the next one is shown as if it were the first.
-  if (objects_.surfaces().empty()) turned_ = false;
-  if (objects_.surfaces().empty() || turned_ || mesh_.down()) return;
-  layout_.resize(QSizeF(width(), height()));
-  ViewPane& pane = layout_.pane(PerspectiveView);
-  if (!pane.fits(scene)) pane.frame(scene);
-}
-
 // ---- Drawing
 
 void Viewport::initializeGL() {
@@ -336,13 +275,20 @@ void Viewport::initializeGL() {
 
 void Viewport::resizeGL(int, int) { after_layout(); }
 
-void Viewport::settle_now() {
+void Viewport::settle(bool fine) {
   settle_.stop();
   for (PaneState& state : states_) {
-    if (!state.fine) state.drawn = false;
-    state.fine = true;
+    state.drawn = state.drawn && !state.moving && (state.fine || !fine);
+    state.fine = state.fine || fine;
+    state.moving = false;
   }
   update();
+}
+
+void Viewport::redraw_moved(int view) {
+  redraw(view);
+  states_[static_cast<std::size_t>(view)].moving = true;
+  settle_.start(settle_ms);
 }
 
 void Viewport::redraw(int view) {
@@ -375,6 +321,7 @@ void Viewport::paintGL() {
     if (state.drawn) continue;
     draw_view(view);
     state.drawn = !renderer_->pending();
+    state.triangles = renderer_->triangles_drawn();
     uploading_ = uploading_ || renderer_->pending();
     fine = fine || state.fine;
   }
@@ -392,6 +339,7 @@ render::Scene Viewport::scene_of(int view) {
   ObjectScenes::Wanted wanted;
   wanted.look = look_;
   wanted.stale = stale_;
+  wanted.outlines = !holes_.active();
   wanted.only_with_cage = view == SketchView;
   const bool elements = edits_meshes() && mesh_.tool().mode() != MeshMode::Object;
   if (elements) wanted.edited = mesh_.tool().node();
@@ -425,6 +373,7 @@ render::RenderOptions Viewport::options_of(int view) const {
   if (zebra_ && !paper) options.shading = render::Shading::Zebra;
   options.pixel_ratio = devicePixelRatioF();
   options.upload_budget = upload_budget;
+  options.reduced = states_[static_cast<std::size_t>(view)].moving;
   return options;
 }
 

@@ -5,6 +5,7 @@
 #include <QOpenGLWidget>
 #include <QTimer>
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -96,7 +97,7 @@ class Viewport : public QOpenGLWidget {
   void redraw_all();
 
   /// Draws the finer picture now instead of after a pause.
-  void settle_now();
+  void settle_now() { settle(true); }
 
   /// Every item of what is shown has been made and sent to the graphics card.
   bool settled() const { return !objects_.busy() && !comparison_.busy() && !holes_.busy() && !uploading_; }
@@ -108,6 +109,9 @@ class Viewport : public QOpenGLWidget {
   /// Milliseconds from the last input event to the end of the frame that showed it, and how often frames were drawn.
   double last_latency_ms() const { return latency_ms_; }
   int frames() const { return frames_; }
+
+  /// Of surfaces, in the picture of a view as it is.
+  std::size_t triangles_drawn(int view) const { return states_[static_cast<std::size_t>(view)].triangles; }
 
  signals:
   void help_changed();
@@ -131,8 +135,10 @@ class Viewport : public QOpenGLWidget {
 
  private:
   struct PaneState {
-    bool drawn = false;  ///< its pixels are still right: most events change one view alone
-    bool fine = false;   ///< drawn with all that makes it beautiful
+    bool drawn = false;         ///< its pixels are still right: most events change one view alone
+    bool fine = false;          ///< drawn with all that makes it beautiful
+    bool moving = false;        ///< its camera is: large meshes are drawn with fewer triangles
+    std::size_t triangles = 0;  ///< drawn last
   };
 
   void connect_parts();
@@ -147,8 +153,13 @@ class Viewport : public QOpenGLWidget {
   void follow_result();
   void follow_load();
   void note_busy(bool busy);
+  /// @return whether an object has come, or what is made of a sketch has another shape, since this was last asked. Who
+  /// works on a mesh by hand keeps the view that the work is done in.
+  bool note_objects();
   void keep_in_view();
   void redraw(int view);
+  void redraw_moved(int view);
+  void settle(bool fine);
   void after_layout();
   void frame_new_views();
 
@@ -183,11 +194,12 @@ class Viewport : public QOpenGLWidget {
   bool turned_ = false;                    ///< somebody moved the perspective view: it isn't framed by itself any more
   bool had_meshes_ = false;                ///< a document's first mesh sets the views up
   std::array<bool, view_count> framed_{};  ///< flat views show what there is when they are first seen
-  bool clear_ = true;                      ///< the views lie elsewhere: what is between them is painted anew
-  bool uploading_ = false;                 ///< some view waits for the graphics card
-  QTimer settle_;                          ///< after a pause the views are drawn once more, finer
-  QTimer patience_;                        ///< what is out of date for longer is shown faded
-  QTimer long_press_;                      ///< a pen that rests opens the marking menu
+  std::map<NodeId, render::MeshItemPtr> known_;  ///< objects that note_objects() has told of, as they were
+  bool clear_ = true;                            ///< the views lie elsewhere: what is between them is painted anew
+  bool uploading_ = false;                       ///< some view waits for the graphics card
+  QTimer settle_;                                ///< after a pause the views are drawn once more, finer
+  QTimer patience_;                              ///< what is out of date for longer is shown faded
+  QTimer long_press_;                            ///< a pen that rests opens the marking menu
   QPointF pressed_at_;
   bool stale_ = false;
   bool affordable_ = true;  ///< the last fine frame was quick enough not to be felt

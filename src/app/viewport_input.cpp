@@ -113,8 +113,8 @@ bool Viewport::navigate(const PointerEvent& event) {
     const int view = motion->view == ComparisonView ? PerspectiveView : motion->view;
     layout_.pane(view).move(*motion);
     turned_ = turned_ || view == PerspectiveView;
-    redraw(view);
-    if (view == PerspectiveView) redraw(ComparisonView);
+    redraw_moved(view);
+    if (view == PerspectiveView) redraw_moved(ComparisonView);
   }
   return answer.taken;
 }

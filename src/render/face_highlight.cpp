@@ -31,12 +31,23 @@ FaceHighlightPtr make_face_highlight(const MeshItemPtr& mesh, std::span<const In
     const auto [first, last] = mesh->plan->triangle_indices(face);
     triangles.insert(triangles.end(), mesh->triangles.begin() + first, mesh->triangles.begin() + last);
   }
-  return std::make_shared<FaceHighlight>(FaceHighlight{mesh, std::move(triangles), color});
+  FaceHighlightPtr reduced;
+  if (mesh->reduced) {
+    reduced =
+        std::make_shared<FaceHighlight>(FaceHighlight{mesh->reduced, mesh->plan->reduced()->reduced(triangles), color});
+  }
+  return std::make_shared<FaceHighlight>(FaceHighlight{mesh, std::move(triangles), color, std::move(reduced)});
 }
 
 FaceHighlightPtr moved_to(const FaceHighlightPtr& highlight, const MeshItemPtr& updated) {
   if (!highlight || !updated || updated->plan != highlight->mesh->plan) return nullptr;
-  return std::make_shared<FaceHighlight>(FaceHighlight{updated, highlight->triangles, highlight->color});
+  FaceHighlightPtr reduced;
+  if (highlight->reduced) {
+    reduced = std::make_shared<FaceHighlight>(
+        FaceHighlight{updated->reduced, highlight->reduced->triangles, highlight->color});
+  }
+  return std::make_shared<FaceHighlight>(
+      FaceHighlight{updated, highlight->triangles, highlight->color, std::move(reduced)});
 }
 
 }  // namespace croquis::render

@@ -72,8 +72,11 @@ MeshItemPtr make_mesh_item(const PolyMesh& mesh, const MeshItemOptions& options)
   auto item = std::make_shared<MeshItem>();
   item->bounds = bounds_of_drawn(mesh);
   const std::vector<glm::dvec3> positions = take_frame(mesh.positions, *item);
-  item->plan = std::make_shared<MeshPlan>(mesh, positions, options);
-  item->plan->fill(positions, item->plan->normals_of(mesh), *item);
+  const auto plan = std::make_shared<MeshPlan>(mesh, positions, options);
+  plan->fill(positions, plan->normals_of(mesh), *item);
+  plan->reduce(*item);
+  if (plan->reduced()) item->reduced = plan->reduced()->of(*item);
+  item->plan = plan;
   return item;
 }
 

@@ -16,6 +16,15 @@ bool shows_wire(const MeshStyle& style, const RenderOptions& options) {
   return style.wire.value_or(options.wire || style.surface != SurfaceLook::Filled);
 }
 
+/// What is drawn of an item.
+const MeshItemPtr& drawn_item(const MeshItemPtr& item, const Drawing& drawing) {
+  return drawing.options.reduced && item->reduced ? item->reduced : item;
+}
+
+const FaceHighlightPtr& drawn_highlight(const FaceHighlightPtr& highlight, const Drawing& drawing) {
+  return drawing.options.reduced && highlight->reduced ? highlight->reduced : highlight;
+}
+
 /// In samples.
 float wire_width(const MeshStyle& style, const Drawing& drawing) {
   const double width = style.wire_width.value_or(drawing.options.wire_width);
@@ -120,21 +129,28 @@ std::array<LineVertex, 24> box_ends() {
 
 }  // namespace
 
+GpuMesh& MeshPainter::on_card(const MeshItemPtr& item, const Drawing& drawing) {
+  return gpu_meshes_.get(drawn_item(item, drawing), shared_);
+}
+
 void MeshPainter::send(const Drawing& drawing) {
   const auto send_those = [&](bool at_once) {
     for (const Shown<MeshItem>& shown : drawing.scene.meshes) {
       if (!shown.item) continue;
       const bool with_wire = shows_wire(shown.style, drawing.options);
-      GpuMesh& mesh = gpu_meshes_.get(shown.item, shared_);
-      if (mesh.goes_at_once(with_wire) == at_once) mesh.send(*shown.item, with_wire, drawing.uploads);
+      GpuMesh& mesh = on_card(shown.item, drawing);
+      if (mesh.goes_at_once(with_wire) == at_once) {
+        mesh.send(*drawn_item(shown.item, drawing), with_wire, drawing.uploads);
+      }
     }
   };
   send_those(true);
   send_those(false);
   for (const FaceHighlightPtr& highlight : drawing.scene.highlights) {
     if (!highlight || find_shown(drawing.scene, highlight->mesh) == nullptr) continue;
-    const GpuMesh& mesh = gpu_meshes_.get(highlight->mesh, shared_);
-    gpu_highlights_.get(highlight, mesh, shared_).send(*highlight, drawing.uploads);
+    const GpuMesh& mesh = on_card(highlight->mesh, drawing);
+    const FaceHighlightPtr& drawn = drawn_highlight(highlight, drawing);
+    gpu_highlights_.get(drawn, mesh, shared_).send(*drawn, drawing.uploads);
   }
   glBindVertexArray(0);
   check_gl("sending meshes to the graphics card");
@@ -146,7 +162,7 @@ void MeshPainter::drop_expired() {
   shared_.drop_expired();
 }
 
-void MeshPainter::draw_surfaces(const Drawing& drawing, const FrameBuffers& frame) {
+std::size_t MeshPainter::draw_surfaces(const Drawing& drawing, const FrameBuffers& frame) {
   glBindFramebuffer(GL_FRAMEBUFFER, frame.surface_target.name());
   glViewport(0, 0, frame.size.width(), frame.size.height());
   glClearColor(0, 0, 0, 0);
@@ -163,30 +179,34 @@ void MeshPainter::draw_surfaces(const Drawing& drawing, const FrameBuffers& fram
   surface_.set("normal_to_view", glm::mat3(drawing.view.model_to_view * drawing.view.unit));
   surface_.set("zebra_stripes", zebra_stripes(drawing.options));
   surface_.set("fixed_color", glm::vec4(0));
+  std::size_t triangles = 0;
   unsigned first_patch = 0, patch_before = 0;
   for (const Shown<MeshItem>& shown : drawing.scene.meshes) {
     const MeshItemPtr& item = shown.item;
     if (!item || shown.style.surface == SurfaceLook::None || is_translucent(shown)) continue;
     set_emphasis(surface_, drawing.options, shown.emphasis);
     surface_.set("filled", shown.style.surface == SurfaceLook::Filled);
+    surface_.set("outlined", shown.emphasis.outlined);
     surface_.set("to_view", glm::mat4(item_to_view(*item, drawing.view)));
     if (!shown.style.goes_on) patch_before = first_patch;
     surface_.set("first_patch", patch_before);
     surface_.set("patch_step", shown.style.goes_on ? 0U : 1U);
-    gpu_meshes_.get(item, shared_).draw_triangles();
+    on_card(item, drawing).draw_triangles();
+    triangles += drawn_item(item, drawing)->triangles.size() / 3;
     first_patch += item->patch_count;
   }
   surface_.set("filled", true);
+  surface_.set("outlined", false);
   surface_.set("patch_step", 1U);
   for (const FaceHighlightPtr& highlight : drawing.scene.highlights) draw_highlight(highlight, drawing);
   glDisable(GL_POLYGON_OFFSET_FILL);
+  return triangles;
 }
 
 void MeshPainter::draw_highlight(const FaceHighlightPtr& highlight, const Drawing& drawing) {
   const Shown<MeshItem>* shown = highlight ? find_shown(drawing.scene, highlight->mesh) : nullptr;
-  GpuHighlight* const faces = shown != nullptr ? gpu_highlights_.find(highlight) : nullptr;
-  if (faces == nullptr || is_translucent(*shown) || !gpu_meshes_.get(highlight->mesh, shared_).vertices_complete())
-    return;
+  GpuHighlight* const faces = shown != nullptr ? gpu_highlights_.find(drawn_highlight(highlight, drawing)) : nullptr;
+  if (faces == nullptr || is_translucent(*shown) || !on_card(highlight->mesh, drawing).vertices_complete()) return;
   const bool over_faces = shown->style.surface == SurfaceLook::Filled;
   set_emphasis(surface_, drawing.options, {});
   surface_.set("fixed_color", to_float(highlight->color));
@@ -222,7 +242,7 @@ void MeshPainter::draw_veil(const Drawing& drawing, const FrameBuffers& frame) {
     // What looks away from the eye is mostly behind what looks to it.
     for (const bool front : {false, true}) {
       veil_.set("front", front);
-      gpu_meshes_.get(shown->item, shared_).draw_triangles();
+      on_card(shown->item, drawing).draw_triangles();
     }
   }
   glDisable(GL_BLEND);
@@ -274,7 +294,7 @@ void MeshPainter::draw_wire(const Drawing& drawing, WireLayer layer) {
     program.set("on_surface", !alone);
     // Filled faces end at their contour; where only lines are seen, the outline keeps all of its width.
     program.set("past_outline", shown.style.surface == SurfaceLook::Covers ? 1.0F : 0.0F);
-    gpu_meshes_.get(shown.item, shared_).draw_edges();
+    on_card(shown.item, drawing).draw_edges();
   }
   line_.use();
   glDepthFunc(GL_LEQUAL);
@@ -288,7 +308,7 @@ void MeshPainter::draw_polylines(const Drawing& drawing) {
   for (const Shown<MeshItem>& shown : drawing.scene.meshes) {
     if (!shown.item || shown.item->segments.empty()) continue;
     line_.set("to_view", glm::mat4(item_to_view(*shown.item, drawing.view)));
-    gpu_meshes_.get(shown.item, shared_).draw_segments();
+    on_card(shown.item, drawing).draw_segments();
   }
 }
 
@@ -304,7 +324,7 @@ void MeshPainter::draw_boxes(const Drawing& drawing) {
   line_.set("fixed_color", to_float(box_color));
   line_.set("width", static_cast<float>(drawing.samples_per_pixel()));
   for (const Shown<MeshItem>& shown : drawing.scene.meshes) {
-    if (!shown.item || gpu_meshes_.get(shown.item, shared_).shows_something()) continue;
+    if (!shown.item || on_card(shown.item, drawing).shows_something()) continue;
     const Bounds& bounds = shown.item->bounds;
     const glm::dvec3 half = 0.5 * bounds.max - 0.5 * bounds.min;
     const glm::dmat4 to_model = glm::scale(glm::translate(glm::dmat4(1), bounds.center()), half);

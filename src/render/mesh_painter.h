@@ -15,7 +15,8 @@ class MeshPainter {
   void send(const Drawing& drawing);
 
   /// Fills colours, normals and depths. Depth tests are left on.
-  void draw_surfaces(const Drawing& drawing, const FrameBuffers& frame);
+  /// @return how many triangles
+  std::size_t draw_surfaces(const Drawing& drawing, const FrameBuffers& frame);
 
   /// Fills the overlay with wire and polylines, behind surfaces where these hide them.
   void draw_lines(const Drawing& drawing, const FrameBuffers& frame);
@@ -29,6 +30,7 @@ class MeshPainter {
   /// What surfaces hide of wires that have none themselves, and what they leave of all.
   enum class WireLayer { Covered, Seen };
 
+  GpuMesh& on_card(const MeshItemPtr& item, const Drawing& drawing);
   void draw_highlight(const FaceHighlightPtr& highlight, const Drawing& drawing);
   void draw_wire(const Drawing& drawing, WireLayer layer);
   void draw_polylines(const Drawing& drawing);

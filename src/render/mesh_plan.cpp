@@ -242,6 +242,22 @@ void MeshPlan::fill(std::span<const glm::dvec3> positions, const AttributeChanne
   item.segments = segments_;
   item.patch_count = patch_count_;
   item.edge_length = item.scale * mean_edge_length(item);
+  if (reduced_) item.reduced = reduced_->of(item);
+}
+
+void MeshPlan::reduce(const MeshItem& item) {
+  if (item.triangles.size() / 3 <= most_full_triangles) return;
+  std::vector<Index> first_at(vertex_count_);
+  std::iota(first_at.begin(), first_at.end(), Index{0});
+  for (const auto& [first, vertex] : coincident_) first_at[vertex] = first;
+  std::vector<Index> item_vertex(vertex_count_, no_index);
+  std::vector<Index> places(vertex_corners_.size());
+  for (Index v = 0; v < places.size(); ++v) {
+    Index& place = item_vertex[first_at[corners_[vertex_corners_[v]]]];
+    if (place == no_index) place = v;
+    places[v] = place;
+  }
+  reduced_.emplace(item, places);
 }
 
 void MeshPlan::take_normals(const AttributeChannel& channel, std::span<SurfaceVertex> vertices) const {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 
 #include "croquis/geometry/poly_mesh.h"
 #include "croquis/render/mesh_item.h"
+#include "render/reduced_surface.h"
 #include "render/surface_normals.h"
 
 namespace croquis::render {
@@ -36,6 +38,11 @@ class MeshPlan {
   /// @param positions of a mesh that fits, in the item's own frame
   /// @param normals null: all are reckoned
   void fill(std::span<const glm::dvec3> positions, const AttributeChannel* normals, MeshItem& item) const;
+
+  /// Makes the reduced surface of its items, where they have many triangles. @param item filled
+  void reduce(const MeshItem& item);
+
+  const std::optional<ReducedSurface>& reduced() const { return reduced_; }
 
   const MeshItemOptions& options() const { return options_; }
 
@@ -68,6 +75,7 @@ class MeshPlan {
   SharedArray<std::uint32_t> triangles_, edges_, segments_;
   std::vector<Color> line_colors_;
   Index patch_count_ = 0;
+  std::optional<ReducedSurface> reduced_;
 };
 
 }  // namespace croquis::render

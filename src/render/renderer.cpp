@@ -51,6 +51,7 @@ class Renderer::Implementation {
  public:
   void draw(const Scene& scene, const Camera& camera, const RenderOptions& options, const Viewport& viewport);
   const Uploads& uploads() const { return uploads_; }
+  std::size_t triangles_drawn() const { return triangles_drawn_; }
 
  private:
   void drop_expired();
@@ -65,6 +66,7 @@ class Renderer::Implementation {
   MarkPainter marks_;
   Canvas canvas_;
   Uploads uploads_;
+  std::size_t triangles_drawn_ = 0;
   ShaderProgram paper_ = ShaderProgram({"screen.vert", "paper.frag", "backdrop.frag"});
   ShaderProgram copy_ = ShaderProgram({"screen.vert", "copy.frag"});
   GlHandle no_attributes_ = make_vertex_array();  // core profiles draw nothing without a vertex array
@@ -118,7 +120,7 @@ void Renderer::Implementation::draw(const Scene& scene, const Camera& camera, co
   Drawing drawing{scene, options, viewport, {}, border_of(options, viewport), 1, {}, uploads_};
   drawing.view = make_view_frame(camera, bounds, viewport, drawing.border);
   drawing.seen = seen_part(bounds, drawing.view, size + 2 * drawing.border);
-  if (!scene.meshes.empty()) surfaces_.draw(drawing);
+  triangles_drawn_ = scene.meshes.empty() ? 0 : surfaces_.draw(drawing);
 
   const glm::ivec2 origin(viewport.x, viewport.y);
   if (has_overlay(scene, options)) {
@@ -161,5 +163,7 @@ void Renderer::draw(const std::vector<MeshItemPtr>& items, const Camera& camera,
 bool Renderer::pending() const { return implementation_->uploads().pending(); }
 
 UploadCount Renderer::uploaded() const { return implementation_->uploads().total(); }
+
+std::size_t Renderer::triangles_drawn() const { return implementation_->triangles_drawn(); }
 
 }  // namespace croquis::render

@@ -30,6 +30,21 @@ ScreenRect drawn_part(const Drawing& drawing) {
   return drawing.seen.grown(2 + contour_pixels(drawing) + static_cast<int>(std::ceil(line_width)));
 }
 
+ScreenRect in_viewport(ScreenRect rect, const Drawing& drawing) {
+  rect.low = glm::max(rect.low, glm::ivec2(drawing.border));
+  rect.high = glm::min(rect.high,
+                       glm::ivec2(drawing.border + drawing.viewport.width, drawing.border + drawing.viewport.height));
+  return rect;
+}
+
+Bounds bounds_of_outlined(const Scene& scene) {
+  Bounds bounds;
+  for (const Shown<MeshItem>& shown : scene.meshes) {
+    if (shown.item && shown.emphasis.outlined && !is_translucent(shown)) bounds.add(shown.item->bounds);
+  }
+  return bounds;
+}
+
 bool is_quick(const Drawing& drawing) { return drawing.samples == 1 && !wants_occlusion(drawing.options); }
 
 /// The driver's limit on textures wins over the samples asked for.
@@ -157,33 +172,59 @@ void SurfacePainter::compose_quickly(const Drawing& drawing, const glm::ivec2& o
   glDisable(GL_BLEND);
 }
 
+void SurfacePainter::draw_outlines(const Drawing& drawing, const glm::ivec2& origin) const {
+  const Bounds bounds = bounds_of_outlined(drawing.scene);
+  if (bounds.empty()) return;
+  const EmphasisOptions& options = drawing.options.emphasis;
+  const auto pixels = [&](double width) {
+    return static_cast<float>(std::clamp(width, 0.0, 16.0) * drawing.options.pixel_ratio);
+  };
+  const float width = pixels(options.outline_width);
+  const float casing = pixels(options.casing_width);
+  const glm::ivec2 frame(buffers_.front().size.pixel_width, buffers_.front().size.pixel_height);
+  const ScreenRect seen = seen_part(bounds, drawing.view, frame);
+  set_scissor(in_viewport(seen.grown(2 + static_cast<int>(std::ceil(width + casing))), drawing),
+              origin - drawing.border, 1);
+  outline_.use();
+  outline_.set_texture("normals", 0, buffers_.front().normals);
+  outline_.set("samples", drawing.samples);
+  outline_.set("viewport_origin", origin);
+  outline_.set("border", drawing.border);
+  outline_.set("width", width);
+  outline_.set("casing", casing);
+  outline_.set("line_color", glm::vec3(to_float(options.outline)));
+  outline_.set("casing_color", glm::vec3(to_float(options.outline_casing)));
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+  fill_screen();
+  glDisable(GL_BLEND);
+}
+
 void SurfacePainter::compose(const Drawing& drawing, const glm::ivec2& origin) {
-  ScreenRect rect = drawn_part(drawing);
-  rect.low = glm::max(rect.low, glm::ivec2(drawing.border));
-  rect.high = glm::min(rect.high,
-                       glm::ivec2(drawing.border + drawing.viewport.width, drawing.border + drawing.viewport.height));
-  set_scissor(rect, origin - drawing.border, 1);
+  set_scissor(in_viewport(drawn_part(drawing), drawing), origin - drawing.border, 1);
   if (is_quick(drawing)) {
     compose_quickly(drawing, origin);
   } else {
     compose_carefully(drawing, origin);
   }
+  draw_outlines(drawing, origin);
   glDisable(GL_SCISSOR_TEST);
 }
 
-void SurfacePainter::draw(Drawing& drawing) {
+std::size_t SurfacePainter::draw(Drawing& drawing) {
   meshes_.send(drawing);
   prepare_buffers(drawing);
-  meshes_.draw_surfaces(drawing, buffers_.front());
+  const std::size_t triangles = meshes_.draw_surfaces(drawing, buffers_.front());
   meshes_.draw_lines(drawing, buffers_.front());
   if (has_veil(drawing.scene)) {
     buffers_.front().require_veil();
     meshes_.draw_veil(drawing, buffers_.front());
   }
-  if (is_quick(drawing)) return;
+  if (is_quick(drawing)) return triangles;
   if (drawing.options.contours) find_contours(drawing);
   if (wants_occlusion(drawing.options)) find_openness(drawing);
   glDisable(GL_SCISSOR_TEST);
+  return triangles;
 }
 
 }  // namespace croquis::render

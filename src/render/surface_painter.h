@@ -15,7 +15,8 @@ namespace croquis::render {
 class SurfacePainter {
  public:
   /// Fills the textures; the framebuffer binding and the viewport change. Decides the drawing's samples.
-  void draw(Drawing& drawing);
+  /// @return how many triangles of opaque surfaces
+  std::size_t draw(Drawing& drawing);
 
   /// Puts surfaces over their backdrop into the framebuffer and viewport that are set, which shows the backdrop.
   /// @param origin the viewport's lower left pixel in that framebuffer
@@ -30,6 +31,7 @@ class SurfacePainter {
   void find_openness(const Drawing& drawing);
   void compose_carefully(const Drawing& drawing, const glm::ivec2& origin);
   void compose_quickly(const Drawing& drawing, const glm::ivec2& origin);
+  void draw_outlines(const Drawing& drawing, const glm::ivec2& origin) const;
   void set_composed(const ShaderProgram& program, const Drawing& drawing, const glm::ivec2& origin) const;
   void fill_screen() const;
 
@@ -39,6 +41,7 @@ class SurfacePainter {
   ShaderProgram occlusion_ = ShaderProgram({"screen.vert", "occlusion.frag"});
   ShaderProgram composite_ = ShaderProgram({"screen.vert", "composite.frag", "backdrop.frag", "light.frag"});
   ShaderProgram composite_quick_ = ShaderProgram({"screen.vert", "composite_quick.frag", "light.frag"});
+  ShaderProgram outline_ = ShaderProgram({"screen.vert", "outline.frag"});
   GlHandle no_attributes_ = make_vertex_array();  // core profiles draw nothing without a vertex array
   std::list<FrameBuffers> buffers_;               // of views drawn lately, the last one first
 };

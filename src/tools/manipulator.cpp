@@ -9,6 +9,7 @@
 
 #include "croquis/geometry/polyline.h"
 #include "tools/manipulator_shape.h"
+#include "tools/pointer_place.h"
 
 namespace croquis {
 namespace {
@@ -17,7 +18,6 @@ using Handle = ManipulatorHandle;
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double least_factor = 0.001;   // nothing is scaled flat or turned inside out by a drag
-constexpr double most_pixels = 1e6;      // a drag towards the horizon ends here
 constexpr double flattest_plane = 0.08;  // cosine between a plane's normal and the view below which places slip away
 constexpr double steepest_ring = 0.2;    // cosine below which a ring is turned by pulling along it
 
@@ -25,30 +25,13 @@ double snapped(double value, double step) { return step > 0 ? std::round(value /
 
 double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
-/// Where the line of sight through a pixel meets a plane; nothing when it is seen too much from its edge.
-std::optional<Vec3> on_plane(const ViewFrame& frame, const Vec2& pixel, const Vec3& point, const Vec3& normal) {
-  const Ray ray = frame.ray(pixel);
-  const double across = ray.direction.dot(normal);
-  if (std::abs(across) < flattest_plane / 4) return std::nullopt;
-  const double distance = (point - ray.origin).dot(normal) / across;
-  if (!(distance > 0) || !std::isfinite(distance)) return std::nullopt;
-  return ray.at(distance);
-}
-
 /// How far along an axis through the pivot a pixel lies, model units.
-std::optional<double> along_axis(const Manipulator& manipulator, const ViewFrame& frame, const Vec2& pixel,
-                                 const Vec3& axis) {
-  const Vec3 view = frame.to_eye(manipulator.pivot);
-  const Vec3 across = view.cross(axis);
-  if (across.norm() < flattest_plane) {
+double along_axis(const Manipulator& manipulator, const ViewFrame& frame, const Vec2& pixel, const Vec3& axis) {
+  if (frame.to_eye(manipulator.pivot).cross(axis).norm() < flattest_plane) {
     // It points into the view: up on the screen is along it.
     return -pixel.y() * frame.units_per_pixel(manipulator.pivot);
   }
-  // The plane through the axis that faces the eye most.
-  const auto place = on_plane(frame, pixel, manipulator.pivot, axis.cross(across).normalized());
-  if (!place) return std::nullopt;
-  const double most = most_pixels * frame.units_per_pixel(manipulator.pivot);
-  return std::clamp((*place - manipulator.pivot).dot(axis), -most, most);
+  return pointer_on_axis(frame, pixel, manipulator.pivot, axis);
 }
 
 Eigen::Affine3d about(const Vec3& pivot, const Eigen::Matrix3d& linear) {
@@ -94,14 +77,13 @@ void ManipulatorDrag::move(const ViewFrame& frame, const Vec2& pixel, const Mani
   const Eigen::Matrix3d& axes = manipulator_.axes;
   Vec3 by = Vec3::Zero();  // along the axes
   if (const int axis = axis_of(handle_); axis >= 0) {
-    const auto now = along_axis(manipulator_, frame, pixel, axes.col(axis));
-    const auto before = along_axis(manipulator_, frame, start_, axes.col(axis));
-    if (!now || !before) return;
-    by[axis] = snapped(*now - *before, snap.move);
+    const double now = along_axis(manipulator_, frame, pixel, axes.col(axis));
+    const double before = along_axis(manipulator_, frame, start_, axes.col(axis));
+    by[axis] = snapped(now - before, snap.move);
   } else if (const int normal = normal_of(handle_); normal >= 0) {
     if (std::abs(frame.to_eye(manipulator_.pivot).dot(axes.col(normal))) < flattest_plane) return;
-    const auto now = on_plane(frame, pixel, manipulator_.pivot, axes.col(normal));
-    const auto before = on_plane(frame, start_, manipulator_.pivot, axes.col(normal));
+    const auto now = pointer_on_plane(frame, pixel, manipulator_.pivot, axes.col(normal));
+    const auto before = pointer_on_plane(frame, start_, manipulator_.pivot, axes.col(normal));
     if (!now || !before) return;
     by = axes.transpose() * (*now - *before);
     by[normal] = 0;
@@ -125,8 +107,8 @@ void ManipulatorDrag::turn(const ViewFrame& frame, const Vec2& pixel, const Mani
   if (index < 0) {
     if (pixel != middle && last_ != middle) turned_ += wrapped(on_screen(pixel) - on_screen(last_));
   } else if (std::abs(facing) >= steepest_ring) {
-    const auto now = on_plane(frame, pixel, pivot, axis);
-    const auto before = on_plane(frame, last_, pivot, axis);
+    const auto now = pointer_on_plane(frame, pixel, pivot, axis);
+    const auto before = pointer_on_plane(frame, last_, pivot, axis);
     if (!now || !before) return;
     const Vec3 from = *before - pivot;
     const Vec3 to = *now - pivot;
@@ -164,10 +146,8 @@ void ManipulatorDrag::scale(const ViewFrame& frame, const Vec2& pixel, const Man
   if (axis >= 0 || normal >= 0) {
     Vec3 along = axis >= 0 ? Vec3(axes.col(axis)) : Vec3(axes.col((normal + 1) % 3) + axes.col((normal + 2) % 3));
     along.normalize();
-    const auto now = along_axis(manipulator_, frame, pixel, along);
-    const auto before = along_axis(manipulator_, frame, start_, along);
-    if (!now || !before || !(unit > 0)) return;
-    grown = (*now - *before) / unit;
+    if (!(unit > 0)) return;
+    grown = (along_axis(manipulator_, frame, pixel, along) - along_axis(manipulator_, frame, start_, along)) / unit;
   }
   const double factor = std::max(least_factor, snapped(1 + grown, snap.scale));
   for (int k = 0; k < 3; ++k) {

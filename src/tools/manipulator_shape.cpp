@@ -48,7 +48,7 @@ int normal_of(Handle handle) {
 ManipulatorShape::ManipulatorShape(const Manipulator& manipulator, const ViewFrame& frame)
     : manipulator_(manipulator), frame_(frame), eye_(frame.to_eye(manipulator.pivot)) {
   const auto middle = frame.project(manipulator.pivot);
-  if (!middle || middle->depth < -1) return;
+  if (!middle) return;
   middle_ = middle->pixel;
   unit_ = manipulator.pixels * frame.units_per_pixel(manipulator.pivot);
 }

@@ -14,6 +14,9 @@ Vec3 unit_or(const Vec3& vector, const Vec3& otherwise) {
   return length > 0 ? Vec3(vector / length) : otherwise;
 }
 
+/// What projects to x = y = w = 0: a direction (w = 0) in parallel views.
+Eigen::Vector4d eye_of(const ViewFrame& frame) { return frame.from_clip * Eigen::Vector4d(0, 0, -1, 0); }
+
 }  // namespace
 
 ViewFrame ViewFrame::of(const Eigen::Matrix4d& to_clip, const Vec2& size) { return {to_clip, to_clip.inverse(), size}; }
@@ -27,6 +30,15 @@ Vec3 ViewFrame::unproject(const Vec2& pixel, double depth) const {
 Ray ViewFrame::ray(const Vec2& pixel) const {
   const Vec3 origin = unproject(pixel, -1);
   return {origin, unit_or(unproject(pixel, 1) - origin, -Vec3::UnitZ())};
+}
+
+Ray ViewFrame::sight(const Vec2& pixel) const {
+  Ray sight = ray(pixel);
+  if (perspective()) {
+    const Eigen::Vector4d eye = eye_of(*this);
+    sight.origin = eye.head<3>() / eye.w();
+  }
+  return sight;
 }
 
 std::optional<Projected> ViewFrame::project(const Vec3& place) const {
@@ -44,8 +56,7 @@ double ViewFrame::units_per_pixel(const Vec3& place) const {
 }
 
 Vec3 ViewFrame::to_eye(const Vec3& place) const {
-  // The eye is what projects to x = y = w = 0, so the direction to it depends on the place only in perspective.
-  const Eigen::Vector4d eye = from_clip * Eigen::Vector4d(0, 0, -1, 0);
+  const Eigen::Vector4d eye = eye_of(*this);
   return unit_or(eye.head<3>() - eye.w() * place, Vec3::UnitZ());
 }
 

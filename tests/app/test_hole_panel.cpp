@@ -116,6 +116,17 @@ TEST_CASE("what fills or opens all holes can be chosen where it would change som
   CHECK(is_enabled(hand, "reopen-all"));
 }
 
+TEST_CASE("where a mesh has no holes nothing can be filled or opened", "[hole-panel]") {
+  StudioFixture hand;
+  open_scan(hand, test::round_sphere(3));
+  REQUIRE(holes(hand).rows().empty());
+  for (const char* name : {"fill-inner", "fill-all-but-largest", "fill-all", "reopen-all", "fill-selected"}) {
+    INFO(name);
+    CHECK(!is_enabled(hand, name));
+  }
+  CHECK(!hand.window().findChild<QPushButton*>("fill-inner-button")->isEnabled());
+}
+
 TEST_CASE("all holes are opened, also those whose patches were shaped or bridged", "[hole-panel]") {
   StudioFixture hand;
   const PolyMesh below = open_tube(1, 2, 16, 8);

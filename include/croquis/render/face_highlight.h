@@ -13,8 +13,9 @@ namespace croquis::render {
 /// drawn once more, so nothing flickers; light, hollows and contours stay.
 struct FaceHighlight {
   MeshItemPtr mesh;
-  SharedArray<std::uint32_t> triangles;  ///< #T * 3, indices into the item's vertices
-  Color color;                           ///< alpha is the strength over the faces' own colour
+  SharedArray<std::uint32_t> triangles;                    ///< #T * 3, indices into the item's vertices
+  Color color;                                             ///< alpha is the strength over the faces' own colour
+  std::shared_ptr<const FaceHighlight> reduced = nullptr;  ///< of the item's reduced surface, where it has one
 };
 
 using FaceHighlightPtr = std::shared_ptr<const FaceHighlight>;

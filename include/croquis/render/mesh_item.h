@@ -70,6 +70,9 @@ struct MeshItem {
   std::uint32_t patch_count = 0;
   double edge_length = 0;                ///< mean of its edges (of many: of some), in model units
   std::shared_ptr<const MeshPlan> plan;  ///< what its updates and highlights reuse
+
+  /// The same surface with fewer triangles, for `RenderOptions::reduced`; null for one of few triangles.
+  std::shared_ptr<const MeshItem> reduced;
 };
 
 using MeshItemPtr = std::shared_ptr<const MeshItem>;

@@ -41,7 +41,11 @@ struct EmphasisOptions {
   Color hovered = {40, 140, 255, 150};
   double surface_tint = 0.45;  ///< times the strength for surfaces, in [0, 1]
   double glow = 2.5;           ///< pixels that lines and marks grow on either side, in the colour of the emphasis
-  double faded = 0.45;         ///< what is left of stale items' strength, in [0, 1]
+  Color outline = {255, 128, 16, 255};       ///< of surfaces, beside them …
+  Color outline_casing = {30, 20, 12, 255};  ///< … and the thin border of that line: one of both differs from anything
+  double outline_width = 2.4;                ///< pixels, in (0, 16]
+  double casing_width = 1.3;                 ///< pixels, in [0, 16]: of lines and outlines that have a border
+  double faded = 0.45;                       ///< what is left of stale items' strength, in [0, 1]
 };
 
 /// The look of a picture. Widths and lengths are in pixels of the finished picture, times `pixel_ratio`.
@@ -66,6 +70,8 @@ struct RenderOptions {
   /// Bytes of large items that one drawing may send to the graphics card; 0: all at once. A mesh that is not there yet
   /// shows its box, then its triangles as they come. Items below a megabyte and updated ones go whole at once.
   std::size_t upload_budget = 0;
+  /// Draws large meshes with fewer triangles (`MeshItem::reduced`): for while the camera moves.
+  bool reduced = false;
   double pixel_ratio = 1;  ///< device pixels per pixel of the lengths given here and in items, in [0.25, 8]
 
   /// For while something moves: one sample per pixel and no occlusion; lines and marks stay smooth.

@@ -66,6 +66,9 @@ class Renderer {
 
   UploadCount uploaded() const;
 
+  /// Of filled or covering surfaces in the last drawing.
+  std::size_t triangles_drawn() const;
+
  private:
   class Implementation;
   std::unique_ptr<Implementation> implementation_;

@@ -18,7 +18,8 @@ namespace croquis::render {
 struct Emphasis {
   bool selected = false;
   bool hovered = false;
-  bool stale = false;  ///< older than what it is made from: faded
+  bool stale = false;     ///< older than what it is made from: faded
+  bool outlined = false;  ///< surfaces: a line around what is seen of it, in the colour of what is selected
 
   bool operator==(const Emphasis&) const = default;
 };

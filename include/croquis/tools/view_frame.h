@@ -35,6 +35,12 @@ struct ViewFrame {
   /// From the near plane away from the eye, through a pixel of the view.
   Ray ray(const Vec2& pixel) const;
 
+  /// All that is shown at a pixel, whatever its depth: in perspective from the eye on, in a parallel view a whole line,
+  /// also behind the ray's origin.
+  Ray sight(const Vec2& pixel) const;
+
+  bool perspective() const { return !to_clip.row(3).head<3>().isZero(0); }
+
   /// Nothing for places beside or behind the eye.
   std::optional<Projected> project(const Vec3& place) const;
 
