@@ -3,6 +3,7 @@
 
 #include <QSignalBlocker>
 
+#include "app/finding_sentence.h"
 #include "app/theme.h"
 
 namespace croquis::app {
@@ -23,7 +24,7 @@ void FindingsList::show_findings(const std::vector<NodeFinding>& findings) {
   findings_ = findings;
   for (const NodeFinding& found : findings) {
     const bool error = found.finding.severity == Severity::Error;
-    auto* row = new QListWidgetItem(QString::fromStdString(found.finding.message), this);
+    auto* row = new QListWidgetItem(sentence_in_view(found.finding), this);
     row->setForeground(error ? colors::error.lighter(140) : colors::warning.lighter(120));
     row->setToolTip(QString::fromStdString(found.finding.code));
   }

@@ -21,6 +21,7 @@ SketchInteraction::SketchInteraction(Studio& studio, const ViewPane& pane, QObje
 
 void SketchInteraction::set_mode(SketchMode mode) {
   tool_.set_mode(mode);
+  follow_ink();
   scene_.show_hovered(std::nullopt, studio_.drawing());
   scene_.show_drawing(studio_, tool_);
   emit changed();
@@ -51,18 +52,31 @@ void SketchInteraction::feed(const SketchEvent& event) {
   if (tool_.handle(event) == Verdict::Commit && tool_.done()) emit committed(*tool_.done());
 }
 
+/// Nothing else changes under the pen: what is computed meanwhile is shown when the stroke has ended.
+void SketchInteraction::follow_ink() { studio_.hold_results(inking()); }
+
 void SketchInteraction::show_gesture() {
+  follow_ink();
+  if (inking()) {
+    emit inked();
+    return;
+  }
   scene_.show_hovered(std::nullopt, studio_.drawing());
   scene_.show_preview(tool_.preview(), studio_.drawing());
   emit changed();
 }
 
-void SketchInteraction::hover(const PointerEvent& event) {
-  told_finding_.clear();
+QString SketchInteraction::told_at(const Vec2& pixel) const {
+  QStringList sentences;
   for (const FindingMark& finding : scene_.finding_marks()) {
-    const bool under = (pane_.sketch_frame().to_pixel(finding.at) - event.position).norm() < mark_reach;
-    if (under) told_finding_ = QString::fromStdString(finding.sentence);
+    const bool under = (pane_.sketch_frame().to_pixel(finding.at) - pixel).norm() < mark_reach;
+    if (under && !sentences.contains(finding.sentence)) sentences << finding.sentence;
   }
+  return sentences.join("\n");
+}
+
+void SketchInteraction::hover(const PointerEvent& event) {
+  told_finding_ = told_at(event.position);
   if (tool_.mode() == SketchMode::Draw) return;
   const SketchFrame frame = pane_.sketch_frame();
   const auto found =

@@ -33,9 +33,14 @@ class SketchInteraction : public QObject {
   void take(const PointerEvent& event);
 
   bool down() const { return pen_.down(); }
+
+  /// The stroke under way as drawn so far; empty while none is.
+  const std::vector<StrokeSample>& ink() const { return tool_.preview().ink; }
+  bool inking() const { return !ink().empty(); }
+
   bool abandon();  ///< gives up the gesture under way. @return false when there was none
 
-  /// The sentence of the finding whose mark is under the pointer.
+  /// The sentences of the findings whose marks are under the pointer.
   const QString& told_finding() const { return told_finding_; }
 
   /// Feeds the tool a gesture in sketch coordinates, as a recording has it.
@@ -47,13 +52,16 @@ class SketchInteraction : public QObject {
 
  signals:
   void changed();  ///< the scene
+  void inked();    ///< nothing but the ink
   void committed(const croquis::recorded::Step& step);
 
  private:
   void take_pen(const std::vector<PenStep>& steps);
   void feed(const SketchEvent& event);
   void show_gesture();
+  void follow_ink();
   void hover(const PointerEvent& event);
+  QString told_at(const Vec2& pixel) const;
 
   Studio& studio_;
   const ViewPane& pane_;

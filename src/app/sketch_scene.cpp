@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/finding_sentence.h"
 #include "app/render_color.h"
 #include "app/theme.h"
 
@@ -139,6 +140,16 @@ std::vector<Vec2> first_ghost() {
   return blob;
 }
 
+render::LineItemPtr ink_item(const std::vector<StrokeSample>& ink) {
+  if (ink.empty()) return nullptr;
+  render::LinePath path;
+  path.points.reserve(ink.size());
+  for (const StrokeSample& sample : ink) {
+    path.points.push_back({on_plane(sample.position), static_cast<float>(0.5 + 0.8 * sample.pressure), {}});
+  }
+  return render::make_line_item(path, {ink_width, to_color(colors::ink), {}, render::LineDepth::OnTop});
+}
+
 void SketchScene::show_drawing(const Studio& studio, SketchTool& tool) {
   const Drawing& drawing = studio.drawing();
   const std::vector<std::string> chosen = tool.selected();
@@ -181,7 +192,7 @@ void SketchScene::show_result(const Studio& studio) {
     if (!result->failed) add_overlap_marks(*result, marks);
     for (const Finding& finding : result->findings) {
       const auto at = place_of(finding, studio.drawing());
-      if (at) finding_marks_.push_back({*at, finding.message, finding.severity == Severity::Error});
+      if (at) finding_marks_.push_back({*at, sentence_in_view(finding), finding.severity == Severity::Error});
     }
   }
   for (const FindingMark& finding : finding_marks_) marks.push_back(finding_symbol(finding));
@@ -189,15 +200,6 @@ void SketchScene::show_result(const Studio& studio) {
 }
 
 void SketchScene::show_preview(const SketchPreview& preview, const Drawing& drawing) {
-  ink_.reset();
-  preview_lines_.reset();
-  if (!preview.ink.empty()) {
-    render::LinePath path;
-    for (const StrokeSample& sample : preview.ink) {
-      path.points.push_back({on_plane(sample.position), static_cast<float>(0.5 + 0.8 * sample.pressure), {}});
-    }
-    ink_ = render::make_line_item(path, {ink_width, to_color(colors::ink), {}, render::LineDepth::OnTop});
-  }
   std::vector<render::LinePath> paths;
   for (const std::string& erased : preview.erased) {
     const Stroke* stroke = find_stroke(drawing, erased);
@@ -222,7 +224,7 @@ void SketchScene::show_hovered(const std::optional<std::string>& stroke, const D
 
 render::Scene SketchScene::scene() const {
   render::Scene scene;
-  scene.lines = {{ghost_}, {hidden_}, {hovered_}, {strokes_}, {selected_}, {preview_lines_}, {ink_}};
+  scene.lines = {{ghost_}, {hidden_}, {hovered_}, {strokes_}, {selected_}, {preview_lines_}};
   scene.marks = {{anchors_}, {marks_}};
   return scene;
 }

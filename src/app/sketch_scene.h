@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QString>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,7 +15,7 @@ namespace croquis::app {
 /// A finding and where on the sketch plane it stands.
 struct FindingMark {
   Vec2 at = Vec2::Zero();
-  std::string sentence;
+  QString sentence;
   bool error = false;
 };
 
@@ -28,7 +29,7 @@ class SketchScene {
   /// Hidden contours and marks.
   void show_result(const Studio& studio);
 
-  /// What the pen is about to do; cheap enough for every event.
+  /// What the pen is about to do, but for its ink; cheap enough for every event.
   void show_preview(const SketchPreview& preview, const Drawing& drawing);
 
   /// The stroke under the pointer, or none.
@@ -52,9 +53,11 @@ class SketchScene {
   render::LineItemPtr hidden_;
   render::MarkItemPtr marks_;
   render::LineItemPtr preview_lines_;
-  render::LineItemPtr ink_;
   std::vector<FindingMark> finding_marks_;
 };
+
+/// The ink of a stroke under way, or null before its first sample.
+render::LineItemPtr ink_item(const std::vector<StrokeSample>& ink);
 
 /// The blob that a first stroke may trace, closed, sketch units.
 std::vector<Vec2> first_ghost();

@@ -225,6 +225,14 @@ void Studio::show_object(NodeId id, bool visible) {
   session_.edit((visible ? "Show " : "Hide ") + shown->name, session_.document().with(std::move(node)));
 }
 
+void Studio::hold_results(bool held) {
+  if (held == held_) return;
+  held_ = held;
+  if (held) return;
+  if (std::exchange(results_wait_, false)) take_results();
+  emit busy_changed(busy());
+}
+
 void Studio::cancel() {
   for (const auto& [id, live] : live_) live->cancel();
 }
@@ -244,9 +252,11 @@ LiveNode& Studio::live_node(NodeId node) {
   };
   host.changed = [this] { take_results(); };
   host.progress = [this](double fraction, const std::string& step) {
-    emit progress_changed(fraction, QString::fromStdString(step));
+    if (!held_) emit progress_changed(fraction, QString::fromStdString(step));
   };
-  host.busy_changed = [this] { emit busy_changed(busy()); };
+  host.busy_changed = [this] {
+    if (!held_) emit busy_changed(busy());
+  };
   live = std::make_unique<LiveNode>(evaluator_, node, std::move(host));
   return *live;
 }
@@ -286,6 +296,8 @@ void Studio::follow_session() {
 }
 
 void Studio::take_results() {
+  results_wait_ = held_;
+  if (held_) return;
   list_objects();
   emit result_changed();
 }

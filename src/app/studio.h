@@ -94,6 +94,9 @@ class Studio : public QObject {
   void rename_object(NodeId node, const std::string& name);
   void show_object(NodeId node, bool visible);
 
+  /// While held, results and the progress towards them are kept back; let go, they are told at once.
+  void hold_results(bool held);
+
   /// Stops what is being computed; the views keep what they show.
   void cancel();
 
@@ -120,6 +123,8 @@ class Studio : public QObject {
   NodeId active_ = 0;
   std::map<std::string, OperationDescription> descriptions_;
   bool dragging_parameter_ = false;
+  bool held_ = false;
+  bool results_wait_ = false;  ///< for the end of holding
   std::map<NodeId, std::unique_ptr<LiveNode>> live_;  ///< last: their jobs use all of the above
 };
 

@@ -119,10 +119,7 @@ ViewChips::ViewChips(Studio& studio, QWidget* views)
   hint_->setText(tr("Trace me: one closed line becomes a solid"));
   counts_->setObjectName("counts");
   value_->setObjectName("edge-value");
-  for (QLabel*& chip : findings_) {
-    chip = label(views, "background: #b3362f; color: white; border-radius: 6px; padding: 5px 8px");
-    chip->setWordWrap(true);
-  }
+  hint_->setObjectName("hint");
   for (QLabel*& name : names_) name = label(views, name_style);
 }
 
@@ -131,20 +128,34 @@ void ViewChips::say(const QString& sentence) {
   hint_stays_ = true;
 }
 
+void ViewChips::put(QWidget* chip, const QPointF& at, const QRectF& bounds, ChipSpace& space) {
+  const auto place = space.take(QRect(at.toPoint(), chip->size()), bounds.toAlignedRect());
+  if (place) chip->move(place->topLeft());
+  chip->setVisible(place.has_value());
+}
+
 void ViewChips::place(const PaneLayout& layout, const Wanted& wanted) {
+  ChipSpace space;
   const ViewPane& sketch = layout.pane(SketchView);
-  hint_->setVisible(hint_stays_ || (wanted.sketch->invites() && sketch.visible() && !wanted.drawing));
+  const ViewPane& solid = layout.pane(layout.alone() >= 0 ? layout.alone() : PerspectiveView);
+  place_names(layout, wanted, space);
+  place_legends(solid, wanted, space);
+  place_hint(sketch, wanted, space);
+  place_joints(sketch, wanted, space);
+  place_value(wanted, space);
+}
+
+void ViewChips::place_hint(const ViewPane& pane, const Wanted& wanted, ChipSpace& space) {
+  if (!hint_stays_ && !(wanted.sketch->invites() && pane.visible() && !wanted.drawing)) return hint_->hide();
   hint_->adjustSize();
-  hint_->move(static_cast<int>(sketch.rect.center().x() - hint_->width() / 2.0),
-              static_cast<int>(sketch.rect.bottom() - 60));
-  place_findings(sketch, wanted);
-  place_joints(sketch, wanted);
-  place_names(layout, wanted);
-  value_->setVisible(wanted.value.has_value());
-  if (!wanted.value) return;
+  put(hint_, QPointF(pane.rect.center().x() - hint_->width() / 2.0, pane.rect.bottom() - 60), views_->rect(), space);
+}
+
+void ViewChips::place_value(const Wanted& wanted, ChipSpace& space) {
+  if (!wanted.value) return value_->hide();
   value_->setText(wanted.value->text);
   value_->adjustSize();
-  value_->move((wanted.value->at + QPointF(14, -24)).toPoint());
+  put(value_, wanted.value->at + QPointF(14, -24), views_->rect(), space);
 }
 
 QString ViewChips::counts() const {
@@ -165,46 +176,34 @@ QString ViewChips::counts() const {
   return lines.join("\n");
 }
 
-void ViewChips::place_names(const PaneLayout& layout, const Wanted& wanted) {
+void ViewChips::place_names(const PaneLayout& layout, const Wanted& wanted, ChipSpace& space) {
   const std::array<QString, view_count> titles{tr("Front"), tr("Perspective"), tr("Top"), tr("Side"),
                                                wanted.comparison};
   for (std::size_t view = 0; view < view_count; ++view) {
     const ViewPane& pane = layout.pane(static_cast<int>(view));
     const bool sketching = view == SketchView && (wanted.sketch->has_strokes() || wanted.sketch->invites());
     names_[view]->setText(sketching ? tr("Sketch") : titles[view]);
-    names_[view]->setVisible(pane.visible());
     names_[view]->adjustSize();
-    names_[view]->move(pane.rect.topLeft().toPoint() + QPoint(10, 8));
+    if (pane.visible())
+      put(names_[view], pane.rect.topLeft() + QPointF(10, 8), pane.rect, space);
+    else
+      names_[view]->hide();
   }
-  const ViewPane& solid = layout.pane(layout.alone() >= 0 ? layout.alone() : PerspectiveView);
-  counts_->setText(counts());
-  counts_->setVisible(!counts_->text().isEmpty() && solid.visible());
-  counts_->setAlignment(Qt::AlignRight);
-  counts_->adjustSize();
-  counts_->move(static_cast<int>(solid.rect.right()) - counts_->width() - 10, static_cast<int>(solid.rect.top()) + 8);
-  legend_->setVisible(wanted.legend && solid.visible());
-  legend_->move(static_cast<int>(solid.rect.right()) - legend_->width() - 10,
-                static_cast<int>(solid.rect.bottom()) - legend_->height() - 10);
-  confidence_->setVisible(wanted.confidence && solid.visible());
-  confidence_->move(static_cast<int>(solid.rect.right()) - confidence_->width() - 10,
-                    static_cast<int>(solid.rect.bottom()) - confidence_->height() - 10);
 }
 
-void ViewChips::place_findings(const ViewPane& pane, const Wanted& wanted) {
-  std::size_t used = 0;
-  for (const FindingMark& finding : wanted.sketch->finding_marks()) {
-    if (used == findings_.size() || !pane.visible() || wanted.drawing) break;
-    if (!finding.error) continue;  // its mark is enough: the pen on it shows the sentence
-    QLabel* chip = findings_[used++];
-    chip->setText(QString::fromStdString(finding.sentence));
-    chip->setFixedWidth(std::min(300, static_cast<int>(pane.rect.width()) - 16));
-    chip->setFixedHeight(chip->heightForWidth(chip->width()));
-    const QPointF at = sketch_to_widget(pane, finding.at) + QPointF(14, 10);
-    chip->move(static_cast<int>(std::clamp(at.x(), pane.rect.left() + 4, pane.rect.right() - chip->width() - 4)),
-               static_cast<int>(std::clamp(at.y(), pane.rect.top() + 4, pane.rect.bottom() - chip->height() - 4)));
-    chip->show();
-  }
-  for (; used < findings_.size(); ++used) findings_[used]->hide();
+void ViewChips::place_legends(const ViewPane& pane, const Wanted& wanted, ChipSpace& space) {
+  counts_->setText(counts());
+  counts_->setAlignment(Qt::AlignRight);
+  counts_->adjustSize();
+  const auto place = [&](QWidget* chip, bool shown, double y) {
+    if (shown && pane.visible())
+      put(chip, QPointF(pane.rect.right() - chip->width() - 10, y), views_->rect(), space);
+    else
+      chip->hide();
+  };
+  place(counts_, !counts_->text().isEmpty(), pane.rect.top() + 8);
+  place(legend_, wanted.legend, pane.rect.bottom() - legend_->height() - 10);
+  place(confidence_, wanted.confidence, pane.rect.bottom() - confidence_->height() - 10);
 }
 
 void ViewChips::show_joints() {
@@ -243,13 +242,15 @@ void ViewChips::join_all() {
   if (!joints_.empty()) studio_.set_parameter(studio_.solid_node(), "attach", text, false);
 }
 
-void ViewChips::place_joints(const ViewPane& pane, const Wanted& wanted) {
+void ViewChips::place_joints(const ViewPane& pane, const Wanted& wanted, ChipSpace& space) {
   for (std::size_t i = 0; i < joint_chips_.size(); ++i) {
     QToolButton* chip = joint_chips_[i];
     const bool shown = i < joints_.size() && pane.visible() && !wanted.drawing;
     const QPointF at = shown ? sketch_to_widget(pane, joints_[i].at) : QPointF();
-    chip->setVisible(shown && pane.rect.contains(at));
-    chip->move((at - QPointF(chip->width(), chip->height()) / 2).toPoint());
+    if (shown && pane.rect.contains(at))
+      put(chip, at - QPointF(chip->width(), chip->height()) / 2, pane.rect, space);
+    else
+      chip->hide();
   }
 }
 

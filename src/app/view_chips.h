@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/chip_space.h"
 #include "app/joints.h"
 #include "app/pane_layout.h"
 #include "app/sketch_scene.h"
@@ -37,8 +38,8 @@ class ConfidenceLegend : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 };
 
-/// The small things that stand over the views: their names, counts, the invitation to draw, sentences at findings,
-/// buttons at joints, the value of the edge under the pointer.
+/// The small things that stand over the views: their names, counts, the invitation to draw, buttons at joints, the
+/// value of the edge under the pointer. None lies over another.
 class ViewChips : public QObject {
   Q_OBJECT
 
@@ -71,16 +72,18 @@ class ViewChips : public QObject {
   void place(const PaneLayout& layout, const Wanted& wanted);
 
  private:
-  void place_findings(const ViewPane& pane, const Wanted& wanted);
-  void place_joints(const ViewPane& pane, const Wanted& wanted);
-  void place_names(const PaneLayout& layout, const Wanted& wanted);
+  void place_names(const PaneLayout& layout, const Wanted& wanted, ChipSpace& space);
+  void place_legends(const ViewPane& pane, const Wanted& wanted, ChipSpace& space);
+  void place_hint(const ViewPane& pane, const Wanted& wanted, ChipSpace& space);
+  void place_joints(const ViewPane& pane, const Wanted& wanted, ChipSpace& space);
+  void place_value(const Wanted& wanted, ChipSpace& space);
+  void put(QWidget* chip, const QPointF& at, const QRectF& bounds, ChipSpace& space);
   QString counts() const;
 
   Studio& studio_;
   QWidget* views_;
   QLabel* hint_;
   bool hint_stays_ = false;
-  std::array<QLabel*, 3> findings_{};
   std::array<QLabel*, view_count> names_{};
   QLabel* counts_;
   QLabel* value_;

@@ -50,6 +50,9 @@ Viewport::Viewport(Studio& studio, QWidget* parent)
   clock_.start();
   // What isn't drawn anew stays as it was.
   setUpdateBehavior(QOpenGLWidget::PartialUpdate);
+  // On X11 Qt drops all moves but the last one of those that wait, and a circle becomes a polygon. Only the application
+  // object's platform turns that on, so it can't be turned off before.
+  QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
   settle_.setSingleShot(true);
   patience_.setSingleShot(true);
   long_press_.setSingleShot(true);
@@ -78,6 +81,7 @@ void Viewport::connect_parts() {
   connect(&studio_, &Studio::changed, this, &Viewport::follow_document);
   connect(&studio_, &Studio::result_changed, this, &Viewport::follow_result);
   connect(&sketch_, &SketchInteraction::changed, this, [this] { redraw(SketchView); });
+  connect(&sketch_, &SketchInteraction::inked, this, [this] { update(); });
   connect(&sketch_, &SketchInteraction::committed, this, &Viewport::committed);
   connect(&mesh_, &MeshInteraction::changed, this, &Viewport::redraw_all);
   connect(&mesh_, &MeshInteraction::committed, this, &Viewport::committed);
@@ -121,6 +125,7 @@ void Viewport::set_tool(ToolKind tool) {
   if (draws && !layout_.pane(SketchView).visible()) arrange(Arrangement::SketchAndSolid);
   show_cursor(under_pointer_);
   redraw_all();
+  navigation_.something_done();
   emit help_changed();
 }
 
@@ -238,6 +243,7 @@ void Viewport::follow_document() {
     arrange(Arrangement::SketchAndSolid);
   }
   had_meshes_ = has_meshes;
+  navigation_.something_done();
   emit help_changed();
 }
 
@@ -294,7 +300,11 @@ void Viewport::redraw_moved(int view) {
 void Viewport::redraw(int view) {
   PaneState& state = states_[static_cast<std::size_t>(view)];
   state.drawn = false;
-  update();
+  // Under a stroke views wait: a hand that draws must see its ink at once.
+  if (!sketch_.inking()) {
+    update();
+    if (view == SketchView) sheet_.drop();
+  }
   if (view == SketchView && !has_editable_mesh(studio_)) return;  // paper is always fine
   state.fine = false;
   if (affordable_) settle_.start(settle_ms);
@@ -306,9 +316,29 @@ void Viewport::redraw_all() {
 
 void Viewport::paintGL() {
   if (!renderer_) return;
+  if (!draw_ink()) draw_views();
+  ++frames_;
+  if (input_time_ms_ >= 0) {
+    latency_ms_ = static_cast<double>(clock_.nsecsElapsed()) * 1e-6 - input_time_ms_;
+    input_time_ms_ = -1;
+  }
+}
+
+/// The stroke under way, where nothing else has to be drawn for it.
+bool Viewport::draw_ink() {
+  const ViewPane& pane = layout_.pane(SketchView);
+  if (!sketch_.inking() || clear_ || !sheet_.fits(pane)) return false;
+  const bool begins = sheet_.inked() == 0;
+  sheet_.draw_new_ink(*renderer_, sketch_.ink(), place_of(pane));
+  if (begins) place_chips();
+  return true;
+}
+
+void Viewport::draw_views() {
   QElapsedTimer watch;
   watch.start();
-  if (std::exchange(clear_, false)) {
+  const bool clears = std::exchange(clear_, false);
+  if (clears) {
     QOpenGLFunctions* gl = QOpenGLContext::currentContext()->functions();
     gl->glClearColor(0.22F, 0.23F, 0.25F, 1);
     gl->glClear(GL_COLOR_BUFFER_BIT);
@@ -318,7 +348,7 @@ void Viewport::paintGL() {
   uploading_ = false;
   for (const int view : layout_.shown()) {
     PaneState& state = states_[static_cast<std::size_t>(view)];
-    if (state.drawn) continue;
+    if (state.drawn || (sketch_.inking() && view != SketchView && !clears)) continue;
     draw_view(view);
     state.drawn = !renderer_->pending();
     state.triangles = renderer_->triangles_drawn();
@@ -328,11 +358,6 @@ void Viewport::paintGL() {
   if (uploading_) update();
   if (fine) affordable_ = static_cast<double>(watch.elapsed()) < affordable_ms;
   place_chips();
-  ++frames_;
-  if (input_time_ms_ >= 0) {
-    latency_ms_ = static_cast<double>(clock_.nsecsElapsed()) * 1e-6 - input_time_ms_;
-    input_time_ms_ = -1;
-  }
 }
 
 render::Scene Viewport::scene_of(int view) {
@@ -377,9 +402,7 @@ render::RenderOptions Viewport::options_of(int view) const {
   return options;
 }
 
-void Viewport::draw_view(int view) {
-  const ViewPane& pane = layout_.pane(view);
-  if (!pane.visible()) return;
+render::Viewport Viewport::place_of(const ViewPane& pane) const {
   const double ratio = devicePixelRatioF();
   const auto pixels = [ratio](double length) { return static_cast<int>(std::lround(length * ratio)); };
   render::Viewport target;
@@ -387,7 +410,19 @@ void Viewport::draw_view(int view) {
   target.y = pixels(height() - pane.rect.bottom());
   target.width = pixels(pane.rect.width());
   target.height = pixels(pane.rect.height());
-  renderer_->draw(scene_of(view), pane.camera, options_of(view), target);
+  return target;
+}
+
+void Viewport::draw_view(int view) {
+  const ViewPane& pane = layout_.pane(view);
+  if (!pane.visible()) return;
+  render::Scene scene = scene_of(view);
+  const render::RenderOptions options = options_of(view);
+  if (view == SketchView) {
+    sheet_.keep(scene, options, pane, sketch_.ink().size());
+    scene.lines.emplace_back(ink_item(sketch_.ink()));
+  }
+  renderer_->draw(scene, pane.camera, options, place_of(pane));
 }
 
 void Viewport::place_chips() {

@@ -10,8 +10,10 @@
 #include <optional>
 
 #include "app/comparison.h"
+#include "app/event_clock.h"
 #include "app/hole_interaction.h"
 #include "app/hole_pin_view.h"
+#include "app/ink_sheet.h"
 #include "app/marking_menu.h"
 #include "app/mesh_interaction.h"
 #include "app/object_scenes.h"
@@ -142,7 +144,17 @@ class Viewport : public QOpenGLWidget {
   };
 
   void connect_parts();
-  void take(PointerEvent event, const QPointF& place);
+  struct LateMove {
+    PointerEvent event;
+    QPointF place;
+  };
+
+  double seconds() const { return static_cast<double>(clock_.nsecsElapsed()) * 1e-9; }
+  void take(const PointerEvent& event, const QPointF& place, std::uint64_t stamp);
+  void take_in_time(PointerEvent event, const QPointF& place);
+  void take_late_move();
+  void forget_swallowed_alt();
+  void take_on_sketch(const PointerEvent& event, const QPointF& place);
   bool take_marking(const PointerEvent& event, const QPointF& place);
   bool drag_border(const PointerEvent& event, const QPointF& place);
   bool navigate(const PointerEvent& event);
@@ -163,7 +175,10 @@ class Viewport : public QOpenGLWidget {
   void after_layout();
   void frame_new_views();
 
+  bool draw_ink();
+  void draw_views();
   void draw_view(int view);
+  render::Viewport place_of(const ViewPane& pane) const;
   render::Scene scene_of(int view);
   render::RenderOptions options_of(int view) const;
   void show_patch_look();
@@ -183,6 +198,7 @@ class Viewport : public QOpenGLWidget {
   HolePinView pins_;
   std::unique_ptr<render::Renderer> renderer_;
   std::array<PaneState, view_count> states_;
+  InkSheet sheet_;
   ToolKind kind_ = ToolKind::Draw;
   MeshLook look_ = MeshLook::Shaded;
   bool zebra_ = false;
@@ -204,6 +220,8 @@ class Viewport : public QOpenGLWidget {
   bool stale_ = false;
   bool affordable_ = true;  ///< the last fine frame was quick enough not to be felt
   QElapsedTimer clock_;
+  EventClock event_clock_;
+  std::optional<LateMove> late_move_;  ///< a newer one may make it needless
   double input_time_ms_ = -1;
   double latency_ms_ = 0;
   int frames_ = 0;

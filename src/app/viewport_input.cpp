@@ -10,6 +10,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/finding_sentence.h"
 #include "app/pointer_events.h"
 #include "app/viewport.h"
 
@@ -18,10 +19,20 @@ namespace {
 
 constexpr double long_press_reach = 6;       // logical pixels: a pen that moves further draws
 constexpr int twin_key = Qt::Key_QuoteLeft;  // left of 1
+constexpr double late_seconds = 0.03;        // a move that is handled later than that has waited for a busy window
+
+bool is_modifier(int key) {
+  const bool plain = key >= Qt::Key_Shift && key <= Qt::Key_ScrollLock;
+  return plain || key == Qt::Key_AltGr || key == Qt::Key_Super_L || key == Qt::Key_Super_R;
+}
 
 }  // namespace
 
 bool Viewport::event(QEvent* event) {
+  // Shortcuts come as nothing else.
+  if (event->type() == QEvent::ShortcutOverride && !is_modifier(static_cast<QKeyEvent*>(event)->key())) {
+    forget_swallowed_alt();
+  }
   if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease) {
     const auto* key = static_cast<QKeyEvent*>(event);
     if (key->key() == twin_key && !key->isAutoRepeat()) navigation_.set_twin_key(event->type() == QEvent::KeyPress);
@@ -34,12 +45,20 @@ bool Viewport::event(QEvent* event) {
   if (event->type() == QEvent::TouchBegin || event->type() == QEvent::TouchUpdate ||
       event->type() == QEvent::TouchEnd || event->type() == QEvent::TouchCancel) {
     for (const QEventPoint& finger : static_cast<QTouchEvent*>(event)->points()) {
-      if (finger.state() != QEventPoint::Stationary) take(pointer_event(finger), finger.position());
+      if (finger.state() == QEventPoint::Stationary) continue;
+      take(pointer_event(finger), finger.position(), static_cast<QTouchEvent*>(event)->timestamp());
     }
     event->accept();  // else Qt makes a mouse event of it, and fingers would draw
     return true;
   }
   return QOpenGLWidget::event(event);
+}
+
+/// What was told of Alt is old once something else is done.
+void Viewport::forget_swallowed_alt() {
+  if (!navigation_.alt_swallowed()) return;
+  navigation_.something_done();
+  emit help_changed();
 }
 
 void Viewport::note_window_moved() {
@@ -48,30 +67,62 @@ void Viewport::note_window_moved() {
   if (navigation_.alt_swallowed() != before) emit help_changed();
 }
 
-void Viewport::mousePressEvent(QMouseEvent* event) { take(pointer_event(*event), event->position()); }
-void Viewport::mouseDoubleClickEvent(QMouseEvent* event) { take(pointer_event(*event), event->position()); }
-void Viewport::mouseMoveEvent(QMouseEvent* event) { take(pointer_event(*event), event->position()); }
-void Viewport::mouseReleaseEvent(QMouseEvent* event) { take(pointer_event(*event), event->position()); }
+void Viewport::mousePressEvent(QMouseEvent* event) {
+  take(pointer_event(*event), event->position(), event->timestamp());
+}
+void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
+  take(pointer_event(*event), event->position(), event->timestamp());
+}
+void Viewport::mouseMoveEvent(QMouseEvent* event) {
+  take(pointer_event(*event), event->position(), event->timestamp());
+}
+void Viewport::mouseReleaseEvent(QMouseEvent* event) {
+  take(pointer_event(*event), event->position(), event->timestamp());
+}
 
 void Viewport::tabletEvent(QTabletEvent* event) {
-  take(pointer_event(*event), event->position());
+  take(pointer_event(*event), event->position(), event->timestamp());
   event->accept();  // else Qt makes a mouse event of it
 }
 
 void Viewport::wheelEvent(QWheelEvent* event) {
-  take(pointer_event(*event), event->position());
+  take(pointer_event(*event), event->position(), event->timestamp());
   event->accept();
 }
 
 void Viewport::leaveEvent(QEvent*) {
   PointerEvent event;
   event.action = PointerEvent::Action::Leave;
-  take(event, QPointF(-1, -1));
+  take(event, QPointF(-1, -1), 0);
 }
 
-void Viewport::take(PointerEvent event, const QPointF& place) {
-  event.time = static_cast<double>(clock_.nsecsElapsed()) * 1e-9;
-  if (input_time_ms_ < 0) input_time_ms_ = event.time * 1e3;
+/// Ink takes every move of the mouse. For all else the newest is enough, and where moves have waited for a busy window,
+/// only that one is worth the work.
+void Viewport::take(const PointerEvent& event, const QPointF& place, std::uint64_t stamp) {
+  PointerEvent timed = event;
+  timed.time = event_clock_.time_of(stamp, seconds());
+  const bool moves = event.action == PointerEvent::Action::Move || event.action == PointerEvent::Action::Hover;
+  const bool draws = event.buttons.any() && sketches_in(grabbed_ >= 0 ? grabbed_ : under_pointer_);
+  if (event.device == PointerEvent::Device::Mouse && moves && !draws && event_clock_.lag() > late_seconds) {
+    const bool same_hand = late_move_ && late_move_->event.buttons == event.buttons;
+    if (!same_hand) {
+      take_late_move();
+      QMetaObject::invokeMethod(this, &Viewport::take_late_move, Qt::QueuedConnection);
+    }
+    late_move_ = {timed, place};
+    return;
+  }
+  take_late_move();
+  take_in_time(timed, place);
+}
+
+void Viewport::take_late_move() {
+  if (const auto move = std::exchange(late_move_, std::nullopt)) take_in_time(move->event, move->place);
+}
+
+void Viewport::take_in_time(PointerEvent event, const QPointF& place) {
+  if (input_time_ms_ < 0) input_time_ms_ = seconds() * 1e3;
+  if (event.action == PointerEvent::Action::Press || event.action == PointerEvent::Action::Wheel) forget_swallowed_alt();
   const bool leaving = event.action == PointerEvent::Action::Leave;
   if (drag_border(event, place)) return;
   if (!leaving) under_pointer_ = layout_.view_at(place);
@@ -86,20 +137,23 @@ void Viewport::take(PointerEvent event, const QPointF& place) {
     grabbed_ = -1;
   if (navigate(event)) return;
   if (sketches_in(event.view)) {
-    sketch_.take(event);
-    if (!sketch_.down() && !leaving) {
-      const QString& sentence = sketch_.told_finding();
-      if (!sentence.isEmpty())
-        QToolTip::showText(mapToGlobal(place).toPoint(), sentence, this);
-      else if (told_finding_)
-        QToolTip::hideText();
-      told_finding_ = !sentence.isEmpty();
-    }
+    take_on_sketch(event, place);
   } else if (holes_.active()) {
     leaving ? holes_.leave() : holes_.take(event);
   } else if (edits_meshes()) {
     leaving ? mesh_.leave() : mesh_.take(event);
   }
+}
+
+void Viewport::take_on_sketch(const PointerEvent& event, const QPointF& place) {
+  sketch_.take(event);
+  if (sketch_.down() || event.action == PointerEvent::Action::Leave) return;
+  const QString& sentence = sketch_.told_finding();
+  if (!sentence.isEmpty())
+    QToolTip::showText(mapToGlobal(place).toPoint(), sentence, this);
+  else if (told_finding_)
+    QToolTip::hideText();
+  told_finding_ = !sentence.isEmpty();
 }
 
 bool Viewport::navigate(const PointerEvent& event) {
@@ -173,8 +227,8 @@ bool Viewport::drag_border(const PointerEvent& event, const QPointF& place) {
 }
 
 QString Viewport::help() const {
-  for (const NodeFinding& found : studio_.findings()) {
-    if (found.finding.severity == Severity::Error) return QString::fromStdString(found.finding.message);
+  for (const NodeFinding& found : sketch_.inking() ? std::vector<NodeFinding>() : studio_.findings()) {
+    if (found.finding.severity == Severity::Error) return sentence_in_view(found.finding);
   }
   if (navigation_.alt_swallowed()) {
     return tr("Alt belongs to your desktop: hold Super, or the key left of 1, and drag to turn, shift and come nearer");

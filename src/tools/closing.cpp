@@ -33,15 +33,26 @@ struct ClosingCandidate {
 
 class Seam {
  public:
-  Seam(std::span<const StrokeSample> samples, double distance) : distance_(distance) {
+  Seam(std::span<const StrokeSample> samples, const CloseOptions& options)
+      : near_(options.distance * options.units_per_pixel) {
     for (const StrokeSample& sample : samples) places_.push_back(sample.position);
     lengths_ = arc_lengths(places_, false);
-    reach_ = std::min(reach_in_distances * distance, total() / 4);
+    distance_ = std::max(near_, std::min(options.share * total(), options.farthest * options.units_per_pixel));
+    reach_ = std::min(reach_in_distances * distance_, total() / 4);
   }
 
   double total() const { return lengths_.back(); }
 
-  bool ends_are_near() const { return (places_.back() - places_.front()).norm() <= distance_; }
+  bool ends_are_near() const { return gap().norm() <= near_; }
+
+  /// The tail stops short of the beginning, and would go on into it. Ends that only face each other may have something
+  /// drawn between them later.
+  bool heads_for_beginning() const {
+    const Vec2 head = direction(0);
+    const Vec2 tail = direction(places_.size() - 1);
+    const double least = along * gap().norm();
+    return gap().norm() <= distance_ && head.dot(tail) > along && gap().dot(head) > least && gap().dot(tail) > least;
+  }
 
   /// The tail runs past the beginning, beside it and the same way.
   bool overlaps() const {
@@ -72,6 +83,8 @@ class Seam {
   }
 
  private:
+  Vec2 gap() const { return places_.front() - places_.back(); }  ///< from the end to the beginning
+
   std::vector<std::size_t> thinned(std::vector<std::size_t> all) const {
     const std::size_t step = 1 + all.size() / most_places;
     std::vector<std::size_t> some;
@@ -128,7 +141,8 @@ class Seam {
 
   std::vector<Vec2> places_;
   std::vector<double> lengths_;
-  double distance_;
+  double near_;          ///< a gap that closes by itself
+  double distance_ = 0;  ///< the largest that closes
   double reach_ = 0;
 };
 
@@ -136,10 +150,9 @@ class Seam {
 
 std::optional<Closing> find_closing(std::span<const StrokeSample> samples, const CloseOptions& options) {
   if (samples.size() < 3) return std::nullopt;
-  const double distance = options.distance * options.units_per_pixel;
-  const Seam seam(samples, distance);
-  if (seam.total() <= options.times_longer * distance) return std::nullopt;
-  if (!seam.ends_are_near() && !seam.overlaps()) return std::nullopt;
+  const Seam seam(samples, options);
+  if (seam.total() <= options.times_longer * options.distance * options.units_per_pixel) return std::nullopt;
+  if (!seam.ends_are_near() && !seam.heads_for_beginning() && !seam.overlaps()) return std::nullopt;
   return seam.best();
 }
 

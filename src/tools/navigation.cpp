@@ -157,9 +157,11 @@ void Navigation::window_moved() {
 }
 
 void Navigation::note_alt(const PointerEvent& event) {
-  if (event.action != Action::Press || event.device == Device::Touch || !event.modifiers.alt) return;
-  pressed_with_alt_ = true;
-  alt_swallowed_ = false;
+  if (event.action == Action::Press || event.action == Action::Wheel) alt_swallowed_ = false;
+  // Fingers have no modifiers, and leaving tells none.
+  if (event.device == Device::Touch || event.action == Action::Leave) return;
+  if (!event.modifiers.alt) alt_held_ = false;
+  if (event.action == Action::Press && event.modifiers.alt) pressed_with_alt_ = true;
 }
 
 }  // namespace croquis

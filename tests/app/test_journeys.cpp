@@ -129,7 +129,7 @@ TEST_CASE("a free end is marked where it is, with its sentence, until the drawin
   CHECK(marks.front().error);
   const double nearest = std::min((marks.front().at - open.front()).norm(), (marks.front().at - open.back()).norm());
   CHECK(nearest < 15);
-  CHECK(QString::fromStdString(marks.front().sentence).contains("stroke 1"));
+  CHECK(marks.front().sentence.contains("stroke 1"));
   CHECK(hand.window().findChild<app::FindingsList*>("findings")->count() >= 1);
   const QPointF at = hand.viewport().sketch_to_widget(marks.front().at);
   const auto is_red = [](const QColor& c) { return c.red() > 150 && c.green() < 110 && c.blue() < 110; };

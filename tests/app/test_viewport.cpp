@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
+#include <QKeyEvent>
+#include <QLabel>
 #include <QTest>
 #include <QToolButton>
 #include <QWheelEvent>
@@ -107,6 +109,30 @@ TEST_CASE("a joint is offered where a limb meets the body, and one click makes a
   hand.settle();
   CHECK(parts() == apart);
   CHECK(!joint->isChecked());
+}
+
+TEST_CASE("the sentence about a swallowed Alt goes once something else is done", "[viewport]") {
+  StudioFixture hand;
+  Viewport& view = hand.viewport();
+  auto* line = hand.window().findChild<QLabel*>("help-line");
+  const auto swallow = [&] {
+    for (const QEvent::Type type : {QEvent::KeyRelease, QEvent::KeyPress}) {
+      QKeyEvent key(type, Qt::Key_Alt, type == QEvent::KeyPress ? Qt::AltModifier : Qt::NoModifier);
+      QApplication::sendEvent(&view, &key);
+    }
+    view.note_window_moved();
+    REQUIRE(line->text().contains("Alt belongs"));
+  };
+  swallow();
+  hand.begin_stroke({{-50, 0}, {0, 60}});
+  CHECK(!line->text().contains("Alt belongs"));
+  hand.act("deselect");
+  swallow();
+  hand.act("select");
+  CHECK(!line->text().contains("Alt belongs"));
+  swallow();
+  QTest::keyClick(&view, Qt::Key_F);
+  CHECK(!line->text().contains("Alt belongs"));
 }
 
 TEST_CASE("two fingers shift and near the sketch, one finger draws nothing", "[viewport]") {

@@ -222,5 +222,47 @@ TEST_CASE("a window that moves under Alt without a press tells that Alt is swall
   CHECK(navigation.alt_swallowed());
 }
 
+TEST_CASE("what was told of a swallowed Alt is old once anything else is done") {
+  Navigation navigation;
+  const auto swallow = [&] {
+    navigation.modifiers_changed(none);
+    navigation.modifiers_changed(alt);
+    navigation.window_moved();
+    REQUIRE(navigation.alt_swallowed());
+  };
+  for (const Device device : {Device::Mouse, Device::Pen, Device::Touch}) {
+    swallow();
+    PointerEvent event;
+    event.device = device;
+    navigation.handle(event);  // only looks about
+    CHECK(navigation.alt_swallowed());
+    event.action = Action::Press;
+    event.buttons = left;
+    navigation.handle(event);
+    CHECK(!navigation.alt_swallowed());
+    event.action = Action::Release;
+    event.buttons = {};
+    navigation.handle(event);
+  }
+  swallow();
+  PointerEvent wheel;
+  wheel.action = Action::Wheel;
+  wheel.wheel = 1;
+  navigation.handle(wheel);
+  CHECK(!navigation.alt_swallowed());
+  swallow();
+  navigation.something_done();
+  CHECK(!navigation.alt_swallowed());
+}
+
+TEST_CASE("Alt that was let go where the window couldn't hear it isn't held any more") {
+  Navigation navigation;
+  navigation.modifiers_changed(alt);
+  PointerEvent hover;  // without Alt
+  navigation.handle(hover);
+  navigation.window_moved();
+  CHECK(!navigation.alt_swallowed());
+}
+
 }  // namespace
 }  // namespace croquis

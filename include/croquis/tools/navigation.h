@@ -67,9 +67,12 @@ class Navigation {
   void window_moved();
 
   /// Whether the window manager seems to keep Alt and a drag for itself: the window moved while Alt was held and no
-  /// press had arrived. Taken back by the first Alt press that does arrive. (Under Wayland windows aren't told that
-  /// they move.)
+  /// press had arrived. Until the next press of whatever kind, turn of the wheel, or `something_done`. (Under Wayland
+  /// windows aren't told that they move.)
   bool alt_swallowed() const { return alt_swallowed_; }
+
+  /// By keys, menus or panels.
+  void something_done() { alt_swallowed_ = false; }
 
  private:
   struct Drag {

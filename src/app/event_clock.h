@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace croquis::app {
+
+/// When pointer events happened. The window system stamps them; a busy window only takes them late, often many at
+/// once, and by the time of that a slow hand and a fast one look the same.
+class EventClock {
+ public:
+  /// When an event happened, seconds by the clock of the stamps.
+  /// @param stamp milliseconds; 0 for events without: they follow the one before as they are taken
+  /// @param now   when it is taken, seconds by a steady clock of this process
+  double time_of(std::uint64_t stamp, double now);
+
+  /// How much later the last event was taken than the quickest of those before, seconds.
+  double lag() const { return lag_; }
+
+ private:
+  double time_ = 0;   ///< of the last event
+  double taken_ = 0;  ///< when that was
+  double lag_ = 0;
+  std::optional<double> quickest_;  ///< least difference of the two clocks
+};
+
+}  // namespace croquis::app

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The small things that stand over the views, and what is said of a drawing that isn't done.
+#include <QApplication>
+#include <QLabel>
+#include <QRegularExpression>
+#include <QToolButton>
+#include <QToolTip>
+
+#include <catch2/catch.hpp>
+
+#include "app/chip_space.h"
+#include "app/finding_sentence.h"
+#include "app/lists.h"
+#include "app/studio_fixture.h"
+#include "support/random.h"
+#include "support/sketch_gallery.h"
+
+using namespace croquis;
+using app::Viewport;
+using croquis::test::StudioFixture;
+
+namespace {
+
+std::vector<QWidget*> chips_of(Viewport& viewport) {
+  std::vector<QWidget*> chips;
+  for (QWidget* child : viewport.findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) {
+    const bool chip = qobject_cast<QLabel*>(child) != nullptr || qobject_cast<QToolButton*>(child) != nullptr ||
+                      child->objectName().endsWith("-legend");
+    if (chip && child->isVisible()) chips.push_back(child);
+  }
+  return chips;
+}
+
+void check_apart(Viewport& viewport) {
+  const std::vector<QWidget*> chips = chips_of(viewport);
+  CHECK(chips.size() >= 2);
+  for (std::size_t i = 0; i < chips.size(); ++i) {
+    CHECK(viewport.rect().contains(chips[i]->geometry()));
+    for (std::size_t k = 0; k < i; ++k) {
+      INFO(chips[i]->objectName().toStdString() << " over " << chips[k]->objectName().toStdString());
+      CHECK(!chips[i]->geometry().intersects(chips[k]->geometry()));
+    }
+  }
+}
+
+/// Lines that people leave behind half way: open, crossing each other, touching themselves.
+std::vector<std::vector<Vec2>> unfinished_lines(std::uint64_t seed) {
+  test::Random random(seed);
+  std::vector<std::vector<Vec2>> lines;
+  const int count = 1 + static_cast<int>(random.below(5));
+  for (int line = 0; line < count; ++line) {
+    const Vec2 middle(random.between(-120, 120), random.between(-120, 120));
+    const double radius = random.between(30, 120);
+    const double from = random.between(0, 6);
+    const double turn = random.between(2, 8);
+    std::vector<Vec2> places;
+    for (int k = 0; k <= 40; ++k) {
+      const double angle = from + turn * k / 40;
+      const double wide = radius * (1 + 0.3 * std::sin(3 * angle));
+      places.emplace_back(middle + wide * Vec2(std::cos(angle), std::sin(angle)));
+    }
+    lines.push_back(std::move(places));
+  }
+  return lines;
+}
+
+bool has_coordinates(const QString& sentence) {
+  static const QRegularExpression place(R"(\(-?\d[^()]*,)");
+  return sentence.contains(place);
+}
+
+}  // namespace
+
+TEST_CASE("chips take the nearest free places, one beside the other", "[chips]") {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    test::Random random(seed);
+    const QRect bounds(10, 20, 300, 200);
+    app::ChipSpace space;
+    std::vector<QRect> taken;
+    for (int k = 0; k < 25; ++k) {
+      const auto up_to = [&](std::uint32_t count) { return static_cast<int>(random.below(count)); };
+      const QRect wanted(up_to(340), up_to(240), 10 + up_to(60), 10 + up_to(20));
+      const auto place = space.take(wanted, bounds);
+      if (!place) continue;
+      CHECK(place->size() == wanted.size());
+      CHECK(bounds.contains(*place));
+      bool free = bounds.contains(wanted);
+      for (const QRect& other : taken) {
+        CHECK(!other.intersects(*place));
+        free = free && !other.adjusted(-2, -2, 2, 2).intersects(wanted);
+      }
+      if (free) CHECK(*place == wanted);
+      taken.push_back(*place);
+    }
+    CHECK(taken.size() > 8);
+    CHECK(!space.take(QRect(0, 0, 301, 10), bounds));
+  }
+}
+
+TEST_CASE("sentences in views leave coordinates out and nothing else", "[chips]") {
+  const auto told = [](const char* message) {
+    return app::sentence_in_view(make_error(Category::Geometry, "E", message)).toStdString();
+  };
+  CHECK(told("The end of \"stroke 1\" at (12, -3.5) touches nothing: close it") ==
+        "The end of \"stroke 1\" touches nothing: close it");
+  CHECK(told("The parts at (1e-05, 2) and (3, 4) cannot be separated here") == "The parts cannot be separated here");
+  CHECK(told("Two lines meet at (1, 2, 3) (\"a\", \"b\"): move one") == "Two lines meet (\"a\", \"b\"): move one");
+  CHECK(told("An odd number (3) of lines at one place") == "An odd number (3) of lines at one place");
+}
+
+TEST_CASE("nothing over the views lies over anything else, whatever is drawn", "[chips]") {
+  StudioFixture hand;
+  Viewport& view = hand.viewport();
+  check_apart(view);
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    hand.window().start_sketch();
+    hand.look_at({-250, -250}, {250, 250});
+    for (const auto& line : unfinished_lines(seed)) hand.draw(line);
+    hand.settle();
+    INFO(seed);
+    check_apart(view);
+    hand.studio().session().mark_saved();
+  }
+  for (const char* sample : {"dog", "octopus", "duck"}) {
+    hand.window().files().start_sample(sample);
+    hand.window().show_views();
+    hand.settle();
+    INFO(sample);
+    check_apart(view);
+    view.pane(Viewport::SketchView).camera.height *= 8;  // joints come near each other
+    view.redraw_all();
+    hand.settle();
+    check_apart(view);
+  }
+  hand.window().resize(700, 420);
+  hand.settle();
+  check_apart(view);
+}
+
+TEST_CASE("what is wrong with a drawing is a small mark, its sentence is told where the pointer comes to it", "[chips]") {
+  StudioFixture hand;
+  Viewport& view = hand.viewport();
+  for (std::uint64_t seed = 10; seed < 14; ++seed) {
+    hand.window().start_sketch();
+    hand.look_at({-250, -250}, {250, 250});
+    for (const auto& line : unfinished_lines(seed)) hand.draw(line);
+    hand.settle();
+    INFO(seed);
+    const auto& marks = view.scenes().finding_marks();
+    for (const QWidget* chip : chips_of(view)) {
+      const auto* label = qobject_cast<const QLabel*>(chip);
+      for (const app::FindingMark& mark : marks) CHECK((label == nullptr || label->text() != mark.sentence));
+    }
+    CHECK(!has_coordinates(view.help()));
+    const auto* list = hand.window().findChild<app::FindingsList*>("findings");
+    for (int row = 0; row < list->count(); ++row) CHECK(!has_coordinates(list->item(row)->text()));
+    for (const app::FindingMark& mark : marks) {
+      CHECK(!mark.sentence.isEmpty());
+      const QPointF at = view.sketch_to_widget(mark.at);
+      if (!view.pane(Viewport::SketchView).rect.contains(at)) continue;
+      hand.send_mouse(QEvent::MouseMove, at, Qt::NoButton, Qt::NoModifier);
+      CHECK(view.sketch().told_finding().contains(mark.sentence));
+    }
+    hand.studio().session().mark_saved();
+  }
+}
