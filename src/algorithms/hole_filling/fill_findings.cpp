@@ -38,7 +38,7 @@ void tell_outer(const PolyMesh& scan, const FillResult& result, Findings& findin
 
 void tell_hole(const PolyMesh& scan, const FillResult& result, const Hole& hole, Findings& findings) {
   const HoleOutcome& outcome = result.outcomes[hole.id];
-  if (outcome.action == FillAction::Failed)
+  if (outcome.action == FillAction::Failed && outcome.reason != piece_left_out)
     findings.push_back(make_warning(Category::Geometry, "W_HOLE_FAILED",
                                     named(hole) + " stays open, since no method made a sound patch (" + outcome.reason +
                                         "): look at the surface around it.",
