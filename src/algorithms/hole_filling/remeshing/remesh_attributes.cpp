@@ -11,6 +11,7 @@
 
 #include <Eigen/Geometry>
 
+#include "algorithms/hole_filling/patching/patch_confidence.h"
 #include "croquis/base/parallel.h"
 
 namespace croquis::hole_filling {
@@ -114,8 +115,8 @@ class Transfer {
   }
 
   float confidence(Index hole, double distance) const {
-    const double twice = 2 * distance / analysis_.holes[hole].diameter;
-    return static_cast<float>(1 / (1 + twice * twice * twice * twice));
+    const Hole& known = analysis_.holes[hole];
+    return static_cast<float>(backing(distance, known.diameter, analysis_.component_diagonal[known.component]));
   }
 
   /// The vertices of the mesh whose values count; three times the same where there is no triangle.

@@ -38,8 +38,7 @@ std::string number(double value) {
 }
 
 std::string sentence(const PieceLosses& part, double cell) {
-  std::string text = "Piece " + std::to_string(part.piece) + " of the model, near (" + number(part.at.x()) + ", " +
-                     number(part.at.y()) + ", " + number(part.at.z()) + "), ";
+  std::string text = "Piece " + std::to_string(part.piece) + " of the model ";
   if (part.wanted) text += "came out as " + described(part.made) + " instead of " + described(*part.wanted);
   if (part.lost_points > 0)
     text += std::string(part.wanted ? ", and " : "has lost its surface at ") +
@@ -145,7 +144,7 @@ void require_faces(const PolyMesh& made, const RemeshLosses& losses) {
     return make_error(Category::Geometry, "E_NOT_REMESHED", std::move(message));
   };
   Findings findings = {
-      error("Nothing of the model could be made anew: fill its holes by patches, which keep the "
+      error("Nothing of the model could be remeshed: fill its holes by patches, which keep the "
             "surface.")};
   tell_refused(losses, error(""), findings);
   throw Error(std::move(findings));

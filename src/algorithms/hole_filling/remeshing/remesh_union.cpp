@@ -31,7 +31,7 @@ struct Solid {
   Vec3 lost_at = Vec3::Zero();
   bool is_torn = false;  // has lost more than a few places
   bool is_good = false;
-  bool stands = false;  // for its pieces
+  UnionFaults faults;
 };
 
 /// Two parts of which faces intersect; the first place found.
@@ -55,6 +55,7 @@ class Joining {
   std::vector<std::size_t> group_of(std::size_t first);
   void put_as_it_is(std::size_t number, JoinedShapes& next);
   void keep_largest(std::vector<std::size_t> group, JoinedShapes& next);
+  void leave_out(std::size_t part, const std::vector<std::size_t>& kept, JoinedShapes& next) const;
   const Crossing* crossing_of(std::size_t part, const std::vector<std::size_t>& kept) const;
   PolyMesh extracted(const RemeshPart& part) const;
   void put(RemeshPart part, const PolyMesh& mesh, JoinedShapes& joined) const;
@@ -73,6 +74,7 @@ class Joining {
   DisjointSets group_;
   std::vector<std::uint8_t> marked_;  // of parts: cut themselves or others
   std::vector<Crossing> crossings_;   // of different parts, each pair once
+  std::vector<std::size_t> losers_;   // pieces that the last solid that was refused had too little of
   JoinedShapes joined_;
 };
 
@@ -237,25 +239,34 @@ const Crossing* Joining::crossing_of(std::size_t part, const std::vector<std::si
   return found == crossings_.end() ? nullptr : &*found;
 }
 
-/// By their faces, the first of equals, each unless it crosses one that is kept.
+void Joining::leave_out(std::size_t part, const std::vector<std::size_t>& kept, JoinedShapes& next) const {
+  const Crossing* crossing = crossing_of(part, kept);
+  if (crossing == nullptr) return;
+  const std::size_t other = crossing->a == part ? crossing->b : crossing->a;
+  for (const std::size_t piece : joined_.parts[part].pieces)
+    next.left_out.push_back({piece, joined_.parts[other].pieces.front(), crossing->at});
+}
+
+/// Those that lost much in the solid go, the rest may be one in the next round. Where the largest has lost much itself,
+/// they are kept by their faces, the first of equals, each unless it crosses one that is kept.
 void Joining::keep_largest(std::vector<std::size_t> group, JoinedShapes& next) {
-  const std::vector<RemeshPart>& parts = joined_.parts;
+  std::vector<RemeshPart>& parts = joined_.parts;
   std::ranges::stable_sort(group,
                            [&](std::size_t a, std::size_t b) { return parts[a].face_count > parts[b].face_count; });
-  std::vector<std::size_t> kept;
+  const auto has_lost = [&](std::size_t part) {
+    return std::ranges::find_first_of(parts[part].pieces, losers_) != parts[part].pieces.end();
+  };
+  const bool may_go_on = !losers_.empty() && !has_lost(group.front());
+  std::vector<std::size_t> kept, gone;
   for (const std::size_t part : group) {
-    const Crossing* crossing = crossing_of(part, kept);
-    if (crossing == nullptr) {
-      kept.push_back(part);
-      continue;
-    }
-    const std::size_t other = crossing->a == part ? crossing->b : crossing->a;
-    for (const std::size_t piece : parts[part].pieces)
-      next.left_out.push_back({piece, parts[other].pieces.front(), crossing->at});
+    const bool goes =
+        may_go_on ? has_lost(part) && crossing_of(part, group) != nullptr : crossing_of(part, kept) != nullptr;
+    (goes ? gone : kept).push_back(part);
   }
+  for (const std::size_t part : gone) leave_out(part, may_go_on ? group : kept, next);
   std::ranges::sort(kept);
   for (const std::size_t part : kept) {
-    joined_.parts[part].stays = true;
+    parts[part].stays = !may_go_on;
     put_as_it_is(part, next);
   }
 }
@@ -281,7 +292,8 @@ std::optional<std::pair<RemeshPart, PolyMesh>> Joining::united(std::vector<std::
     const UnitedSolid solid(members, size);
     Solid found = solid_of(solid, members, pieces, size, trying);
     const auto is_better = [&] {
-      return std::tuple(!found.stands, found.cuts, found.lost) < std::tuple(!best.stands, best.cuts, best.lost);
+      return std::tuple(!found.faults.none(), found.cuts, found.lost) <
+             std::tuple(!best.faults.none(), best.cuts, best.lost);
     };
     if (halving == first || is_better()) best = std::move(found);
     if (best.is_good) break;
@@ -289,8 +301,11 @@ std::optional<std::pair<RemeshPart, PolyMesh>> Joining::united(std::vector<std::
   const auto give_back = [&] {
     for (std::size_t m = 0; m < members.size(); ++m) surfaces_[pieces[m]] = std::move(members[m]);
   };
-  if (!best.stands) {
+  if (!best.faults.none()) {
     give_back();
+    losers_.clear();
+    if (!best.faults.has_strays)
+      for (const std::size_t member : best.faults.losers) losers_.push_back(pieces[member]);
     return std::nullopt;
   }
   RemeshPart part;
@@ -366,9 +381,9 @@ Solid Joining::solid_of(const UnitedSolid& solid, std::span<const std::unique_pt
   made.lost = lost.size();
   if (!lost.empty()) made.lost_at = seeds[lost.front()];
   made.is_torn = !are_few(lost.size(), seeds.size());
-  made.stands = stands_for(made.mesh, members, model_.cell, model_.threads(), comparing);
+  made.faults = faults_of(made.mesh, members, model_.cell, model_.threads(), comparing);
   // Where it ends at borders it may end a little earlier: no reason for four times the triangles.
-  made.is_good = made.stands && made.cuts == 0 && (cubes.covered || !made.is_torn);
+  made.is_good = made.faults.none() && made.cuts == 0 && (cubes.covered || !made.is_torn);
   return made;
 }
 

@@ -41,28 +41,19 @@ bool is_enclosed(const Vec3& place, std::size_t own, Members members) {
   return false;
 }
 
-bool loses_too_much(const PolyMesh& made, Members members, double cell, int threads, Progress& progress) {
-  struct Place {
-    Vec3 at;
-    std::size_t member;
-  };
-  std::vector<Place> missed;
-  std::size_t all = 0;
-  for (std::size_t m = 0; m < members.size(); ++m) {
-    const std::vector<Vec3>& places = members[m]->mesh().positions;
-    all += places.size();
-    for (const Index v : far_points(made, places, missed_beyond * cell, threads, progress))
-      missed.push_back({places[v], m});
-  }
-  const auto share = [&](double count) { return count / static_cast<double>(std::max<std::size_t>(all, 1)); };
-  if (share(static_cast<double>(missed.size())) <= most_lost) return false;
+bool loses_too_much(const PolyMesh& made, std::size_t own, Members members, double cell, int threads,
+                    Progress& progress) {
+  const std::vector<Vec3>& places = members[own]->mesh().positions;
+  const std::vector<Index> missed = far_points(made, places, missed_beyond * cell, threads, progress);
+  const double share = static_cast<double>(missed.size()) / static_cast<double>(places.size());
+  if (share <= most_lost) return false;
   const std::size_t stride = missed.size() / most_asked + 1;
   std::size_t asked = 0, lost = 0;
   for (std::size_t i = 0; i < missed.size(); i += stride, ++asked) {
     progress.check();
-    lost += is_enclosed(missed[i].at, missed[i].member, members) ? 0U : 1U;
+    lost += is_enclosed(places[missed[i]], own, members) ? 0U : 1U;
   }
-  return share(static_cast<double>(missed.size()) * static_cast<double>(lost) / static_cast<double>(asked)) > most_lost;
+  return share * static_cast<double>(lost) / static_cast<double>(asked) > most_lost;
 }
 
 }  // namespace
@@ -79,10 +70,13 @@ double winding_number(const PolyMesh& surface, const Vec3& place) {
   return sum / (2 * std::numbers::pi);
 }
 
-bool stands_for(const PolyMesh& made, Members members, double cell, int threads, Progress& progress) {
-  if (made.face_count() == 0 || has_strays(made, members, stray_beyond * cell, threads, progress)) return false;
-  const bool are_closed = std::ranges::all_of(members, [](const auto& member) { return member->is_closed(); });
-  return are_closed || !loses_too_much(made, members, cell, threads, progress);
+UnionFaults faults_of(const PolyMesh& made, Members members, double cell, int threads, Progress& progress) {
+  UnionFaults faults;
+  faults.has_strays = made.face_count() == 0 || has_strays(made, members, stray_beyond * cell, threads, progress);
+  if (std::ranges::all_of(members, [](const auto& member) { return member->is_closed(); })) return faults;
+  for (std::size_t m = 0; m < members.size(); ++m)
+    if (loses_too_much(made, m, members, cell, threads, progress)) faults.losers.push_back(m);
+  return faults;
 }
 
 }  // namespace croquis::hole_filling
