@@ -70,7 +70,7 @@ OperationDescription FillOperation::describe() const {
   PortDescription scan{"scan", ValueType::Mesh, "Any mesh, dirty ones too; it isn't changed."};
   scan.is_raw = true;
   PortDescription mesh{"mesh", ValueType::Mesh,
-                       "The scan's vertices and faces, then those of the patches, or the model made anew: faces tell "
+                       "The scan's vertices and faces, then those of the patches, or the model remeshed: faces tell "
                        "theirs by patch_id, vertices "
                        "how well the surface around backs them by confidence."};
   mesh.counts_self_intersections = true;
@@ -78,8 +78,9 @@ OperationDescription FillOperation::describe() const {
       "fill",
       1,
       "Fill Holes",
-      "Closes the holes of a scan by patches that continue the surface and leaves everything else as it is, or makes "
-      "the whole model anew.",
+      "Closes the holes of a scan by patches that continue the surface and leaves everything else as it is, or "
+      "remeshes "
+      "the whole model.",
       {std::move(scan)},
       {std::move(mesh),
        {"rims", ValueType::Mesh, "The rims of the scan's holes as closed polylines, in the order of their numbers."},

@@ -85,6 +85,7 @@ void read_choice(const ParameterValues& parameters, FillOptions& options) {
 
 void read_shape(const ParameterValues& parameters, FillOptions& options) {
   options.fairness = fairness_of(text(parameters, "fairness"));
+  options.flat_caps = options.fairness == Fairness::Implicit;  // another one was asked for, for all that are chosen
   options.preset = preset_of(text(parameters, "preset"));
   const Kernel kernel = kernel_of(text(parameters, "kernel"));
   if (kernel != Kernel::Hermite) options.implicit.kernel = kernel;
@@ -163,8 +164,9 @@ Findings unused_parameters(const ParameterValues& parameters, bool remesh) {
 
 std::vector<ParameterDescription> fill_parameters() {
   return {
-      choice("mode", {"patch", "remesh"},
-             "patch closes holes and changes nothing else; remesh makes the whole model anew from one function."),
+      choice(
+          "mode", {"patch", "remesh"},
+          "patch closes holes and changes nothing else; remesh makes all of it of new triangles, from one function."),
       choice("select", {"inner", "all", "all-but-largest", "none"},
              "inner fills all holes that don't look like the border of an open surface; none only those that holes "
              "names."),
@@ -266,7 +268,10 @@ FillSettings read_fill_settings(const ParameterValues& parameters) {
   FillOptions& options = settings.options.fill;
   read_choice(parameters, options);
   read_shape(parameters, options);
-  if (!settings.remesh) options.memory_limit = settings.options.memory_limit;
+  if (settings.remesh)
+    options.flat_caps = true;  // fairness is of patches
+  else
+    options.memory_limit = settings.options.memory_limit;
   if (text(parameters, "precision") == "single") options.precision = Precision::Single;
   options.mark_patches = std::get<bool>(parameters.at("patch-ids"));
   settings.list_only = std::get<bool>(parameters.at("list"));

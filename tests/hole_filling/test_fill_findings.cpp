@@ -44,10 +44,10 @@ PolyMesh with_doubled_vertices(PolyMesh mesh, Index count) {
 TEST_CASE("warnings about holes speak of one thing and of many as people do") {
   const PolyMesh ball = round_sphere(3);
   CHECK(sentence(tetrahedra_sharing_edge(), "W_NONMANIFOLD") ==
-        "1 edge has more than two faces and stays as it is: separate the sheets that meet in it.");
+        "1 non-manifold edge has more than two faces and stays as it is: separate the sheets that meet in it.");
   CHECK(sentence(merged(tetrahedra_sharing_edge(), translated(tetrahedra_sharing_edge(), Vec3(9, 0, 0))),
                  "W_NONMANIFOLD") ==
-        "2 edges have more than two faces and stay as they are: separate the sheets that meet in them.");
+        "2 non-manifold edges have more than two faces and stay as they are: separate the sheets that meet in them.");
   CHECK(sentence(with_doubled_vertices(ball, 1), "W_WELDED") ==
         "1 vertex lies exactly on another one and counts as the same; it is written as it was, so weld the source to "
         "get a closed file.");

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
 #include "algorithms/hole_filling/patching/patch_confidence.h"
 #include "algorithms/hole_filling/patching/patcher.h"
+#include "hole_filling/fill_invariants.h"
 #include "support/scans.h"
+#include "support/surface_distance.h"
+#include "support/virtual_scans.h"
 
 using namespace croquis;
 using namespace croquis::test;
@@ -29,6 +34,29 @@ Made close_first(const PolyMesh& mesh, const Patcher& patcher, Index hole = 0) {
   made.patch = *patcher.attempt(make_site(mesh, made.analysis, holes, {}), progress);
   made.confidence = vertex_confidence(made.patch, mesh, made.analysis);
   return made;
+}
+
+struct Trusted {
+  double confidence = 0;
+  double error = 0;  ///< mean distance of the patch from the sphere, in diagonals of the whole sphere
+};
+
+/// The cap of a sphere up to a distance from its pole, cut off and filled.
+Trusted refilled_cap(double radius, Fairness fairness) {
+  const PolyMesh sphere = round_sphere(4), scan = cut(sphere, Vec3(0, 0, 1), radius).mesh;
+  FillOptions options;
+  options.fairness = fairness;
+  options.selection = Selection::All;
+  options.flat_caps = false;
+  const FillResult result = fill(scan, options);
+  REQUIRE(result.outcomes.size() == 1);
+  REQUIRE(result.outcomes[0].action == FillAction::Fill);
+  std::vector<Index> patch;
+  for (auto f = static_cast<Index>(scan.face_count()); f < result.mesh.face_count(); ++f) patch.push_back(f);
+  double sum = 0;
+  const std::vector<Vec3> places = sample_faces(result.mesh, patch, 2000);
+  for (const Vec3& place : places) sum += std::abs(place.norm() - 1);
+  return {result.outcomes[0].confidence, sum / static_cast<double>(places.size()) / diagonal_of(sphere)};
 }
 
 Index inner_hole(const PolyMesh& mesh) {
@@ -80,4 +108,33 @@ TEST_CASE("a lid across a tube, at right angles to it, isn't trusted") {
 
 TEST_CASE("patches without new vertices have no confidence per vertex") {
   CHECK(close_first(cut(round_sphere(3), Vec3(0, 0, 1), 0.5).mesh, *minimal_patcher()).confidence.empty());
+}
+
+TEST_CASE("the more is cut off a sphere, the less its patch is trusted, and what is trusted is right") {
+  for (const Fairness fairness : {Fairness::Flat, Fairness::Tangent, Fairness::Implicit}) {
+    double before = 1;
+    for (const double radius : {0.3, 0.5, 0.7, 0.9, 1.1, 1.3}) {
+      const Trusted patch = refilled_cap(radius, fairness);
+      CAPTURE(static_cast<int>(fairness), radius, patch.confidence, patch.error);
+      CHECK(patch.confidence <= before);
+      if (patch.confidence > 0.5) CHECK(patch.error < 0.01);
+      if (patch.confidence > 0.3) CHECK(patch.error < 0.03);
+      if (radius > 1.2) CHECK(patch.confidence < low_confidence);
+      before = patch.confidence;
+    }
+  }
+}
+
+TEST_CASE("a flat cap over a wide section isn't trusted, one over a pinhole is") {
+  CHECK(refilled_cap(1.1, Fairness::Flat).confidence < 0.15);
+  CHECK(refilled_cap(0.09, Fairness::Flat).confidence > 0.6);
+}
+
+TEST_CASE("rough rims don't make a patch doubtful, a fold all round does") {
+  const PolyMesh rough = with_noisy_rims(cut(round_sphere(4), Vec3(0, 0, 1), 0.3).mesh, 1, 0.3);
+  const Made made = close_first(rough, *implicit_patcher({}, 40000));
+  CHECK(confidence_of(made.patch, made.mesh, made.analysis) > 0.35);
+  const PolyMesh tube = open_tube(1, 2, 48, 16);
+  const Made lid = close_first(tube, *minimal_patcher());
+  CHECK(confidence_of(lid.patch, lid.mesh, lid.analysis) < 0.05);
 }

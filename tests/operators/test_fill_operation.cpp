@@ -142,6 +142,19 @@ TEST_CASE("a filled scan begins with the scan, and its report counts the rest") 
   }
 }
 
+TEST_CASE("a fairness that is asked for counts for the borders of open surfaces as well") {
+  const PolyMesh tube = test::open_tube(1, 4, 48, 30);
+  const auto method = [&](const ParameterValues& parameters) {
+    return details_of(fill(tube, parameters)).at("holes").as_array().front().at("method").as_string();
+  };
+  const std::string all = "all";
+  CHECK(method({{"select", all}}) == "minimal");
+  CHECK(method({{"select", all}, {"fairness", std::string("flat")}}) == "minimal");
+  CHECK(method({{"select", all}, {"fairness", std::string("smooth")}}).starts_with("cgal-c1"));
+  CHECK(method({{"only", std::string("0")}, {"fairness", std::string("smooth")}}).starts_with("cgal-c1"));
+  CHECK(method({{"holes", std::string("0: rbf")}}) != "minimal");
+}
+
 TEST_CASE("the list tells what filling does, and makes nothing") {
   const PolyMesh given = test::open_tube(1, 4, 24, 12);
   for (const char* select : {"inner", "all", "all-but-largest"}) {

@@ -60,8 +60,8 @@ struct HoleOutcome {
   std::string reason;          ///< why it was left, failed, or not filled by the first method
   double max_normal_jump = 0;  ///< greatest angle between the faces on the two sides of a rim edge
   double min_angle = 0;        ///< of the patch's corners
-  double confidence = 0;       ///< 0..1, how near the whole patch is to the rims; 1 / (1 + (2 d)^4), d = its greatest
-                               ///< distance to them / diameter
+  double confidence = 0;       ///< 0..1, how well the surface around backs the whole patch: less the farther it goes
+                          ///< from its rims, in diameters and in diagonals of the piece, and the more it turns there
   std::size_t new_vertices = 0, new_faces = 0;  ///< of a patch for several holes told with its lowest
   Index patch = no_index;  ///< number of the patch, the same for holes that one patch joins; as in "patch_id"
   double expected_error = std::numeric_limits<double>::quiet_NaN();  ///< as HolePatch has it

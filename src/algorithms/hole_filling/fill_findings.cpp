@@ -2,6 +2,7 @@
 #include "algorithms/hole_filling/fill_findings.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
@@ -38,7 +39,7 @@ void tell_outer(const PolyMesh& scan, const FillResult& result, Findings& findin
 
 void tell_hole(const PolyMesh& scan, const FillResult& result, const Hole& hole, Findings& findings) {
   const HoleOutcome& outcome = result.outcomes[hole.id];
-  if (outcome.action == FillAction::Failed)
+  if (outcome.action == FillAction::Failed && outcome.reason != piece_left_out)
     findings.push_back(make_warning(Category::Geometry, "W_HOLE_FAILED",
                                     named(hole) + " stays open, since no method made a sound patch (" + outcome.reason +
                                         "): look at the surface around it.",
@@ -81,8 +82,16 @@ void tell_doubtful(std::vector<Subject> holes, const std::string& what, Findings
 
 /// Their shape is a guess, whatever the method.
 void tell_low_confidence(const PolyMesh& scan, const FillResult& result, Findings& findings) {
-  tell_doubtful(filled_where(scan, result, [](const HoleOutcome& o) { return o.confidence < low_confidence; }),
-                "far beyond what the surface around tells: look at the shape, or choose flat patches.", findings);
+  const auto is_flat = [](const HoleOutcome& o) {
+    constexpr std::array flat = {"minimal", "dihedral", "plane", "avoiding"};
+    return std::ranges::find(flat, o.method) != flat.end();
+  };
+  const auto tell = [&](bool flat, const char* what) {
+    const auto is_low = [&](const HoleOutcome& o) { return o.confidence < low_confidence && is_flat(o) == flat; };
+    tell_doubtful(filled_where(scan, result, is_low), what, findings);
+  };
+  tell(false, "far beyond what the surface around tells: look at the shape, or choose flat patches.");
+  tell(true, "by flat patches, which don't go on as the surface around does: look at the shape, or leave them open.");
   // Flat patches meet rims at whatever angle: they were asked for, or are told as taken instead.
   const auto is_folded = [](const HoleOutcome& o) {
     return o.max_normal_jump > doubtful_fold && o.method != "minimal";

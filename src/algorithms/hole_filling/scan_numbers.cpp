@@ -14,16 +14,10 @@ constexpr double diameters = 2;
 constexpr double edges = 12;  // of mean length
 
 Box looked_at(const HoleSite& site) {
-  double size = 0, perimeter = 0;
-  for (const Index id : site.holes) {
-    size = std::max(size, site.analysis->holes[id].diameter);
-    perimeter += site.analysis->holes[id].perimeter;
-  }
   Box box;
   for (const Vec3& point : site.polygon.points) box.extend(point);
   for (const Vec3& place : site.wish.through) box.extend(place);
-  const double edge = perimeter / static_cast<double>(std::max<std::size_t>(1, site.vertices.size()));
-  const Vec3 reach = Vec3::Constant(diameters * size + edges * edge);
+  const Vec3 reach = Vec3::Constant(diameters * widest_diameter(site) + edges * mean_rim_edge(site));
   return {box.min() - reach, box.max() + reach};
 }
 

@@ -59,8 +59,8 @@ void tell_orientation(const SurfaceView& view, Findings& findings) {
 void tell_crowded_edges(const HoleAnalysis& analysis, Findings& findings) {
   if (analysis.view.crowded_edges == 0) return;
   const bool one = analysis.view.crowded_edges == 1;
-  std::string message = counted(analysis.view.crowded_edges, "edge has", "edges have") + " more than two faces and " +
-                        (one ? "stays as it is" : "stay as they are");
+  std::string message = counted(analysis.view.crowded_edges, "non-manifold edge has", "non-manifold edges have") +
+                        " more than two faces and " + (one ? "stays as it is" : "stay as they are");
   if (analysis.open_rims > 0)
     message += "; " + counted(analysis.open_rims, "rim ends", "rims end") + " there and can't be filled";
   findings.push_back(warn("W_NONMANIFOLD", message + ": separate the sheets that meet in " + (one ? "it." : "them."),

@@ -69,6 +69,22 @@ HoleSite make_site(const PolyMesh& mesh, const HoleAnalysis& analysis, std::span
   return site;
 }
 
+double rim_length(const HoleSite& site) {
+  double length = 0;
+  for (const Index id : site.holes) length += site.analysis->holes[id].perimeter;
+  return length;
+}
+
+double mean_rim_edge(const HoleSite& site) {
+  return rim_length(site) / static_cast<double>(std::max<std::size_t>(1, site.vertices.size()));
+}
+
+double widest_diameter(const HoleSite& site) {
+  double widest = 0;
+  for (const Index id : site.holes) widest = std::max(widest, site.analysis->holes[id].diameter);
+  return widest;
+}
+
 std::vector<Vec3> normals_beyond(const HoleSite& site) {
   std::vector<std::array<Index, 3>> sides;  // of the faces: from, to, triangle; the polygon runs them backwards
   for (const Index id : site.holes) {

@@ -29,6 +29,15 @@ struct HoleSite {
 HoleSite make_site(const PolyMesh& mesh, const HoleAnalysis& analysis, std::span<const Index> holes,
                    std::span<const std::array<Index, 2>> rim_edges);
 
+/// Of all rims together, model units.
+double rim_length(const HoleSite& site);
+
+/// Mean length of the rims' edges, model units.
+double mean_rim_edge(const HoleSite& site);
+
+/// Diameter of the widest rim.
+double widest_diameter(const HoleSite& site);
+
 /// The faces on the other side of the polygon's sides, each from a point to the next. #P unit normals, zero for a face
 /// without area.
 std::vector<Vec3> normals_beyond(const HoleSite& site);

@@ -20,22 +20,10 @@ std::vector<Index> triangles_at(const SurfaceView& view, const std::vector<Reach
   return triangles;
 }
 
-double size_of(const HoleSite& site) {
-  double size = 0;
-  for (const Index id : site.holes) size = std::max(size, site.analysis->holes[id].diameter);
-  return size;
-}
-
-double mean_edge(const HoleSite& site) {
-  double perimeter = 0;
-  for (const Index id : site.holes) perimeter += site.analysis->holes[id].perimeter;
-  return perimeter / static_cast<double>(site.vertices.size());
-}
-
 }  // namespace
 
 KnownSurface known_surface(const HoleSite& site, double reach, double least_reach, std::size_t most_vertices) {
-  auto reached = reach_from_rims(site, std::max(reach * size_of(site), least_reach * mean_edge(site)));
+  auto reached = reach_from_rims(site, std::max(reach * widest_diameter(site), least_reach * mean_rim_edge(site)));
   if (reached.size() > most_vertices) reached.resize(most_vertices);
   return known_surface(site, reached);
 }
@@ -43,8 +31,8 @@ KnownSurface known_surface(const HoleSite& site, double reach, double least_reac
 KnownSurface known_surface(const HoleSite& site, const std::vector<ReachedVertex>& reached) {
   const SurfaceView& view = site.analysis->view;
   KnownSurface known;
-  known.edge = mean_edge(site);
-  known.size = size_of(site);
+  known.edge = mean_rim_edge(site);
+  known.size = widest_diameter(site);
   VertexNumbers numbers;
   for (const ReachedVertex& r : reached) {
     numbers.number(r.vertex);

@@ -79,12 +79,8 @@ class RimFitting {
         every_normal_(every_normal),
         kernel_(options.kernel),
         rim_size_(site.vertices.size()) {
-    double perimeter = 0;
-    for (const Index id : site.holes) {
-      perimeter += site.analysis->holes[id].perimeter;
-      size_ = std::max(size_, site.analysis->holes[id].diameter);
-    }
-    edge_ = perimeter / static_cast<double>(rim_size_);
+    edge_ = mean_rim_edge(site);
+    size_ = widest_diameter(site);
     if (continues_curvature(site, options)) kernel_ = implicit::Kernel::HermiteQuintic;
     reach_ = std::max(least_reach * edge_, (takes_few_normals() ? quick_reach : 1) * options.reach * size_);
     reached_ = reach_from_rims(site, reach_);

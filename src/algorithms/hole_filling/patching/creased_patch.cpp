@@ -138,12 +138,8 @@ class CreasedPatcher : public Patcher {
     if (!start || start->points.empty()) return start;
     RimField surface;
     surface.other = field->field();
-    double perimeter = 0;
-    for (const Index id : site.holes) {
-      perimeter += site.analysis->holes[id].perimeter;
-      surface.size = std::max(surface.size, site.analysis->holes[id].diameter);
-    }
-    surface.edge = perimeter / static_cast<double>(site.vertices.size());
+    surface.size = widest_diameter(site);
+    surface.edge = mean_rim_edge(site);
     auto patch = lay_onto(site, surface, *start, most_triangles_, progress);
     if (!patch) return std::nullopt;
     HolePatch aligned = *patch;

@@ -195,10 +195,8 @@ class ImplicitPatcher : public Patcher {
     auto start = ImplicitPatcher(options_, most_triangles_, care_, draft_rounds).attempt(plain, progress);
     if (!start) start = start_->attempt(plain, progress);
     if (!start || !displace_through(*site.mesh, *start, site.wish.through)) return std::nullopt;
-    double perimeter = 0;
-    for (const Index id : site.holes) perimeter += site.analysis->holes[id].perimeter;
-    const double edge = perimeter / static_cast<double>(site.vertices.size());
-    return continued(site, *start, spread_points(*site.mesh, *start, 2 * edge, most_guides), progress);
+    const double spacing = 2 * mean_rim_edge(site);
+    return continued(site, *start, spread_points(*site.mesh, *start, spacing, most_guides), progress);
   }
 
   bool move_onto(const RimField& surface, LoosePatch& loose, const std::vector<Vec3>& through,

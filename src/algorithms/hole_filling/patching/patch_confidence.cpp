@@ -17,41 +17,64 @@ namespace {
 constexpr double doubtful_jump = std::numbers::pi / 4;
 constexpr double jump_accuracy = 1e-3;  // more than a colour shows
 
-std::vector<Vec3> edge_middles(const HolePatch& patch, const PolyMesh& mesh) {
-  std::vector<Vec3> middles;
-  for (const auto& t : patch.triangles) {
-    for (std::size_t i = 0; i < 3; ++i)
-      middles.push_back(0.5 * (mesh.positions[t[i]] + mesh.positions[t[(i + 1) % 3]]));
-  }
-  return middles;
-}
-
 /// What distances are measured from, and in what.
 struct Rims {
   std::vector<Vec3> points;
-  double size = 0;
+  double size = 0, diagonal = 0;
 
   Rims(const HolePatch& patch, const PolyMesh& mesh, const HoleAnalysis& analysis) {
     for (const Index id : patch.holes) {
-      for (const Index v : analysis.holes[id].vertices) points.push_back(mesh.positions[v]);
-      size = std::max(size, analysis.holes[id].diameter);
+      const Hole& hole = analysis.holes[id];
+      for (const Index v : hole.vertices) points.push_back(mesh.positions[v]);
+      size = std::max(size, hole.diameter);
+      diagonal = std::max(diagonal, analysis.component_diagonal[hole.component]);
     }
   }
+
+  double backing_at(double distance) const { return backing(distance, size, diagonal); }
 };
 
-/// Of a distance given in diameters.
-double nearness(double distance) {
-  const double twice = 2 * distance;
-  return 1 / (1 + twice * twice * twice * twice);
+/// Places on a patch of rim vertices alone, evenly by area (the additive recurrence of Roberts 2018).
+std::vector<Vec3> places_on(const HolePatch& patch, const PolyMesh& mesh) {
+  constexpr double about = 2000, first_step = 0.7548776662466927, second_step = 0.5698402909980532;
+  double whole = 0;
+  const auto area_of = [&](const std::array<Index, 3>& t) {
+    const Vec3& a = mesh.positions[t[0]];
+    return (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a).norm();
+  };
+  for (const auto& t : patch.triangles) whole += area_of(t);
+  std::vector<Vec3> places;
+  for (const auto& t : patch.triangles) {
+    const double count = whole > 0 ? about * area_of(t) / whole : 0;
+    double u = 0.5, v = 0.5;
+    for (double i = 0; i < count; ++i) {
+      u = std::fmod(u + first_step, 1.0);
+      v = std::fmod(v + second_step, 1.0);
+      const double a = u + v > 1 ? 1 - u : u, b = u + v > 1 ? 1 - v : v;
+      places.push_back((1 - a - b) * mesh.positions[t[0]] + a * mesh.positions[t[1]] + b * mesh.positions[t[2]]);
+    }
+  }
+  return places;
+}
+
+/// Along the rims, so that distances to edges are known as well as to vertices.
+void add_edge_points(const HolePatch& patch, const PolyMesh& mesh, const HoleAnalysis& analysis, Rims& rims) {
+  for (const Index id : patch.holes) {
+    const std::vector<Index>& rim = analysis.holes[id].vertices;
+    for (std::size_t i = 0; i < rim.size(); ++i) {
+      const Vec3 &a = mesh.positions[rim[i]], &b = mesh.positions[rim[(i + 1) % rim.size()]];
+      for (const double t : {0.25, 0.5, 0.75}) rims.points.emplace_back(a + t * (b - a));
+    }
+  }
 }
 
 Vec3 normal_of(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a); }
 
-/// Per rim vertex of the patch the greatest angle across the rim's edges there.
-class RimJumps {
+/// How a patch meets the faces beyond its rims.
+class RimFolds {
  public:
-  RimJumps(const HolePatch& patch, const PolyMesh& mesh, const SurfaceView& view, std::span<const Index> rim)
-      : patch_(patch), mesh_(mesh), rim_(rim), jumps_(rim.size(), 0) {
+  RimFolds(const HolePatch& patch, const PolyMesh& mesh, const SurfaceView& view)
+      : patch_(patch), mesh_(mesh), view_(view) {
     for (const auto& t : patch.triangles) {
       for (std::size_t i = 0; i < 3; ++i) {
         if (std::max(t[i], t[(i + 1) % 3]) < mesh.vertex_count())
@@ -59,16 +82,38 @@ class RimJumps {
       }
     }
     std::sort(sides_.begin(), sides_.end());
-    view_ = &view;
   }
 
-  std::vector<double> run(const HoleAnalysis& analysis) {
+  /// Of stretches of a sixteenth of a rim, four edges at least: the mean of how far each turns, by length.
+  double mean(const HoleAnalysis& analysis) const {
+    double turned = 0, length = 0;
     for (const Index id : patch_.holes) {
       const Hole& hole = analysis.holes[id];
-      for (std::size_t i = 0; i < hole.vertices.size(); ++i)
-        look_across(hole.vertices[i], hole.vertices[(i + 1) % hole.vertices.size()], hole.corners[i]);
+      const std::size_t stretch = std::max<std::size_t>(4, hole.vertices.size() / 16);
+      for (std::size_t first = 0; first < hole.vertices.size(); first += stretch) {
+        double sum = 0;
+        for (std::size_t i = first; i < std::min(first + stretch, hole.vertices.size()); ++i) {
+          const Index a = hole.vertices[i], b = hole.vertices[(i + 1) % hole.vertices.size()];
+          const double edge = (mesh_.positions[b] - mesh_.positions[a]).norm();
+          sum += edge * fold(a, b, hole.corners[i]);
+          length += edge;
+        }
+        turned += std::abs(sum);
+      }
     }
-    return jumps_;
+    return length > 0 ? turned / length : 0;
+  }
+
+  /// The angle across the rim edge from a to b, which the patch runs along from b to a: negative where it turns to the
+  /// inner side; 0 where the patch isn't there.
+  double fold(Index a, Index b, Index corner) const {
+    const auto side = std::lower_bound(sides_.begin(), sides_.end(), std::array<Index, 3>{b, a, 0});
+    if (side == sides_.end() || (*side)[0] != b || (*side)[1] != a) return 0;
+    const auto& t = view_.triangles[corner / 3];
+    const Vec3 given = normal_of(mesh_.positions[t[0]], mesh_.positions[t[1]], mesh_.positions[t[2]]);
+    const Vec3 made = normal_of(at(b), at(a), at((*side)[2]));
+    const double angle = angle_between(given, made);
+    return given.cross(made).dot(at(b) - at(a)) < 0 ? -angle : angle;
   }
 
  private:
@@ -77,38 +122,53 @@ class RimJumps {
     return v < given ? mesh_.positions[v] : patch_.points[v - given];
   }
 
-  /// The patch runs along the edge from b to a.
-  void look_across(Index a, Index b, Index corner) {
-    const auto side = std::lower_bound(sides_.begin(), sides_.end(), std::array<Index, 3>{b, a, 0});
-    if (side == sides_.end() || (*side)[0] != b || (*side)[1] != a) return;
-    const auto& t = view_->triangles[corner / 3];
-    const double jump = angle_between(normal_of(at(b), at(a), at((*side)[2])),
-                                      normal_of(mesh_.positions[t[0]], mesh_.positions[t[1]], mesh_.positions[t[2]]));
-    for (const Index end : {a, b}) {
-      const auto place = std::lower_bound(rim_.begin(), rim_.end(), end);
-      if (place == rim_.end() || *place != end) continue;
-      double& known = jumps_[static_cast<std::size_t>(place - rim_.begin())];
-      known = std::max(known, jump);
-    }
-  }
-
   const HolePatch& patch_;
   const PolyMesh& mesh_;
-  std::span<const Index> rim_;
-  const SurfaceView* view_ = nullptr;
+  const SurfaceView& view_;
   std::vector<std::array<Index, 3>> sides_;  ///< of edges between rim vertices: from, to, the corner across; sorted
-  std::vector<double> jumps_;
 };
+
+/// Per rim vertex of the patch the greatest angle across the rim's edges there.
+std::vector<double> rim_jumps(const HolePatch& patch, const RimFolds& folds, const HoleAnalysis& analysis,
+                              std::span<const Index> rim) {
+  std::vector<double> jumps(rim.size(), 0);
+  for (const Index id : patch.holes) {
+    const Hole& hole = analysis.holes[id];
+    for (std::size_t i = 0; i < hole.vertices.size(); ++i) {
+      const Index a = hole.vertices[i], b = hole.vertices[(i + 1) % hole.vertices.size()];
+      const double jump = std::abs(folds.fold(a, b, hole.corners[i]));
+      for (const Index end : {a, b}) {
+        const auto place = std::lower_bound(rim.begin(), rim.end(), end);
+        if (place == rim.end() || *place != end) continue;
+        double& known = jumps[static_cast<std::size_t>(place - rim.begin())];
+        known = std::max(known, jump);
+      }
+    }
+  }
+  return jumps;
+}
+
+double trust_in_fold(double angle) {
+  const double doubt = angle / doubtful_jump;
+  return 1 / (1 + doubt * doubt * doubt * doubt);
+}
 
 }  // namespace
 
+double backing(double distance, double diameter, double diagonal) {
+  constexpr double doubtful_share = 0.3;  // of the diagonal
+  const double of_hole = 2 * distance / diameter, of_model = diagonal > 0 ? distance / (doubtful_share * diagonal) : 0;
+  return 1 / (1 + of_hole * of_hole * of_hole * of_hole) / (1 + of_model * of_model * of_model * of_model);
+}
+
 double confidence_of(const HolePatch& patch, const PolyMesh& mesh, const HoleAnalysis& analysis) {
-  const Rims rims(patch, mesh, analysis);
+  Rims rims(patch, mesh, analysis);
+  if (patch.points.empty()) add_edge_points(patch, mesh, analysis, rims);
   const implicit::PointTree tree(rims.points);
   double farthest = 0;
-  for (const Vec3& place : patch.points.empty() ? edge_middles(patch, mesh) : patch.points)
+  for (const Vec3& place : patch.points.empty() ? places_on(patch, mesh) : patch.points)
     farthest = std::max(farthest, (place - rims.points[tree.nearest(place)]).norm());
-  return nearness(farthest / rims.size);
+  return rims.backing_at(farthest) * trust_in_fold(RimFolds(patch, mesh, analysis.view).mean(analysis));
 }
 
 std::vector<float> vertex_confidence(const HolePatch& patch, const PolyMesh& mesh, const HoleAnalysis& analysis) {
@@ -116,14 +176,13 @@ std::vector<float> vertex_confidence(const HolePatch& patch, const PolyMesh& mes
   const Rims rims(patch, mesh, analysis);
   const implicit::PointTree tree(rims.points);
   const PatchGraph graph(patch, static_cast<Index>(mesh.vertex_count()));
-  const std::vector<double> jumps =
-      graph.harmonic(RimJumps(patch, mesh, analysis.view, graph.rim_vertices()).run(analysis), jump_accuracy);
+  const std::vector<double> jumps = graph.harmonic(
+      rim_jumps(patch, RimFolds(patch, mesh, analysis.view), analysis, graph.rim_vertices()), jump_accuracy);
   std::vector<float> confidence;
   for (std::size_t i = 0; i < patch.points.size(); ++i) {
     const Vec3& place = patch.points[i];
-    const double distance = (place - rims.points[tree.nearest(place)]).norm() / rims.size;
-    const double doubt = jumps[i] / doubtful_jump;
-    confidence.push_back(static_cast<float>(nearness(distance) / (1 + doubt * doubt * doubt * doubt)));
+    const double distance = (place - rims.points[tree.nearest(place)]).norm();
+    confidence.push_back(static_cast<float>(rims.backing_at(distance) * trust_in_fold(jumps[i])));
   }
   return confidence;
 }

@@ -8,15 +8,20 @@
 
 namespace croquis::hole_filling {
 
-/// How far a patch is backed by the surface around it: 1 / (1 + (2 d)^4), where d is the greatest distance of the patch
-/// to the nearest rim vertex, in units of the widest rim's diameter.
+/// How well a place in a hole is backed by the surface around it, 0..1: 1 / (1 + (2 d)^4) / (1 + (D / 0.3)^4), where d
+/// is its distance to the rim in diameters of the hole and D the same in diagonals of the model's piece.
+double backing(double distance, double diameter, double diagonal);
+
+/// The least backing of a patch's places, / (1 + (a / 45 degrees)^4), where a is how far the patch turns away from the
+/// surface at its rims: the mean fold of stretches of the rim, by which the roughness of single faces evens out.
 ///
-/// A narrow gap has nearly 1, a flat disc 0.5, a dome as high as half its diameter 0.2. The distance is taken at new
-/// vertices, or without any at the middles of the inner edges.
+/// A narrow gap has nearly 1; a flat disc that continues a plane 0.5, or less where it is wider than a third of the
+/// piece; a dome as high as half its diameter 0.2. A lid across a tube has 0.03. Patches without new vertices are
+/// looked at evenly by area.
 double confidence_of(const HolePatch& patch, const PolyMesh& mesh, const HoleAnalysis& analysis);
 
-/// The same for each of the patch's new vertices: 1 / (1 + (2 d)^4) / (1 + (a / 45 degrees)^4), d its own distance and
-/// a the angle between the faces at the rim, continued harmonically into the patch. 0..1, one per new vertex.
+/// For each of the patch's new vertices: its backing / (1 + (a / 45 degrees)^4), a the angle between the faces at the
+/// rim, continued harmonically into the patch. 0..1, one per new vertex.
 ///
 /// A patch that goes on smoothly keeps what distance leaves; one that meets the surface at 45 degrees has half of it.
 /// Near-linear.

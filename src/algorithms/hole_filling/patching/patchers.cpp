@@ -170,11 +170,10 @@ LocalSite make_local_site(const HoleSite& site, const std::vector<Triangle>& pat
 
 /// CGAL's density that gives triangles of the rim's own size, or larger ones where these would be too many.
 double density_for(const HoleSite& site, const std::vector<Triangle>& patch, std::size_t most_triangles) {
-  double area = 0, perimeter = 0;
+  double area = 0;
   for (const auto& [a, b, c] : patch)
     area += triangle_area(site.polygon.points[a], site.polygon.points[b], site.polygon.points[c]);
-  for (const Index id : site.holes) perimeter += site.analysis->holes[id].perimeter;
-  const double edge = perimeter / static_cast<double>(site.vertices.size());
+  const double edge = mean_rim_edge(site);
   const double equilateral = std::sqrt(3.0) / 4 * edge * edge;
   const double predicted = equilateral > 0 ? area / equilateral : 0;
   const double share = std::min(1.0, static_cast<double>(most_triangles) / std::max(1.0, predicted));

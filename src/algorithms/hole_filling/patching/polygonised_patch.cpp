@@ -47,15 +47,10 @@ class PolygonisedPatch {
  public:
   PolygonisedPatch(const HoleSite& site, const ImplicitOptions& options, std::size_t most_triangles)
       : site_(site), options_(options), most_triangles_(most_triangles) {
-    double perimeter = 0;
-    for (const Index id : site.holes) {
-      const Hole& hole = site.analysis->holes[id];
-      perimeter += hole.perimeter;
-      area_ += hole.area;
-      size_ = std::max(size_, hole.diameter);
-    }
-    edge_ = perimeter / static_cast<double>(site.vertices.size());
-    area_ = std::max(area_, edge_ * perimeter);  // of slits and of bands between rims
+    for (const Index id : site.holes) area_ += site.analysis->holes[id].area;
+    size_ = widest_diameter(site);
+    edge_ = mean_rim_edge(site);
+    area_ = std::max(area_, edge_ * rim_length(site));  // of slits and of bands between rims
     box_ = box_around(site, size_);
   }
 

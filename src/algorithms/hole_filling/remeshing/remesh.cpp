@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "algorithms/hole_filling/channel_names.h"
+#include "algorithms/hole_filling/fill_findings.h"
 #include "algorithms/hole_filling/remeshing/remesh_attributes.h"
 #include "algorithms/hole_filling/remeshing/remesh_findings.h"
 #include "algorithms/hole_filling/remeshing/remesh_pieces.h"
@@ -20,6 +21,7 @@
 #include "algorithms/hole_filling/remeshing/remesh_topology.h"
 #include "algorithms/hole_filling/remeshing/remesh_trimming.h"
 #include "algorithms/hole_filling/remeshing/remesh_union.h"
+#include "algorithms/hole_filling/remeshing/union_check.h"
 
 namespace croquis::hole_filling {
 namespace {
@@ -81,7 +83,7 @@ class Remeshing {
       outcome.reason = choice_.reason[h];
       if (!choice_.is_chosen[h]) continue;
       outcome.action = patch_of_[h] == no_index ? FillAction::Failed : FillAction::Fill;
-      outcome.reason = patch_of_[h] == no_index ? "its piece of the mesh was left out" : "";
+      outcome.reason = patch_of_[h] == no_index ? piece_left_out : "";
       outcome.method = patch_of_[h] == no_index ? "" : "remesh";
       outcome.patch = patch_of_[h];
       outcome.confidence = 1;
@@ -89,16 +91,19 @@ class Remeshing {
   }
 
   void make_pieces_anew(Progress& progress) {
-    const RemeshModel model{mesh_, result_.analysis, options_, pieces_, normals_, links_, edge_, cell(), memory_};
+    const RemeshModel model{mesh_, result_.analysis, options_, pieces_, normals_,
+                            fans_, links_,           edge_,    cell(),  memory_};
     std::vector<PieceShape> shapes;
     for (std::size_t p = 0; p < pieces_.pieces.size(); ++p) {
       Progress part = progress.step("make pieces", 0.9 * model.share_of(pieces_.pieces[p]));
       shapes.push_back(make_shape(model, p, part));
+      if (shapes.back().mesh.face_count() > 0 && shapes.back().lost_share > most_lost) refuse(p, shapes.back());
       result_.slabs = std::max(result_.slabs, shapes.back().slabs);
       tell(p, shapes.back());
     }
     Progress joining = progress.step("join pieces", 0.07);
     JoinedShapes joined = join_shapes(model, shapes, joining);
+    for (const CrossingPiece& left : joined.left_out) refuse({left.piece, 0, left.other, left.at});
     std::vector<AttributeChannel> channels = std::move(result_.mesh.channels);
     result_.mesh = std::move(joined.mesh);
     result_.mesh.channels = std::move(channels);
@@ -111,6 +116,23 @@ class Remeshing {
       tell_losses(part);
       transfer_to(part, transferring);
     }
+  }
+
+  /// What came out for a piece isn't that piece: it is left out.
+  void refuse(std::size_t piece, PieceShape& shape) {
+    const RemeshPiece& given = pieces_.pieces[piece];
+    const Index at = given.vertices[shape.lost.empty() ? 0 : shape.lost.front()];
+    refuse({piece, shape.lost_share, RefusedPiece::no_piece, mesh_.positions[at]});
+    shape = {};
+    shape.refused = true;
+  }
+
+  void refuse(const RefusedPiece& refused) {
+    refused_.push_back(refused);
+    const RemeshPiece& piece = pieces_.pieces[refused.piece];
+    for (const Index hole : piece.caps) fail(hole, piece_left_out);
+    for (const std::vector<Index>& group : piece.groups)
+      for (const Index hole : group) fail(hole, piece_left_out);
   }
 
   /// Counts add up over pieces; the median is that of the piece with most domains.
@@ -134,11 +156,15 @@ class Remeshing {
 
   /// What became of a piece and its holes.
   void tell(std::size_t piece, const PieceShape& shape) {
+    if (shape.refused) return;
     if (shape.mesh.face_count() == 0) ++lost_;
-    for (const Index hole : shape.left_to_patches)
-      result_.outcomes[hole].reason = "the field leads far out of the model there";
-    for (const Index hole : shape.openings.holes) fail(hole);
+    for (const Index hole : shape.openings.holes) fail(hole, "neither the field nor a patch closes it");
     for (const PatchedHole& patched : shape.patched.loops) tell_patched(patched);
+    for (const Index hole : shape.left_to_patches) {  // small ones are closed by what reaches over their rims
+      HoleOutcome& outcome = result_.outcomes[hole];
+      if (outcome.action == FillAction::Fill && outcome.method != "remesh")
+        outcome.reason = "the field leads far from the scan there";
+    }
     if (shape.domains.fitted > 0) count_domains(shape.domains);
     RemeshChecks& checks = result_.checks;
     checks.failed_loops += shape.openings.loops.size();
@@ -191,11 +217,11 @@ class Remeshing {
     }
   }
 
-  void fail(Index hole) {
+  void fail(Index hole, const char* reason) {
     if (hole == no_index) return;
     HoleOutcome& outcome = result_.outcomes[hole];
     outcome.action = FillAction::Failed;
-    outcome.reason = "neither the field nor a patch closes it";
+    outcome.reason = reason;
     outcome.method.clear();
     outcome.confidence = 0;
   }
@@ -204,12 +230,14 @@ class Remeshing {
     fans_ = TriangleFans(0, {});
     normals_ = {};
     links_ = {};
+    const RemeshLosses losses{lost_, pieces_.left_out, options_.cell, losses_, refused_};
+    require_faces(result_.mesh, losses);
     Progress computing = progress.step("normals", 0.1);
     compute_normals(result_.mesh, threads(), computing);
     mark();
     Progress checking = progress.step("verify", 0.9);
     check(checking);
-    result_.warnings = remesh_findings(mesh_, result_, {lost_, pieces_.left_out, options_.cell, losses_});
+    result_.warnings = remesh_findings(mesh_, result_, losses);
   }
 
   /// Channels "confidence" and "patch_id", and what outcomes say of the patches.
@@ -268,6 +296,7 @@ class Remeshing {
   std::vector<Index> patch_of_;                               // per hole
   std::vector<std::pair<std::size_t, Index>> patched_faces_;  // of the result, and their holes
   std::vector<PieceLosses> losses_;
+  std::vector<RefusedPiece> refused_;
   double edge_ = 0;
   HoleMarks marks_;
   std::size_t lost_ = 0, most_domains_ = 0;

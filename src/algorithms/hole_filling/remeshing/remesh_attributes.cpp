@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 
 #include "algorithms/hole_filling/channel_names.h"
+#include "algorithms/hole_filling/patching/patch_confidence.h"
 #include "algorithms/hole_filling/vertices_per_part.h"
 #include "croquis/base/parallel.h"
 
@@ -113,8 +114,8 @@ class Transfer {
   }
 
   float confidence(Index hole, double distance) const {
-    const double twice = 2 * distance / analysis_.holes[hole].diameter;
-    return static_cast<float>(1 / (1 + twice * twice * twice * twice));
+    const Hole& known = analysis_.holes[hole];
+    return static_cast<float>(backing(distance, known.diameter, analysis_.component_diagonal[known.component]));
   }
 
   /// The vertices of the mesh whose values count; three times the same where there is no triangle.

@@ -44,7 +44,7 @@ class NearestSurface {
 struct HoleMarks {
   std::vector<Index> hole;  ///< per new vertex; no_index on what was given
   std::vector<float>
-      confidence;  ///< per new vertex: 1 on what was given, else 1 / (1 + (2 d)^4), d = distance / diameter
+      confidence;  ///< per new vertex: 1 on what was given, else its backing
 };
 
 /// Vertices of the result that one piece has values for.

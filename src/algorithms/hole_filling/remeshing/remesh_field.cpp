@@ -39,14 +39,10 @@ std::optional<std::vector<Index>> spread(std::span<const ReachedVertex> reached,
 class HoleDomain {
  public:
   HoleDomain(const PolyMesh& mesh, const HoleAnalysis& analysis, std::span<const Index> group)
-      : mesh_(mesh), site_(make_site(mesh, analysis, group, {})) {
-    double perimeter = 0;
-    for (const Index hole : group) {
-      perimeter += analysis.holes[hole].perimeter;
-      size_ = std::max(size_, analysis.holes[hole].diameter);
-    }
-    edge_ = perimeter / static_cast<double>(site_.vertices.size());
-  }
+      : mesh_(mesh),
+        site_(make_site(mesh, analysis, group, {})),
+        edge_(mean_rim_edge(site_)),
+        size_(widest_diameter(site_)) {}
 
   std::vector<Index> centres(double reach) const {
     std::vector<ReachedVertex> reached = reach_from_rims(site_, std::max(least_rim_reach * edge_, reach * size_));

@@ -2,13 +2,16 @@
 #include "algorithms/hole_filling/remeshing/remesh_findings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "algorithms/hole_filling/counted.h"
 #include "algorithms/hole_filling/fill_findings.h"
+#include "croquis/base/error.h"
 
 namespace croquis::hole_filling {
 namespace {
@@ -32,8 +35,7 @@ std::string number(double value) {
 }
 
 std::string sentence(const PieceLosses& part, double cell) {
-  std::string text = "Piece " + std::to_string(part.piece) + " of the model, near (" + number(part.at.x()) + ", " +
-                     number(part.at.y()) + ", " + number(part.at.z()) + "), ";
+  std::string text = "Piece " + std::to_string(part.piece) + " of the model ";
   if (part.wanted) text += "came out as " + described(part.made) + " instead of " + described(*part.wanted);
   if (part.lost_points > 0)
     text += std::string(part.wanted ? ", and " : "has lost its surface at ") +
@@ -56,6 +58,34 @@ void tell_parts(const RemeshLosses& losses, Findings& findings) {
     findings.push_back(
         warning("W_DETAIL_LOST", counted(losses.parts.size() - most_told, "more piece has", "more pieces have") +
                                      " lost detail: choose smaller cells, or fill holes by patches."));
+}
+
+std::string sentence(const RefusedPiece& refused) {
+  const std::string piece = "Piece " + std::to_string(refused.piece) + " of the model ";
+  if (refused.other != RefusedPiece::no_piece)
+    return piece + "was left out: its new surface crosses that of piece " + std::to_string(refused.other) +
+           ", and no solid stands for both; take them apart, or fill holes by patches, which keep all pieces.";
+  return piece + "was left out: its new surface would lack " +
+         std::to_string(static_cast<int>(std::lround(100 * refused.lost_share))) +
+         " % of the scan's; choose smaller cells, or fill holes by patches, which keep the surface.";
+}
+
+/// The first few one by one.
+void tell_refused(const RemeshLosses& losses, const Finding& like, Findings& findings) {
+  constexpr std::size_t most_told = 5;
+  const std::size_t told = std::min(losses.refused.size(), most_told);
+  for (const RefusedPiece& refused : std::span(losses.refused).first(told)) {
+    Finding finding = like;
+    finding.message = sentence(refused);
+    finding.subjects = {
+        {SubjectKind::Point, std::to_string(refused.piece), {}, {}, {refused.at.x(), refused.at.y(), refused.at.z()}}};
+    findings.push_back(std::move(finding));
+  }
+  if (told == losses.refused.size()) return;
+  Finding finding = like;
+  finding.message = counted(losses.refused.size() - told, "more piece was", "more pieces were") +
+                    " left out for such reasons: choose smaller cells, or fill holes by patches.";
+  findings.push_back(std::move(finding));
 }
 
 void tell_united(const RemeshChecks& checks, Findings& findings) {
@@ -94,6 +124,7 @@ Findings remesh_findings(const PolyMesh& mesh, const RemeshResult& result, const
     findings.push_back(warning("W_PIECE_LOST", counted(losses.pieces, "piece has", "pieces have") +
                                                    " no surface that cubes of this size could find: choose smaller "
                                                    "cells."));
+  tell_refused(losses, warning("W_PIECE_REFUSED", ""), findings);
   tell_parts(losses, findings);
   if (result.checks.failed_loops > 0)
     findings.push_back(
@@ -102,6 +133,18 @@ Findings remesh_findings(const PolyMesh& mesh, const RemeshResult& result, const
   tell_united(result.checks, findings);
   tell_cuts(result.checks, findings);
   return findings;
+}
+
+void require_faces(const PolyMesh& made, const RemeshLosses& losses) {
+  if (made.face_count() > 0) return;
+  const auto error = [](std::string message) {
+    return make_error(Category::Geometry, "E_NOT_REMESHED", std::move(message));
+  };
+  Findings findings = {
+      error("Nothing of the model could be remeshed: fill its holes by patches, which keep the "
+            "surface.")};
+  tell_refused(losses, error(""), findings);
+  throw Error(std::move(findings));
 }
 
 }  // namespace croquis::hole_filling

@@ -84,7 +84,7 @@ void require_memory(const RemeshMemory& memory, std::size_t limit) {
   const double bytes = memory.least();
   if (limit == 0 || bytes <= static_cast<double>(limit)) return;
   throw Error(make_error(Category::Limit, "E_MEMORY",
-                         "Making this model anew needs about " + gibibytes(bytes) + ", and " +
+                         "Remeshing this model needs about " + gibibytes(bytes) + ", and " +
                              gibibytes(static_cast<double>(limit)) + " are allowed: " + advice(memory) + ".",
                          {{SubjectKind::Parameter, "memory-limit", {}, {}, {}}}));
 }

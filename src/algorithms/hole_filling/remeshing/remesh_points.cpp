@@ -104,10 +104,7 @@ class Sampling {
 std::vector<ReachedVertex> rim_normals(const PolyMesh& mesh, const HoleAnalysis& analysis,
                                        const std::vector<Index>& group) {
   const HoleSite site = make_site(mesh, analysis, group, {});
-  double perimeter = 0;
-  for (const Index hole : group) perimeter += analysis.holes[hole].perimeter;
-  const double reach = quadric_reach * perimeter / static_cast<double>(site.vertices.size());
-  std::vector<ReachedVertex> reached = reach_from_rims(site, reach);
+  std::vector<ReachedVertex> reached = reach_from_rims(site, quadric_reach * mean_rim_edge(site));
   fit_rim_normals(reached, mesh.positions, tree_of(reached, mesh.positions));
   return {reached.begin(), std::ranges::find_if(reached, [](const ReachedVertex& r) { return r.distance != 0; })};
 }

@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "algorithms/hole_filling/remeshing/remesh_backing.h"
 #include "algorithms/hole_filling/remeshing/remesh_field.h"
 #include "algorithms/hole_filling/remeshing/remesh_smoothing.h"
 #include "algorithms/hole_filling/remeshing/remesh_trimming.h"
@@ -25,6 +26,7 @@ constexpr double cells_per_cube_face = 20;  // per cube face of a sphere around 
 constexpr int farthest_seeds = 2;           // cubes around a point that are looked at, when its own has no surface
 constexpr double lost_beyond = 1.25;  // × cell: a surface has vertices at less than one cell of any of its points
 
+constexpr double backed_within = 2;       // × cell or mean edge, whichever is longer: farther from data is invented
 constexpr double runs_away_beyond = 0.4;  // × diagonal: no continuation of a surface leads so far out of its box
 constexpr int retries = 2;             // of pieces that come out torn or grown together, each with cells of half size
 constexpr double retry_overlap = 0.6;  // domains of thin walls have to see both sides, and much of them
@@ -72,6 +74,9 @@ class Shaping {
  private:
   Trial trial_of(int retry) const;
   PieceShape make_surface(const Trial& trial, Progress& progress);
+  Strays strays_of(const PolyMesh& surface, const Trial& trial, Progress& progress) const;
+  void cut_off(const Strays& strays, PieceShape& shape, Progress& progress) const;
+  void compare(const Trial& trial, PieceShape& shape, Progress& progress) const;
   PieceShape attempt(const Trial& trial, double growth, bool is_last, Progress& progress);
   Cubes polygons(const Trial& trial, const std::vector<implicit::Box>& boxes, implicit::PartitionOfUnity& field,
                  Progress& progress);
@@ -126,33 +131,56 @@ Trial Shaping::trial_of(int retry) const {
   return trial;
 }
 
+/// Where nothing in the mesh backs what came out, holes are left to patches: the field ends at their rims then.
 PieceShape Shaping::make_surface(const Trial& trial, Progress& progress) {
   PieceShape shape;
   std::vector<Index> left;
-  for (std::size_t i = 0; i < growths.size(); ++i) {
+  for (std::size_t i = 0;; ++i) {
     const bool has_boxes = !piece_.groups.empty() && model_.options.fill.preset != Preset::Paper;
-    const bool is_last = i + 1 == growths.size() || !has_boxes;
+    const bool is_last = i + 1 >= growths.size() || !has_boxes;
     Progress trying = progress.step("make surface", i == 0 ? 0.9 : 0.02);
     shape = {};
-    shape = attempt(trial, growths[i], is_last, trying);
-    if (shape.runs_away && has_boxes) {
+    shape = attempt(trial, growths[std::min(i, growths.size() - 1)], is_last, trying);
+    if (!is_last && !shape.runs_away && shape.openings.any_of_field()) continue;
+    Progress looking = progress.step("compare with the scan", 0.02);
+    const Strays strays = strays_of(shape.mesh, trial, looking);
+    if (has_boxes && (shape.runs_away || strays.any())) {
       for (const std::vector<Index>& group : piece_.groups) left.insert(left.end(), group.begin(), group.end());
       leave_to_patches(model_.pieces, number_);
-    } else if (!shape.openings.any_of_field() || !has_boxes) {
-      break;
+      continue;
     }
+    if (strays.count > 0) cut_off(strays, shape, looking);
+    break;
   }
   shape.left_to_patches = std::move(left);
   if (!shape.openings.none()) {
     Progress patching = progress.step("close openings by patches", 0.02);
     shape.patched = close_by_patches(shape.mesh, shape.openings, model_.options.fill, patching);
   }
+  compare(trial, shape, progress);
+  return shape;
+}
+
+Strays Shaping::strays_of(const PolyMesh& surface, const Trial& trial, Progress& progress) const {
+  const NearestSurface given(model_.mesh, model_.analysis.view, model_.fans, piece_, trial.points, model_.threads());
+  const HoleReach holes(model_.mesh, model_.analysis, piece_, model_.options.fill.requests);
+  return find_strays(surface, given, holes, backed_within * std::max(model_.cell, model_.edge), model_.threads(),
+                     progress);
+}
+
+void Shaping::cut_off(const Strays& strays, PieceShape& shape, Progress& progress) const {
+  shape.mesh = trimmed(shape.mesh, strays.vertices);
+  shape.openings = find_openings(shape.mesh, model_.mesh, piece_, model_.pieces.rims, model_.threads(), progress);
+}
+
+/// What of the piece is there, and in how many parts.
+void Shaping::compare(const Trial& trial, PieceShape& shape, Progress& progress) const {
   Progress comparing = progress.step("look for lost detail", 0.02);
-  shape.lost = lost_points(shape.mesh, std::span(trial.points.positions).first(piece_.vertices.size()), model_.cell,
-                           model_.threads(), comparing);
+  shape.lost = lost_points(shape.mesh, trial.points.positions, model_.cell, model_.threads(), comparing);
+  shape.lost_share = lost_share(model_.mesh, model_.analysis.view, piece_, trial.points, shape.lost);
+  std::erase_if(shape.lost, [&](Index point) { return point >= piece_.vertices.size(); });
   Progress counting = progress.step("count parts and handles", 0.01);
   shape.topology = topology_of(shape.mesh, model_.threads(), counting);
-  return shape;
 }
 
 PieceShape Shaping::attempt(const Trial& trial, double growth, bool is_last, Progress& progress) {

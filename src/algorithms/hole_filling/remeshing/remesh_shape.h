@@ -23,6 +23,7 @@ struct RemeshModel {
   const RemeshOptions& options;
   RemeshPieces& pieces;
   const std::vector<Vec3>& normals;              ///< of the view's vertices
+  const TriangleFans& fans;                      ///< of the view
   const std::vector<TriangleFans::Link>& links;  ///< of the view's vertices
   double edge = 0;                               ///< typical, model units
   double cell = 0;                               ///< as asked for, model units
@@ -42,13 +43,15 @@ struct PieceShape {
   implicit::DomainReport domains;
   SurfaceTopology topology;
   std::optional<SurfaceTopology> wanted;  ///< see wanted_topology
-  std::vector<Index> lost;                ///< points without a surface
+  std::vector<Index> lost;                ///< vertices given without a surface
+  double lost_share = 0;                  ///< of the piece's area
   double cell = 0;                        ///< of its cubes, model units
   std::size_t slabs = 1;                  ///< that it was made in
   std::size_t cuts = 0;                   ///< pairs of its faces that intersect
   bool runs_away = false;                 ///< leads far out of the model
   std::vector<Index> left_to_patches;     ///< holes where it did, and was ended therefore
   bool retried = false;                   ///< with smaller cells
+  bool refused = false;                   ///< and emptied, since it didn't stand for its piece
 
   /// Of loops that shouldn't be, components and handles, counted.
   std::size_t torn() const { return openings.loops.size() + (wanted ? difference(topology, *wanted) : 0); }

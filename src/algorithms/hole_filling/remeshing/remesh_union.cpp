@@ -6,9 +6,11 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <tuple>
 
 #include "algorithms/hole_filling/remeshing/remesh_cuts.h"
 #include "algorithms/hole_filling/remeshing/remesh_trimming.h"
+#include "algorithms/hole_filling/remeshing/union_check.h"
 #include "algorithms/hole_filling/remeshing/united_solid.h"
 #include "croquis/geometry/disjoint_sets.h"
 
@@ -29,6 +31,13 @@ struct Solid {
   Vec3 lost_at = Vec3::Zero();
   bool is_torn = false;  // has lost more than a few places
   bool is_good = false;
+  UnionFaults faults;
+};
+
+/// Two parts of which faces intersect; the first place found.
+struct Crossing {
+  std::size_t a = 0, b = 0;
+  Vec3 at = Vec3::Zero();
 };
 
 class Joining {
@@ -43,10 +52,15 @@ class Joining {
   bool needs_a_look() const;
   bool group_by_cuts(Progress& progress);
   void unite_groups(Progress& progress);
+  std::vector<std::size_t> group_of(std::size_t first);
+  void put_as_it_is(std::size_t number, JoinedShapes& next);
+  void keep_largest(std::vector<std::size_t> group, JoinedShapes& next);
+  void leave_out(std::size_t part, const std::vector<std::size_t>& kept, JoinedShapes& next) const;
+  const Crossing* crossing_of(std::size_t part, const std::vector<std::size_t>& kept) const;
   PolyMesh extracted(const RemeshPart& part) const;
   void put(RemeshPart part, const PolyMesh& mesh, JoinedShapes& joined) const;
   void keep_surface(const RemeshPart& part, Progress& progress);
-  std::pair<RemeshPart, PolyMesh> united(std::vector<std::size_t> pieces, Progress& progress);
+  std::optional<std::pair<RemeshPart, PolyMesh>> united(std::vector<std::size_t> pieces, Progress& progress);
   Solid solid_of(const UnitedSolid& solid, std::span<const std::unique_ptr<const SignedSurface>> members,
                  const std::vector<std::size_t>& pieces, double cell, Progress& progress) const;
   std::vector<Vec3> visible(const UnitedSolid& solid, const std::vector<Vec3>& places, double least,
@@ -59,6 +73,8 @@ class Joining {
   std::vector<std::unique_ptr<const SignedSurface>> surfaces_;  // of pieces that were united
   DisjointSets group_;
   std::vector<std::uint8_t> marked_;  // of parts: cut themselves or others
+  std::vector<Crossing> crossings_;   // of different parts, each pair once
+  std::vector<std::size_t> losers_;   // pieces that the last solid that was refused had too little of
   JoinedShapes joined_;
 };
 
@@ -127,10 +143,17 @@ bool Joining::group_by_cuts(Progress& progress) {
   joined_.crossings = 0;
   marked_.assign(parts.size(), 0);
   bool is_new = false;
+  crossings_.clear();
   for (const auto& pair : cuts) {
     const std::size_t a = part_at(pair[0]), b = part_at(pair[1]);
+    if (a == b && parts[a].stays) continue;
     marked_[a] = marked_[b] = 1;
-    if (a != b) ++joined_.crossings;
+    if (a != b) {
+      ++joined_.crossings;
+      const bool is_known = std::ranges::any_of(
+          crossings_, [&](const Crossing& c) { return std::minmax(c.a, c.b) == std::minmax(a, b); });
+      if (!is_known) crossings_.push_back({a, b, joined_.mesh.positions[joined_.mesh.face(pair[0])[0]]});
+    }
     is_new = is_new || a != b || !parts[a].is_solid;
     group_.unite(static_cast<Index>(parts[a].pieces.front()), static_cast<Index>(parts[b].pieces.front()));
   }
@@ -160,39 +183,95 @@ void Joining::keep_surface(const RemeshPart& part, Progress& progress) {
   surfaces_[part.pieces.front()] = std::make_unique<const SignedSurface>(extracted(part), model_.threads(), progress);
 }
 
+/// Marked parts that crossings lead to from one, ascending. Those of earlier groups have been moved away.
+std::vector<std::size_t> Joining::group_of(std::size_t first) {
+  const auto root = [&](std::size_t part) {
+    return group_.root(static_cast<Index>(joined_.parts[part].pieces.front()));
+  };
+  std::vector<std::size_t> group;
+  for (std::size_t i = first; i < joined_.parts.size(); ++i)
+    if (marked_[i] != 0 && !joined_.parts[i].pieces.empty() && root(i) == root(first)) group.push_back(i);
+  return group;
+}
+
 void Joining::unite_groups(Progress& progress) {
   JoinedShapes next;
+  next.left_out = std::move(joined_.left_out);
   std::vector<std::uint8_t> done(joined_.parts.size(), 0);
   const double share = 1 / static_cast<double>(joined_.parts.size());
   for (std::size_t i = 0; i < joined_.parts.size(); ++i) {
     if (done[i] != 0) continue;
-    RemeshPart& part = joined_.parts[i];
     if (marked_[i] == 0) {
-      for (auto& [face, hole] : part.patched) face -= part.first_face;
-      const PolyMesh mesh = extracted(part);
-      put(std::move(part), mesh, next);
+      put_as_it_is(i, next);
       continue;
     }
     Progress uniting = progress.step("unite pieces that cross", share);
+    const std::vector<std::size_t> group = group_of(i);
     std::vector<std::size_t> pieces;
-    for (std::size_t j = i; j < joined_.parts.size(); ++j) {
-      const RemeshPart& other = joined_.parts[j];
-      if (marked_[j] == 0 ||
-          group_.root(static_cast<Index>(other.pieces.front())) != group_.root(static_cast<Index>(part.pieces.front())))
-        continue;
-      done[j] = 1;
+    for (const std::size_t part : group) {
+      done[part] = 1;
+      const RemeshPart& other = joined_.parts[part];
       pieces.insert(pieces.end(), other.pieces.begin(), other.pieces.end());
       keep_surface(other, uniting);
     }
     std::sort(pieces.begin(), pieces.end());
-    auto [whole, mesh] = united(std::move(pieces), uniting);
-    put(std::move(whole), mesh, next);
+    if (auto solid = united(std::move(pieces), uniting))
+      put(std::move(solid->first), solid->second, next);
+    else
+      keep_largest(group, next);
   }
   for (const RemeshPart& part : next.parts) next.united += part.pieces.size() > 1 ? part.pieces.size() : 0;
   joined_ = std::move(next);
 }
 
-std::pair<RemeshPart, PolyMesh> Joining::united(std::vector<std::size_t> pieces, Progress& progress) {
+void Joining::put_as_it_is(std::size_t number, JoinedShapes& next) {
+  RemeshPart& part = joined_.parts[number];
+  for (auto& [face, hole] : part.patched) face -= part.first_face;
+  const PolyMesh mesh = extracted(part);
+  put(std::move(part), mesh, next);
+}
+
+const Crossing* Joining::crossing_of(std::size_t part, const std::vector<std::size_t>& kept) const {
+  const auto found = std::ranges::find_if(crossings_, [&](const Crossing& c) {
+    return (c.a == part && std::ranges::find(kept, c.b) != kept.end()) ||
+           (c.b == part && std::ranges::find(kept, c.a) != kept.end());
+  });
+  return found == crossings_.end() ? nullptr : &*found;
+}
+
+void Joining::leave_out(std::size_t part, const std::vector<std::size_t>& kept, JoinedShapes& next) const {
+  const Crossing* crossing = crossing_of(part, kept);
+  if (crossing == nullptr) return;
+  const std::size_t other = crossing->a == part ? crossing->b : crossing->a;
+  for (const std::size_t piece : joined_.parts[part].pieces)
+    next.left_out.push_back({piece, joined_.parts[other].pieces.front(), crossing->at});
+}
+
+/// Those that lost much in the solid go, the rest may be one in the next round. Where the largest has lost much itself,
+/// they are kept by their faces, the first of equals, each unless it crosses one that is kept.
+void Joining::keep_largest(std::vector<std::size_t> group, JoinedShapes& next) {
+  std::vector<RemeshPart>& parts = joined_.parts;
+  std::ranges::stable_sort(group,
+                           [&](std::size_t a, std::size_t b) { return parts[a].face_count > parts[b].face_count; });
+  const auto has_lost = [&](std::size_t part) {
+    return std::ranges::find_first_of(parts[part].pieces, losers_) != parts[part].pieces.end();
+  };
+  const bool may_go_on = !losers_.empty() && !has_lost(group.front());
+  std::vector<std::size_t> kept, gone;
+  for (const std::size_t part : group) {
+    const bool goes =
+        may_go_on ? has_lost(part) && crossing_of(part, group) != nullptr : crossing_of(part, kept) != nullptr;
+    (goes ? gone : kept).push_back(part);
+  }
+  for (const std::size_t part : gone) leave_out(part, may_go_on ? group : kept, next);
+  std::ranges::sort(kept);
+  for (const std::size_t part : kept) {
+    parts[part].stays = !may_go_on;
+    put_as_it_is(part, next);
+  }
+}
+
+std::optional<std::pair<RemeshPart, PolyMesh>> Joining::united(std::vector<std::size_t> pieces, Progress& progress) {
   std::vector<std::unique_ptr<const SignedSurface>> members;
   double finest = model_.cell, share = 0;
   bool is_closed = true;
@@ -212,18 +291,31 @@ std::pair<RemeshPart, PolyMesh> Joining::united(std::vector<std::size_t> pieces,
     Progress trying = progress.step("unite pieces that cross", halving == first ? 0.8 : 0.05);
     const UnitedSolid solid(members, size);
     Solid found = solid_of(solid, members, pieces, size, trying);
-    if (halving == first || std::pair(found.cuts, found.lost) < std::pair(best.cuts, best.lost))
-      best = std::move(found);
+    const auto is_better = [&] {
+      return std::tuple(!found.faults.none(), found.cuts, found.lost) <
+             std::tuple(!best.faults.none(), best.cuts, best.lost);
+    };
+    if (halving == first || is_better()) best = std::move(found);
     if (best.is_good) break;
   }
+  const auto give_back = [&] {
+    for (std::size_t m = 0; m < members.size(); ++m) surfaces_[pieces[m]] = std::move(members[m]);
+  };
+  if (!best.faults.none()) {
+    give_back();
+    losers_.clear();
+    if (!best.faults.has_strays)
+      for (const std::size_t member : best.faults.losers) losers_.push_back(pieces[member]);
+    return std::nullopt;
+  }
   RemeshPart part;
-  part.pieces = std::move(pieces);
   part.is_solid = true;
   part.lost = best.is_torn ? best.lost : 0;
   part.lost_at = best.lost_at;
+  part.pieces = pieces;
   name_places(UnitedSolid(members, model_.cell), members, best.mesh, part, progress);
-  for (std::size_t m = 0; m < members.size(); ++m) surfaces_[part.pieces[m]] = std::move(members[m]);
-  return {std::move(part), std::move(best.mesh)};
+  give_back();
+  return std::pair(std::move(part), std::move(best.mesh));
 }
 
 /// Parts that are smaller than some cubes, where no piece is so small.
@@ -289,8 +381,9 @@ Solid Joining::solid_of(const UnitedSolid& solid, std::span<const std::unique_pt
   made.lost = lost.size();
   if (!lost.empty()) made.lost_at = seeds[lost.front()];
   made.is_torn = !are_few(lost.size(), seeds.size());
+  made.faults = faults_of(made.mesh, members, model_.cell, model_.threads(), comparing);
   // Where it ends at borders it may end a little earlier: no reason for four times the triangles.
-  made.is_good = made.cuts == 0 && (cubes.covered || !made.is_torn);
+  made.is_good = made.faults.none() && made.cuts == 0 && (cubes.covered || !made.is_torn);
   return made;
 }
 

@@ -20,6 +20,14 @@ struct RemeshPart {
   std::size_t lost = 0;         ///< places of the pieces' surfaces that the solid has no surface near, if many
   Vec3 lost_at = Vec3::Zero();  ///< one of these
   bool is_solid = false;        ///< was made of its pieces' surfaces as a solid
+  bool stays = false;           ///< crosses itself, and no solid stands for it
+};
+
+/// A piece that was left out of the result.
+struct CrossingPiece {
+  std::size_t piece = 0;
+  std::size_t other = 0;   ///< that it crosses, and that was kept
+  Vec3 at = Vec3::Zero();  ///< a place where they do
 };
 
 /// All surfaces in one mesh.
@@ -29,11 +37,13 @@ struct JoinedShapes {
   std::size_t cuts = 0;           ///< pairs of faces that intersect all the same
   std::size_t crossings = 0;      ///< of these, the ones of different parts
   std::size_t united = 0;         ///< pieces that are one solid with others
+  std::vector<CrossingPiece> left_out;
 };
 
 /// Joins the surfaces of all pieces. Those that cross each other or themselves are polygonised again as the boundary of
 /// the solid that they enclose together (see UnitedSolid), which cubes' triangles can't but do without intersections;
-/// the others stay as they are. Vertices inside other pieces' solids end there.
+/// the others stay as they are. Vertices inside other pieces' solids end there. Where no solid stands for its pieces
+/// (see stands_for), as for sheets that have no inside, the largest of those that don't cross each other are kept.
 /// @param shapes of all pieces; their meshes are taken
 /// @throws Cancelled
 JoinedShapes join_shapes(const RemeshModel& model, std::vector<PieceShape>& shapes, Progress& progress);
