@@ -6,6 +6,7 @@
 #include <QMetaObject>
 #include <utility>
 
+#include "app/word_list.h"
 #include "croquis/base/error.h"
 #include "croquis/io/file.h"
 #include "croquis/io/mesh_file.h"
@@ -13,6 +14,20 @@
 #include "croquis/io/svg_drawing.h"
 
 namespace croquis::app {
+namespace {
+
+std::string local_name(const QString& path) { return QFile::encodeName(path).toStdString(); }
+
+bool is_sketch(const QString& path) { return QFileInfo(path).suffix().toLower() == "svg"; }
+
+/// ".croq, .svg, .obj or .off".
+std::string readable_endings() {
+  std::vector<std::string> endings{".croq", ".svg"};
+  for (const MeshFormat format : readable_mesh_formats()) endings.push_back(extension_of(format));
+  return either_of(endings);
+}
+
+}  // namespace
 
 FileReader::FileReader() { thread_.setMaxThreadCount(1); }
 
@@ -21,26 +36,37 @@ FileReader::~FileReader() {
   thread_.waitForDone();
 }
 
-bool FileReader::replaces_document(const QString& path) {
-  const QString suffix = QFileInfo(path).suffix().toLower();
-  return suffix == "croq" || suffix == "svg";
+bool FileReader::replaces_document(const QString& path) { return is_project_name(local_name(path)) || is_sketch(path); }
+
+QString FileReader::dialog_filter() {
+  QStringList endings{"*.croq", "*.svg"};
+  QStringList kinds{tr("Projects (*.croq)"), tr("Earlier versions of projects (*.croq~*)"), tr("Sketches (*.svg)")};
+  for (const MeshFormat format : readable_mesh_formats()) {
+    const QString ending = "*" + QString::fromStdString(extension_of(format));
+    endings << ending;
+    kinds << QString("%1 (%2)").arg(to_string(format), ending);
+  }
+  kinds.prepend(tr("Projects, sketches and meshes (%1)").arg(endings.join(' ')));
+  return kinds.join(";;");
 }
 
 ReadFile FileReader::read_now(const QString& path, Progress& progress) {
-  const std::string file = QFile::encodeName(path).toStdString();
-  const QString suffix = QFileInfo(path).suffix().toLower();
-  if (suffix == "croq") return {path, load_project(file, progress).document, {}};
+  const std::string file = local_name(path);
+  if (is_project_name(file)) {
+    ProjectFile project = load_project(file, progress);
+    return {path, std::move(project.document), std::move(project.warnings)};
+  }
   const std::string bytes = read_file(file);
   if (const auto format = mesh_format_of(file)) {
     MeshReadResult read = read_mesh(bytes, *format, file, progress);
     return {path, std::make_shared<const PolyMesh>(std::move(read.mesh)), std::move(read.warnings)};
   }
-  if (suffix == "svg") {
-    return {path, std::make_shared<const Drawing>(read_svg_drawing(bytes, file, progress).drawing), {}};
+  if (is_sketch(path)) {
+    DrawingReadResult read = read_svg_drawing(bytes, file, progress);
+    return {path, std::make_shared<const Drawing>(std::move(read.drawing)), std::move(read.warnings)};
   }
-  throw Error(
-      make_error(Category::Malformed, "E_FORMAT",
-                 "\"" + file + "\" is no project, sketch or mesh: open .croq, .svg, .obj, .ply, .stl, .off or .glb"));
+  throw Error(make_error(Category::Malformed, "E_FORMAT",
+                         "\"" + file + "\" is no project, sketch or mesh: open " + readable_endings()));
 }
 
 void FileReader::read(const QString& path) {

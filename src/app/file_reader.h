@@ -34,6 +34,9 @@ class FileReader : public QObject {
   /// What opens there takes the place of what is open: projects and sketches do, meshes are added to it.
   static bool replaces_document(const QString& path);
 
+  /// What a dialog lists: everything that `read` reads, and nothing else.
+  static QString dialog_filter();
+
   void read(const QString& path);
 
   /// What is being read, and what waits to be, isn't read.

@@ -1,49 +1,68 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/help_line.h"
 
+#include <QDesktopServices>
+#include <QFileInfo>
 #include <QHBoxLayout>
+#include <QToolButton>
+#include <QUrl>
+
+#include "app/elided_label.h"
 
 namespace croquis::app {
 namespace {
 
 constexpr int words_gap = 12;  // between the two
 
-const char* color_of(HelpLine::Tone tone) {
+QColor color_of(HelpLine::Tone tone) {
   switch (tone) {
-    case HelpLine::Tone::Error: return "color: #f0a09a";
-    case HelpLine::Tone::Warning: return "color: #ffb65c";
+    case HelpLine::Tone::Error: return {240, 160, 154};
+    case HelpLine::Tone::Warning: return {255, 182, 92};
     case HelpLine::Tone::Plain: break;
   }
-  return "color: #9fd6c3";
+  return {159, 214, 195};
 }
 
 }  // namespace
 
-HelpLine::HelpLine(QWidget* parent) : QWidget(parent), help_(new QLabel(this)), message_(new QLabel(this)) {
+HelpLine::HelpLine(QWidget* parent)
+    : QWidget(parent), help_(new ElidedLabel(this)), message_(new ElidedLabel(this)), folder_(new QToolButton(this)) {
   help_->setObjectName("help-line");
   message_->setObjectName("message");
+  folder_->setObjectName("open-folder");
+  folder_->setText(tr("Open folder"));
+  folder_->hide();
+  connect(folder_, &QToolButton::clicked, this,
+          [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder_path_)); });
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(words_gap);
   row->addWidget(help_);
   row->addWidget(message_, 1);
-  for (QLabel* label : {help_, message_}) {
-    label->setTextFormat(Qt::PlainText);
-    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a long sentence doesn't widen the window
-  }
+  row->addWidget(folder_);
   help_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
-  help_->setMinimumWidth(0);
+  message_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 }
 
 void HelpLine::show_help(const QString& text) {
-  help_->setText(text);
+  help_->show_text(text);
   fit();
 }
 
 void HelpLine::tell(const QString& sentence, Tone tone, const QString& more) {
-  message_->setText(sentence);
-  message_->setToolTip(more);
-  message_->setStyleSheet(color_of(tone));
+  folder_->hide();
+  message_->show_text(sentence, more);
+  QPalette colors = palette();
+  colors.setColor(QPalette::WindowText, color_of(tone));
+  message_->setPalette(colors);
+  fit();
+}
+
+void HelpLine::tell_written(const QString& path, const QString& sentence, Tone tone) {
+  tell(sentence, tone, sentence);
+  folder_path_ = QFileInfo(path).absolutePath();
+  folder_->setToolTip(folder_path_);
+  folder_->show();
   fit();
 }
 
@@ -55,7 +74,9 @@ void HelpLine::resizeEvent(QResizeEvent* event) {
 void HelpLine::fit() {
   const auto width_of = [](const QLabel* label) { return label->fontMetrics().horizontalAdvance(label->text()); };
   const bool told = !message_->text().isEmpty();
-  help_->setVisible(!told || width_of(help_) + words_gap + width_of(message_) <= width());
+  const int button = folder_->isHidden() ? 0 : words_gap + folder_->sizeHint().width();
+  help_->setVisible(!told || width_of(help_) + words_gap + width_of(message_) + button <= width());
+  message_->setVisible(told);
 }
 
 }  // namespace croquis::app

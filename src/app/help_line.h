@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QLabel>
 #include <QWidget>
+
+class QToolButton;
 
 namespace croquis::app {
 
+class ElidedLabel;
+
 /// The line below the views: what can be done next, and beside it what has just been told. Where both don't fit, what
-/// was told is shown alone: nothing is cut off as long as the window is wide enough for it.
+/// was told is shown alone; what doesn't fit even then ends in "…", with the whole sentence where the pointer rests.
 class HelpLine : public QWidget {
   Q_OBJECT
 
@@ -20,6 +23,9 @@ class HelpLine : public QWidget {
 
   /// Stays until `clear`. @param more shown when the pointer rests on it, where the sentence isn't all
   void tell(const QString& sentence, Tone tone = Tone::Plain, const QString& more = {});
+
+  /// The same about a file that was written, with a button that opens its folder.
+  void tell_written(const QString& path, const QString& sentence, Tone tone = Tone::Plain);
   void clear() { tell({}); }
 
  protected:
@@ -28,8 +34,10 @@ class HelpLine : public QWidget {
  private:
   void fit();
 
-  QLabel* help_;
-  QLabel* message_;
+  ElidedLabel* help_;
+  ElidedLabel* message_;
+  QToolButton* folder_;
+  QString folder_path_;
 };
 
 }  // namespace croquis::app

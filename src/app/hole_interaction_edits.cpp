@@ -6,6 +6,7 @@
 #include "app/filling.h"
 #include "app/hole_interaction.h"
 #include "croquis/base/error.h"
+#include "croquis/hole_filling/hole_choice.h"
 
 namespace croquis::app {
 namespace {
@@ -117,11 +118,12 @@ void HoleInteraction::fill_all(const std::string& select) {
   fill_named(what, select, 0);
 }
 
-/// Of the longest rim, as the operation has it.
+/// As the operation has it.
 Index HoleInteraction::largest() const {
-  const auto found = std::max_element(rows_.begin(), rows_.end(),
-                                      [](const HoleRow& a, const HoleRow& b) { return a.perimeter < b.perimeter; });
-  return found == rows_.end() ? no_index : found->id;
+  std::vector<double> diameters;
+  for (const HoleRow& row : rows_) diameters.push_back(row.diameter);
+  const Index place = hole_filling::largest_hole(diameters);
+  return place == no_index ? no_index : rows_[place].id;
 }
 
 bool HoleInteraction::is_named(const HoleRow& row, const std::string& select, double max_diameter) const {

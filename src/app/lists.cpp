@@ -19,12 +19,15 @@ FindingsList::FindingsList(QWidget* parent) : QListWidget(parent) {
   });
 }
 
-void FindingsList::show_findings(const std::vector<NodeFinding>& findings) {
+void FindingsList::show_findings(const std::vector<NodeFinding>& findings,
+                                 const std::function<QString(const NodeFinding&)>& owner) {
   clear();
   findings_ = findings;
   for (const NodeFinding& found : findings) {
     const bool error = found.finding.severity == Severity::Error;
-    auto* row = new QListWidgetItem(sentence_in_view(found.finding), this);
+    const QString sentence = sentence_in_view(found.finding);
+    const QString name = owner(found);
+    auto* row = new QListWidgetItem(name.isEmpty() ? sentence : tr("%1: %2").arg(name, sentence), this);
     row->setForeground(error ? colors::error.lighter(140) : colors::warning.lighter(120));
     row->setToolTip(QString::fromStdString(found.finding.code));
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QListWidget>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,8 @@ class FindingsList : public QListWidget {
  public:
   explicit FindingsList(QWidget* parent = nullptr);
 
-  void show_findings(const std::vector<NodeFinding>& findings);
+  /// @param owner names the object that a finding is about, where that isn't clear
+  void show_findings(const std::vector<NodeFinding>& findings, const std::function<QString(const NodeFinding&)>& owner);
 
  signals:
   /// Somebody wants to see what this one is about.

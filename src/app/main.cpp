@@ -45,15 +45,21 @@ int save_screenshot(MainWindow& window, const QString& path) {
 
 int run(const LaunchOptions& options) {
   MainWindow window(state_folder());
+  const bool unattended = !options.screenshot.isEmpty() || !options.replay.isEmpty();
+  if (unattended) {
+    window.set_unattended();
+  } else {
+    window.remember_layout();
+  }
   window.show();
   if (!options.record.isEmpty() && !window.attempt([&] { window.record_to(options.record); })) {
     return print_findings(window.last_findings());
   }
   if (!options.new_kind.isEmpty()) window.start_sketch();
-  const bool unattended = !options.screenshot.isEmpty() || !options.replay.isEmpty();
   for (const QString& file : options.files) {
     if (!window.open(file) && unattended) return print_findings(window.last_findings());
   }
+  if (unattended) print_findings(window.files().warnings());
   int exit_code = 0;
   if (!options.replay.isEmpty()) exit_code = play_file(window, options.replay, options.stay);
   if (exit_code == 0 && !options.screenshot.isEmpty()) exit_code = save_screenshot(window, options.screenshot);

@@ -2,24 +2,31 @@
 #include "app/main_window.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileInfo>
-#include <QLabel>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QTimer>
 #include <QToolBar>
 #include <algorithm>
+#include <utility>
 
+#include "app/elided_label.h"
 #include "app/gallery.h"
 #include "app/gallery_thumbnails.h"
 #include "app/help_line.h"
+#include "app/opening_report.h"
+#include "app/panel_docks.h"
 #include "app/start_page.h"
 #include "app/viewport.h"
+#include "app/window_layout.h"
 #include "croquis/base/error.h"
 
 namespace croquis::app {
@@ -29,29 +36,12 @@ constexpr QSize first_size(1440, 900);
 
 bool is_error(const Finding& finding) { return finding.severity == Severity::Error; }
 
-/// Without the folders: there is one line for the sentence.
-Findings with_short_name(Findings findings, const QString& path) {
-  for (Finding& finding : findings) {
-    const QString message = QString::fromStdString(finding.message);
-    finding.message = QString(message).replace(path, QFileInfo(path).fileName()).toStdString();
-  }
-  return findings;
-}
-
-QString sentences(const Findings& findings) {
-  QStringList lines;
-  for (const Finding& finding : findings) {
-    const QString sentence = QString::fromStdString(finding.message);
-    lines << (sentence.endsWith('.') ? sentence : sentence + ".");
-  }
-  return lines.join("\n");
-}
-
 }  // namespace
 
 MainWindow::MainWindow(const QString& state_folder) : files_(studio_, pictures_, state_folder) {
   setAcceptDrops(true);
   resize(first_size);
+  fit_to_screen(*this);
   pages_ = new QStackedWidget(this);
   setCentralWidget(pages_);
   start_page_ = new StartPage(pages_);
@@ -62,12 +52,15 @@ MainWindow::MainWindow(const QString& state_folder) : files_(studio_, pictures_,
   make_docks();
   make_actions();
   make_hole_dock();
+  make_window_actions();
+  gate_document_actions();
   make_help_line();
   connect_studio();
   connect_files();
   connect_start_page();
   connect_panels();
   connect_viewport();
+  first_layout_ = saveState();
   show_start_page();
   update_title();
 }
@@ -94,17 +87,18 @@ void MainWindow::connect_files() {
   connect(&files_, &ProjectFiles::path_changed, this, &MainWindow::update_title);
   connect(&files_, &ProjectFiles::autosave_failed, this, &MainWindow::tell);
   connect(&files_.reader(), &FileReader::busy_changed, this, &MainWindow::show_progress);
-  connect(&files_, &ProjectFiles::opened, this, [this](const QString& path) {
+  connect(&files_, &ProjectFiles::opened, this, [this](const QString& path, const Findings& warnings) {
     record(recorded::File{"open", QFileInfo(path).absoluteFilePath().toStdString()});
     folder_ = QFileInfo(path).absolutePath();
+    hold_usable_tool();
     show_views();
+    report_opening(path, warnings);
     offer_scale();
   });
   connect(&files_, &ProjectFiles::open_failed, this, [this](const QString& path, const Findings& findings) {
-    attempt([&] {
-      if (findings.empty()) throw Cancelled();
-      throw Error(with_short_name(findings, path));
-    });
+    last_findings_ = findings;
+    if (findings.empty()) return tell(tr("Cancelled."));
+    report_opening(path, findings);
   });
   files_.set_items([this] { return viewport_->objects().surfaces(); });
 }
@@ -115,11 +109,20 @@ void MainWindow::connect_start_page() {
   connect(start_page_, &StartPage::project_wanted, this, [this](const QString& path) { begin_open({path}); });
   connect(start_page_, &StartPage::sample_wanted, this, [this](const QString& name) {
     if (!may_discard() || !attempt([&] { files_.start_sample(name); })) return;
+    hold_usable_tool();
     show_views();
     if (kind_of_sample(name) == SampleKind::Scan) action("holes")->trigger();
   });
   connect(start_page_, &StartPage::recovery_wanted, this, [this](const RecoveryOffer& offer) {
-    if (attempt([&] { files_.recover(offer); })) show_views();
+    if (!may_discard() || !attempt([&] { files_.recover(offer); })) return;
+    hold_usable_tool();
+    show_views();
+    report_opening(offer.project, files_.warnings());
+  });
+  connect(start_page_, &StartPage::back_wanted, this, &MainWindow::leave_start_page);
+  connect(start_page_, &StartPage::discard_all_wanted, this, [this] {
+    attempt([&] { files_.discard_all(); });
+    start_page_->show_recoverable(files_.recoverable());
   });
   connect(start_page_, &StartPage::discard_wanted, this, [this](const RecoveryOffer& offer) {
     attempt([&] { files_.discard(offer); });
@@ -155,9 +158,11 @@ void MainWindow::make_help_line() {
     files_.reader().cancel();
     viewport_->holes().cancel();
   });
-  status_ = new QLabel(this);
+  status_ = new ElidedLabel(this);
   status_->setObjectName("status");
-  status_->setStyleSheet("color: #b9c0cb");
+  QPalette faint = palette();
+  faint.setColor(QPalette::WindowText, QColor(185, 192, 203));
+  status_->setPalette(faint);
   statusBar()->addWidget(help_, 1);
   statusBar()->addPermanentWidget(status_);
   statusBar()->addPermanentWidget(progress_);
@@ -167,13 +172,14 @@ void MainWindow::make_help_line() {
 }
 
 void MainWindow::update_title() {
-  const QString name = files_.path().isEmpty() ? tr("Untitled") : QFileInfo(files_.path()).fileName();
-  setWindowTitle(name + "[*] — Croquis");
+  const QString name = files_.file_name();
+  setWindowTitle((name.isEmpty() ? tr("Untitled") : name) + "[*] — Croquis");
 }
 
 void MainWindow::update_help() {
   if (shows_start_page()) {
-    help_->show_help(tr("Choose a sketch, or press Ctrl+N and draw"));
+    help_->show_help(has_shown_views_ ? tr("Escape goes back to what was open; or choose a sketch, or press Ctrl+N")
+                                      : tr("Choose a sketch, or press Ctrl+N and draw"));
     return;
   }
   help_->show_help(viewport_->help());
@@ -193,10 +199,27 @@ bool MainWindow::attempt(const std::function<void()>& work) {
   return false;
 }
 
-void MainWindow::show_message(const Findings& findings) {
+void MainWindow::show_message(const Findings& findings, const QString& path) {
   const bool error = std::ranges::any_of(findings, &is_error);
-  const QString all = sentences(findings);
-  help_->tell(all.section('\n', 0, 0), error ? HelpLine::Tone::Error : HelpLine::Tone::Warning, all);
+  const QStringList all = sentences_of(findings, path);
+  const QString more = all.size() > 1 ? tr(" And %1 more: see the panel Findings.").arg(all.size() - 1) : QString();
+  help_->tell(all.value(0) + more, error ? HelpLine::Tone::Error : HelpLine::Tone::Warning, all.join('\n'));
+}
+
+/// Whatever is wrong with a file is told; what a damaged project lost, and where earlier versions are, in full.
+void MainWindow::report_opening(const QString& path, const Findings& findings) {
+  help_->clear();
+  if (findings.empty()) return;
+  show_message(findings, path);
+  show_findings();
+  if (!unattended_ && files_.is_damaged(path)) show_opening_report(path, findings);
+}
+
+void MainWindow::show_opening_report(const QString& path, const Findings& findings) {
+  if (report_) report_->close();
+  report_ = new OpeningReport(path, findings, this);
+  connect(report_, &OpeningReport::version_wanted, this, [this](const QString& version) { begin_open({version}); });
+  report_->open();
 }
 
 /// What was told is old once the hand goes on.
@@ -208,15 +231,25 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
 void MainWindow::start_sketch() {
   if (!may_discard()) return;
   files_.start_sketch();
+  viewport_->set_tool(ToolKind::Draw);
   show_views();
 }
 
 bool MainWindow::open(const QString& path) {
   if (FileReader::replaces_document(path) && !may_discard()) return false;
-  return attempt([&] { files_.open(path); });
+  try {
+    files_.open(path);
+  } catch (const Error&) {
+    return false;  // told when reading failed
+  } catch (const Cancelled&) {
+    return false;
+  }
+  return true;
 }
 
 void MainWindow::begin_open(const QStringList& paths) {
+  // Meshes are added to what is open: nobody adds to what can't be seen.
+  if (!paths.isEmpty() && !FileReader::replaces_document(paths.front())) leave_start_page();
   for (const QString& path : paths) {
     if (FileReader::replaces_document(path) && !may_discard()) return;
     files_.begin_open(path);
@@ -248,31 +281,88 @@ bool MainWindow::settled() const {
 bool MainWindow::shows_start_page() const { return pages_->currentWidget() == start_page_; }
 
 void MainWindow::show_start_page() {
+  if (shows_start_page() && has_shown_views_) return leave_start_page();
+  if (has_shown_views_) views_layout_ = saveState();
   start_page_->show_recent(files_.recent());
   start_page_->show_recoverable(files_.recoverable());
+  start_page_->offer_back(has_shown_views_ ? files_.file_name() : QString(), has_shown_views_);
   thumbnails_->start();
   pages_->setCurrentWidget(start_page_);
-  for (QDockWidget* dock : docks_) dock->hide();
-  edges_dock_->hide();
-  sets_dock_->hide();
-  holes_dock_->hide();
+  panels_->show_all(false);
   for (QToolBar* bar : findChildren<QToolBar*>()) bar->hide();
+  for (QActionGroup* group : findChildren<QActionGroup*>()) group->setEnabled(false);
+  start_page_->setFocus();
   update_help();
 }
 
-void MainWindow::show_views() {
+/// What was open is as it was, the views included.
+void MainWindow::leave_start_page() {
+  if (shows_start_page() && has_shown_views_) enter_views();
+}
+
+void MainWindow::enter_views() {
   thumbnails_->stop();
   pages_->setCurrentWidget(viewport_);
-  for (QDockWidget* dock : docks_) dock->show();
-  if (!docks_sized_) {
-    resizeDocks(docks_, {130, 400, 90, 140}, Qt::Vertical);
-    resizeDocks(docks_, {310, 310, 310, 310}, Qt::Horizontal);
-    docks_sized_ = true;
-  }
+  for (QActionGroup* group : findChildren<QActionGroup*>()) group->setEnabled(true);
   for (QToolBar* bar : findChildren<QToolBar*>()) bar->show();
-  viewport_->frame_all();
+  panels_->show_all(true);
   viewport_->setFocus();
   update_panels();
+}
+
+void MainWindow::show_views() {
+  if (!std::exchange(has_shown_views_, true) && !views_layout_.isEmpty()) restoreState(views_layout_);
+  enter_views();
+  if (!std::exchange(docks_sized_, true)) size_panels();
+  viewport_->frame_all();
+  update_panels();
+}
+
+void MainWindow::size_panels() {
+  resizeDocks(docks_, {130, 400, 90, 140}, Qt::Vertical);
+  resizeDocks(docks_, {310, 310, 310, 310}, Qt::Horizontal);
+}
+
+void MainWindow::remember_layout() {
+  remembers_layout_ = true;
+  const auto kept = kept_layout();
+  if (!kept) return;
+  restoreGeometry(kept->geometry);
+  fit_to_screen(*this);
+  panels_->set_closed(kept->closed_panels);
+  viewport_->set_pane_shares(kept->pane_shares);
+  if (kept->panels.isEmpty()) return;
+  views_layout_ = kept->panels;
+  docks_sized_ = holes_sized_ = true;
+}
+
+void MainWindow::keep_window_layout() {
+  if (!remembers_layout_) return;
+  keep_layout(
+      {saveGeometry(), shows_start_page() ? views_layout_ : saveState(), panels_->closed(), viewport_->pane_shares()});
+}
+
+void MainWindow::reset_layout() {
+  forget_layout();
+  panels_->set_closed({});
+  restoreState(first_layout_);
+  views_layout_.clear();
+  docks_sized_ = holes_sized_ = false;
+  viewport_->set_pane_shares(QPointF(0.5, 0.5));
+  resize(first_size);
+  fit_to_screen(*this);
+  if (shows_start_page()) return panels_->show_all(false);
+  enter_views();
+  docks_sized_ = true;
+  size_panels();
+}
+
+/// The hand never holds a tool that what is open has no use for.
+void MainWindow::hold_usable_tool() {
+  if (viewport_->tool_kind() == ToolKind::Select || viewport_->tool_kind() == ToolKind::Erase) return;
+  const bool meshes =
+      std::ranges::any_of(studio_.objects(), [](const StudioObject& object) { return object.cage != 0; });
+  if (!meshes) viewport_->set_tool(ToolKind::Draw);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -280,6 +370,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->ignore();
     return;
   }
+  keep_window_layout();
   files_.close_cleanly();
   event->accept();
 }
@@ -292,6 +383,30 @@ void MainWindow::dropEvent(QDropEvent* event) {
   QStringList paths;
   for (const QUrl& url : event->mimeData()->urls()) paths << url.toLocalFile();
   begin_open(paths);
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  // The frame round the window is known once it is there.
+  QTimer::singleShot(0, this, [this] { fit_to_screen(*this); });
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  place_bars();
+}
+
+/// The tools of meshes below the others, or beside them where a low window has no room for both.
+void MainWindow::place_bars() {
+  const auto* tools = findChild<QToolBar*>("tools");
+  const int room = height() - menuBar()->sizeHint().height() - statusBar()->sizeHint().height();
+  const bool beside = tools->sizeHint().height() + mesh_bar_->sizeHint().height() > room;
+  if (beside == toolBarBreak(mesh_bar_)) return;
+  if (beside) {
+    insertToolBarBreak(mesh_bar_);
+  } else {
+    removeToolBarBreak(mesh_bar_);
+  }
 }
 
 void MainWindow::moveEvent(QMoveEvent* event) {

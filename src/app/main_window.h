@@ -3,6 +3,7 @@
 
 #include <QFile>
 #include <QMainWindow>
+#include <QPointer>
 #include <functional>
 #include <map>
 #include <memory>
@@ -14,7 +15,6 @@
 #include "croquis/tools/mesh_tool.h"
 #include "croquis/tools/recording.h"
 
-class QLabel;
 class QProgressBar;
 class QPushButton;
 class QStackedWidget;
@@ -26,11 +26,14 @@ class ChainTable;
 class CreaseSetPanel;
 class FindingsList;
 class GalleryThumbnails;
+class ElidedLabel;
 class HelpLine;
 class HistoryList;
 class HoleInteraction;
 class HolePanel;
 class ObjectList;
+class OpeningReport;
+class PanelDocks;
 class StartPage;
 class TagPanel;
 class Viewport;
@@ -86,6 +89,9 @@ class MainWindow : public QMainWindow {
   /// Leaves the start page for the document as it is.
   void show_views();
 
+  /// Size, panels and views as they were when the window was last closed; from now on they are kept.
+  void remember_layout();
+
   /// @throws Error
   void export_picture(const QString& path);
 
@@ -95,6 +101,9 @@ class MainWindow : public QMainWindow {
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void moveEvent(QMoveEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  QMenu* createPopupMenu() override;
 
  private:
   /// Who writes an action into recordings.
@@ -124,6 +133,8 @@ class MainWindow : public QMainWindow {
                            std::function<Verdict(MeshTool&)> work);
   void set_mesh_mode(MeshMode mode);
   void update_mesh_actions();
+  void make_window_actions();
+  void gate_document_actions();
   void make_hole_actions();
   void make_hole_dock();
   QAction* add_hole_action(QMenu* menu, const QString& name, const QString& text, const QList<QKeySequence>& keys,
@@ -139,18 +150,31 @@ class MainWindow : public QMainWindow {
   void connect_viewport();
   void make_help_line();
   void connect_studio();
-  void show_message(const Findings& findings);  ///< the first one, below the views
+  void show_message(const Findings& findings, const QString& path = {});  ///< the first one, below the views
+  void show_findings();
+  void report_opening(const QString& path, const Findings& findings);
+  void show_opening_report(const QString& path, const Findings& findings);
   void update_panels();
   void update_title();
   void update_help();
   void show_start_page();
+  void leave_start_page();
+  void enter_views();
+  void size_panels();
+  void place_bars();
+  void hold_usable_tool();
+  void reset_layout();
+  void keep_window_layout();
   void ask_open();
   bool ask_save();
   bool save_to(const QString& path);
   bool may_discard();
+  bool may_replace(const QString& path);
   QString proposed_path(const QString& file) const;  ///< where people last opened or wrote something
   void ask_export_solid();
   void ask_export_picture();
+  void ask_export_drawing();
+  void tell_written(const QString& path, const Findings& lost = {});
   void select_all();
   void delete_selection();
   void select_none();
@@ -196,10 +220,17 @@ class MainWindow : public QMainWindow {
   QList<QAction*> hole_actions_;  ///< that need holes to work on
   bool unattended_ = false;
   bool docks_sized_ = false;  ///< people's own sizes are kept
+  bool holes_sized_ = false;
+  bool remembers_layout_ = false;
+  bool has_shown_views_ = false;  ///< there is a document behind the start page
+  QByteArray first_layout_;       ///< of the panels, for resetting
+  QByteArray views_layout_;       ///< of the panels, when the views were last left
+  PanelDocks* panels_ = nullptr;
+  QPointer<OpeningReport> report_;
   Findings last_findings_;
   QString folder_;  ///< that people last opened a file of, or wrote one to
   HelpLine* help_ = nullptr;
-  QLabel* status_ = nullptr;
+  ElidedLabel* status_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QPushButton* cancel_ = nullptr;
 };

@@ -16,15 +16,29 @@
 #include "app/help_line.h"
 #include "app/icons.h"
 #include "app/main_window.h"
+#include "app/object_names.h"
 #include "app/viewport.h"
 #include "croquis/base/error.h"
+#include "croquis/io/mesh_file.h"
 
 namespace croquis::app {
 namespace {
 
-const QString open_filter = QObject::tr("Croquis (*.croq *.svg *.obj *.ply *.stl *.off *.glb);;All files (*)");
 const QString project_filter = QObject::tr("Project (*.croq)");
-const QString mesh_filter = QObject::tr("OBJ (*.obj);;STL (*.stl);;PLY (*.ply);;GLB (*.glb);;OFF (*.off)");
+
+/// "OBJ (*.obj);;PLY (*.ply)" …
+QString mesh_filter() {
+  QStringList kinds;
+  for (const MeshFormat format : mesh_formats()) {
+    kinds << QString("%1 (*%2)").arg(to_string(format), QString::fromStdString(extension_of(format)));
+  }
+  return kinds.join(";;");
+}
+
+/// What can be done without what is open, or whatever it is; all else belongs to the views.
+bool needs_no_document(const QString& action) {
+  return action == "new" || action == "open" || action == "start-page" || action == "quit" || action == "reset-layout";
+}
 
 bool asks_for_file(const QString& action) {
   return action == "open" || action.startsWith("save") || action.startsWith("export");
@@ -51,6 +65,16 @@ QAction* MainWindow::add_action(QMenu* menu, const QString& name, const QString&
   return action;
 }
 
+/// Nothing acts on a document that the start page hides. Actions that have no group of their own get one: a group that
+/// is off leaves each action's own state alone.
+void MainWindow::gate_document_actions() {
+  auto* others = new QActionGroup(this);
+  others->setExclusionPolicy(QActionGroup::ExclusionPolicy::None);
+  for (QAction* action : actions()) {
+    if (action->actionGroup() == nullptr && !needs_no_document(action->objectName())) others->addAction(action);
+  }
+}
+
 void MainWindow::make_actions() {
   make_file_actions();
   make_edit_actions();
@@ -75,10 +99,7 @@ void MainWindow::make_file_actions() {
   add_action(menu, "export-solid", tr("&Export mesh…"), {QKeySequence("Ctrl+E")}, [this] { ask_export_solid(); });
   add_action(menu, "export-picture", tr("Export &picture…"), {QKeySequence("Ctrl+Shift+E")},
              [this] { ask_export_picture(); });
-  add_action(menu, "export-drawing", tr("Export &drawing…"), {}, [this] {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Export drawing"), proposed_path({}), tr("SVG (*.svg)"));
-    if (!path.isEmpty()) attempt([&] { files_.export_drawing(path); });
-  });
+  add_action(menu, "export-drawing", tr("Export &drawing…"), {}, [this] { ask_export_drawing(); });
   menu->addSeparator();
   add_action(menu, "quit", tr("&Quit"), {QKeySequence::Quit}, [this] { close(); });
 }
@@ -203,23 +224,44 @@ void MainWindow::make_tool_actions() {
   addToolBar(Qt::LeftToolBarArea, mesh_bar_);
 }
 
-void MainWindow::ask_open() { begin_open(QFileDialog::getOpenFileNames(this, tr("Open"), folder_, open_filter)); }
+void MainWindow::ask_open() {
+  begin_open(QFileDialog::getOpenFileNames(this, tr("Open"), folder_, FileReader::dialog_filter()));
+}
 
 bool MainWindow::ask_save() {
   QString path = files_.path();
-  if (path.isEmpty()) {
-    const StudioObject* object = studio_.active();
-    const QString name = object == nullptr ? QString() : QString::fromStdString(object->name) + ".croq";
-    path = QFileDialog::getSaveFileName(this, tr("Save project"), proposed_path(name), project_filter);
+  // A damaged project is never written over: what is lost here may be read from it yet.
+  if (path.isEmpty() || files_.is_damaged(path)) {
+    const QString rescue = files_.rescue_path();
+    const QString name = QString::fromStdString(document_name(studio_)) + ".croq";
+    path = QFileDialog::getSaveFileName(this, tr("Save project"), rescue.isEmpty() ? proposed_path(name) : rescue,
+                                        project_filter);
   }
   return !path.isEmpty() && save_to(path);
 }
 
+/// Others who have the project open would lose what they save, or lose this.
+bool MainWindow::may_replace(const QString& path) {
+  if (unattended_ || !files_.is_open_elsewhere(path)) return true;
+  QMessageBox question(QMessageBox::Warning, tr("Croquis"),
+                       tr("%1 is open in another window of Croquis. Saving here replaces what is saved there.")
+                           .arg(QFileInfo(path).fileName()),
+                       QMessageBox::Save | QMessageBox::Cancel, this);
+  question.setObjectName("open-elsewhere-question");
+  question.setDefaultButton(QMessageBox::Cancel);
+  return question.exec() == QMessageBox::Save;
+}
+
 bool MainWindow::save_to(const QString& path) {
   const QString named = QFileInfo(path).suffix().isEmpty() ? path + ".croq" : path;
-  if (!attempt([&] { files_.save(named); })) return false;
+  if (!may_replace(named)) return false;
+  QString aside;
+  if (!attempt([&] { aside = files_.save(named); })) return false;
   record(recorded::File{"save", QFileInfo(named).absoluteFilePath().toStdString()});
   folder_ = QFileInfo(named).absolutePath();
+  const QString saved = tr("%1 has been saved").arg(QFileInfo(named).fileName());
+  tell(aside.isEmpty() ? saved : tr("%1; the damaged one is kept as %2").arg(saved, QFileInfo(aside).fileName()));
+  update_panels();
   return true;
 }
 
@@ -229,7 +271,9 @@ QString MainWindow::proposed_path(const QString& file) const {
 
 bool MainWindow::may_discard() {
   if (unattended_ || !studio_.session().modified()) return true;
-  QMessageBox question(QMessageBox::Question, tr("Croquis"), tr("Save the changes to this sketch?"),
+  const QString name = files_.file_name();
+  const QString text = name.isEmpty() ? tr("Save what was made here?") : tr("Save the changes to %1?").arg(name);
+  QMessageBox question(QMessageBox::Question, tr("Croquis"), text,
                        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
   question.setObjectName("save-question");
   switch (question.exec()) {
@@ -242,27 +286,44 @@ bool MainWindow::may_discard() {
 void MainWindow::ask_export_solid() {
   // Of the formats, PLY alone keeps which faces are patches, and how far to trust them.
   const bool is_filled = filling_node(studio_) != nullptr;
-  const StudioObject* object = studio_.active();
-  const QString name = object == nullptr ? QString() : QString::fromStdString(object->name);
+  const QString name = QString::fromStdString(document_name(studio_));
   QString filter = is_filled ? QStringLiteral("PLY (*.ply)") : QStringLiteral("OBJ (*.obj)");
   const QString proposed = is_filled ? tr("%1 filled.ply").arg(name) : name + ".obj";
-  QString path = QFileDialog::getSaveFileName(this, tr("Export mesh"), proposed_path(proposed), mesh_filter, &filter);
+  QString path = QFileDialog::getSaveFileName(this, tr("Export mesh"), proposed_path(proposed), mesh_filter(), &filter);
   if (path.isEmpty()) return;
   const QString suffix = filter.section("*", 1).section(")", 0, 0);
   if (QFileInfo(path).suffix().isEmpty() && !QFileInfo::exists(path + suffix)) path += suffix;
-  attempt([&] {
-    const Findings told = files_.export_solid(path);
-    folder_ = QFileInfo(path).absolutePath();
-    const QString written = tr("%1 has been written").arg(QFileInfo(path).fileName());
-    if (told.empty()) return tell(written);
-    const QString lost = QString::fromStdString(told.front().message);
-    help_->tell(written + ". " + lost, HelpLine::Tone::Warning, lost);
-  });
+  attempt([&] { tell_written(path, files_.export_solid(path)); });
 }
 
 void MainWindow::ask_export_picture() {
-  const QString path = QFileDialog::getSaveFileName(this, tr("Export picture"), proposed_path({}), tr("PNG (*.png)"));
-  if (!path.isEmpty()) attempt([&] { export_picture(path); });
+  const QString proposed = QString::fromStdString(document_name(studio_)) + ".png";
+  QString path = QFileDialog::getSaveFileName(this, tr("Export picture"), proposed_path(proposed), tr("PNG (*.png)"));
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += ".png";
+  attempt([&] {
+    export_picture(path);
+    tell_written(path);
+  });
+}
+
+void MainWindow::ask_export_drawing() {
+  const QString proposed = QString::fromStdString(document_name(studio_)) + ".svg";
+  QString path = QFileDialog::getSaveFileName(this, tr("Export drawing"), proposed_path(proposed), tr("SVG (*.svg)"));
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += ".svg";
+  attempt([&] {
+    files_.export_drawing(path);
+    tell_written(path);
+  });
+}
+
+/// Where it went, and what the format can't hold.
+void MainWindow::tell_written(const QString& path, const Findings& lost) {
+  folder_ = QFileInfo(path).absolutePath();
+  const QString written = tr("Written to %1").arg(QDir::toNativeSeparators(QFileInfo(path).absoluteFilePath()));
+  if (lost.empty()) return help_->tell_written(path, written);
+  help_->tell_written(path, written + ". " + QString::fromStdString(lost.front().message), HelpLine::Tone::Warning);
 }
 
 }  // namespace croquis::app

@@ -5,6 +5,8 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QToolBar>
 #include <algorithm>
 #include <utility>
@@ -14,6 +16,7 @@
 #include "app/hole_panel.h"
 #include "app/hole_table.h"
 #include "app/main_window.h"
+#include "app/panel_docks.h"
 #include "app/viewport.h"
 
 namespace croquis::app {
@@ -75,13 +78,16 @@ void MainWindow::make_hole_actions() {
 void MainWindow::make_hole_dock() {
   holes_panel_ = new HolePanel(
       studio_, viewport_->holes(), [this](const QString& name) { return action(name); }, this);
-  holes_dock_ = new QDockWidget(tr("Holes"), this);
-  holes_dock_->setObjectName("holes-dock");
-  holes_dock_->setFeatures(QDockWidget::DockWidgetMovable);
-  holes_dock_->setWidget(holes_panel_);
-  addDockWidget(Qt::RightDockWidgetArea, holes_dock_);
+  // A small window scrolls it.
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(holes_panel_);
+  scroll->setMinimumWidth(holes_panel_->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
+  holes_dock_ = panels_->add(tr("Holes"), scroll, "holes");
   tabifyDockWidget(docks_[1], holes_dock_);
-  holes_dock_->hide();
+  panels_->set_useful(holes_dock_, false);
   connect(holes_panel_, &HolePanel::frame_wanted, this, [this] { frame_holes(); });
   connect(&holes_panel_->table(), &HoleTable::accepted, action("fill-selected"), &QAction::trigger);
   connect(viewport_, &Viewport::accept_wanted, action("fill-selected"), &QAction::trigger);
@@ -114,12 +120,13 @@ void MainWindow::update_hole_actions() {
   }
   action("clear-handles")->setEnabled(working && !viewport_->holes().tool().handles().empty());
   action("bridge-holes")->setEnabled(working && selected.size() > 1);
-  action("holes")->setEnabled(can_fill(studio_) && !shows_start_page());
+  action("holes")->setEnabled(can_fill(studio_));
   if (working) action("delete")->setEnabled(!selected.empty());
-  const bool opens = working && !holes_dock_->isVisible();
-  holes_dock_->setVisible(working && !shows_start_page());
-  if (opens) {
-    holes_dock_->raise();
+  const bool was_shown = !holes_dock_->isHidden();
+  panels_->set_useful(holes_dock_, working);
+  if (!was_shown && !holes_dock_->isHidden()) holes_dock_->raise();
+  if (!was_shown && !holes_dock_->isHidden() && !std::exchange(holes_sized_, true)) {
+    // The first time: people's own sizes are kept.
     resizeDocks({holes_dock_}, {480}, Qt::Horizontal);
     resizeDocks({docks_[0], holes_dock_, docks_[2], docks_[3]}, {70, 600, 80, 90}, Qt::Vertical);
   }

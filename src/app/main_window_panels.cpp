@@ -2,20 +2,25 @@
 // The panels of the window, and what they show of the studio.
 #include <QAction>
 #include <QDockWidget>
-#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
 #include <QScrollArea>
 #include <QSplitter>
 #include <algorithm>
+#include <cstring>
 
 #include "app/attribute_panel.h"
 #include "app/chain_table.h"
 #include "app/crease_set_panel.h"
+#include "app/elided_label.h"
 #include "app/face_sets.h"
 #include "app/finding_elements.h"
 #include "app/help_line.h"
 #include "app/lists.h"
 #include "app/main_window.h"
 #include "app/object_list.h"
+#include "app/object_names.h"
+#include "app/panel_docks.h"
 #include "app/tag_panel.h"
 #include "app/viewport.h"
 #include "croquis/base/error.h"
@@ -23,14 +28,7 @@
 namespace croquis::app {
 
 void MainWindow::make_docks() {
-  const auto add_dock = [this](const QString& title, QWidget* content, const QString& name) {
-    auto* dock = new QDockWidget(title, this);
-    dock->setObjectName(name);
-    dock->setFeatures(QDockWidget::DockWidgetMovable);
-    dock->setWidget(content);
-    addDockWidget(Qt::RightDockWidgetArea, dock);
-    return dock;
-  };
+  panels_ = new PanelDocks(*this);
   objects_ = new ObjectList(this);
   attributes_ = new AttributePanel(this);
   findings_ = new FindingsList(this);
@@ -48,14 +46,38 @@ void MainWindow::make_docks() {
   column->addWidget(tags_);
   column->addWidget(chains_, 1);
   sets_ = new CreaseSetPanel(viewport_->mesh(), this);
-  docks_ = {add_dock(tr("Objects"), objects_, "objects-dock"), add_dock(tr("Attributes"), scroll, "attributes-dock"),
-            add_dock(tr("Findings"), findings_, "findings-dock"), add_dock(tr("History"), history_, "history-dock")};
-  edges_dock_ = add_dock(tr("Sharp edges"), edges, "edges-dock");
-  sets_dock_ = add_dock(tr("Crease sets"), sets_, "sets-dock");
+  docks_ = {panels_->add(tr("Objects"), objects_, "objects"), panels_->add(tr("Attributes"), scroll, "attributes"),
+            panels_->add(tr("Findings"), findings_, "findings"), panels_->add(tr("History"), history_, "history")};
+  edges_dock_ = panels_->add(tr("Sharp edges"), edges, "edges");
+  sets_dock_ = panels_->add(tr("Crease sets"), sets_, "sets");
   // Below the attributes, in one place.
   splitDockWidget(docks_[1], edges_dock_, Qt::Vertical);
   tabifyDockWidget(edges_dock_, sets_dock_);
   edges_dock_->raise();
+}
+
+void MainWindow::make_window_actions() {
+  QMenu* menu = menuBar()->addMenu(tr("&Window"));
+  for (QDockWidget* dock : panels_->all()) {
+    const QString name = "panel-" + dock->objectName().chopped(static_cast<int>(strlen("-dock")));
+    QAction* shown = add_action(menu, name, dock->windowTitle(), {},
+                                [this, dock, name] { panels_->set_wanted(dock, action(name)->isChecked()); });
+    shown->setCheckable(true);
+    shown->setChecked(true);
+    connect(panels_, &PanelDocks::wanted_changed, shown, [dock, shown](const QDockWidget* changed, bool wanted) {
+      if (changed == dock) shown->setChecked(wanted);
+    });
+  }
+  menu->addSeparator();
+  add_action(menu, "reset-layout", tr("&Reset layout"), {}, [this] { reset_layout(); });
+}
+
+QMenu* MainWindow::createPopupMenu() {
+  auto* menu = new QMenu(this);
+  for (QAction* shown : actions()) {
+    if (shown->objectName().startsWith("panel-")) menu->addAction(shown);
+  }
+  return menu;
 }
 
 void MainWindow::connect_panels() {
@@ -86,16 +108,16 @@ void MainWindow::update_panels() {
   const Node* operation = studio_.active_operation();
   attributes_->show_node(operation, operation == nullptr ? nullptr : studio_.description(operation->operation));
   objects_->show_objects(studio_);
-  findings_->show_findings(studio_.findings());
+  show_findings();
   history_->show_history(session.undo_labels(), session.redo_labels());
   tags_->follow(session.components());
   chains_->show_chains(object);
   sets_->follow();
-  status_->setText(ChainTable::summary(object));
+  status_->show_text(ChainTable::summary(object));
   const bool filling = viewport_->holes().active();
-  const bool mesh = object != nullptr && object->cage != 0 && !shows_start_page() && !filling;
-  edges_dock_->setVisible(mesh);
-  sets_dock_->setVisible(mesh);
+  const bool mesh = object != nullptr && object->cage != 0 && !filling;
+  panels_->set_useful(edges_dock_, mesh);
+  panels_->set_useful(sets_dock_, mesh);
   action("undo")->setEnabled(session.can_undo());
   action("redo")->setEnabled(session.can_redo());
   action("delete")->setEnabled(!session.selection().empty() || !session.components().empty());
@@ -106,6 +128,14 @@ void MainWindow::update_panels() {
   update_hole_actions();
   setWindowModified(session.modified());
   update_help();
+}
+
+/// Those of the files first: what they lack is missing everywhere else.
+void MainWindow::show_findings() {
+  std::vector<NodeFinding> all;
+  for (const Finding& finding : files_.warnings()) all.push_back({0, finding});
+  for (const NodeFinding& found : studio_.findings()) all.push_back(found);
+  findings_->show_findings(all, [this](const NodeFinding& found) { return owner_of(studio_, found); });
 }
 
 void MainWindow::select_strokes(const std::vector<std::string>& strokes) {
@@ -149,6 +179,7 @@ void MainWindow::select_face_sets(NodeId node, const std::vector<std::string>& n
 }
 
 void MainWindow::show_finding(const NodeFinding& found) {
+  if (found.node == 0) return show_opening_report(files_.path(), files_.warnings());
   if (show_hole_finding(found)) return;
   if (found.node == studio_.solid_node()) {
     select_strokes(strokes_of(found.finding));

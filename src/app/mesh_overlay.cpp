@@ -15,7 +15,7 @@ constexpr std::size_t points_at_most = 300'000;  // vertices of more aren't draw
 constexpr std::size_t rims_at_most = 50'000;     // faces of more are told by their colour alone
 constexpr std::size_t edges_at_most = 400'000;   // of more, what is behind the surface isn't drawn
 constexpr float selected_width = 3.5F;
-constexpr float rim_width = 2.5F;  // of selected faces
+constexpr float face_rim_width = 2.5F;  // of selected faces
 constexpr float casing_width = 1.3F;
 constexpr float hovered_width = 4.5F;
 constexpr std::uint8_t covered_alpha = 80;  // of lines behind the surface
@@ -143,7 +143,7 @@ void MeshOverlay::show_selection(MeshTool& tool, const ComponentSelection& selec
     if (selection.elements.size() <= rims_at_most) {
       rim = converted(topology, ComponentKind::Face, ComponentKind::Edge, selection.elements);
     }
-    show_selected_edges(tool, topology, rim, rim_width);
+    show_selected_edges(tool, topology, rim, face_rim_width);
     if (cage) faces_.push_back(render::make_face_highlight(cage, selection.elements, to_color(colors::selected_face)));
   }
   for (const Index vertex : converted(topology, kind, ComponentKind::Vertex, selection.elements)) {

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <set>
 
+#include "app/object_names.h"
 #include "app/theme.h"
 
 namespace croquis::app {
@@ -17,13 +18,8 @@ namespace {
 constexpr int strokes_role = Qt::UserRole;
 constexpr int node_role = Qt::UserRole + 1;
 constexpr int set_role = Qt::UserRole + 2;
-constexpr int step_in = 14;  // pixels
-
-QStringList names_of(const Report& list) {
-  QStringList names;
-  for (const Report& name : list.as_array()) names << QString::fromStdString(name.as_string());
-  return names;
-}
+constexpr int name_role = Qt::UserRole + 3;  // as it is shown
+constexpr int step_in = 14;                  // pixels
 
 bool is_selected(const Selection& selection, const QStringList& strokes) {
   return !strokes.isEmpty() && std::any_of(selection.begin(), selection.end(), [&](const SelectedItem& item) {
@@ -91,19 +87,15 @@ void ObjectList::add_sketch(const Studio& studio) {
   const auto add = [&](const QString& name, const QString& info, const QStringList& strokes, bool solid) {
     QTreeWidgetItem* row = add_row(name, info);
     row->setData(0, strokes_role, strokes);
+    row->setToolTip(0, strokes.join(", "));
     if (!solid) row->setForeground(0, colors::guide);
     row->setSelected(is_selected(studio.session().selection(), strokes));
     for (const QString& stroke : strokes) used.insert(stroke.toStdString());
   };
-  const auto result = studio.result();
-  const Report* details = report_of(result.get(), "details");
-  const Report* objects = details == nullptr ? nullptr : details->find("objects");
-  if (objects != nullptr) {
-    for (const Report& object : objects->as_array()) {
-      const QStringList strokes = names_of(object.at("strokes"));
-      const QString name = QString::fromStdString(object.at("name").as_string());
-      add(name, strokes.size() == 1 ? tr("1 stroke") : tr("%1 strokes").arg(strokes.size()), strokes, true);
-    }
+  for (const Body& body : bodies_of(studio)) {
+    QStringList strokes;
+    for (const std::string& stroke : body.strokes) strokes << QString::fromStdString(stroke);
+    add(body.name, strokes.size() == 1 ? tr("1 stroke") : tr("%1 strokes").arg(strokes.size()), strokes, true);
   }
   for (const Stroke& stroke : studio.drawing().strokes) {
     const QString name = QString::fromStdString(stroke.id);
@@ -134,7 +126,8 @@ void ObjectList::add_sets(QTreeWidgetItem* row, const StudioObject& object, Stud
 void ObjectList::add_mesh(const StudioObject& object, bool selected, Studio& studio) {
   const auto& mesh = object.shown();
   const QString info = mesh ? tr("%1 faces").arg(QLocale().toString(qulonglong(mesh->face_count()))) : QString("…");
-  QTreeWidgetItem* row = add_row(QString::fromStdString(object.name), info);
+  QTreeWidgetItem* row = add_row(shown_name(object), info);
+  row->setData(0, name_role, shown_name(object));
   row->setData(0, node_role, qulonglong(object.node));
   row->setFlags(row->flags() | Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
   row->setCheckState(0, object.visible ? Qt::Checked : Qt::Unchecked);
@@ -167,13 +160,15 @@ void ObjectList::take_click(QTreeWidgetItem* row) {
 void ObjectList::take_change(QTreeWidgetItem* row, int column) {
   const NodeId node = node_of(row);
   if (node == 0 || column != 0 || !set_of(row).empty()) return;
+  // Shown names are not those of the document: only what was typed becomes one.
+  const bool typed = row->text(0) != row->data(0, name_role).toString();
   const std::string name = row->text(0).toStdString();
   const bool visible = row->checkState(0) == Qt::Checked;
   // Whoever hears it shows all rows anew.
   QMetaObject::invokeMethod(
       this,
-      [this, node, name, visible] {
-        emit renamed(node, name);
+      [this, node, name, typed, visible] {
+        if (typed) emit renamed(node, name);
         emit shown(node, visible);
       },
       Qt::QueuedConnection);

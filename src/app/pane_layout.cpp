@@ -83,8 +83,12 @@ PaneLayout::Border PaneLayout::border_at(const QPointF& place) const {
 }
 
 void PaneLayout::drag_border(const Border& border, const QPointF& place) {
-  if (border.across) across_ = std::clamp(place.x() / size_.width(), least_pane_share, 1 - least_pane_share);
-  if (border.down) down_ = std::clamp(place.y() / size_.height(), least_pane_share, 1 - least_pane_share);
+  set_shares({border.across ? place.x() / size_.width() : across_, border.down ? place.y() / size_.height() : down_});
+}
+
+void PaneLayout::set_shares(const QPointF& shares) {
+  across_ = std::clamp(shares.x(), least_pane_share, 1 - least_pane_share);
+  down_ = std::clamp(shares.y(), least_pane_share, 1 - least_pane_share);
   lay_out();
 }
 

@@ -50,6 +50,10 @@ class PaneLayout {
   Border border_at(const QPointF& place) const;
   void drag_border(const Border& border, const QPointF& place);
 
+  /// Shares of the left and of the upper views; what can't be dragged to becomes the nearest that can.
+  QPointF shares() const { return {across_, down_}; }
+  void set_shares(const QPointF& shares);
+
  private:
   void lay_out();
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/project_files.h"
 
+#include <QDateTime>
+#include <QDir>
 #include <QEventLoop>
 #include <QFileInfo>
 #include <QSettings>
@@ -9,6 +11,7 @@
 
 #include "app/gallery.h"
 #include "app/smoothing.h"
+#include "app/word_list.h"
 #include "croquis/base/error.h"
 #include "croquis/io/file.h"
 #include "croquis/io/mesh_file.h"
@@ -28,6 +31,27 @@ const QString recent_key = QStringLiteral("recent");
 
 std::string local(const QString& path) { return QFile::encodeName(path).toStdString(); }
 
+QString whole_path(const QString& path) {
+  const QFileInfo file(path);
+  const QString canonical = file.canonicalFilePath();
+  return canonical.isEmpty() && !path.isEmpty() ? file.absoluteFilePath() : canonical;
+}
+
+Finding open_elsewhere(const QString& path) {
+  const std::string name = QFileInfo(path).fileName().toStdString();
+  return make_warning(Category::Io, "W_PROJECT_OPEN",
+                      "\"" + name +
+                          "\" is open in another window of Croquis, too: whoever saves last replaces what the other "
+                          "saved, so close one of them or save under another name",
+                      {{SubjectKind::File, name, local(path), {}, {}}});
+}
+
+std::string writable_endings() {
+  std::vector<std::string> endings;
+  for (const MeshFormat format : mesh_formats()) endings.push_back(extension_of(format));
+  return either_of(endings);
+}
+
 QImage image_of(const std::vector<std::uint8_t>& png) {
   return QImage::fromData(png.data(), static_cast<int>(png.size()), "PNG");
 }
@@ -39,13 +63,16 @@ ProjectFiles::ProjectFiles(Studio& studio, OffscreenPictures& pictures, const QS
   disk_.setMaxThreadCount(1);
   autosave_timer_.setSingleShot(true);
   connect(&reader_, &FileReader::finished, this, &ProjectFiles::take);
-  connect(&reader_, &FileReader::failed, this, &ProjectFiles::open_failed);
-  connect(&autosave_timer_, &QTimer::timeout, this, &ProjectFiles::autosave);
-  connect(&studio_, &Studio::changed, this, [this] {
-    if (!same_nodes(studio_.session().document(), autosaved_) && !autosave_timer_.isActive()) {
-      autosave_timer_.start(autosave_delay_ms);
-    }
+  connect(&reader_, &FileReader::failed, this, [this](const QString& path, const Findings& findings) {
+    note_damage(path, findings);
+    emit open_failed(path, findings);
   });
+  connect(&autosave_timer_, &QTimer::timeout, this, &ProjectFiles::autosave);
+  connect(&studio_, &Studio::loaded, this, [this] {
+    forget_work();
+    warnings_.clear();
+  });
+  connect(&studio_, &Studio::changed, this, &ProjectFiles::follow_session);
   connect(&studio_, &Studio::busy_changed, this, [this](bool busy) {
     if (!busy && !has_thumbnail_) autosave_timer_.start(autosave_delay_ms);
   });
@@ -53,13 +80,67 @@ ProjectFiles::ProjectFiles(Studio& studio, OffscreenPictures& pictures, const QS
 
 ProjectFiles::~ProjectFiles() { disk_.waitForDone(); }
 
+QString ProjectFiles::file_name() const { return QFileInfo(path_.isEmpty() ? earlier_version_ : path_).fileName(); }
+
+bool ProjectFiles::is_damaged(const QString& path) const { return damaged_.contains(whole_path(path)); }
+
+QString ProjectFiles::rescue_path() const {
+  if (is_damaged(path_)) {
+    const QFileInfo file(path_);
+    return file.dir().filePath(tr("%1 rescued.croq").arg(file.completeBaseName()));
+  }
+  const auto project = project_of_backup(local(earlier_version_));
+  return project ? QString::fromStdString(project->string()) : QString();
+}
+
+void ProjectFiles::note_damage(const QString& path, const Findings& findings) {
+  const bool damaged = std::ranges::any_of(findings, [](const Finding& finding) {
+    return finding.code == "W_PROJECT_DAMAGED" || finding.code == "E_PROJECT_DAMAGED";
+  });
+  if (damaged) damaged_.insert(whole_path(path));
+}
+
+bool ProjectFiles::is_open_elsewhere(const QString& path) {
+  const bool own = whole_path(path) == whole_path(path_);
+  if (own && lock_) return false;
+  try {
+    auto lock = ProjectLock::take(local(state_folder_), local(path));
+    if (!lock) return true;
+    if (own) lock_ = std::move(lock);
+  } catch (const Error&) {
+    // A state folder that can't be written is told where it matters: when work is kept there.
+  }
+  return false;
+}
+
+void ProjectFiles::follow_session() {
+  const Session& session = studio_.session();
+  touched_ = touched_ || session.modified();
+  if (!touched_ || same_nodes(session.document(), autosaved_) || autosave_timer_.isActive()) return;
+  autosave_timer_.start(autosave_delay_ms);
+}
+
+/// What is open needs no working copy: files have it, or nobody wants it.
+void ProjectFiles::forget_work() {
+  autosave_timer_.stop();
+  touched_ = false;
+  autosaved_ = Document();
+  has_thumbnail_ = false;
+  disk_.start([this] {
+    if (working_copy_) working_copy_->close_cleanly();
+    working_copy_.reset();
+  });
+}
+
 void ProjectFiles::start_sketch() {
   studio_.start_empty();
+  earlier_version_.clear();
   set_path({});
 }
 
 void ProjectFiles::start_sample(const QString& name) {
   Value sample = load_sample(name);
+  earlier_version_.clear();
   if (auto* drawing = std::get_if<std::shared_ptr<const Drawing>>(&sample)) {
     studio_.start_with(**drawing);
   } else {
@@ -99,28 +180,59 @@ void ProjectFiles::open(const QString& path) {
 
 void ProjectFiles::take(const ReadFile& file) {
   if (const auto* mesh = std::get_if<std::shared_ptr<const PolyMesh>>(&file.content)) {
+    // Files that are only looked at are nobody's work: there is nothing to save.
+    const bool looked_at = path_.isEmpty() && !touched_;
     studio_.add_mesh(QFileInfo(file.path).completeBaseName().toStdString(), *mesh);
+    if (looked_at) {
+      studio_.session().mark_saved();
+      forget_work();
+    }
   } else if (const auto* document = std::get_if<Document>(&file.content)) {
-    studio_.load(*document);
-    set_path(file.path);
+    take_project(file.path, *document);
   } else {
     studio_.start_with(*std::get<std::shared_ptr<const Drawing>>(file.content));
+    earlier_version_.clear();
     set_path({});
   }
-  remember(file.path);
-  emit opened(file.path);
+  note_damage(file.path, file.warnings);
+  Findings warnings = file.warnings;
+  if (file.path == path_ && is_open_elsewhere(path_)) warnings.push_back(open_elsewhere(path_));
+  warnings_.insert(warnings_.end(), warnings.begin(), warnings.end());
+  if (!project_of_backup(local(file.path))) remember(file.path);
+  emit opened(file.path, warnings);
 }
 
-void ProjectFiles::save(const QString& path) {
+/// An earlier version is looked at, and saved under a name that somebody chooses.
+void ProjectFiles::take_project(const QString& path, const Document& document) {
+  studio_.load(document);
+  const bool earlier = project_of_backup(local(path)).has_value();
+  earlier_version_ = earlier ? path : QString();
+  set_path(earlier ? QString() : path);
+}
+
+QString ProjectFiles::save(const QString& path) {
   Progress progress;
   ProjectFile project;
   project.document = studio_.session().document();
   project.thumbnail_png = thumbnail();
-  save_project(local(path), project, progress);
-  studio_.session().mark_saved();
+  QString aside;
+  if (is_damaged(path) && QFileInfo::exists(path)) {
+    aside = QString::fromStdString(put_damaged_project_aside(local(path)).string());
+  }
+  try {
+    save_project(local(path), project, progress);
+  } catch (const Error&) {
+    if (!aside.isEmpty()) QFile::rename(aside, path);
+    throw;
+  }
+  damaged_.remove(whole_path(path));
+  earlier_version_.clear();
+  warnings_.clear();
   set_path(path);
   remember(path);
-  autosave_now();
+  forget_work();
+  studio_.session().mark_saved();
+  return aside;
 }
 
 Findings ProjectFiles::export_solid(const QString& path) const {
@@ -128,7 +240,7 @@ Findings ProjectFiles::export_solid(const QString& path) const {
   const auto format = mesh_format_of(local(path));
   if (!format) {
     throw Error(make_error(Category::Usage, "E_FORMAT",
-                           "\"" + local(path) + "\" names no mesh format: use .obj, .ply, .stl, .off or .glb"));
+                           "\"" + local(path) + "\" names no mesh format: use " + writable_endings()));
   }
   const auto mesh = object == nullptr ? nullptr : object->shown();
   const bool computed = mesh && mesh != object->cage_mesh;
@@ -161,28 +273,32 @@ std::vector<RecoveryOffer> ProjectFiles::recoverable() const {
   std::vector<RecoveryOffer> offers;
   for (const RecoverableWork& work : find_recoverable(local(state_folder_))) {
     offers.push_back({QString::fromStdString(work.file.string()), QString::fromStdString(work.project_path),
-                      QString::fromStdString(work.time), image_of(work.thumbnail_png)});
+                      QDateTime::fromString(QString::fromStdString(work.time), Qt::ISODate),
+                      image_of(work.thumbnail_png)});
   }
   return offers;
 }
 
 void ProjectFiles::recover(const RecoveryOffer& offer) {
   Progress progress;
-  studio_.load(croquis::recover(local(offer.file), progress).document, true);
+  ProjectFile work = croquis::recover(local(offer.file), progress);
+  studio_.load(std::move(work.document), true);
+  earlier_version_.clear();
   set_path(offer.project);
+  warnings_ = std::move(work.warnings);
   autosave_now();
   croquis::discard(local(offer.file));
 }
 
 void ProjectFiles::discard(const RecoveryOffer& offer) { croquis::discard(local(offer.file)); }
 
+void ProjectFiles::discard_all() {
+  for (const RecoverableWork& work : find_recoverable(local(state_folder_))) croquis::discard(work.file);
+}
+
 void ProjectFiles::close_cleanly() {
-  autosave_timer_.stop();
+  forget_work();
   disk_.waitForDone();
-  if (working_copy_) working_copy_->close_cleanly();
-  working_copy_.reset();
-  autosaved_ = Document();
-  has_thumbnail_ = false;
 }
 
 void ProjectFiles::autosave_now() {
@@ -192,6 +308,7 @@ void ProjectFiles::autosave_now() {
 
 void ProjectFiles::autosave() {
   autosave_timer_.stop();
+  if (!touched_) return;
   const Document& document = studio_.session().document();
   const bool wants_picture = !drawn_slowly() && items_ && studio_.settled() && !items_().empty() &&
                              (!has_thumbnail_ || since_thumbnail_.hasExpired(thumbnail_pause_ms));
@@ -222,7 +339,9 @@ bool ProjectFiles::drawn_slowly() const {
 }
 
 void ProjectFiles::set_path(const QString& path) {
+  if (whole_path(path) != whole_path(path_)) lock_.reset();
   path_ = path;
+  if (!path.isEmpty()) is_open_elsewhere(path);  // takes the lock
   emit path_changed(path);
 }
 

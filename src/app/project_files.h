@@ -3,11 +3,13 @@
 
 #include <QElapsedTimer>
 #include <QObject>
+#include <QSet>
 #include <QStringList>
 #include <QThreadPool>
 #include <QTimer>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,6 +17,7 @@
 #include "app/offscreen_pictures.h"
 #include "app/start_page.h"
 #include "app/studio.h"
+#include "croquis/io/project_lock.h"
 #include "croquis/io/recovery.h"
 
 namespace croquis::app {
@@ -31,6 +34,21 @@ class ProjectFiles : public QObject {
 
   /// Of the project that is open; empty for one that was never saved.
   const QString& path() const { return path_; }
+
+  /// The file's name; of an earlier version that was opened, its own; empty for what came from no project.
+  QString file_name() const;
+
+  /// What was wrong with the files that the open document came from; W_PROJECT_OPEN when others have it open, too.
+  const Findings& warnings() const { return warnings_; }
+
+  /// Nothing may be written over a project that was found damaged: saving there keeps it beside the new one.
+  bool is_damaged(const QString& path) const;
+
+  /// Where to save instead of over a damaged project, or what was opened from an earlier version; else empty.
+  QString rescue_path() const;
+
+  /// Another window or process has that project open.
+  bool is_open_elsewhere(const QString& path);
 
   void start_sketch();
   /// A sketch or cage that ships inside the program.
@@ -50,8 +68,9 @@ class ProjectFiles : public QObject {
   /// Where pictures of what is shown come from: items made ready anyway.
   void set_items(std::function<std::vector<render::MeshItemPtr>()> items) { items_ = std::move(items); }
 
-  /// Keeps up to three older versions beside the file.
-  void save(const QString& path);
+  /// Keeps up to three older versions beside the file; a damaged one under a name of its own.
+  /// @return where the damaged one is now, or nothing
+  QString save(const QString& path);
 
   /// The active object's surface as it is shown, in the format that the name tells.
   /// @return what the format can't hold
@@ -67,6 +86,9 @@ class ProjectFiles : public QObject {
   void recover(const RecoveryOffer& offer);
   void discard(const RecoveryOffer& offer);
 
+  /// Discards all of it. What can't be removed stays in the list.
+  void discard_all();
+
   /// The program ends as people wanted: nothing to recover.
   void close_cleanly();
 
@@ -75,7 +97,7 @@ class ProjectFiles : public QObject {
 
  signals:
   void path_changed(const QString& path);
-  void opened(const QString& path);
+  void opened(const QString& path, const croquis::Findings& warnings);
   void open_failed(const QString& path, const croquis::Findings& findings);
 
   /// The working copy can't be written; the work in the window is whole.
@@ -83,6 +105,10 @@ class ProjectFiles : public QObject {
 
  private:
   void take(const ReadFile& file);
+  void take_project(const QString& path, const Document& document);
+  void note_damage(const QString& path, const Findings& findings);
+  void follow_session();
+  void forget_work();
   void autosave();
   bool drawn_slowly() const;
   void set_path(const QString& path);
@@ -95,6 +121,11 @@ class ProjectFiles : public QObject {
   std::function<std::vector<render::MeshItemPtr>()> items_;
   QString state_folder_;
   QString path_;
+  QString earlier_version_;          ///< that was opened instead of the project
+  std::optional<ProjectLock> lock_;  ///< of the project that is open, unless others have it
+  Findings warnings_;
+  QSet<QString> damaged_;  ///< projects found so, by whole path
+  bool touched_ = false;   ///< what is open was worked on since it was opened or saved
   QTimer autosave_timer_;
   QElapsedTimer since_thumbnail_;
   Document autosaved_;

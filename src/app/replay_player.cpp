@@ -177,6 +177,8 @@ void ReplayPlayer::play(const recorded::Drag& step) {
 void ReplayPlayer::play(const recorded::Action& step) {
   QAction* action = window_.action(QString::fromStdString(step.name));
   if (action == nullptr) refuse("The window has no action \"" + step.name + "\"");
+  // Nothing acts on what the start page hides.
+  if (!action->isEnabled() && window_.shows_start_page()) window_.show_views();
   if (!action->isEnabled()) refuse("The action \"" + step.name + "\" can't be used now");
   action->trigger();
 }

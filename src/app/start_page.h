@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QDateTime>
 #include <QImage>
 #include <QString>
 #include <QWidget>
@@ -9,6 +10,8 @@
 
 #include "app/gallery.h"
 
+class QGridLayout;
+class QPushButton;
 class QVBoxLayout;
 
 namespace croquis::app {
@@ -17,7 +20,7 @@ namespace croquis::app {
 struct RecoveryOffer {
   QString file;     ///< the working copy
   QString project;  ///< path of the project it belongs to, empty for a sketch that was never saved
-  QString time;
+  QDateTime time;   ///< of its last change; invalid when it isn't known
   QImage thumbnail;
 };
 
@@ -31,24 +34,43 @@ class StartPage : public QWidget {
   void show_recent(const QStringList& projects);
   void show_recoverable(const std::vector<RecoveryOffer>& offers);
 
+  /// A way back to what is open, where something is. @param name its file's, may be empty
+  void offer_back(const QString& name, bool offered);
+
   /// Puts the solid's picture onto a sample's tile.
   void set_thumbnail(const QString& sample, const QImage& picture);
 
  signals:
+  void back_wanted();
   void new_sketch_wanted();
   void open_wanted();
   void sample_wanted(const QString& name);
   void project_wanted(const QString& path);
   void recovery_wanted(const croquis::app::RecoveryOffer& offer);
   void discard_wanted(const croquis::app::RecoveryOffer& offer);
+  void discard_all_wanted();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  void add_gallery(const QString& title, SampleKind kind);
+  /// Samples of one kind, in as many columns as there is room for.
+  struct Gallery {
+    QGridLayout* grid;
+    std::vector<QWidget*> tiles;
+  };
+
+  QWidget* make_side(QWidget* page);
+  void add_gallery(const QString& title, SampleKind kind, QVBoxLayout* column);
+  void place_tiles();
   QWidget* make_recovery_card(const RecoveryOffer& offer);
 
+  QPushButton* back_;
   QVBoxLayout* recovery_;
   QVBoxLayout* recent_;
-  QVBoxLayout* gallery_;
+  std::vector<Gallery> galleries_;
+  int columns_ = 0;
 };
 
 }  // namespace croquis::app

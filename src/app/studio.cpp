@@ -25,7 +25,7 @@ std::set<NodeId> nodes_of(const Document& document) {
 
 }  // namespace
 
-Studio::Studio() : registry_(all_operations()), evaluator_(registry_) {
+Studio::Studio() : registry_(all_operations()), evaluator_(registry_, memory_cap), session_(Document(), history_cap) {
   for (const auto& operation : registry_.operations()) {
     OperationDescription description = operation->describe();
     descriptions_[description.id] = std::move(description);
@@ -138,7 +138,8 @@ void Studio::load(Document document, bool modified) {
   live_.clear();
   views_.clear();
   active_ = 0;
-  evaluator_.forget_last_good();
+  evaluator_.forget();
+  face_sets_ = FaceSets();
   objects_.clear();
   emit loaded();
   session_.load(std::move(document), modified);
@@ -157,7 +158,7 @@ NodeId Studio::add_mesh(const std::string& name, std::shared_ptr<const PolyMesh>
   if (before.nodes().empty() && session_.undo_labels().empty() && !session_.modified()) {
     load(std::move(document));
   } else {
-    session_.edit("Open " + name, std::move(document));
+    session_.edit("Open " + readable_name(name), std::move(document));
   }
   session_.select({{id, ""}});
   return id;
@@ -206,7 +207,7 @@ void Studio::remove_object(NodeId id) {
       if (!used) doomed.push_back(input);
     }
   }
-  session_.edit("Delete " + name, std::move(document));
+  session_.edit("Delete " + readable_name(name), std::move(document));
 }
 
 void Studio::rename_object(NodeId id, const std::string& name) {
@@ -214,7 +215,7 @@ void Studio::rename_object(NodeId id, const std::string& name) {
   if (renamed == nullptr || name.empty() || name == renamed->name) return;
   Node node = *session_.document().find(renamed->cage != 0 ? renamed->cage : renamed->node);
   node.name = free_name(session_.document(), name);
-  session_.edit("Rename " + renamed->name, session_.document().with(std::move(node)));
+  session_.edit("Rename " + readable_name(renamed->name), session_.document().with(std::move(node)));
 }
 
 void Studio::show_object(NodeId id, bool visible) {
@@ -222,7 +223,7 @@ void Studio::show_object(NodeId id, bool visible) {
   if (shown == nullptr || shown->visible == visible) return;
   Node node = *session_.document().find(shown->node);
   node.visible = visible;
-  session_.edit((visible ? "Show " : "Hide ") + shown->name, session_.document().with(std::move(node)));
+  session_.edit((visible ? "Show " : "Hide ") + readable_name(shown->name), session_.document().with(std::move(node)));
 }
 
 void Studio::hold_results(bool held) {
@@ -290,6 +291,7 @@ void Studio::list_objects() {
 }
 
 void Studio::follow_session() {
+  evaluator_.set_byte_cap(memory_cap - std::min(session_.history_bytes(), history_cap));
   list_objects();
   if (const StudioObject* chosen = active()) active_ = chosen->node;
   emit changed();

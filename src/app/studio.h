@@ -30,6 +30,11 @@ class Studio : public QObject {
   Q_OBJECT
 
  public:
+  /// Bytes that undo and kept results take together, and of these undo at most: results are found again in no time or
+  /// made again, steps are not.
+  static constexpr std::size_t memory_cap = std::size_t{1} << 30;
+  static constexpr std::size_t history_cap = memory_cap / 4 * 3;
+
   Studio();
   ~Studio() override;
 

@@ -51,6 +51,9 @@ const Report* report_of(const Evaluation* evaluation, const std::string& output)
 /// Every node of the document that gives a mesh and that no other node uses, in the document's order, without results.
 std::vector<StudioObject> objects_of(const Document& document, const Registry& registry);
 
+/// A name as people would write it: "Hex bolt" for "hex_bolt", the stem of a file. Others are as they are.
+std::string readable_name(const std::string& name);
+
 /// A name that no node has yet: the wanted one, or with a number behind.
 std::string free_name(const Document& document, const std::string& wanted);
 

@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QPalette>
+#include <QProxyStyle>
 #include <QStyleFactory>
 #include <algorithm>
 #include <array>
@@ -37,9 +38,20 @@ QPalette dark_palette() {
   return palette;
 }
 
+/// Fusion draws a light shadow below disabled text: on dark panels that is bolder than text that is not disabled.
+class FlatDisabledStyle : public QProxyStyle {
+ public:
+  FlatDisabledStyle() : QProxyStyle(QStyleFactory::create("Fusion")) {}
+
+  int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                QStyleHintReturn* result) const override {
+    return hint == SH_EtchDisabledText ? 0 : QProxyStyle::styleHint(hint, option, widget, result);
+  }
+};
+
 constexpr const char* style_sheet = R"(
 QToolTip { border: 1px solid #5c6068; padding: 4px; }
-QDockWidget { titlebar-close-icon: none; }
+QDockWidget { titlebar-close-icon: url(:/icons/close.svg); }
 QDockWidget::title { background: #303237; padding: 5px 8px; }
 QToolBar { border: none; spacing: 2px; padding: 3px; background: #383a3f; }
 QToolButton { border: 1px solid transparent; border-radius: 4px; padding: 5px; }
@@ -56,13 +68,12 @@ QTreeWidget#objects::indicator:checked { image: url(:/icons/eye.svg); }
 QTreeWidget#objects::indicator:unchecked { image: url(:/icons/eye_off.svg); }
 QTableWidget { border: none; }
 QHeaderView::section { background: #383a3f; border: none; padding: 2px 3px; }
-QMenu::item:disabled { color: #7a7e85; }
 )";
 
 }  // namespace
 
 void apply_theme(QApplication& application) {
-  QApplication::setStyle(QStyleFactory::create("Fusion"));
+  QApplication::setStyle(new FlatDisabledStyle);
   QApplication::setPalette(dark_palette());
   application.setStyleSheet(style_sheet);
 }

@@ -167,6 +167,11 @@ void Viewport::arrange(Arrangement arrangement) {
   after_layout();
 }
 
+void Viewport::set_pane_shares(const QPointF& shares) {
+  layout_.set_shares(shares);
+  after_layout();
+}
+
 void Viewport::show_alone(int view) {
   layout_.show_alone(view);
   after_layout();

@@ -71,6 +71,10 @@ class Viewport : public QOpenGLWidget {
   void show_alone(int view);
   const PaneLayout& layout_of_views() const { return layout_; }
 
+  /// Where the borders between the views lie, as shares of the widget.
+  QPointF pane_shares() const { return layout_.shares(); }
+  void set_pane_shares(const QPointF& shares);
+
   /// Shows another scheme's result beside the active object, or no longer.
   void compare(bool shown);
 

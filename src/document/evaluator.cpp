@@ -253,6 +253,13 @@ void Evaluator::forget_last_good() {
   state_->last_good.clear();
 }
 
+void Evaluator::forget() {
+  forget_last_good();
+  state_->memo.clear();
+}
+
+void Evaluator::set_byte_cap(std::size_t byte_cap) { state_->memo.set_byte_cap(byte_cap); }
+
 std::size_t Evaluator::bytes() const { return state_->memo.bytes(); }
 
 }  // namespace croquis

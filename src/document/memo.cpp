@@ -20,15 +20,27 @@ std::shared_ptr<const void> Memo::keep_entry(Key key, std::shared_ptr<const void
   }
   if (entry_bytes > byte_cap_ || bytes > byte_cap_ - entry_bytes) return result;
   bytes += entry_bytes;
-  while (bytes_ > byte_cap_ - bytes) {
-    bytes_ -= by_use_.back().bytes;
-    by_key_.erase(by_use_.back().key);
-    dropped.splice(dropped.end(), by_use_, std::prev(by_use_.end()));
-  }
+  drop_beyond(byte_cap_ - bytes, dropped);
   by_use_.push_front({key, result, bytes});
   by_key_.emplace(std::move(key), by_use_.begin());
   bytes_ += bytes;
   return result;
+}
+
+/// The mutex is held.
+void Memo::drop_beyond(std::size_t bytes, std::list<Entry>& dropped) {
+  while (bytes_ > bytes) {
+    bytes_ -= by_use_.back().bytes;
+    by_key_.erase(by_use_.back().key);
+    dropped.splice(dropped.end(), by_use_, std::prev(by_use_.end()));
+  }
+}
+
+void Memo::set_byte_cap(std::size_t byte_cap) {
+  std::list<Entry> dropped;
+  const std::lock_guard lock(mutex_);
+  byte_cap_ = byte_cap;
+  drop_beyond(byte_cap_, dropped);
 }
 
 std::size_t Memo::bytes() const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "croquis/io/mesh_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -29,19 +30,42 @@ constexpr std::size_t largest_file = std::size_t{1} << 32;
 // Editors put it before UTF-8 text.
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
-constexpr std::array extensions = {std::pair{"obj", MeshFormat::Obj}, std::pair{"ply", MeshFormat::Ply},
-                                   std::pair{"stl", MeshFormat::Stl}, std::pair{"off", MeshFormat::Off},
-                                   std::pair{"glb", MeshFormat::Glb}};
+/// What a format is called, and who reads it: the one list of formats.
+struct FormatEntry {
+  MeshFormat format;
+  const char* name;
+  std::string_view extension;
+  PolyMesh (*read)(std::string_view bytes, ReadContext& context);  ///< null: it is written only
+};
+
+constexpr std::array formats = {
+    FormatEntry{MeshFormat::Obj, "OBJ", "obj", &read_obj}, FormatEntry{MeshFormat::Ply, "PLY", "ply", &read_ply},
+    FormatEntry{MeshFormat::Stl, "STL", "stl", &read_stl}, FormatEntry{MeshFormat::Off, "OFF", "off", &read_off},
+    FormatEntry{MeshFormat::Glb, "GLB", "glb", nullptr}};
+
+const FormatEntry* entry_of(MeshFormat format) {
+  const auto found = std::ranges::find(formats, format, &FormatEntry::format);
+  return found == formats.end() ? nullptr : &*found;
+}
+
+/// "convert it to OBJ, PLY or STL" needs them in words.
+std::string readable_in_words() {
+  std::string words;
+  const std::vector<MeshFormat> readable = readable_mesh_formats();
+  for (std::size_t i = 0; i < readable.size(); ++i) {
+    words += i == 0 ? "" : i + 1 < readable.size() ? ", " : " or ";
+    words += to_string(readable[i]);
+  }
+  return words;
+}
 
 PolyMesh read_format(const MeshSource& source, ReadContext& context) {
-  switch (source.format) {
-    case MeshFormat::Obj: return read_obj(source.bytes, context);
-    case MeshFormat::Ply: return read_ply(source.bytes, context);
-    case MeshFormat::Stl: return read_stl(source.bytes, context);
-    case MeshFormat::Off: return read_off(source.bytes, context);
-    case MeshFormat::Glb: break;
-  }
-  context.fail("E_FORMAT", "GLB files are written but not read; convert it to OBJ or PLY", {});
+  const FormatEntry* entry = entry_of(source.format);
+  if (entry != nullptr && entry->read != nullptr) return entry->read(source.bytes, context);
+  context.fail(
+      "E_FORMAT",
+      std::string(to_string(source.format)) + " files are written but not read; convert it to " + readable_in_words(),
+      {});
 }
 
 void check_size(const MeshSource& source, ReadContext& context) {
@@ -67,14 +91,27 @@ double rewritten(double value, int precision) {
 }  // namespace
 
 const char* to_string(MeshFormat format) {
-  switch (format) {
-    case MeshFormat::Obj: return "OBJ";
-    case MeshFormat::Ply: return "PLY";
-    case MeshFormat::Stl: return "STL";
-    case MeshFormat::Off: return "OFF";
-    case MeshFormat::Glb: return "GLB";
+  const FormatEntry* entry = entry_of(format);
+  return entry == nullptr ? "" : entry->name;
+}
+
+std::string extension_of(MeshFormat format) {
+  const FormatEntry* entry = entry_of(format);
+  return entry == nullptr ? std::string() : "." + std::string(entry->extension);
+}
+
+std::vector<MeshFormat> mesh_formats() {
+  std::vector<MeshFormat> all;
+  for (const FormatEntry& entry : formats) all.push_back(entry.format);
+  return all;
+}
+
+std::vector<MeshFormat> readable_mesh_formats() {
+  std::vector<MeshFormat> readable;
+  for (const FormatEntry& entry : formats) {
+    if (entry.read != nullptr) readable.push_back(entry.format);
   }
-  return "";
+  return readable;
 }
 
 std::optional<MeshFormat> mesh_format_of(std::string_view path_or_extension) {
@@ -82,10 +119,8 @@ std::optional<MeshFormat> mesh_format_of(std::string_view path_or_extension) {
   const bool has_dot = separator != std::string_view::npos && path_or_extension[separator] == '.';
   if (separator != std::string_view::npos && !has_dot) return std::nullopt;
   const std::string extension = lower_case(path_or_extension.substr(has_dot ? separator + 1 : 0));
-  for (const auto& [name, format] : extensions) {
-    if (extension == name) return format;
-  }
-  return std::nullopt;
+  const auto found = std::ranges::find(formats, extension, &FormatEntry::extension);
+  return found == formats.end() ? std::nullopt : std::optional(found->format);
 }
 
 MeshReadResult read_mesh(const MeshSource& given, Progress& progress) {

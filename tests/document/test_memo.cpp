@@ -66,6 +66,23 @@ TEST_CASE("a result that is too large is handed out and not kept, and throws not
   CHECK(none.bytes() == 0);
 }
 
+TEST_CASE("another cap throws away what is beyond it at once, the least recently used first") {
+  Memo memo(room_for(4));
+  int calls = 0;
+  for (const std::uint64_t number : {1U, 2U, 3U, 4U, 1U}) get(memo, number, calls);
+  memo.set_byte_cap(room_for(2));
+  CHECK(memo.bytes() == room_for(2));
+  CHECK(memo.find<int>(key(1)));
+  CHECK(memo.find<int>(key(4)));
+  memo.set_byte_cap(0);
+  CHECK(memo.bytes() == 0);
+  CHECK(get(memo, 5, calls) == 50);
+  CHECK(memo.bytes() == 0);
+  memo.set_byte_cap(room_for(1));
+  get(memo, 5, calls);
+  CHECK(memo.bytes() == room_for(1));
+}
+
 TEST_CASE("a size that overflows any sum isn't kept") {
   Memo memo(room_for(2));
   memo.get<int>(

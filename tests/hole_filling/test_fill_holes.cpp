@@ -11,6 +11,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/hole_filling/fill_holes.h"
+#include "croquis/hole_filling/hole_choice.h"
 #include "hole_filling/fill_invariants.h"
 #include "support/mesh_shapes.h"
 #include "support/random.h"
@@ -241,6 +242,22 @@ TEST_CASE("what is chosen is filled and nothing else") {
     CHECK(error.findings().size() == 2);
     CHECK(error.findings()[0].code == "E_PARAMETER");
   }
+}
+
+TEST_CASE("the largest hole is that of the largest diameter, however long its rim") {
+  std::vector<Hole> holes(3);
+  for (Index id = 0; id < 3; ++id) holes[id].id = id;
+  holes[0].diameter = 1;
+  holes[0].perimeter = 3;
+  holes[1].diameter = 3;
+  holes[1].perimeter = 8;
+  holes[2].diameter = 2;
+  holes[2].perimeter = 20;  // a zigzag
+  FillOptions options;
+  options.selection = Selection::AllButLargest;
+  CHECK(choose_holes(holes, options).is_chosen == std::vector<bool>{true, false, true});
+  CHECK(largest_hole(std::vector<double>{1, 3, 3, 2}) == 1);
+  CHECK(largest_hole({}) == no_index);
 }
 
 TEST_CASE("an open sheet alone stays as it is, and a closed mesh too") {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 
@@ -6,6 +7,7 @@
 
 #include "croquis/io/mesh_file.h"
 #include "io/mesh_compare.h"
+#include "io/scratch.h"
 #include "support/mesh_shapes.h"
 #include "support/random.h"
 
@@ -52,6 +54,18 @@ TEST_CASE("a format is known by its extension in any case") {
   CHECK(mesh_format_of("x.off") == MeshFormat::Off);
   CHECK(mesh_format_of("x.glb") == MeshFormat::Glb);
   for (const char* other : {"", "x.svg", "dir.obj/file", "a/obj", "model.obj.bak"}) CHECK(!mesh_format_of(other));
+}
+
+TEST_CASE("the list of formats that can be read is that of those that read_mesh reads") {
+  Progress progress;
+  const auto readable = readable_mesh_formats();
+  for (const MeshFormat format : mesh_formats()) {
+    INFO(to_string(format));
+    CHECK(mesh_format_of("x" + extension_of(format)) == format);
+    const std::string bytes = write_mesh(cube(), format, {}, progress).bytes;
+    const Findings refused = findings_of([&] { read_mesh(bytes, format, "cube", progress); });
+    CHECK(refused.empty() == (std::count(readable.begin(), readable.end(), format) == 1));
+  }
 }
 
 TEST_CASE("polygons, vertex order and every bit of a coordinate survive OBJ, PLY and OFF") {

@@ -37,6 +37,12 @@ class Evaluator {
   /// Forgets which outputs were each node's last good ones: for another document, whose ids mean other nodes.
   void forget_last_good();
 
+  /// Forgets all that is kept, those too.
+  void forget();
+
+  /// Another cap from now on: what is beyond it is forgotten at once.
+  void set_byte_cap(std::size_t byte_cap);
+
   /// What is kept: never more than the cap.
   std::size_t bytes() const;
 

@@ -56,6 +56,9 @@ class Memo {
   /// What all entries take, entry_bytes for each of them included: never more than the cap.
   std::size_t bytes() const;
 
+  /// Another cap from now on: what is beyond it goes at once, the least recently used first.
+  void set_byte_cap(std::size_t byte_cap);
+
   void clear();
 
  private:
@@ -67,6 +70,7 @@ class Memo {
   };
 
   std::shared_ptr<const void> find_entry(const Key& key);
+  void drop_beyond(std::size_t bytes, std::list<Entry>& dropped);
   std::shared_ptr<const void> keep_entry(Key key, std::shared_ptr<const void> result, std::size_t bytes);
 
   mutable std::mutex mutex_;

@@ -15,6 +15,10 @@ struct HoleChoice {
   std::vector<std::string> reason;  ///< why a hole isn't
 };
 
+/// The hole that "all but the largest" leaves open: of the largest diameter, as lists and reports give it; of several,
+/// the one with the lowest id. no_index without holes. Diameters are in the holes' order.
+Index largest_hole(std::span<const double> diameters);
+
 /// Linear, but for the list of ids.
 /// @throws Error (E_PARAMETER) with one finding for every id in `only` that no hole has
 HoleChoice choose_holes(std::span<const Hole> holes, const FillOptions& options);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "croquis/base/progress.h"
 #include "croquis/geometry/poly_mesh.h"
@@ -19,6 +20,13 @@ enum class MeshFormat { Obj, Ply, Stl, Off, Glb };
 
 /// "OBJ", "PLY", …
 const char* to_string(MeshFormat format);
+
+/// ".obj", ".ply", …
+std::string extension_of(MeshFormat format);
+
+/// All formats, and those that read_mesh reads: what dialogs offer comes from here.
+std::vector<MeshFormat> mesh_formats();
+std::vector<MeshFormat> readable_mesh_formats();
 
 /// The format meant by a path or a bare extension ("a/b.OBJ", ".obj" and "obj" are the same), or nothing.
 std::optional<MeshFormat> mesh_format_of(std::string_view path_or_extension);
@@ -41,8 +49,8 @@ struct MeshReadResult {
 /// - OBJ: "group", "object" and "material" on faces and lines are indices into the channel's labels, -1 for none;
 ///   "smoothing_group" on faces; "color" on vertices; "uv" and "normal" on vertices where every corner uses its
 ///   vertex' own, else on corners with NaN where a corner has none. `t crease` and `t corner` are the mesh's tags
-///   (creases, and pins for corners of any sharpness, with W_TAG_SHARPNESS below 10), `t settled` is "settled_corner" on
-///   vertices; tags need not fit the mesh.
+///   (creases, and pins for corners of any sharpness, with W_TAG_SHARPNESS below 10), `t settled` is "settled_corner"
+///   on vertices; tags need not fit the mesh.
 /// - PLY: nx ny nz are "normal", red green blue (alpha) "color", s t or u v "uv", a face's texcoord list "uv" on
 ///   corners; name_0 name_1 … become one channel; all others keep name and type. Edge elements are polylines.
 /// - STL: equal corners are joined; "attribute" on faces where it isn't 0; the solids' names are "object".
@@ -65,8 +73,8 @@ struct MeshWriteResult {
   Findings warnings;  ///< at most one W_FORMAT_LOSS: what the format can't hold
 };
 
-/// Writes a mesh whose indices are in range. Tags go into OBJ, but for their sets, and into no other format. PLY positions are doubles unless floats hold all of them exactly; polygons
-/// are triangulated for STL and GLB.
+/// Writes a mesh whose indices are in range. Tags go into OBJ, but for their sets, and into no other format. PLY
+/// positions are doubles unless floats hold all of them exactly; polygons are triangulated for STL and GLB.
 /// @throws Error (E_OUT_OF_RANGE, Geometry) when a coordinate is too large for the 32-bit numbers of STL or GLB
 /// @throws Cancelled
 MeshWriteResult write_mesh(const PolyMesh& mesh, MeshFormat format, const MeshWriteOptions& options,

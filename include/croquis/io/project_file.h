@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,20 @@ struct ProjectFile {
 
 /// How many earlier versions of a project lie beside it: NAME~1 (the newest) to NAME~3.
 inline constexpr int project_backup_count = 3;
+
+/// The earlier versions beside a project: those that are there, the newest first.
+std::vector<std::filesystem::path> project_backups(const std::filesystem::path& path);
+
+/// Whether a path has the name of a project or of a backup of one: "a.croq", "a.croq~2".
+bool is_project_name(const std::filesystem::path& path);
+
+/// The project that a backup is one of: "a.croq" for "a.croq~2"; nothing for any other name.
+std::optional<std::filesystem::path> project_of_backup(const std::filesystem::path& path);
+
+/// Moves a damaged project out of the way of the next save, so that neither it nor a backup is lost: to "NAME~damaged",
+/// or "NAME~damaged-2" … where that is taken. @return where it is now
+/// @throws Error E_WRITE (Io) nothing has changed then
+std::filesystem::path put_damaged_project_aside(const std::filesystem::path& path);
 
 /// Writes the project so that, whatever happens meanwhile, the path holds either the old or the whole new one: a new
 /// database beside it is filled, synced and renamed. The project that was there before becomes NAME~1. The same

@@ -52,10 +52,11 @@ std::vector<std::optional<bool>> asked_for(std::size_t hole_count, std::span<con
   return asked;
 }
 
-Index longest(std::span<const Hole> holes) {
-  const auto found = std::max_element(holes.begin(), holes.end(),
-                                      [](const Hole& a, const Hole& b) { return a.perimeter < b.perimeter; });
-  return found == holes.end() ? no_index : found->id;
+Index largest_of(std::span<const Hole> holes) {
+  std::vector<double> diameters;
+  for (const Hole& hole : holes) diameters.push_back(hole.diameter);
+  const Index place = largest_hole(diameters);
+  return place == no_index ? no_index : holes[place].id;
 }
 
 /// Why the options for all holes leave this one open, or null.
@@ -74,10 +75,15 @@ const char* reason_to_leave(const Hole& hole, const FillOptions& options, Index 
 
 }  // namespace
 
+Index largest_hole(std::span<const double> diameters) {
+  const auto found = std::ranges::max_element(diameters);
+  return found == diameters.end() ? no_index : static_cast<Index>(found - diameters.begin());
+}
+
 HoleChoice choose_holes(std::span<const Hole> holes, const FillOptions& options) {
   require_known(holes, options);
   const auto asked = asked_for(holes.size(), options.requests);
-  const Index largest = longest(holes);
+  const Index largest = largest_of(holes);
   HoleChoice choice{std::vector<bool>(holes.size(), true), std::vector<std::string>(holes.size())};
   for (const Hole& hole : holes) {
     const bool is_told = asked[hole.id].has_value();

@@ -9,8 +9,8 @@
 namespace croquis::silhouette {
 namespace {
 
-constexpr double least_crossing_sine = 0.5;  // flatter crossings would send the cuts far along the foreign contour
-constexpr double end_clearance = 0.2;        // of the cut's distance or a step: keeps the pieces from becoming slivers
+constexpr double least_cut_sine = 0.5;  // flatter crossings would send the cuts far along the foreign contour
+constexpr double end_clearance = 0.2;   // of the cut's distance or a step: keeps the pieces from becoming slivers
 
 /// One contour at a crossing.
 struct Strand {
@@ -30,7 +30,7 @@ class CrossingSplitter {
     for (const int direction : {1, -1}) {
       const Vec2 along = (point(foreign, direction) - point(foreign, 0)).normalized();
       if (along.dot(inward) <= 0) continue;
-      const double slope = std::max(along.dot(inward), least_crossing_sine);
+      const double slope = std::max(along.dot(inward), least_cut_sine);
       for (const double angle : row_angles) {
         cut(foreign, direction, row_depth(radii_[rim.contour][rim.position], angle) / slope);
       }

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAction>
+#include <QDesktopServices>
+#include <QDir>
+#include <QFile>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QProcess>
+#include <QPushButton>
+#include <QTextBrowser>
+#include <QTimer>
+#include <QToolButton>
+
+#include <catch2/catch.hpp>
+
+#include "app/dialogs.h"
+#include "app/file_reader.h"
+#include "app/hole_scans.h"
+#include "app/lists.h"
+#include "app/studio_fixture.h"
+#include "croquis/base/error.h"
+#include "croquis/document/content_hash.h"
+#include "croquis/io/mesh_file.h"
+#include "croquis/io/project_file.h"
+#include "support/mesh_shapes.h"
+#include "support/sketch_gallery.h"
+
+using namespace croquis;
+using namespace croquis::test;
+
+namespace {
+
+QByteArray bytes_of(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+void write_file(const QString& path, const QByteArray& bytes) {
+  QFile file(path);
+  REQUIRE(file.open(QIODevice::WriteOnly));
+  file.write(bytes);
+}
+
+Findings warnings_of(const QString& project) {
+  Progress progress;
+  try {
+    return load_project(project.toStdString(), progress).warnings;
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+constexpr int version_count = 4;
+
+/// A project of rings round each other with three earlier versions, one ring less each. @return its path
+QString save_versions(StudioFixture& hand) {
+  const QString project = hand.folder() + "/rings.croq";
+  for (int version = 1; version <= version_count; ++version) {
+    draw_ring(hand, 40 * version);
+    hand.window().files().save(project);
+  }
+  REQUIRE(hand.studio().drawing().strokes.size() == version_count);
+  return project;
+}
+
+/// Spoils stored contents so that something is lost and something can still be read.
+void damage(const QString& project) {
+  const QByteArray whole = bytes_of(project);
+  for (int part = 1; part < 60; ++part) {
+    QByteArray spoilt = whole;
+    for (qsizetype i = whole.size() * part / 60; i < std::min(whole.size(), whole.size() * part / 60 + 700); ++i) {
+      spoilt[i] = static_cast<char>(spoilt[i] ^ 0x5a);
+    }
+    write_file(project, spoilt);
+    if (warnings_of(project).size() >= 2) return;
+  }
+  FAIL("no damage leaves a part");
+}
+
+/// The report of what was wrong with a file, or null.
+QDialog* report_of_opening(StudioFixture& hand) {
+  QDialog* found = nullptr;
+  for (auto* dialog : hand.window().findChildren<QDialog*>("opening-report")) {
+    if (dialog->isVisible()) found = dialog;
+  }
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("a damaged project opens with every finding and with its earlier versions", "[files]") {
+  StudioFixture hand;
+  const QString project = save_versions(hand);
+  damage(project);
+  const Findings told = warnings_of(project);
+  REQUIRE(hand.window().open(project));
+  CHECK(!label(hand, "message").isEmpty());
+  QDialog* report = report_of_opening(hand);
+  REQUIRE(report != nullptr);
+  const auto* list = report->findChild<QListWidget*>("opening-findings");
+  REQUIRE(list->count() == static_cast<int>(told.size()));
+  for (const QListWidgetItem* row : rows_of(*list)) {
+    CHECK(row->text().contains("rings.croq"));
+    CHECK(!row->text().contains(hand.folder()));
+  }
+  CHECK(hand.window().findChild<app::FindingsList*>("findings")->count() >= list->count());
+  for (int version = 1; version <= 3; ++version) {
+    CHECK(report->findChild<QPushButton*>("version-" + QString::number(version)) != nullptr);
+  }
+  report->findChild<QPushButton*>("version-1")->click();
+  REQUIRE(hand.wait_for([&] { return hand.window().windowTitle().startsWith("rings.croq~1"); }));
+  CHECK(hand.studio().drawing().strokes.size() == version_count - 1);
+  CHECK(!hand.studio().session().modified());
+}
+
+TEST_CASE("a damaged project is never written over", "[files]") {
+  StudioFixture hand;
+  const QString project = save_versions(hand);
+  std::vector<QByteArray> versions;
+  for (int version = 1; version <= 3; ++version) versions.push_back(bytes_of(project + "~" + QString::number(version)));
+  damage(project);
+  const QByteArray damaged = bytes_of(project);
+  REQUIRE(hand.window().open(project));
+  draw_ring(hand, 20);
+
+  // Saving asks for another name.
+  QString proposed;
+  in_dialog<QFileDialog>([&](QFileDialog& dialog) {
+    proposed = dialog.selectedFiles().value(0);
+    dialog.reject();
+  });
+  hand.act("save");
+  CHECK(proposed.endsWith("rings rescued.croq"));
+  CHECK(bytes_of(project) == damaged);
+
+  // Its own name, insisted upon, keeps it beside, and every earlier version where it was.
+  hand.window().files().save(project);
+  CHECK(bytes_of(project + "~damaged") == damaged);
+  for (int version = 1; version <= 3; ++version) {
+    CHECK(bytes_of(project + "~" + QString::number(version)) == versions[static_cast<std::size_t>(version - 1)]);
+  }
+  CHECK(warnings_of(project).empty());
+  CHECK(!hand.window().files().is_damaged(project));
+}
+
+TEST_CASE("a project of which nothing can be read says so, offers what there is, and leaves what was open", "[files]") {
+  StudioFixture hand;
+  const QString project = save_versions(hand);
+  QByteArray half = bytes_of(project);
+  half.truncate(120);
+  write_file(project, half);
+  const ContentHash before = content_hash(hand.studio().session().document());
+  CHECK(!hand.window().open(project));
+  CHECK(content_hash(hand.studio().session().document()) == before);
+  QDialog* report = report_of_opening(hand);
+  REQUIRE(report != nullptr);
+  CHECK(report->findChild<QLabel*>("opening-headline")->text().contains("can't be opened"));
+  CHECK(report->findChild<QPushButton*>("version-3") != nullptr);
+}
+
+TEST_CASE("an unattended run tells what a damaged project lost, and asks nothing", "[files]") {
+  StudioFixture hand;
+  const QString project = save_versions(hand);
+  damage(project);
+  QProcess studio;
+  studio.start(CROQUIS_STUDIO, {project, "--screenshot", hand.folder() + "/window.png"});
+  REQUIRE(studio.waitForFinished(60'000));
+  CHECK(studio.exitCode() == 0);
+  const QString errors = studio.readAllStandardError();
+  CHECK(errors.count("W_PROJECT_DAMAGED") == static_cast<int>(warnings_of(project).size()));
+}
+
+TEST_CASE("dialogs list exactly the files that can be opened", "[files]") {
+  StudioFixture hand;
+  const QString filter = app::FileReader::dialog_filter();
+  Progress progress;
+  for (const MeshFormat format : mesh_formats()) {
+    const QString ending = QString::fromStdString(extension_of(format));
+    const QString file = hand.folder() + "/cube" + ending;
+    const std::string bytes = write_mesh(cube(), format, {}, progress).bytes;
+    write_file(file, QByteArray::fromStdString(bytes));
+    bool read = true;
+    try {
+      app::FileReader::read_now(file, progress);
+    } catch (const Error&) {
+      read = false;
+    }
+    INFO(ending.toStdString());
+    CHECK(read == filter.contains("*" + ending));
+  }
+  CHECK(filter.contains("*.croq"));
+  CHECK(filter.contains("*.svg"));
+  CHECK(!filter.contains("(*)"));
+}
+
+TEST_CASE("meshes that are only looked at are no unsaved work", "[files]") {
+  StudioFixture hand;
+  hand.open_cage("bolt");
+  hand.open_cage("mug");
+  CHECK(!hand.studio().session().modified());
+  hand.crash_and_restart();
+  CHECK(hand.window().files().recoverable().empty());
+  hand.window().open(CROQUIS_SOURCE_DIR "/examples/data/bolt.obj");
+  hand.settle();
+  hand.act("show-smooth");
+  CHECK(hand.studio().session().modified());
+  hand.crash_and_restart();
+  CHECK(hand.window().files().recoverable().size() == 1);
+}
+
+TEST_CASE("what was saved is nothing to recover, what came after it is", "[files]") {
+  StudioFixture hand;
+  const QString project = save_versions(hand);
+  hand.crash_and_restart();
+  CHECK(hand.window().files().recoverable().empty());
+  hand.window().open(project);
+  draw_ring(hand, 20);
+  const ContentHash drawn = content_hash(hand.studio().session().document());
+  hand.crash_and_restart();
+  const auto offers = hand.window().files().recoverable();
+  REQUIRE(offers.size() == 1);
+  CHECK(offers.front().project == project);
+  hand.window().files().recover(offers.front());
+  CHECK(content_hash(hand.studio().session().document()) == drawn);
+}
+
+TEST_CASE("a project that is open in another window is told, and saving over it asks", "[files]") {
+  StudioFixture hand;
+  const QString project = save_versions(hand);
+  auto other = std::make_unique<app::MainWindow>(hand.folder() + "/state");
+  other->show();
+  REQUIRE(other->open(project));
+  const Findings& warnings = other->files().warnings();
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings.front().code == "W_PROJECT_OPEN");
+  CHECK(other->findChild<QLabel*>("message")->text().contains("rings.croq"));
+  const QByteArray before = bytes_of(project);
+  in_dialog<QMessageBox>([](QMessageBox& question) { question.button(QMessageBox::Cancel)->click(); });
+  other->studio().start_empty();
+  other->action("save")->trigger();
+  CHECK(bytes_of(project) == before);
+  // Once the first one has something else open, nobody is in the way.
+  hand.window().start_sketch();
+  CHECK(!other->files().is_open_elsewhere(project));
+}
+
+TEST_CASE("what is exported is told with its place, and its folder can be opened", "[files]") {
+  StudioFixture hand;
+  hand.draw(snake_sketch());
+  hand.settle();
+  const QTextBrowser opened;  // has a slot that takes an address
+  QDesktopServices::setUrlHandler("file", const_cast<QTextBrowser*>(&opened), "setSource");
+  for (const auto& [action, file] :
+       {std::pair{"export-picture", "snake.png"}, {"export-drawing", "snake.svg"}, {"export-solid", "snake.obj"}}) {
+    INFO(action);
+    const QString path = hand.folder() + "/" + file;
+    in_dialog<QFileDialog>([&](QFileDialog& dialog) {
+      dialog.findChild<QLineEdit*>()->setText(path);
+      QMetaObject::invokeMethod(&dialog, "accept");
+    });
+    hand.act(action);
+    CHECK(QFile::exists(path));
+    CHECK(label(hand, "message").contains(path));
+    auto* folder = hand.window().findChild<QToolButton*>("open-folder");
+    REQUIRE(folder->isVisible());
+    folder->click();
+    CHECK(opened.source().toLocalFile() == hand.folder());
+    hand.drag_pixels({300, 300}, {300, 300}, Qt::RightButton, Qt::AltModifier);
+    CHECK(!folder->isVisible());
+  }
+  QDesktopServices::unsetUrlHandler("file");
+}
