@@ -330,7 +330,7 @@ QString HoleInteraction::help() const {
     return tr("Enter fills what is previewed · drag the patch to shape it · F frames · Shift adds, Ctrl takes away");
   }
   if (failed_of(chosen).size() == chosen.size()) {
-    return tr("No way gave a sound patch here: try another way, a bulge or trimming · Delete leaves it open");
+    return tr("No method gave a valid patch here: try another method, a bulge or trimming · Delete leaves it open");
   }
   return tr("Delete opens it again · drag the patch to shape it · F frames · Ctrl+Z undoes");
 }

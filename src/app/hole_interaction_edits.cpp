@@ -11,7 +11,7 @@
 namespace croquis::app {
 namespace {
 
-const std::string remesh_label = "Make the model anew";
+const std::string remesh_label = "Remesh";
 
 /// "hole 3", "holes 1, 4"; "all holes" for none.
 std::string words_for(const std::vector<Index>& holes) {

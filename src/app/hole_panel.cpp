@@ -264,7 +264,7 @@ void HolePanel::make_mode(QBoxLayout* column) {
   mode_->setAccessibleName(tr("Mode"));
   if (const ParameterDescription* mode = parameter(studio_, "mode")) {
     for (const std::string& choice : mode->choices) {
-      mode_->addItem(choice == "remesh" ? tr("Make the model anew") : tr("Patches, rest unchanged"),
+      mode_->addItem(choice == "remesh" ? tr("Remesh the whole model") : tr("Patches, rest unchanged"),
                      QString::fromStdString(choice));
     }
   }
@@ -319,10 +319,10 @@ void HolePanel::follow_sizes() {
   fill_sizes_->setText(limit > 0 ? fill_text(count, limit) : tr("Fill up to size"));
   fill_sizes_->setToolTip(
       diameters.empty() ? tr("There is no hole inside a border")
-      : limit <= 0      ? tr("Drag the slider first: it says how wide holes may be")
+      : limit <= 0      ? tr("Drag the slider first: it sets the largest diameter")
       : count == 0
           ? tr("No hole that small is open")
-          : tr("Fills the open inner holes that are at most %1 wide; what is filled stays so").arg(measure(limit)));
+          : tr("Fills the open inner holes with a diameter of at most %1; filled holes stay filled").arg(measure(limit)));
 }
 
 void HolePanel::follow_way() {

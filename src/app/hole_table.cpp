@@ -84,7 +84,7 @@ HoleTable::HoleTable(QWidget* parent) : QTableWidget(parent) {
   setHorizontalHeaderLabels(
       {tr("No."), tr("State"), tr("What"), tr("Wide"), tr("Edges"), tr("Sure"), tr("Bend"), tr("Way"), tr("Area")});
   const QStringList tips{tr("Number, as pins in the views and the command line have it"),
-                         tr("Open, filled, or no way gave a sound patch"),
+                         tr("Open, filled, or no method gave a valid patch"),
                          tr("What the rim looks like"),
                          tr("Greatest distance between two places of the rim"),
                          tr("Edges of the rim"),

@@ -212,7 +212,7 @@ void MainWindow::make_tool_actions() {
   };
   add_tool("draw", tr("&Draw"), "D", ToolKind::Draw);
   add_tool("erase", tr("&Erase"), "X", ToolKind::Erase);
-  add_tool("select", tr("&Select and bend"), "Q", ToolKind::Select);
+  add_tool("select", tr("&Select and reshape"), "Q", ToolKind::Select);
   add_tool("move", tr("&Move"), "W", ToolKind::Move);
   add_tool("rotate", tr("&Turn"), "E", ToolKind::Rotate);
   add_tool("scale", tr("S&cale"), "R", ToolKind::Scale);

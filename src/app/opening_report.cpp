@@ -90,7 +90,7 @@ QWidget* OpeningReport::make_versions() {
     });
     column->addWidget(button, 0, Qt::AlignLeft);
   }
-  if (shown == 0) column->addWidget(new QLabel(tr("There are no earlier versions beside it."), box));
+  if (shown == 0) column->addWidget(new QLabel(tr("There are no backups of it."), box));
   return box;
 }
 

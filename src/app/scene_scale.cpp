@@ -64,7 +64,7 @@ void SceneScale::apply() {
   const auto by = factor();
   if (!by) {
     throw Error(make_error(Category::Usage, "E_EMPTY",
-                           "There is nothing to scale to: select a mesh beside which something else is seen"));
+                           "There is nothing to scale to: select a mesh while another object is visible"));
   }
   const StudioObject object = *studio_.active();
   const Box rest = box_of_rest(object);

@@ -20,7 +20,7 @@ constexpr double key_step = 0.04;
 SizeSlider::SizeSlider(QWidget* parent) : QWidget(parent) {
   setObjectName("size-slider");
   setAccessibleName(tr("Greatest width of holes to fill"));
-  setToolTip(tr("Drag: open holes up to that wide are selected and previewed"));
+  setToolTip(tr("Drag: open holes up to this diameter are selected and previewed"));
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }

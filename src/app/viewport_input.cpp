@@ -231,13 +231,13 @@ QString Viewport::help() const {
     if (found.finding.severity == Severity::Error) return sentence_in_view(found.finding);
   }
   if (navigation_.alt_swallowed()) {
-    return tr("Alt belongs to your desktop: hold Super, or the key left of 1, and drag to turn, shift and come nearer");
+    return tr("Your desktop uses Alt: hold Super, or the key left of 1, and drag to rotate, pan and zoom");
   }
   if (holes_.active()) return holes_.help();
   if (edits_meshes() && !sketches_in(under_pointer_)) return mesh_.help();
   switch (sketch_.mode()) {
     case SketchMode::Select:
-      return tr("Drag a square to bend the line, drag a line to move it, Shift adds · Delete removes · D draws");
+      return tr("Drag a square to reshape the line, drag a line to move it, Shift adds · Delete removes · D draws");
     case SketchMode::Erase: return tr("Drag over lines to erase them · D draws");
     case SketchMode::Draw: break;
   }

@@ -95,7 +95,7 @@ void add_subcommand(CLI::App& app, Slot& slot) {
         ->type_name(description.input_word)
         ->required();
     slot.app
-        ->add_option("--input-format", slot.invocation.input_format, "Format of the input, if its name doesn't tell")
+        ->add_option("--input-format", slot.invocation.input_format, "Format of the input, if its name doesn't show it")
         ->type_name("FORMAT");
   }
   if (description.output != OutputNeed::None) {
@@ -103,7 +103,7 @@ void add_subcommand(CLI::App& app, Slot& slot) {
         ->type_name("FILE")
         ->required(description.output == OutputNeed::Required);
     slot.app
-        ->add_option("--output-format", slot.invocation.output_format, "Format of the output, if its name doesn't tell")
+        ->add_option("--output-format", slot.invocation.output_format, "Format of the output, if its name doesn't show it")
         ->type_name("FORMAT");
   }
   add_parameters(slot);
@@ -162,7 +162,7 @@ void check_equal_signs(const std::vector<std::string>& arguments) {
     if (argument == "--") return;  // what follows are names of files
     if (argument.starts_with("--") && argument.find('=') == argument.size() - 1) throw no_value(argument);
     if (argument.size() > 2 && argument[0] == '-' && argument[1] != '-' && argument[2] == '=') {
-      throw usage_error("Between " + argument.substr(0, 2) + " and its value belongs a space, no '='; see --help.");
+      throw usage_error("Write a space between " + argument.substr(0, 2) + " and its value, not '='; see --help.");
     }
   }
 }

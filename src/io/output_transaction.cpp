@@ -118,7 +118,7 @@ void OutputTransaction::write_temporary(Entry& entry) {
     if (!file.close()) fail_writing(entry.path, writing_reason(errno));
     return;
   }
-  fail_writing(entry.path, "no temporary name is free beside it");
+  fail_writing(entry.path, "no temporary file could be made in its folder");
 }
 
 void OutputTransaction::keep_backup(Entry& entry) {

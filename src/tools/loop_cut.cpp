@@ -135,7 +135,7 @@ MeshEdit loop_cut(const PolyMesh& mesh, const MeshTopology& topology, Index edge
   const Cut cut(topology, walk_ring(topology, edge), usable_part(at));
   if (cut.ring.faces.empty()) {
     throw Error(make_error(Category::Usage, "E_INPUT",
-                           "Edge " + std::to_string(edge) + " has no quad beside it: a loop cut needs one"));
+                           "Edge " + std::to_string(edge) + " has no quad face: a loop cut needs one"));
   }
   MeshPlan plan = plan_with_vertices_of(mesh);
   for (const DirectedEdge& ring_edge : cut.ring.edges)

@@ -176,7 +176,7 @@ TEST_CASE("where a bridge can't be made its rims are filled one by one", "[hole-
   hand.act("bridge-holes");
   hand.settle();
   REQUIRE(count(hand, HoleState::Failed) == 2);
-  CHECK(label(hand, "help-line").startsWith("No way gave a sound patch here"));
+  CHECK(label(hand, "help-line").startsWith("No method gave a valid patch here"));
   CHECK(is_enabled(hand, "fill-selected"));
   hand.act("fill-selected");
   hand.settle();

@@ -121,18 +121,18 @@ TEST_CASE("the sentence about a swallowed Alt goes once something else is done",
       QApplication::sendEvent(&view, &key);
     }
     view.note_window_moved();
-    REQUIRE(line->text().contains("Alt belongs"));
+    REQUIRE(line->text().contains("uses Alt"));
   };
   swallow();
   hand.begin_stroke({{-50, 0}, {0, 60}});
-  CHECK(!line->text().contains("Alt belongs"));
+  CHECK(!line->text().contains("uses Alt"));
   hand.act("deselect");
   swallow();
   hand.act("select");
-  CHECK(!line->text().contains("Alt belongs"));
+  CHECK(!line->text().contains("uses Alt"));
   swallow();
   QTest::keyClick(&view, Qt::Key_F);
-  CHECK(!line->text().contains("Alt belongs"));
+  CHECK(!line->text().contains("uses Alt"));
 }
 
 TEST_CASE("two fingers shift and near the sketch, one finger draws nothing", "[viewport]") {

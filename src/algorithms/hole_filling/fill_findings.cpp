@@ -90,8 +90,8 @@ void tell_low_confidence(const PolyMesh& scan, const FillResult& result, Finding
     const auto is_low = [&](const HoleOutcome& o) { return o.confidence < low_confidence && is_flat(o) == flat; };
     tell_doubtful(filled_where(scan, result, is_low), what, findings);
   };
-  tell(false, "far beyond what the surface around tells: look at the shape, or choose flat patches.");
-  tell(true, "by flat patches, which don't go on as the surface around does: look at the shape, or leave them open.");
+  tell(false, "far from what the surface around them shows: look at the shape, or choose flat patches.");
+  tell(true, "by flat patches, which do not continue the surface around them: look at the shape, or leave them open.");
   // Flat patches meet rims at whatever angle: they were asked for, or are told as taken instead.
   const auto is_folded = [](const HoleOutcome& o) {
     return o.max_normal_jump > doubtful_fold && o.method != "minimal";

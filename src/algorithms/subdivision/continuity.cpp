@@ -44,7 +44,7 @@ std::string sentence_of(const ContinuityReport& report) {
   const LevelContinuity& last = report.levels.back();
   const std::string angle = degrees(last.greatest_bend);
   switch (report.verdict) {
-    case Smoothness::Unknown: return "too few levels to tell; the greatest angle is " + angle;
+    case Smoothness::Unknown: return "too few levels for an answer; the largest angle is " + angle;
     case Smoothness::Flat: return "flat between the tags";
     case Smoothness::Halving: return "G1 (halving): " + angle + " left at " + element(last);
     case Smoothness::Fading: return "G1 (fading slowly): " + angle + " left at " + element(last);

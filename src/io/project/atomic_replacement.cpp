@@ -64,7 +64,7 @@ int open_temporary(const fs::path& target, const fs::path& path, fs::path& tempo
     if (file >= 0) return file;
     if (errno != EEXIST) fail(path, errno);
   }
-  fail_writing(path.string(), "no temporary name is free beside it");
+  fail_writing(path.string(), "no temporary file could be made in its folder");
 }
 
 fs::path backup(const fs::path& target, int number) { return target.string() + "~" + std::to_string(number); }

@@ -39,7 +39,7 @@ Findings DamageLog::warnings() const {
     subjects.push_back(file_subject(file_));
     findings.push_back(
         make_warning(Category::Malformed, "W_PROJECT_DAMAGED",
-                     "The project '" + file_ + "' is damaged: " + loss.text + "; a backup beside it may be whole.",
+                     "The project '" + file_ + "' is damaged: " + loss.text + "; a backup in the same folder may be complete.",
                      std::move(subjects)));
   }
   return findings;
@@ -52,7 +52,7 @@ void DamageLog::refuse() const {
 Error damaged_project(const std::string& file, const std::string& reason) {
   return Error(make_error(Category::Malformed, "E_PROJECT_DAMAGED",
                           "The project '" + file + "' is damaged and nothing in it can be read: " + reason +
-                              "; open a backup beside it (its name with ~1, ~2 or ~3).",
+                              "; open a backup in the same folder (its name with ~1, ~2 or ~3).",
                           {file_subject(file)}));
 }
 

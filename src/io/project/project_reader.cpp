@@ -127,7 +127,7 @@ class ProjectReader {
     std::vector<const NodeRow*> all;
     for (const NodeRow& row : rows) all.push_back(&row);
     if (nodes_checksum(all, next_id) == wanted) return;
-    damage_.lose("names, parameters or links are not those that were saved, so look at them before you go on");
+    damage_.lose("names, parameters or links are not those that were saved, so check them before you continue");
   }
 
   void read_sources(std::vector<NodeRow>& rows) {

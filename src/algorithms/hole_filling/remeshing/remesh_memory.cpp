@@ -13,7 +13,7 @@
 namespace croquis::hole_filling {
 namespace {
 
-// Bytes, measured: see "The whole model anew" in docs/algorithms/hole_filling.md.
+// Bytes, measured: see "Remeshing the whole model" in docs/algorithms/hole_filling.md.
 constexpr double per_triangle = 80;       // the view and its neighbours
 constexpr double per_point = 180;         // points, trees, domains
 constexpr double per_point_fit = 200;     // what is there for slabs under way: fits,
