@@ -122,7 +122,8 @@ void Viewport::take_late_move() {
 
 void Viewport::take_in_time(PointerEvent event, const QPointF& place) {
   if (input_time_ms_ < 0) input_time_ms_ = seconds() * 1e3;
-  if (event.action == PointerEvent::Action::Press || event.action == PointerEvent::Action::Wheel) forget_swallowed_alt();
+  if (event.action == PointerEvent::Action::Press || event.action == PointerEvent::Action::Wheel)
+    forget_swallowed_alt();
   const bool leaving = event.action == PointerEvent::Action::Leave;
   if (drag_border(event, place)) return;
   if (!leaving) under_pointer_ = layout_.view_at(place);

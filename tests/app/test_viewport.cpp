@@ -117,7 +117,8 @@ TEST_CASE("the sentence about a swallowed Alt goes once something else is done",
   auto* line = hand.window().findChild<QLabel*>("help-line");
   const auto swallow = [&] {
     for (const QEvent::Type type : {QEvent::KeyRelease, QEvent::KeyPress}) {
-      QKeyEvent key(type, Qt::Key_Alt, type == QEvent::KeyPress ? Qt::AltModifier : Qt::NoModifier);
+      // As the window system has them: before the event.
+      QKeyEvent key(type, Qt::Key_Alt, type == QEvent::KeyPress ? Qt::NoModifier : Qt::AltModifier);
       QApplication::sendEvent(&view, &key);
     }
     view.note_window_moved();
