@@ -117,7 +117,8 @@ TEST_CASE("the more is cut off a sphere, the less its patch is trusted, and what
       const Trusted patch = refilled_cap(radius, fairness);
       CAPTURE(static_cast<int>(fairness), radius, patch.confidence, patch.error);
       CHECK(patch.confidence <= before);
-      if (patch.confidence > 0.5) CHECK(patch.error < 0.01);
+      if (patch.confidence > 0.7) CHECK(patch.error < 0.005);
+      if (patch.confidence > 0.5) CHECK(patch.error < 0.015);
       if (patch.confidence > 0.3) CHECK(patch.error < 0.03);
       if (radius > 1.2) CHECK(patch.confidence < low_confidence);
       before = patch.confidence;
@@ -126,7 +127,8 @@ TEST_CASE("the more is cut off a sphere, the less its patch is trusted, and what
 }
 
 TEST_CASE("a flat cap over a wide section isn't trusted, one over a pinhole is") {
-  CHECK(refilled_cap(1.1, Fairness::Flat).confidence < 0.15);
+  CAPTURE(refilled_cap(1.1, Fairness::Flat).confidence);
+  CHECK(refilled_cap(1.1, Fairness::Flat).confidence < 0.2);
   CHECK(refilled_cap(0.09, Fairness::Flat).confidence > 0.6);
 }
 

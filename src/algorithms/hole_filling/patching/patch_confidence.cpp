@@ -148,6 +148,28 @@ std::vector<double> rim_jumps(const HolePatch& patch, const RimFolds& folds, con
   return jumps;
 }
 
+/// How far a patch of rim vertices alone turns away from the surface: teeth of ragged rims are filled along it, and
+/// hide the fold behind them. What the ways into the hole have in common leads out of the patch's plane.
+double turn_of_ways(const HolePatch& patch, const PolyMesh& mesh, const HoleAnalysis& analysis) {
+  double turn = 0;
+  for (const Index id : patch.holes) {
+    const Hole& hole = analysis.holes[id];
+    Vec3 sum = Vec3::Zero();
+    double length = 0;
+    for (std::size_t i = 0; i < hole.vertices.size(); ++i) {
+      const auto& t = analysis.view.triangles[hole.corners[i] / 3];
+      const Vec3 edge =
+          mesh.positions[hole.vertices[(i + 1) % hole.vertices.size()]] - mesh.positions[hole.vertices[i]];
+      const Vec3 normal = normal_of(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
+      const double area = normal.norm();
+      if (area > 0) sum += edge.cross(normal) / area;
+      length += edge.norm();
+    }
+    if (length > 0) turn = std::max(turn, std::asin(std::min(1.0, sum.norm() / length)));
+  }
+  return turn;
+}
+
 double trust_in_fold(double angle) {
   const double doubt = angle / doubtful_jump;
   return 1 / (1 + doubt * doubt * doubt * doubt);
@@ -168,7 +190,9 @@ double confidence_of(const HolePatch& patch, const PolyMesh& mesh, const HoleAna
   double farthest = 0;
   for (const Vec3& place : patch.points.empty() ? places_on(patch, mesh) : patch.points)
     farthest = std::max(farthest, (place - rims.points[tree.nearest(place)]).norm());
-  return rims.backing_at(farthest) * trust_in_fold(RimFolds(patch, mesh, analysis.view).mean(analysis));
+  double turn = RimFolds(patch, mesh, analysis.view).mean(analysis);
+  if (patch.points.empty()) turn = std::max(turn, turn_of_ways(patch, mesh, analysis));
+  return rims.backing_at(farthest) * trust_in_fold(turn);
 }
 
 std::vector<float> vertex_confidence(const HolePatch& patch, const PolyMesh& mesh, const HoleAnalysis& analysis) {

@@ -14,6 +14,7 @@ double backing(double distance, double diameter, double diagonal);
 
 /// The least backing of a patch's places, / (1 + (a / 45 degrees)^4), where a is how far the patch turns away from the
 /// surface at its rims: the mean fold of stretches of the rim, by which the roughness of single faces evens out.
+/// Without new vertices it is what the surface's ways into the hole have in common, if that is more.
 ///
 /// A narrow gap has nearly 1; a flat disc that continues a plane 0.5, or less where it is wider than a third of the
 /// piece; a dome as high as half its diameter 0.2. A lid across a tube has 0.03. Patches without new vertices are

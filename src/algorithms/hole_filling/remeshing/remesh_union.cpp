@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 #include <tuple>
+
+#include <Eigen/Geometry>
 
 #include "algorithms/hole_filling/remeshing/remesh_cuts.h"
 #include "algorithms/hole_filling/remeshing/remesh_trimming.h"
@@ -55,6 +58,7 @@ class Joining {
   std::vector<std::size_t> group_of(std::size_t first);
   void put_as_it_is(std::size_t number, JoinedShapes& next);
   void keep_largest(std::vector<std::size_t> group, JoinedShapes& next);
+  double area_of(std::size_t number) const;
   void leave_out(std::size_t part, const std::vector<std::size_t>& kept, JoinedShapes& next) const;
   const Crossing* crossing_of(std::size_t part, const std::vector<std::size_t>& kept) const;
   PolyMesh extracted(const RemeshPart& part) const;
@@ -247,12 +251,24 @@ void Joining::leave_out(std::size_t part, const std::vector<std::size_t>& kept, 
     next.left_out.push_back({piece, joined_.parts[other].pieces.front(), crossing->at});
 }
 
+double Joining::area_of(std::size_t number) const {
+  const RemeshPart& part = joined_.parts[number];
+  const std::vector<Vec3>& at = joined_.mesh.positions;
+  double area = 0;
+  for (std::size_t f = part.first_face; f < part.first_face + part.face_count; ++f) {
+    const auto face = joined_.mesh.face(f);
+    area += (at[face[1]] - at[face[0]]).cross(at[face[2]] - at[face[0]]).norm() / 2;
+  }
+  return area;
+}
+
 /// Those that lost much in the solid go, the rest may be one in the next round. Where the largest has lost much itself,
-/// they are kept by their faces, the first of equals, each unless it crosses one that is kept.
+/// they are kept by their areas, the first of equals, each unless it crosses one that is kept.
 void Joining::keep_largest(std::vector<std::size_t> group, JoinedShapes& next) {
   std::vector<RemeshPart>& parts = joined_.parts;
-  std::ranges::stable_sort(group,
-                           [&](std::size_t a, std::size_t b) { return parts[a].face_count > parts[b].face_count; });
+  std::map<std::size_t, double> areas;
+  for (const std::size_t part : group) areas[part] = area_of(part);
+  std::ranges::stable_sort(group, [&](std::size_t a, std::size_t b) { return areas[a] > areas[b]; });
   const auto has_lost = [&](std::size_t part) {
     return std::ranges::find_first_of(parts[part].pieces, losers_) != parts[part].pieces.end();
   };
