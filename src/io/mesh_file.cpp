@@ -8,6 +8,7 @@
 #include "croquis/base/error.h"
 #include "io/float_positions.h"
 #include "io/glb_writer.h"
+#include "io/gltf/glb_reader.h"
 #include "io/mesh_checks.h"
 #include "io/obj/obj_reader.h"
 #include "io/obj/obj_writer.h"
@@ -39,9 +40,9 @@ PolyMesh read_format(const MeshSource& source, ReadContext& context) {
     case MeshFormat::Ply: return read_ply(source.bytes, context);
     case MeshFormat::Stl: return read_stl(source.bytes, context);
     case MeshFormat::Off: return read_off(source.bytes, context);
-    case MeshFormat::Glb: break;
+    case MeshFormat::Glb: return read_glb(source.bytes, context);
   }
-  context.fail("E_FORMAT", "GLB files are written but not read; convert it to OBJ or PLY", {});
+  return {};
 }
 
 void check_size(const MeshSource& source, ReadContext& context) {
