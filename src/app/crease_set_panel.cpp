@@ -14,9 +14,9 @@
 namespace croquis::app {
 namespace {
 
-constexpr int name_role = Qt::UserRole;
+constexpr int set_name_role = Qt::UserRole;
 
-std::string name_of(const QTreeWidgetItem* row) { return row->data(0, name_role).toString().toStdString(); }
+std::string name_of(const QTreeWidgetItem* row) { return row->data(0, set_name_role).toString().toStdString(); }
 
 }  // namespace
 
@@ -116,7 +116,7 @@ void CreaseSetPanel::follow() {
     const CreaseSet& set = tags.sets[i];
     const QString name = QString::fromStdString(set.name);
     QTreeWidgetItem* row = same ? sets_->topLevelItem(static_cast<int>(i)) : new QTreeWidgetItem(sets_, {name, {}});
-    row->setData(0, name_role, name);
+    row->setData(0, set_name_role, name);
     row->setFlags(row->flags() | Qt::ItemIsEditable);
     const QString sharpness = std::isinf(set.sharpness) ? QStringLiteral("∞") : QString::number(set.sharpness);
     row->setText(1, set.edges.empty() ? tr("%1 pins").arg(set.pins.size())

@@ -23,7 +23,7 @@ bool is_sketch(const QString& path) { return QFileInfo(path).suffix().toLower() 
 /// ".croq, .svg, .obj or .off".
 std::string readable_endings() {
   std::vector<std::string> endings{".croq", ".svg"};
-  for (const MeshFormat format : readable_mesh_formats()) endings.push_back(extension_of(format));
+  for (const MeshFormat format : mesh_formats()) endings.push_back(extension_of(format));
   return either_of(endings);
 }
 
@@ -41,7 +41,7 @@ bool FileReader::replaces_document(const QString& path) { return is_project_name
 QString FileReader::dialog_filter() {
   QStringList endings{"*.croq", "*.svg"};
   QStringList kinds{tr("Projects (*.croq)"), tr("Earlier versions of projects (*.croq~*)"), tr("Sketches (*.svg)")};
-  for (const MeshFormat format : readable_mesh_formats()) {
+  for (const MeshFormat format : mesh_formats()) {
     const QString ending = "*" + QString::fromStdString(extension_of(format));
     endings << ending;
     kinds << QString("%1 (%2)").arg(to_string(format), ending);

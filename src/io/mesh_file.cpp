@@ -9,6 +9,7 @@
 #include "croquis/base/error.h"
 #include "io/float_positions.h"
 #include "io/glb_writer.h"
+#include "io/gltf/glb_reader.h"
 #include "io/mesh_checks.h"
 #include "io/obj/obj_reader.h"
 #include "io/obj/obj_writer.h"
@@ -35,38 +36,15 @@ struct FormatEntry {
   MeshFormat format;
   const char* name;
   std::string_view extension;
-  PolyMesh (*read)(std::string_view bytes, ReadContext& context);  ///< null: it is written only
+  PolyMesh (*read)(std::string_view bytes, ReadContext& context);
 };
 
 constexpr std::array formats = {
     FormatEntry{MeshFormat::Obj, "OBJ", "obj", &read_obj}, FormatEntry{MeshFormat::Ply, "PLY", "ply", &read_ply},
     FormatEntry{MeshFormat::Stl, "STL", "stl", &read_stl}, FormatEntry{MeshFormat::Off, "OFF", "off", &read_off},
-    FormatEntry{MeshFormat::Glb, "GLB", "glb", nullptr}};
+    FormatEntry{MeshFormat::Glb, "GLB", "glb", &read_glb}};
 
-const FormatEntry* entry_of(MeshFormat format) {
-  const auto found = std::ranges::find(formats, format, &FormatEntry::format);
-  return found == formats.end() ? nullptr : &*found;
-}
-
-/// "convert it to OBJ, PLY or STL" needs them in words.
-std::string readable_in_words() {
-  std::string words;
-  const std::vector<MeshFormat> readable = readable_mesh_formats();
-  for (std::size_t i = 0; i < readable.size(); ++i) {
-    words += i == 0 ? "" : i + 1 < readable.size() ? ", " : " or ";
-    words += to_string(readable[i]);
-  }
-  return words;
-}
-
-PolyMesh read_format(const MeshSource& source, ReadContext& context) {
-  const FormatEntry* entry = entry_of(source.format);
-  if (entry != nullptr && entry->read != nullptr) return entry->read(source.bytes, context);
-  context.fail(
-      "E_FORMAT",
-      std::string(to_string(source.format)) + " files are written but not read; convert it to " + readable_in_words(),
-      {});
-}
+const FormatEntry& entry_of(MeshFormat format) { return *std::ranges::find(formats, format, &FormatEntry::format); }
 
 void check_size(const MeshSource& source, ReadContext& context) {
   if (source.bytes.find_first_not_of(" \t\r\n") == std::string_view::npos) {
@@ -90,28 +68,14 @@ double rewritten(double value, int precision) {
 
 }  // namespace
 
-const char* to_string(MeshFormat format) {
-  const FormatEntry* entry = entry_of(format);
-  return entry == nullptr ? "" : entry->name;
-}
+const char* to_string(MeshFormat format) { return entry_of(format).name; }
 
-std::string extension_of(MeshFormat format) {
-  const FormatEntry* entry = entry_of(format);
-  return entry == nullptr ? std::string() : "." + std::string(entry->extension);
-}
+std::string extension_of(MeshFormat format) { return "." + std::string(entry_of(format).extension); }
 
 std::vector<MeshFormat> mesh_formats() {
   std::vector<MeshFormat> all;
   for (const FormatEntry& entry : formats) all.push_back(entry.format);
   return all;
-}
-
-std::vector<MeshFormat> readable_mesh_formats() {
-  std::vector<MeshFormat> readable;
-  for (const FormatEntry& entry : formats) {
-    if (entry.read != nullptr) readable.push_back(entry.format);
-  }
-  return readable;
 }
 
 std::optional<MeshFormat> mesh_format_of(std::string_view path_or_extension) {
@@ -129,7 +93,7 @@ MeshReadResult read_mesh(const MeshSource& given, Progress& progress) {
   ReadContext context(source, progress);
   check_size(source, context);
   MeshReadResult result;
-  result.mesh = read_format(source, context);
+  result.mesh = entry_of(source.format).read(source.bytes, context);
   if (!context.has_errors()) check_mesh(result.mesh, source.require_faces, context);
   result.warnings = context.finish();
   progress.report(1);

@@ -27,6 +27,10 @@ PositionJoiner::PositionJoiner() : slots_(first_slots, no_index) {}
 
 Index PositionJoiner::add(const Vec3& point, std::vector<Vec3>& positions) {
   if (2 * positions.size() >= slots_.size()) grow(positions);
+  if (!point.allFinite()) {  // equals nothing, and all of its kind would look for a slot at the same place
+    positions.push_back(point);
+    return static_cast<Index>(positions.size() - 1);
+  }
   std::size_t slot = hash(point) & (slots_.size() - 1);
   for (; slots_[slot] != no_index; slot = (slot + 1) & (slots_.size() - 1)) {
     if (positions[slots_[slot]] == point) return slots_[slot];
@@ -39,6 +43,7 @@ Index PositionJoiner::add(const Vec3& point, std::vector<Vec3>& positions) {
 void PositionJoiner::grow(const std::vector<Vec3>& positions) {
   slots_.assign(2 * slots_.size(), no_index);
   for (Index i = 0; i < positions.size(); ++i) {
+    if (!positions[i].allFinite()) continue;
     std::size_t slot = hash(positions[i]) & (slots_.size() - 1);
     while (slots_[slot] != no_index) slot = (slot + 1) & (slots_.size() - 1);
     slots_[slot] = i;

@@ -40,6 +40,9 @@ class ReadContext {
 
   void too_few_corners(std::size_t face, std::size_t corners, Place place);
 
+  const std::string& file_name() const { return source_.file_name; }
+  std::size_t file_size() const { return source_.bytes.size(); }
+
   bool has_errors() const { return error_count_ > 0; }
 
   /// To be called for every element; reports how far it is now and then.

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cstring>
 
 #include "io/channel_values.h"
+#include "io/little_endian.h"
 #include "io/obj/category_state.h"
 #include "io/position_joiner.h"
 #include "io/text.h"
@@ -18,17 +17,9 @@ constexpr std::size_t header_size = 84;  // 80 bytes of anything, then the numbe
 constexpr std::size_t facet_size = 50;   // normal, 3 corners, 2 bytes of attribute
 constexpr std::size_t looked_at_for_text = 512;
 
-template <typename T>
-T load_little(const char* from) {
-  std::array<char, sizeof(T)> bytes;
-  std::memcpy(bytes.data(), from, sizeof(T));
-  if constexpr (std::endian::native == std::endian::big) std::reverse(bytes.begin(), bytes.end());
-  return std::bit_cast<T>(bytes);
-}
-
 bool is_binary(std::string_view bytes) {
   if (bytes.size() >= header_size) {
-    const std::size_t facets = load_little<std::uint32_t>(bytes.data() + 80);
+    const std::size_t facets = load_little_endian<std::uint32_t>(bytes.data() + 80);
     if (bytes.size() == header_size + facet_size * facets) return true;
   }
   const std::string_view start = bytes.substr(0, looked_at_for_text);
@@ -69,7 +60,7 @@ std::size_t BinaryStlReader::facet_count() {
     context_.fail(lower_case(bytes_.substr(0, 5)) == "solid" ? "E_SYNTAX" : "E_TRUNCATED",
                   "this is neither a text STL nor long enough for a binary one", at_byte(bytes_.size()));
   }
-  const std::size_t claimed = load_little<std::uint32_t>(bytes_.data() + 80);
+  const std::size_t claimed = load_little_endian<std::uint32_t>(bytes_.data() + 80);
   const std::size_t held = (bytes_.size() - header_size) / facet_size;
   if (claimed > held) {
     context_.fail(
@@ -99,14 +90,14 @@ void BinaryStlReader::read_facet(std::size_t facet) {
   for (Index& corner : corners) {
     Vec3 point;
     for (double& x : point) {
-      x = load_little<float>(from);
+      x = load_little_endian<float>(from);
       from += 4;
     }
     if (!point.allFinite()) context_.not_finite(mesh_.vertex_count(), at_byte(byte));
     corner = joiner_.add(point, mesh_.positions);
   }
   mesh_.add_face(corners);
-  attributes_.push_back(load_little<std::uint16_t>(from));
+  attributes_.push_back(load_little_endian<std::uint16_t>(from));
 }
 
 class TextStlReader {

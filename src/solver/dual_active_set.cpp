@@ -15,7 +15,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A row that keeps less than this part of its flexibility once the active rows are held depends on them.
 constexpr double dependence = 1e-10;
 /// The same, where an unknown's own flexibility is 1: less than this is left to rows that depend on equalities, by the
-/// regularisation of 1e-10 times the square of their coefficients.
+/// equalities' regularisation of 1e-10 times the square of their coefficients.
 constexpr double least_flexibility = 1e-7;
 /// Changes of the active set, per row: few rows come and go more than once.
 constexpr int changes_per_row = 4;

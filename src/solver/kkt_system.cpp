@@ -64,7 +64,7 @@ void KktSystem::fill_constant_part(const Matrix& hessian) {
   const Eigen::Index unknowns = problem_->objective.cols();
   constant_part_ = VectorXd::Zero(matrix_.nonZeros());
   for (Eigen::Index i = 0; i < size(); ++i)
-    constant_part_[position_of(i, i)] = i < unknowns ? regularisation : -regularisation;
+    constant_part_[position_of(i, i)] = i < unknowns ? regularisation : -equality_regularisation;
   for (Eigen::Index column = 0; column < unknowns; ++column)
     for (Matrix::InnerIterator entry(hessian, column); entry; ++entry)
       constant_part_[position_of(entry.row(), column)] += entry.value();
@@ -112,7 +112,7 @@ bool KktSystem::factorise(const VectorXd& row_weights) {
 VectorXd KktSystem::multiply(const VectorXd& vector) const {
   VectorXd product = matrix_.selfadjointView<Eigen::Lower>() * vector;
   product.head(unknowns()) -= regularisation * vector.head(unknowns());
-  product.tail(size() - unknowns()) += regularisation * vector.tail(size() - unknowns());
+  product.tail(size() - unknowns()) += equality_regularisation * vector.tail(size() - unknowns());
   return product;
 }
 

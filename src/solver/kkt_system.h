@@ -18,14 +18,19 @@ inline constexpr int most_refinements = 12;
 
 /// The matrix K(D) = [[H + G^T D G, E^T], [E, 0]] with H = U^T U, D diagonal and >= 0, whose pattern never changes.
 ///
-/// What is factorised is K plus diag(d, -d), d = `regularisation`: quasi-definite, so that L D L^T exists for every
-/// elimination order (Vanderbei 1995), also with dependent equalities or an objective without curvature. Iterative
-/// refinement against K itself takes d out of the answer.
+/// What is factorised is K plus diag(d, -e), d = `regularisation` and e = `equality_regularisation`: quasi-definite, so
+/// that L D L^T exists for every elimination order (Vanderbei 1995), also with dependent equalities or an objective
+/// without curvature. Iterative refinement against K itself takes them out of the answer.
 class KktSystem {
  public:
   /// Relative to the largest diagonal entry of H, which the scaling makes 1. Large against rounding (1e-16 times the
-  /// growth of a factor), small against the curvatures met (1e-8 for a plate of 30 000 vertices).
-  static constexpr double regularisation = 1e-10;
+  /// growth of a factor), small against the curvatures met: 1e-8 for a plate of 30 000 vertices, 1e-11 for a thin one
+  /// among wide ones, which its pulls hold that much softer than it bends. Above the curvature of a direction,
+  /// refinement would move along it by a small part of the way per round.
+  static constexpr double regularisation = 1e-13;
+
+  /// The same for equalities: large against the rounding of what is left of dependent ones.
+  static constexpr double equality_regularisation = 1e-10;
 
   /// Which D the matrix is for: without rows the factors are sparser.
   enum class Rows { None, Weighted };

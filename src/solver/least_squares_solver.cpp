@@ -179,7 +179,12 @@ void LeastSquaresSolver::State::report_stationarity(LeastSquaresSolution& soluti
   const double terms = std::max(
       {c.cwiseProduct(problem.objective.transpose() * problem.target).lpNorm<Eigen::Infinity>(),
        slope.lpNorm<Eigen::Infinity>(), equalities.lpNorm<Eigen::Infinity>(), inequalities.lpNorm<Eigen::Infinity>()});
-  if (terms > 0) solution.dual_residual = (slope - equalities - inequalities).lpNorm<Eigen::Infinity>() / terms;
+  const VectorXd stationarity = slope - equalities - inequalities;
+  if (terms > 0) solution.dual_residual = stationarity.lpNorm<Eigen::Infinity>() / terms;
+  VectorXd right_side = VectorXd::Zero(rest_system->size());
+  right_side.head(stationarity.size()) = -stationarity;
+  if (right_side.size() > 0) right_side = rest_system->solve_regularised(right_side);
+  solution.remaining_step = c.cwiseProduct(right_side.head(stationarity.size()));
 }
 
 LeastSquaresSolver::LeastSquaresSolver(LeastSquaresProblem problem, LeastSquaresOptions options)

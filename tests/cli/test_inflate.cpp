@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <set>
 #include <sstream>
 
@@ -54,6 +55,22 @@ TEST_CASE("every shipped sketch becomes a solid that check accepts") {
     ++count;
   }
   CHECK(count >= 6);
+}
+
+TEST_CASE("a sliver among wide parts makes no solid deeper than its drawing is wide") {
+  const ScratchFolder folder;
+  const std::filesystem::path sketch = std::filesystem::path(CROQUIS_SOURCE_DIR) / "tests/cli/drawings/sliver.svg";
+  const ProcessResult result =
+      run_cli({"inflate", sketch, "-o", folder / "a.obj", "--preset", "tablet", "--json", "--quiet"});
+  REQUIRE(result.code == 0);
+  const Json report = report_of(result);
+  const Json& bounds = report.at("mesh").at("bounds");
+  const auto extent = [&](std::size_t axis) {
+    return bounds.at(1).at(axis).get<double>() - bounds.at(0).at(axis).get<double>();
+  };
+  CHECK(extent(2) < std::max(extent(0), extent(1)));
+  CHECK(report.at("details").at("solver").at("iterations") <= 25);
+  CHECK(report.at("details").at("solver").at("residual") <= 1e-8);
 }
 
 TEST_CASE("attached objects are one surface, and the report tells which to attach") {

@@ -31,6 +31,22 @@ std::string broken_round_trip(const PolyMesh& mesh, MeshFormat format, bool asci
   return "";
 }
 
+/// What GLB holds comes back: faces, and positions that fit its 32-bit numbers. Polylines come back in pieces.
+std::string broken_glb(const PolyMesh& mesh) {
+  const auto exact = [](const Vec3& p) { return p == p.cast<float>().cast<double>(); };
+  if (mesh.face_count() == 0 || !std::all_of(mesh.positions.begin(), mesh.positions.end(), exact)) return "";
+  Progress progress;
+  const std::string bytes = write_mesh(mesh, MeshFormat::Glb, {}, progress).bytes;
+  try {
+    const PolyMesh back = read_mesh({bytes, MeshFormat::Glb, "fuzzed", false}, progress).mesh;
+    if (mesh.corners != back.corners) return "the written faces read back differently";
+    if (mesh.positions != back.positions) return "the written positions read back differently";
+  } catch (const Error& error) {
+    return std::string("the written mesh is refused: ") + error.what();
+  }
+  return "";
+}
+
 }  // namespace
 
 bool same_connectivity(const PolyMesh& a, const PolyMesh& b) {
@@ -72,6 +88,7 @@ std::string broken_property(std::string_view bytes, MeshFormat format) {
     return wrong_findings(error);
   }
   if (!usable(mesh)) return "the mesh is not usable";
+  if (format == MeshFormat::Glb) return broken_glb(mesh);
   // As text where there is a choice: binary STL can't hold what a text one may say.
   const std::string broken = broken_round_trip(mesh, format, true);
   return broken.empty() && format == MeshFormat::Ply ? broken_round_trip(mesh, format, false) : broken;

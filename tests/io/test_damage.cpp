@@ -23,7 +23,8 @@ struct Kind {
 };
 
 const std::vector<Kind> kinds = {{MeshFormat::Obj, true}, {MeshFormat::Ply, true},  {MeshFormat::Ply, false},
-                                 {MeshFormat::Stl, true}, {MeshFormat::Stl, false}, {MeshFormat::Off, true}};
+                                 {MeshFormat::Stl, true}, {MeshFormat::Stl, false}, {MeshFormat::Off, true},
+                                 {MeshFormat::Glb, false}};
 
 // One to four edits: bytes changed, cut out, doubled, or numbers replaced by ones that hurt.
 std::string damaged(std::string bytes, Random& random) {

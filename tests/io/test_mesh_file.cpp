@@ -56,15 +56,14 @@ TEST_CASE("a format is known by its extension in any case") {
   for (const char* other : {"", "x.svg", "dir.obj/file", "a/obj", "model.obj.bak"}) CHECK(!mesh_format_of(other));
 }
 
-TEST_CASE("the list of formats that can be read is that of those that read_mesh reads") {
+TEST_CASE("every format of the list is read and written") {
   Progress progress;
-  const auto readable = readable_mesh_formats();
   for (const MeshFormat format : mesh_formats()) {
     INFO(to_string(format));
     CHECK(mesh_format_of("x" + extension_of(format)) == format);
     const std::string bytes = write_mesh(cube(), format, {}, progress).bytes;
     const Findings refused = findings_of([&] { read_mesh(bytes, format, "cube", progress); });
-    CHECK(refused.empty() == (std::count(readable.begin(), readable.end(), format) == 1));
+    CHECK(refused.empty());
   }
 }
 

@@ -486,3 +486,57 @@ TEST_CASE("the same problem gives the same bits") {
   const LeastSquaresProblem problem = sheet_problem(20, 2, 0.3);
   CHECK(solve(problem).x == solve(problem).x);
 }
+
+TEST_CASE("a body that is held a hundred billion times more softly than it bends is placed as exactly as others") {
+  constexpr int nodes = 20;
+  constexpr double stiffness = 1e5;
+  const double pulls[] = {1, 2};
+  LeastSquaresProblem problem;
+  std::vector<Eigen::Triplet<double>> objective;
+  int row = 0;
+  for (int body = 0; body < 2; ++body) {
+    objective.emplace_back(row++, body * nodes, pulls[body]);
+    for (int i = 0; i + 1 < nodes; ++i, ++row) {
+      objective.emplace_back(row, body * nodes + i, -stiffness);
+      objective.emplace_back(row, body * nodes + i + 1, stiffness);
+    }
+  }
+  problem.objective.resize(row, 2 * nodes);
+  problem.objective.setFromTriplets(objective.begin(), objective.end());
+  std::vector<Eigen::Triplet<double>> apart;
+  for (int i = 5; i < 15; ++i) {
+    apart.emplace_back(i - 5, i, 1.0);
+    apart.emplace_back(i - 5, nodes + i, -1.0);
+  }
+  problem.inequalities.resize(10, 2 * nodes);
+  problem.inequalities.setFromTriplets(apart.begin(), apart.end());
+  problem.inequality_bounds = VectorXd::Ones(10);
+
+  const LeastSquaresSolution solution = solve(problem);
+  CHECK(solution.converged);
+  CHECK(!solution.singular_objective);
+  CHECK(solution.iterations <= 25);
+  CHECK(largest(solution.remaining_step) <= 1e-6);
+  // Rigid bodies: pushed apart by one force, each gives way as the square of its pull lets it.
+  for (int i = 0; i < nodes; ++i) {
+    CHECK(solution.x[i] == Approx(0.8).margin(1e-6));
+    CHECK(solution.x[nodes + i] == Approx(-0.2).margin(1e-6));
+  }
+}
+
+TEST_CASE("what is left to go is told, and is nothing where the optimum is known") {
+  for (std::uint32_t seed = 0; seed < 50; ++seed) {
+    RandomShape shape;
+    shape.unknowns = 3 + static_cast<int>(seed % 6);
+    shape.objective_rows = shape.unknowns + 3;
+    const LeastSquaresProblem problem = random_problem(shape, seed);
+    const LeastSquaresSolution solution = solve(problem);
+    REQUIRE(solution.remaining_step.size() == solution.x.size());
+    CHECK(largest(solution.remaining_step) <= 1e-7 * (1 + largest(solution.x)));
+    LeastSquaresOptions hurried;
+    hurried.max_iterations = 1;
+    Progress progress;
+    const LeastSquaresSolution early = solve_least_squares(problem, hurried, progress);
+    CHECK((!early.converged || largest(early.remaining_step) <= 1e-7 * (1 + largest(early.x))));
+  }
+}

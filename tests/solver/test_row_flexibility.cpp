@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/row_flexibility.h"
-
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>
 
+#include "solver/row_flexibility.h"
 #include "solver/sample_problems.h"
 
 using namespace croquis;
@@ -23,7 +22,7 @@ MatrixXd dense_flexibility(const ScaledProblem& problem) {
   matrix.bottomLeftCorner(equalities, unknowns) = held;
   matrix.topRightCorner(unknowns, equalities) = held.transpose();
   matrix.diagonal().head(unknowns).array() += KktSystem::regularisation;
-  matrix.diagonal().tail(equalities).array() -= KktSystem::regularisation;
+  matrix.diagonal().tail(equalities).array() -= KktSystem::equality_regularisation;
   MatrixXd rows = MatrixXd::Zero(problem.inequalities.rows(), matrix.cols());
   rows.leftCols(unknowns) = MatrixXd(problem.inequalities);
   return rows * matrix.partialPivLu().solve(rows.transpose());

@@ -24,9 +24,8 @@ const char* to_string(MeshFormat format);
 /// ".obj", ".ply", …
 std::string extension_of(MeshFormat format);
 
-/// All formats, and those that read_mesh reads: what dialogs offer comes from here.
+/// All formats; each is read and written. What dialogs offer comes from here.
 std::vector<MeshFormat> mesh_formats();
-std::vector<MeshFormat> readable_mesh_formats();
 
 /// The format meant by a path or a bare extension ("a/b.OBJ", ".obj" and "obj" are the same), or nothing.
 std::optional<MeshFormat> mesh_format_of(std::string_view path_or_extension);
@@ -55,8 +54,13 @@ struct MeshReadResult {
 ///   corners; name_0 name_1 … become one channel; all others keep name and type. Edge elements are polylines.
 /// - STL: equal corners are joined; "attribute" on faces where it isn't 0; the solids' names are "object".
 /// - OFF: vertex "normal", "color", "uv" and face "color".
-/// @throws Error Malformed: E_EMPTY, E_TRUNCATED, E_SYNTAX, E_COUNT, E_INDEX, E_NOT_FINITE, E_NO_FACES, E_DEGENERATE
-///         (all points equal), E_FACE_DEGENERATE (fewer than 3 corners); Limit: E_TOO_LARGE (4 GiB and more)
+/// - GLB: the meshes of all nodes, where these put them; triangles, strips, fans and lines. Equal positions are joined;
+///   "normal", "color" and "uv" are on vertices where all that were joined agree, else on corners. Nodes' names are
+///   "object", materials' "material". Textures, skins, animations and morph targets are told (W_IGNORED).
+/// @throws Error Malformed: E_EMPTY, E_FORMAT, E_TRUNCATED, E_SYNTAX, E_COUNT, E_INDEX, E_NOT_FINITE, E_NO_FACES,
+/// E_DEGENERATE
+///         (all points equal), E_FACE_DEGENERATE (fewer than 3 corners); Limit: E_TOO_LARGE (4 GiB and more, or a GLB
+///         whose nodes repeat its meshes beyond measure)
 /// @throws Cancelled
 MeshReadResult read_mesh(const MeshSource& source, Progress& progress);
 

@@ -43,6 +43,10 @@ struct DepthOptions {
   double weight_distance = 0.1;     ///< 1e-3..1
   double minimum_gap = 0.1;         ///< L, 0.01..1: least distance between sheets in front of one another
   double node_spacing = 0.3;        ///< local radii, 0.1..1: spacing of skeleton nodes along a branch
+  double accuracy = 1e-4;           ///< L: objects whose heights may be farther from the best ones are refused
+  /// Objects that are deeper, all together, than so many times the widths of what lies over what are refused: a part
+  /// that is tilted between two others reaches beyond them.
+  double depth_allowance = 2;
 };
 
 enum class Quality {

@@ -60,6 +60,9 @@ struct Solid {
 
 /// Sections 8 to 13 for every part of a labelled drawing.
 ///
+/// Objects whose heights can't be trusted are refused by name (E_NOT_SOLVED): the solve gave up or may be farther off
+/// than DepthOptions::accuracy, or they are deeper than the drawing explains.
+///
 /// Attached objects that overlap are joined to one surface. Where that fails the whole group is made anew with gaps
 /// (W_ATTACH); a pair that doesn't overlap stays as it is (W_ATTACH_APART).
 /// @throws Error when no part becomes a solid; E_ATTACH for every pair that names an unknown object, or one twice, or

@@ -56,6 +56,10 @@ struct LeastSquaresSolution {
   double dual_residual = 0;    ///< largest entry of the stationarity residual, relative to the sum of its terms' sizes
   bool converged = true;       ///< false: max_iterations was reached, x is the last point
 
+  /// #N: how far x would still move, were what is left of the stationarity's residual taken out of it while all rows
+  /// let go. Says what the residuals can't: where the objective holds a direction softly, a tiny one is a long way.
+  Eigen::VectorXd remaining_step;
+
   /// The objective doesn't determine x: some direction that the equalities allow costs nothing. The answer is then the
   /// one near the smallest x, and small inputs' changes may move it far.
   bool singular_objective = false;

@@ -2,10 +2,13 @@
 #include "algorithms/silhouette/figure_solid.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "algorithms/silhouette/depth_guard.h"
 #include "algorithms/silhouette/mesh_append.h"
 #include "algorithms/silhouette/skeleton/chordal_axis.h"
 #include "algorithms/silhouette/skeleton/depth_findings.h"
@@ -72,7 +75,9 @@ class Attempt {
   /// Makes the shells and checks them.
   /// @return groups of attached objects that have no sound surface; then nothing else counts
   std::vector<std::vector<Index>> make_shells(Progress& progress) {
-    const std::vector<ObjectSurface> surfaces = object_surfaces(figure_, sheets_);
+    std::vector<ObjectSurface> surfaces = object_surfaces(figure_, sheets_);
+    // What grows together may be held by too little: apart, each part is pulled to the sketch plane by itself.
+    if (!refuse_unsolved(surfaces) && !settings_.attachments.empty()) return settings_.attachments.groups();
     if (quality_ == Quality::Draft) {
       for (const ObjectSurface& surface : surfaces) add_single(surface, {});
       return {};
@@ -83,8 +88,8 @@ class Attempt {
       if (!join(group, surfaces, faults, progress)) failed.push_back(group);
     }
     if (!failed.empty()) return failed;
-    for (const ObjectSurface& surface : surfaces) {
-      if (!settings_.attachments.involves(surface.object)) add_single(surface, faults[surface.object]);
+    for (std::size_t s = 0; s < surfaces.size(); ++s) {
+      if (!settings_.attachments.involves(surfaces[s].object)) add_single(surfaces[s], faults[s]);
     }
     std::sort(shells_.begin(), shells_.end(),
               [](const FigureShell& a, const FigureShell& b) { return a.objects.front() < b.objects.front(); });
@@ -113,6 +118,44 @@ class Attempt {
     return cached<SheetBasis>(
         cache_, "silhouette sheets", content, [&] { return make_sheet_basis(figure_, skeleton_, quality_, progress); },
         [](const SheetBasis& basis) { return bytes_of(basis); });
+  }
+
+  /// Takes out the surfaces whose depths can't be trusted; true when all can.
+  bool refuse_unsolved(std::vector<ObjectSurface>& surfaces) {
+    const bool solved = std::max(depth_.uncertainty, sheets_.uncertainty) <= settings_.options.accuracy;
+    std::vector<DepthRange> ranges;
+    for (const ObjectSurface& surface : surfaces) ranges.push_back(depth_range(surface));
+    const double gap = settings_.options.minimum_gap * skeleton_.scale;
+    const double most = settings_.options.depth_allowance * explained_depth(figure_, skeleton_, gap);
+    const std::vector<Index> deep = objects_too_deep(std::move(ranges), solved ? most : -1);
+    for (const Index object : deep) refuse_depth(object, solved);
+    std::erase_if(surfaces, [&](const ObjectSurface& surface) {
+      return std::binary_search(deep.begin(), deep.end(), surface.object);
+    });
+    return deep.empty();
+  }
+
+  static DepthRange depth_range(const ObjectSurface& surface) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    DepthRange range{surface.object, infinity, -infinity};
+    for (const Vec3& position : surface.mesh.positions) {
+      if (!std::isfinite(position.z())) return {surface.object, -infinity, infinity};
+      range.low = std::min(range.low, position.z());
+      range.high = std::max(range.high, position.z());
+    }
+    return range;
+  }
+
+  void refuse_depth(Index object, bool solved) {
+    const std::string& name = figure_.objects[object].name;
+    const std::string sentence =
+        solved ? "The depth found for \"" + name +
+                     "\" is more than the widths of what lies over what explain: raise the weight of distance, or draw "
+                     "fewer parts over one another"
+               : "The depth of \"" + name +
+                     "\" could not be worked out exactly enough: draw its thin parts wider, or its lines further apart";
+    refusals_.push_back(
+        make_error(Category::Geometry, "E_NOT_SOLVED", sentence, object_subjects(figure_.objects[object], drawing_)));
   }
 
   /// Per object what is wrong with its surface. Attached objects are checked together once they are joined.

@@ -73,7 +73,7 @@ void ContentWriter::add(const CompletionOptions& options) {
 
 void ContentWriter::add(const DepthOptions& options) {
   for (const double value : {options.weight_curvature, options.weight_orientation, options.weight_distance,
-                             options.minimum_gap, options.node_spacing}) {
+                             options.minimum_gap, options.node_spacing, options.accuracy, options.depth_allowance}) {
     add(value);
   }
 }

@@ -60,7 +60,7 @@ void CheckCommand::run(const Invocation& invocation, CommandResult& result, Prog
 CommandDescription ConvertCommand::describe() const {
   CommandDescription description;
   description.name = "convert";
-  description.sentence = "Converts a mesh between OBJ, PLY, STL, OFF and (out only) GLB.";
+  description.sentence = "Converts a mesh between OBJ, PLY, STL, OFF and GLB.";
   description.output = OutputNeed::Required;
   description.parameters = {{"precision",
                              ParameterType::Integer,

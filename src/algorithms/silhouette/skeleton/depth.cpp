@@ -2,6 +2,7 @@
 #include "algorithms/silhouette/skeleton/depth.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "algorithms/silhouette/skeleton/chord_split.h"
@@ -16,6 +17,11 @@ constexpr double noticeable = 0.01;
 
 /// A row left out of a lazy solve holds if it falls short by no more than this part of L: the solver's own accuracy.
 constexpr double holds = 1e-7;
+
+double uncertainty_of(const LeastSquaresSolution& solution) {
+  const bool found = solution.converged && !solution.singular_objective;
+  return found ? solution.remaining_step.lpNorm<Eigen::Infinity>() : std::numeric_limits<double>::infinity();
+}
 
 /// One part with the rows that its solver has been given so far.
 class PartSolver {
@@ -48,7 +54,7 @@ class PartSolver {
     result.rounds = std::max(result.rounds, rounds);
     result.rows_used += static_cast<std::size_t>(std::count(active_.begin(), active_.end(), true));
     result.residual = std::max({result.residual, solution.primal_residual, solution.dual_residual});
-    result.converged = result.converged && solution.converged;
+    result.uncertainty = std::max(result.uncertainty, uncertainty_of(solution));
     return solution;
   }
 

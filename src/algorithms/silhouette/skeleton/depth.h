@@ -41,7 +41,7 @@ struct DepthResult {
   int iterations = 0;         ///< the most that one solve took
   int factorisations = 0;     ///< of all solves
   double residual = 0;        ///< largest primal or dual one, relative
-  bool converged = true;
+  double uncertainty = 0;     ///< L: how far a height may still be from the optimum's; infinity where a solve gave up
   std::size_t split_chords = 0;  ///< chords that spoke for places of opposite order and were split
   std::vector<DepthCollision> collisions;
 };

@@ -127,6 +127,7 @@ InflatedSheets raise_sheets(const Skeleton& skeleton, const SheetBasis& basis, c
   if (!settings.attachments.empty()) clear_coincidences(coincidence * basis.unit, sheets);
   sheets.iterations = std::max(first.iterations, second.iterations);
   sheets.residual = std::max(first.residual, second.residual);
+  sheets.uncertainty = std::max(first.uncertainty, second.uncertainty);
   return sheets;
 }
 

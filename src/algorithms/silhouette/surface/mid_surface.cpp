@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "croquis/solver/least_squares_solver.h"
@@ -156,7 +157,10 @@ void MidSurface::move_nodes(const Eigen::VectorXd& node_z) {
 MidSurfaceResult MidSurface::solve(const Eigen::VectorXd& thickness, Progress& progress) {
   state_->solver.set_inequality_bounds(state_->bounds(thickness));
   const LeastSquaresSolution solution = state_->solver.solve(progress);
-  return {solution.x, solution.iterations, std::max(solution.primal_residual, solution.dual_residual)};
+  const bool found = solution.converged && !solution.singular_objective;
+  const double uncertainty = found ? solution.remaining_step.lpNorm<Eigen::Infinity>() / state_->data.scale
+                                   : std::numeric_limits<double>::infinity();
+  return {solution.x, solution.iterations, std::max(solution.primal_residual, solution.dual_residual), uncertainty};
 }
 
 }  // namespace croquis::silhouette
