@@ -109,6 +109,7 @@ TEST_CASE("new and recovered work never takes the place of unsaved work without 
   hand.draw(linked_rings_sketch());
   hand.crash_and_restart();
   hand.window().start_sketch();
+  hand.settle();
   draw_ring(hand);
   const ContentHash drawn = hash_of(hand);
   int asked = 0;
@@ -133,7 +134,9 @@ TEST_CASE("work of several crashes is listed with local times and discarded at o
   StudioFixture hand;
   for (int crash = 0; crash < 3; ++crash) {
     if (crash > 0) hand.window().start_sketch();
+    hand.settle();
     draw_ring(hand);
+    REQUIRE(hand.studio().session().modified());
     hand.crash_and_restart();
   }
   auto* page = hand.window().findChild<app::StartPage*>("start-page");
