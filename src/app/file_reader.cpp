@@ -89,7 +89,7 @@ void FileReader::read(const QString& path) {
       file.reset();
     } catch (const std::bad_alloc&) {
       findings = {make_error(Category::Limit, "E_MEMORY",
-                             "\"" + path.toStdString() + "\" doesn't fit into this machine's memory")};
+                             tr("\"%1\" doesn't fit into this machine's memory").arg(path).toStdString())};
     }
     QMetaObject::invokeMethod(
         this, [this, path, file, findings] { take(path, file, findings); }, Qt::QueuedConnection);

@@ -30,7 +30,7 @@ std::int64_t peak_memory_bytes() {
 
 Finding internal_finding(const std::string& reason) {
   return make_error(Category::Internal, "E_INTERNAL",
-                    "Croquis made a mistake of its own (" + reason + "); please report it with the input.");
+                    "Internal error (" + reason + "); please report it with the input.");
 }
 
 Finding memory_finding() {

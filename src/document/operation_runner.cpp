@@ -24,7 +24,7 @@ OperationOutcome failure(Findings findings) {
 
 Finding internal(const std::string& reason) {
   return make_error(Category::Internal, "E_INTERNAL",
-                    "Croquis made a mistake of its own (" + reason + "); please report it with the input.");
+                    "Internal error (" + reason + "); please report it with the input.");
 }
 
 }  // namespace

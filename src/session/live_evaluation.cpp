@@ -37,7 +37,7 @@ std::shared_ptr<const Evaluation> internal_failure(const char* reason) {
   evaluation.failed = true;
   evaluation.findings.push_back(
       make_error(Category::Internal, "E_INTERNAL",
-                 "Croquis made a mistake of its own (" + std::string(reason) + "); please report it with the input."));
+                 "Internal error (" + std::string(reason) + "); please report it with the input."));
   return std::make_shared<const Evaluation>(std::move(evaluation));
 }
 
