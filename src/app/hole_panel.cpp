@@ -317,12 +317,12 @@ void HolePanel::follow_sizes() {
   const std::size_t count = limit > 0 ? holes_.open_up_to(limit).size() : 0;
   fill_sizes_->setEnabled(count > 0);
   fill_sizes_->setText(limit > 0 ? fill_text(count, limit) : tr("Fill up to size"));
-  fill_sizes_->setToolTip(
-      diameters.empty() ? tr("There is no hole inside a border")
-      : limit <= 0      ? tr("Drag the slider first: it sets the largest diameter")
-      : count == 0
-          ? tr("No hole that small is open")
-          : tr("Fills the open inner holes with a diameter of at most %1; filled holes stay filled").arg(measure(limit)));
+  fill_sizes_->setToolTip(diameters.empty() ? tr("There is no hole inside a border")
+                          : limit <= 0      ? tr("Drag the slider first: it sets the largest diameter")
+                          : count == 0
+                              ? tr("No hole that small is open")
+                              : tr("Fills the open inner holes with a diameter of at most %1; filled holes stay filled")
+                                    .arg(measure(limit)));
 }
 
 void HolePanel::follow_way() {

@@ -304,7 +304,8 @@ void MainWindow::enter_views() {
   thumbnails_->stop();
   pages_->setCurrentWidget(viewport_);
   for (QActionGroup* group : findChildren<QActionGroup*>()) group->setEnabled(true);
-  for (QToolBar* bar : findChildren<QToolBar*>()) bar->show();
+  findChild<QToolBar*>("tools")->show();
+  update_mesh_actions();  // shows the other bar where it belongs: later it would push the views aside under the pen
   panels_->show_all(true);
   viewport_->setFocus();
   update_panels();

@@ -43,7 +43,8 @@ QString estimate_sentence(const Studio& studio, const Node& node, const PolyMesh
   options.overlap = number(studio, node, "overlap", options.overlap);
   const double finer = 1 / (options.cell * options.cell);
   const double time = seconds_per_face * static_cast<double>(scan.face_count()) * std::max(finer, 0.3);
-  return QCoreApplication::translate("Holes", "About %1, and %2 of memory at most; every vertex of the model will be another one.")
+  return QCoreApplication::translate(
+             "Holes", "About %1, and %2 of memory at most; every vertex of the model will be another one.")
       .arg(seconds(time), bytes(hole_filling::predicted_remesh_bytes(scan, options)));
 }
 

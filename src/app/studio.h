@@ -129,7 +129,7 @@ class Studio : public QObject {
   std::map<std::string, OperationDescription> descriptions_;
   bool dragging_parameter_ = false;
   bool held_ = false;
-  bool results_wait_ = false;  ///< for the end of holding
+  bool results_wait_ = false;                         ///< for the end of holding
   std::map<NodeId, std::unique_ptr<LiveNode>> live_;  ///< last: their jobs use all of the above
 };
 

@@ -103,7 +103,8 @@ void add_subcommand(CLI::App& app, Slot& slot) {
         ->type_name("FILE")
         ->required(description.output == OutputNeed::Required);
     slot.app
-        ->add_option("--output-format", slot.invocation.output_format, "Format of the output, if its name doesn't show it")
+        ->add_option("--output-format", slot.invocation.output_format,
+                     "Format of the output, if its name doesn't show it")
         ->type_name("FORMAT");
   }
   add_parameters(slot);

@@ -127,9 +127,9 @@ MeshPart part_of(const PolyMesh& mesh, const std::vector<bool>& keep_vertex, con
   const KeptElements corners = corners_of(mesh, part.faces);
   for (const AttributeChannel& channel : mesh.channels) {
     const KeptElements& kept = channel.domain == Domain::Vertex ? part.vertices
-                       : channel.domain == Domain::Face ? part.faces
-                       : channel.domain == Domain::Line ? lines
-                                                        : corners;
+                               : channel.domain == Domain::Face ? part.faces
+                               : channel.domain == Domain::Line ? lines
+                                                                : corners;
     part.mesh.channels.push_back(selected(channel, kept));
   }
   part.mesh.tags = TagSelection(number).apply(mesh.tags);

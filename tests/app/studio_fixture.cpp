@@ -28,10 +28,12 @@ StudioFixture::StudioFixture()
   (void)QTest::qWaitForWindowExposed(window_.get());
   window_->start_sketch();
   wait_for([this] { return viewport().frames() > 0; });
+  settle();  // panels get their sizes: views are where they stay
 }
 
 void StudioFixture::crash_and_restart() {
   window_->files().autosave_now();
+  window_.reset();  // its work is nobody's before the next one looks for it
   window_ = std::make_unique<app::MainWindow>(folder_.path() + "/state");
   window_->show();
   (void)QTest::qWaitForWindowExposed(window_.get());

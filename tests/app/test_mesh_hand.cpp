@@ -69,6 +69,7 @@ std::vector<Look> looks(StudioFixture& hand) {
 
 TEST_CASE("the nearest corner of a cube follows its arrows, in every view", "[mesh-hand]") {
   StudioFixture hand;
+  hand.window().resize(1500, 950);  // room for an arrow beside the cube
   open_mesh(hand, centred_cube(), "cube");
   hand.act("layout");
   hand.settle();
@@ -79,6 +80,7 @@ TEST_CASE("the nearest corner of a cube follows its arrows, in every view", "[me
     int pulled = 0;
     for (int axis = 0; axis < 3; ++axis) {
       for (const double pixels : {72.0, -40.0}) {
+        hand.act("edge-mode");  // or two clicks would be one double click
         hand.act("vertex-mode");
         hand.act("select");
         hand.click_model(corner, view);

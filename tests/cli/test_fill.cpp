@@ -35,9 +35,8 @@ TEST_CASE("the JSON report has exactly the keys that scripts rely on") {
                                  "stages", "version", "warnings"});
   CHECK(report["command"] == "fill");
   const Json& details = report["details"];
-  CHECK(keys_of(details) ==
-        Words{"checks", "closed_rims", "domains", "holes", "new_faces", "new_vertices", "points_per_domain",
-              "removed_faces", "summary", "untouched_vertices"});
+  CHECK(keys_of(details) == Words{"checks", "closed_rims", "domains", "holes", "new_faces", "new_vertices",
+                                  "points_per_domain", "removed_faces", "summary", "untouched_vertices"});
   CHECK(details["checks"] == Json{{"outside_unchanged", true}});
   CHECK(details["closed_rims"] == 1);
   REQUIRE(details["holes"].size() == 2);

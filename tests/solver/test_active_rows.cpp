@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/active_rows.h"
-
 #include <algorithm>
 #include <utility>
 
 #include <catch2/catch.hpp>
 
+#include "solver/active_rows.h"
 #include "solver/elastic_optimum.h"
 #include "solver/sample_problems.h"
 

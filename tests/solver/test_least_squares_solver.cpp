@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "croquis/solver/least_squares_solver.h"
-
 #include <limits>
 
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
+#include "croquis/solver/least_squares_solver.h"
 #include "solver/sample_problems.h"
 
 using namespace croquis;

@@ -80,10 +80,10 @@ std::size_t least_remesh_bytes(const PolyMesh& mesh, const RemeshOptions& option
 ///
 /// Pieces that the mesh doesn't join, and no hole that is filled does, get functions of their own: they never grow
 /// together, however near (under Preset::Paper one function has them all). Only where the surfaces made cross each
-/// other, these pieces are polygonised again as one solid: the union of what they enclose, less their cavities. Openings that the field leaves are told
-/// apart from rims left open, and closed with larger boxes, then by patches; what stays open all the same is a hole
-/// with FillAction::Failed. Vertices have the channels of the nearest place of the mesh; channels of faces and corners
-/// end here.
+/// other, these pieces are polygonised again as one solid: the union of what they enclose, less their cavities.
+/// Openings that the field leaves are told apart from rims left open, and closed with larger boxes, then by patches;
+/// what stays open all the same is a hole with FillAction::Failed. Vertices have the channels of the nearest place of
+/// the mesh; channels of faces and corners end here.
 ///
 /// Near-linear in vertices and in triangles of the result. The same for any number of threads.
 /// @throws Error as fill_holes; E_PARAMETER for options out of range; E_MEMORY (Category::Limit) before anything large

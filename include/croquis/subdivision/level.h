@@ -44,9 +44,9 @@ struct VertexOrigin {
 /// The mesh of one level without its positions, and the tags that are left. Tags are sparse lists.
 struct Level {
   HalfEdges topology;
-  std::vector<SharpEdge> sharp;  ///< ascending by edge; never a boundary edge
-  std::vector<Index> boundary;   ///< half-edges without twin, ascending
-  std::vector<Index> pins;       ///< vertices that stay as long as sharp edges meet there; ascending
+  std::vector<SharpEdge> sharp;    ///< ascending by edge; never a boundary edge
+  std::vector<Index> boundary;     ///< half-edges without twin, ascending
+  std::vector<Index> pins;         ///< vertices that stay as long as sharp edges meet there; ascending
   std::vector<Index> settled;      ///< vertices kept by the refinement that made this level; ascending
   std::vector<Index> valence_two;  ///< vertices inside with only two faces; ascending
 };

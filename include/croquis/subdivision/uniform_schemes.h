@@ -28,12 +28,12 @@ struct UniformRules {
 
 /// Catmull-Clark or Loop refinement of a cage with the tags of Doo-Sabin, computed by OpenSubdiv in doubles.
 ///
-/// Sharp edges follow DeRose, Kass, Truong 1998: sharpness counts down by one per level, chains tend to cubic B-splines,
-/// pins are vertices of infinite sharpness, boundaries are sharp. As in DooSabinPlan, everything that depends on
-/// connectivity, tags and rules alone is here; positions follow as often as points are dragged. Loop first cuts faces of
-/// more than three corners along diagonals without tags, chosen by connectivity alone so that dragging can't flip them
-/// (W_TRIANGULATED); a face of which every diagonal joins vertices already joined gets a vertex at its centre.
-/// Immutable and cheap to copy; threads may share it.
+/// Sharp edges follow DeRose, Kass, Truong 1998: sharpness counts down by one per level, chains tend to cubic
+/// B-splines, pins are vertices of infinite sharpness, boundaries are sharp. As in DooSabinPlan, everything that
+/// depends on connectivity, tags and rules alone is here; positions follow as often as points are dragged. Loop first
+/// cuts faces of more than three corners along diagonals without tags, chosen by connectivity alone so that dragging
+/// can't flip them (W_TRIANGULATED); a face of which every diagonal joins vertices already joined gets a vertex at its
+/// centre. Immutable and cheap to copy; threads may share it.
 class UniformPlan {
  public:
   /// Time and memory linear in the last level's faces.

@@ -37,10 +37,10 @@ Findings DamageLog::warnings() const {
   for (const Loss& loss : losses_) {
     std::vector<Subject> subjects = loss.subjects;
     subjects.push_back(file_subject(file_));
-    findings.push_back(
-        make_warning(Category::Malformed, "W_PROJECT_DAMAGED",
-                     "The project '" + file_ + "' is damaged: " + loss.text + "; a backup in the same folder may be complete.",
-                     std::move(subjects)));
+    findings.push_back(make_warning(
+        Category::Malformed, "W_PROJECT_DAMAGED",
+        "The project '" + file_ + "' is damaged: " + loss.text + "; a backup in the same folder may be complete.",
+        std::move(subjects)));
   }
   return findings;
 }

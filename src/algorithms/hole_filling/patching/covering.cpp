@@ -10,8 +10,9 @@ namespace croquis::hole_filling {
 namespace {
 
 constexpr double covering_reach = 2;  // × cell
-constexpr double uncovered_beyond = 0.45;       // × cell: a strip of good triangles fits between the rim and what is uncovered
-constexpr double opposite = -0.5;     // cosine between the two skins of a wall
+constexpr double uncovered_beyond =
+    0.45;                          // × cell: a strip of good triangles fits between the rim and what is uncovered
+constexpr double opposite = -0.5;  // cosine between the two skins of a wall
 
 std::vector<Index> triangles_in(const HoleSite& site, const implicit::Box& box) {
   const SurfaceView& view = site.analysis->view;

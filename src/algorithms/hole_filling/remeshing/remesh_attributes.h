@@ -42,9 +42,8 @@ class NearestSurface {
 
 /// Which new vertices lie in holes that were filled, and how much is known of them.
 struct HoleMarks {
-  std::vector<Index> hole;  ///< per new vertex; no_index on what was given
-  std::vector<float>
-      confidence;  ///< per new vertex: 1 on what was given, else its backing
+  std::vector<Index> hole;        ///< per new vertex; no_index on what was given
+  std::vector<float> confidence;  ///< per new vertex: 1 on what was given, else its backing
 };
 
 /// Vertices of the result that one piece has values for.
