@@ -12,7 +12,7 @@ namespace colors {
 inline const QColor paper(250, 249, 246);
 inline const QColor ink(38, 40, 46);
 inline const QColor accent(242, 140, 40);         ///< selection and whatever the pen is about to do
-inline const QColor selected_face(140, 28, 0);    ///< in the surface's own light: dark beside clay; its rim is bright
+inline const QColor selected_face(96, 14, 0);     ///< in the surface's own light: dark beside clay; its rim is bright
 inline const QColor selected_casing(30, 20, 12);  ///< around selected edges, so that they differ from any surface
 inline const QColor hover(96, 156, 230);
 inline const QColor cage(52, 74, 110);
