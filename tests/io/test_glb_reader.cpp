@@ -55,11 +55,11 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 std::string square_binary() {
   std::string binary;
   const std::array<std::array<float, 2>, 4> places = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-  for (int v = 0; v < 4; ++v) {
+  for (std::size_t v = 0; v < 4; ++v) {
     put_floats(binary, {places[v][0], places[v][1], 0});
     binary += {static_cast<char>(10 * v), 0, '\x7f', '\xff'};
   }
-  for (const std::uint16_t i : {0, 1, 2, 0, 2, 3}) put(binary, i);
+  for (const int i : {0, 1, 2, 0, 2, 3}) put(binary, static_cast<std::uint16_t>(i));
   return binary;
 }
 

@@ -90,7 +90,7 @@ TEST_CASE("the backups of a project are listed, the newest first, and a damaged 
   for (const char* name : {"a.croq", "link.croq"}) {
     const auto backups = project_backups(folder / name);
     REQUIRE(backups.size() == 3);
-    for (int number = 1; number <= 3; ++number) {
+    for (std::size_t number = 1; number <= 3; ++number) {
       CHECK(backups[number - 1].filename() == "a.croq~" + std::to_string(number));
     }
   }

@@ -120,18 +120,18 @@ double least_angle(const PolyMesh& mesh) {
 
 /// The patch's faces across its rims: directed edges between vertices of the view with their faces' normals, sorted.
 std::vector<std::pair<Edge, Vec3>> normals_at_rims(const PolyMesh& mesh, const LocalPatch& local) {
-  std::vector<std::pair<Edge, Vec3>> edges;
+  std::vector<std::pair<Edge, Vec3>> normals;
   for (std::size_t f = 0; f < local.mesh.face_count(); ++f) {
     const auto t = local.mesh.face(f);
     const auto at = [&](std::size_t i) -> const Vec3& { return local.mesh.positions[t[i]]; };
     for (std::size_t i = 0; i < 3; ++i) {
       const Edge edge = {local.vertices[t[i]], local.vertices[t[(i + 1) % 3]]};
       if (std::max(edge[0], edge[1]) >= mesh.vertex_count()) continue;
-      edges.emplace_back(edge, (at(1) - at(0)).cross(at(2) - at(0)));
+      normals.emplace_back(edge, (at(1) - at(0)).cross(at(2) - at(0)));
     }
   }
-  std::sort(edges.begin(), edges.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  return edges;
+  std::sort(normals.begin(), normals.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  return normals;
 }
 
 }  // namespace
