@@ -14,7 +14,7 @@
 #include "croquis/document/registry.h"
 #include "croquis/geometry/mesh_report.h"
 
-/// What every subcommand of croquis-cli is made of; the parser, the help and the runner know nothing else of them.
+/// What every subcommand of croquis-cli is made of; the parser, the help and the runner use nothing else of them.
 namespace croquis::cli {
 
 enum class OutputNeed {
@@ -50,9 +50,9 @@ struct Invocation {
   double timeout = 0;             ///< seconds, 0 for none
 };
 
-/// What a command has to say; filled as far as it came, also when it throws.
+/// The output of a command; filled as far as it came, also when it throws.
 struct CommandResult {
-  std::string text;  ///< for people, ends without a newline; which files were written is told besides
+  std::string text;  ///< for people, ends without a newline; the files that were written are listed besides
   std::optional<MeshReport> mesh;
   std::optional<Report> details;
   Findings warnings;

@@ -111,7 +111,7 @@ void add_subcommand(CLI::App& app, Slot& slot) {
   add_common_options(slot);
 }
 
-/// Turns what was typed into values, with all that can't be.
+/// Converts what was typed into values, with findings for what can't be.
 void read_parameters(Slot& slot) {
   Findings findings;
   ParameterValues& values = slot.invocation.parameters;
@@ -144,7 +144,7 @@ std::string help_text(CLI::App& app) {
   return app.help();
 }
 
-/// CLI11 would only say that a subcommand is missing.
+/// CLI11 would only report that a subcommand is missing.
 void check_subcommand(const std::vector<std::string>& arguments, const std::vector<std::unique_ptr<Slot>>& slots) {
   if (arguments.empty() || arguments.front().starts_with("-")) return;
   const bool known = std::any_of(slots.begin(), slots.end(),
@@ -168,7 +168,7 @@ void check_equal_signs(const std::vector<std::string>& arguments) {
   }
 }
 
-/// A word that is there and empty, as unset variables of scripts leave it, is never meant.
+/// An empty argument, as unset variables of scripts leave it, is a mistake.
 void check_values(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
     const std::vector<std::string>& values = option->results();

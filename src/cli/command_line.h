@@ -9,9 +9,9 @@
 
 namespace croquis::cli {
 
-/// What the arguments ask for.
+/// The parsed arguments.
 struct ParsedLine {
-  const Command* command = nullptr;  ///< null when `text` is the whole answer
+  const Command* command = nullptr;  ///< null when `text` is the whole output
   Invocation invocation;
   std::string text;  ///< help or version
 };

@@ -17,11 +17,11 @@ std::string read_input(const Invocation& invocation);
 
 /// Reads the input as a mesh; the reader's warnings go to the result.
 /// @param require_faces false also accepts files of lines and points
-/// @throws Error (E_FORMAT when neither name nor --input-format tells a mesh format; the reader's codes)
+/// @throws Error (E_FORMAT when neither name nor --input-format names a mesh format; the reader's codes)
 PolyMesh read_input_mesh(const Invocation& invocation, bool require_faces, CommandResult& result, Progress& progress);
 
 /// Reads the input as a mesh with faces of which vertices that are not finite are dropped, with what uses them; a
-/// warning tells how many.
+/// warning gives their number.
 /// @throws Error like read_input_mesh
 PolyMesh read_finite_mesh(const Invocation& invocation, CommandResult& result, Progress& progress);
 

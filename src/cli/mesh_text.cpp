@@ -6,12 +6,6 @@
 namespace croquis::cli {
 namespace {
 
-std::string number_text(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.6g", value);
-  return buffer;
-}
-
 std::string point_text(const Vec3& point) {
   return number_text(point.x()) + " " + number_text(point.y()) + " " + number_text(point.z());
 }
@@ -31,6 +25,12 @@ std::string topology_text(const MeshReport& report) {
 }
 
 }  // namespace
+
+std::string number_text(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.6g", value);
+  return buffer;
+}
 
 std::string grouped(std::size_t number) {
   std::string digits = std::to_string(number);

@@ -10,6 +10,9 @@ namespace croquis::cli {
 /// A mesh report as a few lines for people.
 std::string mesh_text(const MeshReport& report);
 
+/// "12.5": a coordinate with as many digits as help to find the place.
+std::string number_text(double value);
+
 /// "12,345": counts in messages.
 std::string grouped(std::size_t number);
 

@@ -17,7 +17,7 @@ struct NamedMesh {
 };
 
 struct MeshUnion {
-  PolyMesh mesh;      ///< the parts one after the other; "object" on faces and lines tells them apart; tags go along
+  PolyMesh mesh;      ///< the parts one after the other; "object" on faces and lines distinguishes them; tags are kept
   Findings warnings;  ///< at most one W_CHANNELS: attributes that not all parts have, left out
 };
 

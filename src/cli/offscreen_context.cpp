@@ -58,7 +58,7 @@ struct OffscreenContext::Handles {
   EGLDisplay display = EGL_NO_DISPLAY;
   EGLContext context = EGL_NO_CONTEXT;
 
-  // The display is shared by everyone in the process who asks for it, so it stays initialised.
+  // The display is shared by all its users in the process, so it stays initialised.
   ~Handles() {
     if (context == EGL_NO_CONTEXT) return;
     eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);

@@ -10,7 +10,7 @@
 namespace croquis::cli {
 namespace {
 
-/// One word per row, the key first.
+/// One text per row, the key first.
 using Column = std::vector<std::string>;
 
 constexpr const char* unknown = "-";

@@ -6,12 +6,15 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <sys/resource.h>
 
 #include "cli/command_line.h"
+#include "cli/mesh_text.h"
 #include "cli/progress_display.h"
 #include "cli/report_json.h"
 #include "cli/run_limits.h"
@@ -50,10 +53,26 @@ void print(std::FILE* stream, const std::string& text) {
   std::fputc('\n', stream);
 }
 
+/// " at (12, 30), (14, 31)": a terminal has no mark that shows where a finding is.
+std::string places_text(const Finding& finding) {
+  constexpr std::size_t most_places = 4;
+  std::vector<std::string> places;
+  for (const Subject& subject : finding.subjects) {
+    std::string place;
+    for (const double coordinate : subject.at) place += (place.empty() ? "" : ", ") + number_text(coordinate);
+    if (place.empty() || places.size() == most_places) continue;
+    if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(std::move(place));
+  }
+  std::string text;
+  for (const std::string& place : places) text += (text.empty() ? " at (" : ", (") + place + ")";
+  return text;
+}
+
 void print_findings(const Findings& findings) {
   for (const Finding& finding : findings) {
     const char* word = finding.severity == Severity::Error ? "error" : "warning";
-    std::fprintf(stderr, "%s: %s [%s]\n", word, finding.message.c_str(), finding.code.c_str());
+    std::fprintf(stderr, "%s: %s [%s%s]\n", word, finding.message.c_str(), finding.code.c_str(),
+                 places_text(finding).c_str());
   }
 }
 
@@ -124,7 +143,7 @@ Outcome execute(const Command& command, const Invocation& invocation, ProgressDi
   return outcome;
 }
 
-/// For people: the files, once they are written, and what the command has to say.
+/// For people: the files, once they are written, and the command's text.
 std::string text_of(const Outcome& outcome) {
   std::string text;
   for (const auto& [path, bytes] : outcome.result.files) {

@@ -10,7 +10,7 @@
 
 namespace croquis::cli {
 
-/// Everything that keeps a mesh from being a solid, not only the first thing; empty for a solid.
+/// Everything that keeps a mesh from being a solid, not only the first fault; empty for a solid.
 /// @param report with self-intersections counted
 /// @param file   how the sentences call the mesh
 Findings solid_faults(const MeshReport& report, const std::string& file);

@@ -33,7 +33,7 @@ namespace {
 /// One node of the evaluation under way.
 struct Slot {
   NodeState state;
-  ContentHash key;        ///< of what is used here: of the final result when that is at hand
+  ContentHash key;        ///< of what is used here: of the final result when that is available
   ContentHash final_key;  ///< of the final result
   bool needed = false;
 };
@@ -44,7 +44,7 @@ class Pull {
   Pull(const Registry& registry, Memo& memo, ValueHashes& hashes, Quality quality)
       : registry_(registry), memo_(memo), hashes_(hashes), quality_(quality) {}
 
-  /// Finds out what is known of a node. Its inputs were added before it, but for those in a circle with it.
+  /// Finds out what is known of a node. Its inputs were added before it, but for those in a cycle with it.
   void add(const OrderedNode& ordered);
 
   /// Computes what the target needs.
@@ -116,7 +116,7 @@ ParameterValues effective_parameters(const NodeState& state) {
   try {
     return complete(state.description.parameters, state.node->parameters);
   } catch (const Error&) {
-    return state.node->parameters;  // told when the node is computed
+    return state.node->parameters;  // reported when the node is computed
   }
 }
 
@@ -188,7 +188,7 @@ std::shared_ptr<const Evaluation> Pull::compute(const Slot& slot, Progress& prog
   }
   Context context{progress, quality_, &memo_};
   OperationOutcome outcome = run_guarded(*slot.state.operation, values, slot.state.node->parameters, context);
-  progress.check();  // a result whose maker may have seen the flag is not to be trusted
+  progress.check();  // a result may be incomplete when the flag was set meanwhile
   Evaluation evaluation;
   evaluation.outputs = std::move(outcome.result.outputs);
   evaluation.findings = std::move(outcome.result.warnings);

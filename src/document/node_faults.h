@@ -24,7 +24,7 @@ using NodeStates = std::map<NodeId, const NodeState*>;
 /// @param inputs those nodes that its links lead to, as far as they are there
 Findings faults_of(const NodeState& state, const NodeStates& inputs);
 
-/// Tells when the node was made with an older version of its operation than the one that computes it.
+/// Warns when the node was made with an older version of its operation than the one that computes it.
 void add_version_warning(const NodeState& state, Findings& findings);
 
 Finding no_such_node(NodeId id);

@@ -9,7 +9,7 @@ namespace croquis {
 ContentHash ValueHashes::of(const Value& value) {
   const std::shared_ptr<const void> owner =
       std::visit([](const auto& content) { return std::shared_ptr<const void>(content); }, value);
-  // Without an owner nothing says how long the place means this value.
+  // Without an owner it isn't known how long the address holds this value.
   if (owner.use_count() == 0) return content_hash(value);
   const Key key{owner, owner.get()};
   {

@@ -52,7 +52,7 @@ class BoxTree {
     for (std::size_t child = begin; child < end; ++child) visit_leaves(level - 1, child, box, first, visit);
   }
 
-  /// Lists first and visits then: whether boxes overlap is as good as random, and a list needs no branches.
+  /// Lists first and visits then: whether boxes overlap is nearly random, and a list needs no branches.
   template <typename Visit>
   void join(std::size_t leaf, const BoxTree& other, std::size_t other_leaf, Visit&& visit) const {
     const bool is_same = this == &other && leaf == other_leaf;

@@ -8,8 +8,8 @@
 
 #include "croquis/geometry/vector.h"
 
-/// Cheap answers in floating point that are certain where they are given, so that exact predicates, ten times as dear,
-/// are left with the few doubtful cases.
+/// Fast signs in floating point that are certain where they are given, so that exact predicates, ten times as slow,
+/// are needed for the few doubtful cases only.
 namespace croquis {
 
 /// How clear the sign of a sum of products must be, relative to the product of the lengths multiplied. Rounding of

@@ -7,7 +7,7 @@
 
 namespace croquis {
 
-/// Coordinates are doubles as they are; what is asked of them is answered exactly.
+/// Coordinates are doubles as they are; predicates on them are exact.
 using ExactKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 inline ExactKernel::Point_3 exact_point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }

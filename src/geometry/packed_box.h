@@ -6,7 +6,7 @@
 
 namespace croquis {
 
-/// Three whole numbers below 2^20 in one word, each with a guard bit above it: all three are compared at once.
+/// Three integers below 2^20 in one word, each with a guard bit above it: all three are compared at once.
 using PackedPlace = std::uint64_t;
 
 inline constexpr unsigned packed_bits = 20;
@@ -17,7 +17,7 @@ inline constexpr PackedPlace packed_guards = (PackedPlace{1} << packed_bits) |
 
 inline PackedPlace packed(std::uint64_t value, std::size_t axis) { return value << (axis * packed_stride); }
 
-/// The guards of the axes along which a is at or above b: elsewhere they are lent to the difference.
+/// The guards of the axes along which a is at or above b: elsewhere the difference has taken them.
 inline PackedPlace at_or_above(PackedPlace a, PackedPlace b) { return ((a | packed_guards) - b) & packed_guards; }
 
 struct PackedBox {

@@ -47,7 +47,7 @@ std::vector<VertexHandle> insert_points(std::span<const Vec2> points, Triangulat
 void insert_constraints(std::span<const std::array<Index, 2>> constraints, std::span<const VertexHandle> handles,
                         Triangulation& triangulation, PlanarConflict& conflict) {
   for (Index c = 0; c < constraints.size(); ++c) {
-    if (constraints[c][0] == constraints[c][1]) {  // CGAL would walk from the point for ever
+    if (constraints[c][0] == constraints[c][1]) {  // CGAL would walk from the point without end
       conflict.blocked_constraints.push_back(c);
       continue;
     }
@@ -76,7 +76,7 @@ PlanarTriangulation flatten(Triangulation& triangulation) {
   return flat;
 }
 
-/// A constraint that ran through a foreign point was cut there by the triangulation and is no edge: a conflict.
+/// A constraint that ran through another point was cut there by the triangulation and is no edge: a conflict.
 void mark_constraints(std::span<const std::array<Index, 2>> constraints, std::span<const VertexHandle> handles,
                       const Triangulation& triangulation, PlanarTriangulationResult& result) {
   for (Index c = 0; c < constraints.size(); ++c) {

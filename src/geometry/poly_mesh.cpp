@@ -11,11 +11,11 @@
 namespace croquis {
 namespace {
 
-/// Findings of one kind listed one by one; more would bury the others.
+/// Findings of one code listed one by one; more would hide the others.
 constexpr std::size_t max_listed = 100;
 
-/// Collects findings; of each code the first `max_listed` are kept, and the last of these tells how many more there
-/// are.
+/// Collects findings; of each code the first `max_listed` are kept, and the last of these gives the number of
+/// the others.
 class Collector {
  public:
   /// @param sentence makes the sentence without its full stop; called for the listed ones only

@@ -11,7 +11,7 @@ namespace croquis {
 
 /// Points as whole numbers: along each axis the rank of a coordinate among the different ones, stretched to the whole
 /// range. Whether boxes overlap depends on the order of coordinates alone, so that boxes of ranks overlap wherever
-/// those of points do: nothing is rounded, at any scale, however far a stray point lies. And nowhere else, up to 2^20
+/// those of points do: nothing is rounded, at any scale, however far an outlier lies. And nowhere else, up to 2^20
 /// different coordinates; beyond, neighbours share a rank.
 /// @param positions finite
 std::vector<PackedPlace> ranked_places(std::span<const Vec3> positions);

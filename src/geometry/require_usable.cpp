@@ -15,7 +15,7 @@ bool are_usable(const std::vector<Index>& offsets, const std::vector<Index>& ver
          (vertices.empty() || *std::max_element(vertices.begin(), vertices.end()) < vertex_count);
 }
 
-/// Whether nothing at all is wrong, without the effort to say what.
+/// Whether nothing at all is wrong, without the effort of making findings.
 bool is_usable(const PolyMesh& mesh) {
   return are_usable(mesh.face_offsets, mesh.corners, mesh.vertex_count()) &&
          are_usable(mesh.line_offsets, mesh.line_vertices, mesh.vertex_count()) &&

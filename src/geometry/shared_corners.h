@@ -16,7 +16,7 @@ struct SharedCorners {
   std::array<std::uint8_t, 3> second = {0, 1, 2};
 };
 
-/// @param equal bit 3 i + j tells that corner i of the first is corner j of the second
+/// @param equal bit 3 i + j: corner i of the first is corner j of the second
 constexpr SharedCorners arrange_shared(std::size_t equal) {
   SharedCorners result;
   const auto swap = [](std::uint8_t& a, std::uint8_t& b) {
@@ -36,8 +36,8 @@ constexpr SharedCorners arrange_shared(std::size_t equal) {
   return result;
 }
 
-/// One entry per pattern of equal corners: looked up instead of worked out, as the patterns follow in no order that a
-/// processor could foresee.
+/// One entry per pattern of equal corners: looked up instead of computed, since branches on the patterns can't be
+/// predicted.
 inline constexpr std::array<SharedCorners, 512> shared_corner_table = [] {
   std::array<SharedCorners, 512> table;
   for (std::size_t equal = 0; equal < table.size(); ++equal) table[equal] = arrange_shared(equal);

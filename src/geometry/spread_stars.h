@@ -8,13 +8,13 @@
 
 namespace croquis {
 
-/// Vertices whose triangles certainly meet each other in common vertices and edges alone, by one look at each vertex
-/// instead of one at each pair.
+/// Vertices whose triangles certainly meet each other in common vertices and edges alone, by one test of each vertex
+/// instead of one of each pair.
 ///
 /// A star is spread when its triangles close around the vertex in one ring and there is a direction from which all of
 /// them are seen from the same side, once around: seen so they tile the neighbourhood of the vertex, each in its own
 /// sector, and neighbours have nothing but their edge in the border of both sectors. Most vertices of a surface are
-/// like that; those on borders aren't told.
+/// like that; those on borders aren't reported.
 /// @param triangles any, with an area
 /// @return per vertex, not 0 where its star is clearly spread
 std::vector<char> spread_stars(const std::vector<Vec3>& positions, std::span<const MeetingTriangle> triangles);

@@ -25,7 +25,7 @@ std::size_t cells_per_axis_for(std::size_t faces) {
   return std::clamp(std::bit_floor(cells), fewest_cells_per_axis, most_cells_per_axis);
 }
 
-/// A face in more cells is taken for near without a look at each.
+/// A face in more cells counts as near without a test of each.
 constexpr std::size_t most_cells = 512;
 
 Bounds bounds_of(const PolyMesh& mesh, std::span<const Index> faces) {
@@ -61,7 +61,7 @@ std::size_t number_of(std::size_t x, std::size_t y, std::size_t z) {
   return (x * most_cells_per_axis + y) * most_cells_per_axis + z;
 }
 
-/// Stops at the first cell for which `found` says so. @return whether there was one
+/// Stops at the first cell for which `found` is true. @return whether there was one
 template <typename Found>
 bool visit_cells(const Cell& low, const Cell& high, Found&& found) {
   for (std::size_t x = low[0]; x <= high[0]; ++x) {

@@ -10,10 +10,10 @@
 
 namespace croquis {
 
-/// The cells of a coarse grid that the boxes of some faces touch: tells cheaply which other faces may be near them.
+/// The cells of a coarse grid that the boxes of some faces touch: a fast test which other faces may be near them.
 class TouchedCells {
  public:
-  /// Looks at every vertex once. Keeps a reference.
+  /// Visits every vertex once. Keeps a reference.
   TouchedCells(const PolyMesh& mesh, std::span<const Index> faces);
 
   /// False only for a face whose box meets none of theirs.

@@ -9,7 +9,7 @@
 
 namespace croquis {
 
-/// A triangle with an area, and what the cheap tests want to know of it.
+/// A triangle with an area, and the values that the fast tests need.
 struct MeetingTriangle {
   std::array<Index, 3> vertices{};
   double longest = 0;  ///< its longest edge, squared

@@ -39,11 +39,11 @@ Box cube_around(std::span<const Vec3> positions, const std::vector<ExtraDomain>&
 }
 
 OctreeRule rule_of(const DomainOptions& options, const DomainPoints& points, const Progress& progress) {
-  const auto crowded = [&options, &points, &progress](const Box& cube) {
+  const auto is_full = [&options, &points, &progress](const Box& cube) {
     progress.check();
     return points.holds_more_than(crowd * options.leaf_points, cube.grown(options.overlap));
   };
-  return {options.leaf_points, options.max_depth, crowded, options.equal_boxes};
+  return {options.leaf_points, options.max_depth, is_full, options.equal_boxes};
 }
 
 }  // namespace
@@ -116,7 +116,7 @@ void BlendedDomains::add_leaf_domains() {
     domain.box = leaf.cube.grown(options_.overlap);
     const bool filler = leaf.point_count() == 0;
     domain.weight = filler ? options_.filler_weight : options_.data_weight;
-    // A filler only carries on what is around it: it needs no more points than a leaf has.
+    // A filler only continues what is around it: it needs no more points than a leaf has.
     domain.most = filler ? std::max(options_.min_points, options_.leaf_points) : options_.max_points;
   }
 }

@@ -17,7 +17,7 @@
 
 namespace croquis::implicit {
 
-/// What is asked for at a place: the value; beside it the gradient's first sum, sum w_i grad f_i; or the whole
+/// What is evaluated at a place: the value; beside it the gradient's first sum, sum w_i grad f_i; or the whole
 /// gradient.
 enum class Wanted { Value, FirstSum, Gradient };
 
@@ -42,7 +42,7 @@ class BlendedDomains {
   std::size_t domain_count() const;  ///< those that fit() fits
 
  private:
-  /// One box with its fit, which is made when it is first asked for.
+  /// One box with its fit, which is made when it is first needed.
   struct Domain {
     std::size_t number = 0;
     Box box;

@@ -95,7 +95,7 @@ VectorXd reflected(const Reflectors& h, const VectorXd& x, bool transposed) {
   return x - h.v * (h.t * inner);
 }
 
-/// The whole matrix again: one block of reflectors has spoilt nothing above the diagonal.
+/// The whole matrix again: one block of reflectors has overwritten nothing above the diagonal.
 void mirror_upper_triangle(MatrixXd& a) {
   for (Eigen::Index j = 0; j < a.cols(); ++j)
     for (Eigen::Index i = j + 1; i < a.rows(); ++i) a(i, j) = a(j, i);

@@ -18,7 +18,7 @@ struct ConstrainedWeights {
 /// Solves it for an A that is positive definite on the null space of Q', without pivoting: with Q = H R, H orthogonal,
 /// the last n - rank rows and columns of H'AH are positive definite.
 ///
-/// n^3/3 multiplications; where that breaks down, the whole system by a rank-revealing method, about ten times as dear.
+/// n^3/3 multiplications; where that breaks down, the whole system by a rank-revealing method, about ten times as slow.
 /// @param a n by n, symmetric, both triangles; overwritten
 /// @param q n by k, k small, n >= 1
 ConstrainedWeights solve_constrained(Eigen::MatrixXd& a, const Eigen::MatrixXd& q, const Eigen::VectorXd& h);

@@ -56,7 +56,7 @@ Octree::Octree(std::span<const Vec3> points, const Box& cube, const OctreeRule& 
   if (rule.equal_leaves) {
     used.max_depth = equal_depth(points, cube, rule);
     used.leaf_points = 0;
-    used.crowded = {};
+    used.is_full = {};
   }
   split(points, 0, 0, points.size(), 0, used);
 }
@@ -65,8 +65,8 @@ void Octree::split(std::span<const Vec3> points, std::size_t node, std::size_t b
                    const OctreeRule& rule) {
   const Box cube = nodes_[node].cube;
   const std::size_t count = end - begin;
-  const bool crowded = count > rule.leaf_points || (count > 0 && rule.crowded && rule.crowded(cube));
-  if (!crowded || depth == rule.max_depth) {
+  const bool is_full = count > rule.leaf_points || (count > 0 && rule.is_full && rule.is_full(cube));
+  if (!is_full || depth == rule.max_depth) {
     nodes_[node].first = static_cast<Index>(leaves_.size());
     leaves_.push_back({cube, begin, end});
     return;

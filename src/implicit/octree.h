@@ -14,7 +14,7 @@ struct OctreeRule {
   std::size_t leaf_points = 40;  ///< a node with more is cut in eight
   int max_depth = 20;
   /// Whether a leaf with points is cut all the same, as when its surroundings hold too many. Empty: never.
-  std::function<bool(const Box& cube)> crowded;
+  std::function<bool(const Box& cube)> is_full;
 
   bool equal_leaves = false;  ///< all leaves with points at one depth: the least at which they hold leaf_points or
                               ///< fewer on average

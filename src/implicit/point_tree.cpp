@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t leaf_size = 8;
 constexpr std::size_t range_size = 8192;  // points that one thread orders by itself
 
-using Found = std::pair<double, Index>;  // squared distance, index: the order of answers
+using Found = std::pair<double, Index>;  // squared distance, index: the order of results
 
 /// The best so far, at most `wanted`, the worst on top.
 class Nearest {
@@ -83,7 +83,7 @@ void search(const TreeView& tree, std::size_t begin, std::size_t end, const Vec3
   }
 }
 
-/// Visits the points in the box until `visit` says that it is enough.
+/// Visits the points in the box until `visit` returns false.
 /// @return false when it did
 template <typename Visit>
 bool visit_inside(const TreeView& tree, std::size_t begin, std::size_t end, const Box& box, Visit& visit) {

@@ -78,7 +78,7 @@ class Seeds {
   std::size_t next_ = 0;
 };
 
-/// One way through all slabs.
+/// One pass through all slabs.
 class Sweep {
  public:
   Sweep(const Field& field, const PolygonizerOptions& options, int axis, const SlabEvents& events,

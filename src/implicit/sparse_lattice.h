@@ -80,7 +80,7 @@ class SparseLattice {
   /// @param corner within the bounds
   LatticePlace place(const std::array<std::int64_t, 3>& corner);
 
-  /// The corner one step up along the axes of `bits`. May make its block; after link, threads may ask for corners
+  /// The corner one step up along the axes of `bits`. May make its block; after link, threads may look up corners
   /// whose blocks exist.
   LatticePlace upper(const LatticePlace& place, unsigned bits);
 
@@ -102,7 +102,7 @@ class SparseLattice {
   /// Lets the blocks of one layer know their neighbours.
   void link(int layer);
 
-  /// Frees one layer. Nothing below may still ask for it, nor for what leads up from there.
+  /// Frees one layer. Nothing below may still use it, nor what leads up from there.
   void drop(int layer);
 
   std::size_t bytes() const;

@@ -6,7 +6,7 @@
 
 #include "croquis/geometry/poly_mesh.h"
 
-/// Reading channels without caring for the type that their file had.
+/// Reading channels independently of the type that their file had.
 namespace croquis {
 
 /// The value number `i` of the flat data.

@@ -7,7 +7,7 @@
 
 namespace croquis {
 
-/// Owns a file descriptor; closes it when it goes.
+/// Owns a file descriptor; closes it in the destructor.
 class Descriptor {
  public:
   explicit Descriptor(int descriptor) : descriptor_(descriptor) {}

@@ -5,7 +5,7 @@
 
 namespace croquis {
 
-/// What the system says about a file, for people. @param error an errno
+/// The system's reason for a failure with a file, for people. @param error an errno
 std::string reading_reason(int error);
 std::string writing_reason(int error);
 

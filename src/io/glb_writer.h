@@ -5,8 +5,8 @@
 
 namespace croquis {
 
-/// Binary glTF 2.0: one mesh of triangles, and polylines as lines, with what the vertices have of normals, colours and
-/// texture coordinates.
+/// Binary glTF 2.0: one mesh of triangles, and polylines as lines, with the vertices' normals, colours and texture
+/// coordinates.
 MeshWriteResult write_glb(const PolyMesh& mesh, Progress& progress);
 
 }  // namespace croquis

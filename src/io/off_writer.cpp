@@ -32,7 +32,7 @@ class OffWriter {
   }
 
  private:
-  // OFF has no way to say that one vertex has none.
+  // OFF can't express that one vertex has none.
   const AttributeChannel* finite_channel(const char* name, int width, int or_width) const {
     const AttributeChannel* channel = usable_channel(mesh_, name, Domain::Vertex, width, or_width);
     return channel != nullptr && all_finite(*channel) ? channel : nullptr;
@@ -61,7 +61,7 @@ void OffWriter::write_values(const AttributeChannel& channel, std::size_t elemen
   }
 }
 
-// A point in a colour tells readers that it counts from 0 to 1 and not to 255.
+// A decimal point in a colour means a range from 0 to 1, not to 255.
 void OffWriter::write_colour(const AttributeChannel& channel, std::size_t element) {
   const auto width = static_cast<std::size_t>(channel.width);
   for (std::size_t k = 0; k < width; ++k) {

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int temporary_name_attempts = 10000;  // names of crashed runs that may still lie there
+constexpr int temporary_name_attempts = 10000;  // files of crashed runs may still be there
 
 std::string sibling(const std::string& target, const char* ending, int attempt) {
   const fs::path path(target);

@@ -27,7 +27,7 @@ PositionJoiner::PositionJoiner() : slots_(first_slots, no_index) {}
 
 Index PositionJoiner::add(const Vec3& point, std::vector<Vec3>& positions) {
   if (2 * positions.size() >= slots_.size()) grow(positions);
-  if (!point.allFinite()) {  // equals nothing, and all of its kind would look for a slot at the same place
+  if (!point.allFinite()) {  // NaN equals nothing, and all NaNs would look for a slot at the same place
     positions.push_back(point);
     return static_cast<Index>(positions.size() - 1);
   }

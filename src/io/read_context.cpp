@@ -6,7 +6,7 @@
 namespace croquis {
 namespace {
 
-constexpr std::size_t findings_per_code = 100;  // more of a kind help nobody and cost memory
+constexpr std::size_t findings_per_code = 100;  // more of one code don't help and cost memory
 constexpr std::size_t errors_before_giving_up = 10000;
 
 bool is_warning_code(const std::string& code) { return code.starts_with("W_"); }

@@ -19,12 +19,12 @@ struct Place {
 inline Place at_line(std::int64_t line) { return {Place::Kind::Line, line}; }
 inline Place at_byte(std::size_t byte) { return {Place::Kind::Byte, static_cast<std::int64_t>(byte)}; }
 
-/// What a reader has to say about its file: collects findings, at most 100 of a kind, and passes on progress.
+/// What a reader reports about its file: collects findings, at most 100 of a code, and passes on progress.
 class ReadContext {
  public:
   ReadContext(const MeshSource& source, Progress& progress) : source_(source), progress_(progress) {}
 
-  /// Notes what is wrong; reading may go on to find more. Stops by itself when there is no end of it.
+  /// Notes what is wrong; reading may go on to find more. Stops by itself when there are too many.
   void error(const char* code, const std::string& message, Place place, std::vector<Subject> elements = {});
 
   /// Notes it and stops: nothing after this place can be trusted.

@@ -5,7 +5,7 @@
 
 namespace croquis {
 
-/// STL, text or binary, told apart by the size that the binary header promises before the word "solid". Equal corners
+/// STL, text or binary, distinguished by the size in the binary header before the word "solid". Equal corners
 /// are joined; the facets' own normals are redundant and not kept.
 PolyMesh read_stl(std::string_view bytes, ReadContext& context);
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t longest_quote = 40;
 
-// The text is a number whose magnitude the type can't hold: which of the two ends is told by its exponent.
+// The text is a number whose magnitude the type can't hold: its exponent decides which of the two ends.
 template <typename Float>
 Float out_of_range_value(std::string_view word) {
   long double wide = 0;

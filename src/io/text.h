@@ -15,7 +15,7 @@ inline bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c ==
 std::string_view trimmed(std::string_view text);
 std::string lower_case(std::string_view text);
 
-/// A piece of somebody's file as it may stand in a message: shortened, control characters replaced.
+/// A piece of a file as it may stand in a message: shortened, control characters replaced.
 std::string in_quotes(std::string_view text);
 
 struct TextLine {

@@ -5,7 +5,7 @@
 
 namespace croquis {
 
-/// `fair`: moves the points of a cage so that its subdivision surface bends evenly (see subdivision/fairing.h).
+/// `fair`: moves the vertices of a cage so that its subdivision surface bends evenly (see subdivision/fairing.h).
 class FairOperation final : public Operation {
  public:
   OperationDescription describe() const override;

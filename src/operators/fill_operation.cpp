@@ -38,7 +38,7 @@ OperationResult outputs_of(const PolyMesh& scan, Result& made, Report details) {
   return result;
 }
 
-/// Tells the scan from every other one in the memo.
+/// Distinguishes the scan from all others in the memo.
 std::string key_of(const std::shared_ptr<const PolyMesh>& scan) {
   const ContentHash hash = content_hash(Value(scan));
   return std::to_string(hash.high) + ' ' + std::to_string(hash.low);
@@ -57,7 +57,7 @@ OperationResult patch_holes(const std::shared_ptr<const PolyMesh>& scan, const F
   return outputs_of(*scan, filled, fill_details(*scan, filled));
 }
 
-OperationResult make_anew(const PolyMesh& scan, const FillSettings& settings, Context& context) {
+OperationResult remesh_scan(const PolyMesh& scan, const FillSettings& settings, Context& context) {
   RemeshOptions options = settings.options;
   options.fill.threads = context.threads;
   RemeshResult made = remesh_surface(scan, options, context.progress);
@@ -94,7 +94,7 @@ OperationResult FillOperation::compute(const Values& inputs, const ParameterValu
   const auto& scan = std::get<std::shared_ptr<const PolyMesh>>(inputs.at("scan"));
   const FillSettings settings = read_fill_settings(parameters);
   OperationResult result = settings.list_only ? list_holes(scan, settings.options.fill, context.progress)
-                           : settings.remesh  ? make_anew(*scan, settings, context)
+                           : settings.remesh  ? remesh_scan(*scan, settings, context)
                                               : patch_holes(scan, settings, context);
   result.warnings.insert(result.warnings.begin(), settings.warnings.begin(), settings.warnings.end());
   return result;

@@ -12,7 +12,7 @@ namespace croquis {
 /// Every hole with what became of it, and how much is new. Angles in degrees; null for what isn't known.
 Report fill_details(const PolyMesh& scan, const hole_filling::FillResult& result);
 
-/// The same of a model made anew, and what it was proven to be.
+/// The same of a remeshed model, and what it was proven to be.
 Report remesh_details(const hole_filling::RemeshResult& result);
 
 /// The same before anything is filled: "fill" for the holes that would be.

@@ -85,7 +85,7 @@ void read_choice(const ParameterValues& parameters, FillOptions& options) {
 
 void read_shape(const ParameterValues& parameters, FillOptions& options) {
   options.fairness = fairness_of(text(parameters, "fairness"));
-  options.flat_caps = options.fairness == Fairness::Implicit;  // another one was asked for, for all that are chosen
+  options.flat_caps = text(parameters, "fairness") == "auto";
   options.preset = preset_of(text(parameters, "preset"));
   const Kernel kernel = kernel_of(text(parameters, "kernel"));
   if (kernel != Kernel::Hermite) options.implicit.kernel = kernel;
@@ -182,9 +182,9 @@ std::vector<ParameterDescription> fill_parameters() {
       list("holes",
            "Wishes for single holes: '3: leave; 5-7: flat, bulge 0.4; 4: through 1 2 3; 2+9: bridge'. Words: fill, "
            "leave, bridge, rbf, smooth, flat, kernel NAME, bulge -1..1, trim 0..3, through X Y Z."),
-      choice("fairness", {fairness_names.begin(), fairness_names.end()},
+      choice("fairness", {"auto", "rbf", "smooth", "flat"},
              "rbf continues the surface around by functions fitted to it, smooth its tangents; flat adds no "
-             "vertices and has the least area."),
+             "vertices and has the least area; auto is flat where an open surface ends, and rbf elsewhere."),
       choice("kernel", {kernel_names.begin(), kernel_names.end()},
              "The functions of rbf: hermite takes normals along, the others points beside the surface."),
       choice("preset", {"standard", "paper", "sharp", "noisy"},

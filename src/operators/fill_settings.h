@@ -15,10 +15,10 @@ namespace croquis {
 inline constexpr std::array<std::string_view, 3> fairness_names = {"rbf", "smooth", "flat"};
 inline constexpr std::array<std::string_view, 4> kernel_names = {"hermite", "triharmonic", "biharmonic", "thin-plate"};
 
-/// What the parameters of `fill` ask for.
+/// The parameters of `fill`, parsed.
 struct FillSettings {
   hole_filling::RemeshOptions options;  ///< of both modes: patches go by options.fill alone
-  bool remesh = false;                  ///< the whole model is made anew
+  bool remesh = false;                  ///< the whole model is remeshed
   bool list_only = false;               ///< holes are looked at, none is filled
   Findings warnings;                    ///< W_PARAMETER_UNUSED
 };

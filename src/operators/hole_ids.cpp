@@ -11,7 +11,7 @@
 namespace croquis {
 namespace {
 
-/// More holes than any mesh has that fits into memory; a longer range is a slip of the pen.
+/// More holes than any mesh has that fits into memory; a longer range is a typing error.
 constexpr Index most_ids = 10000000;
 
 std::optional<Index> parse_id(std::string_view word) {

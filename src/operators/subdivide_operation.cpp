@@ -38,7 +38,7 @@ PolyMesh tagged_cage(const Values& inputs, const SubdivideSettings& settings, Fi
   return mesh;
 }
 
-/// What earlier refinements left, and normals, come anew.
+/// Channels of earlier refinements, and normals: they are computed again.
 bool is_computed(const AttributeChannel& channel) {
   return channel.name == settled_channel || channel.name == "normal" || channel.name.starts_with("cage_");
 }
@@ -67,7 +67,7 @@ double extent(const std::vector<Vec3>& positions) {
   return diagonal > 0 ? diagonal : 1;
 }
 
-/// Everything on the way from a cage to a mesh.
+/// All steps from a cage to a mesh.
 class Subdivision {
  public:
   Subdivision(Cage cage, const SubdivideSettings& settings, Context& context)

@@ -17,14 +17,14 @@ namespace croquis {
 /// Counts of the levels 0 to `last`: vertices, edges, faces, boundary_edges, sharp_edges.
 Report level_counts(const SubdivisionPlan& plan, int last);
 
-/// What is known of the chains of a level: edges, closed, ends, least and greatest bend (`dihedral_min`,
-/// `dihedral_max`, degrees), length, deviation from a plane, the greatest bends on both sides. Linear time.
+/// What is known of the chains of a level: edges, closed, ends, least and greatest angle (`dihedral_min`,
+/// `dihedral_max`, degrees), length, deviation from a plane, the greatest angles on both sides. Linear time.
 /// @param positions #V of the level
 /// @param origins   per chain, for `cage_edges`
 Report chain_list(const subdivision::Level& level, std::span<const subdivision::EdgeChain> chains,
                   std::span<const Vec3> positions, std::span<const std::vector<CageEdge>> origins);
 
-/// The greatest bend across untagged edges of the levels 0 to `last`, in degrees.
+/// The greatest angle at untagged edges of the levels 0 to `last`, in degrees.
 Report continuity_list(const subdivision::ContinuityReport& report, int last);
 
 /// The curves as polylines, each an "object" of its own.

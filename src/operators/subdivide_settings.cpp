@@ -17,7 +17,7 @@ ParameterDescription flag(const std::string& name, const std::string& sentence) 
   return {name, ParameterType::Flag, false, 0, 0, {}, "", sentence};
 }
 
-/// The preset's rules, but for the switches that say something of their own.
+/// The preset's rules, except where a parameter sets another value.
 Rules read_rules(const ParameterValues& parameters) {
   Rules rules = Rules::of(text(parameters, "preset") == "paper" ? Preset::Paper : Preset::Refined);
   const std::string& weights = text(parameters, "weights");

@@ -14,7 +14,7 @@ enum class SubdivisionScheme { DooSabin, CatmullClark, Loop };
 /// "doo-sabin", "catmull-clark", "loop"
 const char* to_string(SubdivisionScheme scheme);
 
-/// What the parameters of `subdivide` ask for.
+/// The parameters of `subdivide`, parsed.
 struct SubdivideSettings {
   SubdivisionScheme scheme = SubdivisionScheme::DooSabin;
   subdivision::Rules rules;
@@ -22,7 +22,7 @@ struct SubdivideSettings {
   double sharp_angle = 0;                ///< radians; 0 tags nothing
   double keep_kinks = std::numbers::pi;  ///< radians; chains keep corners where they turn by more
   bool limit = false;                    ///< vertices are moved to where they end
-  bool provenance = false;               ///< the result tells what its elements come from
+  bool provenance = false;               ///< the result lists what its elements come from
 };
 
 std::vector<ParameterDescription> subdivide_parameters();

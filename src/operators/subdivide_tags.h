@@ -10,8 +10,8 @@ namespace croquis {
 /// O(#tags log #tags)
 MeshTags united_tags(const MeshTags& own, const MeshTags& added);
 
-/// Tags every edge whose faces meet at more than an angle as sharp for ever, but for those that have a tag of their own
-/// and the boundary. Faces that turn the wrong way are seen as they would be repaired; normals of polygons are
+/// Tags every edge whose faces meet at more than an angle as infinitely sharp, except those with a tag of their own
+/// and the boundary. Faces of the wrong orientation count as they would be repaired; normals of polygons are
 /// Newell's. Linear time, but for sorting the tags.
 /// @param angle radians between the faces' normals, > 0
 /// @throws Error like subdivision::make_cage

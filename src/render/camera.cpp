@@ -17,7 +17,7 @@ struct ViewAxes {
 ViewAxes view_axes(const glm::dvec3& direction, const glm::dvec3& up) {
   const glm::dvec3 back = -glm::normalize(direction);
   glm::dvec3 right = glm::cross(up, back);
-  // An up vector along the line of sight says nothing: any axis across it serves.
+  // An up vector along the line of sight decides nothing: any axis across it will do.
   if (glm::length(right) < 1e-9 * glm::length(up)) {
     right = glm::cross(std::abs(back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1), back);
   }

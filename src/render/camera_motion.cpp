@@ -57,7 +57,7 @@ bool usable(double factor) { return std::isfinite(factor) && factor > 0; }
 
 Camera tumble(const Camera& camera, const glm::dvec3& pivot, const glm::dvec2& turn) {
   const Axes axes = axes_of(camera);
-  // The camera's own up tells how high the eye stands even where its line of sight is vertical.
+  // The camera's own up gives the eye's elevation even where its line of sight is vertical.
   const double elevation = std::atan2(axes.back.y, axes.up.y);
   const double limit = std::max(M_PI / 2, std::abs(elevation));  // a camera that hangs over stays where it is
   const double rise = std::clamp(elevation + turn.y, -limit, limit) - elevation;
@@ -114,7 +114,7 @@ glm::dvec3 point_at_target(const Camera& camera, const glm::dvec2& pixel, const 
 
 std::optional<glm::dvec3> point_on_sketch(const Camera& camera, const glm::dvec2& pixel, const glm::dvec2& view_size) {
   const Ray ray = ray_at(camera, pixel, view_size);
-  // Below this slope a pixel spans more of the plane than anybody means.
+  // Below this slope one pixel spans too much of the plane.
   constexpr double edge_on = 1e-6;
   if (std::abs(ray.direction.z) < edge_on) return std::nullopt;
   const double way = -ray.origin.z / ray.direction.z;

@@ -5,7 +5,7 @@
 
 namespace croquis::render {
 
-/// Size of what is drawn off screen: the viewport and a border, so that lines and hollows at its rim come out whole.
+/// Size of what is drawn off screen: the viewport and a border, so that lines and hollows at its sides come out whole.
 struct FrameSize {
   int pixel_width = 0;   ///< border included
   int pixel_height = 0;  ///< border included

@@ -50,7 +50,7 @@ inline const void* byte_offset(std::size_t offset) { return reinterpret_cast<con
 /// @param format OpenGL's sized internal format
 GlHandle make_texture(unsigned format, int width, int height);
 
-/// Throws what the driver says went wrong.
+/// Throws the driver's message.
 [[noreturn]] void throw_gl_error(const std::string& message);
 
 /// @param doing what was being done, for the sentence

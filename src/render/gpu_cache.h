@@ -25,7 +25,7 @@ class GpuCache {
     return found != items_.end() ? &found->second : nullptr;
   }
 
-  /// Frees what nobody holds any more.
+  /// Frees what isn't used any more.
   void drop_expired() {
     std::erase_if(items_, [](const auto& entry) { return entry.first.expired(); });
   }

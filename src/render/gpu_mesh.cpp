@@ -98,8 +98,8 @@ bool GpuMesh::goes_at_once(bool with_wire) const {
 
 void GpuMesh::send(const MeshItem& item, bool with_wire, Uploads& uploads) {
   const bool at_once = goes_at_once(with_wire);
-  // What an earlier item of this mesh has begun comes first: updates that follow each other would else begin with
-  // their vertices for ever.
+  // What an earlier item of this mesh has begun comes first: updates that follow each other would else always
+  // begin with their vertices.
   if (is_update_) send_shared(item, with_wire, at_once, uploads);
   if (paint_ != nullptr) paint_->send(bytes_of(item.paint), at_once, uploads);
   send_vertices(item, at_once, uploads);

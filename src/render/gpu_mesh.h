@@ -37,7 +37,7 @@ class GpuMesh {
   /// @param with_wire edges are needed
   void send(const MeshItem& item, bool with_wire, Uploads& uploads);
 
-  /// Whether its next sending is small, or what an update of a mesh that is there asks for.
+  /// Whether its next upload is small, or an update of a mesh that is there already.
   bool goes_at_once(bool with_wire) const;
   bool vertices_complete() const;
   bool shows_something() const { return vertices_complete() && (triangles_.size() == 0 || triangles_.has_begun()); }

@@ -88,7 +88,7 @@ void HostState::save_values() {
   glGetFloatv(GL_DEPTH_CLEAR_VALUE, &clear_depth_);
   glGetIntegerv(GL_STENCIL_CLEAR_VALUE, &clear_stencil_);
   glGetIntegerv(GL_DEPTH_FUNC, &depth_function_);
-  std::array<int, 2> polygon_modes = {};  // some drivers tell front and back even where only one is left
+  std::array<int, 2> polygon_modes = {};  // some drivers return front and back even where only one is left
   glGetIntegerv(GL_POLYGON_MODE, polygon_modes.data());
   polygon_mode_ = polygon_modes[0];
   glGetFloatv(GL_POLYGON_OFFSET_FACTOR, &offset_factor_);

@@ -6,7 +6,7 @@
 
 namespace croquis::render {
 
-/// OpenGL's state as the host has set it, put back at the end of a drawing however that ends. Program, vertex array,
+/// OpenGL's state as the host has set it, restored at the end of a drawing, also after an error. Program, vertex array,
 /// array buffer and 2D textures are set to none.
 class HostState {
  public:

@@ -73,7 +73,7 @@ std::optional<std::uint8_t> color_level(Value value) {
   }
 }
 
-/// The colour of one element; none where the channel says so.
+/// The colour of one element; none where the channel has none.
 std::optional<Color> color_at(const AttributeChannel& channel, std::size_t element) {
   return std::visit(
       [&](const auto& values) -> std::optional<Color> {

@@ -11,7 +11,7 @@
 namespace croquis::render {
 
 /// Which part of the mesh each face belongs to, numbered from 0 as the faces come: by "object", by "group" or by
-/// connected component, the first of these that tells at least two apart.
+/// connected component, the first of these that gives at least two parts.
 /// @param welded the vertex that stands for all at its place, for each vertex
 std::vector<Index> face_parts(const PolyMesh& mesh, std::span<const Index> welded);
 

@@ -10,7 +10,7 @@
 
 namespace croquis::render {
 
-/// Chooses an item's own frame from its bounds: single precision then serves coordinates of any size.
+/// Chooses an item's own frame from its bounds: single precision is then enough for coordinates of any size.
 template <typename Item>
 void set_own_frame(Item& item) {
   if (item.bounds.empty()) return;
@@ -33,7 +33,7 @@ inline bool is_finite(const glm::dvec3& place) {
   return std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z);
 }
 
-/// What is said about an element that can't be drawn.
+/// The finding about an element that can't be drawn.
 inline Finding not_finite(SubjectKind kind, const std::string& name, std::size_t index) {
   const std::string id = std::to_string(index);
   return make_error(Category::Malformed, "E_NOT_FINITE",
@@ -41,7 +41,7 @@ inline Finding not_finite(SubjectKind kind, const std::string& name, std::size_t
                     {{kind, id, {}, {}, {}}});
 }
 
-/// What is said about an index beyond the elements that there are.
+/// The finding about an index beyond the elements that there are.
 inline Finding not_there(SubjectKind kind, const std::string& name, std::size_t index, std::size_t count) {
   const std::string id = std::to_string(index);
   return make_error(

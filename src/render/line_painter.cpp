@@ -18,7 +18,7 @@ constexpr GLuint width_place = 1;
 constexpr GLuint second_end = 3;
 constexpr GLuint length_place = 6;
 
-/// Layers between two clearings: as many as the stencil's eight bits can tell apart from each other and from none.
+/// Layers between two clearings: as many as the stencil's eight bits can distinguish from each other and from none.
 constexpr int layer_count = 255;
 
 /// Corners from one segment to the next.

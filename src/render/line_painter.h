@@ -9,8 +9,8 @@ namespace croquis::render {
 
 /// Draws lines of constant width on screen into a framebuffer with depth and stencil of its own.
 ///
-/// A run of lines is drawn twice: first every pixel learns which segment covers it best (by depth), then that segment
-/// alone colours it; the stencil settles draws. So a line's many overlapping segments look like one shape.
+/// A run of lines is drawn twice: first the segment that covers each pixel best is found (by depth), then that
+/// segment alone colours it; the stencil decides ties. So a line's many overlapping segments look like one shape.
 class LinePainter {
  public:
   /// Blending is left on. Depth and stencil of the framebuffer are used up.

@@ -27,7 +27,7 @@ Bounds bounds_of_drawn(const PolyMesh& mesh) {
   return bounds;
 }
 
-/// Takes the frame that the item's bounds ask for, and the positions in it.
+/// Takes the frame that fits the item's bounds, and the positions in it.
 std::vector<glm::dvec3> take_frame(std::span<const Vec3> positions, MeshItem& item) {
   set_own_frame(item);
   std::vector<glm::dvec3> own;

@@ -57,7 +57,7 @@ double edge_pixels(const MeshItem& item, const ViewFrame& view) {
   return item.edge_length / view.unit * view.crop.picture_height / (view.picture_height * distance);
 }
 
-/// Wire too dense to tell its lines apart would be a grey coat over the shape.
+/// Wire too dense to show single lines would cover the shape in grey.
 double strength_of_dense_wire(const MeshItem& item, const Drawing& drawing) {
   constexpr double gone = 1.5, full = 8;  // pixels between lines
   const double spacing = edge_pixels(item, drawing.view) / drawing.options.pixel_ratio;
@@ -278,7 +278,7 @@ void MeshPainter::draw_wire(const Drawing& drawing, WireLayer layer) {
     if (covered && !(alone && shown.style.covered_wire > 0)) continue;
     glm::vec4 color = wire_color(shown, drawing.options);
     if (covered) color.a *= static_cast<float>(std::min(shown.style.covered_wire, 1.0));
-    // Over faces a dense wire would be a coat that hides them.
+    // A dense wire would hide the faces.
     if (shown.style.surface == SurfaceLook::Filled || shown.style.fades_where_dense) {
       color.a *= static_cast<float>(strength_of_dense_wire(*shown.item, drawing));
     }

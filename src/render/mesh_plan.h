@@ -18,7 +18,7 @@
 namespace croquis::render {
 
 /// What of a mesh item doesn't change while its vertices are moved: which corners share a vertex and a normal,
-/// triangles, edges, colours; and what the mesh was, to tell whether another one is the same but for its positions.
+/// triangles, edges, colours; and what the mesh was, to check whether another one is the same but for its positions.
 class MeshPlan {
  public:
   /// @param positions the mesh's vertices in the item's own frame
@@ -31,12 +31,12 @@ class MeshPlan {
   /// The box of the vertices in use.
   Bounds bounds_of_drawn(std::span<const Vec3> positions) const;
 
-  /// The channel that normals are read from, as the options and the mesh say; or null.
+  /// The channel that normals are read from, by the options and the mesh; or null.
   const AttributeChannel* normals_of(const PolyMesh& mesh) const;
 
   /// Fills all but frame and bounds of an item.
   /// @param positions of a mesh that fits, in the item's own frame
-  /// @param normals null: all are reckoned
+  /// @param normals null: all are computed
   void fill(std::span<const glm::dvec3> positions, const AttributeChannel* normals, MeshItem& item) const;
 
   /// Makes the reduced surface of its items, where they have many triangles. @param item filled

@@ -18,7 +18,7 @@ constexpr int most_tries = 4;
 constexpr std::array<glm::vec3, 3> octant_axes = {
     {{0.7712F, 0.5453F, 0.3287F}, {-0.6017F, 0.7871F, 0.1359F}, {-0.2082F, -0.3026F, 0.9301F}}};
 
-constexpr double cells_per_area = 2.2;  // that a surface meets, its normals told apart, per square of a cell's side
+constexpr double cells_per_area = 2.2;  // that a surface meets, by direction too, per square of a cell's side
 
 double area_of(const MeshItem& item) {
   double twice = 0;
@@ -31,7 +31,7 @@ double area_of(const MeshItem& item) {
   return twice / 2;
 }
 
-/// The mean normal at each place, for telling the sides of thin things apart.
+/// The mean normal at each place, to distinguish the sides of thin parts.
 std::vector<glm::vec3> normals_of_places(const MeshItem& item, std::span<const Index> places) {
   std::vector<glm::vec3> normals(item.vertices.size(), glm::vec3(0));
   for (std::size_t v = 0; v < places.size(); ++v) normals[places[v]] += item.vertices[v].normal;

@@ -36,7 +36,7 @@ Bounds bounds_of_surfaces(const Scene& scene) {
   return bounds;
 }
 
-/// A part of a picture needs what hides its sky from outside, or its rim would show; a whole one can do without.
+/// A part of a picture needs what hides its sky from outside, or its sides would be seen; a whole one doesn't.
 int border_of(const RenderOptions& options, const Viewport& viewport) {
   return 8 + (viewport.crop && wants_occlusion(options) ? occlusion_reach(viewport.crop->picture_height).pixels : 0);
 }

@@ -13,9 +13,9 @@ namespace croquis::render {
 /// A linked program of shaders from shaders/, with its uniforms by name.
 class ShaderProgram {
  public:
-  /// @param files names in shaders/; the extension (.vert, .geom, .frag) tells the stage, a .glsl file belongs to the
+  /// @param files names in shaders/; the extension (.vert, .geom, .frag) gives the stage, a .glsl file belongs to the
   ///        stage of the file before it
-  /// @throws Error (E_GL) with the driver's words when one does not compile or they do not link
+  /// @throws Error (E_GL) with the driver's message when one does not compile or they do not link
   explicit ShaderProgram(std::initializer_list<std::string_view> files);
 
   void use() const;

@@ -53,7 +53,7 @@ void for_each_side(const Context& context, const Visit& visit) {
   }
 }
 
-/// Lists are short: dealing sides out to their lower vertices is far quicker than sorting all of them.
+/// Lists are short: grouping sides by their lower vertices is far quicker than sorting all of them.
 EdgeSides collect_edge_sides(const Context& context) {
   EdgeSides result;
   result.first.assign(context.welded.size() + 2, 0);
@@ -105,7 +105,7 @@ void for_each_edge(const EdgeSides& all, const Visit& visit) {
 std::vector<std::array<Index, 2>> tagged_edges(const MeshTags& tags, std::span<const Index> welded, double least) {
   std::vector<std::array<Index, 2>> edges;
   for (const Crease& crease : tags.creases) {
-    // Tags that fit no edge are for those who use them to refuse; a picture shows what is there.
+    // Tags that fit no edge are refused where they are used; a picture shows what is there.
     if (!(crease.sharpness >= least) || std::max(crease.vertices[0], crease.vertices[1]) >= welded.size()) continue;
     const auto [low, high] = std::minmax(welded[crease.vertices[0]], welded[crease.vertices[1]]);
     edges.push_back({low, high});

@@ -33,7 +33,7 @@ std::vector<std::array<Index, 2>> tagged_edges(const MeshTags& tags, std::span<c
 std::vector<Index> weld(std::span<const glm::dvec3> positions);
 
 /// Two faces are smooth across an edge that they alone share, in opposite senses, at an angle below the crease angle,
-/// when both have an area and no tag says otherwise.
+/// when both have an area and no tag makes it sharp.
 /// @param positions #V, not so large or small that products of three coordinates leave the range of double
 /// @param welded as from `weld`
 /// @param face_parts #F: patches never reach across parts (normals do)

@@ -82,7 +82,7 @@ void SurfacePainter::prepare_buffers(Drawing& drawing) {
     buffers_.splice(buffers_.begin(), buffers_, found);
     return;
   }
-  drop_oldest(buffers_, size);  // first free, then ask for as much again
+  drop_oldest(buffers_, size);  // first free, then allocate as much again
   buffers_.emplace_front(size);
 }
 

@@ -11,7 +11,7 @@
 namespace croquis::render {
 
 /// Draws meshes: first what is seen at every sample into textures, then light, contours and background from these, only
-/// where something may be seen. One sample without hollows is drawn in a quicker way, with plainer contours.
+/// where something may be seen. One sample without hollows is drawn by a quicker method, with plainer contours.
 class SurfacePainter {
  public:
   /// Fills the textures; the framebuffer binding and the viewport change. Decides the drawing's samples.

@@ -105,7 +105,7 @@ struct LiveEvaluation::State : std::enable_shared_from_this<LiveEvaluation::Stat
       whole.report(1);
       post_result(job, std::move(result), Quality::Final);
     } catch (const Cancelled&) {
-      // Nobody waits for this job any more.
+      // This job's result isn't needed any more.
     } catch (const std::exception& exception) {
       post_result(job, internal_failure(exception.what()), Quality::Final);
     }

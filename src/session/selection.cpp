@@ -19,7 +19,7 @@ const Drawing* drawing_of(const Node& node) {
   return drawing == nullptr ? nullptr : drawing->get();
 }
 
-/// Answers for many items with one walk over each drawing.
+/// Looks up many items with one pass over each drawing.
 class Existence {
  public:
   explicit Existence(const Document& document) {
@@ -54,7 +54,7 @@ std::shared_ptr<const PolyMesh> source_mesh(const Document& document, NodeId id)
 
 namespace {
 
-/// Sorts what comes in any order; lists that are in order already cost one look.
+/// Sorts what comes in any order; lists that are in order already take one pass.
 void put_in_order(std::vector<Index>& elements) {
   const auto not_ascending = [](Index a, Index b) { return a >= b; };
   if (std::adjacent_find(elements.begin(), elements.end(), not_ascending) == elements.end()) return;
@@ -62,7 +62,7 @@ void put_in_order(std::vector<Index>& elements) {
   elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
 }
 
-/// How many of the kind there can be. Of edges only a bound is known without the neighbourhoods.
+/// How many of that type there can be. Of edges only a bound is known without the neighbourhoods.
 std::size_t bound_of(const PolyMesh& mesh, ComponentKind kind) {
   if (kind == ComponentKind::Vertex) return mesh.vertex_count();
   return kind == ComponentKind::Face ? mesh.face_count() : mesh.corners.size();

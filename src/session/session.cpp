@@ -62,7 +62,7 @@ Session::Step Session::step_of_now(std::string label) const {
 }
 
 void Session::show(Document document, std::uint64_t state) {
-  // Ids that an undone step gave away stay used: whoever remembers one must not take a new node for it.
+  // Ids that an undone step gave away stay used: code that remembers one must not take a new node for it.
   const NodeId next_id = std::max(document_.next_id(), document.next_id());
   document_ = document.next_id() == next_id ? std::move(document) : Document::of(document.nodes(), next_id);
   state_ = state;

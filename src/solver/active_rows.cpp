@@ -22,9 +22,7 @@ constexpr Eigen::Index most_rows = 1000;
 constexpr Eigen::Index least_rows_per_round = 16;
 /// The worst so many join even if they share unknowns: where all rows do, rounds would run out.
 constexpr Eigen::Index always_taken = 4;
-/// Largest error of a point that passes, relative to the largest violation of the start (and for forces to the largest
-/// multiplier); polishing asks for the same.
-/// Error that no further round is spent on.
+/// Relative error (see error()) that no further round is spent on.
 constexpr double rounding_floor = 1e-13;
 
 class Rounds {

@@ -32,7 +32,7 @@ void make_room(MatrixXd& matrix, Eigen::Index size) {
 
 }  // namespace
 
-/// How the active rows' multipliers answer to a unit of force along another row.
+/// How the active rows' multipliers change with a unit of force along another row.
 struct DualActiveSet::Answer {
   VectorXd half;           ///< L^-1 S_Pq
   VectorXd relief;         ///< S_PP^-1 S_Pq: what each active row loses
@@ -87,7 +87,7 @@ void DualActiveSet::activate(Eigen::Index row) {
   is_active_[static_cast<std::size_t>(row)] = 1;
 }
 
-/// The rows that came later are factorised anew.
+/// The rows that came later are factorised again.
 void DualActiveSet::release(std::size_t place) {
   multipliers_[active_[place]] = 0;
   const std::vector<Eigen::Index> later(active_.begin() + static_cast<std::ptrdiff_t>(place) + 1, active_.end());

@@ -8,7 +8,7 @@
 namespace croquis {
 
 /// The multipliers of a few rows G y >= b, by the dual active-set method of Goldfarb and Idnani (1983), with all of the
-/// unknowns eliminated: what is left of the problem is the rows' flexibility S = G K^-1 G^T, which tells how far a unit
+/// unknowns eliminated: what is left of the problem is the rows' flexibility S = G K^-1 G^T, which is how far a unit
 /// of force along one row moves another.
 ///
 /// Rows are added between the calls of solve(), which starts from the last active set. Dense: O(#active^2) per change.

@@ -17,7 +17,7 @@ constexpr double penalty_growth = 1e2;
 /// Rows that contradict each other take any price, so raising has to end: 1e2 * 1e2^2 leaves 10 digits for the rest.
 /// Raised early, while products are large: late raises throw the method back by many steps.
 constexpr int most_raises = 2;
-/// Part of the way to the nearest bound that a step may go; approaches 1 as the products approach 0.
+/// Part of the distance to the nearest bound that a step may go; approaches 1 as the products approach 0.
 constexpr double shortest_reach = 0.9;
 /// Nothing may arrive at its bound: 0 multiplied or divided by 0 is no number.
 constexpr double longest_reach = 1 - 1e-8;

@@ -12,7 +12,7 @@ namespace croquis {
 
 /// Minimise 1/2 y^T H y + penalty * sum prices_q s_q subject to E y = 0, G y + s >= b, s >= 0.
 ///
-/// y is the way from the equalities' optimum to the optimum, in units of the largest violation found there: so the
+/// y is the vector from the equalities' optimum to the optimum, in units of the largest violation found there: so the
 /// largest entry of b is 1 and y = 0 satisfies the equalities.
 struct ElasticProblem {
   const ScaledProblem* matrices = nullptr;

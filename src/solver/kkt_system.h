@@ -20,13 +20,13 @@ inline constexpr int most_refinements = 12;
 ///
 /// What is factorised is K plus diag(d, -e), d = `regularisation` and e = `equality_regularisation`: quasi-definite, so
 /// that L D L^T exists for every elimination order (Vanderbei 1995), also with dependent equalities or an objective
-/// without curvature. Iterative refinement against K itself takes them out of the answer.
+/// without curvature. Iterative refinement against K itself takes them out of the solution.
 class KktSystem {
  public:
   /// Relative to the largest diagonal entry of H, which the scaling makes 1. Large against rounding (1e-16 times the
   /// growth of a factor), small against the curvatures met: 1e-8 for a plate of 30 000 vertices, 1e-11 for a thin one
   /// among wide ones, which its pulls hold that much softer than it bends. Above the curvature of a direction,
-  /// refinement would move along it by a small part of the way per round.
+  /// refinement would move along it by a small part of the distance per round.
   static constexpr double regularisation = 1e-13;
 
   /// The same for equalities: large against the rounding of what is left of dependent ones.

@@ -25,7 +25,7 @@ using Eigen::VectorXd;
 /// A violation below this part of the row's terms is rounding.
 constexpr double rounding_tolerance = 1e-12;
 /// Rows that are met by more than this many times the largest violation count as met by this much: none of them gets
-/// into the way, and larger numbers would drown the others in their rounding.
+/// in the way, and larger numbers would hide the others by their rounding errors.
 constexpr double farthest_row = 1e7;
 /// Rows whose lengths differ by more than this are priced as if by this: beyond it, prices lose their digits.
 constexpr double widest_price_range = 1e4;
@@ -93,7 +93,7 @@ void LeastSquaresSolver::State::factorise_at_rest() {
   at_rest = true;
 }
 
-/// h - G y per scaled row; rows without entries say nothing about y and count as met here.
+/// h - G y per scaled row; rows without entries don't constrain y and count as met here.
 VectorXd LeastSquaresSolver::State::violations(const VectorXd& y) const {
   VectorXd violation = scaled.inequality_scale.cwiseProduct(problem.inequality_bounds) - scaled.inequalities * y;
   for (Eigen::Index row = 0; row < violation.size(); ++row)

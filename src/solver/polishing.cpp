@@ -102,7 +102,7 @@ bool Polishing::round() {
   double best = std::numeric_limits<double>::infinity();
   for (int step = 0; step < most_refinements; ++step) {
     const double error = refine();
-    // The rounding floor: no further digit to be had.
+    // The rounding floor: no further digit can be gained.
     if (error <= 1e-3 * verification_tolerance || (error <= verification_tolerance && error > 0.5 * best)) return true;
     best = std::min(best, error);
   }

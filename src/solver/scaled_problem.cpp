@@ -18,7 +18,7 @@ VectorXd column_lengths(const Eigen::SparseMatrix<double>& matrix) {
 
 double inverse_or_one(double length) { return length > 0 ? 1 / length : 1; }
 
-/// An unknown that the objective doesn't see has no unit of its own: the rows it shares with others lend it theirs.
+/// An unknown that isn't in the objective has no unit of its own: it takes that of the rows it shares with others.
 void raise_by_rows(const RowMatrix& rows, const VectorXd& objective_lengths, VectorXd& lengths) {
   for (Eigen::Index row = 0; row < rows.rows(); ++row) {
     double known = 0;

@@ -23,7 +23,7 @@ constexpr double along = 0.5;
 /// Cosine of 45 degrees: how steeply the joining piece may step from one end to the other where they run along.
 constexpr double steepest_step = 0.7;
 
-/// Of the closing distance: a joining piece shorter than this has no direction worth looking at.
+/// Of the closing distance: a joining piece shorter than this has no useful direction.
 constexpr double no_step = 0.1;
 
 struct ClosingCandidate {

@@ -15,7 +15,7 @@ struct Closing {
   std::size_t last = 0;
 };
 
-/// How a drawn stroke closes, if its ends meet (see ends_meet). A hand seldom stops where it began: what overshoots is
+/// How a drawn stroke closes, if its ends meet (see ends_meet). A pen seldom stops where it began: what overshoots is
 /// left out, so that the loop neither crosses itself at the seam nor folds back, and no more of it than that takes.
 /// O(samples); the search at the seam is bounded by a count.
 std::optional<Closing> find_closing(std::span<const StrokeSample> samples, const CloseOptions& options);

@@ -17,10 +17,10 @@ struct DirectedEdge {
 /// The end of an edge that isn't the one given.
 Index other_end(const MeshTopology& topology, Index edge, Index vertex);
 
-/// Edges of a vertex, each once, in no promised order.
+/// Edges of a vertex, each once, in any order.
 Elements edges_at(const MeshTopology& topology, Index vertex);
 
-/// The edge that goes straight on beyond the vertex, or no_index where none does.
+/// The next edge of the loop beyond the vertex, or no_index where there is none.
 Index straight_on(const MeshTopology& topology, Index edge, Index vertex);
 
 /// One step of a ring: out of an edge, across a quad, into the edge opposite, which runs the same way.

@@ -59,7 +59,7 @@ class Region {
     umbrellas_.unite(topology_.next(a), same_way ? topology_.next(b) : b);
   }
 
-  /// An umbrella parts when it has a rim, or when other faces hang on to its vertex.
+  /// An umbrella parts at the border of the lifted faces, or when other faces share its vertex.
   void find_rims() {
     for (Index corner = 0; corner < topology_.corner_count(); ++corner) {
       if (!lifts(topology_.face(corner))) continue;

@@ -35,7 +35,7 @@ class Spread {
   }
   std::uint64_t operator()(double unit) const {
     const double scaled = unit * static_cast<double>(table_.size());
-    if (!(scaled > 0)) return 0;  // also of a position that isn't a number
+    if (!(scaled > 0)) return 0;  // also for NaN
     return table_[static_cast<std::size_t>(std::clamp(scaled, 0.0, static_cast<double>(table_.size() - 1)))];
   }
 
@@ -108,7 +108,7 @@ FaceTree::FaceTree(const PolyMesh& mesh) {
   for (Index face = 0; face < count; ++face) {
     Vec3 middle = low;
     const auto corners = mesh.face(face);
-    // Two opposite corners are enough to say where a face is.
+    // Two opposite corners are enough for the place of a face.
     if (!corners.empty()) middle = (mesh.positions[corners[0]] + mesh.positions[corners[corners.size() / 2]]) / 2;
     const Vec3 at = (middle - low) * scale;
     items[face] = {spread_of(at.x()) << 2U | spread_of(at.y()) << 1U | spread_of(at.z()), face};

@@ -18,8 +18,8 @@ namespace croquis {
 /// leaf, and a complete binary tree above, without pointers.
 ///
 /// Sorting by the curve takes O(n) where better splits take O(n log n) with a greater constant; so a million faces are
-/// ready before a hand notices, and after a drag the boxes alone are made anew. Source: Lauterbach et al. 2009, "Fast
-/// BVH construction on GPUs", section 3.
+/// ready without a visible delay, and after a drag the boxes alone are computed again. Source: Lauterbach et al.
+/// 2009, "Fast BVH construction on GPUs", section 3.
 class FaceTree {
  public:
   /// @param mesh positions finite

@@ -15,7 +15,7 @@ namespace {
 /// Pixels. Samples nearer than this to the one before repeat it.
 constexpr double repeated_pixels = 0.02;
 
-/// Pixels. Samples this near to each other are crowded: their differences are jitter more than drawing.
+/// Pixels. Samples this near to each other are dense: their differences are jitter more than drawing.
 constexpr double crowd_pixels = 1.5;
 
 /// Pixels between samples up to which jitter may be taken away in full.
@@ -173,7 +173,7 @@ class Thinning {
   FitPoints result_;
 };
 
-/// Fairing is there against jitter, which shows between near points. Where a fast hand leaves them far apart it would
+/// Fairing is there against jitter, which shows between near points. Where a fast pen leaves them far apart it would
 /// flatten the curve itself.
 Vec2 limited_shift(const std::vector<Vec2>& places, std::size_t i, const Vec2& shift, const FitOptions& options) {
   const std::size_t count = places.size();

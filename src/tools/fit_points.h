@@ -16,7 +16,7 @@ struct FitPoints {
   bool closed = false;               ///< and has at least three points
 };
 
-/// Finds corners, lets the mean of each few crowded samples stand for them, and fairs what lies between corners and
+/// Finds corners, replaces each few dense samples by their mean, and fairs what lies between corners and
 /// ends, which keep their places.
 /// @throws Error (E_NO_STROKES, E_NOT_FINITE)
 FitPoints fit_points(const Stroke& stroke, const FitOptions& options);

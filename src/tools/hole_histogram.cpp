@@ -7,7 +7,7 @@
 namespace croquis {
 namespace {
 
-/// Above a hole's own diameter: more than six digits lose.
+/// Above a hole's own diameter, by more than rounding to six digits loses.
 constexpr double hair = 1e-5;
 
 bool is_size(double diameter) { return std::isfinite(diameter) && diameter > 0; }

@@ -76,7 +76,7 @@ std::vector<Wish> wishes_of(std::span<const HoleRim> rims, const ViewFrame& fram
   return wishes;
 }
 
-/// The pins that have a place, in cells as wide as pins have to be apart.
+/// The pins that have a place, in cells as large as the distance between pins has to be.
 class PinBoard {
  public:
   PinBoard(const Vec2& size, const HolePinOptions& options)

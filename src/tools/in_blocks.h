@@ -16,7 +16,7 @@ inline std::size_t usable_threads() {
   return std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, most_threads);
 }
 
-/// Shares out a range among threads, in blocks. For work whose results depend on the element alone.
+/// Divides a range among threads, in blocks. For work whose results depend on the element alone.
 /// @param work called with [begin, end), from several threads at once; doesn't throw
 template <typename Work>
 void in_blocks(std::size_t count, std::size_t block, Work work) {

@@ -50,7 +50,7 @@ Index last_vertex(const MeshTopology& topology, std::span<const Index> row) {
   return a == before[0] || a == before[1] ? b : a;
 }
 
-/// Shortest ways from some vertices (Dijkstra 1959), as far as the first of others.
+/// Shortest paths from some vertices (Dijkstra 1959), as far as the first of others.
 class ShortestWay {
  public:
   ShortestWay(const MeshTopology& topology, std::span<const Vec3> positions)
@@ -59,7 +59,7 @@ class ShortestWay {
         length_(topology.vertex_count(), std::numeric_limits<double>::infinity()),
         edge_(topology.vertex_count(), no_index) {}
 
-  /// Edges of the way, from its end to its beginning; nothing when there is none.
+  /// Edges of the path, from its end to its beginning; nothing when there is none.
   std::optional<Elements> find(std::span<const Index> from, std::span<const Index> to) {
     for (const Index vertex : from) reach(vertex, 0, no_index);
     while (!queue_.empty()) {
@@ -175,7 +175,7 @@ Elements part_between(std::span<const Index> ordered, Index from, Index to, bool
   return sorted_unique(std::move(part));
 }
 
-// ---- Ways
+// ---- Paths
 
 Elements shortest_path(const MeshTopology& topology, std::span<const Vec3> positions, Index from, Index to) {
   if (from >= topology.vertex_count() || to >= topology.vertex_count()) return {};

@@ -215,7 +215,7 @@ struct BoxQuery {
     const auto [a, b] = picker.topology().edge_vertices(edge);
     if (screen.shown[a] == 0 && screen.shown[b] == 0) return false;
     const bool whole = screen.shown[a] != 0 && screen.shown[b] != 0;
-    // Most edges of a big mesh lie far outside: tell so without projecting them again.
+    // Most edges of a big mesh lie far outside: this test needs no second projection.
     if (whole && !part_in_box(screen.vertices[a].pixel, screen.vertices[b].pixel, box)) return false;
     const Vec3& from = picker.mesh().positions[a];
     const Vec3& to = picker.mesh().positions[b];
@@ -267,7 +267,7 @@ std::vector<Index> MeshPicker::in_box(const ViewFrame& frame, const PickBox& box
   const BoxQuery query{*this, frame, shown_box, screen, seen ? &*seen : nullptr};
   const std::vector<char> drawn =
       seen && kind == ComponentKind::Face ? seen->faces_shown(state_->mesh->face_count()) : std::vector<char>{};
-  state_->fresh_tree();  // before several threads ask for it
+  state_->fresh_tree();  // before several threads use it
   std::vector<char> found(element_count(*state_->topology, kind), 0);
   in_blocks(found.size(), elements_at_once, [&](std::size_t begin, std::size_t end) {
     std::vector<Projected> polygon;

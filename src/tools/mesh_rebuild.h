@@ -9,7 +9,7 @@
 
 #include "croquis/tools/mesh_edit.h"
 
-/// What all edits of meshes share: making the new value from a plan that says where everything comes from.
+/// What all edits of meshes share: making the new value from a plan of where everything comes from.
 namespace croquis {
 
 /// A value between two old elements, or that of one.
@@ -48,7 +48,7 @@ void keep_face(MeshPlan& plan, const PolyMesh& mesh, Index face);
 /// @return per old vertex (the plan's vertices, which begin with the old ones) its new number, or no_index
 std::vector<Index> drop_unused_vertices(MeshPlan& plan, const MeshTopology& before, std::span<const Index> loose = {});
 
-/// The planned mesh without tags. Attributes and polylines that can't follow are told in `lost`.
+/// The planned mesh without tags. Attributes and polylines that can't be kept are listed in `lost`.
 /// @param new_vertex per old vertex its new number or no_index
 MeshEdit rebuilt(const PolyMesh& old, const MeshPlan& plan, const std::vector<Index>& new_vertex);
 
@@ -63,8 +63,8 @@ struct TagMap {
   std::function<std::vector<Index>(Index vertex)> pin;
 };
 
-/// Carries the old tags over, the sets too, and tells which ones found no place. A pair that two edges go to gets the
-/// sharper tag.
+/// Carries the old tags over, the sets too, and lists the ones that found no place. A pair that two edges go to gets
+/// the sharper tag.
 void carry_tags(const MeshTags& old, const TagMap& map, MeshEdit& edit);
 
 /// "1 edge (0, 4)", "12 edges (0, 4), (4, 5), (5, 6) …".

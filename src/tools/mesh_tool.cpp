@@ -12,7 +12,7 @@ namespace croquis {
 namespace {
 
 constexpr std::size_t most_faces_at_once = 50'000;  // their neighbourhoods take about 10 ms
-constexpr double sharpness_step = 0.1;              // levels: a hand can't mean less
+constexpr double sharpness_step = 0.1;              // levels: a pointer isn't more exact
 
 bool same_connectivity(const PolyMesh& a, const PolyMesh& b) {
   return a.vertex_count() == b.vertex_count() && a.face_offsets == b.face_offsets && a.corners == b.corners;
@@ -305,7 +305,7 @@ void MeshTool::drag_handle(const Vec2& pixel) {
   if (!dragging_) start_drag();
   preview_.motion = motion;
   PolyMesh moved = transformed(*original_, dragged_, motion.map);
-  drag_revision_ = session_.revision() + 1;  // what listeners see while they are told
+  drag_revision_ = session_.revision() + 1;  // what listeners see while they are notified
   session_.drag(with_mesh(std::move(moved)));
   drag_revision_ = session_.revision();
 }

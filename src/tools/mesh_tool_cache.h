@@ -5,7 +5,7 @@
 
 namespace croquis {
 
-/// What is derived from the tool's mesh, kept as long as it holds.
+/// What is derived from the tool's mesh, kept as long as it is valid.
 struct MeshTool::Cache {
   std::shared_ptr<const PolyMesh> mesh;
   std::shared_ptr<const MeshTopology> topology;

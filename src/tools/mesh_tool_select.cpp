@@ -166,7 +166,7 @@ Elements MeshTool::expanded(ComponentKind wanted, Index element, How how) {
   return edge_loop(*cache.topology, element);
 }
 
-// ---- Ways
+// ---- Paths
 
 Elements MeshTool::path(ComponentKind wanted, Index from, Index to) {
   const Cache& cache = *fresh();

@@ -94,7 +94,7 @@ Navigation::Answer Navigation::drag_on(const PointerEvent& event) {
     return answer;
   }
   if (event.action == Action::ProximityIn || event.action == Action::ProximityOut) return answer;
-  // A button let go in favour of another goes on as the same drag; only open hands end it.
+  // When one button is released while another is pressed the drag goes on; it ends when none is pressed.
   const bool ends = event.action == Action::Leave || event.action == Action::Hover || !event.buttons.any();
   if (event.action != Action::Leave && event.action != Action::Press && event.position != drag_->last) {
     const Vec2 delta = event.position - drag_->last;
@@ -158,7 +158,7 @@ void Navigation::window_moved() {
 
 void Navigation::note_alt(const PointerEvent& event) {
   if (event.action == Action::Press || event.action == Action::Wheel) alt_swallowed_ = false;
-  // Fingers have no modifiers, and leaving tells none.
+  // Touch events have no modifiers, and leave events report none.
   if (event.device == Device::Touch || event.action == Action::Leave) return;
   if (!event.modifiers.alt) alt_held_ = false;
   if (event.action == Action::Press && event.modifiers.alt) pressed_with_alt_ = true;

@@ -6,8 +6,8 @@
 namespace croquis {
 namespace {
 
-/// Cosine between axis and line of sight (10 degrees): nearer to it the pointer's place on the axis is a matter of
-/// luck.
+/// Cosine between axis and line of sight (10 degrees): nearer to it the pointer's place on the axis is
+/// random.
 constexpr double end_on_cosine = 0.985;
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace croquis {
 /// A place of the model dragged by the pointer: in the plane across the view, or along a line.
 class PatchDrag {
  public:
-  /// @param grip where the pointer took hold, near the place. @param axis unit; none: across the view
+  /// @param grip where the pointer was pressed, near the place. @param axis unit; none: across the view
   PatchDrag(const ViewFrame& frame, const Vec2& grip, const Vec3& from, const std::optional<Vec3>& axis);
 
   Vec3 to(const Vec2& pixel) const;

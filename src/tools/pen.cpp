@@ -249,7 +249,7 @@ void PenInput::tell(PenStep::Kind kind, const PenSample& sample, Steps& steps) c
   steps.push_back(step);
 }
 
-// ---- Who is whose copy
+// ---- Copies of events
 
 void PenInput::note_pen(const PointerEvent& event) {
   pen_seen_ = event.time;
@@ -269,10 +269,10 @@ bool PenInput::is_repeated_press(const PointerEvent& event) const {
 bool PenInput::is_copy_of_pen(const PointerEvent& event) const {
   const bool by_pen = !samples_.empty() && is_pen(owner_.device);
   const bool near_stroke = by_pen && is_near(samples_, event.position, options_.twin_pixels);
-  // Copies keep the time of what they copy, and may be told after the whole stroke.
+  // Copies keep the time of what they copy, and may come after the whole stroke.
   const double since = near_stroke ? std::min(pen_seen_, samples_.front().time) : pen_seen_;
   const bool recent = event.time >= since - options_.twin_seconds && event.time <= pen_seen_ + options_.twin_seconds;
-  // Two hands can't draw at once, and a pen held still sends nothing: while it touches either reason is enough.
+  // Two devices don't draw at once, and a pen held still sends nothing: while it touches either reason is enough.
   if (pen_draws()) return recent || (samples_.back().position - event.position).norm() <= options_.twin_pixels;
   return recent && (near_stroke || is_near(trail_, event.position, options_.twin_pixels));
 }

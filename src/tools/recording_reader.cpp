@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The fields of one line. Every field is asked for once; what nobody asked for is a mistake.
+/// The fields of one line. Every field is read once; one that isn't read is a mistake.
 class Fields {
  public:
   explicit Fields(const Json& object) : object_(object) {}
@@ -350,7 +350,7 @@ Step read_hole(Fields& fields) {
 
 Step read_hole_way(Fields& fields) {
   HoleWay step{fields.has("holes") ? fields.indices("holes") : std::vector<Index>{}};
-  if (fields.has("fairness")) step.fairness = fields.one_of("fairness", {"rbf", "smooth", "flat"});
+  if (fields.has("fairness")) step.fairness = fields.one_of("fairness", {"auto", "rbf", "smooth", "flat"});
   if (fields.has("kernel")) step.kernel = fields.text("kernel");
   if (fields.has("bulge")) step.bulge = fields.number("bulge");
   if (fields.has("trim-rim")) step.trim_rim = fields.count("trim-rim");

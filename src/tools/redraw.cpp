@@ -54,13 +54,13 @@ class OldStroke {
     return best;
   }
 
-  /// Signed way along the stroke from one foot to another, the shorter one round a closed stroke.
+  /// Signed distance along the stroke from one foot to another, the shorter one round a closed stroke.
   double way(const Foot& from, const Foot& to) const {
     const double length = to.along - from.along;
     return stroke_.closed ? length - std::round(length / total()) * total() : length;
   }
 
-  /// The way forward: of open strokes negative when `to` lies behind.
+  /// The distance forward: of open strokes negative when `to` lies behind.
   double way_forward(const Foot& from, const Foot& to) const {
     const double length = to.along - from.along;
     return stroke_.closed && length < 0 ? length + total() : length;
@@ -92,7 +92,7 @@ Vec2 at_length(const std::vector<Vec2>& places, double length) {
   return places.back();
 }
 
-/// Which way the beginning of a line runs along the old stroke: +1, -1, or 0 when it doesn't.
+/// In which direction the beginning of a line runs along the old stroke: +1, -1, or 0 when it doesn't.
 int sense_at_begin(const OldStroke& old, const std::vector<Vec2>& line, double run, const RedrawLimits& limits) {
   const double smallest_cosine = std::cos(limits.degrees * std::numbers::pi / 180);
   std::array<Foot, 3> feet;
@@ -116,7 +116,7 @@ int sense_at_begin(const OldStroke& old, const std::vector<Vec2>& line, double r
   return sense;
 }
 
-/// Shifts the samples near the first one so that it lies on `place`; the shift fades out over `run`.
+/// Moves the samples near the first one so that it lies on `place`; the movement fades out over `run`.
 template <typename Iterator>
 void attach(Iterator first, Iterator last, const Vec2& place, double run) {
   const Vec2 shift = place - first->position;

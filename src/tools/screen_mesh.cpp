@@ -20,7 +20,7 @@ Projected on_screen(const ViewFrame& frame, const Eigen::Vector4d& clip) {
   return {{(at.x() + 1) / 2 * frame.size.x(), (1 - at.y()) / 2 * frame.size.y()}, at.z()};
 }
 
-/// Where the way from a shown place to one that isn't meets the near plane: 0..1.
+/// Where the segment from a shown place to one that isn't meets the near plane: 0..1.
 double at_near(const Eigen::Vector4d& shown, const Eigen::Vector4d& hidden) {
   const double inside = beyond_near(shown);
   const double outside = beyond_near(hidden);

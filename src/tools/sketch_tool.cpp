@@ -131,7 +131,7 @@ void SketchTool::end_gesture() {
 Verdict SketchTool::finish_drawing() {
   const std::vector<StrokeSample> ink = std::move(preview_.ink);
   end_gesture();
-  // A tap is no stroke: it would only be told about as too short.
+  // A tap is no stroke: it would only be reported as too short.
   if (extent(ink) <= options_.drag_pixels * start_.units_per_pixel) return Verdict::Revert;
   const auto before = drawing();
   DrawOptions options;
@@ -215,7 +215,7 @@ void SketchTool::drag_to(const Vec2& place) {
   const Vec2 by = place - start_.sample.position;
   DrawingEdit edit =
       anchor_ ? drag_anchor(*original_, picked_, held_fit_, *anchor_, by) : move_strokes(*original_, selected(), by);
-  drag_revision_ = session_.revision() + 1;  // what listeners see while they are told
+  drag_revision_ = session_.revision() + 1;  // what listeners see while they are notified
   session_.drag(with_drawing(std::move(edit.drawing)));
   drag_revision_ = session_.revision();
 }

@@ -10,7 +10,7 @@
 namespace croquis {
 namespace {
 
-/// Pixels over which directions are taken: wide enough for jitter, short against what a hand bends.
+/// Pixels over which directions are taken: long against jitter, short against drawn bends.
 constexpr double tangent_reach = 6;
 
 /// A stretch of the points between two breaks, in order; of a closed stroke it may pass the list's end.

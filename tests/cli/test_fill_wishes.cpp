@@ -225,5 +225,23 @@ TEST_CASE("progress counts the patches; stages in the report are told without co
   CHECK(std::none_of(names.begin(), names.end(), [](const std::string& n) { return n.find(" of ") != n.npos; }));
 }
 
+TEST_CASE("what can't be remeshed is refused with its reason, beside other pieces by a warning") {
+  const ScratchFolder folder;
+  // A plate thinner than its own edges: the surface through it would lie far from it.
+  const PolyMesh plate = transformed(divided_box(36), Eigen::Affine3d(Eigen::Scaling(1.0, 1.0, 0.15 / 36)));
+  const std::string alone = folder.write("plate.ply", ply_of(plate));
+  const ProcessResult refused = run_cli({"fill", alone, "-o", folder / "a.ply", "--mode", "remesh", "--json"});
+  CHECK(refused.code == 4);
+  CHECK(Json::parse(refused.out).at("error").at("code") == "E_NOT_REMESHED");
+  CHECK(refused.err.find("E_NOT_REMESHED") != std::string::npos);
+  CHECK(folder.names() == Words{"plate.ply"});
+  const PolyMesh ball = translated(round_sphere(4), Vec3(3, 0, 0));
+  const std::string both = folder.write("both.ply", ply_of(merged(plate, ball)));
+  const Words told = codes_of(filled(both, folder / "b.ply", {"--mode", "remesh"}).at("warnings"));
+  const auto tells = [&](const char* code) { return std::find(told.begin(), told.end(), code) != told.end(); };
+  CHECK((tells("W_PIECE_REFUSED") || tells("W_PIECE_LOST")));
+  CHECK(run_cli({"check", folder / "b.ply"}).code == 0);
+}
+
 }  // namespace
 }  // namespace croquis::test

@@ -155,6 +155,7 @@ TEST_CASE("an end that touches nothing is named and no output is left") {
   CHECK(error.at("subject")[0]["id"] == "tail");
   CHECK(error.at("subject")[0]["line"] == 1);
   REQUIRE(error.at("subject")[0]["at"].size() == 2);
+  CHECK(result.err.find("[E_FREE_END at (100, 100)]") != std::string::npos);  // a terminal has no marks
   CHECK(folder.names() == std::vector<std::string>{"free.svg"});
 }
 

@@ -200,7 +200,7 @@ TEST_CASE("edges of many faces are no rims, and rims that end there are told") {
     book.add_triangle(0, page + 1, 1);
   }
   const HoleAnalysis analysis = analyse(book);
-  CHECK(analysis.view.crowded_edges == 1);
+  CHECK(analysis.view.nonmanifold_edges == 1);
   CHECK(analysis.open_rims == 3);
   CHECK(analysis.holes.empty());
   CHECK(codes_of(analysis) == std::vector<std::string>{"W_NONMANIFOLD"});

@@ -37,7 +37,7 @@ HolePatch as_patch(const FairingResult& refined) { return {{0}, refined.new_poin
 
 struct DiscMeasures {
   double area = 0, mean_edge = 0;
-  std::size_t boundary_edges = 0, crowded_edges = 0;
+  std::size_t boundary_edges = 0, nonmanifold_edges = 0;
 };
 
 DiscMeasures measure(const FairingInput& input, const FairingResult& refined) {
@@ -52,7 +52,7 @@ DiscMeasures measure(const FairingInput& input, const FairingResult& refined) {
   for (const auto& [edge, count] : edges) {
     measures.mean_edge += (points[edge.first] - points[edge.second]).norm() / static_cast<double>(edges.size());
     measures.boundary_edges += count == 1;
-    measures.crowded_edges += count > 2;
+    measures.nonmanifold_edges += count > 2;
   }
   return measures;
 }
@@ -69,7 +69,7 @@ TEST_CASE("refining keeps a patch's rim and its area, and gives the edges asked 
       const DiscMeasures measures = measure(input, *refined);
       CHECK(measures.area == Approx(0.5 * corners * std::sin(2 * std::numbers::pi / corners)));
       CHECK(measures.boundary_edges == corners);
-      CHECK(measures.crowded_edges == 0);
+      CHECK(measures.nonmanifold_edges == 0);
       if (corners > 12) CHECK(measures.mean_edge / edge == Approx(coarseness).epsilon(0.3));
     }
   }

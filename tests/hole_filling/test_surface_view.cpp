@@ -65,7 +65,7 @@ TEST_CASE("neighbours agree with the topology of the mesh, on any soup") {
     REQUIRE(view.triangles.size() == mesh.face_count());
     std::size_t crowded = 0;
     for (Index edge = 0; edge < topology.edge_count(); ++edge) crowded += topology.edge_corners(edge).size() > 2;
-    CHECK(view.crowded_edges == crowded);
+    CHECK(view.nonmanifold_edges == crowded);
     CHECK(view.component_count == topology.component_count());
     std::size_t rims = 0;
     for (Index corner = 0; corner < view.opposite.size(); ++corner) {
@@ -77,7 +77,7 @@ TEST_CASE("neighbours agree with the topology of the mesh, on any soup") {
       }
       REQUIRE(same != no_index);
       CHECK((view.opposite[corner] == no_index) == (topology.edge_corners(topology.edge(same)).size() == 1));
-      CHECK((view.opposite[corner] == crowded_edge) == (topology.edge_corners(topology.edge(same)).size() > 2));
+      CHECK((view.opposite[corner] == nonmanifold_edge) == (topology.edge_corners(topology.edge(same)).size() > 2));
       if (view.has_opposite(corner)) {
         CHECK(view.opposite[view.opposite[corner]] == corner);
         CHECK(view.opposite[corner] / 3 == topology.face(topology.opposite(same)));

@@ -149,10 +149,23 @@ TEST_CASE("a fairness that is asked for counts for the borders of open surfaces 
   };
   const std::string all = "all";
   CHECK(method({{"select", all}}) == "minimal");
+  CHECK(method({{"select", all}, {"fairness", std::string("auto")}}) == "minimal");
   CHECK(method({{"select", all}, {"fairness", std::string("flat")}}) == "minimal");
+  CHECK(method({{"select", all}, {"fairness", std::string("rbf")}}) != "minimal");
   CHECK(method({{"select", all}, {"fairness", std::string("smooth")}}).starts_with("cgal-c1"));
   CHECK(method({{"only", std::string("0")}, {"fairness", std::string("smooth")}}).starts_with("cgal-c1"));
   CHECK(method({{"holes", std::string("0: rbf")}}) != "minimal");
+}
+
+TEST_CASE("a flat cap over the wide end of an open surface isn't trusted") {
+  for (const PolyMesh& open : {test::bust(64, 48), test::bowl(48, 24)}) {
+    const OperationResult result = fill(open, {{"select", std::string("all")}});
+    const Report& hole = details_of(result).at("holes").as_array().front();
+    CHECK(hole.at("method").as_string() == "minimal");
+    CHECK(hole.at("confidence").as_number() < 0.3);
+    const auto doubt = std::ranges::find(result.warnings, "W_LOW_CONFIDENCE", &Finding::code);
+    CHECK(doubt != result.warnings.end());
+  }
 }
 
 TEST_CASE("the list tells what filling does, and makes nothing") {

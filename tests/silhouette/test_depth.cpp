@@ -273,6 +273,7 @@ TEST_CASE("a contradiction is told with both strokes, and the rest is still solv
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].code == "W_COLLISION");
   CHECK(findings[0].severity == Severity::Warning);
+  CHECK(findings[0].message.find_first_of("0123456789") == std::string::npos);  // the subjects have the places
   std::vector<std::string> ids;
   for (const Subject& subject : findings[0].subjects) {
     CHECK(subject.kind == SubjectKind::Stroke);

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-/// What the program has to say about somebody's input: one sentence, a stable code, and the elements it is about.
+/// What the program reports about an input: one sentence, a stable code, and the elements it is about.
 namespace croquis {
 
 /// How much a finding matters: a warning goes with a result, an error replaces it.

@@ -9,7 +9,7 @@
 
 namespace croquis {
 
-/// Where a long computation tells how far it is, and learns that it should stop.
+/// Where a long computation reports how far it is, and sees that it should stop.
 ///
 /// A progress owns a range of the whole (0..1) and hands parts of it to the steps below. The fraction that the sink
 /// sees never goes backwards. `check()` is called between phases and at least every 50 ms of work.
@@ -34,7 +34,7 @@ class Progress {
   /// @throws Cancelled when the host asked to stop
   void report(double fraction);
 
-  /// The same for things that can be counted, whose count is told behind the step's name: "make patches 12 of 40".
+  /// The same for things that can be counted, whose count follows the step's name: "make patches 12 of 40".
   /// @throws Cancelled when the host asked to stop
   void report(std::size_t done, std::size_t count);
 

@@ -10,7 +10,7 @@
 
 namespace croquis {
 
-/// A small tree of named figures: what an operation has to say about its result.
+/// A small tree of named figures: what an operation reports about its result.
 ///
 /// Free of any file format, so that operations, panels and the command line share one value; keys keep the order in
 /// which they were set.

@@ -9,7 +9,7 @@
 namespace croquis {
 
 /// Keeps the results of stages from one run to the next, so that a changed weight or a dragged point makes only what
-/// depends on it anew. Hosts implement it over their own memory; results are the same with any cache and without.
+/// depends on it again. Hosts implement it over their own memory; results are the same with any cache and without.
 class StageCache {
  public:
   struct Stage {

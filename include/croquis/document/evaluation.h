@@ -13,9 +13,10 @@ struct Evaluation {
   Values outputs;     ///< by output port; a source has one, "value". Of a failed node: the last good ones, or none
   Findings findings;  ///< warnings; of a failed node its errors
   bool failed = false;
-  bool stale = false;                ///< the outputs are older than the node
-  Quality quality = Quality::Final;  ///< what was got: asked for a draft, a final result at hand is better
-  ContentHash key;                   ///< of the operation, its version, parameters, the inputs' keys and the quality
+  bool stale = false;  ///< the outputs are older than the node
+  Quality quality =
+      Quality::Final;  ///< what was got: asked for a draft, a final result that is there already is better
+  ContentHash key;     ///< of the operation, its version, parameters, the inputs' keys and the quality
 };
 
 }  // namespace croquis

@@ -22,7 +22,7 @@ namespace croquis {
 /// even under one key. Thread safe.
 class Memo {
  public:
-  /// What an entry costs beside the bytes told for it.
+  /// What an entry costs beside the bytes given for it.
   static constexpr std::size_t entry_bytes = 256;
 
   explicit Memo(std::size_t byte_cap = std::size_t{1} << 30) : byte_cap_(byte_cap) {}
@@ -44,7 +44,7 @@ class Memo {
   /// The result of that key, made when it isn't there.
   /// @param make  returns a T. Runs without a lock: it may use the memo, and two threads may make the same at once.
   ///              What it throws is passed on, and nothing is kept
-  /// @param bytes tells from a const T& what it takes
+  /// @param bytes gives the size of a const T&
   template <class T, class Make, class Bytes>
   std::shared_ptr<const T> get(const ContentHash& key, Make&& make, Bytes&& bytes) {
     if (auto found = find<T>(key)) return found;

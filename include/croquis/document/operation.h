@@ -21,7 +21,7 @@ struct PortDescription {
   bool is_solid = false;  ///< a mesh that promises to be closed, oriented and free of self-intersection, as written
   bool optional = false;  ///< an input that may be absent
   bool is_raw = false;    ///< an input mesh as devices leave it: hosts offer to drop what isn't finite
-  bool counts_self_intersections = false;  ///< an output mesh of whose file hosts always tell them
+  bool counts_self_intersections = false;  ///< an output mesh of whose file hosts always count them
 };
 
 /// All that hosts know of an operation: options and help, panel, project-file fields and reference page come from it.
@@ -43,7 +43,7 @@ enum class Quality { Draft, Final };
 
 /// What surrounds a computation.
 struct Context {
-  Progress& progress;  ///< also tells when to stop
+  Progress& progress;  ///< also shows when to stop
   Quality quality = Quality::Final;
   Memo* memo = nullptr;  ///< results of stages (see memoized); with null everything is computed
   int threads = 1;       ///< how many may be used; the result is the same for any number

@@ -18,7 +18,7 @@ inline constexpr double greatest_sharpness = 10;
 
 /// A tagged edge: sharp for so many refinements.
 struct Crease {
-  std::array<Index, 2> vertices = {no_index, no_index};  ///< either way round
+  std::array<Index, 2> vertices = {no_index, no_index};  ///< in any order
   double sharpness = infinite_sharpness;                 ///< > 0; in whole levels, a fraction blends
 
   friend bool operator==(const Crease&, const Crease&) = default;
@@ -34,7 +34,7 @@ struct CreaseSet {
   friend bool operator==(const CreaseSet&, const CreaseSet&) = default;
 };
 
-/// What a mesh says about its own subdivision: one set of tags for all schemes.
+/// How a mesh is to be subdivided: one set of tags for all schemes.
 ///
 /// Sparse: a mesh has far fewer tags than edges. Nothing here is promised to fit the mesh; who uses tags refuses by
 /// name what is no edge.

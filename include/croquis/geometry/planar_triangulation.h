@@ -34,7 +34,7 @@ struct PlanarTriangulationResult {
 
 /// Triangulates the convex hull of the points so that every constraint is an edge; exact predicates throughout.
 ///
-/// Constraints may share end points and nothing else; what meets otherwise is told as a conflict, never repaired.
+/// Constraints may share end points and nothing else; what meets otherwise is reported as a conflict, never repaired.
 /// @param points      #P by 2
 /// @param constraints pairs of indices into points
 /// O(n log n). The triangles come in an order that depends on the input alone.

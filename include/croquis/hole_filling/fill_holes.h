@@ -36,14 +36,13 @@ struct FillOptions {
   bool flat_caps = true;              ///< OUTER holes get flat patches: a smooth one would bulge by about a radius
   Precision precision = Precision::Double;   ///< how the result will be stored
   std::size_t most_patch_triangles = 40000;  ///< a patch that would need more is made of larger triangles
-  bool mark_patches =
-      true;  ///< tell the patches apart by a face channel "patch_id" (int32, -1 for the faces given), and
-             ///< how they are backed by a vertex channel "confidence" (float, 1 for the vertices given)
+  bool mark_patches = true;  ///< mark the patches by a face channel "patch_id" (int32, -1 for the faces given), and
+                             ///< how they are backed by a vertex channel "confidence" (float, 1 for the vertices given)
   HoleAnalysisOptions analysis;
   int threads = 1;               ///< 0: as many as the machine has. The result is the same for any
   std::size_t memory_limit = 0;  ///< bytes; a mesh predicted to need more is refused. 0: none
-  StageCache* cache = nullptr;   ///< analysis and patches of earlier runs, not owned; null: everything is made anew
-  std::string scan_key;          ///< tells the mesh from all others in the cache; empty: all its bytes do
+  StageCache* cache = nullptr;   ///< analysis and patches of earlier runs, not owned; null: everything is computed
+  std::string scan_key;          ///< distinguishes the mesh from all others in the cache; empty: all its bytes do
 };
 
 enum class FillAction {
@@ -52,7 +51,7 @@ enum class FillAction {
   Failed  ///< chosen, but no method made a sound patch: still open
 };
 
-/// What happened to one hole; its measures are in the analysis. Angles in radians, NaN where a model made anew has no
+/// What happened to one hole; its measures are in the analysis. Angles in radians, NaN where a remeshed model has no
 /// face of its own there.
 struct HoleOutcome {
   FillAction action = FillAction::Leave;
@@ -62,7 +61,7 @@ struct HoleOutcome {
   double min_angle = 0;        ///< of the patch's corners
   double confidence = 0;       ///< 0..1, how well the surface around backs the whole patch: less the farther it goes
                           ///< from its rims, in diameters and in diagonals of the piece, and the more it turns there
-  std::size_t new_vertices = 0, new_faces = 0;  ///< of a patch for several holes told with its lowest
+  std::size_t new_vertices = 0, new_faces = 0;  ///< of a patch for several holes: at its lowest
   Index patch = no_index;  ///< number of the patch, the same for holes that one patch joins; as in "patch_id"
   double expected_error = std::numeric_limits<double>::quiet_NaN();  ///< as HolePatch has it
 };

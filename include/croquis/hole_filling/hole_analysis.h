@@ -10,7 +10,7 @@
 
 namespace croquis::hole_filling {
 
-/// What a rim is of, as far as shape tells. The first that applies, in the order islands, tunnel, outer, bow-tie,
+/// What a rim is of, as far as shape shows. The first that applies, in the order islands, tunnel, outer, bow-tie,
 /// small, slit, simple.
 enum class HoleClass {
   Small,    ///< at most 10 edges

@@ -17,7 +17,7 @@ struct HolePatch {
   std::vector<Index> holes;                     ///< ids in the analysis, ascending
   std::vector<Vec3> points;                     ///< new vertices
   std::vector<std::array<Index, 3>> triangles;  ///< corners below #V are vertices of the mesh, #V + i is points[i]
-  std::string method = {};                      ///< how it was made, where that isn't told by who made it; else empty
+  std::string method = {};                      ///< how it was made, where its maker's name isn't enough; else empty
   double expected_error = std::numeric_limits<double>::quiet_NaN();  ///< mean distance to the surface that was there,
                                                                      ///< guessed by cross-validation; model units
   std::vector<Index> arrives_at = {};  ///< further holes that the surface continued from these arrives at, ascending:

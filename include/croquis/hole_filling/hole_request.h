@@ -33,8 +33,8 @@ struct PatchWish {
   std::vector<Vec3> through;  ///< places that the patch goes through, model units
 };
 
-/// What is wanted of single holes instead of what the options say for all. Of several requests for a hole the later
-/// ones win, each in what it says.
+/// What is wanted of single holes instead of the options for all. Of several requests for a hole the later
+/// ones win, each in what it sets.
 struct HoleRequest {
   std::vector<Index> holes;  ///< ids, ascending
   bool bridge = false;       ///< one patch joins these rims, two or more, as a band

@@ -8,7 +8,7 @@
 
 namespace croquis::hole_filling {
 
-/// How the whole model is made anew. Lengths "× cell" are fractions of the cubes' edge.
+/// How the whole model is remeshed. Lengths "× cell" are fractions of the cubes' edge.
 struct RemeshOptions {
   /// Which holes (selection, only, max_diameter, requests that fill or leave), kernel and smoothing (implicit), preset,
   /// marks, precision, threads; and by which patches openings are closed that the field leaves.
@@ -74,14 +74,14 @@ std::size_t predicted_remesh_bytes(const PolyMesh& mesh, const RemeshOptions& op
 /// The same when nothing has to be tried again, in thin slabs: the least limit that isn't refused.
 std::size_t least_remesh_bytes(const PolyMesh& mesh, const RemeshOptions& options);
 
-/// Makes a model anew from one function (Yoo 2005): radial basis functions fitted in small overlapping domains to its
+/// Remeshes a model from one function (Yoo 2005): radial basis functions fitted in small overlapping domains to its
 /// vertices and normals, one larger domain for each hole, blended; the zero set polygonised from every vertex,
 /// smoothed, and verified. Holes that are chosen are closed, the others stay open.
 ///
 /// Pieces that the mesh doesn't join, and no hole that is filled does, get functions of their own: they never grow
 /// together, however near (under Preset::Paper one function has them all). Only where the surfaces made cross each
 /// other, these pieces are polygonised again as one solid: the union of what they enclose, less their cavities.
-/// Openings that the field leaves are told apart from rims left open, and closed with larger boxes, then by patches;
+/// Openings that the field leaves are distinguished from rims left open, and closed with larger boxes, then by patches;
 /// what stays open all the same is a hole with FillAction::Failed. Vertices have the channels of the nearest place of
 /// the mesh; channels of faces and corners end here.
 ///

@@ -12,7 +12,7 @@
 namespace croquis::hole_filling {
 
 /// Stands for the opposite corner of an edge that more than two triangles share.
-inline constexpr Index crowded_edge = no_index - 1;
+inline constexpr Index nonmanifold_edge = no_index - 1;
 
 /// A mesh as hole filling sees it: welded, triangulated, turned to agree, with neighbours. The mesh itself isn't
 /// changed; everything here refers back to it.
@@ -21,15 +21,15 @@ inline constexpr Index crowded_edge = no_index - 1;
 struct SurfaceView {
   enum Flag : std::uint8_t {
     turned = 1,    ///< runs against its face as written
-    no_area = 2,   ///< area below 1e-14 of the squared diagonal: tells nothing about the surface
+    no_area = 2,   ///< area below 1e-14 of the squared diagonal: no use for the surface
     is_sliver = 4  ///< longest edge above 1e6 times its height: its normal is noise
   };
 
   std::vector<std::array<Index, 3>> triangles;  ///< #T by 3, vertices of the mesh by their representatives
   std::vector<Index> face;                      ///< #T, the face of the mesh that it is part of
-  std::vector<Index> opposite;                  ///< #3T, the corner across the edge, no_index on a rim, or crowded_edge
-  std::vector<Index> component;                 ///< #T, numbered by the lowest triangle; joined across any edge
-  std::vector<std::uint8_t> flags;              ///< #T, of Flag
+  std::vector<Index> opposite;        ///< #3T, the corner across the edge, no_index on a rim, or nonmanifold_edge
+  std::vector<Index> component;       ///< #T, numbered by the lowest triangle; joined across any edge
+  std::vector<std::uint8_t> flags;    ///< #T, of Flag
   std::vector<Index> representative;  ///< #V, the lowest used vertex at the same place; empty when nothing is welded
   std::vector<Index> rim_corners;     ///< those of edges with one triangle, ascending
 
@@ -37,7 +37,7 @@ struct SurfaceView {
   std::size_t component_count = 0;
   std::size_t welded_vertices = 0;       ///< used vertices that another one represents
   std::size_t dropped_triangles = 0;     ///< with two corners at one place: not in `triangles`
-  std::size_t crowded_edges = 0;         ///< edges of more than two triangles
+  std::size_t nonmanifold_edges = 0;     ///< edges of more than two triangles
   std::size_t turned_faces = 0;          ///< faces of a minority that disagrees with its neighbours
   std::size_t one_sided_components = 0;  ///< that can't be turned to agree (a Moebius band)
   std::size_t unsound_triangles = 0;     ///< with no_area or is_sliver
@@ -49,7 +49,7 @@ struct SurfaceView {
   Index representative_of(Index vertex) const { return representative.empty() ? vertex : representative[vertex]; }
 
   /// True when the corner's edge lies between exactly two triangles.
-  bool has_opposite(Index corner) const { return opposite[corner] < crowded_edge; }
+  bool has_opposite(Index corner) const { return opposite[corner] < nonmanifold_edge; }
 
   /// The other edge of the corner's triangle that ends at `vertex`, which is an end of the corner's edge.
   Index other_edge_at(Index corner, Index vertex) const {

@@ -56,7 +56,7 @@ struct MeshReadResult {
 /// - OFF: vertex "normal", "color", "uv" and face "color".
 /// - GLB: the meshes of all nodes, where these put them; triangles, strips, fans and lines. Equal positions are joined;
 ///   "normal", "color" and "uv" are on vertices where all that were joined agree, else on corners. Nodes' names are
-///   "object", materials' "material". Textures, skins, animations and morph targets are told (W_IGNORED).
+///   "object", materials' "material". Textures, skins, animations and morph targets are named (W_IGNORED).
 /// @throws Error Malformed: E_EMPTY, E_FORMAT, E_TRUNCATED, E_SYNTAX, E_COUNT, E_INDEX, E_NOT_FINITE, E_NO_FACES,
 /// E_DEGENERATE
 ///         (all points equal), E_FACE_DEGENERATE (fewer than 3 corners); Limit: E_TOO_LARGE (4 GiB and more, or a GLB

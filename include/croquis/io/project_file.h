@@ -48,7 +48,7 @@ std::filesystem::path put_damaged_project_aside(const std::filesystem::path& pat
 /// @throws Cancelled nothing has changed then
 void save_project(const std::filesystem::path& path, const ProjectFile& project, Progress& progress);
 
-/// Reads a project that may come from a stranger: no code of the file is run, memory and time are linear in its size
+/// Reads a project that may come from anybody: no code of the file is run, memory and time are linear in its size
 /// whatever it claims, and what comes out is safe to compute with. Of a damaged file everything that is whole is kept;
 /// warnings name each node, input and parameter that is lost.
 /// @throws Error Malformed: E_FILE_OPEN, E_EMPTY, E_PROJECT_FORMAT (not a project), E_PROJECT_DAMAGED (nothing can be

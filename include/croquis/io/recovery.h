@@ -20,7 +20,7 @@ namespace croquis {
 /// to one thread at a time, which need not be the window's: a commit waits for the disk.
 class WorkingCopy {
  public:
-  /// Makes folder and database, and takes the lock that says that its process lives. Empty remains of dead processes
+  /// Makes folder and database, and takes the lock that shows that its process lives. Empty remains of dead processes
   /// are swept away.
   /// @throws Error E_WRITE (Io)
   static WorkingCopy create(const std::filesystem::path& folder);

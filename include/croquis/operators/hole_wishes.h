@@ -20,7 +20,7 @@
 /// such as `3: leave; 5-7: flat, bulge 0.4; 4: through 0.1 0.2 0.3; 2+9: bridge`. `through` may come several times.
 namespace croquis {
 
-/// What one of them says. Empty or absent: nothing said, the parameters for all holes count.
+/// What one of them asks for. Empty or absent: not asked for, the parameters for all holes count.
 struct HoleWish {
   std::vector<Index> holes = {};              ///< ids, in the order written
   bool bridge = false;                        ///< one patch joins these rims, two or more, as a band
@@ -38,8 +38,8 @@ struct HoleWish {
 /// @throws Error with one E_PARAMETER finding for every part that isn't as above, naming it
 std::vector<HoleWish> parse_hole_wishes(const std::string& text);
 
-/// The text that parse_hole_wishes turns back into the same wishes. A wish without holes, or that says nothing about
-/// them, is left out: it has no text.
+/// The text that parse_hole_wishes turns back into the same wishes. A wish without holes, or that asks for nothing
+/// about them, is left out: it has no text.
 /// @param wishes of finite numbers, within their ranges
 std::string to_text(std::span<const HoleWish> wishes);
 

@@ -19,7 +19,7 @@ namespace croquis::render {
 Camera tumble(const Camera& camera, const glm::dvec3& pivot, const glm::dvec2& turn);
 
 /// Moves the camera sideways so that what is at the target's distance follows the pointer.
-/// @param pixels the pointer's way, y down
+/// @param pixels how far the pointer moved, y down
 Camera track(const Camera& camera, const glm::dvec2& pixels, double view_height);
 
 /// Comes nearer (factor > 1) or goes away (in (0, 1)); the target keeps its place. Other factors change nothing.

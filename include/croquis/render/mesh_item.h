@@ -81,7 +81,7 @@ using MeshItemPtr = std::shared_ptr<const MeshItem>;
 /// that meet below the crease angle across an edge without a sharp tag, vertices at exactly equal places count as one.
 ///
 /// Colours come from a "color" channel of the faces, corners or vertices; else from a palette by "object", by "group",
-/// or by connected component, the first of these that tells at least two apart. A missing (NaN) colour falls back to
+/// or by connected component, the first of these that distinguishes at least two. A missing (NaN) colour falls back to
 /// the palette.
 /// @throws Error when `validate(mesh)` finds indices, offsets or coordinates that can't be drawn; faces without area
 ///         are accepted
@@ -93,9 +93,9 @@ MeshItemPtr make_mesh_item(const PolyMesh& mesh, const MeshItemOptions& options 
 /// Triangles, edges, colours and which faces are shaded as one stay as they were, even where a face turned concave or
 /// an edge has passed the crease angle; positions and normals are new. Wherever none of this would come out otherwise,
 /// the item equals that of `make_mesh_item` bit for bit. Renderers send positions and normals alone.
-/// A mesh with other faces, lines, tags, or colour, part or normal channels than the previous one's is made anew with
+/// A mesh with other faces, lines, tags, or colour, part or normal channels than the previous one's is made again with
 /// the same options; comparing costs less than a tenth of updating.
-/// @param previous any item; null: made anew with `options`
+/// @param previous any item; null: made with `options`
 /// @param options only for null
 /// @throws Error as make_mesh_item
 /// O(n).
@@ -116,7 +116,7 @@ Bounds bounds_of(const std::vector<MeshItemPtr>& items);
 /// Every vertex drawn, in model coordinates: what `frame` puts into the picture.
 std::vector<glm::dvec3> points_of(const std::vector<MeshItemPtr>& items);
 
-/// The i-th colour of the palette: muted, told apart by people with any colour vision too, repeating after eight.
+/// The i-th colour of the palette: muted, distinguishable with any colour vision, repeating after eight.
 Color palette_color(std::size_t index);
 
 }  // namespace croquis::render

@@ -30,7 +30,7 @@ struct PointStyle {
   PointDepth depth = PointDepth::Surfaces;
 };
 
-/// Points of constant size on screen: a million of them in one draw call. Symbols with more to say are marks.
+/// Points of constant size on screen: a million of them in one draw call. Symbols with a shape or a text are marks.
 struct PointItem {
   glm::dvec3 origin = glm::dvec3(0);  ///< model coordinates = origin + scale * own coordinates
   double scale = 1;

@@ -27,7 +27,7 @@ struct GridOptions {
   Color color = {92, 110, 140, 70};  ///< alpha is the strength of the strong lines
 };
 
-/// Short axes x, y, z in the lower left corner that turn with the camera; letters and dashes tell them apart, too.
+/// Short axes x, y, z in the lower left corner that turn with the camera; letters and dashes distinguish them, too.
 struct AxisCrossOptions {
   bool shown = false;
   double size = 34;  ///< length of an axis in pixels

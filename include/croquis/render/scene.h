@@ -38,7 +38,7 @@ struct Shown {
 
 /// What is seen of a mesh's faces.
 enum class SurfaceLook {
-  Filled,  ///< as RenderOptions say
+  Filled,  ///< as in RenderOptions
   Covers,  ///< nothing, but they hide what is behind them: wire with hidden lines left out
   None     ///< nothing at all
 };

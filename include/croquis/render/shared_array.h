@@ -23,7 +23,7 @@ class SharedArray {
   const Value* end() const { return data() + size(); }
   const Value& operator[](std::size_t i) const { return (*values_)[i]; }
 
-  /// The array itself, whose life tells how long it is needed; null for one never filled.
+  /// The array itself, which lives as long as it is needed; null for one never filled.
   const std::shared_ptr<const std::vector<Value>>& shared() const { return values_; }
 
   friend bool operator==(const SharedArray& a, const SharedArray& b) {

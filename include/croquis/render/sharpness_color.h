@@ -14,7 +14,7 @@ namespace croquis::render {
 /// @param sharpness as in Crease; NaN and less than 0 count as 0, more than 10 as infinite
 Color sharpness_color(double sharpness);
 
-/// The width of such an edge in pixels: 2 for the softest, 4 for infinite, so that colour isn't all that tells.
+/// The width of such an edge in pixels: 2 for the softest, 4 for infinite, so that colour isn't the only sign.
 float sharpness_width(double sharpness);
 
 /// One line of a legend.

@@ -32,7 +32,7 @@ class LiveEvaluation {
 
   /// Each may be empty.
   struct Callbacks {
-    /// A draft and then the final evaluation of a request; the final one alone when it was at hand.
+    /// A draft and then the final evaluation of a request; the final one alone when it was there already.
     std::function<void(NodeId, std::shared_ptr<const Evaluation>, Quality)> result;
     /// 0..1 of the request under way, never backwards within it.
     std::function<void(double fraction, const std::string& step)> progress;

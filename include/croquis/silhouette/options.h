@@ -67,7 +67,7 @@ struct Options {
   DepthOptions depth;
   std::vector<AttachedPair> attach;  ///< of two entries for one pair the later counts
   Quality quality = Quality::Final;  ///< of the surface; the labelled figure is the same for both
-  StageCache* cache = nullptr;       ///< results of earlier runs, not owned; null: everything is made anew
+  StageCache* cache = nullptr;       ///< results of earlier runs, not owned; null: everything is computed
 
   static Options of(Preset preset) {
     Options options;

@@ -57,7 +57,7 @@ struct LeastSquaresSolution {
   bool converged = true;       ///< false: max_iterations was reached, x is the last point
 
   /// #N: how far x would still move, were what is left of the stationarity's residual taken out of it while all rows
-  /// let go. Says what the residuals can't: where the objective holds a direction softly, a tiny one is a long way.
+  /// let go. Shows what the residuals can't: where the objective holds a direction softly, a tiny one is a long way.
   Eigen::VectorXd remaining_step;
 
   /// The objective doesn't determine x: some direction that the equalities allow costs nothing. The answer is then the
@@ -78,7 +78,7 @@ struct LeastSquaresSolution {
 /// Deterministic, single-threaded. Contradictory rows are no error: they are named in the result.
 ///
 /// @throws Error (E_SOLVER) when sizes don't match or a number isn't finite, with one finding per part
-/// @throws Cancelled when the progress says so (asked before every factorisation)
+/// @throws Cancelled when the progress was cancelled (asked before every factorisation)
 LeastSquaresSolution solve_least_squares(const LeastSquaresProblem& problem, const LeastSquaresOptions& options,
                                          Progress& progress);
 

@@ -12,14 +12,14 @@
 
 namespace croquis::subdivision {
 
-/// The vertex channel (8 bits, 0 or 1) by which a mesh says which of its corners an earlier refinement made.
+/// The vertex channel (8 bits, 0 or 1) that marks which corners of a mesh an earlier refinement made.
 inline constexpr const char* settled_channel = "settled_corner";
 
 /// What subdivision starts from: a control mesh with its tags, checked.
 ///
-/// Faces are those of the mesh given, in its order, all turning the same way. A vertex where several fans of faces meet
-/// is one vertex per fan; vertices without faces are left out. Else vertices keep their numbers. A cage without faces
-/// is a cage.
+/// Faces are those of the mesh given, in its order, all with the same orientation. A vertex where several fans of faces
+/// meet is one vertex per fan; vertices without faces are left out. Else vertices keep their numbers. A cage without
+/// faces is a cage.
 struct Cage {
   std::vector<Vec3> positions;  ///< #V
   HalfEdges topology;
@@ -40,8 +40,8 @@ enum class CageUse { DooSabin, UniformSchemes };
 
 /// Reads a mesh and its tags (PolyMesh::tags) as a cage.
 ///
-/// Repaired with a warning: faces that turn the wrong way (W_FLIPPED, of each connected part the fewer), vertices with
-/// several fans (W_BOWTIE), vertices without faces (W_LOOSE_VERTEX). Refused with a warning, the others kept: tags
+/// Repaired with a warning: faces with the wrong orientation (W_FLIPPED, of each connected part the fewer), vertices
+/// with several fans (W_BOWTIE), vertices without faces (W_LOOSE_VERTEX). Refused with a warning, the others kept: tags
 /// between vertices that no edge joins (W_TAG_NO_EDGE), sharpness that is negative or NaN (W_TAG_SHARPNESS); more than
 /// greatest_sharpness counts as infinite. Told: pins that change nothing (W_PIN_NO_EFFECT), faces with reflex corners
 /// (W_MAY_FOLD), single tagged edges that shrink away (W_TAG_VANISHES, where rules.chain_ends retract). Tags on

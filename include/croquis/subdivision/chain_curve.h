@@ -24,7 +24,7 @@ struct ChainCurve {
 ///
 /// At corners it is clamped. At ends within the surface it begins in the middle of the first edge, where `retract`
 /// draws it; smooth ends go on into the surface by less than half an edge, which no curve of the chain's own vertices
-/// can tell: `exact` is false then, and for corners of the plain profile (Preset::Paper), which no B-spline with
+/// can decide: `exact` is false then, and for corners of the plain profile (Preset::Paper), which no B-spline with
 /// finitely many pieces follows. Deeper levels halve the difference. Edges of finite sharpness are taken as infinite.
 /// @param positions #V of the level the chain was found in, which is refined without bands (DooSabinPlan::banded)
 ChainCurve doo_sabin_curve(const EdgeChain& chain, std::span<const Vec3> positions, const Rules& rules);

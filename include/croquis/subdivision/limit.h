@@ -27,7 +27,7 @@ struct LimitSurface {
 /// Doo-Sabin. A vertex without sharp edges goes to the mean of the points that its faces' corners become: the centre of
 /// a face without sharp edges, which no refinement moves. Its normal is the cross product of that face's two Fourier
 /// modes of first order (Doo, Sabin 1978). A vertex of a chain goes to (A + 6V + B)/8, with one normal per side; the
-/// end of a chain to the centre of the face around it; corners and pins stay. `exact` says where that is not the limit
+/// end of a chain to the centre of the face around it; corners and pins stay. `exact` shows where that is not the limit
 /// but close to it: vertices with two faces only, and chains whose sharpness runs out. Normals at corners with several
 /// faces between two sharp edges are those of the faces.
 ///

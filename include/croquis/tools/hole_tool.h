@@ -68,14 +68,14 @@ struct HolePreview {
   std::optional<PatchPull> pull;  ///< while a handle or patch is dragged; show the patch as it would be at `to`
 };
 
-/// Works on the holes of one scan: picks them by pin, rim, patch, opening or box, says which to fill, pulls patches.
+/// Works on the holes of one scan: picks them by pin, rim, patch, opening or box, chooses which to fill, pulls patches.
 ///
 /// Clicks: plain replaces the selection, Shift toggles, Ctrl removes, Ctrl+Shift adds; boxes the same, for holes whose
 /// place is in the box and not hidden. A plain click on nothing selects none. Double click: fill this one; leave it
 /// open when it is filled (of several on one pin: fill, unless all are). Drag of a handle, or of any place of a patch:
 /// in the plane across the view; with Shift along the patch's normal. Ctrl+click takes a handle away.
 ///
-/// Plain data in and out: it changes nothing but its own selection, and says in done() what a window has to do. An
+/// Plain data in and out: it changes nothing but its own selection, and returns in done() what a window has to do. An
 /// event in a view that was looked at before costs O(what lies near), in a new one O(points of all rims). One thread.
 class HoleTool {
  public:
@@ -99,7 +99,7 @@ class HoleTool {
   /// what hides it has changed.
   void set_sight(HoleSight sight);
 
-  // ---- The hand
+  // ---- Pointer
   Verdict handle(const MeshEvent& event);  ///< Commit: see done(). Cancel (Escape) gives up
   bool active() const;
   /// @return whether the preview changed

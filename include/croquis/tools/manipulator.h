@@ -8,7 +8,7 @@
 
 #include "croquis/tools/view_frame.h"
 
-/// The handles with which a hand moves, turns and scales: where they are, which one a pixel meets, what a drag does.
+/// The handles that move, rotate and scale: where they are, which one a pixel meets, what a drag does.
 /// They have the same size on the screen in every view. Pure; O(1).
 namespace croquis {
 

@@ -11,11 +11,11 @@
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/tools/mesh_selection.h"
 
-/// Every change that a hand makes to a mesh: pure functions from a mesh to a mesh. Linear in the mesh.
+/// Every change that the tools make to a mesh: pure functions from a mesh to a mesh. Linear in the mesh.
 ///
 /// Tags follow their edges and vertices: both parts of a cut edge inherit sharpness and sets. Attributes are carried
 /// over: new vertices and corners get blended floating values and colours, else those of the nearer end; new faces
-/// those of the face they come from. Whatever can't follow is told.
+/// those of the face they come from. Whatever can't follow is reported.
 namespace croquis {
 
 /// A mesh after an edit, and where everything in it comes from.

@@ -43,15 +43,15 @@ Elements edge_ring(const MeshTopology& topology, Index edge, bool ordered = fals
 /// none.
 Elements face_loop(const MeshTopology& topology, Index face, Index neighbour, bool ordered = false);
 
-/// The shortest way over edges, by length, ends included; empty when there is none.
+/// The shortest path over edges, by length, ends included; empty when there is none.
 /// @param positions #V. O(n log n) in what lies nearer than the end
 Elements shortest_path(const MeshTopology& topology, std::span<const Vec3> positions, Index from, Index to);
 
-/// The shortest way from one edge to another, both included; empty when there is none.
+/// The shortest path from one edge to another, both included; empty when there is none.
 Elements shortest_edge_path(const MeshTopology& topology, std::span<const Vec3> positions, Index from, Index to);
 
-/// The part of a loop or ring (ordered) from one of its elements to another, the shorter way when it closes; empty when
-/// one isn't in it.
+/// The part of a loop or ring (ordered) from one of its elements to another, the shorter part when it closes; empty
+/// when one isn't in it.
 Elements part_between(std::span<const Index> ordered, Index from, Index to, bool closed);
 
 /// Whether an ordered edge loop comes back to its beginning.

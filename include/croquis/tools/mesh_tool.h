@@ -54,11 +54,11 @@ struct MeshPreview {
 ///
 /// Clicks: plain replaces, Shift toggles, Ctrl removes, Ctrl+Shift adds; boxes the same. Double click: of an edge its
 /// loop, of a face or vertex all that is connected. Shift+double click goes on from the last picked element: along the
-/// loop or ring of edges, the row of faces, the shortest way between vertices; else it adds what a double click picks.
+/// loop or ring of edges, the row of faces, the shortest path between vertices; else it adds what a double click picks.
 /// Every change is one undo step. Selections come back with undo. The session outlives the tool. One thread.
 ///
 /// What a gesture costs: a drag event copies the mesh and moves the picked vertices, nothing else; neighbourhoods are
-/// only made anew when the connectivity changed, the picking tree is refitted when the next pick asks.
+/// only made again when the connectivity changed, the picking tree is refitted when the next pick asks.
 class MeshTool {
  public:
   explicit MeshTool(Session& session, MeshToolOptions options = {});
@@ -68,7 +68,7 @@ class MeshTool {
   void set_node(NodeId node);  ///< a source node with a mesh; another one than before empties hover and gestures
   NodeId node() const { return node_; }
   std::shared_ptr<const PolyMesh> mesh() const;  ///< null when the node holds none
-  /// Whether neighbourhoods and picking tree are at hand. Those of big meshes are made beside: hovering shows nothing
+  /// Whether neighbourhoods and picking tree are ready. Those of big meshes are made beside: hovering shows nothing
   /// meanwhile, everything else that needs them waits.
   bool ready() { return at_hand() != nullptr; }
   std::shared_ptr<const MeshTopology> topology();  ///< of mesh(), or null
@@ -85,7 +85,7 @@ class MeshTool {
   void set_pick_through(bool through) { options_.pick.through = through; }
   void set_snap(const ManipulatorSnap& snap) { options_.snap = snap; }
 
-  // ---- The hand
+  // ---- Pointer
   Verdict handle(const MeshEvent& event);
   /// After a Begin in Object mode off the manipulator it isn't: the gesture is the window's, to pick objects with.
   bool active() const { return gesture_ != Gesture::None; }
@@ -122,7 +122,7 @@ class MeshTool {
   Verdict select_chain();  ///< whole chains of tagged edges
   Verdict select_boundary();
   Verdict select_tagged();
-  Verdict select_between();  ///< the shortest way between two selected vertices or edges
+  Verdict select_between();  ///< the shortest path between two selected vertices or edges
   Verdict select_sharper_than(double degrees);
 
   // ---- Edits, each one undo step. Continue when there was nothing to do

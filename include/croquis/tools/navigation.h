@@ -10,7 +10,7 @@
 
 namespace croquis {
 
-/// What a hand asks a view's camera to do.
+/// What pointer and wheel ask a view's camera to do.
 struct CameraMotion {
   enum class Kind {
     Tumble,  ///< turn about the centre of interest
@@ -68,7 +68,7 @@ class Navigation {
 
   /// Whether the window manager seems to keep Alt and a drag for itself: the window moved while Alt was held and no
   /// press had arrived. Until the next press of whatever kind, turn of the wheel, or `something_done`. (Under Wayland
-  /// windows aren't told that they move.)
+  /// windows get no events of their moves.)
   bool alt_swallowed() const { return alt_swallowed_; }
 
   /// By keys, menus or panels.

@@ -77,7 +77,7 @@ class PenInput {
   enum class Phase {
     Idle,
     Waiting,  ///< touching, but the first point has no pressure yet
-    Drawing   ///< Begin was told
+    Drawing   ///< Begin was reported
   };
   using Steps = std::vector<PenStep>;
 

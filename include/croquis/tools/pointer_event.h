@@ -37,7 +37,7 @@ struct PointerEvent {
     Move,  ///< with something held down
     Release,
     Hover,  ///< moved with nothing held down
-    Leave,  ///< left the view; windows that don't know by which device say Mouse
+    Leave,  ///< left the view; Mouse where the device isn't known
     ProximityIn,
     ProximityOut,
     Wheel
@@ -46,14 +46,14 @@ struct PointerEvent {
   Device device = Device::Mouse;
   Action action = Action::Hover;
   Vec2 position = Vec2::Zero();  ///< logical pixels of the view, never rounded, y DOWN
-  double pressure = 0;           ///< 0..1; 0 when the device doesn't tell (yet)
+  double pressure = 0;           ///< 0..1; 0 when the device doesn't report it (yet)
   Vec2 tilt = Vec2::Zero();      ///< radians from the surface's normal towards x and y
   double time = 0;               ///< seconds by any clock that all events share
   Buttons buttons;
   Modifiers modifiers;
   int view = 0;                 ///< which of the window's views
-  std::uint64_t device_id = 0;  ///< tells pens from each other; of Touch: the finger
-  double wheel = 0;             ///< notches of a Wheel, away from the hand positive; fractions are fine
+  std::uint64_t device_id = 0;  ///< distinguishes pens; of Touch: the finger
+  double wheel = 0;             ///< notches of a Wheel, away from the user positive; fractions are fine
 };
 
 /// The two ends of a pen count as one device here: drivers confuse them in flight.

@@ -17,14 +17,14 @@
 /// actions have names, so a recording outlives every change of the window's layout.
 namespace croquis::recorded {
 
-/// A pen or mouse stroke; what it does depends on the tool's mode, as under the hand.
+/// A pen or mouse stroke; what it does depends on the tool's mode, as in the window.
 struct StrokeDrawn {
   std::string view = "sketch";
   std::vector<StrokeSample> points;  ///< at least one; tilt isn't recorded
   std::string device = "mouse";      ///< "mouse", "pen" or "eraser"
   double scale = 0;                  ///< units per pixel of the view drawn in; 0 for the replaying view's own
 };
-/// Another way to say where: a place of the model, seen in the view named.
+/// Instead of a place in a view: a place of the model, seen in the view named.
 using ModelPlace = std::optional<Vec3>;
 
 /// An anchor of a stroke, or without one the whole stroke, was dragged.

@@ -8,7 +8,7 @@
 
 #include "croquis/tools/stroke_fit.h"
 
-/// Every change that a hand makes to a drawing: pure functions from a drawing to a drawing. Strokes that they don't
+/// Every change that the tools make to a drawing: pure functions from a drawing to a drawing. Strokes that they don't
 /// name keep equal values, in the same order.
 namespace croquis {
 

@@ -9,9 +9,9 @@
 #include "croquis/geometry/mesh_tags.h"
 #include "croquis/tools/mesh_selection.h"
 
-/// Every change that a hand makes to a mesh's tags: pure functions from tags to tags. Tags that they don't name stay as
-/// they are, in their order. Sharpness: 0 is none; from greatest_sharpness on it is infinite.
-/// O((#tags + #elements) log #tags), and linear in the mesh where all edges are asked for.
+/// Every change that the tools make to a mesh's tags: pure functions from tags to tags. Tags that they don't name stay
+/// as they are, in their order. Sharpness: 0 is none; from greatest_sharpness on it is infinite. O((#tags + #elements)
+/// log #tags), and linear in the mesh where all edges are asked for.
 ///
 /// The rim of a mesh is sharp in all schemes without a tag. A tag on it changes no picture while it is a rim; it makes
 /// the edge sharp as soon as something is built on to it.

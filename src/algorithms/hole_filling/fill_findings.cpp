@@ -92,7 +92,7 @@ void tell_low_confidence(const PolyMesh& scan, const FillResult& result, Finding
   };
   tell(false, "far from what the surface around them shows: look at the shape, or choose flat patches.");
   tell(true, "by flat patches, which do not continue the surface around them: look at the shape, or leave them open.");
-  // Flat patches meet rims at whatever angle: they were asked for, or are told as taken instead.
+  // Flat patches meet rims at any angle: they were asked for, or are reported as taken instead.
   const auto is_folded = [](const HoleOutcome& o) {
     return o.max_normal_jump > doubtful_fold && o.method != "minimal";
   };

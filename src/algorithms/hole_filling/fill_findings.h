@@ -6,10 +6,10 @@
 
 namespace croquis::hole_filling {
 
-/// The analysis' findings, then what is to be said about the holes: left as OUTER, filled by another method, failed.
+/// The analysis' findings, then those about the holes: left as OUTER, filled by another method, failed.
 Findings fill_findings(const PolyMesh& scan, const FillResult& result);
 
-/// Why a hole failed of which the whole piece was left out: that is told of the piece.
+/// Why a hole failed of which the whole piece was left out; the finding is about the piece.
 inline constexpr const char* piece_left_out = "its piece of the mesh was left out";
 
 }  // namespace croquis::hole_filling

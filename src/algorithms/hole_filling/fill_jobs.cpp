@@ -26,7 +26,7 @@ std::vector<bool> bridge_rims(const FillOptions& options, const std::vector<bool
   return bridged;
 }
 
-/// Says of the shape of the patch anything that isn't flat.
+/// Sets anything of the patch's shape, which then isn't flat.
 bool shapes(const HoleRequest& request) {
   return request.fairness || request.kernel || request.bulge || !request.through.empty();
 }

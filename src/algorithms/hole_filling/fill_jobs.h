@@ -16,8 +16,8 @@ struct FillJob {
   bool is_cap = false;  ///< closes an open section: flat
 };
 
-/// What is to be done, by the lowest holes: companions that are both chosen go together, and so do rims that a request
-/// bridges. A job goes by the requests that name any of its holes, later ones over earlier ones, then by the options.
+/// What is to be done, by the lowest holes: companions that are both chosen are one job, and so are rims that a request
+/// bridges. A job follows the requests that name any of its holes, later ones over earlier ones, then the options.
 /// Linear but for sorting.
 /// @param is_chosen per hole
 std::vector<FillJob> make_jobs(std::span<const Hole> holes, const FillOptions& options,

@@ -9,9 +9,9 @@
 namespace croquis::hole_filling {
 
 /// The mesh with the patches' vertices and faces behind its own, in the patches' order; all channels continued.
-/// @param mark_patches whether the face channel "patch_id" tells each patch's number, and the vertex channel
-/// "confidence"
-///        how far the surface around backs each new vertex; one of that name and a floating type keeps its values
+/// @param mark_patches whether the face channel "patch_id" holds each patch's number, and the vertex channel
+///        "confidence" how far the surface around backs each new vertex; one of that name and a floating type
+///        keeps its values
 PolyMesh append_patches(const PolyMesh& mesh, const HoleAnalysis& analysis, std::span<const HolePatch> patches,
                         bool mark_patches);
 

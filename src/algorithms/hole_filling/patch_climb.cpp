@@ -53,7 +53,7 @@ void add_wish(const PatchWish& wish, StageKey& key) {
   key.add(implicit.value_smoothing).add(implicit.gradient_smoothing).add(implicit.both_sides);
 }
 
-/// Ways to the same kind of patch are told by names that begin alike: which of them was taken is nobody's worry.
+/// Methods for the same wish have names that begin alike; any of them is as asked.
 bool is_as_asked(const std::string& method, const FillJob& job) {
   if (job.is_cap || job.wish.fairness == Fairness::Flat) return false;
   if (job.wish.fairness == Fairness::Implicit || !job.wish.through.empty()) return method.starts_with("implicit");
@@ -73,7 +73,7 @@ class Climb {
   std::vector<ClimbedJob> run(std::vector<FillJob> jobs, Progress& progress) {
     for (FillJob& job : jobs) climbers_.push_back(climber_for(std::move(job)));
     for (std::size_t round = 0; find_pending(); ++round) {
-      // The first round has nearly all the work; the others take what is left of the scale.
+      // The first round has nearly all the work; the others share the rest of the progress range.
       Progress patching = progress.step("make patches", round == 0 ? 0.7 : 0.02);
       attempt_all(patching);
       Progress verifying = progress.step("verify patches", round == 0 ? 0.2 : 0.01);
@@ -188,7 +188,7 @@ class Climb {
     for (std::size_t i = 0; i < tried.size(); ++i) settle(*tried[i], std::move(candidates[i]), verdicts[i]);
   }
 
-  /// Those not yet known together: one look at the mesh for all.
+  /// Those not yet known together: one pass over the mesh for all.
   void judge_alone(std::span<Climber* const> tried, Progress& progress) {
     std::vector<Climber*> unknown;
     std::vector<HolePatch> candidates;
@@ -260,8 +260,8 @@ class Climb {
     }
   }
 
-  /// A patch that folds back over the surface at its rim is sound, but hardly what was there: other methods of the kind
-  /// come first. @return whether it goes on to those
+  /// A patch that folds back over the surface at its rim is sound, but hardly what was there: other methods of the same
+  /// type come first. @return whether it goes on to those
   static bool goes_on_for_fold(Climber& climber) {
     const bool is_doubtful = climber.alone.is_sound() && climber.alone.max_normal_jump > doubtful_fold;
     if (!is_doubtful || climber.takes_folds || !is_as_asked(climber.method(), climber.job)) return false;
@@ -280,7 +280,7 @@ class Climb {
     }
   }
 
-  /// On to the next method. The first one's fault is told.
+  /// On to the next method. The first one's fault is reported.
   static void refuse(Climber& climber, const std::string& fault) {
     if (climber.result.first_fault.empty() && !fault.empty())
       climber.result.first_fault = climber.method() + ": " + fault;

@@ -22,7 +22,7 @@ struct Attempt {
 };
 
 /// The scan's own numbers for what is left of it after trimming, so that what was made for one hole is found again
-/// after others have been trimmed: numbers of vertices and holes shift then, but not what lies around it.
+/// after others have been trimmed: numbers of vertices and holes change then, but not what lies around it.
 class ScanNumbers {
  public:
   /// Keeps references. Linear in what was removed, n log n at most.
@@ -30,7 +30,7 @@ class ScanNumbers {
   ScanNumbers(const PolyMesh& scan, const TrimmedScan* trimmed, const HoleAnalysis& analysis, std::string scan_key);
 
   /// All that methods may look at: the scan, the site's rims, what trimming has removed near them and which rims are
-  /// there. Methods look two diameters far at most: fits and probes less, and cubes that go farther have run away.
+  /// there. Methods look two diameters far at most: fits and probes less, and cubes that go farther don't close.
   void add_surroundings(const HoleSite& site, StageKey& key) const;
 
   /// What trimming has removed where the patch lies.

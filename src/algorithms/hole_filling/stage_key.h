@@ -48,7 +48,7 @@ class StageKey {
 
 /// The result of a stage from the cache, or made; without a cache always made.
 /// @param make  returns a Result
-/// @param bytes tells from a const Result& about what it takes
+/// @param bytes estimates the memory of a const Result&
 template <typename Result, typename Make, typename Bytes>
 std::shared_ptr<const Result> cached(StageCache* cache, std::string_view stage, const StageKey& key, Make&& make,
                                      Bytes&& bytes) {

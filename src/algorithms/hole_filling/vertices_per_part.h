@@ -5,7 +5,7 @@
 
 namespace croquis::hole_filling {
 
-/// Vertices (or triangles) that one thread takes at a time: enough that handing them out costs nothing.
+/// Vertices (or triangles) that one thread takes at a time: enough that dividing the work costs little.
 inline constexpr std::size_t vertices_per_part = 4096;
 
 }  // namespace croquis::hole_filling

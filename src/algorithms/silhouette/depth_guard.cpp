@@ -8,7 +8,7 @@
 namespace croquis::silhouette {
 namespace {
 
-/// Objects and what lies directly below them, cut into circles (strongly connected components, Tarjan 1972).
+/// Objects and what lies directly below them, cut into cycles (strongly connected components, Tarjan 1972).
 class OverlapChains {
  public:
   OverlapChains(const LabelledFigure& figure, std::vector<double> depths)
@@ -62,7 +62,7 @@ class OverlapChains {
     return {object, 0};
   }
 
-  /// All that lies below a circle has been closed before.
+  /// All that lies below a cycle has been closed before.
   void close_circle(Index first) {
     std::vector<Index> members;
     do {
@@ -86,8 +86,8 @@ class OverlapChains {
   std::vector<Index> number_;
   std::vector<Index> lowest_;
   std::vector<Index> circle_;   ///< per object, once closed
-  std::vector<Index> open_;     ///< entered, in no circle yet
-  std::vector<double> chains_;  ///< per circle the longest chain from it downwards
+  std::vector<Index> open_;     ///< entered, in no cycle yet
+  std::vector<double> chains_;  ///< per cycle the longest chain from it downwards
   Index entered_ = 0;
 };
 

@@ -76,7 +76,7 @@ class Attempt {
   /// @return groups of attached objects that have no sound surface; then nothing else counts
   std::vector<std::vector<Index>> make_shells(Progress& progress) {
     std::vector<ObjectSurface> surfaces = object_surfaces(figure_, sheets_);
-    // What grows together may be held by too little: apart, each part is pulled to the sketch plane by itself.
+    // Attached parts may be held too weakly: apart, each part is pulled to the sketch plane by itself.
     if (!refuse_unsolved(surfaces) && !settings_.attachments.empty()) return settings_.attachments.groups();
     if (quality_ == Quality::Draft) {
       for (const ObjectSurface& surface : surfaces) add_single(surface, {});
@@ -120,7 +120,7 @@ class Attempt {
         [](const SheetBasis& basis) { return bytes_of(basis); });
   }
 
-  /// Takes out the surfaces whose depths can't be trusted; true when all can.
+  /// Takes out the surfaces whose depths aren't exact enough; true when all are.
   bool refuse_unsolved(std::vector<ObjectSurface>& surfaces) {
     const bool solved = std::max(depth_.uncertainty, sheets_.uncertainty) <= settings_.options.accuracy;
     std::vector<DepthRange> ranges;
@@ -233,7 +233,7 @@ class Attempt {
                                    object_subjects(figure_.objects[object], drawing_)));
   }
 
-  /// No proof speaks for joined surfaces: they are tested on the numbers as they are and as files may round them.
+  /// Nothing is proven about joined surfaces: they are tested on the numbers as they are and as files may round them.
   std::vector<std::vector<Index>> check_apart(Progress& progress) {
     std::vector<CertificateInput> inputs;
     for (const FigureShell& shell : shells_) inputs.push_back({&shell.mesh, std::nullopt});
@@ -316,7 +316,7 @@ FigureSolid solidify(const LabelledFigure& figure, const Drawing& drawing, Figur
   const std::shared_ptr<const Skeleton> axis = make_axis(figure, settings, finding_axis);
   Findings warnings;
   for (;;) {
-    // Every repetition has a group less: they end.
+    // Every repetition has one group less, so they end.
     const double share = settings.depth.attachments.empty() ? 0.75 : 0.35;
     Progress solving = progress.step("solve", share);
     Attempt attempt(figure, drawing, settings);

@@ -42,7 +42,7 @@ struct FigureSettings {
 };
 
 /// Skeleton, depths, sheets, surfaces, checks; attached objects joined. A group of attached objects that can't be
-/// joined to a sound surface is made anew with gaps. A draft isn't checked, measured against the drawing, or joined.
+/// joined to a sound surface is made again with gaps. A draft isn't checked, measured against the drawing, or joined.
 /// @throws Error when the figure becomes no solid at all; Cancelled
 std::shared_ptr<const FigureSolid> make_figure_solid(const LabelledFigure& figure, const Drawing& drawing,
                                                      const FigureSettings& settings, Progress& progress);

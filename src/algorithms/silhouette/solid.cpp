@@ -108,7 +108,7 @@ class SolidBuilder {
   Overlap overlap_;
 };
 
-/// Of all figures before any work: a mistyped weight is told at once, and all of them together.
+/// Of all figures before any work: mistyped weights are reported at once, all of them together.
 std::vector<std::vector<DepthWeights>> weights_of_figures(const LabelledDrawing& labelled, const Drawing& drawing,
                                                           const Options& options) {
   std::vector<std::vector<DepthWeights>> weights;

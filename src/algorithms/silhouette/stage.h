@@ -48,7 +48,7 @@ class ContentWriter {
   void add(const DepthOptions& options);
   /// What skeleton and surface depend on.
   void add_shape(const LabelledFigure& figure);
-  /// What findings say beyond that: names and strokes.
+  /// What findings hold besides: names and strokes.
   void add_names(const LabelledFigure& figure, const Drawing& drawing);
   /// Without heights.
   void add_shape(const Skeleton& skeleton);
@@ -61,7 +61,7 @@ class ContentWriter {
 
 /// The result of a stage from the cache, or made; without a cache always made.
 /// @param make  returns a Result
-/// @param bytes tells from a const Result& about what it takes
+/// @param bytes estimates the memory of a const Result&
 template <typename Result, typename Make, typename Bytes>
 std::shared_ptr<const Result> cached(StageCache* cache, std::string_view stage, const ContentWriter& content,
                                      Make&& make, Bytes&& bytes) {

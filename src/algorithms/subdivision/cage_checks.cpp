@@ -12,8 +12,8 @@
 namespace croquis::subdivision {
 namespace {
 
-/// Sine of the turn to the wrong side at a corner from which a face counts as strongly non-convex; less is within what
-/// a skew polygon shows of itself.
+/// Sine of the turn to the wrong side at a corner from which a face counts as strongly non-convex; skew polygons
+/// have smaller ones anyway.
 constexpr double reflex_sine = 0.1;
 
 /// Listed in the one sentence about faces that were turned over.

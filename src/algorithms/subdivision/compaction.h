@@ -9,7 +9,7 @@
 
 namespace croquis::subdivision {
 
-/// The numbers 0 … count-1 without a few: those kept are numbered anew in their order.
+/// The numbers 0 … count-1 without a few: those kept are numbered again in their order.
 ///
 /// Costs memory for what is left out only, since that is little: tagged neighbourhoods are lines on a surface.
 class Compaction {

@@ -27,7 +27,7 @@ std::string element(const LevelContinuity& level) {
   return text;
 }
 
-/// Sharpness that runs out later starts the rounding anew.
+/// Sharpness that runs out later starts the rounding again.
 bool runs_out(const Level& level) {
   return std::any_of(level.sharp.begin(), level.sharp.end(),
                      [](const SharpEdge& sharp) { return sharp.sharpness != infinite_sharpness; });

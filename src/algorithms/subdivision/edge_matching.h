@@ -9,7 +9,7 @@
 
 namespace croquis::subdivision {
 
-/// Half-edges of the next level whose twin no rule of numbers tells: paired by their vertices.
+/// Half-edges of the next level whose twin doesn't follow from numbers: paired by their vertices.
 ///
 /// Only the tagged neighbourhood comes here, with n log n.
 class EdgeMatching {

@@ -8,7 +8,7 @@
 
 namespace croquis::subdivision {
 
-/// The corners of a mesh by the edges that they start, whichever way round.
+/// The corners of a mesh by the edges that they start, in either direction.
 class EdgePairing {
  public:
   /// Corners of faces in `left_out` (#F flags) start no edge. Linear time for bounded valences.

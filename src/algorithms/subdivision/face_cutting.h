@@ -20,7 +20,7 @@ Vec3 area_vector(const PolyMesh& mesh, Index face);
 double relative_deviation(const PolyMesh& mesh, Index face);
 
 /// Cuts a face along diagonals that lie inside it, seen along its area vector. Diagonals that are edges of the mesh
-/// already are avoided where another is to be had. O(n^3) for n corners.
+/// already are avoided where there is another. O(n^3) for n corners.
 FaceTriangles triangulated_face(const PolyMesh& mesh, const MeshTopology& topology, Index face);
 
 struct CutMesh {

@@ -10,8 +10,8 @@
 
 namespace croquis::subdivision {
 
-/// Findings of one code, one per element. The first hundred are kept, more would bury the others; the last one kept
-/// tells how many there are.
+/// Findings of one code, one per element. The first hundred are kept, more would hide the others; the last one kept
+/// gives their number.
 class FindingList {
  public:
   FindingList(Severity severity, Category category, std::string code);

@@ -20,7 +20,7 @@ std::vector<Crease> creases_of(const Level& level) {
   return creases;
 }
 
-/// Only where it says something: most meshes have no such corner.
+/// Only where there is one: most meshes have no such corner.
 void add_settled_channel(const Level& level, PolyMesh& mesh) {
   if (level.settled.empty()) return;
   std::vector<std::uint8_t> settled(mesh.vertex_count(), 0);

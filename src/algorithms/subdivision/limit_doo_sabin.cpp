@@ -115,7 +115,7 @@ class Reader {
     return std::binary_search(pins.begin(), pins.end(), point);
   }
 
-  /// Whether enough edges at a kept point stay sharp for ever to keep it there.
+  /// Whether enough edges at a kept point are infinitely sharp to keep it there.
   bool stays(Index point) const {
     std::size_t edges = 0, faces = 0;
     const auto count = [&](Index corner) {

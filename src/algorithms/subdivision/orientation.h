@@ -14,7 +14,7 @@ struct Orientation {
   std::vector<std::array<Index, 2>> contradictions;  ///< an edge of each part that can't be oriented
 };
 
-/// Turns faces over until neighbours agree: flood fill across edges of exactly two faces. Linear time.
+/// Flips faces until neighbours agree: flood fill across edges of exactly two faces. Linear time.
 Orientation orient(const PolyMesh& mesh, const EdgePairing& pairing);
 
 }  // namespace croquis::subdivision

@@ -8,7 +8,7 @@
 
 namespace croquis::subdivision {
 
-/// Hands the tags of a level down: sharpness less one to the children of tagged edges and to the chords that join them
+/// Passes the tags of a level down: sharpness less one to the children of tagged edges and to the chords that join them
 /// at creases; pins and settled corners to the points that stay.
 void pass_tags(const Neighbourhood& near, const EdgeMatching& matching, Level& next);
 

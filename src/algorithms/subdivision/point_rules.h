@@ -10,7 +10,7 @@
 
 namespace croquis::subdivision {
 
-/// How the points of a level follow from those of the level before, where plain faces don't say it.
+/// How the points of a level follow from those of the level before, where plain faces don't decide it.
 struct PointRules {
   std::vector<Index> gap_faces;        ///< old faces of which not all corners have a point of their own, ascending
   std::vector<Index> adjusted_corner;  ///< old corners whose points differ from the plain rule, ascending

@@ -43,7 +43,7 @@ void resize(const Layout& layout, HalfEdges& next) {
 }
 
 /// Half-edges of old faces on edges that aren't plain, ends of quads at vertices whose faces are listed, and the listed
-/// faces: all whose twins numbers don't tell.
+/// faces: all whose twins don't follow from numbers.
 class OpenHalfEdges {
  public:
   OpenHalfEdges(const Neighbourhood& near, const PlainParts& plain, const FlatScratch& scratch)

@@ -13,7 +13,7 @@
 
 namespace croquis::subdivision {
 
-/// Where the elements of a level come from; what numbers tell isn't stored.
+/// Where the elements of a level come from; what follows from numbers isn't stored.
 struct LevelOrigins {
   Compaction own_corners;            ///< old corners with a point of their own
   std::vector<VertexOrigin> listed;  ///< the points behind those

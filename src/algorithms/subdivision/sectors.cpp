@@ -44,7 +44,7 @@ void add_sectors(const HalfEdges& mesh, const CornerFaces& around, const TagClas
   } while (corner != no_index && corner != start);
 }
 
-/// Whether this sector would cut or swell faces without a band.
+/// Whether this sector would cut or enlarge faces without a band.
 bool is_irregular(const Sector& sector, VertexClass vertex_class, bool settled) {
   switch (vertex_class) {
     case VertexClass::Dart: return sector.face_count() < 3;

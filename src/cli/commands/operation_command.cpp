@@ -23,7 +23,7 @@ constexpr const char* details_output = "details";
 /// Of raw inputs: what isn't finite is dropped instead of refused.
 constexpr const char* drop_option = "drop-bad";
 
-/// The parameter of operations that judge their result as it will be stored, and its answer for 32-bit numbers.
+/// The parameter of operations that check their result as it will be stored, and its value for 32-bit numbers.
 constexpr const char* precision_parameter = "precision";
 constexpr const char* single_precision = "single";
 
@@ -58,7 +58,7 @@ std::string text_parameter(const Invocation& invocation, const std::string& name
   return std::get<std::string>(invocation.parameters.at(name));
 }
 
-/// A file whose faces alone are at fault could be read: what there isn't is a result.
+/// A file with faults only in its faces could be read: only the result is missing.
 Error without_result(const Error& error) {
   Findings findings = error.findings();
   const bool faces_alone = std::all_of(findings.begin(), findings.end(),
@@ -99,7 +99,7 @@ Values read_values(const OperationDescription& description, const Invocation& in
 /// One output to its file.
 struct Destination {
   std::string path;
-  std::string format;  ///< asked for, where the path doesn't tell
+  std::string format;  ///< asked for, where the path has no known extension
 };
 
 void stage_value(const PortDescription& port, const Value& value, const Destination& destination, CommandResult& result,
@@ -166,7 +166,7 @@ ParameterValues operation_parameters(const OperationDescription& description, co
   return values;
 }
 
-/// Whether nothing is to be written, only told.
+/// Whether nothing is to be written, only listed.
 bool only_lists(const OperationDescription& description, const Invocation& invocation) {
   return !description.list_flag.empty() && std::get<bool>(invocation.parameters.at(description.list_flag));
 }

@@ -35,7 +35,7 @@ std::optional<MeshPort> mesh_port(const Node& node, const Registry& registry) {
   return std::nullopt;
 }
 
-/// An operation that isn't there might have made the mesh that is missed: better to fail than to leave it out.
+/// An unknown operation might have made the missing mesh: an error is better than leaving it out.
 bool is_wanted(const Node& node, const Registry& registry) {
   const bool unknown = !node.operation.empty() && registry.find(node.operation) == nullptr;
   return node.visible && (unknown || mesh_port(node, registry));
@@ -99,7 +99,7 @@ class ProjectRun {
     is_solid_ = port->is_solid;
   }
 
-  /// @throws Error when no mesh came out: all that was said
+  /// @throws Error when no mesh came out: all findings
   MeshUnion finish() {
     result_.details = Report().set("nodes", std::move(nodes_));
     if (meshes_.empty()) {
@@ -117,11 +117,11 @@ class ProjectRun {
     return unite(meshes_);
   }
 
-  /// Whether the one mesh that came out promises to be a solid. Of several, each may be one and all together none.
+  /// Whether the one mesh that came out should be a solid. Of several, each may be one and all together none.
   bool promises_solid() const { return meshes_.size() == 1 && is_solid_; }
 
  private:
-  /// What was said of everything that the node is made from, once. These evaluations are at hand already.
+  /// The findings of everything that the node is made from, once. These evaluations are available already.
   void collect_findings(NodeId id) {
     for (const Node* node : sources_of(document_, id)) {
       if (!told_.insert(node->id).second) continue;

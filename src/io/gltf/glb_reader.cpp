@@ -275,7 +275,7 @@ void GlbReader::add_faces(const Placed& placed, std::size_t mode, const std::vec
     const std::size_t a = corners[mode == TriangleFan ? 0 : i];
     const std::size_t b = corners[odd ? i + 2 : i + 1];
     const std::size_t c = corners[odd ? i + 1 : i + 2];
-    // Strips are sewn together by triangles without area.
+    // Strips are joined by triangles without area.
     if (mode == TriangleStrip && (a == b || b == c || c == a)) continue;
     add_triangle({a, b, c}, first, vertex_count, turned);
   }

@@ -10,7 +10,7 @@ namespace croquis {
 
 /// Reads the meshes of all nodes of a GLB file, where their nodes put them. Equal positions are joined, since files
 /// repeat a vertex wherever its normal or its place in a texture changes.
-/// @throws Error Malformed as read_mesh; Limit: E_TOO_LARGE when nodes repeat meshes beyond measure
+/// @throws Error Malformed as read_mesh; Limit: E_TOO_LARGE when nodes repeat meshes too often
 PolyMesh read_glb(std::string_view bytes, ReadContext& context);
 
 }  // namespace croquis

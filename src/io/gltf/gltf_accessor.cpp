@@ -129,7 +129,7 @@ GltfAccessors::Layout GltfAccessors::layout_of(const Report& owner, std::size_t 
 std::size_t GltfAccessors::count(std::size_t accessor, const std::string& user) const {
   const std::string name = gltf_element("accessor", accessor);
   const std::size_t claimed = document_.index_or(document_.element("accessors", accessor, user), "count", 0, name);
-  // Also of accessors without a buffer view, which are 0 throughout: what no byte backs may not take more memory.
+  // Also of accessors without a buffer view, which are 0 throughout: their memory isn't backed by bytes of the file.
   if (claimed > document_.context().file_size()) {
     document_.fail("E_COUNT", name + " claims " + std::to_string(claimed) + " elements, more than the file has bytes");
   }

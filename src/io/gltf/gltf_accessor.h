@@ -10,7 +10,7 @@
 
 namespace croquis {
 
-/// The numbers of an accessor: whole ones that are meant as parts of 1 are parts of 1.
+/// The numbers of an accessor; normalized integers become parts of 1.
 struct GltfNumbers {
   std::vector<double> values;  ///< components of each element in turn
   std::size_t components = 1;

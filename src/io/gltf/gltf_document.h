@@ -16,7 +16,7 @@ namespace croquis {
 /// What glTF calls one of its elements in sentences: accessor 3.
 std::string gltf_element(const char* kind, std::size_t index);
 
-/// Reads members of glTF's JSON and says what is wrong with them.
+/// Reads members of glTF's JSON and reports what is wrong with them.
 class GltfDocument {
  public:
   /// @throws Error E_SYNTAX when it isn't JSON, no object, or of another version than 2

@@ -15,7 +15,7 @@
 namespace croquis {
 namespace {
 
-// Keywords of the format that say nothing a mesh can hold.
+// Keywords of the format for what a mesh can't hold.
 constexpr std::array passed_over = {
     "mtllib", "maplib", "usemap", "p",    "mg",   "bevel",  "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj",
     "ctech",  "stech",  "call",   "csh",  "vp",   "cstype", "deg",      "bmat",     "step", "curv",       "curv2",

@@ -15,8 +15,8 @@ namespace croquis {
 /// (`t crease 2/1/0 A B SHARPNESS`, `t corner 1/1/0 V SHARPNESS`). Vertices count from 0, 10 and more is infinite.
 ///
 /// One statement may tag several edges or vertices, with one sharpness for all or one for each. A corner is a pin;
-/// where its sharpness isn't infinite a W_TAG_SHARPNESS says so. Malformed ones are E_SYNTAX. Whether there are such
-/// edges is not looked at. `t settled 1/0/0 V` is our own: the channel "settled_corner", by which a refinement that
+/// where its sharpness isn't infinite there is a W_TAG_SHARPNESS. Malformed ones are E_SYNTAX. Whether such edges
+/// exist is not checked. `t settled 1/0/0 V` is our own: the channel "settled_corner", by which a refinement that
 /// goes on from a file knows corners that an earlier one has made; others pass over tags that they don't know.
 class ObjTagReader {
  public:

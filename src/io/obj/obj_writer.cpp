@@ -154,7 +154,7 @@ void ObjWriter::write_colour(std::size_t vertex) {
     colour[k] = colour_of(*colours_, vertex * width + k);
     if (!std::isfinite(colour[k])) return;
   }
-  // An alpha of 1 is what a reader assumes; few know the seventh number.
+  // An alpha of 1 is what a reader assumes; few programs read the seventh number.
   for (std::size_t k = 0; k < (colour[3] == 1 ? 3U : 4U); ++k) append_number(text_ += ' ', colour[k], precision_);
 }
 

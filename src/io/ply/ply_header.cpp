@@ -60,7 +60,7 @@ class HeaderReader {
  private:
   [[noreturn]] void fail_syntax(const std::string& message) { context_.fail("E_SYNTAX", message, at_line(line_)); }
 
-  // Binary data may hold any byte, so the header's own first line tells how its lines end.
+  // Binary data may hold any byte, so the header's own first line decides how its lines end.
   bool find_line_end() const { return bytes_.size() > 4 && bytes_[3] == '\r' && bytes_[4] != '\n'; }
 
   std::size_t header_end() const {
@@ -161,7 +161,7 @@ void HeaderReader::check_sizes() {
   std::size_t left = bytes_.size() - header_.body + (header_.encoding == PlyEncoding::Ascii ? 1 : 0);
   for (PlyElement& element : header_.elements) {
     const std::size_t size = least_size(element);
-    if (size == 0) element.count = 0;  // elements without properties take no bytes and say nothing
+    if (size == 0) element.count = 0;  // elements without properties take no bytes and hold nothing
     if (size > 0 && element.count > left / size) {
       context_.fail("E_TRUNCATED",
                     "the header claims " + std::to_string(element.count) + " elements " + in_quotes(element.name) +

@@ -21,7 +21,7 @@ constexpr int most_name_attempts = 10000;
 
 [[noreturn]] void fail(const fs::path& path, int error) { fail_writing(path.string(), writing_reason(error)); }
 
-/// ".NAME." and ".saving" round a number: hidden, and told apart from everybody else's files.
+/// ".NAME." and ".saving" round a number: hidden, and distinct from other programs' files.
 std::string temporary_prefix(const fs::path& target) { return "." + target.filename().string() + "."; }
 constexpr const char* temporary_ending = ".saving";
 
@@ -69,7 +69,7 @@ int open_temporary(const fs::path& target, const fs::path& path, fs::path& tempo
 
 fs::path backup(const fs::path& target, int number) { return target.string() + "~" + std::to_string(number); }
 
-/// Makes room for NAME~1. What moves is only what stands in the way, so that a gap, left by a process that died between
+/// Makes room for NAME~1. Only files that block the place move, so that a gap, left by a process that died between
 /// two of these steps, costs no backup.
 void move_backups_on(const fs::path& target, int count) {
   int gap = 1;

@@ -22,7 +22,7 @@ class AtomicReplacement {
   /// Removes the temporary file unless it was committed.
   ~AtomicReplacement();
 
-  /// To be filled by whoever replaces the file, and closed.
+  /// To be filled by the caller, and closed.
   const std::filesystem::path& temporary() const { return temporary_; }
 
   /// Syncs, moves the backups on (NAME~1 to NAME~2 …), makes the old file NAME~1, and renames the new one.

@@ -77,7 +77,7 @@ class ByteWriter {
   std::string bytes_;
 };
 
-/// Reads what ByteWriter wrote. Every count is held against the bytes that are left before anything is allocated.
+/// Reads what ByteWriter wrote. Every count is compared with the bytes that are left before anything is allocated.
 /// All members throw BadBytes.
 class ByteReader {
  public:

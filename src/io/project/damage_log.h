@@ -21,7 +21,7 @@ class DamageLog {
   /// One W_PROJECT_DAMAGED for each loss.
   Findings warnings() const;
 
-  /// @throws Error E_PROJECT_DAMAGED: nothing of the project can be had
+  /// @throws Error E_PROJECT_DAMAGED: nothing of the project can be read
   [[noreturn]] void refuse() const;
 
   const std::string& file() const { return file_; }
@@ -42,7 +42,7 @@ Error damaged_project(const std::string& file, const std::string& reason);
 /// The file as a finding's subject.
 Subject file_subject(const std::string& file);
 
-/// One line without control characters, valid UTF-8, not too long: SQLite repeats what stands in the file.
+/// One line without control characters, valid UTF-8, not too long: SQLite's messages quote the file.
 std::string printable(const std::string& text);
 
 }  // namespace croquis

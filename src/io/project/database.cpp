@@ -14,7 +14,7 @@
 namespace croquis {
 namespace {
 
-/// SQLite's virtual machine asks after this many steps whether to go on: some tens of microseconds.
+/// SQLite's virtual machine calls back after this many steps to ask whether to go on: some tens of microseconds.
 constexpr int steps_per_question = 1000;
 /// A row takes at least four bytes of the file and all our statements together a few hundred steps per row. What needs
 /// more is a damaged tree whose branches lead back into each other.
@@ -105,7 +105,7 @@ Database Database::read(const std::filesystem::path& file, std::uintmax_t size, 
 
 Database Database::read(std::string_view bytes, const Progress& progress) {
   Database database(":memory:", SQLITE_OPEN_READWRITE);
-  auto* data = reinterpret_cast<unsigned char*>(const_cast<char*>(bytes.data()));  // read only says the flag
+  auto* data = reinterpret_cast<unsigned char*>(const_cast<char*>(bytes.data()));  // the flag makes it read only
   const auto size = static_cast<sqlite3_int64>(bytes.size());
   const int code = sqlite3_deserialize(database.handle(), "main", data, size, size, SQLITE_DESERIALIZE_READONLY);
   if (code != SQLITE_OK) database.fail();
@@ -153,7 +153,7 @@ std::int64_t Database::integer(const std::string& sql) {
 void Database::fail() const {
   if (guard_->progress != nullptr && guard_->progress->cancelled()) throw Cancelled();
   const int code = sqlite3_errcode(handle()) & 0xff;
-  // SQLite answers some damaged schemas with this, too, while there is plenty.
+  // SQLite returns this for some damaged schemas, too, while memory is free.
   if (code == SQLITE_NOMEM && guard_->progress == nullptr) throw std::bad_alloc();
   if (code == SQLITE_INTERRUPT) throw DatabaseError(SQLITE_CORRUPT, "its parts lead back into each other");
   throw DatabaseError(code, sqlite3_errmsg(handle()));

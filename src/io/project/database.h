@@ -15,7 +15,7 @@ struct sqlite3_stmt;
 
 namespace croquis {
 
-/// SQLite said no. Turned into findings by whoever knows what was being read or written.
+/// An error of SQLite. Callers, which know what was being read or written, make findings of it.
 class DatabaseError : public std::runtime_error {
  public:
   DatabaseError(int code, const std::string& message) : std::runtime_error(message), code_(code) {}
@@ -27,7 +27,7 @@ class DatabaseError : public std::runtime_error {
   int code_;
 };
 
-/// One connection. Files that strangers may have made are opened with `read`, which runs nothing that the file says:
+/// One connection. Files of unknown origin are opened with `read`, which runs nothing that the file contains:
 /// no triggers, views, functions or extensions, rows and statements within limits, and an end to the work.
 /// All members throw DatabaseError; those that run statements also Cancelled.
 class Database {
@@ -38,8 +38,8 @@ class Database {
   /// A database that outlives its process' death at any moment (write-ahead log); made when it isn't there.
   static Database open_durable(const std::filesystem::path& file);
 
-  /// A finished file, which nobody changes while it is read.
-  /// @param progress must outlive the database; its cancel flag is looked at while statements run
+  /// A finished file, which doesn't change while it is read.
+  /// @param progress must outlive the database; its cancel flag is checked while statements run
   static Database read(const std::filesystem::path& file, std::uintmax_t size, const Progress& progress);
 
   /// The same for bytes in memory, which must outlive the database.

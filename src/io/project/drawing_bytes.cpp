@@ -4,7 +4,7 @@
 namespace croquis {
 namespace {
 
-// The fewest bytes that an element takes: what a count is held against.
+// The fewest bytes that an element takes: counts are checked with it.
 constexpr std::size_t sample_bytes = 6 * sizeof(double);
 constexpr std::size_t least_stroke_bytes = 4 * sizeof(std::uint64_t) + 2;
 constexpr std::size_t least_object_bytes = 2 * sizeof(std::uint64_t);
@@ -73,7 +73,7 @@ Drawing read_drawing_bytes(ByteReader& reader) {
   }
   for (std::size_t left = reader.count(least_stroke_bytes); left > 0; --left) {
     Stroke stroke = read_stroke(reader);
-    // A stroke without samples is no stroke, and the algorithms count on the first one.
+    // Strokes have at least one sample, which the algorithms rely on.
     if (!stroke.samples.empty()) drawing.strokes.push_back(std::move(stroke));
   }
   return drawing;

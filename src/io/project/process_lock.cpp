@@ -62,7 +62,7 @@ std::optional<ProcessLock> ProcessLock::take(const std::filesystem::path& path) 
     fail_writing(path.string(), writing_reason(errno));
   }
   ::flock(lock.file_.get(), LOCK_EX | LOCK_NB);
-  // Somebody who sweeps up may have removed it before it was locked.
+  // Another process that cleans up may have removed it before it was locked.
   if (!is_same_file(lock.file_.get(), path)) return std::nullopt;
   const std::string process = std::to_string(::getpid());
   const std::string text = process + " " + start_of(process) + " " + machine_start() + "\n";

@@ -8,7 +8,7 @@
 
 namespace croquis {
 
-/// A file that says that its process lives. The system's lock ends with the process, however it ends; where a file
+/// A file that shows that its process runs. The system's lock ends with the process, however it ends; where a file
 /// system has no locks, the file's text decides: process, its start and the machine's.
 class ProcessLock {
  public:

@@ -9,7 +9,7 @@
 
 namespace croquis {
 
-/// The first bytes of a file and its length: enough to tell a project from anything else before SQLite sees it.
+/// The first bytes of a file and its length: enough to recognise a project before SQLite reads it.
 struct ProjectHead {
   std::uintmax_t size = 0;
   std::array<char, 100> bytes{};  ///< SQLite's header; zero where the file is shorter

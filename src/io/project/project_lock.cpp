@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int take_attempts = 16;  // each time somebody else was quicker
+constexpr int take_attempts = 16;  // each time another process was quicker
 
 /// One name for a project, however it is reached.
 fs::path lock_file(const fs::path& folder, const fs::path& project) {

@@ -33,7 +33,7 @@ fs::path resolved_project(const fs::path& path) {
   return error ? path : canonical;
 }
 
-/// In one step: a name that somebody takes meanwhile is never replaced. @return an errno, 0 for success
+/// In one step: a file that appears under that name meanwhile is never replaced. @return an errno, 0 for success
 int rename_to_free_name(const fs::path& from, const fs::path& to) {
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
   if (errno != EINVAL) return errno;

@@ -61,7 +61,7 @@ class ProjectReader {
     try {
       return read_meta(database_, key);
     } catch (const DatabaseError&) {
-      return "";  // check_pages and the nodes tell of it
+      return "";  // check_pages and the nodes report it
     }
   }
 
@@ -74,7 +74,7 @@ class ProjectReader {
     }
   }
 
-  // A newer project says from which schema on it can be read.
+  // A newer project names the oldest schema whose readers can read it.
   void check_version() {
     if (version_ <= project_schema_version) return;
     const auto since = parse_or<std::int64_t>(meta("readable_since"), version_);
@@ -147,7 +147,7 @@ class ProjectReader {
 
   using Loaded = std::pair<std::optional<Value>, std::string>;
 
-  // Nodes that have the same contents share them again, and a broken blob is looked at once.
+  // Nodes that have the same contents share them again, and a broken blob is checked once.
   const Loaded& value_of(ValueType kind, const std::string& hash) {
     const auto [place, is_new] = values_.try_emplace({kind, hash});
     if (!is_new) return place->second;
@@ -161,7 +161,7 @@ class ProjectReader {
     return place->second;
   }
 
-  // A whole file keeps all its links, even those that lead nowhere: the evaluator tells of them.
+  // A whole file keeps all its links, even those that lead nowhere: the evaluator reports them.
   void drop_dead_links(std::vector<NodeRow>& rows) {
     if (damage_.empty()) return;
     std::set<NodeId> alive;

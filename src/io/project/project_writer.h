@@ -52,7 +52,7 @@ class ProjectWriter {
   State written_;
 };
 
-/// Over the rows of all nodes in their order: tells whether a file is as it was saved.
+/// Over the rows of all nodes in their order: shows whether a file is as it was saved.
 std::string nodes_checksum(const std::vector<const NodeRow*>& rows, NodeId next_id);
 
 }  // namespace croquis

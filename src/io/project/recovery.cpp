@@ -190,7 +190,7 @@ ProjectFile recover(const fs::path& file, Progress& progress) {
   }
 }
 
-// The database first: without it the rest is swept away by the next process.
+// The database first: without it the next process removes the rest.
 void discard(const fs::path& file) {
   for (const char* ending : {"", "-wal", "-shm"}) ::unlink((file.string() + ending).c_str());
   ::unlink(lock_of(file).c_str());

@@ -10,7 +10,7 @@
 /// How a document lies in an SQLite database. docs/project-file.md describes it for other programs.
 namespace croquis {
 
-/// "CROQ": what `file` and desktops know projects by.
+/// "CROQ": by this `file` and desktops recognise projects.
 inline constexpr std::uint32_t project_application_id = 0x43524f51;
 
 /// Raised with every change of the tables.

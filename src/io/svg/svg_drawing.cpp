@@ -159,7 +159,7 @@ class SvgReader {
     if (entry.first++ == 0) entry.second = line_of(node);
   }
 
-  /// Takes over what an element says for itself and its children. False when it is not to be shown.
+  /// Takes over the settings of an element for itself and its children. False when it is not to be shown.
   bool enter(const pugi::xml_node& node, Surroundings& around) {
     if (property(node, "display") == "none") return false;
     const std::string visibility = property(node, "visibility");

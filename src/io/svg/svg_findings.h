@@ -11,7 +11,7 @@
 
 namespace croquis {
 
-/// What is said about one drawing: at most a hundred findings of a code, then only how many more.
+/// Findings about one drawing: at most a hundred of a code, then only the number of the others.
 class SvgFindings {
  public:
   explicit SvgFindings(std::string file) : file_(std::move(file)) {}
@@ -23,7 +23,7 @@ class SvgFindings {
   void stroke_warning(const char* code, const std::string& message, const std::string& stroke, std::int64_t line);
   void file_warning(const char* code, const std::string& message, std::int64_t line);
 
-  /// @throws Error with everything said so far when one of it is an error
+  /// @throws Error with all findings so far when one of them is an error
   void stop_on_errors();
   Findings take();
 

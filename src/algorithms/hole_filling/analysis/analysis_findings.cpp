@@ -10,7 +10,7 @@
 namespace croquis::hole_filling {
 namespace {
 
-/// Elements listed with a finding at most; the sentence tells how many there are.
+/// Elements listed with a finding at most; the sentence gives their number.
 constexpr std::size_t most_subjects = 20;
 
 Finding warn(std::string code, std::string message, std::vector<Subject> subjects = {}) {
@@ -28,10 +28,10 @@ std::vector<Subject> flagged_faces(const SurfaceView& view, unsigned flags) {
   return subjects;
 }
 
-std::vector<Subject> crowded_edge_subjects(const SurfaceView& view) {
+std::vector<Subject> nonmanifold_edge_subjects(const SurfaceView& view) {
   std::vector<std::array<Index, 2>> edges;
   for (Index corner = 0; corner < view.opposite.size() && edges.size() < most_subjects; ++corner) {
-    if (view.opposite[corner] != crowded_edge) continue;
+    if (view.opposite[corner] != nonmanifold_edge) continue;
     const auto [low, high] = std::minmax({view.origin(corner), view.target(corner)});
     if (std::find(edges.begin(), edges.end(), std::array{low, high}) == edges.end()) edges.push_back({low, high});
   }
@@ -56,15 +56,15 @@ void tell_orientation(const SurfaceView& view, Findings& findings) {
                  " only one side; look at what is filled there."));
 }
 
-void tell_crowded_edges(const HoleAnalysis& analysis, Findings& findings) {
-  if (analysis.view.crowded_edges == 0) return;
-  const bool one = analysis.view.crowded_edges == 1;
-  std::string message = counted(analysis.view.crowded_edges, "non-manifold edge has", "non-manifold edges have") +
+void report_nonmanifold_edges(const HoleAnalysis& analysis, Findings& findings) {
+  if (analysis.view.nonmanifold_edges == 0) return;
+  const bool one = analysis.view.nonmanifold_edges == 1;
+  std::string message = counted(analysis.view.nonmanifold_edges, "non-manifold edge has", "non-manifold edges have") +
                         " more than two faces and " + (one ? "stays as it is" : "stay as they are");
   if (analysis.open_rims > 0)
     message += "; " + counted(analysis.open_rims, "rim ends", "rims end") + " there and can't be filled";
   findings.push_back(warn("W_NONMANIFOLD", message + ": separate the sheets that meet in " + (one ? "it." : "them."),
-                          crowded_edge_subjects(analysis.view)));
+                          nonmanifold_edge_subjects(analysis.view)));
 }
 
 void tell_shared_vertices(const HoleAnalysis& analysis, Findings& findings) {
@@ -95,7 +95,7 @@ Findings analysis_findings(const HoleAnalysis& analysis) {
                                                                          "were") +
                                             ", so weld the source to get a closed file."));
   tell_orientation(view, findings);
-  tell_crowded_edges(analysis, findings);
+  report_nonmanifold_edges(analysis, findings);
   if (view.unsound_triangles + view.dropped_triangles > 0)
     findings.push_back(warn("W_DEGENERATE",
                             counted(view.unsound_triangles + view.dropped_triangles, "triangle has", "triangles have") +

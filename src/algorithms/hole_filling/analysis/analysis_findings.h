@@ -6,7 +6,7 @@
 
 namespace croquis::hole_filling {
 
-/// What the analysis has to say about a dirty mesh, one finding per kind of dirt.
+/// What the analysis reports about a faulty mesh, one finding per type of fault.
 Findings analysis_findings(const HoleAnalysis& analysis);
 
 }  // namespace croquis::hole_filling

@@ -15,7 +15,7 @@ constexpr std::size_t leaf_size = 8;
 struct TreeNode {
   Eigen::AlignedBox3d box;
   std::size_t begin = 0, end = 0;   ///< of the points
-  std::size_t left = 0, right = 0;  ///< children, 0 for none (the root is nobody's child)
+  std::size_t left = 0, right = 0;  ///< children, 0 for none (the root is never a child)
 };
 
 class FarthestPair {

@@ -40,7 +40,7 @@ void require_known(std::span<const Hole> holes, const FillOptions& options) {
   if (!findings.empty()) throw Error(std::move(findings));
 }
 
-/// What requests say of each hole: filled, left open, or nothing.
+/// What requests set for each hole: filled, left open, or nothing.
 std::vector<std::optional<bool>> asked_for(std::size_t hole_count, std::span<const HoleRequest> requests) {
   std::vector<std::optional<bool>> asked(hole_count);
   for (const HoleRequest& request : requests) {

@@ -13,17 +13,17 @@
 namespace croquis::hole_filling {
 namespace {
 
-/// A sheet's border: its longest rim, wider than this share of the sheet's diagonal.
+/// A sheet's border: its longest rim, of a diameter above this share of the sheet's diagonal.
 constexpr double border_diameter = 0.5;
 
 /// An open cross-section: flat within this share of its diameter, …
 constexpr double section_planarity = 0.02;
 /// … faces that go straight on within this angle on average, …
 constexpr double section_tilt = 15 * std::numbers::pi / 180;
-/// … and wider than this share of the component's diagonal.
+/// … and above this share of the component's diagonal.
 constexpr double section_diameter = 0.25;
 
-/// A slit is this many mean edges wide at most (its area over its length) …
+/// A slit's width is this many mean edges at most (its area over its length) …
 constexpr double slit_width = 1.5;
 /// … and so long that there and back is nearly all of its perimeter.
 constexpr double slit_length = 0.42;
@@ -32,7 +32,7 @@ constexpr double slit_length = 0.42;
 constexpr double island_height = 0.5;
 
 /// Rims of a tunnel look at each other within this angle, differ at most so much in size, and aren't further apart than
-/// the larger is wide.
+/// the larger diameter.
 constexpr double tunnel_angle = 40 * std::numbers::pi / 180;
 constexpr double tunnel_ratio = 2;
 

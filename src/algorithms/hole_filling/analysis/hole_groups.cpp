@@ -20,7 +20,7 @@ Box grown_box(const PolyMesh& mesh, const Hole& hole) {
   return {box.min() - reach, box.max() + reach};
 }
 
-/// A tree over boxes, each node the middle of a range of `order_`; answers which boxes meet one.
+/// A tree over boxes, each node the middle of a range of `order_`; finds which boxes meet one.
 class BoxTree {
  public:
   explicit BoxTree(const std::vector<Box>& boxes) : boxes_(boxes), order_(boxes.size()), bounds_(boxes.size()) {

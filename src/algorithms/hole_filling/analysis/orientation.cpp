@@ -48,7 +48,7 @@ Flood flood_part(SurfaceView& view, Index seed, Index number, CancelCheck& cance
 
 /// Where a corner's edge is once the last two corners of turned triangles have changed places.
 Index corner_after_turning(const SurfaceView& view, Index corner) {
-  if (corner >= crowded_edge || (view.flags[corner / 3] & SurfaceView::turned) == 0) return corner;
+  if (corner >= nonmanifold_edge || (view.flags[corner / 3] & SurfaceView::turned) == 0) return corner;
   constexpr std::array<Index, 3> place = {2, 1, 0};
   return corner - corner % 3 + place[corner % 3];
 }
@@ -90,7 +90,7 @@ void flood_parts(SurfaceView& view, CancelCheck& cancel) {
       ++view.one_sided_components;
       for (const Index triangle : flood.members)
         view.flags[triangle] &= static_cast<std::uint8_t>(~SurfaceView::turned);
-      continue;  // no way to turn is better than the one given
+      continue;  // no orientation is better than the one given
     }
     if (2 * flood.turned > flood.members.size()) {
       for (const Index triangle : flood.members) view.flags[triangle] ^= SurfaceView::turned;
@@ -102,11 +102,11 @@ void flood_parts(SurfaceView& view, CancelCheck& cancel) {
   view.component_count = parts;
 }
 
-/// Joins parts across edges of many triangles; numbers stay those of the lowest triangles.
-void join_across_crowded(SurfaceView& view, std::span<const std::array<Index, 2>> crowded_corners) {
-  if (crowded_corners.empty()) return;
+/// Joins parts across non-manifold edges; numbers stay those of the lowest triangles.
+void join_across_nonmanifold(SurfaceView& view, std::span<const std::array<Index, 2>> nonmanifold_corners) {
+  if (nonmanifold_corners.empty()) return;
   DisjointSets sets(view.component_count);
-  for (const auto& [a, b] : crowded_corners) sets.unite(view.component[a / 3], view.component[b / 3]);
+  for (const auto& [a, b] : nonmanifold_corners) sets.unite(view.component[a / 3], view.component[b / 3]);
   std::vector<Index> number;
   view.component_count = sets.number(number);
   for (Index& component : view.component) component = number[component];
@@ -114,10 +114,11 @@ void join_across_crowded(SurfaceView& view, std::span<const std::array<Index, 2>
 
 }  // namespace
 
-void orient_and_number(SurfaceView& view, std::span<const std::array<Index, 2>> crowded_corners, Progress& progress) {
+void orient_and_number(SurfaceView& view, std::span<const std::array<Index, 2>> nonmanifold_corners,
+                       Progress& progress) {
   CancelCheck cancel(progress);
   if (!number_agreeing_parts(view, cancel)) flood_parts(view, cancel);
-  join_across_crowded(view, crowded_corners);
+  join_across_nonmanifold(view, nonmanifold_corners);
 }
 
 }  // namespace croquis::hole_filling

@@ -12,7 +12,8 @@ namespace croquis::hole_filling {
 /// Of each part that edges of two triangles join, turns the minority of its triangles (of two halves the one
 /// without the lowest triangle) and numbers the components. Fills component, component_count, one_sided_components and
 /// the `turned` flags; rewrites triangles and opposite where triangles are turned. Linear.
-/// @param crowded_corners see EdgePairing: they join components but decide no orientation
-void orient_and_number(SurfaceView& view, std::span<const std::array<Index, 2>> crowded_corners, Progress& progress);
+/// @param nonmanifold_corners see EdgePairing: they join components but decide no orientation
+void orient_and_number(SurfaceView& view, std::span<const std::array<Index, 2>> nonmanifold_corners,
+                       Progress& progress);
 
 }  // namespace croquis::hole_filling

@@ -60,8 +60,8 @@ class RimWalk {
     return static_cast<Index>(found - view_.rim_corners.begin());
   }
 
-  /// The end that one arrives at by turning around the end's vertex through its triangles, or no_index at an edge of
-  /// many triangles.
+  /// The end that one arrives at by turning around the end's vertex through its triangles, or no_index at a
+  /// non-manifold edge.
   End turn(End end) {
     const Index pivot = vertex(end);
     Index edge = view_.other_edge_at(corner(end), pivot);
@@ -69,7 +69,7 @@ class RimWalk {
       cancel_.step();
       edge = view_.other_edge_at(view_.opposite[edge], pivot);
     }
-    if (view_.opposite[edge] == crowded_edge) return no_index;
+    if (view_.opposite[edge] == nonmanifold_edge) return no_index;
     return 2 * place_of(edge) + (view_.origin(edge) == pivot ? 0 : 1);
   }
 
@@ -127,7 +127,7 @@ class RimWalk {
     }
   }
 
-  /// Rims that break off at edges of many triangles go on with another one that does so at the same vertex.
+  /// Rims that end at non-manifold edges go on with another one that does so at the same vertex.
   void link_dead_ends() {
     std::vector<std::tuple<Index, Index, End>> dead;  // (vertex, arriving or leaving, end)
     for (End end = 0; end < partner_.size(); ++end) {

@@ -23,7 +23,7 @@ constexpr double least_area = 1e-14;
 constexpr double greatest_aspect = 1e6;
 
 /// Corners are counted with 32 bits, and two values are reserved.
-constexpr std::size_t most_triangles = crowded_edge / 3 - 1;
+constexpr std::size_t most_triangles = nonmanifold_edge / 3 - 1;
 
 void require_fillable(const PolyMesh& mesh) {
   Findings findings = validate(mesh);
@@ -79,7 +79,7 @@ double diagonal_of(const PolyMesh& mesh, const SurfaceView& view) {
   return (high - low).norm();
 }
 
-/// Flags the triangles that tell nothing about the surface. @return the area of all
+/// Flags the triangles without a usable normal or shape. @return the area of all
 double flag_unsound(const PolyMesh& mesh, SurfaceView& view, Progress& progress) {
   const double area_limit = least_area * view.diagonal * view.diagonal;
   double area = 0;
@@ -133,8 +133,8 @@ SurfaceView view_surface(const PolyMesh& mesh, Progress& progress) {
     EdgePairing pairing = pair_edges(view.triangles, mesh.vertex_count(), progress);
     progress.report(0.8);
     view.opposite = std::move(pairing.opposite);
-    view.crowded_edges = pairing.crowded_edges;
-    orient_and_number(view, pairing.crowded_corners, progress);
+    view.nonmanifold_edges = pairing.nonmanifold_edges;
+    orient_and_number(view, pairing.nonmanifold_corners, progress);
   }
   list_rim_corners(view);
   count_turned_faces(view);

@@ -30,8 +30,8 @@ std::vector<std::uint8_t> used_vertices(const PolyMesh& mesh) {
   return used;
 }
 
-/// Tells of each hash whether it came, and came again, in two bits: a table that stays in the caches where one of
-/// indices wouldn't.
+/// Whether each hash came, and came again, in two bits: a table that stays in the caches where one of indices
+/// wouldn't.
 class HashCounts {
  public:
   explicit HashCounts(std::size_t expected)

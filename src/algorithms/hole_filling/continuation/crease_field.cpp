@@ -19,7 +19,7 @@ using Tree = std::vector<Node>;
 
 constexpr double least_side_reach = 6;  // × edge
 constexpr std::size_t most_known = 4000;
-constexpr std::size_t most_sides = 5;           // the number of trees grows with the factorial
+constexpr std::size_t most_sides = 5;           // the number of trees grows as the factorial
 constexpr std::size_t most_side_centres = 120;  // per side
 constexpr double first_spacing = 0.7;           // of centres, × edge
 constexpr double side_spacing_slope = 0.25;     // by how much it grows per distance from the rim

@@ -13,7 +13,7 @@
 namespace croquis::hole_filling {
 
 /// Smooth sides that meet at creases, as one function: each side has a fit of its own, and of these the greatest (where
-/// the crease is convex) or the least (where it is concave) counts, as told by a tree.
+/// the crease is convex) or the least (where it is concave) counts, as a tree decides.
 class CreaseField {
  public:
   /// A node of the tree: a side, or the greater or lesser of two nodes before it.

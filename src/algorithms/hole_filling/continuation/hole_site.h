@@ -18,10 +18,10 @@ struct HoleSite {
   const PolyMesh* mesh = nullptr;
   const HoleAnalysis* analysis = nullptr;
   std::vector<Index> holes;     ///< ascending
-  RimPolygon polygon;           ///< rims with the patch on their left, the widest first
+  RimPolygon polygon;           ///< rims with the patch on their left, the largest first
   std::vector<Index> vertices;  ///< of the mesh, per point of the polygon
   PatchWish wish;
-  const SurfaceSearch* search = nullptr;  ///< of the mesh, shared by its sites; null: whoever needs one makes it
+  const SurfaceSearch* search = nullptr;  ///< of the mesh, shared by its sites; null: made where one is needed
   bool bridge = false;                    ///< a band between the rims is wanted, rather than one rim's inside
 };
 
@@ -35,7 +35,7 @@ double rim_length(const HoleSite& site);
 /// Mean length of the rims' edges, model units.
 double mean_rim_edge(const HoleSite& site);
 
-/// Diameter of the widest rim.
+/// Diameter of the largest rim.
 double widest_diameter(const HoleSite& site);
 
 /// The faces on the other side of the polygon's sides, each from a point to the next. #P unit normals, zero for a face

@@ -13,7 +13,7 @@ struct KnownSurface {
   PolyMesh mesh;                 ///< triangles; vertices by their distance to the rims, those of the rims first
   std::vector<double> distance;  ///< per vertex, along edges to the rims
   double edge = 0;               ///< mean length of the rims' edges
-  double size = 0;               ///< diameter of the widest rim
+  double size = 0;               ///< diameter of the largest rim
 };
 
 /// Triangles all of whose vertices edges join to the rims within max(`reach` × size, `least_reach` × edge), and of

@@ -22,7 +22,7 @@ void fit_rim_normals(std::vector<ReachedVertex>& reached, const std::vector<Vec3
 /// How rough the surface is, × the distance of neighbouring vertices: the median over up to 100 places of the standard
 /// deviation of 17 neighbouring vertices from the quadric fitted to them. Of noise along the normals, evenly
 /// distributed, it is the standard deviation; smooth surfaces that their triangles resolve have 0.001 to 0.03. 0 where
-/// nothing can be told.
+/// nothing can be measured.
 /// @param tree of the places reached
 double surface_roughness(const std::vector<ReachedVertex>& reached, const std::vector<Vec3>& positions,
                          const implicit::PointTree& tree);

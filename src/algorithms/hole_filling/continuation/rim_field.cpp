@@ -30,10 +30,10 @@ constexpr double worst_residual = 0.5;          // × edge, or for long rims × 
 constexpr std::size_t most_candidates = 30000;  // beside the rim; thinning looks at all of them, so more are sampled
 constexpr double smoother = 10;
 
-/// Wider holes, × the component's diagonal, let quadratic terms stray.
+/// In larger holes, × the component's diagonal, quadratic terms lead away from the surface.
 constexpr double widest_quintic = 0.25;
 
-/// What smoothing the surface's roughness asks for: `smooth` + `rough` × (roughness / 0.1)^power.
+/// The smoothing for the surface's roughness: `smooth` + `rough` × (roughness / 0.1)^power.
 struct Smoothing {
   double smooth, rough;
   int power;
@@ -60,7 +60,7 @@ std::optional<std::vector<std::size_t>> thin(const std::vector<ReachedVertex>& r
   for (std::size_t i = 0; i < reached.size(); ++i) {
     const Vec3& place = positions[reached[i].vertex];
     const double least = std::max(spacing, slope * reached[i].distance);
-    // What was taken last is the likeliest to be too near.
+    // The last one taken is most likely too near.
     const bool is_free = std::all_of(places.rbegin(), places.rend(),
                                      [&](const Vec3& other) { return (place - other).squaredNorm() >= least * least; });
     if (!is_free) continue;
@@ -219,7 +219,7 @@ class RimFitting {
     return options;
   }
 
-  /// Places that are met exactly, whatever the smoothing; nobody knows the normals there.
+  /// Places that are met exactly, whatever the smoothing; their normals aren't known.
   void go_through(implicit::Constraints& constraints) const {
     constraints.softness.assign(constraints.size(), 1.0);
     constraints.softness.insert(constraints.softness.end(), through_.size(), 0.0);

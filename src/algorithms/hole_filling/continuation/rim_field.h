@@ -16,7 +16,7 @@ namespace croquis::hole_filling {
 struct RimField {
   std::shared_ptr<const implicit::LocalFit> fit;
   double edge = 0;  ///< mean length of the rims' edges, model units
-  double size = 0;  ///< diameter of the widest rim
+  double size = 0;  ///< diameter of the largest rim
 
   implicit::Field other = {};  ///< instead of `fit`, where one fit isn't enough
 
@@ -37,11 +37,11 @@ bool continues_curvature(const HoleSite& site, const ImplicitOptions& options);
 /// Fits one radial basis function to the surface around the rims: vertices within max(4 edges, reach × size) along the
 /// surface, the sparser the farther away, rims included. A bulge that the site wishes for turns them about the rims
 /// first; places that the patch is to go through are met exactly. Where r^5 is safe, normals count at a few of the
-/// places alone: the others say the rest, and a fit takes a tenth of the time.
+/// places alone: the other places give the rest, and a fit takes a tenth of the time.
 ///
 /// Fitted again with ten times the smoothing when a rim vertex that isn't a centre lies half an edge off (half of what
 /// the centres resolve, for rims with more edges than centres); nothing when that doesn't help either, or there is
-/// nothing to go by.
+/// nothing to fit.
 std::optional<RimField> fit_rims(const HoleSite& site, const ImplicitOptions& options, const RimFitOptions& how);
 
 }  // namespace croquis::hole_filling

@@ -13,7 +13,7 @@ namespace croquis::hole_filling {
 namespace {
 
 constexpr double crease_cosine = 0.819;     // 35 degrees
-constexpr std::size_t least_triangles = 4;  // of a side: less tells nothing
+constexpr std::size_t least_triangles = 4;  // of a side: fewer aren't enough
 
 class SideFinder {
  public:

@@ -60,8 +60,8 @@ class Reach {
     double angle;  ///< at the vertex
   };
 
-  /// Of places equally far the one with the least coordinates comes first, so that the numbers of vertices tell
-  /// nothing.
+  /// Of places equally far the one with the least coordinates comes first, so that the numbers of vertices don't
+  /// matter.
   struct IsLater {
     const std::vector<Vec3>& positions;
 

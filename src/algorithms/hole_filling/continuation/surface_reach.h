@@ -11,7 +11,7 @@ namespace croquis::hole_filling {
 struct ReachedVertex {
   Index vertex = 0;            ///< of the view
   double distance = 0;         ///< along edges to the nearest rim vertex of the site
-  Vec3 normal = Vec3::Zero();  ///< unit, weighted by the angles of its sound triangles; 0 where they tell nothing
+  Vec3 normal = Vec3::Zero();  ///< unit, weighted by the angles of its sound triangles; 0 where they give none
   Index corner = 0;            ///< of the view, one there
   bool on_crease = false;      ///< a crease (see is_smooth) starts, ends or passes there
 };

@@ -10,7 +10,7 @@
 #include "croquis/base/progress.h"
 #include "croquis/geometry/vector.h"
 
-/// The one place where CGAL is called to fill holes.
+/// The only code that calls CGAL to fill holes.
 namespace croquis::hole_filling {
 
 using Triangle = std::array<Index, 3>;
@@ -24,7 +24,7 @@ std::vector<Triangle> cgal_delaunay_triangles(std::span<const Vec3> points);
 struct FairingInput {
   std::vector<Vec3> points;
   std::vector<Triangle> surroundings;  ///< faces around the hole: two rings for continuity 2, else one
-  std::vector<Triangle> patch;         ///< turned like the surroundings
+  std::vector<Triangle> patch;         ///< oriented like the surroundings
   unsigned continuity = 1;             ///< 0: positions, 1: tangents, 2: curvatures agree at the rim
   double density = 0;  ///< CGAL's density control; larger is denser, sqrt(2) gives the rim's own density
   int rounds = 1;      ///< of fairing: each measures its weights on what the one before has made

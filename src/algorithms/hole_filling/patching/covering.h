@@ -13,7 +13,7 @@
 
 namespace croquis::hole_filling {
 
-/// The surface that is there already around a site: tells which places of its continuation lie upon it.
+/// The surface that is there already around a site: finds which places of its continuation lie upon it.
 class Covering {
  public:
   /// Takes the triangles that reach into the box. Linear in the view, n log n in those.

@@ -17,7 +17,7 @@ class CrossValidation {
   /// @throws Cancelled
   CrossValidation(const HoleSite& site, Progress& progress);
 
-  /// None where the known surface is too small: then nothing can be told.
+  /// None where the known surface is too small: then nothing can be measured.
   std::size_t probe_count() const { return probes_.size(); }
 
   /// Mean distance of hidden surface to what the method puts there, model units; infinite when there is no probe or it

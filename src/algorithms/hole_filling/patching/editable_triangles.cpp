@@ -27,12 +27,12 @@ void EditableTriangles::find_twins(std::size_t vertex_count) {
       if (to(sorted[i]) == from_[s]) twin_[s] = sorted[i];
     }
     for (Index i = begin[from_[s]]; i < begin[from_[s] + 1]; ++i)
-      is_crowded_ |= sorted[i] != s && to(sorted[i]) == to(s);
+      has_doubled_sides_ |= sorted[i] != s && to(sorted[i]) == to(s);
   }
 }
 
 bool EditableTriangles::is_manifold(std::size_t open_vertices) const {
-  if (is_crowded_) return false;
+  if (has_doubled_sides_) return false;
   std::vector<Index> sizes(out_.size(), 0);
   for (const Index v : from_) ++sizes[v];
   for (Index v = static_cast<Index>(open_vertices); v < out_.size(); ++v) {

@@ -12,8 +12,8 @@
 namespace croquis::hole_filling {
 
 /// Triangles whose edges can be split, collapsed and flipped, each in constant time: a table of their sides, three per
-/// triangle one behind the other, with the side of the neighbour that runs the other way. Nothing here knows where the
-/// vertices are, or asks whether a step is allowed.
+/// triangle one behind the other, with the side of the neighbour that runs the other way. Positions of vertices
+/// aren't used, and steps aren't checked.
 class EditableTriangles {
  public:
   using Side = Index;
@@ -78,8 +78,8 @@ class EditableTriangles {
   std::vector<Side> twin_;
   std::vector<Side> out_;  ///< per vertex, one of its sides
   std::vector<bool> is_gone_;
-  std::vector<Side> moved_to_;  ///< per side, where its first edge has gone
-  bool is_crowded_ = false;     ///< two sides run the same way
+  std::vector<Side> moved_to_;      ///< per side, where its first edge has gone
+  bool has_doubled_sides_ = false;  ///< two sides run the same way
 };
 
 }  // namespace croquis::hole_filling

@@ -21,7 +21,7 @@ struct Neighbours {
 };
 
 Neighbours neighbours_of(const FairingInput& input, const FairingResult& patch) {
-  std::vector<std::pair<Index, Index>> edges;  // both ways
+  std::vector<std::pair<Index, Index>> edges;  // in both directions
   for (const auto* triangles : {&input.surroundings, &patch.patch}) {
     for (const auto& [a, b, c] : *triangles)
       edges.insert(edges.end(), {{a, b}, {b, a}, {b, c}, {c, b}, {c, a}, {a, c}});
@@ -45,7 +45,7 @@ class Equations {
       : known_(input.points), right_(Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(patch.new_points.size()), 3)) {}
 
   void add(Index vertex, std::span<const Index> neighbours) {
-    Eigen::RowVector3d offset = Eigen::RowVector3d::Zero();  // what is known of the way to the mean
+    Eigen::RowVector3d offset = Eigen::RowVector3d::Zero();  // the known part of the vector to the mean
     row_.clear();
     const auto place = [&](Index v, double weight) {
       if (v < known_.size()) {

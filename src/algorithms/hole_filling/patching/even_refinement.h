@@ -8,7 +8,7 @@
 namespace croquis::hole_filling {
 
 /// Cuts the triangles of a patch without new vertices, and flips them, until their edges are `coarseness` times as long
-/// as those of its rim; farther inside they are as long as those of the rim are there on the way. Nothing is faired:
+/// as those of its rim; farther inside lengths are interpolated between those of the rim. Nothing is faired:
 /// new vertices lie in the triangles given.
 /// @param input its density is left out of account
 /// @return nothing when triangles share edges as no surface does

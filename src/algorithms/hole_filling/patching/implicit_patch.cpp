@@ -38,7 +38,7 @@ constexpr double final_accuracy = 1e-4;
 constexpr double least_settling_gradient = 0.01;
 constexpr int most_settling_steps = 6;
 
-/// A patch that strays farther from its rims than this has run away: the surface around doesn't close. × size
+/// A patch that moves farther from its rims than this is given up: the surface around doesn't close. × size
 constexpr double longest_way = 1.5;
 
 constexpr std::size_t most_guides = 80;

@@ -12,10 +12,10 @@
 namespace croquis::hole_filling {
 namespace {
 
-/// More than can help to mend a patch.
+/// More than can help to repair a patch.
 constexpr std::size_t most_near_pairs = 100000;
 
-/// So many questions without a tree cost about as much as making one.
+/// So many queries without a tree cost about as much as making one.
 constexpr std::size_t questions_before_tree = 8;
 
 constexpr std::size_t fan = 8;  ///< boxes in one of the level above

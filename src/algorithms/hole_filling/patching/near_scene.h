@@ -15,7 +15,7 @@
 
 namespace croquis::hole_filling {
 
-/// Finds a surface's triangles in boxes, for all holes of a mesh. The first few questions look at every triangle; then
+/// Finds a surface's triangles in boxes, for all holes of a mesh. The first few queries visit every triangle; then
 /// a tree of boxes is made, which costs about as much as these and makes each further one cheap. Thread-safe.
 class SurfaceSearch {
  public:

@@ -27,7 +27,7 @@ PolyMesh with_faces(const PolyMesh& mesh, const std::vector<bool>& stays) {
   return kept;
 }
 
-/// Which faces don't spoil the border.
+/// Which faces leave the border simple.
 std::vector<bool> faces_that_stay(const PolyMesh& mesh, const MeshTopology& topology) {
   std::vector<bool> stays(mesh.face_count(), true);
   for (Index f = 0; f < mesh.face_count(); ++f) {

@@ -15,14 +15,14 @@ struct BorderLoop {
   Index component = 0;          ///< of MeshTopology
 };
 
-/// The triangles none of whose corners is left out, as a mesh without stray vertices. Its borders are simple: triangles
-/// with two border edges are removed, and those around vertices where borders touch, until there are none.
-/// @param triangles manifold and turned one way; @param left_out #V
+/// The triangles none of whose corners is left out, as a mesh without unused vertices. Its borders are simple:
+/// triangles with two border edges are removed, and those around vertices where borders touch, until there are none.
+/// @param triangles manifold and consistently oriented; @param left_out #V
 PolyMesh open_sheet(const PolyMesh& triangles, std::span<const std::uint8_t> left_out);
 
 std::vector<BorderLoop> border_loops(const PolyMesh& sheet);
 
-/// Only those components that are wanted, without stray vertices; the order of vertices and faces stays.
+/// Only those components that are wanted, without unused vertices; the order of vertices and faces stays.
 /// @param wanted per component of MeshTopology
 PolyMesh components_of(const PolyMesh& sheet, const std::vector<bool>& wanted);
 

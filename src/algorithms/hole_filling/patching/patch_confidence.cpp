@@ -149,7 +149,7 @@ std::vector<double> rim_jumps(const HolePatch& patch, const RimFolds& folds, con
 }
 
 /// How far a patch of rim vertices alone turns away from the surface: teeth of ragged rims are filled along it, and
-/// hide the fold behind them. What the ways into the hole have in common leads out of the patch's plane.
+/// hide the fold behind them. The mean direction of the surface into the hole leads out of the patch's plane.
 double turn_of_ways(const HolePatch& patch, const PolyMesh& mesh, const HoleAnalysis& analysis) {
   double turn = 0;
   for (const Index id : patch.holes) {

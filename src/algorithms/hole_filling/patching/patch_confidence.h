@@ -14,9 +14,9 @@ double backing(double distance, double diameter, double diagonal);
 
 /// The least backing of a patch's places, / (1 + (a / 45 degrees)^4), where a is how far the patch turns away from the
 /// surface at its rims: the mean fold of stretches of the rim, by which the roughness of single faces evens out.
-/// Without new vertices it is what the surface's ways into the hole have in common, if that is more.
+/// Without new vertices it is the angle of the surface's mean direction into the hole, if that is more.
 ///
-/// A narrow gap has nearly 1; a flat disc that continues a plane 0.5, or less where it is wider than a third of the
+/// A narrow gap has nearly 1; a flat disc that continues a plane 0.5, or less where its diameter is over a third of the
 /// piece; a dome as high as half its diameter 0.2. A lid across a tube has 0.03. Patches without new vertices are
 /// looked at evenly by area.
 double confidence_of(const HolePatch& patch, const PolyMesh& mesh, const HoleAnalysis& analysis);
@@ -28,7 +28,7 @@ double confidence_of(const HolePatch& patch, const PolyMesh& mesh, const HoleAna
 /// Near-linear.
 std::vector<float> vertex_confidence(const HolePatch& patch, const PolyMesh& mesh, const HoleAnalysis& analysis);
 
-/// A patch below this deserves a look: it goes higher than a dome of 0.35 diameters over a round rim.
+/// A patch below this should be checked: it goes higher than a dome of 0.35 diameters over a round rim.
 inline constexpr double low_confidence = 0.3;
 
 }  // namespace croquis::hole_filling

@@ -18,7 +18,7 @@ constexpr double pull_spacing_growth = 1.3;
 
 /// Rows for all vertices of the patch, columns for the new ones: the others don't move.
 Sparse umbrella_laplacian(const HolePatch& patch, Index given) {
-  std::vector<std::pair<Index, Index>> edges;  // both ways
+  std::vector<std::pair<Index, Index>> edges;  // in both directions
   for (const auto& t : patch.triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
       edges.emplace_back(t[i], t[(i + 1) % 3]);

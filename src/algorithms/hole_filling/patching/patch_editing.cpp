@@ -79,7 +79,7 @@ class PatchEditing {
     }
   }
 
-  /// Whether the triangles around stay of good size and on their side.
+  /// Whether the triangles around keep a good size and their side.
   bool keeps_shape(Side s) const {
     const Index gone = from(s), kept = to(s);
     return sides_.all_around(gone, [&](Side out) {
@@ -103,7 +103,7 @@ class PatchEditing {
 
   bool can_be_joined(Index a, Index b) const {
     if (on_rim(a) && on_rim(b)) return false;
-    if (on_rim(a)) std::swap(a, b);  // a rim point's triangles may be several fans: the other one is asked
+    if (on_rim(a)) std::swap(a, b);  // a rim point's triangles may be several fans: the other one is checked
     return sides_.all_around(a, [&](Side out) { return to(out) != b; });
   }
 

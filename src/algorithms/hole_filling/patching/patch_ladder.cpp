@@ -9,7 +9,7 @@
 namespace croquis::hole_filling {
 namespace {
 
-// What noise asks for, × the usual smoothing.
+// Smoothing for noise, × the usual one.
 constexpr double noisy_values = 10;
 constexpr double noisy_gradients = 6;
 
@@ -119,7 +119,7 @@ Ladder ladder_for(const PatchWish& wish, Preset preset, bool is_cap, std::size_t
 Ladder ladder_for(const HoleSite& site, Preset preset, bool is_cap, std::size_t most_triangles) {
   if (!site.wish.through.empty()) return ladder_for(site.wish, preset, false, most_triangles);
   if (joins_two_rims(site)) return ladder_between(site, preset, most_triangles);
-  if (preset == Preset::Sharp && site.holes.size() > 1) preset = Preset::Standard;  // probes know nothing of islands
+  if (preset == Preset::Sharp && site.holes.size() > 1) preset = Preset::Standard;  // probes have no islands
   Ladder ladder = ladder_for(site.wish, preset, is_cap, most_triangles);
   const bool is_implicit = !is_cap && site.wish.fairness == Fairness::Implicit && preset != Preset::Sharp;
   if (is_implicit && is_hard_to_triangulate(site))

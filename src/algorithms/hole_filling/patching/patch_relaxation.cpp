@@ -6,7 +6,7 @@
 namespace croquis::hole_filling {
 
 void relax(LoosePatch& patch, std::span<const std::uint8_t> fixed) {
-  std::vector<Vec3> sums(patch.points.size(), Vec3::Zero());  // of weight times the way to the triangle's centroid
+  std::vector<Vec3> sums(patch.points.size(), Vec3::Zero());  // of weight times the vector to the triangle's centroid
   std::vector<double> weights(patch.points.size(), 0);
   for (const auto& t : patch.triangles) {
     const Vec3 ab = patch.points[t[1]] - patch.points[t[0]], ac = patch.points[t[2]] - patch.points[t[0]];

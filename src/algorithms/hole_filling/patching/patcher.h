@@ -13,8 +13,8 @@
 
 namespace croquis::hole_filling {
 
-/// One way to make a patch. Nothing it makes is trusted: the caller verifies every patch and tries the next way when
-/// this one has none that is sound.
+/// One method to make a patch. The caller verifies every patch and tries the next method when this one has none that
+/// is sound.
 class Patcher {
  public:
   virtual ~Patcher() = default;
@@ -22,12 +22,12 @@ class Patcher {
   /// The name in reports.
   virtual const char* method() const = 0;
 
-  /// A patch for the site, or nothing when this way doesn't lead to one.
+  /// A patch for the site, or nothing when this method has none.
   /// @throws Cancelled
   virtual std::optional<HolePatch> attempt(const HoleSite& site, Progress& progress) const = 0;
 };
 
-/// Ways in the order in which they are tried.
+/// Methods in the order in which they are tried.
 using Ladder = std::vector<std::shared_ptr<const Patcher>>;
 
 /// "minimal": the triangulation of least area, without new vertices.
@@ -63,29 +63,29 @@ std::shared_ptr<const Patcher> band_patcher(bool shortest);
 /// nothing for a hole that no crease runs into.
 std::shared_ptr<const Patcher> creased_patcher(const ImplicitOptions& options, std::size_t most_triangles);
 
-/// Of several ways that make a patch the one that repairs known surface beside the hole best (see CrossValidation), or
-/// the second best, and so on. What it makes carries the name of the way taken and the error to be expected.
+/// Of several methods for a patch the one that repairs known surface beside the hole best (see CrossValidation), or
+/// the second best, and so on. Its patch carries the name of the method taken and the expected error.
 /// @param ways each has to be better by a fifth than those before it; a probe of which one makes nothing doesn't count
 ///        against it
 /// @param rank 0 for the best
 std::shared_ptr<const Patcher> validated_patcher(std::vector<std::shared_ptr<const Patcher>> ways, std::size_t rank);
 
-/// What a continuation may cost, and how calm it is.
+/// What a continuation may cost, and how stable it is.
 enum class ContinuationCare {
   Quick,    ///< few normals count (see RimFitOptions::every_normal)
   Steady,   ///< all do; nothing where that is the same as Quick
   Careful,  ///< smoothed more, clear of other sheets, and untangled
 };
 
-/// "implicit", or "implicit-careful": what "even" (wide holes: "cgal-c1") or "cgal-c1-careful" makes, moved onto the
+/// "implicit", or "implicit-careful": what "even" (large holes: "cgal-c1") or "cgal-c1-careful" makes, moved onto the
 /// zero set of a radial basis function fitted to the surface around (Yoo 2005), with triangles kept at the size of the
 /// rim's edges.
 std::shared_ptr<const Patcher> implicit_patcher(const ImplicitOptions& options, std::size_t most_triangles,
                                                 ContinuationCare care = ContinuationCare::Quick);
 
 /// "implicit-cubes": the zero set of the same function polygonised beside the hole alone, zipped to the rims and
-/// brought to the size of their edges. Needs no triangulation of the rims: several rims, huge and crooked ones are all
-/// the same to it. Where the continuation arrives at further rims, the patch tells those instead of triangles.
+/// brought to the size of their edges. Needs no triangulation of the rims, so several, huge or crooked rims make no
+/// difference. Where the continuation arrives at further rims, the patch lists those instead of triangles.
 std::shared_ptr<const Patcher> polygonised_patcher(const ImplicitOptions& options, std::size_t most_triangles);
 
 }  // namespace croquis::hole_filling

@@ -24,14 +24,14 @@ constexpr std::size_t most_dihedral_points = 1500;
 
 const double usual_density = std::sqrt(2.0);  // CGAL's for triangles of the rim's own size
 
-/// Edges of the even start, × those of the rim: who continues it cuts them where the surface is.
+/// Edges of the even start, × those of the rim: methods that go on from it cut them on the surface.
 constexpr double even_coarseness = 2;
 
 /// Of fairing to continuity 2. The weights of the first are measured on the triangulation of the rim, which is nearly
 /// flat: what is made so has the right tangents, but too much or too little curvature behind them.
 constexpr int curved_rounds = 2;
 
-/// Fairing sees a ring or two of the surface alone and follows its slope weakly: it is shown more of it.
+/// Fairing with a ring or two of the surface follows its slope weakly: it gets more rings.
 constexpr double faired_turn = 4;
 
 std::optional<std::vector<Triangle>> by_area(const HoleSite& site, Progress& progress) {

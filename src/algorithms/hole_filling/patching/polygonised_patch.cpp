@@ -26,14 +26,14 @@ constexpr double seed_distance = 0.9;  // beyond the rim, × cell: the first tha
 constexpr double most_cells = 40;      // × area to be expected / cell²
 constexpr double triangles_per_square_cell = 3.2;
 constexpr double wall_share = 0.4;          // the greatest cell between two skins, × their distance
-constexpr double farthest_wall = 3;         // × edge: beyond, two skins don't disturb each other
+constexpr double farthest_wall = 3;         // × edge: beyond, two skins don't affect each other
 constexpr double least_cell = 0.2;          // × edge
 constexpr double finer[] = {1, 0.5, 0.25};  // cells that are tried, × the first
 constexpr int most_runaways = 2;            // of a field: where the second does, too, it doesn't close
 constexpr double calmer = 3;                // factor of the smoothing, by r³, between skins and where r⁵ runs away
 constexpr std::size_t least_rim = 11;       // edges; there is no room for cubes in smaller holes
 
-/// A box around rims and places that a patch shouldn't leave: one that does has run away.
+/// A box around rims and places: a patch that leaves it is given up.
 implicit::Box box_around(const HoleSite& site, double size) {
   std::vector<Vec3> places = site.polygon.points;
   places.insert(places.end(), site.wish.through.begin(), site.wish.through.end());
@@ -99,7 +99,7 @@ class PolygonisedPatch {
     return arrival;
   }
 
-  /// The zero set of the field as far as it isn't covered; nothing when it runs away.
+  /// The zero set of the field as far as it isn't covered; nothing when it doesn't close.
   std::optional<implicit::Polygonized> continued(const Covering& covering, double cell, Progress& progress) const {
     implicit::PolygonizerOptions options;
     options.cell = cell;

@@ -21,7 +21,7 @@ struct MatchedSheet {
 ///
 /// Pieces that end at no rim are dropped, as are borders that end nowhere near one (pinholes): these are closed by
 /// least area. Nothing where a rim has no border, or borders of the piece that has most would have to be guessed.
-/// @param cell the size of the sheet's triangles, and the scale of its distance to the rims
+/// @param cell size of the sheet's triangles, and unit of its distance to the rims
 /// @throws Cancelled
 std::optional<MatchedSheet> match_loops(const HoleSite& site, PolyMesh sheet, double cell, Progress& progress);
 

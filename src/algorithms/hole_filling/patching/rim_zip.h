@@ -21,8 +21,8 @@ struct ZipSides {
 ///
 /// Its edges are as short as can be for short sides, else the shorter one is taken each time (see band_triangulation).
 /// Nothing where it would be twisted, as between sides that run against each other (closed and manifold as it would
-/// be): when its edges are twice as long on average as the ways to the other side's nearest points. Nor where it turns
-/// over: when triangles that look against the surface have more than a tenth of its area.
+/// be): when its edges are twice as long on average as the distances to the other side's nearest points. Nor where it
+/// turns over: when triangles that look against the surface have more than a tenth of its area.
 /// @throws Cancelled
 std::optional<std::vector<std::array<Index, 3>>> zip(const ZipSides& sides, Progress& progress);
 

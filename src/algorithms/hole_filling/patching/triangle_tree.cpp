@@ -9,7 +9,7 @@
 namespace croquis::hole_filling {
 namespace {
 
-/// Triangles; smaller parts of a tree are built in some milliseconds, without a look at the cancel flag.
+/// Triangles; smaller parts of a tree are built in some milliseconds, without checking the cancel flag.
 constexpr std::size_t triangles_per_step = 16384;
 
 TriangleFoot foot_on_edge(const Vec3& a, const Vec3& b, int edge, const Vec3& place) {

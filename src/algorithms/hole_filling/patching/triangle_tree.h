@@ -25,7 +25,7 @@ struct TriangleFoot {
 /// The foot on one triangle, which may have no area.
 TriangleFoot foot_on_triangle(const std::array<Vec3, 3>& triangle, const Vec3& place);
 
-/// A tree of boxes over triangles. Of equal distances the lowest triangle's counts, so that answers depend on nothing
+/// A tree of boxes over triangles. Of equal distances the lowest triangle's counts, so that results depend on nothing
 /// but the triangles. Building n log n; reading is thread-safe.
 class TriangleTree {
  public:

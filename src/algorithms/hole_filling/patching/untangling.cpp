@@ -15,7 +15,7 @@ namespace {
 
 constexpr int most_trials = 300;
 
-/// More pairs than this aren't a few triangles at a crumpled rim.
+/// More pairs than this aren't a few triangles at a rough rim.
 constexpr std::size_t most_clashes = 60;
 
 class Untangling {

@@ -8,7 +8,7 @@
 namespace croquis::hole_filling {
 
 /// Flips edges of a patch's triangles that meet something they shouldn't, wherever a flip leaves fewer such pairs; for
-/// the few triangles that a faired patch runs into a crumpled rim with. At most 300 flips are looked at.
+/// the few triangles that a faired patch runs into a rough rim with. At most 300 flips are looked at.
 /// @return whether nothing meets any more
 /// @throws Cancelled
 bool untangle(const HoleSite& site, HolePatch& patch, Progress& progress);

@@ -10,17 +10,17 @@
 namespace croquis::hole_filling {
 namespace {
 
-/// A few probes tell little: a later way's error counts this much more than that of the one before it.
+/// A few probes are weak evidence: a later method's error counts this much more than that of the one before it.
 constexpr double handicap = 1.25;
 
-/// A way's patch for the site, and how it did at the probes.
+/// A method's patch for the site, and its errors at the probes.
 struct MethodEntry {
   HolePatch patch;
   std::vector<double> errors;  ///< per probe, NaN where it made nothing
-  double handicapped = 0;      ///< what ways are compared by
+  double handicapped = 0;      ///< what methods are compared by
 };
 
-/// Where a way makes nothing of a probe it is taken to do as well as the best: that says nothing against it here.
+/// Where a method has no result for a probe it counts as equal to the best one.
 std::vector<double> best_errors(const std::vector<MethodEntry>& entries, std::size_t probes) {
   std::vector<double> best(probes, std::numeric_limits<double>::quiet_NaN());
   for (const MethodEntry& entry : entries) {

@@ -118,7 +118,7 @@ class Remeshing {
     }
   }
 
-  /// What came out for a piece isn't that piece: it is left out.
+  /// The result for a piece doesn't represent it: the piece is left out.
   void refuse(std::size_t piece, PieceShape& shape) {
     const RemeshPiece& given = pieces_.pieces[piece];
     const Index at = given.vertices[shape.lost.empty() ? 0 : shape.lost.front()];
@@ -174,7 +174,7 @@ class Remeshing {
 
   /// Whether a piece isn't what it should be, and where.
   void tell_losses(std::size_t piece, const PieceShape& shape) {
-    if (shape.mesh.face_count() == 0) return;  // told as lost
+    if (shape.mesh.face_count() == 0) return;  // reported as lost
     result_.checks.lost_points += shape.lost.size();
     const bool differs = shape.wanted && difference(shape.topology, *shape.wanted) > 0;
     if (shape.lost.empty() && !differs) return;
@@ -240,7 +240,7 @@ class Remeshing {
     result_.warnings = remesh_findings(mesh_, result_, losses);
   }
 
-  /// Channels "confidence" and "patch_id", and what outcomes say of the patches.
+  /// Channels "confidence" and "patch_id", and the patches' values in outcomes.
   void mark() {
     PolyMesh& mesh = result_.mesh;
     for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {

@@ -21,7 +21,7 @@ struct SurfacePlace {
   double distance = 0;
 };
 
-/// What is nearest to a place: looked for on the triangles at the nearest point.
+/// What is nearest to a place, among the triangles at the nearest point.
 class NearestSurface {
  public:
   /// Keeps references to all.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double reach_of_hole = 0.75;        // × diameter
 constexpr double area_of_hole = 4;            // × that of the flattest patch: half a sphere has 2
-constexpr std::size_t most_rim_points = 256;  // of a hole: others between them are as near, but for a little
+constexpr std::size_t most_rim_points = 256;  // of a hole: others between them are almost as near
 constexpr std::size_t backing_grain = 4096;   // vertices per part
 
 double triangle_area_of(const std::vector<Vec3>& at, Index a, Index b, Index c) {

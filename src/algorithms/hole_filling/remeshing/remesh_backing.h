@@ -32,11 +32,11 @@ class HoleReach {
     double reach = 0;
   };
 
-  std::vector<Zone> zones_;  // the widest first
+  std::vector<Zone> zones_;  // the largest first
   double area_ = 0;
 };
 
-/// What of a surface made anew the mesh given doesn't back.
+/// What of a remeshed surface the mesh given doesn't back.
 struct Strays {
   std::vector<std::uint8_t> vertices;  ///< per vertex: 1 where it lies far from the mesh, in no hole's reach
   std::size_t count = 0;               ///< of these
@@ -46,7 +46,7 @@ struct Strays {
   bool any() const { return count > 0 || overfills; }
 };
 
-/// Looks at every vertex of a surface, whatever made it: how far from the triangles given it lies. Far is more than two
+/// Checks every vertex of a surface, whatever made it: how far from the triangles given it lies. Far is more than two
 /// cells or mean edges, whichever are longer. The distance is to the triangles at the nearest vertex or sample: never
 /// less than the least.
 /// @throws Cancelled

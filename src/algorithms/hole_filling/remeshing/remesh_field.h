@@ -11,7 +11,7 @@ namespace croquis::hole_filling {
 /// How space is cut and fitted for the options: see remesh_preset for what presets change.
 implicit::DomainOptions domain_options(const RemeshOptions& options, double edge);
 
-/// Boxes around the holes of each of a piece's groups: that of its rims, larger on every side by `growth` × the widest
+/// Boxes around the holes of each of a piece's groups: that of its rims, larger on every side by `growth` × the largest
 /// rim's diameter, with 400 centres at most, the sparser the farther from the rims. None under Preset::Paper.
 /// @throws Cancelled
 std::vector<implicit::ExtraDomain> hole_domains(const PolyMesh& mesh, const HoleAnalysis& analysis,

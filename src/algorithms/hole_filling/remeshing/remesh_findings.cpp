@@ -112,7 +112,7 @@ void tell_cuts(const RemeshChecks& checks, Findings& findings) {
 }  // namespace
 
 Findings remesh_findings(const PolyMesh& mesh, const RemeshResult& result, const RemeshLosses& losses) {
-  FillResult holes;  // what is to be said of holes is the same in both modes
+  FillResult holes;  // findings about holes are the same in both modes
   holes.analysis.holes = result.analysis.holes;
   holes.analysis.warnings = result.analysis.warnings;
   holes.outcomes = result.outcomes;

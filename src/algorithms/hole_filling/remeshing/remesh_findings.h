@@ -13,14 +13,14 @@ namespace croquis::hole_filling {
 /// What a piece has lost.
 struct PieceLosses {
   std::size_t piece = 0;
-  bool retried = false;  ///< with smaller cubes, which didn't mend all
+  bool retried = false;  ///< with smaller cubes, which didn't repair all
   std::size_t lost_points = 0;
   SurfaceTopology made;
   std::optional<SurfaceTopology> wanted;  ///< where it came out otherwise
   Vec3 at = Vec3::Zero();                 ///< a place where something is wrong
 };
 
-/// A piece that was left out, since what was made of it doesn't stand for it.
+/// A piece that was left out, since what was made of it doesn't represent it.
 struct RefusedPiece {
   std::size_t piece = 0;
   double lost_share = 0;         ///< of the piece's area; 0 where that isn't the reason

@@ -29,7 +29,7 @@ struct ImprovedField {
   implicit::Field field;  ///< with gradients for projection
   int axis = 0;           ///< along which the mesh' vertices come, about
 
-  /// From now on the field is asked for hardly anywhere below a place along the axis. Empty: nobody wants to know.
+  /// Called when the field is hardly needed any more below a place along the axis. May be empty.
   std::function<void(double place)> forget_below;
 };
 

@@ -27,7 +27,7 @@ constexpr double slabs_at_a_time = 2.5;   // the one searched, the one before, a
 constexpr double retry_fits = 3;          // domains of retries have that many more points
 constexpr double triangles_per_cube_face = 3.3;  // new triangles per area of one cube's face
 constexpr double usual_slab = 50'000;            // thinner ones save little more and keep few threads busy
-constexpr double thinnest_slab = 2'000;          // less than what is held beside it, for any mesh worth the while
+constexpr double thinnest_slab = 2'000;          // less than what is held beside it, for all but small meshes
 constexpr double retry_bytes = 1.5e9;            // for what may be tried, when no limit is given
 constexpr int cell_halvings = 2;
 
@@ -61,7 +61,7 @@ PieceExtent extent_of(const PolyMesh& mesh) {
     extent.edges += (b - a).norm() + (c - a).norm() + (c - b).norm();
     extent.triangles += 1;
   });
-  return is_sound ? extent : PieceExtent();  // else the analysis will tell
+  return is_sound ? extent : PieceExtent();  // else the analysis reports it
 }
 
 /// Points that large triangles get in their middle, at most.
@@ -89,7 +89,7 @@ RemeshMemory::RemeshMemory(const PolyMesh& mesh, const RemeshOptions& options) :
   made_ = triangles_per_cube_face * extent.area / (cell * cell) * std::pow(4, options.refine);
 }
 
-/// Whatever is under way.
+/// All that is under way.
 double RemeshMemory::held() const {
   const int threads =
       options_.fill.threads > 0 ? options_.fill.threads : static_cast<int>(std::thread::hardware_concurrency());

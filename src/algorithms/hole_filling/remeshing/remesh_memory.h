@@ -7,22 +7,22 @@
 
 namespace croquis::hole_filling {
 
-/// The widest cell that may be asked for, in mean edges.
+/// The largest cell that may be asked for, in mean edges.
 inline constexpr double most_cell = 64;
 
 /// Points of a slab. Pieces with open rims are smoothed when all slabs are done, which costs them every fit twice: they
-/// are made in one slab unless memory asks for more.
+/// are made in one slab unless memory needs more slabs.
 struct SlabPoints {
   std::size_t closed = 0, open = 0;
 };
 
-/// What making a model anew takes, in bytes, the mesh given not counted. From counts, area and edges alone.
+/// What remeshing a model takes, in bytes, the mesh given not counted. From counts, area and edges alone.
 class RemeshMemory {
  public:
   /// Linear, allocates nothing.
   RemeshMemory(const PolyMesh& mesh, const RemeshOptions& options);
 
-  /// Without anything that has to be mended. @param slab_points of a slab; more than there are: in one slab
+  /// Without anything that has to be repaired. @param slab_points of a slab; more than there are: in one slab
   double making(double slab_points) const;
 
   /// With the thinnest slabs, or those asked for.

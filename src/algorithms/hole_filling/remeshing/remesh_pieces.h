@@ -31,7 +31,7 @@ struct RimPlace {
   Index vertex = 0;       ///< of the view
   Index hole = no_index;  ///< to be closed; no_index: stays open, or no hole is there
   RimFate fate = RimFate::Open;
-  Vec3 outwards = Vec3::Zero();  ///< unit, the way on from the surface; 0 where its edges tell nothing
+  Vec3 outwards = Vec3::Zero();  ///< unit, the direction on from the surface; 0 where its edges give none
 };
 
 struct RemeshPieces {
@@ -44,7 +44,7 @@ struct RemeshPieces {
 RemeshPieces make_pieces(const PolyMesh& mesh, const HoleAnalysis& analysis, const HoleChoice& choice,
                          const RemeshOptions& options);
 
-/// Leaves all chosen holes of a piece to patches, for where the field runs away.
+/// Leaves all chosen holes of a piece to patches, for where the field leads away.
 void leave_to_patches(RemeshPieces& pieces, std::size_t piece);
 
 }  // namespace croquis::hole_filling

@@ -15,7 +15,7 @@ void require_options(const RemeshOptions& options);
 ///         would fit
 void require_memory(const RemeshMemory& memory, std::size_t limit);
 
-/// What is told of a number of bytes.
+/// A number of bytes as it is reported.
 std::size_t whole_bytes(double bytes);
 
 }  // namespace croquis::hole_filling

@@ -28,7 +28,7 @@ inline constexpr double sample_spacing = 1.5;  ///< of these, × typical edge
 double typical_edge(const PolyMesh& mesh, const SurfaceView& view);
 
 /// Unit normals of the view's vertices by their sound triangles, weighted by angles, and by quadrics at chosen rims; 0
-/// where nothing tells.
+/// where there is neither.
 std::vector<Vec3> vertex_normals(const PolyMesh& mesh, const HoleAnalysis& analysis, const TriangleFans& fans,
                                  const RemeshPieces& pieces, int threads, Progress& progress);
 

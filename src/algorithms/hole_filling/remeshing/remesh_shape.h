@@ -51,13 +51,13 @@ struct PieceShape {
   bool runs_away = false;                 ///< leads far out of the model
   std::vector<Index> left_to_patches;     ///< holes where it did, and was ended therefore
   bool retried = false;                   ///< with smaller cells
-  bool refused = false;                   ///< and emptied, since it didn't stand for its piece
+  bool refused = false;                   ///< and emptied, since it didn't represent its piece
 
   /// Of loops that shouldn't be, components and handles, counted.
   std::size_t torn() const { return openings.loops.size() + (wanted ? difference(topology, *wanted) : 0); }
 };
 
-/// Makes one piece anew: with larger boxes around holes where the field leaves openings, with smaller cells where it
+/// Remeshes one piece: with larger boxes around holes where the field leaves openings, with smaller cells where it
 /// comes out torn, grown together or with points lost, then with patches.
 /// @throws Cancelled
 PieceShape make_shape(const RemeshModel& model, std::size_t piece, Progress& progress);

@@ -16,7 +16,7 @@ namespace croquis::hole_filling {
 namespace {
 
 constexpr std::size_t vertices_per_step = 50'000;  // vertices that a mesh advances by
-constexpr double most_drift = 2;  // × cell: no vertex moves so far, and none asks for the field further below
+constexpr double most_drift = 2;  // × cell: no vertex moves so far, and none needs the field further below
 
 }  // namespace
 

@@ -19,7 +19,7 @@ class SweptSmoothing {
  public:
   SweptSmoothing(const ImprovedField& field, const ImprovementOptions& options);
 
-  /// Goes on as far as the layers that are finished allow. Rounds their coordinates as the options say.
+  /// Goes on as far as the layers that are finished allow. Rounds their coordinates by the options.
   void advance(implicit::LayeredMesh& made, bool is_last, Progress& progress);
 
   /// All of a mesh, which is there already, in as many steps as it takes not to need the field everywhere at once.
@@ -31,7 +31,7 @@ class SweptSmoothing {
   std::vector<Vec3> take();
 
  private:
-  /// Vertices after one round. Those that no later round asks for are gone.
+  /// Vertices after one round. Those that no later round needs are gone.
   struct Stage {
     std::size_t first = 0;
     std::vector<Vec3> places;

@@ -23,8 +23,8 @@ struct SurfaceTopology {
 /// How far apart two are: components and handles, counted.
 std::size_t difference(const SurfaceTopology& a, const SurfaceTopology& b);
 
-/// What a piece is once its chosen holes are closed; nothing where the mesh given isn't clear about it: edges of three
-/// triangles, fans that share a vertex, sides that don't agree.
+/// What a piece is once its chosen holes are closed; nothing where the mesh given isn't clear about it: non-manifold
+/// edges, fans that share a vertex, sides that don't agree.
 /// @param links of the vertices of the view
 std::optional<SurfaceTopology> wanted_topology(const HoleAnalysis& analysis, const RemeshPiece& piece,
                                                std::span<const TriangleFans::Link> links);

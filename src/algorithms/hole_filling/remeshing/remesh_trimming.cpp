@@ -13,11 +13,11 @@ namespace {
 
 constexpr double far_from_data = 1.5;          // × cell or mean edge, whichever is longer
 constexpr double reach_over_rim = 0.5;         // × cell
-constexpr int ear_rounds = 2;                  // borders get straighter; more would eat narrow sheets
-constexpr std::size_t vertices_per_vote = 20;  // a part with fewer points per vertex is no data's
+constexpr int ear_rounds = 2;                  // borders get straighter; more would remove narrow sheets
+constexpr std::size_t vertices_per_vote = 20;  // a part with fewer points per vertex is not backed by data
 
-/// Marks what spoils the border; false when nothing does.
-bool mark_spoilt(const PolyMesh& mesh, bool ears, std::vector<std::uint8_t>& removed) {
+/// Marks faces at faults of the border; false when there are none.
+bool mark_invalid(const PolyMesh& mesh, bool ears, std::vector<std::uint8_t>& removed) {
   const TriangleFans fans(mesh.vertex_count(), mesh.corners);
   bool found = false;
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
@@ -100,7 +100,7 @@ PolyMesh trimmed(const PolyMesh& mesh, std::span<const std::uint8_t> beyond) {
   PolyMesh kept = without(mesh, removed);
   for (int round = 0;; ++round) {
     removed.assign(kept.face_count(), 0);
-    if (!mark_spoilt(kept, round < ear_rounds, removed)) return kept;
+    if (!mark_invalid(kept, round < ear_rounds, removed)) return kept;
     kept = without(kept, removed);
   }
 }

@@ -25,7 +25,7 @@ constexpr int union_halvings = 1;          // of the cells, where thin parts get
 constexpr double union_margin = 4;         // × cell, around everything
 constexpr double cells_per_triangle = 40;  // per triangle of the surfaces given
 constexpr double hidden_below = 0.1;       // × cell: vertices deeper inside the solid aren't on its surface
-constexpr double least_bubble = 2;         // × cell: smaller shells are what cubes make of surfaces that all but touch
+constexpr double least_bubble = 2;         // × cell: smaller shells are what cubes make of surfaces that nearly touch
 
 /// One try at a solid of several pieces.
 struct Solid {

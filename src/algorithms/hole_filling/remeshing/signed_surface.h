@@ -18,14 +18,14 @@ struct SignedPlace {
   double value = 0;              ///< the same to the curved surface that they stand for
   Vec3 gradient = Vec3::Zero();  ///< of the distance, unit length
   Index triangle = no_index;     ///< that the nearest point lies on
-  double out = 0;                ///< beyond a border, how far along the way out of it; else 0
+  double out = 0;                ///< beyond a border, how far out of it; else 0
 };
 
 /// The signed distance of a surface of triangles. The side is that of the normal at the nearest point: of its triangle,
 /// of both at an edge, of all at a vertex, weighted by angles (Baerentzen, Aanaes 2005), which is right everywhere when
 /// the surface is closed. Beyond a border the surface goes on as it ends.
 ///
-/// Where it is smooth a curved surface is meant, which the vertices and their normals tell: half of what the tangent
+/// Where it is smooth a curved surface is meant, given by the vertices and their normals: half of what the tangent
 /// planes at a triangle's corners lie above it, weighted as the foot, is what quadratic surfaces lie above it.
 class SignedSurface {
  public:

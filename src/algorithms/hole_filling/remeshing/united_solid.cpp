@@ -15,7 +15,7 @@ constexpr double off_the_surface = 0.75;  // × cell: corners of cubes at a surf
 constexpr double clearly_far = 3;         // × cell: so far off a surface, or its box, the distance needn't be known
 constexpr double rounding = 1e-6;         // of distances that are added up
 constexpr std::size_t places_per_part = 1024;  // places that one walk leads to
-constexpr std::size_t asked = 200;             // vertices of a cavity that tell whether it lies in a body
+constexpr std::size_t asked = 200;             // vertices of a cavity tested for whether it lies in a body
 
 double distance_to(const implicit::Box& box, const Vec3& place) {
   return (box.low - place).cwiseMax(place - box.high).cwiseMax(Vec3::Zero()).norm();

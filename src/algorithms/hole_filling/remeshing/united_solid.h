@@ -23,13 +23,13 @@ class UnitedSolid {
   UnitedSolid(std::span<const std::unique_ptr<const SignedSurface>> members, double cell);
 
   struct Place {
-    double value = 0;  ///< negative inside; the distance of the member that rules here, or less where that is far
+    double value = 0;  ///< negative inside; the distance of the member that decides here, or less where that is far
     Vec3 gradient = Vec3::Zero();
-    Index member = no_index;  ///< that rules here
+    Index member = no_index;  ///< that decides here
   };
   Place at(const Vec3& place) const { return Walk(*this).at(place); }
 
-  /// Answers for places that are near each other, fast: where a surface is far off, its side alone is remembered.
+  /// Answers for places that are near each other, fast: where a surface is far off, its side alone is kept.
   class Walk {
    public:
     explicit Walk(const UnitedSolid& solid)

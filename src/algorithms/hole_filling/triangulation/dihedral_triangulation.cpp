@@ -30,7 +30,7 @@ struct Weight {
   bool operator<(const Weight& other) const { return std::tie(bend, cost) < std::tie(other.bend, other.cost); }
 };
 
-/// The cheapest triangulations of the polygon's parts from i to k, of wider and wider parts.
+/// The cheapest triangulations of the polygon's parts from i to k, of longer and longer parts.
 class Table {
  public:
   Table(const RimPolygon& polygon, std::span<const Vec3> beyond)

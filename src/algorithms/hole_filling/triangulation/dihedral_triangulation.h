@@ -11,7 +11,7 @@
 
 namespace croquis::hole_filling {
 
-/// The triangulation of one closed polygon that bends least: the sum over edges of 1 - cos of the angle between their
+/// The triangulation of one closed polygon that folds least: the sum over edges of 1 - cos of the angle between their
 /// triangles, the polygon's sides included, then that of `triangle_cost`. (Liepa 2003, section 2, takes the largest
 /// angle alone. Where a ragged rim has one that can't be helped, everything below it is free then, and the patch may
 /// fold.) It is chosen among `candidates`, among all triangles too on sides of the polygon that no candidate has, and

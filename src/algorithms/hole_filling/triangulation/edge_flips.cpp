@@ -51,7 +51,7 @@ class EdgeFlips {
   }
 
  private:
-  bool is_inner(Index corner) const { return opposite_[corner] < crowded_edge; }
+  bool is_inner(Index corner) const { return opposite_[corner] < nonmanifold_edge; }
   Index point(Index corner) const { return triangles_[corner / 3][corner % 3]; }
 
   double cost(Index a, Index b, Index c) const {
@@ -91,7 +91,7 @@ class EdgeFlips {
     const std::array<Index, 4> places = {3 * t, 3 * t + 2, 3 * u, 3 * u + 2};
     for (std::size_t i = 0; i < 4; ++i) {
       opposite_[places[i]] = around[i];
-      if (around[i] < crowded_edge) opposite_[around[i]] = places[i];
+      if (around[i] < nonmanifold_edge) opposite_[around[i]] = places[i];
       push(places[i]);
     }
     opposite_[3 * t + 1] = 3 * u + 1;

@@ -80,7 +80,7 @@ class Pairing {
     return std::move(result_);
   }
 
-  /// Counts on the low ends first and writes the entries behind one another: each corner takes the caches one miss
+  /// Counts on the low ends first and writes the entries behind one another: each corner costs one cache miss
   /// where lists would take several.
   EdgePairing by_buckets() {
     // Shifted by one, so that placing the entries turns beginnings into ends.
@@ -132,9 +132,9 @@ class Pairing {
       result_.opposite[first] = second;
       result_.opposite[second] = first;
     } else {
-      ++result_.crowded_edges;
-      for (const Entry entry : run) result_.opposite[corner_of(entry)] = crowded_edge;
-      for (const Entry entry : run.subspan(1)) result_.crowded_corners.push_back({first, corner_of(entry)});
+      ++result_.nonmanifold_edges;
+      for (const Entry entry : run) result_.opposite[corner_of(entry)] = nonmanifold_edge;
+      for (const Entry entry : run.subspan(1)) result_.nonmanifold_corners.push_back({first, corner_of(entry)});
     }
   }
 

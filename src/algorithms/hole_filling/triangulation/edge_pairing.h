@@ -13,8 +13,8 @@ namespace croquis::hole_filling {
 
 struct EdgePairing {
   std::vector<Index> opposite;  ///< #3T, as in SurfaceView
-  std::size_t crowded_edges = 0;
-  std::vector<std::array<Index, 2>> crowded_corners;  ///< of each edge of many triangles: (first corner, a further one)
+  std::size_t nonmanifold_edges = 0;
+  std::vector<std::array<Index, 2>> nonmanifold_corners;  ///< of each non-manifold edge: (first corner, a further one)
 };
 
 /// Finds the triangles on both sides of every edge by sorting the edges' keys (low end, high end, corner): by lists or

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double no_area = std::numeric_limits<double>::infinity();
 
-/// The costs of many triangles on one edge, as triangle_cost tells them, bit by bit.
+/// The costs of many triangles on one edge, bit by bit those of triangle_cost.
 class TriangleCosts {
  public:
   void add(const Vec3& point) {

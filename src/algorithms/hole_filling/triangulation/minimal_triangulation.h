@@ -20,7 +20,7 @@ std::optional<std::vector<std::array<Index, 3>>> minimal_triangulation(const Rim
                                                                        std::span<const Index> order,
                                                                        Progress& progress);
 
-/// The same again and again, while more triangles are avoided: each time only what that changes is searched anew.
+/// The same again and again, while more triangles are avoided: each time only what that changes is searched again.
 class MinimalTriangulations {
  public:
   /// @param rims kept as a reference: `avoided` may grow between searches, nothing else may change

@@ -11,7 +11,7 @@
 namespace croquis::hole_filling {
 
 /// What edges weigh beside the area: decides where areas are equal, as on flat rims, and only there. More would fold
-/// flat patches over where that shortens edges; less would drown in the rounding of areas.
+/// flat patches over where that shortens edges; less would be lost in the rounding of areas.
 inline constexpr double edge_weight = 1e-10;
 
 /// Twice the area over the squared longest edge: flatter triangles count as impossible.

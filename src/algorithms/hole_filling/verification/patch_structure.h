@@ -22,7 +22,7 @@ struct LocalPatch {
 LocalPatch make_local(const PolyMesh& mesh, const HoleAnalysis& analysis, const HolePatch& patch,
                       Precision precision = Precision::Double);
 
-/// What is wrong with how a patch hangs together and on to its rims, or nothing: see PatchVerifier.
+/// What is wrong with a patch's connectivity, its rims included, or nothing: see PatchVerifier.
 /// @param precision how coordinates will be stored
 std::string structure_fault(const PolyMesh& mesh, const HoleAnalysis& analysis, const HolePatch& patch,
                             Precision precision = Precision::Double);

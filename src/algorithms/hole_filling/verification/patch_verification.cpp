@@ -14,7 +14,7 @@
 namespace croquis::hole_filling {
 namespace {
 
-/// Intersecting pairs looked at in one search; where there are more, those found condemn their patches first and the
+/// Intersecting pairs looked at in one search; where there are more, those found exclude their patches first and the
 /// rest is searched again.
 constexpr std::size_t most_pairs = 1000000;
 
@@ -68,7 +68,7 @@ std::vector<bool> meet_others(const std::vector<Box>& boxes) {
   return result;
 }
 
-/// @param known tells the scene's number of a vertex of the mesh
+/// @param known gives the scene's number of a vertex of the mesh
 template <typename Known>
 void append_patch(PolyMesh& scene, std::size_t vertex_count, const HolePatch& patch, Known&& known) {
   const auto base = static_cast<Index>(scene.vertex_count());
@@ -256,7 +256,7 @@ void PatchVerifier::judge_against_each_other(std::span<const HolePatch> candidat
       boxes[i] = append_to_patches(candidates[i]);
       added.candidate.insert(added.candidate.end(), candidates[i].triangles.size(), i);
     }
-    // What else meets themselves was seen against the mesh: those apart from all others need no second look.
+    // What else meets themselves was seen against the mesh: those apart from all others need no second test.
     boxes.insert(boxes.end(), accepted_boxes_.begin(), accepted_boxes_.end());
     const std::vector<Index> faces = added.faces_of(meet_others(boxes));
     if (faces.empty()) return;

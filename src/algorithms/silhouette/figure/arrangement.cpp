@@ -120,7 +120,7 @@ class Crosser {
     if (!contour.vertices.empty()) settle_start(path, on_segment, contour);
   }
 
-  /// When the first sample gave way to a crossing on the last segment, that crossing begins the first segment.
+  /// When the first sample was dropped for a crossing on the last segment, that crossing begins the first segment.
   void settle_start(const ContourPath& path, const std::vector<std::vector<Passage>>& on_segment,
                     CrossedContour& contour) const {
     if (!on_segment.front().empty() || on_segment.back().empty()) return;

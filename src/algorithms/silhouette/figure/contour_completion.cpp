@@ -43,7 +43,7 @@ bool may_join(const std::vector<CleanLine>& lines, const Junctions& junctions, c
   return side_a == 0 || side_b == 0 || side_a == side_b;
 }
 
-/// Side of the surface when a line is walked outward through an end. What no stem tells is guessed: a line that goes
+/// Side of the surface when a line is walked outward through an end. Without a stem it is guessed: a line that goes
 /// round something most likely bounds it.
 int likely_outward_side(const std::vector<CleanLine>& lines, const Junctions& junctions, const HiddenEnd& end) {
   const int known = outward_side(junctions, end);

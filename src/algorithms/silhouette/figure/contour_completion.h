@@ -37,7 +37,7 @@ double completion_reference(const std::vector<CleanLine>& lines, const Junctions
 
 /// All pairs of the given ends that may be joined: the surface lies on the same side of both lines as far as that is
 /// known, neither is forced into another object, and the cost stays below the maximum.
-/// @param ends subset of junctions.ends, as indices; candidates speak of positions in this list
+/// @param ends subset of junctions.ends, as indices; candidates hold positions in this list
 /// O(n²) for n ends.
 std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLine>& lines, const Junctions& junctions,
                                                        const std::vector<Index>& ends, double reference_length,

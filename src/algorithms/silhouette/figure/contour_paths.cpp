@@ -57,7 +57,7 @@ class Closer {
     Index line = first;
     bool forward = true;
     do {
-      if (done_.count(line) != 0) return false;  // walked both ways: the sides contradict each other
+      if (done_.count(line) != 0) return false;  // walked in both directions: the sides contradict each other
       done_[line] = true;
       const int side = forward ? junctions_.sides[line] : -junctions_.sides[line];
       if (side != 0 && path.side == -side) return false;

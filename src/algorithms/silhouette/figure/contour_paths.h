@@ -29,7 +29,7 @@ struct CompletionShape {
   double stretch = 0;  ///< and in turn longer and shorter by this share
 };
 
-/// Strings lines and completions together. None when they would put the surface on both sides of a contour.
+/// Joins lines and completions. None when they would put the surface on both sides of a contour.
 /// @param chosen  candidates, every end in exactly one
 std::optional<ClosedContours> close_contours(const std::vector<CleanLine>& lines, const Junctions& junctions,
                                              const PartLines& part, const std::vector<Index>& chosen, double spacing,

@@ -85,7 +85,7 @@ class PartLabeller {
     }
   }
 
-  /// A fault between two units spoils both, unless one of them is out already for a reason of its own.
+  /// A fault between two units excludes both, unless one of them is out already for a reason of its own.
   void find_bad_units(const LineFindings& faults) {
     bad_.assign(units_.size(), 0);
     const auto units_in = [this](const LineFinding& fault) {
@@ -186,7 +186,7 @@ class PartLabeller {
   }
 
   /// Each unit alone; then those that can be labelled together, and if that fails one after the other as far as they
-  /// go together. What is left out says why.
+  /// go together. What is left out has its reason.
   FigureSearch solve_without_bad(Group& group) {
     const auto keep = [&group](Findings& findings) {
       std::move(findings.begin(), findings.end(), std::back_inserter(group.findings));

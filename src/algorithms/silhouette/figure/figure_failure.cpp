@@ -71,13 +71,12 @@ std::vector<Index> suspected_ends(const FigureContext& context, const PartLines&
 }
 
 /// The piece of contour that an arc is, in words.
-std::string fault_of(const FigureContext& context, const Arrangement& arrangement, const FigureArc& arc,
-                     const Vec2& at) {
+std::string fault_of(const FigureContext& context, const Arrangement& arrangement, const FigureArc& arc) {
   const CrossedContour& contour = arrangement.contours[arc.contour];
   const std::string stroke =
       in_quotes(context.drawing, contour.stroke[(arc.begin + arc.count / 2) % contour.stroke.size()]);
-  return arc.visible ? "the drawn part of " + stroke + " at " + place_text(at) + " would be covered"
-                     : "the hidden part of " + stroke + " would lie in the open at " + place_text(at);
+  return arc.visible ? "the drawn part of " + stroke + " would be covered"
+                     : "the hidden part of " + stroke + " would lie in the open";
 }
 
 }  // namespace
@@ -98,7 +97,7 @@ Findings odd_end(const FigureContext& context, const PartLines& part) {
   const Index stroke = stroke_of(context, end);
   return {make_error(Category::Geometry, "E_ODD",
                      "An odd number of lines passes behind others, and the end of " +
-                         in_quotes(context.drawing, stroke) + " at " + place_text(end.at) +
+                         in_quotes(context.drawing, stroke) +
                          " fits no other: extend or close it, or draw what is missing",
                      {stroke_subject(context.drawing, stroke, end.at)})};
 }
@@ -113,7 +112,6 @@ Findings ends_without_partner(const FigureContext& context, const PartLines& par
     const Index stroke = stroke_of(context, end);
     findings.push_back(make_error(Category::Geometry, "E_NO_PARTNER",
                                   "Nothing to connect the hidden end of " + in_quotes(context.drawing, stroke) +
-                                      " at " + place_text(end.at) +
                                       " to: draw where it comes out again, or close the stroke",
                                   {stroke_subject(context.drawing, stroke, end.at)}));
   }
@@ -143,7 +141,7 @@ Finding no_labelling(const FigureContext& context, const PartLines& part, const 
     const Index middle = (arc.begin + arc.count / 2) % static_cast<Index>(contour.vertices.size());
     const Vec2 at = arrangement.points[contour.vertices[middle]];
     subjects.push_back(stroke_subject(context.drawing, contour.stroke[middle], at));
-    if (subjects.size() <= 3) faults += (faults.empty() ? "" : ", and ") + fault_of(context, arrangement, arc, at);
+    if (subjects.size() <= 3) faults += (faults.empty() ? "" : ", and ") + fault_of(context, arrangement, arc);
   }
   return make_error(Category::Geometry, "E_NO_LABELLING",
                     "No solid looks like this: " + faults + "; check what passes behind what there",
@@ -169,10 +167,9 @@ Finding contours_touch(const FigureContext& context, const PartLines& part, cons
     subjects = all_strokes(context, part);
     names = "hidden lines";
   }
-  return make_error(
-      Category::Geometry, "E_TOUCH",
-      "Contours meet in one point or overlap at " + place_text(at) + " (" + names + "): move one of them a little",
-      std::move(subjects));
+  return make_error(Category::Geometry, "E_TOUCH",
+                    "Contours meet in one point or overlap (" + names + "): move one of them a little",
+                    std::move(subjects));
 }
 
 Finding search_limit(const FigureContext& context, const PartLines& part, int matchings) {

@@ -5,7 +5,7 @@
 #include "algorithms/silhouette/figure/figure_search.h"
 #include "algorithms/silhouette/figure/labelling.h"
 
-/// What to say when the hidden ends of a part can't be joined or the contours can't be labelled.
+/// Findings for a part whose hidden ends can't be joined or whose contours can't be labelled.
 namespace croquis::silhouette {
 
 /// E_ODD, naming the end without which the rest is cheapest to join; nothing when the number of ends is even.

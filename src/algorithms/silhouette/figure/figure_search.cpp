@@ -63,7 +63,7 @@ class Search {
     if (!result.findings.empty()) return result;
     Findings lonely = ends_without_partner(context_, part_);
     if (lonely.empty()) return try_matchings();
-    // Among thin tubes a wide body's completion may look too dear, though it is the only one there is.
+    // Among thin tubes a wide body's completion may seem too costly, though it is the only one there is.
     CompletionOptions generous = context_.options.completion;
     generous.maximum_cost = std::numeric_limits<double>::max();
     part_ = part_of(context_, part_.lines, generous);

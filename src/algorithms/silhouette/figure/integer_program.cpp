@@ -104,7 +104,7 @@ int run(glp_prob* problem, const PlainProblem& plain, NodeCount& nodes) {
 void solve_plain(PlainProblem& plain) {
   glp_term_out(GLP_OFF);
   // GLPK turns its output on again to report an error; a hook that claims to have shown it keeps it quiet. Only the
-  // words tell why: "no memory available", "memory allocation limit exceeded".
+  // text gives the reason: "no memory available", "memory allocation limit exceeded".
   const auto listen = [](void* info, const char* words) {
     auto& heard = *static_cast<PlainProblem*>(info);
     heard.out_of_memory = heard.out_of_memory || std::strstr(words, "memory") != nullptr;

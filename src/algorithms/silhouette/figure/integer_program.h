@@ -35,7 +35,7 @@ class IntegerProgram {
   };
 
   /// Branch and bound by GLPK, in a thread of its own: GLPK's environment belongs to the thread, so it can be thrown
-  /// away, after an error too, without taking anybody else's problems with it. Silent; bounds are counts.
+  /// away, after an error too, without losing other problems. Prints nothing; bounds are counts.
   /// @throws Error (E_INTERNAL) when GLPK refuses the problem
   Solution solve(int maximum_nodes) const;
 

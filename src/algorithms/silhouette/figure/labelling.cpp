@@ -118,7 +118,7 @@ class Program {
     add_order(b, a, x, Known::No, true);
   }
 
-  /// The upper contour's arcs lie no deeper than the lower one's; only while x says so if that is not known.
+  /// The upper contour's arcs lie no deeper than the lower one's; where that is not known, only for one value of x.
   void add_order(const Around& upper, const Around& lower, Index x, Known known, bool when_zero = false) {
     for (const Index n : {upper.before, upper.after}) {
       for (const Index m : {lower.before, lower.after}) {

@@ -18,7 +18,7 @@ struct MatchingEdge {
 
 /// Enumerates perfect matchings of a graph from the cheapest on, by best-first branch and bound.
 ///
-/// The bound of a partial matching is its cost plus what the dual of the assignment problem says about the rest: with
+/// The bound of a partial matching is its cost plus the dual bound of the assignment problem on the rest: with
 /// prices p such that p(a)+p(b) <= cost(a,b), no matching is cheaper than the sum of prices, and every edge taken adds
 /// what it costs above them. Prices come from the Hungarian method on the doubled graph, O(n³).
 class MatchingSearch {

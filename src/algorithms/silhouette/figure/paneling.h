@@ -17,7 +17,7 @@ struct PanelOverlap {
   std::vector<Index> crossings;  ///< of the arrangement, at the corners of the region; ascending
 };
 
-/// The stacks of panels and how they hang together.
+/// The stacks of panels and how they are connected.
 struct Paneling {
   std::vector<Index> first_panel;  ///< per face, one more at the end; panel (f, i) is first_panel[f] + i
   std::vector<Index> component;    ///< per panel

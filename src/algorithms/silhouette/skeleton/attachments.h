@@ -24,7 +24,7 @@ class Attachments {
 
   bool involves(Index object) const;
 
-  /// Objects that hang together, each group ascending, in the order of their first objects.
+  /// Objects that are attached, each group ascending, in the order of their first objects.
   std::vector<std::vector<Index>> groups() const;
 
   /// Without the pairs among these objects.
@@ -45,8 +45,8 @@ double attached_distance(double kappa, double a, double b);
 struct RowStiffness {
   /// Of all its rows: mean radius / L, so that the limb moves and not the body.
   double all = 1;
-  /// Besides that, of its rows that pull it to the sketch plane: (mean radius / the largest of its group)^2. What a
-  /// limb grows out of holds it in depth; else legs would swing back to the plane below the body and cross.
+  /// Besides that, of its rows that pull it to the sketch plane: (mean radius / the largest of its group)^2. The
+  /// body holds its limb in depth; else legs would swing back to the plane below the body and cross.
   double distance = 1;
 };
 

@@ -8,7 +8,7 @@
 namespace croquis::silhouette {
 namespace {
 
-/// Joined nodes nearer than this part of the spacing are one place: an edge between them has no direction to speak of.
+/// Joined nodes nearer than this part of the spacing are one place: an edge between them has no useful direction.
 constexpr double one_place = 0.05;
 
 class Decimator {

@@ -8,11 +8,11 @@
 namespace croquis::silhouette {
 namespace {
 
-/// Stretches shorter than this, or nearer to the node, in L: a joining edge would have no direction to speak of.
+/// Stretches shorter than this, or nearer to the node, in L: a joining edge would have no useful direction.
 constexpr double least_stretch = 1e-3;
 
 /// Height of a node's circle above a place beside its centre. Near the rim of the circle, where it would vanish, a
-/// little is left so that a sheet can be told from its edge.
+/// little is left so that a sheet differs from its edge.
 double height_over(const SkeletonNode& node, const Vec2& place) {
   constexpr double farthest = 0.95;
   const double aside = std::min((place - node.position).norm() / node.radius, farthest);

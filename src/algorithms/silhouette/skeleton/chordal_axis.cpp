@@ -11,7 +11,7 @@
 namespace croquis::silhouette {
 namespace {
 
-/// Nodes nearer than this, in sketch units u, say nothing that the samples behind them know.
+/// Nodes nearer than this, in sketch units u, add nothing: the samples aren't denser.
 constexpr double least_axis_spacing = 4;
 
 double median(std::vector<double> values) {

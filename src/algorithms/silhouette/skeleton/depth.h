@@ -22,7 +22,7 @@ struct DepthWeights {
 struct DepthSettings {
   DepthOptions options;
   std::vector<DepthWeights> object_weights;  ///< per object of the figure; empty: the options' weights for all
-  /// Above so many collision rows, rows are added as they are needed. The answer is the same.
+  /// Above so many collision rows, rows are added as they are needed. The result is the same.
   std::size_t lazy_rows = 20000;
   Attachments attachments;  ///< pairs of objects that may sink into one another
 };
@@ -42,17 +42,17 @@ struct DepthResult {
   int factorisations = 0;     ///< of all solves
   double residual = 0;        ///< largest primal or dual one, relative
   double uncertainty = 0;     ///< L: how far a height may still be from the optimum's; infinity where a solve gave up
-  std::size_t split_chords = 0;  ///< chords that spoke for places of opposite order and were split
+  std::size_t split_chords = 0;  ///< chords that spanned places of opposite order and were split
   std::vector<DepthCollision> collisions;
 };
 
 /// Gives the skeleton's nodes heights and gradients: as little curved, tilted and far from the sketch plane as the
-/// weights ask for, smooth along every edge, and no two chords' circles meeting where one panel lies above another.
+/// weights demand, smooth along every edge, and no two chords' circles meeting where one panel lies above another.
 /// Cordier, Seo, Cho 2006, section 4.4, eq. 1.
 ///
 /// Parts that no row couples are solved by themselves. Rows that can't hold together (a chord that spans places of
 /// opposite order) are tried once more with such chords split at the panels' borders, which adds nodes; what still
-/// falls short by more than 0.01 L is told in the result.
+/// falls short by more than 0.01 L is listed in the result.
 /// @throws Error (E_SOLVER) for weights that aren't finite; Cancelled
 DepthResult solve_depth(Skeleton& skeleton, const LabelledFigure& figure, const DepthSettings& settings,
                         Progress& progress);

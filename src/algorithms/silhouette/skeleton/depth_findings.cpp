@@ -68,10 +68,8 @@ Findings depth_findings(const DepthResult& result, const Skeleton& skeleton, con
     std::vector<Subject> subjects = chord_subjects(upper, figure, drawing);
     for (Subject& subject : chord_subjects(lower, figure, drawing)) subjects.push_back(std::move(subject));
     findings.push_back(make_warning(Category::Geometry, "W_COLLISION",
-                                    "The parts at " + place_text(upper.position) + " and " +
-                                        place_text(lower.position) +
-                                        " cannot be separated here: draw them thinner, further apart, or reduce the "
-                                        "minimum gap",
+                                    "Two parts that lie over one another are nearer than the minimum gap: draw them "
+                                    "thinner, further apart, or reduce the minimum gap",
                                     std::move(subjects)));
   }
   return findings;

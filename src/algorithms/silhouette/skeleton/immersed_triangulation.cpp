@@ -24,7 +24,7 @@ using Mesh = OpenMesh::TriMesh_ArrayKernelT<MeshTraits>;
 Index number(OpenMesh::BaseHandle handle) { return static_cast<Index>(handle.idx()); }
 Mesh::VertexHandle vertex_handle(Index vertex) { return Mesh::VertexHandle(static_cast<int>(vertex)); }
 
-/// Asks for cancellation now and then, so that asking costs nothing.
+/// Checks for cancellation now and then, so that it costs little.
 class Pace {
  public:
   explicit Pace(const Progress& progress) : progress_(progress) {}

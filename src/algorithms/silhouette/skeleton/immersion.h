@@ -12,7 +12,7 @@
 
 namespace croquis::silhouette {
 
-/// The immersed region M: w copies of every planar triangle, glued across its edges as the paneling says.
+/// The immersed region M: w copies of every planar triangle, joined across its edges by the paneling.
 ///
 /// Layer 0 is nearest to the viewer. All layers share one planar triangulation, so edges conform by construction.
 struct LiftedTriangulation {

@@ -11,7 +11,7 @@
 
 namespace croquis::silhouette {
 
-/// The depth weights of every object of a figure: the options', unless the object's group says otherwise by
+/// The depth weights of every object of a figure: the options', unless the object's group sets others by
 /// "weight-curvature", "weight-orientation" or "weight-distance".
 /// @throws Error with one E_PARAMETER for every value that isn't a number in 1e-3..1, naming the object
 std::vector<DepthWeights> object_weights(const LabelledFigure& figure, const Drawing& drawing,

@@ -18,8 +18,8 @@ struct WalkStep {
 
 /// Walks straight lines through the immersed region, always in the sheet it started in.
 ///
-/// Point location in the plane couldn't tell the layers apart. Every turn is decided by exact orientation tests, so
-/// lines through vertices and along edges are no special risk.
+/// Point location in the plane couldn't distinguish the layers. Every turn is decided by exact orientation tests, so
+/// lines through vertices and along edges are no special case.
 class SheetWalk {
  public:
   /// The arguments are kept by reference. O(M).

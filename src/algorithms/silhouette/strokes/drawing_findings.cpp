@@ -13,7 +13,7 @@ std::string number_text(double value, int digits) {
   return {text.data(), end};
 }
 
-// Findings speak of the file's y-down frame; zero must not become "-0".
+// Findings are in the file's y-down frame; zero must not become "-0".
 double flipped(double y) { return y == 0 ? 0 : -y; }
 
 }  // namespace
@@ -42,10 +42,6 @@ Subject crossing_subject(const Drawing& drawing, const Vec2& at) {
 }
 
 std::string in_quotes(const Drawing& drawing, Index stroke) { return "\"" + drawing.strokes[stroke].id + "\""; }
-
-std::string place_text(const Vec2& at) {
-  return "(" + number_text(at.x(), 6) + ", " + number_text(flipped(at.y()), 6) + ")";
-}
 
 std::string length_text(double length) { return number_text(length, 4); }
 

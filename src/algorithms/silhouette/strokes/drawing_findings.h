@@ -6,7 +6,7 @@
 #include "croquis/base/finding.h"
 #include "croquis/geometry/drawing.h"
 
-/// Subjects and phrases of findings about a drawing. Places are told in the input's own frame: y down.
+/// Subjects and phrases of findings about a drawing. Places are in the input's own frame: y down.
 namespace croquis::silhouette {
 
 Subject stroke_subject(const Drawing& drawing, Index stroke);
@@ -15,9 +15,6 @@ Subject crossing_subject(const Drawing& drawing, const Vec2& at);
 
 /// The stroke's id in quotes.
 std::string in_quotes(const Drawing& drawing, Index stroke);
-
-/// "(x, y)", with as many digits as help to find the place.
-std::string place_text(const Vec2& at);
 
 /// A length with four significant digits.
 std::string length_text(double length);

@@ -11,13 +11,13 @@
 namespace croquis::silhouette {
 namespace {
 
-// Directions of strokes that continue one another agree within 60 degrees; hands are not more exact than that.
+// Directions of strokes that continue one another agree within 60 degrees; people don't draw more exactly.
 constexpr double agreeing_cosine = 0.5;
 // Outward directions are taken over this length (u), for the last samples alone are mostly noise; and over a shorter
-// one, for round a tight bend, such as the tip of a limb, the long chord points elsewhere.
+// one, for around a tight bend, such as the tip of a limb, the long chord points elsewhere.
 constexpr double chord_reach = 40;
 constexpr double bend_reach = 20;
-// Below this distance (u) the direction from end to end says nothing.
+// Below this distance (u) the direction from end to end is noise.
 constexpr double negligible_gap = 3;
 // A stroke must be this many times longer than the hole it leaves to count as closed.
 constexpr double closing_ratio = 4;

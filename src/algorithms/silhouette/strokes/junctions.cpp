@@ -128,7 +128,7 @@ HiddenEnd junction(const std::vector<CleanLine>& lines, Index line, bool at_star
   const double sine = cross(direction, end.tangent);
   end.bar_side = sine >= 0 ? 1 : -1;
   if (std::abs(sine) >= least_junction_sine) return end;
-  // Too flat for the tangent to tell: the stem comes from the side where its last samples lie.
+  // Too flat for the tangent to decide: the stem comes from the side where its last samples lie.
   const Vec2 inward = -end_chord(points, at_start, 3 * step);
   const double from = cross(direction, inward);
   if (std::abs(from) > std::abs(sine)) end.bar_side = from > 0 ? -1 : 1;
@@ -142,7 +142,7 @@ LineFinding free_end(const Drawing& drawing, const CleanLine& line, Index index,
   const Vec2 at = line.end(at_start);
   const Index stroke = line.end_stroke(at_start);
   return {make_error(Category::Geometry, "E_FREE_END",
-                     "The end of " + in_quotes(drawing, stroke) + " at " + place_text(at) +
+                     "The end of " + in_quotes(drawing, stroke) +
                          " touches nothing: extend it to the line it passes behind, or close it",
                      {stroke_subject(drawing, stroke, at)}),
           {index}};

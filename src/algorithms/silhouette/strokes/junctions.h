@@ -22,7 +22,7 @@ struct HiddenEnd {
 
 struct Junctions {
   std::vector<HiddenEnd> ends;  ///< by line, its start first
-  std::vector<int> sides;       ///< per line: surface on its left (+1), right (-1), or not told by any stem (0)
+  std::vector<int> sides;       ///< per line: surface on its left (+1), right (-1), or not given by any stem (0)
   LineFindings findings;        ///< E_FREE_END, E_TWO_SIDED, E_CROSS, E_TOUCH
 };
 

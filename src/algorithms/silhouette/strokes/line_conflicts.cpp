@@ -13,7 +13,7 @@
 namespace croquis::silhouette {
 namespace {
 
-// Lines nearer than this (u) can't be told apart by eye or by the triangulation that follows.
+// Lines nearer than this (u) can't be distinguished by eye or by the triangulation that follows.
 constexpr double touch_distance = 0.1;
 // Crossings flatter than this sine are strokes that run into one another.
 constexpr double touch_sine = 0.05;
@@ -89,19 +89,17 @@ class ConflictSearch {
 
 LineFinding describe(const Drawing& drawing, Index s1, Index s2, const Meeting& meeting) {
   LineFinding result;
-  const std::string place = place_text(meeting.at);
   const std::string both = in_quotes(drawing, s1) + " and " + in_quotes(drawing, s2);
   std::string sentence;
   if (meeting.crossing && s1 == s2) {
-    sentence = in_quotes(drawing, s1) + " crosses itself in full view at " + place +
-               ": which part is in front? Let the other one stop where it passes behind";
+    sentence = in_quotes(drawing, s1) +
+               " crosses itself in full view: which part is in front? Let the other one stop where it passes behind";
   } else if (meeting.crossing) {
-    sentence = both + " cross in full view at " + place +
-               ": which one is in front? Let the other one stop where it passes behind";
+    sentence = both + " cross in full view: which one is in front? Let the other one stop where it passes behind";
   } else if (s1 == s2) {
-    sentence = in_quotes(drawing, s1) + " touches itself at " + place + ": draw the two parts apart";
+    sentence = in_quotes(drawing, s1) + " touches itself: draw the two parts apart";
   } else {
-    sentence = both + " touch at " + place + ": draw them apart, or let one end at the other";
+    sentence = both + " touch: draw them apart, or let one end at the other";
   }
   std::vector<Subject> subjects{stroke_subject(drawing, s1, meeting.at)};
   if (s1 != s2) subjects.push_back(stroke_subject(drawing, s2, meeting.at));
@@ -120,7 +118,7 @@ LineFindings find_line_conflicts(const Drawing& drawing, const std::vector<Clean
                                  const Progress& progress) {
   const SegmentGrid grid(line_segments(lines), scale.step, touch_distance * scale.unit);
   const ConflictSearch search(lines, ends, scale);
-  std::map<std::pair<Index, Index>, Meeting> worst;  // by strokes; a crossing says more than a touch
+  std::map<std::pair<Index, Index>, Meeting> worst;  // by strokes; a crossing counts as worse than a touch
   std::size_t visited = 0;
   grid.pairs([&](Index i, Index j) {
     constexpr std::size_t pairs_between_checks = 1U << 18U;

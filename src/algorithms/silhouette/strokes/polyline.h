@@ -17,7 +17,7 @@ using Points = std::vector<Vec2>;
 Vec2 point_at(std::span<const Vec2> points, double parameter);
 
 /// Parameters of places spread evenly, at most `spacing` * 1.5 apart and close to `spacing`, through every fixed point.
-/// Open lines keep both ends. The same places come out whichever way the line was drawn.
+/// Open lines keep both ends. The result is the same for both directions of drawing.
 /// @param fixed ascending indices of points to keep
 std::vector<double> even_parameters(std::span<const Vec2> points, bool closed, double spacing,
                                     std::span<const Index> fixed = {});
@@ -42,7 +42,7 @@ inline constexpr double tangent_steps = 6;
 /// Samples near the end count most, so that a tight bend further back does not turn it.
 Vec2 end_tangent(std::span<const Vec2> points, bool at_start, double reach);
 
-/// Outward unit chord over the last `reach` of length: insensitive to noise, blind to bends.
+/// Outward unit chord over the last `reach` of length: insensitive to noise, doesn't follow bends.
 Vec2 end_chord(std::span<const Vec2> points, bool at_start, double reach);
 
 }  // namespace croquis::silhouette

@@ -15,7 +15,7 @@ namespace {
 
 // A drawing with more samples than this is a scribble: its outlines would be longer than 3000 times its diagonal.
 constexpr double maximum_samples = 500'000;
-// Bends sharper than 60 degrees within this many steps are meant.
+// Bends sharper than 60 degrees within this many steps are corners.
 constexpr double corner_reach = 3;
 
 struct UsableStroke {
@@ -140,7 +140,7 @@ void trim_overlap(Points& points, std::vector<Index>& stroke, const Vec2& next, 
   }
 }
 
-/// Strings the strokes of a chain together.
+/// Joins the strokes of a chain.
 CleanLine concatenate(const StrokeChain& chain, const std::vector<SampledStroke>& sampled,
                       const std::vector<UsableStroke>& usable, double gap) {
   CleanLine line;

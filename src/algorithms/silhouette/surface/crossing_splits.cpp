@@ -9,7 +9,7 @@
 namespace croquis::silhouette {
 namespace {
 
-constexpr double least_cut_sine = 0.5;  // flatter crossings would send the cuts far along the foreign contour
+constexpr double least_cut_sine = 0.5;  // flatter crossings would send the cuts far along the other contour
 constexpr double end_clearance = 0.2;   // of the cut's distance or a step: keeps the pieces from becoming slivers
 
 /// One contour at a crossing.
@@ -52,7 +52,7 @@ class CrossingSplitter {
     return figure_.points[figure_.contours[strand.contour].vertices[position(strand, offset)]];
   }
 
-  /// Walks the distance along the foreign contour and cuts the segment that it ends in.
+  /// Walks the distance along the other contour and cuts the segment that it ends in.
   void cut(const Strand& strand, int direction, double distance) {
     const auto count = static_cast<int>(figure_.contours[strand.contour].vertices.size());
     const double clearance = end_clearance * std::min(distance, figure_.step);

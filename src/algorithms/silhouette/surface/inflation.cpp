@@ -68,7 +68,7 @@ void add_attachments(const Skeleton& skeleton, const SheetBasis& basis, const At
 }
 
 /// Moves the backs of attached sheets until no point of one lies closer than this below or above another's front or
-/// back: where surfaces meet in a vertex of the common triangulation, but for a hair, their union is but a hair wide.
+/// back: where surfaces almost meet in a vertex of the common triangulation, their union is too thin.
 /// Fronts stay. A later pass can only meet what an earlier one moved, once per sheet of a stack.
 void clear_coincidences(double distance, InflatedSheets& sheets) {
   constexpr int max_passes = 10;

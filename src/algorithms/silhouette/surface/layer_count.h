@@ -19,7 +19,7 @@ struct SidedSegment {
 /// The number of surfaces over every triangle, by a flood from outside: one more behind each constraint on its
 /// surface's side. Exact, O(#T).
 /// @param segments the constraints of the triangulation, in its order
-/// @throws Error (E_INTERNAL) when two ways into a triangle contradict each other or a number is negative
+/// @throws Error (E_INTERNAL) when two paths into a triangle contradict each other or a number is negative
 std::vector<int> count_layers(const PlanarTriangulation& planar, std::span<const SidedSegment> segments);
 
 }  // namespace croquis::silhouette

@@ -22,7 +22,7 @@ Index PlanarWalk::locate(const Vec2& place) {
   const std::size_t count = triangulation_->triangles.size();
   if (count == 0) return no_index;
   Index triangle = last_;
-  // Constrained triangulations can send such a walk round in circles: it turns its preference at every step and has
+  // Constrained triangulations can send such a walk round in cycles: it changes its preference at every step and has
   // a bound.
   for (std::size_t step = 0; step < count; ++step) {
     const int corner = first_edge_beyond(triangle, place, static_cast<Index>(step % 3));

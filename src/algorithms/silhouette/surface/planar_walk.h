@@ -11,7 +11,7 @@ namespace croquis::silhouette {
 /// places that follow each other. Exact; a place on an edge belongs to any triangle there.
 class PlanarWalk {
  public:
-  /// Both are only looked at and must outlive the walk.
+  /// Both are only read and must outlive the walk.
   PlanarWalk(const std::vector<Vec2>& points, const PlanarTriangulation& triangulation)
       : points_(&points), triangulation_(&triangulation) {}
 

@@ -10,10 +10,10 @@ namespace croquis::silhouette {
 
 /// Answers "is anything nearer than d?" for points and segments, in constant time where they are spread evenly.
 ///
-/// Every item is entered in all cells within the grid's reach, so that a question looks into one cell only.
+/// Every item is entered in all cells within the grid's reach, so that a query visits one cell only.
 class ProximityGrid {
  public:
-  /// @param low,high corners of the box in which questions will be asked
+  /// @param low,high corners of the box of all queries
   /// @param reach    largest distance that will be asked for, > 0
   ProximityGrid(const Vec2& low, const Vec2& high, double reach);
 

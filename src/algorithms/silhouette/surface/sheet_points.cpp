@@ -15,8 +15,8 @@ namespace {
 
 // Clearances are parts of the contour step, as the density of everything follows it.
 constexpr double first_row_clearance = 0.3;  // from contours, and at most 0.9 of the row's own depth
-// Deeper rows stay out of the steep strip along a foreign rim: an edge from there to the rim would cut a notch between
-// the points of that rim's first row.
+// Deeper rows stay out of the steep strip along another sheet's rim: an edge from there to the rim would cut a notch
+// between the points of that rim's first row.
 constexpr double deep_row_clearance = 0.8;
 constexpr double row_row_clearance = 0.37;  // and at most 0.6 of the distance between the rows
 constexpr double row_spacing = 0.33;        // from a row's last point

@@ -117,7 +117,7 @@ void add_edges_past_rows(const SheetSampling& sheets, std::vector<PlanarEdge>& e
   }
 }
 
-/// An edge that is a piece of a foreign contour is split for all sheets.
+/// An edge that is a piece of another sheet's contour is split for all sheets.
 void split_edges(const std::vector<PlanarEdge>& edges, SheetSampling& sheets) {
   for (const PlanarEdge& edge : edges) {
     const auto middle = static_cast<Index>(sheets.points.size());

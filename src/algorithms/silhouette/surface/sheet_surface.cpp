@@ -15,7 +15,7 @@ Index object_of_edge(const LabelledFigure& figure, const SheetSampling& sheets, 
   return figure.contours[figure.arcs[arc].contour].object;
 }
 
-/// Marks everything connected with the triangle, and says whose boundary was met on the way.
+/// Marks everything connected with the triangle. @return the object whose boundary was met
 Index flood_component(const LabelledFigure& figure, const SheetSampling& sheets, Index start,
                       std::vector<std::uint8_t>& seen, std::vector<Index>& members) {
   Index object = no_index;

@@ -9,7 +9,7 @@ namespace croquis::silhouette {
 namespace {
 
 constexpr double line_count = 1500;
-constexpr double irrational_offset = 0.6180339887498949;  // drawings like round coordinates, lines should not
+constexpr double irrational_offset = 0.6180339887498949;  // drawings often have round coordinates, lines should not
 
 /// Where a scan line's count of something changes.
 struct Event {

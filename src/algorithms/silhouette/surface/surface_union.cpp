@@ -147,6 +147,26 @@ std::vector<UnionPart> by_size(std::span<const UnionPart> parts) {
   return result;
 }
 
+/// The same vertices and faces in the same order, half-edges numbered by them alone: the library numbers new ones by
+/// addresses in memory, and which slivers are removed first depends on these numbers. @return false where faces can't
+/// be added in this order
+bool renumber_halfedges(Surface& surface) {
+  surface.collect_garbage();
+  const auto place = places(surface);
+  const FaceObjects objects = face_objects(surface);
+  Surface copy;
+  auto copied_place = places(copy);
+  FaceObjects copied_objects = face_objects(copy);
+  for (const Vertex v : surface.vertices()) copied_place[copy.add_vertex(surface.point(v))] = place[v];
+  for (const Face face : surface.faces()) {
+    const Face copied = copy.add_face(surface.vertices_around_face(surface.halfedge(face)));
+    if (copied == Surface::null_face()) return false;
+    copied_objects[copied] = objects[face];
+  }
+  surface = std::move(copy);
+  return true;
+}
+
 /// The library orders some things by the addresses of its two surfaces: here theirs are always in the same order.
 struct UnionPair {
   Surface whole;
@@ -155,7 +175,7 @@ struct UnionPair {
 
 bool join(UnionPair& surfaces) {
   auto& [whole, part] = surfaces;
-  // Its search for pairs of faces draws lots from here; what came before must not matter.
+  // Its search for pairs of faces takes random numbers from here; earlier use must not matter.
   CGAL::get_default_random() = CGAL::Random(0);
   ObjectKeeper keeper;
   try {
@@ -177,7 +197,7 @@ std::optional<SurfaceUnion> unite_surfaces(std::span<const UnionPart> parts, dou
   for (const UnionPart& part : by_size(parts)) {
     progress.check();
     (first ? whole : surfaces.part) = to_surface(part);
-    if (!first && !join(surfaces)) return std::nullopt;
+    if (!first && (!join(surfaces) || !renumber_halfedges(whole))) return std::nullopt;
     first = false;
   }
   straighten(whole);

@@ -10,7 +10,7 @@
 
 namespace croquis::silhouette {
 
-/// A closed surface of triangles, and whose it is.
+/// A closed surface of triangles, and its objects.
 struct UnionPart {
   const PolyMesh* mesh = nullptr;
   Index object = 0;

@@ -19,7 +19,7 @@ constexpr double node_stiffness = 10;
 
 constexpr int node_pulls = 2;
 
-/// How far a node's pull is spread, in radii: a pull at a point of a wide body would stand out as a pimple.
+/// How far a node's pull is spread, in radii: a pull at a point of a wide body would be seen as a bump.
 constexpr double node_reach = 0.6;
 
 /// Keeps a part without any node regular; too weak to be noticed elsewhere.
@@ -75,7 +75,7 @@ Eigen::VectorXd solve_inner(const InnerSystem& system, const Eigen::VectorXd& lo
   return values;
 }
 
-/// What the rim asks of ln w: the length of the axis per length of the rim.
+/// The values of ln w on the rim: the length of the axis per length of the rim.
 Eigen::VectorXd rim_log_weights(const SheetSampling& sheets) {
   return (1 - rim_turn(sheets).array().cwiseMax(-greatest_turn).cwiseMin(greatest_turn)).log();
 }
@@ -175,7 +175,7 @@ double value_at(const LiftedPlace& place, const Eigen::VectorXd& values) {
   return sum;
 }
 
-std::vector<Index> spokesmen(const Skeleton& skeleton) {
+std::vector<Index> representatives(const Skeleton& skeleton) {
   std::vector<Index> spokesman(skeleton.nodes.size());
   for (Index n = 0; n < spokesman.size(); ++n) spokesman[n] = n;
   const auto offer = [&](Index inner, Index outer) {
@@ -209,7 +209,7 @@ Eigen::VectorXd sheet_thickness(const SheetSampling& sheets, const SheetOperator
     beta[n] = std::clamp(skeleton.nodes[n].radius / std::sqrt(std::max(value_at(nodes[n], u), 1e-300)), least_beta,
                          greatest_beta);
   }
-  const std::vector<Index> spokesman = spokesmen(skeleton);
+  const std::vector<Index> spokesman = representatives(skeleton);
   return extension.extend(beta(spokesman)).cwiseProduct(u.cwiseSqrt());
 }
 

@@ -32,9 +32,9 @@ class NodeExtension {
   std::unique_ptr<Factors> factors_;
 };
 
-/// Per node of the skeleton the node that speaks for it: itself, or where its disk lies inside a neighbour's, that one.
-/// Where limbs meet in a wide body, triangles between them get nodes beside the axis, whose disks say nothing.
-std::vector<Index> spokesmen(const Skeleton& skeleton);
+/// Per node of the skeleton the node that represents it: itself, or where its disk lies inside a neighbour's, that one.
+/// Where limbs meet in a wide body, triangles between them get nodes beside the axis, whose disks don't count.
+std::vector<Index> representatives(const Skeleton& skeleton);
 
 /// Half thickness of the surface over every lifted vertex: 0 exactly on the boundary, positive inside.
 ///

@@ -23,7 +23,7 @@ namespace Sdc = OpenSubdiv::Sdc;
 
 using Refiner = std::unique_ptr<Far::TopologyRefiner>;
 
-/// OpenSubdiv tells its errors to one function of the whole process, in the thread that asked.
+/// OpenSubdiv reports errors to one function of the whole process, in the calling thread.
 std::string& last_message() {
   thread_local std::string message;
   return message;

@@ -10,7 +10,7 @@
 #include "croquis/subdivision/level.h"
 #include "croquis/subdivision/uniform_schemes.h"
 
-/// The one place that speaks to OpenSubdiv: topology in, topology and stencils out, as plain arrays.
+/// The only code that uses OpenSubdiv: topology in, topology and stencils out, as plain arrays.
 namespace croquis::subdivision {
 
 /// What OpenSubdiv refines. Faces are counter-clockwise; each edge has one or two of them, each vertex one fan.
