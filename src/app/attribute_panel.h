@@ -22,14 +22,14 @@ class AttributePanel : public QWidget {
  public:
   explicit AttributePanel(QWidget* parent = nullptr);
 
-  /// Shows the node's parameters; fields are made anew only when the operation is another one. Null shows none.
+  /// Shows the node's parameters; fields are replaced only when the operation is another one. Null shows none.
   void show_node(const Node* node, const OperationDescription* description);
 
-  /// The field of a parameter, or null: for whoever drives the window by names.
+  /// The field of a parameter, or null: for callers that know it by name.
   ParameterField* field(const std::string& parameter) const;
 
  signals:
-  /// Somebody gave a parameter another value. While a slider is held down, `dragging` is true; the last call of a drag
+  /// The user gave a parameter another value. While a slider is held down, `dragging` is true; the last call of a drag
   /// has it false.
   void parameter_edited(croquis::NodeId node, const std::string& parameter, const croquis::ParameterValue& value,
                         bool dragging);

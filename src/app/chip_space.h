@@ -7,7 +7,7 @@
 
 namespace croquis::app {
 
-/// Room for small things over a view: none lies over another. Those that come first stand where they want to.
+/// Places for labels and buttons over a view: none covers another. The first ones get the places they want.
 class ChipSpace {
  public:
   /// Takes the free place nearest to the wanted one. Nothing when there is none.

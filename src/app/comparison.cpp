@@ -7,7 +7,7 @@
 namespace croquis::app {
 namespace {
 
-/// No document comes to use it: what is compared is never part of one.
+/// An id that no document reaches.
 constexpr NodeId compared_node = NodeId{1} << 62;
 
 const ParameterDescription* find_parameter(const OperationDescription& operation, const std::string& name) {

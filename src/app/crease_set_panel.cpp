@@ -35,7 +35,7 @@ CreaseSetPanel::CreaseSetPanel(MeshInteraction& mesh, QWidget* parent)
   connect(sets_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* row) {
     const std::string before = name_of(row);
     const std::string after = row->text(0).toStdString();
-    // Whoever hears it shows all rows anew.
+    // Receivers show all rows again.
     QMetaObject::invokeMethod(
         this,
         [this, before, after] {
@@ -79,7 +79,7 @@ QWidget* CreaseSetPanel::make_buttons() {
   layout->addWidget(sharpness_);
   add_button(row, "set-select", tr("Select"), tr("Selects the set's edges or vertices"),
              [this] { mesh_.act([this](MeshTool& tool) { return tool.select_set(chosen()); }); });
-  add_button(row, "set-merge", tr("Unite"), tr("Puts all chosen sets into the first one"), [this] { unite(); });
+  add_button(row, "set-merge", tr("Merge"), tr("Puts all chosen sets into the first one"), [this] { merge(); });
   add_button(row, "set-delete", tr("Delete"), tr("Forgets the set; its edges stay as sharp as they are"),
              [this] { mesh_.act([this](MeshTool& tool) { return tool.remove_set(chosen(), false); }); });
   return row;
@@ -90,7 +90,7 @@ std::string CreaseSetPanel::chosen() const {
   return rows.isEmpty() ? std::string() : name_of(rows.front());
 }
 
-void CreaseSetPanel::unite() {
+void CreaseSetPanel::merge() {
   std::vector<std::string> names;
   for (const QTreeWidgetItem* row : sets_->selectedItems()) names.push_back(name_of(row));
   for (std::size_t i = 1; i < names.size(); ++i) {

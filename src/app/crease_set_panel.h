@@ -16,7 +16,7 @@ namespace croquis::app {
 class SharpnessField;
 
 /// The named sets of tagged edges and pins of the mesh that is worked on: made from the selection, renamed, given a
-/// sharpness, selected, united, taken away.
+/// sharpness, selected, merged, removed.
 class CreaseSetPanel : public QWidget {
   Q_OBJECT
 
@@ -31,7 +31,7 @@ class CreaseSetPanel : public QWidget {
   QPushButton* add_button(QWidget* row, const QString& name, const QString& text, const QString& tip,
                           std::function<void()> work);
   std::string chosen() const;  ///< the name of the first chosen set; empty for none
-  void unite();
+  void merge();
 
   MeshInteraction& mesh_;
   QTreeWidget* sets_;

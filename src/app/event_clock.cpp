@@ -6,10 +6,10 @@
 namespace croquis::app {
 namespace {
 
-/// No window is this late: the stamps' clock was set anew (X servers count 49 days).
+/// No window is this late: the stamps' clock was reset (X servers count 49 days).
 constexpr double clock_jump_seconds = 60;
 
-/// By which the least difference is forgotten with every event: two clocks never run quite alike.
+/// By which the least difference is forgotten with every event: two clocks never run exactly alike.
 constexpr double drift_seconds = 1e-5;
 
 }  // namespace

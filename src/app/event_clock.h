@@ -7,7 +7,7 @@
 namespace croquis::app {
 
 /// When pointer events happened. The window system stamps them; a busy window only takes them late, often many at
-/// once, and by the time of that a slow hand and a fast one look the same.
+/// once, and by that time slow and fast strokes look the same.
 class EventClock {
  public:
   /// When an event happened, seconds by the clock of the stamps.

@@ -18,7 +18,7 @@ struct FaceSet {
   std::vector<Index> faces;  ///< of the object's mesh, ascending
 };
 
-/// The sets of objects, told from the channel "patch_id" of their meshes. They are there as long as the patches are: in
+/// The sets of objects, read from the channel "patch_id" of their meshes. They are there as long as the patches are: in
 /// projects and files with them. Kept until a mesh changes. One thread.
 class FaceSets {
  public:

@@ -23,7 +23,7 @@ struct ReadFile {
   Findings warnings;
 };
 
-/// Reads projects, sketches and meshes beside the window's thread, one after the other in the order asked for.
+/// Reads projects, sketches and meshes on another thread, one after the other in the order asked for.
 class FileReader : public QObject {
   Q_OBJECT
 

@@ -9,7 +9,7 @@
 #include "croquis/tools/mesh_selection.h"
 #include "croquis/tools/mesh_tool.h"
 
-/// From what reports say to what can be selected.
+/// From findings and reports to elements that can be selected.
 namespace croquis::app {
 
 /// Names of the strokes that a finding is about.

@@ -10,7 +10,7 @@
 
 namespace croquis::app {
 
-/// What a sample begins.
+/// What a sample becomes.
 enum class SampleKind {
   Sketch,  ///< a drawing that becomes solid
   Cage,    ///< a mesh with sharp edges that becomes smooth

@@ -43,7 +43,7 @@ void GalleryThumbnails::make_pictures(std::size_t first, const std::atomic<bool>
     } catch (const Cancelled&) {
       return;
     } catch (const Error&) {
-      continue;  // its tile keeps its name alone; opening it says what is wrong
+      continue;  // its tile keeps its name alone; opening it reports the error
     }
     // Pictures belong to the window's thread, as its contexts do.
     QMetaObject::invokeMethod(
@@ -65,7 +65,7 @@ void GalleryThumbnails::show(std::size_t place, const QString& sketch, const std
     const render::Camera camera = render::frame(render::points_of(items), direction, aspect);
     emit finished(sketch, pictures_.draw(items, camera, render::RenderOptions{}, picture_size));
   } catch (const Error&) {
-    stop();  // no context for pictures: the window says so when it can't draw either
+    stop();  // no context for pictures: the window reports it when it can't draw either
   }
 }
 

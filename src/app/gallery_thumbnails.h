@@ -14,7 +14,7 @@ namespace croquis::app {
 
 class OffscreenPictures;
 
-/// Makes the samples solid or smooth, one after the other beside the window's thread, and pictures of them.
+/// Makes the samples solid or smooth, one after the other on another thread, and pictures of them.
 class GalleryThumbnails : public QObject {
   Q_OBJECT
 
@@ -28,7 +28,7 @@ class GalleryThumbnails : public QObject {
   /// Some samples have no picture yet, and it is being made.
   bool busy() const { return busy_; }
 
-  /// What is opened needs the machine more.
+  /// Stops: files that are opened go first.
   void stop();
 
  signals:

@@ -9,8 +9,9 @@ namespace croquis::app {
 
 class ElidedLabel;
 
-/// The line below the views: what can be done next, and beside it what has just been told. Where both don't fit, what
-/// was told is shown alone; what doesn't fit even then ends in "…", with the whole sentence where the pointer rests.
+/// The line below the views: what can be done next, and beside it the newest message. Where both don't fit, the
+/// message is shown alone; what doesn't fit even then ends in "…", with the whole sentence in the tooltip. What is open
+/// is described at the right, in the room that these leave.
 class HelpLine : public QWidget {
   Q_OBJECT
 
@@ -28,6 +29,8 @@ class HelpLine : public QWidget {
   void tell_written(const QString& path, const QString& sentence, Tone tone = Tone::Plain);
   void clear() { tell({}); }
 
+  void show_status(const QString& text);
+
  protected:
   void resizeEvent(QResizeEvent* event) override;
 
@@ -37,6 +40,7 @@ class HelpLine : public QWidget {
   ElidedLabel* help_;
   ElidedLabel* message_;
   QToolButton* folder_;
+  ElidedLabel* status_;
   QString folder_path_;
 };
 

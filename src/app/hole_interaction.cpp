@@ -97,7 +97,7 @@ std::shared_ptr<const PolyMesh> HoleInteraction::scan() const {
   if (object == nullptr || operation == nullptr || operation->inputs.empty()) return nullptr;
   const Link& from = operation->inputs.begin()->second;
   if (from.node == object->cage) return object->cage_mesh;
-  // What comes from another operation was computed on the way: it is at hand.
+  // The result of an operation before this one is computed already.
   Progress progress;
   const auto before = studio_.evaluator().evaluate(studio_.session().document(), from.node, Quality::Final, progress);
   const auto found = before->outputs.find(from.output);
@@ -224,7 +224,7 @@ std::vector<Index> HoleInteraction::open_up_to(double diameter) const {
   return holes;
 }
 
-// ---- The hand
+// ---- Pointer events
 
 void HoleInteraction::take(const PointerEvent& event) {
   for (const PenStep& step : pen_.handle(event)) feed(step);

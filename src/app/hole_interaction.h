@@ -19,8 +19,8 @@
 
 namespace croquis::app {
 
-/// The hand on the holes of the active object: picks, fills, reopens, bridges and shapes them, by view, list and menu.
-/// Whatever it changes is a parameter of the object's `fill` operation.
+/// Work on the holes of the active object: picks, fills, reopens, bridges and shapes them, by view, list and menu.
+/// All that it changes is a parameter of the object's `fill` operation.
 class HoleInteraction : public QObject {
   Q_OBJECT
 
@@ -45,14 +45,14 @@ class HoleInteraction : public QObject {
   void select(std::vector<Index> holes);
   void select_all();
   void select_by_size(double diameter);
-  std::vector<Index> open_up_to(double diameter) const;  ///< open holes that aren't borders, up to that wide
+  std::vector<Index> open_up_to(double diameter) const;  ///< open holes that aren't borders, up to that diameter
 
   // ---- What becomes of holes; each is one step of the history
   void fill_selected();
   bool can_fill_selected() const;  ///< one is open, or belongs to a bridge that couldn't be made
   /// @param select one of the parameter's choices; of "inner", nothing that is filled is opened
   void fill_all(const std::string& select);
-  bool can_fill_all(const std::string& select) const;  ///< it would change something, or nobody knows yet
+  bool can_fill_all(const std::string& select) const;  ///< it would change something, or that isn't known yet
   void fill_up_to(double diameter);                    ///< what is filled already stays
   void reopen_selected();
   void bridge_selected();
@@ -71,12 +71,12 @@ class HoleInteraction : public QObject {
   void set_bulge(double bulge, bool dragging);
   void set_trim(int rings);
   void set_preset(const std::string& preset);  ///< of all holes: what is scanned
-  void set_mode(const std::string& mode);      ///< of all holes: patches, or the model made anew
+  void set_mode(const std::string& mode);      ///< of all holes: patches, or the model remeshed
 
-  /// Stops what the studio computes. A model that was to be made anew isn't wanted any more: all is as it was before.
+  /// Stops what the studio computes. A remeshing that was asked for is given up: all is as it was before.
   void cancel();
 
-  // ---- The hand
+  // ---- Pointer events
   void take(const PointerEvent& event);  ///< its place in pixels of its view
   void leave();
   bool down() const { return pen_.down(); }
@@ -119,7 +119,7 @@ class HoleInteraction : public QObject {
   void attempt(const std::function<void()>& work);
   void edit(const std::string& label, const ParameterValues& values, bool dragging);
   void change_plan(const std::string& label, const std::function<void(HolePlan&)>& change);
-  Way way_of(std::optional<Index> hole) const;  ///< without one, of holes for which nothing is said
+  Way way_of(std::optional<Index> hole) const;  ///< without one, of holes without a wish of their own
   bool is_made_so(const recorded::HoleWay& step) const;
   void change_way(const recorded::HoleWay& step, bool dragging);
   void finish(Verdict verdict);
@@ -143,7 +143,7 @@ class HoleInteraction : public QObject {
   PatchPreview preview_;
   HoleSightMaker sight_;
   std::vector<HoleRow> rows_;
-  std::shared_ptr<const Evaluation> shown_;  ///< the result that rows_ tell of
+  std::shared_ptr<const Evaluation> shown_;  ///< the result that rows_ describe
   NodeId shown_node_ = 0;
   int gesture_view_ = 0;
   std::optional<HolePlan> pulled_;  ///< before the pull under way

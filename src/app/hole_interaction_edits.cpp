@@ -21,7 +21,7 @@ std::string words_for(const std::vector<Index>& holes) {
 }
 
 std::string words_for(const recorded::HoleWay& way) {
-  const std::string what = way.fairness ? "Way " + *way.fairness
+  const std::string what = way.fairness ? "Method " + *way.fairness
                            : way.kernel ? "Kernel " + *way.kernel
                            : way.bulge  ? "Bulge"
                                         : "Trim rim";
@@ -29,13 +29,13 @@ std::string words_for(const recorded::HoleWay& way) {
 }
 
 void apply(const recorded::HoleWay& way, HoleWish& wish) {
-  if (way.fairness) wish.fairness = *way.fairness;
+  if (way.fairness) wish.fairness = *way.fairness == "auto" ? std::string() : *way.fairness;
   if (way.kernel) wish.kernel = *way.kernel;
   if (way.bulge) wish.bulge = *way.bulge;
   if (way.trim_rim) wish.trim_rim = *way.trim_rim;
 }
 
-/// What it says as parameters of all holes.
+/// Its values as parameters of all holes.
 ParameterValues values_of(const recorded::HoleWay& way) {
   ParameterValues values;
   if (way.fairness) values["fairness"] = *way.fairness;
@@ -106,7 +106,7 @@ bool HoleInteraction::can_fill_selected() const {
     const HolePlan plan(studio_, *operation);
     return std::any_of(failed.begin(), failed.end(), [&](Index hole) { return plan.is_bridged(hole); });
   } catch (const Error&) {
-    return true;  // filling says what is wrong
+    return true;  // filling reports the error
   }
 }
 
@@ -213,7 +213,7 @@ void HoleInteraction::apply(const recorded::HolePoint& step) {
   edit("Shape hole " + std::to_string(step.hole), plan.values(), false);
 }
 
-// ---- The way patches are made
+// ---- How patches are made
 
 HoleInteraction::Way HoleInteraction::way() const {
   const std::vector<Index>& chosen = tool_.selected();
@@ -243,7 +243,7 @@ HoleInteraction::Way HoleInteraction::way_of(std::optional<Index> hole) const {
     way.bulge = wish.bulge.value_or(way.bulge);
     way.trim_rim = static_cast<int>(wish.trim_rim.value_or(way.trim_rim));
   } catch (const Error&) {
-    return way;  // the operation says what is wrong
+    return way;  // the operation reports the error
   }
   return way;
 }

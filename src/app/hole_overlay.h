@@ -10,7 +10,7 @@
 
 namespace croquis::app {
 
-/// The colour of a hole's rim and pin: told apart by people with any colour vision, and from what is selected.
+/// The colour of a hole's rim and pin: distinct for any colour vision, and distinct from the selection's.
 QColor hole_color(const HoleRow& hole);
 
 /// Rims of holes over the surface, those behind it faint; handles of patches. Kept until what it shows changes.

@@ -31,7 +31,8 @@ struct Choice {
   const char* value;
   const char* text;
 };
-constexpr std::array<Choice, 3> ways{{{"rbf", QT_TRANSLATE_NOOP("HolePanel", "Continue the surface")},
+constexpr std::array<Choice, 4> ways{{{"auto", QT_TRANSLATE_NOOP("HolePanel", "Automatic")},
+                                      {"rbf", QT_TRANSLATE_NOOP("HolePanel", "Continue the surface")},
                                       {"smooth", QT_TRANSLATE_NOOP("HolePanel", "Continue its slope")},
                                       {"flat", QT_TRANSLATE_NOOP("HolePanel", "Flat")}}};
 
@@ -67,8 +68,8 @@ QString fill_text(std::size_t count, double limit) {
   return HolePanel::tr("Fill %1 up to %2").arg(count).arg(measure(limit));
 }
 
-/// Only a model made anew has domains.
-bool is_made_anew(const StudioObject& object) {
+/// Only a remeshed model has domains.
+bool is_remeshed(const StudioObject& object) {
   const Report* details = report_of(object.result.get(), "details");
   const Report* domains = details == nullptr ? nullptr : details->find("domains");
   return domains != nullptr && !domains->is_null();
@@ -199,7 +200,8 @@ void HolePanel::make_way(QBoxLayout* column) {
   QBoxLayout* row = add_row(column);
   fairness_ = new QComboBox(this);
   fairness_->setObjectName("hole-way");
-  fairness_->setAccessibleName(tr("Way"));
+  fairness_->setAccessibleName(tr("Method"));
+  fairness_->setToolTip(tr("Automatic: flat where an open surface ends, elsewhere the surface is continued"));
   for (const Choice& choice : ways) fairness_->addItem(tr(choice.text), QString(choice.value));
   kernel_ = new QComboBox(this);
   kernel_->setObjectName("hole-kernel");
@@ -278,7 +280,7 @@ void HolePanel::make_mode(QBoxLayout* column) {
   row->addWidget(start_);
   column->addWidget(estimate_);
   connect(mode_, &QComboBox::activated, this, [this] {
-    // Patches come back at once; the long work begins when its price has been read.
+    // Patches come back at once; remeshing begins after its estimate was shown.
     if (mode_->currentData() == "remesh") return follow_mode();
     holes_.set_mode(mode_->currentData().toString().toStdString());
   });
@@ -303,8 +305,8 @@ void HolePanel::follow() {
   const bool filled = there && object->quality == Quality::Final && object->result && !object->result->failed &&
                       std::any_of(holes_.rows().begin(), holes_.rows().end(),
                                   [](const HoleRow& row) { return row.state == HoleState::Filled; });
-  const bool anew = filled && is_made_anew(*object);  // what is shown, whatever is being computed
-  check_.follow(filled ? object->mesh : nullptr, filled && !anew ? holes_.scan() : nullptr);
+  const bool remeshed = filled && is_remeshed(*object);  // what is shown, whatever is being computed
+  check_.follow(filled ? object->mesh : nullptr, filled && !remeshed ? holes_.scan() : nullptr);
 }
 
 void HolePanel::follow_sizes() {
@@ -334,7 +336,7 @@ void HolePanel::follow_way() {
   show_choice(preset_, holes_.preset());
   show_choice(fairness_, way.fairness);
   show_choice(kernel_, way.kernel);
-  kernel_->setEnabled(way.fairness == "rbf");
+  kernel_->setEnabled(way.fairness == "rbf" || way.fairness == "auto");
   const QSignalBlocker quiet_slider(bulge_slider_);
   const QSignalBlocker quiet_bulge(bulge_);
   const QSignalBlocker quiet_trim(trim_);

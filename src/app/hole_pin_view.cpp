@@ -40,7 +40,7 @@ HolePinView::Drawn HolePinView::drawn(const ViewPins& view, const HolePin& pin, 
   const std::vector<Index>& hovered = holes.hovered();
   pictured.selected = std::any_of(pin.holes.begin(), pin.holes.end(), [&](Index h) { return contains(selected, h); });
   pictured.hovered = std::any_of(pin.holes.begin(), pin.holes.end(), [&](Index h) { return contains(hovered, h); });
-  // Where faces look says it as long as nobody knows better: some scans are inside out.
+  // While sight isn't computed, the faces' direction decides; some scans are inside out.
   pictured.faint = holes.knows_sight() ? !pin.visible : !pin.facing;
   return pictured;
 }

@@ -25,7 +25,7 @@ class HolePinView : public QWidget {
   };
   using Pins = std::vector<ViewPins>;
 
-  /// Draws them anew when something of it has changed. None: nothing is shown.
+  /// Draws them again when something of it has changed. None: nothing is shown.
   void show_pins(Pins pins, const HoleInteraction& holes);
 
  protected:

@@ -19,7 +19,7 @@ bool says_nothing(const HoleWish& wish) {
   return wish == empty;
 }
 
-/// What the later one says, and of the rest what the earlier one said.
+/// The values given in the later one, and else those of the earlier one.
 void merge(HoleWish& earlier, const HoleWish& later) {
   if (later.fill) earlier.fill = later.fill;
   if (!later.fairness.empty()) earlier.fairness = later.fairness;
@@ -66,7 +66,7 @@ HoleWish& HolePlan::entry(Index hole) {
 }
 
 void HolePlan::keep_as_is(HoleWish& wish, std::span<const Index> filled) {
-  // A wish of any kind fills the hole, unless it says otherwise.
+  // Any wish fills the hole, unless its `fill` is false.
   if (!wish.fill && !has(filled, wish.holes.front())) wish.fill = false;
 }
 

@@ -12,23 +12,23 @@
 
 namespace croquis::app {
 
-/// What the parameters of a `fill` operation say of which hole, taken apart so that one hole can be changed without
-/// touching the others, and put together again.
+/// The parameters of a `fill` operation per hole, so that one hole can be changed without touching the others, and
+/// joined again.
 class HolePlan {
  public:
   HolePlan() = default;
 
-  /// @throws Error (E_PARAMETER) when somebody wrote wishes that can't be understood
+  /// @throws Error (E_PARAMETER) when the wishes can't be parsed
   HolePlan(const Studio& studio, const Node& node);
 
-  /// Of one hole alone; says nothing when nothing is wished.
+  /// Of one hole alone; empty when nothing is wished.
   HoleWish wish(Index hole) const;
   const std::vector<HoleWish>& bridges() const { return bridges_; }
   bool is_bridged(Index hole) const;
 
   void fill(std::span<const Index> holes);
 
-  /// What a selection of all fills, whatever was said of single ones; how they are made stays.
+  /// Fills what a selection of all fills, whatever single holes were given; how they are made stays.
   /// @param select one of the parameter's choices. @param max_diameter 0 for any
   /// @param fills whether a hole is to be filled then: words about its shape alone would fill it
   void fill_all(const std::string& select, double max_diameter, const std::function<bool(Index)>& fills);

@@ -9,7 +9,7 @@
 
 #include "app/studio_object.h"
 
-/// What the result of `fill` says of every hole, as lists and views show it.
+/// What the result of `fill` reports of every hole, as lists and views show it.
 namespace croquis::app {
 
 enum class HoleState { Open, Filled, Failed };
@@ -23,7 +23,7 @@ struct HoleRow {
   double perimeter = 0;
   HoleState state = HoleState::Open;
   std::string method;                 ///< of the patch taken, empty without one
-  std::string reason;                 ///< why it was left, failed, or not filled by the first way
+  std::string reason;                 ///< why it was left, failed, or not filled by the first method
   std::optional<double> normal_jump;  ///< degrees
   std::optional<double> confidence;   ///< 0..1
   std::optional<Index> patch;         ///< number of its patch
@@ -41,7 +41,7 @@ std::vector<HoleRow> hole_rows(const StudioObject* object);
 /// patch in the way. Ascending.
 std::vector<Index> with_islands(const std::vector<HoleRow>& rows, const std::vector<Index>& holes);
 
-/// "island", "border, keep?" … as people say it.
+/// "island", "border, keep?" … in people's words.
 QString words_for(const HoleRow& hole);
 
 /// "filled", "open" or "failed".

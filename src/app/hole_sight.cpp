@@ -10,7 +10,7 @@
 namespace croquis::app {
 namespace {
 
-/// What lies so little before a hole's middle is its own rim, seen from the side. Share of the way to the eye.
+/// What lies so little before a hole's middle is its own rim, seen from the side. Share of the distance to the eye.
 constexpr double slack = 0.01;
 
 std::shared_ptr<MeshPicker> made(const std::shared_ptr<const PolyMesh>& scan) {

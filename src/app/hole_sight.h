@@ -10,7 +10,7 @@
 
 namespace croquis::app {
 
-/// Tells which holes a scan itself hides in a view. What that needs is made beside the window's thread.
+/// Finds which holes a scan itself hides in a view. What that needs is made on another thread.
 class HoleSightMaker : public QObject {
   Q_OBJECT
 

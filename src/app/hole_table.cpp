@@ -81,8 +81,8 @@ HoleTable::HoleTable(QWidget* parent) : QTableWidget(parent) {
   setObjectName("holes");
   setAccessibleName(tr("Holes"));
   setColumnCount(column_count);
-  setHorizontalHeaderLabels(
-      {tr("No."), tr("State"), tr("What"), tr("Wide"), tr("Edges"), tr("Sure"), tr("Bend"), tr("Way"), tr("Area")});
+  setHorizontalHeaderLabels({tr("No."), tr("State"), tr("Class"), tr("Diameter"), tr("Edges"), tr("Confidence"),
+                             tr("Angle"), tr("Method"), tr("Area")});
   const QStringList tips{tr("Number, as pins in the views and the command line have it"),
                          tr("Open, filled, or no method gave a valid patch"),
                          tr("What the rim looks like"),
@@ -136,10 +136,10 @@ void HoleTable::show_holes(const std::vector<HoleRow>& holes) {
   if (std::equal(holes.begin(), holes.end(), shown_.begin(), shown_.end(), same_cells)) return;
   shown_ = holes;
   showing_ = true;
-  // Widths are reckoned once, not for every cell.
+  // Widths are computed once, not for every cell.
   horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
   std::map<QString, QIcon> icons;
-  setSortingEnabled(false);  // rows would run away while they are written
+  setSortingEnabled(false);  // rows would move while they are written
   setRowCount(static_cast<int>(holes.size()));
   for (int row = 0; row < rowCount(); ++row) {
     const HoleRow& hole = holes[static_cast<std::size_t>(row)];

@@ -33,7 +33,7 @@ class HoleTable : public QTableWidget {
   Index hole_of(int row) const;
 
   std::vector<HoleRow> shown_;
-  bool showing_ = false;  ///< what is selected isn't somebody's choice
+  bool showing_ = false;  ///< the program sets the selection, not the user
 };
 
 }  // namespace croquis::app

@@ -9,7 +9,7 @@
 namespace croquis::app {
 namespace {
 
-constexpr double ink_margin = 6;  // logical pixels around samples: half of the widest ink, and its soft rim
+constexpr double ink_margin = 6;  // logical pixels around samples: half of the widest ink, and its soft border
 
 bool same_camera(const render::Camera& a, const render::Camera& b) {
   return a.projection == b.projection && a.eye == b.eye && a.target == b.target && a.up == b.up &&

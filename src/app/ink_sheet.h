@@ -12,7 +12,7 @@
 namespace croquis::app {
 
 /// The sketch view as it was last drawn whole. While a stroke is under way only the rectangle of its newest piece is
-/// drawn again: what is under the pen keeps up with the hand, however long a whole view takes.
+/// drawn again: ink follows the pen without delay, however long a whole view takes.
 class InkSheet {
  public:
   /// What was drawn. @param inked samples of the stroke under way that were drawn with it

@@ -9,7 +9,7 @@
 
 namespace croquis::app {
 
-/// A limb and a body that may grow together.
+/// A limb and a body that may be attached.
 struct Joint {
   std::string a;  ///< names of objects
   std::string b;
@@ -17,7 +17,7 @@ struct Joint {
   bool attached = false;
 };
 
-/// What the solid suggests, with whether the operation's parameter already says so. @param attach its text
+/// What the solid suggests, with whether the operation's parameter holds it already. @param attach its text
 std::vector<Joint> suggested_joints(const Evaluation& evaluation, const std::string& attach);
 
 /// The parameter's text with the pair added, or taken out when it is there.

@@ -7,7 +7,7 @@
 
 namespace croquis::app {
 
-/// What the command line asks of the studio.
+/// The studio's command line options.
 struct LaunchOptions {
   QStringList files;
   QString new_kind;    ///< --new: "silhouette", or empty

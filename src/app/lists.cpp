@@ -3,7 +3,6 @@
 
 #include <QSignalBlocker>
 
-#include "app/finding_sentence.h"
 #include "app/theme.h"
 
 namespace croquis::app {
@@ -25,7 +24,7 @@ void FindingsList::show_findings(const std::vector<NodeFinding>& findings,
   findings_ = findings;
   for (const NodeFinding& found : findings) {
     const bool error = found.finding.severity == Severity::Error;
-    const QString sentence = sentence_in_view(found.finding);
+    const QString sentence = QString::fromStdString(found.finding.message);
     const QString name = owner(found);
     auto* row = new QListWidgetItem(name.isEmpty() ? sentence : tr("%1: %2").arg(name, sentence), this);
     row->setForeground(error ? colors::error.lighter(140) : colors::warning.lighter(120));

@@ -21,7 +21,7 @@ class FindingsList : public QListWidget {
   void show_findings(const std::vector<NodeFinding>& findings, const std::function<QString(const NodeFinding&)>& owner);
 
  signals:
-  /// Somebody wants to see what this one is about.
+  /// The user wants to see what this one is about.
   void finding_chosen(const croquis::app::NodeFinding& finding);
 
  private:
@@ -38,7 +38,7 @@ class HistoryList : public QListWidget {
   void show_history(const std::vector<std::string>& done, const std::vector<std::string>& undone);
 
  signals:
-  /// Somebody wants the document as it was after that many steps.
+  /// The user wants the document as it was after that many steps.
   void step_chosen(int steps);
 };
 

@@ -11,7 +11,7 @@
 namespace croquis::app {
 namespace {
 
-constexpr std::size_t corners_at_once = 200'000;  // of more, making an item would be felt
+constexpr std::size_t corners_at_once = 200'000;  // of more, making an item causes a visible delay
 
 bool same_options(const render::MeshItemOptions& a, const render::MeshItemOptions& b) {
   return a.shading == b.shading && a.crease_angle == b.crease_angle;
@@ -22,7 +22,7 @@ render::MeshItemPtr made(const render::MeshItemPtr& previous, const std::shared_
   try {
     return render::update_mesh_item(previous, paint ? *paint(mesh) : *mesh, options);
   } catch (const Error&) {
-    return nullptr;  // what can't be drawn is told by whoever made the mesh
+    return nullptr;  // what can't be drawn is reported where the mesh is made
   }
 }
 

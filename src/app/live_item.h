@@ -11,7 +11,7 @@ class QThreadPool;
 
 namespace croquis::app {
 
-/// The renderer's item of a mesh that changes. Small meshes are made ready at once, large ones beside the window's
+/// The renderer's item of a mesh that changes. Small meshes are made ready at once, large ones on another
 /// thread; the newest wins, and meanwhile the item before it stays.
 class LiveItem : public QObject {
   Q_OBJECT
@@ -24,7 +24,7 @@ class LiveItem : public QObject {
   explicit LiveItem(QThreadPool& threads) : threads_(threads) {}
 
   /// Null shows nothing.
-  /// @param look tells one paint from another: the same mesh in another look is made anew
+  /// @param look number of the paint: the same mesh in another look is a new item
   void show(const std::shared_ptr<const PolyMesh>& mesh, const render::MeshItemOptions& options,
             const Paint& paint = nullptr, int look = 0);
 
@@ -49,7 +49,7 @@ class LiveItem : public QObject {
   int made_look_ = 0;  ///< what item() shows it in
   render::MeshItemPtr item_;
   bool making_ = false;
-  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  ///< tells work that comes late that nobody is here
+  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  ///< expires with this: later results are ignored
 };
 
 }  // namespace croquis::app

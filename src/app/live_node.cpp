@@ -58,7 +58,7 @@ void LiveNode::follow(const Document& document) {
   if (nodes == made_of_) return;
   made_of_ = std::move(nodes);
   if (drafting_ && !since_request_.hasExpired(draft_patience_ms)) {
-    // A hand moves faster than solids are made: the draft under way is shown before the next one begins.
+    // Drags are faster than drafts: the draft under way is shown before the next one begins.
     waiting_ = true;
   } else {
     evaluate();
@@ -83,7 +83,7 @@ void LiveNode::take(std::shared_ptr<const Evaluation> result, Quality quality) {
   quality_ = quality;
   drafting_ = false;
   if (waiting_) evaluate();
-  const auto tell = host_.changed;  // who hears it may take this node away
+  const auto tell = host_.changed;  // a receiver may remove this node
   tell();
 }
 

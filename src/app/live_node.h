@@ -14,7 +14,7 @@
 namespace croquis::app {
 
 /// One node of the document, kept evaluated. Requests that come faster than drafts are made wait for the draft under
-/// way, so that a hand always sees something move.
+/// way, so that something moves during every drag.
 class LiveNode {
  public:
   struct Host {
@@ -24,7 +24,7 @@ class LiveNode {
     std::function<void()> busy_changed;
   };
 
-  /// Of a node that is looked at beside the document: it tells of nothing but results.
+  /// Of a node that is looked at beside the document: it reports nothing but results.
   /// @param receiver in the window's thread; outlives the node
   static Host quiet_host(QObject* receiver, std::function<void()> changed);
 

@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/elided_label.h"
 #include "app/gallery.h"
 #include "app/gallery_thumbnails.h"
 #include "app/help_line.h"
@@ -66,7 +65,7 @@ MainWindow::MainWindow(const QString& state_folder) : files_(studio_, pictures_,
 }
 
 MainWindow::~MainWindow() {
-  // Both work with the studio, beside this thread too; children would go after it.
+  // Both use the studio, on other threads too; children would be destroyed after it.
   thumbnails_->stop();
   delete pages_;
 }
@@ -158,13 +157,7 @@ void MainWindow::make_help_line() {
     files_.reader().cancel();
     viewport_->holes().cancel();
   });
-  status_ = new ElidedLabel(this);
-  status_->setObjectName("status");
-  QPalette faint = palette();
-  faint.setColor(QPalette::WindowText, QColor(185, 192, 203));
-  status_->setPalette(faint);
   statusBar()->addWidget(help_, 1);
-  statusBar()->addPermanentWidget(status_);
   statusBar()->addPermanentWidget(progress_);
   statusBar()->addPermanentWidget(cancel_);
   progress_->hide();
@@ -206,7 +199,7 @@ void MainWindow::show_message(const Findings& findings, const QString& path) {
   help_->tell(all.value(0) + more, error ? HelpLine::Tone::Error : HelpLine::Tone::Warning, all.join('\n'));
 }
 
-/// Whatever is wrong with a file is told; what a damaged project lost, and where earlier versions are, in full.
+/// All findings about a file are shown; what a damaged project lost, and where earlier versions are, in full.
 void MainWindow::report_opening(const QString& path, const Findings& findings) {
   help_->clear();
   if (findings.empty()) return;
@@ -222,7 +215,7 @@ void MainWindow::show_opening_report(const QString& path, const Findings& findin
   report_->open();
 }
 
-/// What was told is old once the hand goes on.
+/// A message goes with the next press in a view.
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
   if (watched == viewport_ && event->type() == QEvent::MouseButtonPress) help_->clear();
   return QMainWindow::eventFilter(watched, event);
@@ -240,7 +233,7 @@ bool MainWindow::open(const QString& path) {
   try {
     files_.open(path);
   } catch (const Error&) {
-    return false;  // told when reading failed
+    return false;  // reported when reading failed
   } catch (const Cancelled&) {
     return false;
   }
@@ -248,7 +241,7 @@ bool MainWindow::open(const QString& path) {
 }
 
 void MainWindow::begin_open(const QStringList& paths) {
-  // Meshes are added to what is open: nobody adds to what can't be seen.
+  // Meshes are added to what is open, and this must be seen.
   if (!paths.isEmpty() && !FileReader::replaces_document(paths.front())) leave_start_page();
   for (const QString& path : paths) {
     if (FileReader::replaces_document(path) && !may_discard()) return;
@@ -263,7 +256,7 @@ void MainWindow::record_to(const QString& path) {
   }
   recorder_ = std::make_unique<recorded::Recorder>([this](const std::string& line) {
     recording_->write(line.data(), static_cast<qint64>(line.size()));
-    recording_->flush();  // a crash is what recordings are wanted for
+    recording_->flush();  // recordings are needed after a crash
   });
 }
 
@@ -305,7 +298,7 @@ void MainWindow::enter_views() {
   pages_->setCurrentWidget(viewport_);
   for (QActionGroup* group : findChildren<QActionGroup*>()) group->setEnabled(true);
   findChild<QToolBar*>("tools")->show();
-  update_mesh_actions();  // shows the other bar where it belongs: later it would push the views aside under the pen
+  update_mesh_actions();  // shows the other bar now: later it would move the views under the pen
   panels_->show_all(true);
   viewport_->setFocus();
   update_panels();
@@ -358,7 +351,7 @@ void MainWindow::reset_layout() {
   size_panels();
 }
 
-/// The hand never holds a tool that what is open has no use for.
+/// The current tool is always one that works on what is open.
 void MainWindow::hold_usable_tool() {
   if (viewport_->tool_kind() == ToolKind::Select || viewport_->tool_kind() == ToolKind::Erase) return;
   const bool meshes =

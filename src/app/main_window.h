@@ -26,7 +26,6 @@ class ChainTable;
 class CreaseSetPanel;
 class FindingsList;
 class GalleryThumbnails;
-class ElidedLabel;
 class HelpLine;
 class HistoryList;
 class HoleInteraction;
@@ -55,7 +54,7 @@ class MainWindow : public QMainWindow {
   /// Leaves the start page with an empty sketch and the pen ready.
   void start_sketch();
 
-  /// Opens a file, waits for it and leaves the start page; says in the window why it can't.
+  /// Opens a file, waits for it and leaves the start page; shows in the window why it can't.
   bool open(const QString& path);
 
   /// Begins to open files, one after the other: the window goes on working. Meshes are added to what is open.
@@ -71,7 +70,7 @@ class MainWindow : public QMainWindow {
   /// @throws Error (E_WRITE)
   void record_to(const QString& path);
 
-  /// Nobody is there to answer: changes are discarded without a question (replays).
+  /// Changes are discarded without a question (replays).
   void set_unattended() { unattended_ = true; }
 
   /// Of the last attempt that failed.
@@ -109,7 +108,7 @@ class MainWindow : public QMainWindow {
   /// Who writes an action into recordings.
   enum class Recorded {
     AsAction,  ///< by its name
-    ByItself   ///< what it does tells itself: with a file's name, with the elements it met
+    ByItself   ///< by the code that acts: with a file's name, with elements
   };
 
   void make_actions();
@@ -230,7 +229,6 @@ class MainWindow : public QMainWindow {
   Findings last_findings_;
   QString folder_;  ///< that people last opened a file of, or wrote one to
   HelpLine* help_ = nullptr;
-  ElidedLabel* status_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QPushButton* cancel_ = nullptr;
 };

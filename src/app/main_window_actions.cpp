@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Actions, menus, tools and docks of the window, and the questions that they ask.
+// Actions, menus, tools and docks of the window, and their questions.
 #include <QAction>
 #include <QActionGroup>
 #include <QDir>
@@ -230,7 +230,7 @@ void MainWindow::ask_open() {
 
 bool MainWindow::ask_save() {
   QString path = files_.path();
-  // A damaged project is never written over: what is lost here may be read from it yet.
+  // A damaged project is never overwritten: lost parts may still be read from it.
   if (path.isEmpty() || files_.is_damaged(path)) {
     const QString rescue = files_.rescue_path();
     const QString name = QString::fromStdString(document_name(studio_)) + ".croq";
@@ -240,14 +240,19 @@ bool MainWindow::ask_save() {
   return !path.isEmpty() && save_to(path);
 }
 
-/// Others who have the project open would lose what they save, or lose this.
+/// Asks before a project is overwritten that is open elsewhere or was saved by others.
 bool MainWindow::may_replace(const QString& path) {
-  if (unattended_ || !files_.is_open_elsewhere(path)) return true;
-  QMessageBox question(QMessageBox::Warning, tr("Croquis"),
-                       tr("%1 is open in another window of Croquis. Saving here replaces what is saved there.")
-                           .arg(QFileInfo(path).fileName()),
+  if (unattended_) return true;
+  QString reason;
+  if (files_.is_open_elsewhere(path)) {
+    reason = tr("%1 is open in another window of Croquis. Saving here replaces what is saved there.");
+  } else if (files_.has_changed(path)) {
+    reason = tr("%1 was saved by another window or program after it was opened here. Saving here replaces that.");
+  }
+  if (reason.isEmpty()) return true;
+  QMessageBox question(QMessageBox::Warning, tr("Croquis"), reason.arg(QFileInfo(path).fileName()),
                        QMessageBox::Save | QMessageBox::Cancel, this);
-  question.setObjectName("open-elsewhere-question");
+  question.setObjectName("replace-question");
   question.setDefaultButton(QMessageBox::Cancel);
   return question.exec() == QMessageBox::Save;
 }

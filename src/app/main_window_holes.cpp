@@ -61,9 +61,10 @@ void MainWindow::make_hole_actions() {
   menu->addSeparator();
   add_hole_action(menu, "clear-handles", tr("&Clear handles of patches"), {},
                   [](HoleInteraction& holes) { holes.clear_handles(); });
-  for (const auto& [way, text] : {std::pair{"rbf", tr("Way: &continue the surface")},
-                                  {"smooth", tr("Way: continue its &slope")},
-                                  {"flat", tr("Way: fla&t")}}) {
+  for (const auto& [way, text] : {std::pair{"auto", tr("Method: &automatic")},
+                                  {"rbf", tr("Method: &continue the surface")},
+                                  {"smooth", tr("Method: continue its &slope")},
+                                  {"flat", tr("Method: fla&t")}}) {
     add_hole_action(
         menu, QString("way-") + way, text, {},
         [name = std::string(way)](HoleInteraction& holes) { holes.set_fairness(name); }, true);

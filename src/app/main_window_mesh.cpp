@@ -35,7 +35,7 @@ double extrusion_distance(MeshTool& tool) {
 
 QAction* MainWindow::add_mesh_action(QMenu* menu, const QString& name, const QString& text,
                                      const QList<QKeySequence>& keys, std::function<Verdict(MeshTool&)> work) {
-  // The tool tells what it did, and that is recorded: elements stay the same where menus change.
+  // The tool reports what it did, and that is recorded: elements stay the same where menus change.
   QAction* action = add_action(
       menu, name, text, keys, [this, work = std::move(work)] { viewport_->mesh().act(work); }, Recorded::ByItself);
   mesh_actions_ << action;

@@ -12,7 +12,6 @@
 #include "app/attribute_panel.h"
 #include "app/chain_table.h"
 #include "app/crease_set_panel.h"
-#include "app/elided_label.h"
 #include "app/face_sets.h"
 #include "app/finding_elements.h"
 #include "app/help_line.h"
@@ -113,7 +112,7 @@ void MainWindow::update_panels() {
   tags_->follow(session.components());
   chains_->show_chains(object);
   sets_->follow();
-  status_->show_text(ChainTable::summary(object));
+  help_->show_status(ChainTable::summary(object));
   const bool filling = viewport_->holes().active();
   const bool mesh = object != nullptr && object->cage != 0 && !filling;
   panels_->set_useful(edges_dock_, mesh);

@@ -10,7 +10,7 @@
 namespace croquis::app {
 namespace {
 
-constexpr double dead_radius = 12;  // logical pixels: nearer says nothing
+constexpr double dead_radius = 12;  // logical pixels: nearer chooses nothing
 constexpr double ring_x = 104;      // where labels stand
 constexpr double ring_y = 74;
 constexpr double label_height = 26;

@@ -7,8 +7,8 @@
 
 namespace croquis::app {
 
-/// Eight actions around the place where a button went down: the pointer's direction chooses, letting go does it.
-/// Directions work before the eye has read anything. Over its parent, which hands it the pointer's way.
+/// Eight actions around the place where a button went down: the pointer's direction chooses, release runs the action.
+/// Directions work before the menu is read. Over its parent, which passes on the pointer's movement.
 class MarkingMenu : public QWidget {
   Q_OBJECT
 
@@ -25,11 +25,11 @@ class MarkingMenu : public QWidget {
   bool is_open() const { return isVisible(); }
   void move_to(const QPointF& at);
 
-  /// Does what the direction says; nothing from the middle. @return whether something was chosen
+  /// Does the action in the pointer's direction; none from the middle. @return whether something was chosen
   bool choose();
   void dismiss() { hide(); }
 
-  /// The place that the pointer's way from the middle points to, or -1.
+  /// The place in a direction from the middle, or -1.
   static int place_towards(const QPointF& way);
 
  protected:

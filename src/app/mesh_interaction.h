@@ -15,7 +15,7 @@
 
 namespace croquis::app {
 
-/// The hand on meshes: pen and mouse events of any view pick objects and their elements, move and tag them.
+/// Work on meshes: pen and mouse events of any view pick objects and their elements, move and tag them.
 class MeshInteraction : public QObject {
   Q_OBJECT
 
@@ -25,7 +25,7 @@ class MeshInteraction : public QObject {
 
   MeshTool& tool() { return tool_; }
 
-  /// Runs one of the tool's functions; what it did is recorded, what it lost or refused is told.
+  /// Runs one of the tool's functions; what it did is recorded, what it lost or refused is reported.
   void act(const std::function<Verdict(MeshTool&)>& work);
 
   void set_mode(MeshMode mode);
@@ -66,7 +66,7 @@ class MeshInteraction : public QObject {
   void changed();       ///< what is drawn over the views
   void mode_changed();  ///< mode or handles
   void committed(const croquis::recorded::Step& step);
-  void told(const QString& sentence);  ///< empty: nothing any more
+  void told(const QString& sentence);  ///< empty: the message goes
 
  private:
   void feed(const PenStep& step);

@@ -12,7 +12,7 @@ namespace croquis::app {
 namespace {
 
 constexpr std::size_t points_at_most = 300'000;  // vertices of more aren't drawn: they would cover everything
-constexpr std::size_t rims_at_most = 50'000;     // faces of more are told by their colour alone
+constexpr std::size_t rims_at_most = 50'000;     // more selected faces than this have no lines
 constexpr std::size_t edges_at_most = 400'000;   // of more, what is behind the surface isn't drawn
 constexpr float selected_width = 3.5F;
 constexpr float face_rim_width = 2.5F;  // of selected faces

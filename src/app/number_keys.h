@@ -6,8 +6,8 @@ class QAbstractSpinBox;
 namespace croquis::app {
 
 /// Lets the window have the keys that a field of numbers has no use for: letters, which choose tools, Ctrl with letters
-/// that aren't the clipboard's, and undo and redo unless something is being typed. Without this they would be dead once
-/// a field had been clicked.
+/// that aren't the clipboard's, and undo and redo unless something is being typed. Without this they would have no
+/// effect once a field had been clicked.
 void share_keys(QAbstractSpinBox* field);
 
 }  // namespace croquis::app

@@ -164,7 +164,7 @@ void ObjectList::take_change(QTreeWidgetItem* row, int column) {
   const bool typed = row->text(0) != row->data(0, name_role).toString();
   const std::string name = row->text(0).toStdString();
   const bool visible = row->checkState(0) == Qt::Checked;
-  // Whoever hears it shows all rows anew.
+  // Receivers show all rows again.
   QMetaObject::invokeMethod(
       this,
       [this, node, name, typed, visible] {

@@ -148,7 +148,7 @@ void ObjectScenes::follow() {
     if (!object.visible) continue;
     Items& items = items_of(object.node);
     follow_patches(object, items);
-    // A scan stays as it is: only its patches, which are few, are made ready anew.
+    // A scan stays as it is: only its patches, which are few, are prepared again.
     const auto surface = items.patches.completes ? object.cage_mesh : object.shown();
     items.shows_cage = surface == object.cage_mesh;
     const bool paints_patches = items.patches.mesh && !items.patches.completes && surface == items.filled;
@@ -171,7 +171,7 @@ render::Scene ObjectScenes::scene(const Wanted& wanted) const {
       return item.part.empty() && (item.node == object.node || item.node == object.cage);
     });
   };
-  // A single object needs no colour to be told from others; its outline says that it is selected.
+  // A single object needs no colour of its own; its outline shows that it is selected.
   const auto seen = [](const StudioObject& object) { return object.visible && object.shown() != nullptr; };
   const bool several = std::count_if(studio_.objects().begin(), studio_.objects().end(), seen) > 1;
   for (const StudioObject& object : studio_.objects()) {

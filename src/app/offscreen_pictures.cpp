@@ -12,7 +12,7 @@
 namespace croquis::app {
 namespace {
 
-/// The window's own context stays current for whoever called.
+/// The window's own context stays current for the caller.
 class CurrentContext {
  public:
   CurrentContext(QOpenGLContext& context, QSurface& surface)

@@ -12,7 +12,7 @@ class QMainWindow;
 namespace croquis::app {
 
 /// The panels beside the views. A panel is seen while people want it, while there is something to show in it, and
-/// while the views are shown: closing a panel is a wish that lasts, hiding it for a while is not.
+/// while the views are shown: closing a panel lasts, hiding it for a while does not.
 class PanelDocks : public QObject {
   Q_OBJECT
 

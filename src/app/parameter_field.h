@@ -16,7 +16,7 @@ class ParameterField : public QWidget {
  public:
   using QWidget::QWidget;
 
-  /// Shows a value without telling anybody.
+  /// Shows a value without a signal.
   virtual void show_value(const ParameterValue& value) = 0;
 
  signals:

@@ -48,7 +48,7 @@ void PatchPreview::follow() {
     plan.fill(holes_);
     other.parameters = with_values(studio_, *node, plan.values()).find(node->id)->parameters;
   } catch (const Error&) {
-    return;  // the operation itself says what is wrong with its wishes
+    return;  // the operation itself reports errors in its wishes
   }
   other.id = previewed_node;
   if (!live_) {

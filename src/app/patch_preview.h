@@ -28,7 +28,7 @@ class PatchPreview : public QObject {
   const render::MeshItemPtr& item() const { return item_.item(); }
   const std::vector<Index>& holes() const { return holes_; }
   const PatchSurface& patches() const { return patches_; }    ///< that item() shows
-  const std::vector<HoleRow>& rows() const { return rows_; }  ///< what the result with them says
+  const std::vector<HoleRow>& rows() const { return rows_; }  ///< of the result with them
   bool busy() const { return (live_ && live_->busy()) || item_.busy(); }
 
   /// Milliseconds from the last request to the patches that answered it.

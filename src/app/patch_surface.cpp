@@ -120,7 +120,7 @@ bool begins_with(const PolyMesh& filled, const PolyMesh& scan, std::size_t patch
          std::equal(scan.positions.begin(), scan.positions.end(), filled.positions.begin());
 }
 
-/// None for faces that aren't of patches: they are drawn as if nothing had been said.
+/// None for faces that aren't of patches: they are drawn as without this channel.
 AttributeChannel told_faces(const std::vector<std::int32_t>& ids) {
   AttributeChannel channel{"color", Domain::Face, 3, std::vector<float>(), {}};
   auto& values = std::get<std::vector<float>>(channel.data);

@@ -13,9 +13,9 @@ namespace croquis::app {
 /// How patches are coloured.
 enum class PatchLook {
   Plain,      ///< as the rest of the surface
-  Preview,    ///< apart from whatever is there
-  Told,       ///< a little apart from it, as long as holes are worked on
-  Confidence  ///< by how far one can trust them
+  Preview,    ///< distinct from all that is there
+  Told,       ///< slightly distinct from the rest, as long as holes are worked on
+  Confidence  ///< by their confidence
 };
 
 /// Faces of patches, taken out of a filled mesh: small, so that a change of them is seen at once on scans of any size.
@@ -34,7 +34,7 @@ PatchSurface patches_of(const PolyMesh& filled, const PolyMesh* scan, const std:
 std::shared_ptr<const PolyMesh> colored(const PatchSurface& patches, PatchLook look);
 
 /// A whole filled mesh with its patches in the colours of a look: for one whose scan didn't stay as it was, since rims
-/// were trimmed or the model was made anew. Everything else of it keeps its colours.
+/// were trimmed or the model was remeshed. Everything else of it keeps its colours.
 std::shared_ptr<const PolyMesh> colored_whole(const std::shared_ptr<const PolyMesh>& filled, PatchLook look);
 
 }  // namespace croquis::app

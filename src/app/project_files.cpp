@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/project_files.h"
 
-#include <QDateTime>
 #include <QDir>
 #include <QEventLoop>
 #include <QFileInfo>
 #include <QSettings>
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "app/gallery.h"
@@ -24,7 +24,7 @@ namespace {
 
 constexpr int autosave_delay_ms = 300;
 constexpr int thumbnail_pause_ms = 10'000;       // pictures cost more than commits
-constexpr std::size_t most_triangles = 300'000;  // a picture of more, made by the way, would be felt
+constexpr std::size_t most_triangles = 300'000;  // a picture of more causes a visible delay
 constexpr int recent_count = 8;
 constexpr QSize thumbnail_size(320, 240);
 const QString recent_key = QStringLiteral("recent");
@@ -44,6 +44,11 @@ Finding open_elsewhere(const QString& path) {
                           "\" is open in another window of Croquis, too: whoever saves last replaces what the other "
                           "saved, so close one of them or save under another name",
                       {{SubjectKind::File, name, local(path), {}, {}}});
+}
+
+std::pair<QDateTime, qint64> time_and_size(const QString& path) {
+  const QFileInfo file(path);
+  return {file.lastModified(), file.size()};
 }
 
 std::string writable_endings() {
@@ -94,10 +99,12 @@ QString ProjectFiles::rescue_path() const {
 }
 
 void ProjectFiles::note_damage(const QString& path, const Findings& findings) {
-  const bool damaged = std::ranges::any_of(findings, [](const Finding& finding) {
-    return finding.code == "W_PROJECT_DAMAGED" || finding.code == "E_PROJECT_DAMAGED";
-  });
-  if (damaged) damaged_.insert(whole_path(path));
+  // A project without its first bytes isn't recognised by the reader.
+  constexpr std::array damages = {"W_PROJECT_DAMAGED", "E_PROJECT_DAMAGED", "E_PROJECT_FORMAT", "E_EMPTY"};
+  const bool damaged = std::ranges::any_of(
+      findings, [&](const Finding& finding) { return std::ranges::find(damages, finding.code) != damages.end(); });
+  const bool project = path.endsWith(".croq", Qt::CaseInsensitive) || project_of_backup(local(path));
+  if (damaged && project) damaged_.insert(whole_path(path));
 }
 
 bool ProjectFiles::is_open_elsewhere(const QString& path) {
@@ -108,9 +115,13 @@ bool ProjectFiles::is_open_elsewhere(const QString& path) {
     if (!lock) return true;
     if (own) lock_ = std::move(lock);
   } catch (const Error&) {
-    // A state folder that can't be written is told where it matters: when work is kept there.
+    // A state folder that can't be written is reported when work is kept there.
   }
   return false;
+}
+
+bool ProjectFiles::has_changed(const QString& path) const {
+  return whole_path(path) == whole_path(path_) && QFileInfo::exists(path) && time_and_size(path) != known_file_;
 }
 
 void ProjectFiles::follow_session() {
@@ -120,7 +131,7 @@ void ProjectFiles::follow_session() {
   autosave_timer_.start(autosave_delay_ms);
 }
 
-/// What is open needs no working copy: files have it, or nobody wants it.
+/// What is open needs no working copy: it is saved, or not wanted.
 void ProjectFiles::forget_work() {
   autosave_timer_.stop();
   touched_ = false;
@@ -180,7 +191,7 @@ void ProjectFiles::open(const QString& path) {
 
 void ProjectFiles::take(const ReadFile& file) {
   if (const auto* mesh = std::get_if<std::shared_ptr<const PolyMesh>>(&file.content)) {
-    // Files that are only looked at are nobody's work: there is nothing to save.
+    // Files that were only looked at have no changes to save.
     const bool looked_at = path_.isEmpty() && !touched_;
     studio_.add_mesh(QFileInfo(file.path).completeBaseName().toStdString(), *mesh);
     if (looked_at) {
@@ -202,7 +213,7 @@ void ProjectFiles::take(const ReadFile& file) {
   emit opened(file.path, warnings);
 }
 
-/// An earlier version is looked at, and saved under a name that somebody chooses.
+/// An earlier version is looked at, and saved under a name that the user chooses.
 void ProjectFiles::take_project(const QString& path, const Document& document) {
   studio_.load(document);
   const bool earlier = project_of_backup(local(path)).has_value();
@@ -341,6 +352,7 @@ bool ProjectFiles::drawn_slowly() const {
 void ProjectFiles::set_path(const QString& path) {
   if (whole_path(path) != whole_path(path_)) lock_.reset();
   path_ = path;
+  known_file_ = time_and_size(path);
   if (!path.isEmpty()) is_open_elsewhere(path);  // takes the lock
   emit path_changed(path);
 }

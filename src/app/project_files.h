@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QDateTime>
 #include <QElapsedTimer>
 #include <QObject>
 #include <QSet>
@@ -41,7 +42,7 @@ class ProjectFiles : public QObject {
   /// What was wrong with the files that the open document came from; W_PROJECT_OPEN when others have it open, too.
   const Findings& warnings() const { return warnings_; }
 
-  /// Nothing may be written over a project that was found damaged: saving there keeps it beside the new one.
+  /// A project that was found damaged is never overwritten: saving there keeps it beside the new one.
   bool is_damaged(const QString& path) const;
 
   /// Where to save instead of over a damaged project, or what was opened from an earlier version; else empty.
@@ -49,6 +50,9 @@ class ProjectFiles : public QObject {
 
   /// Another window or process has that project open.
   bool is_open_elsewhere(const QString& path);
+
+  /// The open project's file isn't what was read or written here last: another window or program saved it since.
+  bool has_changed(const QString& path) const;
 
   void start_sketch();
   /// A sketch or cage that ships inside the program.
@@ -72,7 +76,7 @@ class ProjectFiles : public QObject {
   /// @return where the damaged one is now, or nothing
   QString save(const QString& path);
 
-  /// The active object's surface as it is shown, in the format that the name tells.
+  /// The active object's surface as it is shown, in the format of the name's extension.
   /// @return what the format can't hold
   Findings export_solid(const QString& path) const;
 
@@ -89,7 +93,7 @@ class ProjectFiles : public QObject {
   /// Discards all of it. What can't be removed stays in the list.
   void discard_all();
 
-  /// The program ends as people wanted: nothing to recover.
+  /// The program ends normally: nothing to recover.
   void close_cleanly();
 
   /// The working copy is up to date when this returns.
@@ -121,8 +125,9 @@ class ProjectFiles : public QObject {
   std::function<std::vector<render::MeshItemPtr>()> items_;
   QString state_folder_;
   QString path_;
-  QString earlier_version_;          ///< that was opened instead of the project
-  std::optional<ProjectLock> lock_;  ///< of the project that is open, unless others have it
+  std::pair<QDateTime, qint64> known_file_;  ///< time and size of the project's file when it was read or written here
+  QString earlier_version_;                  ///< that was opened instead of the project
+  std::optional<ProjectLock> lock_;          ///< of the project that is open, unless others have it
   Findings warnings_;
   QSet<QString> damaged_;  ///< projects found so, by whole path
   bool touched_ = false;   ///< what is open was worked on since it was opened or saved

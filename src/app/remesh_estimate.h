@@ -7,7 +7,7 @@
 
 namespace croquis::app {
 
-/// "About 9 s and 1.1 GB": what making a scan anew costs with the parameters of a `fill` operation, before it begins.
+/// "About 9 s and 1.1 GB": what remeshing a scan costs with the parameters of a `fill` operation, before it begins.
 QString estimate_sentence(const Studio& studio, const Node& node, const PolyMesh& scan);
 
 }  // namespace croquis::app

@@ -10,7 +10,7 @@ namespace croquis::app {
 
 class MainWindow;
 
-/// Plays recorded steps in a window, as hands would: docs/replays.md.
+/// Plays recorded steps in a window, as a user would: docs/replays.md.
 class ReplayPlayer {
  public:
   explicit ReplayPlayer(MainWindow& window) : window_(window) {}
@@ -61,7 +61,7 @@ void wait_until_settled(MainWindow& window);
 /// @throws Error (E_WRITE)
 void save_window_picture(MainWindow& window, const QString& path);
 
-/// Plays a file and answers with the process' exit code; with `stay` the window stays open afterwards.
+/// Plays a file and returns the process' exit code; with `stay` the window stays open afterwards.
 int play_file(MainWindow& window, const QString& file, bool stay);
 
 /// Prints the findings as the command line does. @return their exit code

@@ -12,8 +12,8 @@
 
 namespace croquis::app {
 
-/// How large the active object is beside everything else that is seen, and its scaling to that size. Files say nothing
-/// of their units: a mesh in metres is a dot in a sketch.
+/// How large the active object is beside everything else that is seen, and its scaling to that size. Files don't name
+/// their units: a mesh in metres is a dot in a sketch.
 class SceneScale {
  public:
   explicit SceneScale(Studio& studio) : studio_(studio) {}

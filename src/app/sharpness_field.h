@@ -12,7 +12,7 @@ class SharpnessField : public QDoubleSpinBox {
  public:
   explicit SharpnessField(QWidget* parent);
 
-  void show_sharpness(double sharpness);  ///< without telling anybody
+  void show_sharpness(double sharpness);  ///< without a signal
   double sharpness() const;               ///< infinite at its end
 
  protected:

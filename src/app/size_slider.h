@@ -8,7 +8,7 @@
 
 namespace croquis::app {
 
-/// A slider of diameters over a histogram of how many holes are how wide.
+/// A slider of diameters over a histogram of the holes' diameters.
 class SizeSlider : public QWidget {
   Q_OBJECT
 

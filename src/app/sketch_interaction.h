@@ -15,7 +15,7 @@
 
 namespace croquis::app {
 
-/// The hand on the sketch: pen and mouse events of the sketch view become strokes, and the view shows what they do.
+/// Work on the sketch: pen and mouse events of the sketch view become strokes, and the view shows what they do.
 class SketchInteraction : public QObject {
   Q_OBJECT
 
@@ -69,7 +69,7 @@ class SketchInteraction : public QObject {
   PenInput pen_;
   SketchScene scene_;
   QString told_finding_;
-  QTimer pen_watch_;  ///< while a stroke is under way: a pen may vanish without a word
+  QTimer pen_watch_;  ///< while a stroke is under way: a pen may vanish without an event
   double last_time_ = 0;
   QElapsedTimer since_event_;
 };

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/finding_sentence.h"
 #include "app/render_color.h"
 #include "app/theme.h"
 
@@ -192,7 +191,8 @@ void SketchScene::show_result(const Studio& studio) {
     if (!result->failed) add_overlap_marks(*result, marks);
     for (const Finding& finding : result->findings) {
       const auto at = place_of(finding, studio.drawing());
-      if (at) finding_marks_.push_back({*at, sentence_in_view(finding), finding.severity == Severity::Error});
+      if (at)
+        finding_marks_.push_back({*at, QString::fromStdString(finding.message), finding.severity == Severity::Error});
     }
   }
   for (const FindingMark& finding : finding_marks_) marks.push_back(finding_symbol(finding));

@@ -12,7 +12,7 @@ namespace {
 
 const std::string smoothing_operation = "subdivide";
 const std::string level_parameter = "levels";
-constexpr int finest_shown = 6;  // finer ones are for files
+constexpr int finest_shown = 6;  // finer levels are for files
 
 const Node* smoothing_node(const Studio& studio) {
   const Node* node = studio.active_operation();

@@ -34,7 +34,7 @@ class StartPage : public QWidget {
   void show_recent(const QStringList& projects);
   void show_recoverable(const std::vector<RecoveryOffer>& offers);
 
-  /// A way back to what is open, where something is. @param name its file's, may be empty
+  /// A button back to what is open, where something is. @param name its file's, may be empty
   void offer_back(const QString& name, bool offered);
 
   /// Puts the solid's picture onto a sample's tile.

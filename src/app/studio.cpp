@@ -154,7 +154,7 @@ NodeId Studio::add_mesh(const std::string& name, std::shared_ptr<const PolyMesh>
   node.name = free_name(before, name);
   node.source = std::move(mesh);
   Document document = before.with(std::move(node));
-  // The first thing in a new document is where its history begins.
+  // The first object of an empty document is no step of the history.
   if (before.nodes().empty() && session_.undo_labels().empty() && !session_.modified()) {
     load(std::move(document));
   } else {
@@ -277,7 +277,7 @@ void Studio::list_objects() {
   const bool lost = std::erase_if(live_, [&](auto& entry) {
                       if (wanted.contains(entry.first)) return false;
                       entry.second->cancel();
-                      // What is hidden comes back at once; what lost its drawing has nothing to come back to.
+                      // What is hidden is shown again at once; what lost its drawing can't be shown.
                       return !existing.contains(entry.first) || entry.first == solid_node();
                     }) > 0;
   for (StudioObject& object : objects_) {

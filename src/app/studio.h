@@ -30,8 +30,8 @@ class Studio : public QObject {
   Q_OBJECT
 
  public:
-  /// Bytes that undo and kept results take together, and of these undo at most: results are found again in no time or
-  /// made again, steps are not.
+  /// Bytes that undo and kept results take together, and of these undo at most: results can be
+  /// computed again, steps can't.
   static constexpr std::size_t memory_cap = std::size_t{1} << 30;
   static constexpr std::size_t history_cap = memory_cap / 4 * 3;
 
@@ -76,7 +76,7 @@ class Studio : public QObject {
   /// What a sketch tool of this studio makes with its first stroke.
   SketchToolOptions tool_options() const;
 
-  /// What the newest results say, errors first.
+  /// The findings of the newest results, errors first.
   std::vector<NodeFinding> findings() const;
 
   /// Some newest result isn't final, or doesn't belong to the document as it is now.
@@ -99,7 +99,7 @@ class Studio : public QObject {
   void rename_object(NodeId node, const std::string& name);
   void show_object(NodeId node, bool visible);
 
-  /// While held, results and the progress towards them are kept back; let go, they are told at once.
+  /// While held, results and the progress towards them are kept back; released, they are signalled at once.
   void hold_results(bool held);
 
   /// Stops what is being computed; the views keep what they show.

@@ -17,7 +17,7 @@
 namespace croquis::app {
 namespace {
 
-constexpr int pause_ms = 400;  // checks take longer than patches: not while somebody is trying values
+constexpr int pause_ms = 400;  // checks take longer than patches: not while values are being tried
 
 std::vector<Index> patch_faces(const PolyMesh& mesh) {
   std::vector<Index> faces;
@@ -84,7 +84,7 @@ QString counted(std::size_t count, const QString& one, const QString& many) {
   return (count == 1 ? one : many).arg(count);
 }
 
-/// Edges that nothing explains. A mesh made anew has other edges along the same border.
+/// Edges that nothing explains. A remeshed model has other edges along the same border.
 std::size_t surprising_edges(const CheckedSurface& checked, const LeftOpen& left) {
   const std::size_t known = left.border_edges + left.hole_edges;
   if (!checked.has_patches) return left.borders + left.holes == 0 ? checked.open_edges : 0;
@@ -100,7 +100,7 @@ QString opening(const CheckedSurface& checked, const LeftOpen& left) {
   }
   const std::size_t surprising = surprising_edges(checked, left);
   if (surprising == checked.open_edges) return counted(surprising, tr("%1 open edge"), tr("%1 open edges"));
-  // Of a mesh made anew only the sum is known.
+  // Of a remeshed model only the sum is known.
   const bool apart = checked.has_patches && left.borders > 0 && left.holes > 0;
   const QString all = apart ? QString() : " (" + edges(checked.open_edges - surprising) + ")";
   QStringList places;
@@ -123,7 +123,7 @@ CheckedSurface check_surface(const PolyMesh& filled, const PolyMesh* scan, Progr
   Progress counting = progress.step("count", 0.3);
   const MeshReport report = inspect(filled, false, counting);
   checked.open_edges = report.boundary_edges;
-  checked.crowded_edges = report.nonmanifold_edges;
+  checked.nonmanifold_edges = report.nonmanifold_edges;
   const std::optional<PolyMesh> joined = with_equal_places_joined(filled);
   if (joined) {
     Progress again = progress.step("seams", 0.2);
@@ -152,9 +152,9 @@ bool is_as_wanted(const CheckedSurface& checked, const LeftOpen& left) {
 QString sentence_of(const CheckedSurface& checked, const LeftOpen& left) {
   const auto tr = [](const char* text) { return SurfaceCheck::tr(text); };
   QStringList parts;
-  parts << (checked.crowded_edges == 0
+  parts << (checked.nonmanifold_edges == 0
                 ? tr("manifold")
-                : counted(checked.crowded_edges, tr("%1 non-manifold edge"), tr("%1 non-manifold edges")));
+                : counted(checked.nonmanifold_edges, tr("%1 non-manifold edge"), tr("%1 non-manifold edges")));
   parts << (checked.has_patches ? counted(checked.intersections, tr("%1 new intersection"), tr("%1 new intersections"))
                                 : counted(checked.intersections, tr("%1 intersection"), tr("%1 intersections")));
   if (!checked.has_patches)
@@ -205,7 +205,7 @@ void SurfaceCheck::begin() {
     } catch (const Cancelled&) {
       return;
     } catch (const Error&) {
-      return;  // a mesh that can't be looked at is told of by whoever made it
+      return;  // a mesh that can't be checked is reported where it is made
     }
     QMetaObject::invokeMethod(
         this,

@@ -15,23 +15,23 @@
 
 namespace croquis::app {
 
-/// What can be said of a filled mesh by looking at it, with vertices at exactly equal places taken for one: so holes
-/// are looked for and filled.
+/// What a check of a filled mesh finds, with vertices at exactly equal places taken for one, as when holes are found
+/// and filled.
 struct CheckedSurface {
-  std::size_t open_edges = 0;     ///< of one face …
-  std::size_t seam_edges = 0;     ///< … and those that only vertices at equal places close
-  std::size_t crowded_edges = 0;  ///< of more than two
-  std::size_t intersections = 0;  ///< pairs in which patches take part; of a mesh made anew, all
-  bool has_patches = true;        ///< else it was made anew
-  bool outside_unchanged = true;  ///< the scan's vertices and faces come first, digit by digit
-  bool trimmed = false;           ///< all but the faces that were taken off along rims
+  std::size_t open_edges = 0;         ///< of one face …
+  std::size_t seam_edges = 0;         ///< … and those that only vertices at equal places close
+  std::size_t nonmanifold_edges = 0;  ///< of more than two
+  std::size_t intersections = 0;      ///< pairs in which patches take part; of a remeshed model, all
+  bool has_patches = true;            ///< else it was remeshed
+  bool outside_unchanged = true;      ///< the scan's vertices and faces come first, digit by digit
+  bool trimmed = false;               ///< all but the faces that were taken off along rims
 
   bool is_sound() const {
-    return crowded_edges == 0 && intersections == 0 && (outside_unchanged || trimmed || !has_patches);
+    return nonmanifold_edges == 0 && intersections == 0 && (outside_unchanged || trimmed || !has_patches);
   }
 };
 
-/// What was left open, as those know it who chose it: edges of it are no surprise.
+/// What was left open by choice: its edges are expected.
 struct LeftOpen {
   std::size_t borders = 0;
   std::size_t holes = 0;         ///< that aren't borders …
@@ -40,7 +40,7 @@ struct LeftOpen {
   std::size_t hole_edges = 0;
 };
 
-/// @param scan that was filled by patches; null: the mesh was made anew
+/// @param scan that was filled by patches; null: the model was remeshed
 /// @throws Error, Cancelled
 CheckedSurface check_surface(const PolyMesh& filled, const PolyMesh* scan, Progress& progress);
 
@@ -52,7 +52,7 @@ QString sentence_of(const CheckedSurface& checked, const LeftOpen& left);
 /// No worse than was asked for: sound, and no edge is open but those left so.
 bool is_as_wanted(const CheckedSurface& checked, const LeftOpen& left);
 
-/// Checks the newest filled mesh beside the window's thread, once nothing has changed for a moment.
+/// Checks the newest filled mesh on another thread, once nothing has changed for a moment.
 class SurfaceCheck : public QObject {
   Q_OBJECT
 

@@ -5,14 +5,14 @@
 
 class QApplication;
 
-/// The studio's looks, in one place: dark panels around paper and clay.
+/// The studio's colours, in one place: dark panels around paper and clay.
 namespace croquis::app {
 
 namespace colors {
 inline const QColor paper(250, 249, 246);
 inline const QColor ink(38, 40, 46);
 inline const QColor accent(242, 140, 40);         ///< selection and whatever the pen is about to do
-inline const QColor selected_face(96, 14, 0);     ///< in the surface's own light: dark beside clay; its rim is bright
+inline const QColor selected_face(96, 14, 0);     ///< in the surface's light: dark beside clay; its edges are bright
 inline const QColor selected_casing(30, 20, 12);  ///< around selected edges, so that they differ from any surface
 inline const QColor hover(96, 156, 230);
 inline const QColor cage(52, 74, 110);
@@ -26,7 +26,7 @@ inline const QColor warning(222, 164, 30);
 /// Palette, style sheet and font of every window; before the first one is made.
 void apply_theme(QApplication& application);
 
-/// Hidden contours: the first colour lies behind one surface, the next behind two … told apart by people with any
+/// Hidden contours: the first colour lies behind one surface, the next behind two … distinct for any
 /// colour vision, each readable on paper.
 QColor depth_color(int depth);
 

@@ -27,7 +27,7 @@ class SharpnessLegend : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 };
 
-/// The colours of patches with how far one can trust them.
+/// The colours of patches with their confidence.
 class ConfidenceLegend : public QWidget {
   Q_OBJECT
 
@@ -38,8 +38,8 @@ class ConfidenceLegend : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 };
 
-/// The small things that stand over the views: their names, counts, the invitation to draw, buttons at joints, the
-/// value of the edge under the pointer. None lies over another.
+/// Labels and buttons over the views: their names, counts, the hint to draw, buttons at joints, the value of the edge
+/// under the pointer. None covers another.
 class ViewChips : public QObject {
   Q_OBJECT
 
@@ -59,7 +59,7 @@ class ViewChips : public QObject {
   /// What is to stand where.
   struct Wanted {
     const SketchScene* sketch = nullptr;
-    bool drawing = false;  ///< a stroke is under way: nothing stands in its way
+    bool drawing = false;  ///< a stroke is under way: nothing covers it
     bool legend = false;
     bool confidence = false;  ///< the legend of patches instead
     QString comparison;       ///< what the second view of a comparison shows

@@ -12,8 +12,8 @@ namespace {
 constexpr double radians_per_pixel = 0.008;
 constexpr double first_height = 640;  // sketch units
 constexpr double frame_margin = 0.1;
-constexpr double least_share = 0.5;                  // of the view: a scene that fills less is framed anew
-constexpr std::size_t most_framed_points = 200'000;  // of more, the box alone is framed: nobody waits for a view
+constexpr double least_share = 0.5;                  // of the view: a scene that fills less is framed again
+constexpr std::size_t most_framed_points = 200'000;  // of more, only the box is framed: views must not wait
 
 std::vector<glm::dvec3> framing_points(const render::Scene& scene) {
   std::size_t count = 0;

@@ -21,7 +21,7 @@ struct ViewPane {
   render::Camera camera;
   QRectF rect;  ///< logical pixels of the widget, y down; empty while hidden
 
-  bool flat() const { return kind != render::NamedView::Perspective; }  ///< never turns
+  bool flat() const { return kind != render::NamedView::Perspective; }  ///< never rotates
   glm::dvec2 size() const { return {rect.width(), rect.height()}; }
   bool visible() const { return rect.width() >= 1 && rect.height() >= 1; }
 

@@ -16,9 +16,10 @@ namespace {
 constexpr int settle_ms = 180;
 constexpr int patience_ms = 700;
 constexpr int long_press_ms = 400;
-constexpr double affordable_ms = 90;               // a frame that takes longer would be felt
-constexpr std::size_t upload_budget = 24'000'000;  // bytes a frame: more would be felt
+constexpr double affordable_ms = 90;               // a frame that takes longer is a visible delay
+constexpr std::size_t upload_budget = 24'000'000;  // bytes a frame: more is a visible delay
 constexpr int picture_height = 1600;
+constexpr QSize least_size(502, 240);  // two views beside each other can be worked in
 
 bool has_editable_mesh(const Studio& studio) {
   return std::any_of(studio.objects().begin(), studio.objects().end(),
@@ -45,13 +46,13 @@ Viewport::Viewport(Studio& studio, QWidget* parent)
   setTabletTracking(true);
   setAttribute(Qt::WA_AcceptTouchEvents);
   setFocusPolicy(Qt::StrongFocus);
-  setMinimumSize(320, 240);
+  setMinimumSize(least_size);
   for (const int view : {SketchView, TopView, SideView}) navigation_.set_flat(view, true);
   clock_.start();
-  // What isn't drawn anew stays as it was.
+  // What isn't drawn again stays as it was.
   setUpdateBehavior(QOpenGLWidget::PartialUpdate);
-  // On X11 Qt drops all moves but the last one of those that wait, and a circle becomes a polygon. Only the application
-  // object's platform turns that on, so it can't be turned off before.
+  // On X11 Qt drops all waiting moves but the last one, and a circle becomes a polygon. The platform of the application
+  // object turns that on, so it can't be turned off before.
   QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
   settle_.setSingleShot(true);
   patience_.setSingleShot(true);
@@ -253,7 +254,7 @@ void Viewport::follow_document() {
 }
 
 void Viewport::follow_result() {
-  objects_.follow();  // tells when it has changed: views are framed then
+  objects_.follow();  // signals when it has changed: views are framed then
   sketch_.follow_result();
   mesh_.follow();
   holes_.follow();
@@ -305,7 +306,7 @@ void Viewport::redraw_moved(int view) {
 void Viewport::redraw(int view) {
   PaneState& state = states_[static_cast<std::size_t>(view)];
   state.drawn = false;
-  // Under a stroke views wait: a hand that draws must see its ink at once.
+  // During a stroke views wait: its ink must be seen at once.
   if (!sketch_.inking()) {
     update();
     if (view == SketchView) sheet_.drop();

@@ -28,11 +28,11 @@ namespace croquis::app {
 
 class OffscreenPictures;
 
-/// What the hand does: draw and erase on the sketch, select strokes and meshes, move, turn and scale parts of meshes,
-/// change the sharpness of edges, fill holes.
+/// What the pointer does: draw and erase on the sketch, select strokes and meshes, move, rotate and scale parts of
+/// meshes, change the sharpness of edges, fill holes.
 enum class ToolKind { Draw, Erase, Select, Move, Rotate, Scale, Sharpen, Holes };
 
-/// All views in one widget with one OpenGL context. Takes pen, mouse, fingers and wheel, hands them to navigation, to
+/// All views in one widget with one OpenGL context. Takes pen, mouse, touch and wheel, passes them to navigation, to
 /// the sketch or to the meshes, and draws what these show.
 class Viewport : public QOpenGLWidget {
   Q_OBJECT
@@ -60,7 +60,7 @@ class Viewport : public QOpenGLWidget {
   void set_look(MeshLook look);
   void set_flat(bool flat);
   void set_zebra(bool zebra);    ///< stripes that show how smoothly surfaces meet
-  void set_tinted(bool tinted);  ///< patches by how far one can trust them
+  void set_tinted(bool tinted);  ///< patches by their confidence
 
   void frame_all();
   void frame_selection();
@@ -142,7 +142,7 @@ class Viewport : public QOpenGLWidget {
  private:
   struct PaneState {
     bool drawn = false;         ///< its pixels are still right: most events change one view alone
-    bool fine = false;          ///< drawn with all that makes it beautiful
+    bool fine = false;          ///< drawn in full quality
     bool moving = false;        ///< its camera is: large meshes are drawn with fewer triangles
     std::size_t triangles = 0;  ///< drawn last
   };
@@ -159,6 +159,7 @@ class Viewport : public QOpenGLWidget {
   void take_late_move();
   void forget_swallowed_alt();
   void take_on_sketch(const PointerEvent& event, const QPointF& place);
+  void show_told(const QString& sentence, const QPointF& place);
   bool take_marking(const PointerEvent& event, const QPointF& place);
   bool drag_border(const PointerEvent& event, const QPointF& place);
   bool navigate(const PointerEvent& event);
@@ -169,8 +170,8 @@ class Viewport : public QOpenGLWidget {
   void follow_result();
   void follow_load();
   void note_busy(bool busy);
-  /// @return whether an object has come, or what is made of a sketch has another shape, since this was last asked. Who
-  /// works on a mesh by hand keeps the view that the work is done in.
+  /// @return whether an object has come, or what is made of a sketch has another shape, since the last call. While a
+  /// mesh is edited its view stays.
   bool note_objects();
   void keep_in_view();
   void redraw(int view);
@@ -211,18 +212,18 @@ class Viewport : public QOpenGLWidget {
   int under_pointer_ = SketchView;
   PaneLayout::Border dragged_border_;
   bool told_finding_ = false;
-  bool turned_ = false;                    ///< somebody moved the perspective view: it isn't framed by itself any more
+  bool turned_ = false;                    ///< the user moved the perspective view: it isn't framed by itself any more
   bool had_meshes_ = false;                ///< a document's first mesh sets the views up
   std::array<bool, view_count> framed_{};  ///< flat views show what there is when they are first seen
-  std::map<NodeId, render::MeshItemPtr> known_;  ///< objects that note_objects() has told of, as they were
-  bool clear_ = true;                            ///< the views lie elsewhere: what is between them is painted anew
+  std::map<NodeId, render::MeshItemPtr> known_;  ///< objects that note_objects() has reported, as they were
+  bool clear_ = true;                            ///< the views lie elsewhere: what is between them is painted again
   bool uploading_ = false;                       ///< some view waits for the graphics card
   QTimer settle_;                                ///< after a pause the views are drawn once more, finer
   QTimer patience_;                              ///< what is out of date for longer is shown faded
   QTimer long_press_;                            ///< a pen that rests opens the marking menu
   QPointF pressed_at_;
   bool stale_ = false;
-  bool affordable_ = true;  ///< the last fine frame was quick enough not to be felt
+  bool affordable_ = true;  ///< the last fine frame was quick enough to go unnoticed
   QElapsedTimer clock_;
   EventClock event_clock_;
   std::optional<LateMove> late_move_;  ///< a newer one may make it needless

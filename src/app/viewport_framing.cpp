@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the cameras of the views are set to: when somebody asks, and when there is something new to be seen.
+// What the cameras of the views are set to: when asked, and when there is something new to be seen.
 #include <utility>
 
 #include "app/viewport.h"
@@ -78,7 +78,7 @@ bool Viewport::note_objects() {
 }
 
 void Viewport::keep_in_view() {
-  // Without a solid there is nothing that anybody looks at: the next one is shown as if it were the first.
+  // Without a solid no view is worth keeping: the next one is shown as if it were the first.
   if (objects_.surfaces().empty()) turned_ = false;
   if (mesh_.down()) return;
   const bool news = note_objects();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How events of the window reach navigation, the sketch and the meshes, and what the help line says about them.
+// How events of the window reach navigation, the sketch and the meshes, and what the help line shows about them.
 #include <QEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -10,7 +10,6 @@
 #include <cmath>
 #include <utility>
 
-#include "app/finding_sentence.h"
 #include "app/pointer_events.h"
 #include "app/viewport.h"
 
@@ -29,7 +28,7 @@ bool is_modifier(int key) {
 }  // namespace
 
 bool Viewport::event(QEvent* event) {
-  // Shortcuts come as nothing else.
+  // Shortcuts send no other event.
   if (event->type() == QEvent::ShortcutOverride && !is_modifier(static_cast<QKeyEvent*>(event)->key())) {
     forget_swallowed_alt();
   }
@@ -54,7 +53,7 @@ bool Viewport::event(QEvent* event) {
   return QOpenGLWidget::event(event);
 }
 
-/// What was told of Alt is old once something else is done.
+/// The note about Alt goes once something else is done.
 void Viewport::forget_swallowed_alt() {
   if (!navigation_.alt_swallowed()) return;
   navigation_.something_done();
@@ -130,6 +129,7 @@ void Viewport::take_in_time(PointerEvent event, const QPointF& place) {
   // A gesture belongs to the view that it began in.
   event.view = grabbed_ >= 0 ? grabbed_ : under_pointer_;
   event.position = to_vec(place - layout_.pane(event.view).rect.topLeft());
+  if (!sketches_in(event.view)) show_told({}, place);
   if (take_marking(event, place)) return;
   const bool down = sketch_.down() || mesh_.down() || holes_.down();
   if (event.buttons.any())
@@ -149,7 +149,11 @@ void Viewport::take_in_time(PointerEvent event, const QPointF& place) {
 void Viewport::take_on_sketch(const PointerEvent& event, const QPointF& place) {
   sketch_.take(event);
   if (sketch_.down() || event.action == PointerEvent::Action::Leave) return;
-  const QString& sentence = sketch_.told_finding();
+  show_told(sketch_.told_finding(), place);
+}
+
+/// The sentences of the marks under the pointer, until it leaves them.
+void Viewport::show_told(const QString& sentence, const QPointF& place) {
   if (!sentence.isEmpty())
     QToolTip::showText(mapToGlobal(place).toPoint(), sentence, this);
   else if (told_finding_)
@@ -159,7 +163,7 @@ void Viewport::take_on_sketch(const PointerEvent& event, const QPointF& place) {
 
 bool Viewport::navigate(const PointerEvent& event) {
   PointerEvent seen = event;
-  // Where there is nothing to pick and nothing to draw on, plain drags turn the view.
+  // Where there is nothing to pick and nothing to draw on, plain drags rotate the view.
   if (!sketches_in(event.view) && !edits_meshes() && !holes_.active()) seen.modifiers.super = true;
   const Navigation::Answer answer = navigation_.handle(seen);
   for (const auto& motion : {answer.motion, answer.second}) {
@@ -229,7 +233,7 @@ bool Viewport::drag_border(const PointerEvent& event, const QPointF& place) {
 
 QString Viewport::help() const {
   for (const NodeFinding& found : sketch_.inking() ? std::vector<NodeFinding>() : studio_.findings()) {
-    if (found.finding.severity == Severity::Error) return sentence_in_view(found.finding);
+    if (found.finding.severity == Severity::Error) return QString::fromStdString(found.finding.message);
   }
   if (navigation_.alt_swallowed()) {
     return tr("Your desktop uses Alt: hold Super, or the key left of 1, and drag to rotate, pan and zoom");
@@ -243,7 +247,8 @@ QString Viewport::help() const {
     case SketchMode::Draw: break;
   }
   if (!sketch_.scene().has_strokes()) return tr("Draw a closed outline with the pen or the mouse");
-  return tr("Draw: a line stops where it passes behind another · Q selects · Alt+drag turns the solid · Ctrl+Z undoes");
+  return tr(
+      "Draw: a line stops where it passes behind another · Q selects · Alt+drag rotates the solid · Ctrl+Z undoes");
 }
 
 }  // namespace croquis::app

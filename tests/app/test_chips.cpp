@@ -3,13 +3,13 @@
 #include <QApplication>
 #include <QLabel>
 #include <QRegularExpression>
+#include <QTest>
 #include <QToolButton>
 #include <QToolTip>
 
 #include <catch2/catch.hpp>
 
 #include "app/chip_space.h"
-#include "app/finding_sentence.h"
 #include "app/lists.h"
 #include "app/studio_fixture.h"
 #include "support/random.h"
@@ -64,6 +64,21 @@ std::vector<std::vector<Vec2>> unfinished_lines(std::uint64_t seed) {
   return lines;
 }
 
+/// Around the pixels of the errors' colour in a square of the widget; logical pixels.
+QRectF box_of_red(const QImage& picture, const QPointF& middle, double side) {
+  const double ratio = picture.devicePixelRatio();
+  const QRectF square(middle - QPointF(side, side) / 2, QSizeF(side, side));
+  const QRect pixels = QRectF(square.topLeft() * ratio, square.size() * ratio).toRect().intersected(picture.rect());
+  QRect box;
+  for (int y = pixels.top(); y <= pixels.bottom(); ++y) {
+    for (int x = pixels.left(); x <= pixels.right(); ++x) {
+      const QColor c = picture.pixelColor(x, y);
+      if (c.red() > 150 && c.green() < 130 && c.blue() < 130) box |= QRect(x, y, 1, 1);
+    }
+  }
+  return {QPointF(box.topLeft()) / ratio, QSizeF(box.size()) / ratio};
+}
+
 bool has_coordinates(const QString& sentence) {
   static const QRegularExpression place(R"(\(-?\d[^()]*,)");
   return sentence.contains(place);
@@ -95,17 +110,6 @@ TEST_CASE("chips take the nearest free places, one beside the other", "[chips]")
     CHECK(taken.size() > 8);
     CHECK(!space.take(QRect(0, 0, 301, 10), bounds));
   }
-}
-
-TEST_CASE("sentences in views leave coordinates out and nothing else", "[chips]") {
-  const auto told = [](const char* message) {
-    return app::sentence_in_view(make_error(Category::Geometry, "E", message)).toStdString();
-  };
-  CHECK(told("The end of \"stroke 1\" at (12, -3.5) touches nothing: close it") ==
-        "The end of \"stroke 1\" touches nothing: close it");
-  CHECK(told("The parts at (1e-05, 2) and (3, 4) cannot be separated here") == "The parts cannot be separated here");
-  CHECK(told("Two lines meet at (1, 2, 3) (\"a\", \"b\"): move one") == "Two lines meet (\"a\", \"b\"): move one");
-  CHECK(told("An odd number (3) of lines at one place") == "An odd number (3) of lines at one place");
 }
 
 TEST_CASE("nothing over the views lies over anything else, whatever is drawn", "[chips]") {
@@ -163,5 +167,39 @@ TEST_CASE("what is wrong with a drawing is a small mark, its sentence is told wh
       CHECK(view.sketch().told_finding().contains(mark.sentence));
     }
     hand.studio().session().mark_saved();
+  }
+}
+
+TEST_CASE("a mark is small, and its sentence is shown while the pointer is on it", "[chips]") {
+  StudioFixture hand;
+  Viewport& view = hand.viewport();
+  hand.look_at({-250, -250}, {250, 250});
+  hand.draw({{-150, -40}, {-50, 0}, {60, 10}, {150, 60}});
+  const QImage picture = hand.picture();
+  const auto move_to = [&](const QPointF& place) {
+    hand.send_mouse(QEvent::MouseMove, place, Qt::NoButton, Qt::NoModifier);
+  };
+  const auto& marks = view.scenes().finding_marks();
+  REQUIRE(!marks.empty());
+  for (const app::FindingMark& mark : marks) {
+    INFO(mark.sentence.toStdString());
+    REQUIRE(mark.error);
+    const QPointF at = view.sketch_to_widget(mark.at);
+    const QRectF red = box_of_red(picture, at, 60);
+    INFO(red.width() << " x " << red.height());
+    CHECK(red.width() > 5);
+    CHECK(red.width() <= 22);
+    CHECK(red.height() <= 22);
+    CHECK(red.contains(at));
+    const QPointF beside = at + QPointF(0, 40);
+    for (const QPointF& away : {beside, view.pane(Viewport::PerspectiveView).rect.center()}) {
+      CHECK(!QToolTip::isVisible());
+      move_to(at);
+      CHECK(QToolTip::isVisible());
+      CHECK(QToolTip::text().contains(mark.sentence));
+      move_to(away);
+      // Long before it would go by itself.
+      CHECK(QTest::qWaitFor([] { return !QToolTip::isVisible(); }, 2000));
+    }
   }
 }

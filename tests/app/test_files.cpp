@@ -160,6 +160,24 @@ TEST_CASE("a project of which nothing can be read says so, offers what there is,
   CHECK(report->findChild<QPushButton*>("version-3") != nullptr);
 }
 
+TEST_CASE("a project that lost its beginning or everything offers its versions, and is kept", "[files]") {
+  const auto make = GENERATE(
+      +[](qsizetype) { return QByteArray(); }, +[](qsizetype size) { return QByteArray(size, '\0'); });
+  StudioFixture hand;
+  const QString project = save_versions(hand);
+  const QByteArray lost = make(bytes_of(project).size());
+  write_file(project, lost);
+  CHECK(!hand.window().open(project));
+  QDialog* report = report_of_opening(hand);
+  REQUIRE(report != nullptr);
+  CHECK(report->findChild<QPushButton*>("version-3") != nullptr);
+  report->findChild<QPushButton*>("version-1")->click();
+  REQUIRE(hand.wait_for([&] { return hand.window().windowTitle().startsWith("rings.croq~1"); }));
+  hand.window().files().save(project);
+  CHECK(bytes_of(project + "~damaged") == lost);
+  CHECK(warnings_of(project).empty());
+}
+
 TEST_CASE("an unattended run tells what a damaged project lost, and asks nothing", "[files]") {
   StudioFixture hand;
   const QString project = save_versions(hand);
@@ -241,6 +259,26 @@ TEST_CASE("a project that is open in another window is told, and saving over it 
   other->studio().start_empty();
   other->action("save")->trigger();
   CHECK(bytes_of(project) == before);
+  in_dialog<QMessageBox>([](QMessageBox& question) { question.button(QMessageBox::Save)->click(); });
+  other->action("save")->trigger();
+  const QByteArray saved = bytes_of(project);
+  CHECK(saved != before);
+  // The first one was asked nothing yet, and doesn't replace what the second one saved without asking either.
+  draw_ring(hand, 20);
+  bool asked = false;
+  in_dialog<QMessageBox>([&](QMessageBox& question) {
+    asked = question.objectName() == "replace-question";
+    question.button(QMessageBox::Cancel)->click();
+  });
+  hand.act("save");
+  CHECK(asked);
+  CHECK(bytes_of(project) == saved);
+  in_dialog<QMessageBox>([](QMessageBox& question) { question.button(QMessageBox::Save)->click(); });
+  hand.act("save");
+  const QByteArray replaced = bytes_of(project);
+  CHECK(replaced != saved);
+  hand.act("save");  // its own file: nothing to ask
+  CHECK(!hand.window().files().has_changed(project));
   // Once the first one has something else open, nobody is in the way.
   hand.window().start_sketch();
   CHECK(!other->files().is_open_elsewhere(project));

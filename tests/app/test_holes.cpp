@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QAction>
-#include <QApplication>
-#include <QComboBox>
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QPushButton>
 #include <QTest>
-#include <QTimer>
 #include <algorithm>
 #include <ctime>
-#include <fstream>
 
 #include <catch2/catch.hpp>
 
@@ -179,58 +173,6 @@ TEST_CASE("what was left open on purpose is said with its name, and is no fault"
   CHECK(is_calm());
 }
 
-TEST_CASE("a scan with a vertex for every corner is checked as the surface that it is", "[holes]") {
-  // Every triangle by itself, as some programs write them.
-  const PolyMesh cut = ball_with_holes(2);
-  PolyMesh apart;
-  for (std::size_t f = 0; f < cut.face_count(); ++f) {
-    std::vector<Index> corners;
-    for (const Index vertex : cut.face(f)) {
-      corners.push_back(static_cast<Index>(apart.vertex_count()));
-      apart.positions.push_back(cut.positions[vertex]);
-    }
-    apart.add_face(corners);
-  }
-  StudioFixture hand;
-  open_scan(hand, apart);
-  REQUIRE(holes(hand).rows().size() == 2);
-  hand.act("fill-all");
-  hand.settle();
-  REQUIRE(hand.wait_for([&] { return label(hand, "hole-check").contains("manifold"); }));
-  const QString text = label(hand, "hole-check");
-  INFO(text.toStdString());
-  CHECK(text.startsWith("closed but for seams ("));
-  CHECK(text.contains("merge the vertices of the scan, manifold, 0 new intersections, outside unchanged"));
-  // A patch that does meet something is still told.
-  PolyMesh filled = filled_mesh(hand);
-  const auto& ids = std::get<std::vector<std::int32_t>>(filled.channel("patch_id", Domain::Face)->data);
-  const auto patch =
-      static_cast<std::size_t>(std::find_if(ids.begin(), ids.end(), [](auto id) { return id >= 0; }) - ids.begin());
-  Vec3 through = Vec3::Zero();
-  for (const Index vertex : filled.face(patch)) through += filled.positions[vertex] / 3;
-  const Vec3 out = 0.1 * through.normalized();
-  filled.positions[filled.face(0)[0]] = through + out;
-  filled.positions[filled.face(0)[1]] = through - out;
-  filled.positions[filled.face(0)[2]] = through - out + 0.1 * out.unitOrthogonal();
-  Progress progress;
-  CHECK(app::check_surface(filled, &apart, progress).intersections > 0);
-}
-
-TEST_CASE("an edge that nobody left open is no part of a border", "[holes]") {
-  app::CheckedSurface checked;
-  checked.open_edges = 10;
-  CHECK(!app::is_as_wanted(checked, {}));
-  CHECK(app::sentence_of(checked, {}).startsWith("10 open edges, manifold"));
-  const app::LeftOpen border{.borders = 1, .border_edges = 7};
-  CHECK(!app::is_as_wanted(checked, border));
-  CHECK(app::sentence_of(checked, border).startsWith("open at its outer border (7 edges) and along 3 edges more, man"));
-  checked.has_patches = false;  // remeshed: with other edges
-  CHECK(app::is_as_wanted(checked, border));
-  CHECK(app::sentence_of(checked, border) ==
-        "open at its outer border (10 edges), otherwise sound: manifold, 0 intersections, remeshed");
-  CHECK(!app::is_as_wanted(checked, {.borders = 1, .holes = 1, .failed = 1}));
-}
-
 TEST_CASE("the way of a patch belongs to what is selected, else to all, and a drag of bulge is one step",
           "[hole-ways]") {
   StudioFixture hand;
@@ -240,11 +182,18 @@ TEST_CASE("the way of a patch belongs to what is selected, else to all, and a dr
   holes(hand).select({1});
   hand.act("way-flat");
   hand.settle();
-  CHECK(last_step(hand) == "Way flat of hole 1");
+  CHECK(last_step(hand) == "Method flat of hole 1");
   CHECK(holes(hand).row(1)->method != holes(hand).row(0)->method);
   CHECK(holes(hand).way().fairness == "flat");
+  hand.act("way-auto");
+  hand.settle();
+  CHECK(holes(hand).way().fairness == "auto");
+  CHECK(holes(hand).row(1)->method == holes(hand).row(0)->method);
+  hand.act("undo");
+  hand.settle();
+  CHECK(holes(hand).way().fairness == "flat");
   hand.act("deselect");
-  CHECK(holes(hand).way().fairness == "rbf");
+  CHECK(holes(hand).way().fairness == "auto");
   const std::size_t steps = hand.studio().session().undo_labels().size();
   holes(hand).select({0});
   const PolyMesh before = filled_mesh(hand);

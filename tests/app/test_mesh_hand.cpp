@@ -3,13 +3,18 @@
 #include <QAction>
 #include <QApplication>
 #include <QPushButton>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
 #include "app/hand_on_meshes.h"
+#include "support/scans.h"
 
 using namespace croquis;
 using app::Viewport;
@@ -33,6 +38,21 @@ Vec2 pixel_of(StudioFixture& hand, const Vec3& place, int view) {
   return {at.x(), at.y()};
 }
 
+/// A drag of a few events before anything is drawn: frames of large views are slow without a graphics card.
+void drag_at_once(StudioFixture& hand, const Vec2& from, const Vec2& to) {
+  const auto at = [&](double part) {
+    const Vec2 place = from + part * (to - from);
+    return QPointF(place.x(), place.y());
+  };
+  hand.send_mouse(QEvent::MouseButtonPress, at(0), Qt::LeftButton, Qt::NoModifier);
+  for (const double part : {0.25, 0.5, 0.75, 1.0})
+    hand.send_mouse(QEvent::MouseMove, at(part), Qt::LeftButton, Qt::NoModifier);
+  hand.send_mouse(QEvent::MouseButtonRelease, at(1), Qt::LeftButton, Qt::NoModifier);
+  QApplication::processEvents();
+}
+
+constexpr std::array axis_handles = {ManipulatorHandle::X, ManipulatorHandle::Y, ManipulatorHandle::Z};
+
 /// Takes hold of an arrow of the move manipulator and pulls it along itself.
 /// @return how far the arrow's tip is from where the pointer ended, pixels; none where the view shows no such arrow
 std::optional<double> pull_arrow(StudioFixture& hand, Index vertex, int axis, double pixels, int view) {
@@ -42,11 +62,50 @@ std::optional<double> pull_arrow(StudioFixture& hand, Index vertex, int axis, do
   const Vec2 start = pixel_of(hand, tip, view);
   const Vec2 along = start - pixel_of(hand, from, view);
   const QRectF pane = hand.viewport().pane(view).rect.adjusted(12, 12, -12, -12);  // borders between views are dragged
-  if (along.norm() < 20 || !pane.contains(QPointF(start.x(), start.y()))) return std::nullopt;
+  if (!pane.contains(QPointF(start.x(), start.y()))) return std::nullopt;
+  hand.send_mouse(QEvent::MouseMove, QPointF(start.x(), start.y()), Qt::NoButton, Qt::NoModifier);
+  QApplication::processEvents();
+  if (hand.viewport().mesh().tool().preview().hovered_handle != axis_handles.at(static_cast<std::size_t>(axis)))
+    return std::nullopt;
   const Vec2 wanted = start + pixels * along.normalized();
-  hand.drag_pixels(QPointF(start.x(), start.y()), QPointF(wanted.x(), wanted.y()), Qt::LeftButton, Qt::NoModifier);
+  drag_at_once(hand, start, wanted);
   const Vec3 moved = cage(hand).positions[vertex] - from;
   return (pixel_of(hand, tip + moved, view) - wanted).norm();
+}
+
+/// A camera near the cube [-1, 1]^3, a corner that it sees, and two places beside the corner.
+struct NearView {
+  Vec3 eye, target, corner;
+  std::array<Vec3, 2> beside;
+};
+
+const std::array<NearView, 2> near_views{
+    {{{0.1, 0.2, 0.3}, {1, 0.6, -0.9}, {1, 1, -1}, {{{1, 0.75, -0.75}, {0.75, 0.75, -1}}}},
+     {{1.3, 1.25, 1.5}, {0.9, 1, 0.9}, {1, 1, 1}, {{{1, 1, 0.75}, {0.75, 1, 1}}}}}};
+
+/// Shows the perspective view alone, from there.
+void look_from(StudioFixture& hand, const NearView& near) {
+  hand.viewport().show_alone(Viewport::PerspectiveView);
+  render::Camera& camera = hand.viewport().pane(Viewport::PerspectiveView).camera;
+  camera.eye = {near.eye.x(), near.eye.y(), near.eye.z()};
+  camera.target = {near.target.x(), near.target.y(), near.target.z()};
+  hand.settle();
+}
+
+/// Clicks vertices of the active cage until these are selected, and no others.
+std::vector<Index> select_vertices(StudioFixture& hand, const std::vector<Vec3>& places, int view) {
+  hand.act("edge-mode");  // or two clicks would be one double click
+  hand.act("vertex-mode");
+  hand.act("select");
+  std::vector<Index> vertices;
+  for (const Vec3& place : places) {
+    vertices.push_back(vertex_at(cage(hand), place));
+    REQUIRE(vertices.back() != no_index);
+    hand.click_model(place, view, 1, vertices.size() > 1 ? Qt::ShiftModifier : Qt::NoModifier);
+  }
+  std::sort(vertices.begin(), vertices.end());
+  REQUIRE(hand.studio().session().components().elements == vertices);
+  return vertices;
 }
 
 struct Look {
@@ -69,36 +128,97 @@ std::vector<Look> looks(StudioFixture& hand) {
 
 TEST_CASE("the nearest corner of a cube follows its arrows, in every view", "[mesh-hand]") {
   StudioFixture hand;
-  hand.window().resize(1500, 950);  // room for an arrow beside the cube
   open_mesh(hand, centred_cube(), "cube");
   hand.act("layout");
   hand.settle();
   const Vec3 corner(1, 1, 1);
   for (const int view : all_views) {
     hand.viewport().show_alone(view);
+    render::Camera& camera = hand.viewport().pane(view).camera;
+    camera = render::dolly(camera, 0.8);  // room for an arrow beside the cube
     hand.settle();
     int pulled = 0;
+    const Index vertex = select_vertices(hand, {corner}, view).front();
+    hand.act("move");
     for (int axis = 0; axis < 3; ++axis) {
       for (const double pixels : {72.0, -40.0}) {
-        hand.act("edge-mode");  // or two clicks would be one double click
-        hand.act("vertex-mode");
-        hand.act("select");
-        hand.click_model(corner, view);
-        REQUIRE(hand.studio().session().components().elements.size() == 1);
-        hand.act("move");
-        const Index vertex = vertex_at(cage(hand), corner);
-        REQUIRE(vertex != no_index);
         CAPTURE(view, axis, pixels);
         const auto missed = pull_arrow(hand, vertex, axis, pixels, view);
         if (!missed) continue;
         CHECK(*missed < 2);
         CHECK((cage(hand).positions[vertex] - corner).norm() > 0.1);
         hand.act("undo");
-        hand.settle();
+        REQUIRE(cage(hand).positions[vertex] == corner);
         ++pulled;
       }
     }
     CHECK(pulled >= 4);
+  }
+}
+
+TEST_CASE("a corner follows its arrows with the camera inside the model and close to it", "[mesh-hand]") {
+  StudioFixture hand;
+  open_mesh(hand, centred_cube(), "cube");
+  for (const NearView& near : near_views) {
+    look_from(hand, near);
+    const std::vector<Look> before = looks(hand);
+    int pulled = 0;
+    const Index vertex = select_vertices(hand, {near.corner}, Viewport::PerspectiveView).front();
+    hand.act("move");
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double pixels : {72.0, -40.0}) {
+        CAPTURE(near.eye.transpose(), axis, pixels);
+        const auto missed = pull_arrow(hand, vertex, axis, pixels, Viewport::PerspectiveView);
+        if (!missed) continue;
+        CHECK(*missed < 2);
+        const Vec3 moved = cage(hand).positions[vertex] - near.corner;
+        CHECK(std::abs(moved[axis]) > 0.01);
+        CHECK(moved.norm() == Approx(std::abs(moved[axis])));
+        hand.act("undo");
+        REQUIRE(cage(hand).positions[vertex] == near.corner);
+        ++pulled;
+      }
+    }
+    hand.settle();
+    CHECK(looks(hand) == before);
+    CHECK(pulled >= 2);
+  }
+}
+
+TEST_CASE("several vertices rotate and scale as far as they are dragged, close to the model and inside",
+          "[mesh-hand]") {
+  StudioFixture hand;
+  open_mesh(hand, test::translated(test::scaled(test::divided_box(8), 2), {-1, -1, -1}), "box");
+  for (const NearView& near : near_views) {
+    look_from(hand, near);
+    CAPTURE(near.eye.transpose());
+    const std::vector<Index> vertices =
+        select_vertices(hand, {near.corner, near.beside[0], near.beside[1]}, Viewport::PerspectiveView);
+    const PolyMesh before = cage(hand);
+    Eigen::AlignedBox3d box(near.corner);
+    for (const Vec3& place : near.beside) box.extend(place);
+    const Vec3 pivot = box.center();
+    const Vec2 middle = pixel_of(hand, pivot, Viewport::PerspectiveView);
+    const auto offset = [&](const PolyMesh& mesh, Index vertex) { return Vec3(mesh.positions[vertex] - pivot); };
+
+    hand.act("rotate");
+    drag_at_once(hand, middle + Vec2(96, 0), middle + 96 * Vec2(std::cos(0.5), -std::sin(0.5)));  // the outer ring
+    const Vec3 to_eye = (near.eye - pivot).normalized();
+    const Eigen::AngleAxisd turn(0.5, to_eye);
+    for (const Index vertex : vertices)
+      CHECK((offset(cage(hand), vertex) - turn * offset(before, vertex)).norm() < 1e-6);
+    hand.act("undo");
+    REQUIRE(cage(hand).positions == before.positions);
+
+    hand.act("scale");
+    drag_at_once(hand, middle, middle + Vec2(40, 0));  // half of its arrows' length
+    for (const Index vertex : vertices)
+      CHECK((offset(cage(hand), vertex) - 1.5 * offset(before, vertex)).norm() < 1e-9);
+    for (Index other = 0; other < before.vertex_count(); ++other) {
+      if (!std::binary_search(vertices.begin(), vertices.end(), other))
+        CHECK(cage(hand).positions[other] == before.positions[other]);
+    }
+    hand.act("undo");
   }
 }
 
@@ -125,11 +245,23 @@ TEST_CASE("pulling, extruding and undoing leave every view as it is", "[mesh-han
   CHECK(looks(hand) == before);
   hand.act("move");
   REQUIRE(tool.manipulator());
-  const QPointF at = hand.viewport().model_to_widget(tool.manipulator()->pivot, Viewport::PerspectiveView);
-  hand.drag_pixels(at, at + QPointF(150, 90), Qt::LeftButton, Qt::NoModifier);
-  hand.settle();
-  CHECK((cage(hand).positions.front() - centred_cube().positions.front()).norm() < 100);
-  CHECK(looks(hand) == before);
+  // Far enough to leave the view in part.
+  const QRectF pane = hand.viewport().pane(Viewport::PerspectiveView).rect.adjusted(15, 15, -15, -15);
+  const Vec3 pivot = tool.manipulator()->pivot;
+  const double unit = hand.viewport().mesh().frame_of(Viewport::PerspectiveView).units_per_pixel(pivot);
+  const Vec3 tip = pivot + 75 * unit * Vec3::UnitZ();  // of an arrow
+  for (const auto& [place, to] : {std::pair(pivot, pane.bottomRight()), std::pair(tip, pane.bottomLeft())}) {
+    const std::vector<Vec3> was = cage(hand).positions;
+    drag_at_once(hand, pixel_of(hand, place, Viewport::PerspectiveView), {to.x(), to.y()});
+    CHECK(looks(hand) == before);
+    hand.settle();
+    CHECK(looks(hand) == before);
+    const std::vector<Vec3>& now = cage(hand).positions;
+    REQUIRE(now.size() == was.size());
+    for (std::size_t v = 0; v < now.size(); ++v) CHECK((now[v] != was[v]) == (was[v].z() > 0));
+    hand.act("undo");
+    REQUIRE(cage(hand).positions == was);
+  }
 }
 
 TEST_CASE("an object that is added is framed together with what is there", "[mesh-hand]") {

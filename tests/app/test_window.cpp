@@ -11,6 +11,7 @@
 #include <QTest>
 #include <QToolBar>
 #include <QToolButton>
+#include <ctime>
 
 #include <catch2/catch.hpp>
 
@@ -43,6 +44,27 @@ double ink_of(const QImage& picture, const QRect& row) {
   return ink;
 }
 
+constexpr int kathmandu_offset = (5 * 60 + 45) * 60;  // seconds
+
+/// The time zone of the process; the earlier one again at the end.
+class TimeZone {
+ public:
+  explicit TimeZone(const char* name) : had_(qEnvironmentVariableIsSet("TZ")), before_(qgetenv("TZ")) {
+    qputenv("TZ", name);
+    tzset();
+  }
+  ~TimeZone() {
+    had_ ? qputenv("TZ", before_) : qunsetenv("TZ");
+    tzset();
+  }
+  TimeZone(const TimeZone&) = delete;
+  TimeZone& operator=(const TimeZone&) = delete;
+
+ private:
+  bool had_;
+  QByteArray before_;
+};
+
 /// Everything of these kinds that is seen has the room that it needs, inside of the window.
 template <typename Widget>
 void check_not_clipped(app::MainWindow& window) {
@@ -58,7 +80,7 @@ void check_not_clipped(app::MainWindow& window) {
 
 }  // namespace
 
-TEST_CASE("the start page has a way back, and nothing acts on what it hides", "[window]") {
+TEST_CASE("the start page has a way back, and nothing acts on what it hides", "[start-page]") {
   StudioFixture hand;
   hand.draw(linked_rings_sketch());
   hand.settle();
@@ -94,7 +116,7 @@ TEST_CASE("the start page has a way back, and nothing acts on what it hides", "[
   }
 }
 
-TEST_CASE("the first start page has nothing to go back to", "[window]") {
+TEST_CASE("the first start page has nothing to go back to", "[start-page]") {
   const QTemporaryDir folder;
   app::MainWindow window(folder.path());
   window.show();
@@ -104,7 +126,7 @@ TEST_CASE("the first start page has nothing to go back to", "[window]") {
   CHECK(window.shows_start_page());
 }
 
-TEST_CASE("new and recovered work never takes the place of unsaved work without a question", "[window]") {
+TEST_CASE("new and recovered work never takes the place of unsaved work without a question", "[start-page]") {
   StudioFixture hand;
   hand.draw(linked_rings_sketch());
   hand.crash_and_restart();
@@ -130,7 +152,7 @@ TEST_CASE("new and recovered work never takes the place of unsaved work without 
   }
 }
 
-TEST_CASE("work of several crashes is listed with local times and discarded at once", "[window]") {
+TEST_CASE("work of several crashes is listed with local times and discarded at once", "[start-page]") {
   StudioFixture hand;
   for (int crash = 0; crash < 3; ++crash) {
     if (crash > 0) hand.window().start_sketch();
@@ -151,6 +173,54 @@ TEST_CASE("work of several crashes is listed with local times and discarded at o
   page->findChild<QPushButton*>("discard-all")->click();
   CHECK(hand.window().files().recoverable().empty());
   CHECK(page->findChildren<QLabel*>("recovery-text").isEmpty());
+}
+
+TEST_CASE("cards of unsaved work show the time of the place, and are discarded one by one", "[start-page]") {
+  const TimeZone kathmandu("Asia/Kathmandu");
+  REQUIRE(QDateTime::currentDateTime().offsetFromUtc() == kathmandu_offset);
+  StudioFixture hand;
+  const QDateTime before = QDateTime::currentDateTimeUtc().addSecs(-1);
+  for (int crash = 0; crash < 3; ++crash) {
+    if (crash > 0) hand.window().start_sketch();
+    hand.settle();
+    draw_ring(hand);
+    hand.crash_and_restart();
+  }
+  const auto left = [&] {
+    QStringList files;
+    for (const app::RecoveryOffer& offer : hand.window().files().recoverable()) files << offer.file;
+    return files;
+  };
+  auto* page = hand.window().findChild<app::StartPage*>("start-page");
+  const auto texts = [&] {
+    QStringList found;
+    for (const QLabel* card : page->findChildren<QLabel*>("recovery-text")) found << card->text();
+    return found;
+  };
+  const auto offers = hand.window().files().recoverable();
+  const QStringList shown = texts();
+  REQUIRE(offers.size() == 3);
+  REQUIRE(shown.size() == 3);
+  for (int card = 0; card < 3; ++card) {
+    const QDateTime made = offers[static_cast<std::size_t>(card)].time.toUTC();
+    CHECK(made >= before);
+    CHECK(made <= QDateTime::currentDateTimeUtc());
+    const auto words = [](const QDateTime& time) { return QLocale().toString(time, QLocale::ShortFormat); };
+    INFO(shown[card].toStdString());
+    CHECK(shown[card].contains(words(made.addSecs(kathmandu_offset))));
+    CHECK(!shown[card].contains(words(made)));
+  }
+  QStringList files = left();
+  QStringList expected = shown;
+  for (const int place : {1, 1, 0}) {
+    const auto buttons = page->findChildren<QPushButton*>("discard");
+    REQUIRE(buttons.size() == files.size());
+    QTest::mouseClick(buttons[place], Qt::LeftButton);
+    files.removeAt(place);
+    expected.removeAt(place);
+    CHECK(left() == files);
+    CHECK(texts() == expected);
+  }
 }
 
 TEST_CASE("a new sketch has the pen in the hand, whatever was in it before", "[window]") {

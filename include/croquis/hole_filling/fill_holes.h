@@ -19,7 +19,7 @@ namespace croquis::hole_filling {
 enum class Selection {
   Inner,          ///< all that are not OUTER
   All,            ///< OUTER ones too
-  AllButLargest,  ///< all but the one with the greatest perimeter
+  AllButLargest,  ///< all but the one with the greatest diameter
   None            ///< only what requests name
 };
 
