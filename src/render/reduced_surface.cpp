@@ -11,8 +11,8 @@
 namespace croquis::render {
 namespace {
 
-constexpr double wanted_triangles = 50'000;
-constexpr double sure_triangles = 60'000;  // with more than these a coarser grid is tried
+constexpr double wanted_triangles = 30'000;
+constexpr double sure_triangles = 36'000;  // with more than these a coarser grid is tried
 constexpr int most_tries = 4;
 /// Across each other, and aslant to the axes: the normals of a flat side agree about them.
 constexpr std::array<glm::vec3, 3> octant_axes = {

@@ -10,7 +10,7 @@
 namespace croquis::render {
 
 /// Items of more triangles have a reduced surface.
-inline constexpr std::size_t most_full_triangles = 100'000;
+inline constexpr std::size_t most_full_triangles = 45'000;
 
 /// A surface with fewer triangles, for while the camera moves, by clustering of vertices (Rossignac and Borrel,
 /// "Multi-resolution 3D approximations for rendering complex scenes", 1993).

@@ -37,7 +37,7 @@ Times spread(std::vector<double> ms) {
 }
 
 void print(const std::string& what, const Times& times, const Times& peer) {
-  std::printf("| %s | %.0f | %.0f | %.1f | %.1f |\n", what.c_str(), times.median, times.p95, peer.median,
+  std::printf("| %s | %.0f | %.0f | %.1f | %.2f |\n", what.c_str(), times.median, times.p95, peer.median,
               times.median / peer.median);
 }
 
@@ -271,7 +271,7 @@ void orbit() {
   hand.act("show-both");
   hand.act("frame-all");
   hand.settle();
-  const Viewport& viewport = hand.viewport();
+  Viewport& viewport = hand.viewport();
   constexpr int view = Viewport::PerspectiveView;
   // Peer: pictures with every triangle, as they were while the camera moved before there were reduced surfaces.
   const Times peer = plain_frame(hand);

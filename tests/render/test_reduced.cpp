@@ -21,7 +21,7 @@ using croquis::test::with_renderer;
 
 namespace {
 
-constexpr std::size_t most_while_moving = 75'000;
+constexpr std::size_t most_while_moving = 45'000;
 constexpr PictureSize size{400, 300};
 
 PolyMesh rough(PolyMesh mesh, double by) {
