@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "croquis/tools/tag_edit.h"
+#include "croquis/mesh_editing/tag_edit.h"
 
 namespace croquis::app {
 namespace {

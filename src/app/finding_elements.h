@@ -6,7 +6,7 @@
 
 #include "croquis/base/finding.h"
 #include "croquis/base/report.h"
-#include "croquis/tools/mesh_selection.h"
+#include "croquis/mesh_editing/mesh_selection.h"
 #include "croquis/tools/mesh_tool.h"
 
 /// From findings and reports to elements that can be selected.

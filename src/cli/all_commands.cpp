@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command.h"
+#include "cli/commands/edits_command.h"
 #include "cli/commands/mesh_commands.h"
 #include "cli/commands/operation_command.h"
 #include "cli/commands/render_command.h"
@@ -18,6 +19,7 @@ std::vector<std::unique_ptr<Command>> all_commands(const Registry& registry) {
   commands.push_back(std::make_unique<RenderCommand>());
   commands.push_back(std::make_unique<RunCommand>(registry));
   commands.push_back(std::make_unique<OperationsCommand>(registry));
+  commands.push_back(std::make_unique<EditsCommand>());
   return commands;
 }
 

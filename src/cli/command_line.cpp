@@ -11,6 +11,7 @@
 
 #include "cli/byte_size.h"
 #include "croquis/base/error.h"
+#include "croquis/io/file.h"
 
 namespace croquis::cli {
 namespace {
@@ -111,6 +112,18 @@ void add_subcommand(CLI::App& app, Slot& slot) {
   add_common_options(slot);
 }
 
+/// A list as it was typed, with what files hold in place of every "@FILE".
+std::string with_files_read(const std::string& list) {
+  std::string text;
+  for (std::size_t at = 0; at <= list.size();) {
+    const std::size_t end = std::min(list.find(';', at), list.size());
+    const std::string part = list.substr(at, end - at);
+    text += (at == 0 ? "" : ";") + (part.starts_with("@") ? read_file(part.substr(1)) : part);
+    at = end + 1;
+  }
+  return text;
+}
+
 /// Converts what was typed into values, with findings for what can't be.
 void read_parameters(Slot& slot) {
   Findings findings;
@@ -119,9 +132,12 @@ void read_parameters(Slot& slot) {
     const CLI::Option* option = slot.app->get_option("--" + parameter.name);
     if (option->count() == 0) continue;
     try {
-      values[parameter.name] = parameter.type == ParameterType::Flag
-                                   ? ParameterValue(slot.flags[parameter.name])
-                                   : parse_parameter(parameter, slot.texts[parameter.name]);
+      if (parameter.type == ParameterType::Flag) {
+        values[parameter.name] = slot.flags[parameter.name];
+      } else {
+        const std::string& typed = slot.texts[parameter.name];
+        values[parameter.name] = parse_parameter(parameter, parameter.repeatable ? with_files_read(typed) : typed);
+      }
     } catch (const Error& error) {
       findings.insert(findings.end(), error.findings().begin(), error.findings().end());
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "croquis/operators/all_operations.h"
 
+#include "operators/edit_operation.h"
 #include "operators/fair_operation.h"
 #include "operators/fill_operation.h"
 #include "operators/inflate_operation.h"
@@ -14,6 +15,7 @@ Registry all_operations() {
   registry.add(std::make_unique<SubdivideOperation>());
   registry.add(std::make_unique<FairOperation>());
   registry.add(std::make_unique<FillOperation>());
+  registry.add(std::make_unique<EditOperation>());
   return registry;
 }
 

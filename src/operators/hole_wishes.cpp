@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/base/index_list.h"
 #include "operators/fill_settings.h"
-#include "operators/hole_ids.h"
 
 namespace croquis {
 namespace {
@@ -103,7 +103,7 @@ HoleWish read_wish(std::string_view text, Findings& findings) {
   HoleWish wish;
   const std::size_t colon = text.find(':');
   for (const std::string_view word : split(text.substr(0, colon), separators_of_ids)) {
-    if (!append_hole_ids(word, wish.holes))
+    if (!append_indices(word, wish.holes))
       findings.push_back(
           refusal(word, "wishes begin with the numbers of holes, counted from 0, such as '0,3-5: fill'."));
   }
@@ -157,7 +157,7 @@ std::string to_text(std::span<const HoleWish> wishes) {
     const std::vector<std::string> parts = parts_of(wish);
     if (wish.holes.empty() || parts.empty()) continue;
     if (!text.empty()) text += "; ";
-    text += hole_ids_text(wish.holes, wish.bridge ? '+' : ',') + ": " + parts.front();
+    text += index_list_text(wish.holes, wish.bridge ? '+' : ',') + ": " + parts.front();
     for (std::size_t i = 1; i < parts.size(); ++i) text += ", " + parts[i];
   }
   return text;

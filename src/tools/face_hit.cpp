@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "tools/face_normal.h"
+#include "croquis/geometry/polygon_area.h"
 
 namespace croquis {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "croquis/geometry/polyline.h"
-#include "croquis/tools/mesh_selection.h"
+#include "croquis/mesh_editing/mesh_selection.h"
 #include "tools/face_tree.h"
 #include "tools/in_blocks.h"
 #include "tools/seen_faces.h"

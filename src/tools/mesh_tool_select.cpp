@@ -3,7 +3,7 @@
 #include <set>
 #include <utility>
 
-#include "tools/edge_walk.h"
+#include "algorithms/mesh_editing/edge_walk.h"
 #include "tools/mesh_tool_cache.h"
 
 namespace croquis {

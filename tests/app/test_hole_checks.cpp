@@ -7,8 +7,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/hole_scans.h"
 #include "app/hole_panel.h"
+#include "app/hole_scans.h"
 #include "app/hole_table.h"
 #include "app/studio_fixture.h"
 #include "app/surface_check.h"

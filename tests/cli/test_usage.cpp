@@ -26,8 +26,8 @@ const char* const triangle_ply =
 const char* const circle_svg =
     "<svg xmlns=\"http://www.w3.org/2000/svg\"><circle id=\"c\" cx=\"100\" cy=\"100\" r=\"80\"/></svg>";
 
-const std::vector<std::string> subcommands = {"inflate", "subdivide", "fair",   "fill", "info",
-                                              "check",   "convert",   "render", "run",  "operations"};
+const std::vector<std::string> subcommands = {"inflate", "subdivide", "fair",   "fill", "edit",       "info",
+                                              "check",   "convert",   "render", "run",  "operations", "edits"};
 
 /// The circle and a node "inflate" that makes it a solid.
 void write_project(const std::string& path) {
@@ -51,11 +51,18 @@ std::vector<std::string> examples_of(const std::string& help) {
   return lines;
 }
 
-/// Splits at spaces and cuts at a redirection: examples have no quotes.
+/// Splits at spaces outside of single quotes, as a shell does, and cuts at a redirection.
 std::vector<std::string> words_of(const std::string& line) {
   std::vector<std::string> words;
   std::istringstream stream(line);
-  for (std::string word; stream >> word && word != ">";) words.push_back(word);
+  for (std::string word; stream >> word && word != ">";) {
+    if (word.starts_with('\'')) {
+      std::string rest;
+      std::getline(stream, rest, '\'');
+      word = word.substr(1) + rest;
+    }
+    words.push_back(word);
+  }
   return words;
 }
 
@@ -161,7 +168,7 @@ TEST_CASE("a missing value is never made up from what follows, whatever the opti
         std::vector<std::string> line = {name, cube};
         line.insert(line.end(), words.begin(), words.end());
         if (writes) line.insert(line.end(), {"-o", folder / "a.obj"});
-        if (name == "operations") line.erase(line.begin() + 1);
+        if (name == "operations" || name == "edits") line.erase(line.begin() + 1);
         const ProcessResult result = run_cli(line);
         CAPTURE(line, result.err);
         CHECK(result.code == 2);
@@ -207,6 +214,12 @@ TEST_CASE("the reference page is what the program prints") {
   const std::string page = slurp(std::filesystem::path(CROQUIS_SOURCE_DIR) / "docs/operations.md");
   INFO("write it again with: croquis-cli operations > docs/operations.md");
   CHECK(run_cli({"operations"}).out == page);
+}
+
+TEST_CASE("the page of edits is what the program prints") {
+  const std::string page = slurp(std::filesystem::path(CROQUIS_SOURCE_DIR) / "docs/edits.md");
+  INFO("write it again with: croquis-cli edits > docs/edits.md");
+  CHECK(run_cli({"edits"}).out == page);
 }
 
 TEST_CASE("every code that the sources use is documented") {

@@ -5,8 +5,8 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
+#include "croquis/mesh_editing/mesh_selection.h"
 #include "croquis/tools/mesh_pick.h"
-#include "croquis/tools/mesh_selection.h"
 #include "support/mesh_shapes.h"
 #include "support/random.h"
 #include "tools/face_tree.h"

@@ -34,6 +34,7 @@ struct OperationDescription {
   std::vector<PortDescription> outputs;
   std::vector<ParameterDescription> parameters;
   std::string list_flag = {};  ///< name of a flag under which "details" is all that is wanted: hosts write nothing then
+  std::string example = {};    ///< options of an example on the command line
 };
 
 class Memo;

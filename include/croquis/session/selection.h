@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "croquis/document/document.h"
+#include "croquis/geometry/component_kind.h"
 
 namespace croquis {
 
@@ -26,8 +27,6 @@ using Selection = std::vector<SelectedItem>;
 /// aren't strokes of theirs. Parts of other nodes are kept: only their evaluation knows them.
 /// O(#selection log #selection + #nodes + #strokes of the drawings with selected parts)
 Selection existing(Selection selection, const Document& document);
-
-enum class ComponentKind { Vertex, Edge, Face };
 
 /// Selected parts of ONE mesh: of the mesh that a source node holds.
 struct ComponentSelection {

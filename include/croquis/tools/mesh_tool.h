@@ -9,16 +9,16 @@
 #include <string>
 #include <vector>
 
+#include "croquis/mesh_editing/mesh_edit.h"
+#include "croquis/mesh_editing/mesh_selection.h"
+#include "croquis/mesh_editing/tag_edit.h"
 #include "croquis/session/session.h"
 #include "croquis/tools/manipulator.h"
-#include "croquis/tools/mesh_edit.h"
 #include "croquis/tools/mesh_event.h"
 #include "croquis/tools/mesh_pick.h"
-#include "croquis/tools/mesh_selection.h"
 #include "croquis/tools/pen.h"
 #include "croquis/tools/recording.h"
 #include "croquis/tools/sketch_tool.h"
-#include "croquis/tools/tag_edit.h"
 
 namespace croquis {
 

@@ -8,6 +8,7 @@
 
 #include "cli/files.h"
 #include "cli/mesh_text.h"
+#include "cli/parameter_reference.h"
 #include "cli/report_table.h"
 #include "cli/solid_faults.h"
 #include "croquis/base/error.h"
@@ -244,17 +245,6 @@ std::string list_text(const Report& details) {
   return text;
 }
 
-Report describe_parameter(const ParameterDescription& parameter) {
-  Report entry;
-  entry.set("name", parameter.name).set("type", to_string(parameter.type));
-  entry.set("default", std::visit([](const auto& value) { return Report(value); }, parameter.default_value));
-  if (parameter.type == ParameterType::Integer || parameter.type == ParameterType::Number) {
-    entry.set("minimum", parameter.minimum).set("maximum", parameter.maximum);
-  }
-  if (!parameter.choices.empty()) entry.set("choices", Report::list(parameter.choices));
-  return std::move(entry.set("unit", parameter.unit).set("sentence", parameter.sentence));
-}
-
 Report describe_ports(const std::vector<PortDescription>& ports) {
   Report list = Report::array();
   for (const PortDescription& port : ports) {
@@ -267,8 +257,6 @@ Report describe_ports(const std::vector<PortDescription>& ports) {
 }
 
 Report describe_operation(const OperationDescription& description) {
-  Report parameters = Report::array();
-  for (const ParameterDescription& parameter : description.parameters) parameters.push(describe_parameter(parameter));
   Report entry;
   entry.set("id", description.id)
       .set("version", description.version)
@@ -276,21 +264,8 @@ Report describe_operation(const OperationDescription& description) {
       .set("sentence", description.sentence)
       .set("inputs", describe_ports(description.inputs))
       .set("outputs", describe_ports(description.outputs))
-      .set("parameters", std::move(parameters));
+      .set("parameters", describe_parameters(description.parameters));
   return entry;
-}
-
-std::string range_text(const ParameterDescription& parameter) {
-  if (!parameter.choices.empty()) {
-    std::string list;
-    for (const std::string& choice : parameter.choices) list += (list.empty() ? "" : ", ") + choice;
-    return list;
-  }
-  if (parameter.type == ParameterType::Integer || parameter.type == ParameterType::Number) {
-    return to_text(parameter.minimum) + " to " + to_text(parameter.maximum) +
-           (parameter.unit.empty() ? "" : " " + parameter.unit);
-  }
-  return to_string(parameter.type);
 }
 
 /// One operation's part of the reference page, as Markdown.
@@ -304,12 +279,7 @@ std::string reference(const OperationDescription& description) {
   for (const PortDescription& port : description.outputs) {
     text += "| " + port.name + " | out | " + to_string(port.type) + " | " + port.sentence + " |\n";
   }
-  text += "\n| Parameter | Default | Values | |\n|---|---|---|---|\n";
-  for (const ParameterDescription& parameter : description.parameters) {
-    text += "| " + parameter.name + " | " + to_text(parameter.default_value) + " | " + range_text(parameter) + " | " +
-            parameter.sentence + " |\n";
-  }
-  return text;
+  return text + "\n" + parameter_table(description.parameters);
 }
 
 ParameterDescription drop_description() {
@@ -346,7 +316,8 @@ CommandDescription OperationCommand::describe() const {
         {port.name, ParameterType::File, std::string(), 0, 0, {}, "", "Write to FILE: " + port.sentence});
   }
   const std::string call = "croquis-cli " + operation.id + (takes_drawing ? " sketch.svg" : " model.obj");
-  description.examples = {call + " -o solid.obj"};
+  const std::string options = operation.example.empty() ? "" : " " + operation.example;
+  description.examples = {call + options + " -o solid.obj"};
   if (may_list) description.examples.push_back(call + " --" + operation.list_flag);
   for (const PortDescription& port : extra_inputs(operation)) {
     description.examples.push_back(call + " --" + port.name + " " + port.name + ".json -o solid.obj");

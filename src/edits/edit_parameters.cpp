@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edits/edit_parameters.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "croquis/base/error.h"
+
+namespace croquis {
+
+ParameterDescription number_parameter(const std::string& name, double value, double minimum, double maximum,
+                                      const std::string& unit, const std::string& sentence) {
+  return {name, ParameterType::Number, value, minimum, maximum, {}, unit, sentence};
+}
+
+ParameterDescription vector_parameter(const std::string& name, const std::string& value, const std::string& sentence) {
+  return {name, ParameterType::Text, value, 0, 0, {}, "", sentence};
+}
+
+double number_of(const ParameterValues& parameters, const std::string& name) {
+  return std::get<double>(parameters.at(name));
+}
+
+bool is_given(const ParameterValues& parameters, const std::string& name) {
+  return !std::get<std::string>(parameters.at(name)).empty();
+}
+
+Vec3 vector_of(const ParameterValues& parameters, const std::string& name, const Vec3& missing) {
+  const std::string& text = std::get<std::string>(parameters.at(name));
+  if (text.empty()) return missing;
+  Vec3 vector = Vec3::Zero();
+  const char* at = text.data();
+  const char* end = at + text.size();
+  bool sound = true;
+  for (int axis = 0; axis < 3 && sound; ++axis) {
+    if (axis > 0) sound = at != end && *at++ == ',';
+    if (!sound) break;
+    const auto [stopped, error] = std::from_chars(at, end, vector[axis]);
+    sound = error == std::errc{} && std::isfinite(vector[axis]);
+    at = stopped;
+  }
+  if (!sound || at != end) {
+    throw Error(make_error(Category::Usage, "E_PARAMETER",
+                           "'" + text + "' is no value for " + name + ": it takes three numbers, such as 0,0,1.",
+                           {{SubjectKind::Parameter, name, {}, {}, {}}}));
+  }
+  return vector;
+}
+
+}  // namespace croquis

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "operators/edit_operation.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "croquis/base/error.h"
+#include "croquis/document/content_hash.h"
+#include "croquis/edits/apply_edits.h"
+#include "operators/parameter_values.h"
+
+namespace croquis {
+namespace {
+
+/// A name for how faces are joined: positions don't count. Numbers of elements mean the same in meshes of one name.
+std::string connectivity_name(const PolyMesh& mesh) {
+  ContentHasher hasher;
+  hasher.add(mesh.vertex_count());
+  hasher.add(std::span<const Index>(mesh.face_offsets));
+  hasher.add(std::span<const Index>(mesh.corners));
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hasher.digest().high));
+  return text;
+}
+
+void check_connectivity(const PolyMesh& mesh, const std::string& expected) {
+  if (expected.empty() || expected == connectivity_name(mesh)) return;
+  throw Error(make_error(Category::Geometry, "E_CONNECTIVITY",
+                         "The faces of the mesh are joined in another way than when these edits were made, so their "
+                         "elements can't be found: make the edits again, or freeze the mesh before them.",
+                         {{SubjectKind::Parameter, "connectivity", {}, {}, {}}}));
+}
+
+std::size_t count_new(const std::vector<Index>& sources) {
+  return static_cast<std::size_t>(std::count(sources.begin(), sources.end(), no_index));
+}
+
+Report details_of(const PolyMesh& given, const EditedMesh& edited, const std::vector<EditLine>& lines) {
+  Report texts = Report::array();
+  for (const EditLine& line : lines) texts.push(to_text(line));
+  Report details;
+  details.set("edits", std::move(texts))
+      .set("connectivity", connectivity_name(given))
+      .set("new_vertices", count_new(edited.vertex_source))
+      .set("new_faces", count_new(edited.face_source));
+  return details;
+}
+
+}  // namespace
+
+OperationDescription EditOperation::describe() const {
+  return {"edit",
+          1,
+          "Edit",
+          "Applies edits to a mesh, one after the other: move, extrude, inset, cut, dissolve, tag.",
+          {{"mesh", ValueType::Mesh, "Polygons with their tags and attributes."}},
+          {{"mesh", ValueType::Mesh, "The mesh after the last edit."},
+           {"details", ValueType::Report, "The edits, and how many elements are new."}},
+          {{"do",
+            ParameterType::Text,
+            std::string(),
+            0,
+            0,
+            {},
+            "",
+            "Edits in their order: 'extrude faces=3,4 by=0,0,1'; see `croquis-cli edits`.",
+            true},
+           {"connectivity",
+            ParameterType::Text,
+            std::string(),
+            0,
+            0,
+            {},
+            "",
+            "Refuses meshes whose faces are joined in another way, by the name in the details; empty: takes any."}},
+          "",
+          "--do 'extrude faces=0 distance=1'"};
+}
+
+OperationResult EditOperation::compute(const Values& inputs, const ParameterValues& parameters,
+                                       Context& context) const {
+  const PolyMesh& mesh = *std::get<std::shared_ptr<const PolyMesh>>(inputs.at("mesh"));
+  check_connectivity(mesh, text(parameters, "connectivity"));
+  const std::vector<EditLine> lines = parse_edit_lines(text(parameters, "do"), all_edits());
+  EditedMesh edited = apply_edits(mesh, lines, all_edits(), context.progress);
+  OperationResult result;
+  result.outputs["details"] = std::make_shared<const Report>(details_of(mesh, edited, lines));
+  result.outputs["mesh"] = std::make_shared<const PolyMesh>(std::move(edited.mesh));
+  result.warnings = std::move(edited.warnings);
+  context.progress.report(1);
+  return result;
+}
+
+}  // namespace croquis
