@@ -151,7 +151,7 @@ TEST_CASE("the minority of a sheet is turned to agree with the rest") {
   CHECK(view.turned_faces == turned.size());
   CHECK(view.one_sided_components == 0);
   for (Index t = 0; t < view.triangles.size(); ++t) {
-    CHECK(((view.flags[t] & SurfaceView::turned) != 0) == turned.contains(view.face[t]));
+    CHECK(((view.flags[t] & SurfaceView::Turned) != 0) == turned.contains(view.face[t]));
     for (Index corner = 3 * t; corner < 3 * t + 3; ++corner) {
       if (!view.has_opposite(corner)) continue;
       CHECK(view.origin(corner) == view.target(view.opposite[corner]));
@@ -183,7 +183,7 @@ TEST_CASE("triangles without area are flagged, and those with two corners at one
   CHECK(view.triangles.size() == 9);
   CHECK(view.dropped_triangles == 1);
   CHECK(view.unsound_triangles == 1);
-  CHECK((view.flags[8] & SurfaceView::no_area) != 0);
+  CHECK((view.flags[8] & SurfaceView::NoArea) != 0);
 }
 
 TEST_CASE("meshes that can't be viewed are refused by what is wrong with them") {

@@ -20,9 +20,9 @@ inline constexpr Index nonmanifold_edge = no_index - 1;
 /// Corner 3t + i is corner i of triangle t and stands for the edge from there to the triangle's next corner.
 struct SurfaceView {
   enum Flag : std::uint8_t {
-    turned = 1,    ///< runs against its face as written
-    no_area = 2,   ///< area below 1e-14 of the squared diagonal: no use for the surface
-    is_sliver = 4  ///< longest edge above 1e6 times its height: its normal is noise
+    Turned = 1,  ///< runs against its face as written
+    NoArea = 2,  ///< area below 1e-14 of the squared diagonal: no use for the surface
+    Sliver = 4   ///< longest edge above 1e6 times its height: its normal is noise
   };
 
   std::vector<std::array<Index, 3>> triangles;  ///< #T by 3, vertices of the mesh by their representatives
@@ -40,7 +40,7 @@ struct SurfaceView {
   std::size_t nonmanifold_edges = 0;     ///< edges of more than two triangles
   std::size_t turned_faces = 0;          ///< faces of a minority that disagrees with its neighbours
   std::size_t one_sided_components = 0;  ///< that can't be turned to agree (a Moebius band)
-  std::size_t unsound_triangles = 0;     ///< with no_area or is_sliver
+  std::size_t unsound_triangles = 0;     ///< with NoArea or Sliver
 
   static Index next(Index corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
   static Index previous(Index corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }

@@ -48,7 +48,7 @@ void tell_orientation(const SurfaceView& view, Findings& findings) {
                                 " against the neighbours: taken the other way round, and written as " +
                                 (view.turned_faces == 1 ? "it was; flip it" : "they were; flip them") +
                                 " in the source.",
-                            flagged_faces(view, SurfaceView::turned)));
+                            flagged_faces(view, SurfaceView::Turned)));
   if (view.one_sided_components > 0)
     findings.push_back(
         warn("W_ORIENTATION",
@@ -100,7 +100,7 @@ Findings analysis_findings(const HoleAnalysis& analysis) {
     findings.push_back(warn("W_DEGENERATE",
                             counted(view.unsound_triangles + view.dropped_triangles, "triangle has", "triangles have") +
                                 " next to no area; kept, but not used to continue the surface.",
-                            flagged_faces(view, SurfaceView::no_area | SurfaceView::is_sliver)));
+                            flagged_faces(view, SurfaceView::NoArea | SurfaceView::Sliver)));
   tell_shared_vertices(analysis, findings);
   return findings;
 }

@@ -46,7 +46,7 @@ void measure_area(const std::vector<Vec3>& polygon, const HoleAnalysisOptions& o
 
 /// Unit normal of a triangle that has one, else zero.
 Vec3 normal_of(const PolyMesh& mesh, const SurfaceView& view, Index triangle) {
-  if ((view.flags[triangle] & (SurfaceView::no_area | SurfaceView::is_sliver)) != 0) return Vec3::Zero();
+  if ((view.flags[triangle] & (SurfaceView::NoArea | SurfaceView::Sliver)) != 0) return Vec3::Zero();
   const auto& t = view.triangles[triangle];
   const Vec3& a = mesh.positions[t[0]];
   return (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a).normalized();

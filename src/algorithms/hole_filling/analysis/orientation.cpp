@@ -32,14 +32,14 @@ Flood flood_part(SurfaceView& view, Index seed, Index number, CancelCheck& cance
     for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner) {
       if (!view.has_opposite(corner)) continue;
       const Index other = view.opposite[corner];
-      const bool is_turned = ((view.flags[triangle] & SurfaceView::turned) != 0) != run_alike(view, corner, other);
+      const bool is_turned = ((view.flags[triangle] & SurfaceView::Turned) != 0) != run_alike(view, corner, other);
       std::uint8_t& flags = view.flags[other / 3];
       if (view.component[other / 3] != no_index) {
-        flood.one_sided |= is_turned != ((flags & SurfaceView::turned) != 0);
+        flood.one_sided |= is_turned != ((flags & SurfaceView::Turned) != 0);
         continue;
       }
       view.component[other / 3] = number;
-      if (is_turned) flags |= SurfaceView::turned, ++flood.turned;
+      if (is_turned) flags |= SurfaceView::Turned, ++flood.turned;
       flood.members.push_back(other / 3);
     }
   }
@@ -48,7 +48,7 @@ Flood flood_part(SurfaceView& view, Index seed, Index number, CancelCheck& cance
 
 /// Where a corner's edge is once the last two corners of turned triangles have changed places.
 Index corner_after_turning(const SurfaceView& view, Index corner) {
-  if (corner >= nonmanifold_edge || (view.flags[corner / 3] & SurfaceView::turned) == 0) return corner;
+  if (corner >= nonmanifold_edge || (view.flags[corner / 3] & SurfaceView::Turned) == 0) return corner;
   constexpr std::array<Index, 3> place = {2, 1, 0};
   return corner - corner % 3 + place[corner % 3];
 }
@@ -56,7 +56,7 @@ Index corner_after_turning(const SurfaceView& view, Index corner) {
 void apply_turns(SurfaceView& view) {
   for (Index& other : view.opposite) other = corner_after_turning(view, other);
   for (Index t = 0; t < view.triangles.size(); ++t) {
-    if ((view.flags[t] & SurfaceView::turned) == 0) continue;
+    if ((view.flags[t] & SurfaceView::Turned) == 0) continue;
     std::swap(view.triangles[t][1], view.triangles[t][2]);
     std::swap(view.opposite[3 * t], view.opposite[3 * t + 2]);
   }
@@ -89,11 +89,11 @@ void flood_parts(SurfaceView& view, CancelCheck& cancel) {
     if (flood.one_sided) {
       ++view.one_sided_components;
       for (const Index triangle : flood.members)
-        view.flags[triangle] &= static_cast<std::uint8_t>(~SurfaceView::turned);
+        view.flags[triangle] &= static_cast<std::uint8_t>(~SurfaceView::Turned);
       continue;  // no orientation is better than the one given
     }
     if (2 * flood.turned > flood.members.size()) {
-      for (const Index triangle : flood.members) view.flags[triangle] ^= SurfaceView::turned;
+      for (const Index triangle : flood.members) view.flags[triangle] ^= SurfaceView::Turned;
       flood.turned = flood.members.size() - flood.turned;
     }
     any_turned |= flood.turned > 0;

@@ -92,9 +92,9 @@ double flag_unsound(const PolyMesh& mesh, SurfaceView& view, Progress& progress)
     const double twice_area = ab.cross(ac).norm();
     const double longest = std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()});
     area += twice_area / 2;
-    if (twice_area < 2 * area_limit) view.flags[t] |= SurfaceView::no_area;
-    if (twice_area * greatest_aspect < longest) view.flags[t] |= SurfaceView::is_sliver;
-    if ((view.flags[t] & (SurfaceView::no_area | SurfaceView::is_sliver)) != 0) ++view.unsound_triangles;
+    if (twice_area < 2 * area_limit) view.flags[t] |= SurfaceView::NoArea;
+    if (twice_area * greatest_aspect < longest) view.flags[t] |= SurfaceView::Sliver;
+    if ((view.flags[t] & (SurfaceView::NoArea | SurfaceView::Sliver)) != 0) ++view.unsound_triangles;
   }
   return area;
 }
@@ -108,7 +108,7 @@ void list_rim_corners(SurfaceView& view) {
 void count_turned_faces(SurfaceView& view) {
   Index last = no_index;
   for (std::size_t t = 0; t < view.triangles.size(); ++t) {
-    if ((view.flags[t] & SurfaceView::turned) == 0 || view.face[t] == last) continue;
+    if ((view.flags[t] & SurfaceView::Turned) == 0 || view.face[t] == last) continue;
     last = view.face[t];
     ++view.turned_faces;
   }

@@ -115,7 +115,7 @@ class Reach {
   Vec3 normal() const {
     Vec3 sum = Vec3::Zero();
     for (const Spoke& spoke : fan_) {
-      if ((view_.flags[spoke.triangle] & (SurfaceView::no_area | SurfaceView::is_sliver)) != 0) continue;
+      if ((view_.flags[spoke.triangle] & (SurfaceView::NoArea | SurfaceView::Sliver)) != 0) continue;
       const double length = spoke.across.norm();
       if (length > 0) sum += spoke.angle / length * spoke.across;
     }

@@ -18,7 +18,7 @@ std::vector<Index> triangles_in(const HoleSite& site, const implicit::Box& box) 
   const SurfaceView& view = site.analysis->view;
   std::vector<Index> near;
   for (Index t = 0; t < view.triangles.size(); ++t) {
-    if ((view.flags[t] & (SurfaceView::no_area | SurfaceView::is_sliver)) != 0) continue;
+    if ((view.flags[t] & (SurfaceView::NoArea | SurfaceView::Sliver)) != 0) continue;
     const auto& [a, b, c] = view.triangles[t];
     const auto &p = site.mesh->positions[a], &q = site.mesh->positions[b], &r = site.mesh->positions[c];
     const Vec3 low = p.cwiseMin(q).cwiseMin(r), high = p.cwiseMax(q).cwiseMax(r);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double quadric_reach = 4;      // × mean edge of the rim, around it
 constexpr double smooth_dihedral = 0.5;  // cosine: beyond, the normal of an edge isn't known
-constexpr std::uint8_t unsound = SurfaceView::no_area | SurfaceView::is_sliver;
+constexpr std::uint8_t unsound = SurfaceView::NoArea | SurfaceView::Sliver;
 
 Vec3 normal_of(const PolyMesh& mesh, const SurfaceView& view, std::size_t triangle) {
   if ((view.flags[triangle] & unsound) != 0) return Vec3::Zero();
