@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "app/object_names.h"
 #include "app/theme.h"
 #include "croquis/render/sharpness_color.h"
 #include "croquis/render/value_color.h"
@@ -162,7 +163,8 @@ QString ViewChips::counts() const {
   QStringList lines;
   for (const StudioObject& object : studio_.objects()) {
     if (!object.visible || !object.shown()) continue;
-    QString line = QString::fromStdString(object.name) + ": " + faces(object.shown()->face_count());
+    const QString name = object.node == studio_.solid_node() ? tr("Solid") : shown_name(object);
+    QString line = name + ": " + faces(object.shown()->face_count());
     if (object.cage_mesh && object.shown()->face_count() != object.cage_mesh->face_count()) {
       line += tr(" from %1").arg(faces(object.cage_mesh->face_count()));
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QFile>
 #include <QFileDialog>
+#include <QLabel>
 
 #include <catch2/catch.hpp>
 
@@ -47,6 +48,7 @@ TEST_CASE("meshes are listed by names that people would give, and keep those of 
   open_mesh(hand, cube(), "hex_bolt");
   auto* list = hand.window().findChild<app::ObjectList*>("objects");
   CHECK(list->topLevelItem(0)->text(0) == "Hex bolt");
+  CHECK(hand.window().findChild<QLabel*>("counts")->text().startsWith("Hex bolt: 6 faces"));
   CHECK(hand.studio().objects()[0].name == "hex_bolt");
   // The eye alone renames nothing.
   list->topLevelItem(0)->setCheckState(0, Qt::Unchecked);
@@ -66,6 +68,7 @@ TEST_CASE("the bodies of a sketch have numbers, not the names of strokes and ope
     CHECK(list->topLevelItem(row)->text(0) == "Body " + QString::number(row + 1));
     CHECK(list->topLevelItem(row)->toolTip(0).contains("stroke"));
   }
+  CHECK(hand.window().findChild<QLabel*>("counts")->text().startsWith("Solid: "));
   for (const auto& [action, file] : {std::pair{"export-solid", "Sketch.obj"}, {"save", "Sketch.croq"}}) {
     QString proposed;
     in_dialog<QFileDialog>([&](QFileDialog& dialog) {
