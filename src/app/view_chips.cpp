@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view_chips.h"
 
+#include <QLocale>
 #include <QPainter>
 #include <algorithm>
 

@@ -13,7 +13,8 @@
 namespace croquis::app {
 
 /// The views of the window, by their places in lists.
-enum View { SketchView = 0, PerspectiveView = 1, TopView = 2, SideView = 3, ComparisonView = 4, view_count = 5 };
+enum View { SketchView = 0, PerspectiveView = 1, TopView = 2, SideView = 3, ComparisonView = 4 };
+inline constexpr int view_count = 5;
 
 /// One view of the window: a camera and the rectangle of the widget that it fills.
 struct ViewPane {
