@@ -13,6 +13,8 @@ namespace {
 
 // A vertex between two edges that nearly go back on each other moves at most this many widths.
 constexpr double farthest_corner = 4;
+// Less of an edge is nothing: faces without area would be left.
+constexpr double least_share = 1e-6;
 
 /// Where the rim's vertices go for a width of 1.
 std::vector<Vec3> inward_moves(const PolyMesh& mesh, const MeshTopology& topology, const LiftedRegion& region,
@@ -50,7 +52,8 @@ bool is_inside_out(const PolyMesh& before, const PolyMesh& after, Index face) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Index from = corners[i], to = corners[(i + 1) % corners.size()];
     const Vec3 side = before.positions[to] - before.positions[from];
-    if (side.squaredNorm() > 0 && !(side.dot(after.positions[to] - after.positions[from]) > 0)) return true;
+    const double kept = side.dot(after.positions[to] - after.positions[from]);
+    if (side.squaredNorm() > 0 && !(kept > least_share * side.squaredNorm())) return true;
   }
   const Vec3 normal = area_normal(before, face);
   return normal.squaredNorm() > 0 && !(area_normal(after, face).dot(normal) > 0);
