@@ -4,11 +4,11 @@
 #include <QSurfaceFormat>
 #include <algorithm>
 
-#include "app/icons.h"
 #include "app/launch_options.h"
-#include "app/main_window.h"
-#include "app/replay_player.h"
-#include "app/theme.h"
+#include "app/replay/replay_player.h"
+#include "app/window/icons.h"
+#include "app/window/main_window.h"
+#include "app/window/theme.h"
 #include "croquis/base/error.h"
 
 namespace {

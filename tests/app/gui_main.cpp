@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/theme.h"
+#include "app/window/theme.h"
 
 int main(int argc, char** argv) {
   QSurfaceFormat format;

@@ -9,8 +9,8 @@
 #include <memory>
 #include <vector>
 
-#include "app/main_window.h"
-#include "app/viewport.h"
+#include "app/views/viewport.h"
+#include "app/window/main_window.h"
 #include "support/sketch.h"
 
 namespace croquis::test {

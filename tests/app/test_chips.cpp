@@ -9,9 +9,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/chip_space.h"
-#include "app/lists.h"
+#include "app/panels/lists.h"
 #include "app/studio_fixture.h"
+#include "app/views/chip_space.h"
 #include "support/random.h"
 #include "support/sketch_gallery.h"
 

@@ -16,9 +16,9 @@
 #include <catch2/catch.hpp>
 
 #include "app/dialogs.h"
-#include "app/file_reader.h"
+#include "app/files/file_reader.h"
 #include "app/hole_scans.h"
-#include "app/lists.h"
+#include "app/panels/lists.h"
 #include "app/studio_fixture.h"
 #include "croquis/base/error.h"
 #include "croquis/document/content_hash.h"

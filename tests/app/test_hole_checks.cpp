@@ -7,11 +7,11 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/hole_panel.h"
 #include "app/hole_scans.h"
-#include "app/hole_table.h"
 #include "app/studio_fixture.h"
-#include "app/surface_check.h"
+#include "app/tools/holes/hole_panel.h"
+#include "app/tools/holes/hole_table.h"
+#include "app/tools/holes/surface_check.h"
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/io/file.h"
 #include "croquis/io/mesh_file.h"

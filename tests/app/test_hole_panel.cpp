@@ -7,10 +7,10 @@
 #include <QSpinBox>
 #include <QTest>
 
-#include "app/hole_panel.h"
 #include "app/hole_scans.h"
-#include "app/replay_player.h"
-#include "app/size_slider.h"
+#include "app/panels/size_slider.h"
+#include "app/replay/replay_player.h"
+#include "app/tools/holes/hole_panel.h"
 #include "croquis/document/content_hash.h"
 #include "croquis/io/file.h"
 #include "support/mesh_shapes.h"

@@ -7,15 +7,15 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/attribute_panel.h"
-#include "app/hole_panel.h"
 #include "app/hole_scans.h"
-#include "app/hole_table.h"
-#include "app/lists.h"
-#include "app/parameter_field.h"
-#include "app/replay_player.h"
-#include "app/size_slider.h"
+#include "app/panels/attribute_panel.h"
+#include "app/panels/lists.h"
+#include "app/panels/parameter_field.h"
+#include "app/panels/size_slider.h"
+#include "app/replay/replay_player.h"
 #include "app/studio_fixture.h"
+#include "app/tools/holes/hole_panel.h"
+#include "app/tools/holes/hole_table.h"
 #include "croquis/base/error.h"
 #include "croquis/document/content_hash.h"
 #include "croquis/geometry/mesh_topology.h"

@@ -7,8 +7,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/event_clock.h"
 #include "app/studio_fixture.h"
+#include "app/views/event_clock.h"
 #include "app/x_pointer.h"
 #include "croquis/geometry/polyline.h"
 #include "support/sketch_gallery.h"

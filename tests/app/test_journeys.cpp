@@ -5,10 +5,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/lists.h"
-#include "app/object_list.h"
+#include "app/panels/lists.h"
+#include "app/panels/object_list.h"
 #include "app/studio_fixture.h"
-#include "app/theme.h"
+#include "app/window/theme.h"
 #include "croquis/document/content_hash.h"
 #include "support/sketch_gallery.h"
 

@@ -9,15 +9,15 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/chain_table.h"
-#include "app/gallery.h"
-#include "app/lists.h"
-#include "app/object_list.h"
-#include "app/replay_player.h"
-#include "app/smoothing.h"
+#include "app/panels/lists.h"
+#include "app/panels/object_list.h"
+#include "app/replay/replay_player.h"
+#include "app/start/gallery.h"
 #include "app/studio_fixture.h"
-#include "app/tag_panel.h"
-#include "app/theme.h"
+#include "app/tools/mesh/tag_panel.h"
+#include "app/tools/subdivision/chain_table.h"
+#include "app/tools/subdivision/smoothing.h"
+#include "app/window/theme.h"
 #include "croquis/document/content_hash.h"
 #include "croquis/io/file.h"
 #include "croquis/io/mesh_file.h"

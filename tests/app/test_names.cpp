@@ -6,8 +6,8 @@
 #include <catch2/catch.hpp>
 
 #include "app/dialogs.h"
-#include "app/lists.h"
-#include "app/object_list.h"
+#include "app/panels/lists.h"
+#include "app/panels/object_list.h"
 #include "app/studio_fixture.h"
 #include "croquis/io/mesh_file.h"
 #include "support/mesh_shapes.h"

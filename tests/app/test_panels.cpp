@@ -8,12 +8,12 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/attribute_panel.h"
-#include "app/gallery.h"
-#include "app/lists.h"
-#include "app/object_list.h"
-#include "app/parameter_field.h"
-#include "app/start_page.h"
+#include "app/panels/attribute_panel.h"
+#include "app/panels/lists.h"
+#include "app/panels/object_list.h"
+#include "app/panels/parameter_field.h"
+#include "app/start/gallery.h"
+#include "app/start/start_page.h"
 #include "app/studio_fixture.h"
 #include "support/sketch_gallery.h"
 

@@ -5,10 +5,10 @@
 #include <QTreeWidgetItemIterator>
 #include <map>
 
-#include "app/hole_panel.h"
 #include "app/hole_scans.h"
-#include "app/object_list.h"
-#include "app/replay_player.h"
+#include "app/panels/object_list.h"
+#include "app/replay/replay_player.h"
+#include "app/tools/holes/hole_panel.h"
 #include "croquis/base/error.h"
 #include "croquis/document/content_hash.h"
 #include "croquis/io/file.h"

@@ -9,7 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/studio_fixture.h"
-#include "app/theme.h"
+#include "app/window/theme.h"
 #include "support/sketch_gallery.h"
 
 using namespace croquis;

@@ -16,10 +16,10 @@
 #include <catch2/catch.hpp>
 
 #include "app/dialogs.h"
-#include "app/elided_label.h"
-#include "app/help_line.h"
-#include "app/start_page.h"
+#include "app/start/start_page.h"
 #include "app/studio_fixture.h"
+#include "app/window/elided_label.h"
+#include "app/window/help_line.h"
 #include "croquis/document/content_hash.h"
 #include "support/sketch_gallery.h"
 

@@ -18,10 +18,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/elided_label.h"
 #include "app/hand_on_meshes.h"
 #include "app/hole_scans.h"
-#include "app/window_layout.h"
+#include "app/window/elided_label.h"
+#include "app/window/window_layout.h"
 
 using namespace croquis;
 using namespace croquis::test;

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "app/studio_fixture.h"
-#include "app/theme.h"
+#include "app/window/theme.h"
 #include "croquis/document/memo.h"
 #include "croquis/io/mesh_file.h"
 #include "croquis/operators/all_operations.h"

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/files/file_reader.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QMetaObject>
+#include <utility>
+
+#include "app/panels/word_list.h"
+#include "croquis/base/error.h"
+#include "croquis/io/file.h"
+#include "croquis/io/mesh_file.h"
+#include "croquis/io/project_file.h"
+#include "croquis/io/svg_drawing.h"
+
+namespace croquis::app {
+namespace {
+
+std::string local_name(const QString& path) { return QFile::encodeName(path).toStdString(); }
+
+bool is_sketch(const QString& path) { return QFileInfo(path).suffix().toLower() == "svg"; }
+
+/// ".croq, .svg, .obj or .off".
+std::string readable_endings() {
+  std::vector<std::string> endings{".croq", ".svg"};
+  for (const MeshFormat format : mesh_formats()) endings.push_back(extension_of(format));
+  return either_of(endings);
+}
+
+}  // namespace
+
+FileReader::FileReader() { thread_.setMaxThreadCount(1); }
+
+FileReader::~FileReader() {
+  *cancelled_ = true;
+  thread_.waitForDone();
+}
+
+bool FileReader::replaces_document(const QString& path) { return is_project_name(local_name(path)) || is_sketch(path); }
+
+QString FileReader::dialog_filter() {
+  QStringList endings{"*.croq", "*.svg"};
+  QStringList kinds{tr("Projects (*.croq)"), tr("Earlier versions of projects (*.croq~*)"), tr("Sketches (*.svg)")};
+  for (const MeshFormat format : mesh_formats()) {
+    const QString ending = "*" + QString::fromStdString(extension_of(format));
+    endings << ending;
+    kinds << QString("%1 (%2)").arg(to_string(format), ending);
+  }
+  kinds.prepend(tr("Projects, sketches and meshes (%1)").arg(endings.join(' ')));
+  return kinds.join(";;");
+}
+
+ReadFile FileReader::read_now(const QString& path, Progress& progress) {
+  const std::string file = local_name(path);
+  if (is_project_name(file)) {
+    ProjectFile project = load_project(file, progress);
+    return {path, std::move(project.document), std::move(project.warnings)};
+  }
+  const std::string bytes = read_file(file);
+  if (const auto format = mesh_format_of(file)) {
+    MeshReadResult read = read_mesh(bytes, *format, file, progress);
+    return {path, std::make_shared<const PolyMesh>(std::move(read.mesh)), std::move(read.warnings)};
+  }
+  if (is_sketch(path)) {
+    DrawingReadResult read = read_svg_drawing(bytes, file, progress);
+    return {path, std::make_shared<const Drawing>(std::move(read.drawing)), std::move(read.warnings)};
+  }
+  throw Error(make_error(Category::Malformed, "E_FORMAT",
+                         "\"" + file + "\" is no project, sketch or mesh: open " + readable_endings()));
+}
+
+void FileReader::read(const QString& path) {
+  if (open_++ == 0) {
+    *cancelled_ = false;
+    emit busy_changed(true);
+  }
+  thread_.start([this, path, cancelled = cancelled_] {
+    Progress progress([this](double fraction, const std::string& step) { tell_progress(fraction, step); },
+                      cancelled.get());
+    std::shared_ptr<const ReadFile> file;
+    Findings findings;
+    try {
+      progress.check();
+      file = std::make_shared<const ReadFile>(read_now(path, progress));
+      progress.check();
+    } catch (const Error& error) {
+      findings = error.findings();
+    } catch (const Cancelled&) {
+      file.reset();
+    } catch (const std::bad_alloc&) {
+      findings = {make_error(Category::Limit, "E_MEMORY",
+                             tr("\"%1\" doesn't fit into this machine's memory").arg(path).toStdString())};
+    }
+    QMetaObject::invokeMethod(
+        this, [this, path, file, findings] { take(path, file, findings); }, Qt::QueuedConnection);
+  });
+}
+
+void FileReader::tell_progress(double fraction, const std::string& step) {
+  // One at a time: readers report far more often than a window can show.
+  if (progress_posted_.exchange(true)) return;
+  QMetaObject::invokeMethod(
+      this,
+      [this, fraction, text = QString::fromStdString(step)] {
+        progress_posted_ = false;
+        if (busy()) emit progress_changed(fraction, text);
+      },
+      Qt::QueuedConnection);
+}
+
+void FileReader::cancel() { *cancelled_ = true; }
+
+void FileReader::take(const QString& path, std::shared_ptr<const ReadFile> file, const Findings& findings) {
+  --open_;
+  if (file)
+    emit finished(*file);
+  else
+    emit failed(path, findings);
+  if (open_ == 0) emit busy_changed(false);
+}
+
+}  // namespace croquis::app

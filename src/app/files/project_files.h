@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDateTime>
+#include <QElapsedTimer>
+#include <QObject>
+#include <QSet>
+#include <QStringList>
+#include <QThreadPool>
+#include <QTimer>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "app/files/file_reader.h"
+#include "app/start/start_page.h"
+#include "app/studio/studio.h"
+#include "app/views/offscreen_pictures.h"
+#include "croquis/io/project_lock.h"
+#include "croquis/io/recovery.h"
+
+namespace croquis::app {
+
+/// Everything between the studio and files: projects, sketches, exports, recent files, and the working copy that
+/// survives a crash. Asks nothing and shows nothing; failures are thrown as Error.
+class ProjectFiles : public QObject {
+  Q_OBJECT
+
+ public:
+  /// @param state_folder where working copies lie
+  ProjectFiles(Studio& studio, OffscreenPictures& pictures, const QString& state_folder);
+  ~ProjectFiles() override;
+
+  /// Of the project that is open; empty for one that was never saved.
+  const QString& path() const { return path_; }
+
+  /// The file's name; of an earlier version that was opened, its own; empty for what came from no project.
+  QString file_name() const;
+
+  /// What was wrong with the files that the open document came from; W_PROJECT_OPEN when others have it open, too.
+  const Findings& warnings() const { return warnings_; }
+
+  /// A project that was found damaged is never overwritten: saving there keeps it beside the new one.
+  bool is_damaged(const QString& path) const;
+
+  /// Where to save instead of over a damaged project, or what was opened from an earlier version; else empty.
+  QString rescue_path() const;
+
+  /// Another window or process has that project open.
+  bool is_open_elsewhere(const QString& path);
+
+  /// The open project's file isn't what was read or written here last: another window or program saved it since.
+  bool has_changed(const QString& path) const;
+
+  void start_sketch();
+  /// A sketch or cage that ships inside the program.
+  void start_sample(const QString& name);
+
+  /// Begins to open a project (.croq), a sketch (.svg) or a mesh; `opened` or `open_failed` follows. Meshes are added
+  /// to what is open.
+  void begin_open(const QString& path) { reader_.read(path); }
+
+  /// The same, and waits, keeping the window alive. @throws Error, Cancelled
+  void open(const QString& path);
+
+  /// What reads them.
+  FileReader& reader() { return reader_; }
+  const FileReader& reader() const { return reader_; }
+
+  /// Where pictures of what is shown come from: items made ready anyway.
+  void set_items(std::function<std::vector<render::MeshItemPtr>()> items) { items_ = std::move(items); }
+
+  /// Keeps up to three older versions beside the file; a damaged one under a name of its own.
+  /// @return where the damaged one is now, or nothing
+  QString save(const QString& path);
+
+  /// The active object's surface as it is shown, in the format of the name's extension.
+  /// @return what the format can't hold
+  Findings export_solid(const QString& path) const;
+
+  /// The drawing as SVG.
+  void export_drawing(const QString& path) const;
+
+  QStringList recent() const;
+
+  /// Work that a crash left behind.
+  std::vector<RecoveryOffer> recoverable() const;
+  void recover(const RecoveryOffer& offer);
+  void discard(const RecoveryOffer& offer);
+
+  /// Discards all of it. What can't be removed stays in the list.
+  void discard_all();
+
+  /// The program ends normally: nothing to recover.
+  void close_cleanly();
+
+  /// The working copy is up to date when this returns.
+  void autosave_now();
+
+ signals:
+  void path_changed(const QString& path);
+  void opened(const QString& path, const croquis::Findings& warnings);
+  void open_failed(const QString& path, const croquis::Findings& findings);
+
+  /// The working copy can't be written; the work in the window is whole.
+  void autosave_failed(const QString& sentence);
+
+ private:
+  void take(const ReadFile& file);
+  void take_project(const QString& path, const Document& document);
+  void note_damage(const QString& path, const Findings& findings);
+  void follow_session();
+  void forget_work();
+  void autosave();
+  bool drawn_slowly() const;
+  void set_path(const QString& path);
+  void remember(const QString& path);
+  std::vector<std::uint8_t> thumbnail() const;
+
+  Studio& studio_;
+  FileReader reader_;
+  OffscreenPictures& pictures_;
+  std::function<std::vector<render::MeshItemPtr>()> items_;
+  QString state_folder_;
+  QString path_;
+  std::pair<QDateTime, qint64> known_file_;  ///< time and size of the project's file when it was read or written here
+  QString earlier_version_;                  ///< that was opened instead of the project
+  std::optional<ProjectLock> lock_;          ///< of the project that is open, unless others have it
+  Findings warnings_;
+  QSet<QString> damaged_;  ///< projects found so, by whole path
+  bool touched_ = false;   ///< what is open was worked on since it was opened or saved
+  QTimer autosave_timer_;
+  QElapsedTimer since_thumbnail_;
+  Document autosaved_;
+  bool has_thumbnail_ = false;                 ///< the working copy shows its solid
+  std::unique_ptr<WorkingCopy> working_copy_;  ///< the disk's thread's while that one is busy
+  QThreadPool disk_;                           ///< one thread: commits wait for the disk, the window doesn't
+};
+
+}  // namespace croquis::app

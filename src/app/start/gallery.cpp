@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/start/gallery.h"
+
+#include <QDir>
+#include <QFile>
+#include <map>
+
+#include "croquis/base/error.h"
+#include "croquis/document/operation.h"
+#include "croquis/io/mesh_file.h"
+#include "croquis/io/svg_drawing.h"
+
+namespace croquis::app {
+namespace {
+
+const QString folder = QStringLiteral(":/sketches/");
+
+const std::map<SampleKind, QString> endings{
+    {SampleKind::Sketch, ".svg"}, {SampleKind::Cage, ".obj"}, {SampleKind::Scan, ".ply"}};
+
+Sample sample_of(const QString& file, SampleKind kind) {
+  const QString name = file.chopped(4);
+  QString title = name;
+  title.replace('_', ' ');
+  title[0] = title[0].toUpper();
+  return {name, title, kind};
+}
+
+}  // namespace
+
+std::vector<Sample> samples() {
+  std::vector<Sample> found;
+  for (const auto& [kind, ending] : endings) {
+    for (const QString& file : QDir(folder).entryList({"*" + ending}, QDir::Files, QDir::Name)) {
+      found.push_back(sample_of(file, kind));
+    }
+  }
+  return found;
+}
+
+SampleKind kind_of_sample(const QString& name) {
+  for (const auto& [kind, ending] : endings) {
+    if (QFile::exists(folder + name + ending)) return kind;
+  }
+  return SampleKind::Sketch;
+}
+
+Value load_sample(const QString& name) {
+  const SampleKind kind = kind_of_sample(name);
+  const QString file_name = name + endings.at(kind);
+  QFile file(folder + file_name);
+  if (!file.open(QIODevice::ReadOnly)) {
+    throw Error(make_error(Category::Malformed, "E_FILE_OPEN",
+                           "There is no shipped sample named \"" + name.toStdString() + "\""));
+  }
+  const QByteArray bytes = file.readAll();
+  const std::string_view text(bytes.constData(), static_cast<std::size_t>(bytes.size()));
+  Progress progress;
+  if (kind == SampleKind::Sketch) {
+    return std::make_shared<const Drawing>(read_svg_drawing(text, file_name.toStdString(), progress).drawing);
+  }
+  const MeshFormat format = kind == SampleKind::Scan ? MeshFormat::Ply : MeshFormat::Obj;
+  return std::make_shared<const PolyMesh>(read_mesh(text, format, file_name.toStdString(), progress).mesh);
+}
+
+std::shared_ptr<const PolyMesh> sample_surface(const QString& name, const Registry& registry, Progress& progress) {
+  const Value sample = load_sample(name);
+  const bool sketch = type_of(sample) == ValueType::Drawing;
+  const Operation* operation = registry.find(sketch ? "inflate" : "subdivide");
+  if (operation == nullptr || kind_of_sample(name) == SampleKind::Scan)
+    return std::get<std::shared_ptr<const PolyMesh>>(sample);
+  Context context{progress, Quality::Draft};
+  const ParameterValues parameters = sketch ? ParameterValues() : ParameterValues{{"levels", std::int64_t{3}}};
+  const OperationResult result = run(*operation, {{sketch ? "drawing" : "cage", sample}}, parameters, context);
+  return std::get<std::shared_ptr<const PolyMesh>>(result.outputs.at("mesh"));
+}
+
+}  // namespace croquis::app

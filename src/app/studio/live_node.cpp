@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/live_node.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace croquis::app {
+namespace {
+
+constexpr int draft_patience_ms = 400;  // a draft that takes longer gives way to a newer one
+
+/// The node and everything that leads to it, in the document's order.
+std::vector<std::shared_ptr<const Node>> upstream(const Document& document, NodeId id) {
+  std::set<NodeId> wanted{id};
+  std::vector<NodeId> open{id};
+  while (!open.empty()) {
+    const Node* node = document.find(open.back());
+    open.pop_back();
+    if (node == nullptr) continue;
+    for (const auto& [port, link] : node->inputs) {
+      if (wanted.insert(link.node).second) open.push_back(link.node);
+    }
+  }
+  std::vector<std::shared_ptr<const Node>> nodes;
+  for (const auto& node : document.nodes()) {
+    if (wanted.contains(node->id)) nodes.push_back(node);
+  }
+  return nodes;
+}
+
+}  // namespace
+
+LiveNode::Host LiveNode::quiet_host(QObject* receiver, std::function<void()> changed) {
+  Host host;
+  host.post = [receiver](std::function<void()> task) {
+    QMetaObject::invokeMethod(receiver, std::move(task), Qt::QueuedConnection);
+  };
+  host.changed = std::move(changed);
+  host.progress = [](double, const std::string&) {};
+  host.busy_changed = [] {};
+  return host;
+}
+
+LiveNode::LiveNode(Evaluator& evaluator, NodeId node, Host host) : node_(node), host_(std::move(host)) {
+  LiveEvaluation::Callbacks callbacks;
+  callbacks.result = [this](NodeId, std::shared_ptr<const Evaluation> result, Quality quality) {
+    take(std::move(result), quality);
+  };
+  callbacks.progress = host_.progress;
+  callbacks.busy = [this](bool) { host_.busy_changed(); };
+  live_ = std::make_unique<LiveEvaluation>(evaluator, host_.post, std::move(callbacks));
+}
+
+void LiveNode::follow(const Document& document) {
+  document_ = document;
+  std::vector<std::shared_ptr<const Node>> nodes = upstream(document, node_);
+  if (nodes == made_of_) return;
+  made_of_ = std::move(nodes);
+  if (drafting_ && !since_request_.hasExpired(draft_patience_ms)) {
+    // Drags are faster than drafts: the draft under way is shown before the next one begins.
+    waiting_ = true;
+  } else {
+    evaluate();
+  }
+}
+
+void LiveNode::cancel() {
+  waiting_ = false;
+  drafting_ = false;
+  live_->cancel();
+}
+
+void LiveNode::evaluate() {
+  waiting_ = false;
+  drafting_ = true;
+  since_request_.start();
+  live_->request(document_, node_);
+}
+
+void LiveNode::take(std::shared_ptr<const Evaluation> result, Quality quality) {
+  result_ = std::move(result);
+  quality_ = quality;
+  drafting_ = false;
+  if (waiting_) evaluate();
+  const auto tell = host_.changed;  // a receiver may remove this node
+  tell();
+}
+
+}  // namespace croquis::app

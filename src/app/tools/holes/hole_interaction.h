@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/tools/holes/hole_overlay.h"
+#include "app/tools/holes/hole_plan.h"
+#include "app/tools/holes/hole_rows.h"
+#include "app/tools/holes/hole_sight.h"
+#include "app/tools/holes/patch_preview.h"
+#include "app/views/object_scenes.h"
+#include "croquis/tools/hole_tool.h"
+#include "croquis/tools/pen.h"
+
+namespace croquis::app {
+
+/// Work on the holes of the active object: picks, fills, reopens, bridges and shapes them, by view, list and menu.
+/// All that it changes is a parameter of the object's `fill` operation.
+class HoleInteraction : public QObject {
+  Q_OBJECT
+
+ public:
+  /// @param frame_of how tools see the model in a view
+  HoleInteraction(Studio& studio, ObjectScenes& scenes, std::function<ViewFrame(int)> frame_of, QObject* parent);
+
+  /// While it isn't active nothing of it is shown or computed.
+  bool active() const { return active_; }
+  void set_active(bool active);
+
+  HoleTool& tool() { return tool_; }
+  const std::vector<HoleRow>& rows() const { return rows_; }
+  const HoleRow* row(Index hole) const;
+  std::shared_ptr<const PolyMesh> scan() const;  ///< that is filled; null before it has been computed itself
+  const std::vector<Index>& selected() const { return tool_.selected(); }
+  const std::vector<Index>& hovered() const { return tool_.preview().hovered.holes; }
+  const PatchPreview& preview() const { return preview_; }
+  bool busy() const { return active_ && preview_.busy(); }
+
+  // ---- Selection
+  void select(std::vector<Index> holes);
+  void select_all();
+  void select_by_size(double diameter);
+  std::vector<Index> open_up_to(double diameter) const;  ///< open holes that aren't borders, up to that diameter
+
+  // ---- What becomes of holes; each is one step of the history
+  void fill_selected();
+  bool can_fill_selected() const;  ///< one is open, or belongs to a bridge that couldn't be made
+  /// @param select one of the parameter's choices; of "inner", nothing that is filled is opened
+  void fill_all(const std::string& select);
+  bool can_fill_all(const std::string& select) const;  ///< it would change something, or that isn't known yet
+  void fill_up_to(double diameter);                    ///< what is filled already stays
+  void reopen_selected();
+  void bridge_selected();
+  void clear_handles();  ///< of the selected holes
+
+  // ---- How patches are made: of the selected holes, of all when none is selected
+  struct Way {
+    std::string fairness, kernel;
+    double bulge = 0;
+    int trim_rim = 0;
+  };
+  Way way() const;
+  std::string preset() const;  ///< of all holes
+  void set_fairness(const std::string& fairness);
+  void set_kernel(const std::string& kernel);
+  void set_bulge(double bulge, bool dragging);
+  void set_trim(int rings);
+  void set_preset(const std::string& preset);  ///< of all holes: what is scanned
+  void set_mode(const std::string& mode);      ///< of all holes: patches, or the model remeshed
+
+  /// Stops what the studio computes. A remeshing that was asked for is given up: all is as it was before.
+  void cancel();
+
+  // ---- Pointer events
+  void take(const PointerEvent& event);  ///< its place in pixels of its view
+  void leave();
+  bool down() const { return pen_.down(); }
+  bool abandon();  ///< gives up the gesture under way. @return false when there was none
+  void replay(const recorded::HoleChoice& step);
+  void replay(const recorded::HolePoint& step);
+  void replay(const recorded::HoleWay& step);
+
+  /// Shows what is there after the document, a result or the selection has changed.
+  void follow();
+
+  /// What is drawn over a view.
+  void add_to(render::Scene& scene, int view);
+  bool knows_sight() const { return sight_.sight() != nullptr; }  ///< of pins: whether the scan hides them
+  const std::vector<HolePin>& pins(int view) { return tool_.pins(frame_of_(view)); }
+  render::Bounds selection_bounds() const { return HoleOverlay::bounds_of(tool_, tool_.selected()); }
+
+  /// Where what is selected looks to, out of the scan; nothing where that isn't one direction.
+  std::optional<Vec3> selection_facing() const;
+
+  /// The next action, in words and keys.
+  QString help() const;
+
+ signals:
+  void changed();        ///< what is drawn over the views
+  void holes_changed();  ///< rows or selection
+  void committed(const croquis::recorded::Step& step);
+  void told(const QString& sentence);
+  void frame_wanted();  ///< of what is selected
+
+ private:
+  const Node* node() const;
+  std::vector<Index> filled() const;
+  std::vector<Index> open_of(const std::vector<Index>& holes) const;
+  std::vector<Index> failed_of(const std::vector<Index>& holes) const;
+  Index largest() const;
+  bool is_named(const HoleRow& row, const std::string& select, double max_diameter) const;
+  bool stays_filled(const HoleRow& row, const std::string& select) const;
+  void fill_named(const std::string& label, const std::string& select, double max_diameter);
+  void attempt(const std::function<void()>& work);
+  void edit(const std::string& label, const ParameterValues& values, bool dragging);
+  void change_plan(const std::string& label, const std::function<void(HolePlan&)>& change);
+  Way way_of(std::optional<Index> hole) const;  ///< without one, of holes without a wish of their own
+  bool is_made_so(const recorded::HoleWay& step) const;
+  void change_way(const recorded::HoleWay& step, bool dragging);
+  void finish(Verdict verdict);
+  void apply(const recorded::HoleChoice& step);
+  void apply(const recorded::HolePoint& step);
+  void follow_pull();
+  void feed(const PenStep& step);
+  void hover(const PointerEvent& event);
+  void take_result(const StudioObject* object);
+  void show_patches();
+  void show_handles();
+  void selection_moved();
+
+  Studio& studio_;
+  ObjectScenes& scenes_;
+  std::function<ViewFrame(int)> frame_of_;
+  bool active_ = false;
+  HoleTool tool_;
+  PenInput pen_;
+  HoleOverlay overlay_;
+  PatchPreview preview_;
+  HoleSightMaker sight_;
+  std::vector<HoleRow> rows_;
+  std::shared_ptr<const Evaluation> shown_;  ///< the result that rows_ describe
+  NodeId shown_node_ = 0;
+  int gesture_view_ = 0;
+  std::optional<HolePlan> pulled_;  ///< before the pull under way
+  bool dragging_ = false;           ///< the session's drag has begun
+};
+
+}  // namespace croquis::app

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tools/holes/hole_overlay.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/views/render_color.h"
+#include "app/window/theme.h"
+
+namespace croquis::app {
+namespace {
+
+constexpr double rim_width = 2.2;
+constexpr double selected_rim_width = 4;
+constexpr double hovered_rim_width = 5;
+constexpr std::uint8_t covered_rim_alpha = 55;  // of rims behind the surface
+constexpr double frame_share = 0.9;             // of a hole's size, to be seen around it
+
+glm::dvec3 rim_place(const Vec3& place) { return {place.x(), place.y(), place.z()}; }
+
+render::LinePath path_of(const HoleRim& rim, const QColor& color) {
+  render::LinePath path;
+  path.closed = true;
+  for (const Vec3& place : rim.points) path.points.push_back({rim_place(place), 1, with_own_alpha(color)});
+  return path;
+}
+
+render::Mark handle_mark(const PatchHandle& handle, bool hovered) {
+  render::Mark mark;
+  mark.position = rim_place(handle.place);
+  mark.shape = render::MarkShape::Square;
+  mark.size = hovered ? 11 : 9;
+  mark.color = with_own_alpha(hovered ? colors::accent.lighter(125) : colors::accent);
+  mark.outline_width = 1.5F;
+  return mark;
+}
+
+}  // namespace
+
+QColor hole_color(const HoleRow& hole) {
+  if (hole.state == HoleState::Filled) return {0, 140, 105};
+  if (hole.state == HoleState::Failed) return colors::error;
+  return hole.is_border() ? QColor(110, 100, 130) : QColor(20, 92, 200);
+}
+
+HoleOverlay::SeenThrough HoleOverlay::rims(std::vector<render::LinePath> paths, double width) {
+  if (paths.empty()) return {};
+  SeenThrough lines;
+  lines.clear = render::make_line_item(paths, {width, {}, {}, render::LineDepth::OnSurface});
+  for (render::LinePath& path : paths) {
+    for (render::LinePoint& point : path.points) point.color->a = covered_rim_alpha;
+  }
+  lines.faint = render::make_line_item(paths, {width, {}, {}, render::LineDepth::OnTop});
+  return lines;
+}
+
+void HoleOverlay::follow(const HoleTool& tool, const std::vector<HoleRow>& rows) {
+  std::vector<render::LinePath> all;
+  std::vector<render::LinePath> selected;
+  for (const HoleRow& row : rows) {
+    const HoleRim* rim = tool.rim(row.id);
+    if (rim == nullptr) continue;
+    if (tool.is_selected(row.id))
+      selected.push_back(path_of(*rim, colors::accent));
+    else
+      all.push_back(path_of(*rim, hole_color(row)));
+  }
+  all_ = rims(std::move(all), rim_width);
+  selected_ = rims(std::move(selected), selected_rim_width);
+  follow_hover(tool);
+}
+
+void HoleOverlay::follow_hover(const HoleTool& tool) {
+  const HolePreview& preview = tool.preview();
+  std::vector<render::LinePath> hovered;
+  for (const Index hole : preview.hovered.holes) {
+    if (const HoleRim* rim = tool.rim(hole)) hovered.push_back(path_of(*rim, colors::hover));
+  }
+  hovered_ = rims(std::move(hovered), hovered_rim_width);
+  std::vector<render::Mark> marks;
+  for (std::size_t k = 0; k < tool.handles().size(); ++k) {
+    const bool over = preview.hovered.part == HolePart::Handle && preview.hovered.handle == k;
+    marks.push_back(handle_mark(tool.handles()[k], over));
+  }
+  handles_ = marks.empty() ? nullptr : render::make_mark_item(marks);
+  pull_.reset();
+  pulled_.reset();
+  const bool aims = preview.hovered.part == HolePart::Patch && preview.hovered.place;
+  if (!preview.pull && !aims) return;
+  const Vec3 to = preview.pull ? preview.pull->to : *preview.hovered.place;
+  pulled_ = render::make_mark_item(std::vector<render::Mark>{handle_mark({no_index, to, {}}, true)});
+  if (!preview.pull) return;
+  const std::vector<glm::dvec3> way{rim_place(preview.pull->from), rim_place(to)};
+  pull_ = render::make_line_item(render::line_through(way),
+                                 {1.5, with_own_alpha(colors::accent), {4, 3, 0, 0}, render::LineDepth::OnTop});
+}
+
+void HoleOverlay::add_to(render::Scene& scene) const {
+  for (const render::LineItemPtr& item :
+       {all_.faint, selected_.faint, hovered_.faint, all_.clear, selected_.clear, hovered_.clear, pull_}) {
+    if (item) scene.lines.emplace_back(item);
+  }
+  for (const render::MarkItemPtr& item : {handles_, pulled_}) {
+    if (item) scene.marks.emplace_back(item);
+  }
+}
+
+render::Bounds HoleOverlay::bounds_of(const HoleTool& tool, const std::vector<Index>& holes) {
+  render::Bounds bounds;
+  for (const Index hole : holes) {
+    const HoleRim* rim = tool.rim(hole);
+    if (rim == nullptr) continue;
+    const Vec3 reach = Vec3::Constant(frame_share * rim->radius);
+    bounds.add(rim_place(rim->at - reach));
+    bounds.add(rim_place(rim->at + reach));
+  }
+  return bounds;
+}
+
+}  // namespace croquis::app

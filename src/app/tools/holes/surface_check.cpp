@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tools/holes/surface_check.h"
+
+#include <QMetaObject>
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "croquis/base/error.h"
+#include "croquis/base/progress.h"
+#include "croquis/geometry/mesh_report.h"
+#include "croquis/geometry/self_intersection.h"
+
+namespace croquis::app {
+namespace {
+
+constexpr int pause_ms = 400;  // checks take longer than patches: not while values are being tried
+
+std::vector<Index> patch_faces(const PolyMesh& mesh) {
+  std::vector<Index> faces;
+  const AttributeChannel* channel = mesh.channel("patch_id", Domain::Face);
+  const auto* ids = channel == nullptr ? nullptr : std::get_if<std::vector<std::int32_t>>(&channel->data);
+  for (std::size_t face = 0; ids != nullptr && face < ids->size(); ++face) {
+    if ((*ids)[face] >= 0) faces.push_back(static_cast<Index>(face));
+  }
+  return faces;
+}
+
+bool keeps_vertices(const PolyMesh& filled, const PolyMesh& scan) {
+  return filled.vertex_count() >= scan.vertex_count() &&
+         std::equal(scan.positions.begin(), scan.positions.end(), filled.positions.begin());
+}
+
+bool keeps_faces(const PolyMesh& filled, const PolyMesh& scan) {
+  return filled.face_count() >= scan.face_count() &&
+         std::equal(scan.face_offsets.begin(), scan.face_offsets.end(), filled.face_offsets.begin()) &&
+         std::equal(scan.corners.begin(), scan.corners.end(), filled.corners.begin());
+}
+
+/// Whether all faces that are of no patch are the scan's, in its order, though some are missing: trimming takes faces
+/// and vertices away, so that only places can be compared.
+bool keeps_what_trimming_left(const PolyMesh& filled, const PolyMesh& scan, const std::vector<Index>& patches) {
+  const auto same_place = [&](Index ours, Index theirs) { return filled.positions[ours] == scan.positions[theirs]; };
+  const std::size_t kept = filled.face_count() - patches.size();
+  std::size_t theirs = 0;
+  for (std::size_t face = 0; face < kept; ++face) {
+    const auto ours = filled.face(face);
+    while (theirs < scan.face_count() && !std::ranges::equal(ours, scan.face(theirs), same_place)) ++theirs;
+    if (theirs++ == scan.face_count()) return false;
+  }
+  return kept < scan.face_count();
+}
+
+/// The mesh with one vertex where several are, or nothing where none is at another one's place.
+std::optional<PolyMesh> with_equal_places_joined(const PolyMesh& mesh) {
+  std::vector<Index> order(mesh.vertex_count());
+  std::iota(order.begin(), order.end(), Index{0});
+  const auto place = [&](Index vertex) {
+    const Vec3& at = mesh.positions[vertex];
+    return std::tuple(at.x(), at.y(), at.z());
+  };
+  std::sort(order.begin(), order.end(),
+            [&](Index a, Index b) { return std::pair(place(a), a) < std::pair(place(b), b); });
+  std::vector<Index> first(order.size());
+  bool joins = false;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool again = i > 0 && place(order[i]) == place(order[i - 1]);
+    first[order[i]] = again ? first[order[i - 1]] : order[i];
+    joins = joins || again;
+  }
+  if (!joins) return std::nullopt;
+  PolyMesh joined;
+  joined.positions = mesh.positions;
+  joined.face_offsets = mesh.face_offsets;
+  joined.corners.reserve(mesh.corners.size());
+  for (const Index vertex : mesh.corners) joined.corners.push_back(first[vertex]);
+  return joined;
+}
+
+QString counted(std::size_t count, const QString& one, const QString& many) {
+  return (count == 1 ? one : many).arg(count);
+}
+
+/// Edges that nothing explains. A remeshed model has other edges along the same border.
+std::size_t surprising_edges(const CheckedSurface& checked, const LeftOpen& left) {
+  const std::size_t known = left.border_edges + left.hole_edges;
+  if (!checked.has_patches) return left.borders + left.holes == 0 ? checked.open_edges : 0;
+  return checked.open_edges - std::min(checked.open_edges, known);
+}
+
+QString opening(const CheckedSurface& checked, const LeftOpen& left) {
+  const auto tr = [](const char* text) { return SurfaceCheck::tr(text); };
+  const auto edges = [&](std::size_t count) { return counted(count, tr("%1 edge"), tr("%1 edges")); };
+  if (checked.open_edges == 0) {
+    if (checked.seam_edges == 0) return tr("closed");
+    return tr("closed but for seams (%1): merge the vertices of the scan").arg(edges(checked.seam_edges));
+  }
+  const std::size_t surprising = surprising_edges(checked, left);
+  if (surprising == checked.open_edges) return counted(surprising, tr("%1 open edge"), tr("%1 open edges"));
+  // Of a remeshed model only the sum is known.
+  const bool apart = checked.has_patches && left.borders > 0 && left.holes > 0;
+  const QString all = apart ? QString() : " (" + edges(checked.open_edges - surprising) + ")";
+  QStringList places;
+  if (left.borders > 0) {
+    places << (left.borders == 1 ? tr("its outer border") : tr("its %1 borders").arg(left.borders)) +
+                  (apart ? " (" + edges(left.border_edges) + ")" : QString());
+  }
+  if (left.holes > 0) {
+    places << counted(left.holes, tr("%1 hole"), tr("%1 holes")) +
+                  (apart ? " (" + edges(left.hole_edges) + ")" : QString());
+  }
+  const QString text = tr("open at %1").arg(places.join(tr(" and "))) + all;
+  return surprising == 0 ? text : text + tr(" and along %1 more").arg(edges(surprising));
+}
+
+}  // namespace
+
+CheckedSurface check_surface(const PolyMesh& filled, const PolyMesh* scan, Progress& progress) {
+  CheckedSurface checked;
+  Progress counting = progress.step("count", 0.3);
+  const MeshReport report = inspect(filled, false, counting);
+  checked.open_edges = report.boundary_edges;
+  checked.nonmanifold_edges = report.nonmanifold_edges;
+  const std::optional<PolyMesh> joined = with_equal_places_joined(filled);
+  if (joined) {
+    Progress again = progress.step("seams", 0.2);
+    checked.open_edges = std::min(inspect(*joined, false, again).boundary_edges, report.boundary_edges);
+    checked.seam_edges = report.boundary_edges - checked.open_edges;
+  }
+  const PolyMesh& surface = joined ? *joined : filled;
+  const std::vector<Index> patches = patch_faces(filled);
+  checked.has_patches = scan != nullptr && !patches.empty();
+  Progress meeting = progress.step("intersections", 0.5);
+  checked.intersections = checked.has_patches ? find_intersections_of(surface, patches, meeting, {}).count
+                                              : find_self_intersections(surface, meeting, {}).count;
+  if (scan == nullptr) return checked;
+  const bool vertices = keeps_vertices(filled, *scan);
+  const bool faces = keeps_faces(filled, *scan);
+  checked.outside_unchanged = vertices && faces;
+  checked.trimmed =
+      !checked.outside_unchanged && checked.has_patches && keeps_what_trimming_left(filled, *scan, patches);
+  return checked;
+}
+
+bool is_as_wanted(const CheckedSurface& checked, const LeftOpen& left) {
+  return checked.is_sound() && left.failed == 0 && surprising_edges(checked, left) == 0;
+}
+
+QString sentence_of(const CheckedSurface& checked, const LeftOpen& left) {
+  const auto tr = [](const char* text) { return SurfaceCheck::tr(text); };
+  QStringList parts;
+  parts << (checked.nonmanifold_edges == 0
+                ? tr("manifold")
+                : counted(checked.nonmanifold_edges, tr("%1 non-manifold edge"), tr("%1 non-manifold edges")));
+  parts << (checked.has_patches ? counted(checked.intersections, tr("%1 new intersection"), tr("%1 new intersections"))
+                                : counted(checked.intersections, tr("%1 intersection"), tr("%1 intersections")));
+  if (!checked.has_patches)
+    parts << tr("remeshed");
+  else if (checked.outside_unchanged)
+    parts << tr("outside unchanged");
+  else
+    parts << (checked.trimmed ? tr("rims trimmed, else unchanged") : tr("outside CHANGED"));
+  const bool otherwise_sound = checked.open_edges > 0 && is_as_wanted(checked, left);
+  return opening(checked, left) + (otherwise_sound ? tr(", otherwise sound: ") : QStringLiteral(", ")) +
+         parts.join(", ");
+}
+
+SurfaceCheck::SurfaceCheck(QObject* parent) : QObject(parent) {
+  thread_.setMaxThreadCount(1);
+  pause_.setSingleShot(true);
+  connect(&pause_, &QTimer::timeout, this, &SurfaceCheck::begin);
+}
+
+SurfaceCheck::~SurfaceCheck() {
+  stop();
+  thread_.waitForDone();
+}
+
+void SurfaceCheck::stop() {
+  if (cancelled_) *cancelled_ = true;
+  cancelled_.reset();
+  pause_.stop();
+}
+
+void SurfaceCheck::follow(std::shared_ptr<const PolyMesh> filled, std::shared_ptr<const PolyMesh> scan) {
+  if (filled == filled_ && scan == scan_) return;
+  stop();
+  filled_ = std::move(filled);
+  scan_ = std::move(scan);
+  found_.reset();
+  if (filled_) pause_.start(pause_ms);
+  emit changed();
+}
+
+void SurfaceCheck::begin() {
+  cancelled_ = std::make_shared<std::atomic<bool>>(false);
+  thread_.start([this, cancelled = cancelled_, filled = filled_, scan = scan_] {
+    std::optional<CheckedSurface> found;
+    try {
+      Progress progress(nullptr, cancelled.get());
+      found = check_surface(*filled, scan.get(), progress);
+    } catch (const Cancelled&) {
+      return;
+    } catch (const Error&) {
+      return;  // a mesh that can't be checked is reported where it is made
+    }
+    QMetaObject::invokeMethod(
+        this,
+        [this, cancelled, found] {
+          if (*cancelled) return;
+          found_ = found;
+          emit changed();
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+}  // namespace croquis::app

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tools/mesh/mesh_interaction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/tools/holes/filling.h"
+#include "croquis/base/error.h"
+
+namespace croquis::app {
+namespace {
+
+constexpr double drag_pixels = 4;  // a press that moves less is a click
+const std::vector<std::string> view_names{"front", "perspective", "top", "side", "comparison"};
+
+QString sentence_of(const Findings& findings) {
+  QString text;
+  for (const Finding& finding : findings) {
+    const QString sentence = QString::fromStdString(finding.message);
+    text += (text.isEmpty() ? "" : " ") + (sentence.endsWith('.') ? sentence : sentence + ".");
+  }
+  return text;
+}
+
+QString sharpness_text(double sharpness) {
+  return std::isinf(sharpness) ? QStringLiteral("∞") : QString::number(sharpness, 'g', 3);
+}
+
+}  // namespace
+
+MeshInteraction::MeshInteraction(Studio& studio, const ObjectScenes& scenes, const PaneLayout& layout, QObject* parent)
+    : QObject(parent), studio_(studio), scenes_(scenes), layout_(layout), tool_(studio.session()) {}
+
+void MeshInteraction::act(const std::function<Verdict(MeshTool&)>& work) {
+  try {
+    finish(work(tool_));
+  } catch (const Error& error) {
+    emit told(sentence_of(error.findings()));
+  }
+  follow();
+}
+
+void MeshInteraction::finish(Verdict verdict) {
+  if (verdict != Verdict::Commit) return;
+  if (tool_.done()) emit committed(*tool_.done());
+  emit told(sentence_of(tool_.notes()));
+}
+
+void MeshInteraction::set_mode(MeshMode mode) {
+  tool_.set_mode(mode);
+  follow();
+  emit mode_changed();
+}
+
+void MeshInteraction::set_handles(MeshHandles handles) {
+  tool_.set_handles(handles);
+  follow();
+  emit mode_changed();
+}
+
+ViewFrame MeshInteraction::frame_of(int view) const {
+  render::Bounds bounds = render::bounds_of(scenes_.surfaces());
+  if (const StudioObject* object = studio_.object(tool_.node())) {
+    if (const auto cage = scenes_.cage_item(object->cage)) bounds.add(cage->bounds);
+  }
+  if (bounds.empty()) bounds = {{-1, -1, -1}, {1, 1, 1}};
+  return layout_.pane(view).view_frame(bounds);
+}
+
+void MeshInteraction::take(const PointerEvent& event) {
+  for (const PenStep& step : pen_.handle(event)) feed(step);
+  if (!pen_.down()) hover(event);
+}
+
+void MeshInteraction::leave() {
+  hovered_value_.reset();
+  if (!tool_.leave()) return;
+  overlay_.follow_hover(tool_, scenes_.cage_item(tool_.node()));
+  emit changed();
+}
+
+bool MeshInteraction::abandon() {
+  if (pen_.down()) {
+    for (const PenStep& step : pen_.cancel()) feed(step);
+    return true;
+  }
+  if (!tool_.loop_cut_armed()) return false;
+  tool_.arm_loop_cut(false);
+  follow();
+  return true;
+}
+
+void MeshInteraction::feed(const PenStep& step) {
+  MeshEvent event;
+  event.kind = step.kind;
+  event.pixel = step.sample.position;
+  event.modifiers = step.modifiers;
+  event.frame = frame_of(step.view);
+  event.time = step.sample.time;
+  feed(event, step.view);
+}
+
+void MeshInteraction::feed(const MeshEvent& event, int view) {
+  gesture_view_ = view;
+  try {
+    finish(tool_.handle(event));
+  } catch (const Error& error) {
+    emit told(sentence_of(error.findings()));
+  }
+  const bool left_to_us = tool_.mode() == MeshMode::Object && !tool_.active();
+  if (object_press_ || (left_to_us && event.kind == PenStep::Kind::Begin)) feed_object(event, view);
+  overlay_.follow_hover(tool_, scenes_.cage_item(tool_.node()));
+  emit changed();
+}
+
+void MeshInteraction::feed_object(const MeshEvent& event, int view) {
+  switch (event.kind) {
+    case PenStep::Kind::Begin: object_press_ = event.pixel; break;
+    case PenStep::Kind::Sample:
+      if ((event.pixel - *object_press_).norm() > drag_pixels || object_box_) {
+        object_box_ = PickBox::spanned(*object_press_, event.pixel);
+      }
+      break;
+    case PenStep::Kind::End: {
+      const bool add = event.modifiers.shift;
+      if (object_box_) {
+        choose_objects(ObjectPicker::in_box(studio_.objects(), event.frame, *object_box_), add);
+      } else {
+        const ObjectPicker::Hit hit = objects_.at(studio_.objects(), event.frame, event.pixel);
+        choose_objects(hit.node == 0 ? std::vector<NodeId>{} : std::vector<NodeId>{hit.node}, add);
+        recorded::Click click;
+        click.view = view_names.at(static_cast<std::size_t>(view));
+        click.place = hit.node == 0 ? event.frame.unproject(event.pixel, 0) : hit.place;
+        if (add) click.modifiers = {"shift"};
+        emit committed(click);
+      }
+      [[fallthrough]];
+    }
+    case PenStep::Kind::Cancel:
+      object_press_.reset();
+      object_box_.reset();
+      break;
+  }
+}
+
+void MeshInteraction::choose_objects(std::vector<NodeId> nodes, bool add) {
+  Selection selection = add ? studio_.session().selection() : Selection();
+  for (const NodeId node : nodes) {
+    const auto known = std::find(selection.begin(), selection.end(), SelectedItem{node, ""});
+    if (known == selection.end())
+      selection.push_back({node, ""});
+    else if (add)
+      selection.erase(known);
+  }
+  if (!nodes.empty()) studio_.set_active(nodes.front());
+  studio_.session().select(std::move(selection));
+}
+
+void MeshInteraction::replay(int view, const Vec3& from, const Vec3& to, const Modifiers& modifiers, int clicks) {
+  MeshEvent event;
+  event.frame = frame_of(view);
+  event.modifiers = modifiers;
+  const auto start = event.frame.project(from);
+  const auto end = event.frame.project(to);
+  if (!start || !end) return;
+  for (int click = 0; click < clicks; ++click) {
+    event.time = 0.01 * click;
+    event.kind = PenStep::Kind::Begin;
+    event.pixel = start->pixel;
+    feed(event, view);
+    constexpr int moves = 4;
+    event.kind = PenStep::Kind::Sample;
+    for (int k = 1; k <= moves && from != to; ++k) {
+      event.pixel = start->pixel + (end->pixel - start->pixel) * k / moves;
+      feed(event, view);
+    }
+    event.kind = PenStep::Kind::End;
+    event.pixel = end->pixel;
+    feed(event, view);
+  }
+}
+
+void MeshInteraction::hover(const PointerEvent& event) {
+  hovered_value_.reset();
+  if (event.action == PointerEvent::Action::Leave) return leave();
+  gesture_view_ = event.view;
+  const bool moved = tool_.hover(event.position, frame_of(event.view));
+  if (tool_.preview().hovered_sharpness) {
+    hovered_value_ = {event.view, event.position, sharpness_text(*tool_.preview().hovered_sharpness)};
+  }
+  if (moved) overlay_.follow_hover(tool_, scenes_.cage_item(tool_.node()));
+  if (moved || hovered_value_) emit changed();
+}
+
+QString MeshInteraction::help() const {
+  const MeshPreview& preview = tool_.preview();
+  if (preview.sharpness_change) {
+    return tr("Sharpness %1%2: drag sideways")
+        .arg(*preview.sharpness_change < 0 ? "" : "+")
+        .arg(*preview.sharpness_change, 0, 'f', 2);
+  }
+  if (tool_.loop_cut_armed()) return tr("Click an edge: the loop is cut there · Escape gives it up");
+  const bool selected = !studio_.session().components().empty();
+  switch (tool_.mode()) {
+    case MeshMode::Object: {
+      const StudioObject* object = studio_.active();
+      if (object != nullptr && object->is_source()) {
+        return tr(
+            "O finds its holes · 3 makes it smooth · F9 vertices, F10 edges, F11 faces · Alt+drag rotates the view");
+      }
+      if (filling_node(studio_) != nullptr) {
+        return tr(
+            "O goes back to its holes: there patches are dragged · F9 vertices, F10 edges, F11 faces of the scan");
+      }
+      return tr("1 cage, 2 both, 3 smooth · Page Up and Down change the level · F10 picks edges to sharpen");
+    }
+    case MeshMode::Edge:
+      if (selected) return tr("H makes them sharp, Shift+H smooth · right button: the menu · W moves · Ctrl+Z undoes");
+      return tr("Click an edge, double click its loop · drag a box · Shift adds, Ctrl takes away");
+    case MeshMode::Vertex:
+      if (selected) return tr("W moves, E rotates, R scales · P pins, Shift+P lets go · Delete dissolves");
+      return tr("Click a vertex or drag a box · Shift adds, Ctrl takes away");
+    case MeshMode::Face:
+      if (selected) return tr("Shift+E extrudes · W moves, E rotates, R scales · Delete removes");
+      return tr("Click a face, double click all that is connected · Shift adds, Ctrl takes away");
+  }
+  return {};
+}
+
+void MeshInteraction::follow() {
+  const StudioObject* object = studio_.active();
+  const NodeId cage = object == nullptr ? 0 : object->cage;
+  if (tool_.node() != cage && !tool_.active()) tool_.set_node(cage);
+  overlay_.follow(tool_, studio_.session().components(), object, scenes_.cage_item(cage));
+  emit changed();
+}
+
+void MeshInteraction::add_handles_to(render::Scene& scene, int view) {
+  const ViewFrame frame = frame_of(view);
+  if (tool_.manipulator() && tool_.handles() != MeshHandles::Select) add_handles(tool_, frame, scene);
+  const std::optional<PickBox>& box = object_box_ ? object_box_ : tool_.preview().box;
+  if (box && view == gesture_view_) add_box(*box, frame, scene);
+}
+
+}  // namespace croquis::app

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tools/silhouette/sketch_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/views/render_color.h"
+#include "app/window/theme.h"
+
+namespace croquis::app {
+namespace {
+
+constexpr double ink_width = 2.2;
+
+glm::dvec3 on_plane(const Vec2& place) { return {place.x(), place.y(), 0}; }
+
+render::LinePath path_of(const Stroke& stroke) {
+  render::LinePath path;
+  path.closed = stroke.closed;
+  path.points.reserve(stroke.samples.size());
+  for (const StrokeSample& sample : stroke.samples) path.points.push_back({on_plane(sample.position), 1, {}});
+  return path;
+}
+
+render::LinePath path_of(const std::vector<Vec2>& places, bool closed) {
+  render::LinePath path;
+  path.closed = closed;
+  for (const Vec2& place : places) path.points.push_back({on_plane(place), 1, {}});
+  return path;
+}
+
+/// Null where there is nothing to draw: items of nothing cost draw calls.
+render::LineItemPtr lines(const std::vector<render::LinePath>& paths, const render::LineStyle& style) {
+  return paths.empty() ? nullptr : render::make_line_item(paths, style);
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The hidden arcs of a labelled drawing, coloured by how many surfaces lie in front.
+render::LineItemPtr hidden_contours(const Drawing& labels) {
+  std::vector<render::LinePath> paths;
+  for (const Stroke& arc : labels.strokes) {
+    const auto depth = arc.data.find("depth");
+    if (depth == arc.data.end() || depth->second == "0") continue;
+    render::LinePath path = path_of(arc);
+    for (render::LinePoint& point : path.points) point.color = to_color(depth_color(std::stoi(depth->second)));
+    paths.push_back(std::move(path));
+  }
+  return lines(paths, {1.8, to_color(colors::guide), {7, 5, 0, 0}, render::LineDepth::OnTop});
+}
+
+/// A report's place, in the frame of files: y down.
+Vec2 place_of(const Report& at) { return {at.as_array()[0].as_number(), -at.as_array()[1].as_number()}; }
+
+const Drawing* labels_of(const Evaluation& evaluation) {
+  const auto labels = evaluation.outputs.find("labels");
+  if (labels == evaluation.outputs.end()) return nullptr;
+  return std::get<std::shared_ptr<const Drawing>>(labels->second).get();
+}
+
+bool ends_at_corners(const Stroke& arc, const std::vector<Vec2>& corners) {
+  const auto is_corner = [&](const Vec2& place) {
+    return std::any_of(corners.begin(), corners.end(), [&](const Vec2& c) { return (c - place).norm() < 1e-3; });
+  };
+  return is_corner(arc.samples.front().position) && is_corner(arc.samples.back().position);
+}
+
+/// The strand on top is bounded by the visible arcs between the overlap's corners, the one below by the hidden ones.
+void turn_mark(const Drawing& labels, const std::vector<Vec2>& corners, render::Mark& mark) {
+  for (const Stroke& arc : labels.strokes) {
+    if (arc.samples.size() < 2 || !ends_at_corners(arc, corners)) continue;
+    const Vec2 along = arc.samples.back().position - arc.samples.front().position;
+    const auto angle = static_cast<float>(std::atan2(along.y(), along.x()));
+    const auto depth = arc.data.find("depth");
+    (depth != arc.data.end() && depth->second == "0" ? mark.angle : mark.under_angle) = angle;
+  }
+}
+
+void add_overlap_marks(const Evaluation& evaluation, std::vector<render::Mark>& marks) {
+  const Report* details = report_of(&evaluation, "details");
+  const Report* overlaps = details == nullptr ? nullptr : details->find("overlaps");
+  const Drawing* labels = labels_of(evaluation);
+  if (overlaps == nullptr || labels == nullptr) return;
+  for (const Report& overlap : overlaps->as_array()) {
+    std::vector<Vec2> corners;
+    if (const Report* list = overlap.find("crossings")) {
+      for (const Report& corner : list->as_array()) corners.push_back(place_of(corner));
+    }
+    // Where one end lies over or under a body, a joint is offered instead.
+    if (corners.size() < 4) continue;
+    render::Mark mark;
+    mark.position = on_plane(place_of(overlap.at("at")));
+    mark.shape = render::MarkShape::OverUnder;
+    mark.size = 16;
+    mark.color = to_color(colors::hover);
+    turn_mark(*labels, corners, mark);
+    marks.push_back(mark);
+  }
+}
+
+/// Where a finding without a place of its own is shown: the middle of its first stroke.
+std::optional<Vec2> place_of(const Finding& finding, const Drawing& drawing) {
+  for (const Subject& subject : finding.subjects) {
+    if (subject.at.size() >= 2) return Vec2(subject.at[0], -subject.at[1]);
+  }
+  for (const Subject& subject : finding.subjects) {
+    const Stroke* stroke = find_stroke(drawing, subject.id);
+    if (stroke != nullptr) return stroke->samples[stroke->samples.size() / 2].position;
+  }
+  return std::nullopt;
+}
+
+render::Mark finding_symbol(const FindingMark& finding) {
+  render::Mark mark;
+  mark.position = on_plane(finding.at);
+  mark.shape = finding.error ? render::MarkShape::Cross : render::MarkShape::Warning;
+  mark.size = finding.error ? 14 : 18;
+  mark.color = to_color(finding.error ? colors::error : colors::warning);
+  mark.outline_width = 2;
+  return mark;
+}
+
+render::LineItemPtr ghost_item() {
+  return render::make_line_item(path_of(first_ghost(), true),
+                                {3, to_color(colors::guide, 190), {3, 7, 0, 0}, render::LineDepth::OnTop});
+}
+
+}  // namespace
+
+std::vector<Vec2> first_ghost() {
+  std::vector<Vec2> blob;
+  for (int k = 0; k < 120; ++k) {
+    const double angle = 2 * 3.14159265358979 * k / 120;
+    const double radius = 150 * (1 + 0.16 * std::cos(2 * angle) + 0.08 * std::sin(3 * angle));
+    blob.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  return blob;
+}
+
+render::LineItemPtr ink_item(const std::vector<StrokeSample>& ink) {
+  if (ink.empty()) return nullptr;
+  render::LinePath path;
+  path.points.reserve(ink.size());
+  for (const StrokeSample& sample : ink) {
+    path.points.push_back({on_plane(sample.position), static_cast<float>(0.5 + 0.8 * sample.pressure), {}});
+  }
+  return render::make_line_item(path, {ink_width, to_color(colors::ink), {}, render::LineDepth::OnTop});
+}
+
+void SketchScene::show_drawing(const Studio& studio, SketchTool& tool) {
+  const Drawing& drawing = studio.drawing();
+  const std::vector<std::string> chosen = tool.selected();
+  std::vector<render::LinePath> plain;
+  std::vector<render::LinePath> selected;
+  std::vector<render::Mark> anchors;
+  for (const Stroke& stroke : drawing.strokes) {
+    const bool is_selected = contains(chosen, stroke.id);
+    (is_selected ? selected : plain).push_back(path_of(stroke));
+    const StrokeFit* fit = is_selected && tool.mode() == SketchMode::Select ? tool.fit(stroke.id) : nullptr;
+    if (fit == nullptr) continue;
+    for (const StrokeAnchor& anchor : fit->anchors) {
+      render::Mark mark;
+      mark.position = on_plane(anchor.position);
+      mark.shape = render::MarkShape::Square;
+      mark.size = 7;
+      mark.color = to_color(colors::accent);
+      anchors.push_back(mark);
+    }
+  }
+  strokes_ = lines(plain, {ink_width, to_color(colors::ink), {}, render::LineDepth::OnTop});
+  selected_ = lines(selected, {ink_width, to_color(colors::accent), {}, render::LineDepth::OnTop});
+  anchors_ = anchors.empty() ? nullptr : render::make_mark_item(anchors);
+  const bool empty = drawing.strokes.empty() && studio.objects().empty();
+  if (!empty)
+    ghost_.reset();
+  else if (!ghost_)
+    ghost_ = ghost_item();
+}
+
+void SketchScene::show_result(const Studio& studio) {
+  const std::shared_ptr<const Evaluation> result = studio.result();
+  hidden_.reset();
+  finding_marks_.clear();
+  std::vector<render::Mark> marks;
+  if (result) {
+    // A failed drawing has the labels of the last good one, which lie elsewhere.
+    const Drawing* labels = result->failed ? nullptr : labels_of(*result);
+    if (labels != nullptr) hidden_ = hidden_contours(*labels);
+    if (!result->failed) add_overlap_marks(*result, marks);
+    for (const Finding& finding : result->findings) {
+      const auto at = place_of(finding, studio.drawing());
+      if (at)
+        finding_marks_.push_back({*at, QString::fromStdString(finding.message), finding.severity == Severity::Error});
+    }
+  }
+  for (const FindingMark& finding : finding_marks_) marks.push_back(finding_symbol(finding));
+  marks_ = marks.empty() ? nullptr : render::make_mark_item(marks);
+}
+
+void SketchScene::show_preview(const SketchPreview& preview, const Drawing& drawing) {
+  std::vector<render::LinePath> paths;
+  for (const std::string& erased : preview.erased) {
+    const Stroke* stroke = find_stroke(drawing, erased);
+    if (stroke != nullptr) paths.push_back(path_of(*stroke));
+  }
+  render::LineStyle style{ink_width + 1, to_color(colors::error), {}, render::LineDepth::OnTop};
+  if (preview.box) {
+    const auto& [low, high] = *preview.box;
+    paths.push_back(path_of({low, {high.x(), low.y()}, high, {low.x(), high.y()}}, true));
+    style = {1, to_color(colors::accent), {4, 3, 0, 0}, render::LineDepth::OnTop};
+  }
+  preview_lines_ = lines(paths, style);
+}
+
+void SketchScene::show_hovered(const std::optional<std::string>& stroke, const Drawing& drawing) {
+  const Stroke* found = stroke ? find_stroke(drawing, *stroke) : nullptr;
+  hovered_ = found == nullptr
+                 ? nullptr
+                 : render::make_line_item(
+                       path_of(*found), {ink_width + 2.5, to_color(colors::hover, 120), {}, render::LineDepth::OnTop});
+}
+
+render::Scene SketchScene::scene() const {
+  render::Scene scene;
+  scene.lines = {{ghost_}, {hidden_}, {hovered_}, {strokes_}, {selected_}, {preview_lines_}};
+  scene.marks = {{anchors_}, {marks_}};
+  return scene;
+}
+
+render::Bounds SketchScene::bounds(bool selected_only) const {
+  render::Bounds bounds;
+  if (selected_) bounds.add(selected_->bounds);
+  if (selected_only && !bounds.empty()) return bounds;
+  for (const render::LineItemPtr& item : {strokes_, hidden_, ghost_}) {
+    if (item) bounds.add(item->bounds);
+  }
+  return bounds;
+}
+
+}  // namespace croquis::app

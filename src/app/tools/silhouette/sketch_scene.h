@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/studio/studio.h"
+#include "croquis/render/scene.h"
+#include "croquis/tools/sketch_tool.h"
+
+namespace croquis::app {
+
+/// A finding and where on the sketch plane it stands.
+struct FindingMark {
+  Vec2 at = Vec2::Zero();
+  QString sentence;
+  bool error = false;
+};
+
+/// What the sketch view shows of the studio's drawing, made ready for the renderer. Items are kept until what they
+/// show changes.
+class SketchScene {
+ public:
+  /// Strokes, selection, anchors.
+  void show_drawing(const Studio& studio, SketchTool& tool);
+
+  /// Hidden contours and marks.
+  void show_result(const Studio& studio);
+
+  /// What the pen is about to do, but for its ink; cheap enough for every event.
+  void show_preview(const SketchPreview& preview, const Drawing& drawing);
+
+  /// The stroke under the pointer, or none.
+  void show_hovered(const std::optional<std::string>& stroke, const Drawing& drawing);
+
+  render::Scene scene() const;
+
+  /// The box of the strokes, of the selected ones alone if there are any and that is asked for.
+  render::Bounds bounds(bool selected_only) const;
+  const std::vector<FindingMark>& finding_marks() const { return finding_marks_; }
+  /// Nothing is there yet, and the ghost shows what to do.
+  bool invites() const { return ghost_ != nullptr; }
+  bool has_strokes() const { return strokes_ != nullptr || selected_ != nullptr; }
+
+ private:
+  render::LineItemPtr ghost_;  ///< shown while nothing is drawn yet
+  render::LineItemPtr strokes_;
+  render::LineItemPtr selected_;
+  render::LineItemPtr hovered_;
+  render::MarkItemPtr anchors_;
+  render::LineItemPtr hidden_;
+  render::MarkItemPtr marks_;
+  render::LineItemPtr preview_lines_;
+  std::vector<FindingMark> finding_marks_;
+};
+
+/// The ink of a stroke under way, or null before its first sample.
+render::LineItemPtr ink_item(const std::vector<StrokeSample>& ink);
+
+/// The blob that a first stroke may trace, closed, sketch units.
+std::vector<Vec2> first_ghost();
+
+}  // namespace croquis::app

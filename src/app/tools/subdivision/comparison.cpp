@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tools/subdivision/comparison.h"
+
+#include <QMetaObject>
+#include <algorithm>
+
+namespace croquis::app {
+namespace {
+
+/// An id that no document reaches.
+constexpr NodeId compared_node = NodeId{1} << 62;
+
+const ParameterDescription* find_parameter(const OperationDescription& operation, const std::string& name) {
+  const auto found = std::find_if(operation.parameters.begin(), operation.parameters.end(),
+                                  [&](const auto& parameter) { return parameter.name == name; });
+  return found == operation.parameters.end() ? nullptr : &*found;
+}
+
+std::string value_of(const Node& node, const ParameterDescription& parameter) {
+  const auto given = node.parameters.find(parameter.name);
+  return std::get<std::string>(given == node.parameters.end() ? parameter.default_value : given->second);
+}
+
+/// The first choice is compared with the second, every other one with the first.
+std::string another_choice(const ParameterDescription& parameter, const std::string& value) {
+  const bool first = value == parameter.choices.front();
+  return parameter.choices[first && parameter.choices.size() > 1 ? 1 : 0];
+}
+
+}  // namespace
+
+Comparison::Comparison(Studio& studio, QThreadPool& threads, QObject* parent)
+    : QObject(parent), studio_(studio), item_(threads) {
+  connect(&item_, &LiveItem::ready, this, &Comparison::changed);
+}
+
+void Comparison::show(bool shown) {
+  shown_ = shown;
+  follow();
+}
+
+void Comparison::choose(const std::string& parameter, const std::string& value) {
+  parameter_ = parameter;
+  value_ = value;
+  follow();
+}
+
+QString Comparison::title() const { return QString::fromStdString(shown_value_); }
+
+void Comparison::follow() {
+  const Node* node = studio_.active_operation();
+  const OperationDescription* operation = node == nullptr ? nullptr : studio_.description(node->operation);
+  const ParameterDescription* parameter = operation == nullptr ? nullptr : find_parameter(*operation, parameter_);
+  if (!shown_ || parameter == nullptr || parameter->choices.empty()) {
+    object_ = 0;
+    live_.reset();
+    item_.show(nullptr, {});
+    return;
+  }
+  object_ = node->id;
+  shown_value_ = value_.empty() ? another_choice(*parameter, value_of(*node, *parameter)) : value_;
+  Node other = *node;
+  other.id = compared_node;
+  other.parameters[parameter_] = shown_value_;
+  if (!live_) {
+    live_ =
+        std::make_unique<LiveNode>(studio_.evaluator(), compared_node, LiveNode::quiet_host(this, [this] { take(); }));
+  }
+  live_->follow(studio_.session().document().with(std::move(other)));
+}
+
+void Comparison::take() {
+  const Node* node = studio_.session().document().find(object_);
+  const Operation* operation = node == nullptr ? nullptr : studio_.registry().find(node->operation);
+  if (operation == nullptr || !live_ || !live_->result()) return;
+  item_.show(mesh_of(*live_->result(), *operation), {});
+  emit changed();
+}
+
+}  // namespace croquis::app

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/views/object_picker.h"
+
+#include <limits>
+
+namespace croquis::app {
+
+ObjectPicker::Hit ObjectPicker::at(const std::vector<StudioObject>& objects, const ViewFrame& frame,
+                                   const Vec2& pixel) {
+  Hit nearest;
+  double distance = std::numeric_limits<double>::infinity();
+  const Ray ray = frame.ray(pixel);
+  for (const StudioObject& object : objects) {
+    if (!object.visible || !object.shown() || object.shown()->face_count() == 0) continue;
+    Kept& kept = kept_[object.node];
+    if (kept.mesh != object.shown()) {
+      kept.mesh = object.shown();
+      kept.picker = std::make_unique<MeshPicker>(kept.mesh, std::make_shared<const MeshTopology>(*kept.mesh));
+    }
+    const auto hit = kept.picker->face_under(ray);
+    if (!hit || hit->distance >= distance) continue;
+    distance = hit->distance;
+    nearest = {object.node, hit->place};
+  }
+  return nearest;
+}
+
+std::vector<NodeId> ObjectPicker::in_box(const std::vector<StudioObject>& objects, const ViewFrame& frame,
+                                         const PickBox& box) {
+  std::vector<NodeId> found;
+  for (const StudioObject& object : objects) {
+    if (!object.visible || !object.shown()) continue;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    PickBox seen{Vec2(infinity, infinity), Vec2(-infinity, -infinity)};
+    for (const Vec3& place : object.shown()->positions) {
+      const auto pixel = frame.project(place);
+      if (!pixel) continue;
+      seen.low = seen.low.cwiseMin(pixel->pixel);
+      seen.high = seen.high.cwiseMax(pixel->pixel);
+    }
+    const bool touches = (seen.low.array() <= box.high.array()).all() && (seen.high.array() >= box.low.array()).all();
+    if (touches) found.push_back(object.node);
+  }
+  return found;
+}
+
+}  // namespace croquis::app

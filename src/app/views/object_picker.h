@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "app/studio/studio_object.h"
+#include "croquis/tools/mesh_pick.h"
+
+namespace croquis::app {
+
+/// Finds whole objects in a view. What it needs of a mesh is made when it is first asked about.
+class ObjectPicker {
+ public:
+  /// A place of an object's surface.
+  struct Hit {
+    NodeId node = 0;
+    Vec3 place = Vec3::Zero();
+  };
+
+  /// The nearest object at a pixel; node 0 for none.
+  Hit at(const std::vector<StudioObject>& objects, const ViewFrame& frame, const Vec2& pixel);
+
+  /// The objects whose boxes the pixels' box touches.
+  static std::vector<NodeId> in_box(const std::vector<StudioObject>& objects, const ViewFrame& frame,
+                                    const PickBox& box);
+
+ private:
+  struct Kept {
+    std::shared_ptr<const PolyMesh> mesh;
+    std::unique_ptr<MeshPicker> picker;
+  };
+  std::map<NodeId, Kept> kept_;
+};
+
+}  // namespace croquis::app

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/views/object_scenes.h"
+
+#include <algorithm>
+
+#include "app/window/theme.h"
+
+namespace croquis::app {
+namespace {
+
+/// Objects of a sketch that were joined are one body: of one colour, without lines where they meet.
+std::shared_ptr<const PolyMesh> with_shells_as_objects(const std::shared_ptr<const PolyMesh>& mesh,
+                                                       const Report& shells) {
+  std::map<std::string, std::int32_t> shell_of;
+  std::int32_t count = 0;
+  for (const Report& shell : shells.as_array()) {
+    for (const Report& name : shell.at("objects").as_array()) shell_of[name.as_string()] = count;
+    ++count;
+  }
+  const AttributeChannel* objects = mesh->channel("object", Domain::Face);
+  if (objects == nullptr || shell_of.size() == shells.as_array().size()) return mesh;
+  auto painted = std::make_shared<PolyMesh>(*mesh);
+  auto& labels = std::get<std::vector<std::int32_t>>(painted->channel("object", Domain::Face)->data);
+  for (std::int32_t& label : labels) label = shell_of[objects->labels.at(static_cast<std::size_t>(label))];
+  return painted;
+}
+
+LiveItem::Paint paint_of(const StudioObject& object) {
+  const Report* details = report_of(object.result.get(), "details");
+  if (details == nullptr || details->find("shells") == nullptr) return nullptr;
+  return [result = object.result, details](const std::shared_ptr<const PolyMesh>& mesh) {
+    return with_shells_as_objects(mesh, details->at("shells"));
+  };
+}
+
+LiveItem::Paint patch_paint(PatchLook look) {
+  return [look](const std::shared_ptr<const PolyMesh>& mesh) { return colored_whole(mesh, look); };
+}
+
+render::MeshStyle style_of(MeshLook look) {
+  switch (look) {
+    case MeshLook::Wire: return render::MeshStyle::wire_only();
+    case MeshLook::ShadedWire: return render::MeshStyle::shaded_wire();
+    case MeshLook::Shaded: break;
+  }
+  return render::MeshStyle::shaded();
+}
+
+}  // namespace
+
+ObjectScenes::ObjectScenes(Studio& studio, QObject* parent) : QObject(parent), studio_(studio) {
+  threads_.setMaxThreadCount(2);
+}
+
+ObjectScenes::~ObjectScenes() { threads_.waitForDone(); }
+
+std::unique_ptr<LiveItem> ObjectScenes::make_item() {
+  auto item = std::make_unique<LiveItem>(threads_);
+  connect(item.get(), &LiveItem::ready, this, &ObjectScenes::changed);
+  return item;
+}
+
+ObjectScenes::Items& ObjectScenes::items_of(NodeId node) {
+  Items& items = items_[node];
+  if (!items.surface) {
+    items.surface = make_item();
+    items.cage = make_item();
+    items.filling = make_item();
+  }
+  return items;
+}
+
+render::MeshItemOptions ObjectScenes::item_options() const {
+  render::MeshItemOptions options;
+  options.shading = flat_ ? render::FaceShading::Flat : render::FaceShading::Smooth;
+  return options;
+}
+
+void ObjectScenes::set_flat(bool flat) {
+  flat_ = flat;
+  follow();
+}
+
+void ObjectScenes::set_patch_look(PatchLook look) {
+  if (patch_look_ == look) return;
+  patch_look_ = look;
+  follow();
+}
+
+const PatchSurface* ObjectScenes::patches(NodeId object) const {
+  const auto items = items_.find(object);
+  return items == items_.end() || !items->second.patches.mesh ? nullptr : &items->second.patches;
+}
+
+void ObjectScenes::follow_patches(const StudioObject& object, Items& items) {
+  const Report* details = report_of(object.result.get(), "details");
+  const bool has_holes = details != nullptr && details->find("holes") != nullptr;
+  const auto filled = has_holes && object.shown() == object.mesh ? object.mesh : nullptr;
+  const bool is_new = filled != items.filled;
+  if (is_new) items.patches = filled ? patches_of(*filled, object.cage_mesh.get()) : PatchSurface();
+  if (is_new || items.filling_look != patch_look_) {
+    items.filling_mesh = items.patches.completes ? colored(items.patches, patch_look_) : nullptr;
+  }
+  items.filled = filled;
+  items.filling_look = patch_look_;
+  render::MeshItemOptions options = item_options();
+  options.use_normal_channel = !flat_;
+  items.filling->show(items.filling_mesh, options);
+}
+
+/// Which item shows them is only known when it is drawn: those of large meshes come later.
+void ObjectScenes::highlight_chosen(const StudioObject& object, Items& items) const {
+  const std::vector<Index> faces = studio_.face_sets().selected(object, studio_.session().selection());
+  const bool apart = items.patches.completes;
+  const LiveItem& live = apart ? *items.filling : *items.surface;
+  const bool is_shown = live.item() != nullptr && live.mesh() == (apart ? items.filling_mesh : object.mesh);
+  if (faces.empty() || !is_shown || object.shown() != object.mesh) {
+    items.highlight.reset();
+    return;
+  }
+  if (items.highlight && items.highlight->mesh == live.item() && items.chosen == faces) return;
+  items.chosen = faces;
+  std::vector<Index> own = faces;
+  for (Index& face : own) face -= static_cast<Index>(apart ? object.cage_mesh->face_count() : 0);
+  const QColor& color = colors::selected_face;
+  items.highlight =
+      render::make_face_highlight(live.item(), own, {color.red(), color.green(), color.blue(), color.alpha()});
+}
+
+render::Bounds ObjectScenes::chosen_bounds() const {
+  render::Bounds bounds;
+  for (const StudioObject& object : studio_.objects()) {
+    if (!object.visible) continue;
+    for (const Index face : studio_.face_sets().selected(object, studio_.session().selection())) {
+      for (const Index vertex : object.mesh->face(face)) {
+        const Vec3& place = object.mesh->positions[vertex];
+        bounds.add({place.x(), place.y(), place.z()});
+      }
+    }
+  }
+  return bounds;
+}
+
+void ObjectScenes::follow() {
+  std::set<NodeId> there;
+  for (const StudioObject& object : studio_.objects()) {
+    there.insert(object.node);
+    if (!object.visible) continue;
+    Items& items = items_of(object.node);
+    follow_patches(object, items);
+    // A scan stays as it is: only its patches, which are few, are prepared again.
+    const auto surface = items.patches.completes ? object.cage_mesh : object.shown();
+    items.shows_cage = surface == object.cage_mesh;
+    const bool paints_patches = items.patches.mesh && !items.patches.completes && surface == items.filled;
+    const LiveItem::Paint paint = paints_patches           ? patch_paint(patch_look_)
+                                  : surface == object.mesh ? paint_of(object)
+                                                           : nullptr;
+    items.surface->show(surface, item_options(), paint, paints_patches ? static_cast<int>(patch_look_) : 0);
+    // The cage's own item serves its wire; a cage that is shown as a surface has one already.
+    items.cage->show(items.shows_cage ? nullptr : object.cage_mesh, {});
+  }
+  std::erase_if(items_, [&](const auto& entry) { return !there.contains(entry.first); });
+  emit changed();
+}
+
+render::Scene ObjectScenes::scene(const Wanted& wanted) const {
+  render::Scene scene;
+  const Selection& selection = studio_.session().selection();
+  const auto is_selected = [&](const StudioObject& object) {
+    return std::any_of(selection.begin(), selection.end(), [&](const SelectedItem& item) {
+      return item.part.empty() && (item.node == object.node || item.node == object.cage);
+    });
+  };
+  // A single object needs no colour of its own; its outline shows that it is selected.
+  const auto seen = [](const StudioObject& object) { return object.visible && object.shown() != nullptr; };
+  const bool several = std::count_if(studio_.objects().begin(), studio_.objects().end(), seen) > 1;
+  for (const StudioObject& object : studio_.objects()) {
+    const auto items = items_.find(object.node);
+    if (!object.visible || items == items_.end()) continue;
+    if (wanted.only_with_cage && object.cage == 0) continue;
+    render::Emphasis emphasis;
+    emphasis.stale = wanted.stale && !object.is_source();
+    emphasis.selected = wanted.edited == 0 && several && is_selected(object);
+    emphasis.outlined = wanted.edited == 0 && wanted.outlines && is_selected(object);
+    render::MeshStyle style = style_of(wanted.look);
+    const bool edited = object.cage != 0 && object.cage == wanted.edited;
+    const bool cage_alone = object.shown() == object.cage_mesh;
+    if (edited && cage_alone && wanted.look == MeshLook::Shaded) style = render::MeshStyle::shaded_wire();
+    const bool replaced = object.node == wanted.replaced;
+    scene.meshes.emplace_back(replaced ? wanted.by : items->second.surface->item(), emphasis, style);
+    if (!replaced && items->second.filling->item()) {
+      render::MeshStyle further = style;
+      further.goes_on = true;
+      scene.meshes.emplace_back(items->second.filling->item(), emphasis, further);
+    }
+    if (!replaced && !edited) {
+      highlight_chosen(object, items->second);
+      if (items->second.highlight) scene.highlights.push_back(items->second.highlight);
+    }
+    if (!cage_alone && (edited || object.view == SmoothView::Both)) {
+      const QColor& color = colors::cage;
+      const render::Color wire(color.red(), color.green(), color.blue(), 230);
+      scene.meshes.emplace_back(cage_item(object.cage), render::Emphasis{}, render::MeshStyle::cage(wire));
+    }
+  }
+  return scene;
+}
+
+std::vector<render::MeshItemPtr> ObjectScenes::surfaces() const {
+  std::vector<render::MeshItemPtr> surfaces;
+  for (const StudioObject& object : studio_.objects()) {
+    const auto items = items_.find(object.node);
+    if (!object.visible || items == items_.end()) continue;
+    if (const auto& item = items->second.surface->item()) surfaces.push_back(item);
+    if (const auto& item = items->second.filling->item()) surfaces.push_back(item);
+  }
+  return surfaces;
+}
+
+render::MeshItemPtr ObjectScenes::surface_item(NodeId object) const {
+  const auto items = items_.find(object);
+  return items == items_.end() ? nullptr : items->second.surface->item();
+}
+
+render::MeshItemPtr ObjectScenes::cage_item(NodeId cage) const {
+  for (const StudioObject& object : studio_.objects()) {
+    const auto items = items_.find(object.node);
+    if (object.cage != cage || items == items_.end()) continue;
+    return (items->second.shows_cage ? items->second.surface : items->second.cage)->item();
+  }
+  return nullptr;
+}
+
+bool ObjectScenes::busy() const {
+  return std::any_of(items_.begin(), items_.end(), [](const auto& entry) {
+    const Items& items = entry.second;
+    return items.surface->busy() || items.cage->busy() || items.filling->busy();
+  });
+}
+
+}  // namespace croquis::app

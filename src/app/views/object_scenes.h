@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QThreadPool>
+#include <map>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "app/studio/studio.h"
+#include "app/views/live_item.h"
+#include "app/views/patch_surface.h"
+#include "croquis/render/scene.h"
+
+namespace croquis::app {
+
+/// How surfaces are drawn (keys 4, 5, 6).
+enum class MeshLook { Wire, Shaded, ShadedWire };
+
+/// The surfaces of the studio's objects, and their cages, made ready for the renderer.
+class ObjectScenes : public QObject {
+  Q_OBJECT
+
+ public:
+  ObjectScenes(Studio& studio, QObject* parent);
+  ~ObjectScenes() override;
+
+  /// Every face by its own normal.
+  void set_flat(bool flat);
+  bool flat() const { return flat_; }
+
+  /// How patches of filled holes are coloured.
+  void set_patch_look(PatchLook look);
+  PatchLook patch_look() const { return patch_look_; }
+
+  /// Of an object whose last operation filled holes; null for any other, and before its first result.
+  const PatchSurface* patches(NodeId object) const;
+
+  /// After the studio's objects have changed.
+  void follow();
+
+  /// What one view shows.
+  struct Wanted {
+    MeshLook look = MeshLook::Shaded;
+    bool stale = false;           ///< what is out of date is drawn faded
+    bool outlines = false;        ///< around selected objects
+    bool only_with_cage = false;  ///< without the solid of the sketch
+    NodeId edited = 0;            ///< the cage whose elements are being worked on: its edges are shown
+    NodeId replaced = 0;          ///< an object in whose place …
+    render::MeshItemPtr by;       ///< … this one is shown
+  };
+  render::Scene scene(const Wanted& wanted) const;
+
+  /// Of the faces that are selected by their names; empty without any.
+  render::Bounds chosen_bounds() const;
+
+  /// The surfaces alone, as pictures and thumbnails show them.
+  std::vector<render::MeshItemPtr> surfaces() const;
+
+  /// Made ready, or null.
+  render::MeshItemPtr surface_item(NodeId object) const;
+  render::MeshItemPtr cage_item(NodeId cage) const;
+
+  /// Some item is still being made.
+  bool busy() const;
+
+  QThreadPool& threads() { return threads_; }
+  render::MeshItemOptions item_options() const;
+
+ signals:
+  void changed();
+
+ private:
+  struct Items {
+    std::unique_ptr<LiveItem> surface;
+    std::unique_ptr<LiveItem> cage;
+    bool shows_cage = false;                       ///< the surface is the cage
+    std::unique_ptr<LiveItem> filling;             ///< patches, where the surface is the scan as it was
+    PatchSurface patches;                          ///< of …
+    std::shared_ptr<const PolyMesh> filled;        ///< … this mesh
+    std::shared_ptr<const PolyMesh> filling_mesh;  ///< they, in …
+    PatchLook filling_look = PatchLook::Plain;     ///< … this look
+    std::vector<Index> chosen;                     ///< faces of the shown mesh that are selected by name …
+    render::FaceHighlightPtr highlight;            ///< … as this item of theirs shows them
+  };
+  Items& items_of(NodeId node);
+  void follow_patches(const StudioObject& object, Items& items);
+  void highlight_chosen(const StudioObject& object, Items& items) const;
+  std::unique_ptr<LiveItem> make_item();
+
+  Studio& studio_;
+  bool flat_ = false;
+  PatchLook patch_look_ = PatchLook::Plain;
+  QThreadPool threads_;
+  mutable std::map<NodeId, Items> items_;  ///< by the object's node
+};
+
+}  // namespace croquis::app

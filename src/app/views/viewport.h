@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <QOpenGLWidget>
+#include <QTimer>
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "app/studio/studio.h"
+#include "app/tools/holes/hole_interaction.h"
+#include "app/tools/holes/hole_pin_view.h"
+#include "app/tools/mesh/mesh_interaction.h"
+#include "app/tools/silhouette/ink_sheet.h"
+#include "app/tools/silhouette/sketch_interaction.h"
+#include "app/tools/subdivision/comparison.h"
+#include "app/views/event_clock.h"
+#include "app/views/marking_menu.h"
+#include "app/views/object_scenes.h"
+#include "app/views/pane_layout.h"
+#include "app/views/view_chips.h"
+#include "croquis/render/renderer.h"
+#include "croquis/tools/navigation.h"
+
+namespace croquis::app {
+
+class OffscreenPictures;
+
+/// What the pointer does: draw and erase on the sketch, select strokes and meshes, move, rotate and scale parts of
+/// meshes, change the sharpness of edges, fill holes.
+enum class ToolKind { Draw, Erase, Select, Move, Rotate, Scale, Sharpen, Holes };
+
+/// All views in one widget with one OpenGL context. Takes pen, mouse, touch and wheel, passes them to navigation, to
+/// the sketch or to the meshes, and draws what these show.
+class Viewport : public QOpenGLWidget {
+  Q_OBJECT
+
+ public:
+  using View = app::View;
+  using enum app::View;
+
+  Viewport(Studio& studio, QWidget* parent);
+  ~Viewport() override;
+
+  void set_tool(ToolKind tool);
+  ToolKind tool_kind() const { return kind_; }
+  SketchTool& tool() { return sketch_.tool(); }
+  SketchInteraction& sketch() { return sketch_; }
+  MeshInteraction& mesh() { return mesh_; }
+  HoleInteraction& holes() { return holes_; }
+  Comparison& comparison() { return comparison_; }
+  ViewChips& chips() { return chips_; }
+  MarkingMenu& marking_menu() { return marking_menu_; }
+
+  /// A mesh with elements that can be edited is being worked on with a tool that does so.
+  bool edits_meshes() const;
+
+  void set_look(MeshLook look);
+  void set_flat(bool flat);
+  void set_zebra(bool zebra);    ///< stripes that show how smoothly surfaces meet
+  void set_tinted(bool tinted);  ///< patches by their confidence
+
+  void frame_all();
+  void frame_selection();
+
+  /// The view under the pointer alone, or the views of the arrangement again.
+  void toggle_layout();
+  void arrange(Arrangement arrangement);
+  void show_alone(int view);
+  const PaneLayout& layout_of_views() const { return layout_; }
+
+  /// Where the borders between the views lie, as shares of the widget.
+  QPointF pane_shares() const { return layout_.shares(); }
+  void set_pane_shares(const QPointF& shares);
+
+  /// Shows another scheme's result beside the active object, or no longer.
+  void compare(bool shown);
+
+  /// Selected strokes, else selected objects.
+  void delete_selection();
+
+  /// Accepts every joint of limb and body that is offered.
+  void join_all() { chips_.join_all(); }
+
+  /// Gives up the gesture under way. @return false when there was none
+  bool abandon();
+
+  /// The window itself was moved: by Alt and a drag, the desktop may keep them for itself.
+  void note_window_moved();
+
+  /// The next action, in words and keys.
+  QString help() const;
+
+  /// What is shown as the perspective view shows it, in a large picture. @throws Error
+  void export_picture(OffscreenPictures& pictures, const QString& path) const;
+
+  ViewPane& pane(int view) { return layout_.pane(view); }
+  const SketchScene& scenes() const { return sketch_.scene(); }
+  const ObjectScenes& objects() const { return objects_; }
+
+  void redraw_all();
+
+  /// Draws the finer picture now instead of after a pause.
+  void settle_now() { settle(true); }
+
+  /// Every item of what is shown has been made and sent to the graphics card.
+  bool settled() const { return !objects_.busy() && !comparison_.busy() && !holes_.busy() && !uploading_; }
+
+  /// Where a place of the sketch plane, or of the model in a view, is seen, in the widget's logical pixels.
+  QPointF sketch_to_widget(const Vec2& place) const;
+  QPointF model_to_widget(const Vec3& place, int view) const;
+
+  /// Milliseconds from the last input event to the end of the frame that showed it, and how often frames were drawn.
+  double last_latency_ms() const { return latency_ms_; }
+  int frames() const { return frames_; }
+
+  /// Of surfaces, in the picture of a view as it is.
+  std::size_t triangles_drawn(int view) const { return states_[static_cast<std::size_t>(view)].triangles; }
+
+ signals:
+  void help_changed();
+  void accept_wanted();  ///< Enter, while holes are worked on
+
+  /// A gesture changed the document or the selection.
+  void committed(const croquis::recorded::Step& step);
+
+ protected:
+  void initializeGL() override;
+  void resizeGL(int width, int height) override;
+  void paintGL() override;
+  bool event(QEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void tabletEvent(QTabletEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  struct PaneState {
+    bool drawn = false;         ///< its pixels are still right: most events change one view alone
+    bool fine = false;          ///< drawn in full quality
+    bool moving = false;        ///< its camera is: large meshes are drawn with fewer triangles
+    std::size_t triangles = 0;  ///< drawn last
+  };
+
+  void connect_parts();
+  struct LateMove {
+    PointerEvent event;
+    QPointF place;
+  };
+
+  double seconds() const { return static_cast<double>(clock_.nsecsElapsed()) * 1e-9; }
+  void take(const PointerEvent& event, const QPointF& place, std::uint64_t stamp);
+  void take_in_time(PointerEvent event, const QPointF& place);
+  void take_late_move();
+  void forget_swallowed_alt();
+  void take_on_sketch(const PointerEvent& event, const QPointF& place);
+  void show_told(const QString& sentence, const QPointF& place);
+  bool take_marking(const PointerEvent& event, const QPointF& place);
+  bool drag_border(const PointerEvent& event, const QPointF& place);
+  bool navigate(const PointerEvent& event);
+  bool sketches_in(int view) const;
+  void show_cursor(int view);
+
+  void follow_document();
+  void follow_result();
+  void follow_load();
+  void note_busy(bool busy);
+  /// @return whether an object has come, or what is made of a sketch has another shape, since the last call. While a
+  /// mesh is edited its view stays.
+  bool note_objects();
+  void keep_in_view();
+  void redraw(int view);
+  void redraw_moved(int view);
+  void settle(bool fine);
+  void after_layout();
+  void frame_new_views();
+
+  bool draw_ink();
+  void draw_views();
+  void draw_view(int view);
+  render::Viewport place_of(const ViewPane& pane) const;
+  render::Scene scene_of(int view);
+  render::RenderOptions options_of(int view) const;
+  void show_patch_look();
+  void place_chips();
+  void place_pins();
+
+  Studio& studio_;
+  PaneLayout layout_;
+  Navigation navigation_;
+  ObjectScenes objects_;
+  SketchInteraction sketch_;
+  MeshInteraction mesh_;
+  HoleInteraction holes_;
+  Comparison comparison_;
+  ViewChips chips_;
+  MarkingMenu marking_menu_;
+  HolePinView pins_;
+  std::unique_ptr<render::Renderer> renderer_;
+  std::array<PaneState, view_count> states_;
+  InkSheet sheet_;
+  ToolKind kind_ = ToolKind::Draw;
+  MeshLook look_ = MeshLook::Shaded;
+  bool zebra_ = false;
+  bool tinted_ = false;
+  int grabbed_ = -1;  ///< the view that the gesture under way began in, or -1
+  int under_pointer_ = SketchView;
+  PaneLayout::Border dragged_border_;
+  bool told_finding_ = false;
+  bool turned_ = false;                    ///< the user moved the perspective view: it isn't framed by itself any more
+  bool had_meshes_ = false;                ///< a document's first mesh sets the views up
+  std::array<bool, view_count> framed_{};  ///< flat views show what there is when they are first seen
+  std::map<NodeId, render::MeshItemPtr> known_;  ///< objects that note_objects() has reported, as they were
+  bool clear_ = true;                            ///< the views lie elsewhere: what is between them is painted again
+  bool uploading_ = false;                       ///< some view waits for the graphics card
+  QTimer settle_;                                ///< after a pause the views are drawn once more, finer
+  QTimer patience_;                              ///< what is out of date for longer is shown faded
+  QTimer long_press_;                            ///< a pen that rests opens the marking menu
+  QPointF pressed_at_;
+  bool stale_ = false;
+  bool affordable_ = true;  ///< the last fine frame was quick enough to go unnoticed
+  QElapsedTimer clock_;
+  EventClock event_clock_;
+  std::optional<LateMove> late_move_;  ///< a newer one may make it needless
+  double input_time_ms_ = -1;
+  double latency_ms_ = 0;
+  int frames_ = 0;
+};
+
+}  // namespace croquis::app

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the cameras of the views are set to: when asked, and when there is something new to be seen.
+#include <utility>
+
+#include "app/views/viewport.h"
+
+namespace croquis::app {
+
+void Viewport::frame_all() {
+  after_layout();
+  for (const int view : layout_.shown()) {
+    if (view == SketchView && sketch_.scene().has_strokes()) {
+      ObjectScenes::Wanted meshes;
+      meshes.only_with_cage = true;
+      render::Bounds bounds = render::bounds_of(objects_.scene(meshes));
+      bounds.add(sketch_.scene().bounds(false));
+      layout_.pane(view).frame(bounds);
+    } else if (view == SketchView && objects_.surfaces().empty()) {
+      layout_.pane(view).camera = first_pane(render::NamedView::Front).camera;
+    } else {
+      layout_.pane(view).frame(objects_.scene({}));
+    }
+  }
+  turned_ = false;
+  redraw_all();
+}
+
+void Viewport::frame_selection() {
+  if (!layout_.pane(under_pointer_).visible()) under_pointer_ = layout_.shown().front();
+  ViewPane& pane = layout_.pane(under_pointer_);
+  if (sketches_in(under_pointer_)) {
+    pane.frame(sketch_.scene().bounds(true));
+  } else if (holes_.active() && !holes_.selection_bounds().empty()) {
+    if (const auto facing = holes_.selection_facing()) pane.turn_to(*facing);
+    pane.frame(holes_.selection_bounds());
+    turned_ = true;
+  } else if (!mesh_.overlay().selection_bounds().empty() && edits_meshes()) {
+    pane.frame(mesh_.overlay().selection_bounds());
+  } else if (const render::Bounds chosen = objects_.chosen_bounds(); !chosen.empty()) {
+    pane.frame(chosen);
+    turned_ = true;
+  } else if (const StudioObject* active = studio_.active();
+             active != nullptr && !studio_.session().selection().empty() && active->cage != 0) {
+    render::Bounds bounds;
+    for (const Vec3& place : active->shown() ? active->shown()->positions : std::vector<Vec3>()) {
+      bounds.add({place.x(), place.y(), place.z()});
+    }
+    pane.frame(bounds);
+  } else {
+    pane.frame(objects_.scene({}));
+  }
+  redraw_all();
+}
+
+void Viewport::frame_new_views() {
+  if (objects_.surfaces().empty()) return;
+  for (const int view : layout_.shown()) {
+    bool& framed = framed_[static_cast<std::size_t>(view)];
+    if (framed || !layout_.pane(view).flat() || (view == SketchView && sketch_.scene().has_strokes())) continue;
+    layout_.pane(view).frame(objects_.scene({}));
+    framed = layout_.pane(view).visible();
+  }
+}
+
+bool Viewport::note_objects() {
+  std::map<NodeId, render::MeshItemPtr> now;
+  bool news = false;
+  for (const StudioObject& object : studio_.objects()) {
+    const NodeId key = object.cage != 0 ? object.cage : object.node;
+    const auto before = known_.find(key);
+    render::MeshItemPtr item = objects_.surface_item(object.node);
+    if (!item && before == known_.end()) continue;
+    news = news || before == known_.end() || (object.cage == 0 && item && item != before->second);
+    now[key] = item ? std::move(item) : before->second;
+  }
+  known_ = std::move(now);
+  return news;
+}
+
+void Viewport::keep_in_view() {
+  // Without a solid no view is worth keeping: the next one is shown as if it were the first.
+  if (objects_.surfaces().empty()) turned_ = false;
+  if (mesh_.down()) return;
+  const bool news = note_objects();
+  if (objects_.surfaces().empty() || turned_ || !news) return;
+  const render::Scene scene = objects_.scene({});
+  layout_.resize(QSizeF(width(), height()));
+  ViewPane& pane = layout_.pane(PerspectiveView);
+  if (!pane.fits(scene)) pane.frame(scene);
+}
+
+}  // namespace croquis::app

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How events of the window reach navigation, the sketch and the meshes, and what the help line shows about them.
+#include <QEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QTabletEvent>
+#include <QToolTip>
+#include <QTouchEvent>
+#include <QWheelEvent>
+#include <cmath>
+#include <utility>
+
+#include "app/views/pointer_events.h"
+#include "app/views/viewport.h"
+
+namespace croquis::app {
+namespace {
+
+constexpr double long_press_reach = 6;       // logical pixels: a pen that moves further draws
+constexpr int twin_key = Qt::Key_QuoteLeft;  // left of 1
+constexpr double late_seconds = 0.03;        // a move that is handled later than that has waited for a busy window
+
+bool is_modifier(int key) {
+  const bool plain = key >= Qt::Key_Shift && key <= Qt::Key_ScrollLock;
+  return plain || key == Qt::Key_AltGr || key == Qt::Key_Super_L || key == Qt::Key_Super_R;
+}
+
+}  // namespace
+
+bool Viewport::event(QEvent* event) {
+  // Shortcuts send no other event.
+  if (event->type() == QEvent::ShortcutOverride && !is_modifier(static_cast<QKeyEvent*>(event)->key())) {
+    forget_swallowed_alt();
+  }
+  if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->key() == twin_key && !key->isAutoRepeat()) navigation_.set_twin_key(event->type() == QEvent::KeyPress);
+    const bool enter = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
+    if (enter && event->type() == QEvent::KeyPress && holes_.active()) emit accept_wanted();
+    navigation_.modifiers_changed(
+        {key->modifiers().testFlag(Qt::ShiftModifier), key->modifiers().testFlag(Qt::ControlModifier),
+         key->modifiers().testFlag(Qt::AltModifier), key->modifiers().testFlag(Qt::MetaModifier)});
+  }
+  if (event->type() == QEvent::TouchBegin || event->type() == QEvent::TouchUpdate ||
+      event->type() == QEvent::TouchEnd || event->type() == QEvent::TouchCancel) {
+    for (const QEventPoint& finger : static_cast<QTouchEvent*>(event)->points()) {
+      if (finger.state() == QEventPoint::Stationary) continue;
+      take(pointer_event(finger), finger.position(), static_cast<QTouchEvent*>(event)->timestamp());
+    }
+    event->accept();  // else Qt makes a mouse event of it, and fingers would draw
+    return true;
+  }
+  return QOpenGLWidget::event(event);
+}
+
+/// The note about Alt goes once something else is done.
+void Viewport::forget_swallowed_alt() {
+  if (!navigation_.alt_swallowed()) return;
+  navigation_.something_done();
+  emit help_changed();
+}
+
+void Viewport::note_window_moved() {
+  const bool before = navigation_.alt_swallowed();
+  navigation_.window_moved();
+  if (navigation_.alt_swallowed() != before) emit help_changed();
+}
+
+void Viewport::mousePressEvent(QMouseEvent* event) {
+  take(pointer_event(*event), event->position(), event->timestamp());
+}
+void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
+  take(pointer_event(*event), event->position(), event->timestamp());
+}
+void Viewport::mouseMoveEvent(QMouseEvent* event) {
+  take(pointer_event(*event), event->position(), event->timestamp());
+}
+void Viewport::mouseReleaseEvent(QMouseEvent* event) {
+  take(pointer_event(*event), event->position(), event->timestamp());
+}
+
+void Viewport::tabletEvent(QTabletEvent* event) {
+  take(pointer_event(*event), event->position(), event->timestamp());
+  event->accept();  // else Qt makes a mouse event of it
+}
+
+void Viewport::wheelEvent(QWheelEvent* event) {
+  take(pointer_event(*event), event->position(), event->timestamp());
+  event->accept();
+}
+
+void Viewport::leaveEvent(QEvent*) {
+  PointerEvent event;
+  event.action = PointerEvent::Action::Leave;
+  take(event, QPointF(-1, -1), 0);
+}
+
+/// Ink takes every move of the mouse. For all else the newest is enough, and where moves have waited for a busy window,
+/// only that one is worth the work.
+void Viewport::take(const PointerEvent& event, const QPointF& place, std::uint64_t stamp) {
+  PointerEvent timed = event;
+  timed.time = event_clock_.time_of(stamp, seconds());
+  const bool moves = event.action == PointerEvent::Action::Move || event.action == PointerEvent::Action::Hover;
+  const bool draws = event.buttons.any() && sketches_in(grabbed_ >= 0 ? grabbed_ : under_pointer_);
+  if (event.device == PointerEvent::Device::Mouse && moves && !draws && event_clock_.lag() > late_seconds) {
+    const bool same_hand = late_move_ && late_move_->event.buttons == event.buttons;
+    if (!same_hand) {
+      take_late_move();
+      QMetaObject::invokeMethod(this, &Viewport::take_late_move, Qt::QueuedConnection);
+    }
+    late_move_ = {timed, place};
+    return;
+  }
+  take_late_move();
+  take_in_time(timed, place);
+}
+
+void Viewport::take_late_move() {
+  if (const auto move = std::exchange(late_move_, std::nullopt)) take_in_time(move->event, move->place);
+}
+
+void Viewport::take_in_time(PointerEvent event, const QPointF& place) {
+  if (input_time_ms_ < 0) input_time_ms_ = seconds() * 1e3;
+  if (event.action == PointerEvent::Action::Press || event.action == PointerEvent::Action::Wheel)
+    forget_swallowed_alt();
+  const bool leaving = event.action == PointerEvent::Action::Leave;
+  if (drag_border(event, place)) return;
+  if (!leaving) under_pointer_ = layout_.view_at(place);
+  // A gesture belongs to the view that it began in.
+  event.view = grabbed_ >= 0 ? grabbed_ : under_pointer_;
+  event.position = to_vec(place - layout_.pane(event.view).rect.topLeft());
+  if (!sketches_in(event.view)) show_told({}, place);
+  if (take_marking(event, place)) return;
+  const bool down = sketch_.down() || mesh_.down() || holes_.down();
+  if (event.buttons.any())
+    grabbed_ = event.view;
+  else if (!down)
+    grabbed_ = -1;
+  if (navigate(event)) return;
+  if (sketches_in(event.view)) {
+    take_on_sketch(event, place);
+  } else if (holes_.active()) {
+    leaving ? holes_.leave() : holes_.take(event);
+  } else if (edits_meshes()) {
+    leaving ? mesh_.leave() : mesh_.take(event);
+  }
+}
+
+void Viewport::take_on_sketch(const PointerEvent& event, const QPointF& place) {
+  sketch_.take(event);
+  if (sketch_.down() || event.action == PointerEvent::Action::Leave) return;
+  show_told(sketch_.told_finding(), place);
+}
+
+/// The sentences of the marks under the pointer, until it leaves them.
+void Viewport::show_told(const QString& sentence, const QPointF& place) {
+  if (!sentence.isEmpty())
+    QToolTip::showText(mapToGlobal(place).toPoint(), sentence, this);
+  else if (told_finding_)
+    QToolTip::hideText();
+  told_finding_ = !sentence.isEmpty();
+}
+
+bool Viewport::navigate(const PointerEvent& event) {
+  PointerEvent seen = event;
+  // Where there is nothing to pick and nothing to draw on, plain drags rotate the view.
+  if (!sketches_in(event.view) && !edits_meshes() && !holes_.active()) seen.modifiers.super = true;
+  const Navigation::Answer answer = navigation_.handle(seen);
+  for (const auto& motion : {answer.motion, answer.second}) {
+    if (!motion) continue;
+    // Compared views have one camera.
+    const int view = motion->view == ComparisonView ? PerspectiveView : motion->view;
+    layout_.pane(view).move(*motion);
+    turned_ = turned_ || view == PerspectiveView;
+    redraw_moved(view);
+    if (view == PerspectiveView) redraw_moved(ComparisonView);
+  }
+  return answer.taken;
+}
+
+bool Viewport::take_marking(const PointerEvent& event, const QPointF& place) {
+  using Action = PointerEvent::Action;
+  if (marking_menu_.is_open()) {
+    marking_menu_.move_to(place);
+    const bool let_go = !event.buttons.any() && (event.action == Action::Release || event.action == Action::Hover);
+    if (let_go) {
+      grabbed_ = -1;
+      marking_menu_.choose();
+    }
+    return true;
+  }
+  const bool meshes = edits_meshes() && !sketches_in(event.view);
+  const bool alone = !event.modifiers.alt && !event.modifiers.super;
+  if (meshes && alone && event.device == PointerEvent::Device::Mouse && event.action == Action::Press &&
+      event.buttons.right && !event.buttons.left) {
+    marking_menu_.open(place);
+    return true;
+  }
+  if (meshes && is_pen(event.device) && event.action == Action::Press && event.buttons.left) {
+    pressed_at_ = place;
+    long_press_.start();
+  }
+  const QPointF way = place - pressed_at_;
+  if (event.action == Action::Release || std::hypot(way.x(), way.y()) > long_press_reach) long_press_.stop();
+  return false;
+}
+
+void Viewport::show_cursor(int view) {
+  setCursor(sketches_in(view) && kind_ != ToolKind::Select ? Qt::CrossCursor : Qt::ArrowCursor);
+}
+
+bool Viewport::drag_border(const PointerEvent& event, const QPointF& place) {
+  const PaneLayout::Border under = layout_.border_at(place);
+  if (event.action == PointerEvent::Action::Press && under.any() && !sketch_.down() && !mesh_.down() &&
+      !holes_.down()) {
+    dragged_border_ = under;
+  }
+  if (!dragged_border_.any()) {
+    if (event.action == PointerEvent::Action::Hover) {
+      if (under.any())
+        setCursor(under.across && under.down ? Qt::SizeAllCursor : under.across ? Qt::SplitHCursor : Qt::SplitVCursor);
+      else
+        show_cursor(layout_.view_at(place));
+    }
+    return false;
+  }
+  layout_.drag_border(dragged_border_, place);
+  clear_ = true;
+  redraw_all();
+  if (event.action == PointerEvent::Action::Release) dragged_border_ = {};
+  return true;
+}
+
+QString Viewport::help() const {
+  for (const NodeFinding& found : sketch_.inking() ? std::vector<NodeFinding>() : studio_.findings()) {
+    if (found.finding.severity == Severity::Error) return QString::fromStdString(found.finding.message);
+  }
+  if (navigation_.alt_swallowed()) {
+    return tr("Your desktop uses Alt: hold Super, or the key left of 1, and drag to rotate, pan and zoom");
+  }
+  if (holes_.active()) return holes_.help();
+  if (edits_meshes() && !sketches_in(under_pointer_)) return mesh_.help();
+  switch (sketch_.mode()) {
+    case SketchMode::Select:
+      return tr("Drag a square to reshape the line, drag a line to move it, Shift adds · Delete removes · D draws");
+    case SketchMode::Erase: return tr("Drag over lines to erase them · D draws");
+    case SketchMode::Draw: break;
+  }
+  if (!sketch_.scene().has_strokes()) return tr("Draw a closed outline with the pen or the mouse");
+  return tr(
+      "Draw: a line stops where it passes behind another · Q selects · Alt+drag rotates the solid · Ctrl+Z undoes");
+}
+
+}  // namespace croquis::app

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/help_line.h"
+
+#include <QDesktopServices>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QToolButton>
+#include <QUrl>
+#include <algorithm>
+
+#include "app/window/elided_label.h"
+
+namespace croquis::app {
+namespace {
+
+constexpr int words_gap = 12;     // between two of them
+constexpr int least_status = 60;  // less is no word
+
+QColor color_of(HelpLine::Tone tone) {
+  switch (tone) {
+    case HelpLine::Tone::Error: return {240, 160, 154};
+    case HelpLine::Tone::Warning: return {255, 182, 92};
+    case HelpLine::Tone::Plain: break;
+  }
+  return {159, 214, 195};
+}
+
+}  // namespace
+
+HelpLine::HelpLine(QWidget* parent)
+    : QWidget(parent),
+      help_(new ElidedLabel(this)),
+      message_(new ElidedLabel(this)),
+      folder_(new QToolButton(this)),
+      status_(new ElidedLabel(this)) {
+  help_->setObjectName("help-line");
+  message_->setObjectName("message");
+  folder_->setObjectName("open-folder");
+  folder_->setText(tr("Open folder"));
+  folder_->hide();
+  status_->setObjectName("status");
+  QPalette faint = palette();
+  faint.setColor(QPalette::WindowText, QColor(185, 192, 203));
+  status_->setPalette(faint);
+  connect(folder_, &QToolButton::clicked, this,
+          [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder_path_)); });
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(words_gap);
+  row->addWidget(help_);
+  row->addWidget(message_, 1);
+  row->addWidget(folder_);
+  row->addWidget(status_, 0, Qt::AlignRight);
+  help_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
+  message_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+}
+
+void HelpLine::show_help(const QString& text) {
+  help_->show_text(text);
+  fit();
+}
+
+void HelpLine::show_status(const QString& text) {
+  status_->show_text(text);
+  fit();
+}
+
+void HelpLine::tell(const QString& sentence, Tone tone, const QString& more) {
+  folder_->hide();
+  message_->show_text(sentence, more);
+  QPalette colors = palette();
+  colors.setColor(QPalette::WindowText, color_of(tone));
+  message_->setPalette(colors);
+  fit();
+}
+
+void HelpLine::tell_written(const QString& path, const QString& sentence, Tone tone) {
+  tell(sentence, tone, sentence);
+  folder_path_ = QFileInfo(path).absolutePath();
+  folder_->setToolTip(folder_path_);
+  folder_->show();
+  fit();
+}
+
+void HelpLine::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fit();
+}
+
+void HelpLine::fit() {
+  const auto width_of = [](const QLabel* label) { return label->sizeHint().width(); };
+  const bool told = !message_->text().isEmpty();
+  const int button = folder_->isHidden() ? 0 : words_gap + folder_->sizeHint().width();
+  const int message = told ? width_of(message_) + button : 0;
+  const bool helps = !told || width_of(help_) + words_gap + message <= width();
+  help_->setVisible(helps);
+  message_->setVisible(told);
+  const int room = width() - (helps ? width_of(help_) + words_gap : 0) - (told ? message + words_gap : 0);
+  status_->setMaximumWidth(std::max(room, least_status));
+  status_->setVisible(!status_->text().isEmpty() && room >= least_status);
+}
+
+}  // namespace croquis::app

@@ -1,0 +1,411 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/main_window.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QTimer>
+#include <QToolBar>
+#include <algorithm>
+#include <utility>
+
+#include "app/files/opening_report.h"
+#include "app/start/gallery.h"
+#include "app/start/gallery_thumbnails.h"
+#include "app/start/start_page.h"
+#include "app/views/viewport.h"
+#include "app/window/help_line.h"
+#include "app/window/panel_docks.h"
+#include "app/window/window_layout.h"
+#include "croquis/base/error.h"
+
+namespace croquis::app {
+namespace {
+
+constexpr QSize first_size(1440, 900);
+
+bool is_error(const Finding& finding) { return finding.severity == Severity::Error; }
+
+}  // namespace
+
+MainWindow::MainWindow(const QString& state_folder) : files_(studio_, pictures_, state_folder) {
+  setAcceptDrops(true);
+  resize(first_size);
+  fit_to_screen(*this);
+  pages_ = new QStackedWidget(this);
+  setCentralWidget(pages_);
+  start_page_ = new StartPage(pages_);
+  viewport_ = new Viewport(studio_, pages_);
+  pages_->addWidget(start_page_);
+  pages_->addWidget(viewport_);
+  thumbnails_ = new GalleryThumbnails(studio_.registry(), pictures_, this);
+  make_docks();
+  make_actions();
+  make_hole_dock();
+  make_window_actions();
+  gate_document_actions();
+  make_help_line();
+  connect_studio();
+  connect_files();
+  connect_start_page();
+  connect_panels();
+  connect_viewport();
+  first_layout_ = saveState();
+  show_start_page();
+  update_title();
+}
+
+MainWindow::~MainWindow() {
+  // Both use the studio, on other threads too; children would be destroyed after it.
+  thumbnails_->stop();
+  delete pages_;
+}
+
+void MainWindow::connect_studio() {
+  connect(&studio_, &Studio::changed, this, &MainWindow::update_panels);
+  connect(&studio_, &Studio::result_changed, this, &MainWindow::update_panels);
+  connect(&studio_, &Studio::busy_changed, this, &MainWindow::show_progress);
+  const auto show_step = [this](double fraction, const QString& step) {
+    progress_->setValue(static_cast<int>(fraction * progress_->maximum()));
+    progress_->setFormat(step);
+  };
+  connect(&studio_, &Studio::progress_changed, this, show_step);
+  connect(&files_.reader(), &FileReader::progress_changed, this, show_step);
+}
+
+void MainWindow::connect_files() {
+  connect(&files_, &ProjectFiles::path_changed, this, &MainWindow::update_title);
+  connect(&files_, &ProjectFiles::autosave_failed, this, &MainWindow::tell);
+  connect(&files_.reader(), &FileReader::busy_changed, this, &MainWindow::show_progress);
+  connect(&files_, &ProjectFiles::opened, this, [this](const QString& path, const Findings& warnings) {
+    record(recorded::File{"open", QFileInfo(path).absoluteFilePath().toStdString()});
+    folder_ = QFileInfo(path).absolutePath();
+    hold_usable_tool();
+    show_views();
+    report_opening(path, warnings);
+    offer_scale();
+  });
+  connect(&files_, &ProjectFiles::open_failed, this, [this](const QString& path, const Findings& findings) {
+    last_findings_ = findings;
+    if (findings.empty()) return tell(tr("Cancelled."));
+    report_opening(path, findings);
+  });
+  files_.set_items([this] { return viewport_->objects().surfaces(); });
+}
+
+void MainWindow::connect_start_page() {
+  connect(start_page_, &StartPage::new_sketch_wanted, this, &MainWindow::start_sketch);
+  connect(start_page_, &StartPage::open_wanted, this, &MainWindow::ask_open);
+  connect(start_page_, &StartPage::project_wanted, this, [this](const QString& path) { begin_open({path}); });
+  connect(start_page_, &StartPage::sample_wanted, this, [this](const QString& name) {
+    if (!may_discard() || !attempt([&] { files_.start_sample(name); })) return;
+    hold_usable_tool();
+    show_views();
+    if (kind_of_sample(name) == SampleKind::Scan) action("holes")->trigger();
+  });
+  connect(start_page_, &StartPage::recovery_wanted, this, [this](const RecoveryOffer& offer) {
+    if (!may_discard() || !attempt([&] { files_.recover(offer); })) return;
+    hold_usable_tool();
+    show_views();
+    report_opening(offer.project, files_.warnings());
+  });
+  connect(start_page_, &StartPage::back_wanted, this, &MainWindow::leave_start_page);
+  connect(start_page_, &StartPage::discard_all_wanted, this, [this] {
+    attempt([&] { files_.discard_all(); });
+    start_page_->show_recoverable(files_.recoverable());
+  });
+  connect(start_page_, &StartPage::discard_wanted, this, [this](const RecoveryOffer& offer) {
+    attempt([&] { files_.discard(offer); });
+    start_page_->show_recoverable(files_.recoverable());
+  });
+  connect(thumbnails_, &GalleryThumbnails::finished, start_page_, &StartPage::set_thumbnail);
+}
+
+void MainWindow::connect_viewport() {
+  connect(viewport_, &Viewport::committed, this, &MainWindow::record);
+  connect(viewport_, &Viewport::help_changed, this, &MainWindow::update_help);
+  connect(&viewport_->mesh(), &MeshInteraction::mode_changed, this, &MainWindow::update_panels);
+  connect(&viewport_->mesh(), &MeshInteraction::told, this, &MainWindow::tell);
+  viewport_->installEventFilter(this);
+}
+
+void MainWindow::show_progress(bool) {
+  const bool busy = studio_.busy() || files_.reader().busy();
+  if (busy && !progress_->isVisible()) progress_->setValue(0);
+  progress_->setVisible(busy);
+  cancel_->setVisible(busy);
+}
+
+void MainWindow::make_help_line() {
+  help_ = new HelpLine(this);
+  progress_ = new QProgressBar(this);
+  progress_->setObjectName("progress");
+  progress_->setRange(0, 1000);
+  progress_->setFixedWidth(220);
+  cancel_ = new QPushButton(tr("Cancel"), this);
+  cancel_->setObjectName("cancel");
+  connect(cancel_, &QPushButton::clicked, this, [this] {
+    files_.reader().cancel();
+    viewport_->holes().cancel();
+  });
+  statusBar()->addWidget(help_, 1);
+  statusBar()->addPermanentWidget(progress_);
+  statusBar()->addPermanentWidget(cancel_);
+  progress_->hide();
+  cancel_->hide();
+}
+
+void MainWindow::update_title() {
+  const QString name = files_.file_name();
+  setWindowTitle((name.isEmpty() ? tr("Untitled") : name) + "[*] — Croquis");
+}
+
+void MainWindow::update_help() {
+  if (shows_start_page()) {
+    help_->show_help(has_shown_views_ ? tr("Escape goes back to what was open; or choose a sketch, or press Ctrl+N")
+                                      : tr("Choose a sketch, or press Ctrl+N and draw"));
+    return;
+  }
+  help_->show_help(viewport_->help());
+}
+
+bool MainWindow::attempt(const std::function<void()>& work) {
+  help_->clear();
+  try {
+    work();
+    return true;
+  } catch (const Error& error) {
+    last_findings_ = error.findings();
+    show_message(error.findings());
+  } catch (const Cancelled&) {
+    tell(tr("Cancelled."));
+  }
+  return false;
+}
+
+void MainWindow::show_message(const Findings& findings, const QString& path) {
+  const bool error = std::ranges::any_of(findings, &is_error);
+  const QStringList all = sentences_of(findings, path);
+  const QString more = all.size() > 1 ? tr(" And %1 more: see the panel Findings.").arg(all.size() - 1) : QString();
+  help_->tell(all.value(0) + more, error ? HelpLine::Tone::Error : HelpLine::Tone::Warning, all.join('\n'));
+}
+
+/// All findings about a file are shown; what a damaged project lost, and where earlier versions are, in full.
+void MainWindow::report_opening(const QString& path, const Findings& findings) {
+  help_->clear();
+  if (findings.empty()) return;
+  show_message(findings, path);
+  show_findings();
+  if (!unattended_ && files_.is_damaged(path)) show_opening_report(path, findings);
+}
+
+void MainWindow::show_opening_report(const QString& path, const Findings& findings) {
+  if (report_) report_->close();
+  report_ = new OpeningReport(path, findings, this);
+  connect(report_, &OpeningReport::version_wanted, this, [this](const QString& version) { begin_open({version}); });
+  report_->open();
+}
+
+/// A message goes with the next press in a view.
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == viewport_ && event->type() == QEvent::MouseButtonPress) help_->clear();
+  return QMainWindow::eventFilter(watched, event);
+}
+
+void MainWindow::start_sketch() {
+  if (!may_discard()) return;
+  files_.start_sketch();
+  viewport_->set_tool(ToolKind::Draw);
+  show_views();
+}
+
+bool MainWindow::open(const QString& path) {
+  if (FileReader::replaces_document(path) && !may_discard()) return false;
+  try {
+    files_.open(path);
+  } catch (const Error&) {
+    return false;  // reported when reading failed
+  } catch (const Cancelled&) {
+    return false;
+  }
+  return true;
+}
+
+void MainWindow::begin_open(const QStringList& paths) {
+  // Meshes are added to what is open, and this must be seen.
+  if (!paths.isEmpty() && !FileReader::replaces_document(paths.front())) leave_start_page();
+  for (const QString& path : paths) {
+    if (FileReader::replaces_document(path) && !may_discard()) return;
+    files_.begin_open(path);
+  }
+}
+
+void MainWindow::record_to(const QString& path) {
+  recording_ = std::make_unique<QFile>(path);
+  if (!recording_->open(QIODevice::WriteOnly | QIODevice::Append)) {
+    throw Error(make_error(Category::Io, "E_WRITE", "\"" + path.toStdString() + "\" can't be written"));
+  }
+  recorder_ = std::make_unique<recorded::Recorder>([this](const std::string& line) {
+    recording_->write(line.data(), static_cast<qint64>(line.size()));
+    recording_->flush();  // recordings are needed after a crash
+  });
+}
+
+void MainWindow::record(const recorded::Step& step) {
+  if (recorder_) recorder_->add(step);
+}
+
+void MainWindow::export_picture(const QString& path) { viewport_->export_picture(pictures_, path); }
+
+bool MainWindow::settled() const {
+  if (files_.reader().busy()) return false;
+  return shows_start_page() ? !thumbnails_->busy() : studio_.settled() && viewport_->settled();
+}
+
+bool MainWindow::shows_start_page() const { return pages_->currentWidget() == start_page_; }
+
+void MainWindow::show_start_page() {
+  if (shows_start_page() && has_shown_views_) return leave_start_page();
+  if (has_shown_views_) views_layout_ = saveState();
+  start_page_->show_recent(files_.recent());
+  start_page_->show_recoverable(files_.recoverable());
+  start_page_->offer_back(has_shown_views_ ? files_.file_name() : QString(), has_shown_views_);
+  thumbnails_->start();
+  pages_->setCurrentWidget(start_page_);
+  panels_->show_all(false);
+  for (QToolBar* bar : findChildren<QToolBar*>()) bar->hide();
+  for (QActionGroup* group : findChildren<QActionGroup*>()) group->setEnabled(false);
+  start_page_->setFocus();
+  update_help();
+}
+
+/// What was open is as it was, the views included.
+void MainWindow::leave_start_page() {
+  if (shows_start_page() && has_shown_views_) enter_views();
+}
+
+void MainWindow::enter_views() {
+  thumbnails_->stop();
+  pages_->setCurrentWidget(viewport_);
+  for (QActionGroup* group : findChildren<QActionGroup*>()) group->setEnabled(true);
+  findChild<QToolBar*>("tools")->show();
+  update_mesh_actions();  // shows the other bar now: later it would move the views under the pen
+  panels_->show_all(true);
+  viewport_->setFocus();
+  update_panels();
+}
+
+void MainWindow::show_views() {
+  if (!std::exchange(has_shown_views_, true) && !views_layout_.isEmpty()) restoreState(views_layout_);
+  enter_views();
+  if (!std::exchange(docks_sized_, true)) size_panels();
+  viewport_->frame_all();
+  update_panels();
+}
+
+void MainWindow::size_panels() {
+  resizeDocks(docks_, {130, 400, 90, 140}, Qt::Vertical);
+  resizeDocks(docks_, {310, 310, 310, 310}, Qt::Horizontal);
+}
+
+void MainWindow::remember_layout() {
+  remembers_layout_ = true;
+  const auto kept = kept_layout();
+  if (!kept) return;
+  restoreGeometry(kept->geometry);
+  fit_to_screen(*this);
+  panels_->set_closed(kept->closed_panels);
+  viewport_->set_pane_shares(kept->pane_shares);
+  if (kept->panels.isEmpty()) return;
+  views_layout_ = kept->panels;
+  docks_sized_ = holes_sized_ = true;
+}
+
+void MainWindow::keep_window_layout() {
+  if (!remembers_layout_) return;
+  keep_layout(
+      {saveGeometry(), shows_start_page() ? views_layout_ : saveState(), panels_->closed(), viewport_->pane_shares()});
+}
+
+void MainWindow::reset_layout() {
+  forget_layout();
+  panels_->set_closed({});
+  restoreState(first_layout_);
+  views_layout_.clear();
+  docks_sized_ = holes_sized_ = false;
+  viewport_->set_pane_shares(QPointF(0.5, 0.5));
+  resize(first_size);
+  fit_to_screen(*this);
+  if (shows_start_page()) return panels_->show_all(false);
+  enter_views();
+  docks_sized_ = true;
+  size_panels();
+}
+
+/// The current tool is always one that works on what is open.
+void MainWindow::hold_usable_tool() {
+  if (viewport_->tool_kind() == ToolKind::Select || viewport_->tool_kind() == ToolKind::Erase) return;
+  const bool meshes =
+      std::ranges::any_of(studio_.objects(), [](const StudioObject& object) { return object.cage != 0; });
+  if (!meshes) viewport_->set_tool(ToolKind::Draw);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!may_discard()) {
+    event->ignore();
+    return;
+  }
+  keep_window_layout();
+  files_.close_cleanly();
+  event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  QStringList paths;
+  for (const QUrl& url : event->mimeData()->urls()) paths << url.toLocalFile();
+  begin_open(paths);
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  // The frame round the window is known once it is there.
+  QTimer::singleShot(0, this, [this] { fit_to_screen(*this); });
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  place_bars();
+}
+
+/// The tools of meshes below the others, or beside them where a low window has no room for both.
+void MainWindow::place_bars() {
+  const auto* tools = findChild<QToolBar*>("tools");
+  const int room = height() - menuBar()->sizeHint().height() - statusBar()->sizeHint().height();
+  const bool beside = tools->sizeHint().height() + mesh_bar_->sizeHint().height() > room;
+  if (beside == toolBarBreak(mesh_bar_)) return;
+  if (beside) {
+    insertToolBarBreak(mesh_bar_);
+  } else {
+    removeToolBarBreak(mesh_bar_);
+  }
+}
+
+void MainWindow::moveEvent(QMoveEvent* event) {
+  QMainWindow::moveEvent(event);
+  viewport_->note_window_moved();
+}
+
+}  // namespace croquis::app

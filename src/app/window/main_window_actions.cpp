@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Actions, menus, tools and docks of the window, and their questions.
+#include <QAction>
+#include <QActionGroup>
+#include <QDir>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QScrollArea>
+#include <QToolBar>
+#include <utility>
+
+#include "app/panels/object_names.h"
+#include "app/tools/holes/filling.h"
+#include "app/views/viewport.h"
+#include "app/window/help_line.h"
+#include "app/window/icons.h"
+#include "app/window/main_window.h"
+#include "croquis/base/error.h"
+#include "croquis/io/mesh_file.h"
+
+namespace croquis::app {
+namespace {
+
+const QString project_filter = QObject::tr("Project (*.croq)");
+
+/// "OBJ (*.obj);;PLY (*.ply)" …
+QString mesh_filter() {
+  QStringList kinds;
+  for (const MeshFormat format : mesh_formats()) {
+    kinds << QString("%1 (*%2)").arg(to_string(format), QString::fromStdString(extension_of(format)));
+  }
+  return kinds.join(";;");
+}
+
+/// What can be done without what is open, or whatever it is; all else belongs to the views.
+bool needs_no_document(const QString& action) {
+  return action == "new" || action == "open" || action == "start-page" || action == "quit" || action == "reset-layout";
+}
+
+bool asks_for_file(const QString& action) {
+  return action == "open" || action.startsWith("save") || action.startsWith("export");
+}
+
+}  // namespace
+
+QAction* MainWindow::action(const QString& name) const { return findChild<QAction*>(name); }
+
+QAction* MainWindow::add_action(QMenu* menu, const QString& name, const QString& text, const QList<QKeySequence>& keys,
+                                std::function<void()> work, Recorded recorded) {
+  auto* action = new QAction(text, this);
+  action->setObjectName(name);
+  action->setShortcuts(keys);
+  action->setIcon(action_icon(name));
+  connect(action, &QAction::triggered, this, [this, name, recorded, work = std::move(work)] {
+    // Those that ask for a file are recorded with its name, once it is known.
+    if (recorded == Recorded::AsAction && !asks_for_file(name)) record(recorded::Action{name.toStdString()});
+    help_->clear();
+    work();
+  });
+  menu->addAction(action);
+  addAction(action);
+  return action;
+}
+
+/// Nothing acts on a document that the start page hides. Actions that have no group of their own get one: a group that
+/// is off leaves each action's own state alone.
+void MainWindow::gate_document_actions() {
+  auto* others = new QActionGroup(this);
+  others->setExclusionPolicy(QActionGroup::ExclusionPolicy::None);
+  for (QAction* action : actions()) {
+    if (action->actionGroup() == nullptr && !needs_no_document(action->objectName())) others->addAction(action);
+  }
+}
+
+void MainWindow::make_actions() {
+  make_file_actions();
+  make_edit_actions();
+  make_view_actions();
+  make_tool_actions();
+  make_mesh_actions();
+  make_hole_actions();
+}
+
+void MainWindow::make_file_actions() {
+  QMenu* menu = menuBar()->addMenu(tr("&File"));
+  add_action(menu, "new", tr("&New sketch"), {QKeySequence::New}, [this] { start_sketch(); });
+  add_action(menu, "open", tr("&Open…"), {QKeySequence::Open}, [this] { ask_open(); });
+  add_action(menu, "start-page", tr("S&tart page"), {QKeySequence("Ctrl+Home")}, [this] { show_start_page(); });
+  menu->addSeparator();
+  add_action(menu, "save", tr("&Save"), {QKeySequence::Save}, [this] { ask_save(); });
+  add_action(menu, "save-as", tr("Save &as…"), {QKeySequence::SaveAs}, [this] {
+    const QString path = QFileDialog::getSaveFileName(this, tr("Save project"), files_.path(), project_filter);
+    if (!path.isEmpty()) save_to(path);
+  });
+  menu->addSeparator();
+  add_action(menu, "export-solid", tr("&Export mesh…"), {QKeySequence("Ctrl+E")}, [this] { ask_export_solid(); });
+  add_action(menu, "export-picture", tr("Export &picture…"), {QKeySequence("Ctrl+Shift+E")},
+             [this] { ask_export_picture(); });
+  add_action(menu, "export-drawing", tr("Export &drawing…"), {}, [this] { ask_export_drawing(); });
+  menu->addSeparator();
+  add_action(menu, "quit", tr("&Quit"), {QKeySequence::Quit}, [this] { close(); });
+}
+
+void MainWindow::make_edit_actions() {
+  QMenu* menu = menuBar()->addMenu(tr("&Edit"));
+  add_action(menu, "undo", tr("&Undo"), {QKeySequence("Ctrl+Z"), QKeySequence("Z")},
+             [this] { studio_.session().undo(); });
+  add_action(menu, "redo", tr("&Redo"), {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y"), QKeySequence("Shift+Z")},
+             [this] { studio_.session().redo(); });
+  menu->addSeparator();
+  add_action(menu, "join-limbs", tr("&Join limbs"), {QKeySequence("J")}, [this] { viewport_->join_all(); });
+  add_action(
+      menu, "delete", tr("&Delete"), {QKeySequence::Delete, QKeySequence(Qt::Key_Backspace)},
+      [this] {
+        delete_selection();
+        update_panels();
+      },
+      Recorded::ByItself);
+  add_action(menu, "select-all", tr("Select &all"), {QKeySequence::SelectAll}, [this] { select_all(); });
+  add_action(menu, "deselect", tr("Select &none"), {QKeySequence("Escape")}, [this] { select_none(); });
+}
+
+void MainWindow::select_all() {
+  if (viewport_->holes().active()) return viewport_->holes().select_all();
+  if (viewport_->edits_meshes() && viewport_->mesh().tool().mode() != MeshMode::Object) {
+    viewport_->mesh().act([](MeshTool& tool) { return tool.select_all(); });
+    return;
+  }
+  Selection selection;
+  for (const Stroke& stroke : studio_.drawing().strokes) selection.push_back({studio_.drawing_node(), stroke.id});
+  for (const StudioObject& object : studio_.objects()) {
+    if (object.cage != 0 && object.visible) selection.push_back({object.node, ""});
+  }
+  studio_.session().select(std::move(selection));
+}
+
+void MainWindow::delete_selection() {
+  const bool elements = viewport_->edits_meshes() && viewport_->mesh().tool().mode() != MeshMode::Object;
+  if (elements) return viewport_->mesh().act([](MeshTool& tool) { return tool.delete_selected(); });
+  record(recorded::Action{"delete"});
+  viewport_->delete_selection();
+}
+
+void MainWindow::select_none() {
+  if (viewport_->abandon()) return;
+  viewport_->marking_menu().dismiss();
+  Selection selection = studio_.session().selection();
+  std::erase_if(selection, [](const SelectedItem& item) { return !item.part.empty(); });
+  if (viewport_->holes().active()) {
+    studio_.session().select(std::move(selection));
+    return viewport_->holes().select({});
+  }
+  viewport_->mesh().act([](MeshTool& tool) { return tool.select_none(); });
+  studio_.session().select({});
+}
+
+void MainWindow::make_view_actions() {
+  QMenu* menu = menuBar()->addMenu(tr("&View"));
+  add_action(menu, "frame-all", tr("Frame &all"), {QKeySequence("A")}, [this] { viewport_->frame_all(); });
+  add_action(menu, "frame-selection", tr("&Frame selection"), {QKeySequence("F")},
+             [this] { viewport_->frame_selection(); });
+  add_action(menu, "layout", tr("One &view / all"), {QKeySequence("Space")}, [this] { viewport_->toggle_layout(); });
+  add_action(menu, "two-views", tr("S&ketch and perspective"), {QKeySequence("Ctrl+Space")},
+             [this] { viewport_->arrange(Arrangement::SketchAndSolid); });
+  add_action(menu, "four-views", tr("&Four views"), {QKeySequence("Shift+Space")},
+             [this] { viewport_->arrange(Arrangement::Four); });
+  const auto add_alone = [&](const QString& name, const QString& text, int view) {
+    add_action(menu, name, text, {}, [this, view] { viewport_->show_alone(view); });
+  };
+  add_alone("perspective-alone", tr("&Perspective alone"), PerspectiveView);
+  add_alone("front-alone", tr("Fr&ont alone"), SketchView);
+  add_alone("top-alone", tr("&Top alone"), TopView);
+  add_alone("side-alone", tr("Si&de alone"), SideView);
+  menu->addSeparator();
+  auto* shading = new QActionGroup(this);
+  const auto add_shading = [&](const QString& name, const QString& text, const QString& key, MeshLook look) {
+    QAction* action = add_action(menu, name, text, {QKeySequence(key)}, [this, look] { viewport_->set_look(look); });
+    action->setCheckable(true);
+    action->setChecked(look == MeshLook::Shaded);
+    shading->addAction(action);
+  };
+  add_shading("wire", tr("&Wire"), "4", MeshLook::Wire);
+  add_shading("shaded", tr("&Shaded"), "5", MeshLook::Shaded);
+  add_shading("shaded-wire", tr("Shaded, with w&ire"), "6", MeshLook::ShadedWire);
+  QAction* flat = add_action(menu, "flat", tr("&Every face flat"), {QKeySequence("Shift+5")},
+                             [this] { viewport_->set_flat(action("flat")->isChecked()); });
+  flat->setCheckable(true);
+  QAction* zebra = add_action(menu, "zebra", tr("&Zebra stripes"), {QKeySequence("Shift+6")},
+                              [this] { viewport_->set_zebra(action("zebra")->isChecked()); });
+  zebra->setCheckable(true);
+}
+
+void MainWindow::make_tool_actions() {
+  QMenu* menu = menuBar()->addMenu(tr("&Tool"));
+  auto* bar = new QToolBar(tr("Tools"), this);
+  bar->setObjectName("tools");
+  bar->setMovable(false);
+  bar->setIconSize({26, 26});
+  addToolBar(Qt::LeftToolBarArea, bar);
+  auto* tools = new QActionGroup(this);
+  const auto add_tool = [&](const QString& name, const QString& text, const QString& key, ToolKind kind) {
+    QAction* action = add_action(menu, name, text, {QKeySequence(key)}, [this, kind] { viewport_->set_tool(kind); });
+    action->setCheckable(true);
+    action->setToolTip(action->text().remove('&') + " (" + key + ")");
+    action->setChecked(kind == ToolKind::Draw);
+    tools->addAction(action);
+    bar->addAction(action);
+    tool_actions_[kind] = action;
+  };
+  add_tool("draw", tr("&Draw"), "D", ToolKind::Draw);
+  add_tool("erase", tr("&Erase"), "X", ToolKind::Erase);
+  add_tool("select", tr("&Select and reshape"), "Q", ToolKind::Select);
+  add_tool("move", tr("&Move"), "W", ToolKind::Move);
+  add_tool("rotate", tr("&Turn"), "E", ToolKind::Rotate);
+  add_tool("scale", tr("S&cale"), "R", ToolKind::Scale);
+  add_tool("sharpen", tr("Change s&harpness"), "S", ToolKind::Sharpen);
+  mesh_bar_ = new QToolBar(tr("Mesh"), this);
+  mesh_bar_->setObjectName("mesh-tools");
+  mesh_bar_->setMovable(false);
+  mesh_bar_->setIconSize({26, 26});
+  addToolBar(Qt::LeftToolBarArea, mesh_bar_);
+}
+
+void MainWindow::ask_open() {
+  begin_open(QFileDialog::getOpenFileNames(this, tr("Open"), folder_, FileReader::dialog_filter()));
+}
+
+bool MainWindow::ask_save() {
+  QString path = files_.path();
+  // A damaged project is never overwritten: lost parts may still be read from it.
+  if (path.isEmpty() || files_.is_damaged(path)) {
+    const QString rescue = files_.rescue_path();
+    const QString name = QString::fromStdString(document_name(studio_)) + ".croq";
+    path = QFileDialog::getSaveFileName(this, tr("Save project"), rescue.isEmpty() ? proposed_path(name) : rescue,
+                                        project_filter);
+  }
+  return !path.isEmpty() && save_to(path);
+}
+
+/// Asks before a project is overwritten that is open elsewhere or was saved by others.
+bool MainWindow::may_replace(const QString& path) {
+  if (unattended_) return true;
+  QString reason;
+  if (files_.is_open_elsewhere(path)) {
+    reason = tr("%1 is open in another window of Croquis. Saving here replaces what is saved there.");
+  } else if (files_.has_changed(path)) {
+    reason = tr("%1 was saved by another window or program after it was opened here. Saving here replaces that.");
+  }
+  if (reason.isEmpty()) return true;
+  QMessageBox question(QMessageBox::Warning, tr("Croquis"), reason.arg(QFileInfo(path).fileName()),
+                       QMessageBox::Save | QMessageBox::Cancel, this);
+  question.setObjectName("replace-question");
+  question.setDefaultButton(QMessageBox::Cancel);
+  return question.exec() == QMessageBox::Save;
+}
+
+bool MainWindow::save_to(const QString& path) {
+  const QString named = QFileInfo(path).suffix().isEmpty() ? path + ".croq" : path;
+  if (!may_replace(named)) return false;
+  QString aside;
+  if (!attempt([&] { aside = files_.save(named); })) return false;
+  record(recorded::File{"save", QFileInfo(named).absoluteFilePath().toStdString()});
+  folder_ = QFileInfo(named).absolutePath();
+  const QString saved = tr("%1 has been saved").arg(QFileInfo(named).fileName());
+  tell(aside.isEmpty() ? saved : tr("%1; the damaged one is kept as %2").arg(saved, QFileInfo(aside).fileName()));
+  update_panels();
+  return true;
+}
+
+QString MainWindow::proposed_path(const QString& file) const {
+  return folder_.isEmpty() ? file : QDir(folder_).filePath(file);
+}
+
+bool MainWindow::may_discard() {
+  if (unattended_ || !studio_.session().modified()) return true;
+  const QString name = files_.file_name();
+  const QString text = name.isEmpty() ? tr("Save what was made here?") : tr("Save the changes to %1?").arg(name);
+  QMessageBox question(QMessageBox::Question, tr("Croquis"), text,
+                       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+  question.setObjectName("save-question");
+  switch (question.exec()) {
+    case QMessageBox::Save: return ask_save();
+    case QMessageBox::Discard: return true;
+    default: return false;
+  }
+}
+
+void MainWindow::ask_export_solid() {
+  // Of the formats, PLY alone keeps which faces are patches, and how far to trust them.
+  const bool is_filled = filling_node(studio_) != nullptr;
+  const QString name = QString::fromStdString(document_name(studio_));
+  QString filter = is_filled ? QStringLiteral("PLY (*.ply)") : QStringLiteral("OBJ (*.obj)");
+  const QString proposed = is_filled ? tr("%1 filled.ply").arg(name) : name + ".obj";
+  QString path = QFileDialog::getSaveFileName(this, tr("Export mesh"), proposed_path(proposed), mesh_filter(), &filter);
+  if (path.isEmpty()) return;
+  const QString suffix = filter.section("*", 1).section(")", 0, 0);
+  if (QFileInfo(path).suffix().isEmpty() && !QFileInfo::exists(path + suffix)) path += suffix;
+  attempt([&] { tell_written(path, files_.export_solid(path)); });
+}
+
+void MainWindow::ask_export_picture() {
+  const QString proposed = QString::fromStdString(document_name(studio_)) + ".png";
+  QString path = QFileDialog::getSaveFileName(this, tr("Export picture"), proposed_path(proposed), tr("PNG (*.png)"));
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += ".png";
+  attempt([&] {
+    export_picture(path);
+    tell_written(path);
+  });
+}
+
+void MainWindow::ask_export_drawing() {
+  const QString proposed = QString::fromStdString(document_name(studio_)) + ".svg";
+  QString path = QFileDialog::getSaveFileName(this, tr("Export drawing"), proposed_path(proposed), tr("SVG (*.svg)"));
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += ".svg";
+  attempt([&] {
+    files_.export_drawing(path);
+    tell_written(path);
+  });
+}
+
+/// Where it went, and what the format can't hold.
+void MainWindow::tell_written(const QString& path, const Findings& lost) {
+  folder_ = QFileInfo(path).absolutePath();
+  const QString written = tr("Written to %1").arg(QDir::toNativeSeparators(QFileInfo(path).absoluteFilePath()));
+  if (lost.empty()) return help_->tell_written(path, written);
+  help_->tell_written(path, written + ". " + QString::fromStdString(lost.front().message), HelpLine::Tone::Warning);
+}
+
+}  // namespace croquis::app

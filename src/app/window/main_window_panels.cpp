@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The panels of the window, and what they show of the studio.
+#include <QAction>
+#include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QScrollArea>
+#include <QSplitter>
+#include <algorithm>
+#include <cstring>
+
+#include "app/panels/attribute_panel.h"
+#include "app/panels/finding_elements.h"
+#include "app/panels/lists.h"
+#include "app/panels/object_list.h"
+#include "app/panels/object_names.h"
+#include "app/studio/face_sets.h"
+#include "app/tools/mesh/crease_set_panel.h"
+#include "app/tools/mesh/tag_panel.h"
+#include "app/tools/subdivision/chain_table.h"
+#include "app/views/viewport.h"
+#include "app/window/help_line.h"
+#include "app/window/main_window.h"
+#include "app/window/panel_docks.h"
+#include "croquis/base/error.h"
+
+namespace croquis::app {
+
+void MainWindow::make_docks() {
+  panels_ = new PanelDocks(*this);
+  objects_ = new ObjectList(this);
+  attributes_ = new AttributePanel(this);
+  findings_ = new FindingsList(this);
+  history_ = new HistoryList(this);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidget(attributes_);
+  auto* edges = new QWidget(this);
+  auto* column = new QVBoxLayout(edges);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(2);
+  tags_ = new TagPanel(viewport_->mesh(), edges);
+  chains_ = new ChainTable(edges);
+  column->addWidget(tags_);
+  column->addWidget(chains_, 1);
+  sets_ = new CreaseSetPanel(viewport_->mesh(), this);
+  docks_ = {panels_->add(tr("Objects"), objects_, "objects"), panels_->add(tr("Attributes"), scroll, "attributes"),
+            panels_->add(tr("Findings"), findings_, "findings"), panels_->add(tr("History"), history_, "history")};
+  edges_dock_ = panels_->add(tr("Sharp edges"), edges, "edges");
+  sets_dock_ = panels_->add(tr("Crease sets"), sets_, "sets");
+  // Below the attributes, in one place.
+  splitDockWidget(docks_[1], edges_dock_, Qt::Vertical);
+  tabifyDockWidget(edges_dock_, sets_dock_);
+  edges_dock_->raise();
+}
+
+void MainWindow::make_window_actions() {
+  QMenu* menu = menuBar()->addMenu(tr("&Window"));
+  for (QDockWidget* dock : panels_->all()) {
+    const QString name = "panel-" + dock->objectName().chopped(static_cast<int>(strlen("-dock")));
+    QAction* shown = add_action(menu, name, dock->windowTitle(), {},
+                                [this, dock, name] { panels_->set_wanted(dock, action(name)->isChecked()); });
+    shown->setCheckable(true);
+    shown->setChecked(true);
+    connect(panels_, &PanelDocks::wanted_changed, shown, [dock, shown](const QDockWidget* changed, bool wanted) {
+      if (changed == dock) shown->setChecked(wanted);
+    });
+  }
+  menu->addSeparator();
+  add_action(menu, "reset-layout", tr("&Reset layout"), {}, [this] { reset_layout(); });
+}
+
+QMenu* MainWindow::createPopupMenu() {
+  auto* menu = new QMenu(this);
+  for (QAction* shown : actions()) {
+    if (shown->objectName().startsWith("panel-")) menu->addAction(shown);
+  }
+  return menu;
+}
+
+void MainWindow::connect_panels() {
+  connect(attributes_, &AttributePanel::parameter_edited, this,
+          [this](NodeId node, const std::string& parameter, const ParameterValue& value, bool dragging) {
+            studio_.set_parameter(node, parameter, value, dragging);
+            const Node* edited = studio_.session().document().find(node);
+            if (!dragging && edited != nullptr) record(recorded::Set{edited->name, parameter, value});
+          });
+  connect(objects_, &ObjectList::strokes_chosen, this, &MainWindow::select_strokes);
+  connect(objects_, &ObjectList::objects_chosen, this, &MainWindow::select_objects);
+  connect(objects_, &ObjectList::sets_chosen, this, [this](NodeId node, const std::vector<std::string>& names) {
+    attempt([&] { select_face_sets(node, names); });
+    const StudioObject* object = studio_.object(node);
+    if (object != nullptr) record(recorded::FaceSetChoice{object->name, names});
+  });
+  connect(objects_, &ObjectList::renamed, &studio_, &Studio::rename_object);
+  connect(objects_, &ObjectList::shown, &studio_, &Studio::show_object);
+  connect(objects_, &ObjectList::removed, &studio_, &Studio::remove_object);
+  connect(findings_, &FindingsList::finding_chosen, this, &MainWindow::show_finding);
+  connect(history_, &HistoryList::step_chosen, this, &MainWindow::go_to_step);
+  connect(chains_, &ChainTable::chain_chosen, this, &MainWindow::select_chain);
+}
+
+void MainWindow::update_panels() {
+  const Session& session = studio_.session();
+  const StudioObject* object = studio_.active();
+  const Node* operation = studio_.active_operation();
+  attributes_->show_node(operation, operation == nullptr ? nullptr : studio_.description(operation->operation));
+  objects_->show_objects(studio_);
+  show_findings();
+  history_->show_history(session.undo_labels(), session.redo_labels());
+  tags_->follow(session.components());
+  chains_->show_chains(object);
+  sets_->follow();
+  help_->show_status(ChainTable::summary(object));
+  const bool filling = viewport_->holes().active();
+  const bool mesh = object != nullptr && object->cage != 0 && !filling;
+  panels_->set_useful(edges_dock_, mesh);
+  panels_->set_useful(sets_dock_, mesh);
+  action("undo")->setEnabled(session.can_undo());
+  action("redo")->setEnabled(session.can_redo());
+  action("delete")->setEnabled(!session.selection().empty() || !session.components().empty());
+  const bool shown = object != nullptr && object->shown() != nullptr;
+  action("export-solid")->setEnabled(shown);
+  action("export-picture")->setEnabled(shown);
+  update_mesh_actions();
+  update_hole_actions();
+  setWindowModified(session.modified());
+  update_help();
+}
+
+/// Those of the files first: what they lack is missing everywhere else.
+void MainWindow::show_findings() {
+  std::vector<NodeFinding> all;
+  for (const Finding& finding : files_.warnings()) all.push_back({0, finding});
+  for (const NodeFinding& found : studio_.findings()) all.push_back(found);
+  findings_->show_findings(all, [this](const NodeFinding& found) { return owner_of(studio_, found); });
+}
+
+void MainWindow::select_strokes(const std::vector<std::string>& strokes) {
+  Selection selection;
+  for (const std::string& stroke : strokes) selection.push_back({studio_.drawing_node(), stroke});
+  studio_.session().select(std::move(selection));
+}
+
+void MainWindow::select_objects(const std::vector<NodeId>& nodes) {
+  Selection selection;
+  for (const NodeId node : nodes) selection.push_back({node, ""});
+  if (!nodes.empty()) studio_.set_active(nodes.front());
+  studio_.session().select(std::move(selection));
+}
+
+void MainWindow::select_face_sets(NodeId node, const std::vector<std::string>& names) {
+  const StudioObject* object = studio_.object(node);
+  if (object == nullptr) return;
+  const std::vector<FaceSet>& sets = studio_.face_sets().of(*object);
+  Selection selection;
+  std::vector<Index> holes;
+  for (const std::string& name : names) {
+    const auto set = std::ranges::find(sets, name, &FaceSet::name);
+    if (set == sets.end()) {
+      throw Error(
+          make_error(Category::Usage, "E_INPUT", "There are no faces named \"" + name + "\" in " + object->name));
+    }
+    selection.push_back({object->node, name});
+    holes.insert(holes.end(), set->holes.begin(), set->holes.end());
+  }
+  const bool is_source = object->is_source();
+  studio_.set_active(object->node);
+  studio_.session().select(std::move(selection));
+  if (viewport_->holes().active() && !holes.empty()) viewport_->holes().select(holes);
+  if (!is_source) return viewport_->redraw_all();
+  const std::vector<Index> faces = studio_.face_sets().selected(*studio_.active(), studio_.session().selection());
+  set_mesh_mode(MeshMode::Face);
+  viewport_->mesh().follow();
+  viewport_->mesh().tool().pick(ComponentKind::Face, faces);
+  viewport_->mesh().follow();
+}
+
+void MainWindow::show_finding(const NodeFinding& found) {
+  if (found.node == 0) return show_opening_report(files_.path(), files_.warnings());
+  if (show_hole_finding(found)) return;
+  if (found.node == studio_.solid_node()) {
+    select_strokes(strokes_of(found.finding));
+    return;
+  }
+  studio_.set_active(found.node);
+  viewport_->mesh().follow();
+  MeshTool& tool = viewport_->mesh().tool();
+  if (!tool.mesh()) return;
+  const FoundElements elements = elements_of(found.finding, *tool.topology());
+  if (elements.elements.empty()) return;
+  set_mesh_mode(mode_of(elements.kind));
+  viewport_->mesh().act([&](MeshTool& t) { return t.pick(elements.kind, elements.elements); });
+  viewport_->frame_selection();
+}
+
+void MainWindow::select_chain(int chain) {
+  MeshTool& tool = viewport_->mesh().tool();
+  if (!tool.mesh()) return;
+  const Elements edges = edges_of(*tool.topology(), chains_->cage_edges(chain));
+  if (edges.empty()) return;
+  set_mesh_mode(MeshMode::Edge);
+  viewport_->mesh().act([&](MeshTool& t) { return t.pick(ComponentKind::Edge, edges); });
+}
+
+void MainWindow::tell(const QString& sentence) { help_->tell(sentence); }
+
+void MainWindow::go_to_step(int steps) {
+  Session& session = studio_.session();
+  while (static_cast<int>(session.undo_labels().size()) > steps && session.can_undo()) session.undo();
+  while (static_cast<int>(session.undo_labels().size()) < steps && session.can_redo()) session.redo();
+}
+
+}  // namespace croquis::app

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/panel_docks.h"
+
+#include <QDockWidget>
+#include <QEvent>
+#include <QMainWindow>
+#include <algorithm>
+
+namespace croquis::app {
+
+PanelDocks::PanelDocks(QMainWindow& window) : QObject(&window), window_(window) {}
+
+QDockWidget* PanelDocks::add(const QString& title, QWidget* content, const QString& name) {
+  auto* dock = new QDockWidget(title, &window_);
+  dock->setObjectName(name + "-dock");
+  dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+  dock->setWidget(content);
+  dock->installEventFilter(this);
+  window_.addDockWidget(Qt::RightDockWidgetArea, dock);
+  panels_ << Panel{dock};
+  apply(panels_.back());
+  return dock;
+}
+
+QList<QDockWidget*> PanelDocks::all() const {
+  QList<QDockWidget*> docks;
+  for (const Panel& panel : panels_) docks << panel.dock;
+  return docks;
+}
+
+PanelDocks::Panel* PanelDocks::panel_of(const QDockWidget* dock) {
+  const auto found = std::ranges::find(panels_, dock, &Panel::dock);
+  return found == panels_.end() ? nullptr : &*found;
+}
+
+void PanelDocks::apply(const Panel& panel) {
+  const bool visible = shown_ && panel.useful && panel.wanted;
+  if (panel.dock->isHidden() == visible) panel.dock->setVisible(visible);
+}
+
+void PanelDocks::set_useful(QDockWidget* dock, bool useful) {
+  Panel* panel = panel_of(dock);
+  if (panel == nullptr) return;
+  panel->useful = useful;
+  apply(*panel);
+}
+
+void PanelDocks::set_wanted(QDockWidget* dock, bool wanted) {
+  Panel* panel = panel_of(dock);
+  if (panel == nullptr) return;
+  const bool changed = panel->wanted != wanted;
+  panel->wanted = wanted;
+  apply(*panel);
+  if (changed) emit wanted_changed(dock, wanted);
+}
+
+bool PanelDocks::is_wanted(const QDockWidget* dock) const {
+  const auto found = std::ranges::find(panels_, dock, &Panel::dock);
+  return found != panels_.end() && found->wanted;
+}
+
+QStringList PanelDocks::closed() const {
+  QStringList names;
+  for (const Panel& panel : panels_) {
+    if (!panel.wanted) names << panel.dock->objectName();
+  }
+  return names;
+}
+
+void PanelDocks::set_closed(const QStringList& names) {
+  for (QDockWidget* dock : all()) set_wanted(dock, !names.contains(dock->objectName()));
+}
+
+void PanelDocks::show_all(bool shown) {
+  shown_ = shown;
+  for (const Panel& panel : panels_) apply(panel);
+}
+
+/// Docks are closed by people alone: the window hides them.
+bool PanelDocks::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Close) {
+    if (auto* dock = qobject_cast<QDockWidget*>(watched)) set_wanted(dock, false);
+  }
+  return QObject::eventFilter(watched, event);
+}
+
+}  // namespace croquis::app
