@@ -26,6 +26,9 @@ struct Evaluator::State {
   std::map<NodeId, ContentHash> last_good;  ///< under the mutex
 
   State(const Registry& operations, std::size_t byte_cap) : registry(operations), memo(byte_cap) {}
+
+  /// Where it failed, with the node's last good outputs, as long as they are kept.
+  std::shared_ptr<const Evaluation> with_last_good(NodeId id, std::shared_ptr<const Evaluation> evaluation);
 };
 
 namespace {
@@ -51,6 +54,9 @@ class Pull {
   void compute(NodeId target, Progress& progress);
 
   const NodeState& state_of(NodeId id) const { return slots_.at(id).state; }
+
+  /// Without computing: what is kept of the node, or what is wrong with it; null where neither is known.
+  std::shared_ptr<const Evaluation> known(NodeId id);
 
   /// Of the results that were needed, the good ones of operations.
   std::map<NodeId, ContentHash> good_keys() const;
@@ -168,6 +174,21 @@ void Pull::compute(NodeId target, Progress& progress) {
   progress.report(1);
 }
 
+std::shared_ptr<const Evaluation> Pull::known(NodeId id) {
+  for (const NodeId each : order_) {
+    Slot& slot = slots_.at(each);
+    if (slot.state.evaluation) continue;
+    const NodeStates inputs = inputs_of(slot);
+    const bool decided =
+        std::ranges::all_of(inputs, [](const auto& input) { return input.second->evaluation != nullptr; });
+    if (!decided) continue;
+    if (Findings faults = faults_of(slot.state, inputs); !faults.empty()) {
+      slot.state.evaluation = failed_evaluation(std::move(faults), quality_, slot.key);
+    }
+  }
+  return slots_.at(id).state.evaluation;
+}
+
 NodeStates Pull::inputs_of(const Slot& slot) const {
   NodeStates inputs;
   for (const auto& [port, link] : slot.state.node->inputs) {
@@ -228,6 +249,16 @@ Evaluator::Evaluator(const Registry& registry, std::size_t byte_cap)
 
 Evaluator::~Evaluator() = default;
 
+std::shared_ptr<const Evaluation> Evaluator::State::with_last_good(NodeId id,
+                                                                   std::shared_ptr<const Evaluation> evaluation) {
+  std::optional<ContentHash> last;
+  {
+    const std::lock_guard lock(mutex);
+    if (const auto found = last_good.find(id); found != last_good.end()) last = found->second;
+  }
+  return evaluation->failed && last ? with_stale_outputs(evaluation, memo, *last) : evaluation;
+}
+
 std::shared_ptr<const Evaluation> Evaluator::evaluate(const Document& document, NodeId id, Quality quality,
                                                       Progress& progress) {
   progress.check();
@@ -236,16 +267,20 @@ std::shared_ptr<const Evaluation> Evaluator::evaluate(const Document& document, 
   Pull pull(state_->registry, state_->memo, state_->hashes, quality);
   for (const OrderedNode& ordered : order) pull.add(ordered);
   pull.compute(id, progress);
-
-  const std::shared_ptr<const Evaluation> evaluation = pull.state_of(id).evaluation;
-  std::optional<ContentHash> last_good;
   {
     const std::lock_guard lock(state_->mutex);
     for (const auto& [node, key] : pull.good_keys()) state_->last_good[node] = key;
-    if (const auto found = state_->last_good.find(id); found != state_->last_good.end()) last_good = found->second;
   }
-  if (!evaluation->failed || !last_good) return evaluation;
-  return with_stale_outputs(evaluation, state_->memo, *last_good);
+  return state_->with_last_good(id, pull.state_of(id).evaluation);
+}
+
+std::shared_ptr<const Evaluation> Evaluator::find(const Document& document, NodeId id) const {
+  const std::vector<OrderedNode> order = evaluation_order(document, id);
+  if (order.empty()) return failed_evaluation({no_such_node(id)}, Quality::Final, {});
+  Pull pull(state_->registry, state_->memo, state_->hashes, Quality::Draft);
+  for (const OrderedNode& ordered : order) pull.add(ordered);
+  std::shared_ptr<const Evaluation> known = pull.known(id);
+  return known ? state_->with_last_good(id, std::move(known)) : nullptr;
 }
 
 void Evaluator::forget_last_good() {

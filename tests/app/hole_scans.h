@@ -31,7 +31,7 @@ inline PolyMesh ball_with_holes(std::size_t count = 6) {
   return without_loose_vertices(random_cuts(round_sphere(4), 7, count, 0.15, 0.3).mesh);
 }
 
-inline app::HoleInteraction& holes(StudioFixture& hand) { return hand.viewport().holes(); }
+inline app::HoleInteraction& holes(StudioFixture& hand) { return hand.holes(); }
 
 inline std::size_t count(StudioFixture& hand, app::HoleState state) {
   const auto& rows = holes(hand).rows();

@@ -9,6 +9,9 @@
 #include <memory>
 #include <vector>
 
+#include "app/tools/holes/hole_filling_tool.h"
+#include "app/tools/mesh/mesh_editing_tool.h"
+#include "app/tools/silhouette/silhouette_tool.h"
 #include "app/views/viewport.h"
 #include "app/window/main_window.h"
 #include "support/sketch.h"
@@ -23,6 +26,9 @@ class StudioFixture {
   app::MainWindow& window() { return *window_; }
   app::Viewport& viewport() { return window_->viewport(); }
   app::Studio& studio() { return window_->studio(); }
+  app::SketchInteraction& sketch() { return window_->tool<app::SilhouetteTool>().sketch(); }
+  app::MeshInteraction& mesh() { return window_->tool<app::MeshEditingTool>().mesh(); }
+  app::HoleInteraction& holes() { return window_->tool<app::HoleFillingTool>().holes(); }
   QString folder() const { return folder_.path(); }
 
   /// Closes the window as a crash would and opens another one with the same folders.

@@ -151,7 +151,7 @@ TEST_CASE("what is wrong with a drawing is a small mark, its sentence is told wh
     for (const auto& line : unfinished_lines(seed)) hand.draw(line);
     hand.settle();
     INFO(seed);
-    const auto& marks = view.scenes().finding_marks();
+    const auto& marks = hand.sketch().scene().finding_marks();
     for (const QWidget* chip : chips_of(view)) {
       const auto* label = qobject_cast<const QLabel*>(chip);
       for (const app::FindingMark& mark : marks) CHECK((label == nullptr || label->text() != mark.sentence));
@@ -164,7 +164,7 @@ TEST_CASE("what is wrong with a drawing is a small mark, its sentence is told wh
       const QPointF at = view.sketch_to_widget(mark.at);
       if (!view.pane(Viewport::SketchView).rect.contains(at)) continue;
       hand.send_mouse(QEvent::MouseMove, at, Qt::NoButton, Qt::NoModifier);
-      CHECK(view.sketch().told_finding().contains(mark.sentence));
+      CHECK(hand.sketch().told_finding().contains(mark.sentence));
     }
     hand.studio().session().mark_saved();
   }
@@ -179,7 +179,7 @@ TEST_CASE("a mark is small, and its sentence is shown while the pointer is on it
   const auto move_to = [&](const QPointF& place) {
     hand.send_mouse(QEvent::MouseMove, place, Qt::NoButton, Qt::NoModifier);
   };
-  const auto& marks = view.scenes().finding_marks();
+  const auto& marks = hand.sketch().scene().finding_marks();
   REQUIRE(!marks.empty());
   for (const app::FindingMark& mark : marks) {
     INFO(mark.sentence.toStdString());

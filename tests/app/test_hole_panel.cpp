@@ -237,7 +237,7 @@ TEST_CASE("the line below speaks of what is there: holes, and files that can't b
   hand.settle();
   for (const char* tool : {"select", "move", "rotate"}) {
     hand.act(tool);
-    hand.viewport().mesh().set_mode(MeshMode::Object);
+    hand.mesh().set_mode(MeshMode::Object);
     CHECK(label(hand, "help-line").startsWith("O goes back to its holes"));
   }
   const QString damaged = hand.folder() + "/damaged.ply";

@@ -308,11 +308,11 @@ TEST_CASE("what is computed while a stroke is under way is shown when it has end
   hand.settle();
   CHECK(!hand.studio().busy());
   CHECK(told == 0);
-  CHECK(view.scenes().finding_marks().empty());
+  CHECK(hand.sketch().scene().finding_marks().empty());
   CHECK(!view.help().contains("stroke"));
   hand.act("deselect");  // gives the stroke up
   CHECK(told > 0);
-  CHECK(!view.scenes().finding_marks().empty());
+  CHECK(!hand.sketch().scene().finding_marks().empty());
 }
 
 TEST_CASE("of moves that waited for a busy window only the newest is looked at, unless they draw", "[ink]") {
@@ -322,7 +322,7 @@ TEST_CASE("of moves that waited for a busy window only the newest is looked at, 
   hand.act("vertex-mode");
   hand.settle();
   int changes = 0;
-  QObject::connect(&view.mesh(), &app::MeshInteraction::changed, [&] { ++changes; });
+  QObject::connect(&hand.mesh(), &app::MeshInteraction::changed, [&] { ++changes; });
   const app::StudioObject* mug = hand.studio().active();
   REQUIRE(mug != nullptr);
   const QPointF vertex = view.model_to_widget(mug->shown()->positions.front(), Viewport::PerspectiveView);
@@ -341,5 +341,5 @@ TEST_CASE("of moves that waited for a busy window only the newest is looked at, 
   changes = 0;
   sweep(start + 10);
   CHECK(changes <= 1);
-  CHECK(view.mesh().tool().preview().hovered.has_value());
+  CHECK(hand.mesh().tool().preview().hovered.has_value());
 }

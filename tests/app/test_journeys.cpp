@@ -61,7 +61,7 @@ TEST_CASE("a snake drawn with a pen becomes solid, is bent, undone, saved, opene
   const Stroke& stroke = hand.studio().drawing().strokes.front();
   hand.click(stroke.samples[stroke.samples.size() / 3].position);
   REQUIRE(session.selection().size() == 1);
-  const StrokeFit* fit = hand.viewport().tool().fit(stroke.id);
+  const StrokeFit* fit = hand.sketch().tool().fit(stroke.id);
   REQUIRE(fit != nullptr);
   const Vec2 anchor = fit->anchors[fit->anchors.size() / 2].position;
   const Document before_drag = session.document();
@@ -124,7 +124,7 @@ TEST_CASE("a free end is marked where it is, with its sentence, until the drawin
   hand.draw(open);
   hand.settle();
   CHECK(objects_shown(hand) == 0);
-  const auto& marks = hand.viewport().scenes().finding_marks();
+  const auto& marks = hand.sketch().scene().finding_marks();
   REQUIRE(!marks.empty());
   CHECK(marks.front().error);
   const double nearest = std::min((marks.front().at - open.front()).norm(), (marks.front().at - open.back()).norm());
@@ -144,7 +144,7 @@ TEST_CASE("a free end is marked where it is, with its sentence, until the drawin
   hand.draw(rest);
   hand.settle();
   CHECK(objects_shown(hand) == 1);
-  for (const app::FindingMark& mark : hand.viewport().scenes().finding_marks()) CHECK(!mark.error);
+  for (const app::FindingMark& mark : hand.sketch().scene().finding_marks()) CHECK(!mark.error);
 }
 
 TEST_CASE("work that a crash left is offered and comes back whole", "[journey]") {

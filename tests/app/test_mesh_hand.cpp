@@ -57,7 +57,7 @@ constexpr std::array axis_handles = {ManipulatorHandle::X, ManipulatorHandle::Y,
 /// @return how far the arrow's tip is from where the pointer ended, pixels; none where the view shows no such arrow
 std::optional<double> pull_arrow(StudioFixture& hand, Index vertex, int axis, double pixels, int view) {
   const Vec3 from = cage(hand).positions[vertex];
-  const ViewFrame frame = hand.viewport().mesh().frame_of(view);
+  const ViewFrame frame = hand.viewport().frame_of(view);
   const Vec3 tip = from + 66 * frame.units_per_pixel(from) * Vec3::Unit(axis);
   const Vec2 start = pixel_of(hand, tip, view);
   const Vec2 along = start - pixel_of(hand, from, view);
@@ -65,7 +65,7 @@ std::optional<double> pull_arrow(StudioFixture& hand, Index vertex, int axis, do
   if (!pane.contains(QPointF(start.x(), start.y()))) return std::nullopt;
   hand.send_mouse(QEvent::MouseMove, QPointF(start.x(), start.y()), Qt::NoButton, Qt::NoModifier);
   QApplication::processEvents();
-  if (hand.viewport().mesh().tool().preview().hovered_handle != axis_handles.at(static_cast<std::size_t>(axis)))
+  if (hand.mesh().tool().preview().hovered_handle != axis_handles.at(static_cast<std::size_t>(axis)))
     return std::nullopt;
   const Vec2 wanted = start + pixels * along.normalized();
   drag_at_once(hand, start, wanted);
@@ -231,9 +231,9 @@ TEST_CASE("pulling, extruding and undoing leave every view as it is", "[mesh-han
   hand.act("face-mode");
   hand.click_model({0, 0, 1}, Viewport::PerspectiveView);
   REQUIRE(hand.studio().session().components().elements.size() == 1);
-  MeshTool& tool = hand.viewport().mesh().tool();
+  MeshTool& tool = hand.mesh().tool();
   for (const Vec3& by : {Vec3(0, 0, 30), Vec3(0, 0, -29.9), Vec3(200, 0, 0)}) {
-    hand.viewport().mesh().act([&](MeshTool& t) { return t.move_selected(by); });
+    hand.mesh().act([&](MeshTool& t) { return t.move_selected(by); });
     hand.settle();
     CHECK(looks(hand) == before);
   }
@@ -248,7 +248,7 @@ TEST_CASE("pulling, extruding and undoing leave every view as it is", "[mesh-han
   // Far enough to leave the view in part.
   const QRectF pane = hand.viewport().pane(Viewport::PerspectiveView).rect.adjusted(15, 15, -15, -15);
   const Vec3 pivot = tool.manipulator()->pivot;
-  const double unit = hand.viewport().mesh().frame_of(Viewport::PerspectiveView).units_per_pixel(pivot);
+  const double unit = hand.viewport().frame_of(Viewport::PerspectiveView).units_per_pixel(pivot);
   const Vec3 tip = pivot + 75 * unit * Vec3::UnitZ();  // of an arrow
   for (const auto& [place, to] : {std::pair(pivot, pane.bottomRight()), std::pair(tip, pane.bottomLeft())}) {
     const std::vector<Vec3> was = cage(hand).positions;

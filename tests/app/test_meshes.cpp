@@ -17,6 +17,7 @@
 #include "app/tools/mesh/tag_panel.h"
 #include "app/tools/subdivision/chain_table.h"
 #include "app/tools/subdivision/smoothing.h"
+#include "app/tools/subdivision/subdivision_tool.h"
 #include "app/window/theme.h"
 #include "croquis/document/content_hash.h"
 #include "croquis/io/file.h"
@@ -143,9 +144,9 @@ TEST_CASE("the marking menu works by direction alone", "[mesh-views]") {
   stroke({60, 0});
   CHECK(hand.studio().active()->cage_mesh->tags.creases.size() == 4);
   stroke({0, -60});
-  CHECK(hand.viewport().mesh().tool().mode() == MeshMode::Vertex);
+  CHECK(hand.mesh().tool().mode() == MeshMode::Vertex);
   stroke({0, 60});
-  CHECK(hand.viewport().mesh().tool().mode() == MeshMode::Object);
+  CHECK(hand.mesh().tool().mode() == MeshMode::Object);
 }
 
 TEST_CASE("four views look along the axes, never turn when flat, and Space shows one alone", "[mesh-views]") {
@@ -218,7 +219,7 @@ TEST_CASE("keys 1, 2, 3 and levels change what is seen and lose nothing", "[mesh
   hand.act("compare");
   hand.settle();
   CHECK(hand.viewport().pane(Viewport::ComparisonView).visible());
-  CHECK(hand.viewport().comparison().item() != nullptr);
+  CHECK(hand.window().tool<app::SubdivisionTool>().comparison().item() != nullptr);
   hand.act("compare");
   hand.act("freeze");
   hand.settle();

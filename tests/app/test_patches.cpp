@@ -246,13 +246,13 @@ TEST_CASE("move and rotate leave the holes as they are, and holes come back with
     hand.act(name);
     CHECK(!holes(hand).active());
     CHECK(!dock->isVisible());
-    CHECK(hand.viewport().mesh().tool().handles() == handles);
+    CHECK(hand.mesh().tool().handles() == handles);
     hand.act("holes");
     hand.settle();
     CHECK(holes(hand).active());
     CHECK(dock->isVisible());
     CHECK(count(hand, HoleState::Filled) == 1);
-    CHECK(hand.viewport().mesh().tool().handles() == MeshHandles::Select);
+    CHECK(hand.mesh().tool().handles() == MeshHandles::Select);
   }
   CHECK(content_hash(hand.studio().session().document()) == document);
 }

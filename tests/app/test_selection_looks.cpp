@@ -72,7 +72,7 @@ std::pair<double, double> range_around(const QImage& picture, const QPointF& at,
 
 /// Faces of a ball that look into a view from its middle and from its sides, in light and in shadow.
 std::vector<Index> faces_seen(StudioFixture& hand, int view) {
-  const ViewFrame frame = hand.viewport().mesh().frame_of(view);
+  const ViewFrame frame = hand.viewport().frame_of(view);
   std::vector<Index> faces;
   for (Index face = 0; face < cage(hand).face_count(); face += 7) {
     const Vec3 middle = middle_of(cage(hand), face);
@@ -162,7 +162,7 @@ TEST_CASE("a selected object has an outline that is seen against it and the back
   hand.studio().session().select({{hand.studio().objects()[1].node, ""}});
   const QImage picture = hand.picture();
   for (const int view : all_views) {
-    const ViewFrame frame = hand.viewport().mesh().frame_of(view);
+    const ViewFrame frame = hand.viewport().frame_of(view);
     const QPointF middle = hand.viewport().model_to_widget(Vec3::Zero(), view);
     const double radius = 1 / frame.units_per_pixel(Vec3::Zero());
     int seen = 0, looked_at = 0;

@@ -231,7 +231,7 @@ TEST_CASE("a new sketch has the pen in the hand, whatever was in it before", "[w
     if (of_meshes) hand.open_cage("mug");
     hand.act(tool);
     hand.act("new");
-    CHECK(hand.viewport().tool_kind() == app::ToolKind::Draw);
+    CHECK(hand.viewport().mode() == app::first_mode);
     CHECK(hand.window().action("draw")->isChecked());
     CHECK(hand.viewport().pane(app::Viewport::SketchView).visible());
     draw_ring(hand);

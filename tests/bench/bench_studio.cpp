@@ -125,7 +125,7 @@ Times drag_to_solid(const test::Sketch& sketch) {
   hand.settle();
   hand.act("select-all");
   hand.act("select");
-  const StrokeFit* fit = hand.viewport().tool().fit(hand.studio().drawing().strokes.front().id);
+  const StrokeFit* fit = hand.sketch().tool().fit(hand.studio().drawing().strokes.front().id);
   const Vec2 anchor = fit->anchors[fit->anchors.size() / 2].position;
   const QPointF start = hand.viewport().sketch_to_widget(anchor);
   hand.send_mouse(QEvent::MouseButtonPress, start, Qt::LeftButton, Qt::NoModifier);
@@ -208,7 +208,7 @@ void drag_of_cage() {
   hand.act("move");
   hand.settle();
   const Index vertex = static_cast<Index>(cage.vertex_count() / 2);
-  hand.viewport().mesh().act([&](MeshTool& tool) { return tool.pick(ComponentKind::Vertex, {vertex}); });
+  hand.mesh().act([&](MeshTool& tool) { return tool.pick(ComponentKind::Vertex, {vertex}); });
   const QPointF start = hand.viewport().model_to_widget(cage.positions[vertex], Viewport::PerspectiveView);
   hand.send_mouse(QEvent::MouseButtonPress, start, Qt::LeftButton, Qt::NoModifier);
   std::vector<double> to_result, to_frame;

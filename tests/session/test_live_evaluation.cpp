@@ -8,7 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/session/live_evaluation.h"
-#include "session/main_loop.h"
+#include "support/main_loop.h"
 #include "support/trial_operation.h"
 
 namespace croquis {

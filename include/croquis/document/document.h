@@ -35,6 +35,7 @@ struct Node {
   std::map<std::string, Link> inputs;  ///< by port name
   std::optional<Value> source;         ///< of a source, and of nothing else
   bool visible = true;
+  bool enabled = true;  ///< off, a step does nothing: what is linked to it gets its main input instead
 };
 
 /// What people edit and save: an immutable value.

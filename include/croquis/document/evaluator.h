@@ -34,6 +34,10 @@ class Evaluator {
   /// @throws Cancelled when the progress was cancelled; then nothing of the node under way is kept
   std::shared_ptr<const Evaluation> evaluate(const Document& document, NodeId id, Quality quality, Progress& progress);
 
+  /// What is known of a node of the document without computing anything: a kept result, final before draft, or what is
+  /// wrong with it (see above), with the last good outputs. Null when it would have to be computed.
+  std::shared_ptr<const Evaluation> find(const Document& document, NodeId id) const;
+
   /// Forgets which outputs were each node's last good ones: for another document, whose ids mean other nodes.
   void forget_last_good();
 

@@ -22,7 +22,7 @@ class FindingsList : public QListWidget {
 
  signals:
   /// The user wants to see what this one is about.
-  void finding_chosen(const croquis::app::NodeFinding& finding);
+  void finding_chosen(const croquis::NodeFinding& finding);
 
  private:
   std::vector<NodeFinding> findings_;

@@ -12,6 +12,9 @@
 #include <utility>
 #include <variant>
 
+#include "app/tools/holes/hole_filling_tool.h"
+#include "app/tools/mesh/mesh_editing_tool.h"
+#include "app/tools/silhouette/silhouette_tool.h"
 #include "app/views/viewport.h"
 #include "app/window/main_window.h"
 #include "croquis/base/error.h"
@@ -84,7 +87,7 @@ std::size_t count_in_mesh(const StudioObject& object, const std::string& what) {
 }
 
 std::size_t count_selected(MainWindow& window) {
-  const HoleInteraction& holes = window.viewport().holes();
+  HoleInteraction& holes = window.tool<HoleFillingTool>().holes();
   return holes.active() ? holes.selected().size() : window.studio().session().components().elements.size();
 }
 
@@ -167,11 +170,11 @@ void ReplayPlayer::play(const recorded::Line& line) {
 
 void ReplayPlayer::play(const recorded::StrokeDrawn& step) {
   if (window_.shows_start_page()) window_.start_sketch();
-  window_.viewport().sketch().replay_gesture(step.points, step.device == "eraser", {}, step.scale);
+  window_.tool<SilhouetteTool>().sketch().replay_gesture(step.points, step.device == "eraser", {}, step.scale);
 }
 
 void ReplayPlayer::play(const recorded::Drag& step) {
-  window_.viewport().tool().drag(step.stroke, step.anchor, step.by);
+  window_.tool<SilhouetteTool>().sketch().tool().drag(step.stroke, step.anchor, step.by);
 }
 
 void ReplayPlayer::play(const recorded::Action& step) {
@@ -217,25 +220,26 @@ void ReplayPlayer::play(const recorded::File& step) {
 
 void ReplayPlayer::play(const recorded::Click& step) {
   if (step.place) {
-    window_.viewport().mesh().replay(view_of(step.view), *step.place, *step.place, modifiers_of(step.modifiers),
-                                     step.clicks);
+    window_.tool<MeshEditingTool>().mesh().replay(view_of(step.view), *step.place, *step.place,
+                                                  modifiers_of(step.modifiers), step.clicks);
     return;
   }
-  window_.viewport().sketch().replay_gesture({sample_at(step.at)}, false, modifiers_of(step.modifiers), 0);
+  window_.tool<SilhouetteTool>().sketch().replay_gesture({sample_at(step.at)}, false, modifiers_of(step.modifiers), 0);
 }
 
 void ReplayPlayer::play(const recorded::Box& step) {
   if (step.from_place && step.to_place) {
-    window_.viewport().mesh().replay(view_of(step.view), *step.from_place, *step.to_place, modifiers_of(step.modifiers),
-                                     1);
+    window_.tool<MeshEditingTool>().mesh().replay(view_of(step.view), *step.from_place, *step.to_place,
+                                                  modifiers_of(step.modifiers), 1);
     return;
   }
   const std::vector<StrokeSample> way{sample_at(step.from), sample_at((step.from + step.to) / 2), sample_at(step.to)};
-  window_.viewport().sketch().replay_gesture(way, false, modifiers_of(step.modifiers), 0);
+  window_.tool<SilhouetteTool>().sketch().replay_gesture(way, false, modifiers_of(step.modifiers), 0);
 }
 
 void ReplayPlayer::play(const recorded::ModelDrag& step) {
-  window_.viewport().mesh().replay(view_of(step.view), step.from, step.to, modifiers_of(step.modifiers), 1);
+  window_.tool<MeshEditingTool>().mesh().replay(view_of(step.view), step.from, step.to, modifiers_of(step.modifiers),
+                                                1);
 }
 
 void ReplayPlayer::play(const recorded::Navigate& step) {
@@ -275,7 +279,7 @@ template <typename MeshStep>
 void ReplayPlayer::play_on_mesh(const MeshStep& step) {
   Studio& studio = window_.studio();
   if (!step.node.empty()) studio.set_active(object_named(studio, step.node).node);
-  MeshInteraction& mesh = window_.viewport().mesh();
+  MeshInteraction& mesh = window_.tool<MeshEditingTool>().mesh();
   mesh.follow();
   mesh.tool().replay(step);
   mesh.follow();
@@ -285,7 +289,8 @@ void ReplayPlayer::play(const recorded::Pick& step) {
   const MeshMode mode = step.kind == "vertex" ? MeshMode::Vertex
                         : step.kind == "face" ? MeshMode::Face
                                               : MeshMode::Edge;
-  if (window_.viewport().mesh().tool().mode() != mode) window_.viewport().mesh().set_mode(mode);
+  if (window_.tool<MeshEditingTool>().mesh().tool().mode() != mode)
+    window_.tool<MeshEditingTool>().mesh().set_mode(mode);
   play_on_mesh(step);
 }
 
@@ -305,7 +310,7 @@ void ReplayPlayer::play(const recorded::FaceSetChoice& step) {
 template <typename HoleStep>
 void ReplayPlayer::play_on_holes(const HoleStep& step) {
   if (!step.node.empty()) window_.studio().set_active(object_named(window_.studio(), step.node).node);
-  HoleInteraction& holes = window_.viewport().holes();
+  HoleInteraction& holes = window_.tool<HoleFillingTool>().holes();
   if (!holes.active()) refuse("No holes are being worked on: the action \"holes\" opens them");
   wait_until_settled(window_);  // their numbers are known once they have been found
   holes.replay(step);

@@ -45,6 +45,10 @@ SampleKind kind_of_sample(const QString& name) {
   return SampleKind::Sketch;
 }
 
+QString first_action_of_sample(const QString& name) {
+  return kind_of_sample(name) == SampleKind::Scan ? QStringLiteral("holes") : QString();
+}
+
 Value load_sample(const QString& name) {
   const SampleKind kind = kind_of_sample(name);
   const QString file_name = name + endings.at(kind);

@@ -32,6 +32,9 @@ Value load_sample(const QString& name);
 
 SampleKind kind_of_sample(const QString& name);
 
+/// The action of the window that people begin with; empty for none.
+QString first_action_of_sample(const QString& name);
+
 /// What becomes of it, coarse: for a small picture. A scan is shown as it is. @throws Error, Cancelled
 std::shared_ptr<const PolyMesh> sample_surface(const QString& name, const Registry& registry, Progress& progress);
 

@@ -11,7 +11,7 @@ namespace croquis::app {
 namespace {
 
 /// Which holes each patch closes.
-std::map<std::int32_t, std::vector<Index>> holes_of_patches(const StudioObject& object) {
+std::map<std::int32_t, std::vector<Index>> holes_of_patches(const WorkObject& object) {
   std::map<std::int32_t, std::vector<Index>> holes;
   for (const HoleRow& row : hole_rows(&object)) {
     if (row.patch && row.state == HoleState::Filled) holes[static_cast<std::int32_t>(*row.patch)].push_back(row.id);
@@ -26,7 +26,7 @@ std::string name_of(std::int32_t patch, const std::vector<Index>& holes) {
   return name;
 }
 
-std::vector<FaceSet> sets_of(const StudioObject& object) {
+std::vector<FaceSet> sets_of(const WorkObject& object) {
   const AttributeChannel* channel = object.mesh ? object.mesh->channel("patch_id", Domain::Face) : nullptr;
   const auto* ids = channel == nullptr ? nullptr : std::get_if<std::vector<std::int32_t>>(&channel->data);
   if (ids == nullptr) return {};
@@ -48,7 +48,7 @@ std::vector<FaceSet> sets_of(const StudioObject& object) {
 
 }  // namespace
 
-const std::vector<FaceSet>& FaceSets::of(const StudioObject& object) {
+const std::vector<FaceSet>& FaceSets::of(const WorkObject& object) {
   Known& known = known_[object.node];
   if (known.mesh != object.mesh || known.result != object.result) {
     known = {object.mesh, object.result, sets_of(object)};
@@ -56,7 +56,7 @@ const std::vector<FaceSet>& FaceSets::of(const StudioObject& object) {
   return known.sets;
 }
 
-std::vector<Index> FaceSets::selected(const StudioObject& object, const Selection& selection) {
+std::vector<Index> FaceSets::selected(const WorkObject& object, const Selection& selection) {
   std::vector<Index> faces;
   for (const SelectedItem& item : selection) {
     if (item.node != object.node || item.part.empty()) continue;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/studio/studio_object.h"
 #include "croquis/session/selection.h"
+#include "croquis/workspace/work_object.h"
 
 namespace croquis::app {
 
@@ -23,10 +23,10 @@ struct FaceSet {
 class FaceSets {
  public:
   /// All patches first, then each by its lowest hole or number; none without patches. O(faces) for a new mesh.
-  const std::vector<FaceSet>& of(const StudioObject& object);
+  const std::vector<FaceSet>& of(const WorkObject& object);
 
   /// Of the sets that are selected as parts of the object, ascending.
-  std::vector<Index> selected(const StudioObject& object, const Selection& selection);
+  std::vector<Index> selected(const WorkObject& object, const Selection& selection);
 
  private:
   struct Known {

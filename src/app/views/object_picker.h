@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/studio/studio_object.h"
+#include "app/studio/studio.h"
 #include "croquis/tools/mesh_pick.h"
 
 namespace croquis::app {

@@ -21,25 +21,15 @@ constexpr std::size_t upload_budget = 24'000'000;  // bytes a frame: more is a v
 constexpr int picture_height = 1600;
 constexpr QSize least_size(502, 240);  // two views beside each other can be worked in
 
-bool has_editable_mesh(const Studio& studio) {
-  return std::any_of(studio.objects().begin(), studio.objects().end(),
-                     [](const StudioObject& object) { return object.cage != 0; });
+/// Some object can be edited vertex by vertex.
+bool has_cage(const Studio& studio) {
+  return std::ranges::any_of(studio.objects(), [](const StudioObject& object) { return object.cage != 0; });
 }
 
 }  // namespace
 
 Viewport::Viewport(Studio& studio, QWidget* parent)
-    : QOpenGLWidget(parent),
-      studio_(studio),
-      objects_(studio, nullptr),
-      sketch_(studio, layout_.pane(SketchView), nullptr),
-      mesh_(studio, objects_, layout_, nullptr),
-      holes_(
-          studio, objects_, [this](int view) { return mesh_.frame_of(view); }, nullptr),
-      comparison_(studio, objects_.threads(), nullptr),
-      chips_(studio, this),
-      marking_menu_(this),
-      pins_(this) {
+    : QOpenGLWidget(parent), studio_(studio), objects_(studio, nullptr), chips_(studio, this), marking_menu_(this) {
   setObjectName("viewport");
   setAccessibleName(tr("Views"));
   setMouseTracking(true);
@@ -59,7 +49,6 @@ Viewport::Viewport(Studio& studio, QWidget* parent)
   long_press_.setSingleShot(true);
   long_press_.setInterval(long_press_ms);
   connect_parts();
-  set_tool(ToolKind::Draw);
 }
 
 Viewport::~Viewport() {
@@ -75,59 +64,70 @@ void Viewport::connect_parts() {
     redraw_all();
   });
   connect(&long_press_, &QTimer::timeout, this, [this] {
-    if (abandon()) marking_menu_.open(pressed_at_);
+    if (abandon()) open_marking_menu(pressed_at_);
   });
   connect(&studio_, &Studio::busy_changed, this, &Viewport::note_busy);
   connect(&studio_, &Studio::loaded, this, &Viewport::follow_load);
   connect(&studio_, &Studio::changed, this, &Viewport::follow_document);
   connect(&studio_, &Studio::result_changed, this, &Viewport::follow_result);
-  connect(&sketch_, &SketchInteraction::changed, this, [this] { redraw(SketchView); });
-  connect(&sketch_, &SketchInteraction::inked, this, [this] { update(); });
-  connect(&sketch_, &SketchInteraction::committed, this, &Viewport::committed);
-  connect(&mesh_, &MeshInteraction::changed, this, &Viewport::redraw_all);
-  connect(&mesh_, &MeshInteraction::committed, this, &Viewport::committed);
-  connect(&mesh_, &MeshInteraction::mode_changed, this, &Viewport::help_changed);
-  connect(&holes_, &HoleInteraction::changed, this, &Viewport::redraw_all);
-  connect(&holes_, &HoleInteraction::committed, this, &Viewport::committed);
-  connect(&holes_, &HoleInteraction::holes_changed, this, &Viewport::help_changed);
   connect(&objects_, &ObjectScenes::changed, this, [this] {
-    mesh_.follow();
+    for (Tool* tool : tools_) tool->follow_scenes();
     keep_in_view();
     redraw_all();
   });
-  connect(&comparison_, &Comparison::changed, this, [this] { redraw(ComparisonView); });
 }
 
-bool Viewport::edits_meshes() const {
-  return kind_ != ToolKind::Draw && kind_ != ToolKind::Erase && kind_ != ToolKind::Holes && has_editable_mesh(studio_);
+void Viewport::connect_tool(Tool& tool) {
+  connect(&tool, &Tool::changed, this, &Viewport::redraw_all);
+  connect(&tool, &Tool::changed_in, this, &Viewport::redraw);
+  connect(&tool, &Tool::inked, this, [this] { update(); });
+  connect(&tool, &Tool::committed, this, &Viewport::committed);
+  connect(&tool, &Tool::state_changed, this, &Viewport::help_changed);
 }
 
-bool Viewport::sketches_in(int view) const {
-  if (view != SketchView) return false;
-  if (kind_ == ToolKind::Draw || kind_ == ToolKind::Erase) return true;
-  return kind_ == ToolKind::Select && (sketch_.scene().has_strokes() || !has_editable_mesh(studio_));
+void Viewport::set_tools(std::vector<Tool*> tools) {
+  tools_ = std::move(tools);
+  for (Tool* tool : tools_) connect_tool(*tool);
+  set_mode(mode_);
 }
 
-void Viewport::set_tool(ToolKind tool) {
-  kind_ = tool;
-  sketch_.set_mode(tool == ToolKind::Draw    ? SketchMode::Draw
-                   : tool == ToolKind::Erase ? SketchMode::Erase
-                                             : SketchMode::Select);
-  switch (tool) {
-    case ToolKind::Move: mesh_.set_handles(MeshHandles::Move); break;
-    case ToolKind::Rotate: mesh_.set_handles(MeshHandles::Rotate); break;
-    case ToolKind::Scale: mesh_.set_handles(MeshHandles::Scale); break;
-    case ToolKind::Sharpen: mesh_.set_handles(MeshHandles::Sharpen); break;
-    default: mesh_.set_handles(MeshHandles::Select);
+Tool* Viewport::tool_in(int view) const {
+  const auto found = std::ranges::find_if(tools_, [&](const Tool* tool) { return tool->works_in(view); });
+  return found == tools_.end() ? nullptr : *found;
+}
+
+/// A tool has put something of its own there.
+bool Viewport::is_drawn_on(int view) const {
+  return std::ranges::any_of(tools_, [&](const Tool* tool) { return !tool->bounds_in(view).empty(); });
+}
+
+bool Viewport::is_paper(int view) const {
+  return std::ranges::any_of(tools_, [&](const Tool* tool) { return tool->is_paper(view); });
+}
+
+std::optional<Ink> Viewport::ink() const {
+  for (const Tool* tool : tools_) {
+    if (auto ink = tool->ink()) return ink;
   }
-  holes_.set_active(tool == ToolKind::Holes);
-  show_patch_look();
-  const bool draws = tool == ToolKind::Draw || tool == ToolKind::Erase;
-  if (draws && !layout_.pane(SketchView).visible()) arrange(Arrangement::SketchAndSolid);
+  return std::nullopt;
+}
+
+void Viewport::set_mode(const QString& mode) {
+  mode_ = mode;
+  for (Tool* tool : tools_) tool->set_mode(mode);
   show_cursor(under_pointer_);
   redraw_all();
   navigation_.something_done();
   emit help_changed();
+}
+
+ViewFrame Viewport::frame_of(int view) const {
+  render::Bounds bounds = render::bounds_of(objects_.surfaces());
+  if (const StudioObject* object = studio_.active()) {
+    if (const auto cage = objects_.cage_item(object->cage)) bounds.add(cage->bounds);
+  }
+  if (bounds.empty()) bounds = {{-1, -1, -1}, {1, 1, 1}};
+  return layout_.pane(view).view_frame(bounds);
 }
 
 void Viewport::set_look(MeshLook look) {
@@ -136,15 +136,6 @@ void Viewport::set_look(MeshLook look) {
 }
 
 void Viewport::set_flat(bool flat) { objects_.set_flat(flat); }
-
-void Viewport::set_tinted(bool tinted) {
-  tinted_ = tinted;
-  show_patch_look();
-}
-
-void Viewport::show_patch_look() {
-  objects_.set_patch_look(tinted_ ? PatchLook::Confidence : holes_.active() ? PatchLook::Told : PatchLook::Plain);
-}
 
 void Viewport::set_zebra(bool zebra) {
   zebra_ = zebra;
@@ -178,26 +169,22 @@ void Viewport::show_alone(int view) {
   after_layout();
 }
 
-void Viewport::compare(bool shown) {
-  comparison_.show(shown);
-  arrange(shown                           ? Arrangement::Compare
-          : sketch_.scene().has_strokes() ? Arrangement::SketchAndSolid
-                                          : Arrangement::Four);
-  if (!shown && !sketch_.scene().has_strokes()) show_alone(PerspectiveView);
+void Viewport::show_scene() {
   ViewPane& pane = layout_.pane(PerspectiveView);
   if (!pane.fits(objects_.scene({}))) pane.frame(objects_.scene({}));
 }
 
-void Viewport::delete_selection() {
-  if (holes_.active()) return holes_.reopen_selected();
-  if (sketch_.tool().delete_selected() == Verdict::Commit) return;
-  const Selection selection = studio_.session().selection();
-  for (const SelectedItem& item : selection) {
-    if (item.part.empty()) studio_.remove_object(item.node);
-  }
+bool Viewport::abandon() {
+  return std::ranges::any_of(tools_, [](Tool* tool) { return tool->abandon(); });
 }
 
-bool Viewport::abandon() { return sketch_.abandon() || mesh_.abandon() || holes_.abandon(); }
+bool Viewport::any_down() const {
+  return std::ranges::any_of(tools_, [](const Tool* tool) { return tool->down(); });
+}
+
+bool Viewport::settled() const {
+  return !objects_.busy() && !uploading_ && std::ranges::none_of(tools_, [](const Tool* tool) { return tool->busy(); });
+}
 
 void Viewport::export_picture(OffscreenPictures& pictures, const QString& path) const {
   const ViewPane& pane = layout_.pane(PerspectiveView);
@@ -215,7 +202,7 @@ QPointF Viewport::sketch_to_widget(const Vec2& place) const {
 }
 
 QPointF Viewport::model_to_widget(const Vec3& place, int view) const {
-  const auto seen = mesh_.frame_of(view).project(place);
+  const auto seen = frame_of(view).project(place);
   const Vec2 pixel = seen ? seen->pixel : Vec2(0, 0);
   return layout_.pane(view).rect.topLeft() + QPointF(pixel.x(), pixel.y());
 }
@@ -234,16 +221,13 @@ void Viewport::follow_load() {
 
 void Viewport::follow_document() {
   objects_.follow();
-  sketch_.follow_document();
-  comparison_.follow();
-  mesh_.follow();
-  holes_.follow();
-  const bool has_meshes = has_editable_mesh(studio_);
-  if (has_meshes && !had_meshes_ && studio_.drawing_node() == 0) {
+  for (Tool* tool : tools_) tool->follow_document();
+  const bool has_meshes = has_cage(studio_);
+  if (has_meshes && !had_meshes_ && !is_drawn_on(SketchView)) {
     // A document of meshes begins with the perspective view; Space shows the others.
     layout_.arrange(Arrangement::Four);
     show_alone(PerspectiveView);
-    set_tool(ToolKind::Select);
+    set_mode(select_mode);
   }
   if (!has_meshes && layout_.alone() == PerspectiveView && studio_.objects().empty()) {
     arrange(Arrangement::SketchAndSolid);
@@ -255,10 +239,7 @@ void Viewport::follow_document() {
 
 void Viewport::follow_result() {
   objects_.follow();  // signals when it has changed: views are framed then
-  sketch_.follow_result();
-  mesh_.follow();
-  holes_.follow();
-  chips_.show_joints();
+  for (Tool* tool : tools_) tool->follow_result();
   redraw_all();
   emit help_changed();
 }
@@ -307,11 +288,12 @@ void Viewport::redraw(int view) {
   PaneState& state = states_[static_cast<std::size_t>(view)];
   state.drawn = false;
   // During a stroke views wait: its ink must be seen at once.
-  if (!sketch_.inking()) {
+  const auto inked = ink();
+  if (!inked) {
     update();
-    if (view == SketchView) sheet_.drop();
+    if (view == sheet_view_) sheet_.drop();
   }
-  if (view == SketchView && !has_editable_mesh(studio_)) return;  // paper is always fine
+  if (is_paper(view)) return;  // it is always fine
   state.fine = false;
   if (affordable_) settle_.start(settle_ms);
 }
@@ -332,10 +314,10 @@ void Viewport::paintGL() {
 
 /// The stroke under way, where nothing else has to be drawn for it.
 bool Viewport::draw_ink() {
-  const ViewPane& pane = layout_.pane(SketchView);
-  if (!sketch_.inking() || clear_ || !sheet_.fits(pane)) return false;
+  const auto inked = ink();
+  if (!inked || clear_ || inked->view != sheet_view_ || !sheet_.fits(layout_.pane(inked->view))) return false;
   const bool begins = sheet_.inked() == 0;
-  sheet_.draw_new_ink(*renderer_, sketch_.ink(), place_of(pane));
+  sheet_.draw_new_ink(*renderer_, *inked->samples, place_of(layout_.pane(inked->view)));
   if (begins) place_chips();
   return true;
 }
@@ -350,11 +332,12 @@ void Viewport::draw_views() {
     gl->glClear(GL_COLOR_BUFFER_BIT);
   }
   layout_.pane(ComparisonView).camera = layout_.pane(PerspectiveView).camera;
+  const auto inked = ink();
   bool fine = false;
   uploading_ = false;
   for (const int view : layout_.shown()) {
     PaneState& state = states_[static_cast<std::size_t>(view)];
-    if (state.drawn || (sketch_.inking() && view != SketchView && !clears)) continue;
+    if (state.drawn || (inked && view != inked->view && !clears)) continue;
     draw_view(view);
     state.drawn = !renderer_->pending();
     state.triangles = renderer_->triangles_drawn();
@@ -370,28 +353,15 @@ render::Scene Viewport::scene_of(int view) {
   ObjectScenes::Wanted wanted;
   wanted.look = look_;
   wanted.stale = stale_;
-  wanted.outlines = !holes_.active();
-  wanted.only_with_cage = view == SketchView;
-  const bool elements = edits_meshes() && mesh_.tool().mode() != MeshMode::Object;
-  if (elements) wanted.edited = mesh_.tool().node();
-  if (view == ComparisonView) {
-    wanted.replaced = comparison_.object();
-    wanted.by = comparison_.item();
-  }
+  wanted.outlines = true;
+  for (const Tool* tool : tools_) tool->adjust(wanted, view);
   render::Scene scene = objects_.scene(wanted);
-  mesh_.overlay().add_to(scene, view != ComparisonView);
-  if (edits_meshes()) mesh_.add_handles_to(scene, view);
-  holes_.add_to(scene, view);
-  if (view == SketchView) {
-    const render::Scene sketch = sketch_.scene().scene();
-    scene.lines.insert(scene.lines.end(), sketch.lines.begin(), sketch.lines.end());
-    scene.marks.insert(scene.marks.end(), sketch.marks.begin(), sketch.marks.end());
-  }
+  for (Tool* tool : tools_) tool->add_to(scene, view);
   return scene;
 }
 
 render::RenderOptions Viewport::options_of(int view) const {
-  const bool paper = view == SketchView && (sketch_.scene().has_strokes() || !has_editable_mesh(studio_));
+  const bool paper = is_paper(view);
   const bool fine = states_[static_cast<std::size_t>(view)].fine;
   auto options = paper  ? render::RenderOptions::paper()
                  : fine ? render::RenderOptions{}
@@ -424,34 +394,27 @@ void Viewport::draw_view(int view) {
   if (!pane.visible()) return;
   render::Scene scene = scene_of(view);
   const render::RenderOptions options = options_of(view);
-  if (view == SketchView) {
-    sheet_.keep(scene, options, pane, sketch_.ink().size());
-    scene.lines.emplace_back(ink_item(sketch_.ink()));
+  const auto inked = ink();
+  if (is_paper(view)) {
+    // What a stroke is drawn over, should one begin.
+    sheet_.keep(scene, options, pane, inked && inked->view == view ? inked->samples->size() : 0);
+    sheet_view_ = view;
   }
+  if (inked && inked->view == view) scene.lines.emplace_back(ink_item(*inked->samples));
   renderer_->draw(scene, pane.camera, options, place_of(pane));
 }
 
 void Viewport::place_chips() {
-  ViewChips::Wanted wanted;
-  wanted.sketch = &sketch_.scene();
-  wanted.drawing = sketch_.down();
-  wanted.legend = mesh_.overlay().shows_tags();
-  wanted.comparison = comparison_.title();
-  if (const auto& value = mesh_.hovered_value(); value && !mesh_.down()) {
-    const QPointF in_view(value->pixel.x(), value->pixel.y());
-    wanted.value = ViewChips::Wanted::Value{layout_.pane(value->view).rect.topLeft() + in_view, value->text};
+  ChipPlaces places(layout_, *this);
+  std::array<QString, view_count> titles;
+  for (int view = 0; view < view_count; ++view) {
+    for (const Tool* tool : tools_) {
+      if (titles[static_cast<std::size_t>(view)].isEmpty())
+        titles[static_cast<std::size_t>(view)] = tool->view_title(view);
+    }
   }
-  wanted.confidence = tinted_ && holes_.active();
-  chips_.place(layout_, wanted);
-  place_pins();
-}
-
-void Viewport::place_pins() {
-  HolePinView::Pins pins;
-  for (const int view : holes_.active() ? layout_.shown() : std::vector<int>()) {
-    if (!sketches_in(view)) pins.push_back({layout_.pane(view).rect, holes_.pins(view)});
-  }
-  pins_.show_pins(std::move(pins), holes_);
+  chips_.place(places, titles);
+  for (Tool* tool : tools_) tool->place_chips(places);
 }
 
 }  // namespace croquis::app

@@ -8,15 +8,12 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "app/studio/studio.h"
-#include "app/tools/holes/hole_interaction.h"
-#include "app/tools/holes/hole_pin_view.h"
-#include "app/tools/mesh/mesh_interaction.h"
-#include "app/tools/silhouette/ink_sheet.h"
-#include "app/tools/silhouette/sketch_interaction.h"
-#include "app/tools/subdivision/comparison.h"
+#include "app/tools/tool.h"
 #include "app/views/event_clock.h"
+#include "app/views/ink_sheet.h"
 #include "app/views/marking_menu.h"
 #include "app/views/object_scenes.h"
 #include "app/views/pane_layout.h"
@@ -28,12 +25,8 @@ namespace croquis::app {
 
 class OffscreenPictures;
 
-/// What the pointer does: draw and erase on the sketch, select strokes and meshes, move, rotate and scale parts of
-/// meshes, change the sharpness of edges, fill holes.
-enum class ToolKind { Draw, Erase, Select, Move, Rotate, Scale, Sharpen, Holes };
-
-/// All views in one widget with one OpenGL context. Takes pen, mouse, touch and wheel, passes them to navigation, to
-/// the sketch or to the meshes, and draws what these show.
+/// All views in one widget with one OpenGL context. Takes pen, mouse, touch and wheel, passes them to navigation or to
+/// the tool that works in the view, and draws the surfaces of objects and what the tools show.
 class Viewport : public QOpenGLWidget {
   Q_OBJECT
 
@@ -44,23 +37,24 @@ class Viewport : public QOpenGLWidget {
   Viewport(Studio& studio, QWidget* parent);
   ~Viewport() override;
 
-  void set_tool(ToolKind tool);
-  ToolKind tool_kind() const { return kind_; }
-  SketchTool& tool() { return sketch_.tool(); }
-  SketchInteraction& sketch() { return sketch_; }
-  MeshInteraction& mesh() { return mesh_; }
-  HoleInteraction& holes() { return holes_; }
-  Comparison& comparison() { return comparison_; }
-  ViewChips& chips() { return chips_; }
+  /// Before anything is shown. @param tools outlive this
+  void set_tools(std::vector<Tool*> tools);
+
+  /// What the pointer does: the id of a tool's mode.
+  void set_mode(const QString& mode);
+  const QString& mode() const { return mode_; }
+
+  /// The tool that pointer events of a view go to, or null: then plain drags rotate it.
+  Tool* tool_in(int view) const;
+
   MarkingMenu& marking_menu() { return marking_menu_; }
 
-  /// A mesh with elements that can be edited is being worked on with a tool that does so.
-  bool edits_meshes() const;
+  /// How tools see the model in a view.
+  ViewFrame frame_of(int view) const;
 
   void set_look(MeshLook look);
   void set_flat(bool flat);
-  void set_zebra(bool zebra);    ///< stripes that show how smoothly surfaces meet
-  void set_tinted(bool tinted);  ///< patches by their confidence
+  void set_zebra(bool zebra);  ///< stripes that show how smoothly surfaces meet
 
   void frame_all();
   void frame_selection();
@@ -69,20 +63,13 @@ class Viewport : public QOpenGLWidget {
   void toggle_layout();
   void arrange(Arrangement arrangement);
   void show_alone(int view);
-  const PaneLayout& layout_of_views() const { return layout_; }
 
   /// Where the borders between the views lie, as shares of the widget.
   QPointF pane_shares() const { return layout_.shares(); }
   void set_pane_shares(const QPointF& shares);
 
-  /// Shows another scheme's result beside the active object, or no longer.
-  void compare(bool shown);
-
-  /// Selected strokes, else selected objects.
-  void delete_selection();
-
-  /// Accepts every joint of limb and body that is offered.
-  void join_all() { chips_.join_all(); }
+  /// The perspective view shows the whole scene, if it doesn't already.
+  void show_scene();
 
   /// Gives up the gesture under way. @return false when there was none
   bool abandon();
@@ -97,16 +84,18 @@ class Viewport : public QOpenGLWidget {
   void export_picture(OffscreenPictures& pictures, const QString& path) const;
 
   ViewPane& pane(int view) { return layout_.pane(view); }
-  const SketchScene& scenes() const { return sketch_.scene(); }
+  const PaneLayout& panes() const { return layout_; }
+  ObjectScenes& objects() { return objects_; }
   const ObjectScenes& objects() const { return objects_; }
 
+  void redraw(int view);
   void redraw_all();
 
   /// Draws the finer picture now instead of after a pause.
   void settle_now() { settle(true); }
 
   /// Every item of what is shown has been made and sent to the graphics card.
-  bool settled() const { return !objects_.busy() && !comparison_.busy() && !holes_.busy() && !uploading_; }
+  bool settled() const;
 
   /// Where a place of the sketch plane, or of the model in a view, is seen, in the widget's logical pixels.
   QPointF sketch_to_widget(const Vec2& place) const;
@@ -121,7 +110,6 @@ class Viewport : public QOpenGLWidget {
 
  signals:
   void help_changed();
-  void accept_wanted();  ///< Enter, while holes are worked on
 
   /// A gesture changed the document or the selection.
   void committed(const croquis::recorded::Step& step);
@@ -158,12 +146,18 @@ class Viewport : public QOpenGLWidget {
   void take_in_time(PointerEvent event, const QPointF& place);
   void take_late_move();
   void forget_swallowed_alt();
-  void take_on_sketch(const PointerEvent& event, const QPointF& place);
-  void show_told(const QString& sentence, const QPointF& place);
+  void show_tooltip(const QString& sentence, const QPointF& place);
+  bool any_down() const;
+  bool is_paper(int view) const;
+  bool is_drawn_on(int view) const;
+  render::Bounds bounds_in(int view) const;
+  std::optional<SelectionFrame> selection_in(int view) const;
+  std::optional<Ink> ink() const;
+  void connect_tool(Tool& tool);
+  void open_marking_menu(const QPointF& place);
   bool take_marking(const PointerEvent& event, const QPointF& place);
   bool drag_border(const PointerEvent& event, const QPointF& place);
   bool navigate(const PointerEvent& event);
-  bool sketches_in(int view) const;
   void show_cursor(int view);
 
   void follow_document();
@@ -174,7 +168,6 @@ class Viewport : public QOpenGLWidget {
   /// mesh is edited its view stays.
   bool note_objects();
   void keep_in_view();
-  void redraw(int view);
   void redraw_moved(int view);
   void settle(bool fine);
   void after_layout();
@@ -186,32 +179,26 @@ class Viewport : public QOpenGLWidget {
   render::Viewport place_of(const ViewPane& pane) const;
   render::Scene scene_of(int view);
   render::RenderOptions options_of(int view) const;
-  void show_patch_look();
   void place_chips();
-  void place_pins();
 
   Studio& studio_;
   PaneLayout layout_;
   Navigation navigation_;
   ObjectScenes objects_;
-  SketchInteraction sketch_;
-  MeshInteraction mesh_;
-  HoleInteraction holes_;
-  Comparison comparison_;
   ViewChips chips_;
   MarkingMenu marking_menu_;
-  HolePinView pins_;
+  std::vector<Tool*> tools_;
   std::unique_ptr<render::Renderer> renderer_;
   std::array<PaneState, view_count> states_;
   InkSheet sheet_;
-  ToolKind kind_ = ToolKind::Draw;
+  int sheet_view_ = SketchView;  ///< that the sheet shows
+  QString mode_ = first_mode;
   MeshLook look_ = MeshLook::Shaded;
   bool zebra_ = false;
-  bool tinted_ = false;
   int grabbed_ = -1;  ///< the view that the gesture under way began in, or -1
   int under_pointer_ = SketchView;
   PaneLayout::Border dragged_border_;
-  bool told_finding_ = false;
+  bool shows_tooltip_ = false;
   bool turned_ = false;                    ///< the user moved the perspective view: it isn't framed by itself any more
   bool had_meshes_ = false;                ///< a document's first mesh sets the views up
   std::array<bool, view_count> framed_{};  ///< flat views show what there is when they are first seen

@@ -9,12 +9,8 @@ namespace croquis::app {
 void Viewport::frame_all() {
   after_layout();
   for (const int view : layout_.shown()) {
-    if (view == SketchView && sketch_.scene().has_strokes()) {
-      ObjectScenes::Wanted meshes;
-      meshes.only_with_cage = true;
-      render::Bounds bounds = render::bounds_of(objects_.scene(meshes));
-      bounds.add(sketch_.scene().bounds(false));
-      layout_.pane(view).frame(bounds);
+    if (is_drawn_on(view)) {
+      layout_.pane(view).frame(bounds_in(view));
     } else if (view == SketchView && objects_.surfaces().empty()) {
       layout_.pane(view).camera = first_pane(render::NamedView::Front).camera;
     } else {
@@ -28,14 +24,10 @@ void Viewport::frame_all() {
 void Viewport::frame_selection() {
   if (!layout_.pane(under_pointer_).visible()) under_pointer_ = layout_.shown().front();
   ViewPane& pane = layout_.pane(under_pointer_);
-  if (sketches_in(under_pointer_)) {
-    pane.frame(sketch_.scene().bounds(true));
-  } else if (holes_.active() && !holes_.selection_bounds().empty()) {
-    if (const auto facing = holes_.selection_facing()) pane.turn_to(*facing);
-    pane.frame(holes_.selection_bounds());
-    turned_ = true;
-  } else if (!mesh_.overlay().selection_bounds().empty() && edits_meshes()) {
-    pane.frame(mesh_.overlay().selection_bounds());
+  if (const auto selected = selection_in(under_pointer_)) {
+    if (selected->facing) pane.turn_to(*selected->facing);
+    pane.frame(selected->bounds);
+    turned_ = turned_ || selected->stays;
   } else if (const render::Bounds chosen = objects_.chosen_bounds(); !chosen.empty()) {
     pane.frame(chosen);
     turned_ = true;
@@ -52,11 +44,28 @@ void Viewport::frame_selection() {
   redraw_all();
 }
 
+/// What a view is framed to where a tool has drawn in it: that, and the surfaces that are shown with it.
+render::Bounds Viewport::bounds_in(int view) const {
+  ObjectScenes::Wanted wanted;
+  render::Bounds bounds;
+  for (const Tool* tool : tools_) {
+    tool->adjust(wanted, view);
+    bounds.add(tool->bounds_in(view));
+  }
+  bounds.add(render::bounds_of(objects_.scene(wanted)));
+  return bounds;
+}
+
+std::optional<SelectionFrame> Viewport::selection_in(int view) const {
+  const Tool* tool = tool_in(view);
+  return tool == nullptr ? std::nullopt : tool->selection_frame(view);
+}
+
 void Viewport::frame_new_views() {
   if (objects_.surfaces().empty()) return;
   for (const int view : layout_.shown()) {
     bool& framed = framed_[static_cast<std::size_t>(view)];
-    if (framed || !layout_.pane(view).flat() || (view == SketchView && sketch_.scene().has_strokes())) continue;
+    if (framed || !layout_.pane(view).flat() || is_drawn_on(view)) continue;
     layout_.pane(view).frame(objects_.scene({}));
     framed = layout_.pane(view).visible();
   }
@@ -80,7 +89,7 @@ bool Viewport::note_objects() {
 void Viewport::keep_in_view() {
   // Without a solid no view is worth keeping: the next one is shown as if it were the first.
   if (objects_.surfaces().empty()) turned_ = false;
-  if (mesh_.down()) return;
+  if (any_down()) return;
   const bool news = note_objects();
   if (objects_.surfaces().empty() || turned_ || !news) return;
   const render::Scene scene = objects_.scene({});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How events of the window reach navigation, the sketch and the meshes, and what the help line shows about them.
+// How events of the window reach navigation and the tools, and what the help line shows about them.
+#include <QAction>
 #include <QEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -36,7 +37,9 @@ bool Viewport::event(QEvent* event) {
     const auto* key = static_cast<QKeyEvent*>(event);
     if (key->key() == twin_key && !key->isAutoRepeat()) navigation_.set_twin_key(event->type() == QEvent::KeyPress);
     const bool enter = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
-    if (enter && event->type() == QEvent::KeyPress && holes_.active()) emit accept_wanted();
+    if (enter && event->type() == QEvent::KeyPress) {
+      if (Tool* tool = tool_in(under_pointer_)) tool->accept();
+    }
     navigation_.modifiers_changed(
         {key->modifiers().testFlag(Qt::ShiftModifier), key->modifiers().testFlag(Qt::ControlModifier),
          key->modifiers().testFlag(Qt::AltModifier), key->modifiers().testFlag(Qt::MetaModifier)});
@@ -101,7 +104,8 @@ void Viewport::take(const PointerEvent& event, const QPointF& place, std::uint64
   PointerEvent timed = event;
   timed.time = event_clock_.time_of(stamp, seconds());
   const bool moves = event.action == PointerEvent::Action::Move || event.action == PointerEvent::Action::Hover;
-  const bool draws = event.buttons.any() && sketches_in(grabbed_ >= 0 ? grabbed_ : under_pointer_);
+  const Tool* tool = tool_in(grabbed_ >= 0 ? grabbed_ : under_pointer_);
+  const bool draws = event.buttons.any() && tool != nullptr && tool->needs_every_move();
   if (event.device == PointerEvent::Device::Mouse && moves && !draws && event_clock_.lag() > late_seconds) {
     const bool same_hand = late_move_ && late_move_->event.buttons == event.buttons;
     if (!same_hand) {
@@ -129,42 +133,29 @@ void Viewport::take_in_time(PointerEvent event, const QPointF& place) {
   // A gesture belongs to the view that it began in.
   event.view = grabbed_ >= 0 ? grabbed_ : under_pointer_;
   event.position = to_vec(place - layout_.pane(event.view).rect.topLeft());
-  if (!sketches_in(event.view)) show_told({}, place);
   if (take_marking(event, place)) return;
-  const bool down = sketch_.down() || mesh_.down() || holes_.down();
   if (event.buttons.any())
     grabbed_ = event.view;
-  else if (!down)
+  else if (!any_down())
     grabbed_ = -1;
-  if (navigate(event)) return;
-  if (sketches_in(event.view)) {
-    take_on_sketch(event, place);
-  } else if (holes_.active()) {
-    leaving ? holes_.leave() : holes_.take(event);
-  } else if (edits_meshes()) {
-    leaving ? mesh_.leave() : mesh_.take(event);
-  }
+  Tool* tool = navigate(event) ? nullptr : tool_in(event.view);
+  if (tool != nullptr) tool->take(event);
+  if (!any_down() && !leaving) show_tooltip(tool == nullptr ? QString() : tool->tooltip(), place);
 }
 
-void Viewport::take_on_sketch(const PointerEvent& event, const QPointF& place) {
-  sketch_.take(event);
-  if (sketch_.down() || event.action == PointerEvent::Action::Leave) return;
-  show_told(sketch_.told_finding(), place);
-}
-
-/// The sentences of the marks under the pointer, until it leaves them.
-void Viewport::show_told(const QString& sentence, const QPointF& place) {
+/// About what is under the pointer, until it leaves that.
+void Viewport::show_tooltip(const QString& sentence, const QPointF& place) {
   if (!sentence.isEmpty())
     QToolTip::showText(mapToGlobal(place).toPoint(), sentence, this);
-  else if (told_finding_)
+  else if (shows_tooltip_)
     QToolTip::hideText();
-  told_finding_ = !sentence.isEmpty();
+  shows_tooltip_ = !sentence.isEmpty();
 }
 
 bool Viewport::navigate(const PointerEvent& event) {
   PointerEvent seen = event;
   // Where there is nothing to pick and nothing to draw on, plain drags rotate the view.
-  if (!sketches_in(event.view) && !edits_meshes() && !holes_.active()) seen.modifiers.super = true;
+  if (tool_in(event.view) == nullptr) seen.modifiers.super = true;
   const Navigation::Answer answer = navigation_.handle(seen);
   for (const auto& motion : {answer.motion, answer.second}) {
     if (!motion) continue;
@@ -178,6 +169,16 @@ bool Viewport::navigate(const PointerEvent& event) {
   return answer.taken;
 }
 
+void Viewport::open_marking_menu(const QPointF& place) {
+  const Tool* tool = tool_in(under_pointer_);
+  const QStringList sectors = tool == nullptr ? QStringList() : tool->marking_menu(under_pointer_);
+  for (std::size_t i = 0; i < MarkingMenu::places; ++i) {
+    const QString name = sectors.value(static_cast<int>(i));
+    marking_menu_.set_action(i, name.isEmpty() ? nullptr : window()->findChild<QAction*>(name));
+  }
+  marking_menu_.open(place);
+}
+
 bool Viewport::take_marking(const PointerEvent& event, const QPointF& place) {
   using Action = PointerEvent::Action;
   if (marking_menu_.is_open()) {
@@ -189,14 +190,15 @@ bool Viewport::take_marking(const PointerEvent& event, const QPointF& place) {
     }
     return true;
   }
-  const bool meshes = edits_meshes() && !sketches_in(event.view);
+  const Tool* tool = tool_in(event.view);
+  const QStringList sectors = tool == nullptr ? QStringList() : tool->marking_menu(event.view);
   const bool alone = !event.modifiers.alt && !event.modifiers.super;
-  if (meshes && alone && event.device == PointerEvent::Device::Mouse && event.action == Action::Press &&
+  if (!sectors.isEmpty() && alone && event.device == PointerEvent::Device::Mouse && event.action == Action::Press &&
       event.buttons.right && !event.buttons.left) {
-    marking_menu_.open(place);
+    open_marking_menu(place);
     return true;
   }
-  if (meshes && is_pen(event.device) && event.action == Action::Press && event.buttons.left) {
+  if (!sectors.isEmpty() && is_pen(event.device) && event.action == Action::Press && event.buttons.left) {
     pressed_at_ = place;
     long_press_.start();
   }
@@ -206,15 +208,13 @@ bool Viewport::take_marking(const PointerEvent& event, const QPointF& place) {
 }
 
 void Viewport::show_cursor(int view) {
-  setCursor(sketches_in(view) && kind_ != ToolKind::Select ? Qt::CrossCursor : Qt::ArrowCursor);
+  const Tool* tool = tool_in(view);
+  setCursor(tool == nullptr ? Qt::ArrowCursor : tool->cursor(view));
 }
 
 bool Viewport::drag_border(const PointerEvent& event, const QPointF& place) {
   const PaneLayout::Border under = layout_.border_at(place);
-  if (event.action == PointerEvent::Action::Press && under.any() && !sketch_.down() && !mesh_.down() &&
-      !holes_.down()) {
-    dragged_border_ = under;
-  }
+  if (event.action == PointerEvent::Action::Press && under.any() && !any_down()) dragged_border_ = under;
   if (!dragged_border_.any()) {
     if (event.action == PointerEvent::Action::Hover) {
       if (under.any())
@@ -232,23 +232,18 @@ bool Viewport::drag_border(const PointerEvent& event, const QPointF& place) {
 }
 
 QString Viewport::help() const {
-  for (const NodeFinding& found : sketch_.inking() ? std::vector<NodeFinding>() : studio_.findings()) {
+  for (const NodeFinding& found : ink() ? std::vector<NodeFinding>() : studio_.findings()) {
     if (found.finding.severity == Severity::Error) return QString::fromStdString(found.finding.message);
   }
   if (navigation_.alt_swallowed()) {
     return tr("Your desktop uses Alt: hold Super, or the key left of 1, and drag to rotate, pan and zoom");
   }
-  if (holes_.active()) return holes_.help();
-  if (edits_meshes() && !sketches_in(under_pointer_)) return mesh_.help();
-  switch (sketch_.mode()) {
-    case SketchMode::Select:
-      return tr("Drag a square to reshape the line, drag a line to move it, Shift adds · Delete removes · D draws");
-    case SketchMode::Erase: return tr("Drag over lines to erase them · D draws");
-    case SketchMode::Draw: break;
+  if (const Tool* tool = tool_in(under_pointer_)) return tool->help();
+  const Tool* elsewhere = nullptr;
+  for (const int view : layout_.shown()) {
+    if (elsewhere == nullptr) elsewhere = tool_in(view);
   }
-  if (!sketch_.scene().has_strokes()) return tr("Draw a closed outline with the pen or the mouse");
-  return tr(
-      "Draw: a line stops where it passes behind another · Q selects · Alt+drag rotates the solid · Ctrl+Z undoes");
+  return elsewhere == nullptr ? QString() : elsewhere->help();
 }
 
 }  // namespace croquis::app

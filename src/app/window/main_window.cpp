@@ -22,6 +22,7 @@
 #include "app/start/gallery.h"
 #include "app/start/gallery_thumbnails.h"
 #include "app/start/start_page.h"
+#include "app/tools/all_tools.h"
 #include "app/views/viewport.h"
 #include "app/window/help_line.h"
 #include "app/window/panel_docks.h"
@@ -50,7 +51,7 @@ MainWindow::MainWindow(const QString& state_folder) : files_(studio_, pictures_,
   thumbnails_ = new GalleryThumbnails(studio_.registry(), pictures_, this);
   make_docks();
   make_actions();
-  make_hole_dock();
+  make_tools();
   make_window_actions();
   gate_document_actions();
   make_help_line();
@@ -67,6 +68,8 @@ MainWindow::MainWindow(const QString& state_folder) : files_(studio_, pictures_,
 MainWindow::~MainWindow() {
   // Both use the studio, on other threads too; children would be destroyed after it.
   thumbnails_->stop();
+  viewport_->set_tools({});
+  tools_.clear();
   delete pages_;
 }
 
@@ -92,7 +95,7 @@ void MainWindow::connect_files() {
     hold_usable_tool();
     show_views();
     report_opening(path, warnings);
-    offer_scale();
+    for (const auto& tool : tools_) tool->opened();
   });
   connect(&files_, &ProjectFiles::open_failed, this, [this](const QString& path, const Findings& findings) {
     last_findings_ = findings;
@@ -110,7 +113,7 @@ void MainWindow::connect_start_page() {
     if (!may_discard() || !attempt([&] { files_.start_sample(name); })) return;
     hold_usable_tool();
     show_views();
-    if (kind_of_sample(name) == SampleKind::Scan) action("holes")->trigger();
+    if (const QString first = first_action_of_sample(name); !first.isEmpty()) action(first)->trigger();
   });
   connect(start_page_, &StartPage::recovery_wanted, this, [this](const RecoveryOffer& offer) {
     if (!may_discard() || !attempt([&] { files_.recover(offer); })) return;
@@ -133,9 +136,37 @@ void MainWindow::connect_start_page() {
 void MainWindow::connect_viewport() {
   connect(viewport_, &Viewport::committed, this, &MainWindow::record);
   connect(viewport_, &Viewport::help_changed, this, &MainWindow::update_help);
-  connect(&viewport_->mesh(), &MeshInteraction::mode_changed, this, &MainWindow::update_panels);
-  connect(&viewport_->mesh(), &MeshInteraction::told, this, &MainWindow::tell);
   viewport_->installEventFilter(this);
+}
+
+void MainWindow::make_tools() {
+  tools_ = all_tools(*this);
+  std::vector<Tool*> tools;
+  for (const auto& tool : tools_) {
+    tool->make_actions(*actions_);
+    tools.push_back(tool.get());
+  }
+  for (Tool* tool : tools) {
+    tool->make_panels(*panels_);
+    connect(tool, &Tool::told, this, &MainWindow::tell);
+    connect(tool, &Tool::state_changed, this, &MainWindow::update_panels);
+  }
+  viewport_->set_tools(std::move(tools));
+}
+
+void MainWindow::set_mode(const QString& mode) { viewport_->set_mode(mode); }
+
+void MainWindow::add_status_widget(QWidget& widget) { statusBar()->addPermanentWidget(&widget); }
+
+bool MainWindow::pick(ComponentKind kind, const std::vector<Index>& elements) {
+  return std::ranges::any_of(tools_, [&](const auto& tool) { return tool->pick(kind, elements); });
+}
+
+QString MainWindow::offer_for(const WorkObject& object) const {
+  for (const auto& tool : tools_) {
+    if (const QString offer = tool->offer(object); !offer.isEmpty()) return offer;
+  }
+  return {};
 }
 
 void MainWindow::show_progress(bool) {
@@ -155,13 +186,21 @@ void MainWindow::make_help_line() {
   cancel_->setObjectName("cancel");
   connect(cancel_, &QPushButton::clicked, this, [this] {
     files_.reader().cancel();
-    viewport_->holes().cancel();
+    stop_computing();
   });
   statusBar()->addWidget(help_, 1);
   statusBar()->addPermanentWidget(progress_);
   statusBar()->addPermanentWidget(cancel_);
   progress_->hide();
   cancel_->hide();
+}
+
+/// A tool may take back what it had begun.
+void MainWindow::stop_computing() {
+  const bool was_busy = studio_.busy();
+  studio_.cancel();
+  if (!was_busy) return;
+  for (const auto& tool : tools_) tool->cancel();
 }
 
 void MainWindow::update_title() {
@@ -224,7 +263,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
 void MainWindow::start_sketch() {
   if (!may_discard()) return;
   files_.start_sketch();
-  viewport_->set_tool(ToolKind::Draw);
+  set_mode(first_mode);
   show_views();
 }
 
@@ -298,7 +337,7 @@ void MainWindow::enter_views() {
   pages_->setCurrentWidget(viewport_);
   for (QActionGroup* group : findChildren<QActionGroup*>()) group->setEnabled(true);
   findChild<QToolBar*>("tools")->show();
-  update_mesh_actions();  // shows the other bar now: later it would move the views under the pen
+  for (const auto& tool : tools_) tool->refresh();  // shows other bars now: later it would move the views under the pen
   panels_->show_all(true);
   viewport_->setFocus();
   update_panels();
@@ -327,7 +366,8 @@ void MainWindow::remember_layout() {
   viewport_->set_pane_shares(kept->pane_shares);
   if (kept->panels.isEmpty()) return;
   views_layout_ = kept->panels;
-  docks_sized_ = holes_sized_ = true;
+  docks_sized_ = true;
+  panels_->set_room_given(true);
 }
 
 void MainWindow::keep_window_layout() {
@@ -341,7 +381,8 @@ void MainWindow::reset_layout() {
   panels_->set_closed({});
   restoreState(first_layout_);
   views_layout_.clear();
-  docks_sized_ = holes_sized_ = false;
+  docks_sized_ = false;
+  panels_->set_room_given(false);
   viewport_->set_pane_shares(QPointF(0.5, 0.5));
   resize(first_size);
   fit_to_screen(*this);
@@ -353,10 +394,9 @@ void MainWindow::reset_layout() {
 
 /// The current tool is always one that works on what is open.
 void MainWindow::hold_usable_tool() {
-  if (viewport_->tool_kind() == ToolKind::Select || viewport_->tool_kind() == ToolKind::Erase) return;
   const bool meshes =
       std::ranges::any_of(studio_.objects(), [](const StudioObject& object) { return object.cage != 0; });
-  if (!meshes) viewport_->set_tool(ToolKind::Draw);
+  if (viewport_->mode() != select_mode && !meshes) set_mode(first_mode);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -390,16 +430,18 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
   place_bars();
 }
 
-/// The tools of meshes below the others, or beside them where a low window has no room for both.
+/// Further buttons below those of the tools, or beside them where a low window has no room for both.
 void MainWindow::place_bars() {
   const auto* tools = findChild<QToolBar*>("tools");
   const int room = height() - menuBar()->sizeHint().height() - statusBar()->sizeHint().height();
-  const bool beside = tools->sizeHint().height() + mesh_bar_->sizeHint().height() > room;
-  if (beside == toolBarBreak(mesh_bar_)) return;
-  if (beside) {
-    insertToolBarBreak(mesh_bar_);
-  } else {
-    removeToolBarBreak(mesh_bar_);
+  for (QToolBar* bar : findChildren<QToolBar*>()) {
+    const bool beside = tools->sizeHint().height() + bar->sizeHint().height() > room;
+    if (bar == tools || beside == toolBarBreak(bar)) continue;
+    if (beside) {
+      insertToolBarBreak(bar);
+    } else {
+      removeToolBarBreak(bar);
+    }
   }
 }
 

@@ -7,12 +7,14 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <vector>
 
 #include "app/files/project_files.h"
-#include "app/studio/scene_scale.h"
 #include "app/studio/studio.h"
+#include "app/tools/tool.h"
 #include "app/views/offscreen_pictures.h"
-#include "croquis/tools/mesh_tool.h"
+#include "app/window/action_list.h"
+#include "croquis/base/error.h"
 #include "croquis/tools/recording.h"
 
 class QProgressBar;
@@ -22,24 +24,18 @@ class QStackedWidget;
 namespace croquis::app {
 
 class AttributePanel;
-class ChainTable;
-class CreaseSetPanel;
 class FindingsList;
 class GalleryThumbnails;
 class HelpLine;
 class HistoryList;
-class HoleInteraction;
-class HolePanel;
 class ObjectList;
 class OpeningReport;
 class PanelDocks;
 class StartPage;
-class TagPanel;
 class Viewport;
-enum class ToolKind;
 
 /// The studio's window: views in the middle, tools left, panels right, the next action in words below.
-class MainWindow : public QMainWindow {
+class MainWindow : public QMainWindow, public ToolHost {
   Q_OBJECT
 
  public:
@@ -47,8 +43,18 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(const QString& state_folder);
   ~MainWindow() override;
 
-  Studio& studio() { return studio_; }
-  Viewport& viewport() { return *viewport_; }
+  Studio& studio() override { return studio_; }
+  Viewport& viewport() override { return *viewport_; }
+  const std::vector<std::unique_ptr<Tool>>& tools() const { return tools_; }
+
+  /// The tool of that type.
+  template <class T>
+  T& tool() {
+    for (const auto& tool : tools_) {
+      if (auto* wanted = qobject_cast<T*>(tool.get())) return *wanted;
+    }
+    throw Error(make_error(Category::Internal, "E_INTERNAL", "The window has no such tool."));
+  }
   ProjectFiles& files() { return files_; }
 
   /// Leaves the start page with an empty sketch and the pen ready.
@@ -61,10 +67,10 @@ class MainWindow : public QMainWindow {
   void begin_open(const QStringList& paths);
 
   /// The action of that name, or null: what menus, keys and replays share.
-  QAction* action(const QString& name) const;
+  QAction* action(const QString& name) const override;
 
   /// Runs something that may throw; shows its findings in a bar over the views.
-  bool attempt(const std::function<void()>& work);
+  bool attempt(const std::function<void()>& work) override;
 
   /// Appends everything that is done from now on to a recording (docs/replays.md).
   /// @throws Error (E_WRITE)
@@ -77,6 +83,16 @@ class MainWindow : public QMainWindow {
   const Findings& last_findings() const { return last_findings_; }
 
   bool shows_start_page() const;
+  bool shows_views() const override { return !shows_start_page(); }
+
+  void set_mode(const QString& mode) override;
+  void add_status_widget(QWidget& widget) override;
+  bool pick(ComponentKind kind, const std::vector<Index>& elements) override;
+  void tell(const QString& sentence) override;  ///< below the views
+  void show_message(const Findings& findings) override { show_message(findings, {}); }
+  void record(const recorded::Step& step) override;
+  void refresh() override { update_panels(); }
+  QString offer_for(const WorkObject& object) const override;
 
   /// Nothing that the window shows is still being made.
   bool settled() const;
@@ -105,43 +121,13 @@ class MainWindow : public QMainWindow {
   QMenu* createPopupMenu() override;
 
  private:
-  /// Who writes an action into recordings.
-  enum class Recorded {
-    AsAction,  ///< by its name
-    ByItself   ///< by the code that acts: with a file's name, with elements
-  };
-
   void make_actions();
   void make_file_actions();
   void make_edit_actions();
   void make_view_actions();
-  void make_tool_actions();
-  QAction* add_action(QMenu* menu, const QString& name, const QString& text, const QList<QKeySequence>& keys,
-                      std::function<void()> work, Recorded recorded = Recorded::AsAction);
-  void make_mesh_actions();
-  void make_mode_actions();
-  void make_selection_actions();
-  void make_shape_actions();
-  void make_tag_actions();
-  void make_scale_actions();
-  void offer_scale();  ///< beside the help line, where what has been added is far larger or smaller than the rest
-  void follow_scale();
-  void make_smoothing_actions();
-  void make_marking_menu();
-  QAction* add_mesh_action(QMenu* menu, const QString& name, const QString& text, const QList<QKeySequence>& keys,
-                           std::function<Verdict(MeshTool&)> work);
-  void set_mesh_mode(MeshMode mode);
-  void update_mesh_actions();
+  void make_tools();
   void make_window_actions();
   void gate_document_actions();
-  void make_hole_actions();
-  void make_hole_dock();
-  QAction* add_hole_action(QMenu* menu, const QString& name, const QString& text, const QList<QKeySequence>& keys,
-                           std::function<void(HoleInteraction&)> work, bool tells_itself = false);
-  void update_hole_actions();
-  void frame_holes();
-  bool show_hole_finding(const NodeFinding& finding);  ///< @return whether it is about holes
-  void tell(const QString& sentence);                  ///< below the views
   void make_docks();
   void connect_files();
   void connect_start_page();
@@ -149,11 +135,13 @@ class MainWindow : public QMainWindow {
   void connect_viewport();
   void make_help_line();
   void connect_studio();
-  void show_message(const Findings& findings, const QString& path = {});  ///< the first one, below the views
+  void show_message(const Findings& findings, const QString& path);  ///< the first one, below the views
   void show_findings();
   void report_opening(const QString& path, const Findings& findings);
   void show_opening_report(const QString& path, const Findings& findings);
+  QString status() const;
   void update_panels();
+  void stop_computing();
   void update_title();
   void update_help();
   void show_start_page();
@@ -180,7 +168,6 @@ class MainWindow : public QMainWindow {
   void select_strokes(const std::vector<std::string>& strokes);
   void select_objects(const std::vector<NodeId>& nodes);
   void show_finding(const NodeFinding& finding);
-  void select_chain(int chain);
   void show_progress(bool busy);
   void go_to_step(int steps);
 
@@ -188,38 +175,20 @@ class MainWindow : public QMainWindow {
   Studio studio_;
   ProjectFiles files_;
   QStackedWidget* pages_ = nullptr;
+  std::unique_ptr<ActionList> actions_;
   StartPage* start_page_ = nullptr;
   Viewport* viewport_ = nullptr;
+  std::vector<std::unique_ptr<Tool>> tools_;
   AttributePanel* attributes_ = nullptr;
   ObjectList* objects_ = nullptr;
   FindingsList* findings_ = nullptr;
   HistoryList* history_ = nullptr;
-  TagPanel* tags_ = nullptr;
-  ChainTable* chains_ = nullptr;
-  CreaseSetPanel* sets_ = nullptr;
   GalleryThumbnails* thumbnails_ = nullptr;
-  SceneScale scale_ = SceneScale(studio_);
-  QPushButton* scale_offer_ = nullptr;
-  std::size_t scale_offered_at_ = 0;  ///< steps of the history when it was; another step takes the offer back
-  NodeId scale_offered_ = 0;          ///< the object that was added
-  QMenu* mesh_menu_ = nullptr;
-  QToolBar* mesh_bar_ = nullptr;
-  QList<QAction*> mesh_actions_;  ///< that need a mesh to work on
-  std::map<MeshMode, QAction*> mode_actions_;
-  std::map<ToolKind, QAction*> tool_actions_;
-  void record(const recorded::Step& step);
-
   std::unique_ptr<QFile> recording_;
   std::unique_ptr<recorded::Recorder> recorder_;
   QList<QDockWidget*> docks_;
-  QDockWidget* edges_dock_ = nullptr;  ///< of meshes alone
-  QDockWidget* sets_dock_ = nullptr;
-  QDockWidget* holes_dock_ = nullptr;  ///< while holes are worked on
-  HolePanel* holes_panel_ = nullptr;
-  QList<QAction*> hole_actions_;  ///< that need holes to work on
   bool unattended_ = false;
   bool docks_sized_ = false;  ///< people's own sizes are kept
-  bool holes_sized_ = false;
   bool remembers_layout_ = false;
   bool has_shown_views_ = false;  ///< there is a document behind the start page
   QByteArray first_layout_;       ///< of the panels, for resetting

@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "app/panels/object_names.h"
-#include "app/tools/holes/filling.h"
 #include "app/views/viewport.h"
 #include "app/window/help_line.h"
 #include "app/window/icons.h"
@@ -46,24 +45,7 @@ bool asks_for_file(const QString& action) {
 
 }  // namespace
 
-QAction* MainWindow::action(const QString& name) const { return findChild<QAction*>(name); }
-
-QAction* MainWindow::add_action(QMenu* menu, const QString& name, const QString& text, const QList<QKeySequence>& keys,
-                                std::function<void()> work, Recorded recorded) {
-  auto* action = new QAction(text, this);
-  action->setObjectName(name);
-  action->setShortcuts(keys);
-  action->setIcon(action_icon(name));
-  connect(action, &QAction::triggered, this, [this, name, recorded, work = std::move(work)] {
-    // Those that ask for a file are recorded with its name, once it is known.
-    if (recorded == Recorded::AsAction && !asks_for_file(name)) record(recorded::Action{name.toStdString()});
-    help_->clear();
-    work();
-  });
-  menu->addAction(action);
-  addAction(action);
-  return action;
-}
+QAction* MainWindow::action(const QString& name) const { return actions_->find(name); }
 
 /// Nothing acts on a document that the start page hides. Actions that have no group of their own get one: a group that
 /// is off leaves each action's own state alone.
@@ -76,61 +58,61 @@ void MainWindow::gate_document_actions() {
 }
 
 void MainWindow::make_actions() {
+  actions_ = std::make_unique<ActionList>(*this, [this](const QString& name, Recorded recorded) {
+    // Those that ask for a file are recorded with its name, once it is known.
+    if (recorded == Recorded::AsAction && !asks_for_file(name)) record(recorded::Action{name.toStdString()});
+    help_->clear();
+  });
+  actions_->bar("tools", tr("Tools"));
   make_file_actions();
   make_edit_actions();
   make_view_actions();
-  make_tool_actions();
-  make_mesh_actions();
-  make_hole_actions();
+  actions_->menu(tr("&Tool"));
 }
 
 void MainWindow::make_file_actions() {
-  QMenu* menu = menuBar()->addMenu(tr("&File"));
-  add_action(menu, "new", tr("&New sketch"), {QKeySequence::New}, [this] { start_sketch(); });
-  add_action(menu, "open", tr("&Open…"), {QKeySequence::Open}, [this] { ask_open(); });
-  add_action(menu, "start-page", tr("S&tart page"), {QKeySequence("Ctrl+Home")}, [this] { show_start_page(); });
+  QMenu* menu = actions_->menu(tr("&File"));
+  actions_->add(menu, "new", tr("&New sketch"), {QKeySequence::New}, [this] { start_sketch(); });
+  actions_->add(menu, "open", tr("&Open…"), {QKeySequence::Open}, [this] { ask_open(); });
+  actions_->add(menu, "start-page", tr("S&tart page"), {QKeySequence("Ctrl+Home")}, [this] { show_start_page(); });
   menu->addSeparator();
-  add_action(menu, "save", tr("&Save"), {QKeySequence::Save}, [this] { ask_save(); });
-  add_action(menu, "save-as", tr("Save &as…"), {QKeySequence::SaveAs}, [this] {
+  actions_->add(menu, "save", tr("&Save"), {QKeySequence::Save}, [this] { ask_save(); });
+  actions_->add(menu, "save-as", tr("Save &as…"), {QKeySequence::SaveAs}, [this] {
     const QString path = QFileDialog::getSaveFileName(this, tr("Save project"), files_.path(), project_filter);
     if (!path.isEmpty()) save_to(path);
   });
   menu->addSeparator();
-  add_action(menu, "export-solid", tr("&Export mesh…"), {QKeySequence("Ctrl+E")}, [this] { ask_export_solid(); });
-  add_action(menu, "export-picture", tr("Export &picture…"), {QKeySequence("Ctrl+Shift+E")},
-             [this] { ask_export_picture(); });
-  add_action(menu, "export-drawing", tr("Export &drawing…"), {}, [this] { ask_export_drawing(); });
+  actions_->add(menu, "export-solid", tr("&Export mesh…"), {QKeySequence("Ctrl+E")}, [this] { ask_export_solid(); });
+  actions_->add(menu, "export-picture", tr("Export &picture…"), {QKeySequence("Ctrl+Shift+E")},
+                [this] { ask_export_picture(); });
+  actions_->add(menu, "export-drawing", tr("Export &drawing…"), {}, [this] { ask_export_drawing(); });
   menu->addSeparator();
-  add_action(menu, "quit", tr("&Quit"), {QKeySequence::Quit}, [this] { close(); });
+  actions_->add(menu, "quit", tr("&Quit"), {QKeySequence::Quit}, [this] { close(); });
 }
 
 void MainWindow::make_edit_actions() {
-  QMenu* menu = menuBar()->addMenu(tr("&Edit"));
-  add_action(menu, "undo", tr("&Undo"), {QKeySequence("Ctrl+Z"), QKeySequence("Z")},
-             [this] { studio_.session().undo(); });
-  add_action(menu, "redo", tr("&Redo"), {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y"), QKeySequence("Shift+Z")},
-             [this] { studio_.session().redo(); });
+  QMenu* menu = actions_->menu(tr("&Edit"));
+  actions_->add(menu, "undo", tr("&Undo"), {QKeySequence("Ctrl+Z"), QKeySequence("Z")},
+                [this] { studio_.session().undo(); });
+  actions_->add(menu, "redo", tr("&Redo"),
+                {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y"), QKeySequence("Shift+Z")},
+                [this] { studio_.session().redo(); });
   menu->addSeparator();
-  add_action(menu, "join-limbs", tr("&Join limbs"), {QKeySequence("J")}, [this] { viewport_->join_all(); });
-  add_action(
+  actions_->add(
       menu, "delete", tr("&Delete"), {QKeySequence::Delete, QKeySequence(Qt::Key_Backspace)},
       [this] {
         delete_selection();
         update_panels();
       },
       Recorded::ByItself);
-  add_action(menu, "select-all", tr("Select &all"), {QKeySequence::SelectAll}, [this] { select_all(); });
-  add_action(menu, "deselect", tr("Select &none"), {QKeySequence("Escape")}, [this] { select_none(); });
+  actions_->add(menu, "select-all", tr("Select &all"), {QKeySequence::SelectAll}, [this] { select_all(); });
+  actions_->add(menu, "deselect", tr("Select &none"), {QKeySequence("Escape")}, [this] { select_none(); });
 }
 
 void MainWindow::select_all() {
-  if (viewport_->holes().active()) return viewport_->holes().select_all();
-  if (viewport_->edits_meshes() && viewport_->mesh().tool().mode() != MeshMode::Object) {
-    viewport_->mesh().act([](MeshTool& tool) { return tool.select_all(); });
-    return;
-  }
+  if (std::ranges::any_of(tools_, [](const auto& tool) { return tool->select_all(); })) return;
   Selection selection;
-  for (const Stroke& stroke : studio_.drawing().strokes) selection.push_back({studio_.drawing_node(), stroke.id});
+  for (const auto& tool : tools_) tool->add_all_to(selection);
   for (const StudioObject& object : studio_.objects()) {
     if (object.cage != 0 && object.visible) selection.push_back({object.node, ""});
   }
@@ -138,37 +120,38 @@ void MainWindow::select_all() {
 }
 
 void MainWindow::delete_selection() {
-  const bool elements = viewport_->edits_meshes() && viewport_->mesh().tool().mode() != MeshMode::Object;
-  if (elements) return viewport_->mesh().act([](MeshTool& tool) { return tool.delete_selected(); });
+  // The tools with few modes of their own come last: their turn is first.
+  for (auto tool = tools_.rbegin(); tool != tools_.rend(); ++tool) {
+    if ((*tool)->delete_selection()) return;
+  }
   record(recorded::Action{"delete"});
-  viewport_->delete_selection();
+  const Selection selection = studio_.session().selection();
+  for (const SelectedItem& item : selection) {
+    if (item.part.empty()) studio_.remove_object(item.node);
+  }
 }
 
 void MainWindow::select_none() {
   if (viewport_->abandon()) return;
   viewport_->marking_menu().dismiss();
-  Selection selection = studio_.session().selection();
-  std::erase_if(selection, [](const SelectedItem& item) { return !item.part.empty(); });
-  if (viewport_->holes().active()) {
-    studio_.session().select(std::move(selection));
-    return viewport_->holes().select({});
+  for (auto tool = tools_.rbegin(); tool != tools_.rend(); ++tool) {
+    if ((*tool)->select_none()) return;
   }
-  viewport_->mesh().act([](MeshTool& tool) { return tool.select_none(); });
   studio_.session().select({});
 }
 
 void MainWindow::make_view_actions() {
-  QMenu* menu = menuBar()->addMenu(tr("&View"));
-  add_action(menu, "frame-all", tr("Frame &all"), {QKeySequence("A")}, [this] { viewport_->frame_all(); });
-  add_action(menu, "frame-selection", tr("&Frame selection"), {QKeySequence("F")},
-             [this] { viewport_->frame_selection(); });
-  add_action(menu, "layout", tr("One &view / all"), {QKeySequence("Space")}, [this] { viewport_->toggle_layout(); });
-  add_action(menu, "two-views", tr("S&ketch and perspective"), {QKeySequence("Ctrl+Space")},
-             [this] { viewport_->arrange(Arrangement::SketchAndSolid); });
-  add_action(menu, "four-views", tr("&Four views"), {QKeySequence("Shift+Space")},
-             [this] { viewport_->arrange(Arrangement::Four); });
+  QMenu* menu = actions_->menu(tr("&View"));
+  actions_->add(menu, "frame-all", tr("Frame &all"), {QKeySequence("A")}, [this] { viewport_->frame_all(); });
+  actions_->add(menu, "frame-selection", tr("&Frame selection"), {QKeySequence("F")},
+                [this] { viewport_->frame_selection(); });
+  actions_->add(menu, "layout", tr("One &view / all"), {QKeySequence("Space")}, [this] { viewport_->toggle_layout(); });
+  actions_->add(menu, "two-views", tr("S&ketch and perspective"), {QKeySequence("Ctrl+Space")},
+                [this] { viewport_->arrange(Arrangement::SketchAndSolid); });
+  actions_->add(menu, "four-views", tr("&Four views"), {QKeySequence("Shift+Space")},
+                [this] { viewport_->arrange(Arrangement::Four); });
   const auto add_alone = [&](const QString& name, const QString& text, int view) {
-    add_action(menu, name, text, {}, [this, view] { viewport_->show_alone(view); });
+    actions_->add(menu, name, text, {}, [this, view] { viewport_->show_alone(view); });
   };
   add_alone("perspective-alone", tr("&Perspective alone"), PerspectiveView);
   add_alone("front-alone", tr("Fr&ont alone"), SketchView);
@@ -177,7 +160,7 @@ void MainWindow::make_view_actions() {
   menu->addSeparator();
   auto* shading = new QActionGroup(this);
   const auto add_shading = [&](const QString& name, const QString& text, const QString& key, MeshLook look) {
-    QAction* action = add_action(menu, name, text, {QKeySequence(key)}, [this, look] { viewport_->set_look(look); });
+    QAction* action = actions_->add(menu, name, text, {QKeySequence(key)}, [this, look] { viewport_->set_look(look); });
     action->setCheckable(true);
     action->setChecked(look == MeshLook::Shaded);
     shading->addAction(action);
@@ -185,43 +168,12 @@ void MainWindow::make_view_actions() {
   add_shading("wire", tr("&Wire"), "4", MeshLook::Wire);
   add_shading("shaded", tr("&Shaded"), "5", MeshLook::Shaded);
   add_shading("shaded-wire", tr("Shaded, with w&ire"), "6", MeshLook::ShadedWire);
-  QAction* flat = add_action(menu, "flat", tr("&Every face flat"), {QKeySequence("Shift+5")},
-                             [this] { viewport_->set_flat(action("flat")->isChecked()); });
+  QAction* flat = actions_->add(menu, "flat", tr("&Every face flat"), {QKeySequence("Shift+5")},
+                                [this] { viewport_->set_flat(action("flat")->isChecked()); });
   flat->setCheckable(true);
-  QAction* zebra = add_action(menu, "zebra", tr("&Zebra stripes"), {QKeySequence("Shift+6")},
-                              [this] { viewport_->set_zebra(action("zebra")->isChecked()); });
+  QAction* zebra = actions_->add(menu, "zebra", tr("&Zebra stripes"), {QKeySequence("Shift+6")},
+                                 [this] { viewport_->set_zebra(action("zebra")->isChecked()); });
   zebra->setCheckable(true);
-}
-
-void MainWindow::make_tool_actions() {
-  QMenu* menu = menuBar()->addMenu(tr("&Tool"));
-  auto* bar = new QToolBar(tr("Tools"), this);
-  bar->setObjectName("tools");
-  bar->setMovable(false);
-  bar->setIconSize({26, 26});
-  addToolBar(Qt::LeftToolBarArea, bar);
-  auto* tools = new QActionGroup(this);
-  const auto add_tool = [&](const QString& name, const QString& text, const QString& key, ToolKind kind) {
-    QAction* action = add_action(menu, name, text, {QKeySequence(key)}, [this, kind] { viewport_->set_tool(kind); });
-    action->setCheckable(true);
-    action->setToolTip(action->text().remove('&') + " (" + key + ")");
-    action->setChecked(kind == ToolKind::Draw);
-    tools->addAction(action);
-    bar->addAction(action);
-    tool_actions_[kind] = action;
-  };
-  add_tool("draw", tr("&Draw"), "D", ToolKind::Draw);
-  add_tool("erase", tr("&Erase"), "X", ToolKind::Erase);
-  add_tool("select", tr("&Select and reshape"), "Q", ToolKind::Select);
-  add_tool("move", tr("&Move"), "W", ToolKind::Move);
-  add_tool("rotate", tr("&Turn"), "E", ToolKind::Rotate);
-  add_tool("scale", tr("S&cale"), "R", ToolKind::Scale);
-  add_tool("sharpen", tr("Change s&harpness"), "S", ToolKind::Sharpen);
-  mesh_bar_ = new QToolBar(tr("Mesh"), this);
-  mesh_bar_->setObjectName("mesh-tools");
-  mesh_bar_->setMovable(false);
-  mesh_bar_->setIconSize({26, 26});
-  addToolBar(Qt::LeftToolBarArea, mesh_bar_);
 }
 
 void MainWindow::ask_open() {
@@ -290,7 +242,9 @@ bool MainWindow::may_discard() {
 
 void MainWindow::ask_export_solid() {
   // Of the formats, PLY alone keeps which faces are patches, and how far to trust them.
-  const bool is_filled = filling_node(studio_) != nullptr;
+  const StudioObject* object = studio_.active();
+  const bool is_filled =
+      object != nullptr && object->mesh && object->mesh->channel("patch_id", Domain::Face) != nullptr;
   const QString name = QString::fromStdString(document_name(studio_));
   QString filter = is_filled ? QStringLiteral("PLY (*.ply)") : QStringLiteral("OBJ (*.obj)");
   const QString proposed = is_filled ? tr("%1 filled.ply").arg(name) : name + ".obj";

@@ -5,7 +5,6 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QScrollArea>
-#include <QSplitter>
 #include <algorithm>
 #include <cstring>
 
@@ -15,9 +14,6 @@
 #include "app/panels/object_list.h"
 #include "app/panels/object_names.h"
 #include "app/studio/face_sets.h"
-#include "app/tools/mesh/crease_set_panel.h"
-#include "app/tools/mesh/tag_panel.h"
-#include "app/tools/subdivision/chain_table.h"
 #include "app/views/viewport.h"
 #include "app/window/help_line.h"
 #include "app/window/main_window.h"
@@ -36,31 +32,16 @@ void MainWindow::make_docks() {
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setWidget(attributes_);
-  auto* edges = new QWidget(this);
-  auto* column = new QVBoxLayout(edges);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(2);
-  tags_ = new TagPanel(viewport_->mesh(), edges);
-  chains_ = new ChainTable(edges);
-  column->addWidget(tags_);
-  column->addWidget(chains_, 1);
-  sets_ = new CreaseSetPanel(viewport_->mesh(), this);
   docks_ = {panels_->add(tr("Objects"), objects_, "objects"), panels_->add(tr("Attributes"), scroll, "attributes"),
             panels_->add(tr("Findings"), findings_, "findings"), panels_->add(tr("History"), history_, "history")};
-  edges_dock_ = panels_->add(tr("Sharp edges"), edges, "edges");
-  sets_dock_ = panels_->add(tr("Crease sets"), sets_, "sets");
-  // Below the attributes, in one place.
-  splitDockWidget(docks_[1], edges_dock_, Qt::Vertical);
-  tabifyDockWidget(edges_dock_, sets_dock_);
-  edges_dock_->raise();
 }
 
 void MainWindow::make_window_actions() {
-  QMenu* menu = menuBar()->addMenu(tr("&Window"));
+  QMenu* menu = actions_->menu(tr("&Window"));
   for (QDockWidget* dock : panels_->all()) {
     const QString name = "panel-" + dock->objectName().chopped(static_cast<int>(strlen("-dock")));
-    QAction* shown = add_action(menu, name, dock->windowTitle(), {},
-                                [this, dock, name] { panels_->set_wanted(dock, action(name)->isChecked()); });
+    QAction* shown = actions_->add(menu, name, dock->windowTitle(), {},
+                                   [this, dock, name] { panels_->set_wanted(dock, action(name)->isChecked()); });
     shown->setCheckable(true);
     shown->setChecked(true);
     connect(panels_, &PanelDocks::wanted_changed, shown, [dock, shown](const QDockWidget* changed, bool wanted) {
@@ -68,7 +49,7 @@ void MainWindow::make_window_actions() {
     });
   }
   menu->addSeparator();
-  add_action(menu, "reset-layout", tr("&Reset layout"), {}, [this] { reset_layout(); });
+  actions_->add(menu, "reset-layout", tr("&Reset layout"), {}, [this] { reset_layout(); });
 }
 
 QMenu* MainWindow::createPopupMenu() {
@@ -93,12 +74,13 @@ void MainWindow::connect_panels() {
     const StudioObject* object = studio_.object(node);
     if (object != nullptr) record(recorded::FaceSetChoice{object->name, names});
   });
-  connect(objects_, &ObjectList::renamed, &studio_, &Studio::rename_object);
-  connect(objects_, &ObjectList::shown, &studio_, &Studio::show_object);
-  connect(objects_, &ObjectList::removed, &studio_, &Studio::remove_object);
+  connect(objects_, &ObjectList::renamed, this,
+          [this](NodeId node, const std::string& name) { studio_.rename_object(node, name); });
+  connect(objects_, &ObjectList::shown, this,
+          [this](NodeId node, bool visible) { studio_.show_object(node, visible); });
+  connect(objects_, &ObjectList::removed, this, [this](NodeId node) { studio_.remove_object(node); });
   connect(findings_, &FindingsList::finding_chosen, this, &MainWindow::show_finding);
   connect(history_, &HistoryList::step_chosen, this, &MainWindow::go_to_step);
-  connect(chains_, &ChainTable::chain_chosen, this, &MainWindow::select_chain);
 }
 
 void MainWindow::update_panels() {
@@ -109,24 +91,25 @@ void MainWindow::update_panels() {
   objects_->show_objects(studio_);
   show_findings();
   history_->show_history(session.undo_labels(), session.redo_labels());
-  tags_->follow(session.components());
-  chains_->show_chains(object);
-  sets_->follow();
-  help_->show_status(ChainTable::summary(object));
-  const bool filling = viewport_->holes().active();
-  const bool mesh = object != nullptr && object->cage != 0 && !filling;
-  panels_->set_useful(edges_dock_, mesh);
-  panels_->set_useful(sets_dock_, mesh);
+  help_->show_status(status());
   action("undo")->setEnabled(session.can_undo());
   action("redo")->setEnabled(session.can_redo());
-  action("delete")->setEnabled(!session.selection().empty() || !session.components().empty());
+  const bool has_selection = std::ranges::any_of(tools_, [](const auto& tool) { return tool->has_selection(); });
+  action("delete")->setEnabled(!session.selection().empty() || has_selection);
   const bool shown = object != nullptr && object->shown() != nullptr;
   action("export-solid")->setEnabled(shown);
   action("export-picture")->setEnabled(shown);
-  update_mesh_actions();
-  update_hole_actions();
+  actions_->show_mode(viewport_->mode());
+  for (const auto& tool : tools_) tool->refresh();
   setWindowModified(session.modified());
   update_help();
+}
+
+QString MainWindow::status() const {
+  for (const auto& tool : tools_) {
+    if (const QString status = tool->status(); !status.isEmpty()) return status;
+  }
+  return {};
 }
 
 /// Those of the files first: what they lack is missing everywhere else.
@@ -155,7 +138,7 @@ void MainWindow::select_face_sets(NodeId node, const std::vector<std::string>& n
   if (object == nullptr) return;
   const std::vector<FaceSet>& sets = studio_.face_sets().of(*object);
   Selection selection;
-  std::vector<Index> holes;
+  std::vector<const FaceSet*> chosen;
   for (const std::string& name : names) {
     const auto set = std::ranges::find(sets, name, &FaceSet::name);
     if (set == sets.end()) {
@@ -163,45 +146,21 @@ void MainWindow::select_face_sets(NodeId node, const std::vector<std::string>& n
           make_error(Category::Usage, "E_INPUT", "There are no faces named \"" + name + "\" in " + object->name));
     }
     selection.push_back({object->node, name});
-    holes.insert(holes.end(), set->holes.begin(), set->holes.end());
+    chosen.push_back(&*set);
   }
   const bool is_source = object->is_source();
   studio_.set_active(object->node);
   studio_.session().select(std::move(selection));
-  if (viewport_->holes().active() && !holes.empty()) viewport_->holes().select(holes);
+  for (const auto& tool : tools_) tool->chosen_by_name(chosen);
   if (!is_source) return viewport_->redraw_all();
-  const std::vector<Index> faces = studio_.face_sets().selected(*studio_.active(), studio_.session().selection());
-  set_mesh_mode(MeshMode::Face);
-  viewport_->mesh().follow();
-  viewport_->mesh().tool().pick(ComponentKind::Face, faces);
-  viewport_->mesh().follow();
+  pick(ComponentKind::Face, studio_.face_sets().selected(*studio_.active(), studio_.session().selection()));
 }
 
 void MainWindow::show_finding(const NodeFinding& found) {
   if (found.node == 0) return show_opening_report(files_.path(), files_.warnings());
-  if (show_hole_finding(found)) return;
-  if (found.node == studio_.solid_node()) {
-    select_strokes(strokes_of(found.finding));
-    return;
+  for (auto tool = tools_.rbegin(); tool != tools_.rend(); ++tool) {
+    if ((*tool)->show_finding(found)) return;
   }
-  studio_.set_active(found.node);
-  viewport_->mesh().follow();
-  MeshTool& tool = viewport_->mesh().tool();
-  if (!tool.mesh()) return;
-  const FoundElements elements = elements_of(found.finding, *tool.topology());
-  if (elements.elements.empty()) return;
-  set_mesh_mode(mode_of(elements.kind));
-  viewport_->mesh().act([&](MeshTool& t) { return t.pick(elements.kind, elements.elements); });
-  viewport_->frame_selection();
-}
-
-void MainWindow::select_chain(int chain) {
-  MeshTool& tool = viewport_->mesh().tool();
-  if (!tool.mesh()) return;
-  const Elements edges = edges_of(*tool.topology(), chains_->cage_edges(chain));
-  if (edges.empty()) return;
-  set_mesh_mode(MeshMode::Edge);
-  viewport_->mesh().act([&](MeshTool& t) { return t.pick(ComponentKind::Edge, edges); });
 }
 
 void MainWindow::tell(const QString& sentence) { help_->tell(sentence); }

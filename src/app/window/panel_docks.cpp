@@ -4,7 +4,9 @@
 #include <QDockWidget>
 #include <QEvent>
 #include <QMainWindow>
+#include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 namespace croquis::app {
 
@@ -20,6 +22,39 @@ QDockWidget* PanelDocks::add(const QString& title, QWidget* content, const QStri
   panels_ << Panel{dock};
   apply(panels_.back());
   return dock;
+}
+
+QDockWidget* PanelDocks::add_column(const QString& title, QWidget* content, const QString& name) {
+  auto* parts = new QWidget(&window_);
+  auto* column = new QVBoxLayout(parts);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(2);
+  column->addWidget(content);
+  return add(title, parts, name);
+}
+
+void PanelDocks::add_to_column(const QString& name, QWidget* more) {
+  static_cast<QVBoxLayout*>(find(name)->widget()->layout())->addWidget(more, 1);
+}
+
+void PanelDocks::split_below(const QString& name, QDockWidget* dock) {
+  window_.splitDockWidget(find(name), dock, Qt::Vertical);
+}
+
+void PanelDocks::tabify(const QString& name, QDockWidget* dock) { window_.tabifyDockWidget(find(name), dock); }
+
+QDockWidget* PanelDocks::find(const QString& name) const {
+  const auto found =
+      std::ranges::find_if(panels_, [&](const Panel& panel) { return panel.dock->objectName() == name + "-dock"; });
+  return found == panels_.end() ? nullptr : found->dock;
+}
+
+void PanelDocks::give_room_once(QDockWidget* dock, int width) {
+  if (std::exchange(room_given_, true)) return;
+  constexpr int most = 600, least = 80;
+  window_.resizeDocks({dock}, {width}, Qt::Horizontal);
+  window_.resizeDocks({find("objects"), dock, find("findings"), find("history")}, {least, most, least, least},
+                      Qt::Vertical);
 }
 
 QList<QDockWidget*> PanelDocks::all() const {

@@ -22,6 +22,22 @@ class PanelDocks : public QObject {
   /// At the right, below the others. Named "NAME-dock".
   QDockWidget* add(const QString& title, QWidget* content, const QString& name);
 
+  /// The same for a panel of several parts below each other, the first one narrow; and a further part, which gets the
+  /// rest of the room.
+  QDockWidget* add_column(const QString& title, QWidget* content, const QString& name);
+  void add_to_column(const QString& name, QWidget* more);
+
+  /// Moves a panel below another one, or into its place with a tab. @param name of the other one
+  void split_below(const QString& name, QDockWidget* dock);
+  void tabify(const QString& name, QDockWidget* dock);
+
+  /// The panel of that name, or null.
+  QDockWidget* find(const QString& name) const;
+
+  /// The first time that it appears, a panel gets that much width and most of the height; people's own sizes are kept.
+  void give_room_once(QDockWidget* dock, int width);
+  void set_room_given(bool given) { room_given_ = given; }
+
   /// In the order they were added.
   QList<QDockWidget*> all() const;
 
@@ -57,6 +73,7 @@ class PanelDocks : public QObject {
   QMainWindow& window_;
   QList<Panel> panels_;
   bool shown_ = false;
+  bool room_given_ = false;
 };
 
 }  // namespace croquis::app

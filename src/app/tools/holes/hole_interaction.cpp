@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/tools/holes/filling.h"
-#include "app/tools/mesh/mesh_overlay.h"
+#include "app/views/pick_box.h"
 #include "croquis/base/error.h"
 
 namespace croquis::app {
@@ -97,13 +97,7 @@ std::shared_ptr<const PolyMesh> HoleInteraction::scan() const {
   if (object == nullptr || operation == nullptr || operation->inputs.empty()) return nullptr;
   const Link& from = operation->inputs.begin()->second;
   if (from.node == object->cage) return object->cage_mesh;
-  // The result of an operation before this one is computed already.
-  Progress progress;
-  const auto before = studio_.evaluator().evaluate(studio_.session().document(), from.node, Quality::Final, progress);
-  const auto found = before->outputs.find(from.output);
-  const auto* mesh =
-      found == before->outputs.end() ? nullptr : std::get_if<std::shared_ptr<const PolyMesh>>(&found->second);
-  return mesh == nullptr ? nullptr : *mesh;
+  return studio_.mesh_at(from.node);
 }
 
 const Node* HoleInteraction::node() const { return filling_node(studio_); }

@@ -73,7 +73,7 @@ class HoleInteraction : public QObject {
   void set_preset(const std::string& preset);  ///< of all holes: what is scanned
   void set_mode(const std::string& mode);      ///< of all holes: patches, or the model remeshed
 
-  /// Stops what the studio computes. A remeshing that was asked for is given up: all is as it was before.
+  /// After computing was stopped: a remeshing that was asked for is given up, and all is as it was before.
   void cancel();
 
   // ---- Pointer events

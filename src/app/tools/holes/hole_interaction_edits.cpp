@@ -310,10 +310,8 @@ void HoleInteraction::set_mode(const std::string& mode) {
 }
 
 void HoleInteraction::cancel() {
-  const bool was_busy = studio_.busy();
-  studio_.cancel();
   const Node* operation = node();
-  if (!was_busy || operation == nullptr) return;
+  if (operation == nullptr) return;
   if (filling_value(studio_, *operation, "mode") != ParameterValue(std::string("remesh"))) return;
   const std::vector<std::string> steps = studio_.session().undo_labels();
   if (steps.empty() || steps.back() != remesh_label) return set_mode("patch");

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/studio/studio_object.h"
+#include "app/studio/studio.h"
 
 /// What the result of `fill` reports of every hole, as lists and views show it.
 namespace croquis::app {

@@ -52,8 +52,7 @@ void PatchPreview::follow() {
   }
   other.id = previewed_node;
   if (!live_) {
-    live_ =
-        std::make_unique<LiveNode>(studio_.evaluator(), previewed_node, LiveNode::quiet_host(this, [this] { take(); }));
+    live_ = studio_.live_beside(previewed_node, [this] { take(); });
   }
   since_.start();
   live_->follow(document.with(std::move(other)));

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "app/tools/holes/filling.h"
+#include "app/views/pick_box.h"
+#include "app/views/viewport.h"
 #include "croquis/base/error.h"
 
 namespace croquis::app {
@@ -29,8 +30,8 @@ QString sharpness_text(double sharpness) {
 
 }  // namespace
 
-MeshInteraction::MeshInteraction(Studio& studio, const ObjectScenes& scenes, const PaneLayout& layout, QObject* parent)
-    : QObject(parent), studio_(studio), scenes_(scenes), layout_(layout), tool_(studio.session()) {}
+MeshInteraction::MeshInteraction(Studio& studio, Viewport& views, QObject* parent)
+    : QObject(parent), studio_(studio), views_(views), tool_(studio.session()) {}
 
 void MeshInteraction::act(const std::function<Verdict(MeshTool&)>& work) {
   try {
@@ -59,15 +60,6 @@ void MeshInteraction::set_handles(MeshHandles handles) {
   emit mode_changed();
 }
 
-ViewFrame MeshInteraction::frame_of(int view) const {
-  render::Bounds bounds = render::bounds_of(scenes_.surfaces());
-  if (const StudioObject* object = studio_.object(tool_.node())) {
-    if (const auto cage = scenes_.cage_item(object->cage)) bounds.add(cage->bounds);
-  }
-  if (bounds.empty()) bounds = {{-1, -1, -1}, {1, 1, 1}};
-  return layout_.pane(view).view_frame(bounds);
-}
-
 void MeshInteraction::take(const PointerEvent& event) {
   for (const PenStep& step : pen_.handle(event)) feed(step);
   if (!pen_.down()) hover(event);
@@ -76,7 +68,7 @@ void MeshInteraction::take(const PointerEvent& event) {
 void MeshInteraction::leave() {
   hovered_value_.reset();
   if (!tool_.leave()) return;
-  overlay_.follow_hover(tool_, scenes_.cage_item(tool_.node()));
+  overlay_.follow_hover(tool_, views_.objects().cage_item(tool_.node()));
   emit changed();
 }
 
@@ -96,7 +88,7 @@ void MeshInteraction::feed(const PenStep& step) {
   event.kind = step.kind;
   event.pixel = step.sample.position;
   event.modifiers = step.modifiers;
-  event.frame = frame_of(step.view);
+  event.frame = views_.frame_of(step.view);
   event.time = step.sample.time;
   feed(event, step.view);
 }
@@ -110,7 +102,7 @@ void MeshInteraction::feed(const MeshEvent& event, int view) {
   }
   const bool left_to_us = tool_.mode() == MeshMode::Object && !tool_.active();
   if (object_press_ || (left_to_us && event.kind == PenStep::Kind::Begin)) feed_object(event, view);
-  overlay_.follow_hover(tool_, scenes_.cage_item(tool_.node()));
+  overlay_.follow_hover(tool_, views_.objects().cage_item(tool_.node()));
   emit changed();
 }
 
@@ -159,7 +151,7 @@ void MeshInteraction::choose_objects(std::vector<NodeId> nodes, bool add) {
 
 void MeshInteraction::replay(int view, const Vec3& from, const Vec3& to, const Modifiers& modifiers, int clicks) {
   MeshEvent event;
-  event.frame = frame_of(view);
+  event.frame = views_.frame_of(view);
   event.modifiers = modifiers;
   const auto start = event.frame.project(from);
   const auto end = event.frame.project(to);
@@ -185,15 +177,15 @@ void MeshInteraction::hover(const PointerEvent& event) {
   hovered_value_.reset();
   if (event.action == PointerEvent::Action::Leave) return leave();
   gesture_view_ = event.view;
-  const bool moved = tool_.hover(event.position, frame_of(event.view));
+  const bool moved = tool_.hover(event.position, views_.frame_of(event.view));
   if (tool_.preview().hovered_sharpness) {
     hovered_value_ = {event.view, event.position, sharpness_text(*tool_.preview().hovered_sharpness)};
   }
-  if (moved) overlay_.follow_hover(tool_, scenes_.cage_item(tool_.node()));
+  if (moved) overlay_.follow_hover(tool_, views_.objects().cage_item(tool_.node()));
   if (moved || hovered_value_) emit changed();
 }
 
-QString MeshInteraction::help() const {
+QString MeshInteraction::help(const QString& offer) const {
   const MeshPreview& preview = tool_.preview();
   if (preview.sharpness_change) {
     return tr("Sharpness %1%2: drag sideways")
@@ -203,18 +195,10 @@ QString MeshInteraction::help() const {
   if (tool_.loop_cut_armed()) return tr("Click an edge: the loop is cut there · Escape gives it up");
   const bool selected = !studio_.session().components().empty();
   switch (tool_.mode()) {
-    case MeshMode::Object: {
-      const StudioObject* object = studio_.active();
-      if (object != nullptr && object->is_source()) {
-        return tr(
-            "O finds its holes · 3 makes it smooth · F9 vertices, F10 edges, F11 faces · Alt+drag rotates the view");
-      }
-      if (filling_node(studio_) != nullptr) {
-        return tr(
-            "O goes back to its holes: there patches are dragged · F9 vertices, F10 edges, F11 faces of the scan");
-      }
-      return tr("1 cage, 2 both, 3 smooth · Page Up and Down change the level · F10 picks edges to sharpen");
-    }
+    case MeshMode::Object:
+      if (!offer.isEmpty()) return offer;
+      return tr(
+          "O finds its holes · 3 makes it smooth · F9 vertices, F10 edges, F11 faces · Alt+drag rotates the view");
     case MeshMode::Edge:
       if (selected) return tr("H makes them sharp, Shift+H smooth · right button: the menu · W moves · Ctrl+Z undoes");
       return tr("Click an edge, double click its loop · drag a box · Shift adds, Ctrl takes away");
@@ -232,12 +216,12 @@ void MeshInteraction::follow() {
   const StudioObject* object = studio_.active();
   const NodeId cage = object == nullptr ? 0 : object->cage;
   if (tool_.node() != cage && !tool_.active()) tool_.set_node(cage);
-  overlay_.follow(tool_, studio_.session().components(), object, scenes_.cage_item(cage));
+  overlay_.follow(tool_, studio_.session().components(), object, views_.objects().cage_item(cage));
   emit changed();
 }
 
 void MeshInteraction::add_handles_to(render::Scene& scene, int view) {
-  const ViewFrame frame = frame_of(view);
+  const ViewFrame frame = views_.frame_of(view);
   if (tool_.manipulator() && tool_.handles() != MeshHandles::Select) add_handles(tool_, frame, scene);
   const std::optional<PickBox>& box = object_box_ ? object_box_ : tool_.preview().box;
   if (box && view == gesture_view_) add_box(*box, frame, scene);

@@ -8,22 +8,23 @@
 #include "app/studio/studio.h"
 #include "app/tools/mesh/mesh_overlay.h"
 #include "app/views/object_picker.h"
-#include "app/views/object_scenes.h"
-#include "app/views/pane_layout.h"
 #include "croquis/tools/mesh_tool.h"
 #include "croquis/tools/pen.h"
 
 namespace croquis::app {
+
+class Viewport;
 
 /// Work on meshes: pen and mouse events of any view pick objects and their elements, move and tag them.
 class MeshInteraction : public QObject {
   Q_OBJECT
 
  public:
-  /// @param layout outlives this
-  MeshInteraction(Studio& studio, const ObjectScenes& scenes, const PaneLayout& layout, QObject* parent);
+  /// @param views outlive this
+  MeshInteraction(Studio& studio, Viewport& views, QObject* parent);
 
   MeshTool& tool() { return tool_; }
+  const MeshTool& tool() const { return tool_; }
 
   /// Runs one of the tool's functions; what it did is recorded, what it lost or refused is reported.
   void act(const std::function<Verdict(MeshTool&)>& work);
@@ -44,12 +45,10 @@ class MeshInteraction : public QObject {
   /// Shows what is there after the document or the selection has changed.
   void follow();
 
-  /// How tools see the model in a view.
-  ViewFrame frame_of(int view) const;
-
   const MeshOverlay& overlay() const { return overlay_; }
-  /// The next action, in words and keys.
-  QString help() const;
+
+  /// The next action, in words and keys. @param offer for the selected object, while nothing else is to be said
+  QString help(const QString& offer) const;
 
   /// What is drawn over a view, beside the overlay: handles, and the box of a gesture in it.
   void add_handles_to(render::Scene& scene, int view);
@@ -77,8 +76,7 @@ class MeshInteraction : public QObject {
   void hover(const PointerEvent& event);
 
   Studio& studio_;
-  const ObjectScenes& scenes_;
-  const PaneLayout& layout_;
+  Viewport& views_;
   MeshTool tool_;
   PenInput pen_;
   MeshOverlay overlay_;

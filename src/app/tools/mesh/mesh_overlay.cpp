@@ -228,17 +228,6 @@ QColor handle_color(ColourRole role, HandleState state) {
 
 }  // namespace
 
-void add_box(const PickBox& box, const ViewFrame& frame, render::Scene& scene) {
-  // Between the planes near and far, where nothing cuts it off.
-  constexpr double depth = -0.5;
-  render::LinePath path;
-  path.closed = true;
-  const std::vector<Vec2> corners{box.low, {box.high.x(), box.low.y()}, box.high, {box.low.x(), box.high.y()}};
-  for (const Vec2& corner : corners) path.points.push_back({to_glm(frame.unproject(corner, depth)), 1, {}});
-  scene.lines.emplace_back(
-      render::make_line_item(path, {1, to_color(colors::accent), {4, 3, 0, 0}, render::LineDepth::OnTop}));
-}
-
 void add_handles(MeshTool& tool, const ViewFrame& frame, render::Scene& scene) {
   const ManipulatorPicture picture = tool.manipulator_picture(frame);
   for (const ManipulatorLine& line : picture.lines) {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/studio/studio_object.h"
+#include "app/studio/studio.h"
 #include "app/views/view_pane.h"
 #include "croquis/render/edge_item.h"
 #include "croquis/render/scene.h"
@@ -62,8 +62,5 @@ class MeshOverlay {
 
 /// A manipulator's lines and handles as that view shows them.
 void add_handles(MeshTool& tool, const ViewFrame& frame, render::Scene& scene);
-
-/// The box being spanned. @param box pixels of the view
-void add_box(const PickBox& box, const ViewFrame& frame, render::Scene& scene);
 
 }  // namespace croquis::app

@@ -10,8 +10,6 @@
 namespace croquis::app {
 namespace {
 
-constexpr double ink_width = 2.2;
-
 glm::dvec3 on_plane(const Vec2& place) { return {place.x(), place.y(), 0}; }
 
 render::LinePath path_of(const Stroke& stroke) {
@@ -137,16 +135,6 @@ std::vector<Vec2> first_ghost() {
     blob.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
   }
   return blob;
-}
-
-render::LineItemPtr ink_item(const std::vector<StrokeSample>& ink) {
-  if (ink.empty()) return nullptr;
-  render::LinePath path;
-  path.points.reserve(ink.size());
-  for (const StrokeSample& sample : ink) {
-    path.points.push_back({on_plane(sample.position), static_cast<float>(0.5 + 0.8 * sample.pressure), {}});
-  }
-  return render::make_line_item(path, {ink_width, to_color(colors::ink), {}, render::LineDepth::OnTop});
 }
 
 void SketchScene::show_drawing(const Studio& studio, SketchTool& tool) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/studio/studio.h"
+#include "app/views/ink_sheet.h"
 #include "croquis/render/scene.h"
 #include "croquis/tools/sketch_tool.h"
 
@@ -55,9 +56,6 @@ class SketchScene {
   render::LineItemPtr preview_lines_;
   std::vector<FindingMark> finding_marks_;
 };
-
-/// The ink of a stroke under way, or null before its first sample.
-render::LineItemPtr ink_item(const std::vector<StrokeSample>& ink);
 
 /// The blob that a first stroke may trace, closed, sketch units.
 std::vector<Vec2> first_ghost();

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "app/studio/studio_object.h"
+#include "app/studio/studio.h"
 
 namespace croquis::app {
 

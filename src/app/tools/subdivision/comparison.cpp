@@ -63,8 +63,7 @@ void Comparison::follow() {
   other.id = compared_node;
   other.parameters[parameter_] = shown_value_;
   if (!live_) {
-    live_ =
-        std::make_unique<LiveNode>(studio_.evaluator(), compared_node, LiveNode::quiet_host(this, [this] { take(); }));
+    live_ = studio_.live_beside(compared_node, [this] { take(); });
   }
   live_->follow(studio_.session().document().with(std::move(other)));
 }

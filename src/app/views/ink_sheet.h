@@ -11,8 +11,14 @@
 
 namespace croquis::app {
 
-/// The sketch view as it was last drawn whole. While a stroke is under way only the rectangle of its newest piece is
-/// drawn again: ink follows the pen without delay, however long a whole view takes.
+/// How wide lines of sketches are, logical pixels.
+inline constexpr double ink_width = 2.2;
+
+/// The ink of a stroke under way, or null before its first sample.
+render::LineItemPtr ink_item(const std::vector<StrokeSample>& ink);
+
+/// A view that is drawn on, as it was last drawn whole. While a stroke is under way only the rectangle of its newest
+/// piece is drawn again: ink follows the pen without delay, however long a whole view takes.
 class InkSheet {
  public:
   /// What was drawn. @param inked samples of the stroke under way that were drawn with it

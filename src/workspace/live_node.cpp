@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/studio/live_node.h"
+#include "croquis/workspace/live_node.h"
 
 #include <algorithm>
 #include <set>
 #include <utility>
 
-namespace croquis::app {
+namespace croquis {
 namespace {
 
-constexpr int draft_patience_ms = 400;  // a draft that takes longer gives way to a newer one
+constexpr std::chrono::milliseconds draft_patience{400};  // a draft that takes longer gives way to a newer one
 
 /// The node and everything that leads to it, in the document's order.
 std::vector<std::shared_ptr<const Node>> upstream(const Document& document, NodeId id) {
@@ -31,17 +31,6 @@ std::vector<std::shared_ptr<const Node>> upstream(const Document& document, Node
 
 }  // namespace
 
-LiveNode::Host LiveNode::quiet_host(QObject* receiver, std::function<void()> changed) {
-  Host host;
-  host.post = [receiver](std::function<void()> task) {
-    QMetaObject::invokeMethod(receiver, std::move(task), Qt::QueuedConnection);
-  };
-  host.changed = std::move(changed);
-  host.progress = [](double, const std::string&) {};
-  host.busy_changed = [] {};
-  return host;
-}
-
 LiveNode::LiveNode(Evaluator& evaluator, NodeId node, Host host) : node_(node), host_(std::move(host)) {
   LiveEvaluation::Callbacks callbacks;
   callbacks.result = [this](NodeId, std::shared_ptr<const Evaluation> result, Quality quality) {
@@ -57,7 +46,7 @@ void LiveNode::follow(const Document& document) {
   std::vector<std::shared_ptr<const Node>> nodes = upstream(document, node_);
   if (nodes == made_of_) return;
   made_of_ = std::move(nodes);
-  if (drafting_ && !since_request_.hasExpired(draft_patience_ms)) {
+  if (drafting_ && Clock::now() - requested_at_ <= draft_patience) {
     // Drags are faster than drafts: the draft under way is shown before the next one begins.
     waiting_ = true;
   } else {
@@ -74,7 +63,7 @@ void LiveNode::cancel() {
 void LiveNode::evaluate() {
   waiting_ = false;
   drafting_ = true;
-  since_request_.start();
+  requested_at_ = Clock::now();
   live_->request(document_, node_);
 }
 
@@ -83,8 +72,8 @@ void LiveNode::take(std::shared_ptr<const Evaluation> result, Quality quality) {
   quality_ = quality;
   drafting_ = false;
   if (waiting_) evaluate();
-  const auto tell = host_.changed;  // a receiver may remove this node
-  tell();
+  const auto report = host_.changed;  // a receiver may remove this node
+  report();
 }
 
-}  // namespace croquis::app
+}  // namespace croquis

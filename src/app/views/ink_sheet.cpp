@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/tools/silhouette/ink_sheet.h"
+#include "app/views/ink_sheet.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/tools/silhouette/sketch_scene.h"
+#include "app/views/render_color.h"
+#include "app/window/theme.h"
 
 namespace croquis::app {
 namespace {
@@ -17,6 +18,17 @@ bool same_camera(const render::Camera& a, const render::Camera& b) {
 }
 
 }  // namespace
+
+render::LineItemPtr ink_item(const std::vector<StrokeSample>& ink) {
+  if (ink.empty()) return nullptr;
+  render::LinePath path;
+  path.points.reserve(ink.size());
+  for (const StrokeSample& sample : ink) {
+    const glm::dvec3 place(sample.position.x(), sample.position.y(), 0);
+    path.points.push_back({place, static_cast<float>(0.5 + 0.8 * sample.pressure), {}});
+  }
+  return render::make_line_item(path, {ink_width, to_color(colors::ink), {}, render::LineDepth::OnTop});
+}
 
 void InkSheet::keep(const render::Scene& scene, const render::RenderOptions& options, const ViewPane& pane,
                     std::size_t inked) {

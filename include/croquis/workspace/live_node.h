@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QElapsedTimer>
-#include <QObject>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <string>
@@ -11,7 +10,7 @@
 #include "croquis/document/evaluator.h"
 #include "croquis/session/live_evaluation.h"
 
-namespace croquis::app {
+namespace croquis {
 
 /// One node of the document, kept evaluated. Requests that come faster than drafts are made wait for the draft under
 /// way, so that something moves during every drag.
@@ -23,10 +22,6 @@ class LiveNode {
     std::function<void(double fraction, const std::string& step)> progress;
     std::function<void()> busy_changed;
   };
-
-  /// Of a node that is looked at beside the document: it reports nothing but results.
-  /// @param receiver in the window's thread; outlives the node
-  static Host quiet_host(QObject* receiver, std::function<void()> changed);
 
   /// @param evaluator outlives this
   LiveNode(Evaluator& evaluator, NodeId node, Host host);
@@ -46,6 +41,8 @@ class LiveNode {
   Quality quality() const { return quality_; }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   void evaluate();
   void take(std::shared_ptr<const Evaluation> result, Quality quality);
 
@@ -57,8 +54,8 @@ class LiveNode {
   Quality quality_ = Quality::Final;
   bool drafting_ = false;  ///< the draft of the newest request hasn't come yet
   bool waiting_ = false;   ///< the document has changed since
-  QElapsedTimer since_request_;
+  Clock::time_point requested_at_;
   std::unique_ptr<LiveEvaluation> live_;  ///< last: its jobs use all of the above
 };
 
-}  // namespace croquis::app
+}  // namespace croquis

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "croquis/document/document.h"
+#include "croquis/document/evaluation.h"
+#include "croquis/document/registry.h"
+
+namespace croquis {
+
+/// What of a chain stands in the views.
+enum class ChainView {
+  Cage,  ///< the cage alone; nothing is computed
+  Both,  ///< the result, the cage's edges over it
+  Result
+};
+
+/// What is known of a step.
+enum class StepState {
+  Source,     ///< nothing is computed here
+  Fresh,      ///< computed, of the document as it is
+  Computing,  ///< not computed yet
+  Stale,      ///< failed, and goes on showing its last good result
+  Failed,
+  Off
+};
+
+/// One node of a chain.
+struct ChainStep {
+  NodeId node = 0;
+  std::string name;
+  std::string title;  ///< of its operation; empty for a source
+  StepState state = StepState::Source;
+  std::string problem;  ///< the first error's sentence; empty without one
+};
+
+/// One thing that people work on: a chain of nodes, of which the last gives what is seen. A source that nothing uses is
+/// a chain of one.
+struct WorkObject {
+  NodeId node = 0;            ///< the end of the chain
+  std::vector<NodeId> chain;  ///< from the first node to the end
+  NodeId cage = 0;            ///< the mesh source that the chain begins with, maybe `node` itself; 0: no mesh source
+  std::string name;           ///< of the cage where there is one
+  bool visible = true;
+  ChainView view = ChainView::Result;
+  std::shared_ptr<const PolyMesh> cage_mesh;  ///< null without a cage
+  std::shared_ptr<const PolyMesh> mesh;       ///< the newest result's; of a source its own. Null before the first
+  std::shared_ptr<const Evaluation> result;   ///< of an operation; null for a source and before the first one
+  Quality quality = Quality::Final;
+
+  bool is_source() const { return node == cage; }
+
+  /// What stands in the views as a surface: the cage, too, as long as it couldn't be refined.
+  const std::shared_ptr<const PolyMesh>& shown() const {
+    return (view == ChainView::Cage || !mesh) && cage_mesh ? cage_mesh : mesh;
+  }
+};
+
+/// The mesh of a source, or null.
+std::shared_ptr<const PolyMesh> mesh_in(const Node& node);
+
+/// The mesh that a node's operation gives to the next step, or null.
+std::shared_ptr<const PolyMesh> mesh_of(const Evaluation& evaluation, const Operation& operation);
+
+/// Every chain whose end gives a mesh and is used by no other node, in the document's order of their ends, without
+/// results.
+std::vector<WorkObject> objects_of(const Document& document, const Registry& registry);
+
+}  // namespace croquis

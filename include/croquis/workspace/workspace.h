@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "croquis/document/evaluator.h"
+#include "croquis/document/registry.h"
+#include "croquis/session/session.h"
+#include "croquis/workspace/chain_edit.h"
+#include "croquis/workspace/live_node.h"
+#include "croquis/workspace/work_object.h"
+
+namespace croquis {
+
+/// A finding and the node that it is about.
+struct NodeFinding {
+  NodeId node = 0;
+  Finding finding;
+};
+
+/// What people work on: a session, and the objects that its document makes, each kept evaluated beside the thread that
+/// owns the workspace. Knows no operation by its name. For one thread.
+class Workspace {
+ public:
+  /// Bytes that undo and kept results take together, and of these undo at most: results can be
+  /// computed again, steps can't.
+  static constexpr std::size_t memory_cap = std::size_t{1} << 30;
+  static constexpr std::size_t history_cap = memory_cap / 4 * 3;
+
+  /// What the owner is told. Each may be empty.
+  struct Listener {
+    std::function<void()> loaded;          ///< another document
+    std::function<void()> changed;         ///< the document or the selection
+    std::function<void()> result_changed;  ///< objects(), findings()
+    std::function<void(double fraction, const std::string& step)> progress;
+    std::function<void(bool busy)> busy_changed;
+  };
+
+  /// @param post runs something later on the owner's thread; can be called until the destructor has returned
+  Workspace(Registry registry, LiveEvaluation::Post post, Listener listener);
+  ~Workspace();
+  Workspace(const Workspace&) = delete;
+  Workspace& operator=(const Workspace&) = delete;
+
+  Session& session() { return session_; }
+  const Session& session() const { return session_; }
+  const Registry& registry() const { return registry_; }
+  const OperationDescription* description(const std::string& operation) const;  ///< null for none of that id
+
+  // ---- Objects
+
+  /// In the document's order, hidden ones too.
+  const std::vector<WorkObject>& objects() const { return objects_; }
+
+  /// The one that ends in this node, or has it as its cage, or has it in its chain; or null.
+  const WorkObject* object(NodeId node) const;
+
+  /// The object that panels and keys are about: the selected one, else the last that was, else the first.
+  const WorkObject* active() const;
+  void set_active(NodeId node);
+
+  /// The step that panels are about: the selected one of the active object, else its last one. 0 without an object.
+  NodeId active_step() const;
+
+  /// That step, when it is an operation; or null.
+  const Node* active_operation() const;
+
+  /// The last step of the object that has this operation, or null.
+  const Node* step_with(const WorkObject& object, const std::string& operation) const;
+
+  /// The steps of an object with what is known of them, its first node first.
+  std::vector<ChainStep> steps_of(const WorkObject& object) const;
+
+  void set_view(NodeId object, ChainView view);
+
+  /// The newest result of a node that is kept evaluated: stale while the next one is computed, null before the first
+  /// one. Nodes in chains are found, too, once they are computed.
+  std::shared_ptr<const Evaluation> result(NodeId node) const;
+
+  /// The mesh that a node gives to the next one, as far as it is there: computed already, or a source's. Or null.
+  std::shared_ptr<const PolyMesh> mesh_at(NodeId node) const;
+
+  /// The findings of the newest results, errors first.
+  std::vector<NodeFinding> findings() const;
+
+  /// Some newest result isn't final, or doesn't belong to the document as it is now.
+  bool busy() const;
+  bool settled() const { return !busy(); }
+
+  /// A node evaluated beside the document, as for a preview.
+  /// @param id       in the documents that it is given to follow; greater than all ids of the session's document
+  /// @param changed  its result is another one
+  std::unique_ptr<LiveNode> live_beside(NodeId id, std::function<void()> changed);
+
+  // ---- What people do; each is one step of the history
+
+  void load(Document document, bool modified = false);
+
+  /// Adds a value as an object, and selects it. @return its node
+  NodeId add_source(const std::string& name, Value value);
+
+  /// @param dragging more values follow: they become one step of the history
+  void set_parameter(NodeId node, const std::string& name, const ParameterValue& value, bool dragging);
+
+  void remove_object(NodeId node);  ///< with everything that it alone is made of
+  void copy_object(NodeId node);
+  void rename_object(NodeId node, const std::string& name);
+  void show_object(NodeId node, bool visible);
+
+  /// On top of an object, or after the step of it that is selected. Selects it. @return its node
+  /// @throws Error (E_STEP)
+  NodeId add_step(NodeId after, const std::string& operation, const ParameterValues& parameters = {});
+  void remove_step(NodeId step);                  ///< @throws Error (E_STEP), as do the following
+  void enable_step(NodeId step, bool enabled);
+  void move_step(NodeId step, int by);            ///< 1 later, -1 earlier
+  void copy_step(NodeId step);
+  void freeze_step(NodeId step);                  ///< what it gave becomes a source; has to be computed
+
+  // ---- Computing
+
+  /// While held, results and the progress towards them are kept back; released, they are reported at once.
+  void hold_results(bool held);
+
+  /// Stops what is being computed; what is there stays.
+  void cancel();
+
+ private:
+  void follow_session();
+  void list_objects();
+  void follow_nodes(const Document& document);
+  void take_live_results();
+  bool wants_evaluation(const WorkObject& object) const;
+  bool begins_empty(const WorkObject& object) const;
+  LiveNode& live_node(NodeId node);
+  void take_results();
+  const Node& step_node(NodeId step) const;
+  std::string title_of(const Node& node) const;
+  void edit_chain(const std::string& label, Document document, NodeId selected);
+
+  Registry registry_;
+  Evaluator evaluator_;
+  LiveEvaluation::Post post_;
+  Listener listener_;
+  Session session_;
+  std::vector<WorkObject> objects_;
+  std::map<NodeId, ChainView> views_;
+  NodeId active_ = 0;
+  std::map<std::string, OperationDescription> descriptions_;
+  bool dragging_parameter_ = false;
+  bool held_ = false;
+  bool results_wait_ = false;                         ///< for the end of holding
+  std::map<NodeId, std::unique_ptr<LiveNode>> live_;  ///< last: their jobs use all of the above
+};
+
+}  // namespace croquis

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tools/all_tools.h"
+
+#include "app/tools/holes/hole_filling_tool.h"
+#include "app/tools/mesh/mesh_editing_tool.h"
+#include "app/tools/silhouette/silhouette_tool.h"
+#include "app/tools/subdivision/subdivision_tool.h"
+
+namespace croquis::app {
+
+std::vector<std::unique_ptr<Tool>> all_tools(ToolHost& host) {
+  std::vector<std::unique_ptr<Tool>> tools;
+  tools.push_back(std::make_unique<SilhouetteTool>(host));
+  tools.push_back(std::make_unique<MeshEditingTool>(host));
+  tools.push_back(std::make_unique<SubdivisionTool>(host));
+  tools.push_back(std::make_unique<HoleFillingTool>(host));
+  return tools;
+}
+
+}  // namespace croquis::app

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tools/holes/hole_filling_tool.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMenu>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <algorithm>
+#include <utility>
+
+#include "app/panels/finding_elements.h"
+#include "app/tools/holes/filling.h"
+#include "app/tools/holes/hole_panel.h"
+#include "app/tools/holes/hole_table.h"
+#include "app/views/viewport.h"
+#include "app/window/action_list.h"
+#include "app/window/panel_docks.h"
+
+namespace croquis::app {
+namespace {
+
+constexpr int wanted_width = 480;  // of the panel, pixels
+
+}  // namespace
+
+HoleFillingTool::HoleFillingTool(ToolHost& host)
+    : Tool(host),
+      holes_(
+          host.studio(), host.viewport().objects(), [this](int view) { return this->host().viewport().frame_of(view); },
+          nullptr),
+      pins_(&host.viewport()),
+      legend_(new ConfidenceLegend(&host.viewport())) {
+  connect(&holes_, &HoleInteraction::changed, this, &Tool::changed);
+  connect(&holes_, &HoleInteraction::committed, this, &Tool::committed);
+  connect(&holes_, &HoleInteraction::holes_changed, this, &Tool::state_changed);
+  connect(&holes_, &HoleInteraction::told, this, &Tool::told);
+}
+
+QAction* HoleFillingTool::add(ActionList& actions, QMenu* menu, const QString& name, const QString& text,
+                              const QList<QKeySequence>& keys, std::function<void(HoleInteraction&)> work,
+                              bool records_itself) {
+  QAction* action = actions.add(
+      menu, name, text, keys, [this, work = std::move(work)] { work(holes_); },
+      records_itself ? Recorded::ByItself : Recorded::AsAction);
+  actions_ << action;
+  return action;
+}
+
+void HoleFillingTool::make_actions(ActionList& actions) {
+  QMenu* menu = actions.menu(tr("S&can"));
+  QAction* tool = actions.add_mode(menu, "holes", tr("&Holes"), "O", [this] { start(); });
+  tool->setToolTip(tr("Holes of a scan: list, preview, fill (O)"));
+  menu->addSeparator();
+  // Enter comes from the views and the list alone: lines of text need it themselves.
+  add(actions, menu, "fill-selected", tr("&Fill selected") + "\t" + tr("Enter"), {},
+                  [](HoleInteraction& holes) { holes.fill_selected(); });
+  add(actions, menu, "reopen-selected", tr("&Reopen selected") + "\t" + tr("Del"), {},
+                  [](HoleInteraction& holes) { holes.reopen_selected(); });
+  add(actions, menu, "bridge-holes", tr("&Bridge selected rims"), {QKeySequence("B")},
+                  [](HoleInteraction& holes) { holes.bridge_selected(); });
+  menu->addSeparator();
+  add(actions, menu, "fill-inner", tr("Fill all &inner"), {QKeySequence("Shift+F")},
+                  [](HoleInteraction& holes) { holes.fill_all("inner"); });
+  add(actions, menu, "fill-all-but-largest", tr("Fill all but the &largest"), {QKeySequence("Ctrl+Shift+F")},
+                  [](HoleInteraction& holes) { holes.fill_all("all-but-largest"); });
+  add(actions, menu, "fill-all", tr("Fill &all, borders too"), {},
+                  [](HoleInteraction& holes) { holes.fill_all("all"); });
+  add(actions, menu, "reopen-all", tr("Reopen all"), {}, [](HoleInteraction& holes) { holes.fill_all("none"); });
+  menu->addSeparator();
+  add(actions, menu, "clear-handles", tr("&Clear handles of patches"), {},
+                  [](HoleInteraction& holes) { holes.clear_handles(); });
+  for (const auto& [way, text] : {std::pair{"auto", tr("Method: &automatic")},
+                                  {"rbf", tr("Method: &continue the surface")},
+                                  {"smooth", tr("Method: continue its &slope")},
+                                  {"flat", tr("Method: fla&t")}}) {
+    add(actions, 
+        menu, QString("way-") + way, text, {},
+        [name = std::string(way)](HoleInteraction& holes) { holes.set_fairness(name); }, true);
+  }
+  menu->addSeparator();
+  menu->addAction(actions.find("freeze"));
+  QAction* tint = actions.add(menu, "tint-patches", tr("Patches by c&onfidence"), {QKeySequence("T")}, [this] {
+    tinted_ = host().action("tint-patches")->isChecked();
+    show_patch_look();
+  });
+  tint->setCheckable(true);
+  // What was filled is hidden once it is frozen.
+  connect(actions.find("freeze"), &QAction::triggered, this, [this] {
+    if (holes_.active() && filling_node(studio()) == nullptr) host().set_mode(select_mode);
+  });
+}
+
+void HoleFillingTool::make_panels(PanelDocks& panels) {
+  panels_ = &panels;
+  panel_ = new HolePanel(
+      studio(), holes_, [this](const QString& name) { return host().action(name); }, nullptr);
+  // A small window scrolls it.
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(panel_);
+  scroll->setMinimumWidth(panel_->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
+  dock_ = panels.add(tr("Holes"), scroll, "holes");
+  panels.tabify("attributes", dock_);
+  panels.set_useful(dock_, false);
+  connect(panel_, &HolePanel::frame_wanted, this, &HoleFillingTool::frame_holes);
+  connect(&panel_->table(), &HoleTable::accepted, host().action("fill-selected"), &QAction::trigger);
+}
+
+void HoleFillingTool::start() {
+  if (host().attempt([this] { start_filling(studio()); })) host().set_mode("holes");
+  host().refresh();
+}
+
+void HoleFillingTool::set_mode(const QString& mode) {
+  Tool::set_mode(mode);
+  holes_.set_active(mode == "holes");
+  show_patch_look();
+}
+
+void HoleFillingTool::show_patch_look() {
+  host().viewport().objects().set_patch_look(tinted_            ? PatchLook::Confidence
+                                             : holes_.active() ? PatchLook::Told
+                                                               : PatchLook::Plain);
+}
+
+void HoleFillingTool::take(const PointerEvent& event) {
+  if (event.action == PointerEvent::Action::Leave) return holes_.leave();
+  holes_.take(event);
+}
+
+QString HoleFillingTool::offer(const WorkObject&) const {
+  if (filling_node(studio()) == nullptr) return {};
+  return tr("O goes back to its holes: there patches are dragged · F9 vertices, F10 edges, F11 faces of the scan");
+}
+
+bool HoleFillingTool::select_all() {
+  if (holes_.active()) holes_.select_all();
+  return holes_.active();
+}
+
+bool HoleFillingTool::select_none() {
+  if (!holes_.active()) return false;
+  Selection selection = studio().session().selection();
+  std::erase_if(selection, [](const SelectedItem& item) { return !item.part.empty(); });
+  studio().session().select(std::move(selection));
+  holes_.select({});
+  return true;
+}
+
+bool HoleFillingTool::delete_selection() {
+  if (!holes_.active()) return false;
+  host().record(recorded::Action{"delete"});
+  holes_.reopen_selected();
+  return true;
+}
+
+bool HoleFillingTool::accept() {
+  if (holes_.active()) host().action("fill-selected")->trigger();
+  return holes_.active();
+}
+
+void HoleFillingTool::adjust(ObjectScenes::Wanted& wanted, int) const {
+  if (holes_.active()) wanted.outlines = false;
+}
+
+std::optional<SelectionFrame> HoleFillingTool::selection_frame(int) const {
+  if (holes_.selection_bounds().empty()) return std::nullopt;
+  return SelectionFrame{holes_.selection_bounds(), holes_.selection_facing(), true};
+}
+
+void HoleFillingTool::place_chips(ChipPlaces& places) {
+  places.put_legend(*legend_, tinted_ && holes_.active());
+  HolePinView::Pins pins;
+  const PaneLayout& layout = places.layout();
+  for (const int view : holes_.active() ? layout.shown() : std::vector<int>()) {
+    if (host().viewport().tool_in(view) == this) pins.push_back({layout.pane(view).rect, holes_.pins(view)});
+  }
+  pins_.show_pins(std::move(pins), holes_);
+}
+
+void HoleFillingTool::frame_holes() {
+  host().record(recorded::Action{"frame-selection"});
+  host().viewport().frame_selection();
+}
+
+void HoleFillingTool::chosen_by_name(const std::vector<const FaceSet*>& sets) {
+  std::vector<Index> holes;
+  for (const FaceSet* set : sets) holes.insert(holes.end(), set->holes.begin(), set->holes.end());
+  if (holes_.active() && !holes.empty()) holes_.select(holes);
+}
+
+bool HoleFillingTool::show_finding(const NodeFinding& found) {
+  const std::vector<Index> holes = holes_of(found.finding);
+  const Node* node = studio().session().document().find(found.node);
+  if (holes.empty() || node == nullptr || node->operation != filling_operation) return false;
+  studio().set_active(found.node);
+  if (!holes_.active()) host().action("holes")->trigger();
+  holes_.select(holes);
+  frame_holes();
+  return true;
+}
+
+void HoleFillingTool::refresh() {
+  const bool working = holes_.active() && filling_node(studio()) != nullptr;
+  const auto& selected = holes_.selected();
+  for (QAction* action : actions_) action->setEnabled(working);
+  const auto any = [&](auto&& holds) {
+    return working && std::any_of(selected.begin(), selected.end(), [&](Index hole) {
+             const HoleRow* row = holes_.row(hole);
+             return row == nullptr || holds(*row);
+           });
+  };
+  host().action("fill-selected")->setEnabled(working && holes_.can_fill_selected());
+  host().action("reopen-selected")->setEnabled(any([](const HoleRow& row) { return row.state != HoleState::Open; }));
+  for (const auto& [name, select] : {std::pair{"fill-inner", "inner"},
+                                     {"fill-all-but-largest", "all-but-largest"},
+                                     {"fill-all", "all"},
+                                     {"reopen-all", "none"}}) {
+    host().action(name)->setEnabled(working && holes_.can_fill_all(select));
+  }
+  host().action("clear-handles")->setEnabled(working && !holes_.tool().handles().empty());
+  host().action("bridge-holes")->setEnabled(working && selected.size() > 1);
+  host().action("holes")->setEnabled(can_fill(studio()));
+  if (working) host().action("delete")->setEnabled(!selected.empty());
+  follow_dock(working);
+}
+
+void HoleFillingTool::follow_dock(bool working) {
+  const bool was_shown = !dock_->isHidden();
+  panels_->set_useful(dock_, working);
+  const bool appears = !was_shown && !dock_->isHidden();
+  if (appears) dock_->raise();
+  if (appears) panels_->give_room_once(dock_, wanted_width);
+  panel_->follow();
+}
+
+}  // namespace croquis::app

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The menus, keys and buttons of work on meshes.
+#include <QAction>
+#include <QActionGroup>
+#include <QMenu>
+#include <QPushButton>
+#include <QToolBar>
+#include <utility>
+
+#include "app/tools/mesh/mesh_editing_tool.h"
+#include "app/views/viewport.h"
+#include "app/window/action_list.h"
+
+namespace croquis::app {
+namespace {
+
+constexpr double extrusion_share = 0.1;  // of the mesh's diagonal
+
+/// A first step that can be seen; the manipulator goes on from there.
+double extrusion_distance(MeshTool& tool) {
+  const auto mesh = tool.mesh();
+  if (!mesh || mesh->positions.empty()) return 0;
+  Vec3 low = mesh->positions.front();
+  Vec3 high = low;
+  for (const Vec3& place : mesh->positions) {
+    low = low.cwiseMin(place);
+    high = high.cwiseMax(place);
+  }
+  return extrusion_share * (high - low).norm();
+}
+
+}  // namespace
+
+QAction* MeshEditingTool::add(ActionList& actions, QMenu* menu, const QString& name, const QString& text,
+                              const QList<QKeySequence>& keys, std::function<Verdict(MeshTool&)> work) {
+  // The tool reports what it did, and that is recorded: elements stay the same where menus change.
+  QAction* action = actions.add(
+      menu, name, text, keys, [this, work = std::move(work)] { mesh_.act(work); }, Recorded::ByItself);
+  mesh_actions_ << action;
+  return action;
+}
+
+void MeshEditingTool::make_actions(ActionList& actions) {
+  make_handle_actions(actions);
+  bar_ = actions.bar("mesh-tools", tr("Mesh"));
+  QMenu* menu = actions.menu(tr("&Mesh"));
+  make_mode_actions(actions, menu);
+  make_selection_actions(actions, menu);
+  make_shape_actions(actions, menu);
+  make_scale_actions(actions, menu);
+  make_tag_actions(actions, menu);
+}
+
+void MeshEditingTool::make_handle_actions(ActionList& actions) {
+  QMenu* menu = actions.menu(tr("&Tool"));
+  const auto add_mode = [&](const QString& mode, const QString& text, const QString& key) {
+    actions.add_mode(menu, mode, text, key, [this, mode] { host().set_mode(mode); });
+  };
+  add_mode("move", tr("&Move"), "W");
+  add_mode("rotate", tr("&Turn"), "E");
+  add_mode("scale", tr("S&cale"), "R");
+  add_mode("sharpen", tr("Change s&harpness"), "S");
+}
+
+void MeshEditingTool::make_mode_actions(ActionList& actions, QMenu* menu) {
+  auto* modes = new QActionGroup(bar_);
+  const auto add_mode = [&](const QString& name, const QString& text, const QString& key, MeshMode mode) {
+    QAction* action = actions.add(menu, name, text, {QKeySequence(key)}, [this, mode] { set_mesh_mode(mode); });
+    action->setCheckable(true);
+    action->setToolTip(action->text().remove('&') + " (" + key + ")");
+    modes->addAction(action);
+    mesh_actions_ << action;
+    mode_actions_[mode] = action;
+    bar_->addAction(action);
+  };
+  add_mode("object-mode", tr("&Objects"), "F8", MeshMode::Object);
+  add_mode("vertex-mode", tr("&Vertices"), "F9", MeshMode::Vertex);
+  add_mode("edge-mode", tr("&Edges"), "F10", MeshMode::Edge);
+  add_mode("face-mode", tr("&Faces"), "F11", MeshMode::Face);
+  menu->addSeparator();
+  const auto add_conversion = [&](const QString& name, const QString& text, const QString& key, MeshMode mode) {
+    add(actions, menu, name, text, {QKeySequence(key)}, [mode](MeshTool& tool) { return tool.convert_to(mode); });
+  };
+  add_conversion("to-vertices", tr("Selection to vertices"), "Ctrl+F9", MeshMode::Vertex);
+  add_conversion("to-edges", tr("Selection to edges"), "Ctrl+F10", MeshMode::Edge);
+  add_conversion("to-faces", tr("Selection to faces"), "Ctrl+F11", MeshMode::Face);
+  menu->addSeparator();
+}
+
+void MeshEditingTool::make_selection_actions(ActionList& actions, QMenu* menu) {
+  QMenu* selection = menu->addMenu(tr("&Select"));
+  const auto add = [&](const QString& name, const QString& text, const QList<QKeySequence>& keys,
+                       Verdict (MeshTool::*work)()) {
+    this->add(actions, selection, name, text, keys, [work](MeshTool& tool) { return (tool.*work)(); });
+  };
+  add("grow", tr("&Grow"), {QKeySequence(">"), QKeySequence("Ctrl++")}, &MeshTool::grow_selection);
+  add("shrink", tr("S&hrink"), {QKeySequence("<"), QKeySequence("Ctrl+-")}, &MeshTool::shrink_selection);
+  add("invert", tr("&Invert"), {QKeySequence("Ctrl+I")}, &MeshTool::invert_selection);
+  selection->addSeparator();
+  add("select-loop", tr("Edge &loop"), {QKeySequence("Shift+L")}, &MeshTool::select_loop);
+  add("select-ring", tr("Edge &ring"), {QKeySequence("Shift+R")}, &MeshTool::select_ring);
+  add("select-between", tr("&Shortest path between two"), {QKeySequence("Shift+V")}, &MeshTool::select_between);
+  add("select-connected", tr("All that is &connected"), {QKeySequence("Shift+K")}, &MeshTool::select_connected);
+  add("select-chain", tr("C&hain of sharp edges"), {QKeySequence("Shift+C")}, &MeshTool::select_chain);
+  add("select-tagged", tr("All sharp &edges"), {QKeySequence("Shift+T")}, &MeshTool::select_tagged);
+  add("select-boundary", tr("&Boundary"), {QKeySequence("Shift+B")}, &MeshTool::select_boundary);
+  selection->addSeparator();
+  QAction* through = actions.add(selection, "select-through", tr("Select t&hrough"), {QKeySequence("Ctrl+T")}, [this] {
+    mesh_.tool().set_pick_through(host().action("select-through")->isChecked());
+  });
+  through->setCheckable(true);
+  mesh_actions_ << through;
+}
+
+void MeshEditingTool::make_shape_actions(ActionList& actions, QMenu* menu) {
+  add(actions, menu, "extrude", tr("E&xtrude faces"), {QKeySequence("Shift+E")}, [this](MeshTool& tool) {
+    const Verdict verdict = tool.extrude_along_normal(extrusion_distance(tool));
+    if (verdict == Verdict::Commit) host().set_mode("move");
+    return verdict;
+  });
+  actions.add(menu, "loop-cut", tr("&Loop cut"), {QKeySequence("K")}, [this] {
+    mesh_.tool().arm_loop_cut(true);
+    mesh_.follow();
+    emit state_changed();
+  });
+  mesh_actions_ << host().action("loop-cut");
+}
+
+void MeshEditingTool::make_scale_actions(ActionList& actions, QMenu* menu) {
+  actions.add(menu, "scale-to-scene", tr("Scale t&o the scene"), {}, [this] {
+    if (host().attempt([this] { scale_.apply(); })) host().viewport().frame_all();
+  });
+  scale_offer_ = new QPushButton(&host().viewport());
+  scale_offer_->setObjectName("scale-offer");
+  scale_offer_->setFocusPolicy(Qt::NoFocus);  // keys belong to the views
+  scale_offer_->setToolTip(tr("Gives it the size of everything else; undo takes it back"));
+  connect(scale_offer_, &QPushButton::clicked, host().action("scale-to-scene"), &QAction::trigger);
+  host().add_status_widget(*scale_offer_);
+  scale_offer_->hide();
+}
+
+void MeshEditingTool::offer_scale() {
+  const StudioObject* object = studio().active();
+  scale_offered_ = object == nullptr ? 0 : object->node;
+  scale_offered_at_ = studio().session().undo_labels().size();
+  follow_scale();
+}
+
+void MeshEditingTool::follow_scale() {
+  const StudioObject* object = studio().active();
+  const bool offered = object != nullptr && object->node == scale_offered_ &&
+                       studio().session().undo_labels().size() == scale_offered_at_ && host().shows_views();
+  const QString sentence = offered ? scale_.sentence() : QString();
+  scale_offer_->setText(tr("%1: scale to the scene").arg(sentence));
+  scale_offer_->setVisible(!sentence.isEmpty());
+  host().action("scale-to-scene")->setEnabled(scale_.factor().has_value());
+}
+
+void MeshEditingTool::make_tag_actions(ActionList& actions, QMenu* menu) {
+  menu->addSeparator();
+  const auto add = [&](const QString& name, const QString& text, const QString& key,
+                       std::function<Verdict(MeshTool&)> work) {
+    QAction* action = this->add(actions, menu, name, text, {QKeySequence(key)}, std::move(work));
+    action->setToolTip(action->text().remove('&') + " (" + key + ")");
+    bar_->addAction(action);
+  };
+  bar_->addSeparator();
+  add("sharp", tr("S&harp"), "H", [](MeshTool& tool) { return tool.tag(infinite_sharpness); });
+  add("smooth", tr("S&mooth"), "Shift+H", [](MeshTool& tool) { return tool.untag(); });
+  add("pin", tr("&Pin"), "P", [](MeshTool& tool) { return tool.pin(true); });
+  add("unpin", tr("&Unpin"), "Shift+P", [](MeshTool& tool) { return tool.pin(false); });
+  this->add(actions, menu, "sharp-boundary", tr("Sharp &boundary"), {},
+                  [](MeshTool& tool) { return tool.tag_boundary(); });
+  this->add(actions, menu, "sharper", tr("Sharper by a half"), {QKeySequence("Ctrl+Up")},
+                  [](MeshTool& tool) { return tool.change_sharpness(0.5); });
+  this->add(actions, menu, "softer", tr("Softer by a half"), {QKeySequence("Ctrl+Down")},
+                  [](MeshTool& tool) { return tool.change_sharpness(-0.5); });
+  this->add(actions, menu, "new-set", tr("Crease &set of the selection"), {QKeySequence("Ctrl+G")},
+                  [](MeshTool& tool) {
+                    const auto mesh = tool.mesh();
+                    return mesh ? tool.make_set(new_set_name(mesh->tags)) : Verdict::Continue;
+                  });
+}
+
+QStringList MeshEditingTool::marking_menu(int) const {
+  return {"vertex-mode", "edge-mode", "sharp", "pin", "object-mode", "unpin", "smooth", "face-mode"};
+}
+
+}  // namespace croquis::app

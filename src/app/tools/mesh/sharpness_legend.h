@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/views/legend.h"
+
+namespace croquis::app {
+
+/// The colours of tagged edges with what they mean.
+class SharpnessLegend : public Legend {
+  Q_OBJECT
+
+ public:
+  explicit SharpnessLegend(QWidget* views);
+
+ protected:
+  void draw_row(QPainter& painter, int row, int y) override;
+};
+
+}  // namespace croquis::app

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tools/silhouette/silhouette_tool.h"
+
+#include <QAction>
+#include <QMenu>
+#include <algorithm>
+
+#include "app/panels/finding_elements.h"
+#include "app/views/viewport.h"
+#include "app/window/action_list.h"
+
+namespace croquis::app {
+namespace {
+
+constexpr const char* hint_style = "color: #8a93a0; background: transparent; font-size: 15px";
+constexpr double hint_height = 60;  // above the view's lower border
+
+bool has_cage_to_edit(const Studio& studio) {
+  return std::ranges::any_of(studio.objects(), [](const WorkObject& object) { return object.cage != 0; });
+}
+
+SketchMode sketch_mode(const QString& mode) {
+  if (mode == "draw") return SketchMode::Draw;
+  return mode == "erase" ? SketchMode::Erase : SketchMode::Select;
+}
+
+}  // namespace
+
+SilhouetteTool::SilhouetteTool(ToolHost& host)
+    : Tool(host),
+      sketch_(host.studio(), host.viewport().pane(SketchView), nullptr),
+      joints_(host.studio(), &host.viewport()),
+      hint_(make_chip_label(host.viewport(), hint_style)) {
+  hint_->setObjectName("hint");
+  hint_->setText(tr("Trace me: one closed line becomes a solid"));
+  connect(&sketch_, &SketchInteraction::changed, this, [this] { emit changed_in(SketchView); });
+  connect(&sketch_, &SketchInteraction::inked, this, &Tool::inked);
+  connect(&sketch_, &SketchInteraction::committed, this, &Tool::committed);
+}
+
+void SilhouetteTool::make_actions(ActionList& actions) {
+  QMenu* edit = actions.menu(tr("&Edit"));
+  QAction* join = actions.add(edit, "join-limbs", tr("&Join limbs"), {QKeySequence("J")}, [this] { joints_.join_all(); });
+  edit->insertAction(actions.find("delete"), join);
+  QMenu* menu = actions.menu(tr("&Tool"));
+  const auto add_mode = [&](const QString& mode, const QString& text, const QString& key) {
+    actions.add_mode(menu, mode, text, key, [this, mode] { host().set_mode(mode); });
+  };
+  add_mode("draw", tr("&Draw"), "D");
+  add_mode("erase", tr("&Erase"), "X");
+  add_mode(select_mode, tr("&Select and reshape"), "Q");
+}
+
+void SilhouetteTool::refresh() {
+  const WorkObject* object = studio().active();
+  const bool mesh = object != nullptr && object->cage != 0;
+  host().action("erase")->setEnabled(!studio().drawing().strokes.empty() || !mesh);
+}
+
+void SilhouetteTool::set_mode(const QString& mode) {
+  Tool::set_mode(mode);
+  sketch_.set_mode(sketch_mode(mode));
+  Viewport& views = host().viewport();
+  if (draws() && !views.pane(SketchView).visible()) views.arrange(Arrangement::SketchAndSolid);
+}
+
+bool SilhouetteTool::works_in(int view) const {
+  return view == SketchView && (draws() || (mode() == select_mode && is_paper(view)));
+}
+
+bool SilhouetteTool::is_paper(int view) const {
+  return view == SketchView && (sketch_.scene().has_strokes() || !has_cage_to_edit(studio()));
+}
+
+Qt::CursorShape SilhouetteTool::cursor(int) const { return draws() ? Qt::CrossCursor : Qt::ArrowCursor; }
+
+void SilhouetteTool::add_all_to(Selection& selection) const {
+  for (const Stroke& stroke : studio().drawing().strokes) selection.push_back({studio().drawing_node(), stroke.id});
+}
+
+bool SilhouetteTool::delete_selection() {
+  if (sketch_.tool().selected().empty()) return false;
+  host().record(recorded::Action{"delete"});
+  return sketch_.tool().delete_selected() == Verdict::Commit;
+}
+
+QString SilhouetteTool::help() const {
+  switch (sketch_.mode()) {
+    case SketchMode::Select:
+      return tr("Drag a square to reshape the line, drag a line to move it, Shift adds · Delete removes · D draws");
+    case SketchMode::Erase: return tr("Drag over lines to erase them · D draws");
+    case SketchMode::Draw: break;
+  }
+  if (!sketch_.scene().has_strokes()) return tr("Draw a closed outline with the pen or the mouse");
+  return tr(
+      "Draw: a line stops where it passes behind another · Q selects · Alt+drag rotates the solid · Ctrl+Z undoes");
+}
+
+void SilhouetteTool::adjust(ObjectScenes::Wanted& wanted, int view) const {
+  if (view == SketchView) wanted.only_with_cage = true;
+}
+
+void SilhouetteTool::add_to(render::Scene& scene, int view) {
+  if (view != SketchView) return;
+  const render::Scene sketch = sketch_.scene().scene();
+  scene.lines.insert(scene.lines.end(), sketch.lines.begin(), sketch.lines.end());
+  scene.marks.insert(scene.marks.end(), sketch.marks.begin(), sketch.marks.end());
+}
+
+std::optional<Ink> SilhouetteTool::ink() const {
+  if (!sketch_.inking()) return std::nullopt;
+  return Ink{SketchView, &sketch_.ink()};
+}
+
+render::Bounds SilhouetteTool::bounds_in(int view) const {
+  return view == SketchView && sketch_.scene().has_strokes() ? sketch_.scene().bounds(false) : render::Bounds();
+}
+
+std::optional<SelectionFrame> SilhouetteTool::selection_frame(int) const {
+  return SelectionFrame{sketch_.scene().bounds(true), std::nullopt, false};
+}
+
+QString SilhouetteTool::view_title(int view) const {
+  const bool sketched = sketch_.scene().has_strokes() || sketch_.scene().invites();
+  return view == SketchView && sketched ? tr("Sketch") : QString();
+}
+
+void SilhouetteTool::place_chips(ChipPlaces& places) {
+  const ViewPane& pane = places.layout().pane(SketchView);
+  if (sketch_.scene().invites() && pane.visible() && !sketch_.down()) {
+    hint_->adjustSize();
+    places.put(*hint_, QPointF(pane.rect.center().x() - hint_->width() / 2.0, pane.rect.bottom() - hint_height));
+  } else {
+    hint_->hide();
+  }
+  joints_.place(places, !sketch_.down());
+}
+
+void SilhouetteTool::follow_result() {
+  sketch_.follow_result();
+  joints_.follow_result();
+}
+
+bool SilhouetteTool::show_finding(const NodeFinding& found) {
+  if (found.node != studio().solid_node()) return false;
+  Selection selection;
+  for (const std::string& stroke : strokes_of(found.finding)) selection.push_back({studio().drawing_node(), stroke});
+  studio().session().select(std::move(selection));
+  return true;
+}
+
+}  // namespace croquis::app

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/views/legend.h"
+
+namespace croquis::app {
+namespace {
+
+constexpr int legend_width = 96;
+constexpr int card_margin = 4;
+constexpr int card_radius = 6;
+constexpr int font_pixels = 11;
+constexpr QColor legend_ink(60, 66, 76);
+constexpr QColor card_color(255, 255, 255, 190);
+
+}  // namespace
+
+Legend::Legend(QWidget* views, const QString& name, const QString& title, const QString& meaning, int rows)
+    : QWidget(views), title_(title), rows_(rows) {
+  setObjectName(name);
+  setAccessibleName(meaning);
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  setFixedSize(legend_width, row_height * (rows + 1) + 2 * card_margin);
+  hide();
+}
+
+void Legend::draw_label(QPainter& painter, int y, const QString& text) const {
+  painter.setPen(legend_ink);
+  painter.drawText(QRect(text_left, y, width() - text_left, row_height), Qt::AlignVCenter, text);
+}
+
+void Legend::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(card_color);
+  painter.drawRoundedRect(rect(), card_radius, card_radius);
+  QFont font = painter.font();
+  font.setPixelSize(font_pixels);
+  painter.setFont(font);
+  painter.setPen(legend_ink);
+  painter.drawText(QRect(8, card_margin, width() - 8, row_height), Qt::AlignVCenter, title_);
+  for (int row = 0; row < rows_; ++row) draw_row(painter, row, card_margin + (row + 1) * row_height);
+}
+
+}  // namespace croquis::app

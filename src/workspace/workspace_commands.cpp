@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What people do to objects and to the steps of their chains.
+#include <algorithm>
+#include <utility>
+
+#include "croquis/base/error.h"
+#include "croquis/workspace/chain.h"
+#include "croquis/workspace/object_names.h"
+#include "croquis/workspace/workspace.h"
+
+namespace croquis {
+namespace {
+
+[[noreturn]] void refuse_step(const std::string& sentence) {
+  throw Error(make_error(Category::Usage, "E_STEP", sentence));
+}
+
+}  // namespace
+
+void Workspace::load(Document document, bool modified) {
+  live_.clear();
+  views_.clear();
+  active_ = 0;
+  evaluator_.forget();
+  objects_.clear();
+  if (listener_.loaded) listener_.loaded();
+  session_.load(std::move(document), modified);
+  if (listener_.result_changed) listener_.result_changed();
+  if (listener_.busy_changed) listener_.busy_changed(busy());
+}
+
+NodeId Workspace::add_source(const std::string& name, Value value) {
+  const Document& before = session_.document();
+  const NodeId id = before.next_id();
+  Node node;
+  node.name = free_name(before, name);
+  node.source = std::move(value);
+  Document document = before.with(std::move(node));
+  // The first object of an empty document is no step of the history.
+  if (before.nodes().empty() && session_.undo_labels().empty() && !session_.modified()) {
+    load(std::move(document));
+  } else {
+    session_.edit("Open " + readable_name(name), std::move(document));
+  }
+  session_.select({{id, ""}});
+  return id;
+}
+
+void Workspace::set_parameter(NodeId id, const std::string& name, const ParameterValue& value, bool dragging) {
+  const Node* node = session_.document().find(id);
+  const OperationDescription* operation = node == nullptr ? nullptr : description(node->operation);
+  if (operation == nullptr) return;
+  Node edited = *node;
+  edited.parameters[name] = value;
+  for (const ParameterDescription& parameter : operation->parameters) {
+    if (parameter.name == name && parameter.default_value == value) edited.parameters.erase(name);
+  }
+  Document document = session_.document().with(std::move(edited));
+  const std::string label = "Set " + name;
+  if (dragging && !dragging_parameter_) session_.begin_drag(label);
+  const bool in_drag = dragging || dragging_parameter_;
+  dragging_parameter_ = dragging;
+  if (!in_drag) {
+    session_.edit(label, std::move(document));
+    return;
+  }
+  session_.drag(std::move(document));
+  if (!dragging) session_.end_drag();
+}
+
+void Workspace::remove_object(NodeId id) {
+  const WorkObject* removed = object(id);
+  if (removed == nullptr) return;
+  const std::string name = removed->name;
+  session_.edit("Delete " + readable_name(name), without_object(session_.document(), removed->node));
+}
+
+void Workspace::copy_object(NodeId id) {
+  const WorkObject* copied = object(id);
+  if (copied == nullptr) return;
+  const std::string label = "Duplicate " + readable_name(copied->name);
+  AddedNode added = with_object_copied(session_.document(), copied->node);
+  edit_chain(label, std::move(added.document), added.node);
+}
+
+void Workspace::rename_object(NodeId id, const std::string& name) {
+  const WorkObject* renamed = object(id);
+  if (renamed == nullptr || name.empty() || name == renamed->name) return;
+  Node node = *session_.document().find(renamed->cage != 0 ? renamed->cage : renamed->node);
+  node.name = free_name(session_.document(), name);
+  session_.edit("Rename " + readable_name(renamed->name), session_.document().with(std::move(node)));
+}
+
+void Workspace::show_object(NodeId id, bool visible) {
+  const WorkObject* shown = object(id);
+  if (shown == nullptr || shown->visible == visible) return;
+  Node node = *session_.document().find(shown->node);
+  node.visible = visible;
+  session_.edit((visible ? "Show " : "Hide ") + readable_name(shown->name), session_.document().with(std::move(node)));
+}
+
+// ---- Steps
+
+const Node& Workspace::step_node(NodeId step) const {
+  const Node* node = session_.document().find(step);
+  if (node == nullptr) refuse_step("There is no such step");
+  return *node;
+}
+
+std::string Workspace::title_of(const Node& node) const {
+  const OperationDescription* operation = description(node.operation);
+  return operation == nullptr ? node.name : operation->title;
+}
+
+void Workspace::edit_chain(const std::string& label, Document document, NodeId selected) {
+  session_.edit(label, std::move(document));
+  if (session_.document().find(selected) == nullptr) return;
+  if (const WorkObject* owner = object(selected)) active_ = owner->node;
+  session_.select({{selected, ""}});
+}
+
+NodeId Workspace::add_step(NodeId after, const std::string& operation, const ParameterValues& parameters) {
+  AddedNode added = with_step(session_.document(), registry_, after, operation, parameters);
+  const WorkObject* owner = object(after);
+  const std::string name = owner == nullptr ? step_node(after).name : owner->name;
+  const std::string label = "Add " + title_of(*added.document.find(added.node)) + " to " + readable_name(name);
+  edit_chain(label, std::move(added.document), added.node);
+  return added.node;
+}
+
+void Workspace::remove_step(NodeId step) {
+  const Node* before = step_before(session_.document(), registry_, step_node(step));
+  const NodeId then = before == nullptr ? 0 : before->id;
+  edit_chain("Delete " + title_of(step_node(step)), without_step(session_.document(), registry_, step), then);
+}
+
+void Workspace::enable_step(NodeId step, bool enabled) {
+  edit_chain((enabled ? "Switch on " : "Switch off ") + title_of(step_node(step)),
+             with_step_enabled(session_.document(), registry_, step, enabled), step);
+}
+
+void Workspace::move_step(NodeId step, int by) {
+  edit_chain("Move " + title_of(step_node(step)), with_step_moved(session_.document(), registry_, step, by), step);
+}
+
+void Workspace::copy_step(NodeId step) {
+  const std::string label = "Duplicate " + title_of(step_node(step));
+  AddedNode added = with_step_copied(session_.document(), registry_, step);
+  edit_chain(label, std::move(added.document), added.node);
+}
+
+void Workspace::freeze_step(NodeId step) {
+  const Node& node = step_node(step);
+  const auto kept = node.source ? nullptr : evaluator_.find(session_.document(), step);
+  if (!kept || kept->failed || kept->quality != Quality::Final) {
+    refuse_step('"' + title_of(node) + "\" can't be frozen before it is computed: wait for it, or mend what it reports");
+  }
+  const Link given = main_link(node, registry_);
+  edit_chain("Freeze " + title_of(node),
+             with_step_frozen(session_.document(), registry_, step, kept->outputs.at(given.output)), step);
+}
+
+// ---- States
+
+namespace {
+
+/// The first error among findings, or nothing.
+std::string first_error(const Findings& findings) {
+  const auto found = std::ranges::find(findings, Severity::Error, &Finding::severity);
+  return found == findings.end() ? std::string() : found->message;
+}
+
+}  // namespace
+
+std::vector<ChainStep> Workspace::steps_of(const WorkObject& object) const {
+  std::vector<ChainStep> steps;
+  for (const NodeId id : object.chain) {
+    const Node& node = *session_.document().find(id);
+    ChainStep step{id, node.name, node.source ? std::string() : title_of(node), StepState::Source, {}};
+    if (!node.source) {
+      const auto kept = evaluator_.find(session_.document(), id);
+      step.state = !node.enabled   ? StepState::Off
+                   : !kept         ? StepState::Computing
+                   : !kept->failed ? StepState::Fresh
+                   : kept->stale   ? StepState::Stale
+                                   : StepState::Failed;
+      if (kept && kept->failed) step.problem = first_error(kept->findings);
+    }
+    steps.push_back(std::move(step));
+  }
+  return steps;
+}
+
+}  // namespace croquis

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+
+#include <catch2/catch.hpp>
+
+#include "architecture/source_tree.h"
+
+namespace croquis::test {
+namespace {
+
+const std::filesystem::path root = CROQUIS_SOURCE_DIR;
+constexpr std::size_t most_files = 40;
+constexpr int longest_function = 60;
+
+/// The tool that a file of the studio belongs to: "mesh" for src/app/tools/mesh/…; empty for none.
+std::string app_tool_of(const std::string& path) {
+  const std::string folder = "src/app/tools/";
+  if (!path.starts_with(folder)) return {};
+  const auto end = path.find('/', folder.size());
+  return end == std::string::npos ? std::string() : path.substr(folder.size(), end - folder.size());
+}
+
+TEST_CASE("tools of the studio don't include each other, and nothing else includes one") {
+  const std::set<std::string> lists{"src/app/tools/all_tools.cpp"};
+  std::size_t tools_seen = 0;
+  for (const SourceFile& file : read_sources(root)) {
+    if (file.module != "app" || lists.contains(file.path)) continue;
+    const std::string own = app_tool_of(file.path);
+    tools_seen += !own.empty();
+    for (const std::string& include : file.own_includes) {
+      const std::string other = app_tool_of(include);
+      INFO(file.path << " includes " << include);
+      CHECK((other.empty() || other == own));
+    }
+  }
+  CHECK(tools_seen > 10);
+}
+
+TEST_CASE("the window's own folders and the workspace know no operation") {
+  const std::set<std::string> lists{"src/app/studio/studio.cpp"};
+  for (const SourceFile& file : read_sources(root)) {
+    const bool own = (file.module == "app" && app_tool_of(file.path).empty()) || file.module == "workspace";
+    if (!own || lists.contains(file.path)) continue;
+    for (const std::string& include : file.own_includes) {
+      INFO(file.path << " includes " << include);
+      CHECK_FALSE(include.starts_with("include/croquis/operators/"));
+      CHECK_FALSE(include.starts_with("src/operators/"));
+    }
+  }
+}
+
+TEST_CASE("no folder has more than 40 files") {
+  for (const char* part : {"include", "src", "tests"}) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / part)) {
+      if (!entry.is_directory()) continue;
+      const auto files = std::filesystem::directory_iterator(entry);
+      const auto count = std::count_if(begin(files), end(files), [](const auto& inner) {
+        return inner.path().extension() == ".cpp" || inner.path().extension() == ".h";
+      });
+      INFO(entry.path());
+      CHECK(static_cast<std::size_t>(count) <= most_files);
+    }
+  }
+}
+
+struct LongFunction {
+  std::string head;
+  int lines = 0;
+};
+
+/// The longest function at the level of namespaces: its head begins and its brace ends in the first column.
+LongFunction longest_in(const std::filesystem::path& path) {
+  static const std::regex no_function(R"(^(namespace|struct|class|enum|union|using|template|extern|#|//|\}|\)).*)");
+  LongFunction longest;
+  std::ifstream stream(path);
+  std::string head;
+  int lines = 0;
+  bool inside = false;
+  for (std::string line; std::getline(stream, line);) {
+    if (!inside) {
+      const bool begins = !line.empty() && std::isalpha(static_cast<unsigned char>(line[0])) != 0;
+      if (begins && !std::regex_match(line, no_function)) {
+        head = line;
+        lines = 0;
+      }
+      if (head.empty()) continue;
+      ++lines;
+      if (line.ends_with(';') || line.ends_with('}')) head.clear();
+      inside = !head.empty() && line.ends_with('{');
+      continue;
+    }
+    ++lines;
+    if (line.empty() || line[0] != '}') continue;
+    if (line == "}" && lines > longest.lines) longest = {head, lines};
+    inside = false;
+    head.clear();
+  }
+  return longest;
+}
+
+TEST_CASE("no function is longer than 60 lines") {
+  LongFunction longest_of_all;
+  for (const SourceFile& file : read_sources(root)) {
+    const LongFunction longest = longest_in(root / file.path);
+    INFO(file.path << ": " << longest.head);
+    CHECK(longest.lines <= longest_function);
+    if (longest.lines > longest_of_all.lines) longest_of_all = longest;
+  }
+  // A reader that finds none would be of no use.
+  CHECK(longest_of_all.lines > 30);
+}
+
+}  // namespace
+}  // namespace croquis::test

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "croquis/base/error.h"
+#include "croquis/document/content_hash.h"
+#include "croquis/workspace/workspace.h"
+#include "support/main_loop.h"
+#include "support/trial_operation.h"
+
+namespace croquis::test {
+namespace {
+
+Registry scaling() {
+  Registry registry;
+  const auto compute = [](const Values& inputs, const ParameterValues& parameters, Context&) {
+    if (x_of(inputs.at("mesh")) > 1000) {
+      throw Error(make_error(Category::Geometry, "E_TRIAL", "The mesh is too far away."));
+    }
+    return scaled(inputs, parameters);
+  };
+  add_operation(registry, mesh_to_mesh("scale"), compute);
+  add_operation(registry, mesh_to_mesh("other"), compute);
+  return registry;
+}
+
+/// A workspace with one mesh at x = 1.
+struct Desk {
+  MainLoop loop;
+  int loads = 0, changes = 0, results = 0;
+  Workspace workspace;
+  NodeId mesh = 0;
+
+  Desk()
+      : workspace(scaling(), loop.post(),
+                  {.loaded = [this] { ++loads; },
+                   .changed = [this] { ++changes; },
+                   .result_changed = [this] { ++results; },
+                   .progress = {},
+                   .busy_changed = {}}) {
+    mesh = workspace.add_source("bolt", point(1));
+  }
+
+  void settle() {
+    loop.run_until([&] { return !workspace.busy(); });
+  }
+
+  double end(NodeId node) {
+    settle();
+    const WorkObject* object = workspace.object(node);
+    REQUIRE(object != nullptr);
+    REQUIRE(object->mesh);
+    return object->mesh->positions.front().x();
+  }
+
+  void move_source(double x) {
+    Node node = *workspace.session().document().find(mesh);
+    node.source = point(x);
+    workspace.session().edit("Move", workspace.session().document().with(std::move(node)));
+  }
+
+  StepState state(NodeId step) const {
+    for (const ChainStep& s : workspace.steps_of(*workspace.object(step))) {
+      if (s.node == step) return s.state;
+    }
+    return StepState::Source;
+  }
+};
+
+TEST_CASE("workspace: the end of a chain follows its beginning") {
+  Desk desk;
+  const NodeId first = desk.workspace.add_step(desk.mesh, "scale");
+  const NodeId second = desk.workspace.add_step(first, "other", {{"factor", 5.0}});
+  REQUIRE(desk.workspace.objects().size() == 1);
+  CHECK(desk.workspace.objects().front().chain == std::vector<NodeId>{desk.mesh, first, second});
+  CHECK(desk.end(second) == 10);
+  desk.move_source(3);
+  CHECK(desk.end(second) == 30);
+  desk.workspace.enable_step(first, false);
+  CHECK(desk.state(first) == StepState::Off);
+  CHECK(desk.end(second) == 15);
+  desk.workspace.enable_step(first, true);
+  CHECK(desk.end(second) == 30);
+  CHECK(desk.workspace.mesh_at(first)->positions.front().x() == 6);
+}
+
+TEST_CASE("workspace: steps tell what is known of them") {
+  Desk desk;
+  const NodeId first = desk.workspace.add_step(desk.mesh, "scale", {{"factor", 3.0}});
+  const NodeId second = desk.workspace.add_step(first, "other");
+  CHECK(desk.state(second) == StepState::Computing);
+  desk.settle();
+  CHECK(desk.state(desk.mesh) == StepState::Source);
+  CHECK(desk.state(first) == StepState::Fresh);
+  CHECK(desk.state(second) == StepState::Fresh);
+  desk.move_source(500);  // the first step gives 1500, which is too far for the second
+  desk.settle();
+  CHECK(desk.state(first) == StepState::Fresh);
+  CHECK(desk.state(second) == StepState::Stale);
+  CHECK(desk.workspace.steps_of(*desk.workspace.object(second)).back().problem == "The mesh is too far away.");
+  CHECK(desk.end(second) == 6);  // as it was
+  desk.workspace.enable_step(first, false);
+  CHECK(desk.end(second) == 1000);
+  CHECK(desk.state(second) == StepState::Fresh);
+}
+
+TEST_CASE("workspace: only what was computed can be frozen") {
+  Desk desk;
+  const NodeId first = desk.workspace.add_step(desk.mesh, "scale");
+  const NodeId second = desk.workspace.add_step(first, "other", {{"factor", 7.0}});
+  CHECK_THROWS_AS(desk.workspace.freeze_step(first), Error);
+  desk.settle();
+  desk.workspace.freeze_step(first);
+  CHECK(desk.workspace.objects().front().chain == std::vector<NodeId>{first, second});
+  CHECK(desk.workspace.session().document().find(desk.mesh) == nullptr);
+  CHECK(desk.end(second) == 14);
+  desk.workspace.session().undo();
+  desk.move_source(2);
+  CHECK(desk.end(second) == 28);
+}
+
+TEST_CASE("workspace: undo to the start and redo to the end give the same documents") {
+  Desk desk;
+  std::vector<ContentHash> hashes;
+  const auto note = [&] { hashes.push_back(content_hash(desk.workspace.session().document())); };
+  note();
+  const NodeId first = desk.workspace.add_step(desk.mesh, "scale");
+  note();
+  desk.workspace.add_step(first, "other");
+  note();
+  desk.workspace.move_step(first, 1);
+  note();
+  desk.workspace.copy_step(first);
+  note();
+  desk.workspace.enable_step(first, false);
+  note();
+  desk.workspace.copy_object(first);
+  note();
+  desk.workspace.remove_step(first);
+  note();
+  desk.workspace.remove_object(desk.mesh);
+  note();
+  Session& session = desk.workspace.session();
+  REQUIRE(session.undo_labels().size() + 1 == hashes.size());
+  for (std::size_t i = hashes.size(); i-- > 1;) {
+    CHECK(content_hash(session.document()) == hashes[i]);
+    session.undo();
+  }
+  CHECK_FALSE(session.can_undo());
+  for (std::size_t i = 0; i + 1 < hashes.size(); ++i) {
+    CHECK(content_hash(session.document()) == hashes[i]);
+    session.redo();
+  }
+  CHECK(content_hash(session.document()) == hashes.back());
+}
+
+TEST_CASE("workspace: the selected step is the active one, and its object stays active") {
+  Desk desk;
+  const NodeId first = desk.workspace.add_step(desk.mesh, "scale");
+  const NodeId second = desk.workspace.add_step(first, "other");
+  const NodeId cube = desk.workspace.add_source("cube", point(4));
+  CHECK(desk.workspace.active()->node == cube);
+  desk.workspace.session().select({{first, ""}});
+  CHECK(desk.workspace.active()->node == second);
+  CHECK(desk.workspace.active_step() == first);
+  CHECK(desk.workspace.active_operation()->operation == "scale");
+  desk.workspace.session().select({});
+  CHECK(desk.workspace.active()->node == second);
+  CHECK(desk.workspace.active_step() == second);
+}
+
+TEST_CASE("workspace: results are kept back while they are held") {
+  Desk desk;
+  const NodeId first = desk.workspace.add_step(desk.mesh, "scale");
+  desk.settle();
+  desk.workspace.hold_results(true);
+  desk.move_source(9);
+  const int before = desk.results;
+  desk.settle();
+  CHECK(desk.results == before);
+  CHECK(desk.workspace.object(first)->mesh->positions.front().x() == 2);
+  desk.workspace.hold_results(false);
+  CHECK(desk.results == before + 1);
+  CHECK(desk.workspace.object(first)->mesh->positions.front().x() == 18);
+}
+
+}  // namespace
+}  // namespace croquis::test
