@@ -101,9 +101,7 @@ std::shared_ptr<const PolyMesh> HoleInteraction::scan() const {
   Progress progress;
   const auto before = studio_.evaluator().evaluate(studio_.session().document(), from.node, Quality::Final, progress);
   const auto found = before->outputs.find(from.output);
-  const auto* mesh =
-      found == before->outputs.end() ? nullptr : std::get_if<std::shared_ptr<const PolyMesh>>(&found->second);
-  return mesh == nullptr ? nullptr : *mesh;
+  return found == before->outputs.end() ? nullptr : found->second.as<PolyMesh>();
 }
 
 const Node* HoleInteraction::node() const { return filling_node(studio_); }
@@ -152,7 +150,7 @@ void HoleInteraction::take_result(const StudioObject* object) {
   if (!result || rims == result->outputs.end())
     tool_.set_rims({});
   else if (!tool_.active())
-    tool_.set_rims(rims_from_lines(*std::get<std::shared_ptr<const PolyMesh>>(rims->second)));
+    tool_.set_rims(rims_from_lines(rims->second.get<PolyMesh>()));
   tool_.set_filled(filled());
   tool_.set_sight(sight_.sight());
   show_patches();

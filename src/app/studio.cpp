@@ -13,8 +13,8 @@ namespace {
 
 const std::string solid_operation_id = "inflate";
 
-const std::shared_ptr<const Drawing>* drawing_of(const Node& node) {
-  return node.source ? std::get_if<std::shared_ptr<const Drawing>>(&*node.source) : nullptr;
+std::shared_ptr<const Drawing> drawing_of(const Node& node) {
+  return node.source ? node.source->as<Drawing>() : nullptr;
 }
 
 std::set<NodeId> nodes_of(const Document& document) {
@@ -73,7 +73,7 @@ void Studio::set_view(NodeId id, SmoothView view) {
 const Drawing& Studio::drawing() const {
   static const Drawing none;
   const Node* node = session_.document().find(drawing_node());
-  return node == nullptr ? none : **drawing_of(*node);
+  return node == nullptr ? none : *drawing_of(*node);
 }
 
 NodeId Studio::drawing_node() const {

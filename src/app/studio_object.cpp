@@ -15,7 +15,7 @@ const PortDescription* mesh_port(const std::vector<PortDescription>& ports) {
 }
 
 bool gives_mesh(const Node& node, const Registry& registry) {
-  if (node.source) return type_of(*node.source) == ValueType::Mesh;
+  if (node.source) return node.source->type() == ValueType::Mesh;
   const Operation* operation = registry.find(node.operation);
   return operation != nullptr && mesh_port(operation->describe().outputs) != nullptr;
 }
@@ -38,9 +38,7 @@ const Node* cage_of(const Document& document, const Registry& registry, const No
 }  // namespace
 
 std::shared_ptr<const PolyMesh> mesh_in(const Node& node) {
-  if (!node.source) return nullptr;
-  const auto* mesh = std::get_if<std::shared_ptr<const PolyMesh>>(&*node.source);
-  return mesh == nullptr ? nullptr : *mesh;
+  return node.source ? node.source->as<PolyMesh>() : nullptr;
 }
 
 std::shared_ptr<const PolyMesh> mesh_of(const Evaluation& evaluation, const Operation& operation) {
@@ -48,14 +46,14 @@ std::shared_ptr<const PolyMesh> mesh_of(const Evaluation& evaluation, const Oper
   const PortDescription* port = mesh_port(description.outputs);
   const auto output = port == nullptr ? evaluation.outputs.end() : evaluation.outputs.find(port->name);
   if (output == evaluation.outputs.end()) return nullptr;
-  return std::get<std::shared_ptr<const PolyMesh>>(output->second);
+  return output->second.as<PolyMesh>();
 }
 
 const Report* report_of(const Evaluation* evaluation, const std::string& output) {
   if (evaluation == nullptr) return nullptr;
   const auto found = evaluation->outputs.find(output);
   if (found == evaluation->outputs.end()) return nullptr;
-  return std::get<std::shared_ptr<const Report>>(found->second).get();
+  return found->second.as<Report>().get();
 }
 
 std::vector<StudioObject> objects_of(const Document& document, const Registry& registry) {
