@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
   const Drawing drawing = read_svg_drawing(read_file(argv[1]), argv[1], progress).drawing;
   const OperationResult result =
       run(inflate, {{"drawing", std::make_shared<const Drawing>(drawing)}}, {{"min-gap", 0.2}}, context);
-  const auto details = std::get<std::shared_ptr<const Report>>(result.outputs.at("details"));
+  const auto details = result.outputs.at("details").as<Report>();
   std::cout << details->at("crossings").as_integer() << " crossings, " << details->at("panels").as_integer()
             << " panels\n";
   return 0;

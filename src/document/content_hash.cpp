@@ -3,10 +3,7 @@
 
 #include <array>
 #include <bit>
-#include <string>
-#include <type_traits>
 #include <variant>
-#include <vector>
 
 #include <xxhash.h>
 
@@ -64,111 +61,6 @@ ContentHash ContentHasher::digest() const {
   return {digest.high64, digest.low64};
 }
 
-namespace {
-
-void add_content(ContentHasher& hasher, const std::map<std::string, std::string>& texts) {
-  hasher.add(texts.size());
-  for (const auto& [key, text] : texts) {
-    hasher.add(key);
-    hasher.add(text);
-  }
-}
-
-void add_content(ContentHasher& hasher, const AttributeChannel& channel) {
-  hasher.add(channel.name);
-  hasher.add(static_cast<int>(channel.domain));
-  hasher.add(channel.width);
-  hasher.add(channel.data.index());
-  std::visit([&](const auto& values) { hasher.add(std::as_bytes(std::span(values))); }, channel.data);
-  hasher.add(channel.labels.size());
-  for (const std::string& label : channel.labels) hasher.add(label);
-}
-
-void add_content(ContentHasher& hasher, const std::array<Index, 2>& edge) {
-  hasher.add(edge[0]);
-  hasher.add(edge[1]);
-}
-
-void add_content(ContentHasher& hasher, const CreaseSet& set) {
-  hasher.add(set.name);
-  hasher.add(set.sharpness);
-  hasher.add(set.edges.size());
-  for (const auto& edge : set.edges) add_content(hasher, edge);
-  hasher.add(std::span<const Index>(set.pins));
-}
-
-void add_content(ContentHasher& hasher, const MeshTags& tags) {
-  hasher.add(tags.creases.size());
-  for (const Crease& crease : tags.creases) {
-    add_content(hasher, crease.vertices);
-    hasher.add(crease.sharpness);
-  }
-  hasher.add(std::span<const Index>(tags.pins));
-  hasher.add(tags.sets.size());
-  for (const CreaseSet& set : tags.sets) add_content(hasher, set);
-}
-
-void add_content(ContentHasher& hasher, const PolyMesh& mesh) {
-  static_assert(sizeof(Vec3) == 3 * sizeof(double));
-  hasher.add(std::as_bytes(std::span(mesh.positions)));
-  hasher.add(std::span<const Index>(mesh.face_offsets));
-  hasher.add(std::span<const Index>(mesh.corners));
-  hasher.add(std::span<const Index>(mesh.line_offsets));
-  hasher.add(std::span<const Index>(mesh.line_vertices));
-  hasher.add(mesh.channels.size());
-  for (const AttributeChannel& channel : mesh.channels) add_content(hasher, channel);
-  if (!mesh.tags.empty()) add_content(hasher, mesh.tags);  // last, so that nothing can be mistaken for them
-}
-
-void add_content(ContentHasher& hasher, const Stroke& stroke) {
-  hasher.add(stroke.id);
-  hasher.add(stroke.samples.size());
-  for (const StrokeSample& sample : stroke.samples) {
-    const std::array<double, 6> figures = {sample.position.x(), sample.position.y(), sample.pressure,
-                                           sample.tilt.x(),     sample.tilt.y(),     sample.time};
-    hasher.add(std::span<const double>(figures));
-  }
-  hasher.add(stroke.closed);
-  hasher.add(stroke.object);
-  add_content(hasher, stroke.data);
-  hasher.add(stroke.line.has_value());
-  hasher.add(stroke.line.value_or(0));
-}
-
-void add_content(ContentHasher& hasher, const Drawing& drawing) {
-  hasher.add(drawing.strokes.size());
-  for (const Stroke& stroke : drawing.strokes) add_content(hasher, stroke);
-  hasher.add(drawing.object_data.size());
-  for (const auto& [object, data] : drawing.object_data) {
-    hasher.add(object);
-    add_content(hasher, data);
-  }
-  hasher.add(drawing.file);
-}
-
-void add_content(ContentHasher& hasher, const Report& report) {
-  hasher.add(report.value().index());
-  std::visit(
-      [&](const auto& value) {
-        using Content = std::decay_t<decltype(value)>;
-        if constexpr (std::is_same_v<Content, Report::Array>) {
-          hasher.add(value.size());
-          for (const Report& element : value) add_content(hasher, element);
-        } else if constexpr (std::is_same_v<Content, Report::Object>) {
-          hasher.add(value.size());
-          for (const auto& [key, member] : value) {
-            hasher.add(key);
-            add_content(hasher, member);
-          }
-        } else if constexpr (!std::is_same_v<Content, std::monostate>) {
-          hasher.add(value);
-        }
-      },
-      report.value());
-}
-
-}  // namespace
-
 void add_content(ContentHasher& hasher, const ParameterValues& parameters) {
   hasher.add(parameters.size());
   for (const auto& [name, value] : parameters) {
@@ -178,15 +70,17 @@ void add_content(ContentHasher& hasher, const ParameterValues& parameters) {
   }
 }
 
+void add_content(ContentHasher& hasher, const Affine3& transform) {
+  for (const double number : transform.linear.reshaped()) hasher.add(number);
+  for (const double number : transform.offset) hasher.add(number);
+}
+
 ContentHash content_hash(const Value& value) {
   ContentHasher hasher;
-  hasher.add(value.index());
-  std::visit(
-      [&](const auto& content) {
-        hasher.add(content != nullptr);
-        if (content) add_content(hasher, *content);
-      },
-      value);
+  if (value.type() == ValueType()) return hasher.digest();
+  hasher.add(value.type().traits().tag);
+  hasher.add(value.has_content());
+  if (value.has_content()) value.type().traits().add_content(value.content().get(), hasher);
   return hasher.digest();
 }
 
@@ -207,7 +101,10 @@ ContentHash content_hash(const Document& document) {
     }
     hasher.add(node->source.has_value());
     if (node->source) hasher.add(content_hash(*node->source));
-    hasher.add(node->visible);
+    // One number for what nodes seldom have, so that the hashes of all others stay as they are.
+    const bool is_placed = !node->transform.is_identity();
+    hasher.add((node->visible ? 1 : 0) + (node->enabled ? 0 : 2) + (is_placed ? 4 : 0));
+    if (is_placed) add_content(hasher, node->transform);
   }
   return hasher.digest();
 }

@@ -33,11 +33,18 @@ struct Evaluator::State {
 
 namespace {
 
+/// A result's names among the kept ones.
+struct ResultKeys {
+  ContentHash plain;   ///< before the node's transform
+  ContentHash placed;  ///< after it: the same without one
+};
+
 /// One node of the evaluation under way.
 struct Slot {
   NodeState state;
-  ContentHash key;        ///< of what is used here: of the final result when that is available
-  ContentHash final_key;  ///< of the final result
+  ResultKeys keys;                          ///< of what is used here: of the final result when that is available
+  ResultKeys final_keys;                    ///< of the final result
+  std::shared_ptr<const Evaluation> plain;  ///< before the node's transform, where it is there already
   bool needed = false;
 };
 
@@ -62,10 +69,18 @@ class Pull {
   std::map<NodeId, ContentHash> good_keys() const;
 
  private:
+  void add_source(Slot& slot);
+  void add_operation(Slot& slot);
+  void add_passing(Slot& slot);
   ContentHash key_of(const Slot& slot, Quality quality) const;
+  void find_kept(Slot& slot, const ResultKeys& keys);
+  Link resolved(const Link& link) const;
   NodeStates inputs_of(const Slot& slot) const;
   void mark_needed(NodeId target);
   std::shared_ptr<const Evaluation> compute(const Slot& slot, Progress& progress);
+  std::shared_ptr<const Evaluation> compute_plain(const Slot& slot, const NodeStates& inputs, Progress& progress);
+  std::shared_ptr<const Evaluation> place(const Slot& slot, const Evaluation& plain, const Progress& progress);
+  std::shared_ptr<const Evaluation> keep(const ContentHash& key, Evaluation evaluation);
 
   const Registry& registry_;
   Memo& memo_;
@@ -80,6 +95,15 @@ std::shared_ptr<const Evaluation> source_evaluation(const Value& value, const Co
   evaluation.outputs["value"] = value;
   evaluation.key = key;
   return std::make_shared<const Evaluation>(std::move(evaluation));
+}
+
+ResultKeys keys_of(const Node& node, const ContentHash& plain) {
+  if (node.transform.is_identity()) return {plain, plain};
+  ContentHasher hasher;
+  hasher.add("transform");
+  hasher.add(plain);
+  add_content(hasher, node.transform);
+  return {plain, hasher.digest()};
 }
 
 std::shared_ptr<const Evaluation> failed_evaluation(Findings findings, Quality quality, const ContentHash& key) {
@@ -97,23 +121,65 @@ void Pull::add(const OrderedNode& ordered) {
   slot.state.node = &node;
   slot.state.in_circle = ordered.in_circle;
   if (node.source) {
-    ContentHasher hasher;
-    hasher.add("source");
-    hasher.add(hashes_.of(*node.source));
-    slot.key = slot.final_key = hasher.digest();
-    if (faults_of(slot.state, {}).empty()) slot.state.evaluation = source_evaluation(*node.source, slot.key);
+    add_source(slot);
   } else {
     slot.state.operation = registry_.find(node.operation);
     if (slot.state.operation != nullptr) slot.state.description = slot.state.operation->describe();
-    slot.key = slot.final_key = key_of(slot, Quality::Final);
-    slot.state.evaluation = memo_.find<Evaluation>(slot.final_key);
-    if (quality_ == Quality::Draft && !slot.state.evaluation) {
-      slot.key = key_of(slot, Quality::Draft);
-      slot.state.evaluation = memo_.find<Evaluation>(slot.key);
+    if (node.enabled) {
+      add_operation(slot);
+    } else {
+      add_passing(slot);
     }
   }
   order_.push_back(node.id);
   slots_.emplace(node.id, std::move(slot));
+}
+
+void Pull::add_source(Slot& slot) {
+  const Node& node = *slot.state.node;
+  ContentHasher hasher;
+  hasher.add("source");
+  hasher.add(hashes_.of(*node.source));
+  slot.keys = slot.final_keys = keys_of(node, hasher.digest());
+  if (!faults_of(slot.state, {}).empty()) return;
+  slot.plain = source_evaluation(*node.source, slot.keys.plain);
+  slot.state.evaluation = node.transform.is_identity() ? slot.plain : memo_.find<Evaluation>(slot.keys.placed);
+}
+
+void Pull::add_operation(Slot& slot) {
+  slot.final_keys = keys_of(*slot.state.node, key_of(slot, Quality::Final));
+  find_kept(slot, slot.final_keys);
+  if (quality_ == Quality::Draft && !slot.state.evaluation && !slot.plain) {
+    find_kept(slot, keys_of(*slot.state.node, key_of(slot, Quality::Draft)));
+  }
+}
+
+void Pull::find_kept(Slot& slot, const ResultKeys& keys) {
+  slot.keys = keys;
+  slot.state.evaluation = memo_.find<Evaluation>(keys.placed);
+  if (!slot.state.evaluation && slot.state.node->transform.is_invertible()) {
+    slot.plain = memo_.find<Evaluation>(keys.plain);
+  }
+}
+
+/// What is off has the key of what it passes on, and its users look through it: so they find what was made of that.
+void Pull::add_passing(Slot& slot) {
+  for (const auto& [port, link] : used_inputs(slot.state)) {
+    const auto input = slots_.find(link.node);
+    if (input == slots_.end()) continue;
+    slot.keys = input->second.keys;
+    slot.final_keys = input->second.final_keys;
+  }
+}
+
+/// The link to what is really used: through nodes that are off.
+Link Pull::resolved(const Link& link) const {
+  Link end = link;
+  for (auto slot = slots_.find(end.node); slot != slots_.end(); slot = slots_.find(end.node)) {
+    if (!passes_on(slot->second.state, end.output)) break;
+    end = used_inputs(slot->second.state).begin()->second;
+  }
+  return end;
 }
 
 /// With default parameters filled in where possible, so that a default given explicitly is the same thing.
@@ -136,13 +202,18 @@ ContentHash Pull::key_of(const Slot& slot, Quality quality) const {
   hasher.add(static_cast<int>(quality));
   add_content(hasher, effective_parameters(slot.state));
   hasher.add(node.inputs.size());
-  for (const auto& [port, link] : node.inputs) {
+  for (const auto& [port, given] : node.inputs) {
+    const Link link = resolved(given);
     hasher.add(port);
     hasher.add(link.output);
     const auto input = slots_.find(link.node);
     hasher.add(input != slots_.end());
     if (input == slots_.end()) continue;
-    hasher.add(quality == Quality::Final ? input->second.final_key : input->second.key);
+    if (!input->second.state.node->enabled) {
+      hasher.add("off");  // this output isn't there
+    } else {
+      hasher.add(quality == Quality::Final ? input->second.final_keys.placed : input->second.keys.placed);
+    }
   }
   return hasher.digest();
 }
@@ -151,8 +222,8 @@ void Pull::mark_needed(NodeId target) {
   slots_.at(target).needed = true;
   for (auto id = order_.rbegin(); id != order_.rend(); ++id) {
     const Slot& slot = slots_.at(*id);
-    if (!slot.needed || slot.state.evaluation) continue;
-    for (const auto& [port, link] : slot.state.node->inputs) {
+    if (!slot.needed || slot.state.evaluation || slot.plain) continue;
+    for (const auto& [port, link] : used_inputs(slot.state)) {
       if (const auto input = slots_.find(link.node); input != slots_.end()) input->second.needed = true;
     }
   }
@@ -191,18 +262,53 @@ std::shared_ptr<const Evaluation> Pull::known(NodeId id) {
 
 NodeStates Pull::inputs_of(const Slot& slot) const {
   NodeStates inputs;
-  for (const auto& [port, link] : slot.state.node->inputs) {
+  for (const auto& [port, link] : used_inputs(slot.state)) {
     if (const auto input = slots_.find(link.node); input != slots_.end()) inputs[link.node] = &input->second.state;
   }
   return inputs;
 }
 
+/// The input of a node that is off, under the name of its own output.
+std::shared_ptr<const Evaluation> passed_evaluation(const NodeState& state, const NodeStates& inputs) {
+  const Link link = used_inputs(state).begin()->second;
+  const Evaluation& input = *inputs.at(link.node)->evaluation;
+  Evaluation evaluation;
+  evaluation.outputs[state.description.outputs.front().name] = input.outputs.at(link.output);
+  evaluation.quality = input.quality;
+  evaluation.key = input.key;
+  return std::make_shared<const Evaluation>(std::move(evaluation));
+}
+
 std::shared_ptr<const Evaluation> Pull::compute(const Slot& slot, Progress& progress) {
+  const Node& node = *slot.state.node;
   const NodeStates inputs = inputs_of(slot);
-  // Not kept: they name nodes, whose names may change, and cost nothing.
-  if (Findings faults = faults_of(slot.state, inputs); !faults.empty()) {
-    return failed_evaluation(std::move(faults), quality_, slot.key);
+  if (!slot.plain) {
+    // Not kept: they name nodes, whose names may change, and cost nothing.
+    if (Findings faults = faults_of(slot.state, inputs); !faults.empty()) {
+      return failed_evaluation(std::move(faults), quality_, slot.keys.placed);
+    }
+    if (!node.enabled) return passed_evaluation(slot.state, inputs);
   }
+  const auto plain = slot.plain ? slot.plain : compute_plain(slot, inputs, progress);
+  return plain->failed || node.transform.is_identity() ? plain : place(slot, *plain, progress);
+}
+
+std::shared_ptr<const Evaluation> Pull::place(const Slot& slot, const Evaluation& plain, const Progress& progress) {
+  const OperationOutcome outcome = guarded(
+      [&] {
+        OperationResult result{plain.outputs, {}};
+        for (auto& [port, value] : result.outputs) value = value.transformed(slot.state.node->transform);
+        return result;
+      },
+      progress);
+  if (outcome.failed) return failed_evaluation(outcome.result.warnings, plain.quality, slot.keys.placed);
+  Evaluation evaluation = plain;
+  evaluation.outputs = outcome.result.outputs;
+  evaluation.key = slot.keys.placed;
+  return keep(slot.keys.placed, std::move(evaluation));
+}
+
+std::shared_ptr<const Evaluation> Pull::compute_plain(const Slot& slot, const NodeStates& inputs, Progress& progress) {
   Values values;
   for (const auto& [port, link] : slot.state.node->inputs) {
     values[port] = inputs.at(link.node)->evaluation->outputs.at(link.output);
@@ -216,17 +322,22 @@ std::shared_ptr<const Evaluation> Pull::compute(const Slot& slot, Progress& prog
   if (!outcome.failed) add_version_warning(slot.state, evaluation.findings);
   evaluation.failed = outcome.failed;
   evaluation.quality = quality_;
-  evaluation.key = slot.key;
+  evaluation.key = slot.keys.plain;
+  if (!outcome.repeatable) return std::make_shared<const Evaluation>(std::move(evaluation));
+  return keep(slot.keys.plain, std::move(evaluation));
+}
+
+std::shared_ptr<const Evaluation> Pull::keep(const ContentHash& key, Evaluation evaluation) {
   const std::size_t bytes = sizeof evaluation + byte_size(evaluation.outputs) + byte_size(evaluation.findings);
-  auto shared = std::make_shared<const Evaluation>(std::move(evaluation));
-  return outcome.repeatable ? memo_.keep<Evaluation>(slot.key, std::move(shared), bytes) : shared;
+  return memo_.keep<Evaluation>(key, std::make_shared<const Evaluation>(std::move(evaluation)), bytes);
 }
 
 std::map<NodeId, ContentHash> Pull::good_keys() const {
   std::map<NodeId, ContentHash> keys;
   for (const auto& [id, slot] : slots_) {
     const bool good = slot.needed && slot.state.evaluation && !slot.state.evaluation->failed;
-    if (good && !slot.state.node->source) keys.emplace(id, slot.key);
+    // A source needs none, and what a node that is off passes on is kept under other names.
+    if (good && !slot.state.node->source && slot.state.node->enabled) keys.emplace(id, slot.keys.placed);
   }
   return keys;
 }

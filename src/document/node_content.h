@@ -9,4 +9,6 @@ namespace croquis {
 /// Names, types and values of all of them.
 void add_content(ContentHasher& hasher, const ParameterValues& parameters);
 
+void add_content(ContentHasher& hasher, const Affine3& transform);
+
 }  // namespace croquis

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <string>
 #include <utility>
-#include <variant>
 
 namespace croquis {
 namespace {
@@ -18,13 +17,29 @@ Finding fault(Category category, std::string code, std::string message, NodeId i
                     {{SubjectKind::Node, std::to_string(id), {}, {}, {}}});
 }
 
+Finding off_fault(const Node& node) {
+  return fault(Category::Geometry, "E_STEP_OFF",
+               in_quotes(node) + " is off and has no input to give in place of its result: switch it on, or link one.",
+               node.id);
+}
+
+Findings transform_faults(const Node& node) {
+  if (node.transform.is_invertible()) return {};
+  return {fault(Category::Geometry, "E_TRANSFORM",
+                "The transform of " + in_quotes(node) +
+                    " flattens space or has a number that is not finite: give it a scale other than 0 along each axis.",
+                node.id)};
+}
+
 /// Of what the node is, its links left aside.
 Findings own_faults(const NodeState& state) {
   const Node& node = *state.node;
   if (node.source) {
-    if (std::visit([](const auto& content) { return content != nullptr; }, *node.source)) return {};
-    return {fault(Category::Malformed, "E_NO_VALUE", in_quotes(node) + " has no value: import it again or remove it.",
-                  node.id)};
+    if (!node.source->has_content()) {
+      return {fault(Category::Malformed, "E_NO_VALUE", in_quotes(node) + " has no value: import it again or remove it.",
+                    node.id)};
+    }
+    return node.enabled ? transform_faults(node) : Findings{off_fault(node)};
   }
   if (node.operation.empty()) {
     return {fault(Category::Malformed, "E_NO_VALUE",
@@ -47,7 +62,8 @@ Findings own_faults(const NodeState& state) {
     return {fault(Category::Malformed, "E_CYCLE",
                   "The inputs of " + in_quotes(node) + " lead back to itself: choose another input.", node.id)};
   }
-  return {};
+  if (node.enabled) return transform_faults(node);
+  return used_inputs(state).empty() ? Findings{off_fault(node)} : Findings{};
 }
 
 bool has_port(const OperationDescription& description, const std::string& name) {
@@ -80,17 +96,38 @@ void add_link_faults(const NodeState& state, const std::string& port, const Link
                              link.node));
     return;
   }
-  if (!source.evaluation->outputs.contains(link.output)) {
+  if (source.evaluation->outputs.contains(link.output)) return;
+  if (!source.node->enabled) {
+    findings.push_back(fault(Category::Geometry, "E_STEP_OFF",
+                             in_quotes(node) + " needs the output '" + link.output + "' of " + in_quotes(*source.node) +
+                                 ", which is off: switch it on, or choose another input.",
+                             link.node));
+  } else {
     broken(" comes from the output '" + link.output + "' of " + in_quotes(*source.node) + ", which isn't there");
   }
 }
 
 }  // namespace
 
+std::map<std::string, Link> used_inputs(const NodeState& state) {
+  const Node& node = *state.node;
+  if (node.enabled || state.description.outputs.empty()) return node.inputs;
+  for (const PortDescription& port : state.description.inputs) {
+    const auto input = node.inputs.find(port.name);
+    if (port.type == state.description.outputs.front().type && input != node.inputs.end()) return {*input};
+  }
+  return {};
+}
+
+bool passes_on(const NodeState& state, const std::string& output) {
+  return !state.node->enabled && !state.in_circle && !state.description.outputs.empty() &&
+         state.description.outputs.front().name == output && !used_inputs(state).empty();
+}
+
 Findings faults_of(const NodeState& state, const NodeStates& inputs) {
   Findings findings = own_faults(state);
   if (!findings.empty() || state.node->source) return findings;
-  for (const auto& [port, link] : state.node->inputs) add_link_faults(state, port, link, inputs, findings);
+  for (const auto& [port, link] : used_inputs(state)) add_link_faults(state, port, link, inputs, findings);
   return findings;
 }
 

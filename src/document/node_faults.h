@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <string>
 
 #include "croquis/document/document.h"
 #include "croquis/document/evaluation.h"
@@ -19,6 +20,13 @@ struct NodeState {
 };
 
 using NodeStates = std::map<NodeId, const NodeState*>;
+
+/// The links whose values the node uses, by port name: all of a node that is on. One that is off uses the first input
+/// port that has the type of its first output and is linked, or none.
+std::map<std::string, Link> used_inputs(const NodeState& state);
+
+/// Whether the node is off and has an input to give in place of that output.
+bool passes_on(const NodeState& state, const std::string& output);
 
 /// Why a node can't be computed at all, each finding an error.
 /// @param inputs those nodes that its links lead to, as far as they are there

@@ -2,7 +2,6 @@
 #include "croquis/document/operation.h"
 
 #include <utility>
-#include <variant>
 
 #include "croquis/base/error.h"
 
@@ -11,8 +10,7 @@ namespace {
 
 bool fits(const PortDescription& port, const Values& values) {
   const auto given = values.find(port.name);
-  if (given == values.end() || type_of(given->second) != port.type) return false;
-  return std::visit([](const auto& content) { return content != nullptr; }, given->second);
+  return given != values.end() && given->second.type() == port.type && given->second.has_content();
 }
 
 void check_outputs(const OperationDescription& description, const Values& outputs) {

@@ -29,14 +29,13 @@ Finding internal(const std::string& reason) {
 
 }  // namespace
 
-OperationOutcome run_guarded(const Operation& operation, const Values& inputs, const ParameterValues& parameters,
-                             Context& context) {
+OperationOutcome guarded(const std::function<OperationResult()>& work, const Progress& progress) {
   try {
     OperationOutcome outcome;
-    outcome.result = run(operation, inputs, parameters, context);
+    outcome.result = work();
     return outcome;
   } catch (const Cancelled&) {
-    if (context.progress.cancelled()) throw;
+    if (progress.cancelled()) throw;
     return failure({internal("cancelled by nobody")});
   } catch (const Error& error) {
     return failure(error.findings());
@@ -46,6 +45,11 @@ OperationOutcome run_guarded(const Operation& operation, const Values& inputs, c
   } catch (const std::exception& exception) {
     return failure({internal(exception.what())});
   }
+}
+
+OperationOutcome run_guarded(const Operation& operation, const Values& inputs, const ParameterValues& parameters,
+                             Context& context) {
+  return guarded([&] { return run(operation, inputs, parameters, context); }, context.progress);
 }
 
 }  // namespace croquis

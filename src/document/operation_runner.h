@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+
 #include "croquis/document/operation.h"
 
 namespace croquis {
@@ -11,7 +13,11 @@ struct OperationOutcome {
   bool repeatable = true;  ///< false when the same inputs may well succeed at another time
 };
 
-/// Runs an operation and turns whatever it throws into findings.
+/// Does some work and turns whatever it throws into findings.
+/// @throws Cancelled alone
+OperationOutcome guarded(const std::function<OperationResult()>& work, const Progress& progress);
+
+/// Runs an operation in the same way.
 /// @throws Cancelled alone
 OperationOutcome run_guarded(const Operation& operation, const Values& inputs, const ParameterValues& parameters,
                              Context& context);

@@ -2,13 +2,11 @@
 #include "document/value_hashes.h"
 
 #include <algorithm>
-#include <variant>
 
 namespace croquis {
 
 ContentHash ValueHashes::of(const Value& value) {
-  const std::shared_ptr<const void> owner =
-      std::visit([](const auto& content) { return std::shared_ptr<const void>(content); }, value);
+  const std::shared_ptr<const void>& owner = value.content();
   // Without an owner it isn't known how long the address holds this value.
   if (owner.use_count() == 0) return content_hash(value);
   const Key key{owner, owner.get()};

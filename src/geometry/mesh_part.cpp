@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <span>
-#include <type_traits>
 #include <utility>
-#include <variant>
+
+#include "croquis/geometry/edge_channels.h"
 
 namespace croquis {
 namespace {
@@ -39,22 +39,6 @@ std::vector<Index> renumbered(std::span<const Index> vertices, const Renumbering
   std::vector<Index> result;
   result.reserve(vertices.size());
   for (const Index v : vertices) result.push_back(number[v]);
-  return result;
-}
-
-AttributeChannel selected(const AttributeChannel& channel, const KeptElements& kept) {
-  AttributeChannel result{channel.name, channel.domain, channel.width, {}, channel.labels};
-  const auto width = static_cast<std::size_t>(channel.width);
-  std::visit(
-      [&](const auto& values) {
-        std::remove_cvref_t<decltype(values)> some;
-        some.reserve(kept.size() * width);
-        for (const Index e : kept) {
-          for (std::size_t i = 0; i < width; ++i) some.push_back(values[e * width + i]);
-        }
-        result.data = std::move(some);
-      },
-      channel.data);
   return result;
 }
 
@@ -130,8 +114,10 @@ MeshPart part_of(const PolyMesh& mesh, const std::vector<bool>& keep_vertex, con
                                : channel.domain == Domain::Face ? part.faces
                                : channel.domain == Domain::Line ? lines
                                                                 : corners;
-    part.mesh.channels.push_back(selected(channel, kept));
+    // Those of edges stay whole until the part's edges are known.
+    part.mesh.channels.push_back(channel.domain == Domain::Edge ? channel : gathered(channel, kept));
   }
+  renumber_edge_channels(mesh, part.vertices, part.mesh);
   part.mesh.tags = TagSelection(number).apply(mesh.tags);
   return part;
 }

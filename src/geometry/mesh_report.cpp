@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include "croquis/geometry/bounds.h"
 #include "croquis/geometry/degenerate_faces.h"
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/geometry/self_intersection.h"
@@ -16,16 +17,6 @@
 
 namespace croquis {
 namespace {
-
-std::optional<std::array<Vec3, 2>> bounds_of(const PolyMesh& mesh) {
-  if (mesh.positions.empty()) return std::nullopt;
-  std::array<Vec3, 2> bounds = {mesh.positions.front(), mesh.positions.front()};
-  for (const Vec3& position : mesh.positions) {
-    bounds[0] = bounds[0].cwiseMin(position);
-    bounds[1] = bounds[1].cwiseMax(position);
-  }
-  return bounds;
-}
 
 /// Twice the area of a triangle and six times the volume of the cone from it to `origin`.
 std::pair<double, double> measure_triangle(const PolyMesh& mesh, std::span<const Index> face, const Vec3& origin) {

@@ -121,6 +121,23 @@ void check_channels(const PolyMesh& mesh, Collector& collector) {
   }
 }
 
+/// Distinct pairs of different vertices that follow one another in a face. Also of a mesh that isn't usable: offsets
+/// beyond the corners are cut off there.
+std::size_t count_edges(const PolyMesh& mesh) {
+  std::vector<std::array<Index, 2>> edges;
+  edges.reserve(mesh.corners.size());
+  for (std::size_t f = 0; f + 1 < mesh.face_offsets.size(); ++f) {
+    const std::size_t end = std::min<std::size_t>(mesh.face_offsets[f + 1], mesh.corners.size());
+    for (std::size_t c = mesh.face_offsets[f]; c < end; ++c) {
+      const Index a = mesh.corners[c];
+      const Index b = mesh.corners[c + 1 == end ? mesh.face_offsets[f] : c + 1];
+      if (a != b) edges.push_back({std::min(a, b), std::max(a, b)});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  return static_cast<std::size_t>(std::unique(edges.begin(), edges.end()) - edges.begin());
+}
+
 }  // namespace
 
 std::size_t AttributeChannel::size() const {
@@ -145,8 +162,14 @@ std::size_t PolyMesh::element_count(Domain domain) const {
     case Domain::Face: return face_count();
     case Domain::Corner: return corners.size();
     case Domain::Line: return line_count();
+    case Domain::Edge: return count_edges(*this);
   }
   return 0;
+}
+
+bool PolyMesh::has_edge_channels() const {
+  return std::any_of(channels.begin(), channels.end(),
+                     [](const AttributeChannel& channel) { return channel.domain == Domain::Edge; });
 }
 
 const AttributeChannel* PolyMesh::channel(std::string_view name, Domain domain) const {

@@ -14,6 +14,7 @@ const char* name_of(Domain domain) {
     case Domain::Face: return "faces";
     case Domain::Corner: return "corners";
     case Domain::Line: return "polylines";
+    case Domain::Edge: return "edges";
   }
   return "";
 }

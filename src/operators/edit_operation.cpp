@@ -82,7 +82,7 @@ OperationDescription EditOperation::describe() const {
 
 OperationResult EditOperation::compute(const Values& inputs, const ParameterValues& parameters,
                                        Context& context) const {
-  const PolyMesh& mesh = *std::get<std::shared_ptr<const PolyMesh>>(inputs.at("mesh"));
+  const PolyMesh& mesh = inputs.at("mesh").get<PolyMesh>();
   check_connectivity(mesh, text(parameters, "connectivity"));
   const std::vector<EditLine> lines = parse_edit_lines(text(parameters, "do"), all_edits());
   EditedMesh edited = apply_edits(mesh, lines, all_edits(), context.progress);

@@ -67,10 +67,10 @@ Report details_of(const Fairing& fairing, const FairCage& cage, double weight) {
 
 /// The cage with the tags of the other input, where that is there.
 std::shared_ptr<const PolyMesh> tagged_cage(const Values& inputs, Findings& warnings) {
-  const auto& cage = std::get<std::shared_ptr<const PolyMesh>>(inputs.at("cage"));
+  const auto cage = inputs.at("cage").as<PolyMesh>();
   const auto tags = inputs.find("tags");
   if (tags == inputs.end()) return cage;
-  MeshTagsReadResult read = read_mesh_tags(*std::get<std::shared_ptr<const Report>>(tags->second));
+  MeshTagsReadResult read = read_mesh_tags(tags->second.get<Report>());
   warnings = std::move(read.warnings);
   PolyMesh mesh = *cage;
   mesh.tags = united_tags(mesh.tags, read.tags);

@@ -91,7 +91,7 @@ OperationDescription FillOperation::describe() const {
 
 OperationResult FillOperation::compute(const Values& inputs, const ParameterValues& parameters,
                                        Context& context) const {
-  const auto& scan = std::get<std::shared_ptr<const PolyMesh>>(inputs.at("scan"));
+  const auto scan = inputs.at("scan").as<PolyMesh>();
   const FillSettings settings = read_fill_settings(parameters);
   OperationResult result = settings.list_only ? list_holes(scan, settings.options.fill, context.progress)
                            : settings.remesh  ? remesh_scan(*scan, settings, context)

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "croquis/geometry/affine3.h"
 #include "croquis/silhouette/labelled_figure.h"
 #include "croquis/silhouette/solid.h"
 #include "operators/attach_parameter.h"
@@ -30,6 +31,12 @@ Options read_inflate_options(const ParameterValues& parameters) {
   options.depth.minimum_gap = number(parameters, "min-gap");
   options.attach = parse_attached_pairs(std::get<std::string>(parameters.at("attach")));
   return options;
+}
+
+/// Solids are made over the plane z = 0; nothing changes for drawings that lie there.
+Value on_plane(PolyMesh mesh, const DrawingPlane& plane) {
+  if (!plane.is_default()) mesh = transformed(mesh, frame_of(plane));
+  return std::make_shared<const PolyMesh>(std::move(mesh));
 }
 
 }  // namespace
@@ -86,7 +93,7 @@ OperationDescription InflateOperation::describe() const {
 
 OperationResult InflateOperation::compute(const Values& inputs, const ParameterValues& parameters,
                                           Context& context) const {
-  const Drawing& drawing = *std::get<std::shared_ptr<const Drawing>>(inputs.at("drawing"));
+  const Drawing& drawing = inputs.at("drawing").get<Drawing>();
   Options options = read_inflate_options(parameters);
   options.quality = context.quality == Quality::Draft ? silhouette::Quality::Draft : silhouette::Quality::Final;
   MemoStageCache cache(context.memo);
@@ -101,8 +108,8 @@ OperationResult InflateOperation::compute(const Values& inputs, const ParameterV
   result.warnings.insert(result.warnings.end(), solid.findings.begin(), solid.findings.end());
   result.outputs["details"] = std::make_shared<const Report>(inflate_details(drawing, labelled, solid));
   result.outputs["labels"] = std::make_shared<const Drawing>(label_drawing(drawing, labelled));
-  result.outputs["skeleton"] = std::make_shared<const PolyMesh>(std::move(solid.skeleton));
-  result.outputs["mesh"] = std::make_shared<const PolyMesh>(std::move(solid.mesh));
+  result.outputs["skeleton"] = on_plane(std::move(solid.skeleton), drawing.plane);
+  result.outputs["mesh"] = on_plane(std::move(solid.mesh), drawing.plane);
   return result;
 }
 

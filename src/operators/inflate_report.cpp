@@ -168,6 +168,7 @@ Report inflate_details(const Drawing& drawing, const LabelledDrawing& labelled, 
 Drawing label_drawing(const Drawing& drawing, const LabelledDrawing& labelled) {
   Drawing labels;
   labels.file = drawing.file;
+  labels.plane = drawing.plane;
   std::size_t first_contour = 0;
   for (const LabelledFigure& figure : labelled.figures) {
     for (const FigureArc& arc : figure.arcs) {

@@ -27,9 +27,9 @@ void append(Findings& all, const Findings& more) { all.insert(all.end(), more.be
 
 /// The cage with all the tags that count.
 PolyMesh tagged_cage(const Values& inputs, const SubdivideSettings& settings, Findings& warnings) {
-  PolyMesh mesh = *std::get<std::shared_ptr<const PolyMesh>>(inputs.at("cage"));
+  PolyMesh mesh = inputs.at("cage").get<PolyMesh>();
   if (const auto tags = inputs.find("tags"); tags != inputs.end()) {
-    const MeshTagsReadResult read = read_mesh_tags(*std::get<std::shared_ptr<const Report>>(tags->second));
+    const MeshTagsReadResult read = read_mesh_tags(tags->second.get<Report>());
     append(warnings, read.warnings);
     mesh.tags = united_tags(mesh.tags, read.tags);
   }

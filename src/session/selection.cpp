@@ -7,17 +7,12 @@
 #include <set>
 #include <string_view>
 #include <utility>
-#include <variant>
 
 namespace croquis {
 namespace {
 
 /// The drawing a node is a source of, or null.
-const Drawing* drawing_of(const Node& node) {
-  if (!node.source) return nullptr;
-  const auto* drawing = std::get_if<std::shared_ptr<const Drawing>>(&*node.source);
-  return drawing == nullptr ? nullptr : drawing->get();
-}
+const Drawing* drawing_of(const Node& node) { return node.source ? node.source->as<Drawing>().get() : nullptr; }
 
 /// Looks up many items with one pass over each drawing.
 class Existence {
@@ -47,9 +42,7 @@ class Existence {
 
 std::shared_ptr<const PolyMesh> source_mesh(const Document& document, NodeId id) {
   const Node* node = document.find(id);
-  if (node == nullptr || !node->source) return nullptr;
-  const auto* mesh = std::get_if<std::shared_ptr<const PolyMesh>>(&*node->source);
-  return mesh == nullptr ? nullptr : *mesh;
+  return node == nullptr || !node->source ? nullptr : node->source->as<PolyMesh>();
 }
 
 namespace {

@@ -19,7 +19,8 @@ bool same_source(const Node& a, const Node& b) {
 
 bool same_content(const Node& a, const Node& b) {
   return a.id == b.id && a.name == b.name && a.operation == b.operation && a.version == b.version &&
-         a.parameters == b.parameters && a.inputs == b.inputs && a.visible == b.visible && same_source(a, b);
+         a.parameters == b.parameters && a.inputs == b.inputs && a.visible == b.visible && a.transform == b.transform &&
+         a.enabled == b.enabled && same_source(a, b);
 }
 
 bool same_content(const Document& a, const Document& b) {

@@ -11,9 +11,8 @@
 namespace croquis {
 namespace {
 
-const std::shared_ptr<const Drawing>* drawing_of(const Node* node) {
-  if (node == nullptr || !node->source) return nullptr;
-  return std::get_if<std::shared_ptr<const Drawing>>(&*node->source);
+std::shared_ptr<const Drawing> drawing_of(const Node* node) {
+  return node == nullptr || !node->source ? nullptr : node->source->as<Drawing>();
 }
 
 std::vector<std::string> modifier_names(const Modifiers& modifiers) {
@@ -296,10 +295,7 @@ NodeId SketchTool::node() const {
   return 0;
 }
 
-std::shared_ptr<const Drawing> SketchTool::drawing() const {
-  const auto* found = drawing_of(session_.document().find(node()));
-  return found == nullptr ? nullptr : *found;
-}
+std::shared_ptr<const Drawing> SketchTool::drawing() const { return drawing_of(session_.document().find(node())); }
 
 Document SketchTool::with_drawing(Drawing drawing) const {
   const Document& document = session_.document();

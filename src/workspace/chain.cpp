@@ -25,7 +25,7 @@ Link main_link(const Node& node, const Registry& registry) {
 }
 
 std::optional<ValueType> main_type(const Node& node, const Registry& registry) {
-  if (node.source) return type_of(*node.source);
+  if (node.source) return node.source->type();
   const Operation* operation = registry.find(node.operation);
   if (operation == nullptr) return std::nullopt;
   const OperationDescription description = operation->describe();

@@ -8,17 +8,14 @@
 namespace croquis {
 
 std::shared_ptr<const PolyMesh> mesh_in(const Node& node) {
-  if (!node.source) return nullptr;
-  const auto* mesh = std::get_if<std::shared_ptr<const PolyMesh>>(&*node.source);
-  return mesh == nullptr ? nullptr : *mesh;
+  return node.source ? node.source->as<PolyMesh>() : nullptr;
 }
 
 std::shared_ptr<const PolyMesh> mesh_of(const Evaluation& evaluation, const Operation& operation) {
   const OperationDescription description = operation.describe();
   const PortDescription* port = main_output(description);
   const auto output = port == nullptr ? evaluation.outputs.end() : evaluation.outputs.find(port->name);
-  if (output == evaluation.outputs.end() || type_of(output->second) != ValueType::Mesh) return nullptr;
-  return std::get<std::shared_ptr<const PolyMesh>>(output->second);
+  return output == evaluation.outputs.end() ? nullptr : output->second.as<PolyMesh>();
 }
 
 std::vector<WorkObject> objects_of(const Document& document, const Registry& registry) {

@@ -128,8 +128,8 @@ bool Workspace::busy() const {
 bool Workspace::begins_empty(const WorkObject& object) const {
   const Node* first = session_.document().find(object.chain.front());
   if (first == nullptr || !first->source) return false;
-  const auto* drawing = std::get_if<std::shared_ptr<const Drawing>>(&*first->source);
-  return drawing != nullptr && (*drawing)->strokes.empty();
+  const auto drawing = first->source->as<Drawing>();
+  return drawing && drawing->strokes.empty();
 }
 
 bool Workspace::wants_evaluation(const WorkObject& object) const {

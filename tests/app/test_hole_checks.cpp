@@ -37,7 +37,7 @@ PolyMesh refined_mug_with_holes(const std::string& scheme, std::uint64_t seed) {
   const Registry operations = all_operations();
   const OperationResult refined =
       run(*operations.find("subdivide"), {{"cage", mug}}, {{"scheme", scheme}, {"levels", std::int64_t{3}}}, context);
-  const auto& surface = std::get<std::shared_ptr<const PolyMesh>>(refined.outputs.at("mesh"));
+  const auto surface = refined.outputs.at("mesh").as<PolyMesh>();
   return without_loose_vertices(random_cuts(*surface, seed, 3, 0.15, 0.35).mesh);
 }
 

@@ -171,7 +171,7 @@ void draw_by_hand(const test::Sketch& sketch) {
     CHECK(finding.severity != Severity::Error);
   }
   REQUIRE(!result->failed);
-  const auto& details = std::get<std::shared_ptr<const Report>>(result->outputs.at("details"));
+  const auto details = result->outputs.at("details").as<Report>();
   CHECK(static_cast<int>(details->at("objects").as_array().size()) == sketch.truth.components);
 }
 

@@ -22,7 +22,7 @@ bool is_ink(const QColor& color) { return color.lightness() < 90; }
 std::size_t objects_shown(StudioFixture& hand) {
   const auto result = hand.studio().result();
   if (!result || result->failed) return 0;
-  const auto& details = std::get<std::shared_ptr<const Report>>(result->outputs.at("details"));
+  const auto details = result->outputs.at("details").as<Report>();
   return details->at("objects").as_array().size();
 }
 

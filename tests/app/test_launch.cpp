@@ -92,7 +92,7 @@ TEST_CASE("a killed studio leaves its work to the next one", "[launch]") {
   croquis::Progress progress;
   const croquis::Document document = croquis::recover(left.front().file, progress).document;
   REQUIRE(document.nodes().size() == 2);
-  const auto& drawing = std::get<std::shared_ptr<const croquis::Drawing>>(*document.nodes().front()->source);
+  const auto drawing = document.nodes().front()->source->as<Drawing>();
   CHECK(drawing->strokes.size() == 16);
 }
 

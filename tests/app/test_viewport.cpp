@@ -93,7 +93,7 @@ TEST_CASE("a joint is offered where a limb meets the body, and one click makes a
   REQUIRE(joint != nullptr);
   REQUIRE(joint->isVisible());
   const auto parts = [&] {
-    const auto& details = std::get<std::shared_ptr<const Report>>(hand.studio().result()->outputs.at("details"));
+    const auto details = hand.studio().result()->outputs.at("details").as<Report>();
     return details->at("shells").as_array().size();
   };
   const std::size_t apart = parts();

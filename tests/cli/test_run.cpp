@@ -146,7 +146,7 @@ TEST_CASE("meshes that come into one file bring their tags along") {
 
 TEST_CASE("a node that fails is a warning beside others, and an error alone") {
   const ScratchFolder folder;
-  Drawing crossed = *std::get<std::shared_ptr<const Drawing>>(circle(80));
+  Drawing crossed = circle(80).get<Drawing>();
   Drawing other = crossed;
   for (StrokeSample& sample : other.strokes[0].samples) sample.position.x() += 60;
   other.strokes[0].id = "other";

@@ -107,7 +107,10 @@ TEST_CASE("every field of a drawing counts in its hash") {
                                     [](Drawing& d) { d.strokes.clear(); },
                                     [](Drawing& d) { d.object_data["body"]["weight-curvature"] = "0.6"; },
                                     [](Drawing& d) { d.object_data["tail"] = {}; },
-                                    [](Drawing& d) { d.file = "dog.svg"; }};
+                                    [](Drawing& d) { d.file = "dog.svg"; },
+                                    [](Drawing& d) { d.plane.origin.z() = 1; },
+                                    [](Drawing& d) { d.plane.u = Vec3::UnitZ(); },
+                                    [](Drawing& d) { d.plane.v = Vec3::UnitZ(); }};
   check_changes<Drawing>(small_drawing, changes, hash_of_value<Drawing>);
 }
 
@@ -123,6 +126,7 @@ TEST_CASE("every field of a mesh counts in its hash") {
       [](PolyMesh& m) { m.line_offsets.push_back(3); },
       [](PolyMesh& m) { m.channels[0].name = "object"; },
       [](PolyMesh& m) { m.channels[0].domain = Domain::Vertex; },
+      [](PolyMesh& m) { m.channels[0].domain = Domain::Edge; },
       [](PolyMesh& m) { m.channels[1].width = 1; },
       [](PolyMesh& m) { m.channels[0].labels[1] = "up"; },
       [](PolyMesh& m) { std::get<std::vector<std::int32_t>>(m.channels[0].data)[3] = 0; },
@@ -205,7 +209,12 @@ TEST_CASE("every field of a node counts in its document's hash") {
                                  },
                                  [](Node& n) { n.source = test::point(1); },
                                  [](Node& n) { n.source = test::point(2); },
-                                 [](Node& n) { n.visible = false; }};
+                                 [](Node& n) { n.visible = false; },
+                                 [](Node& n) { n.enabled = false; },
+                                 [](Node& n) { n.enabled = n.visible = false; },
+                                 [](Node& n) { n.transform.offset.y() = 1; },
+                                 [](Node& n) { n.transform.linear(0, 1) = 1; },
+                                 [](Node& n) { n.transform.linear(1, 0) = 1; }};
   check_changes<Node>(small_node, changes, [](const Node& node) { return content_hash(Document().with(node)); });
 }
 

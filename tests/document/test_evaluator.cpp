@@ -85,7 +85,7 @@ TEST_CASE("an optional input may be absent, and must fit when it isn't") {
   add_operation(f.registry, description, [](const Values& inputs, const ParameterValues& parameters, Context&) {
     OperationResult result = test::scaled(inputs, parameters);
     const auto name = inputs.find("name");
-    const std::string word = name == inputs.end() ? "nobody" : std::get<2>(name->second)->as_string();
+    const std::string word = name == inputs.end() ? "nobody" : name->second.get<Report>().as_string();
     result.warnings.push_back(make_warning(Category::Geometry, word, word));
     return result;
   });

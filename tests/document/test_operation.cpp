@@ -25,7 +25,7 @@ class Scale final : public Operation {
 
   OperationResult compute(const Values& inputs, const ParameterValues& parameters, Context&) const override {
     ++calls_;
-    PolyMesh mesh = *std::get<std::shared_ptr<const PolyMesh>>(inputs.at("mesh"));
+    PolyMesh mesh = inputs.at("mesh").get<PolyMesh>();
     for (Vec3& position : mesh.positions) position *= std::get<double>(parameters.at("factor"));
     return {{{"mesh", std::make_shared<const PolyMesh>(std::move(mesh))}}, {}};
   }
@@ -41,9 +41,7 @@ Value point_mesh() {
   return std::make_shared<const PolyMesh>(std::move(mesh));
 }
 
-Vec3 scaled_point(const OperationResult& result) {
-  return std::get<std::shared_ptr<const PolyMesh>>(result.outputs.at("mesh"))->positions.front();
-}
+Vec3 scaled_point(const OperationResult& result) { return result.outputs.at("mesh").as<PolyMesh>()->positions.front(); }
 
 TEST_CASE("an operation runs with the defaults of its description") {
   int calls = 0;

@@ -9,7 +9,8 @@
 /// kind.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
-  const auto type = static_cast<croquis::ValueType>(data[0] % 3);
+  const auto types = croquis::value_types();
+  const croquis::ValueType type = types[data[0] % types.size()];
   const std::string broken = croquis::test::broken_value(type, {reinterpret_cast<const char*>(data) + 1, size - 1});
   if (broken.empty()) return 0;
   std::fprintf(stderr, "%s\n", broken.c_str());

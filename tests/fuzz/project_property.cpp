@@ -5,8 +5,8 @@
 #include <set>
 
 #include "croquis/base/error.h"
+#include "croquis/document/value_bytes.h"
 #include "croquis/io/project_file.h"
-#include "io/project/value_bytes.h"
 
 namespace croquis::test {
 namespace {
@@ -17,25 +17,30 @@ bool lists_are_whole(const std::vector<Index>& offsets, const std::vector<Index>
          std::all_of(vertices.begin(), vertices.end(), [&](Index vertex) { return vertex < vertex_count; });
 }
 
-struct UsableCheck {
-  std::string operator()(const std::shared_ptr<const PolyMesh>& mesh) const {
-    if (!lists_are_whole(mesh->face_offsets, mesh->corners, mesh->vertex_count())) return "faces are not whole";
-    if (!lists_are_whole(mesh->line_offsets, mesh->line_vertices, mesh->vertex_count())) return "lines are not whole";
-    for (const AttributeChannel& channel : mesh->channels) {
-      const std::size_t elements = mesh->element_count(channel.domain);
-      if (channel.width < 1 || channel.size() != elements * static_cast<std::size_t>(channel.width)) {
-        return "a channel has a wrong length";
-      }
+std::string broken_mesh(const PolyMesh& mesh) {
+  if (!lists_are_whole(mesh.face_offsets, mesh.corners, mesh.vertex_count())) return "faces are not whole";
+  if (!lists_are_whole(mesh.line_offsets, mesh.line_vertices, mesh.vertex_count())) return "lines are not whole";
+  for (const AttributeChannel& channel : mesh.channels) {
+    const std::size_t elements = mesh.element_count(channel.domain);
+    if (channel.width < 1 || channel.size() != elements * static_cast<std::size_t>(channel.width)) {
+      return "a channel has a wrong length";
     }
-    return "";
   }
-  std::string operator()(const std::shared_ptr<const Drawing>& drawing) const {
-    const auto& strokes = drawing->strokes;
-    const bool bare = std::any_of(strokes.begin(), strokes.end(), [](const auto& s) { return s.samples.empty(); });
-    return bare ? "a stroke has no samples" : "";
-  }
-  std::string operator()(const std::shared_ptr<const Report>&) const { return ""; }
-};
+  return "";
+}
+
+std::string broken_drawing(const Drawing& drawing) {
+  const auto& strokes = drawing.strokes;
+  if (!drawing.plane.is_orthonormal()) return "the plane has no right angle";
+  const bool bare = std::any_of(strokes.begin(), strokes.end(), [](const auto& s) { return s.samples.empty(); });
+  return bare ? "a stroke has no samples" : "";
+}
+
+std::string broken_content(const Value& value) {
+  if (const auto mesh = value.as<PolyMesh>()) return broken_mesh(*mesh);
+  if (const auto drawing = value.as<Drawing>()) return broken_drawing(*drawing);
+  return "";
+}
 
 std::string wrong_findings(const Error& error) {
   if (!has_errors(error.findings())) return "an error without errors";
@@ -60,7 +65,7 @@ std::string broken_project(std::string_view bytes) {
   for (const auto& node : project.document.nodes()) {
     if (node->id == 0 || node->id >= project.document.next_id()) return "an id is out of range";
     if (!ids.insert(node->id).second) return "two nodes have one id";
-    const std::string broken = node->source ? std::visit(UsableCheck{}, *node->source) : "";
+    const std::string broken = node->source ? broken_content(*node->source) : "";
     if (!broken.empty()) return broken;
   }
   return "";
@@ -69,7 +74,7 @@ std::string broken_project(std::string_view bytes) {
 std::string broken_value(ValueType type, std::string_view bytes) {
   try {
     const Value value = decode(type, bytes);
-    const std::string broken = std::visit(UsableCheck{}, value);
+    const std::string broken = broken_content(value);
     if (!broken.empty()) return broken;
     const std::string written = encode(value);
     return encode(decode(type, written)) == written ? "" : "it reads back differently";

@@ -66,7 +66,7 @@ std::vector<T> random_values(Random& random, std::size_t count) {
 AttributeChannel random_channel(Random& random, const PolyMesh& mesh) {
   AttributeChannel channel;
   channel.name = random_text(random);
-  channel.domain = static_cast<Domain>(random.below(4));
+  channel.domain = static_cast<Domain>(random.below(5));
   channel.width = static_cast<int>(1 + random.below(4));
   const std::size_t count = mesh.element_count(channel.domain) * static_cast<std::size_t>(channel.width);
   switch (random.below(8)) {
@@ -144,6 +144,11 @@ Node random_node(Random& random, const Document& document) {
   node.name = random_text(random);
   node.visible = random.below(2) == 0;
   node.version = static_cast<int>(random.below(5)) - 1;
+  if (random.below(4) == 0) {
+    for (double& number : node.transform.linear.reshaped()) number = random.between(-10, 10);
+    for (double& coordinate : node.transform.offset) coordinate = random.between(-10, 10);
+  }
+  node.enabled = random.below(4) != 0;
   if (document.nodes().empty() || random.below(2) == 0) {
     node.source = random_value(random);
     return node;
@@ -225,7 +230,8 @@ bool same(const MeshTags& a, const MeshTags& b) {
 }
 
 bool same(const Drawing& a, const Drawing& b) {
-  return a.file == b.file && a.object_data == b.object_data && same_elements(a.strokes, b.strokes);
+  return a.file == b.file && a.plane == b.plane && a.object_data == b.object_data &&
+         same_elements(a.strokes, b.strokes);
 }
 
 bool same(const PolyMesh& a, const PolyMesh& b) {
@@ -235,10 +241,10 @@ bool same(const PolyMesh& a, const PolyMesh& b) {
 }
 
 bool same(const Value& a, const Value& b) {
-  const auto same_content = [&b](const auto& pointer) {
-    return same(*pointer, *std::get<std::decay_t<decltype(pointer)>>(b));
-  };
-  return a.index() == b.index() && std::visit(same_content, a);
+  if (a.type() != b.type()) return false;
+  if (const auto mesh = a.as<PolyMesh>()) return same(*mesh, b.get<PolyMesh>());
+  if (const auto drawing = a.as<Drawing>()) return same(*drawing, b.get<Drawing>());
+  return same(a.get<Report>(), b.get<Report>());
 }
 
 bool same(const ParameterValue& a, const ParameterValue& b) {
@@ -262,6 +268,7 @@ std::string difference(const Node& a, const Node& b) {
   if (a.version != b.version || a.visible != b.visible) return "versions or visibilities differ";
   if (!same_parameters(a.parameters, b.parameters)) return "parameters differ";
   if (a.inputs != b.inputs) return "inputs differ";
+  if (a.transform != b.transform || a.enabled != b.enabled) return "transforms differ, or one is off";
   if (a.source.has_value() != b.source.has_value()) return "one is a source";
   return !a.source || same(*a.source, *b.source) ? "" : "sources differ";
 }
@@ -289,6 +296,8 @@ PolyMesh random_mesh(Random& random) {
 Drawing random_drawing(Random& random) {
   Drawing drawing;
   drawing.file = random_text(random);
+  if (random.below(3) == 0)
+    drawing.plane = {Vec3(random_number(random) > 0 ? 1 : -2, 0.5, 3), Vec3(0, 0.6, 0.8), Vec3(-1, 0, 0)};
   for (std::uint32_t i = random.below(5); i > 0; --i) drawing.strokes.push_back(random_stroke(random));
   for (std::uint32_t i = random.below(3); i > 0; --i) drawing.object_data[random_text(random)] = random_texts(random);
   return drawing;

@@ -197,6 +197,18 @@ TEST_CASE("what OBJ and OFF can't hold is told in one warning that names it") {
   }
 }
 
+TEST_CASE("no format of meshes can hold attributes of edges, and each says so") {
+  PolyMesh mesh = tetrahedron();
+  mesh.channels.push_back({"weight", Domain::Edge, 1, std::vector<float>(6, 1), {}});
+  for (const MeshFormat format :
+       {MeshFormat::Obj, MeshFormat::Ply, MeshFormat::Stl, MeshFormat::Off, MeshFormat::Glb}) {
+    const Findings warnings = write(mesh, format).warnings;
+    REQUIRE(warnings.size() == 1);
+    CHECK(warnings[0].code == "W_FORMAT_LOSS");
+    CHECK_THAT(warnings[0].message, Catch::Contains("'weight' of edges"));
+  }
+}
+
 TEST_CASE("every format but OBJ says that it can't hold tags") {
   PolyMesh mesh = tetrahedron();
   mesh.tags = {{{{0, 1}, 2}}, {1, 2}, {}};

@@ -8,10 +8,10 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
+#include "croquis/document/value_bytes.h"
 #include "croquis/io/file.h"
 #include "croquis/io/project_file.h"
 #include "fuzz/project_property.h"
-#include "io/project/value_bytes.h"
 #include "io/random_project.h"
 #include "io/scratch.h"
 #include "support/mesh_shapes.h"
@@ -202,11 +202,11 @@ TEST_CASE("missing and wrong parts are named one by one") {
 
 TEST_CASE("a newer schema is followed where it says so, with a word about what is left out") {
   const Document document = small_document();
-  CHECK(refusal(edited(document, "PRAGMA user_version=2")) == "E_PROJECT_VERSION");
-  CHECK(refusal(edited(document, "PRAGMA user_version=9; INSERT INTO meta VALUES('readable_since', '2')")) ==
+  CHECK(refusal(edited(document, "PRAGMA user_version=3")) == "E_PROJECT_VERSION");
+  CHECK(refusal(edited(document, "PRAGMA user_version=9; INSERT INTO meta VALUES('readable_since', '3')")) ==
         "E_PROJECT_VERSION");
   const ProjectFile project = read(edited(document,
-                                          "PRAGMA user_version=2; INSERT INTO meta VALUES('readable_since', '1');"
+                                          "PRAGMA user_version=3; INSERT INTO meta VALUES('readable_since', '1');"
                                           "ALTER TABLE nodes ADD COLUMN colour TEXT; CREATE TABLE layers(name);"));
   CHECK(difference(document, project.document) == "");
   CHECK(has_warning(project, "W_PROJECT_NEWER", "newer"));
@@ -253,7 +253,7 @@ TEST_CASE("inputs that once broke the project reader stay harmless") {
         INFO(entry.path());
         const std::string bytes = read_file(entry.path().string());
         REQUIRE_FALSE(bytes.empty());
-        const auto type = static_cast<ValueType>(static_cast<unsigned char>(bytes[0]) % 3);
+        const ValueType type = value_types()[static_cast<unsigned char>(bytes[0]) % value_types().size()];
         CHECK((target == std::string("croq") ? broken_project(bytes) : broken_value(type, bytes.substr(1))) == "");
         ++replayed;
       }

@@ -13,9 +13,9 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
+#include "croquis/document/value_bytes.h"
 #include "croquis/io/file.h"
 #include "croquis/io/project_file.h"
-#include "io/project/value_bytes.h"
 #include "io/random_project.h"
 #include "io/scratch.h"
 #include "support/mesh_shapes.h"
@@ -136,8 +136,8 @@ TEST_CASE("only meshes with tags need a layout that older versions don't know") 
   CHECK(plain[0] == 1);
   CHECK(tagged[0] == 2);
   CHECK(tagged.substr(4, plain.size() - 4) == plain.substr(4));
-  CHECK(std::get<0>(decode(ValueType::Mesh, tagged))->tags == mesh.tags);
-  CHECK(std::get<0>(decode(ValueType::Mesh, plain))->tags.empty());
+  CHECK(decode(ValueType::Mesh, tagged).get<PolyMesh>().tags == mesh.tags);
+  CHECK(decode(ValueType::Mesh, plain).get<PolyMesh>().tags.empty());
   for (const char layout : {'\0', '\3', '\1'}) {
     std::string other = tagged;
     other[0] = layout;
@@ -149,6 +149,54 @@ TEST_CASE("only meshes with tags need a layout that older versions don't know") 
   for (std::size_t length = plain.size(); length < tagged.size(); ++length) {
     CHECK_THROWS_AS(decode(ValueType::Mesh, tagged.substr(0, length)), BadBytes);
   }
+}
+
+TEST_CASE("only drawings on another plane need a layout that older versions don't know") {
+  Drawing drawing;
+  drawing.file = "cat.svg";
+  const auto bytes_of = [](const Drawing& d) { return encode(std::make_shared<const Drawing>(d)); };
+  const std::string plain = bytes_of(drawing);
+  drawing.plane = {Vec3(1, 2, 3), Vec3(0, 0.6, 0.8), Vec3(1, 0, 0)};
+  const std::string placed = bytes_of(drawing);
+  CHECK(plain[0] == 1);
+  CHECK(placed[0] == 2);
+  CHECK(placed.substr(4, plain.size() - 4) == plain.substr(4));
+  CHECK(placed.size() == plain.size() + 72);
+  CHECK(decode(ValueType::Drawing, placed).get<Drawing>().plane == drawing.plane);
+  drawing.plane.v = Vec3(0, 1, 0);
+  CHECK_THROWS_AS(decode(ValueType::Drawing, bytes_of(drawing)), BadBytes);
+}
+
+TEST_CASE("only projects with transforms or nodes that are off need the second schema, which the first can follow") {
+  const Scratch folder;
+  const auto schema = [&] {
+    const std::string bytes = read_file((folder / "a.croq").string());
+    return static_cast<int>(bytes[63]);  // the last byte of user_version
+  };
+  Node node = *one_node("cube").nodes()[0];
+  save(folder / "a.croq", Document().with(node));
+  const std::string plain = read_file((folder / "a.croq").string());
+  CHECK(schema() == 1);
+  CHECK(plain.find("transforms") == std::string::npos);
+  CHECK(plain.find("readable_since") == std::string::npos);
+
+  node.transform.linear(0, 2) = -2.5;
+  node.transform.offset = Vec3(0.1, -0.0, 1e300);
+  Node off = node;
+  off.id = 0;
+  off.transform = {};
+  off.enabled = false;
+  const Document document = Document().with(node).with(off);
+  save(folder / "a.croq", document);
+  CHECK(schema() == 2);
+  CHECK(read_file((folder / "a.croq").string()).find("readable_since1") != std::string::npos);
+  const ProjectFile loaded = load(folder / "a.croq");
+  CHECK(loaded.warnings.empty());
+  CHECK(difference(document, loaded.document) == "");
+
+  node.transform = {};
+  save(folder / "a.croq", Document().with(node));
+  CHECK(read_file((folder / "a.croq").string()) == plain);
 }
 
 TEST_CASE("a project in memory reads like one on disk") {
@@ -173,8 +221,8 @@ TEST_CASE("nodes that share a value share it in the file and after loading") {
   save(folder / "a.croq", document);
   CHECK(fs::file_size(folder / "a.croq") < 1'000'000);
   const Document loaded = load(folder / "a.croq").document;
-  const auto first = std::get<std::shared_ptr<const PolyMesh>>(*loaded.nodes()[0]->source);
-  for (const auto& node : loaded.nodes()) CHECK(std::get<std::shared_ptr<const PolyMesh>>(*node->source) == first);
+  const auto first = loaded.nodes()[0]->source->as<PolyMesh>();
+  for (const auto& node : loaded.nodes()) CHECK(node->source->as<PolyMesh>() == first);
 }
 
 TEST_CASE("a value larger than one chunk survives") {

@@ -78,6 +78,50 @@ double tagged_length(const PolyMesh& mesh, double sharpness) {
   return sum;
 }
 
+/// Each edge's value is its length: what is carried over to another edge shows.
+void add_lengths(PolyMesh& mesh) {
+  const MeshTopology topology(mesh);
+  std::vector<double> lengths;
+  for (Index e = 0; e < topology.edge_count(); ++e) {
+    const auto [a, b] = topology.edge_vertices(e);
+    lengths.push_back((mesh.positions[a] - mesh.positions[b]).norm());
+  }
+  mesh.channels.push_back({"length", Domain::Edge, 1, lengths, {}});
+}
+
+/// How many edges have no value; all others must have their lengths.
+std::size_t edges_without_value(const PolyMesh& mesh) {
+  CHECK(validate(mesh).empty());
+  const MeshTopology topology(mesh);
+  const auto& lengths = std::get<std::vector<double>>(mesh.channel("length", Domain::Edge)->data);
+  REQUIRE(lengths.size() == topology.edge_count());
+  std::size_t without = 0;
+  for (Index e = 0; e < topology.edge_count(); ++e) {
+    if (std::isnan(lengths[e])) {
+      ++without;
+      continue;
+    }
+    const auto [a, b] = topology.edge_vertices(e);
+    CHECK(lengths[e] == Approx((mesh.positions[a] - mesh.positions[b]).norm()));
+  }
+  return without;
+}
+
+TEST_CASE("edges whose ends survive an edit keep their values, new ones have none") {
+  PolyMesh mesh = test::grid(4, 3);
+  for (Vec3& position : mesh.positions) position.x() += 0.1 * position.x() * position.x() + 0.03 * position.y();
+  add_lengths(mesh);
+  const MeshTopology topology(mesh);
+  CHECK(edges_without_value(delete_faces(mesh, topology, std::vector<Index>{0, 5}).mesh) == 0);
+  // A cut through 3 quads halves 4 edges and adds 3.
+  const Index across = find_edge(topology, 0, 1);
+  CHECK(edges_without_value(loop_cut(mesh, topology, across).mesh) == 4 * 2 + 3);
+  // The four edges at the sides of the lifted face.
+  CHECK(edges_without_value(extrude_faces(mesh, topology, std::vector<Index>{5}, Vec3(0, 0, 1)).mesh) == 4);
+  const Index inner = find_edge(topology, 6, 7);
+  CHECK(edges_without_value(dissolve_edges(mesh, topology, std::vector<Index>{inner}).mesh) == 0);
+}
+
 TEST_CASE("moving vertices changes them and nothing else") {
   PolyMesh mesh = test::cube();
   mesh.tags.pins = {3};

@@ -16,13 +16,9 @@ OperationResult edit(const PolyMesh& mesh, const ParameterValues& parameters) {
   return run(EditOperation(), {{"mesh", std::make_shared<const PolyMesh>(mesh)}}, parameters, context);
 }
 
-const PolyMesh& mesh_of(const OperationResult& result) {
-  return *std::get<std::shared_ptr<const PolyMesh>>(result.outputs.at("mesh"));
-}
+const PolyMesh& mesh_of(const OperationResult& result) { return result.outputs.at("mesh").get<PolyMesh>(); }
 
-const Report& details_of(const OperationResult& result) {
-  return *std::get<std::shared_ptr<const Report>>(result.outputs.at("details"));
-}
+const Report& details_of(const OperationResult& result) { return result.outputs.at("details").get<Report>(); }
 
 TEST_CASE("editing is a list of edits, and the details count what is new") {
   const OperationResult result =

@@ -27,7 +27,7 @@ OperationResult fair(const PolyMesh& cage, double weight, Memo* memo = nullptr) 
 }
 
 double figure(const OperationResult& result, const char* name) {
-  return std::get<std::shared_ptr<const Report>>(result.outputs.at("details"))->at(name).as_number();
+  return result.outputs.at("details").as<Report>()->at(name).as_number();
 }
 
 TEST_CASE("fairing is a function of its arguments") {
@@ -55,7 +55,7 @@ TEST_CASE("fairing keeps pins, tags and connectivity") {
   PolyMesh cage = test::bolt_loop();
   cage.tags.pins = {0};
   const OperationResult result = fair(cage, 0.1);
-  const PolyMesh& mesh = *std::get<std::shared_ptr<const PolyMesh>>(result.outputs.at("mesh"));
+  const PolyMesh& mesh = result.outputs.at("mesh").get<PolyMesh>();
   CHECK(mesh.tags == cage.tags);
   CHECK(mesh.corners == cage.corners);
   CHECK(mesh.positions[0] == cage.positions[0]);

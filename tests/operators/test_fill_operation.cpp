@@ -25,13 +25,9 @@ OperationResult fill(const PolyMesh& scan, const ParameterValues& parameters = {
   return run(FillOperation(), inputs_of(scan), parameters, context);
 }
 
-const PolyMesh& mesh_of(const OperationResult& result) {
-  return *std::get<std::shared_ptr<const PolyMesh>>(result.outputs.at("mesh"));
-}
+const PolyMesh& mesh_of(const OperationResult& result) { return result.outputs.at("mesh").get<PolyMesh>(); }
 
-const Report& details_of(const OperationResult& result) {
-  return *std::get<std::shared_ptr<const Report>>(result.outputs.at("details"));
-}
+const Report& details_of(const OperationResult& result) { return result.outputs.at("details").get<Report>(); }
 
 PolyMesh scan() { return test::random_cuts(test::round_sphere(4), 7, 6, 0.12, 0.3).mesh; }
 
@@ -99,7 +95,7 @@ TEST_CASE("rims come out as lines in the order of the holes, whether filled or l
   const PolyMesh given = scan();
   for (const bool list : {false, true}) {
     const OperationResult result = fill(given, {{"list", list}});
-    const PolyMesh& rims = *std::get<std::shared_ptr<const PolyMesh>>(result.outputs.at("rims"));
+    const PolyMesh& rims = result.outputs.at("rims").get<PolyMesh>();
     const auto& holes = details_of(result).at("holes").as_array();
     REQUIRE(rims.line_count() == holes.size());
     for (std::size_t i = 0; i < holes.size(); ++i)

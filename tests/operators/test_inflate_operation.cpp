@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
+#include "croquis/io/json.h"
 #include "operators/inflate_operation.h"
 #include "support/check_operation.h"
 #include "support/sketch_errors.h"
@@ -25,7 +26,7 @@ TEST_CASE("inflating with attached objects is a function of its arguments too") 
   Progress progress;
   Context context{progress};
   const OperationResult plain = run(InflateOperation(), inputs, {}, context);
-  const Report& details = *std::get<std::shared_ptr<const Report>>(plain.outputs.at("details"));
+  const Report& details = plain.outputs.at("details").get<Report>();
   std::string pairs;
   for (const Report& pair : details.at("attach_suggestions").as_array()) {
     pairs += pair.at("a").as_string() + "," + pair.at("b").as_string() + "=0.5;";
@@ -54,12 +55,47 @@ TEST_CASE("labels name the object of every arc") {
   Progress progress;
   Context context{progress};
   const OperationResult result = run(InflateOperation(), inputs_of(test::dog_sketch().drawing), {}, context);
-  const Drawing& labels = *std::get<std::shared_ptr<const Drawing>>(result.outputs.at("labels"));
-  const PolyMesh& mesh = *std::get<std::shared_ptr<const PolyMesh>>(result.outputs.at("mesh"));
+  const Drawing& labels = result.outputs.at("labels").get<Drawing>();
+  const PolyMesh& mesh = result.outputs.at("mesh").get<PolyMesh>();
   const std::vector<std::string>& names = mesh.channel("object", Domain::Face)->labels;
   REQUIRE(!labels.strokes.empty());
   for (const Stroke& arc : labels.strokes) {
     CHECK(std::count(names.begin(), names.end(), arc.data.at("object")) == 1);
+  }
+}
+
+TEST_CASE("a drawing on another plane becomes the same solid, rigidly moved") {
+  const auto inflated = [](const Drawing& drawing) {
+    Progress progress;
+    Context context{progress};
+    return run(InflateOperation(), inputs_of(drawing), {{"resolution", 10.0}}, context);
+  };
+  Drawing drawing = test::snake_sketch().drawing;
+  const OperationResult plain = inflated(drawing);
+  const std::vector<DrawingPlane> planes = {{Vec3(0, 0, 5), Vec3::UnitX(), Vec3::UnitY()},
+                                            {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitZ()},
+                                            {Vec3(1, -2, 3), Vec3::UnitY(), Vec3::UnitX()},
+                                            {Vec3(7, 0, 0), Vec3(0, 0.6, 0.8), Vec3(-1, 0, 0)}};
+  for (const DrawingPlane& plane : planes) {
+    drawing.plane = plane;
+    const OperationResult placed = inflated(drawing);
+    for (const char* port : {"mesh", "skeleton"}) {
+      const PolyMesh& there = placed.outputs.at(port).get<PolyMesh>();
+      const PolyMesh& here = plain.outputs.at(port).get<PolyMesh>();
+      REQUIRE(there.corners == here.corners);
+      REQUIRE(there.line_vertices == here.line_vertices);
+      const Vec3 normal = plane.u.cross(plane.v);
+      double error = 0;
+      for (std::size_t v = 0; v < here.vertex_count(); ++v) {
+        const Vec3& p = here.positions[v];
+        const Vec3 expected = plane.origin + p.x() * plane.u + p.y() * plane.v + p.z() * normal;
+        error = std::max(error, (there.positions[v] - expected).norm());
+      }
+      CHECK(error < 1e-9);
+    }
+    CHECK(placed.outputs.at("labels").get<Drawing>().plane == plane);
+    CHECK(write_json(placed.outputs.at("details").get<Report>()) ==
+          write_json(plain.outputs.at("details").get<Report>()));
   }
 }
 

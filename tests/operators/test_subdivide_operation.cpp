@@ -29,11 +29,11 @@ OperationResult subdivide(const PolyMesh& cage, const ParameterValues& parameter
 }
 
 const PolyMesh& mesh_of(const OperationResult& result, const char* port = "mesh") {
-  return *std::get<std::shared_ptr<const PolyMesh>>(result.outputs.at(port));
+  return result.outputs.at(port).get<PolyMesh>();
 }
 
 const Report& report_of(const OperationResult& result, const char* port = "details") {
-  return *std::get<std::shared_ptr<const Report>>(result.outputs.at(port));
+  return result.outputs.at(port).get<Report>();
 }
 
 PolyMesh soft_torus() {

@@ -23,7 +23,7 @@ Value point(double x) {
   return std::make_shared<const PolyMesh>(std::move(mesh));
 }
 
-double x_of(const Value& value) { return std::get<std::shared_ptr<const PolyMesh>>(value)->positions.front().x(); }
+double x_of(const Value& value) { return value.as<PolyMesh>()->positions.front().x(); }
 
 OperationResult scaled(const Values& inputs, const ParameterValues& parameters) {
   return {{{"mesh", point(x_of(inputs.at("mesh")) * std::get<double>(parameters.at("factor")))}}, {}};

@@ -35,7 +35,12 @@ struct Node {
   std::map<std::string, Link> inputs;  ///< by port name
   std::optional<Value> source;         ///< of a source, and of nothing else
   bool visible = true;
-  bool enabled = true;  ///< off, a step does nothing: what is linked to it gets its main input instead
+
+  /// What is applied to all that the node gives, a source's value too. One that isn't invertible is a finding.
+  Affine3 transform = {};
+
+  /// Of an operation: off, it computes nothing and passes on its input (see Evaluator).
+  bool enabled = true;
 };
 
 /// What people edit and save: an immutable value.

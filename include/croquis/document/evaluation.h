@@ -16,7 +16,7 @@ struct Evaluation {
   bool stale = false;  ///< the outputs are older than the node
   Quality quality =
       Quality::Final;  ///< what was got: asked for a draft, a final result that is there already is better
-  ContentHash key;     ///< of the operation, its version, parameters, the inputs' keys and the quality
+  ContentHash key;     ///< of the operation, its version, parameters, inputs' keys, the quality and the transform
 };
 
 }  // namespace croquis

@@ -17,7 +17,13 @@ namespace croquis {
 /// What is wrong with a node is a finding in its Evaluation and never thrown: an operation's own errors; links that
 /// lead nowhere or to no such output (E_LINK) or in a circle (E_CYCLE); an input that failed (E_INPUT_FAILED); an
 /// operation that isn't there (E_OPERATION_UNKNOWN) or older than the node (E_OPERATION_NEWER); a source without a
-/// value (E_NO_VALUE). A failed node keeps its last good outputs as long as they are kept at all, marked as stale.
+/// value (E_NO_VALUE); a transform that isn't invertible (E_TRANSFORM). A failed node keeps its last good outputs as
+/// long as they are kept at all, marked as stale.
+///
+/// A node's transform is applied to all its outputs, and only that is done again when it alone was changed. A node that
+/// is off gives the value that its first linked input of the type of its first output has, under that output's name and
+/// with that input's key; other outputs are absent, and its transform doesn't count. Without such an input it fails
+/// (E_STEP_OFF), like a source that is off.
 ///
 /// Thread safe. Evaluations run side by side: only looking things up is under a lock, so that a computation that is
 /// slow to notice its cancelling holds up nobody.

@@ -14,8 +14,9 @@
 
 namespace croquis {
 
-/// What an attribute's values belong to.
-enum class Domain { Vertex, Face, Corner, Line };
+/// What an attribute's values belong to. Edges are those of the faces in the numbering of MeshTopology: by the lowest
+/// corner that starts them, which follows from `face_offsets` and `corners` alone.
+enum class Domain { Vertex, Face, Corner, Line, Edge };
 
 /// One named attribute: `width` values per element of its domain, in the type its file had.
 ///
@@ -64,8 +65,11 @@ struct PolyMesh {
   void add_triangle(Index a, Index b, Index c);
   void add_line(std::span<const Index> vertices);
 
-  /// Number of elements of a domain.
+  /// Number of elements of a domain. Edges are counted anew each time, in O(#C log #C); all others are known.
   std::size_t element_count(Domain domain) const;
+
+  /// Whether any channel has values of edges: what changes faces then has to renumber these.
+  bool has_edge_channels() const;
 
   /// The channel of that name and domain, or null.
   const AttributeChannel* channel(std::string_view name, Domain domain) const;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "croquis/geometry/component_kind.h"
+#include "croquis/geometry/edge_channels.h"
 #include "croquis/geometry/mesh_topology.h"
 
 /// Ways to select parts of a mesh. Elements are indices of MeshTopology: vertices, edges or faces. Lists that go in
@@ -27,9 +28,6 @@ Elements all_elements(std::size_t count);
 Elements inverted(std::span<const Index> sorted, std::size_t count);
 
 // ---- Lines of edges
-
-/// The edge between two vertices, or no_index. O(valence).
-Index find_edge(const MeshTopology& topology, Index a, Index b);
 
 /// Edges in a row from an edge both ways: straight on through inner vertices of four edges, along the rim through rim
 /// vertices that join two rim edges; ends elsewhere.

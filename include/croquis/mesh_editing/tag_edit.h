@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "croquis/geometry/edge_channels.h"
 #include "croquis/geometry/mesh_tags.h"
 #include "croquis/mesh_editing/mesh_selection.h"
 
@@ -16,12 +17,6 @@
 /// The rim of a mesh is sharp in all schemes without a tag. A tag on it changes no picture while it is a rim; it makes
 /// the edge sharp as soon as something is built on to it.
 namespace croquis {
-
-/// 0 for what isn't above 0, infinite from greatest_sharpness on.
-double normal_sharpness(double sharpness);
-
-/// #E: sharpness of each edge, 0 without a tag. Of two tags on an edge the sharper one counts.
-std::vector<double> edge_sharpness(const MeshTags& tags, const MeshTopology& topology);
 
 /// Edges that have a tag.
 Elements tagged_edges(const MeshTags& tags, const MeshTopology& topology);

@@ -124,11 +124,12 @@ void continue_face_channel(const HoleAnalysis& analysis, std::span<const Placed>
       channel.data);
 }
 
-void continue_corner_channel(const PolyMesh& mesh, AttributeChannel& channel) {
+/// New corners and edges come after the old ones and have no values.
+void continue_without_values(const PolyMesh& mesh, AttributeChannel& channel) {
   std::visit(
       [&](auto& values) {
         using T = typename std::remove_reference_t<decltype(values)>::value_type;
-        values.resize(mesh.corners.size() * static_cast<std::size_t>(channel.width), none<T>);
+        values.resize(mesh.element_count(channel.domain) * static_cast<std::size_t>(channel.width), none<T>);
       },
       channel.data);
 }
@@ -197,7 +198,7 @@ PolyMesh append_patches(const PolyMesh& mesh, const HoleAnalysis& analysis, std:
     }
     if (channel.domain == Domain::Vertex) continue_vertex_channel(grown, placed, graphs, channel);
     if (channel.domain == Domain::Face) continue_face_channel(analysis, placed, channel);
-    if (channel.domain == Domain::Corner) continue_corner_channel(grown, channel);
+    if (channel.domain == Domain::Corner || channel.domain == Domain::Edge) continue_without_values(grown, channel);
   }
   if (!mark_patches) return grown;
   number_patches(grown, next_patch_number(mesh), placed);

@@ -111,16 +111,6 @@ double degrees_between(const MeshTopology& topology, Index edge, const Vec3& nor
 
 }  // namespace
 
-Index find_edge(const MeshTopology& topology, Index a, Index b) {
-  if (a >= topology.vertex_count() || b >= topology.vertex_count()) return no_index;
-  for (const Index corner : topology.vertex_corners(a)) {
-    const Index before = topology.previous(corner);
-    if (topology.vertex(topology.next(corner)) == b && topology.edge(corner) != no_index) return topology.edge(corner);
-    if (topology.vertex(before) == b && topology.edge(before) != no_index) return topology.edge(before);
-  }
-  return no_index;
-}
-
 // ---- Rows
 
 Elements edge_loop(const MeshTopology& topology, Index edge, bool ordered) {

@@ -83,6 +83,10 @@ void carry_channels(const PolyMesh& old, const MeshPlan& plan, const std::vector
                                            "left it out."));
       continue;
     }
+    if (channel.domain == Domain::Edge) {  // renumbered when all is there
+      edit.mesh.channels.push_back(channel);
+      continue;
+    }
     const std::vector<Blend>* sources = &plan.vertices;
     if (channel.domain == Domain::Face) sources = &faces;
     if (channel.domain == Domain::Corner) sources = &plan.corner_source;
@@ -189,6 +193,7 @@ MeshEdit rebuilt(const PolyMesh& old, const MeshPlan& plan, const std::vector<In
                                          " of the mesh's lines used vertices that are gone, so they went, too."));
   }
   carry_channels(old, plan, lines, edit);
+  renumber_edge_channels(old, edit.vertex_source, edit.mesh);
   return edit;
 }
 

@@ -99,20 +99,6 @@ std::vector<Pair> sorted_members(const CreaseSet& set) {
 
 }  // namespace
 
-double normal_sharpness(double sharpness) {
-  if (!(sharpness > 0)) return 0;
-  return sharpness >= greatest_sharpness ? infinite_sharpness : sharpness;
-}
-
-std::vector<double> edge_sharpness(const MeshTags& tags, const MeshTopology& topology) {
-  std::vector<double> sharpness(topology.edge_count(), 0);
-  for (const Crease& crease : tags.creases) {
-    const Index edge = find_edge(topology, crease.vertices[0], crease.vertices[1]);
-    if (edge != no_index) sharpness[edge] = std::max(sharpness[edge], normal_sharpness(crease.sharpness));
-  }
-  return sharpness;
-}
-
 Elements tagged_edges(const MeshTags& tags, const MeshTopology& topology) {
   Elements edges;
   for (const Crease& crease : tags.creases) {

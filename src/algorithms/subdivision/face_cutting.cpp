@@ -5,11 +5,10 @@
 #include <cmath>
 #include <numeric>
 #include <utility>
-#include <variant>
 
 #include <Eigen/Geometry>
 
-#include "algorithms/subdivision/tag_changes.h"
+#include "croquis/geometry/edge_channels.h"
 
 namespace croquis::subdivision {
 namespace {
@@ -72,7 +71,7 @@ class EarCutter {
   }
 
   bool diagonal_is_edge(const std::array<Index, 3>& t) const {
-    return edge_between(topology_, vertices_[t[0]], vertices_[t[2]]) != no_index;
+    return find_edge(topology_, vertices_[t[0]], vertices_[t[2]]) != no_index;
   }
 
   /// The ear with the shortest diagonal; where none is left (a face that crosses itself), the shortest diagonal.
@@ -94,23 +93,6 @@ class EarCutter {
   std::vector<Vec2> points_;
   std::vector<Index> rest_;
 };
-
-/// The channel with element i taken from element sources[i].
-AttributeChannel picked(const AttributeChannel& channel, const std::vector<Index>& sources) {
-  AttributeChannel result = channel;
-  const auto width = static_cast<std::size_t>(channel.width);
-  std::visit(
-      [&](auto& values) {
-        const auto old = values;
-        values.clear();
-        for (const Index source : sources) {
-          values.insert(values.end(), old.begin() + static_cast<std::ptrdiff_t>(source * width),
-                        old.begin() + static_cast<std::ptrdiff_t>((source + 1) * width));
-        }
-      },
-      result.data);
-  return result;
-}
 
 }  // namespace
 
@@ -163,9 +145,10 @@ CutMesh with_faces_cut(const PolyMesh& mesh, const std::map<Index, FaceTriangles
     }
   }
   for (AttributeChannel& channel : result.mesh.channels) {
-    if (channel.domain == Domain::Face) channel = picked(channel, result.source_face);
-    if (channel.domain == Domain::Corner) channel = picked(channel, source_corner);
+    if (channel.domain == Domain::Face) channel = gathered(channel, result.source_face);
+    if (channel.domain == Domain::Corner) channel = gathered(channel, source_corner);
   }
+  renumber_edge_channels(mesh, {}, result.mesh);
   return result;
 }
 

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "algorithms/subdivision/face_cutting.h"
-#include "algorithms/subdivision/tag_changes.h"
+#include "croquis/geometry/edge_channels.h"
 #include "croquis/subdivision/shape_keeping.h"
 
 namespace croquis::subdivision {

@@ -12,6 +12,7 @@
 #include "algorithms/subdivision/face_cutting.h"
 #include "algorithms/subdivision/tag_changes.h"
 #include "croquis/base/error.h"
+#include "croquis/geometry/edge_channels.h"
 #include "croquis/geometry/mesh_topology.h"
 
 namespace croquis::subdivision {

@@ -13,25 +13,6 @@ std::array<Index, 2> sorted(std::array<Index, 2> vertices) {
 
 }  // namespace
 
-Index edge_between(const MeshTopology& topology, Index a, Index b) {
-  for (const Index corner : topology.vertex_corners(a)) {
-    if (topology.vertex(topology.next(corner)) == b) return topology.edge(corner);
-    const Index before = topology.previous(corner);
-    if (topology.vertex(before) == b) return topology.edge(before);
-  }
-  return no_index;
-}
-
-std::vector<double> edge_sharpness(const MeshTags& tags, const MeshTopology& topology) {
-  std::vector<double> sharpness(topology.edge_count(), 0);
-  for (const Crease& crease : tags.creases) {
-    if (std::max(crease.vertices[0], crease.vertices[1]) >= topology.vertex_count()) continue;
-    const Index edge = edge_between(topology, crease.vertices[0], crease.vertices[1]);
-    if (edge != no_index && crease.sharpness > 0) sharpness[edge] = crease.sharpness;
-  }
-  return sharpness;
-}
-
 TagChanges::TagChanges(MeshTags& tags) : tags_(tags) {
   for (std::size_t i = 0; i < tags_.creases.size(); ++i) crease_of_[sorted(tags_.creases[i].vertices)] = i;
 }

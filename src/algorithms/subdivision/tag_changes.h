@@ -6,15 +6,8 @@
 #include <vector>
 
 #include "croquis/geometry/mesh_tags.h"
-#include "croquis/geometry/mesh_topology.h"
 
 namespace croquis::subdivision {
-
-/// The edge between two vertices, or no_index. Linear in the valence of `a`.
-Index edge_between(const MeshTopology& topology, Index a, Index b);
-
-/// Sharpness of each edge of a mesh, 0 where there is no tag; tags on what is no edge are left out, the last one wins.
-std::vector<double> edge_sharpness(const MeshTags& tags, const MeshTopology& topology);
 
 /// Adds to the tags of a mesh without listing anything twice.
 class TagChanges {

@@ -152,10 +152,10 @@ void ProjectFiles::start_sketch() {
 void ProjectFiles::start_sample(const QString& name) {
   Value sample = load_sample(name);
   earlier_version_.clear();
-  if (auto* drawing = std::get_if<std::shared_ptr<const Drawing>>(&sample)) {
-    studio_.start_with(**drawing);
+  if (const auto drawing = sample.as<Drawing>()) {
+    studio_.start_with(*drawing);
   } else {
-    auto mesh = std::get<std::shared_ptr<const PolyMesh>>(sample);
+    auto mesh = sample.as<PolyMesh>();
     if (kind_of_sample(name) == SampleKind::Scan) {
       studio_.load(Document());
       studio_.add_mesh(name.toStdString(), std::move(mesh));

@@ -69,14 +69,13 @@ Value load_sample(const QString& name) {
 
 std::shared_ptr<const PolyMesh> sample_surface(const QString& name, const Registry& registry, Progress& progress) {
   const Value sample = load_sample(name);
-  const bool sketch = type_of(sample) == ValueType::Drawing;
+  const bool sketch = sample.type() == ValueType::Drawing;
   const Operation* operation = registry.find(sketch ? "inflate" : "subdivide");
-  if (operation == nullptr || kind_of_sample(name) == SampleKind::Scan)
-    return std::get<std::shared_ptr<const PolyMesh>>(sample);
+  if (operation == nullptr || kind_of_sample(name) == SampleKind::Scan) return sample.as<PolyMesh>();
   Context context{progress, Quality::Draft};
   const ParameterValues parameters = sketch ? ParameterValues() : ParameterValues{{"levels", std::int64_t{3}}};
   const OperationResult result = run(*operation, {{sketch ? "drawing" : "cage", sample}}, parameters, context);
-  return std::get<std::shared_ptr<const PolyMesh>>(result.outputs.at("mesh"));
+  return result.outputs.at("mesh").as<PolyMesh>();
 }
 
 }  // namespace croquis::app

@@ -11,8 +11,8 @@ namespace {
 
 const std::string solid_operation_id = "inflate";
 
-const std::shared_ptr<const Drawing>* drawing_of(const Node& node) {
-  return node.source ? std::get_if<std::shared_ptr<const Drawing>>(&*node.source) : nullptr;
+std::shared_ptr<const Drawing> drawing_of(const Node& node) {
+  return node.source ? node.source->as<Drawing>() : nullptr;
 }
 
 LiveEvaluation::Post post_to(QObject* receiver) {
@@ -45,7 +45,7 @@ Studio::~Studio() = default;
 const Drawing& Studio::drawing() const {
   static const Drawing none;
   const Node* node = session().document().find(drawing_node());
-  return node == nullptr ? none : **drawing_of(*node);
+  return node == nullptr ? none : *drawing_of(*node);
 }
 
 NodeId Studio::drawing_node() const {
@@ -92,7 +92,7 @@ const Report* report_of(const Evaluation* evaluation, const std::string& output)
   if (evaluation == nullptr) return nullptr;
   const auto found = evaluation->outputs.find(output);
   if (found == evaluation->outputs.end()) return nullptr;
-  return std::get<std::shared_ptr<const Report>>(found->second).get();
+  return found->second.as<Report>().get();
 }
 
 }  // namespace croquis::app

@@ -105,14 +105,14 @@ struct Destination {
 
 void stage_value(const PortDescription& port, const Value& value, const Destination& destination, CommandResult& result,
                  Progress& progress) {
-  if (const auto* drawing = std::get_if<std::shared_ptr<const Drawing>>(&value)) {
-    stage_file(destination.path, write_svg_drawing(**drawing), result);
-  } else if (const auto* mesh = std::get_if<std::shared_ptr<const PolyMesh>>(&value)) {
+  if (const auto drawing = value.as<Drawing>()) {
+    stage_file(destination.path, write_svg_drawing(*drawing), result);
+  } else if (const auto mesh = value.as<PolyMesh>()) {
     const MeshFormat format = output_mesh_format(destination.path, destination.format);
-    stage_mesh(destination.path, **mesh, {}, format, result, progress);
-    if (port.is_solid) judge_solid(destination.path, as_written(**mesh, format, {}), result, progress);
+    stage_mesh(destination.path, *mesh, {}, format, result, progress);
+    if (port.is_solid) judge_solid(destination.path, as_written(*mesh, format, {}), result, progress);
   } else {
-    stage_file(destination.path, write_json(*std::get<std::shared_ptr<const Report>>(value)), result);
+    stage_file(destination.path, write_json(value.get<Report>()), result);
   }
 }
 
@@ -131,8 +131,8 @@ bool is_single(const PolyMesh& mesh) {
 /// STL and GLB have 32-bit numbers alone. PLY has both: a scan that came in 32 bits stays so.
 bool stores_single(MeshFormat format, const Value& input) {
   if (format == MeshFormat::Stl || format == MeshFormat::Glb) return true;
-  const auto* mesh = std::get_if<std::shared_ptr<const PolyMesh>>(&input);
-  return format == MeshFormat::Ply && mesh != nullptr && is_single(**mesh);
+  const auto mesh = input.as<PolyMesh>();
+  return format == MeshFormat::Ply && mesh != nullptr && is_single(*mesh);
 }
 
 /// What operations can't know by themselves: how their result will be stored.
@@ -202,10 +202,10 @@ bool is_asked_for(const Invocation& invocation) { return invocation.json || !inv
 /// What the main output's file holds, when it is a mesh.
 std::optional<MeshReport> report_of_file(const PortDescription& port, const Value& value, const Invocation& invocation,
                                          Progress& progress) {
-  const auto* mesh = std::get_if<std::shared_ptr<const PolyMesh>>(&value);
+  const auto mesh = value.as<PolyMesh>();
   if (mesh == nullptr) return std::nullopt;
   const MeshFormat format = output_mesh_format(invocation.output, invocation.output_format);
-  return inspect(as_written(**mesh, format, {}), port.counts_self_intersections, progress);
+  return inspect(as_written(*mesh, format, {}), port.counts_self_intersections, progress);
 }
 
 /// Every output that has a file, and the figures of the main one.
@@ -339,7 +339,7 @@ void OperationCommand::run(const Invocation& invocation, CommandResult& result, 
   result.warnings.insert(result.warnings.end(), computed.warnings.begin(), computed.warnings.end());
 
   const auto details = computed.outputs.find(details_output);
-  if (details != computed.outputs.end()) result.details = *std::get<std::shared_ptr<const Report>>(details->second);
+  if (details != computed.outputs.end()) result.details = details->second.get<Report>();
   if (only_lists(description, invocation)) {
     result.text = list_text(*result.details);
   } else {

@@ -24,7 +24,7 @@ struct MeshPort {
 
 std::optional<MeshPort> mesh_port(const Node& node, const Registry& registry) {
   if (node.source) {
-    const bool is_mesh = type_of(*node.source) == ValueType::Mesh;
+    const bool is_mesh = node.source->type() == ValueType::Mesh;
     return is_mesh ? std::optional<MeshPort>({"value", false}) : std::nullopt;
   }
   const Operation* operation = registry.find(node.operation);
@@ -87,15 +87,15 @@ class ProjectRun {
     entry.set("failed", evaluation->failed);
     const auto details = evaluation->outputs.find("details");
     if (details != evaluation->outputs.end()) {
-      if (const auto* report = std::get_if<std::shared_ptr<const Report>>(&details->second)) {
-        entry.set("details", **report);
+      if (const auto report = details->second.as<Report>()) {
+        entry.set("details", *report);
       }
     }
     nodes_.push(std::move(entry));
     collect_findings(node.id);
     const auto port = mesh_port(node, registry_);
     if (evaluation->failed || !port) return;
-    meshes_.push_back({title_of(node), std::get<std::shared_ptr<const PolyMesh>>(evaluation->outputs.at(port->name))});
+    meshes_.push_back({title_of(node), evaluation->outputs.at(port->name).as<PolyMesh>()});
     is_solid_ = port->is_solid;
   }
 

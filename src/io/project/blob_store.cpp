@@ -5,7 +5,7 @@
 
 #include <xxhash.h>
 
-#include "io/project/byte_stream.h"
+#include "croquis/document/byte_stream.h"
 #include "io/project/schema.h"
 
 namespace croquis {

@@ -6,8 +6,9 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <string_view>
 
-#include "io/project/byte_stream.h"
+#include "croquis/document/byte_stream.h"
 
 namespace croquis {
 namespace {
@@ -81,17 +82,36 @@ void read_link(const Statement& row, RowsById& rows) {
                                              Link{from_row_id(row.integer(2)), std::string(row.text(3))});
 }
 
-std::optional<ValueType> kind_of(std::string_view word) {
-  for (const ValueType type : {ValueType::Mesh, ValueType::Drawing, ValueType::Report}) {
-    if (word == to_string(type)) return type;
-  }
-  return std::nullopt;
-}
-
-void read_source(const Statement& row, RowsById& rows, DamageLog& damage) {
+void read_transform(const Statement& row, RowsById& rows, DamageLog& damage) {
   const auto owner = rows.find(from_row_id(row.integer(0)));
   if (owner == rows.end()) return;
-  const auto kind = kind_of(row.text(1));
+  Node& node = owner->second.node;
+  const std::string_view bytes = row.blob(1);
+  if (!row.is_blob(1) || bytes.size() != transform_bytes(Affine3()).size()) {
+    damage.lose(title_of(node) + " has lost its transform", {node_subject(node)});
+    return;
+  }
+  ByteReader reader(bytes);
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) node.transform.linear(i, k) = reader.number<double>();
+  }
+  for (double& coordinate : node.transform.offset) coordinate = reader.number<double>();
+}
+
+void read_off(const Statement& row, RowsById& rows) {
+  const auto owner = rows.find(from_row_id(row.integer(0)));
+  if (owner != rows.end()) owner->second.node.enabled = false;
+}
+
+std::optional<ValueType> kind_of(std::string_view word, std::span<const ValueType> types) {
+  const auto found = std::find_if(types.begin(), types.end(), [&](ValueType type) { return word == to_string(type); });
+  return found == types.end() ? std::nullopt : std::optional(*found);
+}
+
+void read_source(const Statement& row, std::span<const ValueType> types, RowsById& rows, DamageLog& damage) {
+  const auto owner = rows.find(from_row_id(row.integer(0)));
+  if (owner == rows.end()) return;
+  const auto kind = kind_of(row.text(1), types);
   if (!kind) {
     damage.lose(title_of(owner->second.node) + " is of a kind that this version doesn't know and is left out",
                 {node_subject(owner->second.node)});
@@ -119,7 +139,8 @@ std::string title_of(const Node& node) {
 
 Subject node_subject(const Node& node) { return {SubjectKind::Node, std::to_string(node.id), {}, {}, {}}; }
 
-std::vector<NodeRow> read_node_rows(const Database& database, DamageLog& damage) {
+std::vector<NodeRow> read_node_rows(const Database& database, std::span<const ValueType> types, bool has_later_tables,
+                                    DamageLog& damage) {
   RowsById rows;
   each_row(database, "SELECT id, position, name, operation, version, visible FROM nodes", "nodes", damage,
            [&](const Statement& row) { read_node(row, rows, damage); });
@@ -128,7 +149,13 @@ std::vector<NodeRow> read_node_rows(const Database& database, DamageLog& damage)
   each_row(database, "SELECT node, input, source, output FROM links", "links", damage,
            [&](const Statement& row) { read_link(row, rows); });
   each_row(database, "SELECT node, kind, hash FROM sources", "sources", damage,
-           [&](const Statement& row) { read_source(row, rows, damage); });
+           [&](const Statement& row) { read_source(row, types, rows, damage); });
+  if (has_later_tables) {
+    each_row(database, "SELECT node, numbers FROM transforms", "transforms", damage,
+             [&](const Statement& row) { read_transform(row, rows, damage); });
+    each_row(database, "SELECT node FROM nodes_off", "nodes_off", damage,
+             [&](const Statement& row) { read_off(row, rows); });
+  }
   return in_order(std::move(rows));
 }
 

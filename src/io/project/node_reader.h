@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "croquis/document/document.h"
@@ -11,9 +12,11 @@
 namespace croquis {
 
 /// The rows of all nodes that can be read, in the document's order, without their sources' values. What can't be read
-/// is noted.
+/// is noted, and nodes are left out whose sources are of none of these types.
+/// @param has_later_tables of the second schema
 /// @throws Cancelled
-std::vector<NodeRow> read_node_rows(const Database& database, DamageLog& damage);
+std::vector<NodeRow> read_node_rows(const Database& database, std::span<const ValueType> types, bool has_later_tables,
+                                    DamageLog& damage);
 
 /// How findings call a node.
 std::string title_of(const Node& node);

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "io/project/byte_stream.h"
+#include "croquis/document/byte_stream.h"
 
 namespace croquis {
 namespace {
@@ -47,6 +47,18 @@ std::string row_bytes(const NodeRow& row) {
   }
   writer.text(row.kind ? to_string(*row.kind) : "");
   writer.text(row.hash);
+  // After everything else and only where they are, so that the bytes of all other rows stay as they were.
+  if (!row.node.transform.is_identity()) writer.text(transform_bytes(row.node.transform));
+  if (!row.node.enabled) writer.flag(false);
+  return writer.take();
+}
+
+std::string transform_bytes(const Affine3& transform) {
+  ByteWriter writer;
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) writer.number(transform.linear(i, k));
+  }
+  for (const double coordinate : transform.offset) writer.number(coordinate);
   return writer.take();
 }
 

@@ -21,6 +21,9 @@ struct NodeRow {
 /// The canonical bytes of a row: a project's checksum is taken over those of all its nodes.
 std::string row_bytes(const NodeRow& row);
 
+/// A transform's 12 numbers (the rows of the linear part, then the offset) as 96 bytes.
+std::string transform_bytes(const Affine3& transform);
+
 /// Identifiers are unsigned in a document and signed in SQLite: the same bits.
 inline std::int64_t to_row_id(NodeId id) { return static_cast<std::int64_t>(id); }
 inline NodeId from_row_id(std::int64_t id) { return static_cast<NodeId>(id); }

@@ -8,13 +8,13 @@
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/document/byte_stream.h"
+#include "croquis/document/value_bytes.h"
 #include "io/project/blob_store.h"
-#include "io/project/byte_stream.h"
 #include "io/project/damage_log.h"
 #include "io/project/node_reader.h"
 #include "io/project/project_writer.h"
 #include "io/project/schema.h"
-#include "io/project/value_bytes.h"
 
 namespace croquis {
 namespace {
@@ -33,15 +33,15 @@ Number parse_or(const std::string& text, Number otherwise) {
 
 class ProjectReader {
  public:
-  ProjectReader(Database& database, const std::string& file_name, Progress& progress)
-      : database_(database), progress_(progress), damage_(file_name) {}
+  ProjectReader(Database& database, const std::string& file_name, Progress& progress, std::span<const ValueType> types)
+      : database_(database), progress_(progress), types_(types), damage_(file_name) {}
 
   ProjectFile read() {
     read_version();
     check_tables();
     check_version();
     check_pages();
-    std::vector<NodeRow> rows = read_node_rows(database_, damage_);
+    std::vector<NodeRow> rows = read_node_rows(database_, types_, has_states(), damage_);
     const auto next_id = parse_or<NodeId>(meta("next_id"), 0);
     check_sum(rows, next_id);
     read_sources(rows);
@@ -62,6 +62,15 @@ class ProjectReader {
       return read_meta(database_, key);
     } catch (const DatabaseError&) {
       return "";  // check_pages and the nodes report it
+    }
+  }
+
+  // Whether some nodes have transforms or are off.
+  bool has_states() {
+    try {
+      return has_later_tables(database_);
+    } catch (const DatabaseError&) {
+      return false;  // check_tables reports it
     }
   }
 
@@ -195,6 +204,7 @@ class ProjectReader {
 
   Database& database_;
   Progress& progress_;
+  std::span<const ValueType> types_;
   DamageLog damage_;
   Findings warnings_;
   std::int64_t version_ = 0;
@@ -203,8 +213,9 @@ class ProjectReader {
 
 }  // namespace
 
-ProjectFile read_project_database(Database& database, const std::string& file_name, Progress& progress) {
-  return ProjectReader(database, file_name, progress).read();
+ProjectFile read_project_database(Database& database, const std::string& file_name, Progress& progress,
+                                  std::span<const ValueType> types) {
+  return ProjectReader(database, file_name, progress, types).read();
 }
 
 std::vector<std::uint8_t> read_thumbnail(const Database& database) {

@@ -5,16 +5,13 @@
 #include <cmath>
 #include <utility>
 
+#include "croquis/document/byte_stream.h"
+#include "croquis/document/value_bytes.h"
 #include "io/project/blob_store.h"
-#include "io/project/byte_stream.h"
-#include "io/project/value_bytes.h"
+#include "io/project/schema.h"
 
 namespace croquis {
 namespace {
-
-const void* address_of(const Value& value) {
-  return std::visit([](const auto& pointer) -> const void* { return pointer.get(); }, value);
-}
 
 /// Binds a parameter's value to place 3.
 struct ParameterBinder {
@@ -53,6 +50,22 @@ void insert_links(const Database& database, const Node& node) {
   }
 }
 
+/// What few nodes have lies in tables of its own, which other projects don't have: these stay what they were.
+void insert_placement(Database& database, const Node& node) {
+  if (!node.transform.is_identity()) {
+    require_later_tables(database);
+    const std::string numbers = transform_bytes(node.transform);
+    Statement(database, "INSERT INTO transforms(node, numbers) VALUES(?, ?)")
+        .bind(0, to_row_id(node.id))
+        .bind_blob(1, numbers)
+        .run();
+  }
+  if (!node.enabled) {
+    require_later_tables(database);
+    Statement(database, "INSERT INTO nodes_off(node) VALUES(?)").bind(0, to_row_id(node.id)).run();
+  }
+}
+
 }  // namespace
 
 void ProjectWriter::write(const Document& document, Progress& progress) {
@@ -82,7 +95,7 @@ NodeRow ProjectWriter::row_of(const Node& node, std::size_t position, State& nex
   NodeRow row{node, static_cast<std::int64_t>(position), std::nullopt, {}};
   row.node.source.reset();
   if (node.source) {
-    row.kind = type_of(*node.source);
+    row.kind = node.source->type();
     row.hash = hash_of(*node.source, next, progress);
   }
   if (unmoved) return row;
@@ -92,7 +105,7 @@ NodeRow ProjectWriter::row_of(const Node& node, std::size_t position, State& nex
 }
 
 std::string ProjectWriter::hash_of(const Value& value, State& next, const Progress& progress) {
-  const void* address = address_of(value);
+  const void* address = value.content().get();
   for (const State* state : {&std::as_const(confirmed_), &std::as_const(next)}) {
     const auto known = state->hashes.find(address);
     if (known != state->hashes.end()) return next.hashes[address] = std::string(known->second);
@@ -115,6 +128,7 @@ void ProjectWriter::insert(const NodeRow& row) {
       .run();
   insert_parameters(database_, node);
   insert_links(database_, node);
+  insert_placement(database_, node);
   if (!row.kind) return;
   Statement(database_, "INSERT INTO sources(node, kind, hash) VALUES(?, ?, ?)")
       .bind(0, to_row_id(node.id))
@@ -126,6 +140,10 @@ void ProjectWriter::insert(const NodeRow& row) {
 void ProjectWriter::remove(NodeId id) {
   for (const char* sql : {"DELETE FROM nodes WHERE id=?", "DELETE FROM parameters WHERE node=?",
                           "DELETE FROM links WHERE node=?", "DELETE FROM sources WHERE node=?"}) {
+    Statement(database_, sql).bind(0, to_row_id(id)).run();
+  }
+  if (!has_later_tables(database_)) return;
+  for (const char* sql : {"DELETE FROM transforms WHERE node=?", "DELETE FROM nodes_off WHERE node=?"}) {
     Statement(database_, sql).bind(0, to_row_id(id)).run();
   }
 }

@@ -21,7 +21,25 @@ void create_schema(Database& database) {
       " PRIMARY KEY(hash, number));"
       "CREATE TABLE thumbnail(id INTEGER PRIMARY KEY, png BLOB NOT NULL);"
       "PRAGMA application_id=" +
-      std::to_string(project_application_id) + ";PRAGMA user_version=" + std::to_string(project_schema_version));
+      std::to_string(project_application_id) + ";PRAGMA user_version=" + std::to_string(first_schema_version));
+}
+
+void require_later_tables(Database& database) {
+  if (has_later_tables(database)) return;
+  database.execute(
+      "CREATE TABLE transforms(node INTEGER PRIMARY KEY, numbers BLOB NOT NULL);"
+      "CREATE TABLE nodes_off(node INTEGER PRIMARY KEY);"
+      "INSERT OR REPLACE INTO meta(key, value) VALUES('readable_since', '" +
+      std::to_string(first_schema_version) + "');PRAGMA user_version=" + std::to_string(project_schema_version));
+}
+
+// Counted here: projects of unknown origin are read without any function of SQL.
+bool has_later_tables(const Database& database) {
+  Statement statement(database,
+                      "SELECT name FROM sqlite_schema WHERE type='table' AND name IN ('transforms', 'nodes_off')");
+  int found = 0;
+  while (statement.step()) ++found;
+  return found == 2;
 }
 
 }  // namespace croquis

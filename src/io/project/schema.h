@@ -13,17 +13,25 @@ namespace croquis {
 /// "CROQ": by this `file` and desktops recognise projects.
 inline constexpr std::uint32_t project_application_id = 0x43524f51;
 
-/// Raised with every change of the tables.
-inline constexpr std::int64_t project_schema_version = 1;
+/// Raised with every change of the tables: the newest one that this version knows.
+inline constexpr std::int64_t project_schema_version = 2;
+
+/// That of projects in which no node has a transform or is off. Versions that know only this schema open the others as
+/// well and leave these two out.
+inline constexpr std::int64_t first_schema_version = 1;
 
 /// SQLite itself ends at 2 GiB; parts of this size can also be read one at a time.
 inline constexpr int max_chunk_bytes = 64 * 1024 * 1024;
 
 /// The tables that this version knows.
-inline constexpr std::array<std::string_view, 8> project_tables = {"meta",    "nodes", "parameters", "links",
-                                                                   "sources", "blobs", "chunks",     "thumbnail"};
+inline constexpr std::array<std::string_view, 10> project_tables = {
+    "meta", "nodes", "parameters", "links", "sources", "blobs", "chunks", "thumbnail", "transforms", "nodes_off"};
 
-/// Makes the tables of a new database.
+/// Makes the tables of a new database: those of the first schema.
 void create_schema(Database& database);
+
+/// Makes the tables that the second schema has beside those of the first, unless they are there.
+void require_later_tables(Database& database);
+bool has_later_tables(const Database& database);
 
 }  // namespace croquis

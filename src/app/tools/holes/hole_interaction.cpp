@@ -146,7 +146,7 @@ void HoleInteraction::take_result(const StudioObject* object) {
   if (!result || rims == result->outputs.end())
     tool_.set_rims({});
   else if (!tool_.active())
-    tool_.set_rims(rims_from_lines(*std::get<std::shared_ptr<const PolyMesh>>(rims->second)));
+    tool_.set_rims(rims_from_lines(rims->second.get<PolyMesh>()));
   tool_.set_filled(filled());
   tool_.set_sight(sight_.sight());
   show_patches();

@@ -111,7 +111,7 @@ void MeshOverlay::show_chains(const StudioObject& object) {
   if (!object.result) return;
   const auto found = object.result->outputs.find("chains");
   if (found == object.result->outputs.end()) return;
-  const PolyMesh& chains = *std::get<std::shared_ptr<const PolyMesh>>(found->second);
+  const PolyMesh& chains = found->second.get<PolyMesh>();
   std::vector<render::LinePath> paths;
   for (std::size_t l = 0; l < chains.line_count(); ++l) {
     render::LinePath path;

@@ -28,7 +28,7 @@ std::vector<Joint> suggested_joints(const Evaluation& evaluation, const std::str
   std::vector<Joint> joints;
   const auto details = evaluation.outputs.find("details");
   if (evaluation.failed || details == evaluation.outputs.end()) return joints;
-  const Report* list = std::get<std::shared_ptr<const Report>>(details->second)->find("attach_suggestions");
+  const Report* list = details->second.as<Report>()->find("attach_suggestions");
   if (list == nullptr) return joints;
   const std::vector<std::string> entries = split(attach, ';');
   for (const Report& suggestion : list->as_array()) {

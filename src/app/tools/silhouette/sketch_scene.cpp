@@ -55,7 +55,7 @@ Vec2 place_of(const Report& at) { return {at.as_array()[0].as_number(), -at.as_a
 const Drawing* labels_of(const Evaluation& evaluation) {
   const auto labels = evaluation.outputs.find("labels");
   if (labels == evaluation.outputs.end()) return nullptr;
-  return std::get<std::shared_ptr<const Drawing>>(labels->second).get();
+  return labels->second.as<Drawing>().get();
 }
 
 bool ends_at_corners(const Stroke& arc, const std::vector<Vec2>& corners) {

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <type_traits>
+#include <variant>
+
 #include "croquis/base/error.h"
-#include "io/project/value_bytes.h"
+#include "document/content_size.h"
+#include "document/values/value_row.h"
 
 namespace croquis {
 namespace {
+
+constexpr std::uint32_t report_layout = 1;
 
 /// Deeper trees would need a deep call stack to be read. Ours have fewer than ten levels.
 constexpr int max_depth = 200;
@@ -73,10 +79,61 @@ Report read_tree(ByteReader& reader, int depth) {
   }
 }
 
+void hash_tree(const Report& report, ContentHasher& hasher) {
+  hasher.add(report.value().index());
+  std::visit(
+      [&](const auto& value) {
+        using Kind = std::decay_t<decltype(value)>;
+        if constexpr (std::is_same_v<Kind, Report::Array>) {
+          hasher.add(value.size());
+          for (const Report& element : value) hash_tree(element, hasher);
+        } else if constexpr (std::is_same_v<Kind, Report::Object>) {
+          hasher.add(value.size());
+          for (const auto& [key, member] : value) {
+            hasher.add(key);
+            hash_tree(member, hasher);
+          }
+        } else if constexpr (!std::is_same_v<Kind, std::monostate>) {
+          hasher.add(value);
+        }
+      },
+      report.value());
+}
+
+std::size_t tree_size(const Report& report) {
+  std::size_t bytes = sizeof(Report);
+  if (const auto* text = std::get_if<std::string>(&report.value())) bytes += text->capacity();
+  if (const auto* array = std::get_if<Report::Array>(&report.value())) {
+    for (const Report& element : *array) bytes += tree_size(element);
+  }
+  if (const auto* object = std::get_if<Report::Object>(&report.value())) {
+    for (const auto& [key, member] : *object) bytes += size_of(key) + tree_size(member);
+  }
+  return bytes;
+}
+
+/// Figures as a tree, which has no place in space.
+struct ReportValue {
+  using Content = Report;
+  static constexpr const char* name = "report";
+  static constexpr std::uint64_t tag = 2;
+
+  static void add_content(const Report& report, ContentHasher& hasher) { hash_tree(report, hasher); }
+  static std::size_t byte_size(const Report& report) { return tree_size(report); }
+
+  static void store(const Report& report, ByteWriter& writer) {
+    writer.number(report_layout);
+    write_tree(report, 0, writer);
+  }
+
+  static Report load(ByteReader& reader) {
+    read_layout(reader, report_layout);
+    return read_tree(reader, 0);
+  }
+};
+
 }  // namespace
 
-void write_report_bytes(const Report& report, ByteWriter& writer) { write_tree(report, 0, writer); }
-
-Report read_report_bytes(ByteReader& reader) { return read_tree(reader, 0); }
+constinit const ValueTraits ValueTraits::Report = value_row<ReportValue>();
 
 }  // namespace croquis

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <set>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "croquis/base/error.h"
+#include "croquis/document/byte_size.h"
+#include "croquis/document/content_hash.h"
+#include "croquis/document/evaluator.h"
+#include "croquis/document/value_bytes.h"
+#include "croquis/io/project_file.h"
+#include "document/values/value_row.h"
+#include "io/project/database.h"
+#include "io/project/project_reader.h"
+#include "io/scratch.h"
+#include "support/mesh_shapes.h"
+#include "support/trial_operation.h"
+
+/// What holds for every type of value, and a type that only this file knows, which goes all the way that a value can.
+namespace thermal {
+
+/// Temperatures at places.
+struct Thermometer {
+  std::vector<croquis::Vec3> places;
+  std::vector<double> degrees;
+};
+
+croquis::BoundingBox bounds_of(const Thermometer& thermometer) {
+  croquis::PolyMesh points;
+  points.positions = thermometer.places;
+  return croquis::bounds_of(points);
+}
+
+Thermometer transformed(Thermometer thermometer, const croquis::Affine3& map) {
+  for (croquis::Vec3& place : thermometer.places) place = map(place);
+  return thermometer;
+}
+
+struct ThermometerValue {
+  using Content = Thermometer;
+  static constexpr const char* name = "thermometer";
+  static constexpr std::uint64_t tag = 1000;
+
+  static void add_content(const Thermometer& thermometer, croquis::ContentHasher& hasher) {
+    for (const croquis::Vec3& place : thermometer.places) {
+      for (const double coordinate : place) hasher.add(coordinate);
+    }
+    hasher.add(std::span<const double>(thermometer.degrees));
+  }
+  static std::size_t byte_size(const Thermometer& thermometer) {
+    return sizeof(Thermometer) + 32 * thermometer.degrees.size();
+  }
+  static void store(const Thermometer& thermometer, croquis::ByteWriter& writer) {
+    writer.number(std::uint32_t{1});
+    writer.numbers(thermometer.degrees);
+    for (const croquis::Vec3& place : thermometer.places) {
+      for (const double coordinate : place) writer.number(coordinate);
+    }
+  }
+  static Thermometer load(croquis::ByteReader& reader) {
+    croquis::read_layout(reader, 1);
+    Thermometer thermometer{{}, reader.numbers<double>()};
+    thermometer.places.resize(thermometer.degrees.size());
+    for (croquis::Vec3& place : thermometer.places) {
+      for (double& coordinate : place) coordinate = reader.number<double>();
+    }
+    return thermometer;
+  }
+};
+
+constinit const croquis::ValueTraits thermometer_row = croquis::value_row<ThermometerValue>();
+
+constexpr const croquis::ValueTraits& value_traits(std::type_identity<Thermometer>) { return thermometer_row; }
+
+}  // namespace thermal
+
+namespace croquis {
+namespace {
+
+using test::add_operation;
+using thermal::Thermometer;
+
+static_assert(ValueContent<PolyMesh> && ValueContent<Drawing> && ValueContent<Report> && ValueContent<Thermometer>);
+static_assert(!ValueContent<int> && !ValueContent<MeshTags> && !std::is_convertible_v<std::shared_ptr<int>, Value>);
+
+Value mesh_value() { return std::make_shared<const PolyMesh>(test::cube()); }
+
+Value thermometer(double degrees) {
+  return std::make_shared<const Thermometer>(Thermometer{{Vec3(1, 2, 3), Vec3(-1, 0, 0)}, {degrees, 20}});
+}
+
+/// One that warms by its parameter "factor", and the thermometer that it warms.
+struct ThermalFixture {
+  Registry registry;
+  Document document;
+
+  ThermalFixture() {
+    OperationDescription warm = test::mesh_to_mesh("warm");
+    warm.inputs[0].type = warm.outputs[0].type = ValueType::of<Thermometer>();
+    add_operation(registry, warm, [](const Values& inputs, const ParameterValues& parameters, Context&) {
+      Thermometer warmed = inputs.at("mesh").get<Thermometer>();
+      for (double& degrees : warmed.degrees) degrees *= std::get<double>(parameters.at("factor"));
+      return OperationResult{{{"mesh", std::make_shared<const Thermometer>(warmed)}}, {}};
+    });
+    Node placed = test::operation_node("warm", {1, "value"}, 2);
+    placed.transform.offset = Vec3(0, 0, 10);
+    document = Document()
+                   .with(test::source_node(thermometer(5)))
+                   .with(placed)
+                   .with(test::operation_node("warm", {3, "value"}, 2, "of a mesh"))
+                   .with(test::source_node(mesh_value()));
+    Node wrong = *document.find(3);
+    wrong.inputs["mesh"] = {4, "value"};
+    document = document.with(wrong);
+  }
+};
+
+TEST_CASE("values give their content as what it is, and are equal by identity") {
+  const Value none, empty = std::shared_ptr<const PolyMesh>(), mesh = mesh_value(), copy = mesh, other = mesh_value();
+  CHECK(none.type() == ValueType());
+  CHECK(empty.type() == ValueType::Mesh);
+  CHECK_FALSE(empty.has_content());
+  CHECK(mesh.as<PolyMesh>()->face_count() == 6);
+  CHECK(mesh.as<Drawing>() == nullptr);
+  CHECK(mesh.as<Thermometer>() == nullptr);
+  CHECK(&mesh.get<PolyMesh>() == mesh.as<PolyMesh>().get());
+  for (const Value& wrong : {none, empty, thermometer(1)}) CHECK_THROWS_AS(wrong.get<PolyMesh>(), Error);
+  CHECK_THROWS_AS(mesh.get<Report>(), Error);
+  CHECK(mesh == copy);
+  CHECK(mesh != other);
+  CHECK(std::set<Value>{none, empty, mesh, copy, other}.size() == 4);
+  CHECK(byte_size(none) == 0);
+  CHECK_FALSE(bounds_of(none).has_value());
+}
+
+TEST_CASE("names and tags of the types of values differ") {
+  std::set<std::string> names;
+  std::set<std::uint64_t> tags;
+  for (const ValueType type : value_types()) {
+    names.insert(to_string(type));
+    tags.insert(type.traits().tag);
+  }
+  CHECK(names.size() == value_types().size());
+  CHECK(tags.size() == value_types().size());
+  CHECK(names == std::set<std::string>{"mesh", "drawing", "report"});
+}
+
+TEST_CASE("values lie where their points are; reports lie nowhere and stay what they are") {
+  Affine3 map;
+  map.offset = Vec3(1, 1, 1);
+  Drawing drawing;
+  drawing.strokes.resize(1);
+  drawing.strokes[0].samples = {{Vec2(0, 0)}, {Vec2(2, 3)}};
+  drawing.plane.v = Vec3::UnitZ();
+  const Value sketch = std::make_shared<const Drawing>(drawing);
+  CHECK(bounds_of(sketch) == BoundingBox({Vec3(0, 0, 0), Vec3(2, 0, 3)}));
+  CHECK(bounds_of(sketch.transformed(map)) == BoundingBox({Vec3(1, 1, 1), Vec3(3, 1, 4)}));
+  CHECK(bounds_of(mesh_value().transformed(map)) == BoundingBox({Vec3(1, 1, 1), Vec3(2, 2, 2)}));
+  CHECK(bounds_of(thermometer(1).transformed(map)) == BoundingBox({Vec3(0, 1, 1), Vec3(2, 3, 4)}));
+  const Value report = std::make_shared<const Report>(Report(1));
+  CHECK_FALSE(bounds_of(report).has_value());
+  CHECK(report.transformed(map) == report);
+}
+
+TEST_CASE("a type of value that one file defines is computed, moved, hashed and counted like all others") {
+  const ThermalFixture f;
+  Evaluator evaluator(f.registry);
+  Progress progress;
+  const auto warmed = evaluator.evaluate(f.document, 2, Quality::Final, progress);
+  REQUIRE_FALSE(warmed->failed);
+  const Value& value = warmed->outputs.at("mesh");
+  CHECK(value.get<Thermometer>().degrees == std::vector<double>{10, 40});
+  CHECK(value.get<Thermometer>().places[0] == Vec3(1, 2, 13));
+  CHECK(byte_size(value) == sizeof(Thermometer) + 64);
+  CHECK(evaluator.bytes() > 2 * byte_size(value));
+  CHECK(content_hash(thermometer(5)) == content_hash(thermometer(5)));
+  CHECK(content_hash(thermometer(5)) != content_hash(thermometer(6)));
+  const auto wrong = evaluator.evaluate(f.document, 3, Quality::Final, progress);
+  REQUIRE(wrong->failed);
+  CHECK(wrong->findings[0].code == "E_INPUT");
+  CHECK(wrong->findings[0].message.find("a thermometer") != std::string::npos);
+}
+
+TEST_CASE("a project keeps a type of value for readers that know it, and others leave its nodes out") {
+  const ThermalFixture f;
+  const test::Scratch folder;
+  Progress progress;
+  save_project(folder / "a.croq", {f.document, {}, {}}, progress);
+  std::vector<ValueType> types(value_types().begin(), value_types().end());
+  types.push_back(ValueType::of<Thermometer>());
+  Database database = Database::read(folder / "a.croq", std::filesystem::file_size(folder / "a.croq"), progress);
+  const ProjectFile known = read_project_database(database, "a.croq", progress, types);
+  CHECK(known.warnings.empty());
+  CHECK(content_hash(known.document) == content_hash(f.document));
+  const ProjectFile unknown = load_project(folder / "a.croq", progress);
+  CHECK(unknown.document.nodes().size() == f.document.nodes().size() - 1);
+  REQUIRE(unknown.warnings.size() == 2);
+  CHECK(unknown.warnings[0].message.find("kind that this version doesn't know") != std::string::npos);
+  CHECK(unknown.warnings[1].message.find("lost its input") != std::string::npos);
+  const std::string bytes = encode(thermometer(3));
+  CHECK(encode(decode(ValueType::of<Thermometer>(), bytes)) == bytes);
+  CHECK_THROWS_AS(decode(ValueType::of<Thermometer>(), bytes + "x"), BadBytes);
+}
+
+}  // namespace
+}  // namespace croquis
