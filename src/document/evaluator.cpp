@@ -192,11 +192,13 @@ std::shared_ptr<const Evaluation> Pull::compute(const Slot& slot, Progress& prog
   Evaluation evaluation;
   evaluation.outputs = std::move(outcome.result.outputs);
   evaluation.findings = std::move(outcome.result.warnings);
+  evaluation.details = std::move(outcome.result.details);
   if (!outcome.failed) add_version_warning(slot.state, evaluation.findings);
   evaluation.failed = outcome.failed;
   evaluation.quality = quality_;
   evaluation.key = slot.key;
-  const std::size_t bytes = sizeof evaluation + byte_size(evaluation.outputs) + byte_size(evaluation.findings);
+  const std::size_t bytes =
+      sizeof evaluation + byte_size(evaluation.outputs) + byte_size(evaluation.findings) + evaluation.details.bytes();
   auto shared = std::make_shared<const Evaluation>(std::move(evaluation));
   return outcome.repeatable ? memo_.keep<Evaluation>(slot.key, std::move(shared), bytes) : shared;
 }
@@ -217,6 +219,7 @@ std::shared_ptr<const Evaluation> with_stale_outputs(const std::shared_ptr<const
   if (!good) return failed;
   Evaluation evaluation = *failed;
   evaluation.outputs = good->outputs;
+  evaluation.details = good->details;
   evaluation.stale = true;
   return std::make_shared<const Evaluation>(std::move(evaluation));
 }

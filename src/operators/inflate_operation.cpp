@@ -99,8 +99,10 @@ OperationResult InflateOperation::compute(const Values& inputs, const ParameterV
   OperationResult result;
   result.warnings = labelled.findings;
   result.warnings.insert(result.warnings.end(), solid.findings.begin(), solid.findings.end());
-  result.outputs["details"] = std::make_shared<const Report>(inflate_details(drawing, labelled, solid));
-  result.outputs["labels"] = std::make_shared<const Drawing>(label_drawing(drawing, labelled));
+  InflateResult details = result_of_inflating(drawing, labelled, solid);
+  result.outputs["details"] = std::make_shared<const Report>(to_report(details));
+  result.outputs["labels"] = std::make_shared<const Drawing>(label_drawing(drawing, labelled, details.arcs));
+  result.details = std::move(details);
   result.outputs["skeleton"] = std::make_shared<const PolyMesh>(std::move(solid.skeleton));
   result.outputs["mesh"] = std::make_shared<const PolyMesh>(std::move(solid.mesh));
   return result;

@@ -51,13 +51,6 @@ std::shared_ptr<const PolyMesh> mesh_of(const Evaluation& evaluation, const Oper
   return std::get<std::shared_ptr<const PolyMesh>>(output->second);
 }
 
-const Report* report_of(const Evaluation* evaluation, const std::string& output) {
-  if (evaluation == nullptr) return nullptr;
-  const auto found = evaluation->outputs.find(output);
-  if (found == evaluation->outputs.end()) return nullptr;
-  return std::get<std::shared_ptr<const Report>>(found->second).get();
-}
-
 std::vector<StudioObject> objects_of(const Document& document, const Registry& registry) {
   std::set<NodeId> used;
   for (const auto& node : document.nodes()) {

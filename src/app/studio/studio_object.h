@@ -45,9 +45,6 @@ std::shared_ptr<const PolyMesh> mesh_in(const Node& node);
 /// The first mesh that an evaluation gives by the description of its operation, or null.
 std::shared_ptr<const PolyMesh> mesh_of(const Evaluation& evaluation, const Operation& operation);
 
-/// A report among an evaluation's outputs, or null.
-const Report* report_of(const Evaluation* evaluation, const std::string& output);
-
 /// Every node of the document that gives a mesh and that no other node uses, in the document's order, without results.
 std::vector<StudioObject> objects_of(const Document& document, const Registry& registry);
 
