@@ -25,6 +25,21 @@ const char* to_string(SubjectKind kind) {
   return "file";
 }
 
+Subject numbered_subject(SubjectKind kind, std::size_t index, std::vector<double> at) {
+  return {kind, {}, {}, {}, std::move(at), static_cast<std::int64_t>(index), {}};
+}
+
+Subject edge_subject(std::size_t a, std::size_t b) {
+  const std::array vertices{static_cast<std::int64_t>(a), static_cast<std::int64_t>(b)};
+  return {SubjectKind::Edge, {}, {}, {}, {}, {}, vertices};
+}
+
+std::string name_of(const Subject& subject) {
+  if (subject.index) return std::to_string(*subject.index);
+  if (subject.vertices) return std::to_string((*subject.vertices)[0]) + "-" + std::to_string((*subject.vertices)[1]);
+  return subject.id;
+}
+
 bool has_errors(const Findings& findings) {
   return std::any_of(findings.begin(), findings.end(),
                      [](const Finding& finding) { return finding.severity == Severity::Error; });

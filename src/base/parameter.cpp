@@ -66,6 +66,7 @@ bool acceptable(const ParameterDescription& description, const ParameterValue& v
              std::find(description.choices.begin(), description.choices.end(), std::get<std::string>(value)) !=
                  description.choices.end();
     case ParameterType::Text:
+      return std::holds_alternative<std::string>(value) || std::holds_alternative<ParsedText>(value);
     case ParameterType::File: return std::holds_alternative<std::string>(value);
   }
   return false;
@@ -130,6 +131,7 @@ std::string to_text(const ParameterValue& value) {
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
   if (const auto* integer = std::get_if<std::int64_t>(&value)) return std::to_string(*integer);
   if (const auto* number = std::get_if<double>(&value)) return number_text(*number);
+  if (const auto* parsed = std::get_if<ParsedText>(&value)) return parsed->text();
   return std::get<std::string>(value);
 }
 

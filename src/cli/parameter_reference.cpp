@@ -7,10 +7,18 @@
 namespace croquis::cli {
 namespace {
 
+struct DefaultEntry {
+  Report operator()(const ParsedText& value) const { return value.text(); }
+  template <typename Plain>
+  Report operator()(const Plain& value) const {
+    return value;
+  }
+};
+
 Report describe_parameter(const ParameterDescription& parameter) {
   Report entry;
   entry.set("name", parameter.name).set("type", to_string(parameter.type));
-  entry.set("default", std::visit([](const auto& value) { return Report(value); }, parameter.default_value));
+  entry.set("default", std::visit(DefaultEntry(), parameter.default_value));
   if (parameter.type == ParameterType::Integer || parameter.type == ParameterType::Number) {
     entry.set("minimum", parameter.minimum).set("maximum", parameter.maximum);
   }

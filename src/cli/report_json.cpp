@@ -8,7 +8,7 @@ namespace {
 
 Report to_report(const Subject& subject) {
   Report report;
-  report.set("kind", to_string(subject.kind)).set("id", subject.id);
+  report.set("kind", to_string(subject.kind)).set("id", name_of(subject));
   if (subject.file) report.set("file", *subject.file);
   if (subject.line) report.set("line", *subject.line);
   if (!subject.at.empty()) report.set("at", Report::list(subject.at));

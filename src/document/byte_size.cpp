@@ -31,6 +31,8 @@ std::size_t byte_size(const Node& node) {
   for (const auto& [name, value] : node.parameters) {
     bytes += tree_node + size_of(name) + sizeof(ParameterValue);
     if (const auto* text = std::get_if<std::string>(&value)) bytes += text->capacity();
+    // What a text stands for is about as large as the text.
+    if (const auto* parsed = std::get_if<ParsedText>(&value)) bytes += 2 * parsed->text().capacity();
   }
   for (const auto& [port, link] : node.inputs)
     bytes += tree_node + size_of(port) + sizeof(Link) + link.output.capacity();

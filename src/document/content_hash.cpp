@@ -61,12 +61,26 @@ ContentHash ContentHasher::digest() const {
   return {digest.high64, digest.low64};
 }
 
+namespace {
+
+/// A text is the same whether it was parsed or not.
+void add_content(ContentHasher& hasher, const ParameterValue& value) {
+  if (const auto* parsed = std::get_if<ParsedText>(&value)) return add_content(hasher, ParameterValue(parsed->text()));
+  hasher.add(value.index());
+  std::visit(
+      [&](const auto& content) {
+        if constexpr (!std::is_same_v<std::decay_t<decltype(content)>, ParsedText>) hasher.add(content);
+      },
+      value);
+}
+
+}  // namespace
+
 void add_content(ContentHasher& hasher, const ParameterValues& parameters) {
   hasher.add(parameters.size());
   for (const auto& [name, value] : parameters) {
     hasher.add(name);
-    hasher.add(value.index());
-    std::visit([&](const auto& content) { hasher.add(content); }, value);
+    add_content(hasher, value);
   }
 }
 

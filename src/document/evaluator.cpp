@@ -319,6 +319,7 @@ std::shared_ptr<const Evaluation> Pull::compute_plain(const Slot& slot, const No
   Evaluation evaluation;
   evaluation.outputs = std::move(outcome.result.outputs);
   evaluation.findings = std::move(outcome.result.warnings);
+  evaluation.details = std::move(outcome.result.details);
   if (!outcome.failed) add_version_warning(slot.state, evaluation.findings);
   evaluation.failed = outcome.failed;
   evaluation.quality = quality_;
@@ -328,7 +329,8 @@ std::shared_ptr<const Evaluation> Pull::compute_plain(const Slot& slot, const No
 }
 
 std::shared_ptr<const Evaluation> Pull::keep(const ContentHash& key, Evaluation evaluation) {
-  const std::size_t bytes = sizeof evaluation + byte_size(evaluation.outputs) + byte_size(evaluation.findings);
+  const std::size_t bytes =
+      sizeof evaluation + byte_size(evaluation.outputs) + byte_size(evaluation.findings) + evaluation.details.bytes();
   return memo_.keep<Evaluation>(key, std::make_shared<const Evaluation>(std::move(evaluation)), bytes);
 }
 
@@ -349,6 +351,7 @@ std::shared_ptr<const Evaluation> with_stale_outputs(const std::shared_ptr<const
   if (!good) return failed;
   Evaluation evaluation = *failed;
   evaluation.outputs = good->outputs;
+  evaluation.details = good->details;
   evaluation.stale = true;
   return std::make_shared<const Evaluation>(std::move(evaluation));
 }

@@ -35,7 +35,7 @@ Elements existing_elements(const EditLine& line, const MeshTopology& topology) {
   throw Error(make_error(Category::Usage, "E_EDIT",
                          "'" + to_text(line) + "': there is no " + singular(kind) + ' ' + number + ", only " +
                              std::to_string(count) + ' ' + plural(kind) + ", counted from 0.",
-                         {{subject_of(kind), number, {}, {}, {}}}));
+                         {numbered_subject(subject_of(kind), elements.back())}));
 }
 
 /// What comes from where, through one more edit.

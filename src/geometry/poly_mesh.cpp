@@ -22,7 +22,7 @@ class Collector {
   void add(const char* code, SubjectKind kind, std::size_t id, const std::function<std::string()>& sentence) {
     std::size_t& count = counts_[code];
     if (++count > max_listed) return;
-    findings_.push_back(make_error(Category::Malformed, code, sentence(), {{kind, std::to_string(id), {}, {}, {}}}));
+    findings_.push_back(make_error(Category::Malformed, code, sentence(), {numbered_subject(kind, id)}));
     if (count == max_listed) last_listed_[code] = findings_.size() - 1;
   }
 

@@ -21,7 +21,7 @@ void require_finite(std::span<const Vec3> vectors, const std::string& what) {
     if (vectors[i].allFinite()) continue;
     throw Error(make_error(Category::Malformed, "E_NOT_FINITE",
                            "The " + what + " of point " + std::to_string(i) + " is not finite: correct or remove it.",
-                           {{SubjectKind::Point, std::to_string(i), {}, {}, {}}}));
+                           {numbered_subject(SubjectKind::Point, i)}));
   }
 }
 
@@ -47,7 +47,7 @@ void require_constraints(const Constraints& constraints) {
     if (std::isfinite(constraints.values[i])) continue;
     throw Error(make_error(Category::Malformed, "E_NOT_FINITE",
                            "The value of point " + std::to_string(i) + " is not finite: correct or remove it.",
-                           {{SubjectKind::Point, std::to_string(i), {}, {}, {}}}));
+                           {numbered_subject(SubjectKind::Point, i)}));
   }
 }
 

@@ -23,7 +23,7 @@ void require_triangles(const PolyMesh& mesh) {
     throw Error(make_error(Category::Geometry, "E_NOT_TRIANGLES",
                            "Face " + std::to_string(f) + " has " + std::to_string(mesh.face(f).size()) +
                                " corners, where triangles are needed: triangulate the mesh.",
-                           {{SubjectKind::Face, std::to_string(f), {}, {}, {}}}));
+                           {numbered_subject(SubjectKind::Face, f)}));
   }
 }
 

@@ -26,7 +26,7 @@ std::vector<Vec3> positions_as_floats(const PolyMesh& mesh, MeshFormat format) {
     throw Error(make_error(Category::Geometry, "E_OUT_OF_RANGE",
                            "Vertex " + std::to_string(v) + " is too far out for the 32-bit numbers of " +
                                to_string(format) + "; scale the model down or write another format.",
-                           {{SubjectKind::Vertex, std::to_string(v), std::nullopt, std::nullopt, {}}}));
+                           {numbered_subject(SubjectKind::Vertex, v)}));
   }
   return positions;
 }

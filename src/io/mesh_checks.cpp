@@ -25,7 +25,7 @@ void warn_of_degenerate_faces(const PolyMesh& mesh, ReadContext& context) {
     if (++count <= named_faces) subjects.push_back(face_subject(f).front());
   }
   if (count == 0) return;
-  const std::string first = subjects.front().id;
+  const std::string first = name_of(subjects.front());
   const std::string message = count == 1 ? "face " + first + " uses a vertex twice; it is kept as it is"
                                          : std::to_string(count) + " faces use a vertex twice, the first is face " +
                                                first + "; they are kept as they are";

@@ -13,13 +13,9 @@ bool is_warning_code(const std::string& code) { return code.starts_with("W_"); }
 
 }  // namespace
 
-std::vector<Subject> vertex_subject(std::size_t vertex) {
-  return {{SubjectKind::Vertex, std::to_string(vertex), std::nullopt, std::nullopt, {}}};
-}
+std::vector<Subject> vertex_subject(std::size_t vertex) { return {numbered_subject(SubjectKind::Vertex, vertex)}; }
 
-std::vector<Subject> face_subject(std::size_t face) {
-  return {{SubjectKind::Face, std::to_string(face), std::nullopt, std::nullopt, {}}};
-}
+std::vector<Subject> face_subject(std::size_t face) { return {numbered_subject(SubjectKind::Face, face)}; }
 
 void ReadContext::error(const char* code, const std::string& message, Place place, std::vector<Subject> elements) {
   ++error_count_;

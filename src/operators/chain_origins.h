@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
-#include "croquis/geometry/vector.h"
+#include "croquis/operators/subdivide_result.h"
 #include "croquis/subdivision/edge_chain.h"
 #include "operators/subdivision_plan.h"
 
 namespace croquis {
-
-/// An edge of the mesh that the cage was read from, by its vertices, lower first.
-using CageEdge = std::array<Index, 2>;
 
 /// The tagged edges of the cage from which each chain of a level descends, sorted. In Catmull-Clark and Loop, two faces
 /// that share several tagged edges count with all of them. Linear time.

@@ -10,6 +10,7 @@
 #include "croquis/base/error.h"
 #include "croquis/document/content_hash.h"
 #include "croquis/edits/apply_edits.h"
+#include "croquis/operators/edit_result.h"
 #include "operators/parameter_values.h"
 
 namespace croquis {
@@ -38,18 +39,31 @@ std::size_t count_new(const std::vector<Index>& sources) {
   return static_cast<std::size_t>(std::count(sources.begin(), sources.end(), no_index));
 }
 
-Report details_of(const PolyMesh& given, const EditedMesh& edited, const std::vector<EditLine>& lines) {
-  Report texts = Report::array();
-  for (const EditLine& line : lines) texts.push(to_text(line));
+EditResult result_of_editing(const PolyMesh& given, const EditedMesh& edited, const std::vector<EditLine>& lines) {
+  EditResult result;
+  for (const EditLine& line : lines) result.edits.push_back(to_text(line));
+  result.connectivity = connectivity_name(given);
+  result.new_vertices = count_new(edited.vertex_source);
+  result.new_faces = count_new(edited.face_source);
+  return result;
+}
+
+Report to_report(const EditResult& result) {
   Report details;
-  details.set("edits", std::move(texts))
-      .set("connectivity", connectivity_name(given))
-      .set("new_vertices", count_new(edited.vertex_source))
-      .set("new_faces", count_new(edited.face_source));
+  details.set("edits", Report::list(result.edits))
+      .set("connectivity", result.connectivity)
+      .set("new_vertices", result.new_vertices)
+      .set("new_faces", result.new_faces);
   return details;
 }
 
 }  // namespace
+
+std::size_t byte_size(const EditResult& result) {
+  std::size_t bytes = sizeof(EditResult) + result.connectivity.capacity();
+  for (const std::string& line : result.edits) bytes += sizeof(std::string) + line.capacity();
+  return bytes;
+}
 
 OperationDescription EditOperation::describe() const {
   return {"edit",
@@ -87,7 +101,9 @@ OperationResult EditOperation::compute(const Values& inputs, const ParameterValu
   const std::vector<EditLine> lines = parse_edit_lines(text(parameters, "do"), all_edits());
   EditedMesh edited = apply_edits(mesh, lines, all_edits(), context.progress);
   OperationResult result;
-  result.outputs["details"] = std::make_shared<const Report>(details_of(mesh, edited, lines));
+  EditResult details = result_of_editing(mesh, edited, lines);
+  result.outputs["details"] = std::make_shared<const Report>(to_report(details));
+  result.details = std::move(details);
   result.outputs["mesh"] = std::make_shared<const PolyMesh>(std::move(edited.mesh));
   result.warnings = std::move(edited.warnings);
   context.progress.report(1);

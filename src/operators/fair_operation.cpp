@@ -9,6 +9,7 @@
 #include "croquis/document/content_hash.h"
 #include "croquis/document/memo.h"
 #include "croquis/io/mesh_tags_file.h"
+#include "croquis/operators/fair_result.h"
 #include "croquis/subdivision/fairing.h"
 #include "operators/parameter_values.h"
 #include "operators/subdivide_tags.h"
@@ -54,14 +55,14 @@ ContentHash hash_of(const std::shared_ptr<const PolyMesh>& mesh, const FairingOp
   return hasher.digest();
 }
 
-Report details_of(const Fairing& fairing, const FairCage& cage, double weight) {
+Report to_report(const FairResult& result) {
   Report details;
-  details.set("free_points", fairing.free_point_count())
-      .set("weight", weight)
-      .set("energy_before", cage.energy_before)
-      .set("energy", cage.energy)
-      .set("greatest_move", cage.greatest_move)
-      .set("mean_move", cage.mean_move);
+  details.set("free_points", result.free_points)
+      .set("weight", result.weight)
+      .set("energy_before", result.energy_before)
+      .set("energy", result.energy)
+      .set("greatest_move", result.greatest_move)
+      .set("mean_move", result.mean_move);
   return details;
 }
 
@@ -128,7 +129,10 @@ OperationResult FairOperation::compute(const Values& inputs, const ParameterValu
   const double weight = std::get<double>(parameters.at("weight")) * fairing.default_weight();
   FairCage fair = fairing.solve(weight, solving);
   result.warnings.insert(result.warnings.end(), fairing.warnings().begin(), fairing.warnings().end());
-  result.outputs["details"] = std::make_shared<const Report>(details_of(fairing, fair, weight));
+  const FairResult details{fairing.free_point_count(), weight,        fair.energy_before, fair.energy,
+                           fair.greatest_move,         fair.mean_move};
+  result.outputs["details"] = std::make_shared<const Report>(to_report(details));
+  result.details = details;
   result.outputs["mesh"] = std::make_shared<const PolyMesh>(std::move(fair.mesh));
   context.progress.report(1);
   return result;

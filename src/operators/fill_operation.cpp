@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "operators/fill_operation.h"
 
+#include <memory>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -13,29 +15,36 @@
 namespace croquis {
 namespace {
 
-using namespace hole_filling;
+using hole_filling::FillOptions;
+using hole_filling::Hole;
+using hole_filling::HoleAnalysis;
+using hole_filling::RemeshOptions;
+using hole_filling::RemeshResult;
 
-/// What filling would begin with: nothing is made, and the mesh stays as it is.
-OperationResult list_holes(std::shared_ptr<const PolyMesh> scan, const FillOptions& options, Progress& progress) {
-  HoleAnalysis analysis = analyse_holes(*scan, progress, options.analysis);
-  const HoleChoice choice = choose_holes(analysis.holes, options);
+OperationResult outputs_of(std::span<const Hole> holes, FillResult details, std::shared_ptr<const PolyMesh> mesh,
+                           Findings warnings) {
   OperationResult result;
-  result.outputs["details"] = std::make_shared<const Report>(list_details(*scan, analysis.holes, choice));
-  result.outputs["rims"] = std::make_shared<const PolyMesh>(rim_lines(*scan, analysis.holes));
-  result.outputs["mesh"] = std::move(scan);
-  result.warnings = std::move(analysis.warnings);
+  result.outputs["details"] = std::make_shared<const Report>(to_report(details));
+  result.outputs["rims"] = std::make_shared<const PolyMesh>(rim_lines(*details.scan, holes));
+  result.outputs["mesh"] = std::move(mesh);
+  result.warnings = std::move(warnings);
+  result.details = std::move(details);
   return result;
 }
 
-/// @param made a FillResult or RemeshResult, whose mesh and warnings are taken
-template <typename Result>
-OperationResult outputs_of(const PolyMesh& scan, Result& made, Report details) {
-  OperationResult result;
-  result.outputs["details"] = std::make_shared<const Report>(std::move(details));
-  result.outputs["rims"] = std::make_shared<const PolyMesh>(rim_lines(scan, made.analysis.holes));
-  result.outputs["mesh"] = std::make_shared<const PolyMesh>(std::move(made.mesh));
-  result.warnings = std::move(made.warnings);
-  return result;
+/// What filling would begin with: nothing is made, and the mesh stays as it is.
+OperationResult list_holes(const std::shared_ptr<const PolyMesh>& scan, const FillOptions& options,
+                           Progress& progress) {
+  HoleAnalysis analysis = hole_filling::analyse_holes(*scan, progress, options.analysis);
+  FillResult details = result_of_listing(scan, analysis.holes, choose_holes(analysis.holes, options));
+  return outputs_of(analysis.holes, std::move(details), scan, std::move(analysis.warnings));
+}
+
+/// @param made by the algorithm; its mesh and warnings are taken
+template <typename Made>
+OperationResult outputs_of(Made& made, FillResult details) {
+  auto mesh = std::make_shared<const PolyMesh>(std::move(made.mesh));
+  return outputs_of(made.analysis.holes, std::move(details), std::move(mesh), std::move(made.warnings));
 }
 
 /// Distinguishes the scan from all others in the memo.
@@ -53,15 +62,18 @@ OperationResult patch_holes(const std::shared_ptr<const PolyMesh>& scan, const F
     options.cache = &cache;
     options.scan_key = key_of(scan);
   }
-  FillResult filled = fill_holes(*scan, options, context.progress);
-  return outputs_of(*scan, filled, fill_details(*scan, filled));
+  hole_filling::FillResult filled = hole_filling::fill_holes(*scan, options, context.progress);
+  FillResult details = result_of_filling(scan, filled);
+  return outputs_of(filled, std::move(details));
 }
 
-OperationResult remesh_scan(const PolyMesh& scan, const FillSettings& settings, Context& context) {
+OperationResult remesh_scan(const std::shared_ptr<const PolyMesh>& scan, const FillSettings& settings,
+                            Context& context) {
   RemeshOptions options = settings.options;
   options.fill.threads = context.threads;
-  RemeshResult made = remesh_surface(scan, options, context.progress);
-  return outputs_of(scan, made, remesh_details(made));
+  RemeshResult made = hole_filling::remesh_surface(*scan, options, context.progress);
+  FillResult details = result_of_remeshing(scan, made);
+  return outputs_of(made, std::move(details));
 }
 
 }  // namespace
@@ -94,7 +106,7 @@ OperationResult FillOperation::compute(const Values& inputs, const ParameterValu
   const auto scan = inputs.at("scan").as<PolyMesh>();
   const FillSettings settings = read_fill_settings(parameters);
   OperationResult result = settings.list_only ? list_holes(scan, settings.options.fill, context.progress)
-                           : settings.remesh  ? remesh_scan(*scan, settings, context)
+                           : settings.remesh  ? remesh_scan(scan, settings, context)
                                               : patch_holes(scan, settings, context);
   result.warnings.insert(result.warnings.begin(), settings.warnings.begin(), settings.warnings.end());
   return result;

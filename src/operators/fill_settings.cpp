@@ -10,7 +10,6 @@
 
 #include "croquis/base/error.h"
 #include "croquis/operators/hole_wishes.h"
-#include "operators/hole_ids.h"
 #include "operators/parameter_values.h"
 
 namespace croquis {
@@ -22,7 +21,6 @@ using hole_filling::HoleRequest;
 using hole_filling::Precision;
 using hole_filling::Preset;
 using hole_filling::RemeshOptions;
-using hole_filling::Selection;
 using implicit::Kernel;
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
@@ -33,12 +31,6 @@ ParameterDescription list(const std::string& name, const std::string& sentence) 
 
 ParameterDescription flag(const std::string& name, bool value, const std::string& sentence) {
   return {name, ParameterType::Flag, value, 0, 0, {}, "", sentence};
-}
-
-Selection selection_of(const std::string& name) {
-  if (name == "all") return Selection::All;
-  if (name == "all-but-largest") return Selection::AllButLargest;
-  return name == "none" ? Selection::None : Selection::Inner;
 }
 
 Fairness fairness_of(std::string_view name) {
@@ -72,15 +64,6 @@ HoleRequest request_of(const HoleWish& wish) {
   if (wish.trim_rim) request.trim_rim = static_cast<int>(*wish.trim_rim);
   request.through = wish.through;
   return request;
-}
-
-void read_choice(const ParameterValues& parameters, FillOptions& options) {
-  options.selection = selection_of(text(parameters, "select"));
-  options.only = parse_hole_ids(text(parameters, "only"));
-  const double limit = number(parameters, "max-diameter");
-  if (limit > 0) options.max_diameter = limit;
-  for (const HoleWish& wish : parse_hole_wishes(text(parameters, "holes")))
-    options.requests.push_back(request_of(wish));
 }
 
 void read_shape(const ParameterValues& parameters, FillOptions& options) {
@@ -167,7 +150,7 @@ std::vector<ParameterDescription> fill_parameters() {
       choice(
           "mode", {"patch", "remesh"},
           "patch closes holes and changes nothing else; remesh makes all of it of new triangles, from one function."),
-      choice("select", {"inner", "all", "all-but-largest", "none"},
+      choice("select", {selection_names.begin(), selection_names.end()},
              "inner fills all holes that don't look like the border of an open surface; none only those that holes "
              "names."),
       list("only", "Numbers of the holes to fill instead, as the list shows them: 0,3-5."),
@@ -266,7 +249,11 @@ FillSettings read_fill_settings(const ParameterValues& parameters) {
   settings.remesh = text(parameters, "mode") == "remesh";
   settings.options = mode_options(parameters, settings.remesh);
   FillOptions& options = settings.options.fill;
-  read_choice(parameters, options);
+  FillChoice choice = read_fill_choice(parameters);
+  options.selection = choice.select;
+  options.only = std::move(choice.only);
+  options.max_diameter = choice.max_diameter;
+  for (const HoleWish& wish : choice.wishes) options.requests.push_back(request_of(wish));
   read_shape(parameters, options);
   if (settings.remesh)
     options.flat_caps = true;  // fairness is of patches

@@ -11,7 +11,8 @@
 
 namespace croquis {
 
-/// The words for Fairness and implicit::Kernel, the default first.
+/// The words for Selection, Fairness and implicit::Kernel, the default first.
+inline constexpr std::array<std::string_view, 4> selection_names = {"inner", "all", "all-but-largest", "none"};
 inline constexpr std::array<std::string_view, 3> fairness_names = {"rbf", "smooth", "flat"};
 inline constexpr std::array<std::string_view, 4> kernel_names = {"hermite", "triharmonic", "biharmonic", "thin-plate"};
 

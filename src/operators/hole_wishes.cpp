@@ -12,9 +12,16 @@
 #include "croquis/base/error.h"
 #include "croquis/base/index_list.h"
 #include "operators/fill_settings.h"
+#include "operators/hole_ids.h"
+#include "operators/parameter_values.h"
 
 namespace croquis {
 namespace {
+
+using hole_filling::Selection;
+
+constexpr std::array<Selection, 4> selections = {Selection::Inner, Selection::All, Selection::AllButLargest,
+                                                 Selection::None};
 
 constexpr std::string_view blanks = " \t\r\n";
 constexpr std::string_view separators_of_ids = ",+ \t\r\n";
@@ -141,6 +148,18 @@ std::vector<std::string> parts_of(const HoleWish& wish) {
   return parts;
 }
 
+std::vector<HoleWish> wishes_in(const ParameterValue& value) {
+  const auto* written = std::get_if<ParsedText>(&value);
+  const auto* wishes = written == nullptr ? nullptr : written->value<std::vector<HoleWish>>();
+  return wishes == nullptr ? parse_hole_wishes(to_text(value)) : *wishes;
+}
+
+ParameterValue value_of(const std::vector<HoleWish>& wishes) {
+  std::string words = to_text(wishes);
+  if (words.empty()) return words;
+  return ParsedText(std::move(words), wishes);
+}
+
 }  // namespace
 
 std::vector<HoleWish> parse_hole_wishes(const std::string& text) {
@@ -161,6 +180,29 @@ std::string to_text(std::span<const HoleWish> wishes) {
     for (std::size_t i = 1; i < parts.size(); ++i) text += ", " + parts[i];
   }
   return text;
+}
+
+Selection parse_selection(std::string_view name) {
+  const auto found = std::find(selection_names.begin(), selection_names.end(), name);
+  if (found == selection_names.end()) return Selection::Inner;
+  return selections[static_cast<std::size_t>(found - selection_names.begin())];
+}
+
+FillChoice read_fill_choice(const ParameterValues& parameters) {
+  FillChoice choice;
+  choice.select = parse_selection(text(parameters, "select"));
+  choice.only = parse_hole_ids(to_text(parameters.at("only")));
+  if (const double limit = number(parameters, "max-diameter"); limit > 0) choice.max_diameter = limit;
+  choice.wishes = wishes_in(parameters.at("holes"));
+  return choice;
+}
+
+ParameterValues to_parameters(const FillChoice& choice) {
+  const auto name = std::find(selections.begin(), selections.end(), choice.select) - selections.begin();
+  return {{"select", std::string(selection_names[static_cast<std::size_t>(name)])},
+          {"only", index_list_text(choice.only, ',')},
+          {"max-diameter", std::isfinite(choice.max_diameter) ? choice.max_diameter : 0.0},
+          {"holes", value_of(choice.wishes)}};
 }
 
 }  // namespace croquis

@@ -106,8 +106,10 @@ OperationResult InflateOperation::compute(const Values& inputs, const ParameterV
   OperationResult result;
   result.warnings = labelled.findings;
   result.warnings.insert(result.warnings.end(), solid.findings.begin(), solid.findings.end());
-  result.outputs["details"] = std::make_shared<const Report>(inflate_details(drawing, labelled, solid));
-  result.outputs["labels"] = std::make_shared<const Drawing>(label_drawing(drawing, labelled));
+  InflateResult details = result_of_inflating(drawing, labelled, solid);
+  result.outputs["details"] = std::make_shared<const Report>(to_report(details));
+  result.outputs["labels"] = std::make_shared<const Drawing>(label_drawing(drawing, labelled, details.arcs));
+  result.details = std::move(details);
   result.outputs["skeleton"] = on_plane(std::move(solid.skeleton), drawing.plane);
   result.outputs["mesh"] = on_plane(std::move(solid.mesh), drawing.plane);
   return result;

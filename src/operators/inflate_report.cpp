@@ -17,52 +17,57 @@ using silhouette::LabelledFigure;
 using silhouette::Solid;
 
 /// Sums over all independent parts of the drawing.
-struct Totals {
-  std::size_t contours = 0;
-  std::size_t completions = 0;
-  std::size_t contours_completed = 0;
-  std::size_t crossings = 0;
-  std::size_t arcs = 0;
-  std::size_t hidden_arcs = 0;
-  int panels = 0;
-  std::vector<std::size_t> depth_histogram;
-};
-
-void add_arc(const FigureArc& arc, Totals& totals) {
-  const auto depth = static_cast<std::size_t>(arc.depth);
-  if (totals.depth_histogram.size() <= depth) totals.depth_histogram.resize(depth + 1, 0);
-  ++totals.depth_histogram[depth];
-  if (!arc.visible) ++totals.hidden_arcs;
+void add_counts(const LabelledFigure& figure, InflateResult& result) {
+  result.contours += figure.contours.size();
+  result.completions += figure.completions.size();
+  result.crossings += figure.crossings.size();
+  result.panels += figure.panels;
+  result.components += figure.objects.size();
+  std::set<Index> completed;
+  for (const auto& completion : figure.completions) completed.insert(completion.contour);
+  result.contours_completed += completed.size();
 }
 
-Totals add_up(const LabelledDrawing& labelled) {
-  Totals totals;
-  for (const LabelledFigure& figure : labelled.figures) {
-    totals.contours += figure.contours.size();
-    totals.completions += figure.completions.size();
-    totals.crossings += figure.crossings.size();
-    totals.arcs += figure.arcs.size();
-    totals.panels += figure.panels;
-    std::set<Index> completed;
-    for (const auto& completion : figure.completions) completed.insert(completion.contour);
-    totals.contours_completed += completed.size();
-    for (const FigureArc& arc : figure.arcs) add_arc(arc, totals);
+/// @param first_contour number of contours in the figures before this one
+void add_arcs(const LabelledFigure& figure, std::size_t first_contour, std::vector<ArcLabel>& arcs) {
+  for (const FigureArc& arc : figure.arcs) {
+    const std::string& object = figure.objects[figure.contours[arc.contour].object].name;
+    arcs.push_back({first_contour + arc.contour, arc.depth, arc.visible, object});
   }
-  return totals;
 }
 
-Report stroke_names(const Drawing& drawing, const std::vector<Index>& strokes) {
-  Report names = Report::array();
-  for (const Index stroke : strokes) names.push(drawing.strokes[stroke].id);
-  return names;
+void add_overlaps(const LabelledFigure& figure, InflateResult& result) {
+  for (const silhouette::FigureOverlap& overlap : figure.overlaps) {
+    StrandOverlap strands{overlap.at, figure.objects[overlap.upper].name, figure.objects[overlap.lower].name, {}};
+    for (const Index k : overlap.crossings) strands.crossings.push_back(figure.points[figure.crossings[k].vertex]);
+    result.overlaps.push_back(std::move(strands));
+  }
+  for (const silhouette::AttachSuggestion& joint : attach_suggestions(figure)) {
+    result.suggested.push_back({figure.objects[joint.a].name, figure.objects[joint.b].name, joint.at});
+  }
 }
 
-Report object_list(const Drawing& drawing, const Solid& solid) {
-  Report list = Report::array();
+void add_solid(const Drawing& drawing, const Solid& solid, InflateResult& result) {
   for (const silhouette::SolidObject& object : solid.objects) {
+    InflatedObject inflated{object.name, {}, object.euler_region, object.euler_mesh};
+    for (const Index stroke : object.strokes) inflated.strokes.push_back(drawing.strokes[stroke].id);
+    result.objects.push_back(std::move(inflated));
+  }
+  for (const silhouette::SolidShell& shell : solid.shells) {
+    InflatedShell inflated{{}, shell.euler_mesh};
+    for (const Index object : shell.objects) inflated.objects.push_back(solid.objects[object].name);
+    result.shells.push_back(std::move(inflated));
+  }
+  result.attached = solid.attached;
+  result.diagnostics = solid.diagnostics;
+}
+
+Report object_list(const InflateResult& result) {
+  Report list = Report::array();
+  for (const InflatedObject& object : result.objects) {
     Report entry;
     entry.set("name", object.name)
-        .set("strokes", stroke_names(drawing, object.strokes))
+        .set("strokes", Report::list(object.strokes))
         .set("euler_region", object.euler_region)
         .set("euler_mesh", object.euler_mesh);
     list.push(std::move(entry));
@@ -73,106 +78,132 @@ Report object_list(const Drawing& drawing, const Solid& solid) {
 /// In the sketch's own frame, y down.
 Report place(const Vec2& at) { return Report::list(std::vector<double>{at.x(), -at.y()}); }
 
-Report overlap_list(const LabelledDrawing& labelled) {
+Report overlap_list(const InflateResult& result) {
   Report list = Report::array();
-  std::size_t index = 0;
-  for (const LabelledFigure& figure : labelled.figures) {
-    for (const silhouette::FigureOverlap& overlap : figure.overlaps) {
-      Report crossings = Report::array();
-      for (const Index k : overlap.crossings) crossings.push(place(figure.points[figure.crossings[k].vertex]));
-      Report entry;
-      entry.set("index", index++)
-          .set("at", place(overlap.at))
-          .set("upper", figure.objects[overlap.upper].name)
-          .set("lower", figure.objects[overlap.lower].name)
-          .set("crossings", std::move(crossings));
-      list.push(std::move(entry));
-    }
-  }
-  return list;
-}
-
-Report attach_suggestion_list(const LabelledDrawing& labelled) {
-  Report list = Report::array();
-  for (const LabelledFigure& figure : labelled.figures) {
-    for (const silhouette::AttachSuggestion& suggestion : attach_suggestions(figure)) {
-      Report entry;
-      entry.set("a", figure.objects[suggestion.a].name)
-          .set("b", figure.objects[suggestion.b].name)
-          .set("at", place(suggestion.at));
-      list.push(std::move(entry));
-    }
-  }
-  return list;
-}
-
-Report shell_list(const Solid& solid) {
-  Report list = Report::array();
-  for (const silhouette::SolidShell& shell : solid.shells) {
-    Report names = Report::array();
-    for (const Index object : shell.objects) names.push(solid.objects[object].name);
+  for (std::size_t index = 0; index < result.overlaps.size(); ++index) {
+    const StrandOverlap& overlap = result.overlaps[index];
+    Report crossings = Report::array();
+    for (const Vec2& corner : overlap.crossings) crossings.push(place(corner));
     Report entry;
-    entry.set("objects", std::move(names)).set("euler_mesh", shell.euler_mesh);
+    entry.set("index", index)
+        .set("at", place(overlap.at))
+        .set("upper", overlap.upper)
+        .set("lower", overlap.lower)
+        .set("crossings", std::move(crossings));
     list.push(std::move(entry));
   }
   return list;
 }
 
-Report attached_list(const Solid& solid) {
+Report joint_list(const InflateResult& result) {
   Report list = Report::array();
-  for (const silhouette::SolidAttachment& pair : solid.attached) {
+  for (const SuggestedJoint& joint : result.suggested) {
     Report entry;
-    entry.set("a", pair.a).set("b", pair.b).set("kappa", pair.kappa);
-    list.push(std::move(entry));
+    list.push(std::move(entry.set("a", joint.a).set("b", joint.b).set("at", place(joint.at))));
   }
   return list;
 }
 
-std::size_t component_count(const LabelledDrawing& labelled) {
-  std::size_t count = 0;
-  for (const LabelledFigure& figure : labelled.figures) count += figure.objects.size();
-  return count;
+Report shell_list(const InflateResult& result) {
+  Report list = Report::array();
+  for (const InflatedShell& shell : result.shells) {
+    Report entry;
+    list.push(std::move(entry.set("objects", Report::list(shell.objects)).set("euler_mesh", shell.euler_mesh)));
+  }
+  return list;
+}
+
+Report attached_list(const InflateResult& result) {
+  Report list = Report::array();
+  for (const silhouette::SolidAttachment& pair : result.attached) {
+    Report entry;
+    list.push(std::move(entry.set("a", pair.a).set("b", pair.b).set("kappa", pair.kappa)));
+  }
+  return list;
+}
+
+/// How many arcs have 0, 1, 2 … surfaces in front.
+std::vector<std::size_t> depth_histogram(const std::vector<ArcLabel>& arcs) {
+  std::vector<std::size_t> histogram;
+  for (const ArcLabel& arc : arcs) {
+    const auto depth = static_cast<std::size_t>(arc.depth);
+    if (histogram.size() <= depth) histogram.resize(depth + 1, 0);
+    ++histogram[depth];
+  }
+  return histogram;
+}
+
+std::size_t bytes_of(const std::vector<std::string>& names) {
+  std::size_t bytes = names.capacity() * sizeof(std::string);
+  for (const std::string& name : names) bytes += name.capacity();
+  return bytes;
 }
 
 }  // namespace
 
-Report inflate_details(const Drawing& drawing, const LabelledDrawing& labelled, const Solid& solid) {
-  const Totals totals = add_up(labelled);
+InflateResult result_of_inflating(const Drawing& drawing, const LabelledDrawing& labelled, const Solid& solid) {
+  InflateResult result;
+  result.strokes = drawing.strokes.size();
+  for (const LabelledFigure& figure : labelled.figures) {
+    add_arcs(figure, result.contours, result.arcs);
+    add_counts(figure, result);
+    add_overlaps(figure, result);
+  }
+  add_solid(drawing, solid, result);
+  return result;
+}
+
+Report to_report(const InflateResult& result) {
+  const std::vector<std::size_t> depths = depth_histogram(result.arcs);
   Report solver;
-  solver.set("iterations", solid.diagnostics.solver_iterations).set("residual", solid.diagnostics.solver_residual);
+  solver.set("iterations", result.diagnostics.solver_iterations).set("residual", result.diagnostics.solver_residual);
   Report details;
-  details.set("strokes", drawing.strokes.size())
-      .set("objects", object_list(drawing, solid))
-      .set("contours", totals.contours)
-      .set("completions", totals.completions)
-      .set("contours_completed", totals.contours_completed)
-      .set("crossings", totals.crossings)
-      .set("arcs", totals.arcs)
-      .set("hidden_arcs", totals.hidden_arcs)
-      .set("depth_histogram", Report::list(totals.depth_histogram))
-      .set("panels", totals.panels)
-      .set("components", component_count(labelled))
-      .set("max_depth", totals.depth_histogram.empty() ? std::size_t{0} : totals.depth_histogram.size() - 1)
-      .set("skeleton_vertices", solid.diagnostics.skeleton_vertices)
-      .set("collision_constraints", solid.diagnostics.collision_constraints)
-      .set("overlaps", overlap_list(labelled))
-      .set("shells", shell_list(solid))
-      .set("attached", attached_list(solid))
-      .set("attach_suggestions", attach_suggestion_list(labelled))
-      .set("silhouette_iou", solid.diagnostics.silhouette_iou)
-      .set("min_gap", solid.diagnostics.minimum_gap)
+  details.set("strokes", result.strokes)
+      .set("objects", object_list(result))
+      .set("contours", result.contours)
+      .set("completions", result.completions)
+      .set("contours_completed", result.contours_completed)
+      .set("crossings", result.crossings)
+      .set("arcs", result.arcs.size())
+      .set("hidden_arcs", static_cast<std::size_t>(std::ranges::count(result.arcs, false, &ArcLabel::visible)))
+      .set("depth_histogram", Report::list(depths))
+      .set("panels", result.panels)
+      .set("components", result.components)
+      .set("max_depth", depths.empty() ? std::size_t{0} : depths.size() - 1)
+      .set("skeleton_vertices", result.diagnostics.skeleton_vertices)
+      .set("collision_constraints", result.diagnostics.collision_constraints)
+      .set("overlaps", overlap_list(result))
+      .set("shells", shell_list(result))
+      .set("attached", attached_list(result))
+      .set("attach_suggestions", joint_list(result))
+      .set("silhouette_iou", result.diagnostics.silhouette_iou)
+      .set("min_gap", result.diagnostics.minimum_gap)
       .set("solver", std::move(solver));
   return details;
 }
 
-Drawing label_drawing(const Drawing& drawing, const LabelledDrawing& labelled) {
+std::size_t byte_size(const InflateResult& result) {
+  std::size_t bytes = sizeof(InflateResult) + result.arcs.capacity() * sizeof(ArcLabel) +
+                      result.objects.capacity() * sizeof(InflatedObject) +
+                      result.overlaps.capacity() * sizeof(StrandOverlap) +
+                      result.shells.capacity() * sizeof(InflatedShell) +
+                      result.attached.capacity() * sizeof(silhouette::SolidAttachment) +
+                      result.suggested.capacity() * sizeof(SuggestedJoint);
+  for (const ArcLabel& arc : result.arcs) bytes += arc.object.capacity();
+  for (const InflatedObject& object : result.objects) bytes += object.name.capacity() + bytes_of(object.strokes);
+  for (const StrandOverlap& overlap : result.overlaps) bytes += overlap.crossings.capacity() * sizeof(Vec2);
+  for (const InflatedShell& shell : result.shells) bytes += bytes_of(shell.objects);
+  return bytes;
+}
+
+Drawing label_drawing(const Drawing& drawing, const LabelledDrawing& labelled, const std::vector<ArcLabel>& arcs) {
   Drawing labels;
   labels.file = drawing.file;
   labels.plane = drawing.plane;
-  std::size_t first_contour = 0;
   for (const LabelledFigure& figure : labelled.figures) {
     for (const FigureArc& arc : figure.arcs) {
       const FigureContour& contour = figure.contours[arc.contour];
+      const ArcLabel& label = arcs[labels.strokes.size()];
       Stroke stroke;
       stroke.id = "arc-" + std::to_string(labels.strokes.size());
       stroke.closed = arc.count == contour.vertices.size() && figure.crossings.empty();
@@ -181,13 +212,12 @@ Drawing label_drawing(const Drawing& drawing, const LabelledDrawing& labelled) {
         const Index vertex = contour.vertices[(arc.begin + i) % contour.vertices.size()];
         stroke.samples.push_back({figure.points[vertex]});
       }
-      stroke.data = {{"contour", std::to_string(first_contour + arc.contour)},
-                     {"depth", std::to_string(arc.depth)},
-                     {"object", figure.objects[contour.object].name},
-                     {"visible", arc.visible ? "true" : "false"}};
+      stroke.data = {{"contour", std::to_string(label.contour)},
+                     {"depth", std::to_string(label.depth)},
+                     {"object", label.object},
+                     {"visible", label.visible ? "true" : "false"}};
       labels.strokes.push_back(std::move(stroke));
     }
-    first_contour += figure.contours.size();
   }
   return labels;
 }

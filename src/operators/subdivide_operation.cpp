@@ -176,18 +176,20 @@ void Subdivision::move_to_limit(Progress& progress) {
 }
 
 /// Of the chains nothing in drafts: only the mesh counts while something is dragged.
-Report details_of(const Subdivision& subdivision, const SubdivideSettings& settings, Quality quality,
-                  Progress& progress) {
-  Report details;
-  details.set("scheme", to_string(settings.scheme));
-  details.set("levels", level_counts(subdivision.plan(), subdivision.last()));
-  if (quality == Quality::Draft) return details;
+SubdivideResult result_of_subdividing(const Subdivision& subdivision, const SubdivideSettings& settings,
+                                      Quality quality, Progress& progress) {
+  SubdivideResult result;
+  result.scheme = settings.scheme;
+  result.levels = level_counts(subdivision.plan(), subdivision.last());
+  if (quality == Quality::Draft) return result;
   const Level& level = subdivision.level();
   const std::vector<EdgeChain> chains = edge_chains(level);
-  details.set("chains", chain_list(level, chains, subdivision.positions(), subdivision.origins_of(chains)));
+  result.chains = sharp_chains(level, chains, subdivision.positions(), subdivision.origins_of(chains));
   const ContinuityReport continuity = subdivision.continuity(progress);
-  details.set("continuity", continuity_list(continuity, subdivision.last()));
-  return std::move(details.set("verdict", continuity.sentence));
+  result.continuity = continuity_angles(continuity, subdivision.last());
+  result.verdict = continuity.sentence;
+  result.judged = true;
+  return result;
 }
 
 }  // namespace
@@ -226,8 +228,9 @@ OperationResult SubdivideOperation::compute(const Values& inputs, const Paramete
   append(result.warnings, warnings_of(subdivision.plan()));
 
   Progress judging = context.progress.step("judge", 0.1);
-  result.outputs["details"] =
-      std::make_shared<const Report>(details_of(subdivision, settings, context.quality, judging));
+  SubdivideResult details = result_of_subdividing(subdivision, settings, context.quality, judging);
+  result.outputs["details"] = std::make_shared<const Report>(to_report(details));
+  result.details = std::move(details);
   result.outputs["chains"] = std::make_shared<const PolyMesh>(subdivision.curves());
   result.outputs["tags-out"] = std::make_shared<const Report>(report_of(subdivision.tags()));
   result.outputs["mesh"] = std::make_shared<const PolyMesh>(subdivision.take_mesh());

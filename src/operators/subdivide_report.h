@@ -6,6 +6,7 @@
 
 #include "croquis/base/report.h"
 #include "croquis/geometry/poly_mesh.h"
+#include "croquis/operators/subdivide_result.h"
 #include "croquis/subdivision/chain_curve.h"
 #include "croquis/subdivision/continuity.h"
 #include "croquis/subdivision/edge_chain.h"
@@ -14,18 +15,21 @@
 
 namespace croquis {
 
-/// Counts of the levels 0 to `last`: vertices, edges, faces, boundary_edges, sharp_edges.
-Report level_counts(const SubdivisionPlan& plan, int last);
+/// Counts of the levels 0 to `last`.
+std::vector<LevelCounts> level_counts(const SubdivisionPlan& plan, int last);
 
-/// What is known of the chains of a level: edges, closed, ends, least and greatest angle (`dihedral_min`,
-/// `dihedral_max`, degrees), length, deviation from a plane, the greatest angles on both sides. Linear time.
+/// What is known of the chains of a level. Linear time.
 /// @param positions #V of the level
-/// @param origins   per chain, for `cage_edges`
-Report chain_list(const subdivision::Level& level, std::span<const subdivision::EdgeChain> chains,
-                  std::span<const Vec3> positions, std::span<const std::vector<CageEdge>> origins);
+/// @param origins   per chain, the edges of the cage
+std::vector<SharpChain> sharp_chains(const subdivision::Level& level, std::span<const subdivision::EdgeChain> chains,
+                                     std::span<const Vec3> positions, std::span<const std::vector<CageEdge>> origins);
 
-/// The greatest angle at untagged edges of the levels 0 to `last`, in degrees.
-Report continuity_list(const subdivision::ContinuityReport& report, int last);
+/// The greatest angle at untagged edges of the levels 0 to `last`, radians.
+std::vector<double> continuity_angles(const subdivision::ContinuityReport& report, int last);
+
+/// Counts of every level; of a result that was judged, chains with their angles (`dihedral_min`, `dihedral_max`),
+/// `continuity` and `verdict`, too. Angles in degrees.
+Report to_report(const SubdivideResult& result);
 
 /// The curves as polylines, each an "object" of its own.
 /// @param tolerance greatest distance of a chord from its curve, model units, > 0

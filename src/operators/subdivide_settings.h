@@ -5,14 +5,10 @@
 #include <vector>
 
 #include "croquis/base/parameter.h"
+#include "croquis/operators/subdivide_result.h"
 #include "croquis/subdivision/rules.h"
 
 namespace croquis {
-
-enum class SubdivisionScheme { DooSabin, CatmullClark, Loop };
-
-/// "doo-sabin", "catmull-clark", "loop"
-const char* to_string(SubdivisionScheme scheme);
 
 /// The parameters of `subdivide`, parsed.
 struct SubdivideSettings {

@@ -38,7 +38,7 @@ inline Finding not_finite(SubjectKind kind, const std::string& name, std::size_t
   const std::string id = std::to_string(index);
   return make_error(Category::Malformed, "E_NOT_FINITE",
                     "The " + name + " " + id + " to be drawn has a number that is NaN or infinite; leave it out.",
-                    {{kind, id, {}, {}, {}}});
+                    {numbered_subject(kind, index)});
 }
 
 /// The finding about an index beyond the elements that there are.
@@ -47,7 +47,7 @@ inline Finding not_there(SubjectKind kind, const std::string& name, std::size_t 
   return make_error(
       Category::Malformed, "E_INDEX",
       "The " + name + " " + id + " is to be drawn, but there are only " + std::to_string(count) + "; leave it out.",
-      {{kind, id, {}, {}, {}}});
+      {numbered_subject(kind, index)});
 }
 
 }  // namespace croquis::render

@@ -175,8 +175,8 @@ void HoleTool::State::require(const std::vector<Index>& holes) const {
   for (const Index hole : holes) {
     if (scene.rim(hole) != nullptr) continue;
     const std::string id = std::to_string(hole);
-    findings.push_back(
-        make_error(Category::Usage, "E_INPUT", "The scan has no hole " + id, {{SubjectKind::Hole, id, {}, {}, {}}}));
+    findings.push_back(make_error(Category::Usage, "E_INPUT", "The scan has no hole " + id,
+                                  {numbered_subject(SubjectKind::Hole, hole)}));
   }
   if (!findings.empty()) throw Error(std::move(findings));
 }

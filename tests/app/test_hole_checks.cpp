@@ -21,7 +21,6 @@
 #include "support/virtual_scans.h"
 
 using namespace croquis;
-using app::HoleState;
 using app::Viewport;
 using croquis::test::StudioFixture;
 using namespace croquis::test;
@@ -172,4 +171,25 @@ TEST_CASE("an edge that nobody left open is no part of a border", "[holes]") {
   CHECK(app::sentence_of(checked, border) ==
         "open at its outer border (10 edges), otherwise sound: manifold, 0 intersections, remeshed");
   CHECK(!app::is_as_wanted(checked, {.borders = 1, .holes = 1, .failed = 1}));
+}
+
+TEST_CASE("the holes of a cage that is refined first are those of its surface", "[holes]") {
+  StudioFixture hand;
+  const PolyMesh cage = without_loose_vertices(without_faces(divided_box(3), std::vector<Index>{0, 1}));
+  Progress progress;
+  const QString file = hand.folder() + "/cage.ply";
+  std::ofstream(file.toStdString(), std::ios::binary) << write_mesh(cage, MeshFormat::Ply, {}, progress).bytes;
+  REQUIRE(hand.window().open(file));
+  hand.act("show-smooth");
+  hand.settle();
+  const auto surface = hand.studio().active()->mesh;
+  REQUIRE(surface->face_count() > cage.face_count());
+  hand.act("holes");
+  hand.settle();
+  REQUIRE(holes(hand).rows().size() == 1);
+  CHECK(holes(hand).scan() == surface);
+  hand.act("fill-all");
+  hand.settle();
+  CHECK(rims_of(filled_mesh(hand)) == 0);
+  CHECK(holes(hand).scan() == surface);
 }

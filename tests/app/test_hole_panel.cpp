@@ -17,7 +17,6 @@
 
 using namespace croquis;
 using namespace croquis::test;
-using app::HoleState;
 
 namespace {
 
@@ -38,10 +37,10 @@ void slide_to(StudioFixture& hand, double diameter) {
 }
 
 std::vector<Index> by_width(StudioFixture& hand) {
-  std::vector<app::HoleRow> rows = holes(hand).rows();
+  std::vector<HoleRow> rows = holes(hand).rows();
   std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.diameter < b.diameter; });
   std::vector<Index> ids;
-  for (const app::HoleRow& row : rows) ids.push_back(row.id);
+  for (const HoleRow& row : rows) ids.push_back(row.id);
   return ids;
 }
 
@@ -135,7 +134,8 @@ TEST_CASE("all holes are opened, also those whose patches were shaped or bridged
   open_scan(hand, merged(below, above));
   std::vector<Index> facing;
   std::vector<Index> ends;
-  for (const app::HoleRow& row : holes(hand).rows()) (row.kind == "tunnel" ? facing : ends).push_back(row.id);
+  for (const HoleRow& row : holes(hand).rows())
+    (row.kind == hole_filling::HoleClass::Tunnel ? facing : ends).push_back(row.id);
   REQUIRE(facing.size() == 2);
   REQUIRE(ends.size() == 2);
   holes(hand).select(facing);

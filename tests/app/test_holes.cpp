@@ -27,7 +27,6 @@
 #include "support/virtual_scans.h"
 
 using namespace croquis;
-using app::HoleState;
 using app::Viewport;
 using croquis::test::StudioFixture;
 using namespace croquis::test;
@@ -160,7 +159,7 @@ TEST_CASE("what was left open on purpose is said with its name, and is no fault"
   CHECK(is_calm());
   const auto& rows = holes(hand).rows();
   const auto inner = std::find_if(rows.begin(), rows.end(), [](const auto& row) { return !row.is_border(); });
-  const app::HoleRow opened = *inner;
+  const HoleRow opened = *inner;
   holes(hand).select({opened.id});
   hand.act("reopen-selected");
   CHECK(checked() == QString("open at its outer border (96 edges) and 1 hole (%1 edges), otherwise sound: manifold, "
@@ -324,7 +323,7 @@ TEST_CASE("a finding about a hole selects and frames it", "[hole-ways]") {
   open_scan(hand, ball_with_holes());
   hand.act("select");
   Finding finding = make_error(Category::Geometry, "W_LOW_CONFIDENCE", "Hole 4 is wide");
-  finding.subjects.push_back({SubjectKind::Hole, "4", {}, {}, {}});
+  finding.subjects.push_back(numbered_subject(SubjectKind::Hole, 4));
   auto* list = hand.window().findChild<app::FindingsList*>("findings");
   emit list->finding_chosen({hand.studio().active()->node, finding});
   hand.settle();
@@ -410,8 +409,8 @@ TEST_CASE("two selected rims are bridged by one band; trimming takes faces along
   open_scan(hand, test::merged(below, above));
   REQUIRE(holes(hand).rows().size() == 4);
   std::vector<Index> facing;
-  for (const app::HoleRow& row : holes(hand).rows()) {
-    if (row.kind == "tunnel") facing.push_back(row.id);
+  for (const HoleRow& row : holes(hand).rows()) {
+    if (row.kind == hole_filling::HoleClass::Tunnel) facing.push_back(row.id);
   }
   REQUIRE(facing.size() == 2);
   holes(hand).select(facing);

@@ -16,7 +16,6 @@
 
 using namespace croquis;
 using namespace croquis::test;
-using app::HoleState;
 
 namespace {
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cctype>
 #include <functional>
 #include <sstream>
@@ -95,6 +96,14 @@ TEST_CASE("files include one another without a cycle") {
   };
   for (const SourceFile& file : files) {
     if (state[file.path] == 0) visit(file.path);
+  }
+}
+
+TEST_CASE("the window reads results by their types, no reports by their keys") {
+  for (const SourceFile& file : read_sources(root)) {
+    if (file.module != "app") continue;
+    INFO(file.path);
+    CHECK(std::ranges::count(file.own_includes, "include/croquis/base/report.h") == 0);
   }
 }
 

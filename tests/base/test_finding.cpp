@@ -41,3 +41,14 @@ TEST_CASE("kinds are spelled as reports spell them, each its own way") {
       {SubjectKind::File, "file"}};
   for (const auto& [kind, name] : names) CHECK(to_string(kind) == name);
 }
+
+TEST_CASE("elements with numbers are spelled by them, all others by their names") {
+  const Subject face = numbered_subject(SubjectKind::Face, 7, {1, 2, 3});
+  CHECK(face.index == 7);
+  CHECK(face.at == std::vector<double>{1, 2, 3});
+  CHECK(name_of(face) == "7");
+  CHECK(name_of(numbered_subject(SubjectKind::Hole, 0)) == "0");
+  CHECK(name_of(edge_subject(3, 12)) == "3-12");
+  CHECK(name_of({SubjectKind::Stroke, "5", {}, {}, {}}) == "5");
+  CHECK_FALSE(Subject{SubjectKind::Stroke, "5", {}, {}, {}}.index);
+}

@@ -160,3 +160,15 @@ TEST_CASE("types are spelled for help and files") {
   CHECK(to_string(ParameterType::Text) == std::string("text"));
   CHECK(to_string(ParameterType::File) == std::string("file"));
 }
+
+TEST_CASE("a text that a program wrote is a text, and brings along what it stands for") {
+  const ParsedText parsed("two", std::vector<int>{1, 1});
+  REQUIRE(parsed.value<std::vector<int>>() != nullptr);
+  CHECK(*parsed.value<std::vector<int>>() == std::vector<int>{1, 1});
+  CHECK(parsed.value<int>() == nullptr);
+  CHECK(to_text(parsed) == "two");
+  CHECK(parsed == ParsedText("two", 2));
+  CHECK_FALSE(parsed == ParsedText("three", 2));
+  CHECK(complete({text()}, {{text().name, parsed}}).at(text().name) == ParameterValue(parsed));
+  CHECK_THROWS_AS(complete({choice()}, {{choice().name, ParsedText("fast", 1)}}), Error);
+}

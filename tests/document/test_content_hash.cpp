@@ -248,5 +248,15 @@ TEST_CASE("values of different types differ even when they are empty or missing"
   CHECK(hashes.size() == 6);
 }
 
+TEST_CASE("a parameter's text counts alike whether it was written by a program or a person") {
+  const auto hash_with = [](const ParameterValue& value) {
+    Node node;
+    node.parameters["words"] = value;
+    return content_hash(Document().with(node));
+  };
+  CHECK(hash_with(std::string("3: flat")) == hash_with(ParsedText("3: flat", 3)));
+  CHECK(hash_with(std::string("3: flat")) != hash_with(ParsedText("3: leave", 3)));
+}
+
 }  // namespace
 }  // namespace croquis

@@ -321,5 +321,44 @@ TEST_CASE("an evaluation doesn't wait for one that takes long") {
   waiting.join();
 }
 
+/// What a trial operation finds.
+struct Found {
+  double factor = 0;
+};
+std::size_t byte_size(const Found&) { return 100000; }
+
+/// Scales, and fails for negative factors.
+OperationResult scaled_with_details(const Values& inputs, const ParameterValues& parameters) {
+  const double factor = std::get<double>(parameters.at("factor"));
+  if (factor < 0) throw Error(make_error(Category::Geometry, "E_TRIAL", "It is negative."));
+  OperationResult result = test::scaled(inputs, parameters);
+  result.details = Found{factor};
+  return result;
+}
+
+TEST_CASE("what an operation found goes with its outputs, and stays with them when they are stale") {
+  Registry registry;
+  add_operation(registry, mesh_to_mesh("scale"), [](const Values& inputs, const ParameterValues& parameters, Context&) {
+    return scaled_with_details(inputs, parameters);
+  });
+  Evaluator evaluator(registry);
+  const auto document_with = [](double factor) {
+    return Document().with(source_node(point(1))).with(operation_node("scale", {1, "value"}, factor));
+  };
+  const auto good = evaluate(evaluator, document_with(3), 2);
+  REQUIRE(good->result<Found>() != nullptr);
+  CHECK(good->result<Found>()->factor == 3);
+  CHECK(good->result<int>() == nullptr);
+  CHECK(evaluator.bytes() > 100000);
+  CHECK(evaluate(evaluator, document_with(3), 1)->result<Found>() == nullptr);
+
+  const auto failed = evaluate(evaluator, document_with(-1), 2);
+  REQUIRE((failed->failed && failed->stale));
+  CHECK(x_of(failed->outputs.at("mesh")) == 3);
+  REQUIRE(result_of<Found>(failed.get()) != nullptr);
+  CHECK(result_of<Found>(failed.get())->factor == 3);
+  CHECK(result_of<Found>(nullptr) == nullptr);
+}
+
 }  // namespace
 }  // namespace croquis

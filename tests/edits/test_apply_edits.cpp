@@ -103,7 +103,7 @@ TEST_CASE("an inset without room is refused with a width that has room") {
     const PolyMesh cube = test::scaled(test::cube(), size);
     const Finding finding = refusal(cube, "inset faces=2 width=" + to_text(0.51 * size));
     CHECK(finding.code == "E_INPUT");
-    CHECK(finding.subjects.front().id == "2");
+    CHECK(finding.subjects.front().index == 2);
     const std::size_t at = finding.message.rfind(' ');
     const double room = std::stod(finding.message.substr(at + 1));
     CHECK(room == Approx(0.5 * size).epsilon(0.01));

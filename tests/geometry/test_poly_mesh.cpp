@@ -54,7 +54,7 @@ TEST_CASE("every broken element is named, whatever its kind") {
   const auto of_line = std::find_if(findings.begin(), findings.end(),
                                     [](const Finding& f) { return f.subjects[0].kind == SubjectKind::Line; });
   REQUIRE(of_line != findings.end());
-  CHECK(of_line->subjects[0].id == "0");
+  CHECK(of_line->subjects[0].index == 0);
   CHECK(of_line->message.find("vertex 9") != std::string::npos);
 }
 

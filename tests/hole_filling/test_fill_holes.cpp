@@ -256,8 +256,11 @@ TEST_CASE("the largest hole is that of the largest diameter, however long its ri
   FillOptions options;
   options.selection = Selection::AllButLargest;
   CHECK(choose_holes(holes, options).is_chosen == std::vector<bool>{true, false, true});
-  CHECK(largest_hole(std::vector<double>{1, 3, 3, 2}) == 1);
-  CHECK(largest_hole({}) == no_index);
+  const std::vector<HoleSize> two_widest{
+      {HoleClass::Simple, 1}, {HoleClass::Simple, 3}, {HoleClass::Simple, 3}, {HoleClass::Simple, 2}};
+  const std::vector<Naming> named = named_holes(two_widest, Selection::AllButLargest, 100);
+  CHECK(named == std::vector{Naming::Named, Naming::Largest, Naming::Named, Naming::Named});
+  CHECK(named_holes({}, Selection::AllButLargest, 100).empty());
 }
 
 TEST_CASE("an open sheet alone stays as it is, and a closed mesh too") {

@@ -234,7 +234,7 @@ TEST_CASE("dirt of every kind is told by its code, and the holes are found all t
   CHECK(analysis.holes.size() == 3);
   CHECK(codes_of(analysis) == std::vector<std::string>{"W_WELDED", "W_ORIENTATION", "W_DEGENERATE"});
   REQUIRE(analysis.warnings[1].subjects.size() == 1);
-  CHECK(analysis.warnings[1].subjects[0].id == "40");
+  CHECK(analysis.warnings[1].subjects[0].index == 40);
 }
 
 TEST_CASE("rims of seams use the vertex that their faces share") {

@@ -159,8 +159,8 @@ TEST_CASE("faces that use a vertex twice are kept and told once") {
   REQUIRE(result.warnings.size() == 1);
   CHECK(result.warnings[0].code == "W_DEGENERATE");
   REQUIRE(result.warnings[0].subjects.size() == 3);
-  CHECK(result.warnings[0].subjects[1].id == "1");
-  CHECK(result.warnings[0].subjects[2].id == "2");
+  CHECK(result.warnings[0].subjects[1].index == 1);
+  CHECK(result.warnings[0].subjects[2].index == 2);
 }
 
 TEST_CASE("all findings come at once, at most a hundred of a kind and then how many more") {
@@ -182,7 +182,7 @@ TEST_CASE("positions that are not finite can be kept for a caller who drops thei
   CHECK(result.mesh.face_count() == 2);
   REQUIRE(result.warnings.size() == 1);
   CHECK(result.warnings[0].code == "W_NOT_FINITE");
-  CHECK(result.warnings[0].subjects.at(1).id == "2");
+  CHECK(result.warnings[0].subjects.at(1).index == 2);
 }
 
 TEST_CASE("what OBJ and OFF can't hold is told in one warning that names it") {

@@ -76,6 +76,16 @@ TEST_CASE("what is saved is loaded again, bit by bit") {
   }
 }
 
+TEST_CASE("a text that a program wrote is saved as text") {
+  const Scratch folder;
+  Node node;
+  node.operation = "fill";
+  node.parameters["holes"] = ParsedText("3: flat", 3);
+  save(folder / "a.croq", Document().with(node));
+  CHECK(load(folder / "a.croq").document.nodes().at(0)->parameters.at("holes") ==
+        ParameterValue(std::string("3: flat")));
+}
+
 // Every number here is exact in binary; the file was saved when the schema was made and stays as it is.
 TEST_CASE("a project of schema 1 still loads as it was saved") {
   Node sketch;

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <atomic>
+#include <numbers>
 
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
 #include "croquis/document/content_hash.h"
 #include "croquis/document/memo.h"
+#include "croquis/hole_filling/hole_choice.h"
+#include "croquis/operators/fill_result.h"
+#include "croquis/operators/hole_wishes.h"
 #include "operators/fill_operation.h"
 #include "operators/hole_ids.h"
 #include "support/check_operation.h"
@@ -253,6 +257,46 @@ TEST_CASE("filling stops when asked to, and its progress rises to one") {
   Progress stopped([&](double, const std::string&) { cancel = ++reports == 3; }, &cancel);
   Context stopping{stopped};
   CHECK_THROWS_AS(run(FillOperation(), inputs_of(scan()), {}, stopping), Cancelled);
+}
+
+TEST_CASE("the selection that hosts ask for names the holes that are filled") {
+  const PolyMesh open = test::random_cuts(test::open_tube(1, 4, 48, 24), 7, 4, 0.12, 0.3).mesh;
+  const auto all = fill(open, {{"list", true}}).details.get<FillResult>()->holes;
+  REQUIRE(all.size() > 3);
+  REQUIRE(std::ranges::any_of(all, &HoleRow::is_border));
+  std::vector<hole_filling::HoleSize> sizes;
+  for (const HoleRow& row : all) sizes.push_back({row.kind, row.diameter});
+  for (const char* select : {"inner", "all", "all-but-largest", "none"}) {
+    for (const double limit : {0.0, all[0].diameter, all[1].diameter}) {
+      const OperationResult result =
+          fill(open, {{"list", true}, {"select", std::string(select)}, {"max-diameter", limit}});
+      const double greatest = limit > 0 ? limit : 1e9;
+      const auto named = named_holes(sizes, parse_selection(select), greatest);
+      for (const HoleRow& row : result.details.get<FillResult>()->holes) {
+        CHECK((row.state == HoleState::Filled) == (named[row.id] == hole_filling::Naming::Named));
+      }
+    }
+  }
+}
+
+TEST_CASE("programs read of a filling what its mesh shows") {
+  const PolyMesh given = scan();
+  const OperationResult result = fill(given, {{"holes", std::string("1: leave")}});
+  const FillResult& found = *result.details.get<FillResult>();
+  CHECK(content_hash(Value(found.scan)) == content_hash(Value(std::make_shared<const PolyMesh>(given))));
+  const PolyMesh& rims = result.outputs.at("rims").get<PolyMesh>();
+  REQUIRE(found.holes.size() == rims.line_count());
+  CHECK(found.new_faces == mesh_of(result).face_count() - given.face_count());
+  CHECK(found.untouched_vertices == given.vertex_count());
+  CHECK_FALSE((found.listed || found.remeshed));
+  for (const HoleRow& hole : found.holes) {
+    const bool filled = hole.id != 1;
+    CHECK((hole.state == HoleState::Filled) == filled);
+    CHECK((hole.patch && hole.angle && hole.confidence) == filled);
+    CHECK(hole.angle.value_or(1) < std::numbers::pi);
+    CHECK(hole.normal.dot(hole.at.normalized()) > 0.9);  // cut out of a sphere around the origin
+  }
+  CHECK(fill(given, {{"mode", std::string("remesh")}}).details.get<FillResult>()->remeshed.has_value());
 }
 
 }  // namespace

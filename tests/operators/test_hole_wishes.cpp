@@ -104,5 +104,39 @@ TEST_CASE("wishes as text read back as the same wishes") {
   CHECK(to_text(std::vector<HoleWish>{{.holes = {5, 6, 7, 2}, .fairness = "flat"}}) == "5-7,2: flat");
 }
 
+TEST_CASE("which holes are filled goes into parameters and back, through their texts too") {
+  FillChoice choice;
+  choice.select = hole_filling::Selection::AllButLargest;
+  choice.only = {2, 3, 4, 9};
+  choice.max_diameter = 0.1 + 0.2;
+  choice.wishes = {{.holes = {3}, .fill = false}, {.holes = {4}, .through = {Vec3(0.1, 1.0 / 3, -2e-7)}}};
+  const auto same = [&](const FillChoice& read) {
+    return read.select == choice.select && read.only == choice.only && read.max_diameter == choice.max_diameter &&
+           read.wishes == choice.wishes;
+  };
+  ParameterValues values = to_parameters(choice);
+  CHECK(same(read_fill_choice(values)));
+  for (const ParameterDescription& description : fill_parameters()) {
+    const auto value = values.find(description.name);
+    if (value != values.end()) value->second = parse_parameter(description, to_text(value->second));
+  }
+  CHECK(same(read_fill_choice(values)));
+}
+
+TEST_CASE("asking for nothing sets the parameters to their defaults") {
+  const ParameterValues values = to_parameters({});
+  for (const auto& [name, value] : values) CHECK(value == complete(fill_parameters(), {}).at(name));
+  CHECK(values.size() == 4);
+}
+
+TEST_CASE("wishes that a program wrote aren't parsed") {
+  ParameterValues values = complete(fill_parameters(), {});
+  const std::vector<HoleWish> wishes{{.holes = {7}, .fairness = "flat"}};
+  values["holes"] = ParsedText("no wish at all", wishes);
+  CHECK(read_fill_choice(values).wishes == wishes);
+  values["holes"] = std::string("no wish at all");
+  CHECK_THROWS_AS(read_fill_choice(values), Error);
+}
+
 }  // namespace
 }  // namespace croquis

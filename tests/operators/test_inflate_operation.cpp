@@ -5,6 +5,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/io/json.h"
+#include "croquis/operators/inflate_result.h"
 #include "operators/inflate_operation.h"
 #include "support/check_operation.h"
 #include "support/sketch_errors.h"
@@ -101,6 +102,27 @@ TEST_CASE("a drawing on another plane becomes the same solid, rigidly moved") {
 
 TEST_CASE("inflating refuses a drawing with the same findings every time") {
   test::check_operation(InflateOperation(), inputs_of(test::error_sketch("E_TWO_SIDED").drawing), {});
+}
+
+TEST_CASE("programs read labels and parts of a solid as its drawing and mesh show them") {
+  Progress progress;
+  Context context{progress};
+  const OperationResult result = run(InflateOperation(), inputs_of(test::dog_sketch().drawing), {}, context);
+  const InflateResult& found = *result.details.get<InflateResult>();
+  const Drawing& labels = result.outputs.at("labels").get<Drawing>();
+  REQUIRE(found.arcs.size() == labels.strokes.size());
+  for (std::size_t i = 0; i < found.arcs.size(); ++i) {
+    CHECK(std::to_string(found.arcs[i].depth) == labels.strokes[i].data.at("depth"));
+    CHECK(found.arcs[i].visible == (found.arcs[i].depth == 0));
+  }
+  const PolyMesh& mesh = result.outputs.at("mesh").get<PolyMesh>();
+  const std::vector<std::string>& names = mesh.channel("object", Domain::Face)->labels;
+  for (const InflatedObject& object : found.objects) CHECK(std::ranges::count(names, object.name) == 1);
+  REQUIRE(!found.suggested.empty());
+  // y grows upwards for programs, downwards in the report.
+  const Report& first =
+      result.outputs.at("details").get<Report>().at("attach_suggestions").as_array()[0];
+  CHECK(first.at("at").as_array()[1].as_number() == -found.suggested[0].at.y());
 }
 
 }  // namespace

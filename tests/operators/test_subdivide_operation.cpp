@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <atomic>
+#include <numbers>
 #include <set>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "croquis/document/content_hash.h"
 #include "croquis/document/memo.h"
 #include "croquis/io/mesh_tags_file.h"
+#include "croquis/operators/subdivide_result.h"
 #include "operators/subdivide_operation.h"
 #include "operators/subdivide_tags.h"
 #include "support/cages.h"
@@ -224,6 +226,24 @@ TEST_CASE("sharp angles look at faces as they are repaired, and leave out bounda
   CHECK(tags.creases.size() == 12);
   CHECK(tags.creases[0] == cube.tags.creases[0]);
   CHECK(tags.creases[1] == cube.tags.creases[1]);
+}
+
+TEST_CASE("programs read of a subdivision what its mesh shows; chains are judged in final results alone") {
+  const OperationResult result = subdivide(test::bolt_loop());
+  const SubdivideResult& found = *result.details.get<SubdivideResult>();
+  CHECK(found.levels.back().vertices == mesh_of(result).vertex_count());
+  CHECK(found.levels.back().faces == mesh_of(result).face_count());
+  CHECK(found.judged);
+  REQUIRE(found.chains.size() == 1);
+  CHECK(found.chains[0].edges == found.levels.back().sharp_edges);
+  CHECK(found.chains[0].least_angle > 0);
+  CHECK(found.chains[0].greatest_angle < std::numbers::pi);
+  CHECK(found.continuity.size() == found.levels.size());
+
+  const OperationResult draft = subdivide(test::bolt_loop(), {}, Quality::Draft);
+  CHECK_FALSE(draft.details.get<SubdivideResult>()->judged);
+  CHECK(draft.details.get<SubdivideResult>()->chains.empty());
+  CHECK(draft.details.get<SubdivideResult>()->levels.size() == found.levels.size());
 }
 
 }  // namespace

@@ -243,7 +243,7 @@ TEST_CASE("lines that can't be drawn are all named") {
   } catch (const Error& error) {
     REQUIRE(error.findings().size() == 2);
     CHECK(error.findings()[0].code == "E_NOT_FINITE");
-    CHECK(error.findings()[1].subjects[0].id == "2");
+    CHECK(error.findings()[1].subjects[0].index == 2);
   }
 }
 

@@ -173,7 +173,7 @@ TEST_CASE("marks that can't be drawn are all named") {
     FAIL("accepted");
   } catch (const Error& error) {
     REQUIRE(error.findings().size() == 2);
-    CHECK(error.findings()[0].subjects[0].id == "1");
+    CHECK(error.findings()[0].subjects[0].index == 1);
   }
 }
 

@@ -89,8 +89,8 @@ TEST_CASE("a surface with one side is refused, naming an edge of it") {
   CHECK(findings[0].subjects[0].kind == SubjectKind::Edge);
   const std::vector<VertexPair> edges = all_edges(moebius(7));
   CHECK(std::any_of(edges.begin(), edges.end(), [&](const VertexPair& edge) {
-    const std::string a = std::to_string(edge[0]), b = std::to_string(edge[1]);
-    return findings[0].subjects[0].id == a + "-" + b || findings[0].subjects[0].id == b + "-" + a;
+    const std::array<std::int64_t, 2> there{edge[0], edge[1]}, back{edge[1], edge[0]};
+    return findings[0].subjects[0].vertices == there || findings[0].subjects[0].vertices == back;
   }));
 }
 
@@ -153,7 +153,7 @@ TEST_CASE("vertices without faces are left out with a notice") {
   for (Index& corner : mesh.corners) ++corner;
   const CageResult result = make_cage(mesh);
   REQUIRE(codes(result.warnings) == Codes{"W_LOOSE_VERTEX"});
-  CHECK(result.warnings[0].subjects[0].id == "0");
+  CHECK(result.warnings[0].subjects[0].index == 0);
   std::vector<Index> sources(8);
   std::iota(sources.begin(), sources.end(), Index{1});
   CHECK(result.cage.source_vertex == sources);
@@ -186,14 +186,14 @@ TEST_CASE("a pin where nothing is sharp is told") {
   mesh.tags.pins = {0, 9, 77};
   const CageResult result = make_cage(mesh);
   REQUIRE(codes(result.warnings) == Codes{"W_PIN_NO_EFFECT", "W_PIN_NO_EFFECT"});
-  CHECK(result.warnings[0].subjects[0].id == "77");
-  CHECK(result.warnings[1].subjects[0].id == "0");
+  CHECK(result.warnings[0].subjects[0].index == 77);
+  CHECK(result.warnings[1].subjects[0].index == 0);
   CHECK(result.cage.pinned[9] == 1);
 
   // The other schemes hold every pinned vertex.
   const CageResult uniform = make_cage(mesh, {}, CageUse::UniformSchemes);
   REQUIRE(codes(uniform.warnings) == Codes{"W_PIN_NO_EFFECT"});
-  CHECK(uniform.warnings[0].subjects[0].id == "77");
+  CHECK(uniform.warnings[0].subjects[0].index == 77);
 }
 
 TEST_CASE("a tag that stands alone and retracts is told, unless its ends hold it") {

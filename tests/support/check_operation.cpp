@@ -16,7 +16,8 @@ namespace {
 void add(std::string& text, const Findings& findings) {
   for (const Finding& finding : findings) {
     text += finding.code + ": " + finding.message + "\n";
-    for (const Subject& subject : finding.subjects) text += "  " + std::string(to_string(subject.kind)) + subject.id;
+    for (const Subject& subject : finding.subjects)
+      text += "  " + std::string(to_string(subject.kind)) + name_of(subject);
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -42,14 +43,25 @@ enum class SubjectKind {
 /// The name of a kind as files and reports spell it ("stroke", "file", …).
 const char* to_string(SubjectKind kind);
 
-/// One element a finding is about, named so that its owner can find it.
+/// One element a finding is about: its number where it has one, an edge by its two vertices, anything else by name.
 struct Subject {
   SubjectKind kind = SubjectKind::File;
-  std::string id;                    ///< a stroke's name, a 0-based index as text, a parameter's or file's name
-  std::optional<std::string> file;   ///< the file it was read from
-  std::optional<std::int64_t> line;  ///< 1-based line of that file
-  std::vector<double> at;            ///< place in the input's own frame: empty, [x,y] or [x,y,z]
+  std::string id;                          ///< a stroke's, parameter's or file's name, a node's id; else empty
+  std::optional<std::string> file;         ///< the file it was read from
+  std::optional<std::int64_t> line;        ///< 1-based line of that file
+  std::vector<double> at;                  ///< place in the input's own frame: empty, [x,y] or [x,y,z]
+  std::optional<std::int64_t> index = {};  ///< of a face, vertex, edge, line, point, hole or list; from 0
+  std::optional<std::array<std::int64_t, 2>> vertices = {};  ///< of an edge
 };
+
+/// The element of that number.
+Subject numbered_subject(SubjectKind kind, std::size_t index, std::vector<double> at = {});
+
+/// The edge between two vertices.
+Subject edge_subject(std::size_t a, std::size_t b);
+
+/// The subject as reports and sentences spell it: its id, "7", or "3-7" for an edge.
+std::string name_of(const Subject& subject);
 
 /// One sentence about the input: what is wrong, where, and what to do.
 struct Finding {

@@ -4,7 +4,10 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <memory>
 #include <string>
+#include <typeinfo>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -17,11 +20,38 @@ enum class ParameterType {
   Integer,  ///< std::int64_t
   Number,   ///< double
   Choice,   ///< std::string, one of `choices`
-  Text,     ///< std::string
+  Text,     ///< std::string or ParsedText
   File      ///< std::string, a path
 };
 
-using ParameterValue = std::variant<bool, std::int64_t, double, std::string>;
+/// A Text that was written by a program from a value: files and people read the text, operations take the value and
+/// parse nothing. Two of equal text are equal.
+class ParsedText {
+ public:
+  /// @param value what the text stands for
+  template <class Parsed>
+  explicit ParsedText(std::string text, Parsed value)
+      : text_(std::move(text)), value_(std::make_shared<const Parsed>(std::move(value))), type_(&typeid(Parsed)) {}
+
+  const std::string& text() const { return text_; }
+  operator const std::string&() const { return text_; }
+
+  /// What it stands for, or null when that is of another type.
+  template <class Parsed>
+  const Parsed* value() const {
+    return *type_ == typeid(Parsed) ? static_cast<const Parsed*>(value_.get()) : nullptr;
+  }
+
+  friend bool operator==(const ParsedText& a, const ParsedText& b) { return a.text_ == b.text_; }
+
+ private:
+  std::string text_;
+  std::shared_ptr<const void> value_;
+  const std::type_info* type_;
+};
+
+/// Files and recordings hold a ParsedText as the text that it has.
+using ParameterValue = std::variant<bool, std::int64_t, double, std::string, ParsedText>;
 
 struct ParameterDescription {
   std::string name;  ///< "weight-curvature": the option is `--weight-curvature`

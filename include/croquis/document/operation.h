@@ -7,6 +7,7 @@
 #include "croquis/base/finding.h"
 #include "croquis/base/parameter.h"
 #include "croquis/base/progress.h"
+#include "croquis/document/result_box.h"
 #include "croquis/document/value.h"
 
 /// The one extension point of Croquis: whatever makes geometry from geometry is an Operation, and every host builds
@@ -53,6 +54,7 @@ struct Context {
 struct OperationResult {
   Values outputs;  ///< every described output
   Findings warnings;
+  ResultBox details = {};  ///< what programs read of the result, of the operation's own type; its report is made of it
 };
 
 /// A deterministic function of its inputs, its parameters and the quality. Hosts compute on several threads at once.

@@ -2,14 +2,19 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "croquis/base/parameter.h"
 #include "croquis/geometry/vector.h"
+#include "croquis/hole_filling/fill_holes.h"
 
-/// The parameter `holes` of the operation `fill`: what is wanted of single holes, as text that people can write.
+/// The parameters of the operation `fill` that say which holes are filled: `select`, `only`, `max-diameter`, and
+/// `holes`, what is wanted of single holes, as text that people can write.
 ///
 /// Wishes are separated by ';', each is `HOLES: WISH, WISH…`. HOLES are numbers and ranges (`2`, `5-7`), separated by
 /// ',', '+' or spaces. A WISH is one of
@@ -37,6 +42,25 @@ struct HoleWish {
 /// Linear in the text and the ids that it names.
 /// @throws Error with one E_PARAMETER finding for every part that isn't as above, naming it
 std::vector<HoleWish> parse_hole_wishes(const std::string& text);
+
+/// Which holes are filled, and what is wanted of single ones.
+struct FillChoice {
+  hole_filling::Selection select = hole_filling::Selection::Inner;
+  std::vector<Index> only;  ///< ids instead of a selection; empty for the selection
+  double max_diameter = std::numeric_limits<double>::infinity();  ///< model units
+  std::vector<HoleWish> wishes;
+};
+
+/// The selection of that name: "inner", "all", "all-but-largest" or "none".
+hole_filling::Selection parse_selection(std::string_view name);
+
+/// What these parameters ask for. Wishes that a program wrote aren't parsed again.
+/// @param parameters complete (see croquis::complete)
+/// @throws Error (E_PARAMETER) for ids or wishes that can't be parsed
+FillChoice read_fill_choice(const ParameterValues& parameters);
+
+/// The parameters that ask for it.
+ParameterValues to_parameters(const FillChoice& choice);
 
 /// The text that parse_hole_wishes turns back into the same wishes. A wish without holes, or that asks for nothing
 /// about them, is left out: it has no text.

@@ -13,7 +13,7 @@ namespace {
 
 Subject hole_subject(const PolyMesh& mesh, const Hole& hole) {
   const Vec3& at = mesh.positions[hole.vertices.front()];
-  return {SubjectKind::Hole, std::to_string(hole.id), {}, {}, {at.x(), at.y(), at.z()}};
+  return numbered_subject(SubjectKind::Hole, hole.id, {at.x(), at.y(), at.z()});
 }
 
 std::string named(const Hole& hole) {
@@ -65,12 +65,12 @@ std::vector<Subject> filled_where(const PolyMesh& scan, const FillResult& result
 /// "Holes 3, 7 and 9", or with many the first of them and how many more.
 std::string names_of(const std::vector<Subject>& subjects) {
   constexpr std::size_t most_named = 10;
-  if (subjects.size() == 1) return "Hole " + subjects[0].id;
+  if (subjects.size() == 1) return "Hole " + name_of(subjects[0]);
   const std::size_t named = std::min(subjects.size() - 1, most_named);
-  std::string text = "Holes " + subjects[0].id;
-  for (std::size_t i = 1; i < named; ++i) text += ", " + subjects[i].id;
+  std::string text = "Holes " + name_of(subjects[0]);
+  for (std::size_t i = 1; i < named; ++i) text += ", " + name_of(subjects[i]);
   const std::size_t left = subjects.size() - named;
-  return text + " and " + (left == 1 ? subjects.back().id : std::to_string(left) + " more");
+  return text + " and " + (left == 1 ? name_of(subjects.back()) : std::to_string(left) + " more");
 }
 
 /// One warning for all of them.

@@ -96,7 +96,7 @@ MeshEdit inset_faces(const PolyMesh& mesh, const MeshTopology& topology, std::sp
     throw Error(make_error(Category::Usage, "E_INPUT",
                            "Face " + name + " has no room for an inset of " + short_number(width) +
                                ": take less than " + short_number(room_for(result, moves, width)),
-                           {{SubjectKind::Face, name, {}, {}, {}}}));
+                           {numbered_subject(SubjectKind::Face, face)}));
   }
   move_by(result.edit.mesh, moves, width);
   return std::move(result.edit);

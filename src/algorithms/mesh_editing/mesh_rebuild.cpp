@@ -112,9 +112,8 @@ void tell_dropped(const std::vector<VertexPair>& edges, const std::vector<Index>
     what += std::to_string(pins.size()) + (pins.size() == 1 ? " pin" : " pins");
   }
   std::vector<Subject> subjects;
-  for (const VertexPair& edge : edges)
-    subjects.push_back({SubjectKind::Edge, std::to_string(edge[0]) + "-" + std::to_string(edge[1]), {}, {}, {}});
-  for (const Index pin : pins) subjects.push_back({SubjectKind::Vertex, std::to_string(pin), {}, {}, {}});
+  for (const VertexPair& edge : edges) subjects.push_back(edge_subject(edge[0], edge[1]));
+  for (const Index pin : pins) subjects.push_back(numbered_subject(SubjectKind::Vertex, pin));
   constexpr std::size_t most_subjects = 100;
   if (subjects.size() > most_subjects) subjects.resize(most_subjects);
   edit.lost.push_back(make_warning(Category::Geometry, "W_TAGS_DROPPED",

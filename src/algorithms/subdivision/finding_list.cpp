@@ -28,13 +28,9 @@ void FindingList::move_to(Findings& findings) {
   count_ = 0;
 }
 
-Subject face_subject(std::size_t face) { return {SubjectKind::Face, std::to_string(face), {}, {}, {}}; }
+Subject face_subject(std::size_t face) { return numbered_subject(SubjectKind::Face, face); }
 
-Subject vertex_subject(std::size_t vertex) { return {SubjectKind::Vertex, std::to_string(vertex), {}, {}, {}}; }
-
-Subject edge_subject(std::size_t a, std::size_t b) {
-  return {SubjectKind::Edge, std::to_string(a) + "-" + std::to_string(b), {}, {}, {}};
-}
+Subject vertex_subject(std::size_t vertex) { return numbered_subject(SubjectKind::Vertex, vertex); }
 
 std::string edge_name(std::size_t a, std::size_t b) {
   return "edge (" + std::to_string(a) + "," + std::to_string(b) + ")";

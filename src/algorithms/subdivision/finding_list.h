@@ -32,7 +32,6 @@ class FindingList {
 
 Subject face_subject(std::size_t face);
 Subject vertex_subject(std::size_t vertex);
-Subject edge_subject(std::size_t a, std::size_t b);  ///< named "a-b", by its vertices
 
 std::string edge_name(std::size_t a, std::size_t b);  ///< "edge (a,b)"
 

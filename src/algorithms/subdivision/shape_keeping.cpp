@@ -30,7 +30,7 @@ std::vector<bool> membership(const PolyMesh& mesh, std::span<const Index> faces)
     findings.push_back(make_error(Category::Malformed, "E_INDEX",
                                   "The region names face " + std::to_string(face) + " of a mesh with " +
                                       std::to_string(mesh.face_count()) + " faces; leave it out.",
-                                  {{SubjectKind::Face, std::to_string(face), {}, {}, {}}}));
+                                  {numbered_subject(SubjectKind::Face, face)}));
   }
   if (!findings.empty()) throw Error(std::move(findings));
   return member;
@@ -69,7 +69,7 @@ Findings notices_of(const std::map<Index, FaceTriangles>& cuts) {
   if (cuts.empty()) return {};
   std::vector<Subject> subjects;
   for (const auto& [face, triangles] : cuts) {
-    subjects.push_back({SubjectKind::Face, std::to_string(face), {}, {}, {}});
+    subjects.push_back(numbered_subject(SubjectKind::Face, face));
   }
   const std::string count = std::to_string(cuts.size());
   return {make_warning(Category::Geometry, "W_TRIANGULATED",

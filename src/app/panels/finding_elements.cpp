@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/finding_elements.h"
 
-#include <cctype>
 #include <optional>
 #include <utility>
 
@@ -19,27 +18,18 @@ std::optional<ComponentKind> kind_of(SubjectKind kind) {
   }
 }
 
-/// All whole numbers in a text.
-std::vector<Index> numbers_in(const std::string& text) {
-  std::vector<Index> numbers;
-  bool inside = false;
-  for (const char c : text) {
-    const bool digit = std::isdigit(static_cast<unsigned char>(c)) != 0;
-    if (digit && !inside) numbers.push_back(0);
-    if (digit) numbers.back() = numbers.back() * 10 + static_cast<Index>(c - '0');
-    inside = digit;
+/// Its number among the mesh's elements, or no_index when it isn't there.
+Index element_of(const Subject& subject, ComponentKind kind, const MeshTopology& topology) {
+  const auto below = [](std::int64_t number, std::size_t count) {
+    return number >= 0 && static_cast<std::size_t>(number) < count;
+  };
+  if (subject.vertices) {
+    const auto [a, b] = *subject.vertices;
+    const bool inside = below(a, topology.vertex_count()) && below(b, topology.vertex_count());
+    return inside ? find_edge(topology, static_cast<Index>(a), static_cast<Index>(b)) : no_index;
   }
-  return numbers;
-}
-
-Index element_of(ComponentKind kind, const std::string& id, const MeshTopology& topology) {
-  const std::vector<Index> numbers = numbers_in(id);
-  if (numbers.empty()) return no_index;
-  if (kind == ComponentKind::Edge && numbers.size() == 2) {
-    const bool inside = numbers[0] < topology.vertex_count() && numbers[1] < topology.vertex_count();
-    return inside ? find_edge(topology, numbers[0], numbers[1]) : no_index;
-  }
-  return numbers[0] < element_count(topology, kind) ? numbers[0] : no_index;
+  const bool inside = subject.index && below(*subject.index, element_count(topology, kind));
+  return inside ? static_cast<Index>(*subject.index) : no_index;
 }
 
 }  // namespace
@@ -55,8 +45,7 @@ std::vector<std::string> strokes_of(const Finding& finding) {
 std::vector<Index> holes_of(const Finding& finding) {
   std::vector<Index> holes;
   for (const Subject& subject : finding.subjects) {
-    if (subject.kind != SubjectKind::Hole) continue;
-    for (const Index hole : numbers_in(subject.id)) holes.push_back(hole);
+    if (subject.kind == SubjectKind::Hole && subject.index) holes.push_back(static_cast<Index>(*subject.index));
   }
   return sorted_unique(std::move(holes));
 }
@@ -66,7 +55,7 @@ FoundElements elements_of(const Finding& finding, const MeshTopology& topology) 
   for (const Subject& subject : finding.subjects) {
     const auto kind = kind_of(subject.kind);
     if (!kind || (!found.elements.empty() && *kind != found.kind)) continue;
-    const Index element = element_of(*kind, subject.id, topology);
+    const Index element = element_of(subject, *kind, topology);
     if (element == no_index) continue;
     found.kind = *kind;
     found.elements.push_back(element);

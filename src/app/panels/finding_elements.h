@@ -5,11 +5,10 @@
 #include <vector>
 
 #include "croquis/base/finding.h"
-#include "croquis/base/report.h"
 #include "croquis/mesh_editing/mesh_selection.h"
 #include "croquis/tools/mesh_tool.h"
 
-/// From findings and reports to elements that can be selected.
+/// From findings to elements that can be selected.
 namespace croquis::app {
 
 /// Names of the strokes that a finding is about.
@@ -23,8 +22,7 @@ struct FoundElements {
   Elements elements;
 };
 
-/// The mesh's elements that a finding is about, of the kind that it names first. An edge is named by its two vertices
-/// ("3 7", "3-7") or its number.
+/// The mesh's elements that a finding is about, of the kind that it names first.
 FoundElements elements_of(const Finding& finding, const MeshTopology& topology);
 
 /// The mode in which elements of a kind are picked.

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/panels/finding_elements.h"
+#include "croquis/operators/inflate_result.h"
 
 namespace croquis::app {
 namespace {
@@ -33,14 +34,13 @@ std::size_t count_named_objects(const Studio& studio, const std::vector<Body>& b
 
 std::vector<Body> bodies_of(const Studio& studio) {
   const auto result = studio.result();
-  const Report* details = report_of(result.get(), "details");
-  const Report* objects = details == nullptr ? nullptr : details->find("objects");
+  const InflateResult* inflated = result_of<InflateResult>(result.get());
   std::vector<Body> bodies;
-  if (objects == nullptr) return bodies;
-  for (const Report& object : objects->as_array()) {
+  if (inflated == nullptr) return bodies;
+  for (const InflatedObject& object : inflated->objects) {
     Body body;
-    for (const Report& stroke : object.at("strokes").as_array()) body.strokes.push_back(stroke.as_string());
-    const std::string given = given_name(studio.drawing(), object.at("name").as_string());
+    body.strokes = object.strokes;
+    const std::string given = given_name(studio.drawing(), object.name);
     body.name =
         given.empty() ? QObject::tr("Body %1").arg(bodies.size() + 1) : QString::fromStdString(readable_name(given));
     bodies.push_back(std::move(body));

@@ -169,7 +169,7 @@ class TextField : public ParameterField {
   }
 
   void show_value(const ParameterValue& value) override {
-    shown_ = QString::fromStdString(std::get<std::string>(value));
+    shown_ = QString::fromStdString(to_text(value));
     if (!line_->hasFocus() || !line_->isModified()) line_->setText(shown_);
   }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <set>
 #include <utility>
 #include <variant>
@@ -21,12 +22,15 @@
 #include "croquis/base/exit_code.h"
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/io/file.h"
+#include "croquis/operators/inflate_result.h"
+#include "croquis/operators/subdivide_result.h"
 
 namespace croquis::app {
 namespace {
 
 constexpr int longest_wait_ms = 60'000;
 constexpr int replay_pause_ms = 20;
+constexpr double degrees_per_radian = 180 / std::numbers::pi;
 constexpr double recorded_view_height = 1000;  // pixels in which motions are recorded
 
 [[noreturn]] void refuse(const std::string& sentence) {
@@ -60,8 +64,8 @@ std::size_t count_objects(const Studio& studio) {
   std::size_t count = 0;
   const auto result = studio.result();
   if (result && !result->failed) {
-    const Report* details = report_of(result.get(), "details");
-    if (details != nullptr) count += details->at("objects").as_array().size();
+    const InflateResult* inflated = result->result<InflateResult>();
+    if (inflated != nullptr) count += inflated->objects.size();
   }
   for (const StudioObject& object : studio.objects()) count += object.visible && object.node != studio.solid_node();
   return count;
@@ -105,14 +109,13 @@ std::size_t count_holes(const StudioObject& object, bool patches) {
 void expect_dihedral(const Studio& studio, const recorded::Expect& step) {
   constexpr double tolerance = 1e-3;  // degrees
   const StudioObject& object = object_named(studio, step.node);
-  const Report* details = report_of(object.result.get(), "details");
-  const Report* chains = details == nullptr ? nullptr : details->find("chains");
-  if (chains == nullptr || chains->as_array().empty()) refuse("There are no chains of sharp edges");
+  const SubdivideResult* subdivided = result_of<SubdivideResult>(object.result.get());
+  if (subdivided == nullptr || subdivided->chains.empty()) refuse("There are no chains of sharp edges");
   double least = 360;
   double greatest = 0;
-  for (const Report& chain : chains->as_array()) {
-    least = std::min(least, chain.at("dihedral_min").as_number());
-    greatest = std::max(greatest, chain.at("dihedral_max").as_number());
+  for (const SharpChain& chain : subdivided->chains) {
+    least = std::min(least, chain.least_angle * degrees_per_radian);
+    greatest = std::max(greatest, chain.greatest_angle * degrees_per_radian);
   }
   const double wanted_least = step.value.value_or(0);
   const double wanted_greatest = step.to.value_or(wanted_least);

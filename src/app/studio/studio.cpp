@@ -88,11 +88,4 @@ void Studio::start_with(Drawing drawing) {
 
 void Studio::start_empty() { load(Document()); }
 
-const Report* report_of(const Evaluation* evaluation, const std::string& output) {
-  if (evaluation == nullptr) return nullptr;
-  const auto found = evaluation->outputs.find(output);
-  if (found == evaluation->outputs.end()) return nullptr;
-  return found->second.as<Report>().get();
-}
-
 }  // namespace croquis::app

@@ -63,7 +63,4 @@ class Studio : public QObject, public Workspace {
   FaceSets face_sets_;
 };
 
-/// A report among an evaluation's outputs, or null.
-const Report* report_of(const Evaluation* evaluation, const std::string& output);
-
 }  // namespace croquis::app

@@ -4,21 +4,23 @@
 #include <algorithm>
 
 #include "app/window/theme.h"
+#include "croquis/operators/fill_result.h"
+#include "croquis/operators/inflate_result.h"
 
 namespace croquis::app {
 namespace {
 
 /// Objects of a sketch that were joined are one body: of one colour, without lines where they meet.
 std::shared_ptr<const PolyMesh> with_shells_as_objects(const std::shared_ptr<const PolyMesh>& mesh,
-                                                       const Report& shells) {
+                                                       const std::vector<InflatedShell>& shells) {
   std::map<std::string, std::int32_t> shell_of;
   std::int32_t count = 0;
-  for (const Report& shell : shells.as_array()) {
-    for (const Report& name : shell.at("objects").as_array()) shell_of[name.as_string()] = count;
+  for (const InflatedShell& shell : shells) {
+    for (const std::string& name : shell.objects) shell_of[name] = count;
     ++count;
   }
   const AttributeChannel* objects = mesh->channel("object", Domain::Face);
-  if (objects == nullptr || shell_of.size() == shells.as_array().size()) return mesh;
+  if (objects == nullptr || shell_of.size() == shells.size()) return mesh;
   auto painted = std::make_shared<PolyMesh>(*mesh);
   auto& labels = std::get<std::vector<std::int32_t>>(painted->channel("object", Domain::Face)->data);
   for (std::int32_t& label : labels) label = shell_of[objects->labels.at(static_cast<std::size_t>(label))];
@@ -26,10 +28,10 @@ std::shared_ptr<const PolyMesh> with_shells_as_objects(const std::shared_ptr<con
 }
 
 LiveItem::Paint paint_of(const StudioObject& object) {
-  const Report* details = report_of(object.result.get(), "details");
-  if (details == nullptr || details->find("shells") == nullptr) return nullptr;
-  return [result = object.result, details](const std::shared_ptr<const PolyMesh>& mesh) {
-    return with_shells_as_objects(mesh, details->at("shells"));
+  const InflateResult* inflated = result_of<InflateResult>(object.result.get());
+  if (inflated == nullptr) return nullptr;
+  return [result = object.result, inflated](const std::shared_ptr<const PolyMesh>& mesh) {
+    return with_shells_as_objects(mesh, inflated->shells);
   };
 }
 
@@ -93,8 +95,7 @@ const PatchSurface* ObjectScenes::patches(NodeId object) const {
 }
 
 void ObjectScenes::follow_patches(const StudioObject& object, Items& items) {
-  const Report* details = report_of(object.result.get(), "details");
-  const bool has_holes = details != nullptr && details->find("holes") != nullptr;
+  const bool has_holes = result_of<FillResult>(object.result.get()) != nullptr;
   const auto filled = has_holes && object.shown() == object.mesh ? object.mesh : nullptr;
   const bool is_new = filled != items.filled;
   if (is_new) items.patches = filled ? patches_of(*filled, object.cage_mesh.get()) : PatchSurface();

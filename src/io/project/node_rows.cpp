@@ -12,6 +12,7 @@ struct ParameterBytes {
   ByteWriter& writer;
   void operator()(bool value) const { writer.flag(value); }
   void operator()(const std::string& value) const { writer.text(value); }
+  void operator()(const ParsedText& value) const { writer.text(value.text()); }
   template <typename Number>
   void operator()(Number value) const {
     writer.number(value);
@@ -21,7 +22,7 @@ struct ParameterBytes {
 }  // namespace
 
 const char* type_word(const ParameterValue& value) {
-  static constexpr std::array<const char*, 4> words = {"flag", "integer", "number", "text"};
+  static constexpr std::array<const char*, 5> words = {"flag", "integer", "number", "text", "text"};
   return words[value.index()];
 }
 

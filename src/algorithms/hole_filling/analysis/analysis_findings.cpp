@@ -23,7 +23,7 @@ std::vector<Subject> flagged_faces(const SurfaceView& view, unsigned flags) {
   for (std::size_t t = 0; t < view.triangles.size() && subjects.size() < most_subjects; ++t) {
     if ((view.flags[t] & flags) == 0 || view.face[t] == last) continue;
     last = view.face[t];
-    subjects.push_back({SubjectKind::Face, std::to_string(last), {}, {}, {}});
+    subjects.push_back(numbered_subject(SubjectKind::Face, last));
   }
   return subjects;
 }
@@ -36,8 +36,7 @@ std::vector<Subject> nonmanifold_edge_subjects(const SurfaceView& view) {
     if (std::find(edges.begin(), edges.end(), std::array{low, high}) == edges.end()) edges.push_back({low, high});
   }
   std::vector<Subject> subjects;
-  for (const auto& [low, high] : edges)
-    subjects.push_back({SubjectKind::Edge, std::to_string(low) + "-" + std::to_string(high), {}, {}, {}});
+  for (const auto& [low, high] : edges) subjects.push_back(edge_subject(low, high));
   return subjects;
 }
 
@@ -73,7 +72,7 @@ void tell_shared_vertices(const HoleAnalysis& analysis, Findings& findings) {
   for (const Hole& hole : analysis.holes) {
     if (!hole.shares_vertex) continue;
     ++count;
-    if (subjects.size() < most_subjects) subjects.push_back({SubjectKind::Hole, std::to_string(hole.id), {}, {}, {}});
+    if (subjects.size() < most_subjects) subjects.push_back(numbered_subject(SubjectKind::Hole, hole.id));
   }
   if (count > 0)
     findings.push_back(warn("W_BOWTIE",

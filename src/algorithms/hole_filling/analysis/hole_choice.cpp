@@ -35,7 +35,7 @@ void require_known(std::span<const Hole> holes, const FillOptions& options) {
     findings.push_back(make_error(Category::Usage, "E_PARAMETER",
                                   "There is no hole " + ids + ": the mesh has " + std::to_string(holes.size()) +
                                       ", numbered from 0; list them first.",
-                                  {{SubjectKind::Hole, std::to_string(first), {}, {}, {}}}));
+                                  {numbered_subject(SubjectKind::Hole, first)}));
   }
   if (!findings.empty()) throw Error(std::move(findings));
 }
@@ -52,43 +52,61 @@ std::vector<std::optional<bool>> asked_for(std::size_t hole_count, std::span<con
   return asked;
 }
 
-Index largest_of(std::span<const Hole> holes) {
-  std::vector<double> diameters;
-  for (const Hole& hole : holes) diameters.push_back(hole.diameter);
-  const Index place = largest_hole(diameters);
-  return place == no_index ? no_index : holes[place].id;
+/// The place of the first of the widest holes, or no_index without any.
+Index largest_of(std::span<const HoleSize> holes) {
+  const auto found = std::ranges::max_element(holes, {}, &HoleSize::diameter);
+  return found == holes.end() ? no_index : static_cast<Index>(found - holes.begin());
 }
 
-/// Why the options for all holes leave this one open, or null.
-const char* reason_to_leave(const Hole& hole, const FillOptions& options, Index largest) {
-  if (!options.only.empty()) {
-    if (std::find(options.only.begin(), options.only.end(), hole.id) == options.only.end()) return "not chosen";
-  } else if (options.selection == Selection::None) {
-    return "not chosen";
-  } else if (options.selection == Selection::Inner && hole.kind == HoleClass::Outer) {
-    return "the border of an open surface";
-  } else if (options.selection == Selection::AllButLargest && hole.id == largest) {
-    return "the largest hole";
+const char* reason_of(Naming naming) {
+  switch (naming) {
+    case Naming::Named: return nullptr;
+    case Naming::NotChosen: return "not chosen";
+    case Naming::Border: return "the border of an open surface";
+    case Naming::Largest: return "the largest hole";
+    case Naming::TooWide: return "wider than the limit";
   }
-  return hole.diameter > options.max_diameter ? "wider than the limit" : nullptr;
+  return nullptr;
+}
+
+/// As `only` and the selection have it.
+std::vector<Naming> named_by_options(std::span<const Hole> holes, const FillOptions& options) {
+  std::vector<HoleSize> sizes;
+  for (const Hole& hole : holes) sizes.push_back({hole.kind, hole.diameter});
+  if (options.only.empty()) return named_holes(sizes, options.selection, options.max_diameter);
+  std::vector<Naming> named = named_holes(sizes, Selection::All, options.max_diameter);
+  for (std::size_t i = 0; i < holes.size(); ++i) {
+    if (std::ranges::find(options.only, holes[i].id) == options.only.end()) named[i] = Naming::NotChosen;
+  }
+  return named;
 }
 
 }  // namespace
 
-Index largest_hole(std::span<const double> diameters) {
-  const auto found = std::ranges::max_element(diameters);
-  return found == diameters.end() ? no_index : static_cast<Index>(found - diameters.begin());
+std::vector<Naming> named_holes(std::span<const HoleSize> holes, Selection selection, double max_diameter) {
+  const Index largest = selection == Selection::AllButLargest ? largest_of(holes) : no_index;
+  std::vector<Naming> named;
+  for (std::size_t i = 0; i < holes.size(); ++i) {
+    if (selection == Selection::None)
+      named.push_back(Naming::NotChosen);
+    else if (selection == Selection::Inner && holes[i].kind == HoleClass::Outer)
+      named.push_back(Naming::Border);
+    else if (i == largest)
+      named.push_back(Naming::Largest);
+    else
+      named.push_back(holes[i].diameter > max_diameter ? Naming::TooWide : Naming::Named);
+  }
+  return named;
 }
 
 HoleChoice choose_holes(std::span<const Hole> holes, const FillOptions& options) {
   require_known(holes, options);
   const auto asked = asked_for(holes.size(), options.requests);
-  const Index largest = largest_of(holes);
+  const std::vector<Naming> named = named_by_options(holes, options);
   HoleChoice choice{std::vector<bool>(holes.size(), true), std::vector<std::string>(holes.size())};
   for (const Hole& hole : holes) {
-    const bool is_told = asked[hole.id].has_value();
-    const char* reason =
-        is_told ? (*asked[hole.id] ? nullptr : "asked to stay open") : reason_to_leave(hole, options, largest);
+    const auto& told = asked[hole.id];
+    const char* reason = told ? (*told ? nullptr : "asked to stay open") : reason_of(named[hole.id]);
     if (reason == nullptr) continue;
     choice.is_chosen[hole.id] = false;
     choice.reason[hole.id] = reason;

@@ -50,8 +50,7 @@ void tell_parts(const RemeshLosses& losses, Findings& findings) {
   for (std::size_t i = 0; i < std::min(losses.parts.size(), most_told); ++i) {
     const PieceLosses& part = losses.parts[i];
     Finding finding = warning("W_DETAIL_LOST", sentence(part, losses.cell));
-    finding.subjects = {
-        {SubjectKind::Point, std::to_string(part.piece), {}, {}, {part.at.x(), part.at.y(), part.at.z()}}};
+    finding.subjects = {numbered_subject(SubjectKind::Point, part.piece, {part.at.x(), part.at.y(), part.at.z()})};
     findings.push_back(std::move(finding));
   }
   if (losses.parts.size() > most_told)
@@ -78,7 +77,7 @@ void tell_refused(const RemeshLosses& losses, const Finding& like, Findings& fin
     Finding finding = like;
     finding.message = sentence(refused);
     finding.subjects = {
-        {SubjectKind::Point, std::to_string(refused.piece), {}, {}, {refused.at.x(), refused.at.y(), refused.at.z()}}};
+        numbered_subject(SubjectKind::Point, refused.piece, {refused.at.x(), refused.at.y(), refused.at.z()})};
     findings.push_back(std::move(finding));
   }
   if (told == losses.refused.size()) return;

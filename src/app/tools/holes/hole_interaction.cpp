@@ -92,12 +92,8 @@ const HoleRow* HoleInteraction::row(Index hole) const {
 }
 
 std::shared_ptr<const PolyMesh> HoleInteraction::scan() const {
-  const StudioObject* object = studio_.active();
-  const Node* operation = node();
-  if (object == nullptr || operation == nullptr || operation->inputs.empty()) return nullptr;
-  const Link& from = operation->inputs.begin()->second;
-  if (from.node == object->cage) return object->cage_mesh;
-  return studio_.mesh_at(from.node);
+  const FillResult* found = result_of<FillResult>(shown_.get());
+  return found == nullptr ? nullptr : found->scan;
 }
 
 const Node* HoleInteraction::node() const { return filling_node(studio_); }
@@ -140,7 +136,7 @@ void HoleInteraction::take_result(const StudioObject* object) {
   shown_ = result;
   shown_node_ = now;
   rows_ = hole_rows(object);
-  sight_.follow(result ? scan() : nullptr);
+  sight_.follow(scan());
   const auto rims = result ? result->outputs.find("rims") : Values::const_iterator();
   if (other_object || !result) tool_.select_none();
   if (!result || rims == result->outputs.end())
@@ -211,10 +207,8 @@ void HoleInteraction::select_all() {
 void HoleInteraction::select_by_size(double diameter) { select(open_up_to(diameter)); }
 
 std::vector<Index> HoleInteraction::open_up_to(double diameter) const {
-  std::vector<Index> holes;
-  for (const HoleRow& row : rows_) {
-    if (row.state == HoleState::Open && is_named(row, "inner", diameter)) holes.push_back(row.id);
-  }
+  std::vector<Index> holes = named_rows(rows_, hole_filling::Selection::Inner, diameter);
+  std::erase_if(holes, [&](Index hole) { return row(hole)->state != HoleState::Open; });
   return holes;
 }
 

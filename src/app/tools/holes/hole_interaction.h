@@ -35,7 +35,7 @@ class HoleInteraction : public QObject {
   HoleTool& tool() { return tool_; }
   const std::vector<HoleRow>& rows() const { return rows_; }
   const HoleRow* row(Index hole) const;
-  std::shared_ptr<const PolyMesh> scan() const;  ///< that is filled; null before it has been computed itself
+  std::shared_ptr<const PolyMesh> scan() const;  ///< whose holes rows() are; null before the first result
   const std::vector<Index>& selected() const { return tool_.selected(); }
   const std::vector<Index>& hovered() const { return tool_.preview().hovered.holes; }
   const PatchPreview& preview() const { return preview_; }
@@ -112,10 +112,9 @@ class HoleInteraction : public QObject {
   std::vector<Index> filled() const;
   std::vector<Index> open_of(const std::vector<Index>& holes) const;
   std::vector<Index> failed_of(const std::vector<Index>& holes) const;
-  Index largest() const;
-  bool is_named(const HoleRow& row, const std::string& select, double max_diameter) const;
-  bool stays_filled(const HoleRow& row, const std::string& select) const;
-  void fill_named(const std::string& label, const std::string& select, double max_diameter);
+  /// What is open after a selection was filled: of inner holes, what is filled already stays.
+  std::vector<Index> open_after(hole_filling::Selection select, double max_diameter) const;
+  void fill_named(const std::string& label, hole_filling::Selection select, double max_diameter);
   void attempt(const std::function<void()>& work);
   void edit(const std::string& label, const ParameterValues& values, bool dragging);
   void change_plan(const std::string& label, const std::function<void(HolePlan&)>& change);

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What becomes of holes, and how their patches are made: all that changes the operation's parameters.
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "app/tools/holes/filling.h"
 #include "app/tools/holes/hole_interaction.h"
 #include "croquis/base/error.h"
-#include "croquis/hole_filling/hole_choice.h"
 
 namespace croquis::app {
 namespace {
+
+using hole_filling::Selection;
+
+constexpr double any_diameter = std::numeric_limits<double>::infinity();
 
 const std::string remesh_label = "Remesh";
 
@@ -115,46 +119,38 @@ void HoleInteraction::fill_all(const std::string& select) {
                            : select == "inner"         ? "Fill all inner holes"
                            : select == "none"          ? "Reopen all holes"
                                                        : "Fill all holes";
-  fill_named(what, select, 0);
+  fill_named(what, parse_selection(select), any_diameter);
 }
 
-/// As the operation has it.
-Index HoleInteraction::largest() const {
-  std::vector<double> diameters;
-  for (const HoleRow& row : rows_) diameters.push_back(row.diameter);
-  const Index place = hole_filling::largest_hole(diameters);
-  return place == no_index ? no_index : rows_[place].id;
-}
-
-bool HoleInteraction::is_named(const HoleRow& row, const std::string& select, double max_diameter) const {
-  if (max_diameter > 0 && row.diameter > max_diameter) return false;
-  if (select == "inner") return !row.is_border();
-  return select == "all" || (select == "all-but-largest" && row.id != largest());
-}
-
-bool HoleInteraction::stays_filled(const HoleRow& row, const std::string& select) const {
-  return select == "inner" && row.state == HoleState::Filled;
+std::vector<Index> HoleInteraction::open_after(Selection select, double max_diameter) const {
+  const std::vector<Index> named = named_rows(rows_, select, max_diameter);
+  std::vector<Index> open;
+  for (const HoleRow& row : rows_) {
+    const bool stays_filled = select == Selection::Inner && row.state == HoleState::Filled;
+    if (!stays_filled && !std::ranges::binary_search(named, row.id)) open.push_back(row.id);
+  }
+  return open;
 }
 
 bool HoleInteraction::can_fill_all(const std::string& select) const {
   const bool is_known = shown_ && !shown_->failed;
   if (rows_.empty()) return !is_known;
-  return std::any_of(rows_.begin(), rows_.end(), [&](const HoleRow& row) {
-    const bool fills = is_named(row, select, 0) || stays_filled(row, select);
-    return fills ? row.state == HoleState::Open : row.state != HoleState::Open;
+  const std::vector<Index> open = open_after(parse_selection(select), any_diameter);
+  return std::ranges::any_of(rows_, [&](const HoleRow& row) {
+    return std::ranges::binary_search(open, row.id) != (row.state == HoleState::Open);
   });
 }
 
-void HoleInteraction::fill_named(const std::string& label, const std::string& select, double max_diameter) {
-  std::vector<Index> kept;
+void HoleInteraction::fill_named(const std::string& label, Selection select, double max_diameter) {
+  const std::vector<Index> named = named_rows(rows_, select, max_diameter);
+  const std::vector<Index> open = open_after(select, max_diameter);
+  std::vector<Index> kept;  // filled before, though the selection doesn't name them
   for (const HoleRow& row : rows_) {
-    if (stays_filled(row, select) && !is_named(row, select, max_diameter)) kept.push_back(row.id);
+    const bool is_left = std::ranges::binary_search(named, row.id) || std::ranges::binary_search(open, row.id);
+    if (!is_left) kept.push_back(row.id);
   }
   change_plan(label, [&](HolePlan& plan) {
-    plan.fill_all(select, max_diameter, [&](Index hole) {
-      const HoleRow* found = row(hole);
-      return found == nullptr || is_named(*found, select, max_diameter) || stays_filled(*found, select);
-    });
+    plan.fill_all(select, max_diameter, open);
     plan.fill(kept);
   });
 }
@@ -189,7 +185,7 @@ void HoleInteraction::clear_handles() {
 
 void HoleInteraction::apply(const recorded::HoleChoice& step) {
   if (step.up_to) {
-    fill_named("Fill holes up to " + measure(*step.up_to).toStdString(), "inner", *step.up_to);
+    fill_named("Fill holes up to " + measure(*step.up_to).toStdString(), Selection::Inner, *step.up_to);
   } else if (step.action == "fill") {
     change_plan("Fill " + words_for(step.holes), [&](HolePlan& plan) {
       // Where a bridge couldn't be made, each rim gets a patch of its own.

@@ -68,11 +68,9 @@ QString fill_text(std::size_t count, double limit) {
   return HolePanel::tr("Fill %1 up to %2").arg(count).arg(measure(limit));
 }
 
-/// Only a remeshed model has domains.
 bool is_remeshed(const StudioObject& object) {
-  const Report* details = report_of(object.result.get(), "details");
-  const Report* domains = details == nullptr ? nullptr : details->find("domains");
-  return domains != nullptr && !domains->is_null();
+  const FillResult* found = result_of<FillResult>(object.result.get());
+  return found != nullptr && found->remeshed;
 }
 
 const ParameterDescription* parameter(const Studio& studio, const std::string& name) {

@@ -37,11 +37,10 @@ bool same_but_holes(const HoleWish& a, HoleWish b) {
 }  // namespace
 
 HolePlan::HolePlan(const Studio& studio, const Node& node) {
-  const auto text = [&](const char* name) { return std::get<std::string>(filling_value(studio, node, name)); };
-  select_ = text("select");
-  only_ = text("only");
-  max_diameter_ = std::get<double>(filling_value(studio, node, "max-diameter"));
-  for (const HoleWish& wish : parse_hole_wishes(text("holes"))) {
+  ParameterValues values;
+  for (const char* name : {"select", "only", "max-diameter", "holes"}) values[name] = filling_value(studio, node, name);
+  choice_ = read_fill_choice(values);
+  for (const HoleWish& wish : std::exchange(choice_.wishes, {})) {
     if (wish.bridge) {
       bridges_.push_back(wish);
       continue;
@@ -86,22 +85,21 @@ void HolePlan::fill(std::span<const Index> holes) {
   }
 }
 
-void HolePlan::fill_all(const std::string& select, double max_diameter, const std::function<bool(Index)>& fills) {
-  select_ = select;
-  max_diameter_ = max_diameter;
-  only_.clear();
+void HolePlan::fill_all(hole_filling::Selection select, double max_diameter, std::span<const Index> open) {
+  choice_.select = select;
+  choice_.max_diameter = max_diameter;
+  choice_.only.clear();
   for (auto& [hole, wish] : single_) wish.fill.reset();
   forget_empty();
-  for (auto& [hole, wish] : single_) wish.fill = fills(hole);
-  std::erase_if(bridges_,
-                [&](const HoleWish& wish) { return !std::all_of(wish.holes.begin(), wish.holes.end(), fills); });
+  for (auto& [hole, wish] : single_) wish.fill = !has(open, hole);
+  part_bridges(open);
 }
 
 void HolePlan::reopen(std::span<const Index> holes) {
   part_bridges(holes);
   for (const Index hole : holes) {
     single_.erase(hole);
-    if (select_ != "none" || !only_.empty()) entry(hole).fill = false;
+    if (choice_.select != hole_filling::Selection::None || !choice_.only.empty()) entry(hole).fill = false;
   }
 }
 
@@ -115,7 +113,8 @@ void HolePlan::bridge(std::span<const Index> holes) {
 }
 
 ParameterValues HolePlan::values() const {
-  std::vector<HoleWish> wishes;
+  FillChoice choice = choice_;
+  std::vector<HoleWish>& wishes = choice.wishes;
   for (const auto& [hole, wish] : single_) {
     const auto same = std::find_if(wishes.begin(), wishes.end(),
                                    [&, &own = wish](const HoleWish& other) { return same_but_holes(own, other); });
@@ -125,7 +124,7 @@ ParameterValues HolePlan::values() const {
       same->holes.push_back(hole);
   }
   wishes.insert(wishes.end(), bridges_.begin(), bridges_.end());
-  return {{"select", select_}, {"only", only_}, {"max-diameter", max_diameter_}, {"holes", to_text(wishes)}};
+  return to_parameters(choice);
 }
 
 }  // namespace croquis::app

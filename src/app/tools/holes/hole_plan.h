@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <map>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "app/studio/studio.h"
@@ -29,9 +27,9 @@ class HolePlan {
   void fill(std::span<const Index> holes);
 
   /// Fills what a selection of all fills, whatever single holes were given; how they are made stays.
-  /// @param select one of the parameter's choices. @param max_diameter 0 for any
-  /// @param fills whether a hole is to be filled then: words about its shape alone would fill it
-  void fill_all(const std::string& select, double max_diameter, const std::function<bool(Index)>& fills);
+  /// @param max_diameter as FillOptions has it
+  /// @param open holes that stay open then: what is wished of their shape alone would fill them
+  void fill_all(hole_filling::Selection select, double max_diameter, std::span<const Index> open);
 
   /// What was wished of them goes away; those that would be filled with others are left.
   void reopen(std::span<const Index> holes);
@@ -61,9 +59,7 @@ class HolePlan {
   static void keep_as_is(HoleWish& wish, std::span<const Index> filled);
   void forget_empty();
 
-  std::string select_;
-  std::string only_;
-  double max_diameter_ = 0;
+  FillChoice choice_;  ///< without its wishes, which follow
   std::map<Index, HoleWish> single_;
   std::vector<HoleWish> bridges_;
 };

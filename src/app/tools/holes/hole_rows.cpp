@@ -4,87 +4,58 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
-#include <map>
 
-#include "app/tools/holes/filling.h"
+#include "croquis/hole_filling/hole_choice.h"
 
 namespace croquis::app {
 namespace {
 
 QString tr(const char* text, int count = -1) { return QCoreApplication::translate("Holes", text, nullptr, count); }
 
-std::optional<double> number(const Report& report, const char* name) {
-  const Report* found = report.find(name);
-  if (found == nullptr || found->is_null()) return std::nullopt;
-  return found->as_number();
-}
+using hole_filling::HoleClass;
 
-std::string text(const Report& report, const char* name) {
-  const Report* found = report.find(name);
-  return found == nullptr || found->is_null() ? std::string() : found->as_string();
-}
-
-Vec3 place(const Report& report, const char* name, const Vec3& otherwise) {
-  const Report* found = report.find(name);
-  if (found == nullptr || found->is_null() || found->as_array().size() != 3) return otherwise;
-  const Report::Array& values = found->as_array();
-  return {values[0].as_number(), values[1].as_number(), values[2].as_number()};
-}
-
-HoleState state_of(const std::string& action) {
-  if (action == "fill") return HoleState::Filled;
-  return action == "failed" ? HoleState::Failed : HoleState::Open;
-}
-
-HoleRow row_of(const Report& report) {
-  HoleRow row;
-  row.id = static_cast<Index>(report.at("id").as_integer());
-  row.kind = text(report, "class");
-  row.edges = static_cast<std::size_t>(report.at("boundary_edges").as_integer());
-  row.diameter = number(report, "diameter").value_or(0);
-  row.area = number(report, "area").value_or(0);
-  row.perimeter = number(report, "perimeter").value_or(0);
-  row.state = state_of(text(report, "action"));
-  row.method = text(report, "method");
-  row.reason = text(report, "reason");
-  row.normal_jump = number(report, "max_normal_jump");
-  row.confidence = number(report, "confidence");
-  if (const auto patch = number(report, "patch")) row.patch = static_cast<Index>(*patch);
-  row.at = place(report, "at", row.at);
-  row.normal = place(report, "normal", row.normal);
-  if (const Report* companions = report.find("companions"); companions != nullptr && !companions->is_null()) {
-    for (const Report& other : companions->as_array()) row.companions.push_back(static_cast<Index>(other.as_integer()));
+const char* word_of(HoleClass kind) {
+  switch (kind) {
+    case HoleClass::Small: return "small";
+    case HoleClass::Simple: return "hole";
+    case HoleClass::Islands: return "with island";
+    case HoleClass::Tunnel: return "tunnel end";
+    case HoleClass::Outer: return "border, keep?";
+    case HoleClass::Slit: return "slit";
+    case HoleClass::BowTie: return "touches another";
   }
-  return row;
+  return "";
 }
 
 }  // namespace
 
 std::vector<HoleRow> hole_rows(const StudioObject* object) {
-  const Report* details = object == nullptr ? nullptr : report_of(object->result.get(), "details");
-  const Report* holes = details == nullptr ? nullptr : details->find("holes");
-  std::vector<HoleRow> rows;
-  if (holes == nullptr || holes->is_null()) return rows;
-  for (const Report& hole : holes->as_array()) rows.push_back(row_of(hole));
-  return rows;
+  const FillResult* found = object == nullptr ? nullptr : result_of<FillResult>(object->result.get());
+  return found == nullptr ? std::vector<HoleRow>() : found->holes;
+}
+
+std::vector<Index> named_rows(const std::vector<HoleRow>& rows, hole_filling::Selection selection,
+                              double max_diameter) {
+  std::vector<hole_filling::HoleSize> sizes;
+  for (const HoleRow& row : rows) sizes.push_back({row.kind, row.diameter});
+  const std::vector<hole_filling::Naming> named = named_holes(sizes, selection, max_diameter);
+  std::vector<Index> ids;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (named[i] == hole_filling::Naming::Named) ids.push_back(rows[i].id);
+  }
+  return ids;
 }
 
 std::vector<Index> with_islands(const std::vector<HoleRow>& rows, const std::vector<Index>& holes) {
   std::set<Index> all(holes.begin(), holes.end());
   for (const HoleRow& row : rows) {
-    if (row.kind == "islands" && std::find(holes.begin(), holes.end(), row.id) != holes.end())
+    if (row.kind == HoleClass::Islands && std::find(holes.begin(), holes.end(), row.id) != holes.end())
       all.insert(row.companions.begin(), row.companions.end());
   }
   return {all.begin(), all.end()};
 }
 
-QString words_for(const HoleRow& hole) {
-  static const std::map<std::string, const char*> words{
-      {"small", "small"},         {"simple", "hole"}, {"islands", "with island"},    {"tunnel", "tunnel end"},
-      {"OUTER", "border, keep?"}, {"slit", "slit"},   {"bow-tie", "touches another"}};
-  const auto found = words.find(hole.kind);
-  return found == words.end() ? QString::fromStdString(hole.kind) : tr(found->second);
-}
+QString words_for(const HoleRow& hole) { return tr(word_of(hole.kind)); }
 
 QString words_for(HoleState state) {
   switch (state) {

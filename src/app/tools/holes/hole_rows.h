@@ -2,40 +2,20 @@
 #pragma once
 
 #include <QString>
-#include <optional>
 #include <set>
-#include <string>
 #include <vector>
 
 #include "app/studio/studio.h"
+#include "croquis/operators/fill_result.h"
 
-/// What the result of `fill` reports of every hole, as lists and views show it.
+/// The holes that the result of `fill` has, as lists and views show them.
 namespace croquis::app {
-
-enum class HoleState { Open, Filled, Failed };
-
-struct HoleRow {
-  Index id = 0;
-  std::string kind;  ///< as reports have it: "small", "simple", "OUTER" …
-  std::size_t edges = 0;
-  double diameter = 0;  ///< model units
-  double area = 0;
-  double perimeter = 0;
-  HoleState state = HoleState::Open;
-  std::string method;                 ///< of the patch taken, empty without one
-  std::string reason;                 ///< why it was left, failed, or not filled by the first method
-  std::optional<double> normal_jump;  ///< degrees
-  std::optional<double> confidence;   ///< 0..1
-  std::optional<Index> patch;         ///< number of its patch
-  Vec3 at = Vec3::Zero();             ///< the middle of its rim
-  Vec3 normal = Vec3::UnitZ();
-  std::vector<Index> companions;
-
-  bool is_border() const { return kind == "OUTER"; }
-};
 
 /// Of an object whose last operation is `fill`; empty for any other, and before its first result.
 std::vector<HoleRow> hole_rows(const StudioObject* object);
+
+/// Ids of those that a selection for all holes names. @param max_diameter as FillOptions has it
+std::vector<Index> named_rows(const std::vector<HoleRow>& rows, hole_filling::Selection selection, double max_diameter);
 
 /// These, and the islands in them or the holes around them: one without the other leaves the island cut off, or its
 /// patch in the way. Ascending.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <utility>
 
 #include "app/tools/holes/hole_overlay.h"
@@ -51,7 +52,7 @@ QIcon state_icon(const HoleRow& hole) {
 }
 
 QString degrees(const std::optional<double>& angle) {
-  return angle ? QString::number(*angle, 'f', 1) + QStringLiteral("°") : QString();
+  return angle ? QString::number(*angle * 180 / std::numbers::pi, 'f', 1) + QStringLiteral("°") : QString();
 }
 
 QString percent(const std::optional<double>& share) {
@@ -60,7 +61,7 @@ QString percent(const std::optional<double>& share) {
 
 bool same_cells(const HoleRow& a, const HoleRow& b) {
   return a.id == b.id && a.kind == b.kind && a.edges == b.edges && a.diameter == b.diameter && a.area == b.area &&
-         a.state == b.state && a.method == b.method && a.reason == b.reason && a.normal_jump == b.normal_jump &&
+         a.state == b.state && a.method == b.method && a.reason == b.reason && a.angle == b.angle &&
          a.confidence == b.confidence && a.companions == b.companions;
 }
 
@@ -164,7 +165,7 @@ void HoleTable::show_holes(const std::vector<HoleRow>& holes) {
     write(Area, measure(hole.area), hole.area);
     write(Method, QString::fromStdString(hole.method));
     write(Confidence, percent(hole.confidence), optional(hole.confidence));
-    write(Jump, degrees(hole.normal_jump), optional(hole.normal_jump));
+    write(Jump, degrees(hole.angle), optional(hole.angle));
   }
   setSortingEnabled(true);
   horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);

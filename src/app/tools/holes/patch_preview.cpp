@@ -70,11 +70,10 @@ void PatchPreview::take() {
   const Operation* operation = node == nullptr ? nullptr : studio_.registry().find(node->operation);
   if (operation == nullptr || !live_ || !live_->result() || live_->result() == shown_) return;
   shown_ = live_->result();
-  StudioObject previewed;
-  previewed.result = shown_;
+  const FillResult* found = shown_->result<FillResult>();
   const auto filled = mesh_of(*shown_, *operation);
-  if (!filled) return;
-  rows_ = hole_rows(&previewed);
+  if (!filled || found == nullptr) return;
+  rows_ = found->holes;
   std::set<Index> wanted;
   for (const HoleRow& row : rows_) {
     if (row.patch && std::binary_search(holes_.begin(), holes_.end(), row.id)) wanted.insert(*row.patch);

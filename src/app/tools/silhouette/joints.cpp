@@ -2,9 +2,9 @@
 #include "app/tools/silhouette/joints.h"
 
 #include <algorithm>
-#include <memory>
 #include <sstream>
-#include <variant>
+
+#include "croquis/operators/inflate_result.h"
 
 namespace croquis::app {
 namespace {
@@ -26,15 +26,11 @@ bool names_pair(const std::string& entry, const std::string& a, const std::strin
 
 std::vector<Joint> suggested_joints(const Evaluation& evaluation, const std::string& attach) {
   std::vector<Joint> joints;
-  const auto details = evaluation.outputs.find("details");
-  if (evaluation.failed || details == evaluation.outputs.end()) return joints;
-  const Report* list = details->second.as<Report>()->find("attach_suggestions");
-  if (list == nullptr) return joints;
+  const InflateResult* inflated = evaluation.failed ? nullptr : evaluation.result<InflateResult>();
+  if (inflated == nullptr) return joints;
   const std::vector<std::string> entries = split(attach, ';');
-  for (const Report& suggestion : list->as_array()) {
-    Joint joint{suggestion.at("a").as_string(), suggestion.at("b").as_string()};
-    const Report::Array& at = suggestion.at("at").as_array();
-    joint.at = Vec2(at[0].as_number(), -at[1].as_number());
+  for (const SuggestedJoint& suggestion : inflated->suggested) {
+    Joint joint{suggestion.a, suggestion.b, suggestion.at};
     joint.attached = std::any_of(entries.begin(), entries.end(),
                                  [&](const std::string& entry) { return names_pair(entry, joint.a, joint.b); });
     joints.push_back(std::move(joint));

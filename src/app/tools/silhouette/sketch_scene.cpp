@@ -6,6 +6,7 @@
 
 #include "app/views/render_color.h"
 #include "app/window/theme.h"
+#include "croquis/operators/inflate_result.h"
 
 namespace croquis::app {
 namespace {
@@ -36,26 +37,28 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// All arcs of a drawing, and the label of each.
+struct Labels {
+  const Drawing& drawing;
+  const std::vector<ArcLabel>& arcs;
+};
+
 /// The hidden arcs of a labelled drawing, coloured by how many surfaces lie in front.
-render::LineItemPtr hidden_contours(const Drawing& labels) {
+render::LineItemPtr hidden_contours(const Labels& labels) {
   std::vector<render::LinePath> paths;
-  for (const Stroke& arc : labels.strokes) {
-    const auto depth = arc.data.find("depth");
-    if (depth == arc.data.end() || depth->second == "0") continue;
-    render::LinePath path = path_of(arc);
-    for (render::LinePoint& point : path.points) point.color = to_color(depth_color(std::stoi(depth->second)));
+  for (std::size_t i = 0; i < labels.arcs.size(); ++i) {
+    if (labels.arcs[i].depth == 0) continue;
+    render::LinePath path = path_of(labels.drawing.strokes[i]);
+    for (render::LinePoint& point : path.points) point.color = to_color(depth_color(labels.arcs[i].depth));
     paths.push_back(std::move(path));
   }
   return lines(paths, {1.8, to_color(colors::guide), {7, 5, 0, 0}, render::LineDepth::OnTop});
 }
 
-/// A report's place, in the frame of files: y down.
-Vec2 place_of(const Report& at) { return {at.as_array()[0].as_number(), -at.as_array()[1].as_number()}; }
-
-const Drawing* labels_of(const Evaluation& evaluation) {
+std::optional<Labels> labels_of(const Evaluation& evaluation, const InflateResult& inflated) {
   const auto labels = evaluation.outputs.find("labels");
-  if (labels == evaluation.outputs.end()) return nullptr;
-  return labels->second.as<Drawing>().get();
+  if (labels == evaluation.outputs.end()) return std::nullopt;
+  return Labels{labels->second.get<Drawing>(), inflated.arcs};
 }
 
 bool ends_at_corners(const Stroke& arc, const std::vector<Vec2>& corners) {
@@ -66,34 +69,26 @@ bool ends_at_corners(const Stroke& arc, const std::vector<Vec2>& corners) {
 }
 
 /// The strand on top is bounded by the visible arcs between the overlap's corners, the one below by the hidden ones.
-void turn_mark(const Drawing& labels, const std::vector<Vec2>& corners, render::Mark& mark) {
-  for (const Stroke& arc : labels.strokes) {
+void turn_mark(const Labels& labels, const std::vector<Vec2>& corners, render::Mark& mark) {
+  for (std::size_t i = 0; i < labels.arcs.size(); ++i) {
+    const Stroke& arc = labels.drawing.strokes[i];
     if (arc.samples.size() < 2 || !ends_at_corners(arc, corners)) continue;
     const Vec2 along = arc.samples.back().position - arc.samples.front().position;
     const auto angle = static_cast<float>(std::atan2(along.y(), along.x()));
-    const auto depth = arc.data.find("depth");
-    (depth != arc.data.end() && depth->second == "0" ? mark.angle : mark.under_angle) = angle;
+    (labels.arcs[i].depth == 0 ? mark.angle : mark.under_angle) = angle;
   }
 }
 
-void add_overlap_marks(const Evaluation& evaluation, std::vector<render::Mark>& marks) {
-  const Report* details = report_of(&evaluation, "details");
-  const Report* overlaps = details == nullptr ? nullptr : details->find("overlaps");
-  const Drawing* labels = labels_of(evaluation);
-  if (overlaps == nullptr || labels == nullptr) return;
-  for (const Report& overlap : overlaps->as_array()) {
-    std::vector<Vec2> corners;
-    if (const Report* list = overlap.find("crossings")) {
-      for (const Report& corner : list->as_array()) corners.push_back(place_of(corner));
-    }
+void add_overlap_marks(const InflateResult& inflated, const Labels& labels, std::vector<render::Mark>& marks) {
+  for (const StrandOverlap& overlap : inflated.overlaps) {
     // Where one end lies over or under a body, a joint is offered instead.
-    if (corners.size() < 4) continue;
+    if (overlap.crossings.size() < 4) continue;
     render::Mark mark;
-    mark.position = on_plane(place_of(overlap.at("at")));
+    mark.position = on_plane(overlap.at);
     mark.shape = render::MarkShape::OverUnder;
     mark.size = 16;
     mark.color = to_color(colors::hover);
-    turn_mark(*labels, corners, mark);
+    turn_mark(labels, overlap.crossings, mark);
     marks.push_back(mark);
   }
 }
@@ -174,9 +169,11 @@ void SketchScene::show_result(const Studio& studio) {
   std::vector<render::Mark> marks;
   if (result) {
     // A failed drawing has the labels of the last good one, which lie elsewhere.
-    const Drawing* labels = result->failed ? nullptr : labels_of(*result);
-    if (labels != nullptr) hidden_ = hidden_contours(*labels);
-    if (!result->failed) add_overlap_marks(*result, marks);
+    const InflateResult* inflated = result->failed ? nullptr : result->result<InflateResult>();
+    if (const auto labels = inflated == nullptr ? std::nullopt : labels_of(*result, *inflated)) {
+      hidden_ = hidden_contours(*labels);
+      add_overlap_marks(*inflated, *labels, marks);
+    }
     for (const Finding& finding : result->findings) {
       const auto at = place_of(finding, studio.drawing());
       if (at)

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "croquis/geometry/vector.h"
+#include "croquis/silhouette/solid.h"
+
+/// What the operation `inflate` found in a drawing; its report is made of this. Places are those of Drawing, y up.
+namespace croquis {
+
+/// A part of the solid: what closed contours of the drawing stand for.
+struct InflatedObject {
+  std::string name;
+  std::vector<std::string> strokes;  ///< names of those that it is made of
+  int euler_region = 0;              ///< Euler number of the immersed region
+  int euler_mesh = 0;                ///< of its mesh before it is joined with others
+};
+
+/// A closed surface of its own: one object, or several attached ones.
+struct InflatedShell {
+  std::vector<std::string> objects;  ///< names
+  int euler_mesh = 0;
+};
+
+/// Two strands that lie over one another.
+struct StrandOverlap {
+  Vec2 at = Vec2::Zero();
+  std::string upper, lower;     ///< names of objects
+  std::vector<Vec2> crossings;  ///< corners of the overlap
+};
+
+/// A limb and a body that may be attached.
+struct SuggestedJoint {
+  std::string a, b;  ///< names of objects
+  Vec2 at = Vec2::Zero();
+};
+
+/// The label of one arc of a contour.
+struct ArcLabel {
+  std::size_t contour = 0;  ///< number among all contours of the drawing
+  int depth = 0;            ///< surfaces in front of it; 0 exactly for visible arcs
+  bool visible = true;
+  std::string object;  ///< name
+};
+
+struct InflateResult {
+  std::size_t strokes = 0;
+  std::vector<InflatedObject> objects;
+  std::size_t contours = 0;
+  std::size_t completions = 0;         ///< hidden pieces that join stroke ends
+  std::size_t contours_completed = 0;  ///< contours with such pieces
+  std::size_t crossings = 0;
+  std::vector<ArcLabel> arcs;  ///< one per stroke of the output "labels", in its order
+  int panels = 0;
+  std::size_t components = 0;
+  std::vector<StrandOverlap> overlaps;
+  std::vector<InflatedShell> shells;
+  std::vector<silhouette::SolidAttachment> attached;
+  std::vector<SuggestedJoint> suggested;
+  silhouette::SolidDiagnostics diagnostics;
+};
+
+std::size_t byte_size(const InflateResult& result);
+
+}  // namespace croquis
