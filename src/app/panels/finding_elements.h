@@ -7,7 +7,7 @@
 #include "croquis/base/finding.h"
 #include "croquis/base/report.h"
 #include "croquis/mesh_editing/mesh_selection.h"
-#include "croquis/tools/mesh_tool.h"
+#include "croquis/tools/mesh/mesh_tool.h"
 
 /// From findings and reports to elements that can be selected.
 namespace croquis::app {

@@ -4,7 +4,7 @@
 #include <QString>
 
 #include "croquis/base/finding.h"
-#include "croquis/tools/recording.h"
+#include "croquis/tools/recording/recording.h"
 
 namespace croquis::app {
 

@@ -14,7 +14,7 @@
 #include "croquis/document/evaluator.h"
 #include "croquis/document/registry.h"
 #include "croquis/session/session.h"
-#include "croquis/tools/sketch_tool.h"
+#include "croquis/tools/silhouette/sketch_tool.h"
 
 namespace croquis::app {
 

@@ -12,8 +12,8 @@
 #include "app/studio/scene_scale.h"
 #include "app/studio/studio.h"
 #include "app/views/offscreen_pictures.h"
-#include "croquis/tools/mesh_tool.h"
-#include "croquis/tools/recording.h"
+#include "croquis/tools/mesh/mesh_tool.h"
+#include "croquis/tools/recording/recording.h"
 
 class QProgressBar;
 class QPushButton;

@@ -10,8 +10,8 @@
 #include "app/views/object_picker.h"
 #include "app/views/object_scenes.h"
 #include "app/views/pane_layout.h"
-#include "croquis/tools/mesh_tool.h"
-#include "croquis/tools/pen.h"
+#include "croquis/tools/mesh/mesh_tool.h"
+#include "croquis/tools/pointer/pen.h"
 
 namespace croquis::app {
 
