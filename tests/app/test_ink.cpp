@@ -24,7 +24,7 @@ namespace {
 struct DrawnInk : QObject {
   explicit DrawnInk(Viewport& viewport) {
     connect(&viewport, &Viewport::committed, this, [this](const recorded::Step& step) {
-      if (const auto* stroke = std::get_if<recorded::StrokeDrawn>(&step)) strokes.push_back(stroke->points);
+      if (const auto* stroke = step.as<recorded::StrokeDrawn>()) strokes.push_back(stroke->points);
     });
   }
   std::vector<std::vector<StrokeSample>> strokes;

@@ -6,8 +6,8 @@
 
 #include "croquis/base/finding.h"
 #include "croquis/base/report.h"
+#include "croquis/geometry/mesh_topology.h"
 #include "croquis/mesh_editing/mesh_selection.h"
-#include "croquis/tools/mesh/mesh_tool.h"
 
 /// From findings and reports to elements that can be selected.
 namespace croquis::app {
@@ -26,8 +26,5 @@ struct FoundElements {
 /// The mesh's elements that a finding is about, of the kind that it names first. An edge is named by its two vertices
 /// ("3 7", "3-7") or its number.
 FoundElements elements_of(const Finding& finding, const MeshTopology& topology);
-
-/// The mode in which elements of a kind are picked.
-MeshMode mode_of(ComponentKind kind);
 
 }  // namespace croquis::app

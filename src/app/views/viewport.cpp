@@ -372,8 +372,8 @@ render::Scene Viewport::scene_of(int view) {
   wanted.stale = stale_;
   wanted.outlines = !holes_.active();
   wanted.only_with_cage = view == SketchView;
-  const bool elements = edits_meshes() && mesh_.tool().mode() != MeshMode::Object;
-  if (elements) wanted.edited = mesh_.tool().node();
+  const bool elements = edits_meshes() && mesh_.tool().selection().mode() != MeshMode::Object;
+  if (elements) wanted.edited = mesh_.tool().source().node();
   if (view == ComparisonView) {
     wanted.replaced = comparison_.object();
     wanted.by = comparison_.item();

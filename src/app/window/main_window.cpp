@@ -27,6 +27,7 @@
 #include "app/window/panel_docks.h"
 #include "app/window/window_layout.h"
 #include "croquis/base/error.h"
+#include "croquis/tools/recording/general_steps.h"
 
 namespace croquis::app {
 namespace {

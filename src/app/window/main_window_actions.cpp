@@ -20,6 +20,7 @@
 #include "app/window/main_window.h"
 #include "croquis/base/error.h"
 #include "croquis/io/mesh_file.h"
+#include "croquis/tools/recording/general_steps.h"
 
 namespace croquis::app {
 namespace {
@@ -125,8 +126,8 @@ void MainWindow::make_edit_actions() {
 
 void MainWindow::select_all() {
   if (viewport_->holes().active()) return viewport_->holes().select_all();
-  if (viewport_->edits_meshes() && viewport_->mesh().tool().mode() != MeshMode::Object) {
-    viewport_->mesh().act([](MeshTool& tool) { return tool.select_all(); });
+  if (viewport_->edits_meshes() && viewport_->mesh().tool().selection().mode() != MeshMode::Object) {
+    viewport_->mesh().act([](MeshTool& tool) { return tool.selection().select_all(); });
     return;
   }
   Selection selection;
@@ -138,8 +139,8 @@ void MainWindow::select_all() {
 }
 
 void MainWindow::delete_selection() {
-  const bool elements = viewport_->edits_meshes() && viewport_->mesh().tool().mode() != MeshMode::Object;
-  if (elements) return viewport_->mesh().act([](MeshTool& tool) { return tool.delete_selected(); });
+  const bool elements = viewport_->edits_meshes() && viewport_->mesh().tool().selection().mode() != MeshMode::Object;
+  if (elements) return viewport_->mesh().act([](MeshTool& tool) { return tool.edits().delete_selected(); });
   record(recorded::Action{"delete"});
   viewport_->delete_selection();
 }
@@ -153,7 +154,7 @@ void MainWindow::select_none() {
     studio_.session().select(std::move(selection));
     return viewport_->holes().select({});
   }
-  viewport_->mesh().act([](MeshTool& tool) { return tool.select_none(); });
+  viewport_->mesh().act([](MeshTool& tool) { return tool.selection().select_none(); });
   studio_.session().select({});
 }
 

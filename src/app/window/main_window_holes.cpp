@@ -18,6 +18,7 @@
 #include "app/views/viewport.h"
 #include "app/window/main_window.h"
 #include "app/window/panel_docks.h"
+#include "croquis/tools/recording/general_steps.h"
 
 namespace croquis::app {
 

@@ -20,7 +20,7 @@ constexpr double extrusion_share = 0.1;  // of the mesh's diagonal
 
 /// A first step that can be seen; the manipulator goes on from there.
 double extrusion_distance(MeshTool& tool) {
-  const auto mesh = tool.mesh();
+  const auto mesh = tool.source().mesh();
   if (!mesh || mesh->positions.empty()) return 0;
   Vec3 low = mesh->positions.front();
   Vec3 high = low;
@@ -71,7 +71,8 @@ void MainWindow::make_mode_actions() {
   add_mode("face-mode", tr("&Faces"), "F11", MeshMode::Face);
   menu->addSeparator();
   const auto add_conversion = [&](const QString& name, const QString& text, const QString& key, MeshMode mode) {
-    add_mesh_action(menu, name, text, {QKeySequence(key)}, [mode](MeshTool& tool) { return tool.convert_to(mode); });
+    add_mesh_action(menu, name, text, {QKeySequence(key)},
+                    [mode](MeshTool& tool) { return tool.selection().convert_to(mode); });
   };
   add_conversion("to-vertices", tr("Selection to vertices"), "Ctrl+F9", MeshMode::Vertex);
   add_conversion("to-edges", tr("Selection to edges"), "Ctrl+F10", MeshMode::Edge);
@@ -88,20 +89,20 @@ void MainWindow::set_mesh_mode(MeshMode mode) {
 void MainWindow::make_selection_actions() {
   QMenu* menu = mesh_menu_->addMenu(tr("&Select"));
   const auto add = [&](const QString& name, const QString& text, const QList<QKeySequence>& keys,
-                       Verdict (MeshTool::*work)()) {
-    add_mesh_action(menu, name, text, keys, [work](MeshTool& tool) { return (tool.*work)(); });
+                       Verdict (MeshSelector::*work)()) {
+    add_mesh_action(menu, name, text, keys, [work](MeshTool& tool) { return (tool.selection().*work)(); });
   };
-  add("grow", tr("&Grow"), {QKeySequence(">"), QKeySequence("Ctrl++")}, &MeshTool::grow_selection);
-  add("shrink", tr("S&hrink"), {QKeySequence("<"), QKeySequence("Ctrl+-")}, &MeshTool::shrink_selection);
-  add("invert", tr("&Invert"), {QKeySequence("Ctrl+I")}, &MeshTool::invert_selection);
+  add("grow", tr("&Grow"), {QKeySequence(">"), QKeySequence("Ctrl++")}, &MeshSelector::grow_selection);
+  add("shrink", tr("S&hrink"), {QKeySequence("<"), QKeySequence("Ctrl+-")}, &MeshSelector::shrink_selection);
+  add("invert", tr("&Invert"), {QKeySequence("Ctrl+I")}, &MeshSelector::invert_selection);
   menu->addSeparator();
-  add("select-loop", tr("Edge &loop"), {QKeySequence("Shift+L")}, &MeshTool::select_loop);
-  add("select-ring", tr("Edge &ring"), {QKeySequence("Shift+R")}, &MeshTool::select_ring);
-  add("select-between", tr("&Shortest path between two"), {QKeySequence("Shift+V")}, &MeshTool::select_between);
-  add("select-connected", tr("All that is &connected"), {QKeySequence("Shift+K")}, &MeshTool::select_connected);
-  add("select-chain", tr("C&hain of sharp edges"), {QKeySequence("Shift+C")}, &MeshTool::select_chain);
-  add("select-tagged", tr("All sharp &edges"), {QKeySequence("Shift+T")}, &MeshTool::select_tagged);
-  add("select-boundary", tr("&Boundary"), {QKeySequence("Shift+B")}, &MeshTool::select_boundary);
+  add("select-loop", tr("Edge &loop"), {QKeySequence("Shift+L")}, &MeshSelector::select_loop);
+  add("select-ring", tr("Edge &ring"), {QKeySequence("Shift+R")}, &MeshSelector::select_ring);
+  add("select-between", tr("&Shortest path between two"), {QKeySequence("Shift+V")}, &MeshSelector::select_between);
+  add("select-connected", tr("All that is &connected"), {QKeySequence("Shift+K")}, &MeshSelector::select_connected);
+  add("select-chain", tr("C&hain of sharp edges"), {QKeySequence("Shift+C")}, &MeshSelector::select_chain);
+  add("select-tagged", tr("All sharp &edges"), {QKeySequence("Shift+T")}, &MeshSelector::select_tagged);
+  add("select-boundary", tr("&Boundary"), {QKeySequence("Shift+B")}, &MeshSelector::select_boundary);
   menu->addSeparator();
   QAction* through = add_action(menu, "select-through", tr("Select t&hrough"), {QKeySequence("Ctrl+T")}, [this] {
     viewport_->mesh().tool().set_pick_through(action("select-through")->isChecked());
@@ -112,7 +113,7 @@ void MainWindow::make_selection_actions() {
 
 void MainWindow::make_shape_actions() {
   add_mesh_action(mesh_menu_, "extrude", tr("E&xtrude faces"), {QKeySequence("Shift+E")}, [this](MeshTool& tool) {
-    const Verdict verdict = tool.extrude_along_normal(extrusion_distance(tool));
+    const Verdict verdict = tool.edits().extrude_along_normal(extrusion_distance(tool));
     if (verdict == Verdict::Commit) viewport_->set_tool(ToolKind::Move);
     return verdict;
   });
@@ -163,20 +164,20 @@ void MainWindow::make_tag_actions() {
     mesh_bar_->addAction(action);
   };
   mesh_bar_->addSeparator();
-  add("sharp", tr("S&harp"), "H", [](MeshTool& tool) { return tool.tag(infinite_sharpness); });
-  add("smooth", tr("S&mooth"), "Shift+H", [](MeshTool& tool) { return tool.untag(); });
-  add("pin", tr("&Pin"), "P", [](MeshTool& tool) { return tool.pin(true); });
-  add("unpin", tr("&Unpin"), "Shift+P", [](MeshTool& tool) { return tool.pin(false); });
+  add("sharp", tr("S&harp"), "H", [](MeshTool& tool) { return tool.tags().tag(infinite_sharpness); });
+  add("smooth", tr("S&mooth"), "Shift+H", [](MeshTool& tool) { return tool.tags().untag(); });
+  add("pin", tr("&Pin"), "P", [](MeshTool& tool) { return tool.tags().pin(true); });
+  add("unpin", tr("&Unpin"), "Shift+P", [](MeshTool& tool) { return tool.tags().pin(false); });
   add_mesh_action(mesh_menu_, "sharp-boundary", tr("Sharp &boundary"), {},
-                  [](MeshTool& tool) { return tool.tag_boundary(); });
+                  [](MeshTool& tool) { return tool.tags().tag_boundary(); });
   add_mesh_action(mesh_menu_, "sharper", tr("Sharper by a half"), {QKeySequence("Ctrl+Up")},
-                  [](MeshTool& tool) { return tool.change_sharpness(0.5); });
+                  [](MeshTool& tool) { return tool.tags().change_sharpness(0.5); });
   add_mesh_action(mesh_menu_, "softer", tr("Softer by a half"), {QKeySequence("Ctrl+Down")},
-                  [](MeshTool& tool) { return tool.change_sharpness(-0.5); });
+                  [](MeshTool& tool) { return tool.tags().change_sharpness(-0.5); });
   add_mesh_action(mesh_menu_, "new-set", tr("Crease &set of the selection"), {QKeySequence("Ctrl+G")},
                   [](MeshTool& tool) {
-                    const auto mesh = tool.mesh();
-                    return mesh ? tool.make_set(new_set_name(mesh->tags)) : Verdict::Continue;
+                    const auto mesh = tool.source().mesh();
+                    return mesh ? tool.tags().make_set(new_set_name(mesh->tags)) : Verdict::Continue;
                   });
 }
 
@@ -246,7 +247,7 @@ void MainWindow::update_mesh_actions() {
   const StudioObject* object = studio_.active();
   const bool mesh = object != nullptr && object->cage != 0;
   for (QAction* action : mesh_actions_) action->setEnabled(mesh);
-  const auto mode = mode_actions_.find(viewport_->mesh().tool().mode());
+  const auto mode = mode_actions_.find(viewport_->mesh().tool().selection().mode());
   if (mode != mode_actions_.end()) mode->second->setChecked(true);
   const auto tool = tool_actions_.find(viewport_->tool_kind());
   if (tool != tool_actions_.end()) tool->second->setChecked(true);

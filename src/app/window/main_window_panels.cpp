@@ -23,6 +23,7 @@
 #include "app/window/main_window.h"
 #include "app/window/panel_docks.h"
 #include "croquis/base/error.h"
+#include "croquis/tools/recording/general_steps.h"
 
 namespace croquis::app {
 
@@ -173,7 +174,7 @@ void MainWindow::select_face_sets(NodeId node, const std::vector<std::string>& n
   const std::vector<Index> faces = studio_.face_sets().selected(*studio_.active(), studio_.session().selection());
   set_mesh_mode(MeshMode::Face);
   viewport_->mesh().follow();
-  viewport_->mesh().tool().pick(ComponentKind::Face, faces);
+  viewport_->mesh().tool().selection().pick(ComponentKind::Face, faces);
   viewport_->mesh().follow();
 }
 
@@ -187,21 +188,21 @@ void MainWindow::show_finding(const NodeFinding& found) {
   studio_.set_active(found.node);
   viewport_->mesh().follow();
   MeshTool& tool = viewport_->mesh().tool();
-  if (!tool.mesh()) return;
-  const FoundElements elements = elements_of(found.finding, *tool.topology());
+  if (!tool.source().mesh()) return;
+  const FoundElements elements = elements_of(found.finding, *tool.source().topology());
   if (elements.elements.empty()) return;
   set_mesh_mode(mode_of(elements.kind));
-  viewport_->mesh().act([&](MeshTool& t) { return t.pick(elements.kind, elements.elements); });
+  viewport_->mesh().act([&](MeshTool& t) { return t.selection().pick(elements.kind, elements.elements); });
   viewport_->frame_selection();
 }
 
 void MainWindow::select_chain(int chain) {
   MeshTool& tool = viewport_->mesh().tool();
-  if (!tool.mesh()) return;
-  const Elements edges = edges_of(*tool.topology(), chains_->cage_edges(chain));
+  if (!tool.source().mesh()) return;
+  const Elements edges = edges_of(*tool.source().topology(), chains_->cage_edges(chain));
   if (edges.empty()) return;
   set_mesh_mode(MeshMode::Edge);
-  viewport_->mesh().act([&](MeshTool& t) { return t.pick(ComponentKind::Edge, edges); });
+  viewport_->mesh().act([&](MeshTool& t) { return t.selection().pick(ComponentKind::Edge, edges); });
 }
 
 void MainWindow::tell(const QString& sentence) { help_->tell(sentence); }

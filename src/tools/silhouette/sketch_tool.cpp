@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/tools/recording/general_steps.h"
+#include "croquis/tools/silhouette/sketch_steps.h"
 #include "tools/silhouette/sketch_labels.h"
 #include "tools/silhouette/stroke_ids.h"
 

@@ -7,6 +7,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/tools/holes/hole_tool.h"
+#include "croquis/tools/recording/recording.h"
 #include "tools/holes/hole_rings.h"
 #include "tools/pointer/mesh_views.h"
 
@@ -64,8 +65,8 @@ struct Desk {
   }
   bool hover(const Vec3& place) { return tool.hover(camera.pixel_of(place), camera.frame()); }
   const HoleHover& hovered() const { return tool.preview().hovered; }
-  HoleChoice choice() const { return std::get<HoleChoice>(*tool.done()); }
-  HolePoint point() const { return std::get<HolePoint>(*tool.done()); }
+  HoleChoice choice() const { return *tool.done()->as<HoleChoice>(); }
+  HolePoint point() const { return *tool.done()->as<HolePoint>(); }
 };
 
 TEST_CASE("clicks on pins replace, toggle, remove and add; a click beside lets go") {
@@ -306,11 +307,10 @@ TEST_CASE("steps replay what was done by hand, and name each hole that isn't the
   Desk desk;
   Desk other;
   const auto same = [&] {
-    std::visit(
-        [&](const auto& step) {
-          if constexpr (requires { other.tool.replay(step); }) other.tool.replay(step);
-        },
-        recorded::parse(recorded::to_line(*desk.tool.done()), "").front().step);
+    const std::string line = recorded::to_line(*desk.tool.done());
+    const recorded::Step step = recorded::parse(line, "", recorded::hole_steps()).front().step;
+    if (const auto* choice = step.as<HoleChoice>()) other.tool.replay(*choice);
+    if (const auto* point = step.as<HolePoint>()) other.tool.replay(*point);
     CHECK(other.tool.selected() == desk.tool.selected());
     CHECK(recorded::to_line(*other.tool.done()) == recorded::to_line(*desk.tool.done()));
   };

@@ -5,7 +5,10 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
+#include "croquis/tools/all_steps.h"
 #include "croquis/tools/mesh/mesh_tool.h"
+#include "croquis/tools/recording/general_steps.h"
+#include "croquis/tools/recording/recording.h"
 #include "support/mesh_shapes.h"
 #include "tools/pointer/mesh_views.h"
 
@@ -39,7 +42,7 @@ struct Desk {
     tool.set_node(1);
   }
 
-  const PolyMesh& mesh() const { return *tool.mesh(); }
+  const PolyMesh& mesh() const { return *tool.source().mesh(); }
   const Elements& selected() const { return session.components().elements; }
 
   Verdict send(Kind kind, const Vec2& pixel, const Modifiers& modifiers) {
@@ -69,7 +72,7 @@ struct Desk {
   }
 
   Vec3 middle(ComponentKind kind, Index element) {
-    const Elements vertices = converted(*tool.topology(), kind, ComponentKind::Vertex, std::span(&element, 1));
+    const Elements vertices = converted(*tool.source().topology(), kind, ComponentKind::Vertex, std::span(&element, 1));
     Vec3 sum = Vec3::Zero();
     for (const Index v : vertices) sum += mesh().positions[v];
     return sum / static_cast<double>(vertices.size());
@@ -86,13 +89,13 @@ struct Desk {
 PolyMesh replayed(const PolyMesh& start, const std::vector<recorded::Step>& steps) {
   Desk desk(start);
   for (const recorded::Step& step : steps) {
-    const recorded::Line line = recorded::parse(recorded::to_line(step), "recording").front();
-    std::visit(
-        [&](const auto& value) {
-          if constexpr (requires { desk.tool.replay(value); }) desk.tool.replay(value);
-          if constexpr (std::is_same_v<std::decay_t<decltype(value)>, recorded::Action>) desk.tool.delete_selected();
-        },
-        line.step);
+    const recorded::Step read =
+        recorded::parse(recorded::to_line(step), "recording", recorded::all_steps()).front().step;
+    if (read.as<recorded::Action>() != nullptr) {
+      desk.tool.edits().delete_selected();
+    } else {
+      desk.tool.replay(read);
+    }
   }
   return desk.mesh();
 }
@@ -106,7 +109,7 @@ void check_same(const PolyMesh& a, const PolyMesh& b) {
 
 TEST_CASE("clicks replace, toggle, add and remove; a click beside lets go") {
   Desk desk(test::cube());
-  desk.tool.set_mode(MeshMode::Vertex);
+  desk.tool.selection().set_mode(MeshMode::Vertex);
   CHECK(desk.click({1, 1, 1}) == Verdict::Commit);
   CHECK(desk.selected() == Elements{desk.vertex_at({1, 1, 1})});
   desk.click({1, 0, 1});
@@ -129,7 +132,7 @@ TEST_CASE("clicks replace, toggle, add and remove; a click beside lets go") {
 
 TEST_CASE("hidden elements are picked only when asked for") {
   Desk desk(test::cube());
-  desk.tool.set_mode(MeshMode::Vertex);
+  desk.tool.selection().set_mode(MeshMode::Vertex);
   CHECK(desk.click({0, 0, 0}) == Verdict::Continue);
   desk.tool.set_pick_through(true);
   desk.click({0, 0, 0});
@@ -138,26 +141,26 @@ TEST_CASE("hidden elements are picked only when asked for") {
 
 TEST_CASE("all, none and the rest of a selection") {
   Desk desk(test::cube());
-  desk.tool.set_mode(MeshMode::Edge);
-  CHECK(desk.tool.select_all() == Verdict::Commit);
+  desk.tool.selection().set_mode(MeshMode::Edge);
+  CHECK(desk.tool.selection().select_all() == Verdict::Commit);
   CHECK(desk.selected().size() == 12);
-  const auto all = std::get<recorded::Pick>(*desk.tool.done());
+  const auto all = *desk.tool.done()->as<recorded::Pick>();
   CHECK(all.elements.empty());
-  CHECK(desk.tool.select_all() == Verdict::Continue);
-  desk.tool.select_none();
+  CHECK(desk.tool.selection().select_all() == Verdict::Continue);
+  desk.tool.selection().select_none();
   CHECK(desk.selected().empty());
-  desk.tool.pick(ComponentKind::Edge, {1, 4});
-  desk.tool.invert_selection();
+  desk.tool.selection().pick(ComponentKind::Edge, {1, 4});
+  desk.tool.selection().invert_selection();
   CHECK(desk.selected().size() == 10);
   desk.tool.replay(all);
   CHECK(desk.selected().size() == 12);
-  desk.tool.set_mode(MeshMode::Object);
-  CHECK(desk.tool.select_all() == Verdict::Continue);
+  desk.tool.selection().set_mode(MeshMode::Object);
+  CHECK(desk.tool.selection().select_all() == Verdict::Continue);
 }
 
 TEST_CASE("a box takes what it shows") {
   Desk desk(test::cube());
-  desk.tool.set_mode(MeshMode::Face);
+  desk.tool.selection().set_mode(MeshMode::Face);
   CHECK(desk.drag({1, 1}, {799, 599}) == Verdict::Commit);
   CHECK(desk.selected().size() == 3);
   desk.tool.set_pick_through(true);
@@ -170,8 +173,8 @@ TEST_CASE("a box takes what it shows") {
 TEST_CASE("a double click on an edge takes its loop, with Shift the way from the last one") {
   Desk desk(test::torus(16, 8));
   desk.camera.eye = {0.5, 1, 5};
-  desk.tool.set_mode(MeshMode::Edge);
-  const MeshTopology& topology = *desk.tool.topology();
+  desk.tool.selection().set_mode(MeshMode::Edge);
+  const MeshTopology& topology = *desk.tool.source().topology();
   // An edge on the upper side that runs around the axis.
   Index along = no_index;
   Index further = no_index;
@@ -190,30 +193,30 @@ TEST_CASE("a double click on an edge takes its loop, with Shift the way from the
   desk.click(desk.middle(ComponentKind::Edge, along));
   desk.double_click(desk.middle(ComponentKind::Edge, further), shift);
   CHECK(desk.selected().size() == 4);
-  CHECK(std::get<recorded::Pick>(desk.steps.back()).how == "path");
+  CHECK(desk.steps.back().as<recorded::Pick>()->how == "path");
 }
 
 TEST_CASE("modes keep their selections, and convert them when asked") {
   Desk desk(test::cube());
-  desk.tool.set_mode(MeshMode::Face);
-  desk.tool.pick(ComponentKind::Face, {0});
-  desk.tool.set_mode(MeshMode::Vertex);
+  desk.tool.selection().set_mode(MeshMode::Face);
+  desk.tool.selection().pick(ComponentKind::Face, {0});
+  desk.tool.selection().set_mode(MeshMode::Vertex);
   CHECK(desk.selected().empty());
-  desk.tool.pick(ComponentKind::Vertex, {1, 2});
-  desk.tool.set_mode(MeshMode::Face);
+  desk.tool.selection().pick(ComponentKind::Vertex, {1, 2});
+  desk.tool.selection().set_mode(MeshMode::Face);
   CHECK(desk.selected() == Elements{0});
   CHECK(desk.session.components().kind == ComponentKind::Face);
-  desk.tool.convert_to(MeshMode::Edge);
+  desk.tool.selection().convert_to(MeshMode::Edge);
   CHECK(desk.selected().size() == 4);
-  desk.tool.set_mode(MeshMode::Object);
+  desk.tool.selection().set_mode(MeshMode::Object);
   CHECK(desk.selected().empty());
-  desk.tool.set_mode(MeshMode::Edge);
+  desk.tool.selection().set_mode(MeshMode::Edge);
   CHECK(desk.selected().size() == 4);
 }
 
 TEST_CASE("dragging the manipulator moves what is selected as one step, and undo brings all back") {
   Desk desk(test::cube());
-  desk.tool.set_mode(MeshMode::Face);
+  desk.tool.selection().set_mode(MeshMode::Face);
   desk.tool.set_handles(MeshHandles::Move);
   const PolyMesh before = desk.mesh();
   desk.click({0.5, 1, 0.5});
@@ -241,7 +244,7 @@ TEST_CASE("dragging the manipulator moves what is selected as one step, and undo
 
 TEST_CASE("a drag given up leaves nothing behind") {
   Desk desk(test::cube());
-  desk.tool.set_mode(MeshMode::Vertex);
+  desk.tool.selection().set_mode(MeshMode::Vertex);
   desk.tool.set_handles(MeshHandles::Move);
   desk.click({1, 1, 1});
   const PolyMesh before = desk.mesh();
@@ -266,9 +269,9 @@ TEST_CASE("turning and scaling by hand replay to the same places") {
   for (const MeshHandles handles : {MeshHandles::Rotate, MeshHandles::Scale}) {
     Desk desk(test::torus(9, 6));
     const PolyMesh before = desk.mesh();
-    desk.tool.set_mode(MeshMode::Face);
+    desk.tool.selection().set_mode(MeshMode::Face);
     desk.tool.set_handles(handles);
-    desk.tool.pick(ComponentKind::Face, {3, 4, 10});
+    desk.tool.selection().pick(ComponentKind::Face, {3, 4, 10});
     desk.steps.push_back(*desk.tool.done());
     const Vec2 middle = desk.camera.pixel_of(desk.tool.manipulator()->pivot);
     CHECK(desk.drag(middle, middle + Vec2(50, -20)) == Verdict::Commit);
@@ -298,7 +301,7 @@ TEST_CASE("in object mode the manipulator moves all of a selected object, and cl
 TEST_CASE("sharpness is dragged sideways, seen at once, and one step") {
   Desk desk(test::cube());
   const PolyMesh before = desk.mesh();
-  desk.tool.set_mode(MeshMode::Edge);
+  desk.tool.selection().set_mode(MeshMode::Edge);
   desk.tool.set_handles(MeshHandles::Sharpen);
   desk.double_click({1, 1, 0.5});
   desk.click({1, 0.5, 1}, shift);
@@ -307,14 +310,14 @@ TEST_CASE("sharpness is dragged sideways, seen at once, and one step") {
   desk.send(Kind::Begin, on_edge, plain);
   desk.send(Kind::Sample, on_edge + Vec2(60, 3), plain);
   CHECK(desk.tool.preview().sharpness_change == Approx(1));
-  CHECK(desk.tool.edge_sharpness()[desk.selected()[0]] == Approx(1));
+  CHECK(desk.tool.source().edge_sharpness()[desk.selected()[0]] == Approx(1));
   desk.send(Kind::Sample, on_edge + Vec2(150, 3), plain);
   desk.send(Kind::End, on_edge + Vec2(150, 3), plain);
-  for (const Index edge : desk.selected()) CHECK(desk.tool.edge_sharpness()[edge] == Approx(2.5));
+  for (const Index edge : desk.selected()) CHECK(desk.tool.source().edge_sharpness()[edge] == Approx(2.5));
   CHECK(desk.session.undo_labels() == std::vector<std::string>{"Sharpen 2 edges"});
   // With Shift from anywhere, and up to infinite.
   CHECK(desk.drag({20, 20}, {620, 20}, shift) == Verdict::Commit);
-  for (const Index edge : desk.selected()) CHECK(std::isinf(desk.tool.edge_sharpness()[edge]));
+  for (const Index edge : desk.selected()) CHECK(std::isinf(desk.tool.source().edge_sharpness()[edge]));
   check_same(replayed(before, desk.steps), desk.mesh());
   // Without a selected edge under it, a plain drag is a box.
   desk.drag({1, 1}, {799, 599});
@@ -324,15 +327,15 @@ TEST_CASE("sharpness is dragged sideways, seen at once, and one step") {
 
 TEST_CASE("hovering shows what a click would take, with its sharpness") {
   Desk desk(test::cube());
-  desk.tool.set_mode(MeshMode::Edge);
+  desk.tool.selection().set_mode(MeshMode::Edge);
   const ViewFrame frame = desk.camera.frame();
   const Vec2 pixel = desk.camera.pixel_of({1, 1, 0.5});
   CHECK(desk.tool.hover(pixel, frame));
   REQUIRE(desk.tool.preview().hovered);
   const Index edge = desk.tool.preview().hovered->element;
   CHECK_FALSE(desk.tool.preview().hovered_sharpness);
-  desk.tool.pick(ComponentKind::Edge, {edge});
-  desk.tool.tag(3.5);
+  desk.tool.selection().pick(ComponentKind::Edge, {edge});
+  desk.tool.tags().tag(3.5);
   desk.tool.hover(pixel, frame);
   CHECK(desk.tool.preview().hovered_sharpness == 3.5);
   CHECK(desk.tool.leave());
@@ -347,7 +350,7 @@ TEST_CASE("hovering shows what a click would take, with its sharpness") {
 TEST_CASE("an armed loop cut shows the ring under the pointer and cuts it") {
   Desk desk(test::cube());
   const PolyMesh before = desk.mesh();
-  desk.tool.set_mode(MeshMode::Face);
+  desk.tool.selection().set_mode(MeshMode::Face);
   desk.tool.arm_loop_cut(true);
   desk.tool.hover(desk.camera.pixel_of({1, 1, 0.25}), desk.camera.frame());
   REQUIRE(desk.tool.preview().cut);
@@ -358,7 +361,7 @@ TEST_CASE("an armed loop cut shows the ring under the pointer and cuts it") {
   CHECK(desk.mesh().vertex_count() == 12);
   CHECK(desk.mesh().face_count() == 10);
   CHECK_FALSE(desk.tool.loop_cut_armed());
-  CHECK(desk.tool.mode() == MeshMode::Edge);
+  CHECK(desk.tool.selection().mode() == MeshMode::Edge);
   CHECK(desk.selected().size() == 4);
   for (const Index edge : desk.selected())
     CHECK(desk.middle(ComponentKind::Edge, edge).z() == Approx(0.25).margin(1e-6));
@@ -370,20 +373,20 @@ TEST_CASE("an armed loop cut shows the ring under the pointer and cuts it") {
 TEST_CASE("extruding selects the lifted faces, deleting selects nothing; both undo") {
   Desk desk(test::cube());
   const PolyMesh before = desk.mesh();
-  desk.tool.set_mode(MeshMode::Face);
+  desk.tool.selection().set_mode(MeshMode::Face);
   desk.click({0.5, 1, 0.5});
-  CHECK(desk.tool.extrude_along_normal(2) == Verdict::Commit);
+  CHECK(desk.tool.edits().extrude_along_normal(2) == Verdict::Commit);
   desk.steps.push_back(*desk.tool.done());
   CHECK(desk.mesh().face_count() == 10);
   REQUIRE(desk.selected().size() == 1);
   CHECK((desk.middle(ComponentKind::Face, desk.selected()[0]) - Vec3(0.5, 3, 0.5)).norm() < 1e-12);
-  desk.tool.move_selected({0, 0, 1});
+  desk.tool.edits().move_selected({0, 0, 1});
   desk.steps.push_back(*desk.tool.done());
-  CHECK(desk.tool.delete_selected() == Verdict::Commit);
+  CHECK(desk.tool.edits().delete_selected() == Verdict::Commit);
   desk.steps.push_back(*desk.tool.done());
   CHECK(desk.mesh().face_count() == 9);
   CHECK(desk.selected().empty());
-  CHECK(desk.tool.delete_selected() == Verdict::Continue);
+  CHECK(desk.tool.edits().delete_selected() == Verdict::Continue);
   check_same(replayed(before, desk.steps), desk.mesh());
   CHECK(desk.session.undo_labels() == std::vector<std::string>{"Extrude 1 face", "Move 1 face", "Delete 1 face"});
   desk.session.undo();
@@ -400,27 +403,27 @@ TEST_CASE("tags are set by selection, angle and rim; sets too; each is one step"
     if (verdict == Verdict::Commit) desk.steps.push_back(*desk.tool.done());
     return verdict;
   };
-  CHECK(desk.tool.count_sharper_than(60) == 12);
-  CHECK(note(desk.tool.tag_sharper_than(60, 2)) == Verdict::Commit);
-  CHECK(note(desk.tool.tag_sharper_than(60, 2)) == Verdict::Continue);
-  CHECK(note(desk.tool.tag_boundary()) == Verdict::Commit);
+  CHECK(desk.tool.tags().count_sharper_than(60) == 12);
+  CHECK(note(desk.tool.tags().tag_sharper_than(60, 2)) == Verdict::Commit);
+  CHECK(note(desk.tool.tags().tag_sharper_than(60, 2)) == Verdict::Continue);
+  CHECK(note(desk.tool.tags().tag_boundary()) == Verdict::Commit);
   CHECK(desk.mesh().tags.creases.size() == 18);
-  note(desk.tool.pick(ComponentKind::Edge, {0, 1}));
-  note(desk.tool.change_sharpness(1.5));
-  CHECK(desk.tool.edge_sharpness()[0] == 3.5);
-  note(desk.tool.make_set("rim", 4));
-  note(desk.tool.rename_set("rim", "collar"));
-  note(desk.tool.set_set_sharpness("collar", 5));
-  CHECK(desk.tool.edge_sharpness()[1] == 5);
-  note(desk.tool.select_none());
-  note(desk.tool.select_set("collar"));
+  note(desk.tool.selection().pick(ComponentKind::Edge, {0, 1}));
+  note(desk.tool.tags().change_sharpness(1.5));
+  CHECK(desk.tool.source().edge_sharpness()[0] == 3.5);
+  note(desk.tool.tags().make_set("rim", 4));
+  note(desk.tool.tags().rename_set("rim", "collar"));
+  note(desk.tool.tags().set_set_sharpness("collar", 5));
+  CHECK(desk.tool.source().edge_sharpness()[1] == 5);
+  note(desk.tool.selection().select_none());
+  note(desk.tool.tags().select_set("collar"));
   CHECK(desk.selected() == Elements{0, 1});
-  note(desk.tool.pin(true));
+  note(desk.tool.tags().pin(true));
   CHECK(desk.mesh().tags.pins.size() == 3);
-  note(desk.tool.remove_set("collar", true));
-  note(desk.tool.select_tagged());
+  note(desk.tool.tags().remove_set("collar", true));
+  note(desk.tool.selection().select_tagged());
   CHECK(desk.selected().size() == 16);
-  CHECK_THROWS_AS(desk.tool.select_set("collar"), Error);
+  CHECK_THROWS_AS(desk.tool.tags().select_set("collar"), Error);
   CHECK(desk.session.undo_labels().size() == 8);
   check_same(replayed(before, desk.steps), desk.mesh());
   while (desk.session.can_undo()) desk.session.undo();
@@ -430,18 +433,18 @@ TEST_CASE("tags are set by selection, angle and rim; sets too; each is one step"
 TEST_CASE("the journey of the collar: loop by double click, sharp for ever") {
   Desk desk(test::torus(12, 8));
   desk.camera.eye = {0.5, 1, 5};
-  desk.tool.set_mode(MeshMode::Edge);
+  desk.tool.selection().set_mode(MeshMode::Edge);
   Index edge = 0;
   while (desk.middle(ComponentKind::Edge, edge).z() < 0.39) ++edge;
   desk.double_click(desk.middle(ComponentKind::Edge, edge));
   CHECK(desk.selected().size() == 12);
-  desk.tool.tag(infinite_sharpness);
+  desk.tool.tags().tag(infinite_sharpness);
   CHECK(desk.mesh().tags.creases.size() == 12);
   CHECK(desk.session.undo_labels() == std::vector<std::string>{"Tag 12 edges"});
-  desk.tool.pick(ComponentKind::Edge, {edge});
-  desk.tool.select_chain();
+  desk.tool.selection().pick(ComponentKind::Edge, {edge});
+  desk.tool.selection().select_chain();
   CHECK(desk.selected().size() == 12);
-  desk.tool.untag();
+  desk.tool.tags().untag();
   CHECK(desk.mesh().tags.empty());
 }
 
@@ -450,7 +453,7 @@ TEST_CASE("a recorded step that doesn't fit the mesh is refused by name") {
   CHECK_THROWS_AS(desk.tool.replay(recorded::Pick{"body", "edge", {12}, "loop"}), Error);
   CHECK_THROWS_AS(desk.tool.replay(recorded::LoopCut{"body", 99, 0.5}), Error);
   desk.tool.set_node(7);
-  CHECK_FALSE(desk.tool.mesh());
+  CHECK_FALSE(desk.tool.source().mesh());
   CHECK(desk.tool.replay(recorded::Move{"body", {1, 0, 0}}) == Verdict::Continue);
   CHECK_THROWS_AS(desk.tool.replay(recorded::Pick{"body", "edge", {0}, "loop"}), Error);
   CHECK(desk.drag({10, 10}, {100, 100}) == Verdict::Continue);
@@ -459,32 +462,32 @@ TEST_CASE("a recorded step that doesn't fit the mesh is refused by name") {
 
 TEST_CASE("neighbourhoods are made anew only when the connectivity changes") {
   Desk desk(test::torus(9, 6));
-  const auto topology = desk.tool.topology();
-  desk.tool.pick(ComponentKind::Face, {1, 2});
-  desk.tool.move_selected({0.1, 0, 0});
-  desk.tool.tag(2);
-  CHECK(desk.tool.topology() == topology);
+  const auto topology = desk.tool.source().topology();
+  desk.tool.selection().pick(ComponentKind::Face, {1, 2});
+  desk.tool.edits().move_selected({0.1, 0, 0});
+  desk.tool.tags().tag(2);
+  CHECK(desk.tool.source().topology() == topology);
   desk.session.undo();
-  CHECK(desk.tool.topology() == topology);
-  desk.tool.cut_loop(0, 0.5);
-  CHECK(desk.tool.topology() != topology);
+  CHECK(desk.tool.source().topology() == topology);
+  desk.tool.edits().cut_loop(0, 0.5);
+  CHECK(desk.tool.source().topology() != topology);
 }
 
 TEST_CASE("a big mesh is made ready beside; what can't wait waits, and both give the same") {
   const PolyMesh big = test::torus(300, 200);
   Desk waiting(big);
   // Asked at once: this waits.
-  CHECK(waiting.tool.pick(ComponentKind::Edge, {1234}, MeshTool::How::Ring) == Verdict::Commit);
-  CHECK(waiting.tool.ready());
+  CHECK(waiting.tool.selection().pick(ComponentKind::Edge, {1234}, PickHow::Ring) == Verdict::Commit);
+  CHECK(waiting.tool.source().ready());
   Desk patient(big);
-  patient.tool.set_mode(MeshMode::Edge);
+  patient.tool.selection().set_mode(MeshMode::Edge);
   const Vec2 pixel = patient.camera.pixel_of({1, 0, 0.4});
   patient.tool.hover(pixel, patient.camera.frame());  // shows nothing yet, or already something
-  while (!patient.tool.ready()) {
+  while (!patient.tool.source().ready()) {
   }
   patient.tool.hover(pixel, patient.camera.frame());
   CHECK(patient.tool.preview().hovered);
-  CHECK(edge_ring(*patient.tool.topology(), 1234) == waiting.selected());
+  CHECK(edge_ring(*patient.tool.source().topology(), 1234) == waiting.selected());
   // Leaving before it is ready is no trouble, and neither is a mesh that changes meanwhile.
   Desk hasty(big);
   hasty.tool.set_node(0);
@@ -492,7 +495,7 @@ TEST_CASE("a big mesh is made ready beside; what can't wait waits, and both give
   Node other = *hasty.session.document().find(1);
   other.source = std::make_shared<const PolyMesh>(test::torus(301, 200));
   hasty.session.edit("another", hasty.session.document().with(other));
-  CHECK(hasty.tool.topology()->face_count() == 60200);
+  CHECK(hasty.tool.source().topology()->face_count() == 60200);
 }
 
 }  // namespace

@@ -6,7 +6,12 @@
 
 #include "croquis/base/error.h"
 #include "croquis/geometry/mesh_tags.h"
+#include "croquis/tools/all_steps.h"
+#include "croquis/tools/holes/hole_steps.h"
+#include "croquis/tools/mesh/mesh_steps.h"
+#include "croquis/tools/recording/general_steps.h"
 #include "croquis/tools/recording/recording.h"
+#include "croquis/tools/silhouette/sketch_steps.h"
 #include "support/random.h"
 
 namespace croquis::recorded {
@@ -14,7 +19,7 @@ namespace {
 
 Findings findings_of(const std::string& text) {
   try {
-    parse(text, "walk.jsonl");
+    parse(text, "walk.jsonl", all_steps());
   } catch (const Error& error) {
     return error.findings();
   }
@@ -76,18 +81,20 @@ TEST_CASE("steps for meshes read back as they were written") {
   for (const Step& step : one_of_each_for_meshes()) {
     const std::string line = to_line(step);
     INFO(line);
-    const Step back = parse(line, "walk.jsonl").front().step;
-    CHECK(back.index() == step.index());
+    const Step back = parse(line, "walk.jsonl", all_steps()).front().step;
+    CHECK(&back.kind() == &step.kind());
     CHECK(to_line(back) == line);
   }
-  const auto click = std::get<Click>(parse(to_line(one_of_each_for_meshes()[0]), "").front().step);
+  const auto click = *parse(to_line(one_of_each_for_meshes()[0]), "", all_steps()).front().step.as<Click>();
   CHECK(click.place == Vec3(0.1, -2, 1e-9));
   CHECK(click.clicks == 2);
-  const auto tag = std::get<Tag>(parse("{\"do\":\"tag\",\"node\":\"a\",\"sharpness\":\"inf\"}", "").front().step);
+  const auto tag =
+      *parse("{\"do\":\"tag\",\"node\":\"a\",\"sharpness\":\"inf\"}", "", all_steps()).front().step.as<Tag>();
   CHECK(tag.sharpness == infinite_sharpness);
   CHECK(tag.edges == "selected");
-  const auto pick =
-      std::get<Pick>(parse("{\"do\":\"pick\",\"node\":\"a\",\"kind\":\"face\",\"elements\":[7]}", "").front().step);
+  const auto pick = *parse("{\"do\":\"pick\",\"node\":\"a\",\"kind\":\"face\",\"elements\":[7]}", "", all_steps())
+                         .front()
+                         .step.as<Pick>();
   CHECK(pick.how == "replace");
   CHECK(pick.elements == std::vector<Index>{7});
 }
@@ -101,15 +108,15 @@ TEST_CASE("steps for holes read back as they were written") {
            HolePoint{7, std::nullopt, Vec3(0, 0, 1), "fill"}, HolePoint{7, Vec3(0, 0, 1), std::nullopt, {}}}) {
     const std::string line = to_line(step);
     INFO(line);
-    const Step back = parse(line, "walk.jsonl").front().step;
-    CHECK(back.index() == step.index());
+    const Step back = parse(line, "walk.jsonl", all_steps()).front().step;
+    CHECK(&back.kind() == &step.kind());
     CHECK(to_line(back) == line);
   }
-  const auto choice = std::get<HoleChoice>(parse(R"({"do":"hole","hole":3})", "").front().step);
+  const auto choice = *parse(R"({"do":"hole","hole":3})", "", all_steps()).front().step.as<HoleChoice>();
   CHECK(choice.holes == std::vector<Index>{3});
   CHECK(choice.action == "select");
   const auto point =
-      std::get<HolePoint>(parse(to_line(HolePoint{7, Vec3(1, 2, 3), Vec3(4, 5, 6), {}}), "").front().step);
+      *parse(to_line(HolePoint{7, Vec3(1, 2, 3), Vec3(4, 5, 6), {}}), "", all_steps()).front().step.as<HolePoint>();
   CHECK(point.hole == 7);
   CHECK(point.from == Vec3(1, 2, 3));
   CHECK(point.to == Vec3(4, 5, 6));
@@ -183,27 +190,26 @@ TEST_CASE("every kind of step reads back as it was written") {
   std::string text;
   Recorder recorder([&](const std::string& line) { text += line; });
   for (const Step& step : one_of_each()) recorder.add(step);
-  const std::vector<Line> lines = parse(text, "walk.jsonl");
+  const std::vector<Line> lines = parse(text, "walk.jsonl", all_steps());
   REQUIRE(lines.size() == one_of_each().size());
   std::istringstream stream(text);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     std::string written;
     std::getline(stream, written);
     CHECK(lines[i].number == static_cast<std::int64_t>(i) + 1);
-    CHECK(lines[i].step.index() == one_of_each()[i].index());
+    CHECK(&lines[i].step.kind() == &one_of_each()[i].kind());
     CHECK(to_line(lines[i].step) == written);
   }
-  const auto& stroke = std::get<StrokeDrawn>(lines[0].step);
+  const auto& stroke = *lines[0].step.as<StrokeDrawn>();
   REQUIRE(stroke.points.size() == 2);
   CHECK(stroke.points[1].position == Vec2(0.1, 1e-300));
   CHECK(stroke.points[1].time == 1.0 / 3);
   CHECK(stroke.points[0].pressure == 0.25);
   CHECK(stroke.scale == 0.125);
-  CHECK(std::get<Drag>(lines[1].step).anchor == 3U);
-  CHECK(!std::get<Drag>(lines[2].step).anchor);
-  CHECK(std::get<Drag>(lines[2].step).stroke == "outline \"left\"\n");
-  for (std::size_t i = 4; i <= 8; ++i)
-    CHECK(std::get<Set>(lines[i].step).value == std::get<Set>(one_of_each()[i]).value);
+  CHECK(lines[1].step.as<Drag>()->anchor == 3U);
+  CHECK(!lines[2].step.as<Drag>()->anchor);
+  CHECK(lines[2].step.as<Drag>()->stroke == "outline \"left\"\n");
+  for (std::size_t i = 4; i <= 8; ++i) CHECK(lines[i].step.as<Set>()->value == one_of_each()[i].as<Set>()->value);
 }
 
 TEST_CASE("the documented lines are understood, with their defaults") {
@@ -212,17 +218,17 @@ TEST_CASE("the documented lines are understood, with their defaults") {
       "{\"do\":\"stroke\",\"points\":[[0,0],[1,2,0.5],[3,4,0.5,0.1]]}\r\n"
       "  {\"do\":\"click\",\"at\":[1,2]}\n"
       "{\"do\":\"navigate\",\"motion\":\"dolly\",\"by\":[1,2]}",
-      "walk.jsonl");
+      "walk.jsonl", all_steps());
   REQUIRE(lines.size() == 3);
   CHECK(lines[0].number == 3);
-  const auto& stroke = std::get<StrokeDrawn>(lines[0].step);
+  const auto& stroke = *lines[0].step.as<StrokeDrawn>();
   CHECK(stroke.view == "sketch");
   CHECK(stroke.device == "mouse");
   CHECK(stroke.points[0].pressure == 1);
   CHECK(stroke.scale == 0);
-  CHECK(std::get<Click>(lines[1].step).view == "sketch");
-  CHECK(std::get<Navigate>(lines[2].step).view == "perspective");
-  CHECK(parse("", "empty").empty());
+  CHECK(lines[1].step.as<Click>()->view == "sketch");
+  CHECK(lines[2].step.as<Navigate>()->view == "perspective");
+  CHECK(parse("", "empty", all_steps()).empty());
 }
 
 TEST_CASE("every line that can't be understood is told with its number, all at once") {
@@ -278,7 +284,7 @@ TEST_CASE("damaged recordings are refused or read, never worse") {
         damaged.erase(at, random.below(20));
     }
     try {
-      for (const Line& line : parse(damaged, "damaged")) REQUIRE(!to_line(line.step).empty());
+      for (const Line& line : parse(damaged, "damaged", all_steps())) REQUIRE(!to_line(line.step).empty());
     } catch (const Error& error) {
       for (const Finding& finding : error.findings()) REQUIRE(finding.code == "E_REPLAY");
     }

@@ -8,10 +8,11 @@
 #include <vector>
 
 #include "croquis/tools/holes/hole_pins.h"
+#include "croquis/tools/holes/hole_steps.h"
 #include "croquis/tools/pointer/mesh_event.h"
 #include "croquis/tools/pointer/pick_box.h"
 #include "croquis/tools/pointer/verdict.h"
-#include "croquis/tools/recording/recording.h"
+#include "croquis/tools/recording/step.h"
 
 namespace croquis {
 

@@ -7,6 +7,7 @@
 
 #include "app/tools/holes/filling.h"
 #include "croquis/base/error.h"
+#include "croquis/tools/recording/general_steps.h"
 
 namespace croquis::app {
 namespace {
@@ -48,7 +49,7 @@ void MeshInteraction::finish(Verdict verdict) {
 }
 
 void MeshInteraction::set_mode(MeshMode mode) {
-  tool_.set_mode(mode);
+  tool_.selection().set_mode(mode);
   follow();
   emit mode_changed();
 }
@@ -61,7 +62,7 @@ void MeshInteraction::set_handles(MeshHandles handles) {
 
 ViewFrame MeshInteraction::frame_of(int view) const {
   render::Bounds bounds = render::bounds_of(scenes_.surfaces());
-  if (const StudioObject* object = studio_.object(tool_.node())) {
+  if (const StudioObject* object = studio_.object(tool_.source().node())) {
     if (const auto cage = scenes_.cage_item(object->cage)) bounds.add(cage->bounds);
   }
   if (bounds.empty()) bounds = {{-1, -1, -1}, {1, 1, 1}};
@@ -76,7 +77,7 @@ void MeshInteraction::take(const PointerEvent& event) {
 void MeshInteraction::leave() {
   hovered_value_.reset();
   if (!tool_.leave()) return;
-  overlay_.follow_hover(tool_, scenes_.cage_item(tool_.node()));
+  overlay_.follow_hover(tool_, scenes_.cage_item(tool_.source().node()));
   emit changed();
 }
 
@@ -108,9 +109,9 @@ void MeshInteraction::feed(const MeshEvent& event, int view) {
   } catch (const Error& error) {
     emit told(sentence_of(error.findings()));
   }
-  const bool left_to_us = tool_.mode() == MeshMode::Object && !tool_.active();
+  const bool left_to_us = tool_.selection().mode() == MeshMode::Object && !tool_.active();
   if (object_press_ || (left_to_us && event.kind == PenStep::Kind::Begin)) feed_object(event, view);
-  overlay_.follow_hover(tool_, scenes_.cage_item(tool_.node()));
+  overlay_.follow_hover(tool_, scenes_.cage_item(tool_.source().node()));
   emit changed();
 }
 
@@ -189,7 +190,7 @@ void MeshInteraction::hover(const PointerEvent& event) {
   if (tool_.preview().hovered_sharpness) {
     hovered_value_ = {event.view, event.position, sharpness_text(*tool_.preview().hovered_sharpness)};
   }
-  if (moved) overlay_.follow_hover(tool_, scenes_.cage_item(tool_.node()));
+  if (moved) overlay_.follow_hover(tool_, scenes_.cage_item(tool_.source().node()));
   if (moved || hovered_value_) emit changed();
 }
 
@@ -202,7 +203,7 @@ QString MeshInteraction::help() const {
   }
   if (tool_.loop_cut_armed()) return tr("Click an edge: the loop is cut there · Escape gives it up");
   const bool selected = !studio_.session().components().empty();
-  switch (tool_.mode()) {
+  switch (tool_.selection().mode()) {
     case MeshMode::Object: {
       const StudioObject* object = studio_.active();
       if (object != nullptr && object->is_source()) {
@@ -231,7 +232,7 @@ QString MeshInteraction::help() const {
 void MeshInteraction::follow() {
   const StudioObject* object = studio_.active();
   const NodeId cage = object == nullptr ? 0 : object->cage;
-  if (tool_.node() != cage && !tool_.active()) tool_.set_node(cage);
+  if (tool_.source().node() != cage && !tool_.active()) tool_.set_node(cage);
   overlay_.follow(tool_, studio_.session().components(), object, scenes_.cage_item(cage));
   emit changed();
 }
