@@ -11,6 +11,7 @@
 #include "app/views/event_clock.h"
 #include "app/x_pointer.h"
 #include "croquis/geometry/polyline.h"
+#include "croquis/tools/silhouette/sketch_steps.h"
 #include "support/sketch_gallery.h"
 #include "support/sketch_modifiers.h"
 

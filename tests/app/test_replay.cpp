@@ -47,7 +47,7 @@ TEST_CASE("a recorded edit changes the mesh, is one undo step, and the window sh
   play(hand, R"({"do":"open","file":")" + mug + "\"}\n" +
                  R"({"do":"action","name":"edge-mode"}
                     {"do":"edit","node":"mug","line":"extrude faces=0 by=0,0.2,0.1"}
-                    {"do":"expect","what":"vertices","count":88}
+                    {"do":"expect","what":"vertices","count":92}
                     {"do":"expect","what":"selected","count":1})");
   CHECK(hand.window().action("face-mode")->isChecked());
   CHECK(hand.studio().session().undo_labels().back() == "Extrude 1 face");
