@@ -47,12 +47,14 @@ std::vector<Index> composed(const std::vector<Index>& before, const std::vector<
   return sources;
 }
 
-MeshEdit apply_line(const PolyMesh& mesh, const EditLine& line, const EditRegistry& registry) {
+}  // namespace
+
+MeshEdit apply_edit(const PolyMesh& mesh, const MeshTopology& topology, const EditLine& line,
+                    const EditRegistry& registry) {
   const Edit* edit = registry.find(line.edit);
   if (edit == nullptr) {
     throw Error(make_error(Category::Usage, "E_EDIT", "There is no edit '" + line.edit + "'."));
   }
-  const MeshTopology topology(mesh);
   const Elements elements = existing_elements(line, topology);
   if (elements.empty()) {
     throw Error(make_error(Category::Usage, "E_EDIT",
@@ -62,8 +64,6 @@ MeshEdit apply_line(const PolyMesh& mesh, const EditLine& line, const EditRegist
                      complete(edit->describe().parameters, line.parameters));
 }
 
-}  // namespace
-
 EditedMesh apply_edits(PolyMesh mesh, std::span<const EditLine> lines, const EditRegistry& registry,
                        Progress& progress) {
   EditedMesh result;
@@ -72,7 +72,7 @@ EditedMesh apply_edits(PolyMesh mesh, std::span<const EditLine> lines, const Edi
   result.mesh = std::move(mesh);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     progress.check();
-    MeshEdit step = apply_line(result.mesh, lines[i], registry);
+    MeshEdit step = apply_edit(result.mesh, MeshTopology(result.mesh), lines[i], registry);
     result.vertex_source = composed(result.vertex_source, step.vertex_source);
     result.face_source = composed(result.face_source, step.face_source);
     result.mesh = std::move(step.mesh);

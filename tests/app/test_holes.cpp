@@ -21,6 +21,7 @@
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/io/file.h"
 #include "croquis/io/mesh_file.h"
+#include "croquis/tools/all_steps.h"
 #include "support/mesh_shapes.h"
 #include "support/sample_count.h"
 #include "support/scans.h"
@@ -136,10 +137,11 @@ TEST_CASE("filling up to a size and ways of patches are recorded as what was don
   CHECK(text.find(R"({"do":"hole-way","holes":[],"fairness":"smooth"})") != std::string::npos);
 
   StudioFixture other;
-  app::ReplayPlayer(other.window()).play(recorded::parse(text, "session.jsonl"));
+  app::ReplayPlayer(other.window()).play(recorded::parse(text, "session.jsonl", recorded::all_steps()));
   CHECK(other.studio().session().undo_labels() == hand.studio().session().undo_labels());
   CHECK(content_hash(other.studio().session().document()) == content_hash(hand.studio().session().document()));
-  const auto steps = recorded::parse(R"({"do":"hole-way","holes":[99],"bulge":0.3})", "bad.jsonl");
+  const auto steps =
+      recorded::parse(R"({"do":"hole-way","holes":[99],"bulge":0.3})", "bad.jsonl", recorded::all_steps());
   CHECK_THROWS_AS(app::ReplayPlayer(other.window()).play(steps), Error);
 }
 
@@ -308,7 +310,8 @@ TEST_CASE("filled holes are in projects, recordings and files", "[hole-recording
   CHECK(back.channel("confidence", Domain::Vertex) != nullptr);
 
   StudioFixture other;
-  app::ReplayPlayer(other.window()).play(recorded::parse(read_file(recording.toStdString()), "session.jsonl"));
+  app::ReplayPlayer(other.window())
+      .play(recorded::parse(read_file(recording.toStdString()), "session.jsonl", recorded::all_steps()));
   CHECK(content_hash(other.studio().session().document()) == done);
   StudioFixture third;
   REQUIRE(third.window().open(project));

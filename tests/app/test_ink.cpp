@@ -11,6 +11,7 @@
 #include "app/views/event_clock.h"
 #include "app/x_pointer.h"
 #include "croquis/geometry/polyline.h"
+#include "croquis/tools/silhouette/sketch_steps.h"
 #include "support/sketch_gallery.h"
 #include "support/sketch_modifiers.h"
 
@@ -24,7 +25,7 @@ namespace {
 struct DrawnInk : QObject {
   explicit DrawnInk(Viewport& viewport) {
     connect(&viewport, &Viewport::committed, this, [this](const recorded::Step& step) {
-      if (const auto* stroke = std::get_if<recorded::StrokeDrawn>(&step)) strokes.push_back(stroke->points);
+      if (const auto* stroke = step.as<recorded::StrokeDrawn>()) strokes.push_back(stroke->points);
     });
   }
   std::vector<std::vector<StrokeSample>> strokes;

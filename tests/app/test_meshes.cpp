@@ -22,6 +22,7 @@
 #include "croquis/document/content_hash.h"
 #include "croquis/io/file.h"
 #include "croquis/io/mesh_file.h"
+#include "croquis/tools/all_steps.h"
 #include "support/sketch_gallery.h"
 
 using namespace croquis;
@@ -144,9 +145,9 @@ TEST_CASE("the marking menu works by direction alone", "[mesh-views]") {
   stroke({60, 0});
   CHECK(hand.studio().active()->cage_mesh->tags.creases.size() == 4);
   stroke({0, -60});
-  CHECK(hand.mesh().tool().mode() == MeshMode::Vertex);
+  CHECK(hand.mesh().tool().selection().mode() == MeshMode::Vertex);
   stroke({0, 60});
-  CHECK(hand.mesh().tool().mode() == MeshMode::Object);
+  CHECK(hand.mesh().tool().selection().mode() == MeshMode::Object);
 }
 
 TEST_CASE("four views look along the axes, never turn when flat, and Space shows one alone", "[mesh-views]") {
@@ -363,7 +364,8 @@ TEST_CASE("a recorded session plays back to the same document", "[mesh-sessions]
   hand.settle();
   const ContentHash done = content_hash(hand.studio().session().document());
   StudioFixture other;
-  app::ReplayPlayer(other.window()).play(recorded::parse(read_file(recording.toStdString()), "session.jsonl"));
+  app::ReplayPlayer(other.window())
+      .play(recorded::parse(read_file(recording.toStdString()), "session.jsonl", recorded::all_steps()));
   CHECK(content_hash(other.studio().session().document()) == done);
 }
 

@@ -12,6 +12,7 @@
 #include "croquis/base/error.h"
 #include "croquis/document/content_hash.h"
 #include "croquis/io/file.h"
+#include "croquis/tools/all_steps.h"
 #include "support/mesh_shapes.h"
 
 using namespace croquis;
@@ -95,12 +96,12 @@ TEST_CASE("each patch is a named set of faces, selected by the outliner and brou
   StudioFixture other;
   app::ReplayPlayer player(other.window());
   const std::string text = read_file(recording.toStdString());
-  player.play(recorded::parse(text, "session.jsonl"));
+  player.play(recorded::parse(text, "session.jsonl", recorded::all_steps()));
   CHECK(text.find(R"({"do":"face-set","node":"scan","names":["patch of hole 2"]})") != std::string::npos);
   CHECK(other.studio().session().selection() == hand.studio().session().selection());
-  CHECK_THROWS_AS(
-      player.play(recorded::parse(R"({"do":"face-set","node":"scan","names":["patch of hole 99"]})", "bad.jsonl")),
-      Error);
+  CHECK_THROWS_AS(player.play(recorded::parse(R"({"do":"face-set","node":"scan","names":["patch of hole 99"]})",
+                                              "bad.jsonl", recorded::all_steps())),
+                  Error);
 }
 
 TEST_CASE("a frozen scan keeps its patches as sets of faces that can be worked on, in projects too", "[patches]") {

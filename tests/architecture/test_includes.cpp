@@ -107,6 +107,38 @@ TEST_CASE("the window reads results by their types, no reports by their keys") {
   }
 }
 
+/// The folder of `tools` that a file lies in, "" for others.
+std::string tool_folder(const std::string& path) {
+  for (const std::string prefix : {"include/croquis/tools/", "src/tools/"}) {
+    if (!path.starts_with(prefix)) continue;
+    const std::size_t end = path.find('/', prefix.size());
+    return end == std::string::npos ? "" : path.substr(prefix.size(), end - prefix.size());
+  }
+  return "";
+}
+
+TEST_CASE("a tool's folder includes only itself and the shared ones, and those no tool's") {
+  std::set<std::string> shared;
+  std::set<std::string> listed;
+  for (const auto& row : read_table_rows(root / "docs/architecture.md", "Folder of tools")) {
+    const std::string name = row[0].substr(1, row[0].size() - 2);
+    listed.insert(name);
+    if (row[1] == "all tools") shared.insert(name);
+  }
+  REQUIRE(shared.size() >= 2);
+  for (const SourceFile& file : read_sources(root)) {
+    const std::string folder = tool_folder(file.path);
+    if (folder.empty()) continue;
+    INFO(file.path);
+    CHECK(listed.contains(folder));
+    for (const std::string& include : file.own_includes) {
+      const std::string other = tool_folder(include);
+      INFO("includes " << include);
+      CHECK((other.empty() || other == folder || shared.contains(other)));
+    }
+  }
+}
+
 TEST_CASE("no file is longer than 500 lines") {
   for (const SourceFile& file : read_sources(root)) {
     INFO(file.path);

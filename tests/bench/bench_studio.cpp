@@ -208,7 +208,7 @@ void drag_of_cage() {
   hand.act("move");
   hand.settle();
   const Index vertex = static_cast<Index>(cage.vertex_count() / 2);
-  hand.mesh().act([&](MeshTool& tool) { return tool.pick(ComponentKind::Vertex, {vertex}); });
+  hand.mesh().act([&](MeshTool& tool) { return tool.selection().pick(ComponentKind::Vertex, {vertex}); });
   const QPointF start = hand.viewport().model_to_widget(cage.positions[vertex], Viewport::PerspectiveView);
   hand.send_mouse(QEvent::MouseButtonPress, start, Qt::LeftButton, Qt::NoModifier);
   std::vector<double> to_result, to_frame;

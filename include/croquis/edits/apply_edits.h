@@ -16,8 +16,14 @@ struct EditedMesh {
   Findings warnings;                 ///< what edits couldn't keep (see MeshEdit::lost)
 };
 
+/// Applies one edit.
+/// @param topology of the mesh
+/// @throws Error (E_EDIT, naming the line; E_PARAMETER; what an edit throws)
+MeshEdit apply_edit(const PolyMesh& mesh, const MeshTopology& topology, const EditLine& line,
+                    const EditRegistry& registry);
+
 /// Applies edits one after the other; each counts the elements of the mesh that the one before made.
-/// @throws Error (E_EDIT, naming the line; E_PARAMETER; what an edit throws), Cancelled
+/// @throws Error as apply_edit, Cancelled
 EditedMesh apply_edits(PolyMesh mesh, std::span<const EditLine> lines, const EditRegistry& registry,
                        Progress& progress);
 

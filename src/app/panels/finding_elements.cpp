@@ -64,13 +64,4 @@ FoundElements elements_of(const Finding& finding, const MeshTopology& topology) 
   return found;
 }
 
-MeshMode mode_of(ComponentKind kind) {
-  switch (kind) {
-    case ComponentKind::Vertex: return MeshMode::Vertex;
-    case ComponentKind::Edge: return MeshMode::Edge;
-    case ComponentKind::Face: break;
-  }
-  return MeshMode::Face;
-}
-
 }  // namespace croquis::app

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "croquis/base/finding.h"
+#include "croquis/geometry/mesh_topology.h"
 #include "croquis/mesh_editing/mesh_selection.h"
-#include "croquis/tools/mesh_tool.h"
 
 /// From findings to elements that can be selected.
 namespace croquis::app {
@@ -24,8 +24,5 @@ struct FoundElements {
 
 /// The mesh's elements that a finding is about, of the kind that it names first.
 FoundElements elements_of(const Finding& finding, const MeshTopology& topology);
-
-/// The mode in which elements of a kind are picked.
-MeshMode mode_of(ComponentKind kind);
 
 }  // namespace croquis::app

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "croquis/tools/hole_histogram.h"
+#include "croquis/tools/holes/hole_histogram.h"
 
 namespace croquis::app {
 

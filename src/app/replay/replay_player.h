@@ -4,13 +4,15 @@
 #include <QString>
 
 #include "croquis/base/finding.h"
-#include "croquis/tools/recording.h"
+#include "croquis/tools/recording/general_steps.h"
+#include "croquis/tools/recording/recording.h"
 
 namespace croquis::app {
 
 class MainWindow;
 
-/// Plays recorded steps in a window, as a user would: docs/replays.md.
+/// Plays recorded steps in a window, as a user would: docs/replays.md. It knows the general steps; the tools have
+/// the others.
 class ReplayPlayer {
  public:
   explicit ReplayPlayer(MainWindow& window) : window_(window) {}
@@ -20,35 +22,17 @@ class ReplayPlayer {
 
  private:
   void play(const recorded::Line& line);
-  void play(const recorded::StrokeDrawn& step);
-  void play(const recorded::Drag& step);
+  void play(const recorded::Step& step);
+  template <typename T>
+  bool play_if(const recorded::Step& step);
   void play(const recorded::Action& step);
   void play(const recorded::Set& step);
   void play(const recorded::Wait& step);
   void play(const recorded::Screenshot& step);
   void play(const recorded::File& step);
-  void play(const recorded::Click& step);
-  void play(const recorded::Box& step);
   void play(const recorded::Navigate& step);
   void play(const recorded::Expect& step);
-  void play(const recorded::ModelDrag& step);
-  void play(const recorded::Pick& step);
-  void play(const recorded::Move& step);
-  void play(const recorded::Rotate& step);
-  void play(const recorded::Scale& step);
-  void play(const recorded::Tag& step);
-  void play(const recorded::Pin& step);
-  void play(const recorded::TagSet& step);
-  void play(const recorded::Extrude& step);
-  void play(const recorded::LoopCut& step);
   void play(const recorded::FaceSetChoice& step);
-  void play(const recorded::HoleChoice& step);
-  void play(const recorded::HoleWay& step);
-  void play(const recorded::HolePoint& step);
-  template <typename MeshStep>
-  void play_on_mesh(const MeshStep& step);
-  template <typename HoleStep>
-  void play_on_holes(const HoleStep& step);
 
   MainWindow& window_;
 };

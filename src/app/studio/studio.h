@@ -7,7 +7,7 @@
 #include <string>
 
 #include "app/studio/face_sets.h"
-#include "croquis/tools/sketch_tool.h"
+#include "croquis/tools/silhouette/sketch_tool.h"
 #include "croquis/workspace/object_names.h"
 #include "croquis/workspace/workspace.h"
 

@@ -8,11 +8,13 @@
 #include <optional>
 #include <vector>
 
+#include "app/replay/expectations.h"
 #include "app/tools/tool_host.h"
 #include "app/views/chip_places.h"
 #include "app/views/object_scenes.h"
 #include "croquis/render/scene.h"
-#include "croquis/tools/pointer_event.h"
+#include "croquis/tools/pointer/pointer_event.h"
+#include "croquis/tools/recording/step.h"
 
 namespace croquis::app {
 
@@ -107,6 +109,20 @@ class Tool : public QObject {
 
   /// About the active object, at the end of the help line.
   virtual QString status() const { return {}; }
+
+  // ---- The memory
+
+  /// The kinds of recorded steps that it plays, clicks and boxes too.
+  virtual std::vector<const recorded::StepKind*> steps() const { return {}; }
+
+  /// Does a step of one of these kinds. @return false: another tool's. @throws Error (E_REPLAY, E_INPUT …)
+  virtual bool replay(const recorded::Step&) { return false; }
+
+  /// As how many objects `expect` counts one; nothing: as one while it is visible.
+  virtual std::optional<std::size_t> parts_of(const WorkObject&) const { return std::nullopt; }
+
+  /// What `expect` can ask of it.
+  virtual Expectations expectations() { return {}; }
 
   /// Shows what a finding is about. @return false: it isn't this tool's
   virtual bool show_finding(const NodeFinding&) { return false; }

@@ -6,7 +6,7 @@
 
 #include "app/studio/studio.h"
 #include "croquis/geometry/component_kind.h"
-#include "croquis/tools/recording.h"
+#include "croquis/tools/recording/recording.h"
 
 class QAction;
 class QWidget;
@@ -43,6 +43,12 @@ class ToolHost {
 
   virtual void tell(const QString& sentence) = 0;
   virtual void show_message(const Findings& findings) = 0;
+
+  /// Waits until what is shown is finished, as replays do. @throws Error (E_LIMIT)
+  virtual void wait_until_settled() = 0;
+
+  /// An empty sketch in the views.
+  virtual void start_sketch() = 0;
 
   /// Appends a step to the recording, when one is made.
   virtual void record(const recorded::Step& step) = 0;

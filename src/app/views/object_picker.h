@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/studio/studio.h"
-#include "croquis/tools/mesh_pick.h"
+#include "croquis/tools/mesh/mesh_pick.h"
 
 namespace croquis::app {
 

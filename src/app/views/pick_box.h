@@ -2,8 +2,8 @@
 #pragma once
 
 #include "croquis/render/scene.h"
-#include "croquis/tools/mesh_pick.h"
-#include "croquis/tools/view_frame.h"
+#include "croquis/tools/mesh/mesh_pick.h"
+#include "croquis/tools/pointer/view_frame.h"
 
 namespace croquis::app {
 

@@ -3,7 +3,7 @@
 
 #include <QPointF>
 
-#include "croquis/tools/pointer_event.h"
+#include "croquis/tools/pointer/pointer_event.h"
 
 class QMouseEvent;
 class QSinglePointEvent;

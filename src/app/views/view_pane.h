@@ -6,9 +6,9 @@
 #include "croquis/render/camera.h"
 #include "croquis/render/camera_motion.h"
 #include "croquis/render/scene.h"
-#include "croquis/tools/navigation.h"
-#include "croquis/tools/sketch_event.h"
-#include "croquis/tools/view_frame.h"
+#include "croquis/tools/pointer/navigation.h"
+#include "croquis/tools/pointer/view_frame.h"
+#include "croquis/tools/silhouette/sketch_event.h"
 
 namespace croquis::app {
 

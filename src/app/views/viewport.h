@@ -19,7 +19,7 @@
 #include "app/views/pane_layout.h"
 #include "app/views/view_chips.h"
 #include "croquis/render/renderer.h"
-#include "croquis/tools/navigation.h"
+#include "croquis/tools/pointer/navigation.h"
 
 namespace croquis::app {
 

@@ -21,6 +21,7 @@
 #include "app/files/opening_report.h"
 #include "app/start/gallery.h"
 #include "app/start/gallery_thumbnails.h"
+#include "app/replay/replay_player.h"
 #include "app/start/start_page.h"
 #include "app/tools/all_tools.h"
 #include "app/views/viewport.h"
@@ -28,6 +29,7 @@
 #include "app/window/panel_docks.h"
 #include "app/window/window_layout.h"
 #include "croquis/base/error.h"
+#include "croquis/tools/recording/general_steps.h"
 
 namespace croquis::app {
 namespace {
@@ -153,6 +155,8 @@ void MainWindow::make_tools() {
   }
   viewport_->set_tools(std::move(tools));
 }
+
+void MainWindow::wait_until_settled() { app::wait_until_settled(*this); }
 
 void MainWindow::set_mode(const QString& mode) { viewport_->set_mode(mode); }
 

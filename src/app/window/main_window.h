@@ -15,7 +15,7 @@
 #include "app/views/offscreen_pictures.h"
 #include "app/window/action_list.h"
 #include "croquis/base/error.h"
-#include "croquis/tools/recording.h"
+#include "croquis/tools/recording/recording.h"
 
 class QProgressBar;
 class QPushButton;
@@ -58,7 +58,9 @@ class MainWindow : public QMainWindow, public ToolHost {
   ProjectFiles& files() { return files_; }
 
   /// Leaves the start page with an empty sketch and the pen ready.
-  void start_sketch();
+  void start_sketch() override;
+
+  void wait_until_settled() override;
 
   /// Opens a file, waits for it and leaves the start page; shows in the window why it can't.
   bool open(const QString& path);

@@ -19,6 +19,7 @@
 #include "app/window/main_window.h"
 #include "app/window/panel_docks.h"
 #include "croquis/base/error.h"
+#include "croquis/tools/recording/general_steps.h"
 
 namespace croquis::app {
 

@@ -55,7 +55,13 @@ class HoleFillingTool final : public Tool {
   void chosen_by_name(const std::vector<const FaceSet*>& sets) override;
   bool show_finding(const NodeFinding& found) override;
 
+  std::vector<const recorded::StepKind*> steps() const override;
+  bool replay(const recorded::Step& step) override;
+  Expectations expectations() override;
+
  private:
+  template <class HoleStep>
+  void replay_on_holes(const HoleStep& step);
   QAction* add(ActionList& actions, QMenu* menu, const QString& name, const QString& text,
                const QList<QKeySequence>& keys, std::function<void(HoleInteraction&)> work, bool records_itself = false);
   void start();  ///< the active object gets the operation, and its holes are shown

@@ -268,8 +268,8 @@ void HoleInteraction::follow_pull() {
 void HoleInteraction::finish(Verdict verdict) {
   if (verdict != Verdict::Commit || !tool_.done()) return;
   const recorded::Step done = *tool_.done();
-  if (const auto* choice = std::get_if<recorded::HoleChoice>(&done)) apply(*choice);
-  if (const auto* point = std::get_if<recorded::HolePoint>(&done)) apply(*point);
+  if (const auto* choice = done.as<recorded::HoleChoice>()) apply(*choice);
+  if (const auto* point = done.as<recorded::HolePoint>()) apply(*point);
   emit committed(done);
 }
 

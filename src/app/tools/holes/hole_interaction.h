@@ -14,8 +14,8 @@
 #include "app/tools/holes/hole_sight.h"
 #include "app/tools/holes/patch_preview.h"
 #include "app/views/object_scenes.h"
-#include "croquis/tools/hole_tool.h"
-#include "croquis/tools/pen.h"
+#include "croquis/tools/holes/hole_tool.h"
+#include "croquis/tools/pointer/pen.h"
 
 namespace croquis::app {
 

@@ -7,6 +7,7 @@
 #include "app/tools/holes/filling.h"
 #include "app/tools/holes/hole_interaction.h"
 #include "croquis/base/error.h"
+#include "croquis/tools/recording/general_steps.h"
 
 namespace croquis::app {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "app/tools/holes/hole_rows.h"
 #include "croquis/render/scene.h"
-#include "croquis/tools/hole_tool.h"
+#include "croquis/tools/holes/hole_tool.h"
 
 namespace croquis::app {
 

@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "croquis/tools/hole_pins.h"
+#include "croquis/tools/holes/hole_pins.h"
 
 namespace croquis::app {
 

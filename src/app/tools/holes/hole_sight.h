@@ -5,8 +5,8 @@
 #include <QThreadPool>
 #include <memory>
 
-#include "croquis/tools/hole_pins.h"
-#include "croquis/tools/mesh_pick.h"
+#include "croquis/tools/holes/hole_pins.h"
+#include "croquis/tools/mesh/mesh_pick.h"
 
 namespace croquis::app {
 

@@ -39,13 +39,13 @@ CreaseSetPanel::CreaseSetPanel(MeshInteraction& mesh, QWidget* parent)
     QMetaObject::invokeMethod(
         this,
         [this, before, after] {
-          if (before != after) mesh_.act([&](MeshTool& tool) { return tool.rename_set(before, after); });
+          if (before != after) mesh_.act([&](MeshTool& tool) { return tool.tags().rename_set(before, after); });
         },
         Qt::QueuedConnection);
   });
   sharpness_->setObjectName("set-sharpness");
   connect(sharpness_, &QDoubleSpinBox::valueChanged, this, [this] {
-    mesh_.act([&](MeshTool& tool) { return tool.set_set_sharpness(chosen(), sharpness_->sharpness()); });
+    mesh_.act([&](MeshTool& tool) { return tool.tags().set_set_sharpness(chosen(), sharpness_->sharpness()); });
   });
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 2, 4, 4);
@@ -72,16 +72,16 @@ QWidget* CreaseSetPanel::make_buttons() {
   layout->setSpacing(3);
   add_button(row, "set-new", tr("New"), tr("A set of the selected edges or vertices"), [this] {
     mesh_.act([](MeshTool& tool) {
-      const auto mesh = tool.mesh();
-      return mesh ? tool.make_set(new_set_name(mesh->tags)) : Verdict::Continue;
+      const auto mesh = tool.source().mesh();
+      return mesh ? tool.tags().make_set(new_set_name(mesh->tags)) : Verdict::Continue;
     });
   });
   layout->addWidget(sharpness_);
   add_button(row, "set-select", tr("Select"), tr("Selects the set's edges or vertices"),
-             [this] { mesh_.act([this](MeshTool& tool) { return tool.select_set(chosen()); }); });
+             [this] { mesh_.act([this](MeshTool& tool) { return tool.tags().select_set(chosen()); }); });
   add_button(row, "set-merge", tr("Merge"), tr("Puts all chosen sets into the first one"), [this] { merge(); });
   add_button(row, "set-delete", tr("Delete"), tr("Forgets the set; its edges stay as sharp as they are"),
-             [this] { mesh_.act([this](MeshTool& tool) { return tool.remove_set(chosen(), false); }); });
+             [this] { mesh_.act([this](MeshTool& tool) { return tool.tags().remove_set(chosen(), false); }); });
   return row;
 }
 
@@ -94,12 +94,12 @@ void CreaseSetPanel::merge() {
   std::vector<std::string> names;
   for (const QTreeWidgetItem* row : sets_->selectedItems()) names.push_back(name_of(row));
   for (std::size_t i = 1; i < names.size(); ++i) {
-    mesh_.act([&](MeshTool& tool) { return tool.merge_sets(names.front(), names[i]); });
+    mesh_.act([&](MeshTool& tool) { return tool.tags().merge_sets(names.front(), names[i]); });
   }
 }
 
 void CreaseSetPanel::follow() {
-  const auto mesh = mesh_.tool().mesh();
+  const auto mesh = mesh_.tool().source().mesh();
   const auto shown = sets_->selectedItems();
   const std::string before = shown.isEmpty() ? std::string() : name_of(shown.front());
   const bool editing = sets_->findChild<QWidget*>("qt_edit") != nullptr;

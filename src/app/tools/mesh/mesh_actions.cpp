@@ -18,7 +18,7 @@ constexpr double extrusion_share = 0.1;  // of the mesh's diagonal
 
 /// A first step that can be seen; the manipulator goes on from there.
 double extrusion_distance(MeshTool& tool) {
-  const auto mesh = tool.mesh();
+  const auto mesh = tool.source().mesh();
   if (!mesh || mesh->positions.empty()) return 0;
   Vec3 low = mesh->positions.front();
   Vec3 high = low;
@@ -79,7 +79,7 @@ void MeshEditingTool::make_mode_actions(ActionList& actions, QMenu* menu) {
   add_mode("face-mode", tr("&Faces"), "F11", MeshMode::Face);
   menu->addSeparator();
   const auto add_conversion = [&](const QString& name, const QString& text, const QString& key, MeshMode mode) {
-    add(actions, menu, name, text, {QKeySequence(key)}, [mode](MeshTool& tool) { return tool.convert_to(mode); });
+    add(actions, menu, name, text, {QKeySequence(key)}, [mode](MeshTool& tool) { return tool.selection().convert_to(mode); });
   };
   add_conversion("to-vertices", tr("Selection to vertices"), "Ctrl+F9", MeshMode::Vertex);
   add_conversion("to-edges", tr("Selection to edges"), "Ctrl+F10", MeshMode::Edge);
@@ -90,20 +90,20 @@ void MeshEditingTool::make_mode_actions(ActionList& actions, QMenu* menu) {
 void MeshEditingTool::make_selection_actions(ActionList& actions, QMenu* menu) {
   QMenu* selection = menu->addMenu(tr("&Select"));
   const auto add = [&](const QString& name, const QString& text, const QList<QKeySequence>& keys,
-                       Verdict (MeshTool::*work)()) {
-    this->add(actions, selection, name, text, keys, [work](MeshTool& tool) { return (tool.*work)(); });
+                       Verdict (MeshSelector::*work)()) {
+    this->add(actions, selection, name, text, keys, [work](MeshTool& tool) { return (tool.selection().*work)(); });
   };
-  add("grow", tr("&Grow"), {QKeySequence(">"), QKeySequence("Ctrl++")}, &MeshTool::grow_selection);
-  add("shrink", tr("S&hrink"), {QKeySequence("<"), QKeySequence("Ctrl+-")}, &MeshTool::shrink_selection);
-  add("invert", tr("&Invert"), {QKeySequence("Ctrl+I")}, &MeshTool::invert_selection);
+  add("grow", tr("&Grow"), {QKeySequence(">"), QKeySequence("Ctrl++")}, &MeshSelector::grow_selection);
+  add("shrink", tr("S&hrink"), {QKeySequence("<"), QKeySequence("Ctrl+-")}, &MeshSelector::shrink_selection);
+  add("invert", tr("&Invert"), {QKeySequence("Ctrl+I")}, &MeshSelector::invert_selection);
   selection->addSeparator();
-  add("select-loop", tr("Edge &loop"), {QKeySequence("Shift+L")}, &MeshTool::select_loop);
-  add("select-ring", tr("Edge &ring"), {QKeySequence("Shift+R")}, &MeshTool::select_ring);
-  add("select-between", tr("&Shortest path between two"), {QKeySequence("Shift+V")}, &MeshTool::select_between);
-  add("select-connected", tr("All that is &connected"), {QKeySequence("Shift+K")}, &MeshTool::select_connected);
-  add("select-chain", tr("C&hain of sharp edges"), {QKeySequence("Shift+C")}, &MeshTool::select_chain);
-  add("select-tagged", tr("All sharp &edges"), {QKeySequence("Shift+T")}, &MeshTool::select_tagged);
-  add("select-boundary", tr("&Boundary"), {QKeySequence("Shift+B")}, &MeshTool::select_boundary);
+  add("select-loop", tr("Edge &loop"), {QKeySequence("Shift+L")}, &MeshSelector::select_loop);
+  add("select-ring", tr("Edge &ring"), {QKeySequence("Shift+R")}, &MeshSelector::select_ring);
+  add("select-between", tr("&Shortest path between two"), {QKeySequence("Shift+V")}, &MeshSelector::select_between);
+  add("select-connected", tr("All that is &connected"), {QKeySequence("Shift+K")}, &MeshSelector::select_connected);
+  add("select-chain", tr("C&hain of sharp edges"), {QKeySequence("Shift+C")}, &MeshSelector::select_chain);
+  add("select-tagged", tr("All sharp &edges"), {QKeySequence("Shift+T")}, &MeshSelector::select_tagged);
+  add("select-boundary", tr("&Boundary"), {QKeySequence("Shift+B")}, &MeshSelector::select_boundary);
   selection->addSeparator();
   QAction* through = actions.add(selection, "select-through", tr("Select t&hrough"), {QKeySequence("Ctrl+T")}, [this] {
     mesh_.tool().set_pick_through(host().action("select-through")->isChecked());
@@ -114,7 +114,7 @@ void MeshEditingTool::make_selection_actions(ActionList& actions, QMenu* menu) {
 
 void MeshEditingTool::make_shape_actions(ActionList& actions, QMenu* menu) {
   add(actions, menu, "extrude", tr("E&xtrude faces"), {QKeySequence("Shift+E")}, [this](MeshTool& tool) {
-    const Verdict verdict = tool.extrude_along_normal(extrusion_distance(tool));
+    const Verdict verdict = tool.edits().extrude_along_normal(extrusion_distance(tool));
     if (verdict == Verdict::Commit) host().set_mode("move");
     return verdict;
   });
@@ -165,20 +165,20 @@ void MeshEditingTool::make_tag_actions(ActionList& actions, QMenu* menu) {
     bar_->addAction(action);
   };
   bar_->addSeparator();
-  add("sharp", tr("S&harp"), "H", [](MeshTool& tool) { return tool.tag(infinite_sharpness); });
-  add("smooth", tr("S&mooth"), "Shift+H", [](MeshTool& tool) { return tool.untag(); });
-  add("pin", tr("&Pin"), "P", [](MeshTool& tool) { return tool.pin(true); });
-  add("unpin", tr("&Unpin"), "Shift+P", [](MeshTool& tool) { return tool.pin(false); });
+  add("sharp", tr("S&harp"), "H", [](MeshTool& tool) { return tool.tags().tag(infinite_sharpness); });
+  add("smooth", tr("S&mooth"), "Shift+H", [](MeshTool& tool) { return tool.tags().untag(); });
+  add("pin", tr("&Pin"), "P", [](MeshTool& tool) { return tool.tags().pin(true); });
+  add("unpin", tr("&Unpin"), "Shift+P", [](MeshTool& tool) { return tool.tags().pin(false); });
   this->add(actions, menu, "sharp-boundary", tr("Sharp &boundary"), {},
-                  [](MeshTool& tool) { return tool.tag_boundary(); });
+                  [](MeshTool& tool) { return tool.tags().tag_boundary(); });
   this->add(actions, menu, "sharper", tr("Sharper by a half"), {QKeySequence("Ctrl+Up")},
-                  [](MeshTool& tool) { return tool.change_sharpness(0.5); });
+                  [](MeshTool& tool) { return tool.tags().change_sharpness(0.5); });
   this->add(actions, menu, "softer", tr("Softer by a half"), {QKeySequence("Ctrl+Down")},
-                  [](MeshTool& tool) { return tool.change_sharpness(-0.5); });
+                  [](MeshTool& tool) { return tool.tags().change_sharpness(-0.5); });
   this->add(actions, menu, "new-set", tr("Crease &set of the selection"), {QKeySequence("Ctrl+G")},
                   [](MeshTool& tool) {
-                    const auto mesh = tool.mesh();
-                    return mesh ? tool.make_set(new_set_name(mesh->tags)) : Verdict::Continue;
+                    const auto mesh = tool.source().mesh();
+                    return mesh ? tool.tags().make_set(new_set_name(mesh->tags)) : Verdict::Continue;
                   });
 }
 

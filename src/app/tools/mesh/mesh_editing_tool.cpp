@@ -88,18 +88,18 @@ QString MeshEditingTool::help() const {
 
 bool MeshEditingTool::select_all() {
   if (!picks_elements()) return false;
-  mesh_.act([](MeshTool& tool) { return tool.select_all(); });
+  mesh_.act([](MeshTool& tool) { return tool.selection().select_all(); });
   return true;
 }
 
 bool MeshEditingTool::select_none() {
-  mesh_.act([](MeshTool& tool) { return tool.select_none(); });
+  mesh_.act([](MeshTool& tool) { return tool.selection().select_none(); });
   return false;  // objects are deselected, too
 }
 
 bool MeshEditingTool::delete_selection() {
   if (!picks_elements()) return false;
-  mesh_.act([](MeshTool& tool) { return tool.delete_selected(); });
+  mesh_.act([](MeshTool& tool) { return tool.edits().delete_selected(); });
   return true;
 }
 
@@ -110,7 +110,7 @@ bool MeshEditingTool::pick(ComponentKind kind, const std::vector<Index>& element
   mesh_.follow();
   set_mesh_mode(mode_of(kind));
   mesh_.follow();
-  mesh_.act([&](MeshTool& tool) { return tool.pick(kind, elements); });
+  mesh_.act([&](MeshTool& tool) { return tool.selection().pick(kind, elements); });
   return true;
 }
 
@@ -118,8 +118,8 @@ bool MeshEditingTool::show_finding(const NodeFinding& found) {
   studio().set_active(found.node);
   mesh_.follow();
   MeshTool& tool = mesh_.tool();
-  if (!tool.mesh()) return false;
-  const FoundElements elements = elements_of(found.finding, *tool.topology());
+  if (!tool.source().mesh()) return false;
+  const FoundElements elements = elements_of(found.finding, *tool.source().topology());
   if (!pick(elements.kind, elements.elements)) return false;
   host().viewport().frame_selection();
   return true;
@@ -128,7 +128,7 @@ bool MeshEditingTool::show_finding(const NodeFinding& found) {
 // ---- The eye
 
 void MeshEditingTool::adjust(ObjectScenes::Wanted& wanted, int) const {
-  if (picks_elements()) wanted.edited = mesh_.tool().node();
+  if (picks_elements()) wanted.edited = mesh_.tool().source().node();
 }
 
 void MeshEditingTool::add_to(render::Scene& scene, int view) {
@@ -155,7 +155,7 @@ void MeshEditingTool::refresh() {
   const WorkObject* object = studio().active();
   const bool mesh = object != nullptr && object->cage != 0;
   for (QAction* action : mesh_actions_) action->setEnabled(mesh);
-  const auto shown = mode_actions_.find(mesh_.tool().mode());
+  const auto shown = mode_actions_.find(mesh_.tool().selection().mode());
   if (shown != mode_actions_.end()) shown->second->setChecked(true);
   const Tool* at_work = host().viewport().tool_in(PerspectiveView);
   const bool useful = mesh && (at_work == nullptr || at_work == this);

@@ -58,9 +58,12 @@ class MeshEditingTool final : public Tool {
   void opened() override { offer_scale(); }
   bool show_finding(const NodeFinding& found) override;
 
+  std::vector<const recorded::StepKind*> steps() const override;
+  bool replay(const recorded::Step& step) override;
+
  private:
   bool works() const;  ///< the mode is one of its own, and there is a mesh to work on
-  bool picks_elements() const { return works() && mesh_.tool().mode() != MeshMode::Object; }
+  bool picks_elements() const { return works() && mesh_.tool().selection().mode() != MeshMode::Object; }
   QAction* add(ActionList& actions, QMenu* menu, const QString& name, const QString& text,
                const QList<QKeySequence>& keys, std::function<Verdict(MeshTool&)> work);
   void make_handle_actions(ActionList& actions);
@@ -70,6 +73,7 @@ class MeshEditingTool final : public Tool {
   void make_scale_actions(ActionList& actions, QMenu* menu);
   void make_tag_actions(ActionList& actions, QMenu* menu);
   void set_mesh_mode(MeshMode mode);
+  void replay_on_mesh(const std::string& node, const recorded::Step& step);
   void offer_scale();  ///< where what has been added is far larger or smaller than the rest
   void follow_scale();
 

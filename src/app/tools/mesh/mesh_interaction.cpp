@@ -8,6 +8,7 @@
 #include "app/views/pick_box.h"
 #include "app/views/viewport.h"
 #include "croquis/base/error.h"
+#include "croquis/tools/recording/general_steps.h"
 
 namespace croquis::app {
 namespace {
@@ -49,7 +50,7 @@ void MeshInteraction::finish(Verdict verdict) {
 }
 
 void MeshInteraction::set_mode(MeshMode mode) {
-  tool_.set_mode(mode);
+  tool_.selection().set_mode(mode);
   follow();
   emit mode_changed();
 }
@@ -68,7 +69,7 @@ void MeshInteraction::take(const PointerEvent& event) {
 void MeshInteraction::leave() {
   hovered_value_.reset();
   if (!tool_.leave()) return;
-  overlay_.follow_hover(tool_, views_.objects().cage_item(tool_.node()));
+  overlay_.follow_hover(tool_, views_.objects().cage_item(tool_.source().node()));
   emit changed();
 }
 
@@ -100,9 +101,9 @@ void MeshInteraction::feed(const MeshEvent& event, int view) {
   } catch (const Error& error) {
     emit told(sentence_of(error.findings()));
   }
-  const bool left_to_us = tool_.mode() == MeshMode::Object && !tool_.active();
+  const bool left_to_us = tool_.selection().mode() == MeshMode::Object && !tool_.active();
   if (object_press_ || (left_to_us && event.kind == PenStep::Kind::Begin)) feed_object(event, view);
-  overlay_.follow_hover(tool_, views_.objects().cage_item(tool_.node()));
+  overlay_.follow_hover(tool_, views_.objects().cage_item(tool_.source().node()));
   emit changed();
 }
 
@@ -181,7 +182,7 @@ void MeshInteraction::hover(const PointerEvent& event) {
   if (tool_.preview().hovered_sharpness) {
     hovered_value_ = {event.view, event.position, sharpness_text(*tool_.preview().hovered_sharpness)};
   }
-  if (moved) overlay_.follow_hover(tool_, views_.objects().cage_item(tool_.node()));
+  if (moved) overlay_.follow_hover(tool_, views_.objects().cage_item(tool_.source().node()));
   if (moved || hovered_value_) emit changed();
 }
 
@@ -194,7 +195,7 @@ QString MeshInteraction::help(const QString& offer) const {
   }
   if (tool_.loop_cut_armed()) return tr("Click an edge: the loop is cut there · Escape gives it up");
   const bool selected = !studio_.session().components().empty();
-  switch (tool_.mode()) {
+  switch (tool_.selection().mode()) {
     case MeshMode::Object:
       if (!offer.isEmpty()) return offer;
       return tr(
@@ -215,7 +216,7 @@ QString MeshInteraction::help(const QString& offer) const {
 void MeshInteraction::follow() {
   const StudioObject* object = studio_.active();
   const NodeId cage = object == nullptr ? 0 : object->cage;
-  if (tool_.node() != cage && !tool_.active()) tool_.set_node(cage);
+  if (tool_.source().node() != cage && !tool_.active()) tool_.set_node(cage);
   overlay_.follow(tool_, studio_.session().components(), object, views_.objects().cage_item(cage));
   emit changed();
 }

@@ -8,8 +8,8 @@
 #include "app/studio/studio.h"
 #include "app/tools/mesh/mesh_overlay.h"
 #include "app/views/object_picker.h"
-#include "croquis/tools/mesh_tool.h"
-#include "croquis/tools/pen.h"
+#include "croquis/tools/mesh/mesh_tool.h"
+#include "croquis/tools/pointer/pen.h"
 
 namespace croquis::app {
 

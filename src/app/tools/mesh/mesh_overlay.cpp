@@ -73,18 +73,18 @@ std::vector<render::Mark> special_vertices(const PolyMesh& mesh) {
 MeshOverlay::SeenThrough MeshOverlay::edges(const MeshTool& tool, std::vector<render::StyledEdge> styled) {
   if (styled.empty()) return {};
   SeenThrough lines;
-  lines.clear = render::make_edge_item(tool.mesh()->positions, styled);
+  lines.clear = render::make_edge_item(tool.source().mesh()->positions, styled);
   if (styled.size() > edges_at_most) return lines;
   for (render::StyledEdge& edge : styled) edge.color.a = covered_alpha;
-  lines.faint = render::make_edge_item(tool.mesh()->positions, styled, render::LineDepth::OnTop);
+  lines.faint = render::make_edge_item(tool.source().mesh()->positions, styled, render::LineDepth::OnTop);
   return lines;
 }
 
 void MeshOverlay::follow(MeshTool& tool, const ComponentSelection& selection, const StudioObject* object,
                          const render::MeshItemPtr& cage) {
   *this = MeshOverlay();
-  if (object == nullptr || !object->visible || !tool.mesh() || object->cage != tool.node()) return;
-  const bool editing = tool.mode() != MeshMode::Object;
+  if (object == nullptr || !object->visible || !tool.source().mesh() || object->cage != tool.source().node()) return;
+  const bool editing = tool.selection().mode() != MeshMode::Object;
   const bool cage_seen = editing || object->shown() == object->cage_mesh || object->view == SmoothView::Both;
   if (cage_seen) show_tags(tool, *object);
   if (cage_seen && object->shown() != object->cage_mesh) show_chains(*object);
@@ -95,8 +95,8 @@ void MeshOverlay::follow(MeshTool& tool, const ComponentSelection& selection, co
 void MeshOverlay::show_tags(MeshTool& tool, const StudioObject& object) {
   const PolyMesh& mesh = *object.cage_mesh;
   if (mesh.tags.empty()) return;
-  const MeshTopology& topology = *tool.topology();
-  const std::vector<double>& sharpness = tool.edge_sharpness();
+  const MeshTopology& topology = *tool.source().topology();
+  const std::vector<double>& sharpness = tool.source().edge_sharpness();
   std::vector<render::StyledEdge> colored;
   for (const Index edge : tagged_edges(mesh.tags, topology)) {
     colored.push_back({topology.edge_vertices(edge), render::sharpness_color(sharpness[edge]),
@@ -123,16 +123,16 @@ void MeshOverlay::show_chains(const StudioObject& object) {
 }
 
 void MeshOverlay::show_selection(MeshTool& tool, const ComponentSelection& selection, const render::MeshItemPtr& cage) {
-  const std::vector<Vec3>& places = tool.mesh()->positions;
-  if (tool.mode() == MeshMode::Vertex && places.size() <= points_at_most) {
+  const std::vector<Vec3>& places = tool.source().mesh()->positions;
+  if (tool.selection().mode() == MeshMode::Vertex && places.size() <= points_at_most) {
     render::PointStyle style;
     style.size = 5;
     style.color = to_color(colors::vertex);
     style.outline = {250, 250, 250, 220};
     vertices_ = render::make_point_item(places, style);
   }
-  if (selection.node != tool.node() || selection.empty()) return;
-  const MeshTopology& topology = *tool.topology();
+  if (selection.node != tool.source().node() || selection.empty()) return;
+  const MeshTopology& topology = *tool.source().topology();
   const ComponentKind kind = selection.kind;
   if (kind == ComponentKind::Vertex) selected_vertices_ = points(places, selection.elements, colors::accent, 9);
   if (kind == ComponentKind::Edge) {
@@ -155,8 +155,9 @@ void MeshOverlay::show_selected_edges(const MeshTool& tool, const MeshTopology& 
                                       float width) {
   selected_edges_ = edges(tool, styled(topology, chosen, to_color(colors::accent), width));
   if (chosen.empty() || chosen.size() > edges_at_most) return;
-  selected_casing_ = render::make_edge_item(
-      tool.mesh()->positions, styled(topology, chosen, to_color(colors::selected_casing), width + 2 * casing_width));
+  selected_casing_ =
+      render::make_edge_item(tool.source().mesh()->positions,
+                             styled(topology, chosen, to_color(colors::selected_casing), width + 2 * casing_width));
 }
 
 void MeshOverlay::follow_hover(MeshTool& tool, const render::MeshItemPtr& cage) {
@@ -164,7 +165,7 @@ void MeshOverlay::follow_hover(MeshTool& tool, const render::MeshItemPtr& cage) 
   hovered_vertex_.reset();
   hovered_face_.reset();
   cut_.reset();
-  if (!tool.mesh()) return;
+  if (!tool.source().mesh()) return;
   const MeshPreview& preview = tool.preview();
   if (preview.cut) {
     render::LinePath path;
@@ -175,14 +176,14 @@ void MeshOverlay::follow_hover(MeshTool& tool, const render::MeshItemPtr& cage) 
   }
   if (!preview.hovered) return;
   const std::vector<Index> chosen{preview.hovered->element};
-  switch (tool.mode()) {
-    case MeshMode::Vertex: hovered_vertex_ = points(tool.mesh()->positions, chosen, colors::hover, 11); break;
+  switch (tool.selection().mode()) {
+    case MeshMode::Vertex: hovered_vertex_ = points(tool.source().mesh()->positions, chosen, colors::hover, 11); break;
     case MeshMode::Edge:
-      hovered_edge_ = edges(tool, styled(*tool.topology(), chosen, to_color(colors::hover), hovered_width));
+      hovered_edge_ = edges(tool, styled(*tool.source().topology(), chosen, to_color(colors::hover), hovered_width));
       break;
     case MeshMode::Face: {
-      const Elements rim = converted(*tool.topology(), ComponentKind::Face, ComponentKind::Edge, chosen);
-      hovered_edge_ = edges(tool, styled(*tool.topology(), rim, to_color(colors::hover), 3));
+      const Elements rim = converted(*tool.source().topology(), ComponentKind::Face, ComponentKind::Edge, chosen);
+      hovered_edge_ = edges(tool, styled(*tool.source().topology(), rim, to_color(colors::hover), 3));
       if (cage) hovered_face_ = render::make_face_highlight(cage, chosen, to_color(colors::hover, 70));
       break;
     }

@@ -8,7 +8,7 @@
 #include "app/views/view_pane.h"
 #include "croquis/render/edge_item.h"
 #include "croquis/render/scene.h"
-#include "croquis/tools/mesh_tool.h"
+#include "croquis/tools/mesh/mesh_tool.h"
 
 namespace croquis::app {
 

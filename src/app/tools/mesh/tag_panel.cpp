@@ -35,7 +35,7 @@ TagPanel::TagPanel(MeshInteraction& mesh, QWidget* parent)
   sharpness_->setToolTip(tr("Sharpness of the selected edges in levels: 0 smooth, 10 and more always sharp"));
   connect(sharpness_, &QDoubleSpinBox::valueChanged, this, [this] {
     const double sharpness = sharpness_->sharpness();
-    mesh_.act([sharpness](MeshTool& tool) { return tool.tag(sharpness); });
+    mesh_.act([sharpness](MeshTool& tool) { return tool.tags().tag(sharpness); });
   });
   auto* layout = new QFormLayout(this);
   layout->setContentsMargins(6, 4, 6, 2);
@@ -70,7 +70,7 @@ QWidget* TagPanel::make_angle_row() {
   connect(angle_, &QDoubleSpinBox::valueChanged, this, &TagPanel::choose_by_angle);
   connect(tag, &QPushButton::clicked, this, [this] {
     const double degrees = angle_->value();
-    mesh_.act([degrees](MeshTool& tool) { return tool.tag_sharper_than(degrees); });
+    mesh_.act([degrees](MeshTool& tool) { return tool.tags().tag_sharper_than(degrees); });
   });
   auto* name = new QLabel(tr("By angle"), row);
   name->setToolTip(tr("Drag: edges whose faces meet at a greater angle are selected and counted"));
@@ -89,21 +89,23 @@ void TagPanel::choose_by_angle(double degrees) {
     angle_slider_->setValue(static_cast<int>(degrees + 0.5));
     angle_->setValue(degrees);
   }
-  const std::size_t count = mesh_.tool().count_sharper_than(degrees);
+  const std::size_t count = mesh_.tool().tags().count_sharper_than(degrees);
   count_->setText(QString::number(count));
-  if (mesh_.tool().mode() != MeshMode::Edge) mesh_.set_mode(MeshMode::Edge);
-  mesh_.act(
-      [degrees, count](MeshTool& tool) { return count == 0 ? tool.select_none() : tool.select_sharper_than(degrees); });
+  if (mesh_.tool().selection().mode() != MeshMode::Edge) mesh_.set_mode(MeshMode::Edge);
+  mesh_.act([degrees, count](MeshTool& tool) {
+    return count == 0 ? tool.selection().select_none() : tool.selection().select_sharper_than(degrees);
+  });
 }
 
 void TagPanel::follow(const ComponentSelection& selection) {
   MeshTool& tool = mesh_.tool();
-  setEnabled(tool.mesh() != nullptr);
-  const bool edges = selection.node == tool.node() && selection.kind == ComponentKind::Edge && !selection.empty();
+  setEnabled(tool.source().mesh() != nullptr);
+  const bool edges =
+      selection.node == tool.source().node() && selection.kind == ComponentKind::Edge && !selection.empty();
   selected_->setText(selection.empty() ? tr("Sharpness") : elements(selection.kind, selection.elements.size()));
   sharpness_->setEnabled(!selection.empty());
-  const bool known = edges && selection.elements.front() < tool.edge_sharpness().size();
-  sharpness_->show_sharpness(known ? tool.edge_sharpness()[selection.elements.front()] : 0);
+  const bool known = edges && selection.elements.front() < tool.source().edge_sharpness().size();
+  sharpness_->show_sharpness(known ? tool.source().edge_sharpness()[selection.elements.front()] : 0);
 }
 
 }  // namespace croquis::app

@@ -47,6 +47,11 @@ class SilhouetteTool final : public Tool {
   void follow_result() override;
   bool show_finding(const NodeFinding& found) override;
 
+  std::vector<const recorded::StepKind*> steps() const override;
+  bool replay(const recorded::Step& step) override;
+  std::optional<std::size_t> parts_of(const WorkObject& object) const override;
+  Expectations expectations() override;
+
  private:
   bool draws() const { return mode() == "draw" || mode() == "erase"; }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tools/silhouette/sketch_interaction.h"
 
-#include "croquis/tools/stroke_pick.h"
+#include "croquis/tools/silhouette/stroke_pick.h"
 
 namespace croquis::app {
 namespace {

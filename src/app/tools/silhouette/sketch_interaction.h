@@ -10,8 +10,8 @@
 #include "app/studio/studio.h"
 #include "app/tools/silhouette/sketch_scene.h"
 #include "app/views/view_pane.h"
-#include "croquis/tools/pen.h"
-#include "croquis/tools/sketch_tool.h"
+#include "croquis/tools/pointer/pen.h"
+#include "croquis/tools/silhouette/sketch_tool.h"
 
 namespace croquis::app {
 

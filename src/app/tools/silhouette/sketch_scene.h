@@ -9,7 +9,7 @@
 #include "app/studio/studio.h"
 #include "app/views/ink_sheet.h"
 #include "croquis/render/scene.h"
-#include "croquis/tools/sketch_tool.h"
+#include "croquis/tools/silhouette/sketch_tool.h"
 
 namespace croquis::app {
 

@@ -3,7 +3,11 @@
 
 #include <QAction>
 #include <QMenu>
+#include <algorithm>
+#include <limits>
+#include <numbers>
 
+#include "app/replay/replay_lookup.h"
 #include "app/tools/subdivision/chain_table.h"
 #include "app/tools/subdivision/smoothing.h"
 #include "app/views/viewport.h"
@@ -11,8 +15,26 @@
 #include "app/window/panel_docks.h"
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/mesh_editing/mesh_edit.h"
+#include "croquis/operators/subdivide_result.h"
 
 namespace croquis::app {
+namespace {
+
+/// Of the chains of sharp edges, in degrees.
+std::pair<double, double> dihedral_range(const WorkObject& object) {
+  const SubdivideResult* subdivided = result_of<SubdivideResult>(object.result.get());
+  if (subdivided == nullptr || subdivided->chains.empty()) refuse_replay("There are no chains of sharp edges");
+  constexpr double degrees = 180 / std::numbers::pi;
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = 0;
+  for (const SharpChain& chain : subdivided->chains) {
+    least = std::min(least, chain.least_angle * degrees);
+    greatest = std::max(greatest, chain.greatest_angle * degrees);
+  }
+  return {least, greatest};
+}
+
+}  // namespace
 
 SubdivisionTool::SubdivisionTool(ToolHost& host)
     : Tool(host), comparison_(host.studio(), host.viewport().objects().threads(), nullptr) {
@@ -121,6 +143,12 @@ void SubdivisionTool::adjust(ObjectScenes::Wanted& wanted, int view) const {
 
 QString SubdivisionTool::view_title(int view) const {
   return view == ComparisonView ? comparison_.title() : QString();
+}
+
+Expectations SubdivisionTool::expectations() {
+  Expectations own;
+  own.ranges["dihedral"] = [this](const std::string& node) { return dihedral_range(object_named(studio(), node)); };
+  return own;
 }
 
 }  // namespace croquis::app

@@ -32,6 +32,7 @@ class SubdivisionTool final : public Tool {
   QString view_title(int view) const override;
   bool busy() const override { return comparison_.busy(); }
   void follow_document() override { comparison_.follow(); }
+  Expectations expectations() override;
 
  private:
   void make_scheme_actions(ActionList& actions, QMenu* schemes, QMenu* compared);

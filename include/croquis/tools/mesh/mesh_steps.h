@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "croquis/edits/edit_line.h"
+#include "croquis/tools/recording/vocabulary.h"
+
+/// Steps on meshes: by the name of the source node, elements by their numbers (edges: MeshTopology's).
+namespace croquis::recorded {
+
+/// The pointer was dragged between two places of the model as a view shows them: a manipulator's handle, a sharpness.
+struct ModelDrag {
+  std::string view = "perspective";
+  Vec3 from = Vec3::Zero();
+  Vec3 to = Vec3::Zero();
+  std::vector<std::string> modifiers;
+
+  static const StepKind& step_kind();
+};
+struct Pick {
+  std::string node;
+  std::string kind = "edge";  ///< "vertex", "edge" or "face"
+  std::vector<Index> elements;
+  std::string how =
+      "replace";  ///< "replace", "add", "remove", "toggle", "loop", "ring", "path", "connected", "chain", "all"
+
+  static const StepKind& step_kind();
+};
+/// Any edit, of the elements that its line names.
+struct EditStep {
+  std::string node;
+  EditLine line;
+
+  static const StepKind& step_kind();
+};
+/// What is selected was moved, turned or scaled.
+struct Move {
+  std::string node;
+  Vec3 by = Vec3::Zero();
+
+  static const StepKind& step_kind();
+};
+struct Rotate {
+  std::string node;
+  Vec3 axis = Vec3::UnitZ();  ///< not zero
+  double degrees = 0;
+  ModelPlace pivot = {};  ///< without it the middle of what is selected
+
+  static const StepKind& step_kind();
+};
+struct Scale {
+  std::string node;
+  Vec3 factors = {1, 1, 1};
+  ModelPlace pivot = {};
+
+  static const StepKind& step_kind();
+};
+/// Edges got a sharpness, or theirs changed.
+struct Tag {
+  std::string node;
+  std::string edges = "selected";   ///< "selected", "boundary", "tagged" or "sharper-than"
+  double degrees = 0;               ///< of "sharper-than"
+  std::optional<double> sharpness;  ///< this or …
+  std::optional<double> change;     ///< … that; of the selected edges
+
+  static const StepKind& step_kind();
+};
+struct Pin {
+  std::string node;
+  bool pinned = true;
+
+  static const StepKind& step_kind();
+};
+/// A named set of tags.
+struct TagSet {
+  std::string node;
+  std::string how = "make";  ///< "make", "rename", "sharpness", "select", "merge", "remove" or "untag"
+  std::string name;
+  std::string other;                ///< rename: the new name; merge: the set that is taken in
+  std::optional<double> sharpness;  ///< make, sharpness
+
+  static const StepKind& step_kind();
+};
+struct Extrude {
+  std::string node;
+  Vec3 by = Vec3::Zero();
+
+  static const StepKind& step_kind();
+};
+struct LoopCut {
+  std::string node;
+  Index edge = 0;
+  double at = 0.5;
+
+  static const StepKind& step_kind();
+};
+/// Faces were selected by the names of their sets.
+struct FaceSetChoice {
+  std::string node;                ///< the object's name
+  std::vector<std::string> names;  ///< "patches", "patch of hole 3" …
+
+  static const StepKind& step_kind();
+};
+
+/// All of them, the count of sharp edges and the range of their dihedral angles.
+const Vocabulary& mesh_steps();
+
+}  // namespace croquis::recorded

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "croquis/mesh_editing/mesh_edit.h"
+#include "croquis/session/session.h"
+#include "croquis/tools/mesh/mesh_editor.h"
+#include "croquis/tools/mesh/mesh_pick.h"
+#include "croquis/tools/mesh/mesh_selector.h"
+#include "croquis/tools/mesh/tag_editor.h"
+#include "croquis/tools/pointer/manipulator.h"
+#include "croquis/tools/pointer/mesh_event.h"
+#include "croquis/tools/pointer/pen.h"
+
+namespace croquis {
+
+/// What a drag does. Sharpen: from a selected edge, or with Shift from anywhere, sideways changes the sharpness of the
+/// selected edges.
+enum class MeshHandles { Select, Move, Rotate, Scale, Sharpen };
+
+struct MeshToolOptions {
+  MeshPickOptions pick;
+  double drag_pixels = 4;  ///< a press that moves less is a click
+  double double_click_seconds = 0.4;
+  double pixels_per_level = 60;  ///< sideways drag for one level of sharpness
+  double manipulator_pixels = 80;
+  ManipulatorSnap snap = {0, 15, 0.1};  ///< while Ctrl is held at the beginning of a drag of the manipulator
+};
+
+/// What to draw over the views besides the selection (Session::components).
+struct MeshPreview {
+  std::optional<PickBox> box;               ///< pixels of the view the gesture began in
+  std::optional<PickedElement> hovered;     ///< of the mode's kind
+  std::optional<double> hovered_sharpness;  ///< of a hovered edge with a tag
+  ManipulatorHandle hovered_handle = ManipulatorHandle::None;
+  ManipulatorHandle active_handle = ManipulatorHandle::None;
+  std::optional<LoopCutPreview> cut;        ///< while the loop cut is armed: where it would go
+  std::optional<double> sharpness_change;   ///< Sharpen: levels so far
+  std::optional<ManipulatorMotion> motion;  ///< what the drag has done, for the help line
+};
+
+/// Works on one mesh of a session as Maya does: picks components, moves them, tags edges, cuts. Its parts have the
+/// commands; the tool itself is what the pointer does.
+///
+/// Clicks: plain replaces, Shift toggles, Ctrl removes, Ctrl+Shift adds; boxes the same. Double click: of an edge its
+/// loop, of a face or vertex all that is connected. Shift+double click goes on from the last picked element: along the
+/// loop or ring of edges, the row of faces, the shortest path between vertices; else it adds what a double click picks.
+/// Every change is one undo step. Selections come back with undo. The session outlives the tool. One thread.
+///
+/// What a gesture costs: a drag event copies the mesh and moves the picked vertices, nothing else.
+class MeshTool {
+ public:
+  explicit MeshTool(Session& session, MeshToolOptions options = {});
+  MeshTool(const MeshTool&) = delete;  // its parts refer to one another
+  MeshTool& operator=(const MeshTool&) = delete;
+
+  // ---- What it works on
+  void set_node(NodeId node);  ///< a source node with a mesh; another one than before empties hover and gestures
+  SourceMesh& source() { return source_; }
+  const SourceMesh& source() const { return source_; }
+
+  // ---- Commands
+  MeshSelector& selection() { return selector_; }
+  const MeshSelector& selection() const { return selector_; }
+  MeshEditor& edits() { return editor_; }
+  TagEditor& tags() { return tag_editor_; }
+  /// What the last Commit did, for recordings.
+  const std::optional<recorded::Step>& done() const { return log_.done; }
+  /// What the last edit lost or refused (warnings).
+  const Findings& notes() const { return log_.notes; }
+  /// Does a step of mesh_steps() that needs no view. @throws Error (E_INPUT …) when it doesn't fit the mesh
+  Verdict replay(const recorded::Step& step);
+
+  // ---- Pointer
+  MeshHandles handles() const { return handles_; }
+  void set_handles(MeshHandles handles);
+  void set_pick_through(bool through) { options_.pick.through = through; }
+  void set_snap(const ManipulatorSnap& snap) { options_.snap = snap; }
+
+  Verdict handle(const MeshEvent& event);
+  /// After a Begin in Object mode off the manipulator it isn't: the gesture is the window's, to pick objects with.
+  bool active() const { return gesture_ != Gesture::None; }
+  /// Pre-highlights. @return whether the preview changed
+  bool hover(const Vec2& pixel, const ViewFrame& frame);
+  bool leave();
+  const MeshPreview& preview() const { return preview_; }
+  /// At the middle of what is selected; nothing when there is nothing to move.
+  std::optional<Manipulator> manipulator();
+  ManipulatorPicture manipulator_picture(const ViewFrame& frame);
+
+  /// The next click cuts the hovered edge's ring, where it was hovered; every mode. Escape or another mode disarms.
+  void arm_loop_cut(bool armed);
+  bool loop_cut_armed() const { return loop_cut_armed_; }
+
+ private:
+  enum class Gesture { None, Press, Box, Handle, Sharpen };
+
+  Verdict begin(const MeshEvent& event);
+  void go_on(const MeshEvent& event);
+  Verdict finish(const MeshEvent& event);
+  Verdict give_up();
+  void end_gesture();
+  bool interrupted() const;
+  void press(const MeshEvent& event);
+  void start_drag();
+  void drag_to(PolyMesh mesh);
+  void drag_handle(const Vec2& pixel);
+  void drag_sharpness(const Vec2& pixel);
+  Verdict finish_handle();
+  Verdict finish_sharpness();
+  Verdict finish_box();
+  Verdict click();
+  Verdict click_again(Index element);
+  void forget_other_anchors();
+  Verdict cut_hovered(const MeshEvent& event);
+  void hover_element(PreparedMesh& now, const Vec2& pixel, const ViewFrame& frame);
+  void leave_mode(bool changes);
+  std::optional<recorded::Step> recorded_motion(const ManipulatorMotion& motion, const Vec3& pivot) const;
+
+  Session& session_;
+  MeshToolOptions options_;
+  CommandLog log_;
+  SourceMesh source_;
+  MeshSelector selector_;
+  MeshEditor editor_;
+  TagEditor tag_editor_;
+  MeshHandles handles_ = MeshHandles::Select;
+  bool loop_cut_armed_ = false;
+  MeshPreview preview_;
+
+  Gesture gesture_ = Gesture::None;
+  MeshEvent start_;                           ///< that began the gesture
+  Vec2 last_ = Vec2::Zero();                  ///< where the pointer is
+  bool may_sharpen_ = false;                  ///< the press was meant for the sharpness if it moves
+  std::optional<ManipulatorDrag> drag_;       ///< of a handle
+  std::shared_ptr<const PolyMesh> original_;  ///< before the drag
+  Elements dragged_;                          ///< vertices, or edges of Sharpen
+  std::uint64_t drag_revision_ = 0;           ///< of the session after the drag's last change
+  bool dragging_ = false;                     ///< the session's drag has begun
+
+  std::optional<MeshEvent> last_click_;
+  Index anchor_ = no_index, anchor_before_ = no_index;  ///< last clicked element, and the one before that …
+  std::uint64_t anchors_connectivity_ = 0;              ///< … in this connectivity
+};
+
+}  // namespace croquis

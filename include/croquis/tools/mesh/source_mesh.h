@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "croquis/session/session.h"
+#include "croquis/tools/mesh/mesh_pick.h"
+
+namespace croquis {
+
+/// A mesh with its neighbourhoods and its picking tree.
+struct PreparedMesh {
+  std::shared_ptr<const PolyMesh> mesh;
+  std::shared_ptr<const MeshTopology> topology;
+  MeshPicker picker;
+
+  explicit PreparedMesh(std::shared_ptr<const PolyMesh> now)
+      : mesh(std::move(now)), topology(std::make_shared<const MeshTopology>(*mesh)), picker(mesh, topology) {}
+};
+
+/// The mesh of a source node of a session, and what is derived of it, kept as long as it is valid.
+///
+/// Neighbourhoods are only made again when the connectivity changed, the picking tree is refitted when the next pick
+/// asks. Those of big meshes are made beside. The session outlives this. One thread.
+class SourceMesh {
+ public:
+  explicit SourceMesh(Session& session) : session_(session) {}
+
+  Session& session() const { return session_; }
+  void set_node(NodeId node);
+  NodeId node() const { return node_; }
+  std::string node_name() const;                 ///< empty when there is no such node
+  std::shared_ptr<const PolyMesh> mesh() const;  ///< null when the node holds none
+
+  PreparedMesh* prepared();           ///< of mesh(), or null; waits until it is made
+  PreparedMesh* prepared_if_ready();  ///< also null while it is being made
+  bool ready() { return prepared_if_ready() != nullptr; }
+
+  std::shared_ptr<const MeshTopology> topology();  ///< of mesh(), or null; waits
+  const std::vector<double>& edge_sharpness();     ///< #E, of mesh()'s tags; waits
+
+  /// Grows when the numbers of elements no longer mean what they did: another node, or another connectivity.
+  std::uint64_t connectivity() const { return connectivity_; }
+
+  /// The session's document with this mesh in the node.
+  Document with_mesh(PolyMesh mesh) const;
+
+ private:
+  Session& session_;
+  NodeId node_ = 0;
+  std::unique_ptr<PreparedMesh> prepared_;
+  std::future<std::unique_ptr<PreparedMesh>> coming_;  ///< of a big mesh
+  std::uint64_t connectivity_ = 0;
+
+  std::optional<MeshTags> sharpness_of_;      ///< tags that `sharpness_` was made of …
+  std::uint64_t sharpness_connectivity_ = 0;  ///< … and connectivity
+  std::vector<double> sharpness_;             ///< #E
+};
+
+}  // namespace croquis

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "croquis/tools/pointer/pen.h"
+#include "croquis/tools/pointer/view_frame.h"
+
+namespace croquis {
+
+/// One step of a pen or mouse in a view of the model.
+struct MeshEvent {
+  PenStep::Kind kind = PenStep::Kind::Begin;
+  Vec2 pixel = Vec2::Zero();  ///< of the view, y down
+  Modifiers modifiers;        ///< as they were at the beginning of the gesture
+  ViewFrame frame;            ///< of the view that the gesture began in
+  double time = 0;            ///< seconds by any clock; two clicks soon after one another are a double click
+};
+
+}  // namespace croquis

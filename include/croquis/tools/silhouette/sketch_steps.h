@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "croquis/geometry/drawing.h"
+#include "croquis/tools/recording/vocabulary.h"
+
+/// Steps of the sketch tool.
+namespace croquis::recorded {
+
+/// A pen or mouse stroke; what it does depends on the tool's mode, as in the window.
+struct StrokeDrawn {
+  std::string view = "sketch";
+  std::vector<StrokeSample> points;  ///< at least one; tilt isn't recorded
+  std::string device = "mouse";      ///< "mouse", "pen" or "eraser"
+  double scale = 0;                  ///< units per pixel of the view drawn in; 0 for the replaying view's own
+
+  static const StepKind& step_kind();
+};
+/// An anchor of a stroke, or without one the whole stroke, was dragged.
+struct Drag {
+  std::string stroke;
+  std::optional<std::size_t> anchor;  ///< 0-based
+  Vec2 by = Vec2::Zero();
+
+  static const StepKind& step_kind();
+};
+
+/// All of them, and the count of strokes.
+const Vocabulary& sketch_steps();
+
+}  // namespace croquis::recorded

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "croquis/document/document.h"
+#include "croquis/session/session.h"
+#include "croquis/tools/pointer/verdict.h"
+#include "croquis/tools/recording/step.h"
+#include "croquis/tools/silhouette/sketch_event.h"
+#include "croquis/tools/silhouette/stroke_edit.h"
+#include "croquis/tools/silhouette/stroke_pick.h"
+
+namespace croquis {
+
+enum class SketchMode { Draw, Select, Erase };
+
+struct SketchToolOptions {
+  std::string operation = "inflate";                                 ///< made together with the first drawing …
+  int version = 1;                                                   ///< … of this version …
+  std::string port = "drawing";                                      ///< … its input that the drawing goes to …
+  ParameterValues parameters = {{"preset", std::string("tablet")}};  ///< … and those parameters that it starts with
+  PickReach reach;                                                   ///< its units_per_pixel is taken from each event
+  double eraser_pixels = 6;                                          ///< radius of the eraser
+  double drag_pixels = 4;                                            ///< a press that moves less is a click
+};
+
+/// The document with a new source and the operation that it goes to.
+/// @param drawing a drawing
+Document add_drawing(const Document& document, Value drawing, const SketchToolOptions& options);
+
+/// What to draw over the view while a gesture is under way, sketch units.
+struct SketchPreview {
+  std::vector<StrokeSample> ink;           ///< Draw: the samples so far, as they came
+  std::vector<Vec2> eraser;                ///< Erase: the path so far
+  std::vector<std::string> erased;         ///< Erase: ids of the strokes it has touched
+  std::optional<PickBox> box;              ///< Select: the box spanned
+  std::optional<std::size_t> held_anchor;  ///< Select: of `held_stroke`, the anchor under way
+  std::string held_stroke;
+};
+
+/// The silhouette pen: draws, selects, bends and erases strokes of one drawing node of a session.
+///
+/// Draw: a stroke per gesture. Select: a click picks a stroke (Shift adds or takes away), a drag on an anchor of a
+/// selected stroke bends it, on a stroke moves what is selected, elsewhere spans a box. Erase, or the pen's eraser end
+/// in any mode: deletes the strokes touched. Every gesture is one undo step.
+/// The session outlives the tool. Everything on the session's thread.
+class SketchTool {
+ public:
+  explicit SketchTool(Session& session, SketchToolOptions options = {});
+
+  SketchMode mode() const { return mode_; }
+  void set_mode(SketchMode mode);  ///< gives up a gesture under way
+
+  Verdict handle(const SketchEvent& event);
+  const SketchPreview& preview() const { return preview_; }
+
+  /// What the last Commit did, for recordings.
+  const std::optional<recorded::Step>& done() const { return done_; }
+
+  Verdict delete_selected();  ///< Commit, or Continue when nothing is selected
+  void select_all();
+
+  /// Drags an anchor, or without one the whole stroke, as one undo step (replays).
+  /// @throws Error (E_INPUT) when there is no such stroke or anchor
+  Verdict drag(const std::string& stroke, std::optional<std::size_t> anchor, const Vec2& by);
+
+  /// The drawing node worked on: the one set, else the document's first drawing; 0 when there is none yet.
+  NodeId node() const;
+  void set_node(NodeId node) { node_ = node; }
+  /// Its drawing, or null.
+  std::shared_ptr<const Drawing> drawing() const;
+
+  /// Ids of this drawing's selected strokes, in its order.
+  std::vector<std::string> selected() const;
+  /// The fit of one of its strokes; kept until the stroke changes. Null when there is no such stroke.
+  /// While one of its anchors is dragged the anchors stay those of the beginning, the dragged one moved along.
+  const StrokeFit* fit(const std::string& stroke);
+
+ private:
+  enum class Gesture { None, Draw, Erase, Press, Box, Anchor, Strokes };
+  struct KeptFit {
+    std::vector<StrokeSample> samples;  ///< that it was made of
+    StrokeFit fit;
+  };
+
+  Verdict begin(const SketchEvent& event);
+  Verdict go_on(const SketchEvent& event);
+  Verdict finish(const SketchEvent& event);
+  Verdict give_up();
+
+  void press(const SketchEvent& event);
+  void start_drag();
+  void drag_to(const Vec2& place);
+  bool interrupted() const;
+  Verdict finish_drawing();
+  Verdict finish_erasing();
+  Verdict finish_click();
+  Verdict finish_box();
+  Verdict finish_drag();
+
+  Document with_drawing(Drawing drawing) const;
+  void select_strokes(const std::vector<std::string>& ids);
+  void end_gesture();
+
+  Session& session_;
+  SketchToolOptions options_;
+  SketchMode mode_ = SketchMode::Draw;
+  NodeId node_ = 0;
+  SketchPreview preview_;
+  std::optional<recorded::Step> done_;
+
+  Gesture gesture_ = Gesture::None;
+  SketchEvent start_;                        ///< that began the gesture
+  Vec2 last_ = Vec2::Zero();                 ///< where the pointer is
+  std::string picked_;                       ///< stroke under the press, empty for none
+  std::optional<std::size_t> anchor_;        ///< of picked_, under the press
+  std::shared_ptr<const Drawing> original_;  ///< before the drag
+  StrokeFit held_fit_;                       ///< of picked_ before the drag
+  std::uint64_t drag_revision_ = 0;          ///< of the session after the drag's last change
+  std::map<std::string, KeptFit> fits_;
+};
+
+}  // namespace croquis

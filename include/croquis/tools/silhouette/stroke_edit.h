@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "croquis/tools/silhouette/stroke_fit.h"
+
+/// Every change that the tools make to a drawing: pure functions from a drawing to a drawing. Strokes that they don't
+/// name keep equal values, in the same order.
+namespace croquis {
+
+/// A drawing after an edit, and what happened to whom (stroke ids).
+struct DrawingEdit {
+  Drawing drawing;
+  std::vector<std::string> added;
+  std::vector<std::string> changed;
+  std::vector<std::string> removed;
+
+  bool any() const { return !added.empty() || !changed.empty() || !removed.empty(); }
+};
+
+/// The stroke of that id, or null. O(#strokes).
+const Stroke* find_stroke(const Drawing& drawing, std::string_view id);
+
+/// "stroke N" with the lowest N above every such name in the drawing.
+std::string new_stroke_id(const Drawing& drawing);
+
+/// Sketch units per pixel at which a stroke was drawn (its data "scale"); of strokes without, a thousandth of the
+/// drawing's diagonal. So a stroke's anchors depend on the document alone, not on the zoom under which they are seen.
+double drawn_scale(const Drawing& drawing, const Stroke& stroke);
+
+/// The fit that gives a stroke of the drawing its anchors. @throws as fit_stroke
+StrokeFit fit_in_drawing(const Drawing& drawing, const Stroke& stroke);
+
+struct DrawOptions {
+  double units_per_pixel = 1;   ///< > 0, of the view drawn in; kept as the stroke's data "scale"
+  CloseOptions closing;         ///< its units_per_pixel is overridden by the one above
+  bool redraws = true;          ///< a stroke that follows an old one replaces that part of it
+  double redraw_distance = 10;  ///< pixels, how near the new stroke's ends must run to the old one …
+  double redraw_degrees = 35;   ///< … and how much they may differ in direction
+};
+
+/// Adds a drawn stroke, closed when its ends meet; what then overshoots the seam is left out. When both its ends run
+/// along the same old stroke in the same sense, it replaces the part between instead (order and direction are found,
+/// closed strokes stay closed): then the old stroke is `changed` and nothing is added. Times are counted from the first
+/// sample.
+/// @param samples at least one, finite. @throws Error (E_NO_STROKES, E_NOT_FINITE)
+DrawingEdit draw_stroke(const Drawing& drawing, std::vector<StrokeSample> samples, const DrawOptions& options = {});
+
+/// Shifts whole strokes; unknown ids are left out.
+DrawingEdit move_strokes(const Drawing& drawing, const std::vector<std::string>& ids, const Vec2& by);
+
+/// Moves an anchor and bends the samples to both sides, up to but without the neighbouring anchors, which stay with
+/// all that lies beyond. The falloff is smooth over the arc length; closed strokes wrap.
+/// @param fit of that stroke (fit_in_drawing); @param anchor 0-based
+/// @throws Error (E_INPUT) when there is no such stroke or anchor
+DrawingEdit drag_anchor(const Drawing& drawing, std::string_view id, const StrokeFit& fit, std::size_t anchor,
+                        const Vec2& by);
+
+/// Deletes strokes; unknown ids are left out.
+DrawingEdit remove_strokes(const Drawing& drawing, const std::vector<std::string>& ids);
+
+/// Ids of the strokes that a path with a round tip touches, in the drawing's order.
+/// @param path #P by 2, sketch units; @param radius of the tip, sketch units, >= 0
+std::vector<std::string> strokes_touched(const Drawing& drawing, const std::vector<Vec2>& path, double radius);
+
+}  // namespace croquis

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/replay/replay_lookup.h"
+
+#include <algorithm>
+
+#include "app/views/viewport.h"
+#include "croquis/base/error.h"
+
+namespace croquis::app {
+
+void refuse_replay(const std::string& sentence) { throw Error(make_error(Category::Geometry, "E_REPLAY", sentence)); }
+
+Modifiers modifiers_of(const std::vector<std::string>& names) {
+  const auto has = [&](const char* name) { return std::find(names.begin(), names.end(), name) != names.end(); };
+  return {has("shift"), has("ctrl"), has("alt"), has("super")};
+}
+
+int view_of(const std::string& name) {
+  const std::vector<std::string> names{"front", "perspective", "top", "side", "comparison"};
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? View::SketchView : static_cast<int>(found - names.begin());
+}
+
+const StudioObject& object_named(const Studio& studio, const std::string& name) {
+  const StudioObject* found = name.empty() ? studio.active() : nullptr;
+  for (const StudioObject& object : studio.objects()) {
+    const Node* node = studio.session().document().find(object.node);
+    if (!name.empty() && (object.name == name || node->name == name)) found = &object;
+  }
+  if (found == nullptr) refuse_replay(name.empty() ? "There is no object" : "There is no object \"" + name + "\"");
+  if (!found->shown()) refuse_replay("\"" + found->name + "\" has no mesh");
+  return *found;
+}
+
+}  // namespace croquis::app

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Recorded steps of sketches, and what replays can expect of them.
+#include "app/replay/replay_lookup.h"
+#include "app/tools/silhouette/silhouette_tool.h"
+#include "croquis/operators/inflate_result.h"
+#include "croquis/tools/recording/general_steps.h"
+#include "croquis/tools/silhouette/sketch_steps.h"
+
+namespace croquis::app {
+namespace {
+
+StrokeSample sample_at(const Vec2& place) {
+  StrokeSample sample;
+  sample.position = place;
+  return sample;
+}
+
+}  // namespace
+
+std::vector<const recorded::StepKind*> SilhouetteTool::steps() const {
+  return {&recorded::StrokeDrawn::step_kind(), &recorded::Drag::step_kind(), &recorded::Click::step_kind(),
+          &recorded::Box::step_kind()};
+}
+
+bool SilhouetteTool::replay(const recorded::Step& step) {
+  if (const auto* stroke = step.as<recorded::StrokeDrawn>()) {
+    if (!host().shows_views()) host().start_sketch();
+    sketch_.replay_gesture(stroke->points, stroke->device == "eraser", {}, stroke->scale);
+  } else if (const auto* drag = step.as<recorded::Drag>()) {
+    sketch_.tool().drag(drag->stroke, drag->anchor, drag->by);
+  } else if (const auto* click = step.as<recorded::Click>(); click != nullptr && !click->place) {
+    sketch_.replay_gesture({sample_at(click->at)}, false, modifiers_of(click->modifiers), 0);
+  } else if (const auto* box = step.as<recorded::Box>(); box != nullptr && !box->from_place) {
+    const std::vector<StrokeSample> way{sample_at(box->from), sample_at((box->from + box->to) / 2), sample_at(box->to)};
+    sketch_.replay_gesture(way, false, modifiers_of(box->modifiers), 0);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+std::optional<std::size_t> SilhouetteTool::parts_of(const WorkObject& object) const {
+  if (object.node != studio().solid_node()) return std::nullopt;
+  const InflateResult* inflated = result_of<InflateResult>(object.result.get());
+  return inflated == nullptr || object.result->failed ? 0 : inflated->objects.size();
+}
+
+Expectations SilhouetteTool::expectations() {
+  Expectations own;
+  own.counts["strokes"] = [this](const std::string&) { return studio().drawing().strokes.size(); };
+  return own;
+}
+
+}  // namespace croquis::app

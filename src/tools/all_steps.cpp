@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/tools/all_steps.h"
+
+#include "croquis/tools/holes/hole_steps.h"
+#include "croquis/tools/mesh/mesh_steps.h"
+#include "croquis/tools/recording/general_steps.h"
+#include "croquis/tools/silhouette/sketch_steps.h"
+
+namespace croquis::recorded {
+
+const Vocabulary& all_steps() {
+  static const Vocabulary vocabulary = [] {
+    Vocabulary made;
+    made.add(general_steps());
+    made.add(sketch_steps());
+    made.add(mesh_steps());
+    made.add(hole_steps());
+    return made;
+  }();
+  return vocabulary;
+}
+
+}  // namespace croquis::recorded

@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/tools/mesh/mesh_tool.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace croquis {
+namespace {
+
+constexpr double sharpness_step = 0.1;  // levels: a pointer isn't more exact
+
+bool is_manipulating(MeshHandles handles) {
+  return handles == MeshHandles::Move || handles == MeshHandles::Rotate || handles == MeshHandles::Scale;
+}
+
+ManipulatorKind manipulator_kind(MeshHandles handles) {
+  if (handles == MeshHandles::Move) return ManipulatorKind::Move;
+  return handles == MeshHandles::Rotate ? ManipulatorKind::Rotate : ManipulatorKind::Scale;
+}
+
+PickHow how_of(const Modifiers& modifiers) {
+  if (modifiers.shift) return modifiers.ctrl ? PickHow::Add : PickHow::Toggle;
+  return modifiers.ctrl ? PickHow::Remove : PickHow::Replace;
+}
+
+bool same_hover(const std::optional<PickedElement>& a, const std::optional<PickedElement>& b) {
+  return a.has_value() == b.has_value() && (!a || (a->element == b->element && a->parameter == b->parameter));
+}
+
+}  // namespace
+
+MeshTool::MeshTool(Session& session, MeshToolOptions options)
+    : session_(session),
+      options_(options),
+      log_{[this] { give_up(); }, {}, {}},
+      source_(session),
+      selector_(source_, log_, [this](bool changes) { leave_mode(changes); }),
+      editor_(source_, selector_, log_),
+      tag_editor_(source_, selector_, editor_, log_) {}
+
+void MeshTool::set_node(NodeId node) {
+  if (node == source_.node()) return;
+  give_up();
+  leave();
+  last_click_.reset();
+  source_.set_node(node);
+}
+
+void MeshTool::leave_mode(bool changes) {
+  arm_loop_cut(false);
+  if (!changes) return;
+  preview_ = {};
+  anchor_ = anchor_before_ = no_index;
+  last_click_.reset();
+}
+
+void MeshTool::set_handles(MeshHandles handles) {
+  give_up();
+  handles_ = handles;
+  preview_.hovered_handle = ManipulatorHandle::None;
+}
+
+void MeshTool::arm_loop_cut(bool armed) {
+  give_up();
+  loop_cut_armed_ = armed;
+  preview_.cut.reset();
+}
+
+// ---- Hovering
+
+bool MeshTool::hover(const Vec2& pixel, const ViewFrame& frame) {
+  if (active() || !pixel.allFinite()) return false;
+  const auto hovered_before = preview_.hovered;
+  const ManipulatorHandle handle_before = preview_.hovered_handle;
+  preview_.hovered.reset();
+  preview_.hovered_sharpness.reset();
+  preview_.hovered_handle = ManipulatorHandle::None;
+  preview_.cut.reset();
+  PreparedMesh* ready = source_.prepared_if_ready();
+  if (const auto now = loop_cut_armed_ ? std::nullopt : manipulator())
+    preview_.hovered_handle = handle_at(*now, frame, pixel);
+  const bool picks = loop_cut_armed_ || selector_.mode() != MeshMode::Object;
+  if (ready != nullptr && picks && preview_.hovered_handle == ManipulatorHandle::None)
+    hover_element(*ready, pixel, frame);
+  return handle_before != preview_.hovered_handle || !same_hover(hovered_before, preview_.hovered);
+}
+
+void MeshTool::hover_element(PreparedMesh& now, const Vec2& pixel, const ViewFrame& frame) {
+  const ComponentKind wanted = loop_cut_armed_ ? ComponentKind::Edge : selector_.kind();
+  preview_.hovered = now.picker.at(frame, pixel, wanted, options_.pick);
+  if (!preview_.hovered || wanted != ComponentKind::Edge) return;
+  const Index element = preview_.hovered->element;
+  const double sharpness = source_.edge_sharpness()[element];
+  if (sharpness > 0) preview_.hovered_sharpness = sharpness;
+  if (loop_cut_armed_) preview_.cut = loop_cut_preview(*now.mesh, *now.topology, element, preview_.hovered->parameter);
+}
+
+bool MeshTool::leave() {
+  if (active()) return false;
+  const bool had = preview_.hovered || preview_.hovered_handle != ManipulatorHandle::None;
+  preview_ = {};
+  return had;
+}
+
+// ---- The manipulator
+
+std::optional<Manipulator> MeshTool::manipulator() {
+  if (!is_manipulating(handles_)) return std::nullopt;
+  if (gesture_ == Gesture::Handle && drag_) return drag_->moved();
+  if (!source_.ready() || selector_.selected_vertices().empty()) return std::nullopt;
+  Manipulator now;
+  now.kind = manipulator_kind(handles_);
+  now.pivot = selector_.middle();
+  now.pixels = options_.manipulator_pixels;
+  return now;
+}
+
+ManipulatorPicture MeshTool::manipulator_picture(const ViewFrame& frame) {
+  const auto now = loop_cut_armed_ ? std::nullopt : manipulator();
+  return now ? picture(*now, frame, preview_.hovered_handle, preview_.active_handle) : ManipulatorPicture{};
+}
+
+// ---- Gestures
+
+Verdict MeshTool::handle(const MeshEvent& event) {
+  if (event.kind == PenStep::Kind::Cancel) return give_up();
+  if (event.kind == PenStep::Kind::Begin) return event.pixel.allFinite() ? begin(event) : give_up();
+  if (gesture_ == Gesture::None) return Verdict::Continue;
+  if (interrupted()) {
+    end_gesture();
+    return Verdict::Revert;
+  }
+  if (event.pixel.allFinite() && event.pixel != last_) go_on(event);
+  return event.kind == PenStep::Kind::End ? finish(event) : Verdict::Continue;
+}
+
+Verdict MeshTool::begin(const MeshEvent& event) {
+  give_up();
+  if (source_.prepared() == nullptr) return Verdict::Continue;
+  start_ = event;
+  last_ = event.pixel;
+  press(event);
+  return Verdict::Continue;
+}
+
+void MeshTool::press(const MeshEvent& event) {
+  log_.notes.clear();
+  may_sharpen_ = false;
+  if (loop_cut_armed_) {
+    gesture_ = Gesture::Press;
+    return;
+  }
+  if (const auto now = manipulator()) {
+    const ManipulatorHandle hit = handle_at(*now, event.frame, event.pixel);
+    if (hit != ManipulatorHandle::None) {
+      gesture_ = Gesture::Handle;
+      preview_.active_handle = hit;
+      drag_.emplace(*now, hit, event.pixel);
+      return;
+    }
+  }
+  if (selector_.mode() == MeshMode::Object) return;
+  gesture_ = Gesture::Press;
+  if (handles_ != MeshHandles::Sharpen || selector_.mode() != MeshMode::Edge || selector_.selected().empty()) return;
+  const auto under = source_.prepared()->picker.at(event.frame, event.pixel, ComponentKind::Edge, options_.pick);
+  may_sharpen_ = event.modifiers.shift || (under && std::binary_search(selector_.selected().begin(),
+                                                                       selector_.selected().end(), under->element));
+}
+
+void MeshTool::go_on(const MeshEvent& event) {
+  last_ = event.pixel;
+  if (gesture_ == Gesture::Press && !loop_cut_armed_ && (last_ - start_.pixel).norm() > options_.drag_pixels) {
+    gesture_ = may_sharpen_ ? Gesture::Sharpen : Gesture::Box;
+    preview_.hovered.reset();
+  }
+  if (gesture_ == Gesture::Box) preview_.box = PickBox::spanned(start_.pixel, last_);
+  if (gesture_ == Gesture::Handle) drag_handle(last_);
+  if (gesture_ == Gesture::Sharpen) drag_sharpness(last_);
+}
+
+Verdict MeshTool::finish(const MeshEvent& event) {
+  switch (gesture_) {
+    case Gesture::Press: return loop_cut_armed_ ? cut_hovered(event) : click();
+    case Gesture::Box: return finish_box();
+    case Gesture::Handle: return finish_handle();
+    case Gesture::Sharpen: return finish_sharpness();
+    case Gesture::None: break;
+  }
+  return Verdict::Continue;
+}
+
+Verdict MeshTool::give_up() {
+  if (gesture_ == Gesture::None) return Verdict::Continue;
+  const bool dragging = dragging_ && !interrupted();
+  end_gesture();
+  if (dragging) session_.cancel_drag();
+  return Verdict::Revert;
+}
+
+void MeshTool::end_gesture() {
+  gesture_ = Gesture::None;
+  preview_ = {};
+  drag_.reset();
+  original_.reset();
+  dragged_.clear();
+  dragging_ = false;
+}
+
+/// Something else changed the session while a drag was under way, which ended it.
+bool MeshTool::interrupted() const { return dragging_ && session_.revision() != drag_revision_; }
+
+// ---- Drags
+
+void MeshTool::start_drag() {
+  original_ = source_.mesh();
+  const bool sharpens = gesture_ == Gesture::Sharpen;
+  dragged_ = sharpens ? selector_.selected() : selector_.selected_vertices();
+  const std::string verb = sharpens                          ? "Sharpen"
+                           : handles_ == MeshHandles::Move   ? "Move"
+                           : handles_ == MeshHandles::Rotate ? "Rotate"
+                                                             : "Scale";
+  session_.begin_drag(selector_.counted(verb, selector_.kind(), selector_.selected().size()));
+  dragging_ = true;
+  drag_revision_ = session_.revision();
+}
+
+void MeshTool::drag_handle(const Vec2& pixel) {
+  const ManipulatorMotion& motion =
+      drag_->to(start_.frame, pixel, start_.modifiers.ctrl ? options_.snap : ManipulatorSnap{});
+  if (!dragging_) start_drag();
+  preview_.motion = motion;
+  drag_to(transformed(*original_, dragged_, motion.map));
+}
+
+void MeshTool::drag_to(PolyMesh mesh) {
+  drag_revision_ = session_.revision() + 1;  // what listeners see while they are notified
+  session_.drag(source_.with_mesh(std::move(mesh)));
+  drag_revision_ = session_.revision();
+}
+
+void MeshTool::drag_sharpness(const Vec2& pixel) {
+  if (!dragging_) start_drag();
+  const double levels = (pixel.x() - start_.pixel.x()) / options_.pixels_per_level;
+  preview_.sharpness_change = std::round(levels / sharpness_step) * sharpness_step;
+  PolyMesh sharpened = *original_;
+  sharpened.tags = with_sharpness_changed(original_->tags, *source_.topology(), dragged_, *preview_.sharpness_change);
+  drag_to(std::move(sharpened));
+}
+
+std::optional<recorded::Step> MeshTool::recorded_motion(const ManipulatorMotion& motion, const Vec3& pivot) const {
+  if (handles_ == MeshHandles::Move) return recorded::Move{source_.node_name(), motion.by};
+  if (handles_ == MeshHandles::Scale) return recorded::Scale{source_.node_name(), motion.factors, pivot};
+  if (motion.axis.isZero(0)) return std::nullopt;
+  return recorded::Rotate{source_.node_name(), motion.axis, motion.degrees, pivot};
+}
+
+Verdict MeshTool::finish_handle() {
+  const bool dragged = dragging_;
+  const ManipulatorMotion motion = drag_->motion();
+  // The drag turns and scales about where it began.
+  const Vec3 pivot = drag_->moved().pivot - motion.by;
+  end_gesture();
+  if (!dragged) return Verdict::Continue;
+  log_.done = recorded_motion(motion, pivot);
+  session_.end_drag();
+  return log_.done ? Verdict::Commit : Verdict::Revert;
+}
+
+Verdict MeshTool::finish_sharpness() {
+  const double change = preview_.sharpness_change.value_or(0);
+  end_gesture();
+  log_.done = recorded::Tag{source_.node_name(), "selected", 0, std::nullopt, change};
+  session_.end_drag();
+  return Verdict::Commit;
+}
+
+Verdict MeshTool::finish_box() {
+  const PickBox box = PickBox::spanned(start_.pixel, last_);
+  const Modifiers modifiers = start_.modifiers;
+  const ViewFrame frame = start_.frame;
+  end_gesture();
+  PreparedMesh* now = source_.prepared();
+  if (now == nullptr) return Verdict::Revert;
+  return selector_.pick(selector_.kind(), now->picker.in_box(frame, box, selector_.kind(), options_.pick.through),
+                        how_of(modifiers));
+}
+
+Verdict MeshTool::cut_hovered(const MeshEvent& event) {
+  end_gesture();
+  PreparedMesh* now = source_.prepared();
+  if (now == nullptr) return Verdict::Revert;
+  const auto under = now->picker.at(start_.frame, event.pixel, ComponentKind::Edge, options_.pick);
+  if (!under) return Verdict::Revert;
+  loop_cut_armed_ = false;
+  return editor_.cut_loop(under->element, under->parameter);
+}
+
+// ---- Clicks
+
+Verdict MeshTool::click() {
+  const MeshEvent at = start_;
+  end_gesture();
+  const bool again = last_click_ && at.time - last_click_->time <= options_.double_click_seconds &&
+                     (at.pixel - last_click_->pixel).norm() <= options_.drag_pixels;
+  last_click_ = again ? std::nullopt : std::optional(at);
+  PreparedMesh* now = source_.prepared();
+  if (now == nullptr) return Verdict::Revert;
+  const auto under = now->picker.at(at.frame, at.pixel, selector_.kind(), options_.pick);
+  const PickHow how = how_of(at.modifiers);
+  if (!under) return how == PickHow::Replace ? selector_.select_none() : Verdict::Continue;
+  forget_other_anchors();
+  if (again) return click_again(under->element);
+  anchor_before_ = std::exchange(anchor_, under->element);
+  return selector_.pick(selector_.kind(), {under->element}, how);
+}
+
+/// Those of another connectivity.
+void MeshTool::forget_other_anchors() {
+  if (std::exchange(anchors_connectivity_, source_.connectivity()) == source_.connectivity()) return;
+  anchor_ = anchor_before_ = no_index;
+}
+
+Verdict MeshTool::click_again(Index element) {
+  const ComponentKind kind = selector_.kind();
+  const PickHow whole = kind == ComponentKind::Edge ? PickHow::Loop : PickHow::Connected;
+  if (start_.modifiers.ctrl && !start_.modifiers.shift)
+    return selector_.pick(kind, selector_.expanded(kind, element, whole), PickHow::Remove);
+  const bool goes_on =
+      start_.modifiers.shift && anchor_before_ < element_count(*source_.topology(), kind) && anchor_before_ != element;
+  if (goes_on && !selector_.path(kind, anchor_before_, element).empty())
+    return selector_.pick(kind, {anchor_before_, element}, PickHow::Path);
+  return selector_.pick(kind, {element}, whole);
+}
+
+}  // namespace croquis

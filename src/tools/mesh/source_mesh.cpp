@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/tools/mesh/source_mesh.h"
+
+#include <chrono>
+#include <utility>
+
+#include "croquis/mesh_editing/tag_edit.h"
+
+namespace croquis {
+namespace {
+
+constexpr std::size_t most_faces_at_once = 50'000;  // their neighbourhoods take about 10 ms
+
+bool same_connectivity(const PolyMesh& a, const PolyMesh& b) {
+  return a.vertex_count() == b.vertex_count() && a.face_offsets == b.face_offsets && a.corners == b.corners;
+}
+
+}  // namespace
+
+void SourceMesh::set_node(NodeId node) {
+  if (node == node_) return;
+  node_ = node;
+  coming_ = {};
+  prepared_.reset();
+  ++connectivity_;
+  prepared_if_ready();
+}
+
+std::string SourceMesh::node_name() const {
+  const Node* node = session_.document().find(node_);
+  return node == nullptr ? "" : node->name;
+}
+
+std::shared_ptr<const PolyMesh> SourceMesh::mesh() const { return source_mesh(session_.document(), node_); }
+
+PreparedMesh* SourceMesh::prepared() {
+  auto now = mesh();
+  if (coming_.valid()) prepared_ = coming_.get();
+  if (!now) {
+    prepared_.reset();
+  } else if (prepared_ && prepared_->mesh == now) {
+    // As it was.
+  } else if (prepared_ && same_connectivity(*prepared_->mesh, *now)) {
+    prepared_->mesh = now;
+    prepared_->picker.move_to(std::move(now));
+  } else {
+    prepared_ = std::make_unique<PreparedMesh>(std::move(now));
+    ++connectivity_;
+  }
+  return prepared_.get();
+}
+
+PreparedMesh* SourceMesh::prepared_if_ready() {
+  const auto now = mesh();
+  const auto fits = [&] { return prepared_->mesh == now || same_connectivity(*prepared_->mesh, *now); };
+  const bool small = !now || now->face_count() < most_faces_at_once;
+  if (small || (prepared_ && fits())) return prepared();
+  if (!coming_.valid()) {
+    prepared_.reset();
+    ++connectivity_;
+    coming_ = std::async(std::launch::async, [now] {
+      auto made = std::make_unique<PreparedMesh>(now);
+      made->picker.prepare();
+      return made;
+    });
+  }
+  if (coming_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return nullptr;
+  prepared_ = coming_.get();
+  // The mesh may have changed meanwhile.
+  return fits() ? prepared() : nullptr;
+}
+
+std::shared_ptr<const MeshTopology> SourceMesh::topology() {
+  const PreparedMesh* now = prepared();
+  return now == nullptr ? nullptr : now->topology;
+}
+
+const std::vector<double>& SourceMesh::edge_sharpness() {
+  static const std::vector<double> none;
+  const PreparedMesh* now = prepared();
+  if (now == nullptr) return none;
+  if (sharpness_of_ != now->mesh->tags || sharpness_connectivity_ != connectivity_) {
+    sharpness_ = croquis::edge_sharpness(now->mesh->tags, *now->topology);
+    sharpness_of_ = now->mesh->tags;
+    sharpness_connectivity_ = connectivity_;
+  }
+  return sharpness_;
+}
+
+Document SourceMesh::with_mesh(PolyMesh mesh) const {
+  Node node = *session_.document().find(node_);
+  node.source = std::make_shared<const PolyMesh>(std::move(mesh));
+  return session_.document().with(std::move(node));
+}
+
+}  // namespace croquis

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/pointer/segment_distance.h"
+
+#include <algorithm>
+
+#include <Eigen/Geometry>
+
+#include "croquis/geometry/polyline.h"
+#include "croquis/geometry/predicates.h"
+
+namespace croquis {
+namespace {
+
+double distance_to_segment(const Vec2& point, const Vec2& a, const Vec2& b) {
+  return (a + nearest_parameter(point, a, b) * (b - a) - point).norm();
+}
+
+}  // namespace
+
+bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  return orientation(a, b, c) * orientation(a, b, d) < 0 && orientation(c, d, a) * orientation(c, d, b) < 0;
+}
+
+double segment_distance(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  if (segments_cross(a, b, c, d)) return 0;
+  return std::min({distance_to_segment(a, c, d), distance_to_segment(b, c, d), distance_to_segment(c, a, b),
+                   distance_to_segment(d, a, b)});
+}
+
+std::size_t segment_count(const Stroke& stroke) {
+  const std::size_t count = stroke.samples.size();
+  return count < 2 || stroke.closed ? count : count - 1;
+}
+
+const Vec2& segment_begin(const Stroke& stroke, std::size_t segment) { return stroke.samples[segment].position; }
+
+const Vec2& segment_end(const Stroke& stroke, std::size_t segment) {
+  return stroke.samples[segment + 1 == stroke.samples.size() ? 0 : segment + 1].position;
+}
+
+bool touches_path(const Stroke& stroke, const std::vector<Vec2>& path, double radius) {
+  Eigen::AlignedBox2d around;
+  for (const StrokeSample& sample : stroke.samples) around.extend(sample.position);
+  for (std::size_t k = 0; k < path.size(); ++k) {
+    const Vec2& from = path[k == 0 ? 0 : k - 1];
+    Eigen::AlignedBox2d step(from);
+    step.extend(path[k]);
+    if (around.isEmpty() || step.exteriorDistance(around) > radius) continue;
+    for (std::size_t i = 0; i < segment_count(stroke); ++i) {
+      if (segment_distance(from, path[k], segment_begin(stroke, i), segment_end(stroke, i)) <= radius) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace croquis

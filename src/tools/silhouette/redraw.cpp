@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/silhouette/redraw.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "croquis/geometry/polyline.h"
+#include "tools/pointer/segment_distance.h"
+
+namespace croquis {
+namespace {
+
+/// How far along itself, in reaches, an end of the new stroke must follow the old one. More than 1: a line that comes
+/// from the side has left the reach by then.
+constexpr double run_in_reaches = 2;
+
+/// Along the old stroke an end's run may be this much shorter or longer than itself.
+constexpr double stretch = 2;
+
+/// A replaced part may be this much longer than the stroke that replaces it.
+constexpr double longest_shortcut = 4;
+
+struct Foot {
+  std::size_t segment = 0;
+  Vec2 place = Vec2::Zero();
+  double along = 0;  ///< arc length on the old stroke
+  double time = 0;
+  double distance = std::numeric_limits<double>::max();
+};
+
+class OldStroke {
+ public:
+  explicit OldStroke(const Stroke& stroke) : stroke_(stroke) {
+    std::vector<Vec2> places;
+    for (const StrokeSample& sample : stroke.samples) places.push_back(sample.position);
+    lengths_ = arc_lengths(places, stroke.closed);
+  }
+
+  double total() const { return lengths_.back(); }
+
+  Foot foot(const Vec2& point) const {
+    Foot best;
+    for (std::size_t i = 0; i < segment_count(stroke_); ++i) {
+      const Vec2& begin = segment_begin(stroke_, i);
+      const Vec2& end = segment_end(stroke_, i);
+      const double t = nearest_parameter(point, begin, end);
+      const Vec2 place = begin + t * (end - begin);
+      const double distance = (place - point).norm();
+      if (distance < best.distance) best = {i, place, lengths_[i] + t * (end - begin).norm(), time_at(i, t), distance};
+    }
+    return best;
+  }
+
+  /// Signed distance along the stroke from one foot to another, the shorter one round a closed stroke.
+  double way(const Foot& from, const Foot& to) const {
+    const double length = to.along - from.along;
+    return stroke_.closed ? length - std::round(length / total()) * total() : length;
+  }
+
+  /// The distance forward: of open strokes negative when `to` lies behind.
+  double way_forward(const Foot& from, const Foot& to) const {
+    const double length = to.along - from.along;
+    return stroke_.closed && length < 0 ? length + total() : length;
+  }
+
+ private:
+  double time_at(std::size_t segment, double t) const {
+    const double begin = stroke_.samples[segment].time;
+    if (segment + 1 == stroke_.samples.size()) return begin;
+    return begin + t * (stroke_.samples[segment + 1].time - begin);
+  }
+
+  const Stroke& stroke_;
+  std::vector<double> lengths_;
+};
+
+std::vector<Vec2> places_of(const std::vector<StrokeSample>& samples) {
+  std::vector<Vec2> places;
+  for (const StrokeSample& sample : samples) places.push_back(sample.position);
+  return places;
+}
+
+Vec2 at_length(const std::vector<Vec2>& places, double length) {
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const double step = (places[i] - places[i - 1]).norm();
+    if (length <= step && step > 0) return places[i - 1] + length / step * (places[i] - places[i - 1]);
+    length -= step;
+  }
+  return places.back();
+}
+
+/// In which direction the beginning of a line runs along the old stroke: +1, -1, or 0 when it doesn't.
+int sense_at_begin(const OldStroke& old, const std::vector<Vec2>& line, double run, const RedrawLimits& limits) {
+  const double smallest_cosine = std::cos(limits.degrees * std::numbers::pi / 180);
+  std::array<Foot, 3> feet;
+  std::array<Vec2, 3> places;
+  for (std::size_t k = 0; k < 3; ++k) {
+    places[k] = at_length(line, run * static_cast<double>(k) / 2);
+    feet[k] = old.foot(places[k]);
+    if (feet[k].distance > limits.distance) return 0;
+  }
+  int sense = 0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Vec2 step = places[k + 1] - places[k];
+    const Vec2 on_old = feet[k + 1].place - feet[k].place;
+    const double way = old.way(feet[k], feet[k + 1]);
+    if (std::abs(way) * stretch < run / 2 || std::abs(way) > stretch * run / 2) return 0;
+    if (step.dot(on_old) < smallest_cosine * step.norm() * on_old.norm()) return 0;
+    const int sign = way > 0 ? 1 : -1;
+    if (sense != 0 && sign != sense) return 0;
+    sense = sign;
+  }
+  return sense;
+}
+
+/// Moves the samples near the first one so that it lies on `place`; the movement fades out over `run`.
+template <typename Iterator>
+void attach(Iterator first, Iterator last, const Vec2& place, double run) {
+  const Vec2 shift = place - first->position;
+  Vec2 before = first->position;
+  double length = 0;
+  for (Iterator sample = first; sample != last; ++sample) {
+    const Vec2 drawn = sample->position;
+    length += (drawn - before).norm();
+    before = drawn;
+    const double t = length / run;
+    if (t >= 1) return;
+    sample->position += (1 - t * t * (3 - 2 * t)) * shift;
+  }
+}
+
+/// The new samples in the old stroke's sense, their times counted from 0.
+std::vector<StrokeSample> in_sense(const Stroke& drawn, bool forward) {
+  std::vector<StrokeSample> samples = drawn.samples;
+  if (!forward) std::reverse(samples.begin(), samples.end());
+  const double start = samples.front().time;
+  for (StrokeSample& sample : samples) sample.time = std::abs(sample.time - start);
+  return samples;
+}
+
+void fit_times(std::vector<StrokeSample>& samples, double begin, double seconds) {
+  const double drawn = samples.back().time;
+  for (StrokeSample& sample : samples) sample.time = begin + (drawn > 0 ? sample.time / drawn : 0) * seconds;
+}
+
+std::vector<StrokeSample> spliced(const Stroke& old, std::vector<StrokeSample> samples, const Foot& from,
+                                  const Foot& to) {
+  const auto at = [&](std::size_t i) { return old.samples.begin() + static_cast<std::ptrdiff_t>(i); };
+  std::vector<StrokeSample> result;
+  if (from.along <= to.along) {
+    fit_times(samples, from.time, std::max(0.0, to.time - from.time));
+    result.assign(at(0), at(from.segment + 1));
+    result.insert(result.end(), samples.begin(), samples.end());
+    result.insert(result.end(), at(std::min(to.segment + 1, old.samples.size())), old.samples.end());
+  } else {  // past the first sample of a closed stroke: it now begins where the new part ends
+    fit_times(samples, from.time, samples.back().time);
+    result.assign(at(to.segment + 1), at(from.segment + 1));
+    result.insert(result.end(), samples.begin(), samples.end());
+  }
+  return result;
+}
+
+}  // namespace
+
+std::optional<Redrawn> redraw(const Stroke& old, const Stroke& drawn, const RedrawLimits& limits) {
+  if (old.samples.size() < 2 || drawn.samples.size() < 2) return std::nullopt;
+  const std::vector<Vec2> line = places_of(drawn.samples);
+  const std::vector<Vec2> reversed(line.rbegin(), line.rend());
+  const double drawn_length = length(line, false);
+  const double run = run_in_reaches * limits.distance;
+  const OldStroke before(old);
+  if (drawn_length < 2 * run || before.total() < run) return std::nullopt;
+
+  const int sense = sense_at_begin(before, line, run, limits);
+  if (sense == 0 || sense_at_begin(before, reversed, run, limits) != -sense) return std::nullopt;
+  std::vector<StrokeSample> samples = in_sense(drawn, sense > 0);
+  const Foot from = before.foot(samples.front().position);
+  const Foot to = before.foot(samples.back().position);
+  const double replaced = before.way_forward(from, to);
+  if (replaced <= 0 || replaced > longest_shortcut * drawn_length) return std::nullopt;
+
+  attach(samples.begin(), samples.end(), from.place, run);
+  attach(samples.rbegin(), samples.rend(), to.place, run);
+  return Redrawn{spliced(old, std::move(samples), from, to), from.distance + to.distance};
+}
+
+}  // namespace croquis

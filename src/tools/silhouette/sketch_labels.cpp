@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/silhouette/sketch_labels.h"
+
+namespace croquis {
+namespace {
+
+std::string named(const std::string& id) { return id.starts_with("stroke ") ? id : "stroke " + id; }
+
+}  // namespace
+
+std::string strokes_label(const std::string& verb, const std::vector<std::string>& ids) {
+  return verb + ' ' + (ids.size() == 1 ? named(ids.front()) : std::to_string(ids.size()) + " strokes");
+}
+
+std::string point_label(const std::string& id) { return "Drag a point of " + named(id); }
+
+}  // namespace croquis

@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/tools/silhouette/sketch_tool.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "croquis/base/error.h"
+#include "croquis/tools/recording/general_steps.h"
+#include "croquis/tools/silhouette/sketch_steps.h"
+#include "tools/silhouette/sketch_labels.h"
+#include "tools/silhouette/stroke_ids.h"
+
+namespace croquis {
+namespace {
+
+std::shared_ptr<const Drawing> drawing_of(const Node* node) {
+  return node == nullptr || !node->source ? nullptr : node->source->as<Drawing>();
+}
+
+std::vector<std::string> modifier_names(const Modifiers& modifiers) {
+  std::vector<std::string> names;
+  if (modifiers.shift) names.emplace_back("shift");
+  if (modifiers.ctrl) names.emplace_back("ctrl");
+  return names;
+}
+
+std::string device_name(const SketchEvent& event) {
+  if (event.erases) return "eraser";
+  return is_pen(event.device) ? "pen" : "mouse";
+}
+
+bool same_samples(const std::vector<StrokeSample>& a, const std::vector<StrokeSample>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const auto& x, const auto& y) { return x.position == y.position; });
+}
+
+double extent(const std::vector<StrokeSample>& samples) {
+  double largest = 0;
+  for (const StrokeSample& sample : samples)
+    largest = std::max(largest, (sample.position - samples.front().position).norm());
+  return largest;
+}
+
+}  // namespace
+
+SketchTool::SketchTool(Session& session, SketchToolOptions options) : session_(session), options_(std::move(options)) {}
+
+void SketchTool::set_mode(SketchMode mode) {
+  give_up();
+  mode_ = mode;
+}
+
+Verdict SketchTool::handle(const SketchEvent& event) {
+  const bool finite = event.sample.position.allFinite() && event.units_per_pixel > 0;
+  if (event.kind == PenStep::Kind::Cancel) return give_up();
+  if (event.kind == PenStep::Kind::Begin) return finite ? begin(event) : give_up();
+  if (gesture_ == Gesture::None) return Verdict::Continue;
+  if (interrupted()) {
+    end_gesture();
+    return Verdict::Revert;
+  }
+  if (event.kind == PenStep::Kind::End) return finish(event);
+  return finite ? go_on(event) : Verdict::Continue;
+}
+
+Verdict SketchTool::begin(const SketchEvent& event) {
+  give_up();
+  start_ = event;
+  last_ = event.sample.position;
+  if (event.erases || mode_ == SketchMode::Erase) {
+    gesture_ = Gesture::Erase;
+    go_on(event);
+  } else if (mode_ == SketchMode::Draw) {
+    gesture_ = Gesture::Draw;
+    preview_.ink = {event.sample};
+  } else {
+    press(event);
+  }
+  return Verdict::Continue;
+}
+
+Verdict SketchTool::go_on(const SketchEvent& event) {
+  const Vec2 place = event.sample.position;
+  if (gesture_ == Gesture::Draw) preview_.ink.push_back(event.sample);
+  if (gesture_ == Gesture::Erase) {
+    // Only the newest step of the path is tried: the rest was when it came.
+    const double radius = options_.eraser_pixels * start_.units_per_pixel;
+    const auto now = drawing();
+    if (now) {
+      for (std::string& id : strokes_touched(*now, {last_, place}, radius))
+        if (!contains(preview_.erased, id)) preview_.erased.push_back(std::move(id));
+    }
+    preview_.eraser.push_back(place);
+  }
+  last_ = place;
+  const double moved = (place - start_.sample.position).norm();
+  if (gesture_ == Gesture::Press && moved > options_.drag_pixels * start_.units_per_pixel) start_drag();
+  if (gesture_ == Gesture::Anchor || gesture_ == Gesture::Strokes) drag_to(place);
+  if (gesture_ == Gesture::Box) preview_.box = PickBox::spanned(start_.sample.position, place);
+  return Verdict::Continue;
+}
+
+Verdict SketchTool::finish(const SketchEvent&) {
+  switch (gesture_) {
+    case Gesture::Draw: return finish_drawing();
+    case Gesture::Erase: return finish_erasing();
+    case Gesture::Press: return finish_click();
+    case Gesture::Box: return finish_box();
+    case Gesture::Anchor:
+    case Gesture::Strokes: return finish_drag();
+    case Gesture::None: break;
+  }
+  return Verdict::Continue;
+}
+
+Verdict SketchTool::give_up() {
+  if (gesture_ == Gesture::None) return Verdict::Continue;
+  const bool dragging = (gesture_ == Gesture::Anchor || gesture_ == Gesture::Strokes) && !interrupted();
+  end_gesture();
+  if (dragging) session_.cancel_drag();
+  return Verdict::Revert;
+}
+
+void SketchTool::end_gesture() {
+  gesture_ = Gesture::None;
+  preview_ = {};
+  original_.reset();
+}
+
+// ---- Drawing and erasing
+
+Verdict SketchTool::finish_drawing() {
+  const std::vector<StrokeSample> ink = std::move(preview_.ink);
+  end_gesture();
+  // A tap is no stroke: it would only be reported as too short.
+  if (extent(ink) <= options_.drag_pixels * start_.units_per_pixel) return Verdict::Revert;
+  const auto before = drawing();
+  DrawOptions options;
+  options.units_per_pixel = start_.units_per_pixel;
+  options.redraws = !start_.modifiers.ctrl;
+  DrawingEdit edit = draw_stroke(before ? *before : Drawing{}, ink, options);
+  const std::string label =
+      edit.added.empty() ? strokes_label("Redraw", edit.changed) : strokes_label("Draw", edit.added);
+  recorded::StrokeDrawn drawn{"sketch", ink, device_name(start_), start_.units_per_pixel};
+  for (StrokeSample& sample : drawn.points) sample.time -= ink.front().time;
+  done_ = std::move(drawn);
+  session_.edit(label, with_drawing(std::move(edit.drawing)));
+  return Verdict::Commit;
+}
+
+Verdict SketchTool::finish_erasing() {
+  const std::vector<std::string> ids = preview_.erased;
+  recorded::StrokeDrawn drawn{"sketch", {}, device_name(start_), start_.units_per_pixel};
+  for (const Vec2& place : preview_.eraser) drawn.points.push_back({place, 1, Vec2::Zero(), 0});
+  end_gesture();
+  const auto before = drawing();
+  if (!before || ids.empty()) return Verdict::Revert;
+  DrawingEdit edit = remove_strokes(*before, ids);
+  if (!edit.any()) return Verdict::Revert;
+  done_ = std::move(drawn);
+  session_.edit(strokes_label("Erase", edit.removed), with_drawing(std::move(edit.drawing)));
+  return Verdict::Commit;
+}
+
+Verdict SketchTool::delete_selected() {
+  give_up();
+  const auto before = drawing();
+  if (!before) return Verdict::Continue;
+  DrawingEdit edit = remove_strokes(*before, selected());
+  if (!edit.any()) return Verdict::Continue;
+  done_ = recorded::Action{"delete"};
+  session_.edit(strokes_label("Delete", edit.removed), with_drawing(std::move(edit.drawing)));
+  return Verdict::Commit;
+}
+
+// ---- Selecting and dragging
+
+void SketchTool::press(const SketchEvent& event) {
+  gesture_ = Gesture::Press;
+  picked_.clear();
+  anchor_.reset();
+  original_ = drawing();
+  if (!original_) return;
+  PickReach reach = options_.reach;
+  reach.units_per_pixel = event.units_per_pixel;
+  for (const std::string& id : selected()) {
+    const StrokeFit* selected_fit = fit(id);
+    if (selected_fit == nullptr) continue;
+    anchor_ = nearest_anchor(selected_fit->anchors, event.sample.position, reach);
+    if (!anchor_) continue;
+    picked_ = id;
+    held_fit_ = *selected_fit;
+    return;
+  }
+  if (const auto picked = nearest_stroke(*original_, event.sample.position, reach)) picked_ = picked->id;
+}
+
+void SketchTool::start_drag() {
+  if (picked_.empty()) {
+    gesture_ = Gesture::Box;
+    return;
+  }
+  if (!anchor_ && !contains(selected(), picked_)) {
+    std::vector<std::string> ids = start_.modifiers.shift ? selected() : std::vector<std::string>{};
+    ids.push_back(picked_);
+    select_strokes(ids);
+  }
+  gesture_ = anchor_ ? Gesture::Anchor : Gesture::Strokes;
+  preview_.held_stroke = picked_;
+  preview_.held_anchor = anchor_;
+  session_.begin_drag(anchor_ ? point_label(picked_) : strokes_label("Move", selected()));
+  drag_revision_ = session_.revision();
+}
+
+void SketchTool::drag_to(const Vec2& place) {
+  const Vec2 by = place - start_.sample.position;
+  DrawingEdit edit =
+      anchor_ ? drag_anchor(*original_, picked_, held_fit_, *anchor_, by) : move_strokes(*original_, selected(), by);
+  drag_revision_ = session_.revision() + 1;  // what listeners see while they are notified
+  session_.drag(with_drawing(std::move(edit.drawing)));
+  drag_revision_ = session_.revision();
+}
+
+/// Something else changed the session while a drag was under way, which ended it.
+bool SketchTool::interrupted() const {
+  return (gesture_ == Gesture::Anchor || gesture_ == Gesture::Strokes) && session_.revision() != drag_revision_;
+}
+
+Verdict SketchTool::finish_drag() {
+  done_ = recorded::Drag{picked_, anchor_, last_ - start_.sample.position};
+  end_gesture();
+  session_.end_drag();
+  return Verdict::Commit;
+}
+
+Verdict SketchTool::finish_click() {
+  const std::string id = picked_;
+  end_gesture();
+  const bool shift = start_.modifiers.shift;
+  std::vector<std::string> ids = shift ? selected() : std::vector<std::string>{};
+  if (shift && contains(ids, id)) {
+    std::erase(ids, id);
+  } else if (!id.empty()) {
+    ids.push_back(id);
+  }
+  done_ = recorded::Click{"sketch", start_.sample.position, modifier_names(start_.modifiers)};
+  select_strokes(ids);
+  return Verdict::Commit;
+}
+
+Verdict SketchTool::finish_box() {
+  const PickBox box = PickBox::spanned(start_.sample.position, last_);
+  end_gesture();
+  const auto now = drawing();
+  std::vector<std::string> ids = start_.modifiers.shift ? selected() : std::vector<std::string>{};
+  if (now) {
+    for (std::string& id : strokes_in_box(*now, box)) ids.push_back(std::move(id));
+  }
+  done_ = recorded::Box{"sketch", start_.sample.position, last_, modifier_names(start_.modifiers)};
+  select_strokes(ids);
+  return Verdict::Commit;
+}
+
+void SketchTool::select_all() {
+  const auto now = drawing();
+  std::vector<std::string> ids;
+  if (now) {
+    for (const Stroke& stroke : now->strokes) ids.push_back(stroke.id);
+  }
+  select_strokes(ids);
+}
+
+Verdict SketchTool::drag(const std::string& stroke, std::optional<std::size_t> anchor, const Vec2& by) {
+  give_up();
+  const auto before = drawing();
+  const StrokeFit* stroke_fit = fit(stroke);
+  if (!before || stroke_fit == nullptr) {
+    throw Error(make_error(Category::Usage, "E_INPUT",
+                           "The drawing has no stroke \"" + stroke + "\"; choose one of those it has.",
+                           {{SubjectKind::Stroke, stroke, {}, {}, {}}}));
+  }
+  std::vector<std::string> ids = selected();
+  if (!contains(ids, stroke)) ids = {stroke};
+  DrawingEdit edit = anchor ? drag_anchor(*before, stroke, *stroke_fit, *anchor, by) : move_strokes(*before, ids, by);
+  done_ = recorded::Drag{stroke, anchor, by};
+  session_.edit(anchor ? point_label(stroke) : strokes_label("Move", ids), with_drawing(std::move(edit.drawing)));
+  return Verdict::Commit;
+}
+
+// ---- The document
+
+NodeId SketchTool::node() const {
+  if (drawing_of(session_.document().find(node_)) != nullptr) return node_;
+  for (const auto& node : session_.document().nodes()) {
+    if (drawing_of(node.get()) != nullptr) return node->id;
+  }
+  return 0;
+}
+
+std::shared_ptr<const Drawing> SketchTool::drawing() const { return drawing_of(session_.document().find(node())); }
+
+Document SketchTool::with_drawing(Drawing drawing) const {
+  const Document& document = session_.document();
+  const Value value = std::make_shared<const Drawing>(std::move(drawing));
+  if (const Node* old = document.find(node())) {
+    Node edited = *old;
+    edited.source = value;
+    return document.with(std::move(edited));
+  }
+  return add_drawing(document, value, options_);
+}
+
+Document add_drawing(const Document& document, Value drawing, const SketchToolOptions& options) {
+  Node source;
+  source.id = document.next_id();
+  source.name = "drawing";
+  source.source = std::move(drawing);
+  Node operation;
+  operation.name = options.operation;
+  operation.operation = options.operation;
+  operation.version = options.version;
+  operation.parameters = options.parameters;
+  operation.inputs[options.port] = {source.id, "value"};
+  return document.with(std::move(source)).with(std::move(operation));
+}
+
+std::vector<std::string> SketchTool::selected() const {
+  std::vector<std::string> ids;
+  const auto now = drawing();
+  if (!now) return ids;
+  const Selection& selection = session_.selection();
+  const NodeId own = node();
+  for (const Stroke& stroke : now->strokes) {
+    const SelectedItem item{own, stroke.id};
+    if (std::binary_search(selection.begin(), selection.end(), item)) ids.push_back(stroke.id);
+  }
+  return ids;
+}
+
+void SketchTool::select_strokes(const std::vector<std::string>& ids) {
+  Selection selection;
+  const NodeId own = node();
+  for (const std::string& id : ids) selection.push_back({own, id});
+  session_.select(std::move(selection));
+}
+
+const StrokeFit* SketchTool::fit(const std::string& id) {
+  const auto now = drawing();
+  const Stroke* stroke = now ? find_stroke(*now, id) : nullptr;
+  if (stroke == nullptr || stroke->samples.empty()) return nullptr;
+  KeptFit& kept = fits_[id];
+  if (gesture_ == Gesture::Anchor && id == picked_ && !interrupted()) {
+    kept = {{}, held_fit_};
+    kept.fit.anchors[*anchor_].position += last_ - start_.sample.position;
+  } else if (!same_samples(kept.samples, stroke->samples)) {
+    kept = {stroke->samples, fit_in_drawing(*now, *stroke)};
+  }
+  return &kept.fit;
+}
+
+}  // namespace croquis

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/tools/silhouette/stroke_pick.h"
+
+#include <algorithm>
+
+#include "croquis/geometry/polyline.h"
+#include "tools/pointer/segment_distance.h"
+
+namespace croquis {
+namespace {
+
+/// Whether a segment and an upright box have a place in common: the parameters at which the segment is between both
+/// pairs of sides overlap.
+bool meets_box(const Vec2& a, const Vec2& b, const PickBox& box) {
+  double enter = 0;
+  double leave = 1;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double step = b[axis] - a[axis];
+    if (step == 0) {
+      if (a[axis] < box.low[axis] || a[axis] > box.high[axis]) return false;
+      continue;
+    }
+    const double at_low = (box.low[axis] - a[axis]) / step;
+    const double at_high = (box.high[axis] - a[axis]) / step;
+    enter = std::max(enter, std::min(at_low, at_high));
+    leave = std::min(leave, std::max(at_low, at_high));
+  }
+  return enter <= leave;
+}
+
+bool meets_box(const Stroke& stroke, const PickBox& box) {
+  for (std::size_t i = 0; i < segment_count(stroke); ++i) {
+    if (meets_box(segment_begin(stroke, i), segment_end(stroke, i), box)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<PickedStroke> nearest_stroke(const Drawing& drawing, const Vec2& place, const PickReach& reach) {
+  std::optional<PickedStroke> best;
+  double limit = reach.units();
+  for (const Stroke& stroke : drawing.strokes) {
+    for (std::size_t i = 0; i < segment_count(stroke); ++i) {
+      const Vec2& begin = segment_begin(stroke, i);
+      const Vec2& end = segment_end(stroke, i);
+      const double t = nearest_parameter(place, begin, end);
+      const Vec2 foot = begin + t * (end - begin);
+      const double distance = (foot - place).norm();
+      const bool same = best && best->id == stroke.id;
+      if (same ? distance < limit : distance <= limit) {
+        best = {stroke.id, i, t, foot, distance};
+        limit = distance;
+      }
+    }
+  }
+  return best;
+}
+
+std::optional<std::size_t> nearest_anchor(std::span<const StrokeAnchor> anchors, const Vec2& place,
+                                          const PickReach& reach) {
+  std::optional<std::size_t> best;
+  double limit = reach.units();
+  for (std::size_t k = 0; k < anchors.size(); ++k) {
+    const double distance = (anchors[k].position - place).norm();
+    if (distance > limit || (best && distance == limit)) continue;
+    best = k;
+    limit = distance;
+  }
+  return best;
+}
+
+std::vector<std::string> strokes_in_box(const Drawing& drawing, const PickBox& box) {
+  std::vector<std::string> ids;
+  for (const Stroke& stroke : drawing.strokes) {
+    if (meets_box(stroke, box)) ids.push_back(stroke.id);
+  }
+  return ids;
+}
+
+}  // namespace croquis
