@@ -10,7 +10,7 @@
 #include "croquis/base/error.h"
 #include "croquis/document/content_hash.h"
 #include "croquis/edits/apply_edits.h"
-#include "operators/parameter_values.h"
+#include "operators/choice_parameter.h"
 
 namespace croquis {
 namespace {
@@ -83,8 +83,8 @@ OperationDescription EditOperation::describe() const {
 OperationResult EditOperation::compute(const Values& inputs, const ParameterValues& parameters,
                                        Context& context) const {
   const PolyMesh& mesh = *std::get<std::shared_ptr<const PolyMesh>>(inputs.at("mesh"));
-  check_connectivity(mesh, text(parameters, "connectivity"));
-  const std::vector<EditLine> lines = parse_edit_lines(text(parameters, "do"), all_edits());
+  check_connectivity(mesh, text_of(parameters, "connectivity"));
+  const std::vector<EditLine> lines = parse_edit_lines(text_of(parameters, "do"), all_edits());
   EditedMesh edited = apply_edits(mesh, lines, all_edits(), context.progress);
   OperationResult result;
   result.outputs["details"] = std::make_shared<const Report>(details_of(mesh, edited, lines));

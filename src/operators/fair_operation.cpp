@@ -10,7 +10,7 @@
 #include "croquis/document/memo.h"
 #include "croquis/io/mesh_tags_file.h"
 #include "croquis/subdivision/fairing.h"
-#include "operators/parameter_values.h"
+#include "operators/choice_parameter.h"
 #include "operators/subdivide_tags.h"
 
 namespace croquis {
@@ -32,11 +32,11 @@ std::size_t byte_size_of(const PolyMesh& mesh, const FairingOptions& options) {
 
 FairingOptions read_options(const ParameterValues& parameters) {
   FairingOptions options;
-  const bool paper = std::get<std::string>(parameters.at("preset")) == "paper";
+  const bool paper = text_of(parameters, "preset") == "paper";
   options.rules = Rules::of(paper ? Preset::Paper : Preset::Refined);
-  options.levels = static_cast<int>(std::get<std::int64_t>(parameters.at("levels")));
-  options.fair_chains = std::get<std::string>(parameters.at("chains")) == "fair";
-  options.keep_planes = std::get<std::string>(parameters.at("planes")) == "keep";
+  options.levels = static_cast<int>(integer_of(parameters, "levels"));
+  options.fair_chains = text_of(parameters, "chains") == "fair";
+  options.keep_planes = text_of(parameters, "planes") == "keep";
   return options;
 }
 
@@ -125,7 +125,7 @@ OperationResult FairOperation::compute(const Values& inputs, const ParameterValu
   Progress solving = context.progress.step("solve", 0.4);
   const std::lock_guard lock(*kept->mutex);
   Fairing& fairing = *kept->fairing;
-  const double weight = std::get<double>(parameters.at("weight")) * fairing.default_weight();
+  const double weight = number_of(parameters, "weight") * fairing.default_weight();
   FairCage fair = fairing.solve(weight, solving);
   result.warnings.insert(result.warnings.end(), fairing.warnings().begin(), fairing.warnings().end());
   result.outputs["details"] = std::make_shared<const Report>(details_of(fairing, fair, weight));

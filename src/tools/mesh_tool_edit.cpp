@@ -8,20 +8,6 @@
 #include "tools/mesh_tool_cache.h"
 
 namespace croquis {
-namespace {
-
-const char* plural_of(ComponentKind kind) {
-  if (kind == ComponentKind::Vertex) return "vertices";
-  return kind == ComponentKind::Edge ? "edges" : "faces";
-}
-
-const char* singular_of(ComponentKind kind) {
-  if (kind == ComponentKind::Vertex) return "vertex";
-  return kind == ComponentKind::Edge ? "edge" : "face";
-}
-
-}  // namespace
-
 std::string MeshTool::node_name() const {
   const Node* node = session_.document().find(node_);
   return node == nullptr ? "" : node->name;
@@ -30,7 +16,7 @@ std::string MeshTool::node_name() const {
 /// "Move 3 vertices", in Object mode "Move bolt".
 std::string MeshTool::counted(const std::string& verb, ComponentKind wanted, std::size_t count) const {
   if (mode_ == MeshMode::Object) return verb + ' ' + node_name();
-  return verb + ' ' + std::to_string(count) + ' ' + (count == 1 ? singular_of(wanted) : plural_of(wanted));
+  return verb + ' ' + std::to_string(count) + ' ' + (count == 1 ? singular(wanted) : plural(wanted));
 }
 
 Document MeshTool::with_mesh(PolyMesh mesh) const {

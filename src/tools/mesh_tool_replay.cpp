@@ -12,11 +12,6 @@ namespace {
   throw Error(make_error(Category::Usage, "E_INPUT", sentence));
 }
 
-ComponentKind kind_of(const std::string& name) {
-  if (name == "vertex") return ComponentKind::Vertex;
-  return name == "face" ? ComponentKind::Face : ComponentKind::Edge;
-}
-
 MeshTool::How how_of(const std::string& name) {
   using How = MeshTool::How;
   static const std::map<std::string, How> hows = {
@@ -32,11 +27,12 @@ MeshTool::How how_of(const std::string& name) {
 Verdict MeshTool::replay(const recorded::Pick& step) {
   const Cache* cache = fresh();
   if (cache == nullptr) refuse_step("\"" + step.node + "\" holds no mesh");
-  const std::size_t count = element_count(*cache->topology, kind_of(step.kind));
+  const ComponentKind picked = kind_of_singular(step.kind).value_or(ComponentKind::Edge);
+  const std::size_t count = element_count(*cache->topology, picked);
   for (const Index element : step.elements) {
     if (element >= count) refuse_step("The mesh has no " + step.kind + " " + std::to_string(element));
   }
-  return pick(kind_of(step.kind), step.elements, how_of(step.how));
+  return pick(picked, step.elements, how_of(step.how));
 }
 
 Verdict MeshTool::replay(const recorded::Move& step) { return move_selected(step.by); }

@@ -11,11 +11,6 @@ namespace {
 
 using How = MeshTool::How;
 
-const char* name_of(ComponentKind kind) {
-  if (kind == ComponentKind::Vertex) return "vertex";
-  return kind == ComponentKind::Edge ? "edge" : "face";
-}
-
 const char* name_of(How how) {
   switch (how) {
     case How::Replace: return "replace";
@@ -117,7 +112,7 @@ Verdict MeshTool::choose(ComponentKind wanted, Elements elements, std::optional<
   give_up();
   if (fresh() == nullptr) return Verdict::Continue;
   if (mode_ != mode_of(wanted)) set_mode(mode_of(wanted));
-  if (!step) step = recorded::Pick{node_name(), name_of(wanted), elements, "replace"};
+  if (!step) step = recorded::Pick{node_name(), singular(wanted), elements, "replace"};
   const std::uint64_t before = session_.revision();
   session_.select_components({node_, wanted, std::move(elements)});
   if (session_.revision() == before) return Verdict::Continue;
@@ -132,7 +127,7 @@ Verdict MeshTool::choose_if_any(ComponentKind wanted, Elements elements) {
 Verdict MeshTool::pick(ComponentKind wanted, Elements elements, How how) {
   if (fresh() == nullptr) return Verdict::Continue;
   if (mode_ != mode_of(wanted)) set_mode(mode_of(wanted));
-  recorded::Pick step{node_name(), name_of(wanted), elements, name_of(how)};
+  recorded::Pick step{node_name(), singular(wanted), elements, name_of(how)};
   Elements found;
   if (how == How::All) {
     found = all_elements(element_count(*cache_->topology, wanted));

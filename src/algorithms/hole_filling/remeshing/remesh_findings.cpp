@@ -9,9 +9,9 @@
 #include <string>
 #include <utility>
 
-#include "algorithms/hole_filling/counted.h"
 #include "algorithms/hole_filling/fill_findings.h"
 #include "croquis/base/error.h"
+#include "croquis/base/text.h"
 
 namespace croquis::hole_filling {
 namespace {

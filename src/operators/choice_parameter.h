@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "croquis/base/parameter.h"
@@ -13,14 +12,6 @@ namespace croquis {
 inline ParameterDescription choice(const std::string& name, const std::vector<std::string>& choices,
                                    const std::string& sentence) {
   return {name, ParameterType::Choice, choices.front(), 0, 0, choices, "", sentence};
-}
-
-/// Values of complete parameters, whose type is known from their description.
-inline const std::string& text(const ParameterValues& parameters, const std::string& name) {
-  return std::get<std::string>(parameters.at(name));
-}
-inline double number(const ParameterValues& parameters, const std::string& name) {
-  return std::get<double>(parameters.at(name));
 }
 
 }  // namespace croquis
