@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "croquis/base/stage_key.h"
 #include "croquis/document/content_hash.h"
 #include "croquis/document/memo.h"
 #include "croquis/io/mesh_tags_file.h"
@@ -44,13 +45,7 @@ ContentHash hash_of(const std::shared_ptr<const PolyMesh>& mesh, const FairingOp
   ContentHasher hasher;
   hasher.add("fair/1");
   hasher.add(content_hash(Value(mesh)));
-  hasher.add(static_cast<int>(options.rules.weights));
-  hasher.add(static_cast<int>(options.rules.profile));
-  hasher.add(static_cast<int>(options.rules.chain_ends));
-  hasher.add(static_cast<int>(options.rules.boundary_corners));
-  hasher.add(options.levels);
-  hasher.add(options.fair_chains);
-  hasher.add(options.keep_planes);
+  hasher.add(StageKey().add(options).bytes());
   return hasher.digest();
 }
 

@@ -14,6 +14,7 @@ namespace croquis {
 namespace {
 
 using namespace hole_filling;
+using namespace remeshing;
 
 /// What filling would begin with: nothing is made, and the mesh stays as it is.
 OperationResult list_holes(std::shared_ptr<const PolyMesh> scan, const FillOptions& options, Progress& progress) {

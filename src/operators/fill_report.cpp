@@ -13,6 +13,7 @@ namespace croquis {
 namespace {
 
 using namespace hole_filling;
+using namespace remeshing;
 
 constexpr double degrees = 180 / std::numbers::pi;
 

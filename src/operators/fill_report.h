@@ -5,7 +5,7 @@
 
 #include "croquis/base/report.h"
 #include "croquis/hole_filling/hole_choice.h"
-#include "croquis/hole_filling/remesh.h"
+#include "croquis/remeshing/remesh.h"
 
 namespace croquis {
 
@@ -13,7 +13,7 @@ namespace croquis {
 Report fill_details(const PolyMesh& scan, const hole_filling::FillResult& result);
 
 /// The same of a remeshed model, and what it was proven to be.
-Report remesh_details(const hole_filling::RemeshResult& result);
+Report remesh_details(const remeshing::RemeshResult& result);
 
 /// The same before anything is filled: "fill" for the holes that would be.
 Report list_details(const PolyMesh& scan, std::span<const hole_filling::Hole> holes,

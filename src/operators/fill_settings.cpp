@@ -21,8 +21,8 @@ using hole_filling::FillOptions;
 using hole_filling::HoleRequest;
 using hole_filling::Precision;
 using hole_filling::Preset;
-using hole_filling::RemeshOptions;
 using hole_filling::Selection;
+using remeshing::RemeshOptions;
 using implicit::Kernel;
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
@@ -120,7 +120,7 @@ RemeshOptions mode_options(const ParameterValues& parameters, bool remesh) {
   const auto is_changed = [&](const std::string& name) {
     return parameters.at(name) != find_parameter(descriptions, name)->default_value;
   };
-  RemeshOptions options = remesh ? remesh_preset(preset_of(text_of(parameters, "preset"))) : RemeshOptions();
+  RemeshOptions options = remesh ? remeshing::remesh_preset(preset_of(text_of(parameters, "preset"))) : RemeshOptions();
   if (is_changed("overlap")) options.overlap = number_of(parameters, "overlap");
   if (is_changed("points-per-domain")) read_point_range(text_of(parameters, "points-per-domain"), options);
   if (is_changed("smoothing")) options.smoothing = static_cast<int>(integer_of(parameters, "smoothing"));

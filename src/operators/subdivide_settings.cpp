@@ -62,7 +62,7 @@ std::vector<ParameterDescription> subdivide_parameters() {
                  "Boundary vertices with a single face stay, or are rounded with the boundary."),
           {"levels",
            ParameterType::Integer,
-           std::int64_t{defaults.levels},
+           std::int64_t{defaults.plan.levels},
            0,
            most_levels,
            {},
@@ -91,10 +91,10 @@ std::vector<ParameterDescription> subdivide_parameters() {
 SubdivideSettings read_subdivide_settings(const ParameterValues& parameters) {
   SubdivideSettings settings;
   const std::string& scheme = text_of(parameters, "scheme");
-  if (scheme == "catmull-clark") settings.scheme = SubdivisionScheme::CatmullClark;
-  if (scheme == "loop") settings.scheme = SubdivisionScheme::Loop;
-  settings.rules = read_rules(parameters);
-  settings.levels = static_cast<int>(integer_of(parameters, "levels"));
+  if (scheme == "catmull-clark") settings.plan.scheme = SubdivisionScheme::CatmullClark;
+  if (scheme == "loop") settings.plan.scheme = SubdivisionScheme::Loop;
+  settings.plan.rules = read_rules(parameters);
+  settings.plan.levels = static_cast<int>(integer_of(parameters, "levels"));
   settings.sharp_angle = number_of(parameters, "sharp-angle") * std::numbers::pi / 180;
   settings.keep_kinks = number_of(parameters, "keep-kinks") * std::numbers::pi / 180;
   settings.limit = flag_of(parameters, "limit");

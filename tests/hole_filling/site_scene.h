@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "algorithms/hole_filling/continuation/hole_site.h"
+#include "croquis/hole_filling/hole_site.h"
 #include "croquis/hole_filling/hole_analysis.h"
 
 namespace croquis::test {

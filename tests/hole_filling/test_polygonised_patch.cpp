@@ -12,7 +12,7 @@
 #include "algorithms/hole_filling/patching/open_sheet.h"
 #include "algorithms/hole_filling/patching/patcher.h"
 #include "algorithms/hole_filling/patching/rim_zip.h"
-#include "algorithms/hole_filling/patching/triangle_tree.h"
+#include "croquis/geometry/triangle_tree.h"
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/hole_filling/fill_holes.h"

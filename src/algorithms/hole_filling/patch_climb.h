@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/hole_filling/fill_jobs.h"
+#include "croquis/hole_filling/fill_jobs.h"
 #include "algorithms/hole_filling/scan_numbers.h"
 #include "croquis/hole_filling/hole_patch.h"
 

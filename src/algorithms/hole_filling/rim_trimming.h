@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "algorithms/hole_filling/fill_jobs.h"
+#include "croquis/hole_filling/fill_jobs.h"
 #include "croquis/geometry/mesh_part.h"
 
 namespace croquis::hole_filling {

@@ -10,7 +10,7 @@
 
 #include <Eigen/Geometry>
 
-#include "algorithms/hole_filling/continuation/hole_site.h"
+#include "croquis/hole_filling/hole_site.h"
 #include "croquis/base/progress.h"
 
 namespace croquis::hole_filling {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "algorithms/hole_filling/continuation/hole_site.h"
+#include "croquis/hole_filling/hole_site.h"
 #include "croquis/base/progress.h"
 #include "croquis/geometry/poly_mesh.h"
 

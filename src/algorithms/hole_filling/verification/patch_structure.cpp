@@ -9,7 +9,7 @@
 
 #include <Eigen/Geometry>
 
-#include "algorithms/hole_filling/verification/single_precision.h"
+#include "croquis/geometry/single_precision.h"
 #include "croquis/geometry/degenerate_faces.h"
 #include "croquis/geometry/mesh_topology.h"
 
