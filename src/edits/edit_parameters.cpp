@@ -17,9 +17,7 @@ ParameterDescription vector_parameter(const std::string& name, const std::string
   return {name, ParameterType::Text, value, 0, 0, {}, "", sentence};
 }
 
-bool is_given(const ParameterValues& parameters, const std::string& name) {
-  return !text_of(parameters, name).empty();
-}
+bool is_given(const ParameterValues& parameters, const std::string& name) { return !text_of(parameters, name).empty(); }
 
 Vec3 vector_of(const ParameterValues& parameters, const std::string& name, const Vec3& missing) {
   const std::string& text = text_of(parameters, name);

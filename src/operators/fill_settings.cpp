@@ -22,8 +22,8 @@ using hole_filling::HoleRequest;
 using hole_filling::Precision;
 using hole_filling::Preset;
 using hole_filling::Selection;
-using remeshing::RemeshOptions;
 using implicit::Kernel;
+using remeshing::RemeshOptions;
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 

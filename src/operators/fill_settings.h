@@ -18,9 +18,9 @@ inline constexpr std::array<std::string_view, 4> kernel_names = {"hermite", "tri
 /// The parameters of `fill`, parsed.
 struct FillSettings {
   remeshing::RemeshOptions options;  ///< of both modes: patches go by options.fill alone
-  bool remesh = false;                  ///< the whole model is remeshed
-  bool list_only = false;               ///< holes are looked at, none is filled
-  Findings warnings;                    ///< W_PARAMETER_UNUSED
+  bool remesh = false;               ///< the whole model is remeshed
+  bool list_only = false;            ///< holes are looked at, none is filled
+  Findings warnings;                 ///< W_PARAMETER_UNUSED
 };
 
 std::vector<ParameterDescription> fill_parameters();

@@ -6,9 +6,9 @@
 #include "croquis/silhouette/labelled_figure.h"
 #include "croquis/silhouette/solid.h"
 #include "operators/attach_parameter.h"
+#include "operators/choice_parameter.h"
 #include "operators/inflate_report.h"
 #include "operators/memo_stage_cache.h"
-#include "operators/choice_parameter.h"
 
 namespace croquis {
 namespace {

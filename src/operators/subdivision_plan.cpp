@@ -48,8 +48,8 @@ ContentHash plan_hash(const Cage& cage, const PlanSettings& settings) {
   return hasher.digest();
 }
 
-std::shared_ptr<const SubdivisionPlan> plan_of(const Cage& cage, const PlanSettings& settings,
-                                               const ContentHash& hash, Memo* memo, Progress& progress) {
+std::shared_ptr<const SubdivisionPlan> plan_of(const Cage& cage, const PlanSettings& settings, const ContentHash& hash,
+                                               Memo* memo, Progress& progress) {
   return memoized<SubdivisionPlan>(
       memo, hash, [&] { return make_plan(cage, settings, progress); },
       [](const SubdivisionPlan& plan) { return byte_size(plan); });

@@ -58,7 +58,8 @@ TEST_CASE("cancelling ends the work before its end, and progress rises to 1") {
 }
 
 TEST_CASE("an even grain gives every thread one part at most, and none fewer elements than are worth it") {
-  for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{99}, std::size_t{100}, std::size_t{1001}}) {
+  for (const std::size_t count :
+       {std::size_t{0}, std::size_t{1}, std::size_t{99}, std::size_t{100}, std::size_t{1001}}) {
     for (const int threads : {1, 2, 3, 8}) {
       const std::size_t grain = even_grain(count, threads, 100);
       std::vector<int> times(count, 0);

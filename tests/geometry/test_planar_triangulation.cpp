@@ -100,10 +100,10 @@ TEST_CASE("too few points and points on one line give no triangles and no confli
 }
 
 TEST_CASE("the triangles inside of loops cover what a ray crosses the loops an odd number of times from") {
-  const std::vector<Vec2> points = {{0, 0}, {6, 0}, {6, 6}, {3, 4}, {0, 6},   // a notched outline
-                                    {1, 1}, {1, 3}, {5, 3}, {5, 1},           // a hole in it, the other way round
-                                    {2, 1.5}, {4, 1.5}, {3, 2.5}, {8, 8}};    // an island in the hole; a point outside
-  const Constraints loops = {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 0},  {5, 6},
+  const std::vector<Vec2> points = {{0, 0},   {6, 0},   {6, 6},   {3, 4}, {0, 6},  // a notched outline
+                                    {1, 1},   {1, 3},   {5, 3},   {5, 1},          // a hole in it, the other way round
+                                    {2, 1.5}, {4, 1.5}, {3, 2.5}, {8, 8}};  // an island in the hole; a point outside
+  const Constraints loops = {{0, 1}, {1, 2}, {2, 3}, {3, 4},  {4, 0},   {5, 6},
                              {6, 7}, {7, 8}, {8, 5}, {9, 10}, {10, 11}, {11, 9}};
   const PlanarTriangulation plane = triangulate(points, loops).triangulation;
   const auto inside = triangles_inside(plane);

@@ -9,8 +9,8 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
-#include "remeshing/allocation_count.h"
 #include "hole_filling/fill_invariants.h"
+#include "remeshing/allocation_count.h"
 #include "remeshing/remeshed.h"
 #include "support/mesh_shapes.h"
 #include "support/sample_count.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
 
-#include "croquis/geometry/triangle_fans.h"
 #include "algorithms/remeshing/remesh_cuts.h"
 #include "algorithms/remeshing/remesh_improvement.h"
 #include "algorithms/remeshing/remesh_openings.h"
@@ -9,6 +8,7 @@
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/geometry/self_intersection.h"
+#include "croquis/geometry/triangle_fans.h"
 #include "support/mesh_shapes.h"
 #include "support/random.h"
 #include "support/scans.h"

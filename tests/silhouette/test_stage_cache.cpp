@@ -167,7 +167,8 @@ TEST_CASE("a draft shows the same objects with fewer vertices, and shares its la
   CHECK((wide[1] - fine[1]).norm() < tolerance);
 }
 
-TEST_CASE("every option of strokes and completion changes the key of the labels, every one of depths that of the solid") {
+TEST_CASE(
+    "every option of strokes and completion changes the key of the labels, every one of depths that of the solid") {
   const Drawing drawing = test::linked_rings_sketch().drawing;
   const auto label_key = [&](Options options) {
     return test::stage_key("silhouette labels", [&](StageCache* cache) {
@@ -186,7 +187,7 @@ TEST_CASE("every option of strokes and completion changes the key of the labels,
   };
   std::set<std::string> label_keys = {label_key({})}, solid_keys = {solid_key({})};
   std::size_t label_count = 1, solid_count = 1;
-  const auto with = [](auto Options::* part, const auto& changed) {
+  const auto with = [](auto Options::*part, const auto& changed) {
     Options options;
     options.*part = changed;
     return options;

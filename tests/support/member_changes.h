@@ -56,9 +56,9 @@ template <typename Options>
 std::vector<Options> changes_of(const Options& options) {
   constexpr std::size_t count = std::tuple_size_v<decltype(members(options))>;
   // The compiler sees to it that as many are listed as there are; none may be listed twice.
-  const auto places = std::apply(
-      [](const auto&... member) { return std::set<const void*>{static_cast<const void*>(&member)...}; },
-      members(options));
+  const auto places =
+      std::apply([](const auto&... member) { return std::set<const void*>{static_cast<const void*>(&member)...}; },
+                 members(options));
   CHECK(places.size() == count);
   return changes_of(options, std::make_index_sequence<count>());
 }

@@ -30,10 +30,12 @@ consteval std::size_t member_count() {
 }
 
 template <typename S>
-concept HasMemberList = requires(const S& s) { members(s); };
+concept HasMemberList = requires(const S& s) {
+  members(s);
+};
 
 template <typename S>
-inline constexpr bool lists_every_member =
-    std::tuple_size_v<decltype(members(std::declval<const S&>()))> == member_count<S>();
+inline constexpr bool lists_every_member = std::tuple_size_v<decltype(members(std::declval<const S&>()))> ==
+                                           member_count<S>();
 
 }  // namespace croquis

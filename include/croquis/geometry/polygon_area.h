@@ -9,8 +9,8 @@
 #include "croquis/geometry/poly_mesh.h"
 
 /// Normals of polygons, as long as their areas (Newell's sum, from the first corner for precision far from the origin).
-/// Of a polygon that is not flat: along the direction in which it covers most, as long as what it covers there. Zero for
-/// fewer than three corners.
+/// Of a polygon that is not flat: along the direction in which it covers most, as long as what it covers there. Zero
+/// for fewer than three corners.
 namespace croquis {
 
 /// @param corner corner(i) is the place of corner i, for i below `count`

@@ -58,7 +58,7 @@ struct RemeshResult {
       mesh;  ///< triangles; vertices with their channels from the mesh given, "confidence" and, for faces, "patch_id"
   hole_filling::HoleAnalysis analysis;              ///< of the mesh given
   std::vector<hole_filling::HoleOutcome> outcomes;  ///< per hole of the analysis
-  std::size_t domains = 0;            ///< with points, those of holes included
+  std::size_t domains = 0;                          ///< with points, those of holes included
   DomainPointCounts points_per_domain;
   RemeshChecks checks;
   std::size_t slabs = 0;            ///< that the piece with most of them was made in

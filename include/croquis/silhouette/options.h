@@ -60,7 +60,8 @@ struct DepthOptions {
   double depth_allowance = 2;
 };
 constexpr auto members(const DepthOptions& options) {
-  return std::tie(options.weight_curvature, options.weight_orientation, options.weight_distance, options.minimum_gap, options.node_spacing, options.accuracy, options.depth_allowance);
+  return std::tie(options.weight_curvature, options.weight_orientation, options.weight_distance, options.minimum_gap,
+                  options.node_spacing, options.accuracy, options.depth_allowance);
 }
 static_assert(lists_every_member<DepthOptions>);
 

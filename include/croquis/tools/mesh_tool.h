@@ -81,9 +81,7 @@ class MeshTool {
   Verdict convert_to(MeshMode mode, ConvertRule rule = ConvertRule::Touching);
   MeshHandles handles() const { return handles_; }
   void set_handles(MeshHandles handles);
-  bool pick_through() const { return options_.pick.through; }
   void set_pick_through(bool through) { options_.pick.through = through; }
-  void set_snap(const ManipulatorSnap& snap) { options_.snap = snap; }
 
   // ---- Pointer
   Verdict handle(const MeshEvent& event);

@@ -7,16 +7,16 @@
 #include <utility>
 #include <variant>
 
-#include "croquis/hole_filling/fill_findings.h"
-#include "croquis/hole_filling/fill_jobs.h"
 #include "algorithms/hole_filling/patch_assembly.h"
 #include "algorithms/hole_filling/patch_climb.h"
-#include "croquis/hole_filling/patch_confidence.h"
 #include "algorithms/hole_filling/rim_trimming.h"
 #include "algorithms/hole_filling/scan_numbers.h"
-#include "croquis/base/stage_key.h"
 #include "croquis/base/error.h"
+#include "croquis/base/stage_key.h"
+#include "croquis/hole_filling/fill_findings.h"
+#include "croquis/hole_filling/fill_jobs.h"
 #include "croquis/hole_filling/hole_choice.h"
+#include "croquis/hole_filling/patch_confidence.h"
 
 namespace croquis::hole_filling {
 namespace {

@@ -12,8 +12,8 @@
 
 #include <Eigen/Geometry>
 
-#include "croquis/hole_filling/channel_names.h"
 #include "algorithms/hole_filling/patching/harmonic_values.h"
+#include "croquis/hole_filling/channel_names.h"
 #include "croquis/hole_filling/patch_confidence.h"
 
 namespace croquis::hole_filling {

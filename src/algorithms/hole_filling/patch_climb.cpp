@@ -10,9 +10,9 @@
 
 #include "algorithms/hole_filling/patching/near_scene.h"
 #include "algorithms/hole_filling/patching/patch_ladder.h"
+#include "croquis/base/parallel.h"
 #include "croquis/base/stage_key.h"
 #include "croquis/geometry/single_precision.h"
-#include "croquis/base/parallel.h"
 
 namespace croquis::hole_filling {
 namespace {

@@ -10,8 +10,6 @@
 #include <span>
 #include <utility>
 
-#include "croquis/hole_filling/channel_names.h"
-#include "croquis/hole_filling/fill_findings.h"
 #include "algorithms/remeshing/remesh_attributes.h"
 #include "algorithms/remeshing/remesh_findings.h"
 #include "algorithms/remeshing/remesh_pieces.h"
@@ -22,6 +20,8 @@
 #include "algorithms/remeshing/remesh_trimming.h"
 #include "algorithms/remeshing/remesh_union.h"
 #include "algorithms/remeshing/union_check.h"
+#include "croquis/hole_filling/channel_names.h"
+#include "croquis/hole_filling/fill_findings.h"
 
 namespace croquis::remeshing {
 

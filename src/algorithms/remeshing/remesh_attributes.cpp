@@ -11,10 +11,10 @@
 
 #include <Eigen/Geometry>
 
-#include "croquis/hole_filling/channel_names.h"
-#include "croquis/hole_filling/patch_confidence.h"
 #include "algorithms/remeshing/vertices_per_part.h"
 #include "croquis/base/parallel.h"
+#include "croquis/hole_filling/channel_names.h"
+#include "croquis/hole_filling/patch_confidence.h"
 
 namespace croquis::remeshing {
 

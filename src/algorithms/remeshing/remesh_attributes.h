@@ -25,8 +25,8 @@ struct SurfacePlace {
 class NearestSurface {
  public:
   /// Keeps references to all.
-  NearestSurface(const PolyMesh& mesh, const hole_filling::SurfaceView& view, const TriangleFans& fans, const RemeshPiece& piece,
-                 const RemeshPoints& points, int threads);
+  NearestSurface(const PolyMesh& mesh, const hole_filling::SurfaceView& view, const TriangleFans& fans,
+                 const RemeshPiece& piece, const RemeshPoints& points, int threads);
 
   /// Thread-safe; log n.
   SurfacePlace nearest(const Vec3& place) const;
@@ -64,8 +64,8 @@ void make_room(std::size_t count, std::vector<AttributeChannel>& channels, HoleM
 /// @param made the result, whose channels and marks have room @param cell of the cubes, model units
 /// @throws Cancelled
 void transfer(PolyMesh& made, const NewVertices& vertices, const NearestSurface& nearest, const PolyMesh& mesh,
-              const hole_filling::HoleAnalysis& analysis, const RemeshPiece& piece, const std::vector<RimPlace>& rims, double cell,
-              int threads, HoleMarks& marks, Progress& progress);
+              const hole_filling::HoleAnalysis& analysis, const RemeshPiece& piece, const std::vector<RimPlace>& rims,
+              double cell, int threads, HoleMarks& marks, Progress& progress);
 
 /// Sets the greatest fold across the rims and the least angle of every patch that has faces, on all its holes; NaN
 /// where it has none.

@@ -54,7 +54,7 @@ Strays find_strays(const PolyMesh& surface, const NearestSurface& given, const H
                    int threads, Progress& progress);
 
 /// Share of a piece's area that a surface has nothing near to. @param lost of the points, ascending
-double lost_share(const PolyMesh& mesh, const hole_filling::SurfaceView& view, const RemeshPiece& piece, const RemeshPoints& points,
-                  std::span<const Index> lost);
+double lost_share(const PolyMesh& mesh, const hole_filling::SurfaceView& view, const RemeshPiece& piece,
+                  const RemeshPoints& points, std::span<const Index> lost);
 
 }  // namespace croquis::remeshing

@@ -9,9 +9,9 @@
 #include <string>
 #include <utility>
 
-#include "croquis/hole_filling/fill_findings.h"
 #include "croquis/base/error.h"
 #include "croquis/base/text.h"
+#include "croquis/hole_filling/fill_findings.h"
 
 namespace croquis::remeshing {
 

@@ -11,11 +11,11 @@
 
 #include "algorithms/remeshing/remesh_cuts.h"
 #include "algorithms/remeshing/remesh_smoothing.h"
-#include "croquis/geometry/single_precision.h"
 #include "algorithms/remeshing/vertices_per_part.h"
 #include "croquis/base/error.h"
 #include "croquis/base/parallel.h"
 #include "croquis/geometry/self_intersection.h"
+#include "croquis/geometry/single_precision.h"
 #include "croquis/implicit/point_tree.h"
 #include "croquis/implicit/surface_improvement.h"
 

@@ -9,17 +9,17 @@
 
 #include "croquis/base/progress.h"
 #include "croquis/geometry/poly_mesh.h"
-#include "croquis/remeshing/remesh.h"
 #include "croquis/implicit/field.h"
+#include "croquis/remeshing/remesh.h"
 
 namespace croquis::remeshing {
 
 struct ImprovementOptions {
-  double cell = 0;                          ///< model units
-  int smoothing = 2;                        ///< rounds
-  int refine = 0;                           ///< rounds of 1-to-4 splits at most
-  double chord = 0;                         ///< ends them, model units; 0: never
-  double snap = 0;                          ///< distance, model units; 0: none
+  double cell = 0;                                                      ///< model units
+  int smoothing = 2;                                                    ///< rounds
+  int refine = 0;                                                       ///< rounds of 1-to-4 splits at most
+  double chord = 0;                                                     ///< ends them, model units; 0: never
+  double snap = 0;                                                      ///< distance, model units; 0: none
   hole_filling::Precision precision = hole_filling::Precision::Double;  ///< of the coordinates
   int threads = 0;
 };

@@ -33,9 +33,9 @@ Openings find_openings(const PolyMesh& surface, const PolyMesh& mesh, const Reme
 
 /// A hole that a patch closed.
 struct PatchedHole {
-  Index hole = no_index;  ///< of the mesh given; no_index: none
-  bool is_cap = false;    ///< as in Openings
-  hole_filling::HoleOutcome outcome;    ///< of the patch
+  Index hole = no_index;              ///< of the mesh given; no_index: none
+  bool is_cap = false;                ///< as in Openings
+  hole_filling::HoleOutcome outcome;  ///< of the patch
 };
 
 /// What close_by_patches did.
@@ -47,6 +47,7 @@ struct PatchedHoles {
 /// Closes the loops by patches, the best that is sound for each, flat where so marked, and takes those that were closed
 /// out of the openings.
 /// @throws Cancelled
-PatchedHoles close_by_patches(PolyMesh& surface, Openings& openings, const hole_filling::FillOptions& options, Progress& progress);
+PatchedHoles close_by_patches(PolyMesh& surface, Openings& openings, const hole_filling::FillOptions& options,
+                              Progress& progress);
 
 }  // namespace croquis::remeshing

@@ -6,8 +6,8 @@
 
 #include <Eigen/Geometry>
 
-#include "croquis/hole_filling/fill_jobs.h"
 #include "croquis/geometry/disjoint_sets.h"
+#include "croquis/hole_filling/fill_jobs.h"
 
 namespace croquis::remeshing {
 

@@ -41,8 +41,8 @@ struct RemeshPieces {
 };
 
 /// @param options whether everything is one piece (Preset::Paper), and the least size of components
-RemeshPieces make_pieces(const PolyMesh& mesh, const hole_filling::HoleAnalysis& analysis, const hole_filling::HoleChoice& choice,
-                         const RemeshOptions& options);
+RemeshPieces make_pieces(const PolyMesh& mesh, const hole_filling::HoleAnalysis& analysis,
+                         const hole_filling::HoleChoice& choice, const RemeshOptions& options);
 
 /// Leaves all chosen holes of a piece to patches, for where the field leads away.
 void leave_to_patches(RemeshPieces& pieces, std::size_t piece);

@@ -6,11 +6,11 @@
 
 #include <Eigen/Geometry>
 
+#include "algorithms/remeshing/vertices_per_part.h"
+#include "croquis/base/parallel.h"
 #include "croquis/hole_filling/hole_site.h"
 #include "croquis/hole_filling/quadric_normals.h"
 #include "croquis/hole_filling/surface_reach.h"
-#include "algorithms/remeshing/vertices_per_part.h"
-#include "croquis/base/parallel.h"
 
 namespace croquis::remeshing {
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "croquis/geometry/triangle_fans.h"
 #include "algorithms/remeshing/remesh_pieces.h"
 #include "croquis/base/progress.h"
+#include "croquis/geometry/triangle_fans.h"
 
 namespace croquis::remeshing {
 
@@ -29,8 +29,8 @@ double typical_edge(const PolyMesh& mesh, const hole_filling::SurfaceView& view)
 
 /// Unit normals of the view's vertices by their sound triangles, weighted by angles, and by quadrics at chosen rims; 0
 /// where there is neither.
-std::vector<Vec3> vertex_normals(const PolyMesh& mesh, const hole_filling::HoleAnalysis& analysis, const TriangleFans& fans,
-                                 const RemeshPieces& pieces, int threads, Progress& progress);
+std::vector<Vec3> vertex_normals(const PolyMesh& mesh, const hole_filling::HoleAnalysis& analysis,
+                                 const TriangleFans& fans, const RemeshPieces& pieces, int threads, Progress& progress);
 
 /// The piece's vertices in their order, then places on triangles with edges far longer than most, so that large flat
 /// faces are held in their middle as well.

@@ -8,9 +8,9 @@
 
 #include <Eigen/Geometry>
 
-#include "croquis/geometry/single_precision.h"
 #include "algorithms/remeshing/vertices_per_part.h"
 #include "croquis/base/parallel.h"
+#include "croquis/geometry/single_precision.h"
 
 namespace croquis::remeshing {
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "croquis/geometry/triangle_fans.h"
 #include "algorithms/remeshing/remesh_improvement.h"
 #include "croquis/base/progress.h"
+#include "croquis/geometry/triangle_fans.h"
 #include "croquis/implicit/slab_polygonizer.h"
 
 namespace croquis::remeshing {

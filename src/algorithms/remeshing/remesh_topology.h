@@ -6,9 +6,9 @@
 #include <optional>
 #include <span>
 
-#include "croquis/geometry/triangle_fans.h"
 #include "algorithms/remeshing/remesh_pieces.h"
 #include "croquis/base/progress.h"
+#include "croquis/geometry/triangle_fans.h"
 
 namespace croquis::remeshing {
 

@@ -4,10 +4,10 @@
 #include <limits>
 #include <vector>
 
-#include "croquis/geometry/triangle_fans.h"
-#include "croquis/geometry/triangle_tree.h"
 #include "croquis/base/progress.h"
 #include "croquis/geometry/poly_mesh.h"
+#include "croquis/geometry/triangle_fans.h"
+#include "croquis/geometry/triangle_tree.h"
 #include "croquis/implicit/box_weight.h"
 
 namespace croquis::remeshing {

@@ -9,8 +9,8 @@
 #include <Eigen/Geometry>
 
 #include "algorithms/subdivision/level_geometry.h"
-#include "croquis/geometry/polygon_area.h"
 #include "croquis/geometry/mesh_tags.h"
+#include "croquis/geometry/polygon_area.h"
 
 namespace croquis::subdivision {
 namespace {

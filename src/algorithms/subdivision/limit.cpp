@@ -6,8 +6,8 @@
 #include <Eigen/Geometry>
 
 #include "algorithms/subdivision/level_geometry.h"
-#include "croquis/geometry/polygon_area.h"
 #include "algorithms/subdivision/limit_rows.h"
+#include "croquis/geometry/polygon_area.h"
 
 namespace croquis::subdivision {
 

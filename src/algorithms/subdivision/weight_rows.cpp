@@ -24,7 +24,7 @@ void apply_range(const WeightRows& rows, std::span<const Vec3> values, std::span
 
 void apply(const WeightRows& rows, std::span<const Vec3> values, std::span<Vec3> results, int threads) {
   for_each_part(rows.size(), even_grain(rows.size(), threads, least_rows_per_thread), threads,
-                  [&](std::size_t begin, std::size_t end) { apply_range(rows, values, results, begin, end); });
+                [&](std::size_t begin, std::size_t end) { apply_range(rows, values, results, begin, end); });
 }
 
 WeightMatrix to_matrix(const WeightRows& rows, std::size_t column_count) {

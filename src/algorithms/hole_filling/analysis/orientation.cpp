@@ -66,7 +66,8 @@ void turn_minorities(SurfaceView& view, CancelCheck& cancel) {
     any_turned = true;
   }
   if (any_turned) apply_turns(view);
-  view.one_sided_components = found.conflict.size() - static_cast<std::size_t>(std::ranges::count(found.conflict, no_index));
+  view.one_sided_components =
+      found.conflict.size() - static_cast<std::size_t>(std::ranges::count(found.conflict, no_index));
   view.component_count = static_cast<Index>(found.conflict.size());
   view.component = std::move(found.part);
 }
