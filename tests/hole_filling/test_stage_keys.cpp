@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <set>
 #include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -8,6 +9,7 @@
 #include "croquis/hole_filling/fill_holes.h"
 #include "support/key_recorder.h"
 #include "support/member_changes.h"
+#include "support/mesh_shapes.h"
 #include "support/scans.h"
 
 using namespace croquis;
