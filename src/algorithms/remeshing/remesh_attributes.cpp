@@ -17,7 +17,6 @@
 #include "croquis/hole_filling/patch_confidence.h"
 
 namespace croquis::remeshing {
-
 namespace {
 
 using namespace hole_filling;

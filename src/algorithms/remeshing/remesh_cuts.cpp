@@ -10,7 +10,6 @@
 #include "croquis/implicit/box_weight.h"
 
 namespace croquis::remeshing {
-
 namespace {
 
 using namespace hole_filling;

@@ -11,7 +11,6 @@
 #include "croquis/implicit/offset_points.h"
 
 namespace croquis::remeshing {
-
 namespace {
 
 using namespace hole_filling;

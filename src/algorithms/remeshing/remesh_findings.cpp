@@ -14,7 +14,6 @@
 #include "croquis/hole_filling/fill_findings.h"
 
 namespace croquis::remeshing {
-
 namespace {
 
 using namespace hole_filling;

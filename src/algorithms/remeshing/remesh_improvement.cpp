@@ -20,7 +20,6 @@
 #include "croquis/implicit/surface_improvement.h"
 
 namespace croquis::remeshing {
-
 namespace {
 
 using namespace hole_filling;

@@ -11,7 +11,6 @@
 #include "algorithms/remeshing/remesh_points.h"
 
 namespace croquis::remeshing {
-
 namespace {
 
 using namespace hole_filling;

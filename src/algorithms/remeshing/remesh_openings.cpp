@@ -11,7 +11,6 @@
 #include "croquis/implicit/point_tree.h"
 
 namespace croquis::remeshing {
-
 namespace {
 
 using namespace hole_filling;

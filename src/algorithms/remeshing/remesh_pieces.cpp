@@ -10,7 +10,6 @@
 #include "croquis/hole_filling/fill_jobs.h"
 
 namespace croquis::remeshing {
-
 namespace {
 
 using namespace hole_filling;

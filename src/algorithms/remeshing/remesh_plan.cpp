@@ -9,7 +9,6 @@
 #include "croquis/base/error.h"
 
 namespace croquis::remeshing {
-
 namespace {
 
 using namespace hole_filling;

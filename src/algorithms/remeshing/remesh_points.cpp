@@ -13,7 +13,6 @@
 #include "croquis/hole_filling/surface_reach.h"
 
 namespace croquis::remeshing {
-
 namespace {
 
 using namespace hole_filling;

@@ -15,7 +15,6 @@
 #include "croquis/implicit/slab_polygonizer.h"
 
 namespace croquis::remeshing {
-
 namespace {
 
 using namespace hole_filling;

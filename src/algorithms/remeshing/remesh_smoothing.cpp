@@ -13,7 +13,6 @@
 #include "croquis/geometry/single_precision.h"
 
 namespace croquis::remeshing {
-
 namespace {
 
 using namespace hole_filling;

@@ -7,7 +7,6 @@
 #include "algorithms/remeshing/remesh_trimming.h"
 
 namespace croquis::remeshing {
-
 namespace {
 
 using namespace hole_filling;

@@ -9,7 +9,6 @@
 #include "croquis/geometry/disjoint_sets.h"
 
 namespace croquis::remeshing {
-
 namespace {
 
 using namespace hole_filling;

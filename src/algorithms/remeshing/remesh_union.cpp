@@ -18,7 +18,6 @@
 #include "croquis/geometry/disjoint_sets.h"
 
 namespace croquis::remeshing {
-
 namespace {
 
 using namespace hole_filling;

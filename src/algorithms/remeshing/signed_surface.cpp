@@ -12,7 +12,6 @@
 #include "croquis/base/parallel.h"
 
 namespace croquis::remeshing {
-
 namespace {
 
 using namespace hole_filling;

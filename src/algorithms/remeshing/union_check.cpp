@@ -13,7 +13,6 @@
 #include "croquis/base/parallel.h"
 
 namespace croquis::remeshing {
-
 namespace {
 
 using namespace hole_filling;

@@ -7,7 +7,6 @@
 #include "croquis/base/parallel.h"
 
 namespace croquis::remeshing {
-
 namespace {
 
 using namespace hole_filling;
