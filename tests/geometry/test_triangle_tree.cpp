@@ -35,9 +35,9 @@ TEST_CASE("the nearest triangle of a tree is that of a search of all, whichever 
 }
 
 TEST_CASE("the foot on a triangle is on it, and as near as any of its places") {
-  const std::vector<std::array<Vec3, 3>> triangles = {
-      {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.2, 1, 0.3)}, {Vec3(0, 0, 0), Vec3(1, 1, 1), Vec3(2, 2, 2)},
-      {Vec3(1, 2, 3), Vec3(1, 2, 3), Vec3(1, 2, 3)}};
+  const std::vector<std::array<Vec3, 3>> triangles = {{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.2, 1, 0.3)},
+                                                      {Vec3(0, 0, 0), Vec3(1, 1, 1), Vec3(2, 2, 2)},
+                                                      {Vec3(1, 2, 3), Vec3(1, 2, 3), Vec3(1, 2, 3)}};
   Random random(9);
   constexpr int steps = 60;
   for (const auto& [a, b, c] : triangles) {
