@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "croquis/base/index_list.h"
 
-#include <charconv>
 #include <optional>
+
+#include "croquis/base/text.h"
 
 namespace croquis {
 namespace {
@@ -12,9 +13,7 @@ constexpr std::uint32_t longest_range = 10000000;
 
 std::optional<std::uint32_t> parse_index(std::string_view word) {
   std::uint32_t number = 0;
-  const auto [stopped, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (error != std::errc{} || stopped != word.data() + word.size()) return std::nullopt;
-  return number;
+  return read_number(word, number) ? std::optional(number) : std::nullopt;
 }
 
 }  // namespace

@@ -15,12 +15,6 @@ namespace {
 
 constexpr std::size_t most_threads = 256;
 
-std::size_t thread_count(int wanted) {
-  if (wanted > 0) return std::min(static_cast<std::size_t>(wanted), most_threads);
-  static const std::size_t all = std::max(1U, std::thread::hardware_concurrency());  // it reads a file
-  return std::min(all, most_threads);
-}
-
 /// The parts of one call. Parts are taken in ascending order: whatever lies below a part that failed was begun before
 /// it and is finished, so that the lowest failure is the same for any number of threads.
 class Parts {
@@ -79,6 +73,17 @@ std::vector<std::jthread> start_helpers(std::size_t count, Parts& parts) {
 
 }  // namespace
 
+std::size_t thread_count(int threads) {
+  if (threads > 0) return std::min(static_cast<std::size_t>(threads), most_threads);
+  static const std::size_t all = std::max(1U, std::thread::hardware_concurrency());  // it reads a file
+  return std::min(all, most_threads);
+}
+
+std::size_t even_grain(std::size_t count, int threads, std::size_t least) {
+  const std::size_t parts = std::clamp<std::size_t>(count / least, 1, thread_count(threads));
+  return std::max<std::size_t>(1, (count + parts - 1) / parts);
+}
+
 void for_each_part(std::size_t count, std::size_t grain, int threads, Progress& progress,
                    const std::function<void(std::size_t, std::size_t)>& work) {
   progress.check();
@@ -96,6 +101,12 @@ void for_each_part(std::size_t count, std::size_t grain, int threads, Progress& 
   }
   parts.rethrow();
   progress.report(1);
+}
+
+void for_each_part(std::size_t count, std::size_t grain, int threads,
+                   const std::function<void(std::size_t, std::size_t)>& work) {
+  Progress silent;
+  for_each_part(count, grain, threads, silent, work);
 }
 
 }  // namespace croquis

@@ -2,20 +2,14 @@
 #include "croquis/base/parameter.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/base/text.h"
 
 namespace croquis {
 namespace {
-
-std::string number_text(double value) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-  return {buffer, end};
-}
 
 std::string range_text(const ParameterDescription& description) {
   const bool low = std::isfinite(description.minimum);
@@ -72,13 +66,6 @@ bool acceptable(const ParameterDescription& description, const ParameterValue& v
   return false;
 }
 
-template <typename Number>
-bool read_whole(const std::string& text, Number& number) {
-  const char* end = text.data() + text.size();
-  const auto [stopped, error] = std::from_chars(text.data(), end, number);
-  return error == std::errc{} && stopped == end;
-}
-
 }  // namespace
 
 const char* to_string(ParameterType type) {
@@ -93,12 +80,16 @@ const char* to_string(ParameterType type) {
   return "text";
 }
 
+const ParameterDescription* find_parameter(std::span<const ParameterDescription> descriptions, std::string_view name) {
+  const auto found = std::ranges::find(descriptions, name, &ParameterDescription::name);
+  return found == descriptions.end() ? nullptr : &*found;
+}
+
 ParameterValues complete(const std::vector<ParameterDescription>& descriptions, ParameterValues values) {
   Findings findings;
   for (const auto& [name, value] : values) {
-    const auto known = std::find_if(descriptions.begin(), descriptions.end(),
-                                    [&name = name](const auto& description) { return description.name == name; });
-    if (known == descriptions.end()) {
+    const ParameterDescription* known = find_parameter(descriptions, name);
+    if (known == nullptr) {
       findings.push_back(make_error(Category::Usage, "E_PARAMETER", "There is no parameter '" + name + "'.",
                                     {{SubjectKind::Parameter, name, {}, {}, {}}}));
     } else if (!acceptable(*known, value)) {
@@ -112,16 +103,30 @@ ParameterValues complete(const std::vector<ParameterDescription>& descriptions, 
   return values;
 }
 
+bool flag_of(const ParameterValues& values, const std::string& name) { return std::get<bool>(values.at(name)); }
+
+std::int64_t integer_of(const ParameterValues& values, const std::string& name) {
+  return std::get<std::int64_t>(values.at(name));
+}
+
+double number_of(const ParameterValues& values, const std::string& name) { return std::get<double>(values.at(name)); }
+
+const std::string& text_of(const ParameterValues& values, const std::string& name) {
+  const ParameterValue& value = values.at(name);
+  const auto* parsed = std::get_if<ParsedText>(&value);
+  return parsed == nullptr ? std::get<std::string>(value) : parsed->text();
+}
+
 ParameterValue parse_parameter(const ParameterDescription& description, const std::string& text) {
   ParameterValue value = text;
   if (description.type == ParameterType::Flag && (text == "true" || text == "false")) {
     value = text == "true";
   } else if (description.type == ParameterType::Integer) {
     std::int64_t integer = 0;
-    if (read_whole(text, integer)) value = integer;
+    if (read_number(text, integer)) value = integer;
   } else if (description.type == ParameterType::Number) {
     double number = 0;
-    if (read_whole(text, number)) value = number;
+    if (read_number(text, number)) value = number;
   }
   if (!acceptable(description, value)) throw Error(refusal(description, text));
   return value;

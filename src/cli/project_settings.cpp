@@ -73,9 +73,8 @@ Document with_setting(const Document& document, const Setting& setting, const Re
   Node node = find_node(document, setting.node);
   const Operation* operation = registry.find(node.operation);
   const auto parameters = operation == nullptr ? std::vector<ParameterDescription>() : operation->describe().parameters;
-  const auto found = std::find_if(parameters.begin(), parameters.end(),
-                                  [&](const auto& parameter) { return parameter.name == setting.parameter; });
-  if (found == parameters.end()) {
+  const ParameterDescription* found = find_parameter(parameters, setting.parameter);
+  if (found == nullptr) {
     throw refused("E_PARAMETER",
                   "Node '" + setting.node + "' has no parameter '" + setting.parameter +
                       "'; croquis-cli operations lists them all.",

@@ -9,16 +9,6 @@
 namespace croquis {
 namespace {
 
-const char* singular(ComponentKind kind) {
-  if (kind == ComponentKind::Vertex) return "vertex";
-  return kind == ComponentKind::Edge ? "edge" : "face";
-}
-
-const char* plural(ComponentKind kind) {
-  if (kind == ComponentKind::Vertex) return "vertices";
-  return kind == ComponentKind::Edge ? "edges" : "faces";
-}
-
 SubjectKind subject_of(ComponentKind kind) {
   if (kind == ComponentKind::Vertex) return SubjectKind::Vertex;
   return kind == ComponentKind::Edge ? SubjectKind::Edge : SubjectKind::Face;

@@ -2,34 +2,15 @@
 #include "croquis/edits/edit_line.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <utility>
 
 #include "croquis/base/error.h"
 #include "croquis/base/index_list.h"
+#include "croquis/base/text.h"
 
 namespace croquis {
 namespace {
-
-constexpr std::array<std::pair<std::string_view, ComponentKind>, 3> kind_words{
-    {{"vertices", ComponentKind::Vertex}, {"edges", ComponentKind::Edge}, {"faces", ComponentKind::Face}}};
-
-std::string_view word_of(ComponentKind kind) {
-  return std::find_if(kind_words.begin(), kind_words.end(), [&](const auto& word) { return word.second == kind; })
-      ->first;
-}
-
-/// The parts of a text between separators, without empty ones.
-std::vector<std::string_view> parts_of(std::string_view text, std::string_view separators) {
-  std::vector<std::string_view> parts;
-  for (std::size_t at = text.find_first_not_of(separators); at != std::string_view::npos;) {
-    const std::size_t end = std::min(text.find_first_of(separators, at), text.size());
-    parts.push_back(text.substr(at, end - at));
-    at = text.find_first_not_of(separators, end);
-  }
-  return parts;
-}
 
 /// What is wrong with a line, as the end of a sentence.
 struct Mistake {
@@ -39,7 +20,7 @@ struct Mistake {
 std::string kinds_of(const EditDescription& description) {
   std::string list;
   for (const ComponentKind kind : description.kinds) {
-    list += (list.empty() ? "" : " or ") + std::string(word_of(kind)) + "=";
+    list += (list.empty() ? "" : " or ") + std::string(plural(kind)) + "=";
   }
   return list;
 }
@@ -50,12 +31,12 @@ EditTarget parse_target(const EditDescription& description, ComponentKind kind, 
   }
   EditTarget target{kind, value == "all", {}};
   if (target.all) return target;
-  for (const std::string_view word : parts_of(value, ",")) {
+  for (const std::string_view word : text_parts(value, ",")) {
     if (!append_indices(word, target.elements)) {
       throw Mistake{"'" + std::string(word) + "' is no number of an element, counted from 0, such as 0,3-5"};
     }
   }
-  if (target.elements.empty()) throw Mistake{"'" + std::string(word_of(kind)) + "=' names no element"};
+  if (target.elements.empty()) throw Mistake{"'" + std::string(plural(kind)) + "=' names no element"};
   return target;
 }
 
@@ -65,15 +46,13 @@ void parse_word(const EditDescription& description, std::string_view word, std::
   if (sign == std::string_view::npos) throw Mistake{"'" + std::string(word) + "' is not written as name=value"};
   const std::string_view name = word.substr(0, sign);
   const std::string_view value = word.substr(sign + 1);
-  for (const auto& [text, kind] : kind_words) {
-    if (name != text) continue;
+  if (const auto kind = kind_of_plural(name)) {
     if (target) throw Mistake{"its elements are given twice"};
-    target = parse_target(description, kind, value);
+    target = parse_target(description, *kind, value);
     return;
   }
-  const auto known = std::find_if(description.parameters.begin(), description.parameters.end(),
-                                  [&](const ParameterDescription& parameter) { return parameter.name == name; });
-  if (known == description.parameters.end()) {
+  const ParameterDescription* known = find_parameter(description.parameters, name);
+  if (known == nullptr) {
     std::string names;
     for (const ParameterDescription& parameter : description.parameters) names += ", " + parameter.name + "=";
     throw Mistake{"there is no '" + std::string(name) + "': it takes " + kinds_of(description) + names};
@@ -84,7 +63,7 @@ void parse_word(const EditDescription& description, std::string_view word, std::
 }
 
 EditLine parse_line(std::string_view text, const EditRegistry& registry) {
-  const std::vector<std::string_view> words = parts_of(text, " \t\r");
+  const std::vector<std::string_view> words = text_parts(text, " \t\r");
   EditLine line;
   line.edit = std::string(words.front());
   const Edit* edit = registry.find(line.edit);
@@ -117,7 +96,7 @@ std::string without_stop(std::string text) {
 std::vector<EditLine> parse_edit_lines(std::string_view text, const EditRegistry& registry) {
   std::vector<EditLine> lines;
   Findings findings;
-  for (std::string_view line : parts_of(text, ";\n")) {
+  for (std::string_view line : text_parts(text, ";\n")) {
     const std::size_t begin = line.find_first_not_of(" \t\r");
     if (begin == std::string_view::npos || line[begin] == '#') continue;
     line = line.substr(begin, line.find_last_not_of(" \t\r") + 1 - begin);
@@ -134,7 +113,7 @@ std::vector<EditLine> parse_edit_lines(std::string_view text, const EditRegistry
 }
 
 std::string to_text(const EditLine& line) {
-  std::string text = line.edit + ' ' + std::string(word_of(line.target.kind)) + '=';
+  std::string text = line.edit + ' ' + std::string(plural(line.target.kind)) + '=';
   text += line.target.all ? "all" : index_list_text(line.target.elements, ',');
   for (const auto& [name, value] : line.parameters) text += ' ' + name + '=' + to_text(value);
   return text;

@@ -17,16 +17,10 @@ ParameterDescription vector_parameter(const std::string& name, const std::string
   return {name, ParameterType::Text, value, 0, 0, {}, "", sentence};
 }
 
-double number_of(const ParameterValues& parameters, const std::string& name) {
-  return std::get<double>(parameters.at(name));
-}
-
-bool is_given(const ParameterValues& parameters, const std::string& name) {
-  return !std::get<std::string>(parameters.at(name)).empty();
-}
+bool is_given(const ParameterValues& parameters, const std::string& name) { return !text_of(parameters, name).empty(); }
 
 Vec3 vector_of(const ParameterValues& parameters, const std::string& name, const Vec3& missing) {
-  const std::string& text = std::get<std::string>(parameters.at(name));
+  const std::string& text = text_of(parameters, name);
   if (text.empty()) return missing;
   Vec3 vector = Vec3::Zero();
   const char* at = text.data();

@@ -15,8 +15,6 @@ ParameterDescription number_parameter(const std::string& name, double value, dou
 /// Three numbers, "0,0,1". Empty: not given.
 ParameterDescription vector_parameter(const std::string& name, const std::string& value, const std::string& sentence);
 
-double number_of(const ParameterValues& parameters, const std::string& name);
-
 /// @param missing for a parameter that wasn't given
 /// @throws Error (E_PARAMETER) for anything but three finite numbers
 Vec3 vector_of(const ParameterValues& parameters, const std::string& name, const Vec3& missing);

@@ -19,7 +19,7 @@ class PinEdit final : public Edit {
   MeshEdit apply(const PolyMesh& mesh, const MeshTopology& /*topology*/, ComponentKind /*kind*/,
                  std::span<const Index> elements, const ParameterValues& parameters) const override {
     MeshEdit edit = with_same_elements(mesh);
-    edit.mesh.tags = with_pins(mesh.tags, elements, std::get<bool>(parameters.at("pinned")));
+    edit.mesh.tags = with_pins(mesh.tags, elements, flag_of(parameters, "pinned"));
     return edit;
   }
 };

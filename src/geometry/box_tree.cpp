@@ -3,7 +3,8 @@
 
 #include <cstdint>
 
-#include "geometry/radix_order.h"
+#include "croquis/geometry/morton_code.h"
+#include "croquis/geometry/radix_order.h"
 
 namespace croquis {
 namespace {
@@ -11,21 +12,12 @@ namespace {
 /// Of each coordinate of a middle; more would not change which boxes share a leaf in meshes of millions of faces.
 constexpr unsigned morton_bits = 11;
 
-/// Moves bit i of a number of up to 21 bits to 3 i.
-std::uint64_t spread(std::uint64_t bits) {
-  bits = (bits | bits << 32) & 0x1f00000000ffffU;
-  bits = (bits | bits << 16) & 0x1f0000ff0000ffU;
-  bits = (bits | bits << 8) & 0x100f00f00f00f00fU;
-  bits = (bits | bits << 4) & 0x10c30c30c30c30c3U;
-  return (bits | bits << 2) & 0x1249249249249249U;
-}
-
 std::uint64_t morton_key(const PackedBox& box) {
   const PackedPlace middles = box.low + box.high;  // twice the middles: they fill the guard bits
   std::uint64_t key = 0;
   for (unsigned axis = 0; axis < 3; ++axis) {
     const std::uint64_t middle = middles >> (axis * packed_stride) & ((std::uint64_t{1} << packed_stride) - 1);
-    key |= spread(middle >> (packed_stride - morton_bits)) << axis;
+    key |= spread_by_three(middle >> (packed_stride - morton_bits)) << axis;
   }
   return key >> 1;  // 32 bits are faster to sort than 33
 }

@@ -2,6 +2,7 @@
 #include "croquis/geometry/planar_triangulation.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -97,6 +98,34 @@ void mark_constraints(std::span<const std::array<Index, 2>> constraints, std::sp
   }
 }
 
+/// Of a triangle that the walk from the hull hasn't come to.
+constexpr std::uint8_t unknown_side = 2;
+
+/// Begins at the hull, outside of all loops.
+std::vector<std::uint8_t> sides_of_loops(const PlanarTriangulation& plane) {
+  std::vector<std::uint8_t> inside(plane.triangles.size(), unknown_side);
+  std::vector<Index> pending;
+  for (Index t = 0; t < plane.triangles.size(); ++t) {
+    for (std::size_t i = 0; i < 3 && inside[t] == unknown_side; ++i) {
+      if (plane.neighbours[t][i] != no_index) continue;
+      inside[t] = plane.constraints[t][i] != no_index ? 1 : 0;
+      pending.push_back(t);
+    }
+  }
+  while (!pending.empty()) {
+    const Index t = pending.back();
+    pending.pop_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index other = plane.neighbours[t][i];
+      if (other == no_index || inside[other] != unknown_side) continue;
+      const bool crosses = plane.constraints[t][i] != no_index;
+      inside[other] = static_cast<std::uint8_t>(crosses != (inside[t] != 0));
+      pending.push_back(other);
+    }
+  }
+  return inside;
+}
+
 }  // namespace
 
 PlanarTriangulationResult triangulate(std::span<const Vec2> points, std::span<const std::array<Index, 2>> constraints) {
@@ -110,6 +139,15 @@ PlanarTriangulationResult triangulate(std::span<const Vec2> points, std::span<co
   mark_constraints(constraints, handles, triangulation, result);
   if (!result.conflict.empty()) result.triangulation = {};
   return result;
+}
+
+std::vector<std::array<Index, 3>> triangles_inside(const PlanarTriangulation& plane) {
+  const std::vector<std::uint8_t> inside = sides_of_loops(plane);
+  std::vector<std::array<Index, 3>> triangles;
+  for (std::size_t t = 0; t < inside.size(); ++t) {
+    if (inside[t] == 1) triangles.push_back(plane.triangles[t]);
+  }
+  return triangles;
 }
 
 }  // namespace croquis

@@ -6,25 +6,16 @@
 #include <Eigen/Geometry>
 
 #include "croquis/geometry/planar_triangulation.h"
+#include "croquis/geometry/polygon_area.h"
 
 namespace croquis {
 namespace {
 
 using Triangles = std::vector<std::array<Index, 3>>;  // of corners 0..k-1 of one face
 
-// Twice the area vector (Newell's sum): the normal of the best plane.
-Vec3 area_vector(const PolyMesh& mesh, std::span<const Index> face) {
-  Vec3 sum = Vec3::Zero();
-  const Vec3& origin = mesh.positions[face[0]];
-  for (std::size_t i = 1; i + 1 < face.size(); ++i) {
-    sum += (mesh.positions[face[i]] - origin).cross(mesh.positions[face[i + 1]] - origin);
-  }
-  return sum;
-}
-
 // The face seen along its normal, counter-clockwise; empty when it has no normal.
 std::vector<Vec2> projected(const PolyMesh& mesh, std::span<const Index> face) {
-  const Vec3 normal = area_vector(mesh, face).normalized();
+  const Vec3 normal = area_normal(mesh.positions, face).normalized();
   if (!normal.allFinite() || normal.isZero()) return {};
   const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u);
   std::vector<Vec2> points;
@@ -50,35 +41,6 @@ Triangles fan(std::size_t corners) {
   return triangles;
 }
 
-// Triangles that lie left of the ring's edges: flooded from them, stopping at the ring.
-Triangles inside_of_ring(const PlanarTriangulation& all, std::size_t corners) {
-  std::vector<char> inside(all.triangles.size(), 0);
-  std::vector<Index> open;
-  for (Index t = 0; t < all.triangles.size(); ++t) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Index from = all.triangles[t][(i + 1) % 3], to = all.triangles[t][(i + 2) % 3];
-      if (all.constraints[t][i] == no_index || to != (from + 1) % corners || inside[t] != 0) continue;
-      inside[t] = 1;
-      open.push_back(t);
-    }
-  }
-  while (!open.empty()) {
-    const Index t = open.back();
-    open.pop_back();
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Index next = all.neighbours[t][i];
-      if (all.constraints[t][i] != no_index || next == no_index || inside[next] != 0) continue;
-      inside[next] = 1;
-      open.push_back(next);
-    }
-  }
-  Triangles triangles;
-  for (Index t = 0; t < all.triangles.size(); ++t) {
-    if (inside[t] != 0) triangles.push_back(all.triangles[t]);
-  }
-  return triangles;
-}
-
 Triangles triangles_of(const PolyMesh& mesh, std::span<const Index> face) {
   if (face.size() == 3) return fan(3);
   const std::vector<Vec2> points = projected(mesh, face);
@@ -88,7 +50,7 @@ Triangles triangles_of(const PolyMesh& mesh, std::span<const Index> face) {
   for (Index i = 0; i < count; ++i) ring.push_back({i, (i + 1) % count});
   const PlanarTriangulationResult result = triangulate(points, ring);
   if (!result.conflict.empty()) return fan(face.size());
-  Triangles triangles = inside_of_ring(result.triangulation, face.size());
+  Triangles triangles = triangles_inside(result.triangulation);
   return triangles.size() + 2 == face.size() ? triangles : fan(face.size());
 }
 

@@ -2,24 +2,17 @@
 #include "operators/attach_parameter.h"
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <string_view>
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/base/text.h"
 
 namespace croquis {
 namespace {
 
 using silhouette::AttachedPair;
-
-std::optional<double> read_number(std::string_view text) {
-  double number = 0;
-  const auto [stopped, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || stopped != text.data() + text.size()) return std::nullopt;
-  return number;
-}
 
 std::string_view without_spaces(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
@@ -31,9 +24,7 @@ std::optional<AttachedPair> read_pair(std::string_view entry) {
   AttachedPair pair;
   const std::size_t equals = entry.rfind('=');
   if (equals != std::string_view::npos) {
-    const std::optional<double> kappa = read_number(without_spaces(entry.substr(equals + 1)));
-    if (!kappa) return std::nullopt;
-    pair.kappa = *kappa;
+    if (!read_number(without_spaces(entry.substr(equals + 1)), pair.kappa)) return std::nullopt;
     entry = entry.substr(0, equals);
   }
   const std::size_t comma = entry.find(',');
@@ -49,11 +40,8 @@ std::optional<AttachedPair> read_pair(std::string_view entry) {
 std::vector<AttachedPair> parse_attached_pairs(const std::string& text) {
   std::vector<AttachedPair> pairs;
   Findings findings;
-  std::string_view rest = text;
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find(';'), rest.size());
-    const std::string_view entry = without_spaces(rest.substr(0, end));
-    rest.remove_prefix(std::min(end + 1, rest.size()));
+  for (const std::string_view part : text_parts(text, ";")) {
+    const std::string_view entry = without_spaces(part);
     if (entry.empty()) continue;
     if (std::optional<AttachedPair> pair = read_pair(entry)) {
       pairs.push_back(*std::move(pair));

@@ -11,7 +11,7 @@
 #include "croquis/document/content_hash.h"
 #include "croquis/edits/apply_edits.h"
 #include "croquis/operators/edit_result.h"
-#include "operators/parameter_values.h"
+#include "operators/choice_parameter.h"
 
 namespace croquis {
 namespace {
@@ -97,8 +97,8 @@ OperationDescription EditOperation::describe() const {
 OperationResult EditOperation::compute(const Values& inputs, const ParameterValues& parameters,
                                        Context& context) const {
   const PolyMesh& mesh = inputs.at("mesh").get<PolyMesh>();
-  check_connectivity(mesh, text(parameters, "connectivity"));
-  const std::vector<EditLine> lines = parse_edit_lines(text(parameters, "do"), all_edits());
+  check_connectivity(mesh, text_of(parameters, "connectivity"));
+  const std::vector<EditLine> lines = parse_edit_lines(text_of(parameters, "do"), all_edits());
   EditedMesh edited = apply_edits(mesh, lines, all_edits(), context.progress);
   OperationResult result;
   EditResult details = result_of_editing(mesh, edited, lines);

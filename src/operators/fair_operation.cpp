@@ -6,12 +6,13 @@
 #include <string>
 #include <utility>
 
+#include "croquis/base/stage_key.h"
 #include "croquis/document/content_hash.h"
 #include "croquis/document/memo.h"
 #include "croquis/io/mesh_tags_file.h"
 #include "croquis/operators/fair_result.h"
 #include "croquis/subdivision/fairing.h"
-#include "operators/parameter_values.h"
+#include "operators/choice_parameter.h"
 #include "operators/subdivide_tags.h"
 
 namespace croquis {
@@ -33,11 +34,11 @@ std::size_t byte_size_of(const PolyMesh& mesh, const FairingOptions& options) {
 
 FairingOptions read_options(const ParameterValues& parameters) {
   FairingOptions options;
-  const bool paper = std::get<std::string>(parameters.at("preset")) == "paper";
+  const bool paper = text_of(parameters, "preset") == "paper";
   options.rules = Rules::of(paper ? Preset::Paper : Preset::Refined);
-  options.levels = static_cast<int>(std::get<std::int64_t>(parameters.at("levels")));
-  options.fair_chains = std::get<std::string>(parameters.at("chains")) == "fair";
-  options.keep_planes = std::get<std::string>(parameters.at("planes")) == "keep";
+  options.levels = static_cast<int>(integer_of(parameters, "levels"));
+  options.fair_chains = text_of(parameters, "chains") == "fair";
+  options.keep_planes = text_of(parameters, "planes") == "keep";
   return options;
 }
 
@@ -45,13 +46,7 @@ ContentHash hash_of(const std::shared_ptr<const PolyMesh>& mesh, const FairingOp
   ContentHasher hasher;
   hasher.add("fair/1");
   hasher.add(content_hash(Value(mesh)));
-  hasher.add(static_cast<int>(options.rules.weights));
-  hasher.add(static_cast<int>(options.rules.profile));
-  hasher.add(static_cast<int>(options.rules.chain_ends));
-  hasher.add(static_cast<int>(options.rules.boundary_corners));
-  hasher.add(options.levels);
-  hasher.add(options.fair_chains);
-  hasher.add(options.keep_planes);
+  hasher.add(StageKey().add(options).bytes());
   return hasher.digest();
 }
 
@@ -126,7 +121,7 @@ OperationResult FairOperation::compute(const Values& inputs, const ParameterValu
   Progress solving = context.progress.step("solve", 0.4);
   const std::lock_guard lock(*kept->mutex);
   Fairing& fairing = *kept->fairing;
-  const double weight = std::get<double>(parameters.at("weight")) * fairing.default_weight();
+  const double weight = number_of(parameters, "weight") * fairing.default_weight();
   FairCage fair = fairing.solve(weight, solving);
   result.warnings.insert(result.warnings.end(), fairing.warnings().begin(), fairing.warnings().end());
   const FairResult details{fairing.free_point_count(), weight,        fair.energy_before, fair.energy,

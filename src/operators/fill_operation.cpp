@@ -18,8 +18,8 @@ namespace {
 using hole_filling::FillOptions;
 using hole_filling::Hole;
 using hole_filling::HoleAnalysis;
-using hole_filling::RemeshOptions;
-using hole_filling::RemeshResult;
+using remeshing::RemeshOptions;
+using remeshing::RemeshResult;
 
 OperationResult outputs_of(std::span<const Hole> holes, FillResult details, std::shared_ptr<const PolyMesh> mesh,
                            Findings warnings) {

@@ -18,8 +18,8 @@ using hole_filling::FillAction;
 using hole_filling::Hole;
 using hole_filling::HoleChoice;
 using hole_filling::HoleOutcome;
-using hole_filling::RemeshChecks;
-using hole_filling::RemeshResult;
+using remeshing::RemeshChecks;
+using remeshing::RemeshResult;
 
 constexpr double degrees = 180 / std::numbers::pi;
 

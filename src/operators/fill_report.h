@@ -6,8 +6,8 @@
 
 #include "croquis/base/report.h"
 #include "croquis/hole_filling/hole_choice.h"
-#include "croquis/hole_filling/remesh.h"
 #include "croquis/operators/fill_result.h"
+#include "croquis/remeshing/remesh.h"
 
 namespace croquis {
 
@@ -15,7 +15,7 @@ namespace croquis {
 FillResult result_of_filling(std::shared_ptr<const PolyMesh> scan, const hole_filling::FillResult& filled);
 
 /// The same of a remeshed model, and what it was proven to be.
-FillResult result_of_remeshing(std::shared_ptr<const PolyMesh> scan, const hole_filling::RemeshResult& made);
+FillResult result_of_remeshing(std::shared_ptr<const PolyMesh> scan, const remeshing::RemeshResult& made);
 
 /// The same before anything is filled: HoleState::Filled for the holes that would be.
 FillResult result_of_listing(std::shared_ptr<const PolyMesh> scan, std::span<const hole_filling::Hole> holes,

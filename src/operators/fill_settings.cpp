@@ -2,15 +2,15 @@
 #include "operators/fill_settings.h"
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/base/text.h"
 #include "croquis/operators/hole_wishes.h"
-#include "operators/parameter_values.h"
+#include "operators/choice_parameter.h"
 
 namespace croquis {
 namespace {
@@ -20,8 +20,8 @@ using hole_filling::FillOptions;
 using hole_filling::HoleRequest;
 using hole_filling::Precision;
 using hole_filling::Preset;
-using hole_filling::RemeshOptions;
 using implicit::Kernel;
+using remeshing::RemeshOptions;
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
@@ -67,19 +67,18 @@ HoleRequest request_of(const HoleWish& wish) {
 }
 
 void read_shape(const ParameterValues& parameters, FillOptions& options) {
-  options.fairness = fairness_of(text(parameters, "fairness"));
-  options.flat_caps = text(parameters, "fairness") == "auto";
-  options.preset = preset_of(text(parameters, "preset"));
-  const Kernel kernel = kernel_of(text(parameters, "kernel"));
+  options.fairness = fairness_of(text_of(parameters, "fairness"));
+  options.flat_caps = text_of(parameters, "fairness") == "auto";
+  options.preset = preset_of(text_of(parameters, "preset"));
+  const Kernel kernel = kernel_of(text_of(parameters, "kernel"));
   if (kernel != Kernel::Hermite) options.implicit.kernel = kernel;
-  options.bulge = number(parameters, "bulge");
-  options.trim_rim = static_cast<int>(std::get<std::int64_t>(parameters.at("trim-rim")));
+  options.bulge = number_of(parameters, "bulge");
+  options.trim_rim = static_cast<int>(integer_of(parameters, "trim-rim"));
 }
 
 std::optional<std::size_t> count_in(std::string_view word) {
   std::size_t count = 0;
-  const auto [stopped, error] = std::from_chars(word.data(), word.data() + word.size(), count);
-  return error == std::errc{} && stopped == word.data() + word.size() ? std::optional(count) : std::nullopt;
+  return read_number(word, count) ? std::optional(count) : std::nullopt;
 }
 
 /// "30:300".
@@ -98,25 +97,20 @@ void read_point_range(const std::string& range, RemeshOptions& options) {
   options.max_points = *high;
 }
 
-/// The one of that name.
-const ParameterDescription& described(const std::vector<ParameterDescription>& descriptions, const std::string& name) {
-  return *std::ranges::find(descriptions, name, &ParameterDescription::name);
-}
-
 /// For remeshing as the preset has it, but for what was changed. Methods for patches know the preset themselves.
 RemeshOptions mode_options(const ParameterValues& parameters, bool remesh) {
   const auto descriptions = fill_parameters();
   const auto is_changed = [&](const std::string& name) {
-    return parameters.at(name) != described(descriptions, name).default_value;
+    return parameters.at(name) != find_parameter(descriptions, name)->default_value;
   };
-  RemeshOptions options = remesh ? remesh_preset(preset_of(text(parameters, "preset"))) : RemeshOptions();
-  if (is_changed("overlap")) options.overlap = number(parameters, "overlap");
-  if (is_changed("points-per-domain")) read_point_range(text(parameters, "points-per-domain"), options);
-  if (is_changed("smoothing")) options.smoothing = static_cast<int>(std::get<std::int64_t>(parameters.at("smoothing")));
-  if (is_changed("refine")) options.refine = static_cast<int>(std::get<std::int64_t>(parameters.at("refine")));
-  if (is_changed("cell")) options.cell = number(parameters, "cell");
+  RemeshOptions options = remesh ? remeshing::remesh_preset(preset_of(text_of(parameters, "preset"))) : RemeshOptions();
+  if (is_changed("overlap")) options.overlap = number_of(parameters, "overlap");
+  if (is_changed("points-per-domain")) read_point_range(text_of(parameters, "points-per-domain"), options);
+  if (is_changed("smoothing")) options.smoothing = static_cast<int>(integer_of(parameters, "smoothing"));
+  if (is_changed("refine")) options.refine = static_cast<int>(integer_of(parameters, "refine"));
+  if (is_changed("cell")) options.cell = number_of(parameters, "cell");
   constexpr double mebibyte = 1024 * 1024;
-  options.memory_limit = static_cast<std::size_t>(std::min(number(parameters, "memory-limit") * mebibyte, 1e18));
+  options.memory_limit = static_cast<std::size_t>(std::min(number_of(parameters, "memory-limit") * mebibyte, 1e18));
   return options;
 }
 
@@ -129,7 +123,7 @@ Findings unused_parameters(const ParameterValues& parameters, bool remesh) {
   std::vector<Subject> subjects;
   const auto descriptions = fill_parameters();
   const auto look_at = [&](const char* name) {
-    if (parameters.at(name) == described(descriptions, name).default_value) return;
+    if (parameters.at(name) == find_parameter(descriptions, name)->default_value) return;
     names += (names.empty() ? "" : ", ") + std::string(name);
     subjects.push_back({SubjectKind::Parameter, name, {}, {}, {}});
   };
@@ -246,7 +240,7 @@ std::vector<ParameterDescription> fill_parameters() {
 
 FillSettings read_fill_settings(const ParameterValues& parameters) {
   FillSettings settings;
-  settings.remesh = text(parameters, "mode") == "remesh";
+  settings.remesh = text_of(parameters, "mode") == "remesh";
   settings.options = mode_options(parameters, settings.remesh);
   FillOptions& options = settings.options.fill;
   FillChoice choice = read_fill_choice(parameters);
@@ -259,9 +253,9 @@ FillSettings read_fill_settings(const ParameterValues& parameters) {
     options.flat_caps = true;  // fairness is of patches
   else
     options.memory_limit = settings.options.memory_limit;
-  if (text(parameters, "precision") == "single") options.precision = Precision::Single;
-  options.mark_patches = std::get<bool>(parameters.at("patch-ids"));
-  settings.list_only = std::get<bool>(parameters.at("list"));
+  if (text_of(parameters, "precision") == "single") options.precision = Precision::Single;
+  options.mark_patches = flag_of(parameters, "patch-ids");
+  settings.list_only = flag_of(parameters, "list");
   if (!settings.list_only) settings.warnings = unused_parameters(parameters, settings.remesh);
   return settings;
 }

@@ -7,7 +7,7 @@
 
 #include "croquis/base/finding.h"
 #include "croquis/base/parameter.h"
-#include "croquis/hole_filling/remesh.h"
+#include "croquis/remeshing/remesh.h"
 
 namespace croquis {
 
@@ -18,10 +18,10 @@ inline constexpr std::array<std::string_view, 4> kernel_names = {"hermite", "tri
 
 /// The parameters of `fill`, parsed.
 struct FillSettings {
-  hole_filling::RemeshOptions options;  ///< of both modes: patches go by options.fill alone
-  bool remesh = false;                  ///< the whole model is remeshed
-  bool list_only = false;               ///< holes are looked at, none is filled
-  Findings warnings;                    ///< W_PARAMETER_UNUSED
+  remeshing::RemeshOptions options;  ///< of both modes: patches go by options.fill alone
+  bool remesh = false;               ///< the whole model is remeshed
+  bool list_only = false;            ///< holes are looked at, none is filled
+  Findings warnings;                 ///< W_PARAMETER_UNUSED
 };
 
 std::vector<ParameterDescription> fill_parameters();

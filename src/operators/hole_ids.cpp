@@ -6,6 +6,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/base/index_list.h"
+#include "croquis/base/text.h"
 
 namespace croquis {
 namespace {
@@ -22,12 +23,8 @@ Finding refused_ids(std::string_view word) {
 std::vector<Index> parse_hole_ids(const std::string& text) {
   std::vector<Index> ids;
   Findings findings;
-  constexpr const char* separators = ",; ";
-  for (std::size_t at = text.find_first_not_of(separators); at != std::string::npos;) {
-    const std::size_t end = std::min(text.find_first_of(separators, at), text.size());
-    const std::string_view word = std::string_view(text).substr(at, end - at);
+  for (const std::string_view word : text_parts(text, ",; ")) {
     if (!append_indices(word, ids)) findings.push_back(refused_ids(word));
-    at = text.find_first_not_of(separators, end);
   }
   if (ids.empty() && findings.empty() && !text.empty()) findings.push_back(refused_ids(text));
   if (!findings.empty()) throw Error(std::move(findings));

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <set>
 #include <string_view>
@@ -11,9 +10,9 @@
 
 #include "croquis/base/error.h"
 #include "croquis/base/index_list.h"
+#include "croquis/base/text.h"
 #include "operators/fill_settings.h"
 #include "operators/hole_ids.h"
-#include "operators/parameter_values.h"
 
 namespace croquis {
 namespace {
@@ -35,19 +34,15 @@ std::string_view trimmed(std::string_view text) {
 /// The pieces between separators, without blanks around them; those without anything are left out.
 std::vector<std::string_view> split(std::string_view text, std::string_view separators) {
   std::vector<std::string_view> pieces;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find_first_of(separators), text.size());
-    if (const std::string_view piece = trimmed(text.substr(0, end)); !piece.empty()) pieces.push_back(piece);
-    text.remove_prefix(std::min(end + 1, text.size()));
+  for (const std::string_view part : text_parts(text, separators)) {
+    if (const std::string_view piece = trimmed(part); !piece.empty()) pieces.push_back(piece);
   }
   return pieces;
 }
 
 std::optional<double> number_in(std::string_view word) {
   double number = 0;
-  const auto [stopped, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  const bool is_whole = error == std::errc{} && stopped == word.data() + word.size();
-  return is_whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
+  return read_number(word, number) && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
 bool read_bulge(std::string_view word, HoleWish& wish) {
@@ -128,23 +123,16 @@ HoleWish read_wish(std::string_view text, Findings& findings) {
   return wish;
 }
 
-/// The shortest text that reads back as the same number.
-std::string shortest(double number) {
-  std::array<char, 32> buffer{};
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number);
-  return {buffer.data(), result.ptr};
-}
-
 std::vector<std::string> parts_of(const HoleWish& wish) {
   std::vector<std::string> parts;
   if (wish.fill) parts.emplace_back(*wish.fill ? "fill" : "leave");
   if (wish.bridge) parts.emplace_back("bridge");
   if (!wish.fairness.empty()) parts.push_back(wish.fairness);
   if (!wish.kernel.empty()) parts.push_back("kernel " + wish.kernel);
-  if (wish.bulge) parts.push_back("bulge " + shortest(*wish.bulge));
+  if (wish.bulge) parts.push_back("bulge " + number_text(*wish.bulge));
   if (wish.trim_rim) parts.push_back("trim " + std::to_string(*wish.trim_rim));
   for (const Vec3& place : wish.through)
-    parts.push_back("through " + shortest(place.x()) + ' ' + shortest(place.y()) + ' ' + shortest(place.z()));
+    parts.push_back("through " + number_text(place.x()) + ' ' + number_text(place.y()) + ' ' + number_text(place.z()));
   return parts;
 }
 
@@ -190,9 +178,9 @@ Selection parse_selection(std::string_view name) {
 
 FillChoice read_fill_choice(const ParameterValues& parameters) {
   FillChoice choice;
-  choice.select = parse_selection(text(parameters, "select"));
-  choice.only = parse_hole_ids(to_text(parameters.at("only")));
-  if (const double limit = number(parameters, "max-diameter"); limit > 0) choice.max_diameter = limit;
+  choice.select = parse_selection(text_of(parameters, "select"));
+  choice.only = parse_hole_ids(text_of(parameters, "only"));
+  if (const double limit = number_of(parameters, "max-diameter"); limit > 0) choice.max_diameter = limit;
   choice.wishes = wishes_in(parameters.at("holes"));
   return choice;
 }

@@ -7,9 +7,9 @@
 #include "croquis/silhouette/labelled_figure.h"
 #include "croquis/silhouette/solid.h"
 #include "operators/attach_parameter.h"
+#include "operators/choice_parameter.h"
 #include "operators/inflate_report.h"
 #include "operators/memo_stage_cache.h"
-#include "operators/parameter_values.h"
 
 namespace croquis {
 namespace {
@@ -22,14 +22,14 @@ ParameterDescription weight(const std::string& name, double value, const std::st
 }
 
 Options read_inflate_options(const ParameterValues& parameters) {
-  const bool tablet = std::get<std::string>(parameters.at("preset")) == "tablet";
+  const bool tablet = text_of(parameters, "preset") == "tablet";
   Options options = Options::of(tablet ? Preset::Tablet : Preset::Clean);
-  options.strokes.step = number(parameters, "resolution");
-  options.depth.weight_curvature = number(parameters, "weight-curvature");
-  options.depth.weight_orientation = number(parameters, "weight-orientation");
-  options.depth.weight_distance = number(parameters, "weight-distance");
-  options.depth.minimum_gap = number(parameters, "min-gap");
-  options.attach = parse_attached_pairs(std::get<std::string>(parameters.at("attach")));
+  options.strokes.step = number_of(parameters, "resolution");
+  options.depth.weight_curvature = number_of(parameters, "weight-curvature");
+  options.depth.weight_orientation = number_of(parameters, "weight-orientation");
+  options.depth.weight_distance = number_of(parameters, "weight-distance");
+  options.depth.minimum_gap = number_of(parameters, "min-gap");
+  options.attach = parse_attached_pairs(text_of(parameters, "attach"));
   return options;
 }
 

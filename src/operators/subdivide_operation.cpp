@@ -33,7 +33,7 @@ PolyMesh tagged_cage(const Values& inputs, const SubdivideSettings& settings, Fi
     append(warnings, read.warnings);
     mesh.tags = united_tags(mesh.tags, read.tags);
   }
-  if (settings.sharp_angle > 0) mesh.tags = with_sharp_angles(mesh, settings.sharp_angle, settings.rules);
+  if (settings.sharp_angle > 0) mesh.tags = with_sharp_angles(mesh, settings.sharp_angle, settings.plan.rules);
   if (settings.keep_kinks < std::numbers::pi) mesh = pin_kinks(mesh, settings.keep_kinks);
   return mesh;
 }
@@ -73,13 +73,13 @@ class Subdivision {
   Subdivision(Cage cage, const SubdivideSettings& settings, Context& context)
       : cage_(std::move(cage)), settings_(settings), context_(context) {
     // The limit of a level is read off the next one.
-    if (reads_next_level()) ++settings_.levels;
-    hash_ = plan_hash(cage_, settings_);
+    if (reads_next_level()) ++settings_.plan.levels;
+    hash_ = plan_hash(cage_, settings_.plan);
   }
 
   void compute(Progress& progress) {
     Progress planning = progress.step("plan", 0.6);
-    plan_ = plan_of(cage_, settings_, hash_, context_.memo, planning);
+    plan_ = plan_of(cage_, settings_.plan, hash_, context_.memo, planning);
     compute_positions(*plan_, cage_, buffers_, context_.threads);
     progress.report(0.8);
     connect_mesh();
@@ -87,7 +87,7 @@ class Subdivision {
   }
 
   const SubdivisionPlan& plan() const { return *plan_; }
-  int last() const { return reads_next_level() ? settings_.levels - 1 : settings_.levels; }
+  int last() const { return reads_next_level() ? settings_.plan.levels - 1 : settings_.plan.levels; }
   const Level& level() const { return level_of(*plan_, last()); }
   std::span<const Vec3> positions() const { return buffers_.levels[static_cast<std::size_t>(last())]; }
 
@@ -110,13 +110,13 @@ class Subdivision {
   /// The limit curves of all chains.
   PolyMesh curves() const {
     const auto* doo_sabin = std::get_if<DooSabinPlan>(plan_.get());
-    const auto curves = doo_sabin != nullptr ? limit_curves(*doo_sabin, buffers_, settings_.rules)
+    const auto curves = doo_sabin != nullptr ? limit_curves(*doo_sabin, buffers_, settings_.plan.rules)
                                              : limit_curves(std::get<UniformPlan>(*plan_), buffers_);
     return curve_lines(curves, curve_tolerance * extent(cage_.positions));
   }
 
  private:
-  bool reads_next_level() const { return settings_.limit && settings_.scheme == SubdivisionScheme::DooSabin; }
+  bool reads_next_level() const { return settings_.limit && settings_.plan.scheme == SubdivisionScheme::DooSabin; }
 
   /// All of the mesh but its positions, which the memo keeps while points are dragged.
   void connect_mesh();
@@ -179,7 +179,7 @@ void Subdivision::move_to_limit(Progress& progress) {
 SubdivideResult result_of_subdividing(const Subdivision& subdivision, const SubdivideSettings& settings,
                                       Quality quality, Progress& progress) {
   SubdivideResult result;
-  result.scheme = settings.scheme;
+  result.scheme = settings.plan.scheme;
   result.levels = level_counts(subdivision.plan(), subdivision.last());
   if (quality == Quality::Draft) return result;
   const Level& level = subdivision.level();
@@ -216,8 +216,8 @@ OperationResult SubdivideOperation::compute(const Values& inputs, const Paramete
   OperationResult result;
   Progress checking = context.progress.step("check", 0.1);
   const PolyMesh mesh = tagged_cage(inputs, settings, result.warnings);
-  const bool doo_sabin = settings.scheme == SubdivisionScheme::DooSabin;
-  CageResult made = make_cage(mesh, settings.rules, doo_sabin ? CageUse::DooSabin : CageUse::UniformSchemes);
+  const bool doo_sabin = settings.plan.scheme == SubdivisionScheme::DooSabin;
+  CageResult made = make_cage(mesh, settings.plan.rules, doo_sabin ? CageUse::DooSabin : CageUse::UniformSchemes);
   append(result.warnings, made.warnings);
   warn_of_losses(mesh, result.warnings);
   checking.report(1);

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <string>
 
-#include "operators/parameter_values.h"
+#include "operators/choice_parameter.h"
 
 namespace croquis {
 namespace {
@@ -19,18 +19,18 @@ ParameterDescription flag(const std::string& name, const std::string& sentence) 
 
 /// The preset's rules, except where a parameter sets another value.
 Rules read_rules(const ParameterValues& parameters) {
-  Rules rules = Rules::of(text(parameters, "preset") == "paper" ? Preset::Paper : Preset::Refined);
-  const std::string& weights = text(parameters, "weights");
+  Rules rules = Rules::of(text_of(parameters, "preset") == "paper" ? Preset::Paper : Preset::Refined);
+  const std::string& weights = text_of(parameters, "weights");
   if (weights == "classical") rules.weights = Weights::Classical;
   if (weights == "average") rules.weights = Weights::Average;
-  const std::string& profile = text(parameters, "profile");
+  const std::string& profile = text_of(parameters, "profile");
   if (profile == "clamped") rules.profile = Profile::Clamped;
   if (profile == "plain") rules.profile = Profile::Plain;
-  const std::string& ends = text(parameters, "chain-ends");
+  const std::string& ends = text_of(parameters, "chain-ends");
   if (ends == "smooth") rules.chain_ends = ChainEnds::Smooth;
   if (ends == "retract") rules.chain_ends = ChainEnds::Retract;
   if (ends == "pin") rules.chain_ends = ChainEnds::Pin;
-  const std::string& corners = text(parameters, "boundary-corners");
+  const std::string& corners = text_of(parameters, "boundary-corners");
   if (corners == "corner") rules.boundary_corners = BoundaryCorners::Corner;
   if (corners == "smooth") rules.boundary_corners = BoundaryCorners::Smooth;
   return rules;
@@ -62,7 +62,7 @@ std::vector<ParameterDescription> subdivide_parameters() {
                  "Boundary vertices with a single face stay, or are rounded with the boundary."),
           {"levels",
            ParameterType::Integer,
-           std::int64_t{defaults.levels},
+           std::int64_t{defaults.plan.levels},
            0,
            most_levels,
            {},
@@ -90,15 +90,15 @@ std::vector<ParameterDescription> subdivide_parameters() {
 
 SubdivideSettings read_subdivide_settings(const ParameterValues& parameters) {
   SubdivideSettings settings;
-  const std::string& scheme = text(parameters, "scheme");
-  if (scheme == "catmull-clark") settings.scheme = SubdivisionScheme::CatmullClark;
-  if (scheme == "loop") settings.scheme = SubdivisionScheme::Loop;
-  settings.rules = read_rules(parameters);
-  settings.levels = static_cast<int>(std::get<std::int64_t>(parameters.at("levels")));
-  settings.sharp_angle = std::get<double>(parameters.at("sharp-angle")) * std::numbers::pi / 180;
-  settings.keep_kinks = std::get<double>(parameters.at("keep-kinks")) * std::numbers::pi / 180;
-  settings.limit = std::get<bool>(parameters.at("limit"));
-  settings.provenance = std::get<bool>(parameters.at("provenance"));
+  const std::string& scheme = text_of(parameters, "scheme");
+  if (scheme == "catmull-clark") settings.plan.scheme = SubdivisionScheme::CatmullClark;
+  if (scheme == "loop") settings.plan.scheme = SubdivisionScheme::Loop;
+  settings.plan.rules = read_rules(parameters);
+  settings.plan.levels = static_cast<int>(integer_of(parameters, "levels"));
+  settings.sharp_angle = number_of(parameters, "sharp-angle") * std::numbers::pi / 180;
+  settings.keep_kinks = number_of(parameters, "keep-kinks") * std::numbers::pi / 180;
+  settings.limit = flag_of(parameters, "limit");
+  settings.provenance = flag_of(parameters, "provenance");
   return settings;
 }
 

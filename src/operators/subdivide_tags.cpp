@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Geometry>
-
+#include "croquis/geometry/polygon_area.h"
 #include "croquis/subdivision/cage.h"
 
 namespace croquis {
@@ -28,15 +27,10 @@ std::set<Edge> edges_of(const std::vector<Crease>& creases) {
   return edges;
 }
 
-/// Newell's; its length is twice the area.
 std::vector<Vec3> face_normals(const subdivision::Cage& cage) {
-  std::vector<Vec3> normals(cage.topology.face_count(), Vec3::Zero());
-  for (std::size_t f = 0; f < normals.size(); ++f) {
-    const auto face = cage.topology.face(f);
-    const Vec3& origin = cage.positions[face[0]];
-    for (std::size_t i = 1; i + 1 < face.size(); ++i) {
-      normals[f] += (cage.positions[face[i]] - origin).cross(cage.positions[face[i + 1]] - origin);
-    }
+  std::vector<Vec3> normals;
+  for (Index f = 0; f < cage.topology.face_count(); ++f) {
+    normals.push_back(area_normal(cage.positions, cage.topology.face(f)));
   }
   return normals;
 }

@@ -3,6 +3,8 @@
 
 #include <span>
 
+#include "croquis/base/stage_key.h"
+
 namespace croquis {
 namespace {
 
@@ -21,7 +23,7 @@ std::size_t byte_size(const SubdivisionPlan& plan) {
   return bytes;
 }
 
-SubdivisionPlan make_plan(const Cage& cage, const SubdivideSettings& settings, Progress& progress) {
+SubdivisionPlan make_plan(const Cage& cage, const PlanSettings& settings, Progress& progress) {
   if (settings.scheme == SubdivisionScheme::DooSabin) {
     return DooSabinPlan(cage, settings.rules, Depth(settings.levels), progress);
   }
@@ -32,15 +34,10 @@ SubdivisionPlan make_plan(const Cage& cage, const SubdivideSettings& settings, P
 
 }  // namespace
 
-ContentHash plan_hash(const Cage& cage, const SubdivideSettings& settings) {
+ContentHash plan_hash(const Cage& cage, const PlanSettings& settings) {
   ContentHasher hasher;
   hasher.add("subdivide/plan/1");
-  hasher.add(static_cast<int>(settings.scheme));
-  hasher.add(static_cast<int>(settings.rules.weights));
-  hasher.add(static_cast<int>(settings.rules.profile));
-  hasher.add(static_cast<int>(settings.rules.chain_ends));
-  hasher.add(static_cast<int>(settings.rules.boundary_corners));
-  hasher.add(settings.levels);
+  hasher.add(StageKey().add(settings).bytes());
   hasher.add(cage.topology.vertex_count());
   // The rest of the connectivity follows from these two.
   hasher.add(std::span<const Index>(cage.topology.face_offsets));
@@ -51,8 +48,8 @@ ContentHash plan_hash(const Cage& cage, const SubdivideSettings& settings) {
   return hasher.digest();
 }
 
-std::shared_ptr<const SubdivisionPlan> plan_of(const Cage& cage, const SubdivideSettings& settings,
-                                               const ContentHash& hash, Memo* memo, Progress& progress) {
+std::shared_ptr<const SubdivisionPlan> plan_of(const Cage& cage, const PlanSettings& settings, const ContentHash& hash,
+                                               Memo* memo, Progress& progress) {
   return memoized<SubdivisionPlan>(
       memo, hash, [&] { return make_plan(cage, settings, progress); },
       [](const SubdivisionPlan& plan) { return byte_size(plan); });

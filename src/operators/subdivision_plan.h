@@ -18,10 +18,10 @@ namespace croquis {
 using SubdivisionPlan = std::variant<subdivision::DooSabinPlan, subdivision::UniformPlan>;
 
 /// Of all that a plan of the cage depends on: connectivity, tags, scheme, rules and levels; positions aren't among it.
-ContentHash plan_hash(const subdivision::Cage& cage, const SubdivideSettings& settings);
+ContentHash plan_hash(const subdivision::Cage& cage, const PlanSettings& settings);
 
 /// The plan of that hash, kept by the memo (may be null): dragging points of the cage doesn't make it again.
-std::shared_ptr<const SubdivisionPlan> plan_of(const subdivision::Cage& cage, const SubdivideSettings& settings,
+std::shared_ptr<const SubdivisionPlan> plan_of(const subdivision::Cage& cage, const PlanSettings& settings,
                                                const ContentHash& hash, Memo* memo, Progress& progress);
 
 int level_count(const SubdivisionPlan& plan);

@@ -57,5 +57,24 @@ TEST_CASE("cancelling ends the work before its end, and progress rises to 1") {
   }
 }
 
+TEST_CASE("an even grain gives every thread one part at most, and none fewer elements than are worth it") {
+  for (const std::size_t count :
+       {std::size_t{0}, std::size_t{1}, std::size_t{99}, std::size_t{100}, std::size_t{1001}}) {
+    for (const int threads : {1, 2, 3, 8}) {
+      const std::size_t grain = even_grain(count, threads, 100);
+      std::vector<int> times(count, 0);
+      std::atomic<int> parts = 0;
+      for_each_part(count, grain, threads, [&](std::size_t begin, std::size_t end) {
+        ++parts;
+        for (std::size_t i = begin; i < end; ++i) ++times[i];
+      });
+      CHECK(times == std::vector<int>(count, 1));
+      CHECK(parts <= threads);
+      CHECK((parts <= 1 || grain >= 100));
+      if (count >= 1000 && threads <= 8) CHECK(parts == threads);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace croquis

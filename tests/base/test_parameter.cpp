@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <variant>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -171,4 +174,21 @@ TEST_CASE("a text that a program wrote is a text, and brings along what it stand
   CHECK_FALSE(parsed == ParsedText("three", 2));
   CHECK(complete({text()}, {{text().name, parsed}}).at(text().name) == ParameterValue(parsed));
   CHECK_THROWS_AS(complete({choice()}, {{choice().name, ParsedText("fast", 1)}}), Error);
+}
+
+TEST_CASE("a description is found by its whole name alone") {
+  const std::vector<ParameterDescription> all = {number(), integer(), choice(), flag(), text()};
+  for (const ParameterDescription& description : all) CHECK(find_parameter(all, description.name) == &description);
+  for (const char* name : {"", "siz", "sizes", "Size"}) CHECK(find_parameter(all, name) == nullptr);
+  CHECK(find_parameter({}, "size") == nullptr);
+}
+
+TEST_CASE("complete values are read by name and type") {
+  const ParameterValues values = complete({number(), integer(), choice(), flag(), text()}, {{"size", 2.5}});
+  CHECK(number_of(values, "size") == 2.5);
+  CHECK(integer_of(values, "count") == 3);
+  CHECK(text_of(values, "mode") == "fast");
+  CHECK_FALSE(flag_of(values, "wire"));
+  CHECK_THROWS_AS(number_of(values, "width"), std::out_of_range);
+  CHECK_THROWS_AS(number_of(values, "count"), std::bad_variant_access);
 }

@@ -11,7 +11,7 @@
 #include "bench/bench.h"
 #include "bench/cpu_time.h"
 #include "bench/peak_memory.h"
-#include "croquis/hole_filling/remesh.h"
+#include "croquis/remeshing/remesh.h"
 #include "support/mesh_shapes.h"
 #include "support/sample_count.h"
 #include "support/scans.h"
@@ -20,6 +20,7 @@ namespace croquis::bench {
 namespace {
 
 using namespace hole_filling;
+using namespace remeshing;
 
 constexpr double million = 1e6;
 constexpr int many_threads = 16;

@@ -98,3 +98,32 @@ TEST_CASE("too few points and points on one line give no triangles and no confli
     CHECK(result.conflict.empty());
   }
 }
+
+TEST_CASE("the triangles inside of loops cover what a ray crosses the loops an odd number of times from") {
+  const std::vector<Vec2> points = {{0, 0},   {6, 0},   {6, 6},   {3, 4}, {0, 6},  // a notched outline
+                                    {1, 1},   {1, 3},   {5, 3},   {5, 1},          // a hole in it, the other way round
+                                    {2, 1.5}, {4, 1.5}, {3, 2.5}, {8, 8}};  // an island in the hole; a point outside
+  const Constraints loops = {{0, 1}, {1, 2}, {2, 3}, {3, 4},  {4, 0},   {5, 6},
+                             {6, 7}, {7, 8}, {8, 5}, {9, 10}, {10, 11}, {11, 9}};
+  const PlanarTriangulation plane = triangulate(points, loops).triangulation;
+  const auto inside = triangles_inside(plane);
+  const auto crossings = [&](const Vec2& place) {
+    int count = 0;
+    for (const auto& [a, b] : loops) {
+      const Vec2 &from = points[a], &to = points[b];
+      if ((from.y() > place.y()) == (to.y() > place.y())) continue;
+      const double x = from.x() + (place.y() - from.y()) / (to.y() - from.y()) * (to.x() - from.x());
+      if (x > place.x()) ++count;
+    }
+    return count;
+  };
+  std::vector<std::array<Index, 3>> expected;
+  for (const auto& triangle : plane.triangles) {
+    const Vec2 middle = (points[triangle[0]] + points[triangle[1]] + points[triangle[2]]) / 3;
+    if (crossings(middle) % 2 == 1) expected.push_back(triangle);
+  }
+  CHECK(inside == expected);
+  double area = 0;
+  for (const auto& [a, b, c] : inside) area += signed_area(std::array{points[a], points[b], points[c]});
+  CHECK(area == Approx(30 - 8 + 1));
+}

@@ -7,7 +7,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "geometry/radix_order.h"
+#include "croquis/geometry/radix_order.h"
 #include "support/random.h"
 
 using namespace croquis;

@@ -18,11 +18,6 @@ FillResult fill(const PolyMesh& mesh, const FillOptions& options) {
   return fill_holes(mesh, options, progress);
 }
 
-RemeshResult remesh(const PolyMesh& mesh, const RemeshOptions& options) {
-  Progress progress;
-  return remesh_surface(mesh, options, progress);
-}
-
 MeshReport report_of(const PolyMesh& mesh) {
   Progress progress;
   return inspect(mesh, true, progress);

@@ -5,13 +5,11 @@
 
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/hole_filling/fill_holes.h"
-#include "croquis/hole_filling/remesh.h"
 
 /// What holds whatever is filled, however, and by whatever method.
 namespace croquis::test {
 
 hole_filling::FillResult fill(const PolyMesh& mesh, const hole_filling::FillOptions& options = {});
-hole_filling::RemeshResult remesh(const PolyMesh& mesh, const hole_filling::RemeshOptions& options = {});
 
 /// With self-intersections.
 MeshReport report_of(const PolyMesh& mesh);

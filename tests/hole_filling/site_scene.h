@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "algorithms/hole_filling/continuation/hole_site.h"
 #include "croquis/hole_filling/hole_analysis.h"
+#include "croquis/hole_filling/hole_site.h"
 
 namespace croquis::test {
 

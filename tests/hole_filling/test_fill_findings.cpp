@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/hole_filling/fill_findings.h"
+#include "croquis/hole_filling/fill_findings.h"
 #include "croquis/hole_filling/fill_holes.h"
 #include "hole_filling/fill_invariants.h"
 #include "support/mesh_shapes.h"

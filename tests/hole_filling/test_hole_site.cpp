@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/hole_filling/continuation/hole_site.h"
+#include "croquis/hole_filling/hole_site.h"
 #include "support/scans.h"
 
 using namespace croquis;

@@ -6,8 +6,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/hole_filling/patching/patch_confidence.h"
 #include "algorithms/hole_filling/patching/patcher.h"
+#include "croquis/hole_filling/patch_confidence.h"
 #include "hole_filling/fill_invariants.h"
 #include "support/scans.h"
 #include "support/surface_distance.h"

@@ -12,14 +12,12 @@
 #include "algorithms/hole_filling/patching/open_sheet.h"
 #include "algorithms/hole_filling/patching/patcher.h"
 #include "algorithms/hole_filling/patching/rim_zip.h"
-#include "algorithms/hole_filling/patching/triangle_tree.h"
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/hole_filling/fill_holes.h"
 #include "croquis/hole_filling/hole_groups.h"
 #include "croquis/hole_filling/patch_verification.h"
 #include "support/mesh_shapes.h"
-#include "support/random.h"
 #include "support/sample_count.h"
 #include "support/scans.h"
 #include "support/sculptures.h"
@@ -315,25 +313,4 @@ TEST_CASE("sheets lose what hangs at their borders by one edge or touches them i
   CHECK(border_loops(ring).size() == 2);
   const MeshTopology topology(ring);
   for (Index v = 0; v < ring.vertex_count(); ++v) CHECK(topology.fan_count(v) == 1);
-}
-
-TEST_CASE("the nearest triangle of a tree is that of a search of all, whichever count") {
-  const PolyMesh soup = random_soup(3, 300);
-  std::vector<std::array<Vec3, 3>> triangles;
-  for (std::size_t f = 0; f < soup.face_count(); ++f)
-    triangles.push_back(
-        {soup.positions[soup.face(f)[0]], soup.positions[soup.face(f)[1]], soup.positions[soup.face(f)[2]]});
-  const TriangleTree tree(triangles);
-  Random random(5);
-  for (int i = 0; i < 200; ++i) {
-    const Vec3 place(random.between(-1, 2), random.between(-1, 2), random.between(-1, 2));
-    for (const Index modulus : {1U, 7U}) {
-      double least = std::numeric_limits<double>::infinity();
-      for (Index t = 0; t < triangles.size(); t += modulus)
-        least = std::min(least, foot_on_triangle(triangles[t], place).distance);
-      const TriangleFoot foot = tree.nearest(place, 10, [&](Index t) { return t % modulus == 0; });
-      CHECK(foot.distance == least);
-      CHECK((foot.point - place).norm() == Approx(least));
-    }
-  }
 }

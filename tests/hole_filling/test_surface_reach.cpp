@@ -7,8 +7,8 @@
 #include <catch2/catch.hpp>
 
 #include "algorithms/hole_filling/continuation/other_sheets.h"
-#include "algorithms/hole_filling/continuation/quadric_normals.h"
-#include "algorithms/hole_filling/continuation/surface_reach.h"
+#include "croquis/hole_filling/quadric_normals.h"
+#include "croquis/hole_filling/surface_reach.h"
 #include "hole_filling/site_scene.h"
 #include "support/mesh_shapes.h"
 #include "support/scans.h"

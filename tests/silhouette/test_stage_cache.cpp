@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,8 @@
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/silhouette/attachment.h"
 #include "croquis/silhouette/solid.h"
+#include "support/key_recorder.h"
+#include "support/member_changes.h"
 #include "support/sketch_generator.h"
 
 using namespace croquis;
@@ -162,4 +165,47 @@ TEST_CASE("a draft shows the same objects with fewer vertices, and shares its la
   const double tolerance = 0.02 * (fine[1] - fine[0]).norm();
   CHECK((wide[0] - fine[0]).norm() < tolerance);
   CHECK((wide[1] - fine[1]).norm() < tolerance);
+}
+
+TEST_CASE(
+    "every option of strokes and completion changes the key of the labels, every one of depths that of the solid") {
+  const Drawing drawing = test::linked_rings_sketch().drawing;
+  const auto label_key = [&](Options options) {
+    return test::stage_key("silhouette labels", [&](StageCache* cache) {
+      options.cache = cache;
+      Progress progress;
+      label(drawing, options, progress);
+    });
+  };
+  Progress progress;
+  const LabelledDrawing labelled = label(drawing, Options(), progress);
+  const auto solid_key = [&](Options options) {
+    return test::stage_key("silhouette solid", [&](StageCache* cache) {
+      options.cache = cache;
+      inflate(labelled, drawing, options, progress);
+    });
+  };
+  std::set<std::string> label_keys = {label_key({})}, solid_keys = {solid_key({})};
+  std::size_t label_count = 1, solid_count = 1;
+  const auto with = [](auto Options::*part, const auto& changed) {
+    Options options;
+    options.*part = changed;
+    return options;
+  };
+  for (const StrokeOptions& changed : test::changes_of(StrokeOptions())) {
+    label_keys.insert(label_key(with(&Options::strokes, changed)));
+    ++label_count;
+  }
+  for (const CompletionOptions& changed : test::changes_of(CompletionOptions())) {
+    label_keys.insert(label_key(with(&Options::completion, changed)));
+    ++label_count;
+  }
+  for (const DepthOptions& changed : test::changes_of(DepthOptions())) {
+    solid_keys.insert(solid_key(with(&Options::depth, changed)));
+    ++solid_count;
+  }
+  CHECK(label_keys.size() == label_count);
+  CHECK(solid_keys.size() == solid_count);
+  CHECK_FALSE(label_keys.contains(""));
+  CHECK_FALSE(solid_keys.contains(""));
 }

@@ -5,7 +5,9 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <typeinfo>
 #include <utility>
 #include <variant>
@@ -68,9 +70,20 @@ struct ParameterDescription {
 /// Values by parameter name. Holds every parameter of its description once `complete` has run.
 using ParameterValues = std::map<std::string, ParameterValue>;
 
+/// The description of that name, or null. Linear.
+const ParameterDescription* find_parameter(std::span<const ParameterDescription> descriptions, std::string_view name);
+
 /// Fills in defaults and checks each value against its description.
 /// @throws Error with one E_PARAMETER finding for every unknown name, wrong type, and value out of its range
 ParameterValues complete(const std::vector<ParameterDescription>& descriptions, ParameterValues values);
+
+/// The value of that name in complete values.
+/// @throws std::out_of_range, std::bad_variant_access for a name or a type that isn't the described one: a mistake of
+///         the program, not of the input
+bool flag_of(const ParameterValues& values, const std::string& name);
+std::int64_t integer_of(const ParameterValues& values, const std::string& name);
+double number_of(const ParameterValues& values, const std::string& name);
+const std::string& text_of(const ParameterValues& values, const std::string& name);  ///< of Choice and File too; of a ParsedText its text
 
 /// Reads a value of the described type from text.
 /// @throws Error (E_PARAMETER) naming the parameter and what would have been accepted

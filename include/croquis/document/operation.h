@@ -10,8 +10,8 @@
 #include "croquis/document/result_box.h"
 #include "croquis/document/value.h"
 
-/// The one extension point of Croquis: whatever makes geometry from geometry is an Operation, and every host builds
-/// its interface from the operation's own description.
+/// The extension point for whatever makes geometry from geometry; edits (edits/edit.h) are the one for whatever changes
+/// a mesh at chosen elements. Every host builds its interface from the operation's own description.
 namespace croquis {
 
 /// One typed input or output of an operation.

@@ -40,4 +40,9 @@ struct PlanarTriangulationResult {
 /// O(n log n). The triangles come in an order that depends on the input alone.
 PlanarTriangulationResult triangulate(std::span<const Vec2> points, std::span<const std::array<Index, 2>> constraints);
 
+/// The triangles that an odd number of constraints separates from the outside, in their order: the inside of closed
+/// loops, without that of loops within loops. Linear.
+/// @param plane of constraints that are closed loops
+std::vector<std::array<Index, 3>> triangles_inside(const PlanarTriangulation& plane);
+
 }  // namespace croquis

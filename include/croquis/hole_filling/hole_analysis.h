@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
 #include "croquis/base/finding.h"
+#include "croquis/base/members.h"
 #include "croquis/base/progress.h"
 #include "croquis/hole_filling/surface_view.h"
 
@@ -57,6 +59,10 @@ struct HoleAnalysisOptions {
   std::size_t small_edges = 10;        ///< a rim of so many edges is "small"
   std::size_t exact_area_edges = 100;  ///< longer rims' areas are estimated; cost grows with the third power
 };
+constexpr auto members(const HoleAnalysisOptions& options) {
+  return std::tie(options.small_edges, options.exact_area_edges);
+}
+static_assert(lists_every_member<HoleAnalysisOptions>);
 
 struct HoleAnalysis {
   SurfaceView view;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <optional>
+#include <tuple>
 #include <vector>
 
+#include "croquis/base/members.h"
 #include "croquis/geometry/vector.h"
 #include "croquis/hole_filling/implicit_options.h"
 
@@ -32,6 +34,10 @@ struct PatchWish {
   double bulge = 0;           ///< -1..1: turns the surface at the rim outwards (+) or inwards; 0: as it comes
   std::vector<Vec3> through;  ///< places that the patch goes through, model units
 };
+constexpr auto members(const PatchWish& wish) {
+  return std::tie(wish.fairness, wish.implicit, wish.bulge, wish.through);
+}
+static_assert(lists_every_member<PatchWish>);
 
 /// What is wanted of single holes instead of the options for all. Of several requests for a hole the later
 /// ones win, each in what it sets.

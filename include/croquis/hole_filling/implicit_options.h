@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <tuple>
 
+#include "croquis/base/members.h"
 #include "croquis/implicit/kernels.h"
 
 namespace croquis::hole_filling {
@@ -22,5 +24,10 @@ struct ImplicitOptions {
 
   bool both_sides = true;  ///< points off the surface, where the kernel needs them: false as in Yoo 2005
 };
+constexpr auto members(const ImplicitOptions& options) {
+  return std::tie(options.kernel, options.reach, options.most_centres, options.value_smoothing,
+                  options.gradient_smoothing, options.both_sides);
+}
+static_assert(lists_every_member<ImplicitOptions>);
 
 }  // namespace croquis::hole_filling

@@ -9,7 +9,7 @@
 
 #include "croquis/geometry/poly_mesh.h"
 #include "croquis/hole_filling/hole_analysis.h"
-#include "croquis/hole_filling/remesh.h"
+#include "croquis/remeshing/remesh.h"
 
 /// What the operation `fill` found and did; its report is made of this.
 namespace croquis {
@@ -44,7 +44,7 @@ struct RemeshFigures {
   std::size_t domains = 0;
   hole_filling::DomainPointCounts points_per_domain;
   std::size_t predicted_bytes = 0;
-  hole_filling::RemeshChecks checks;
+  remeshing::RemeshChecks checks;
 };
 
 struct FillResult {

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <string>
+#include <tuple>
 #include <vector>
+
+#include "croquis/base/members.h"
 
 namespace croquis {
 class StageCache;
@@ -27,6 +30,10 @@ struct StrokeOptions {
   double snap = 10;          ///< u: how far an end may stop short of, or overshoot, the line it passes behind
   int smoothing_passes = 2;  ///< 0..20: Taubin passes
 };
+constexpr auto members(const StrokeOptions& options) {
+  return std::tie(options.step, options.tiny, options.close, options.gap, options.snap, options.smoothing_passes);
+}
+static_assert(lists_every_member<StrokeOptions>);
 
 /// Completion of hidden contours.
 struct CompletionOptions {
@@ -35,6 +42,10 @@ struct CompletionOptions {
   double maximum_cost = 40;     ///< dearer candidates are not tried
   int maximum_matchings = 400;  ///< a count, never a clock: the same drawing always gives the same answer
 };
+constexpr auto members(const CompletionOptions& options) {
+  return std::tie(options.length_weight, options.curvature_weight, options.maximum_cost, options.maximum_matchings);
+}
+static_assert(lists_every_member<CompletionOptions>);
 
 /// The three qualities of the depth solve and what keeps parts apart. An object may override the weights.
 struct DepthOptions {
@@ -48,6 +59,11 @@ struct DepthOptions {
   /// that is tilted between two others reaches beyond them.
   double depth_allowance = 2;
 };
+constexpr auto members(const DepthOptions& options) {
+  return std::tie(options.weight_curvature, options.weight_orientation, options.weight_distance, options.minimum_gap,
+                  options.node_spacing, options.accuracy, options.depth_allowance);
+}
+static_assert(lists_every_member<DepthOptions>);
 
 enum class Quality {
   Draft,  ///< to be looked at while something is dragged: coarser, unproven, attached parts not yet joined

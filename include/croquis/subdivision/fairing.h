@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <memory>
+#include <tuple>
 
 #include "croquis/base/finding.h"
+#include "croquis/base/members.h"
 #include "croquis/base/progress.h"
 #include "croquis/geometry/poly_mesh.h"
 #include "croquis/subdivision/rules.h"
@@ -18,6 +20,10 @@ struct FairingOptions {
   bool keep_planes = true;   ///< planar faces beside tagged edges stay in their planes, and so do planar chains; the
                              ///< angles across tags then stay as they are
 };
+constexpr auto members(const FairingOptions& options) {
+  return std::tie(options.rules, options.levels, options.fair_chains, options.keep_planes);
+}
+static_assert(lists_every_member<FairingOptions>);
 
 struct FairCage {
   PolyMesh mesh;             ///< the cage with moved points

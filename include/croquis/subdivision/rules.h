@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <tuple>
+
+#include "croquis/base/members.h"
+
 namespace croquis::subdivision {
 
 /// The two sets of rules people choose between; they differ in positions alone, never in connectivity.
@@ -42,5 +46,9 @@ struct Rules {
 
   static Rules of(Preset preset);
 };
+constexpr auto members(const Rules& rules) {
+  return std::tie(rules.weights, rules.profile, rules.chain_ends, rules.boundary_corners);
+}
+static_assert(lists_every_member<Rules>);
 
 }  // namespace croquis::subdivision

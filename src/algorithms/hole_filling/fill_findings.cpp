@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/hole_filling/fill_findings.h"
+#include "croquis/hole_filling/fill_findings.h"
 
 #include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
 
-#include "algorithms/hole_filling/patching/patch_confidence.h"
+#include "croquis/hole_filling/patch_confidence.h"
 
 namespace croquis::hole_filling {
 namespace {

@@ -7,16 +7,16 @@
 #include <utility>
 #include <variant>
 
-#include "algorithms/hole_filling/fill_findings.h"
-#include "algorithms/hole_filling/fill_jobs.h"
 #include "algorithms/hole_filling/patch_assembly.h"
 #include "algorithms/hole_filling/patch_climb.h"
-#include "algorithms/hole_filling/patching/patch_confidence.h"
 #include "algorithms/hole_filling/rim_trimming.h"
 #include "algorithms/hole_filling/scan_numbers.h"
-#include "algorithms/hole_filling/stage_key.h"
 #include "croquis/base/error.h"
+#include "croquis/base/stage_key.h"
+#include "croquis/hole_filling/fill_findings.h"
+#include "croquis/hole_filling/fill_jobs.h"
 #include "croquis/hole_filling/hole_choice.h"
+#include "croquis/hole_filling/patch_confidence.h"
 
 namespace croquis::hole_filling {
 namespace {
@@ -32,8 +32,7 @@ std::size_t bytes_of(const HoleAnalysis& analysis) {
 /// The mesh as the caller names it, or all of it.
 StageKey key_of(const PolyMesh& mesh, const FillOptions& options) {
   StageKey key;
-  key.add(options.analysis.small_edges).add(options.analysis.exact_area_edges);
-  key.add(std::string_view(options.scan_key));
+  key.add(options.analysis).add(options.scan_key);
   if (options.scan_key.empty() && options.cache != nullptr)
     key.add(mesh.positions).add(mesh.face_offsets).add(mesh.corners);
   return key;

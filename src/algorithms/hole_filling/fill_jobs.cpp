@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/hole_filling/fill_jobs.h"
+#include "croquis/hole_filling/fill_jobs.h"
 
 #include <algorithm>
 #include <utility>

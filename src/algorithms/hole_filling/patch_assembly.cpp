@@ -12,9 +12,9 @@
 
 #include <Eigen/Geometry>
 
-#include "algorithms/hole_filling/channel_names.h"
 #include "algorithms/hole_filling/patching/harmonic_values.h"
-#include "algorithms/hole_filling/patching/patch_confidence.h"
+#include "croquis/hole_filling/channel_names.h"
+#include "croquis/hole_filling/patch_confidence.h"
 
 namespace croquis::hole_filling {
 namespace {

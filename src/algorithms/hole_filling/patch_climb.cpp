@@ -10,9 +10,9 @@
 
 #include "algorithms/hole_filling/patching/near_scene.h"
 #include "algorithms/hole_filling/patching/patch_ladder.h"
-#include "algorithms/hole_filling/stage_key.h"
-#include "algorithms/hole_filling/verification/single_precision.h"
 #include "croquis/base/parallel.h"
+#include "croquis/base/stage_key.h"
+#include "croquis/geometry/single_precision.h"
 
 namespace croquis::hole_filling {
 namespace {
@@ -44,13 +44,6 @@ std::size_t bytes_of(const Attempt& attempt) {
   if (!attempt.patch) return sizeof attempt;
   return sizeof attempt + attempt.patch->points.size() * sizeof(Vec3) +
          attempt.patch->triangles.size() * sizeof(std::array<Index, 3>);
-}
-
-void add_wish(const PatchWish& wish, StageKey& key) {
-  const ImplicitOptions& implicit = wish.implicit;
-  key.add(wish.fairness).add(wish.bulge).add(wish.through);
-  key.add(implicit.kernel).add(implicit.reach).add(implicit.most_centres);
-  key.add(implicit.value_smoothing).add(implicit.gradient_smoothing).add(implicit.both_sides);
 }
 
 /// Methods for the same wish have names that begin alike; any of them is as asked.
@@ -155,8 +148,7 @@ class Climb {
     const FillJob& job = climber.job;
     StageKey key;
     numbers_.add_surroundings(site, key);
-    key.add(job.bridge).add(job.is_cap).add(site.polygon.blocked);
-    add_wish(job.wish, key);
+    key.add(job.bridge).add(job.is_cap).add(site.polygon.blocked).add(job.wish);
     key.add(options_.preset).add(options_.most_patch_triangles).add(climber.rung);
     return key;
   }

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/hole_filling/fill_jobs.h"
 #include "algorithms/hole_filling/scan_numbers.h"
+#include "croquis/hole_filling/fill_jobs.h"
 #include "croquis/hole_filling/hole_patch.h"
 
 namespace croquis::hole_filling {

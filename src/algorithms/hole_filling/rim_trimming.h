@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "algorithms/hole_filling/fill_jobs.h"
 #include "croquis/geometry/mesh_part.h"
+#include "croquis/hole_filling/fill_jobs.h"
 
 namespace croquis::hole_filling {
 

@@ -8,10 +8,10 @@
 
 #include <Eigen/Geometry>
 
-#include "algorithms/hole_filling/continuation/hole_site.h"
 #include "algorithms/hole_filling/rim_trimming.h"
-#include "algorithms/hole_filling/stage_key.h"
+#include "croquis/base/stage_key.h"
 #include "croquis/hole_filling/hole_patch.h"
+#include "croquis/hole_filling/hole_site.h"
 
 namespace croquis::hole_filling {
 

@@ -109,14 +109,14 @@ class Attempt {
 
  private:
   std::shared_ptr<const SheetBasis> sheet_basis(Progress& progress) const {
-    ContentWriter content;
+    StageKey key;
     if (cache_ != nullptr) {
-      content.add_shape(figure_);
-      content.add_shape(skeleton_);
-      content.add(quality_);
+      add_shape(figure_, key);
+      add_shape(skeleton_, key);
+      key.add(quality_);
     }
     return cached<SheetBasis>(
-        cache_, "silhouette sheets", content, [&] { return make_sheet_basis(figure_, skeleton_, quality_, progress); },
+        cache_, "silhouette sheets", key, [&] { return make_sheet_basis(figure_, skeleton_, quality_, progress); },
         [](const SheetBasis& basis) { return bytes_of(basis); });
   }
 
@@ -300,13 +300,13 @@ class Attempt {
 std::shared_ptr<const Skeleton> make_axis(const LabelledFigure& figure, const FigureSettings& settings,
                                           Progress& progress) {
   const double spacing = settings.depth.options.node_spacing;
-  ContentWriter content;
+  StageKey key;
   if (settings.cache != nullptr) {
-    content.add_shape(figure);
-    content.add(spacing);
+    add_shape(figure, key);
+    key.add(spacing);
   }
   return cached<Skeleton>(
-      settings.cache, "silhouette axis", content, [&] { return chordal_axis(figure, spacing, progress); },
+      settings.cache, "silhouette axis", key, [&] { return chordal_axis(figure, spacing, progress); },
       [](const Skeleton& skeleton) { return bytes_of(skeleton); });
 }
 
@@ -335,20 +335,6 @@ FigureSolid solidify(const LabelledFigure& figure, const Drawing& drawing, Figur
   }
 }
 
-void add_settings(const FigureSettings& settings, ContentWriter& content) {
-  content.add(settings.depth.options);
-  for (const DepthWeights& weights : settings.depth.object_weights) {
-    for (const double weight : {weights.curvature, weights.orientation, weights.distance}) content.add(weight);
-  }
-  content.add(settings.depth.lazy_rows);
-  for (const auto& [pair, kappa] : settings.depth.attachments.pairs()) {
-    content.add(pair.first);
-    content.add(pair.second);
-    content.add(kappa);
-  }
-  content.add(settings.quality);
-}
-
 std::size_t bytes_of_solid(const FigureSolid& solid) {
   std::size_t bytes = bytes_of(solid.skeleton);
   for (const FigureShell& shell : solid.shells) bytes += bytes_of(shell.mesh) + 4 * shell.face_objects.size();
@@ -370,14 +356,14 @@ std::vector<Subject> object_subjects(const FigureObject& object, const Drawing& 
 
 std::shared_ptr<const FigureSolid> make_figure_solid(const LabelledFigure& figure, const Drawing& drawing,
                                                      const FigureSettings& settings, Progress& progress) {
-  ContentWriter content;
+  StageKey key;
   if (settings.cache != nullptr) {
-    content.add_shape(figure);
-    content.add_names(figure, drawing);
-    add_settings(settings, content);
+    add_shape(figure, key);
+    add_names(figure, drawing, key);
+    key.add(settings.depth).add(settings.quality);
   }
   return cached<FigureSolid>(
-      settings.cache, "silhouette solid", content, [&] { return solidify(figure, drawing, settings, progress); },
+      settings.cache, "silhouette solid", key, [&] { return solidify(figure, drawing, settings, progress); },
       [](const FigureSolid& solid) { return bytes_of_solid(solid); });
 }
 

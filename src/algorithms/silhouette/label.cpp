@@ -73,14 +73,13 @@ LabelledDrawing label_anew(const Drawing& drawing, const Options& options, Progr
 }  // namespace
 
 LabelledDrawing label(const Drawing& drawing, const Options& options, Progress& progress) {
-  ContentWriter content;
+  StageKey key;
   if (options.cache != nullptr) {
-    content.add(drawing);
-    content.add(options.strokes);
-    content.add(options.completion);
+    add_drawing(drawing, key);
+    key.add(options.strokes).add(options.completion);
   }
   const auto labelled = cached<LabelledDrawing>(
-      options.cache, "silhouette labels", content, [&] { return label_anew(drawing, options, progress); },
+      options.cache, "silhouette labels", key, [&] { return label_anew(drawing, options, progress); },
       [](const LabelledDrawing& result) { return bytes_of(result); });
   progress.report(1);
   return *labelled;

@@ -7,40 +7,40 @@
 namespace croquis::silhouette {
 namespace {
 
-void add_contour(const FigureContour& contour, ContentWriter& content) {
-  content.add(contour.vertices);
-  content.add(contour.drawn);
-  content.add(contour.side);
-  content.add(contour.object);
+void add_contour(const FigureContour& contour, StageKey& key) {
+  key.add(contour.vertices);
+  key.add(contour.drawn);
+  key.add(contour.side);
+  key.add(contour.object);
 }
 
-void add_arc(const FigureArc& arc, ContentWriter& content) {
-  content.add(arc.contour);
-  content.add(arc.begin);
-  content.add(arc.count);
-  content.add(arc.visible);
-  content.add(arc.depth);
+void add_arc(const FigureArc& arc, StageKey& key) {
+  key.add(arc.contour);
+  key.add(arc.begin);
+  key.add(arc.count);
+  key.add(arc.visible);
+  key.add(arc.depth);
 }
 
-void add_crossing(const FigureCrossing& crossing, ContentWriter& content) {
-  content.add(crossing.vertex);
-  content.add(crossing.over_contour);
-  content.add(crossing.over_position);
-  content.add(crossing.under_contour);
-  content.add(crossing.under_position);
+void add_crossing(const FigureCrossing& crossing, StageKey& key) {
+  key.add(crossing.vertex);
+  key.add(crossing.over_contour);
+  key.add(crossing.over_position);
+  key.add(crossing.under_contour);
+  key.add(crossing.under_position);
 }
 
-void add_stroke(const Stroke& stroke, ContentWriter& content) {
-  content.add(stroke.id);
-  content.add(stroke.samples.size());
-  for (const StrokeSample& sample : stroke.samples) content.add(sample.position);
-  content.add(stroke.closed);
-  content.add(stroke.object);
-  content.add(stroke.line.value_or(-1));
-  content.add(stroke.data.size());
+void add_stroke(const Stroke& stroke, StageKey& key) {
+  key.add(stroke.id);
+  key.add(stroke.samples.size());
+  for (const StrokeSample& sample : stroke.samples) key.add(sample.position);
+  key.add(stroke.closed);
+  key.add(stroke.object);
+  key.add(stroke.line.value_or(-1));
+  key.add(stroke.data.size());
   for (const auto& [name, value] : stroke.data) {
-    content.add(name);
-    content.add(value);
+    key.add(name);
+    key.add(value);
   }
 }
 
@@ -55,78 +55,61 @@ std::size_t bytes_of(const PlanarTriangulation& planar) {
 
 }  // namespace
 
-void ContentWriter::add(const Drawing& drawing) {
-  add(drawing.file);
-  add(drawing.strokes.size());
-  for (const Stroke& stroke : drawing.strokes) add_stroke(stroke, *this);
+void add_drawing(const Drawing& drawing, StageKey& key) {
+  key.add(drawing.file);
+  key.add(drawing.strokes.size());
+  for (const Stroke& stroke : drawing.strokes) add_stroke(stroke, key);
 }
 
-void ContentWriter::add(const StrokeOptions& options) {
-  for (const double length : {options.step, options.tiny, options.close, options.gap, options.snap}) add(length);
-  add(options.smoothing_passes);
-}
-
-void ContentWriter::add(const CompletionOptions& options) {
-  for (const double value : {options.length_weight, options.curvature_weight, options.maximum_cost}) add(value);
-  add(options.maximum_matchings);
-}
-
-void ContentWriter::add(const DepthOptions& options) {
-  for (const double value : {options.weight_curvature, options.weight_orientation, options.weight_distance,
-                             options.minimum_gap, options.node_spacing, options.accuracy, options.depth_allowance}) {
-    add(value);
-  }
-}
-
-void ContentWriter::add_shape(const LabelledFigure& figure) {
-  add(figure.unit);
-  add(figure.step);
-  add(figure.points);
-  add(figure.contours.size());
-  for (const FigureContour& contour : figure.contours) add_contour(contour, *this);
-  add(figure.arcs.size());
-  for (const FigureArc& arc : figure.arcs) add_arc(arc, *this);
-  add(figure.crossings.size());
-  for (const FigureCrossing& crossing : figure.crossings) add_crossing(crossing, *this);
-  add(figure.objects.size());
+void add_shape(const LabelledFigure& figure, StageKey& key) {
+  key.add(figure.unit);
+  key.add(figure.step);
+  key.add(figure.points);
+  key.add(figure.contours.size());
+  for (const FigureContour& contour : figure.contours) add_contour(contour, key);
+  key.add(figure.arcs.size());
+  for (const FigureArc& arc : figure.arcs) add_arc(arc, key);
+  key.add(figure.crossings.size());
+  for (const FigureCrossing& crossing : figure.crossings) add_crossing(crossing, key);
+  key.add(figure.objects.size());
   for (const FigureObject& object : figure.objects) {
-    add(object.contours);
-    add(object.euler_region);
+    key.add(object.contours);
+    key.add(object.euler_region);
   }
   // Segments and triangulation follow from points, contours and arcs; layers and faces from those and the depths.
-  add(figure.layers);
-  add(figure.raw_contours);
+  key.add(figure.layers);
+  key.add(figure.raw_contours);
 }
 
-void ContentWriter::add_names(const LabelledFigure& figure, const Drawing& drawing) {
-  add(drawing.file);
+void add_names(const LabelledFigure& figure, const Drawing& drawing, StageKey& key) {
+  key.add(drawing.file);
   for (const FigureObject& object : figure.objects) {
-    add(object.name);
+    key.add(object.name);
     for (const Index stroke : object.strokes) {
-      add(stroke);
-      add(drawing.strokes[stroke].id);
-      add(drawing.strokes[stroke].line.value_or(-1));
+      key.add(stroke);
+      key.add(drawing.strokes[stroke].id);
+      key.add(drawing.strokes[stroke].line.value_or(-1));
     }
   }
-  for (const FigureContour& contour : figure.contours) add(contour.strokes);
+  for (const FigureContour& contour : figure.contours) key.add(contour.strokes);
 }
 
-void ContentWriter::add_shape(const Skeleton& skeleton) {
-  add(skeleton.scale);
-  add(skeleton.nodes.size());
+void add_shape(const Skeleton& skeleton, StageKey& key) {
+  key.add(skeleton.scale);
+  key.add(skeleton.nodes.size());
   for (const SkeletonNode& node : skeleton.nodes) {
-    add(node.position);
-    add(node.radius);
-    add(node.place.triangle);
-    add(node.place.layer);
-    add(node.object);
+    key.add(node.position);
+    key.add(node.radius);
+    key.add(node.place.triangle);
+    key.add(node.place.layer);
+    key.add(node.object);
   }
-  add(skeleton.edges.size());
+  key.add(skeleton.edges.size());
   for (const auto& [a, b] : skeleton.edges) {
-    add(a);
-    add(b);
+    key.add(a);
+    key.add(b);
   }
-  add(skeleton.contour_radius);
+  key.add(skeleton.contour_radius);
 }
 
 std::size_t bytes_of(const PolyMesh& mesh) {

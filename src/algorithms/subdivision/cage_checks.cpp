@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "algorithms/subdivision/finding_list.h"
+#include "croquis/geometry/polygon_area.h"
 
 namespace croquis::subdivision {
 namespace {
@@ -41,11 +42,7 @@ std::string listed(const std::vector<std::size_t>& ids) {
 
 bool has_strong_reflex_corner(const PolyMesh& mesh, std::span<const Index> face) {
   const auto point = [&](std::size_t i) -> const Vec3& { return mesh.positions[face[i % face.size()]]; };
-  Vec3 normal = Vec3::Zero();
-  for (std::size_t i = 1; i + 1 < face.size(); ++i) {
-    normal += (point(i) - point(0)).cross(point(i + 1) - point(0));
-  }
-  normal.normalize();
+  const Vec3 normal = area_normal(mesh.positions, face).normalized();
   for (std::size_t i = 0; i < face.size(); ++i) {
     const Vec3 arriving = point(i + 1) - point(i), leaving = point(i + 2) - point(i + 1);
     if (arriving.cross(leaving).dot(normal) < -reflex_sine * arriving.norm() * leaving.norm()) return true;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "algorithms/subdivision/level_geometry.h"
+#include "croquis/geometry/polygon_area.h"
 
 namespace croquis::subdivision {
 namespace {
@@ -79,7 +80,7 @@ std::vector<double> edge_bends(const Level& level, std::span<const Vec3> positio
   const HalfEdges& mesh = level.topology;
   const CornerFaces around(mesh);
   std::vector<Vec3> normals(mesh.face_count());
-  for (Index face = 0; face < normals.size(); ++face) normals[face] = area_vector(mesh, positions, face);
+  for (Index face = 0; face < normals.size(); ++face) normals[face] = area_normal(positions, mesh.face(face));
   std::vector<double> bends(mesh.edge_count(), 0);
   for (Index edge = 0; edge < bends.size(); ++edge) {
     const Index corner = mesh.edge_corner[edge];

@@ -10,6 +10,7 @@
 
 #include "algorithms/subdivision/level_geometry.h"
 #include "croquis/geometry/mesh_tags.h"
+#include "croquis/geometry/polygon_area.h"
 
 namespace croquis::subdivision {
 namespace {
@@ -154,8 +155,8 @@ class Surveyor {
   Index end_of(Index corner) const { return mesh_.corner_vertex[around_.next(corner)]; }
 
   double bend_at(Index corner) const {
-    return angle_between(area_vector(mesh_, positions_, around_.face(corner)),
-                         area_vector(mesh_, positions_, around_.face(mesh_.twin[corner])));
+    return angle_between(area_normal(positions_, mesh_.face(around_.face(corner))),
+                         area_normal(positions_, mesh_.face(around_.face(mesh_.twin[corner]))));
   }
 
   /// Turns once around a vertex within the chain: from the edge on which it goes on, first through its left side.

@@ -8,7 +8,9 @@
 
 #include <Eigen/Geometry>
 
+#include "algorithms/subdivision/tag_changes.h"
 #include "croquis/geometry/edge_channels.h"
+#include "croquis/geometry/polygon_area.h"
 
 namespace croquis::subdivision {
 namespace {
@@ -19,9 +21,9 @@ Vec3 centre(const PolyMesh& mesh, Index face) {
   return sum / static_cast<double>(mesh.face(face).size());
 }
 
-/// A face laid into the plane across its area vector.
+/// A face laid into the plane across its area normal.
 std::vector<Vec2> flattened(const PolyMesh& mesh, Index face) {
-  const Vec3 normal = area_vector(mesh, face).normalized();
+  const Vec3 normal = area_normal(mesh, face).normalized();
   const Vec3 u = normal.unitOrthogonal();
   const Vec3 v = normal.cross(u);
   const Vec3 origin = centre(mesh, face);
@@ -96,19 +98,9 @@ class EarCutter {
 
 }  // namespace
 
-Vec3 area_vector(const PolyMesh& mesh, Index face) {
-  const auto corners = mesh.face(face);
-  const Vec3 origin = mesh.positions[corners[0]];
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-    sum += (mesh.positions[corners[i]] - origin).cross(mesh.positions[corners[i + 1]] - origin);
-  }
-  return sum;
-}
-
 double relative_deviation(const PolyMesh& mesh, Index face) {
   const Vec3 origin = centre(mesh, face);
-  const Vec3 normal = area_vector(mesh, face).normalized();
+  const Vec3 normal = area_normal(mesh, face).normalized();
   double deviation = 0;
   double radius = 0;
   for (const Index vertex : mesh.face(face)) {

@@ -13,9 +13,6 @@ namespace croquis::subdivision {
 /// Triangles that replace a face, as corner numbers within it.
 using FaceTriangles = std::vector<std::array<Index, 3>>;
 
-/// Twice the area times the unit normal; exact for planar faces, the mean over all triangulations else.
-Vec3 area_vector(const PolyMesh& mesh, Index face);
-
 /// The greatest distance of a corner from the plane through the face's centre, relative to the face's diameter.
 double relative_deviation(const PolyMesh& mesh, Index face);
 

@@ -6,7 +6,9 @@
 #include <Eigen/Geometry>
 
 #include "algorithms/subdivision/face_cutting.h"
+#include "algorithms/subdivision/tag_changes.h"
 #include "croquis/geometry/edge_channels.h"
+#include "croquis/geometry/polygon_area.h"
 #include "croquis/subdivision/shape_keeping.h"
 
 namespace croquis::subdivision {
@@ -50,7 +52,7 @@ void keep_planes_beside_tags(const PolyMesh& mesh, const MeshTopology& topology,
       beside = beside || sharpness[topology.edge(corner)] > 0;
     }
     if (!beside || relative_deviation(mesh, face) > planar_tolerance) continue;
-    const Vec3 normal = area_vector(mesh, face);
+    const Vec3 normal = area_normal(mesh, face);
     if (normal.norm() == 0) continue;
     for (const Index vertex : mesh.face(face)) remove_direction(normal.normalized(), freedom[vertex]);
   }

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "algorithms/subdivision/level_geometry.h"
+#include "croquis/geometry/polygon_area.h"
 
 namespace croquis::subdivision {
 namespace {
@@ -71,7 +72,7 @@ std::vector<double> vertex_areas(const HalfEdges& mesh, std::span<const Vec3> po
   std::vector<double> areas(mesh.vertex_count(), 0);
   for (Index f = 0; f < mesh.face_count(); ++f) {
     const auto face = mesh.face(f);
-    const double share = area_vector(mesh, positions, f).norm() / 2 / static_cast<double>(face.size());
+    const double share = area_normal(positions, mesh.face(f)).norm() / static_cast<double>(face.size());
     for (const Index v : face) areas[v] += share;
   }
   return areas;

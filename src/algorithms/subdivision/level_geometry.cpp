@@ -9,16 +9,6 @@
 
 namespace croquis::subdivision {
 
-Vec3 area_vector(const HalfEdges& mesh, std::span<const Vec3> positions, Index face) {
-  const auto corners = mesh.face(face);
-  const Vec3& origin = positions[corners[0]];
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-    sum += (positions[corners[i]] - origin).cross(positions[corners[i + 1]] - origin);
-  }
-  return sum;
-}
-
 Vec3 unit_or_zero(const Vec3& vector) {
   constexpr double shortest = 1e-150;  // below, the square is no longer a normal number
   const double length = vector.norm();

@@ -9,9 +9,6 @@
 
 namespace croquis::subdivision {
 
-/// Twice the area times the unit normal of a face.
-Vec3 area_vector(const HalfEdges& mesh, std::span<const Vec3> positions, Index face);
-
 /// Of unit length, or zero where the vector is too short to have a direction.
 Vec3 unit_or_zero(const Vec3& vector);
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "algorithms/subdivision/parallel_ranges.h"
+#include "croquis/base/parallel.h"
 
 namespace croquis::subdivision {
 namespace {
@@ -70,21 +70,24 @@ Vec3 weighted_sum(const WeightRows& rows, std::size_t row, const Vec3* points) {
 void compute_positions(const HalfEdges& old, const Refinement& made, const FaceMask& mask, const Vec3* old_points,
                        Vec3* points, int threads) {
   const FacePoints faces(old, made, mask, old_points, points);
-  parallel_ranges(old.face_count(), threads, least_faces,
-                  [&](std::size_t begin, std::size_t end) { faces.compute(begin, end); });
+  for_each_part(old.face_count(), even_grain(old.face_count(), threads, least_faces), threads,
+                [&](std::size_t begin, std::size_t end) { faces.compute(begin, end); });
 
   const PointRules& rules = made.rules;
   const auto& number_of_corner = made.level.topology.corner_vertex;
-  parallel_ranges(rules.adjusted.size(), threads, least_rows, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end; ++row) {
-      Vec3& point = points[number_of_corner[rules.adjusted_corner[row]]];
-      point = rules.plain_share[row] * point + weighted_sum(rules.adjusted, row, old_points);
-    }
-  });
+  for_each_part(rules.adjusted.size(), even_grain(rules.adjusted.size(), threads, least_rows), threads,
+                [&](std::size_t begin, std::size_t end) {
+                  for (std::size_t row = begin; row < end; ++row) {
+                    Vec3& point = points[number_of_corner[rules.adjusted_corner[row]]];
+                    point = rules.plain_share[row] * point + weighted_sum(rules.adjusted, row, old_points);
+                  }
+                });
   Vec3* listed = points + made.origins.own_corners.kept_count();
-  parallel_ranges(rules.listed.size(), threads, least_rows, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end; ++row) listed[row] = weighted_sum(rules.listed, row, old_points);
-  });
+  for_each_part(rules.listed.size(), even_grain(rules.listed.size(), threads, least_rows), threads,
+                [&](std::size_t begin, std::size_t end) {
+                  for (std::size_t row = begin; row < end; ++row)
+                    listed[row] = weighted_sum(rules.listed, row, old_points);
+                });
 }
 
 }  // namespace croquis::subdivision

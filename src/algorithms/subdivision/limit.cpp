@@ -7,6 +7,7 @@
 
 #include "algorithms/subdivision/level_geometry.h"
 #include "algorithms/subdivision/limit_rows.h"
+#include "croquis/geometry/polygon_area.h"
 
 namespace croquis::subdivision {
 
@@ -53,7 +54,7 @@ void LimitPlan::evaluate(const PositionBuffers& buffers, LimitSurface& surface, 
     for (Index corner = mesh.face_offsets[face]; corner < mesh.face_offsets[face + std::size_t{1}]; ++corner) {
       const Index normal = state_->rows.corner_normal[corner];
       const bool known = normal != no_index && normals[normal] != Vec3::Zero();
-      surface.corner_normals[corner] = known ? normals[normal] : unit_or_zero(area_vector(mesh, positions, face));
+      surface.corner_normals[corner] = known ? normals[normal] : unit_or_zero(area_normal(positions, mesh.face(face)));
     }
   }
 }

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "algorithms/subdivision/level_geometry.h"
+#include "croquis/geometry/polygon_area.h"
 #include "croquis/subdivision/limit.h"
 
 namespace croquis::subdivision {
@@ -21,7 +22,7 @@ Vec3 fourier_normal(const HalfEdges& mesh, std::span<const Vec3> positions, Inde
     second += std::sin(angle) * positions[vertices[j]];
   }
   const Vec3 normal = first.cross(second);
-  return unit_or_zero(normal.dot(area_vector(mesh, positions, face)) < 0 ? Vec3(-normal) : normal);
+  return unit_or_zero(normal.dot(area_normal(positions, mesh.face(face))) < 0 ? Vec3(-normal) : normal);
 }
 
 /// Vertices at which exactly two edges are sharp and nothing is pinned.

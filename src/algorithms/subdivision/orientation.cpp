@@ -2,7 +2,8 @@
 #include "algorithms/subdivision/orientation.h"
 
 #include <algorithm>
-#include <cstdint>
+
+#include "croquis/geometry/face_orientation.h"
 
 namespace croquis::subdivision {
 namespace {
@@ -34,61 +35,27 @@ Neighbours find_neighbours(const PolyMesh& mesh, const EdgePairing& pairing) {
   return neighbours;
 }
 
-enum class Turn : std::uint8_t { Unknown, Kept, Flipped };
-
-class FloodFill {
- public:
-  FloodFill(const PolyMesh& mesh, const EdgePairing& pairing)
-      : mesh_(mesh), neighbours_(find_neighbours(mesh, pairing)), turn_(mesh.face_count(), Turn::Unknown) {}
-
-  Orientation run() {
-    result_.flipped.assign(mesh_.face_count(), false);
-    for (Index face = 0; face < mesh_.face_count(); ++face) {
-      if (turn_[face] == Turn::Unknown) fill_part(face);
-    }
-    return std::move(result_);
-  }
-
- private:
-  void fill_part(Index first) {
-    contradicts_ = false;
-    part_.assign(1, first);
-    turn_[first] = Turn::Kept;
-    for (std::size_t i = 0; i < part_.size(); ++i) visit_neighbours(part_[i]);
-    const auto flipped = static_cast<std::size_t>(
-        std::count_if(part_.begin(), part_.end(), [&](Index face) { return turn_[face] == Turn::Flipped; }));
-    const Turn fewer = 2 * flipped <= part_.size() ? Turn::Flipped : Turn::Kept;
-    for (const Index face : part_) result_.flipped[face] = turn_[face] == fewer;
-  }
-
-  void visit_neighbours(Index face) {
-    const Index begin = mesh_.face_offsets[face], end = mesh_.face_offsets[face + std::size_t{1}];
-    for (Index corner = begin; corner < end; ++corner) {
-      const Index other = neighbours_.face[corner];
-      if (other == no_index) continue;
-      const bool flip = (turn_[face] == Turn::Flipped) != neighbours_.disagrees[corner];
-      const Turn wanted = flip ? Turn::Flipped : Turn::Kept;
-      if (turn_[other] == Turn::Unknown) {
-        turn_[other] = wanted;
-        part_.push_back(other);
-      } else if (turn_[other] != wanted && !contradicts_) {
-        contradicts_ = true;
-        const Index next = corner + 1 == end ? begin : corner + 1;
-        result_.contradictions.push_back({mesh_.corners[corner], mesh_.corners[next]});
-      }
-    }
-  }
-
-  const PolyMesh& mesh_;
-  const Neighbours neighbours_;
-  std::vector<Turn> turn_;
-  std::vector<Index> part_;
-  bool contradicts_ = false;
-  Orientation result_;
-};
+/// The vertices of the edge that begins at a corner.
+std::array<Index, 2> ends_of(const PolyMesh& mesh, Index corner) {
+  const auto after = std::upper_bound(mesh.face_offsets.begin(), mesh.face_offsets.end(), corner);
+  const Index next = corner + 1 == *after ? *(after - 1) : corner + 1;
+  return {mesh.corners[corner], mesh.corners[next]};
+}
 
 }  // namespace
 
-Orientation orient(const PolyMesh& mesh, const EdgePairing& pairing) { return FloodFill(mesh, pairing).run(); }
+Orientation orient(const PolyMesh& mesh, const EdgePairing& pairing) {
+  const Neighbours neighbours = find_neighbours(mesh, pairing);
+  const FaceOrientation found = orient_faces(mesh.face_count(), [&](Index face, auto&& visit) {
+    for (Index corner = mesh.face_offsets[face]; corner < mesh.face_offsets[face + std::size_t{1}]; ++corner) {
+      if (neighbours.face[corner] != no_index) visit(corner, neighbours.face[corner], neighbours.disagrees[corner]);
+    }
+  });
+  Orientation orientation{{found.turned.begin(), found.turned.end()}, {}};
+  for (const Index corner : found.conflict) {
+    if (corner != no_index) orientation.contradictions.push_back(ends_of(mesh, corner));
+  }
+  return orientation;
+}
 
 }  // namespace croquis::subdivision

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/subdivision/weight_rows.h"
 
-#include "algorithms/subdivision/parallel_ranges.h"
+#include "croquis/base/parallel.h"
 
 namespace croquis::subdivision {
 namespace {
@@ -23,8 +23,8 @@ void apply_range(const WeightRows& rows, std::span<const Vec3> values, std::span
 }  // namespace
 
 void apply(const WeightRows& rows, std::span<const Vec3> values, std::span<Vec3> results, int threads) {
-  parallel_ranges(rows.size(), threads, least_rows_per_thread,
-                  [&](std::size_t begin, std::size_t end) { apply_range(rows, values, results, begin, end); });
+  for_each_part(rows.size(), even_grain(rows.size(), threads, least_rows_per_thread), threads,
+                [&](std::size_t begin, std::size_t end) { apply_range(rows, values, results, begin, end); });
 }
 
 WeightMatrix to_matrix(const WeightRows& rows, std::size_t column_count) {

@@ -10,14 +10,9 @@
 namespace croquis::cli {
 namespace {
 
-const char* plural_of(ComponentKind kind) {
-  if (kind == ComponentKind::Vertex) return "vertices";
-  return kind == ComponentKind::Edge ? "edges" : "faces";
-}
-
 Report describe_edit(const EditDescription& description) {
   Report kinds = Report::array();
-  for (const ComponentKind kind : description.kinds) kinds.push(plural_of(kind));
+  for (const ComponentKind kind : description.kinds) kinds.push(plural(kind));
   Report entry;
   entry.set("id", description.id)
       .set("title", description.title)
@@ -31,7 +26,7 @@ Report describe_edit(const EditDescription& description) {
 std::string reference_of(const EditDescription& description) {
   std::string elements;
   for (const ComponentKind kind : description.kinds) {
-    elements += (elements.empty() ? "`" : " or `") + std::string(plural_of(kind)) + "=`";
+    elements += (elements.empty() ? "`" : " or `") + std::string(plural(kind)) + "=`";
   }
   std::string text = "## " + description.id + "\n\n" + description.sentence + " Takes " + elements + ".\n";
   if (!description.parameters.empty()) text += "\n" + parameter_table(description.parameters);

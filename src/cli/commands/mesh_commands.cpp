@@ -25,7 +25,7 @@ void InfoCommand::run(const Invocation& invocation, CommandResult& result, Progr
   Progress reading = progress.step("read", 0.4);
   const PolyMesh mesh = read_input_mesh(invocation, false, result, reading);
   Progress inspecting = progress.step("inspect", 0.6);
-  result.mesh = inspect(mesh, std::get<bool>(invocation.parameters.at("self-intersections")), inspecting);
+  result.mesh = inspect(mesh, flag_of(invocation.parameters, "self-intersections"), inspecting);
   result.text = mesh_text(*result.mesh);
   progress.report(1);
 }
@@ -81,8 +81,8 @@ void ConvertCommand::run(const Invocation& invocation, CommandResult& result, Pr
   Progress reading = progress.step("read", 0.6);
   const PolyMesh mesh = read_input_mesh(invocation, false, result, reading);
   MeshWriteOptions options;
-  options.precision = static_cast<int>(std::get<std::int64_t>(invocation.parameters.at("precision")));
-  options.ascii = std::get<bool>(invocation.parameters.at("ascii"));
+  options.precision = static_cast<int>(integer_of(invocation.parameters, "precision"));
+  options.ascii = flag_of(invocation.parameters, "ascii");
   Progress writing = progress.step("write", 0.4);
   stage_mesh(invocation.output, mesh, options, format, result, writing);
   Progress inspecting;

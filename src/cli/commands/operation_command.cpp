@@ -56,7 +56,7 @@ std::vector<PortDescription> extra_inputs(const OperationDescription& descriptio
 }
 
 std::string text_parameter(const Invocation& invocation, const std::string& name) {
-  return std::get<std::string>(invocation.parameters.at(name));
+  return text_of(invocation.parameters, name);
 }
 
 /// A file with faults only in its faces could be read: only the result is missing.
@@ -74,7 +74,7 @@ Value read_value(const PortDescription& port, const Invocation& invocation, Comm
     return std::make_shared<const Drawing>(read_input_drawing(invocation, result, progress));
   }
   if (port.is_raw) {
-    const bool drop = std::get<bool>(invocation.parameters.at(drop_option));
+    const bool drop = flag_of(invocation.parameters, drop_option);
     return std::make_shared<const PolyMesh>(drop ? read_finite_mesh(invocation, result, progress)
                                                  : read_input_mesh(invocation, true, result, progress));
   }
@@ -169,7 +169,7 @@ ParameterValues operation_parameters(const OperationDescription& description, co
 
 /// Whether nothing is to be written, only listed.
 bool only_lists(const OperationDescription& description, const Invocation& invocation) {
-  return !description.list_flag.empty() && std::get<bool>(invocation.parameters.at(description.list_flag));
+  return !description.list_flag.empty() && flag_of(invocation.parameters, description.list_flag);
 }
 
 /// Files and formats are settled before the work begins, so that a wrong name costs nothing.

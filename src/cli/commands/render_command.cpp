@@ -82,7 +82,7 @@ CommandDescription RenderCommand::describe() const {
 
 void RenderCommand::run(const Invocation& invocation, CommandResult& result, Progress& progress) const {
   check_picture_format(invocation);
-  const render::PictureSize size = parse_size(std::get<std::string>(invocation.parameters.at("size")));
+  const render::PictureSize size = parse_size(text_of(invocation.parameters, "size"));
   Progress reading = progress.step("read", 0.4);
   const PolyMesh mesh = read_input_mesh(invocation, false, result, reading);
 
@@ -91,9 +91,9 @@ void RenderCommand::run(const Invocation& invocation, CommandResult& result, Pro
   render::Renderer renderer;
   const std::vector<render::MeshItemPtr> items = {render::make_mesh_item(mesh)};
   render::RenderOptions options;
-  options.wire = std::get<bool>(invocation.parameters.at("wire"));
-  if (std::get<bool>(invocation.parameters.at("zebra"))) options.shading = render::Shading::Zebra;
-  const auto direction = render::view_direction(named_view(std::get<std::string>(invocation.parameters.at("view"))));
+  options.wire = flag_of(invocation.parameters, "wire");
+  if (flag_of(invocation.parameters, "zebra")) options.shading = render::Shading::Zebra;
+  const auto direction = render::view_direction(named_view(text_of(invocation.parameters, "view")));
   const render::Camera camera = render::frame(render::points_of(items), direction, size.aspect());
   drawing.check();
   render::RenderedPicture picture = render::render_picture(renderer, items, camera, options, size);

@@ -174,7 +174,7 @@ void RunCommand::run(const Invocation& invocation, CommandResult& result, Progre
   Progress reading = progress.step("read", 0.05);
   ProjectFile project = read_input_project(invocation, reading);
   result.warnings = std::move(project.warnings);
-  const std::string settings = std::get<std::string>(invocation.parameters.at("set"));
+  const std::string settings = text_of(invocation.parameters, "set");
   const Document document = with_settings(project.document, settings, registry_);
 
   Progress evaluating = progress.step("evaluate", 0.85);

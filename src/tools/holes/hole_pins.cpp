@@ -11,17 +11,12 @@
 
 #include <Eigen/Geometry>
 
+#include "croquis/geometry/polygon_area.h"
+
 namespace croquis {
 namespace {
 
 constexpr int directions = 12;  // around a place that is taken
-
-/// The vector area, twice; a sum of cross products about a point of the rim, so that places far from 0 cost nothing.
-Vec3 spanned_area(const std::vector<Vec3>& points) {
-  Vec3 area = Vec3::Zero();
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) area += (points[i] - points[0]).cross(points[i + 1] - points[0]);
-  return area;
-}
 
 /// The middle of the line itself, however unevenly its points lie.
 Vec3 mean_along(const std::vector<Vec3>& points) {
@@ -43,7 +38,7 @@ HoleRim rim_of(Index id, std::vector<Vec3> points) {
   rim.points = std::move(points);
   if (rim.points.empty()) return rim;
   rim.at = mean_along(rim.points);
-  const Vec3 area = spanned_area(rim.points);
+  const Vec3 area = area_normal(rim.points);
   rim.normal = area.norm() > 0 ? Vec3(-area.normalized()) : Vec3::Zero();
   for (const Vec3& point : rim.points) rim.radius = std::max(rim.radius, (point - rim.at).norm());
   return rim;

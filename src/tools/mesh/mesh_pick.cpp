@@ -8,7 +8,7 @@
 #include "croquis/geometry/polyline.h"
 #include "croquis/mesh_editing/mesh_selection.h"
 #include "tools/pointer/face_tree.h"
-#include "tools/pointer/in_blocks.h"
+#include "tools/pointer/query_threads.h"
 #include "tools/pointer/seen_faces.h"
 
 namespace croquis {
@@ -269,7 +269,7 @@ std::vector<Index> MeshPicker::in_box(const ViewFrame& frame, const PickBox& box
       seen && kind == ComponentKind::Face ? seen->faces_shown(state_->mesh->face_count()) : std::vector<char>{};
   state_->fresh_tree();  // before several threads use it
   std::vector<char> found(element_count(*state_->topology, kind), 0);
-  in_blocks(found.size(), elements_at_once, [&](std::size_t begin, std::size_t end) {
+  for_each_part(found.size(), elements_at_once, query_threads(), [&](std::size_t begin, std::size_t end) {
     std::vector<Projected> polygon;
     std::vector<Index> own;
     for (std::size_t i = begin; i < end; ++i) {

@@ -6,55 +6,21 @@
 #include <cmath>
 #include <utility>
 
+#include "croquis/geometry/morton_code.h"
+#include "croquis/geometry/radix_order.h"
 #include "tools/pointer/face_hit.h"
 
 namespace croquis {
 namespace {
 
 constexpr int bits_per_axis = 14;
-constexpr int digit_bits = 11;  // of the radix sort
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
-struct Keyed {
-  std::uint64_t key;
-  Index face;
-};
-
-/// The lowest bits of a number, with two zeros after each.
-std::uint64_t spread(std::uint64_t bits) {
-  std::uint64_t spread_bits = 0;
-  for (int i = 0; i < bits_per_axis; ++i) spread_bits |= ((bits >> i) & 1U) << (3 * i);
-  return spread_bits;
-}
-
-/// `spread` by looking up.
-class Spread {
- public:
-  Spread() : table_(std::size_t{1} << bits_per_axis) {
-    for (std::size_t i = 0; i < table_.size(); ++i) table_[i] = spread(i);
-  }
-  std::uint64_t operator()(double unit) const {
-    const double scaled = unit * static_cast<double>(table_.size());
-    if (!(scaled > 0)) return 0;  // also for NaN
-    return table_[static_cast<std::size_t>(std::clamp(scaled, 0.0, static_cast<double>(table_.size() - 1)))];
-  }
-
- private:
-  std::vector<std::uint64_t> table_;
-};
-
-/// By key, equal ones in the order they had.
-void radix_sort(std::vector<Keyed>& items) {
-  std::vector<Keyed> other(items.size());
-  for (int shift = 0; shift < 3 * bits_per_axis; shift += digit_bits) {
-    std::array<std::size_t, std::size_t{1} << digit_bits> start{};
-    const auto digit = [shift](const Keyed& item) { return (item.key >> shift) & ((1U << digit_bits) - 1); };
-    for (const Keyed& item : items) ++start[digit(item)];
-    std::size_t sum = 0;
-    for (std::size_t& count : start) sum += std::exchange(count, sum);
-    for (const Keyed& item : items) other[start[digit(item)]++] = item;
-    items.swap(other);
-  }
+/// A share of the mesh's extent as a whole number.
+std::uint64_t cell_of(double share) {
+  constexpr double cells = 1 << bits_per_axis;
+  const double scaled = share * cells;
+  return scaled > 0 ? static_cast<std::uint64_t>(std::min(scaled, cells - 1)) : 0;  // 0 for NaN too
 }
 
 /// One over each component, huge where that is zero: so no box test has to multiply infinity by zero.
@@ -103,19 +69,17 @@ FaceTree::FaceTree(const PolyMesh& mesh) {
   }
   const double extent = mesh.positions.empty() ? 0 : (high - low).maxCoeff();
   const double scale = extent > 0 ? 1 / extent : 0;
-  const Spread spread_of;
-  std::vector<Keyed> items(count);
+  std::vector<std::uint64_t> keys(count);
   for (Index face = 0; face < count; ++face) {
     Vec3 middle = low;
     const auto corners = mesh.face(face);
     // Two opposite corners are enough for the place of a face.
     if (!corners.empty()) middle = (mesh.positions[corners[0]] + mesh.positions[corners[corners.size() / 2]]) / 2;
     const Vec3 at = (middle - low) * scale;
-    items[face] = {spread_of(at.x()) << 2U | spread_of(at.y()) << 1U | spread_of(at.z()), face};
+    keys[face] = spread_by_three(cell_of(at.x())) << 2U | spread_by_three(cell_of(at.y())) << 1U |
+                 spread_by_three(cell_of(at.z()));
   }
-  radix_sort(items);
-  order_.resize(count);
-  for (Index i = 0; i < count; ++i) order_[i] = items[i].face;
+  order_ = radix_order(keys);
   const Index leaves = std::bit_ceil(std::max<Index>(1, (count + leaf_faces - 1) / leaf_faces));
   boxes_.assign(std::size_t{2} * leaves, empty_box());
   refit(mesh);

@@ -7,8 +7,10 @@
 
 #include <Eigen/Geometry>
 
+#include "croquis/base/parallel.h"
+#include "croquis/geometry/polygon_area.h"
 #include "tools/pointer/face_hit.h"
-#include "tools/pointer/in_blocks.h"
+#include "tools/pointer/query_threads.h"
 
 namespace croquis {
 namespace {
@@ -50,9 +52,7 @@ struct DepthPlane {
   explicit DepthPlane(const std::vector<Projected>& polygon) {
     const auto point = [](const Projected& p) { return Vec3(p.pixel.x(), p.pixel.y(), p.depth); };
     const Vec3 origin = point(polygon[0]);
-    Vec3 normal = Vec3::Zero();
-    for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-      normal += (point(polygon[i]) - origin).cross(point(polygon[i + 1]) - origin);
+    const Vec3 normal = area_normal(polygon.size(), [&](std::size_t i) { return point(polygon[i]); });
     if (normal.z() != 0) {
       per_x = -normal.x() / normal.z();
       per_y = -normal.y() / normal.z();
@@ -76,8 +76,8 @@ SeenFaces::SeenFaces(const PolyMesh& mesh, const ViewFrame& frame, const ScreenM
   std::vector<Projected> vertices(screen.vertices.size());
   for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v] = in_cells(screen.vertices[v]);
   // Every thread has rows of its own, so each cell sees the faces in their order.
-  const int bands = mesh.face_count() < faces_for_threads ? 1 : static_cast<int>(usable_threads());
-  in_blocks(static_cast<std::size_t>(bands), 1, [&](std::size_t band, std::size_t) {
+  const int bands = mesh.face_count() < faces_for_threads ? 1 : query_threads();
+  for_each_part(static_cast<std::size_t>(bands), 1, bands, [&](std::size_t band, std::size_t) {
     const auto at = static_cast<int>(band);
     draw_rows(mesh, frame, screen, vertices, {rows_ * at / bands, rows_ * (at + 1) / bands});
   });

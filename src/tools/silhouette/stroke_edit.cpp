@@ -2,7 +2,6 @@
 #include "croquis/tools/silhouette/stroke_edit.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -12,6 +11,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/base/parameter.h"
+#include "croquis/base/text.h"
 #include "croquis/geometry/polyline.h"
 #include "tools/pointer/segment_distance.h"
 #include "tools/silhouette/closing.h"
@@ -29,8 +29,7 @@ constexpr double units_per_diagonal = 1000;
 
 double number_or_zero(const std::string& text) {
   double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size() ? value : 0;
+  return read_number(text, value) ? value : 0;
 }
 
 double diagonal(const Drawing& drawing) {

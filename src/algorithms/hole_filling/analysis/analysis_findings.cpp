@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "algorithms/hole_filling/counted.h"
+#include "croquis/base/text.h"
 
 namespace croquis::hole_filling {
 namespace {

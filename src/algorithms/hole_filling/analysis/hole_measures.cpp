@@ -10,8 +10,8 @@
 #include <Eigen/Geometry>
 
 #include "algorithms/hole_filling/analysis/farthest_pair.h"
-#include "algorithms/hole_filling/triangulation/rim_plane.h"
 #include "algorithms/hole_filling/triangulation/triangle_cost.h"
+#include "croquis/geometry/polygon_area.h"
 #include "croquis/hole_filling/rim_triangulation.h"
 
 namespace croquis::hole_filling {
@@ -41,7 +41,7 @@ void measure_area(const std::vector<Vec3>& polygon, const HoleAnalysisOptions& o
   const auto triangulation = triangulate_rim(rim, progress, {.exact_points = options.exact_area_edges});
   hole.area_is_minimal = triangulation && triangulation->is_minimal;
   // A rim on one line, or wound so that no triangulation is proper: what it spans seen along its plane.
-  hole.area = triangulation ? triangulation->area : vector_area(polygon).norm();
+  hole.area = triangulation ? triangulation->area : area_normal(polygon).norm();
 }
 
 /// Unit normal of a triangle that has one, else zero.

@@ -8,43 +8,13 @@
 
 #include "algorithms/hole_filling/triangulation/cancel_check.h"
 #include "croquis/geometry/disjoint_sets.h"
+#include "croquis/geometry/face_orientation.h"
 
 namespace croquis::hole_filling {
 namespace {
 
 /// Both corners start at one end: their triangles run the common edge the same way.
 bool run_alike(const SurfaceView& view, Index corner, Index other) { return view.origin(corner) == view.origin(other); }
-
-struct Flood {
-  std::vector<Index> members;
-  std::size_t turned = 0;
-  bool one_sided = false;
-};
-
-/// Marks the part around `seed` with its number and, where a triangle disagrees with the seed, as turned.
-Flood flood_part(SurfaceView& view, Index seed, Index number, CancelCheck& cancel) {
-  Flood flood;
-  flood.members.push_back(seed);
-  view.component[seed] = number;
-  for (std::size_t done = 0; done < flood.members.size(); ++done) {
-    cancel.step();
-    const Index triangle = flood.members[done];
-    for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner) {
-      if (!view.has_opposite(corner)) continue;
-      const Index other = view.opposite[corner];
-      const bool is_turned = ((view.flags[triangle] & SurfaceView::Turned) != 0) != run_alike(view, corner, other);
-      std::uint8_t& flags = view.flags[other / 3];
-      if (view.component[other / 3] != no_index) {
-        flood.one_sided |= is_turned != ((flags & SurfaceView::Turned) != 0);
-        continue;
-      }
-      view.component[other / 3] = number;
-      if (is_turned) flags |= SurfaceView::Turned, ++flood.turned;
-      flood.members.push_back(other / 3);
-    }
-  }
-  return flood;
-}
 
 /// Where a corner's edge is once the last two corners of turned triangles have changed places.
 Index corner_after_turning(const SurfaceView& view, Index corner) {
@@ -78,28 +48,28 @@ bool number_agreeing_parts(SurfaceView& view, CancelCheck& cancel) {
   return true;
 }
 
-/// Floods part by part and turns minorities. Numbers the parts as number_agreeing_parts does.
-void flood_parts(SurfaceView& view, CancelCheck& cancel) {
-  view.component.assign(view.triangles.size(), no_index);
-  Index parts = 0;
+/// Turns minorities. Numbers the parts as number_agreeing_parts does.
+void turn_minorities(SurfaceView& view, CancelCheck& cancel) {
+  FaceOrientation found = orient_faces(view.triangles.size(), [&](Index triangle, auto&& visit) {
+    cancel.step();
+    for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner) {
+      if (!view.has_opposite(corner)) continue;
+      const Index other = view.opposite[corner];
+      visit(corner, other / 3, run_alike(view, corner, other));
+    }
+  });
   bool any_turned = false;
-  for (Index seed = 0; seed < view.triangles.size(); ++seed) {
-    if (view.component[seed] != no_index) continue;
-    Flood flood = flood_part(view, seed, parts++, cancel);
-    if (flood.one_sided) {
-      ++view.one_sided_components;
-      for (const Index triangle : flood.members)
-        view.flags[triangle] &= static_cast<std::uint8_t>(~SurfaceView::Turned);
-      continue;  // no orientation is better than the one given
-    }
-    if (2 * flood.turned > flood.members.size()) {
-      for (const Index triangle : flood.members) view.flags[triangle] ^= SurfaceView::Turned;
-      flood.turned = flood.members.size() - flood.turned;
-    }
-    any_turned |= flood.turned > 0;
+  for (Index triangle = 0; triangle < view.triangles.size(); ++triangle) {
+    // No orientation of a one-sided part is better than the one given.
+    if (found.turned[triangle] == 0 || found.conflict[found.part[triangle]] != no_index) continue;
+    view.flags[triangle] |= SurfaceView::Turned;
+    any_turned = true;
   }
   if (any_turned) apply_turns(view);
-  view.component_count = parts;
+  view.one_sided_components =
+      found.conflict.size() - static_cast<std::size_t>(std::ranges::count(found.conflict, no_index));
+  view.component_count = static_cast<Index>(found.conflict.size());
+  view.component = std::move(found.part);
 }
 
 /// Joins parts across non-manifold edges; numbers stay those of the lowest triangles.
@@ -117,7 +87,7 @@ void join_across_nonmanifold(SurfaceView& view, std::span<const std::array<Index
 void orient_and_number(SurfaceView& view, std::span<const std::array<Index, 2>> nonmanifold_corners,
                        Progress& progress) {
   CancelCheck cancel(progress);
-  if (!number_agreeing_parts(view, cancel)) flood_parts(view, cancel);
+  if (!number_agreeing_parts(view, cancel)) turn_minorities(view, cancel);
   join_across_nonmanifold(view, nonmanifold_corners);
 }
 

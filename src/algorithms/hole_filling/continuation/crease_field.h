@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "algorithms/hole_filling/continuation/hole_site.h"
+#include "croquis/hole_filling/hole_site.h"
 #include "croquis/hole_filling/implicit_options.h"
 #include "croquis/implicit/local_fit.h"
 

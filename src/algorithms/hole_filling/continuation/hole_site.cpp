@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/hole_filling/continuation/hole_site.h"
+#include "croquis/hole_filling/hole_site.h"
 
 #include <algorithm>
 #include <utility>

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "algorithms/hole_filling/continuation/surface_reach.h"
+#include "croquis/hole_filling/surface_reach.h"
 
 namespace croquis::hole_filling {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/hole_filling/continuation/quadric_normals.h"
+#include "croquis/hole_filling/quadric_normals.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "algorithms/hole_filling/continuation/other_sheets.h"
-#include "algorithms/hole_filling/continuation/quadric_normals.h"
 #include "algorithms/hole_filling/continuation/rim_hinge.h"
 #include "algorithms/hole_filling/continuation/smooth_sides.h"
-#include "algorithms/hole_filling/continuation/surface_reach.h"
 #include "croquis/base/error.h"
+#include "croquis/hole_filling/quadric_normals.h"
+#include "croquis/hole_filling/surface_reach.h"
 #include "croquis/implicit/offset_points.h"
 
 namespace croquis::hole_filling {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "algorithms/hole_filling/continuation/hole_site.h"
 #include "algorithms/hole_filling/continuation/other_sheets.h"
+#include "croquis/hole_filling/hole_site.h"
 #include "croquis/hole_filling/implicit_options.h"
 #include "croquis/implicit/local_fit.h"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "algorithms/hole_filling/continuation/hole_site.h"
+#include "croquis/hole_filling/hole_site.h"
 #include "croquis/implicit/point_tree.h"
 
 namespace croquis::hole_filling {

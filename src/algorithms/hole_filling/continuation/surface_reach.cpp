@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/hole_filling/continuation/surface_reach.h"
+#include "croquis/hole_filling/surface_reach.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "algorithms/hole_filling/continuation/hole_site.h"
 #include "croquis/base/progress.h"
+#include "croquis/hole_filling/hole_site.h"
 
 namespace croquis::hole_filling {
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "algorithms/hole_filling/continuation/hole_site.h"
-#include "algorithms/hole_filling/patching/triangle_tree.h"
+#include "croquis/geometry/triangle_tree.h"
+#include "croquis/hole_filling/hole_site.h"
 #include "croquis/implicit/box_weight.h"
 #include "croquis/implicit/field.h"
 

@@ -3,10 +3,10 @@
 
 #include <optional>
 
-#include "algorithms/hole_filling/continuation/hole_site.h"
 #include "algorithms/hole_filling/continuation/rim_field.h"
 #include "croquis/base/progress.h"
 #include "croquis/hole_filling/hole_patch.h"
+#include "croquis/hole_filling/hole_site.h"
 
 namespace croquis::hole_filling {
 

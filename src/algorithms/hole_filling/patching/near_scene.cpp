@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "algorithms/hole_filling/patching/patch_editing.h"
+#include "croquis/geometry/morton_code.h"
+#include "croquis/geometry/radix_order.h"
 #include "croquis/geometry/self_intersection.h"
 
 namespace croquis::hole_filling {
@@ -21,13 +23,13 @@ constexpr std::size_t questions_before_tree = 8;
 constexpr std::size_t fan = 8;  ///< boxes in one of the level above
 
 /// Bits of three coordinates in turn, ten of each: near places mostly have near keys.
-std::uint32_t morton_key(const Vec3& place, const Eigen::AlignedBox3d& bounds) {
-  std::uint32_t key = 0;
+std::uint64_t morton_key(const Vec3& place, const Eigen::AlignedBox3d& bounds) {
+  std::uint64_t key = 0;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     const double size = bounds.sizes()[axis];
     const double share = size > 0 ? (place[axis] - bounds.min()[axis]) / size : 0;
     const auto cell = static_cast<std::uint32_t>(std::clamp(share * 1024, 0.0, 1023.0));
-    for (int bit = 0; bit < 10; ++bit) key |= (cell >> bit & 1U) << (3 * bit + axis);
+    key |= spread_by_three(cell) << axis;
   }
   return key;
 }
@@ -71,14 +73,11 @@ void SurfaceSearch::make_tree() const {
     boxes.push_back(box_of(t));
     bounds.extend(boxes.back());
   }
-  std::vector<std::pair<std::uint32_t, Index>> keys;
-  for (Index t = 0; t < boxes.size(); ++t) keys.emplace_back(morton_key(boxes[t].center(), bounds), t);
-  std::sort(keys.begin(), keys.end());
+  std::vector<std::uint64_t> keys;
+  for (const Box& box : boxes) keys.push_back(morton_key(box.center(), bounds));
+  order_ = radix_order(keys);
   std::vector<Box> ordered;
-  for (const auto& [key, t] : keys) {
-    order_.push_back(t);
-    ordered.push_back(boxes[t]);
-  }
+  for (const Index t : order_) ordered.push_back(boxes[t]);
   levels_.push_back(level_above(ordered));
   while (levels_.back().size() > 1) levels_.push_back(level_above(levels_.back()));
   looked_at_ += boxes.size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/hole_filling/patching/patch_confidence.h"
+#include "croquis/hole_filling/patch_confidence.h"
 
 #include <algorithm>
 #include <array>

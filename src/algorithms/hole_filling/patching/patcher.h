@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/hole_filling/continuation/hole_site.h"
 #include "croquis/base/progress.h"
 #include "croquis/hole_filling/hole_patch.h"
+#include "croquis/hole_filling/hole_site.h"
 #include "croquis/hole_filling/implicit_options.h"
 
 namespace croquis::hole_filling {

@@ -4,14 +4,9 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
-namespace croquis::hole_filling {
+#include "croquis/geometry/polygon_area.h"
 
-Vec3 vector_area(std::span<const Vec3> polygon) {
-  Vec3 sum = Vec3::Zero();
-  const Vec3& origin = polygon.front();
-  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) sum += (polygon[i] - origin).cross(polygon[i + 1] - origin);
-  return sum / 2;
-}
+namespace croquis::hole_filling {
 
 RimPlane plane_of_rim(std::span<const Vec3> polygon) {
   const auto next = [&](std::size_t i) -> const Vec3& { return polygon[i + 1 == polygon.size() ? 0 : i + 1]; };
@@ -33,7 +28,7 @@ RimPlane plane_of_rim(std::span<const Vec3> polygon) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
   plane.normal = axes.eigenvectors().col(0);
   plane.u = axes.eigenvectors().col(2);
-  if (plane.normal.dot(vector_area(polygon)) < 0) plane.normal = -plane.normal;
+  if (plane.normal.dot(area_normal(polygon)) < 0) plane.normal = -plane.normal;
   plane.v = plane.normal.cross(plane.u);
   return plane;
 }

@@ -18,8 +18,4 @@ struct RimPlane {
 /// whose normal it runs counter-clockwise.
 RimPlane plane_of_rim(std::span<const Vec3> polygon);
 
-/// Half the sum of (p_i - c) × (p_i+1 - c): its length is the area of the polygon's flattest spanning surface seen
-/// along it.
-Vec3 vector_area(std::span<const Vec3> polygon);
-
 }  // namespace croquis::hole_filling

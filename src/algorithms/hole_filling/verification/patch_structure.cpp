@@ -9,9 +9,9 @@
 
 #include <Eigen/Geometry>
 
-#include "algorithms/hole_filling/verification/single_precision.h"
 #include "croquis/geometry/degenerate_faces.h"
 #include "croquis/geometry/mesh_topology.h"
+#include "croquis/geometry/single_precision.h"
 
 namespace croquis::hole_filling {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "algorithms/hole_filling/verification/patch_structure.h"
 #include "algorithms/hole_filling/verification/rim_edges.h"
-#include "algorithms/hole_filling/verification/single_precision.h"
 #include "croquis/geometry/self_intersection.h"
+#include "croquis/geometry/single_precision.h"
 
 namespace croquis::hole_filling {
 namespace {

@@ -5,9 +5,10 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <string>
 #include <utility>
+
+#include "croquis/geometry/disjoint_sets.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -60,29 +61,15 @@ class PartLabeller {
 
  private:
   void find_units() {
-    Lines root(context_.lines.size());
-    std::iota(root.begin(), root.end(), Index{0});
-    const auto find = [&root](Index i) {
-      while (root[i] != i) i = root[i] = root[root[i]];
-      return i;
-    };
-    const auto join = [&](Index a, Index b) { root[std::max(find(a), find(b))] = std::min(find(a), find(b)); };
-    for (const HiddenEnd& end : context_.junctions.ends) join(end.line, end.bar);
+    DisjointSets joined(context_.lines.size());
+    for (const HiddenEnd& end : context_.junctions.ends) joined.unite(end.line, end.bar);
     std::map<std::string, Index> first_of_object;
-    for (Index line = 0; line < root.size(); ++line) {
+    for (Index line = 0; line < context_.lines.size(); ++line) {
       const std::string& object = context_.lines[line].object;
-      if (!object.empty()) join(line, first_of_object.try_emplace(object, line).first->second);
+      if (!object.empty()) joined.unite(line, first_of_object.try_emplace(object, line).first->second);
     }
-    unit_of_.assign(root.size(), 0);
-    for (Index line = 0; line < root.size(); ++line) {
-      if (find(line) == line) {
-        unit_of_[line] = static_cast<Index>(units_.size());
-        units_.emplace_back();
-      } else {
-        unit_of_[line] = unit_of_[find(line)];
-      }
-      units_[unit_of_[line]].push_back(line);
-    }
+    units_.resize(joined.number(unit_of_));
+    for (Index line = 0; line < unit_of_.size(); ++line) units_[unit_of_[line]].push_back(line);
   }
 
   /// A fault between two units excludes both, unless one of them is out already for a reason of its own.

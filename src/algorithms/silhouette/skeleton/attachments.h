@@ -37,6 +37,8 @@ class Attachments {
   std::map<std::pair<Index, Index>, double> kappa_;
 };
 
+inline auto members(const Attachments& attachments) { return std::tie(attachments.pairs()); }
+
 /// Distance of the middles of two attached parts of these half thicknesses: kappa times that of touching ones, but sunk
 /// by at least two fifths of the thinner one. Surfaces that only touch have no sound union.
 double attached_distance(double kappa, double a, double b);

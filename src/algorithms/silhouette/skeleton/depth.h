@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <tuple>
 #include <vector>
 
 #include "algorithms/silhouette/skeleton/attachments.h"
 #include "algorithms/silhouette/skeleton/skeleton.h"
+#include "croquis/base/members.h"
 #include "croquis/base/progress.h"
 #include "croquis/silhouette/labelled_figure.h"
 #include "croquis/silhouette/options.h"
@@ -18,6 +20,10 @@ struct DepthWeights {
   double orientation = 0.1;
   double distance = 0.1;
 };
+constexpr auto members(const DepthWeights& options) {
+  return std::tie(options.curvature, options.orientation, options.distance);
+}
+static_assert(lists_every_member<DepthWeights>);
 
 struct DepthSettings {
   DepthOptions options;
@@ -26,6 +32,10 @@ struct DepthSettings {
   std::size_t lazy_rows = 20000;
   Attachments attachments;  ///< pairs of objects that may sink into one another
 };
+constexpr auto members(const DepthSettings& options) {
+  return std::tie(options.options, options.object_weights, options.lazy_rows, options.attachments);
+}
+static_assert(lists_every_member<DepthSettings>);
 
 /// A pair of nodes that couldn't be kept apart.
 struct DepthCollision {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "app/tools/holes/filling.h"
-#include "croquis/hole_filling/remesh.h"
+#include "croquis/remeshing/remesh.h"
 
 namespace croquis::app {
 namespace {
@@ -37,7 +37,7 @@ QString bytes(std::size_t count) {
 }  // namespace
 
 QString estimate_sentence(const Studio& studio, const Node& node, const PolyMesh& scan) {
-  hole_filling::RemeshOptions options;
+  remeshing::RemeshOptions options;
   options.cell = std::max(number(studio, node, "cell", options.cell), 1e-3);
   options.refine = static_cast<int>(number(studio, node, "refine", options.refine));
   options.overlap = number(studio, node, "overlap", options.overlap);
@@ -45,7 +45,7 @@ QString estimate_sentence(const Studio& studio, const Node& node, const PolyMesh
   const double time = seconds_per_face * static_cast<double>(scan.face_count()) * std::max(finer, 0.3);
   return QCoreApplication::translate(
              "Holes", "About %1, and %2 of memory at most; every vertex of the model will be another one.")
-      .arg(seconds(time), bytes(hole_filling::predicted_remesh_bytes(scan, options)));
+      .arg(seconds(time), bytes(remeshing::predicted_remesh_bytes(scan, options)));
 }
 
 }  // namespace croquis::app

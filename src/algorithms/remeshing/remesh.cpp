@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/remeshing/remesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "algorithms/remeshing/remesh_attributes.h"
+#include "algorithms/remeshing/remesh_findings.h"
+#include "algorithms/remeshing/remesh_pieces.h"
+#include "algorithms/remeshing/remesh_plan.h"
+#include "algorithms/remeshing/remesh_points.h"
+#include "algorithms/remeshing/remesh_shape.h"
+#include "algorithms/remeshing/remesh_topology.h"
+#include "algorithms/remeshing/remesh_trimming.h"
+#include "algorithms/remeshing/remesh_union.h"
+#include "algorithms/remeshing/union_check.h"
+#include "croquis/hole_filling/channel_names.h"
+#include "croquis/hole_filling/fill_findings.h"
+
+namespace croquis::remeshing {
+namespace {
+
+using namespace hole_filling;
+
+/// The corners of triangles behind one another.
+std::span<const Index> flat_corners(const std::vector<std::array<Index, 3>>& triangles) {
+  static_assert(sizeof(std::array<Index, 3>) == 3 * sizeof(Index));
+  return {reinterpret_cast<const Index*>(triangles.data()), 3 * triangles.size()};
+}
+
+class Remeshing {
+ public:
+  Remeshing(const PolyMesh& mesh, const RemeshOptions& options)
+      : mesh_(mesh), options_(options), memory_(mesh, options) {}
+
+  RemeshResult run(Progress& progress) {
+    require_options(options_);
+    require_memory(memory_, options_.memory_limit);
+    result_.predicted_bytes = whole_bytes(memory_.most());
+    Progress analysing = progress.step("analyse holes", 0.06);
+    result_.analysis = analyse_holes(mesh_, analysing, options_.fill.analysis);
+    choice_ = choose_holes(result_.analysis.holes, options_.fill);
+    Progress preparing = progress.step("normals", 0.04);
+    prepare(preparing);
+    Progress making = progress.step("make pieces", 0.8);
+    make_pieces_anew(making);
+    Progress finishing = progress.step("verify", 0.1);
+    finish(finishing);
+    progress.report(1);
+    return std::move(result_);
+  }
+
+ private:
+  const SurfaceView& view() const { return result_.analysis.view; }
+  int threads() const { return options_.fill.threads; }
+  double cell() const { return options_.cell * edge_; }
+
+  void prepare(Progress& progress) {
+    edge_ = typical_edge(mesh_, view());
+    pieces_ = make_pieces(mesh_, result_.analysis, choice_, options_);
+    fans_ = TriangleFans(mesh_.vertex_count(), flat_corners(view().triangles));
+    normals_ = vertex_normals(mesh_, result_.analysis, fans_, pieces_, threads(), progress);
+    links_ = fans_.links(threads(), progress);
+    result_.mesh.channels = channels_like(mesh_);
+    number_groups();
+    report_choice();
+  }
+
+  void number_groups() {
+    patch_of_.assign(result_.analysis.holes.size(), no_index);
+    Index number = 0;
+    for (const RemeshPiece& piece : pieces_.pieces) {
+      for (const std::vector<Index>& group : piece.groups) {
+        for (const Index hole : group) patch_of_[hole] = number;
+        ++number;
+      }
+      for (const Index hole : piece.caps) patch_of_[hole] = number++;
+    }
+  }
+
+  void report_choice() {
+    result_.outcomes.resize(result_.analysis.holes.size());
+    for (std::size_t h = 0; h < result_.outcomes.size(); ++h) {
+      HoleOutcome& outcome = result_.outcomes[h];
+      outcome.reason = choice_.reason[h];
+      if (!choice_.is_chosen[h]) continue;
+      outcome.action = patch_of_[h] == no_index ? FillAction::Failed : FillAction::Fill;
+      outcome.reason = patch_of_[h] == no_index ? piece_left_out : "";
+      outcome.method = patch_of_[h] == no_index ? "" : "remesh";
+      outcome.patch = patch_of_[h];
+      outcome.confidence = 1;
+    }
+  }
+
+  void make_pieces_anew(Progress& progress) {
+    const RemeshModel model{mesh_, result_.analysis, options_, pieces_, normals_,
+                            fans_, links_,           edge_,    cell(),  memory_};
+    std::vector<PieceShape> shapes;
+    for (std::size_t p = 0; p < pieces_.pieces.size(); ++p) {
+      Progress part = progress.step("make pieces", 0.9 * model.share_of(pieces_.pieces[p]));
+      shapes.push_back(make_shape(model, p, part));
+      if (shapes.back().mesh.face_count() > 0 && shapes.back().lost_share > most_lost) refuse(p, shapes.back());
+      result_.slabs = std::max(result_.slabs, shapes.back().slabs);
+      tell(p, shapes.back());
+    }
+    Progress joining = progress.step("join pieces", 0.07);
+    JoinedShapes joined = join_shapes(model, shapes, joining);
+    for (const CrossingPiece& left : joined.left_out) refuse({left.piece, 0, left.other, left.at});
+    std::vector<AttributeChannel> channels = std::move(result_.mesh.channels);
+    result_.mesh = std::move(joined.mesh);
+    result_.mesh.channels = std::move(channels);
+    result_.checks.self_intersections = joined.cuts;
+    result_.checks.piece_crossings = joined.crossings;
+    result_.checks.united_pieces = joined.united;
+    make_room(result_.mesh.vertex_count(), result_.mesh.channels, marks_);
+    Progress transferring = progress.step("carry over attributes", 0.03);
+    for (const RemeshPart& part : joined.parts) {
+      tell_losses(part);
+      transfer_to(part, transferring);
+    }
+  }
+
+  /// The result for a piece doesn't represent it: the piece is left out.
+  void refuse(std::size_t piece, PieceShape& shape) {
+    const RemeshPiece& given = pieces_.pieces[piece];
+    const Index at = given.vertices[shape.lost.empty() ? 0 : shape.lost.front()];
+    refuse({piece, shape.lost_share, RefusedPiece::no_piece, mesh_.positions[at]});
+    shape = {};
+    shape.refused = true;
+  }
+
+  void refuse(const RefusedPiece& refused) {
+    refused_.push_back(refused);
+    const RemeshPiece& piece = pieces_.pieces[refused.piece];
+    for (const Index hole : piece.caps) fail(hole, piece_left_out);
+    for (const std::vector<Index>& group : piece.groups)
+      for (const Index hole : group) fail(hole, piece_left_out);
+  }
+
+  /// Counts add up over pieces; the median is that of the piece with most domains.
+  void count_domains(const implicit::DomainReport& report) {
+    const std::size_t domains = report.data_domains + report.extra_domains;
+    DomainPointCounts& counts = result_.points_per_domain;
+    counts.min = result_.domains == 0 ? report.min_centres : std::min(counts.min, report.min_centres);
+    counts.max = std::max(counts.max, report.max_centres);
+    if (domains >= most_domains_) counts.median = report.median_centres;
+    most_domains_ = std::max(most_domains_, domains);
+    result_.domains += domains;
+  }
+
+  void tell_patched(const PatchedHole& patched) {
+    if (patched.hole == no_index) return;
+    HoleOutcome& outcome = result_.outcomes[patched.hole];
+    outcome.method = patched.is_cap ? patched.outcome.method : "remesh-patched";
+    if (!patched.is_cap) outcome.reason = "the field left an opening there";
+    outcome.confidence = std::min(outcome.confidence, patched.outcome.confidence);
+  }
+
+  /// What became of a piece and its holes.
+  void tell(std::size_t piece, const PieceShape& shape) {
+    if (shape.refused) return;
+    if (shape.mesh.face_count() == 0) ++lost_;
+    for (const Index hole : shape.openings.holes) fail(hole, "neither the field nor a patch closes it");
+    for (const PatchedHole& patched : shape.patched.loops) tell_patched(patched);
+    for (const Index hole : shape.left_to_patches) {  // small ones are closed by what reaches over their rims
+      HoleOutcome& outcome = result_.outcomes[hole];
+      if (outcome.action == FillAction::Fill && outcome.method != "remesh")
+        outcome.reason = "the field leads far from the scan there";
+    }
+    if (shape.domains.fitted > 0) count_domains(shape.domains);
+    RemeshChecks& checks = result_.checks;
+    checks.failed_loops += shape.openings.loops.size();
+    for (const PatchedHole& patched : shape.patched.loops) checks.repaired_loops += patched.is_cap ? 0U : 1U;
+    tell_losses(piece, shape);
+  }
+
+  /// Whether a piece isn't what it should be, and where.
+  void tell_losses(std::size_t piece, const PieceShape& shape) {
+    if (shape.mesh.face_count() == 0) return;  // reported as lost
+    result_.checks.lost_points += shape.lost.size();
+    const bool differs = shape.wanted && difference(shape.topology, *shape.wanted) > 0;
+    if (shape.lost.empty() && !differs) return;
+    PieceLosses losses;
+    losses.piece = piece;
+    losses.retried = shape.retried;
+    losses.lost_points = shape.lost.size();
+    if (differs) losses.wanted = shape.wanted;
+    losses.made = shape.topology;
+    losses.at = shape.lost.empty() ? place_of_smallest_part(shape.mesh)
+                                   : mesh_.positions[pieces_.pieces[piece].vertices[shape.lost.front()]];
+    losses_.push_back(losses);
+  }
+
+  /// What a solid of several pieces lost on top of that.
+  void tell_losses(const RemeshPart& part) {
+    if (part.lost == 0) return;
+    result_.checks.lost_points += part.lost;
+    PieceLosses losses;
+    losses.piece = part.pieces.front();
+    losses.retried = true;
+    losses.lost_points = part.lost;
+    losses.at = part.lost_at;
+    losses_.push_back(losses);
+  }
+
+  /// Values of vertices, and which of them lie in holes.
+  void transfer_to(const RemeshPart& part, Progress& progress) {
+    patched_faces_.insert(patched_faces_.end(), part.patched.begin(), part.patched.end());
+    const double share = static_cast<double>(part.vertex_count) / static_cast<double>(result_.mesh.vertex_count() + 1);
+    for (const std::size_t number : part.pieces) {
+      const RemeshPiece& piece = pieces_.pieces[number];
+      Progress transferring = progress.step("carry over attributes", share / static_cast<double>(part.pieces.size()));
+      if (result_.mesh.channels.empty() && piece.groups.empty() && piece.caps.empty()) continue;
+      const RemeshPoints points = points_of(mesh_, result_.analysis, piece, normals_, edge_);
+      const NearestSurface nearest(mesh_, view(), fans_, piece, points, threads());
+      const NewVertices vertices{part.first_vertex, part.vertex_count, part.piece_at, static_cast<Index>(number)};
+      transfer(result_.mesh, vertices, nearest, mesh_, result_.analysis, piece, pieces_.rims, cell(), threads(), marks_,
+               transferring);
+    }
+  }
+
+  void fail(Index hole, const char* reason) {
+    if (hole == no_index) return;
+    HoleOutcome& outcome = result_.outcomes[hole];
+    outcome.action = FillAction::Failed;
+    outcome.reason = reason;
+    outcome.method.clear();
+    outcome.confidence = 0;
+  }
+
+  void finish(Progress& progress) {
+    fans_ = TriangleFans(0, {});
+    normals_ = {};
+    links_ = {};
+    const RemeshLosses losses{lost_, pieces_.left_out, options_.cell, losses_, refused_};
+    require_faces(result_.mesh, losses);
+    Progress computing = progress.step("normals", 0.1);
+    compute_normals(result_.mesh, threads(), computing);
+    mark();
+    Progress checking = progress.step("verify", 0.9);
+    check(checking);
+    result_.warnings = remesh_findings(mesh_, result_, losses);
+  }
+
+  /// Channels "confidence" and "patch_id", and the patches' values in outcomes.
+  void mark() {
+    PolyMesh& mesh = result_.mesh;
+    for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+      const Index hole = marks_.hole[v];
+      if (hole == no_index) continue;
+      ++first_of_patch(hole).new_vertices;
+      HoleOutcome& outcome = result_.outcomes[hole];
+      outcome.confidence = std::min(outcome.confidence, static_cast<double>(marks_.confidence[v]));
+    }
+    std::vector<std::int32_t> patches(mesh.face_count(), -1);
+    const auto put = [&](std::size_t face, Index hole) {
+      patches[face] = static_cast<std::int32_t>(patch_of_[hole]);
+      ++first_of_patch(hole).new_faces;
+    };
+    for (const auto& [face, hole] : patched_faces_) put(face, hole);
+    for (std::size_t f = 0; f < patches.size(); ++f) {
+      const auto face = mesh.face(f);
+      const auto in_hole = std::count_if(face.begin(), face.end(), [&](Index v) { return marks_.hole[v] != no_index; });
+      if (in_hole < 2 || patches[f] >= 0) continue;
+      put(f, std::min({marks_.hole[face[0]], marks_.hole[face[1]], marks_.hole[face[2]]}));
+    }
+    measure_patches(mesh, patches, patch_of_, result_.outcomes);
+    if (!options_.fill.mark_patches) return;
+    mesh.channels.push_back({"confidence", Domain::Vertex, 1, std::move(marks_.confidence), {}});
+    mesh.channels.push_back({patch_channel, Domain::Face, 1, std::move(patches), {}});
+  }
+
+  HoleOutcome& first_of_patch(Index hole) {
+    const auto first = std::find(patch_of_.begin(), patch_of_.end(), patch_of_[hole]);
+    return result_.outcomes[static_cast<std::size_t>(first - patch_of_.begin())];
+  }
+
+  void check(Progress& progress) {
+    const PolyMesh& mesh = result_.mesh;
+    RemeshChecks& checks = result_.checks;
+    const TriangleFans fans(mesh.vertex_count(), mesh.corners);
+    Progress linking = progress.step("verify", 0.9);
+    const std::vector<TriangleFans::Link> links = fans.links(threads(), linking);
+    using Link = TriangleFans::Link;
+    checks.manifold = std::none_of(links.begin(), links.end(), [](Link link) { return link == Link::Broken; });
+    checks.components = part_count(mesh);
+    checks.open_loops = open_loop_count(fans, links);
+  }
+
+  const PolyMesh& mesh_;
+  const RemeshOptions& options_;
+  RemeshMemory memory_;
+  HoleChoice choice_;
+  RemeshPieces pieces_;
+  TriangleFans fans_ = TriangleFans(0, {});
+  std::vector<Vec3> normals_;  // of the view's vertices
+  std::vector<TriangleFans::Link> links_;
+  std::vector<Index> patch_of_;                               // per hole
+  std::vector<std::pair<std::size_t, Index>> patched_faces_;  // of the result, and their holes
+  std::vector<PieceLosses> losses_;
+  std::vector<RefusedPiece> refused_;
+  double edge_ = 0;
+  HoleMarks marks_;
+  std::size_t lost_ = 0, most_domains_ = 0;
+  RemeshResult result_;
+};
+
+}  // namespace
+
+RemeshResult remesh_surface(const PolyMesh& mesh, const RemeshOptions& options, Progress& progress) {
+  return Remeshing(mesh, options).run(progress);
+}
+
+}  // namespace croquis::remeshing

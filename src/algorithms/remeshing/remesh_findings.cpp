@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/remeshing/remesh_findings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "croquis/base/error.h"
+#include "croquis/base/text.h"
+#include "croquis/hole_filling/fill_findings.h"
+
+namespace croquis::remeshing {
+namespace {
+
+using namespace hole_filling;
+
+Finding warning(std::string code, std::string message) {
+  return make_warning(Category::Geometry, std::move(code), std::move(message));
+}
+
+/// "2 parts with 1 handle".
+std::string described(const SurfaceTopology& topology) {
+  const auto handles = static_cast<std::int64_t>(topology.components) - topology.euler / 2;
+  std::string text = counted(topology.components, "part", "parts");
+  if (handles > 0) text += " with " + counted(static_cast<std::size_t>(handles), "handle", "handles");
+  return text;
+}
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+std::string sentence(const PieceLosses& part, double cell) {
+  std::string text = "Piece " + std::to_string(part.piece) + " of the model ";
+  if (part.wanted) text += "came out as " + described(part.made) + " instead of " + described(*part.wanted);
+  if (part.lost_points > 0)
+    text += std::string(part.wanted ? ", and " : "has lost its surface at ") +
+            counted(part.lost_points, "point", "points") + (part.wanted ? " lost their surface" : "");
+  if (part.retried) return text + ", with smaller cells too: fill holes by patches, which keep the surface.";
+  return text + ": choose cells of " + number(cell / 4) + " mean edges, or fill holes by patches.";
+}
+
+/// The first few one by one.
+void tell_parts(const RemeshLosses& losses, Findings& findings) {
+  constexpr std::size_t most_told = 5;
+  for (std::size_t i = 0; i < std::min(losses.parts.size(), most_told); ++i) {
+    const PieceLosses& part = losses.parts[i];
+    Finding finding = warning("W_DETAIL_LOST", sentence(part, losses.cell));
+    finding.subjects = {numbered_subject(SubjectKind::Point, part.piece, {part.at.x(), part.at.y(), part.at.z()})};
+    findings.push_back(std::move(finding));
+  }
+  if (losses.parts.size() > most_told)
+    findings.push_back(
+        warning("W_DETAIL_LOST", counted(losses.parts.size() - most_told, "more piece has", "more pieces have") +
+                                     " lost detail: choose smaller cells, or fill holes by patches."));
+}
+
+std::string sentence(const RefusedPiece& refused) {
+  const std::string piece = "Piece " + std::to_string(refused.piece) + " of the model ";
+  if (refused.other != RefusedPiece::no_piece)
+    return piece + "was left out: its new surface crosses that of piece " + std::to_string(refused.other) +
+           ", and no solid stands for both; take them apart, or fill holes by patches, which keep all pieces.";
+  return piece + "was left out: its new surface would lack " +
+         std::to_string(static_cast<int>(std::lround(100 * refused.lost_share))) +
+         " % of the scan's; choose smaller cells, or fill holes by patches, which keep the surface.";
+}
+
+/// The first few one by one.
+void tell_refused(const RemeshLosses& losses, const Finding& like, Findings& findings) {
+  constexpr std::size_t most_told = 5;
+  const std::size_t told = std::min(losses.refused.size(), most_told);
+  for (const RefusedPiece& refused : std::span(losses.refused).first(told)) {
+    Finding finding = like;
+    finding.message = sentence(refused);
+    finding.subjects = {
+        numbered_subject(SubjectKind::Point, refused.piece, {refused.at.x(), refused.at.y(), refused.at.z()})};
+    findings.push_back(std::move(finding));
+  }
+  if (told == losses.refused.size()) return;
+  Finding finding = like;
+  finding.message = counted(losses.refused.size() - told, "more piece was", "more pieces were") +
+                    " left out for such reasons: choose smaller cells, or fill holes by patches.";
+  findings.push_back(std::move(finding));
+}
+
+void tell_united(const RemeshChecks& checks, Findings& findings) {
+  if (checks.united_pieces == 0) return;
+  findings.push_back(warning("W_PIECES_UNITED",
+                             std::to_string(checks.united_pieces) +
+                                 " pieces of the model cross or nearly touch each other and were made into one solid: "
+                                 "take them apart before if they should stay pieces."));
+}
+
+void tell_cuts(const RemeshChecks& checks, Findings& findings) {
+  if (checks.self_intersections == 0) return;
+  std::string text = counted(checks.self_intersections, "pair of faces intersects", "pairs of faces intersect");
+  if (checks.piece_crossings > 0)
+    text +=
+        ", " + std::to_string(checks.piece_crossings) +
+        " of them of different pieces of the model, which cross or nearly touch: take them apart, or choose smaller "
+        "cells.";
+  else
+    text += ": look at the patches there, or choose smaller cells.";
+  findings.push_back(warning("W_CUTS_ITSELF", text));
+}
+
+}  // namespace
+
+Findings remesh_findings(const PolyMesh& mesh, const RemeshResult& result, const RemeshLosses& losses) {
+  FillResult holes;  // findings about holes are the same in both modes
+  holes.analysis.holes = result.analysis.holes;
+  holes.analysis.warnings = result.analysis.warnings;
+  holes.outcomes = result.outcomes;
+  Findings findings = fill_findings(mesh, holes);
+  if (losses.left_out > 0)
+    findings.push_back(warning("W_PIECE_LOST", counted(losses.left_out, "small piece was", "small pieces were") +
+                                                   " left out, as asked for: lower the least size to keep them."));
+  if (losses.pieces > 0)
+    findings.push_back(warning("W_PIECE_LOST", counted(losses.pieces, "piece has", "pieces have") +
+                                                   " no surface that cubes of this size could find: choose smaller "
+                                                   "cells."));
+  tell_refused(losses, warning("W_PIECE_REFUSED", ""), findings);
+  tell_parts(losses, findings);
+  if (result.checks.failed_loops > 0)
+    findings.push_back(
+        warning("W_NOT_CLOSED", counted(result.checks.failed_loops, "opening is", "openings are") +
+                                    " left where none was: choose smaller cells, or fill holes by patches."));
+  tell_united(result.checks, findings);
+  tell_cuts(result.checks, findings);
+  return findings;
+}
+
+void require_faces(const PolyMesh& made, const RemeshLosses& losses) {
+  if (made.face_count() > 0) return;
+  const auto error = [](std::string message) {
+    return make_error(Category::Geometry, "E_NOT_REMESHED", std::move(message));
+  };
+  Findings findings = {
+      error("Nothing of the model could be remeshed: fill its holes by patches, which keep the "
+            "surface.")};
+  tell_refused(losses, error(""), findings);
+  throw Error(std::move(findings));
+}
+
+}  // namespace croquis::remeshing

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/remeshing/remesh_openings.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+#include <variant>
+
+#include "croquis/geometry/triangle_fans.h"
+#include "croquis/implicit/point_tree.h"
+
+namespace croquis::remeshing {
+namespace {
+
+using namespace hole_filling;
+
+using RimName = std::pair<RimFate, Index>;
+
+/// The fate and hole of the rim that most of the loop's vertices are nearest to; the lower of equals.
+RimName elected(const PolyMesh& surface, const Hole& loop, const implicit::PointTree& tree,
+                const std::vector<RimName>& names) {
+  std::map<RimName, std::size_t> votes;
+  for (const Index v : loop.vertices) ++votes[names[tree.nearest(surface.positions[v])]];
+  return std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
+}
+
+bool is_open(const PolyMesh& surface, int threads, Progress& progress) {
+  const TriangleFans fans(surface.vertex_count(), surface.corners);
+  const std::vector<TriangleFans::Link> links = fans.links(threads, progress);
+  return std::any_of(links.begin(), links.end(), [](TriangleFans::Link link) {
+    return link == TriangleFans::Link::Path || link == TriangleFans::Link::Broken;
+  });
+}
+
+}  // namespace
+
+Openings find_openings(const PolyMesh& surface, const PolyMesh& mesh, const RemeshPiece& piece,
+                       const std::vector<RimPlace>& rims, int threads, Progress& progress) {
+  Openings openings;
+  Progress looking = progress.step("look for openings", 0.2);
+  if (surface.face_count() == 0 || !is_open(surface, threads, looking)) return openings;
+  std::vector<Vec3> places;
+  std::vector<RimName> names;
+  for (const RimPlace& rim : rims) {
+    if (!std::binary_search(piece.vertices.begin(), piece.vertices.end(), rim.vertex)) continue;
+    places.push_back(mesh.positions[rim.vertex]);
+    names.emplace_back(rim.fate, rim.hole);
+  }
+  const implicit::PointTree tree(places);
+  Progress analysing = progress.step("measure openings", 0.8);
+  for (const Hole& loop : analyse_holes(surface, analysing).holes) {
+    const auto [fate, hole] = places.empty() ? RimName(RimFate::Field, no_index) : elected(surface, loop, tree, names);
+    if (fate == RimFate::Open) {
+      ++openings.meant;
+      continue;
+    }
+    openings.loops.push_back(loop.id);
+    openings.holes.push_back(hole);
+    openings.is_cap.push_back(fate == RimFate::Patch ? 1 : 0);
+  }
+  return openings;
+}
+
+PatchedHoles close_by_patches(PolyMesh& surface, Openings& openings, const FillOptions& options, Progress& progress) {
+  FillOptions patching = options;
+  patching.only = openings.loops;
+  patching.requests.clear();
+  patching.max_diameter = std::numeric_limits<double>::infinity();
+  patching.trim_rim = 0;
+  patching.mark_patches = true;
+  patching.cache = nullptr;
+  HoleRequest flat;
+  flat.fairness = Fairness::Flat;
+  for (std::size_t i = 0; i < openings.loops.size(); ++i)
+    if (openings.is_cap[i] != 0) flat.holes.push_back(openings.loops[i]);
+  if (!flat.holes.empty()) patching.requests.push_back(flat);
+  const std::size_t first_face = surface.face_count();
+  FillResult filled = fill_holes(surface, patching, progress);
+  PatchedHoles patched;
+  Openings left;
+  left.meant = openings.meant;
+  std::map<std::int32_t, Index> hole_of_patch;
+  for (std::size_t i = 0; i < openings.loops.size(); ++i) {
+    const HoleOutcome& outcome = filled.outcomes[openings.loops[i]];
+    if (outcome.action == FillAction::Fill) {
+      patched.loops.push_back({openings.holes[i], openings.is_cap[i] != 0, outcome});
+      hole_of_patch.emplace(static_cast<std::int32_t>(outcome.patch), openings.holes[i]);
+    } else {
+      left.loops.push_back(openings.loops[i]);
+      left.holes.push_back(openings.holes[i]);
+      left.is_cap.push_back(openings.is_cap[i]);
+    }
+  }
+  if (const AttributeChannel* channel = filled.mesh.channel("patch_id", Domain::Face)) {
+    const auto& patch_of = std::get<std::vector<std::int32_t>>(channel->data);
+    for (std::size_t f = first_face; f < patch_of.size(); ++f)
+      patched.faces.emplace_back(f, hole_of_patch[patch_of[f]]);
+  }
+  surface = std::move(filled.mesh);
+  surface.channels.clear();
+  openings = std::move(left);
+  return patched;
+}
+
+}  // namespace croquis::remeshing

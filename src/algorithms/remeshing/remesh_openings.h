@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "algorithms/remeshing/remesh_pieces.h"
+#include "croquis/base/progress.h"
+
+namespace croquis::remeshing {
+
+/// Rims of a new surface that shouldn't be there.
+struct Openings {
+  std::vector<Index> loops;          ///< ids in an analysis of the surface
+  std::vector<Index> holes;          ///< per loop, the hole of the mesh given that is open there; no_index: none
+  std::vector<std::uint8_t> is_cap;  ///< per loop: its rim was left to a patch, flat where a hole is
+  std::size_t meant = 0;             ///< other loops: they lie along rims that stay open
+
+  bool none() const { return loops.empty(); }
+
+  /// Some that the field should have closed.
+  bool any_of_field() const { return std::find(is_cap.begin(), is_cap.end(), std::uint8_t{0}) != is_cap.end(); }
+};
+
+/// Every loop belongs to the rim that most of its vertices are nearest to.
+/// @param surface what came out for the piece; @param rims of the whole mesh given
+/// @throws Cancelled
+Openings find_openings(const PolyMesh& surface, const PolyMesh& mesh, const RemeshPiece& piece,
+                       const std::vector<RimPlace>& rims, int threads, Progress& progress);
+
+/// A hole that a patch closed.
+struct PatchedHole {
+  Index hole = no_index;              ///< of the mesh given; no_index: none
+  bool is_cap = false;                ///< as in Openings
+  hole_filling::HoleOutcome outcome;  ///< of the patch
+};
+
+/// What close_by_patches did.
+struct PatchedHoles {
+  std::vector<PatchedHole> loops;                    ///< those that were closed
+  std::vector<std::pair<std::size_t, Index>> faces;  ///< of patches, with the hole of the mesh given, ascending
+};
+
+/// Closes the loops by patches, the best that is sound for each, flat where so marked, and takes those that were closed
+/// out of the openings.
+/// @throws Cancelled
+PatchedHoles close_by_patches(PolyMesh& surface, Openings& openings, const hole_filling::FillOptions& options,
+                              Progress& progress);
+
+}  // namespace croquis::remeshing

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
+
+#include "algorithms/remeshing/union_check.h"
+#include "croquis/base/error.h"
+#include "hole_filling/fill_invariants.h"
+#include "remeshing/remeshed.h"
+#include "support/mesh_shapes.h"
+#include "support/sample_count.h"
+#include "support/scans.h"
+#include "support/surface_distance.h"
+#include "support/virtual_scans.h"
+#include "support/wild_scans.h"
+
+using namespace croquis;
+using namespace croquis::test;
+using namespace croquis::hole_filling;
+using namespace croquis::remeshing;
+
+namespace {
+
+double mean_edge_of(const PolyMesh& mesh) {
+  double sum = 0;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto t = mesh.face(f);
+    for (std::size_t i = 0; i < 3; ++i) sum += (mesh.positions[t[i]] - mesh.positions[t[(i + 1) % 3]]).norm();
+  }
+  return sum / (3 * static_cast<double>(mesh.face_count()));
+}
+
+bool tells_any(const Findings& findings, std::span<const char* const> codes) {
+  return std::ranges::any_of(
+      findings, [&](const Finding& finding) { return std::ranges::find(codes, finding.code) != codes.end(); });
+}
+
+bool is_told(const RemeshResult& result, const char* code) { return tells_any(result.warnings, std::array{code}); }
+
+/// Nothing when the scan was refused as a whole, with a sentence.
+std::optional<RemeshResult> remeshed_or_refused(const PolyMesh& scan, const RemeshOptions& options) {
+  try {
+    return remesh(scan, options);
+  } catch (const Error& error) {
+    CHECK(error.findings().front().code == "E_NOT_REMESHED");
+    CHECK(error.findings().front().category == Category::Geometry);
+    return std::nullopt;
+  }
+}
+
+/// Vertices that are farther from the scan's triangles than four edges, in no reach of a hole that was closed: patches
+/// go 1.5 diameters at most.
+std::size_t unexplained(const PolyMesh& scan, const RemeshResult& result) {
+  const SurfaceDistance to_scan(scan);
+  const double far = 4 * mean_edge_of(scan);
+  std::size_t count = 0;
+  for (const Vec3& place : result.mesh.positions) {
+    if (to_scan(place) <= far) continue;
+    const bool is_in_hole = std::ranges::any_of(result.analysis.holes, [&](const Hole& hole) {
+      if (result.outcomes[hole.id].action != FillAction::Fill) return false;
+      const double reach = result.outcomes[hole.id].method == "remesh" ? 0.8 : 1.5;
+      return std::ranges::any_of(hole.vertices,
+                                 [&](Index v) { return (scan.positions[v] - place).norm() <= reach * hole.diameter; });
+    });
+    if (!is_in_hole) ++count;
+  }
+  return count;
+}
+
+/// Share of the scan's area that has nothing within three edges.
+double missing_share(const PolyMesh& scan, const RemeshResult& result) {
+  std::vector<Index> faces(scan.face_count());
+  for (Index f = 0; f < faces.size(); ++f) faces[f] = f;
+  const std::vector<Vec3> samples = sample_faces(scan, faces, 3000);
+  const SurfaceDistance to_result(result.mesh);
+  const double far = 3 * mean_edge_of(scan);
+  const auto missing = std::ranges::count_if(samples, [&](const Vec3& place) { return to_result(place) > far; });
+  return static_cast<double>(missing) / static_cast<double>(samples.size());
+}
+
+}  // namespace
+
+TEST_CASE("scans as wild as they come are made anew near to what they are, or refused with a reason") {
+  constexpr std::array losses = {"W_PIECE_REFUSED", "W_PIECE_LOST", "W_DETAIL_LOST", "W_NOT_CLOSED"};
+  const auto seeds = static_cast<std::uint64_t>(sample_count(2, 20));
+  std::size_t made = 0, all = 0;
+  for (const WildScan kind : all_wild_scans) {
+    for (std::uint64_t seed = 101; seed < 101 + seeds; ++seed) {
+      CAPTURE(name_of(kind), seed);
+      const PolyMesh scan = wild_scan(kind, seed, 3000);
+      const auto result = remeshed_or_refused(scan, {});
+      ++all;
+      if (!result) continue;
+      ++made;
+      CHECK(unexplained(scan, *result) == 0);
+      if (missing_share(scan, *result) > 0.1) CHECK(tells_any(result->warnings, losses));
+      CHECK(result->checks.manifold);
+      CHECK((result->checks.self_intersections == 0 || is_told(*result, "W_CUTS_ITSELF")));
+    }
+  }
+  CHECK(4 * made > 3 * all);  // refusing isn't the cure
+}
+
+TEST_CASE("where the field leads far away the holes are left to patches, and the rest is made anew") {
+  const PolyMesh scan = wild_scan(WildScan::Monument, 4, 8000);
+  const RemeshResult result = remesh(scan);
+  CHECK(unexplained(scan, result) == 0);
+  CHECK(result.mesh.face_count() < 2 * scan.face_count());
+  CHECK(diagonal_of(result.mesh) < 1.05 * diagonal_of(scan));
+}
+
+TEST_CASE("of sheets that cross and have no inside the larger one is made anew, and the other one is named") {
+  const PolyMesh large = translated(sheet(30, 30), Vec3(-14.6, -14.7, 0.1));
+  const PolyMesh small = rotated(translated(sheet(26, 26), Vec3(-13, -13, 0)), 1.2, Vec3(1, 0.2, 0).normalized());
+  const RemeshResult result = remesh(merged(small, large));
+  REQUIRE(is_told(result, "W_PIECE_REFUSED"));
+  CHECK(result.checks.self_intersections == 0);
+  CHECK(summary_of_distances(large.positions, SurfaceDistance(result.mesh)).greatest < 1.5);
+  CHECK(summary_of_distances(result.mesh.positions, SurfaceDistance(large)).greatest < 0.5);
+  const auto told = std::ranges::find(result.warnings, "W_PIECE_REFUSED", &Finding::code);
+  CHECK(told->message.find("Piece 0") != std::string::npos);
+  REQUIRE(told->subjects.size() == 1);
+  CHECK(told->subjects[0].at.size() == 3);
+}
+
+TEST_CASE("a piece of which most gets lost is left out with its share, alone it is an error") {
+  const PolyMesh plate = transformed(divided_box(36), Eigen::Affine3d(Eigen::Scaling(1.0, 1.0, 0.15 / 36)));
+  RemeshOptions options;
+  CHECK_FALSE(remeshed_or_refused(plate, options).has_value());
+  const PolyMesh ball = translated(round_sphere(4), Vec3(3, 0, 0));
+  options.memory_limit = least_remesh_bytes(merged(plate, ball), options);
+  const RemeshResult both = remesh(merged(plate, ball), options);
+  constexpr std::array codes = {"W_PIECE_REFUSED", "W_PIECE_LOST"};
+  CHECK(tells_any(both.warnings, codes));
+  CHECK(summary_of_distances(both.mesh.positions, SurfaceDistance(ball)).greatest < 0.02);
+  CHECK(summary_of_distances(ball.positions, SurfaceDistance(both.mesh)).greatest < 0.02);
+}
+
+TEST_CASE("a closed surface goes once round what it encloses, half of one half round its middle") {
+  CHECK(winding_number(round_sphere(3), Vec3(0.3, 0.2, 0.1)) == Approx(1));
+  CHECK(winding_number(flipped(round_sphere(3)), Vec3(0.3, 0.2, 0.1)) == Approx(-1));
+  CHECK(winding_number(round_sphere(3), Vec3(2, 0, 0)) == Approx(0).margin(1e-12));
+  CHECK(std::abs(winding_number(bowl(48, 20), Vec3::Zero())) == Approx(0.5).margin(0.01));
+}
