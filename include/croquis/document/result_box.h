@@ -19,8 +19,7 @@ class ResultBox {
   /// @tparam Result plain values; byte_size(const Result&) beside it gives what they take, without what they share
   ///         with the operation's inputs
   template <class Result>
-    requires(!std::is_same_v<Result, ResultBox>)
-  ResultBox(Result result)
+  requires(!std::is_same_v<Result, ResultBox>) ResultBox(Result result)
       : bytes_(byte_size(result)),
         content_(std::make_shared<const Result>(std::move(result))),
         type_(&typeid(Result)) {}

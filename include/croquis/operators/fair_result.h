@@ -8,8 +8,8 @@ namespace croquis {
 /// What the operation `fair` did; its report is made of this.
 struct FairResult {
   std::size_t free_points = 0;
-  double weight = 0;                     ///< that was used, in units of the energy
-  double energy_before = 0, energy = 0;  ///< of bending
+  double weight = 0;                        ///< that was used, in units of the energy
+  double energy_before = 0, energy = 0;     ///< of bending
   double greatest_move = 0, mean_move = 0;  ///< of the points, model units
 };
 
