@@ -245,6 +245,17 @@ void Pull::compute(NodeId target, Progress& progress) {
   progress.report(1);
 }
 
+/// The input of a node that is off, under the name of its own output.
+std::shared_ptr<const Evaluation> passed_evaluation(const NodeState& state, const NodeStates& inputs) {
+  const Link link = used_inputs(state).begin()->second;
+  const Evaluation& input = *inputs.at(link.node)->evaluation;
+  Evaluation evaluation;
+  evaluation.outputs[state.description.outputs.front().name] = input.outputs.at(link.output);
+  evaluation.quality = input.quality;
+  evaluation.key = input.key;
+  return std::make_shared<const Evaluation>(std::move(evaluation));
+}
+
 std::shared_ptr<const Evaluation> Pull::known(NodeId id) {
   for (const NodeId each : order_) {
     Slot& slot = slots_.at(each);
@@ -254,7 +265,9 @@ std::shared_ptr<const Evaluation> Pull::known(NodeId id) {
         std::ranges::all_of(inputs, [](const auto& input) { return input.second->evaluation != nullptr; });
     if (!decided) continue;
     if (Findings faults = faults_of(slot.state, inputs); !faults.empty()) {
-      slot.state.evaluation = failed_evaluation(std::move(faults), quality_, slot.key);
+      slot.state.evaluation = failed_evaluation(std::move(faults), quality_, slot.keys.placed);
+    } else if (!slot.state.node->enabled) {
+      slot.state.evaluation = passed_evaluation(slot.state, inputs);
     }
   }
   return slots_.at(id).state.evaluation;
@@ -266,17 +279,6 @@ NodeStates Pull::inputs_of(const Slot& slot) const {
     if (const auto input = slots_.find(link.node); input != slots_.end()) inputs[link.node] = &input->second.state;
   }
   return inputs;
-}
-
-/// The input of a node that is off, under the name of its own output.
-std::shared_ptr<const Evaluation> passed_evaluation(const NodeState& state, const NodeStates& inputs) {
-  const Link link = used_inputs(state).begin()->second;
-  const Evaluation& input = *inputs.at(link.node)->evaluation;
-  Evaluation evaluation;
-  evaluation.outputs[state.description.outputs.front().name] = input.outputs.at(link.output);
-  evaluation.quality = input.quality;
-  evaluation.key = input.key;
-  return std::make_shared<const Evaluation>(std::move(evaluation));
 }
 
 std::shared_ptr<const Evaluation> Pull::compute(const Slot& slot, Progress& progress) {

@@ -71,7 +71,7 @@ OperationResult remesh_scan(const std::shared_ptr<const PolyMesh>& scan, const F
                             Context& context) {
   RemeshOptions options = settings.options;
   options.fill.threads = context.threads;
-  RemeshResult made = hole_filling::remesh_surface(*scan, options, context.progress);
+  RemeshResult made = remeshing::remesh_surface(*scan, options, context.progress);
   FillResult details = result_of_remeshing(scan, made);
   return outputs_of(made, std::move(details));
 }

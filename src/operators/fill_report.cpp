@@ -13,7 +13,7 @@
 namespace croquis {
 namespace {
 
-using hole_filling::DomainPointCounts;
+using remeshing::DomainPointCounts;
 using hole_filling::FillAction;
 using hole_filling::Hole;
 using hole_filling::HoleChoice;

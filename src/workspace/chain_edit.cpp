@@ -105,9 +105,9 @@ AddedNode with_step(const Document& document, const Registry& registry, NodeId i
   step.version = description.version;
   const PortDescription port = input_of(registry, step);
   if (main_type(before, registry) != port.type) {
-    refuse("\"" + description.title + "\" works on a " + to_string(port.type) + ", and " + quoted(before) +
-               " gives none",
-           id);
+    refuse(
+        "\"" + description.title + "\" works on a " + to_string(port.type) + ", and " + quoted(before) + " gives none",
+        id);
   }
   const Link from = main_link(before, registry);
   step.inputs[port.name] = from;
@@ -166,8 +166,7 @@ Document with_neighbours_exchanged(const Document& document, const Registry& reg
   }
   require_fit(document, registry, second.id, main_type(first, registry), sentence);
   const Link given = first.inputs.at(input_of(registry, first).name);
-  const Document passed =
-      with_links_moved(document, main_link(second, registry), main_link(first, registry), first.id);
+  const Document passed = with_links_moved(document, main_link(second, registry), main_link(first, registry), first.id);
   const Node now_first = relinked(registry, *passed.find(second.id), given);
   const Node now_second = relinked(registry, *passed.find(first.id), main_link(second, registry));
   return passed.with(now_first).with(now_second);

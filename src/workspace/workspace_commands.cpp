@@ -153,7 +153,8 @@ void Workspace::freeze_step(NodeId step) {
   const Node& node = step_node(step);
   const auto kept = node.source ? nullptr : evaluator_.find(session_.document(), step);
   if (!kept || kept->failed || kept->quality != Quality::Final) {
-    refuse_step('"' + title_of(node) + "\" can't be frozen before it is computed: wait for it, or mend what it reports");
+    refuse_step('"' + title_of(node) +
+                "\" can't be frozen before it is computed: wait for it, or mend what it reports");
   }
   const Link given = main_link(node, registry_);
   edit_chain("Freeze " + title_of(node),

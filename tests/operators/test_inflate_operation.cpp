@@ -120,8 +120,7 @@ TEST_CASE("programs read labels and parts of a solid as its drawing and mesh sho
   for (const InflatedObject& object : found.objects) CHECK(std::ranges::count(names, object.name) == 1);
   REQUIRE(!found.suggested.empty());
   // y grows upwards for programs, downwards in the report.
-  const Report& first =
-      result.outputs.at("details").get<Report>().at("attach_suggestions").as_array()[0];
+  const Report& first = result.outputs.at("details").get<Report>().at("attach_suggestions").as_array()[0];
   CHECK(first.at("at").as_array()[1].as_number() == -found.suggested[0].at.y());
 }
 

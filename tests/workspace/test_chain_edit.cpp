@@ -200,13 +200,18 @@ struct DrawnChain {
 
 TEST_CASE("workspace: steps that don't fit are refused with their names, and nothing changes") {
   const DrawnChain c;
-  CHECK(refusal([&] { with_step(c.document, c.registry, c.drawing, "scale"); }).find("works on a mesh") != std::string::npos);
+  CHECK(refusal([&] { with_step(c.document, c.registry, c.drawing, "scale"); }).find("works on a mesh") !=
+        std::string::npos);
   CHECK(refusal([&] { with_step(c.document, c.registry, c.drawing, "scale"); }).find("sketch") != std::string::npos);
   CHECK(refusal([&] { with_step(c.document, c.registry, c.drawing, "nothing"); }).find("nothing") != std::string::npos);
-  CHECK(refusal([&] { without_step(c.document, c.registry, c.solid); }).find("\"scale\" needs a mesh") != std::string::npos);
+  CHECK(refusal([&] { without_step(c.document, c.registry, c.solid); }).find("\"scale\" needs a mesh") !=
+        std::string::npos);
   CHECK(refusal([&] { without_step(c.document, c.registry, c.drawing); }).find("\"sketch\"") != std::string::npos);
-  CHECK(refusal([&] { with_step_enabled(c.document, c.registry, c.solid, false); }).find("can't be switched off") != std::string::npos);
-  CHECK(refusal([&] { with_step_moved(c.document, c.registry, c.scale, -1); }).find("\"scale\" can't come before \"draw\"") != std::string::npos);
+  CHECK(refusal([&] { with_step_enabled(c.document, c.registry, c.solid, false); }).find("can't be switched off") !=
+        std::string::npos);
+  CHECK(refusal([&] {
+          with_step_moved(c.document, c.registry, c.scale, -1);
+        }).find("\"scale\" can't come before \"draw\"") != std::string::npos);
   CHECK_THROWS_AS(with_step_moved(c.document, c.registry, c.scale, 1), Error);
 }
 

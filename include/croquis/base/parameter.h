@@ -83,7 +83,8 @@ ParameterValues complete(const std::vector<ParameterDescription>& descriptions, 
 bool flag_of(const ParameterValues& values, const std::string& name);
 std::int64_t integer_of(const ParameterValues& values, const std::string& name);
 double number_of(const ParameterValues& values, const std::string& name);
-const std::string& text_of(const ParameterValues& values, const std::string& name);  ///< of Choice and File too; of a ParsedText its text
+const std::string& text_of(const ParameterValues& values,
+                           const std::string& name);  ///< of Choice and File too; of a ParsedText its text
 
 /// Reads a value of the described type from text.
 /// @throws Error (E_PARAMETER) naming the parameter and what would have been accepted

@@ -42,7 +42,7 @@ struct HoleRow {
 /// What only a remeshed model has.
 struct RemeshFigures {
   std::size_t domains = 0;
-  hole_filling::DomainPointCounts points_per_domain;
+  remeshing::DomainPointCounts points_per_domain;
   std::size_t predicted_bytes = 0;
   remeshing::RemeshChecks checks;
 };

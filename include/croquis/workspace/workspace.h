@@ -114,11 +114,11 @@ class Workspace {
   /// On top of an object, or after the step of it that is selected. Selects it. @return its node
   /// @throws Error (E_STEP)
   NodeId add_step(NodeId after, const std::string& operation, const ParameterValues& parameters = {});
-  void remove_step(NodeId step);                  ///< @throws Error (E_STEP), as do the following
+  void remove_step(NodeId step);  ///< @throws Error (E_STEP), as do the following
   void enable_step(NodeId step, bool enabled);
-  void move_step(NodeId step, int by);            ///< 1 later, -1 earlier
+  void move_step(NodeId step, int by);  ///< 1 later, -1 earlier
   void copy_step(NodeId step);
-  void freeze_step(NodeId step);                  ///< what it gave becomes a source; has to be computed
+  void freeze_step(NodeId step);  ///< what it gave becomes a source; has to be computed
 
   // ---- Computing
 

@@ -101,10 +101,10 @@ bool ReplayPlayer::play_if(const recorded::Step& step) {
 }
 
 void ReplayPlayer::play(const recorded::Step& step) {
-  const bool general =
-      play_if<recorded::Action>(step) || play_if<recorded::Set>(step) || play_if<recorded::Wait>(step) ||
-      play_if<recorded::Screenshot>(step) || play_if<recorded::File>(step) || play_if<recorded::Navigate>(step) ||
-      play_if<recorded::Expect>(step) || play_if<recorded::FaceSetChoice>(step);
+  const bool general = play_if<recorded::Action>(step) || play_if<recorded::Set>(step) ||
+                       play_if<recorded::Wait>(step) || play_if<recorded::Screenshot>(step) ||
+                       play_if<recorded::File>(step) || play_if<recorded::Navigate>(step) ||
+                       play_if<recorded::Expect>(step) || play_if<recorded::FaceSetChoice>(step);
   if (general) return;
   for (const auto& tool : window_.tools()) {
     const auto kinds = tool->steps();

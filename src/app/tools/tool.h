@@ -66,13 +66,13 @@ class Tool : public QObject {
 
   /// Pointer events of that view are for this tool; of several, for the first one.
   virtual bool works_in(int) const { return false; }
-  virtual void take(const PointerEvent&) {}         ///< its place in pixels of its view
-  virtual bool needs_every_move() const { return false; }  ///< also those that came late
-  virtual bool down() const { return false; }       ///< a gesture is under way
-  virtual bool abandon() { return false; }          ///< gives it up. @return false when there was none
-  virtual QString help() const { return {}; }       ///< the next action, in words and keys
+  virtual void take(const PointerEvent&) {}                      ///< its place in pixels of its view
+  virtual bool needs_every_move() const { return false; }        ///< also those that came late
+  virtual bool down() const { return false; }                    ///< a gesture is under way
+  virtual bool abandon() { return false; }                       ///< gives it up. @return false when there was none
+  virtual QString help() const { return {}; }                    ///< the next action, in words and keys
   virtual QString offer(const WorkObject&) const { return {}; }  ///< what it could do with a selected object
-  virtual QString tooltip() const { return {}; }    ///< about what is under the pointer
+  virtual QString tooltip() const { return {}; }                 ///< about what is under the pointer
   virtual Qt::CursorShape cursor(int) const { return Qt::ArrowCursor; }
 
   // What keys of the Edit menu do while this tool works. @return false: it isn't this tool's
@@ -82,16 +82,16 @@ class Tool : public QObject {
   virtual bool has_selection() const { return false; }
   virtual void add_all_to(Selection&) const {}  ///< what Select all selects beside meshes
   virtual bool pick(ComponentKind, const std::vector<Index>&) { return false; }  ///< see ToolHost::pick
-  virtual bool accept() { return false; }  ///< Enter
-  virtual void cancel() {}                 ///< after computing was stopped
+  virtual bool accept() { return false; }                                        ///< Enter
+  virtual void cancel() {}                                                       ///< after computing was stopped
 
   // ---- The eye
 
   virtual void adjust(ObjectScenes::Wanted&, int) const {}  ///< which surfaces a view shows
   virtual void add_to(render::Scene&, int) {}
   virtual std::optional<Ink> ink() const { return std::nullopt; }
-  virtual bool is_paper(int) const { return false; }              ///< the view is drawn as a sheet of paper
-  virtual render::Bounds bounds_in(int) const { return {}; }      ///< of what it adds to a view that is its own
+  virtual bool is_paper(int) const { return false; }          ///< the view is drawn as a sheet of paper
+  virtual render::Bounds bounds_in(int) const { return {}; }  ///< of what it adds to a view that is its own
   virtual std::optional<SelectionFrame> selection_frame(int) const { return std::nullopt; }
   virtual QString view_title(int) const { return {}; }
   virtual void place_chips(ChipPlaces&) {}
@@ -128,10 +128,10 @@ class Tool : public QObject {
   virtual bool show_finding(const NodeFinding&) { return false; }
 
  signals:
-  void changed();           ///< what is drawn over the views
+  void changed();  ///< what is drawn over the views
   void changed_in(int view);
-  void inked();             ///< nothing but the ink
-  void state_changed();     ///< what help, actions or panels show
+  void inked();          ///< nothing but the ink
+  void state_changed();  ///< what help, actions or panels show
   void committed(const croquis::recorded::Step& step);
   void told(const QString& sentence);
 

@@ -19,9 +19,9 @@
 #include <utility>
 
 #include "app/files/opening_report.h"
+#include "app/replay/replay_player.h"
 #include "app/start/gallery.h"
 #include "app/start/gallery_thumbnails.h"
-#include "app/replay/replay_player.h"
 #include "app/start/start_page.h"
 #include "app/tools/all_tools.h"
 #include "app/views/viewport.h"

@@ -164,13 +164,6 @@ void write_loop_cut(const LoopCut& step, FieldWriter& writer) {
   writer.number("at", step.at);
 }
 
-FaceSetChoice read_face_set(Fields& fields) { return {fields.text("node"), fields.names("names")}; }
-
-void write_face_set(const FaceSetChoice& step, FieldWriter& writer) {
-  writer.text("node", step.node);
-  writer.names("names", step.names);
-}
-
 }  // namespace
 
 const StepKind& ModelDrag::step_kind() {
@@ -228,18 +221,13 @@ const StepKind& LoopCut::step_kind() {
   return kind;
 }
 
-const StepKind& FaceSetChoice::step_kind() {
-  static const StepKind kind = make_step_kind({"face-set"}, read_face_set, write_face_set);
-  return kind;
-}
-
 const Vocabulary& mesh_steps() {
   static const Vocabulary vocabulary = [] {
     Vocabulary made;
     for (const StepKind* kind :
          {&ModelDrag::step_kind(), &Pick::step_kind(), &EditStep::step_kind(), &Move::step_kind(), &Rotate::step_kind(),
           &Scale::step_kind(), &Tag::step_kind(), &Pin::step_kind(), &TagSet::step_kind(), &Extrude::step_kind(),
-          &LoopCut::step_kind(), &FaceSetChoice::step_kind()}) {
+          &LoopCut::step_kind()}) {
       made.add(*kind);
     }
     made.add_count("sharp-edges");

@@ -103,6 +103,13 @@ void write_expect(const Expect& step, FieldWriter& writer) {
   if (!step.node.empty()) writer.text("node", step.node);
 }
 
+FaceSetChoice read_face_set(Fields& fields) { return {fields.text("node"), fields.names("names")}; }
+
+void write_face_set(const FaceSetChoice& step, FieldWriter& writer) {
+  writer.text("node", step.node);
+  writer.names("names", step.names);
+}
+
 }  // namespace
 
 const StepKind& Action::step_kind() {
@@ -150,12 +157,18 @@ const StepKind& Expect::step_kind() {
   return kind;
 }
 
+const StepKind& FaceSetChoice::step_kind() {
+  static const StepKind kind = make_step_kind({"face-set"}, read_face_set, write_face_set);
+  return kind;
+}
+
 const Vocabulary& general_steps() {
   static const Vocabulary vocabulary = [] {
     Vocabulary made;
     for (const StepKind* kind :
          {&Action::step_kind(), &Set::step_kind(), &Wait::step_kind(), &Screenshot::step_kind(), &File::step_kind(),
-          &Click::step_kind(), &Box::step_kind(), &Navigate::step_kind(), &Expect::step_kind()}) {
+          &Click::step_kind(), &Box::step_kind(), &Navigate::step_kind(), &Expect::step_kind(),
+          &FaceSetChoice::step_kind()}) {
       made.add(*kind);
     }
     for (const char* count : {"objects", "findings", "faces", "vertices", "edges", "selected"}) made.add_count(count);

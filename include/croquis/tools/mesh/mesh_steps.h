@@ -97,13 +97,6 @@ struct LoopCut {
 
   static const StepKind& step_kind();
 };
-/// Faces were selected by the names of their sets.
-struct FaceSetChoice {
-  std::string node;                ///< the object's name
-  std::vector<std::string> names;  ///< "patches", "patch of hole 3" …
-
-  static const StepKind& step_kind();
-};
 
 /// All of them, the count of sharp edges and the range of their dihedral angles.
 const Vocabulary& mesh_steps();

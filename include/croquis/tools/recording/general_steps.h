@@ -68,6 +68,13 @@ struct Navigate {
 
   static const StepKind& step_kind();
 };
+/// Faces were selected by the names of their sets.
+struct FaceSetChoice {
+  std::string node;                ///< the object's name
+  std::vector<std::string> names;  ///< "patches", "patch of hole 3" …
+
+  static const StepKind& step_kind();
+};
 /// Fails the replay when it isn't so.
 struct Expect {
   std::string what;  ///< one of the vocabulary's counts or ranges

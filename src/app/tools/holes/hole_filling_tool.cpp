@@ -16,6 +16,7 @@
 #include "app/views/viewport.h"
 #include "app/window/action_list.h"
 #include "app/window/panel_docks.h"
+#include "croquis/tools/recording/general_steps.h"
 
 namespace croquis::app {
 namespace {
@@ -54,28 +55,28 @@ void HoleFillingTool::make_actions(ActionList& actions) {
   menu->addSeparator();
   // Enter comes from the views and the list alone: lines of text need it themselves.
   add(actions, menu, "fill-selected", tr("&Fill selected") + "\t" + tr("Enter"), {},
-                  [](HoleInteraction& holes) { holes.fill_selected(); });
+      [](HoleInteraction& holes) { holes.fill_selected(); });
   add(actions, menu, "reopen-selected", tr("&Reopen selected") + "\t" + tr("Del"), {},
-                  [](HoleInteraction& holes) { holes.reopen_selected(); });
+      [](HoleInteraction& holes) { holes.reopen_selected(); });
   add(actions, menu, "bridge-holes", tr("&Bridge selected rims"), {QKeySequence("B")},
-                  [](HoleInteraction& holes) { holes.bridge_selected(); });
+      [](HoleInteraction& holes) { holes.bridge_selected(); });
   menu->addSeparator();
   add(actions, menu, "fill-inner", tr("Fill all &inner"), {QKeySequence("Shift+F")},
-                  [](HoleInteraction& holes) { holes.fill_all("inner"); });
+      [](HoleInteraction& holes) { holes.fill_all("inner"); });
   add(actions, menu, "fill-all-but-largest", tr("Fill all but the &largest"), {QKeySequence("Ctrl+Shift+F")},
-                  [](HoleInteraction& holes) { holes.fill_all("all-but-largest"); });
+      [](HoleInteraction& holes) { holes.fill_all("all-but-largest"); });
   add(actions, menu, "fill-all", tr("Fill &all, borders too"), {},
-                  [](HoleInteraction& holes) { holes.fill_all("all"); });
+      [](HoleInteraction& holes) { holes.fill_all("all"); });
   add(actions, menu, "reopen-all", tr("Reopen all"), {}, [](HoleInteraction& holes) { holes.fill_all("none"); });
   menu->addSeparator();
   add(actions, menu, "clear-handles", tr("&Clear handles of patches"), {},
-                  [](HoleInteraction& holes) { holes.clear_handles(); });
+      [](HoleInteraction& holes) { holes.clear_handles(); });
   for (const auto& [way, text] : {std::pair{"auto", tr("Method: &automatic")},
                                   {"rbf", tr("Method: &continue the surface")},
                                   {"smooth", tr("Method: continue its &slope")},
                                   {"flat", tr("Method: fla&t")}}) {
-    add(actions, 
-        menu, QString("way-") + way, text, {},
+    add(
+        actions, menu, QString("way-") + way, text, {},
         [name = std::string(way)](HoleInteraction& holes) { holes.set_fairness(name); }, true);
   }
   menu->addSeparator();
@@ -121,7 +122,7 @@ void HoleFillingTool::set_mode(const QString& mode) {
 }
 
 void HoleFillingTool::show_patch_look() {
-  host().viewport().objects().set_patch_look(tinted_            ? PatchLook::Confidence
+  host().viewport().objects().set_patch_look(tinted_           ? PatchLook::Confidence
                                              : holes_.active() ? PatchLook::Told
                                                                : PatchLook::Plain);
 }

@@ -63,7 +63,8 @@ class HoleFillingTool final : public Tool {
   template <class HoleStep>
   void replay_on_holes(const HoleStep& step);
   QAction* add(ActionList& actions, QMenu* menu, const QString& name, const QString& text,
-               const QList<QKeySequence>& keys, std::function<void(HoleInteraction&)> work, bool records_itself = false);
+               const QList<QKeySequence>& keys, std::function<void(HoleInteraction&)> work,
+               bool records_itself = false);
   void start();  ///< the active object gets the operation, and its holes are shown
   void show_patch_look();
   void frame_holes();

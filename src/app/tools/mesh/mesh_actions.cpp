@@ -79,7 +79,8 @@ void MeshEditingTool::make_mode_actions(ActionList& actions, QMenu* menu) {
   add_mode("face-mode", tr("&Faces"), "F11", MeshMode::Face);
   menu->addSeparator();
   const auto add_conversion = [&](const QString& name, const QString& text, const QString& key, MeshMode mode) {
-    add(actions, menu, name, text, {QKeySequence(key)}, [mode](MeshTool& tool) { return tool.selection().convert_to(mode); });
+    add(actions, menu, name, text, {QKeySequence(key)},
+        [mode](MeshTool& tool) { return tool.selection().convert_to(mode); });
   };
   add_conversion("to-vertices", tr("Selection to vertices"), "Ctrl+F9", MeshMode::Vertex);
   add_conversion("to-edges", tr("Selection to edges"), "Ctrl+F10", MeshMode::Edge);
@@ -170,16 +171,15 @@ void MeshEditingTool::make_tag_actions(ActionList& actions, QMenu* menu) {
   add("pin", tr("&Pin"), "P", [](MeshTool& tool) { return tool.tags().pin(true); });
   add("unpin", tr("&Unpin"), "Shift+P", [](MeshTool& tool) { return tool.tags().pin(false); });
   this->add(actions, menu, "sharp-boundary", tr("Sharp &boundary"), {},
-                  [](MeshTool& tool) { return tool.tags().tag_boundary(); });
+            [](MeshTool& tool) { return tool.tags().tag_boundary(); });
   this->add(actions, menu, "sharper", tr("Sharper by a half"), {QKeySequence("Ctrl+Up")},
-                  [](MeshTool& tool) { return tool.tags().change_sharpness(0.5); });
+            [](MeshTool& tool) { return tool.tags().change_sharpness(0.5); });
   this->add(actions, menu, "softer", tr("Softer by a half"), {QKeySequence("Ctrl+Down")},
-                  [](MeshTool& tool) { return tool.tags().change_sharpness(-0.5); });
-  this->add(actions, menu, "new-set", tr("Crease &set of the selection"), {QKeySequence("Ctrl+G")},
-                  [](MeshTool& tool) {
-                    const auto mesh = tool.source().mesh();
-                    return mesh ? tool.tags().make_set(new_set_name(mesh->tags)) : Verdict::Continue;
-                  });
+            [](MeshTool& tool) { return tool.tags().change_sharpness(-0.5); });
+  this->add(actions, menu, "new-set", tr("Crease &set of the selection"), {QKeySequence("Ctrl+G")}, [](MeshTool& tool) {
+    const auto mesh = tool.source().mesh();
+    return mesh ? tool.tags().make_set(new_set_name(mesh->tags)) : Verdict::Continue;
+  });
 }
 
 QStringList MeshEditingTool::marking_menu(int) const {

@@ -80,7 +80,7 @@ class MeshEditingTool final : public Tool {
   MeshInteraction mesh_;
   SceneScale scale_;
   SharpnessLegend* legend_;
-  QLabel* value_;  ///< sharpness of the edge under the pointer, beside it
+  QLabel* value_;                 ///< sharpness of the edge under the pointer, beside it
   QList<QAction*> mesh_actions_;  ///< that need a mesh to work on
   std::map<MeshMode, QAction*> mode_actions_;
   QToolBar* bar_ = nullptr;

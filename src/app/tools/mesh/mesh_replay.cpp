@@ -35,8 +35,8 @@ using CommandSteps =
 
 std::vector<const recorded::StepKind*> MeshEditingTool::steps() const {
   auto kinds = CommandSteps::kinds();
-  kinds.insert(kinds.end(), {&recorded::ModelDrag::step_kind(), &recorded::Click::step_kind(),
-                             &recorded::Box::step_kind()});
+  kinds.insert(kinds.end(),
+               {&recorded::ModelDrag::step_kind(), &recorded::Click::step_kind(), &recorded::Box::step_kind()});
   return kinds;
 }
 

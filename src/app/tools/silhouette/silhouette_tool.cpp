@@ -8,6 +8,7 @@
 #include "app/panels/finding_elements.h"
 #include "app/views/viewport.h"
 #include "app/window/action_list.h"
+#include "croquis/tools/recording/general_steps.h"
 
 namespace croquis::app {
 namespace {
@@ -40,7 +41,8 @@ SilhouetteTool::SilhouetteTool(ToolHost& host)
 
 void SilhouetteTool::make_actions(ActionList& actions) {
   QMenu* edit = actions.menu(tr("&Edit"));
-  QAction* join = actions.add(edit, "join-limbs", tr("&Join limbs"), {QKeySequence("J")}, [this] { joints_.join_all(); });
+  QAction* join =
+      actions.add(edit, "join-limbs", tr("&Join limbs"), {QKeySequence("J")}, [this] { joints_.join_all(); });
   edit->insertAction(actions.find("delete"), join);
   QMenu* menu = actions.menu(tr("&Tool"));
   const auto add_mode = [&](const QString& mode, const QString& text, const QString& key) {

@@ -54,30 +54,29 @@ void SubdivisionTool::make_actions(ActionList& actions) {
   add_view("show-smooth", tr("&Smooth surface"), "3", SmoothView::Result);
   menu->addSeparator();
   actions_ << actions.add(menu, "finer", tr("&Finer"), {QKeySequence(Qt::Key_PageUp)},
-                              [this] { change_level(studio(), 1); });
+                          [this] { change_level(studio(), 1); });
   actions_ << actions.add(menu, "coarser", tr("C&oarser"), {QKeySequence(Qt::Key_PageDown)},
-                              [this] { change_level(studio(), -1); });
+                          [this] { change_level(studio(), -1); });
   menu->addSeparator();
   QMenu* schemes = menu->addMenu(tr("Sc&heme"));
   auto* compared = new QMenu(tr("Compare &with"), menu);
   make_scheme_actions(actions, schemes, compared);
   QAction* side = actions.add(menu, "compare", tr("Side by side with another scheme"), {QKeySequence("L")},
-                                [this] { compare(host().action("compare")->isChecked()); });
+                              [this] { compare(host().action("compare")->isChecked()); });
   side->setCheckable(true);
   actions_ << side;
   menu->addMenu(compared);
   menu->addSeparator();
   const auto add_keep = [&](const QString& name, const QString& text, KeptShape kept) {
-    actions_ << actions.add(menu, name, text, {},
-                                [this, kept] { host().attempt([&] { host().show_message(keep_selected_faces(studio(), kept)); }); });
+    actions_ << actions.add(menu, name, text, {}, [this, kept] {
+      host().attempt([&] { host().show_message(keep_selected_faces(studio(), kept)); });
+    });
   };
   add_keep("keep-shape", tr("&Keep the shape of the selected faces"), KeptShape::Faces);
   add_keep("keep-outline", tr("Keep their &outline"), KeptShape::Outline);
-  actions_ << actions.add(menu, "freeze", tr("F&reeze as a mesh of its own"), {}, [this] {
-    host().attempt([this] { freeze_level(studio()); });
-  });
+  actions_ << actions.add(menu, "freeze", tr("F&reeze as a mesh of its own"), {},
+                          [this] { host().attempt([this] { freeze_level(studio()); }); });
 }
-
 
 void SubdivisionTool::make_scheme_actions(ActionList& actions, QMenu* schemes, QMenu* compared) {
   const OperationDescription* operation = studio().description("subdivide");
@@ -87,7 +86,7 @@ void SubdivisionTool::make_scheme_actions(ActionList& actions, QMenu* schemes, Q
     for (const std::string& choice : parameter.choices) {
       const QString text = QString::fromStdString(choice);
       actions_ << actions.add(schemes, QString::fromStdString(parameter.name) + "-" + text, text, {},
-                                  [this, name = parameter.name, choice] { set_smoothing(studio(), name, choice); });
+                              [this, name = parameter.name, choice] { set_smoothing(studio(), name, choice); });
       actions_ << actions.add(compared, "compare-" + text, text, {}, [this, name = parameter.name, choice] {
         comparison_.choose(name, choice);
         host().action("compare")->setChecked(true);
@@ -122,9 +121,7 @@ void SubdivisionTool::compare(bool shown) {
   comparison_.show(shown);
   Viewport& views = host().viewport();
   const bool sketched = !studio().drawing().strokes.empty();
-  views.arrange(shown      ? Arrangement::Compare
-                : sketched ? Arrangement::SketchAndSolid
-                           : Arrangement::Four);
+  views.arrange(shown ? Arrangement::Compare : sketched ? Arrangement::SketchAndSolid : Arrangement::Four);
   if (!shown && !sketched) views.show_alone(PerspectiveView);
   views.show_scene();
 }
@@ -141,9 +138,7 @@ void SubdivisionTool::adjust(ObjectScenes::Wanted& wanted, int view) const {
   wanted.by = comparison_.item();
 }
 
-QString SubdivisionTool::view_title(int view) const {
-  return view == ComparisonView ? comparison_.title() : QString();
-}
+QString SubdivisionTool::view_title(int view) const { return view == ComparisonView ? comparison_.title() : QString(); }
 
 Expectations SubdivisionTool::expectations() {
   Expectations own;
