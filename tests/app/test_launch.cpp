@@ -92,7 +92,7 @@ TEST_CASE("a killed studio leaves its work to the next one", "[launch]") {
   croquis::Progress progress;
   const croquis::Document document = croquis::recover(left.front().file, progress).document;
   REQUIRE(document.nodes().size() == 2);
-  const auto drawing = document.nodes().front()->source->as<Drawing>();
+  const auto drawing = document.nodes().front()->source->as<croquis::Drawing>();
   CHECK(drawing->strokes.size() == 16);
 }
 

@@ -154,7 +154,7 @@ TEST_CASE("four views look along the axes, never turn when flat, and Space shows
   StudioFixture hand;
   hand.open_cage("l_bracket");
   Viewport& view = hand.viewport();
-  CHECK(view.layout_of_views().alone() == Viewport::PerspectiveView);
+  CHECK(view.panes().alone() == Viewport::PerspectiveView);
   hand.act("layout");
   hand.settle();
   const auto not_plain = [](const QColor& c) { return c.saturation() > 25 && c.lightness() > 90; };
@@ -171,9 +171,9 @@ TEST_CASE("four views look along the axes, never turn when flat, and Space shows
   CHECK(glm::length(after.target - before.target) > 1e-3);
   QTest::mouseMove(&view, top.toPoint());
   hand.act("layout");
-  CHECK(view.layout_of_views().alone() == Viewport::TopView);
+  CHECK(view.panes().alone() == Viewport::TopView);
   hand.act("layout");
-  CHECK(view.layout_of_views().shown().size() == 4);
+  CHECK(view.panes().shown().size() == 4);
 }
 
 TEST_CASE("several meshes are listed, hidden, renamed, deleted, and brought back", "[mesh-views]") {

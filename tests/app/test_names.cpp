@@ -40,9 +40,9 @@ QStringList findings_shown(StudioFixture& hand) {
 }  // namespace
 
 TEST_CASE("meshes are listed by names that people would give, and keep those of their files", "[names]") {
-  CHECK(app::readable_name("hex_bolt") == "Hex bolt");
-  CHECK(app::readable_name("pumpkin__scan_2") == "Pumpkin scan 2");
-  for (const char* name : {"bolt", "Hex bolt", "_", "cup 2", ""}) CHECK(app::readable_name(name) == name);
+  CHECK(readable_name("hex_bolt") == "Hex bolt");
+  CHECK(readable_name("pumpkin__scan_2") == "Pumpkin scan 2");
+  for (const char* name : {"bolt", "Hex bolt", "_", "cup 2", ""}) CHECK(readable_name(name) == name);
 
   StudioFixture hand;
   open_mesh(hand, cube(), "hex_bolt");

@@ -394,12 +394,12 @@ TEST_CASE("a new sketch frees what the old one took", "[window]") {
   }
   REQUIRE(meshes.size() == 2);
   CHECK(!meshes[0].expired());
-  CHECK(hand.studio().evaluator().bytes() > 0);
+  CHECK(hand.studio().result_bytes() > 0);
   hand.studio().session().mark_saved();
   hand.act("new");
   hand.settle();
   CHECK(hand.studio().session().history_bytes() == 0);
-  CHECK(hand.studio().evaluator().bytes() == 0);
+  CHECK(hand.studio().result_bytes() == 0);
   CHECK(hand.wait_for([&] { return meshes[0].expired() && meshes[1].expired(); }));
 }
 
@@ -427,7 +427,7 @@ TEST_CASE("undo and results share one cap", "[window]") {
   for (int step = 1; step <= 4; ++step) {
     node.source = large(step);
     session.edit("Change", session.document().with(node));
-    CHECK(session.history_bytes() + hand.studio().evaluator().bytes() <= app::Studio::memory_cap);
+    CHECK(session.history_bytes() + hand.studio().result_bytes() <= app::Studio::memory_cap);
     CHECK(session.history_bytes() <= app::Studio::history_cap);
   }
   CHECK(session.history_bytes() / bytes_each == app::Studio::history_cap / bytes_each);

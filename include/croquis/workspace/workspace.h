@@ -91,6 +91,9 @@ class Workspace {
   bool busy() const;
   bool settled() const { return !busy(); }
 
+  /// What all kept results take.
+  std::size_t result_bytes() const { return evaluator_.bytes(); }
+
   /// A node evaluated beside the document, as for a preview.
   /// @param id       in the documents that it is given to follow; greater than all ids of the session's document
   /// @param changed  its result is another one
