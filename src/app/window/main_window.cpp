@@ -51,12 +51,12 @@ MainWindow::MainWindow(const QString& state_folder) : files_(studio_, pictures_,
   pages_->addWidget(start_page_);
   pages_->addWidget(viewport_);
   thumbnails_ = new GalleryThumbnails(studio_.registry(), pictures_, this);
+  make_help_line();
   make_docks();
   make_actions();
   make_tools();
   make_window_actions();
   gate_document_actions();
-  make_help_line();
   connect_studio();
   connect_files();
   connect_start_page();
@@ -160,7 +160,7 @@ void MainWindow::wait_until_settled() { app::wait_until_settled(*this); }
 
 void MainWindow::set_mode(const QString& mode) { viewport_->set_mode(mode); }
 
-void MainWindow::add_status_widget(QWidget& widget) { statusBar()->addPermanentWidget(&widget); }
+void MainWindow::add_status_widget(QWidget& widget) { statusBar()->insertPermanentWidget(1, &widget); }
 
 bool MainWindow::pick(ComponentKind kind, const std::vector<Index>& elements) {
   return std::ranges::any_of(tools_, [&](const auto& tool) { return tool->pick(kind, elements); });
