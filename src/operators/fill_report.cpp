@@ -13,11 +13,11 @@
 namespace croquis {
 namespace {
 
-using remeshing::DomainPointCounts;
 using hole_filling::FillAction;
 using hole_filling::Hole;
 using hole_filling::HoleChoice;
 using hole_filling::HoleOutcome;
+using remeshing::DomainPointCounts;
 using remeshing::RemeshChecks;
 using remeshing::RemeshResult;
 

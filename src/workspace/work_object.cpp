@@ -33,11 +33,9 @@ std::vector<WorkObject> objects_of(const Document& document, const Registry& reg
     object.visible = node->visible;
     object.mesh = mesh_in(*node);
     const Node& first = *document.find(object.chain.front());
+    if (first.source) object.name = first.name;
     object.cage_mesh = mesh_in(first);
-    if (object.cage_mesh) {
-      object.cage = first.id;
-      object.name = first.name;
-    }
+    if (object.cage_mesh) object.cage = first.id;
     objects.push_back(std::move(object));
   }
   return objects;

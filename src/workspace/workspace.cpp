@@ -39,6 +39,27 @@ const OperationDescription* Workspace::description(const std::string& operation)
   return found == descriptions_.end() ? nullptr : &found->second;
 }
 
+const OperationDescription* Workspace::first_operation_on(ValueType type) const {
+  for (const auto& operation : registry_.operations()) {
+    const OperationDescription& known = descriptions_.at(operation->describe().id);
+    const PortDescription* port = main_input(known);
+    if (port != nullptr && port->type == type) return &known;
+  }
+  return nullptr;
+}
+
+std::vector<const OperationDescription*> Workspace::operations_on(NodeId id) const {
+  std::vector<const OperationDescription*> fitting;
+  const Node* node = session_.document().find(id);
+  const auto type = node == nullptr ? std::nullopt : main_type(*node, registry_);
+  for (const auto& operation : registry_.operations()) {
+    const OperationDescription& known = descriptions_.at(operation->describe().id);
+    const PortDescription* port = main_input(known);
+    if (type && port != nullptr && port->type == *type) fitting.push_back(&known);
+  }
+  return fitting;
+}
+
 // ---- Objects
 
 const WorkObject* Workspace::object(NodeId node) const {

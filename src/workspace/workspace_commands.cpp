@@ -86,7 +86,7 @@ void Workspace::copy_object(NodeId id) {
 void Workspace::rename_object(NodeId id, const std::string& name) {
   const WorkObject* renamed = object(id);
   if (renamed == nullptr || name.empty() || name == renamed->name) return;
-  Node node = *session_.document().find(renamed->cage != 0 ? renamed->cage : renamed->node);
+  Node node = *session_.document().find(renamed->chain.front());
   node.name = free_name(session_.document(), name);
   session_.edit("Rename " + readable_name(renamed->name), session_.document().with(std::move(node)));
 }

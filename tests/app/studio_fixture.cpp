@@ -8,6 +8,8 @@
 #include <QTabletEvent>
 #include <QTest>
 
+#include "app/panels/object_list.h"
+
 namespace croquis::test {
 namespace {
 
@@ -156,6 +158,14 @@ void StudioFixture::act(const QString& action) {
 QImage StudioFixture::picture() {
   settle();
   return viewport().grabFramebuffer();
+}
+
+std::vector<QTreeWidgetItem*> part_rows(StudioFixture& fixture) {
+  std::vector<QTreeWidgetItem*> rows;
+  for (QTreeWidgetItemIterator row(fixture.window().findChild<app::ObjectList*>("objects")); *row != nullptr; ++row) {
+    if (!app::ObjectList::parts_of(*row).empty()) rows.push_back(*row);
+  }
+  return rows;
 }
 
 double share_of_pixels(const QImage& picture, const QRectF& rect, const std::function<bool(const QColor&)>& fits) {

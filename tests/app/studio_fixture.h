@@ -5,6 +5,7 @@
 #include <QImage>
 #include <QPointingDevice>
 #include <QTemporaryDir>
+#include <QTreeWidget>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -83,6 +84,9 @@ class StudioFixture {
   std::unique_ptr<QPointingDevice> pen_;
   std::unique_ptr<app::MainWindow> window_;
 };
+
+/// The rows of the object list that stand for parts (bodies, strokes, faces by a name), from above.
+std::vector<QTreeWidgetItem*> part_rows(StudioFixture& fixture);
 
 /// Part of the picture's pixels in the rectangle (logical pixels of the widget) that fit a colour test.
 double share_of_pixels(const QImage& picture, const QRectF& rect, const std::function<bool(const QColor&)>& fits);

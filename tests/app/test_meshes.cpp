@@ -190,7 +190,8 @@ TEST_CASE("several meshes are listed, hidden, renamed, deleted, and brought back
   CHECK(hand.viewport().objects().surfaces().size() == 1);
   list->topLevelItem(1)->setText(0, "cup");
   CHECK(hand.wait_for([&] { return hand.studio().objects()[1].name == "cup"; }));
-  emit list->removed(hand.studio().objects()[1].node);
+  emit list->objects_chosen({hand.studio().objects()[1].node});
+  hand.act("delete-object");
   CHECK(hand.studio().objects().size() == 1);
   hand.act("undo");
   CHECK(hand.studio().objects().size() == 2);

@@ -62,13 +62,13 @@ TEST_CASE("the bodies of a sketch have numbers, not the names of strokes and ope
   StudioFixture hand;
   hand.draw(linked_rings_sketch());
   hand.settle();
-  auto* list = hand.window().findChild<app::ObjectList*>("objects");
-  REQUIRE(list->topLevelItemCount() == 2);
-  for (int row = 0; row < 2; ++row) {
-    CHECK(list->topLevelItem(row)->text(0) == "Body " + QString::number(row + 1));
-    CHECK(list->topLevelItem(row)->toolTip(0).contains("stroke"));
+  const auto rows = part_rows(hand);
+  REQUIRE(rows.size() == 2);
+  for (std::size_t row = 0; row < 2; ++row) {
+    CHECK(rows[row]->text(0) == "Body " + QString::number(row + 1));
+    CHECK(rows[row]->toolTip(0).contains("stroke"));
   }
-  CHECK(hand.window().findChild<QLabel*>("counts")->text().startsWith("Solid: "));
+  CHECK(hand.window().findChild<QLabel*>("counts")->text().startsWith("Sketch: "));
   for (const auto& [action, file] : {std::pair{"export-solid", "Sketch.obj"}, {"save", "Sketch.croq"}}) {
     QString proposed;
     in_dialog<QFileDialog>([&](QFileDialog& dialog) {

@@ -70,8 +70,8 @@ TEST_CASE("objects and findings choose their strokes, the history goes to any st
   hand.draw(test::linked_rings_sketch());
   hand.settle();
   auto* objects = hand.window().findChild<app::ObjectList*>("objects");
-  REQUIRE(objects->topLevelItemCount() == 2);
-  emit objects->itemClicked(objects->topLevelItem(0), 0);
+  REQUIRE(part_rows(hand).size() == 2);
+  emit objects->itemClicked(part_rows(hand).front(), 0);
   CHECK(hand.studio().session().selection().size() >= 1);
   auto* history = hand.window().findChild<app::HistoryList*>("history");
   CHECK(history->count() == static_cast<int>(hand.studio().session().undo_labels().size()) + 1);

@@ -24,7 +24,7 @@ namespace {
 std::map<std::string, QTreeWidgetItem*> set_rows(StudioFixture& hand) {
   std::map<std::string, QTreeWidgetItem*> rows;
   for (QTreeWidgetItemIterator row(hand.window().findChild<app::ObjectList*>("objects")); *row != nullptr; ++row) {
-    if (!app::ObjectList::set_of(*row).empty()) rows[app::ObjectList::set_of(*row)] = *row;
+    if (const auto parts = app::ObjectList::parts_of(*row); !parts.empty()) rows[parts.front()] = *row;
   }
   return rows;
 }

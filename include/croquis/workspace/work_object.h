@@ -43,7 +43,7 @@ struct WorkObject {
   NodeId node = 0;            ///< the end of the chain
   std::vector<NodeId> chain;  ///< from the first node to the end
   NodeId cage = 0;            ///< the mesh source that the chain begins with, maybe `node` itself; 0: no mesh source
-  std::string name;           ///< of the cage where there is one
+  std::string name;           ///< of the source that the chain begins with, where there is one
   bool visible = true;
   ChainView view = ChainView::Result;
   std::shared_ptr<const PolyMesh> cage_mesh;  ///< null without a cage

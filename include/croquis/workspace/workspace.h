@@ -51,6 +51,12 @@ class Workspace {
   const Registry& registry() const { return registry_; }
   const OperationDescription* description(const std::string& operation) const;  ///< null for none of that id
 
+  /// The first operation whose chain goes on from that type of value; null for none.
+  const OperationDescription* first_operation_on(ValueType type) const;
+
+  /// All that can be the next step after a node, in the registry's order.
+  std::vector<const OperationDescription*> operations_on(NodeId node) const;
+
   // ---- Objects
 
   /// In the document's order, hidden ones too.

@@ -11,7 +11,6 @@
 
 #include "app/panels/word_list.h"
 #include "app/start/gallery.h"
-#include "app/tools/subdivision/smoothing.h"
 #include "croquis/base/error.h"
 #include "croquis/io/file.h"
 #include "croquis/io/mesh_file.h"
@@ -160,7 +159,7 @@ void ProjectFiles::start_sample(const QString& name) {
       studio_.load(Document());
       studio_.add_mesh(name.toStdString(), std::move(mesh));
     } else {
-      studio_.load(smoothed_document(studio_, name.toStdString(), std::move(mesh)));
+      studio_.start_with(name.toStdString(), std::move(mesh), first_step_of_sample(name));
     }
   }
   set_path({});

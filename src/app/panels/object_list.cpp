@@ -4,10 +4,9 @@
 #include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QLocale>
-#include <QMenu>
+#include <QPainter>
 #include <QSignalBlocker>
 #include <algorithm>
-#include <set>
 
 #include "app/panels/object_names.h"
 #include "app/window/theme.h"
@@ -15,32 +14,66 @@
 namespace croquis::app {
 namespace {
 
-constexpr int strokes_role = Qt::UserRole;
+constexpr int parts_role = Qt::UserRole;
 constexpr int node_role = Qt::UserRole + 1;
-constexpr int set_role = Qt::UserRole + 2;
-constexpr int name_role = Qt::UserRole + 3;  // as it is shown
-constexpr int step_in = 14;                  // pixels
+constexpr int step_role = Qt::UserRole + 2;
+constexpr int name_role = Qt::UserRole + 3;    // as it is shown
+constexpr int opened_role = Qt::UserRole + 4;  // as it first is
+constexpr int step_in = 14;                    // pixels
+constexpr int dot_size = 8;
 
-bool is_selected(const Selection& selection, const QStringList& strokes) {
-  return !strokes.isEmpty() && std::any_of(selection.begin(), selection.end(), [&](const SelectedItem& item) {
-    return strokes.contains(QString::fromStdString(item.part));
-  });
+bool is_part(const QTreeWidgetItem* row) { return !row->data(0, parts_role).toStringList().isEmpty(); }
+
+/// A dot of a colour, as a step's state.
+QIcon dot(const QColor& color) {
+  QPixmap picture(2 * dot_size, 2 * dot_size);
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(color);
+  painter.drawEllipse(dot_size / 2, dot_size / 2, dot_size, dot_size);
+  return picture;
 }
 
-std::vector<std::string> strokes_of(const QTreeWidgetItem* row) {
-  std::vector<std::string> strokes;
-  for (const QString& stroke : row->data(0, strokes_role).toStringList()) strokes.push_back(stroke.toStdString());
-  return strokes;
+QString words_of(StepState state) {
+  switch (state) {
+    case StepState::Computing: return ObjectList::tr("computing …");
+    case StepState::Stale: return ObjectList::tr("failed, shows its last result");
+    case StepState::Failed: return ObjectList::tr("failed");
+    case StepState::Off: return ObjectList::tr("off");
+    default: return {};
+  }
+}
+
+QColor color_of(StepState state) {
+  switch (state) {
+    case StepState::Fresh: return colors::hover;
+    case StepState::Computing: return colors::warning;
+    case StepState::Off: return colors::guide;
+    case StepState::Source: return Qt::transparent;
+    default: return colors::error;
+  }
+}
+
+QStringList to_list(const std::vector<std::string>& texts) {
+  QStringList list;
+  for (const std::string& text : texts) list << QString::fromStdString(text);
+  return list;
+}
+
+bool is_selected(const Selection& selection, NodeId node) {
+  return std::ranges::binary_search(selection, SelectedItem{node, ""});
 }
 
 }  // namespace
 
-ObjectList::ObjectList(QWidget* parent) : QTreeWidget(parent) {
+ObjectList::ObjectList(Parts parts, QWidget* parent) : QTreeWidget(parent), parts_(std::move(parts)) {
   setObjectName("objects");
   setAccessibleName(tr("Objects"));
   setColumnCount(2);
   setHeaderHidden(true);
-  setRootIsDecorated(false);
+  setRootIsDecorated(true);
   setIndentation(step_in);
   setSelectionMode(QAbstractItemView::ExtendedSelection);
   setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
@@ -49,139 +82,152 @@ ObjectList::ObjectList(QWidget* parent) : QTreeWidget(parent) {
   header()->setStretchLastSection(false);
   connect(this, &QTreeWidget::itemClicked, this, &ObjectList::take_click);
   connect(this, &QTreeWidget::itemChanged, this, &ObjectList::take_change);
-  connect(this, &QTreeWidget::itemExpanded, this, [this](QTreeWidgetItem* row) {
-    if (!set_of(row).empty()) opened_.insert(node_of(row));
-  });
-  connect(this, &QTreeWidget::itemCollapsed, this, [this](QTreeWidgetItem* row) {
-    if (!set_of(row).empty()) opened_.erase(node_of(row));
-  });
+  connect(this, &QTreeWidget::itemExpanded, this, [this](QTreeWidgetItem* row) { take_opening(row, true); });
+  connect(this, &QTreeWidget::itemCollapsed, this, [this](QTreeWidgetItem* row) { take_opening(row, false); });
 }
 
 NodeId ObjectList::node_of(const QTreeWidgetItem* row) { return row->data(0, node_role).toULongLong(); }
 
-std::string ObjectList::set_of(const QTreeWidgetItem* row) { return row->data(0, set_role).toString().toStdString(); }
+bool ObjectList::is_step(const QTreeWidgetItem* row) { return row->data(0, step_role).toBool(); }
 
-void ObjectList::show_objects(Studio& studio) {
+std::vector<std::string> ObjectList::parts_of(const QTreeWidgetItem* row) {
+  std::vector<std::string> parts;
+  for (const QString& part : row->data(0, parts_role).toStringList()) parts.push_back(part.toStdString());
+  return parts;
+}
+
+void ObjectList::show_objects(const Studio& studio) {
   if (state() == QAbstractItemView::EditingState) return;  // a name is being typed
   const QSignalBlocker quiet(this);
   clear();
-  add_sketch(studio);
-  const Selection& selection = studio.session().selection();
-  for (const StudioObject& object : studio.objects()) {
-    if (object.node == studio.solid_node()) continue;
-    const bool selected = std::any_of(selection.begin(), selection.end(), [&](const SelectedItem& item) {
-      return item.part.empty() && (item.node == object.node || item.node == object.cage);
-    });
-    add_mesh(object, selected, studio);
-  }
+  for (const WorkObject& object : studio.objects()) add_object(object, studio);
 }
 
-QTreeWidgetItem* ObjectList::add_row(const QString& name, const QString& info) {
-  auto* row = new QTreeWidgetItem(this, {name, info});
-  row->setForeground(1, colors::guide);
-  return row;
-}
-
-void ObjectList::add_sketch(const Studio& studio) {
-  std::set<std::string> used;
-  const auto add = [&](const QString& name, const QString& info, const QStringList& strokes, bool solid) {
-    QTreeWidgetItem* row = add_row(name, info);
-    row->setData(0, strokes_role, strokes);
-    row->setToolTip(0, strokes.join(", "));
-    if (!solid) row->setForeground(0, colors::guide);
-    row->setSelected(is_selected(studio.session().selection(), strokes));
-    for (const QString& stroke : strokes) used.insert(stroke.toStdString());
-  };
-  for (const Body& body : bodies_of(studio)) {
-    QStringList strokes;
-    for (const std::string& stroke : body.strokes) strokes << QString::fromStdString(stroke);
-    add(body.name, strokes.size() == 1 ? tr("1 stroke") : tr("%1 strokes").arg(strokes.size()), strokes, true);
-  }
-  for (const Stroke& stroke : studio.drawing().strokes) {
-    const QString name = QString::fromStdString(stroke.id);
-    if (!used.contains(stroke.id)) add(name, {}, {name}, false);
-  }
-}
-
-/// One row for all patches, and in it one for each.
-void ObjectList::add_sets(QTreeWidgetItem* row, const StudioObject& object, Studio& studio) {
-  const Selection& selection = studio.session().selection();
-  QTreeWidgetItem* all = nullptr;
-  for (const FaceSet& set : studio.face_sets().of(object)) {
-    auto* own = new QTreeWidgetItem(all == nullptr ? row : all);
-    own->setText(0, QString::fromStdString(set.name));
-    own->setText(
-        1, set.faces.size() == 1 ? tr("1 face") : tr("%1 faces").arg(QLocale().toString(qulonglong(set.faces.size()))));
-    own->setData(0, node_role, qulonglong(object.node));
-    own->setData(0, set_role, QString::fromStdString(set.name));
-    own->setToolTip(0, tr("Click to select these faces; F frames them"));
-    own->setForeground(1, colors::guide);
-    own->setSelected(std::binary_search(selection.begin(), selection.end(), SelectedItem{object.node, set.name}));
-    if (all == nullptr) all = own;
-  }
-  row->setExpanded(true);
-  if (all != nullptr) all->setExpanded(opened_.contains(object.node));
-}
-
-void ObjectList::add_mesh(const StudioObject& object, bool selected, Studio& studio) {
+void ObjectList::add_object(const WorkObject& object, const Studio& studio) {
   const auto& mesh = object.shown();
-  const QString info = mesh ? tr("%1 faces").arg(QLocale().toString(qulonglong(mesh->face_count()))) : QString("…");
-  QTreeWidgetItem* row = add_row(shown_name(object), info);
+  const QString info = mesh ? tr("%1 faces").arg(QLocale().toString(qulonglong(mesh->face_count()))) : QString();
+  auto* row = new QTreeWidgetItem(this, {shown_name(object), info});
+  row->setForeground(1, colors::guide);
   row->setData(0, name_role, shown_name(object));
   row->setData(0, node_role, qulonglong(object.node));
   row->setFlags(row->flags() | Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
   row->setCheckState(0, object.visible ? Qt::Checked : Qt::Unchecked);
   row->setToolTip(0, tr("Click the eye to hide or show, double click to rename"));
   if (!object.visible) row->setForeground(0, colors::guide);
-  row->setSelected(selected);
-  add_sets(row, object, studio);
+  const Selection& selection = studio.session().selection();
+  row->setSelected(is_selected(selection, object.node) || is_selected(selection, object.cage));
+  add_parts(row, parts_(object, object.node), object.node, selection);
+  if (object.chain.size() > 1) add_steps(row, object, studio);
+  row->setExpanded(!turned_.contains({object.node, QString()}));
+}
+
+void ObjectList::add_steps(QTreeWidgetItem* row, const WorkObject& object, const Studio& studio) {
+  std::vector<ChainStep> steps = studio.steps_of(object);
+  std::ranges::reverse(steps);
+  const Selection& selection = studio.session().selection();
+  for (const ChainStep& step : steps) {
+    const bool computed = step.state != StepState::Source;
+    const QString name = QString::fromStdString(readable_name(computed ? step.title : step.name));
+    auto* own = new QTreeWidgetItem(row, {name, words_of(step.state)});
+    own->setData(0, node_role, qulonglong(step.node));
+    own->setData(0, step_role, true);
+    own->setForeground(1, step.problem.empty() ? colors::guide : colors::error);
+    own->setIcon(0, dot(color_of(step.state)));
+    if (computed) {
+      own->setFlags(own->flags() | Qt::ItemIsUserCheckable);
+      own->setCheckState(0, step.state == StepState::Off ? Qt::Unchecked : Qt::Checked);
+    }
+    own->setToolTip(0, step.problem.empty() ? tr("A step: click shows its numbers, the right button what can be done")
+                                            : QString::fromStdString(step.problem));
+    own->setToolTip(1, own->toolTip(0));
+    if (step.state == StepState::Off) own->setForeground(0, colors::guide);
+    own->setSelected(step.node != object.node && is_selected(selection, step.node));
+    if (step.node == object.node) continue;
+    add_parts(own, parts_(object, step.node), step.node, selection);
+    own->setExpanded(!turned_.contains({step.node, QString()}));
+  }
+}
+
+void ObjectList::add_parts(QTreeWidgetItem* below, const std::vector<ObjectRow>& rows, NodeId node,
+                           const Selection& selection) {
+  for (const ObjectRow& row : rows) {
+    auto* own = new QTreeWidgetItem(below, {row.name, row.info});
+    own->setData(0, node_role, qulonglong(node));
+    own->setData(0, parts_role, to_list(row.parts));
+    own->setData(0, opened_role, row.opened);
+    own->setToolTip(0, row.tip);
+    own->setForeground(1, colors::guide);
+    if (!row.made) own->setForeground(0, colors::guide);
+    own->setSelected(std::ranges::any_of(row.parts, [&](const std::string& part) {
+      return std::ranges::binary_search(selection, SelectedItem{node, part});
+    }));
+    add_parts(own, row.rows, node, selection);
+    own->setExpanded(row.opened != turned_.contains({node, row.name}));
+  }
+}
+
+void ObjectList::choose_parts(NodeId node) {
+  std::vector<std::string> parts;
+  for (const QTreeWidgetItem* selected : selectedItems()) {
+    if (node_of(selected) != node) continue;
+    for (std::string& part : parts_of(selected)) parts.push_back(std::move(part));
+  }
+  emit parts_chosen(node, parts);
 }
 
 void ObjectList::take_click(QTreeWidgetItem* row) {
-  if (node_of(row) == 0) {
-    emit strokes_chosen(strokes_of(row));
-    return;
+  if (is_part(row)) {
+    if (!row->isSelected()) row->setSelected(true);
+    return choose_parts(node_of(row));
   }
-  if (!set_of(row).empty()) {
-    std::vector<std::string> names;
-    for (const QTreeWidgetItem* selected : selectedItems()) {
-      if (node_of(selected) == node_of(row) && !set_of(selected).empty()) names.push_back(set_of(selected));
-    }
-    emit sets_chosen(node_of(row), names);
-    return;
-  }
+  if (is_step(row)) return emit step_chosen(node_of(row));
   std::vector<NodeId> nodes;
   for (const QTreeWidgetItem* selected : selectedItems()) {
-    if (node_of(selected) != 0 && set_of(selected).empty()) nodes.push_back(node_of(selected));
+    if (!is_part(selected) && !is_step(selected)) nodes.push_back(node_of(selected));
   }
   emit objects_chosen(nodes);
 }
 
 void ObjectList::take_change(QTreeWidgetItem* row, int column) {
   const NodeId node = node_of(row);
-  if (node == 0 || column != 0 || !set_of(row).empty()) return;
+  if (node == 0 || column != 0 || is_part(row)) return;
+  const bool checked = row->checkState(0) == Qt::Checked;
+  // Receivers show all rows again.
+  if (is_step(row)) {
+    QMetaObject::invokeMethod(
+        this, [this, node, checked] { emit step_enabled(node, checked); }, Qt::QueuedConnection);
+    return;
+  }
   // Shown names are not those of the document: only what was typed becomes one.
   const bool typed = row->text(0) != row->data(0, name_role).toString();
   const std::string name = row->text(0).toStdString();
-  const bool visible = row->checkState(0) == Qt::Checked;
-  // Receivers show all rows again.
   QMetaObject::invokeMethod(
       this,
-      [this, node, name, typed, visible] {
+      [this, node, name, typed, checked] {
         if (typed) emit renamed(node, name);
-        emit shown(node, visible);
+        emit shown(node, checked);
       },
       Qt::QueuedConnection);
 }
 
+void ObjectList::take_opening(QTreeWidgetItem* row, bool opened) {
+  const bool first = !is_part(row) || row->data(0, opened_role).toBool();
+  const std::pair<NodeId, QString> key{node_of(row), is_part(row) ? row->text(0) : QString()};
+  if (opened == first) {
+    turned_.erase(key);
+  } else {
+    turned_.insert(key);
+  }
+}
+
 void ObjectList::contextMenuEvent(QContextMenuEvent* event) {
   QTreeWidgetItem* row = itemAt(event->pos());
-  if (row == nullptr || node_of(row) == 0 || !set_of(row).empty()) return;
+  if (row == nullptr || is_part(row)) return;
+  if (!row->isSelected()) setCurrentItem(row);
   const NodeId node = node_of(row);
-  QMenu menu(this);
-  menu.addAction(tr("Rename"), this, [this, row] { editItem(row, 0); });
-  menu.addAction(tr("Delete"), this, [this, node] { emit removed(node); });
-  menu.exec(event->globalPos());
+  const bool step = is_step(row);
+  take_click(row);  // receivers show all rows again
+  emit menu_wanted(node, step, event->globalPos());
 }
 
 }  // namespace croquis::app

@@ -2,50 +2,64 @@
 #pragma once
 
 #include <QTreeWidget>
+#include <functional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "app/panels/object_row.h"
 #include "app/studio/studio.h"
 
 namespace croquis::app {
 
-/// All objects: the parts of the sketch's solid with the strokes that made them, strokes that belong to none, and the
-/// meshes with an eye, a name that can be edited, their number of faces, and below them their patches.
+/// All objects with their chains: a row for what is seen, with an eye, a name that can be edited and its size; below it
+/// its parts, and its steps from the last one down to what it begins with, each with its state.
 class ObjectList : public QTreeWidget {
   Q_OBJECT
 
  public:
-  explicit ObjectList(QWidget* parent = nullptr);
+  /// The rows of a node of the object, in its chain.
+  using Parts = std::function<std::vector<ObjectRow>(const WorkObject& object, NodeId node)>;
 
-  void show_objects(Studio& studio);
+  ObjectList(Parts parts, QWidget* parent);
 
-  /// The object of the row; 0 for parts of the sketch.
+  void show_objects(const Studio& studio);
+
+  /// The object or step of the row.
   static NodeId node_of(const QTreeWidgetItem* row);
 
-  /// The name of the row's set of faces; empty where it is none.
-  static std::string set_of(const QTreeWidgetItem* row);
+  /// The row is a step of its object's chain.
+  static bool is_step(const QTreeWidgetItem* row);
+
+  /// What is selected with the row; empty for objects and steps.
+  static std::vector<std::string> parts_of(const QTreeWidgetItem* row);
 
  signals:
-  void strokes_chosen(const std::vector<std::string>& strokes);
+  void parts_chosen(croquis::NodeId node, const std::vector<std::string>& parts);
   void objects_chosen(const std::vector<croquis::NodeId>& nodes);
-  void sets_chosen(croquis::NodeId node, const std::vector<std::string>& names);
+  void step_chosen(croquis::NodeId step);
+  void step_enabled(croquis::NodeId step, bool enabled);
   void renamed(croquis::NodeId node, const std::string& name);
   void shown(croquis::NodeId node, bool visible);
-  void removed(croquis::NodeId node);
+
+  /// People want the actions of this object or step, at a place of the screen. It is selected already.
+  void menu_wanted(croquis::NodeId node, bool step, const QPoint& at);
 
  protected:
   void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
-  void add_sketch(const Studio& studio);
-  void add_mesh(const StudioObject& object, bool selected, Studio& studio);
-  void add_sets(QTreeWidgetItem* row, const StudioObject& object, Studio& studio);
-  QTreeWidgetItem* add_row(const QString& name, const QString& info);
+  void add_object(const WorkObject& object, const Studio& studio);
+  void add_steps(QTreeWidgetItem* row, const WorkObject& object, const Studio& studio);
+  void add_parts(QTreeWidgetItem* below, const std::vector<ObjectRow>& rows, NodeId node, const Selection& selection);
   void take_click(QTreeWidgetItem* row);
   void take_change(QTreeWidgetItem* row, int column);
+  void take_opening(QTreeWidgetItem* row, bool opened);
+  void choose_parts(NodeId node);
 
-  std::set<NodeId> opened_;  ///< objects whose patches are listed one by one
+  Parts parts_;
+  std::set<std::pair<NodeId, QString>> turned_;  ///< rows that people opened or closed, other than they first are
 };
 
 }  // namespace croquis::app

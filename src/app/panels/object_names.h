@@ -3,7 +3,6 @@
 
 #include <QString>
 #include <string>
-#include <vector>
 
 #include "app/studio/studio.h"
 
@@ -11,22 +10,10 @@
 /// own names beside it.
 namespace croquis::app {
 
-/// A part of the sketch's solid.
-struct Body {
-  QString name;                      ///< "Body 1"; the name that the drawing gives it, where it does
-  std::vector<std::string> strokes;  ///< that it is made of
-};
+/// An object's name for people.
+QString shown_name(const WorkObject& object);
 
-/// Of the newest solid, in its order; empty without one.
-std::vector<Body> bodies_of(const Studio& studio);
-
-/// A mesh's name for people.
-QString shown_name(const StudioObject& object);
-
-/// The object that a finding is about, where there are several; else empty.
-QString owner_of(const Studio& studio, const NodeFinding& found);
-
-/// A file's stem for what is worked on: the active mesh's name, "Sketch" for a drawing and its solid.
+/// A file's stem for what is worked on: the active object's name.
 std::string document_name(const Studio& studio);
 
 }  // namespace croquis::app

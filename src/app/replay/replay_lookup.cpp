@@ -32,4 +32,11 @@ const StudioObject& object_named(const Studio& studio, const std::string& name) 
   return *found;
 }
 
+NodeId node_named(const Studio& studio, const std::string& name) {
+  for (const auto& node : studio.session().document().nodes()) {
+    if (node->name == name || node->operation == name) return node->id;
+  }
+  refuse_replay("The document has no node \"" + name + "\"");
+}
+
 }  // namespace croquis::app

@@ -22,4 +22,7 @@ int view_of(const std::string& name);
 /// @throws Error (E_REPLAY) when there is none, or it shows no mesh
 const StudioObject& object_named(const Studio& studio, const std::string& name);
 
+/// The node of that name or operation, a step of a chain too. @throws Error (E_REPLAY)
+NodeId node_named(const Studio& studio, const std::string& name);
+
 }  // namespace croquis::app

@@ -101,16 +101,22 @@ bool ReplayPlayer::play_if(const recorded::Step& step) {
 }
 
 void ReplayPlayer::play(const recorded::Step& step) {
-  const bool general = play_if<recorded::Action>(step) || play_if<recorded::Set>(step) ||
-                       play_if<recorded::Wait>(step) || play_if<recorded::Screenshot>(step) ||
-                       play_if<recorded::File>(step) || play_if<recorded::Navigate>(step) ||
-                       play_if<recorded::Expect>(step) || play_if<recorded::FaceSetChoice>(step);
+  const bool general =
+      play_if<recorded::Action>(step) || play_if<recorded::Set>(step) || play_if<recorded::Wait>(step) ||
+      play_if<recorded::Screenshot>(step) || play_if<recorded::File>(step) || play_if<recorded::Navigate>(step) ||
+      play_if<recorded::Expect>(step) || play_if<recorded::FaceSetChoice>(step) || play_if<recorded::NodeChoice>(step);
   if (general) return;
   for (const auto& tool : window_.tools()) {
     const auto kinds = tool->steps();
     if (std::ranges::count(kinds, &step.kind()) > 0 && tool->replay(step)) return;
   }
   refuse_replay("The window can't replay this step");
+}
+
+void ReplayPlayer::play(const recorded::NodeChoice& step) {
+  std::vector<NodeId> nodes;
+  for (const std::string& name : step.nodes) nodes.push_back(node_named(window_.studio(), name));
+  window_.select_nodes(nodes);
 }
 
 void ReplayPlayer::play(const recorded::FaceSetChoice& step) {
@@ -128,13 +134,7 @@ void ReplayPlayer::play(const recorded::Action& step) {
 }
 
 void ReplayPlayer::play(const recorded::Set& step) {
-  Studio& studio = window_.studio();
-  for (const auto& node : studio.session().document().nodes()) {
-    if (node->name != step.node && node->operation != step.node) continue;
-    studio.set_parameter(node->id, step.parameter, step.value, false);
-    return;
-  }
-  refuse_replay("The document has no node \"" + step.node + "\"");
+  window_.studio().set_parameter(node_named(window_.studio(), step.node), step.parameter, step.value, false);
 }
 
 void ReplayPlayer::play(const recorded::Wait&) { wait_until_settled(window_); }

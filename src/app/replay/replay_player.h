@@ -33,6 +33,7 @@ class ReplayPlayer {
   void play(const recorded::Navigate& step);
   void play(const recorded::Expect& step);
   void play(const recorded::FaceSetChoice& step);
+  void play(const recorded::NodeChoice& step);
 
   MainWindow& window_;
 };

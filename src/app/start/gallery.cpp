@@ -45,6 +45,10 @@ SampleKind kind_of_sample(const QString& name) {
   return SampleKind::Sketch;
 }
 
+std::string first_step_of_sample(const QString& name) {
+  return kind_of_sample(name) == SampleKind::Cage ? "subdivide" : std::string();
+}
+
 QString first_action_of_sample(const QString& name) {
   return kind_of_sample(name) == SampleKind::Scan ? QStringLiteral("holes") : QString();
 }

@@ -32,6 +32,9 @@ Value load_sample(const QString& name);
 
 SampleKind kind_of_sample(const QString& name);
 
+/// The operation that the sample of a cage is shown with.
+std::string first_step_of_sample(const QString& name);
+
 /// The action of the window that people begin with; empty for none.
 QString first_action_of_sample(const QString& name);
 

@@ -5,19 +5,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "app/tools/holes/hole_rows.h"
-
 namespace croquis::app {
 namespace {
-
-/// Which holes each patch closes.
-std::map<std::int32_t, std::vector<Index>> holes_of_patches(const WorkObject& object) {
-  std::map<std::int32_t, std::vector<Index>> holes;
-  for (const HoleRow& row : hole_rows(&object)) {
-    if (row.patch && row.state == HoleState::Filled) holes[static_cast<std::int32_t>(*row.patch)].push_back(row.id);
-  }
-  return holes;
-}
 
 std::string name_of(std::int32_t patch, const std::vector<Index>& holes) {
   if (holes.empty()) return "patch " + std::to_string(patch);
@@ -26,7 +15,9 @@ std::string name_of(std::int32_t patch, const std::vector<Index>& holes) {
   return name;
 }
 
-std::vector<FaceSet> sets_of(const WorkObject& object) {
+}  // namespace
+
+std::vector<FaceSet> FaceSets::sets_of(const WorkObject& object) const {
   const AttributeChannel* channel = object.mesh ? object.mesh->channel("patch_id", Domain::Face) : nullptr;
   const auto* ids = channel == nullptr ? nullptr : std::get_if<std::vector<std::int32_t>>(&channel->data);
   if (ids == nullptr) return {};
@@ -38,15 +29,13 @@ std::vector<FaceSet> sets_of(const WorkObject& object) {
     all.faces.push_back(static_cast<Index>(face));
   }
   if (faces.empty()) return {};
-  auto holes = holes_of_patches(object);
+  auto holes = holes_ ? holes_(object) : std::map<std::int32_t, std::vector<Index>>();
   std::vector<FaceSet> sets;
   for (auto& [patch, own] : faces) sets.push_back({name_of(patch, holes[patch]), holes[patch], std::move(own)});
   std::ranges::stable_sort(sets, {}, [](const FaceSet& set) { return set.holes.empty() ? 0 : set.holes.front(); });
   sets.insert(sets.begin(), std::move(all));
   return sets;
 }
-
-}  // namespace
 
 const std::vector<FaceSet>& FaceSets::of(const WorkObject& object) {
   Known& known = known_[object.node];

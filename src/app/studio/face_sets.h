@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -22,6 +24,12 @@ struct FaceSet {
 /// projects and files with them. Kept until a mesh changes. One thread.
 class FaceSets {
  public:
+  /// Which holes each patch of an object closes, by its number; as far as that is known.
+  using HolesOfPatches = std::function<std::map<std::int32_t, std::vector<Index>>(const WorkObject&)>;
+  void set_holes(HolesOfPatches holes) { holes_ = std::move(holes); }
+
+  void clear() { known_.clear(); }
+
   /// All patches first, then each by its lowest hole or number; none without patches. O(faces) for a new mesh.
   const std::vector<FaceSet>& of(const WorkObject& object);
 
@@ -34,6 +42,9 @@ class FaceSets {
     std::shared_ptr<const Evaluation> result;
     std::vector<FaceSet> sets;
   };
+  std::vector<FaceSet> sets_of(const WorkObject& object) const;
+
+  HolesOfPatches holes_;
   std::map<NodeId, Known> known_;
 };
 

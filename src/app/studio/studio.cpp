@@ -5,11 +5,10 @@
 #include <utility>
 
 #include "croquis/operators/all_operations.h"
+#include "croquis/workspace/chain.h"
 
 namespace croquis::app {
 namespace {
-
-const std::string solid_operation_id = "inflate";
 
 std::shared_ptr<const Drawing> drawing_of(const Node& node) {
   return node.source ? node.source->as<Drawing>() : nullptr;
@@ -21,13 +20,18 @@ LiveEvaluation::Post post_to(QObject* receiver) {
   };
 }
 
-Workspace::Listener signals_of(Studio* studio) {
+}  // namespace
+
+Workspace::Listener Studio::listener_of(Studio* studio) {
   Workspace::Listener listener;
   listener.loaded = [studio] {
-    studio->face_sets() = FaceSets();
+    studio->face_sets().clear();
     emit studio->loaded();
   };
-  listener.changed = [studio] { emit studio->changed(); };
+  listener.changed = [studio] {
+    studio->follow_sketch();
+    emit studio->changed();
+  };
   listener.result_changed = [studio] { emit studio->result_changed(); };
   listener.progress = [studio](double fraction, const std::string& step) {
     emit studio->progress_changed(fraction, QString::fromStdString(step));
@@ -36,9 +40,7 @@ Workspace::Listener signals_of(Studio* studio) {
   return listener;
 }
 
-}  // namespace
-
-Studio::Studio() : Workspace(all_operations(), post_to(this), signals_of(this)) {}
+Studio::Studio() : Workspace(all_operations(), post_to(this), listener_of(this)) {}
 
 Studio::~Studio() = default;
 
@@ -49,41 +51,57 @@ const Drawing& Studio::drawing() const {
 }
 
 NodeId Studio::drawing_node() const {
+  const auto is_drawing = [&](NodeId id) {
+    const Node* node = session().document().find(id);
+    return node != nullptr && drawing_of(*node) != nullptr;
+  };
+  const WorkObject* object = active();
+  if (object != nullptr && is_drawing(object->chain.front())) return object->chain.front();
+  if (is_drawing(sketch_)) return sketch_;
   for (const auto& node : session().document().nodes()) {
-    if (drawing_of(*node) != nullptr) return node->id;
+    if (is_drawing(node->id)) return node->id;
   }
   return 0;
 }
 
 NodeId Studio::solid_node() const {
-  for (const auto& node : session().document().nodes()) {
-    if (node->operation == solid_operation_id) return node->id;
-  }
-  return 0;
+  const std::vector<const Node*> made = steps_after(session().document(), registry(), drawing_node());
+  return made.empty() || drawing_node() == 0 ? 0 : made.front()->id;
 }
 
 const OperationDescription* Studio::solid_description() const {
-  return solid_node() == 0 ? nullptr : description(solid_operation_id);
+  const Node* node = solid_operation();
+  return node == nullptr ? nullptr : description(node->operation);
 }
 
-std::shared_ptr<const Evaluation> Studio::result() const { return result(solid_node()); }
+std::shared_ptr<const Evaluation> Studio::result() const { return solid_node() == 0 ? nullptr : result(solid_node()); }
 
-std::shared_ptr<const PolyMesh> Studio::solid() const {
-  const auto evaluation = result();
-  return evaluation ? mesh_of(*evaluation, *registry().find(solid_operation_id)) : nullptr;
-}
+std::shared_ptr<const PolyMesh> Studio::solid() const { return mesh_at(solid_node()); }
 
 SketchToolOptions Studio::tool_options() const {
   SketchToolOptions options;
-  options.operation = solid_operation_id;
-  options.version = description(solid_operation_id)->version;
+  const OperationDescription* operation = first_operation_on(ValueType::Drawing);
+  options.operation = operation->id;
+  options.version = operation->version;
+  options.port = operation->inputs.front().name;
   return options;
 }
+
+/// A sketch stays the one worked on while objects are chosen that come from none.
+void Studio::follow_sketch() { sketch_ = drawing_node(); }
 
 void Studio::start_with(Drawing drawing) {
   SketchToolOptions options = tool_options();
   options.parameters.clear();  // files hold exact lines
   load(add_drawing(Document(), std::make_shared<const Drawing>(std::move(drawing)), options));
+}
+
+void Studio::start_with(const std::string& name, Value value, const std::string& operation) {
+  Node source;
+  source.name = name;
+  source.source = std::move(value);
+  const Document document = Document().with(std::move(source));
+  load(with_step(document, registry(), document.nodes().front()->id, operation).document);
 }
 
 void Studio::start_empty() { load(Document()); }

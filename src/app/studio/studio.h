@@ -27,9 +27,9 @@ class Studio : public QObject, public Workspace {
   /// Named faces of an object. Selected as parts of its node by their names.
   FaceSets& face_sets() { return face_sets_; }
 
-  // The sketch: one drawing, and the solid made of it.
+  // The sketch worked on: a drawing, and the first solid in the chain that begins with it.
 
-  /// The drawing that the pen works on; an empty one when there is none.
+  /// The drawing of the active object, else the one that was worked on last, else the first; empty when there is none.
   const Drawing& drawing() const;
   NodeId drawing_node() const;  ///< 0 when there is none
   NodeId solid_node() const;    ///< 0 when there is none
@@ -48,6 +48,9 @@ class Studio : public QObject, public Workspace {
   void start_with(Drawing drawing);
   void start_empty();
 
+  /// Replaces the document by a value with one step after it; forgets the history.
+  void start_with(const std::string& name, Value value, const std::string& operation);
+
   NodeId add_mesh(const std::string& name, std::shared_ptr<const PolyMesh> mesh) {
     return add_source(name, std::move(mesh));
   }
@@ -60,7 +63,11 @@ class Studio : public QObject, public Workspace {
   void busy_changed(bool busy);
 
  private:
+  static Listener listener_of(Studio* studio);
+  void follow_sketch();
+
   FaceSets face_sets_;
+  NodeId sketch_ = 0;  ///< that was worked on last
 };
 
 }  // namespace croquis::app

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/panels/object_row.h"
 #include "app/replay/expectations.h"
 #include "app/tools/tool_host.h"
 #include "app/views/chip_places.h"
@@ -109,6 +110,17 @@ class Tool : public QObject {
 
   /// About the active object, at the end of the help line.
   virtual QString status() const { return {}; }
+
+  // ---- The lists
+
+  /// What the list of objects shows below a node of an object's chain.
+  virtual std::vector<ObjectRow> rows(const WorkObject&, NodeId) const { return {}; }
+
+  /// Rows with these parts of a node were chosen. @return false: they aren't this tool's. @throws Error
+  virtual bool choose_parts(NodeId, const std::vector<std::string>&) { return false; }
+
+  /// Which part of an object a finding is about; empty where that isn't known or needs no telling.
+  virtual QString owner_of(const NodeFinding&) const { return {}; }
 
   // ---- The memory
 

@@ -4,36 +4,9 @@
 #include <algorithm>
 
 #include "app/window/theme.h"
-#include "croquis/operators/fill_result.h"
-#include "croquis/operators/inflate_result.h"
 
 namespace croquis::app {
 namespace {
-
-/// Objects of a sketch that were joined are one body: of one colour, without lines where they meet.
-std::shared_ptr<const PolyMesh> with_shells_as_objects(const std::shared_ptr<const PolyMesh>& mesh,
-                                                       const std::vector<InflatedShell>& shells) {
-  std::map<std::string, std::int32_t> shell_of;
-  std::int32_t count = 0;
-  for (const InflatedShell& shell : shells) {
-    for (const std::string& name : shell.objects) shell_of[name] = count;
-    ++count;
-  }
-  const AttributeChannel* objects = mesh->channel("object", Domain::Face);
-  if (objects == nullptr || shell_of.size() == shells.size()) return mesh;
-  auto painted = std::make_shared<PolyMesh>(*mesh);
-  auto& labels = std::get<std::vector<std::int32_t>>(painted->channel("object", Domain::Face)->data);
-  for (std::int32_t& label : labels) label = shell_of[objects->labels.at(static_cast<std::size_t>(label))];
-  return painted;
-}
-
-LiveItem::Paint paint_of(const StudioObject& object) {
-  const InflateResult* inflated = result_of<InflateResult>(object.result.get());
-  if (inflated == nullptr) return nullptr;
-  return [result = object.result, inflated](const std::shared_ptr<const PolyMesh>& mesh) {
-    return with_shells_as_objects(mesh, inflated->shells);
-  };
-}
 
 LiveItem::Paint patch_paint(PatchLook look) {
   return [look](const std::shared_ptr<const PolyMesh>& mesh) { return colored_whole(mesh, look); };
@@ -95,8 +68,7 @@ const PatchSurface* ObjectScenes::patches(NodeId object) const {
 }
 
 void ObjectScenes::follow_patches(const StudioObject& object, Items& items) {
-  const bool has_holes = result_of<FillResult>(object.result.get()) != nullptr;
-  const auto filled = has_holes && object.shown() == object.mesh ? object.mesh : nullptr;
+  const auto filled = object.result && object.shown() == object.mesh ? object.mesh : nullptr;
   const bool is_new = filled != items.filled;
   if (is_new) items.patches = filled ? patches_of(*filled, object.cage_mesh.get()) : PatchSurface();
   if (is_new || items.filling_look != patch_look_) {
@@ -153,9 +125,9 @@ void ObjectScenes::follow() {
     const auto surface = items.patches.completes ? object.cage_mesh : object.shown();
     items.shows_cage = surface == object.cage_mesh;
     const bool paints_patches = items.patches.mesh && !items.patches.completes && surface == items.filled;
-    const LiveItem::Paint paint = paints_patches           ? patch_paint(patch_look_)
-                                  : surface == object.mesh ? paint_of(object)
-                                                           : nullptr;
+    const LiveItem::Paint paint = paints_patches                       ? patch_paint(patch_look_)
+                                  : surface == object.mesh && painter_ ? painter_(object)
+                                                                       : nullptr;
     items.surface->show(surface, item_options(), paint, paints_patches ? static_cast<int>(patch_look_) : 0);
     // The cage's own item serves its wire; a cage that is shown as a surface has one already.
     items.cage->show(items.shows_cage ? nullptr : object.cage_mesh, {});
@@ -166,6 +138,7 @@ void ObjectScenes::follow() {
 
 render::Scene ObjectScenes::scene(const Wanted& wanted) const {
   render::Scene scene;
+  if (wanted.nothing) return scene;
   const Selection& selection = studio_.session().selection();
   const auto is_selected = [&](const StudioObject& object) {
     return std::any_of(selection.begin(), selection.end(), [&](const SelectedItem& item) {

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QThreadPool>
+#include <functional>
 #include <map>
 #include <memory>
 #include <set>
@@ -34,6 +35,10 @@ class ObjectScenes : public QObject {
   void set_patch_look(PatchLook look);
   PatchLook patch_look() const { return patch_look_; }
 
+  /// What colours a computed surface gets that its mesh doesn't have: a paint, or null for none.
+  using Painter = std::function<LiveItem::Paint(const WorkObject&)>;
+  void set_painter(Painter painter) { painter_ = std::move(painter); }
+
   /// Of an object whose last operation filled holes; null for any other, and before its first result.
   const PatchSurface* patches(NodeId object) const;
 
@@ -43,8 +48,9 @@ class ObjectScenes : public QObject {
   /// What one view shows.
   struct Wanted {
     MeshLook look = MeshLook::Shaded;
-    bool stale = false;           ///< what is out of date is drawn faded
-    bool outlines = false;        ///< around selected objects
+    bool stale = false;     ///< what is out of date is drawn faded
+    bool outlines = false;  ///< around selected objects
+    bool nothing = false;
     bool only_with_cage = false;  ///< without the solid of the sketch
     NodeId edited = 0;            ///< the cage whose elements are being worked on: its edges are shown
     NodeId replaced = 0;          ///< an object in whose place …
@@ -92,6 +98,7 @@ class ObjectScenes : public QObject {
   Studio& studio_;
   bool flat_ = false;
   PatchLook patch_look_ = PatchLook::Plain;
+  Painter painter_;
   QThreadPool threads_;
   mutable std::map<NodeId, Items> items_;  ///< by the object's node
 };

@@ -14,6 +14,7 @@
 #include "app/tools/tool.h"
 #include "app/views/offscreen_pictures.h"
 #include "app/window/action_list.h"
+#include "app/window/step_actions.h"
 #include "croquis/base/error.h"
 #include "croquis/tools/recording/recording.h"
 
@@ -101,7 +102,10 @@ class MainWindow : public QMainWindow, public ToolHost {
 
   /// Selects faces by the names of their sets; of a mesh that isn't computed also one by one, to be worked on.
   /// @throws Error (E_INPUT) when the object has no such set
-  void select_face_sets(NodeId node, const std::vector<std::string>& names);
+  void select_face_sets(NodeId node, const std::vector<std::string>& names) override;
+
+  /// Selects objects, or steps of their chains.
+  void select_nodes(const std::vector<NodeId>& nodes);
 
   /// Leaves the start page for the document as it is.
   void show_views();
@@ -167,8 +171,9 @@ class MainWindow : public QMainWindow, public ToolHost {
   void select_all();
   void delete_selection();
   void select_none();
-  void select_strokes(const std::vector<std::string>& strokes);
-  void select_objects(const std::vector<NodeId>& nodes);
+  void choose_nodes(const std::vector<NodeId>& nodes);
+  std::vector<ObjectRow> rows_of(const WorkObject& object, NodeId node) const;
+  QString owner_of(const NodeFinding& found) const;  ///< the object it is about, where there are several; else empty
   void show_finding(const NodeFinding& finding);
   void show_progress(bool busy);
   void go_to_step(int steps);
@@ -178,6 +183,7 @@ class MainWindow : public QMainWindow, public ToolHost {
   ProjectFiles files_;
   QStackedWidget* pages_ = nullptr;
   std::unique_ptr<ActionList> actions_;
+  std::unique_ptr<StepActions> step_actions_;
   StartPage* start_page_ = nullptr;
   Viewport* viewport_ = nullptr;
   std::vector<std::unique_ptr<Tool>> tools_;

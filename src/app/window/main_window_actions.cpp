@@ -67,6 +67,7 @@ void MainWindow::make_actions() {
   actions_->bar("tools", tr("Tools"));
   make_file_actions();
   make_edit_actions();
+  step_actions_ = std::make_unique<StepActions>(*this, *actions_);
   make_view_actions();
   actions_->menu(tr("&Tool"));
 }

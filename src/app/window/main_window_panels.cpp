@@ -25,7 +25,7 @@ namespace croquis::app {
 
 void MainWindow::make_docks() {
   panels_ = new PanelDocks(*this);
-  objects_ = new ObjectList(this);
+  objects_ = new ObjectList([this](const WorkObject& object, NodeId node) { return rows_of(object, node); }, this);
   attributes_ = new AttributePanel(this);
   findings_ = new FindingsList(this);
   history_ = new HistoryList(this);
@@ -68,18 +68,21 @@ void MainWindow::connect_panels() {
             const Node* edited = studio_.session().document().find(node);
             if (!dragging && edited != nullptr) record(recorded::Set{edited->name, parameter, value});
           });
-  connect(objects_, &ObjectList::strokes_chosen, this, &MainWindow::select_strokes);
-  connect(objects_, &ObjectList::objects_chosen, this, &MainWindow::select_objects);
-  connect(objects_, &ObjectList::sets_chosen, this, [this](NodeId node, const std::vector<std::string>& names) {
-    attempt([&] { select_face_sets(node, names); });
-    const StudioObject* object = studio_.object(node);
-    if (object != nullptr) record(recorded::FaceSetChoice{object->name, names});
+  connect(objects_, &ObjectList::objects_chosen, this, &MainWindow::choose_nodes);
+  connect(objects_, &ObjectList::step_chosen, this, [this](NodeId step) { choose_nodes({step}); });
+  connect(objects_, &ObjectList::parts_chosen, this, [this](NodeId node, const std::vector<std::string>& parts) {
+    attempt([&] { std::ranges::any_of(tools_, [&](const auto& tool) { return tool->choose_parts(node, parts); }); });
   });
+  connect(objects_, &ObjectList::step_enabled, this, [this](NodeId step, bool enabled) {
+    attempt([&] { studio_.enable_step(step, enabled); });
+    update_panels();
+  });
+  connect(objects_, &ObjectList::menu_wanted, this,
+          [this](NodeId, bool step, const QPoint& at) { step_actions_->show_menu(step, at); });
   connect(objects_, &ObjectList::renamed, this,
           [this](NodeId node, const std::string& name) { studio_.rename_object(node, name); });
   connect(objects_, &ObjectList::shown, this,
           [this](NodeId node, bool visible) { studio_.show_object(node, visible); });
-  connect(objects_, &ObjectList::removed, this, [this](NodeId node) { studio_.remove_object(node); });
   connect(findings_, &FindingsList::finding_chosen, this, &MainWindow::show_finding);
   connect(history_, &HistoryList::step_chosen, this, &MainWindow::go_to_step);
 }
@@ -90,6 +93,7 @@ void MainWindow::update_panels() {
   const Node* operation = studio_.active_operation();
   attributes_->show_node(operation, operation == nullptr ? nullptr : studio_.description(operation->operation));
   objects_->show_objects(studio_);
+  step_actions_->refresh();
   show_findings();
   history_->show_history(session.undo_labels(), session.redo_labels());
   help_->show_status(status());
@@ -118,20 +122,43 @@ void MainWindow::show_findings() {
   std::vector<NodeFinding> all;
   for (const Finding& finding : files_.warnings()) all.push_back({0, finding});
   for (const NodeFinding& found : studio_.findings()) all.push_back(found);
-  findings_->show_findings(all, [this](const NodeFinding& found) { return owner_of(studio_, found); });
+  findings_->show_findings(all, [this](const NodeFinding& found) { return owner_of(found); });
 }
 
-void MainWindow::select_strokes(const std::vector<std::string>& strokes) {
-  Selection selection;
-  for (const std::string& stroke : strokes) selection.push_back({studio_.drawing_node(), stroke});
-  studio_.session().select(std::move(selection));
-}
-
-void MainWindow::select_objects(const std::vector<NodeId>& nodes) {
+void MainWindow::select_nodes(const std::vector<NodeId>& nodes) {
   Selection selection;
   for (const NodeId node : nodes) selection.push_back({node, ""});
-  if (!nodes.empty()) studio_.set_active(nodes.front());
+  if (!nodes.empty()) {
+    const WorkObject* object = studio_.object(nodes.front());
+    studio_.set_active(object == nullptr ? nodes.front() : object->node);
+  }
   studio_.session().select(std::move(selection));
+}
+
+void MainWindow::choose_nodes(const std::vector<NodeId>& nodes) {
+  recorded::NodeChoice step;
+  for (const NodeId id : nodes) {
+    if (const Node* node = studio_.session().document().find(id)) step.nodes.push_back(node->name);
+  }
+  select_nodes(nodes);
+  record(step);
+}
+
+std::vector<ObjectRow> MainWindow::rows_of(const WorkObject& object, NodeId node) const {
+  std::vector<ObjectRow> rows;
+  for (const auto& tool : tools_) {
+    for (ObjectRow& row : tool->rows(object, node)) rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+QString MainWindow::owner_of(const NodeFinding& found) const {
+  const WorkObject* object = studio_.object(found.node);
+  if (object == nullptr) return {};
+  for (const auto& tool : tools_) {
+    if (const QString owner = tool->owner_of(found); !owner.isEmpty()) return owner;
+  }
+  return studio_.objects().size() < 2 ? QString() : shown_name(*object);
 }
 
 void MainWindow::select_face_sets(NodeId node, const std::vector<std::string>& names) {

@@ -103,6 +103,10 @@ void write_expect(const Expect& step, FieldWriter& writer) {
   if (!step.node.empty()) writer.text("node", step.node);
 }
 
+NodeChoice read_nodes(Fields& fields) { return {fields.names("nodes")}; }
+
+void write_nodes(const NodeChoice& step, FieldWriter& writer) { writer.names("nodes", step.nodes); }
+
 FaceSetChoice read_face_set(Fields& fields) { return {fields.text("node"), fields.names("names")}; }
 
 void write_face_set(const FaceSetChoice& step, FieldWriter& writer) {
@@ -162,13 +166,17 @@ const StepKind& FaceSetChoice::step_kind() {
   return kind;
 }
 
+const StepKind& NodeChoice::step_kind() {
+  static const StepKind kind = make_step_kind({"select"}, read_nodes, write_nodes);
+  return kind;
+}
+
 const Vocabulary& general_steps() {
   static const Vocabulary vocabulary = [] {
     Vocabulary made;
-    for (const StepKind* kind :
-         {&Action::step_kind(), &Set::step_kind(), &Wait::step_kind(), &Screenshot::step_kind(), &File::step_kind(),
-          &Click::step_kind(), &Box::step_kind(), &Navigate::step_kind(), &Expect::step_kind(),
-          &FaceSetChoice::step_kind()}) {
+    for (const StepKind* kind : {&Action::step_kind(), &Set::step_kind(), &Wait::step_kind(), &Screenshot::step_kind(),
+                                 &File::step_kind(), &Click::step_kind(), &Box::step_kind(), &Navigate::step_kind(),
+                                 &Expect::step_kind(), &FaceSetChoice::step_kind(), &NodeChoice::step_kind()}) {
       made.add(*kind);
     }
     for (const char* count : {"objects", "findings", "faces", "vertices", "edges", "selected"}) made.add_count(count);

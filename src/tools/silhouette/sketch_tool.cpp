@@ -313,7 +313,7 @@ Document SketchTool::with_drawing(Drawing drawing) const {
 Document add_drawing(const Document& document, Value drawing, const SketchToolOptions& options) {
   Node source;
   source.id = document.next_id();
-  source.name = "drawing";
+  source.name = options.name;
   source.source = std::move(drawing);
   Node operation;
   operation.name = options.operation;

@@ -74,7 +74,7 @@ TEST_CASE("the first stroke makes a drawing and the operation on it in one undo 
   CHECK(desk.draw_line({0, 0}, {100, 0}) == Verdict::Commit);
   const auto& nodes = desk.session.document().nodes();
   REQUIRE(nodes.size() == 2);
-  CHECK(nodes[0]->name == "drawing");
+  CHECK(nodes[0]->name == "Sketch");
   CHECK(desk.tool.node() == nodes[0]->id);
   CHECK(nodes[1]->operation == "inflate");
   CHECK(nodes[1]->inputs.at("drawing") == Link{nodes[0]->id, "value"});

@@ -68,6 +68,12 @@ struct Navigate {
 
   static const StepKind& step_kind();
 };
+/// Objects or steps of their chains were selected.
+struct NodeChoice {
+  std::vector<std::string> nodes;  ///< their names; none: nothing is selected
+
+  static const StepKind& step_kind();
+};
 /// Faces were selected by the names of their sets.
 struct FaceSetChoice {
   std::string node;                ///< the object's name

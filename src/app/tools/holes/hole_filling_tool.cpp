@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QLocale>
 #include <QMenu>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -21,6 +22,15 @@
 namespace croquis::app {
 namespace {
 
+/// Which holes each patch closes.
+std::map<std::int32_t, std::vector<Index>> holes_of_patches(const WorkObject& object) {
+  std::map<std::int32_t, std::vector<Index>> holes;
+  for (const HoleRow& row : hole_rows(&object)) {
+    if (row.patch && row.state == HoleState::Filled) holes[static_cast<std::int32_t>(*row.patch)].push_back(row.id);
+  }
+  return holes;
+}
+
 constexpr int wanted_width = 480;  // of the panel, pixels
 
 }  // namespace
@@ -32,6 +42,7 @@ HoleFillingTool::HoleFillingTool(ToolHost& host)
           nullptr),
       pins_(&host.viewport()),
       legend_(new ConfidenceLegend(&host.viewport())) {
+  host.studio().face_sets().set_holes(holes_of_patches);
   connect(&holes_, &HoleInteraction::changed, this, &Tool::changed);
   connect(&holes_, &HoleInteraction::committed, this, &Tool::committed);
   connect(&holes_, &HoleInteraction::holes_changed, this, &Tool::state_changed);
@@ -191,6 +202,33 @@ void HoleFillingTool::chosen_by_name(const std::vector<const FaceSet*>& sets) {
   std::vector<Index> holes;
   for (const FaceSet* set : sets) holes.insert(holes.end(), set->holes.begin(), set->holes.end());
   if (holes_.active() && !holes.empty()) holes_.select(holes);
+}
+
+/// One row for all patches, and in it one for each.
+std::vector<ObjectRow> HoleFillingTool::rows(const WorkObject& object, NodeId node) const {
+  std::vector<ObjectRow> rows;
+  if (node != object.node) return rows;
+  for (const FaceSet& set : studio().face_sets().of(object)) {
+    const auto count = qulonglong(set.faces.size());
+    const QString info = count == 1 ? tr("1 face") : tr("%1 faces").arg(QLocale().toString(count));
+    const ObjectRow row{QString::fromStdString(set.name),
+                        info,
+                        tr("Click to select these faces; F frames them"),
+                        {set.name},
+                        true,
+                        false,
+                        {}};
+    (rows.empty() ? rows : rows.front().rows).push_back(row);
+  }
+  return rows;
+}
+
+bool HoleFillingTool::choose_parts(NodeId node, const std::vector<std::string>& parts) {
+  const WorkObject* object = studio().object(node);
+  if (object == nullptr || studio().face_sets().of(*object).empty()) return false;
+  host().record(recorded::FaceSetChoice{object->name, parts});
+  host().select_face_sets(node, parts);
+  return true;
 }
 
 bool HoleFillingTool::show_finding(const NodeFinding& found) {

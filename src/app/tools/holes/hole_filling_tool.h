@@ -55,6 +55,9 @@ class HoleFillingTool final : public Tool {
   void chosen_by_name(const std::vector<const FaceSet*>& sets) override;
   bool show_finding(const NodeFinding& found) override;
 
+  std::vector<ObjectRow> rows(const WorkObject& object, NodeId node) const override;
+  bool choose_parts(NodeId node, const std::vector<std::string>& parts) override;
+
   std::vector<const recorded::StepKind*> steps() const override;
   bool replay(const recorded::Step& step) override;
   Expectations expectations() override;

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/panels/finding_elements.h"
+#include "app/tools/silhouette/bodies.h"
 #include "app/views/viewport.h"
 #include "app/window/action_list.h"
 #include "croquis/tools/recording/general_steps.h"
@@ -32,6 +33,7 @@ SilhouetteTool::SilhouetteTool(ToolHost& host)
       sketch_(host.studio(), host.viewport().pane(SketchView), nullptr),
       joints_(host.studio(), &host.viewport()),
       hint_(make_chip_label(host.viewport(), hint_style)) {
+  host.viewport().objects().set_painter(paint_of_bodies);
   hint_->setObjectName("hint");
   hint_->setText(tr("Trace me: one closed line becomes a solid"));
   connect(&sketch_, &SketchInteraction::changed, this, [this] { emit changed_in(SketchView); });
@@ -44,6 +46,14 @@ void SilhouetteTool::make_actions(ActionList& actions) {
   QAction* join =
       actions.add(edit, "join-limbs", tr("&Join limbs"), {QKeySequence("J")}, [this] { joints_.join_all(); });
   edit->insertAction(actions.find("delete"), join);
+  QMenu* added = actions.menu(tr("&Object"))->addMenu(tr("Add s&ketch"));
+  const auto add_plane = [&](const QString& name, const QString& text, const QList<QKeySequence>& keys,
+                             const DrawingPlane& plane) {
+    actions.add(added, name, text, keys, [this, plane] { add_sketch(plane); });
+  };
+  add_plane("add-sketch", tr("Seen from the &front"), {QKeySequence("Ctrl+Shift+N")}, {});
+  add_plane("add-sketch-top", tr("Seen from the &top"), {}, {Vec3::Zero(), Vec3::UnitX(), -Vec3::UnitZ()});
+  add_plane("add-sketch-side", tr("Seen from the &side"), {}, {Vec3::Zero(), -Vec3::UnitZ(), Vec3::UnitY()});
   QMenu* menu = actions.menu(tr("&Tool"));
   const auto add_mode = [&](const QString& mode, const QString& text, const QString& key) {
     actions.add_mode(menu, mode, text, key, [this, mode] { host().set_mode(mode); });
@@ -86,6 +96,21 @@ bool SilhouetteTool::delete_selection() {
   return sketch_.tool().delete_selected() == Verdict::Commit;
 }
 
+/// Empty, with the solid that will be made of it; the pen draws in it at once.
+void SilhouetteTool::add_sketch(const DrawingPlane& plane) {
+  Drawing drawing;
+  drawing.plane = plane;
+  const Document& before = studio().session().document();
+  SketchToolOptions options = studio().tool_options();
+  options.name = free_name(before, options.name);
+  const NodeId node = before.next_id();
+  studio().session().edit("Add sketch",
+                          add_drawing(before, std::make_shared<const Drawing>(std::move(drawing)), options));
+  studio().session().select({{node, ""}});
+  host().set_mode(first_mode);
+  host().refresh();
+}
+
 QString SilhouetteTool::help() const {
   switch (sketch_.mode()) {
     case SketchMode::Select:
@@ -99,7 +124,9 @@ QString SilhouetteTool::help() const {
 }
 
 void SilhouetteTool::adjust(ObjectScenes::Wanted& wanted, int view) const {
-  if (view == SketchView) wanted.only_with_cage = true;
+  if (view != SketchView) return;
+  wanted.only_with_cage = true;
+  wanted.nothing = !studio().drawing().plane.is_default();  // it shows the sketch's own plane then
 }
 
 void SilhouetteTool::add_to(render::Scene& scene, int view) {

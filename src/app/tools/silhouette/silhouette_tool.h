@@ -47,12 +47,17 @@ class SilhouetteTool final : public Tool {
   void follow_result() override;
   bool show_finding(const NodeFinding& found) override;
 
+  std::vector<ObjectRow> rows(const WorkObject& object, NodeId node) const override;
+  bool choose_parts(NodeId node, const std::vector<std::string>& parts) override;
+  QString owner_of(const NodeFinding& found) const override;
+
   std::vector<const recorded::StepKind*> steps() const override;
   bool replay(const recorded::Step& step) override;
   std::optional<std::size_t> parts_of(const WorkObject& object) const override;
   Expectations expectations() override;
 
  private:
+  void add_sketch(const DrawingPlane& plane);
   bool draws() const { return mode() == "draw" || mode() == "erase"; }
 
   SketchInteraction sketch_;

@@ -86,6 +86,7 @@ void SketchInteraction::hover(const PointerEvent& event) {
 }
 
 void SketchInteraction::follow_document() {
+  if (!pen_.down()) tool_.set_node(studio_.drawing_node());
   scene_.show_drawing(studio_, tool_);
   scene_.show_preview(tool_.preview(), studio_.drawing());
   emit changed();

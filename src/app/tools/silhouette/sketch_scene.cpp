@@ -11,6 +11,8 @@
 namespace croquis::app {
 namespace {
 
+constexpr double other_width = 1.4;  // logical pixels
+
 glm::dvec3 on_plane(const Vec2& place) { return {place.x(), place.y(), 0}; }
 
 render::LinePath path_of(const Stroke& stroke) {
@@ -26,6 +28,18 @@ render::LinePath path_of(const std::vector<Vec2>& places, bool closed) {
   path.closed = closed;
   for (const Vec2& place : places) path.points.push_back({on_plane(place), 1, {}});
   return path;
+}
+
+/// Of all drawings that are shown, but for the one worked on.
+std::vector<render::LinePath> paths_of_others(const Studio& studio) {
+  std::vector<render::LinePath> paths;
+  for (const WorkObject& object : studio.objects()) {
+    const Node* first = studio.session().document().find(object.chain.front());
+    const auto drawing = first->source ? first->source->as<Drawing>() : nullptr;
+    if (!drawing || first->id == studio.drawing_node() || !object.visible || !drawing->plane.is_default()) continue;
+    for (const Stroke& stroke : drawing->strokes) paths.push_back(path_of(stroke));
+  }
+  return paths;
 }
 
 /// Null where there is nothing to draw: items of nothing cost draw calls.
@@ -155,6 +169,7 @@ void SketchScene::show_drawing(const Studio& studio, SketchTool& tool) {
   strokes_ = lines(plain, {ink_width, to_color(colors::ink), {}, render::LineDepth::OnTop});
   selected_ = lines(selected, {ink_width, to_color(colors::accent), {}, render::LineDepth::OnTop});
   anchors_ = anchors.empty() ? nullptr : render::make_mark_item(anchors);
+  others_ = lines(paths_of_others(studio), {other_width, to_color(colors::guide, 110), {}, render::LineDepth::OnTop});
   const bool empty = drawing.strokes.empty() && studio.objects().empty();
   if (!empty)
     ghost_.reset();
@@ -209,7 +224,7 @@ void SketchScene::show_hovered(const std::optional<std::string>& stroke, const D
 
 render::Scene SketchScene::scene() const {
   render::Scene scene;
-  scene.lines = {{ghost_}, {hidden_}, {hovered_}, {strokes_}, {selected_}, {preview_lines_}};
+  scene.lines = {{ghost_}, {others_}, {hidden_}, {hovered_}, {strokes_}, {selected_}, {preview_lines_}};
   scene.marks = {{anchors_}, {marks_}};
   return scene;
 }

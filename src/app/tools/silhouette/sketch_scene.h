@@ -46,7 +46,8 @@ class SketchScene {
   bool has_strokes() const { return strokes_ != nullptr || selected_ != nullptr; }
 
  private:
-  render::LineItemPtr ghost_;  ///< shown while nothing is drawn yet
+  render::LineItemPtr ghost_;   ///< shown while nothing is drawn yet
+  render::LineItemPtr others_;  ///< strokes of other sketches
   render::LineItemPtr strokes_;
   render::LineItemPtr selected_;
   render::LineItemPtr hovered_;

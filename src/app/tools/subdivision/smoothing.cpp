@@ -57,14 +57,6 @@ void show_smooth(Studio& studio, SmoothView view) {
   studio.set_view(node, view);
 }
 
-Document smoothed_document(const Studio& studio, const std::string& name, std::shared_ptr<const PolyMesh> cage) {
-  Node source;
-  source.name = name;
-  source.source = std::move(cage);
-  const Document document = Document().with(std::move(source));
-  return with_smoothing(studio, document, document.nodes().front()->id);
-}
-
 int shown_level(const Studio& studio) {
   const Node* node = smoothing_node(studio);
   const ParameterDescription* level = level_description(studio);

@@ -12,9 +12,6 @@ namespace croquis::app {
 /// Shows the cage, both, or the smooth surface; for all but the cage the object gets the operation if it has none.
 void show_smooth(Studio& studio, SmoothView view);
 
-/// A document of one cage, subdivided.
-Document smoothed_document(const Studio& studio, const std::string& name, std::shared_ptr<const PolyMesh> cage);
-
 /// Of the active object; -1 where it isn't subdivided.
 int shown_level(const Studio& studio);
 

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What lists show of sketches: the bodies of their solids, and strokes that belong to none.
+#include <algorithm>
+#include <set>
+
+#include "app/panels/finding_elements.h"
+#include "app/tools/silhouette/bodies.h"
+#include "app/tools/silhouette/silhouette_tool.h"
+
+namespace croquis::app {
+namespace {
+
+/// The drawing of a node, or null.
+std::shared_ptr<const Drawing> drawing_in(const Studio& studio, NodeId id) {
+  const Node* node = studio.session().document().find(id);
+  return node == nullptr || !node->source ? nullptr : node->source->as<Drawing>();
+}
+
+/// The bodies of the solid that the object's second node is.
+std::vector<Body> bodies_in(const Studio& studio, const WorkObject& object, const Drawing& drawing) {
+  if (object.chain.size() < 2) return {};
+  const auto result = studio.result(object.chain[1]);
+  return bodies_of(drawing, result.get());
+}
+
+QString joined(const std::vector<std::string>& texts) {
+  QStringList list;
+  for (const std::string& text : texts) list << QString::fromStdString(text);
+  return list.join(", ");
+}
+
+ObjectRow row_of(const Body& body) {
+  const auto count = body.strokes.size();
+  const QString info =
+      count == 1 ? SilhouetteTool::tr("1 stroke") : SilhouetteTool::tr("%1 strokes").arg(qulonglong(count));
+  return {body.name, info, joined(body.strokes), body.strokes, true, true, {}};
+}
+
+}  // namespace
+
+std::vector<ObjectRow> SilhouetteTool::rows(const WorkObject& object, NodeId node) const {
+  const auto drawing = node == object.chain.front() ? drawing_in(studio(), node) : nullptr;
+  std::vector<ObjectRow> rows;
+  if (!drawing) return rows;
+  std::set<std::string> used;
+  for (const Body& body : bodies_in(studio(), object, *drawing)) {
+    rows.push_back(row_of(body));
+    used.insert(body.strokes.begin(), body.strokes.end());
+  }
+  for (const Stroke& stroke : drawing->strokes) {
+    const QString name = QString::fromStdString(stroke.id);
+    if (!used.contains(stroke.id)) rows.push_back({name, {}, name, {stroke.id}, false, true, {}});
+  }
+  return rows;
+}
+
+bool SilhouetteTool::choose_parts(NodeId node, const std::vector<std::string>& parts) {
+  if (!drawing_in(studio(), node)) return false;
+  Selection selection;
+  for (const std::string& stroke : parts) selection.push_back({node, stroke});
+  studio().session().select(std::move(selection));
+  return true;
+}
+
+QString SilhouetteTool::owner_of(const NodeFinding& found) const {
+  const WorkObject* object = studio().object(found.node);
+  const auto drawing = object == nullptr ? nullptr : drawing_in(studio(), object->chain.front());
+  if (!drawing) return {};
+  const std::vector<Body> bodies = bodies_in(studio(), *object, *drawing);
+  if (bodies.size() < 2 && studio().objects().size() < 2) return {};
+  const Body* body = body_with(bodies, strokes_of(found.finding));
+  return body == nullptr ? QString() : body->name;
+}
+
+}  // namespace croquis::app

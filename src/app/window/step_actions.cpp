@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/step_actions.h"
+
+#include <QAction>
+#include <algorithm>
+#include <utility>
+
+namespace croquis::app {
+namespace {
+
+bool holds(const std::vector<const OperationDescription*>& operations, const std::string& id) {
+  return std::ranges::any_of(operations, [&](const auto* operation) { return operation->id == id; });
+}
+
+}  // namespace
+
+StepActions::StepActions(ToolHost& host, ActionList& actions) : host_(host) {
+  QMenu* menu = actions.menu(QObject::tr("&Object"));
+  add_operations(actions, menu);
+  menu->addSeparator();
+  add(actions, menu, "step-on", QObject::tr("Step is &on"), {}, [](Studio& studio, NodeId step) {
+    const Node* node = studio.session().document().find(step);
+    studio.enable_step(step, node != nullptr && !node->enabled);
+  });
+  actions.find("step-on")->setCheckable(true);
+  add(actions, menu, "step-earlier", QObject::tr("Step &earlier"), "Ctrl+Shift+Down",
+      [](Studio& studio, NodeId step) { studio.move_step(step, -1); });
+  add(actions, menu, "step-later", QObject::tr("Step &later"), "Ctrl+Shift+Up",
+      [](Studio& studio, NodeId step) { studio.move_step(step, 1); });
+  add(actions, menu, "duplicate-step", QObject::tr("D&uplicate step"), {},
+      [](Studio& studio, NodeId step) { studio.copy_step(step); });
+  add(actions, menu, "freeze-step", QObject::tr("Free&ze step"), {},
+      [](Studio& studio, NodeId step) { studio.freeze_step(step); });
+  add(actions, menu, "delete-step", QObject::tr("Delete &step"), "Ctrl+Shift+Backspace",
+      [](Studio& studio, NodeId step) { studio.remove_step(step); });
+  menu->addSeparator();
+  add(actions, menu, "duplicate-object", QObject::tr("&Duplicate object"), "Ctrl+D",
+      [](Studio& studio, NodeId step) { studio.copy_object(step); });
+  add(actions, menu, "delete-object", QObject::tr("Delete o&bject"), {},
+      [](Studio& studio, NodeId step) { studio.remove_object(step); });
+}
+
+void StepActions::add(ActionList& actions, QMenu* menu, const QString& name, const QString& text, const QString& key,
+                      std::function<void(Studio&, NodeId)> work) {
+  const QList<QKeySequence> keys = key.isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{QKeySequence(key)};
+  actions.add(menu, name, text, keys, [this, work = std::move(work)] {
+    host_.attempt([&] { work(host_.studio(), host_.studio().active_step()); });
+    host_.refresh();
+  });
+}
+
+void StepActions::add_operations(ActionList& actions, QMenu* menu) {
+  added_ = menu->addMenu(QObject::tr("&Add step"));
+  for (const auto& operation : host_.studio().registry().operations()) {
+    const OperationDescription description = operation->describe();
+    const QString name = "add-step-" + QString::fromStdString(description.id);
+    add(actions, added_, name, QString::fromStdString(description.title), {},
+        [id = description.id](Studio& studio, NodeId step) { studio.add_step(step, id); });
+    operations_[description.id] = actions.find(name);
+    operations_[description.id]->setToolTip(QString::fromStdString(description.sentence));
+  }
+}
+
+void StepActions::enable(const QString& name, bool enabled) { host_.action(name)->setEnabled(enabled); }
+
+void StepActions::refresh() {
+  const Studio& studio = host_.studio();
+  const NodeId step = studio.active_step();
+  const WorkObject* object = studio.active();
+  const Node* node = studio.active_operation();
+  const auto fitting = studio.operations_on(step);
+  for (const auto& [id, action] : operations_) action->setEnabled(holds(fitting, id));
+  added_->setEnabled(!fitting.empty());
+  const std::vector<NodeId> chain = object == nullptr ? std::vector<NodeId>() : object->chain;
+  const auto place = std::ranges::find(chain, step);
+  const bool in_chain = node != nullptr && place != chain.end();
+  const bool has_earlier = in_chain && place - chain.begin() > 1;
+  const bool has_later = in_chain && std::next(place) != chain.end();
+  for (const char* name : {"step-on", "duplicate-step", "freeze-step", "delete-step"}) enable(name, node != nullptr);
+  enable("step-earlier", has_earlier);
+  enable("step-later", has_later);
+  host_.action("step-on")->setChecked(node != nullptr && node->enabled);
+  enable("duplicate-object", object != nullptr);
+  enable("delete-object", object != nullptr);
+}
+
+void StepActions::show_menu(bool step, const QPoint& at) {
+  QMenu menu;
+  menu.addMenu(added_);
+  menu.addSeparator();
+  const QStringList names = step ? QStringList{"step-on", "step-earlier", "step-later", "duplicate-step", "freeze-step",
+                                               "delete-step"}
+                                 : QStringList{"duplicate-object", "delete-object"};
+  for (const QString& name : names) menu.addAction(host_.action(name));
+  menu.exec(at);
+}
+
+}  // namespace croquis::app

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAction>
+#include <QTreeWidget>
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+
+#include "app/panels/object_list.h"
+#include "app/studio_fixture.h"
+#include "croquis/document/content_hash.h"
+#include "support/sketch_gallery.h"
+
+namespace croquis::test {
+namespace {
+
+/// The rows of steps of the object in that row of the list, from above.
+std::vector<QTreeWidgetItem*> step_rows(StudioFixture& hand, int object) {
+  const QTreeWidgetItem* row = hand.window().findChild<app::ObjectList*>("objects")->topLevelItem(object);
+  std::vector<QTreeWidgetItem*> steps;
+  for (int i = 0; i < row->childCount(); ++i) {
+    if (app::ObjectList::is_step(row->child(i))) steps.push_back(row->child(i));
+  }
+  return steps;
+}
+
+void choose(StudioFixture& hand, NodeId step) {
+  emit hand.window().findChild<app::ObjectList*>("objects")->step_chosen(step);
+}
+
+/// A circle by hand, sketch units.
+std::vector<Vec2> circle(const Vec2& middle, double radius) {
+  std::vector<Vec2> places;
+  for (int k = 0; k <= 40; ++k) {
+    const double angle = 2 * M_PI * k / 40;
+    places.push_back(middle + radius * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  return places;
+}
+
+double width_of(const PolyMesh& mesh) {
+  double low = mesh.positions.front().x(), high = low;
+  for (const Vec3& place : mesh.positions) {
+    low = std::min(low, place.x());
+    high = std::max(high, place.x());
+  }
+  return high - low;
+}
+
+TEST_CASE("a chain from a sketch stays live, and its steps are switched, moved and frozen", "[chains]") {
+  StudioFixture hand;
+  hand.window().start_sketch();
+  hand.look_at({-200, -200}, {200, 200});
+  hand.draw(circle({0, 0}, 80));
+  hand.settle();
+  const std::size_t coarse = hand.studio().objects().front().mesh->face_count();
+  hand.act("add-step-subdivide");
+  hand.settle();
+  const NodeId smooth = hand.studio().active_step();
+  REQUIRE(hand.studio().objects().size() == 1);
+  CHECK(hand.studio().objects().front().mesh->face_count() > 3 * coarse);
+  hand.act("add-step-fill");
+  hand.settle();
+  const NodeId end = hand.studio().objects().front().node;
+  REQUIRE(step_rows(hand, 0).size() == 4);
+  CHECK(app::ObjectList::node_of(step_rows(hand, 0)[1]) == smooth);
+
+  // The first stroke is changed, and the end follows.
+  const double before = width_of(*hand.studio().object(end)->mesh);
+  hand.sketch().tool().set_mode(SketchMode::Select);
+  const std::string stroke = hand.studio().drawing().strokes.front().id;
+  const StrokeFit* fit = hand.sketch().tool().fit(stroke);
+  REQUIRE(fit != nullptr);
+  const auto right = std::ranges::max_element(
+      fit->anchors, {}, [](const StrokeAnchor& anchor) { return anchor.position.x(); });
+  const auto anchor = static_cast<std::size_t>(right - fit->anchors.begin());
+  hand.sketch().tool().drag(stroke, anchor, {60, 0});
+  hand.settle();
+  CHECK(width_of(*hand.studio().object(end)->mesh) > before + 30);
+
+  // Off: as many faces as the solid. On again: as before.
+  choose(hand, smooth);
+  CHECK(hand.window().action("step-on")->isChecked());
+  const std::size_t fine = hand.studio().object(end)->mesh->face_count();
+  hand.act("step-on");
+  hand.settle();
+  CHECK(hand.studio().object(end)->mesh->face_count() < fine / 2);
+  CHECK(step_rows(hand, 0)[1]->text(1) == "off");
+  hand.act("step-on");
+  hand.settle();
+  CHECK(hand.studio().object(end)->mesh->face_count() == fine);
+
+  // Filled before it is refined, then frozen.
+  choose(hand, smooth);
+  hand.act("step-later");
+  hand.settle();
+  CHECK(hand.studio().objects().front().node == smooth);
+  CHECK(hand.studio().objects().front().mesh->face_count() == fine);
+  choose(hand, end);
+  hand.act("freeze-step");
+  hand.settle();
+  CHECK(hand.studio().objects().front().chain == std::vector<NodeId>{end, smooth});
+  CHECK(hand.studio().objects().front().mesh->face_count() == fine);
+  hand.act("undo");
+  hand.settle();
+  CHECK(hand.studio().objects().front().chain.size() == 4);
+
+  const ContentHash last = content_hash(hand.studio().session().document());
+  Session& session = hand.studio().session();
+  while (session.can_undo()) session.undo();
+  CHECK(session.document().nodes().empty());
+  while (session.can_redo()) session.redo();
+  session.undo();  // the freezing
+  CHECK(content_hash(session.document()) == last);
+}
+
+TEST_CASE("sketches side by side have their own solids, and the pen draws in the one worked on", "[chains]") {
+  StudioFixture hand;
+  hand.window().start_sketch();
+  hand.look_at({-200, -200}, {200, 200});
+  hand.draw(circle({-60, 0}, 50));
+  hand.settle();
+  hand.act("add-sketch");
+  CHECK(hand.studio().drawing().strokes.empty());
+  hand.draw(circle({70, 0}, 40));
+  hand.draw(circle({70, 90}, 30));
+  hand.settle();
+  REQUIRE(hand.studio().objects().size() == 2);
+  CHECK(hand.studio().objects()[0].name == "Sketch");
+  CHECK(hand.studio().objects()[1].name == "Sketch 2");
+  CHECK(hand.studio().drawing().strokes.size() == 2);
+  for (const WorkObject& object : hand.studio().objects()) {
+    REQUIRE(object.mesh);
+    CHECK(object.mesh->face_count() > 100);
+  }
+  choose(hand, hand.studio().objects()[0].chain.front());
+  CHECK(hand.studio().drawing().strokes.size() == 1);
+  hand.draw(circle({-60, 100}, 20));
+  hand.settle();
+  CHECK(hand.studio().drawing().strokes.size() == 2);
+  CHECK(hand.studio().objects()[0].mesh->face_count() > 100);
+}
+
+TEST_CASE("a sketch seen from the top stands on its own plane", "[chains]") {
+  StudioFixture hand;
+  hand.window().start_sketch();
+  hand.act("add-sketch-top");
+  hand.look_at({-200, -200}, {200, 200});
+  hand.draw(circle({20, 60}, 100));
+  hand.settle();
+  const WorkObject& object = *hand.studio().active();
+  REQUIRE(object.mesh);
+  Eigen::AlignedBox3d box;
+  for (const Vec3& place : object.mesh->positions) box.extend(place);
+  // Up in the sketch is away from the eye of the front view.
+  CHECK((box.center() - Vec3(20, 0, -60)).norm() < 5);
+  CHECK(box.sizes().x() == Approx(200).epsilon(0.05));
+}
+
+}  // namespace
+}  // namespace croquis::test
