@@ -5,6 +5,31 @@
 
 namespace croquis::app {
 
+MeshPicker& ObjectPicker::picker_of(const StudioObject& object) {
+  Kept& kept = kept_[object.node];
+  if (kept.mesh != object.shown()) {
+    kept.mesh = object.shown();
+    kept.picker = std::make_unique<MeshPicker>(kept.mesh, std::make_shared<const MeshTopology>(*kept.mesh));
+  }
+  return *kept.picker;
+}
+
+std::optional<Vec3> ObjectPicker::place_at(const std::vector<StudioObject>& objects, const ViewFrame& frame,
+                                           const Vec2& pixel) {
+  std::optional<Vec3> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const StudioObject& object : objects) {
+    if (!object.visible || !object.shown() || object.shown()->face_count() == 0) continue;
+    const auto vertex = picker_of(object).at(frame, pixel, ComponentKind::Vertex);
+    if (!vertex || vertex->distance >= least) continue;
+    least = vertex->distance;
+    nearest = vertex->place;
+  }
+  if (nearest) return nearest;
+  const Hit hit = at(objects, frame, pixel);
+  return hit.node == 0 ? std::nullopt : std::optional(hit.place);
+}
+
 ObjectPicker::Hit ObjectPicker::at(const std::vector<StudioObject>& objects, const ViewFrame& frame,
                                    const Vec2& pixel) {
   Hit nearest;
@@ -12,12 +37,7 @@ ObjectPicker::Hit ObjectPicker::at(const std::vector<StudioObject>& objects, con
   const Ray ray = frame.ray(pixel);
   for (const StudioObject& object : objects) {
     if (!object.visible || !object.shown() || object.shown()->face_count() == 0) continue;
-    Kept& kept = kept_[object.node];
-    if (kept.mesh != object.shown()) {
-      kept.mesh = object.shown();
-      kept.picker = std::make_unique<MeshPicker>(kept.mesh, std::make_shared<const MeshTopology>(*kept.mesh));
-    }
-    const auto hit = kept.picker->face_under(ray);
+    const auto hit = picker_of(object).face_under(ray);
     if (!hit || hit->distance >= distance) continue;
     distance = hit->distance;
     nearest = {object.node, hit->place};

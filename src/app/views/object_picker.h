@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/studio/studio.h"
@@ -22,11 +23,16 @@ class ObjectPicker {
   /// The nearest object at a pixel; node 0 for none.
   Hit at(const std::vector<StudioObject>& objects, const ViewFrame& frame, const Vec2& pixel);
 
+  /// The vertex nearest to a pixel, within reach and not hidden; else the place of a surface there; else nothing.
+  std::optional<Vec3> place_at(const std::vector<StudioObject>& objects, const ViewFrame& frame, const Vec2& pixel);
+
   /// The objects whose boxes the pixels' box touches.
   static std::vector<NodeId> in_box(const std::vector<StudioObject>& objects, const ViewFrame& frame,
                                     const PickBox& box);
 
  private:
+  MeshPicker& picker_of(const StudioObject& object);
+
   struct Kept {
     std::shared_ptr<const PolyMesh> mesh;
     std::unique_ptr<MeshPicker> picker;

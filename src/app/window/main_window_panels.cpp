@@ -141,7 +141,7 @@ void MainWindow::choose_nodes(const std::vector<NodeId>& nodes) {
     if (const Node* node = studio_.session().document().find(id)) step.nodes.push_back(node->name);
   }
   select_nodes(nodes);
-  record(step);
+  if (!step.nodes.empty()) record(step);
 }
 
 std::vector<ObjectRow> MainWindow::rows_of(const WorkObject& object, NodeId node) const {

@@ -70,7 +70,7 @@ struct Navigate {
 };
 /// Objects or steps of their chains were selected.
 struct NodeChoice {
-  std::vector<std::string> nodes;  ///< their names; none: nothing is selected
+  std::vector<std::string> nodes;  ///< their names, at least one
 
   static const StepKind& step_kind();
 };
