@@ -2,6 +2,7 @@
 #include "croquis/tools/all_steps.h"
 
 #include "croquis/tools/holes/hole_steps.h"
+#include "croquis/tools/measure/measure_steps.h"
 #include "croquis/tools/mesh/mesh_steps.h"
 #include "croquis/tools/recording/general_steps.h"
 #include "croquis/tools/silhouette/sketch_steps.h"
@@ -15,6 +16,7 @@ const Vocabulary& all_steps() {
     made.add(sketch_steps());
     made.add(mesh_steps());
     made.add(hole_steps());
+    made.add(measure_steps());
     return made;
   }();
   return vocabulary;

@@ -70,8 +70,8 @@ TEST_CASE("a chain from a sketch stays live, and its steps are switched, moved a
   const std::string stroke = hand.studio().drawing().strokes.front().id;
   const StrokeFit* fit = hand.sketch().tool().fit(stroke);
   REQUIRE(fit != nullptr);
-  const auto right = std::ranges::max_element(
-      fit->anchors, {}, [](const StrokeAnchor& anchor) { return anchor.position.x(); });
+  const auto right =
+      std::ranges::max_element(fit->anchors, {}, [](const StrokeAnchor& anchor) { return anchor.position.x(); });
   const auto anchor = static_cast<std::size_t>(right - fit->anchors.begin());
   hand.sketch().tool().drag(stroke, anchor, {60, 0});
   hand.settle();

@@ -2,6 +2,7 @@
 #include "app/tools/all_tools.h"
 
 #include "app/tools/holes/hole_filling_tool.h"
+#include "app/tools/measure/measuring_tool.h"
 #include "app/tools/mesh/mesh_editing_tool.h"
 #include "app/tools/silhouette/silhouette_tool.h"
 #include "app/tools/subdivision/subdivision_tool.h"
@@ -14,6 +15,7 @@ std::vector<std::unique_ptr<Tool>> all_tools(ToolHost& host) {
   tools.push_back(std::make_unique<MeshEditingTool>(host));
   tools.push_back(std::make_unique<SubdivisionTool>(host));
   tools.push_back(std::make_unique<HoleFillingTool>(host));
+  tools.push_back(std::make_unique<MeasuringTool>(host));
   return tools;
 }
 

@@ -88,9 +88,9 @@ void StepActions::show_menu(bool step, const QPoint& at) {
   QMenu menu;
   menu.addMenu(added_);
   menu.addSeparator();
-  const QStringList names = step ? QStringList{"step-on", "step-earlier", "step-later", "duplicate-step", "freeze-step",
-                                               "delete-step"}
-                                 : QStringList{"duplicate-object", "delete-object"};
+  const QStringList names =
+      step ? QStringList{"step-on", "step-earlier", "step-later", "duplicate-step", "freeze-step", "delete-step"}
+           : QStringList{"duplicate-object", "delete-object"};
   for (const QString& name : names) menu.addAction(host_.action(name));
   menu.exec(at);
 }

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tools/measure/measuring_tool.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QMenu>
+#include <algorithm>
+#include <cmath>
+
+#include "app/replay/replay_lookup.h"
+#include "app/views/render_color.h"
+#include "app/views/viewport.h"
+#include "app/window/action_list.h"
+#include "app/window/theme.h"
+#include "croquis/tools/measure/measurement.h"
+
+namespace croquis::app {
+namespace {
+
+constexpr const char* label_style =
+    "background: #2b2d31; color: #f2f3f5; border: 1px solid #f28c28; border-radius: 5px; padding: 1px 6px;"
+    " font-size: 12px";
+constexpr QPointF label_offset(10, -26);
+constexpr float place_pixels = 9;
+constexpr float hover_pixels = 7;
+constexpr double line_pixels = 2;
+
+glm::dvec3 to_glm_place(const Vec3& place) { return {place.x(), place.y(), place.z()}; }
+
+render::Mark mark_at(const Vec3& place, float pixels, const QColor& color) {
+  render::Mark mark;
+  mark.position = to_glm_place(place);
+  mark.shape = render::MarkShape::Disc;
+  mark.size = pixels;
+  mark.color = to_color(color);
+  mark.outline_width = 2;
+  return mark;
+}
+
+}  // namespace
+
+MeasuringTool::MeasuringTool(ToolHost& host)
+    : Tool(host), tool_([this](const ViewFrame& frame, const Vec2& pixel) { return place_under(frame, pixel); }) {}
+
+void MeasuringTool::make_actions(ActionList& actions) {
+  actions.add_mode(actions.menu(tr("&Tool")), "measure", tr("M&easure"), "M", [this] { host().set_mode("measure"); });
+  QMenu* edit = actions.menu(tr("&Edit"));
+  QAction* copy = actions.add(edit, "copy-measurement", tr("&Copy measurement"), {QKeySequence::Copy}, [this] {
+    QApplication::clipboard()->setText(QString::fromStdString(measured_text(tool_.places())));
+    host().tell(tr("Copied: %1").arg(QApplication::clipboard()->text().trimmed().replace('\n', QStringLiteral(" · "))));
+  });
+  edit->insertAction(actions.find("delete"), copy);
+}
+
+void MeasuringTool::refresh() {
+  host().action("copy-measurement")->setEnabled(active() && tool_.places().size() > 1);
+}
+
+void MeasuringTool::set_mode(const QString& mode) {
+  const bool was_active = active();
+  Tool::set_mode(mode);
+  if (was_active && !active()) tool_.set_places({});
+  tool_.leave();
+}
+
+/// The nearest vertex within reach, else the surface; where there is none, the plane of sketches in their view.
+std::optional<Vec3> MeasuringTool::place_under(const ViewFrame& frame, const Vec2& pixel) {
+  if (const auto place = objects_.place_at(studio().objects(), frame, pixel)) return place;
+  if (view_ != SketchView) return std::nullopt;
+  const Ray ray = frame.sight(pixel);
+  if (std::abs(ray.direction.z()) < 1e-9) return std::nullopt;
+  return ray.at(-ray.origin.z() / ray.direction.z());
+}
+
+void MeasuringTool::take(const PointerEvent& event) {
+  view_ = event.view;
+  bool changed = false;
+  for (const PenStep& step : pen_.handle(event)) {
+    feed(step);
+    changed = true;
+  }
+  if (event.action == PointerEvent::Action::Leave)
+    changed = tool_.leave() || changed;
+  else if (!pen_.down())
+    changed = tool_.hover(event.position, host().viewport().frame_of(event.view)) || changed;
+  if (changed) emit Tool::changed();
+}
+
+void MeasuringTool::feed(const PenStep& step) {
+  const ViewFrame frame = host().viewport().frame_of(step.view);
+  if (tool_.handle({step.kind, step.sample.position, step.modifiers, frame, step.sample.time})) measured_anew();
+}
+
+void MeasuringTool::measured_anew() {
+  if (!tool_.places().empty()) emit committed(recorded::Measure{tool_.places()});
+  emit state_changed();
+}
+
+bool MeasuringTool::replay(const recorded::Step& step) {
+  if (!active()) host().set_mode("measure");
+  tool_.set_places(step.as<recorded::Measure>()->places);
+  emit Tool::changed();
+  emit state_changed();
+  return true;
+}
+
+Expectations MeasuringTool::expectations() {
+  Expectations own;
+  own.ranges["measured"] = [this](const std::string&) {
+    const std::vector<Vec3>& places = tool_.places();
+    if (places.size() < 2) refuse_replay("Nothing is measured");
+    std::pair<double, double> range((places[1] - places[0]).norm(), (places[1] - places[0]).norm());
+    if (places.size() > 2) range.first = std::min(range.first, (places[2] - places[1]).norm());
+    if (places.size() > 2) range.second = std::max(range.second, (places[2] - places[1]).norm());
+    return range;
+  };
+  return own;
+}
+
+bool MeasuringTool::abandon() {
+  if (!tool_.active()) return false;
+  for (const PenStep& step : pen_.cancel()) feed(step);
+  emit Tool::changed();
+  return true;
+}
+
+bool MeasuringTool::select_none() {
+  if (!active()) return false;
+  const bool had_places = !tool_.places().empty();
+  tool_.set_places({});
+  if (had_places) measured_anew();
+  emit Tool::changed();
+  return true;
+}
+
+bool MeasuringTool::delete_selection() {
+  if (!active()) return false;
+  if (tool_.remove_last()) measured_anew();
+  emit Tool::changed();
+  return true;
+}
+
+QString MeasuringTool::help() const {
+  switch (tool_.places().size()) {
+    case 0: return tr("Click a place of the model: the nearest vertex, or the surface · Q goes back to selecting");
+    case 1: return tr("Click a second place for the distance · drag a place to move it · Escape starts again");
+    case 2: return tr("Click a third place for angle and radius · Ctrl+C copies · Escape starts again");
+    default: return tr("Ctrl+C copies what was measured · drag a place to move it · Escape starts again");
+  }
+}
+
+void MeasuringTool::add_to(render::Scene& scene, int) {
+  if (!active()) return;
+  std::vector<render::Mark> marks;
+  render::LinePath path;
+  for (const Vec3& place : tool_.places()) {
+    marks.push_back(mark_at(place, place_pixels, colors::accent));
+    path.points.push_back({to_glm_place(place), 1, {}});
+  }
+  if (tool_.hovered() && !pen_.down()) marks.push_back(mark_at(*tool_.hovered(), hover_pixels, colors::hover));
+  if (path.points.size() > 1) {
+    scene.lines.emplace_back(
+        render::make_line_item(path, {line_pixels, to_color(colors::accent), {}, render::LineDepth::OnTop}));
+  }
+  if (!marks.empty()) scene.marks.emplace_back(render::make_mark_item(marks));
+}
+
+void MeasuringTool::place_chips(ChipPlaces& places) {
+  for (QLabel* label : labels_) label->hide();
+  if (!active()) return;
+  std::size_t used = 0;
+  const std::vector<MeasuredValue> values = measured(tool_.places());
+  for (const int view : places.layout().shown()) {
+    const ViewPane& pane = places.layout().pane(view);
+    for (const MeasuredValue& value : values) {
+      const auto seen = host().viewport().frame_of(view).project(value.at);
+      const QPointF at = pane.rect.topLeft() + (seen ? QPointF(seen->pixel.x(), seen->pixel.y()) : QPointF(-1, -1));
+      if (!seen || !pane.rect.contains(at)) continue;
+      if (used == labels_.size()) labels_.push_back(make_chip_label(host().viewport(), label_style));
+      QLabel& label = *labels_[used++];
+      label.setObjectName("measured-value");
+      label.setText(QString::fromStdString(value.name + " " + value.text));
+      label.adjustSize();
+      places.put(label, at + label_offset, pane.rect);
+    }
+  }
+}
+
+std::optional<SelectionFrame> MeasuringTool::selection_frame(int) const {
+  if (tool_.places().size() < 2) return std::nullopt;
+  render::Bounds bounds;
+  for (const Vec3& place : tool_.places()) bounds.add(to_glm_place(place));
+  return SelectionFrame{bounds, std::nullopt, true};
+}
+
+}  // namespace croquis::app
