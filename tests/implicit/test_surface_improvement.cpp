@@ -12,7 +12,7 @@
 #include "croquis/implicit/surface_improvement.h"
 #include "implicit/sample_fields.h"
 #include "implicit/sample_points.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 
 namespace croquis::implicit {
 namespace {

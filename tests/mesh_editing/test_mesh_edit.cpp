@@ -10,7 +10,7 @@
 #include "croquis/base/error.h"
 #include "croquis/mesh_editing/mesh_edit.h"
 #include "croquis/mesh_editing/tag_edit.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 
 namespace croquis {

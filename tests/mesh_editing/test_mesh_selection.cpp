@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/mesh_editing/mesh_selection.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 
 namespace croquis {

@@ -11,7 +11,7 @@
 #include "croquis/render/face_highlight.h"
 #include "croquis/render/renderer.h"
 #include "render/picture_probe.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 
 using namespace croquis;

@@ -7,8 +7,8 @@
 #include "croquis/subdivision/continuity.h"
 #include "croquis/subdivision/shape_keeping.h"
 #include "subdivision/refined.h"
-#include "support/cages.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/cages.h"
+#include "support/meshes/mesh_shapes.h"
 
 using namespace croquis;
 using namespace croquis::subdivision;

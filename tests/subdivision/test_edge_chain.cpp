@@ -10,8 +10,8 @@
 #include "croquis/subdivision/edge_chain.h"
 #include "subdivision/random_tags.h"
 #include "subdivision/refined.h"
-#include "support/cages.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/cages.h"
+#include "support/meshes/mesh_shapes.h"
 
 using namespace croquis;
 using namespace croquis::subdivision;

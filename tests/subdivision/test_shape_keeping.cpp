@@ -11,8 +11,8 @@
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/subdivision/shape_keeping.h"
 #include "subdivision/refined.h"
-#include "support/cages.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/cages.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 
 using namespace croquis;
