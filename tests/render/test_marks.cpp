@@ -176,15 +176,3 @@ TEST_CASE("marks that can't be drawn are all named") {
     CHECK(error.findings()[0].subjects[0].index == 1);
   }
 }
-
-TEST_CASE("a mark is hit within its outline and halo, a tiny one within reach of a hand") {
-  Mark mark;
-  mark.size = 20;
-  mark.outline_width = 2;
-  CHECK(hit_radius(mark) == Approx(12));
-  mark.halo = {1, 2, 3, 4};
-  CHECK(hit_radius(mark) == Approx(16));
-  mark.size = 1;
-  mark.halo.a = 0;
-  CHECK(hit_radius(mark) == Approx(6));
-}

@@ -39,15 +39,4 @@ FaceHighlightPtr make_face_highlight(const MeshItemPtr& mesh, std::span<const In
   return std::make_shared<FaceHighlight>(FaceHighlight{mesh, std::move(triangles), color, std::move(reduced)});
 }
 
-FaceHighlightPtr moved_to(const FaceHighlightPtr& highlight, const MeshItemPtr& updated) {
-  if (!highlight || !updated || updated->plan != highlight->mesh->plan) return nullptr;
-  FaceHighlightPtr reduced;
-  if (highlight->reduced) {
-    reduced = std::make_shared<FaceHighlight>(
-        FaceHighlight{updated->reduced, highlight->reduced->triangles, highlight->color});
-  }
-  return std::make_shared<FaceHighlight>(
-      FaceHighlight{updated, highlight->triangles, highlight->color, std::move(reduced)});
-}
-
 }  // namespace croquis::render

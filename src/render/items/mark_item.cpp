@@ -56,9 +56,4 @@ MarkItemPtr make_mark_item(std::span<const Mark> marks, MarkDepth depth) {
   return item;
 }
 
-double hit_radius(const Mark& mark, double least) {
-  return std::max<double>(
-      least, mark.size / 2 + drawn_width(mark.outline_width, mark.outline) + drawn_width(mark.halo_width, mark.halo));
-}
-
 }  // namespace croquis::render

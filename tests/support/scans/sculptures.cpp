@@ -13,6 +13,8 @@
 #include "croquis/base/progress.h"
 #include "croquis/implicit/marching_cubes.h"
 #include "croquis/implicit/surface_improvement.h"
+#include "support/difference_field.h"
+#include "support/scans/surface_smoothing.h"
 
 namespace croquis::test {
 namespace {
@@ -158,21 +160,21 @@ bool is_machined(Sculpture sculpture) { return sculpture == Sculpture::Bracket |
 PolyMesh sculpt(Sculpture sculpture, std::size_t triangles) {
   PolyMesh mesh = sculpt(solid_of(sculpture), triangles);
   if (!is_machined(sculpture)) return mesh;
-  const implicit::Field field = implicit::field_of(solid_of(sculpture), gradient_step);
+  const implicit::Field field = field_of(solid_of(sculpture), gradient_step);
   const double cell = mean_edge(mesh);
   for (int round = 0; round < 3; ++round) sharpen(mesh, field, cell);
   return mesh;
 }
 
 PolyMesh sculpt(const Solid& solid, std::size_t triangles) {
-  const implicit::Field field = implicit::field_of(solid, gradient_step);
+  const implicit::Field field = field_of(solid, gradient_step);
   const Vec3 seed = place_on(solid);
   const auto trial = static_cast<double>(cubes(seed, field, trial_cell).face_count());
   implicit::ProjectionOptions options;
   options.cell = trial_cell * std::sqrt(trial / static_cast<double>(triangles));
   options.accuracy = 1e-4;
   PolyMesh mesh = cubes(seed, field, options.cell);
-  implicit::smooth_on_surface(mesh, {}, field, 2, options);
+  smooth_on_surface(mesh, field, 2, options);
   return mesh;
 }
 

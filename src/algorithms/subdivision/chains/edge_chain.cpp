@@ -201,10 +201,6 @@ std::vector<EdgeChain> edge_chains(const Level& level, double least_sharpness) {
   return chains;
 }
 
-ChainShape chain_shape(const Level& level, const EdgeChain& chain, std::span<const Vec3> positions) {
-  return Surveyor(level, positions).measure(chain);
-}
-
 std::vector<ChainShape> chain_shapes(const Level& level, std::span<const EdgeChain> chains,
                                      std::span<const Vec3> positions) {
   const Surveyor surveyor(level, positions);

@@ -151,17 +151,4 @@ PolyMesh pin_kinks(const PolyMesh& mesh, double least_turn) {
   return result;
 }
 
-PolyMesh pin_chains(const PolyMesh& mesh) {
-  const MeshTopology topology(mesh);
-  const std::vector<double> sharpness = edge_sharpness(mesh.tags, topology);
-  PolyMesh result = mesh;
-  TagChanges changes(result.tags);
-  for (Index edge = 0; edge < topology.edge_count(); ++edge) {
-    if (sharpness[edge] == 0) continue;
-    for (const Index vertex : topology.edge_vertices(edge)) changes.add_pin(vertex);
-  }
-  changes.finish();
-  return result;
-}
-
 }  // namespace croquis::subdivision
