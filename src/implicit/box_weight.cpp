@@ -24,17 +24,11 @@ Box bounds(std::span<const Vec3> points) {
   return box;
 }
 
-double box_distance(const Box& box, const Vec3& point) { return 1 - factors(box, point).prod(); }
-
-double blend(double d) { return 1 - d * d * d * (10 + d * (6 * d - 15)); }
-
-double blend_derivative(double d) { return -30 * d * d * (1 - d) * (1 - d); }
-
 BoxWeight box_weight(const Box& box, const Vec3& point) {
   const Vec3 f = factors(box, point);
   const double product = f.prod();
   if (!(product > 0)) return {};
-  // W(d) = 1 - W(1 - d) with 1 - d = product: exact down to the faces, where blend(d) would cancel.
+  // W(d) = 1 - W(1 - d) with 1 - d = product: exact down to the faces, where W(d) would cancel.
   const double value = product * product * product * (10 + product * (6 * product - 15));
   const Vec3 slopes = (4 * (box.low + box.high - 2 * point).array() / box.size().array().square()).matrix();
   const Vec3 gradient(slopes.x() * f.y() * f.z(), f.x() * slopes.y() * f.z(), f.x() * f.y() * slopes.z());

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include <Eigen/Geometry>
-
 #include "croquis/base/error.h"
 #include "croquis/base/parallel.h"
 #include "implicit/point_checks.h"
@@ -93,47 +91,6 @@ void Projection::step(std::vector<Moving>& moving) {
   moving = std::move(still);
 }
 
-/// 1 at the ends of edges that don't have exactly two faces.
-std::vector<std::uint8_t> ends_of_open_edges(const PolyMesh& mesh) {
-  std::vector<std::array<Index, 2>> edges;
-  for (std::size_t c = 0; c < mesh.corners.size(); ++c) {
-    const Index a = mesh.corners[c];
-    const Index b = mesh.corners[c % 3 == 2 ? c - 2 : c + 1];
-    edges.push_back({std::min(a, b), std::max(a, b)});
-  }
-  std::sort(edges.begin(), edges.end());
-  std::vector<std::uint8_t> open(mesh.vertex_count(), 0);
-  for (std::size_t i = 0; i < edges.size();) {
-    std::size_t end = i;
-    while (end < edges.size() && edges[end] == edges[i]) ++end;
-    if (end - i != 2) open[edges[i][0]] = open[edges[i][1]] = 1;
-    i = end;
-  }
-  return open;
-}
-
-/// The mean of the triangles' centroids, weighted by area, once for all vertices.
-void move_to_centroids(PolyMesh& mesh, std::span<const std::uint8_t> fixed, const std::vector<std::uint8_t>& open) {
-  std::vector<Vec3> sums(mesh.vertex_count(), Vec3::Zero());
-  std::vector<double> areas(mesh.vertex_count(), 0);
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const auto face = mesh.face(f);
-    const Vec3& a = mesh.positions[face[0]];
-    const Vec3& b = mesh.positions[face[1]];
-    const Vec3& c = mesh.positions[face[2]];
-    const double area = 0.5 * (b - a).cross(c - a).norm();
-    const Vec3 weighted = area / 3 * ((b - a) + (c - a));  // from a, for the digits of meshes far away
-    for (const Index v : face) {
-      sums[v] += weighted + area * (a - mesh.positions[v]);
-      areas[v] += area;
-    }
-  }
-  for (std::size_t v = 0; v < sums.size(); ++v) {
-    if (open[v] != 0 || (!fixed.empty() && fixed[v] != 0) || !(areas[v] > 0)) continue;
-    mesh.positions[v] += sums[v] / areas[v];
-  }
-}
-
 }  // namespace
 
 ProjectionReport project(std::span<Vec3> points, std::span<const std::uint8_t> fixed, const Field& field,
@@ -157,27 +114,6 @@ ProjectionReport project(std::span<Vec3> points, std::span<const std::uint8_t> f
     whole.largest_move = std::max(whole.largest_move, part.largest_move);
   }
   return whole;
-}
-
-void smooth_towards_centroids(PolyMesh& mesh, std::span<const std::uint8_t> fixed) {
-  require_triangles(mesh);
-  require_marks(fixed, mesh.vertex_count());
-  move_to_centroids(mesh, fixed, ends_of_open_edges(mesh));
-}
-
-ProjectionReport smooth_on_surface(PolyMesh& mesh, std::span<const std::uint8_t> fixed, const Field& field, int rounds,
-                                   const ProjectionOptions& options) {
-  require_triangles(mesh);
-  require_marks(fixed, mesh.vertex_count());
-  const std::vector<std::uint8_t> open = ends_of_open_edges(mesh);
-  std::vector<std::uint8_t> staying = open;
-  for (std::size_t v = 0; v < fixed.size(); ++v) staying[v] |= fixed[v];
-  ProjectionReport report;
-  for (int round = 0; round < rounds; ++round) {
-    move_to_centroids(mesh, fixed, open);
-    report = project(mesh.positions, staying, field, options);
-  }
-  return report;
 }
 
 PolyMesh split_in_four(const PolyMesh& mesh) {

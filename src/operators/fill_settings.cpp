@@ -33,6 +33,77 @@ ParameterDescription flag(const std::string& name, bool value, const std::string
   return {name, ParameterType::Flag, value, 0, 0, {}, "", sentence};
 }
 
+ParameterDescription number_parameter(const std::string& name, double value, double minimum, double maximum,
+                                      const std::string& unit, const std::string& sentence) {
+  return {name, ParameterType::Number, value, minimum, maximum, {}, unit, sentence};
+}
+
+ParameterDescription integer_parameter(const std::string& name, std::int64_t value, int maximum,
+                                       const std::string& unit, const std::string& sentence) {
+  return {name, ParameterType::Integer, value, 0, static_cast<double>(maximum), {}, unit, sentence};
+}
+
+/// Which holes, and what of them.
+std::vector<ParameterDescription> hole_parameters() {
+  return {
+      choice(
+          "mode", {"patch", "remesh"},
+          "patch closes holes and changes nothing else; remesh makes all of it of new triangles, from one function."),
+      choice("select", {selection_names.begin(), selection_names.end()},
+             "inner fills all holes that don't look like the border of an open surface; none only those that holes "
+             "names."),
+      list("only", "Numbers of the holes to fill instead, as the list shows them: 0,3-5."),
+      number_parameter("max-diameter", 0, 0, unlimited, "model units", "Wider holes stay open; 0 for no limit."),
+      list("holes",
+           "Wishes for single holes: '3: leave; 5-7: flat, bulge 0.4; 4: through 1 2 3; 2+9: bridge'. Words: fill, "
+           "leave, bridge, rbf, smooth, flat, kernel NAME, bulge -1..1, trim 0..3, through X Y Z.")};
+}
+
+std::vector<ParameterDescription> patch_parameters() {
+  return {
+      choice("fairness", {"auto", "rbf", "smooth", "flat"},
+             "rbf continues the surface around by functions fitted to it, smooth its tangents; flat adds no "
+             "vertices and has the least area; auto is flat where an open surface ends, and rbf elsewhere."),
+      choice("kernel", {kernel_names.begin(), kernel_names.end()},
+             "The functions of rbf: hermite takes normals along, the others points beside the surface."),
+      choice("preset", {"standard", "paper", "sharp", "noisy"},
+             "What is scanned: sharp for machined parts, noisy for rough scans; paper for comparison with Yoo 2005."),
+      number_parameter("bulge", 0, -1, 1, "", "Turns the surface at the rims outwards, or inwards below 0."),
+      integer_parameter("trim-rim", 0, 3, "rings of faces",
+                        "Removes so much of the scan along the rims that are filled, where scans are worst.")};
+}
+
+std::vector<ParameterDescription> remesh_parameters() {
+  return {
+      number_parameter("overlap", 0.25, 0, 1, "× domain",
+                       "remesh: how much larger domains are than their boxes; 0.1 with the preset paper."),
+      {"points-per-domain",
+       ParameterType::Text,
+       std::string("30:300"),
+       0,
+       0,
+       {},
+       "",
+       "remesh: least and most points of a domain, MIN:MAX."},
+      integer_parameter("smoothing", 2, 20, "rounds", "remesh: how often the triangles are evened out on the surface."),
+      integer_parameter("refine", 0, 4, "times", "remesh: how often every triangle is cut in four."),
+      number_parameter("cell", 1, 0.1, 10, "× mean edge",
+                       "remesh: edge of the cubes; small ones keep more detail and take more memory. 0.5 with the "
+                       "preset sharp.")};
+}
+
+/// How much memory the result may take, and what is kept in it.
+std::vector<ParameterDescription> result_parameters() {
+  return {number_parameter("memory-limit", 0, 0, unlimited, "MiB",
+                           "A mesh that would take more is refused before anything is allocated; 0 for no limit."),
+          choice("precision", {"double", "single"},
+                 "How coordinates will be stored, by which patches are judged; files of single numbers set it."),
+          flag("patch-ids", true,
+               "Mark each face with the number of its patch, -1 for the scan's own, and each vertex with a confidence; "
+               "files other than PLY can't hold them."),
+          flag("list", false, "Only list the holes and which of them would be filled; write nothing.")};
+}
+
 Fairness fairness_of(std::string_view name) {
   if (name == "smooth") return Fairness::Tangent;
   return name == "flat" ? Fairness::Flat : Fairness::Implicit;
@@ -140,102 +211,10 @@ Findings unused_parameters(const ParameterValues& parameters, bool remesh) {
 }  // namespace
 
 std::vector<ParameterDescription> fill_parameters() {
-  return {
-      choice(
-          "mode", {"patch", "remesh"},
-          "patch closes holes and changes nothing else; remesh makes all of it of new triangles, from one function."),
-      choice("select", {selection_names.begin(), selection_names.end()},
-             "inner fills all holes that don't look like the border of an open surface; none only those that holes "
-             "names."),
-      list("only", "Numbers of the holes to fill instead, as the list shows them: 0,3-5."),
-      {"max-diameter",
-       ParameterType::Number,
-       0.0,
-       0,
-       unlimited,
-       {},
-       "model units",
-       "Wider holes stay open; 0 for no limit."},
-      list("holes",
-           "Wishes for single holes: '3: leave; 5-7: flat, bulge 0.4; 4: through 1 2 3; 2+9: bridge'. Words: fill, "
-           "leave, bridge, rbf, smooth, flat, kernel NAME, bulge -1..1, trim 0..3, through X Y Z."),
-      choice("fairness", {"auto", "rbf", "smooth", "flat"},
-             "rbf continues the surface around by functions fitted to it, smooth its tangents; flat adds no "
-             "vertices and has the least area; auto is flat where an open surface ends, and rbf elsewhere."),
-      choice("kernel", {kernel_names.begin(), kernel_names.end()},
-             "The functions of rbf: hermite takes normals along, the others points beside the surface."),
-      choice("preset", {"standard", "paper", "sharp", "noisy"},
-             "What is scanned: sharp for machined parts, noisy for rough scans; paper for comparison with Yoo 2005."),
-      {"bulge",
-       ParameterType::Number,
-       0.0,
-       -1,
-       1,
-       {},
-       "",
-       "Turns the surface at the rims outwards, or inwards below 0."},
-      {"trim-rim",
-       ParameterType::Integer,
-       std::int64_t{0},
-       0,
-       3,
-       {},
-       "rings of faces",
-       "Removes so much of the scan along the rims that are filled, where scans are worst."},
-      {"overlap",
-       ParameterType::Number,
-       0.25,
-       0,
-       1,
-       {},
-       "× domain",
-       "remesh: how much larger domains are than their boxes; 0.1 with the preset paper."},
-      {"points-per-domain",
-       ParameterType::Text,
-       std::string("30:300"),
-       0,
-       0,
-       {},
-       "",
-       "remesh: least and most points of a domain, MIN:MAX."},
-      {"smoothing",
-       ParameterType::Integer,
-       std::int64_t{2},
-       0,
-       20,
-       {},
-       "rounds",
-       "remesh: how often the triangles are evened out on the surface."},
-      {"refine",
-       ParameterType::Integer,
-       std::int64_t{0},
-       0,
-       4,
-       {},
-       "times",
-       "remesh: how often every triangle is cut in four."},
-      {"cell",
-       ParameterType::Number,
-       1.0,
-       0.1,
-       10,
-       {},
-       "× mean edge",
-       "remesh: edge of the cubes; small ones keep more detail and take more memory. 0.5 with the preset sharp."},
-      {"memory-limit",
-       ParameterType::Number,
-       0.0,
-       0,
-       unlimited,
-       {},
-       "MiB",
-       "A mesh that would take more is refused before anything is allocated; 0 for no limit."},
-      choice("precision", {"double", "single"},
-             "How coordinates will be stored, by which patches are judged; files of single numbers set it."),
-      flag("patch-ids", true,
-           "Mark each face with the number of its patch, -1 for the scan's own, and each vertex with a confidence; "
-           "files other than PLY can't hold them."),
-      flag("list", false, "Only list the holes and which of them would be filled; write nothing.")};
+  std::vector<ParameterDescription> all;
+  for (const auto& group : {hole_parameters(), patch_parameters(), remesh_parameters(), result_parameters()})
+    all.insert(all.end(), group.begin(), group.end());
+  return all;
 }
 
 FillSettings read_fill_settings(const ParameterValues& parameters) {

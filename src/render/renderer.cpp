@@ -6,16 +6,16 @@
 
 #include <epoxy/gl.h>
 
-#include "render/axis_cross.h"
-#include "render/backdrop.h"
-#include "render/canvas.h"
-#include "render/drawing.h"
-#include "render/host_state.h"
-#include "render/line_painter.h"
-#include "render/mark_painter.h"
-#include "render/occlusion_reach.h"
-#include "render/point_painter.h"
-#include "render/surface_painter.h"
+#include "render/gl/canvas.h"
+#include "render/gl/host_state.h"
+#include "render/painters/axis_cross.h"
+#include "render/painters/backdrop.h"
+#include "render/painters/drawing.h"
+#include "render/painters/line_painter.h"
+#include "render/painters/mark_painter.h"
+#include "render/painters/occlusion_reach.h"
+#include "render/painters/point_painter.h"
+#include "render/painters/surface_painter.h"
 
 namespace croquis::render {
 namespace {

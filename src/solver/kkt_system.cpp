@@ -85,16 +85,6 @@ void KktSystem::map_inequalities() {
   }
 }
 
-bool KktSystem::refill() {
-  const Matrix hessian = lower_hessian(problem_->objective);
-  for (Eigen::Index column = 0; column < hessian.cols(); ++column)
-    for (Matrix::InnerIterator entry(hessian, column); entry; ++entry)
-      if (position_of(entry.row(), column) < 0) return false;
-  fill_constant_part(hessian);
-  map_inequalities();
-  return true;
-}
-
 bool KktSystem::factorise(const VectorXd& row_weights) {
   if (size() == 0) return true;
   Eigen::Map<VectorXd> values(matrix_.valuePtr(), matrix_.nonZeros());

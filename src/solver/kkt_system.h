@@ -38,9 +38,6 @@ class KktSystem {
   /// Builds the pattern and where each number goes in it, and analyses it: once. Keeps a reference to `problem`.
   KktSystem(const ScaledProblem& problem, Rows rows);
 
-  /// Takes the new numbers of the problem; false, and nothing done, when U^T U has entries outside the pattern.
-  bool refill();
-
   /// Numeric factorisation for the row weights D (#I, >= 0; none: D = 0); false when rounding left a pivot 0.
   [[nodiscard]] bool factorise(const Eigen::VectorXd& row_weights);
 

@@ -47,7 +47,6 @@ struct LeastSquaresSolver::State {
         scaled(scale(problem)),
         rest_system(std::make_unique<KktSystem>(scaled, KktSystem::Rows::None)) {}
 
-  void change_objective(Eigen::SparseMatrix<double> objective);
   void factorise_at_rest();
   LeastSquaresSolution solve(Progress& progress);
 
@@ -56,7 +55,7 @@ struct LeastSquaresSolver::State {
   ScaledProblem scaled;
   std::unique_ptr<KktSystem> rest_system;      ///< K(0)
   std::unique_ptr<KktSystem> weighted_system;  ///< K(D), made when the interior point is needed first
-  bool at_rest = false;                        ///< rest_system holds the factors of the present objective
+  bool at_rest = false;                        ///< rest_system holds its factors
   bool flat = false;                           ///< the objective has a flat direction
 
  private:
@@ -70,19 +69,6 @@ struct LeastSquaresSolver::State {
   void report_rows(LeastSquaresSolution& solution) const;
   void report_stationarity(LeastSquaresSolution& solution) const;
 };
-
-void LeastSquaresSolver::State::change_objective(Eigen::SparseMatrix<double> objective) {
-  LeastSquaresProblem changed = problem;
-  changed.objective = std::move(objective);
-  if (changed.objective.rows() != problem.objective.rows() || changed.objective.cols() != problem.objective.cols())
-    throw Error(make_error(Category::Internal, "E_SOLVER",
-                           "The new objective has another size than the old one; make a new solver for it."));
-  problem = checked_and_completed(std::move(changed));
-  scaled = scale(problem);
-  if (!rest_system->refill()) rest_system = std::make_unique<KktSystem>(scaled, KktSystem::Rows::None);
-  if (weighted_system && !weighted_system->refill()) weighted_system.reset();
-  at_rest = false;
-}
 
 void LeastSquaresSolver::State::factorise_at_rest() {
   if (at_rest) return;
@@ -198,18 +184,9 @@ void LeastSquaresSolver::set_target(VectorXd target) {
   state_->problem.target = std::move(target);
 }
 
-void LeastSquaresSolver::set_equality_values(VectorXd equality_values) {
-  check_replacement(equality_values, state_->problem.equalities.rows(), "equality values");
-  state_->problem.equality_values = std::move(equality_values);
-}
-
 void LeastSquaresSolver::set_inequality_bounds(VectorXd inequality_bounds) {
   check_replacement(inequality_bounds, state_->problem.inequalities.rows(), "inequality bounds");
   state_->problem.inequality_bounds = std::move(inequality_bounds);
-}
-
-void LeastSquaresSolver::set_objective(Eigen::SparseMatrix<double> objective) {
-  state_->change_objective(std::move(objective));
 }
 
 LeastSquaresSolution LeastSquaresSolver::solve(Progress& progress) { return state_->solve(progress); }

@@ -9,7 +9,7 @@
 
 #include "app/studio_fixture.h"
 #include "croquis/io/mesh_file.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 
 /// Words of tests about work on meshes in the window.
 namespace croquis::test {

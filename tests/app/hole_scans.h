@@ -11,8 +11,8 @@
 #include "app/studio_fixture.h"
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/io/mesh_file.h"
-#include "support/scans.h"
-#include "support/virtual_scans.h"
+#include "support/scans/scans.h"
+#include "support/scans/virtual_scans.h"
 
 /// Words of tests about holes in the window.
 namespace croquis::test {

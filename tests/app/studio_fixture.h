@@ -15,7 +15,7 @@
 #include "app/tools/silhouette/silhouette_tool.h"
 #include "app/views/viewport.h"
 #include "app/window/main_window.h"
-#include "support/sketch.h"
+#include "support/sketches/sketch.h"
 
 namespace croquis::test {
 

@@ -13,7 +13,7 @@
 #include "app/studio_fixture.h"
 #include "app/views/chip_space.h"
 #include "support/random.h"
-#include "support/sketch_gallery.h"
+#include "support/sketches/sketch_gallery.h"
 
 using namespace croquis;
 using app::Viewport;

@@ -24,8 +24,8 @@
 #include "croquis/document/content_hash.h"
 #include "croquis/io/mesh_file.h"
 #include "croquis/io/project_file.h"
-#include "support/mesh_shapes.h"
-#include "support/sketch_gallery.h"
+#include "support/meshes/mesh_shapes.h"
+#include "support/sketches/sketch_gallery.h"
 
 using namespace croquis;
 using namespace croquis::test;

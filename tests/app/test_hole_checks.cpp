@@ -16,9 +16,9 @@
 #include "croquis/io/file.h"
 #include "croquis/io/mesh_file.h"
 #include "croquis/operators/all_operations.h"
-#include "support/mesh_shapes.h"
-#include "support/scans.h"
-#include "support/virtual_scans.h"
+#include "support/meshes/mesh_shapes.h"
+#include "support/scans/scans.h"
+#include "support/scans/virtual_scans.h"
 
 using namespace croquis;
 using app::Viewport;

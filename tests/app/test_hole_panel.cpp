@@ -13,7 +13,7 @@
 #include "app/tools/holes/hole_panel.h"
 #include "croquis/document/content_hash.h"
 #include "croquis/io/file.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 
 using namespace croquis;
 using namespace croquis::test;

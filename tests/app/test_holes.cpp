@@ -22,10 +22,10 @@
 #include "croquis/io/file.h"
 #include "croquis/io/mesh_file.h"
 #include "croquis/tools/all_steps.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/sample_count.h"
-#include "support/scans.h"
-#include "support/virtual_scans.h"
+#include "support/scans/scans.h"
+#include "support/scans/virtual_scans.h"
 
 using namespace croquis;
 using app::Viewport;

@@ -12,8 +12,8 @@
 #include "app/x_pointer.h"
 #include "croquis/geometry/polyline.h"
 #include "croquis/tools/silhouette/sketch_steps.h"
-#include "support/sketch_gallery.h"
-#include "support/sketch_modifiers.h"
+#include "support/sketches/sketch_gallery.h"
+#include "support/sketches/sketch_modifiers.h"
 
 using namespace croquis;
 using app::Viewport;

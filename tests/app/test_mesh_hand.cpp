@@ -14,7 +14,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/hand_on_meshes.h"
-#include "support/scans.h"
+#include "support/scans/scans.h"
 
 using namespace croquis;
 using app::Viewport;

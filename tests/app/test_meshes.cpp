@@ -23,7 +23,7 @@
 #include "croquis/io/file.h"
 #include "croquis/io/mesh_file.h"
 #include "croquis/tools/all_steps.h"
-#include "support/sketch_gallery.h"
+#include "support/sketches/sketch_gallery.h"
 
 using namespace croquis;
 using app::Viewport;

@@ -10,8 +10,8 @@
 #include "app/panels/object_list.h"
 #include "app/studio_fixture.h"
 #include "croquis/io/mesh_file.h"
-#include "support/mesh_shapes.h"
-#include "support/sketch_gallery.h"
+#include "support/meshes/mesh_shapes.h"
+#include "support/sketches/sketch_gallery.h"
 
 using namespace croquis;
 using namespace croquis::test;

@@ -15,7 +15,7 @@
 #include "app/start/gallery.h"
 #include "app/start/start_page.h"
 #include "app/studio_fixture.h"
-#include "support/sketch_gallery.h"
+#include "support/sketches/sketch_gallery.h"
 
 using namespace croquis;
 using croquis::test::StudioFixture;

@@ -13,7 +13,7 @@
 #include "croquis/document/content_hash.h"
 #include "croquis/io/file.h"
 #include "croquis/tools/all_steps.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 
 using namespace croquis;
 using namespace croquis::test;

@@ -10,7 +10,7 @@
 
 #include "app/studio_fixture.h"
 #include "app/window/theme.h"
-#include "support/sketch_gallery.h"
+#include "support/sketches/sketch_gallery.h"
 
 using namespace croquis;
 using app::Viewport;

@@ -21,7 +21,7 @@
 #include "app/window/elided_label.h"
 #include "app/window/help_line.h"
 #include "croquis/document/content_hash.h"
-#include "support/sketch_gallery.h"
+#include "support/sketches/sketch_gallery.h"
 
 using namespace croquis;
 using namespace croquis::test;

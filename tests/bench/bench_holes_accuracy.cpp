@@ -9,7 +9,7 @@
 
 #include "bench/bench_holes.h"
 #include "bench/hole_case.h"
-#include "support/virtual_scans.h"
+#include "support/scans/virtual_scans.h"
 
 namespace croquis::bench {
 namespace {

@@ -15,9 +15,9 @@
 #include "bench/cpu_time.h"
 #include "bench/peak_memory.h"
 #include "croquis/hole_filling/fill_holes.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
-#include "support/scans.h"
+#include "support/scans/scans.h"
 
 namespace croquis::bench {
 namespace {

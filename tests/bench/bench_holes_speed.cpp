@@ -14,8 +14,8 @@
 #include "bench/hole_case.h"
 #include "croquis/hole_filling/fill_holes.h"
 #include "croquis/io/mesh_file.h"
+#include "support/scans/virtual_scans.h"
 #include "support/scratch_folder.h"
-#include "support/virtual_scans.h"
 
 namespace croquis::bench {
 namespace {

@@ -12,9 +12,9 @@
 #include "bench/cpu_time.h"
 #include "bench/peak_memory.h"
 #include "croquis/remeshing/remesh.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/sample_count.h"
-#include "support/scans.h"
+#include "support/scans/scans.h"
 
 namespace croquis::bench {
 namespace {

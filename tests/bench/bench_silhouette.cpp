@@ -21,7 +21,7 @@
 #include "croquis/base/stage_cache.h"
 #include "croquis/silhouette/labelled_figure.h"
 #include "croquis/silhouette/solid.h"
-#include "support/sketch_generator.h"
+#include "support/sketches/sketch_generator.h"
 
 namespace croquis::bench {
 namespace {

@@ -19,7 +19,7 @@
 #include "croquis/document/memo.h"
 #include "croquis/io/mesh_file.h"
 #include "croquis/operators/all_operations.h"
-#include "support/sketch_gallery.h"
+#include "support/sketches/sketch_gallery.h"
 
 namespace {
 

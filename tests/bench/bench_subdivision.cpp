@@ -12,8 +12,8 @@
 #include "bench/cpu_time.h"
 #include "bench/subdivision_peers.h"
 #include "croquis/subdivision/doo_sabin.h"
-#include "support/cages.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/cages.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 
 namespace croquis::bench {

@@ -13,8 +13,8 @@
 #include "croquis/geometry/disjoint_sets.h"
 #include "croquis/geometry/self_intersection.h"
 #include "croquis/io/mesh_file.h"
-#include "support/surface_distance.h"
-#include "support/virtual_scans.h"
+#include "support/meshes/surface_distance.h"
+#include "support/scans/virtual_scans.h"
 
 namespace croquis::bench {
 namespace {

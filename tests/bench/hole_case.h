@@ -8,7 +8,7 @@
 
 #include "bench/hole_peers.h"
 #include "croquis/hole_filling/fill_holes.h"
-#include "support/scans.h"
+#include "support/scans/scans.h"
 
 /// Meshes with holes of which is known what is missing, and what fills made of them.
 namespace croquis::bench {

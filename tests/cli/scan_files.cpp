@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "support/scans.h"
+#include "support/scans/scans.h"
 
 namespace croquis::test {
 

@@ -9,8 +9,8 @@
 #include "cli/process.h"
 #include "cli/scan_files.h"
 #include "croquis/io/project_file.h"
-#include "support/mesh_shapes.h"
-#include "support/scans.h"
+#include "support/meshes/mesh_shapes.h"
+#include "support/scans/scans.h"
 
 namespace croquis::test {
 namespace {

@@ -11,10 +11,10 @@
 
 #include "cli/process.h"
 #include "cli/scan_files.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 #include "support/sample_count.h"
-#include "support/scans.h"
+#include "support/scans/scans.h"
 
 /// Files as strangers have them, damaged in every way: none crashes, hangs, eats memory or leaves something behind.
 namespace croquis::test {

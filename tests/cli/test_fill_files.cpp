@@ -10,9 +10,9 @@
 
 #include "cli/process.h"
 #include "cli/scan_files.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/sanitizers.h"
-#include "support/scans.h"
+#include "support/scans/scans.h"
 
 namespace croquis::test {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "cli/process.h"
 #include "support/sanitizers.h"
-#include "support/sketch_errors.h"
-#include "support/sketch_svg.h"
+#include "support/sketches/sketch_errors.h"
+#include "support/sketches/sketch_svg.h"
 
 namespace croquis::test {
 namespace {

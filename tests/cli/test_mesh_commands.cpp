@@ -4,7 +4,7 @@
 
 #include "cli/process.h"
 #include "croquis/io/mesh_file.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 
 namespace croquis::test {
 namespace {

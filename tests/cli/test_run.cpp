@@ -8,7 +8,7 @@
 #include "croquis/io/file.h"
 #include "croquis/io/mesh_file.h"
 #include "croquis/io/project_file.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 
 namespace croquis::test {
 namespace {

@@ -10,8 +10,8 @@
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/io/mesh_file.h"
 #include "croquis/io/project_file.h"
-#include "support/cages.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/cages.h"
+#include "support/meshes/mesh_shapes.h"
 
 namespace croquis::test {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "croquis/document/content_hash.h"
 #include "croquis/document/document.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/trial_operation.h"
 
 namespace croquis {

@@ -6,7 +6,7 @@
 #include "croquis/base/error.h"
 #include "croquis/edits/apply_edits.h"
 #include "croquis/geometry/mesh_report.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 
 namespace croquis {

@@ -10,7 +10,7 @@
 #include "croquis/geometry/affine3.h"
 #include "croquis/geometry/edge_channels.h"
 #include "croquis/geometry/mesh_report.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 
 using namespace croquis;

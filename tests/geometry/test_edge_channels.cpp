@@ -7,7 +7,7 @@
 
 #include "croquis/geometry/edge_channels.h"
 #include "croquis/geometry/mesh_part.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 
 using namespace croquis;
 using namespace croquis::test;

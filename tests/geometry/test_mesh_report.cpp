@@ -11,7 +11,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/geometry/mesh_report.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 
 using namespace croquis;

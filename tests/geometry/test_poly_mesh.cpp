@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/geometry/poly_mesh.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 
 using namespace croquis;
 using namespace croquis::test;

@@ -7,7 +7,7 @@
 
 #include "croquis/geometry/polygon_area.h"
 #include "croquis/geometry/polyline.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 
 using namespace croquis;

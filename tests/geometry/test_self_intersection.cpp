@@ -13,7 +13,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/geometry/self_intersection.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 
 using namespace croquis;

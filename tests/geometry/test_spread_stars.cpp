@@ -7,7 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "geometry/spread_stars.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 
 using namespace croquis;

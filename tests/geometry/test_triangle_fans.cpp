@@ -6,9 +6,9 @@
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/geometry/triangle_fans.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
-#include "support/scans.h"
+#include "support/scans/scans.h"
 
 using namespace croquis;
 using namespace croquis::test;

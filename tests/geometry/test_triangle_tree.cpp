@@ -7,7 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/geometry/triangle_tree.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 
 using namespace croquis;

@@ -10,7 +10,7 @@
 #include "algorithms/hole_filling/triangulation/band_triangulation.h"
 #include "hole_filling/fill_invariants.h"
 #include "support/random.h"
-#include "support/scans.h"
+#include "support/scans/scans.h"
 
 using namespace croquis;
 using namespace croquis::test;

@@ -6,9 +6,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/hole_filling/patching/editable_triangles.h"
+#include "algorithms/hole_filling/fairing/editable_triangles.h"
 #include "support/random.h"
-#include "support/scans.h"
+#include "support/scans/scans.h"
 
 using namespace croquis;
 using namespace croquis::hole_filling;

@@ -7,10 +7,10 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "algorithms/hole_filling/patching/even_fairing.h"
-#include "algorithms/hole_filling/patching/patch_relaxation.h"
+#include "algorithms/hole_filling/fairing/even_fairing.h"
+#include "algorithms/hole_filling/fairing/patch_relaxation.h"
 #include "support/random.h"
-#include "support/scans.h"
+#include "support/scans/scans.h"
 
 using namespace croquis;
 using namespace croquis::hole_filling;

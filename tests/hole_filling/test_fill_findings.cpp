@@ -8,8 +8,8 @@
 #include "croquis/hole_filling/fill_findings.h"
 #include "croquis/hole_filling/fill_holes.h"
 #include "hole_filling/fill_invariants.h"
-#include "support/mesh_shapes.h"
-#include "support/scans.h"
+#include "support/meshes/mesh_shapes.h"
+#include "support/scans/scans.h"
 
 using namespace croquis;
 using namespace croquis::test;

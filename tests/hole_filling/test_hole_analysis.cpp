@@ -11,10 +11,10 @@
 #include "croquis/base/error.h"
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/hole_filling/hole_analysis.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 #include "support/sample_count.h"
-#include "support/scans.h"
+#include "support/scans/scans.h"
 
 using namespace croquis;
 using namespace croquis::test;

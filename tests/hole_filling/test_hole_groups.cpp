@@ -5,9 +5,9 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/hole_filling/hole_groups.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
-#include "support/scans.h"
+#include "support/scans/scans.h"
 
 using namespace croquis;
 using namespace croquis::test;

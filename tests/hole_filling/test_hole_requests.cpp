@@ -14,10 +14,10 @@
 #include "croquis/hole_filling/fill_holes.h"
 #include "croquis/hole_filling/hole_request.h"
 #include "hole_filling/fill_invariants.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 #include "support/sample_count.h"
-#include "support/scans.h"
+#include "support/scans/scans.h"
 
 namespace croquis::hole_filling {
 namespace {

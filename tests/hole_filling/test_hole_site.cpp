@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/hole_filling/hole_site.h"
-#include "support/scans.h"
+#include "support/scans/scans.h"
 
 using namespace croquis;
 using namespace croquis::test;

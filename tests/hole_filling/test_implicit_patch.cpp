@@ -11,10 +11,10 @@
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/hole_filling/fill_holes.h"
 #include "hole_filling/fill_invariants.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/sample_count.h"
-#include "support/scans.h"
-#include "support/virtual_scans.h"
+#include "support/scans/scans.h"
+#include "support/scans/virtual_scans.h"
 
 using namespace croquis;
 using namespace croquis::test;

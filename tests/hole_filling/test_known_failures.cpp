@@ -9,10 +9,10 @@
 
 #include "croquis/hole_filling/fill_holes.h"
 #include "hole_filling/fill_invariants.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/sample_count.h"
-#include "support/scans.h"
-#include "support/virtual_scans.h"
+#include "support/scans/scans.h"
+#include "support/scans/virtual_scans.h"
 
 /// What fillers are known to fail at: surfaces that run away, skins that get joined, rims that share vertices, rough
 /// rims, sharp edges.

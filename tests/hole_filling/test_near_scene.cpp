@@ -4,9 +4,9 @@
 #include <catch2/catch.hpp>
 
 #include "algorithms/hole_filling/patching/near_scene.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
-#include "support/scans.h"
+#include "support/scans/scans.h"
 
 using namespace croquis;
 using namespace croquis::hole_filling;

@@ -9,9 +9,9 @@
 #include "algorithms/hole_filling/patching/patcher.h"
 #include "croquis/hole_filling/patch_confidence.h"
 #include "hole_filling/fill_invariants.h"
-#include "support/scans.h"
-#include "support/surface_distance.h"
-#include "support/virtual_scans.h"
+#include "support/meshes/surface_distance.h"
+#include "support/scans/scans.h"
+#include "support/scans/virtual_scans.h"
 
 using namespace croquis;
 using namespace croquis::test;

@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "algorithms/hole_filling/patching/patch_editing.h"
+#include "algorithms/hole_filling/fairing/patch_editing.h"
 
 using namespace croquis;
 using namespace croquis::hole_filling;

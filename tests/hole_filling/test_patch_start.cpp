@@ -8,12 +8,12 @@
 #include <catch2/catch.hpp>
 
 #include "algorithms/hole_filling/continuation/rim_field.h"
-#include "algorithms/hole_filling/patching/even_refinement.h"
-#include "algorithms/hole_filling/patching/harmonic_values.h"
+#include "algorithms/hole_filling/fairing/even_refinement.h"
+#include "algorithms/hole_filling/fairing/harmonic_values.h"
 #include "algorithms/hole_filling/patching/patcher.h"
 #include "algorithms/hole_filling/triangulation/triangle_cost.h"
 #include "hole_filling/site_scene.h"
-#include "support/scans.h"
+#include "support/scans/scans.h"
 
 using namespace croquis;
 using namespace croquis::test;

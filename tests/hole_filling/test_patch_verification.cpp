@@ -9,8 +9,8 @@
 #include "croquis/base/error.h"
 #include "croquis/geometry/self_intersection.h"
 #include "croquis/hole_filling/patch_verification.h"
-#include "support/mesh_shapes.h"
-#include "support/scans.h"
+#include "support/meshes/mesh_shapes.h"
+#include "support/scans/scans.h"
 
 using namespace croquis;
 using namespace croquis::test;

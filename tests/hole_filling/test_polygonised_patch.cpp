@@ -17,11 +17,11 @@
 #include "croquis/hole_filling/fill_holes.h"
 #include "croquis/hole_filling/hole_groups.h"
 #include "croquis/hole_filling/patch_verification.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/sample_count.h"
-#include "support/scans.h"
-#include "support/sculptures.h"
-#include "support/virtual_scans.h"
+#include "support/scans/scans.h"
+#include "support/scans/sculptures.h"
+#include "support/scans/virtual_scans.h"
 
 using namespace croquis;
 using namespace croquis::test;

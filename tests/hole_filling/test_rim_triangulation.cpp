@@ -10,7 +10,7 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "algorithms/hole_filling/patching/cgal_patch.h"
+#include "algorithms/hole_filling/fairing/cgal_patch.h"
 #include "algorithms/hole_filling/triangulation/dihedral_triangulation.h"
 #include "algorithms/hole_filling/triangulation/ear_clipping.h"
 #include "algorithms/hole_filling/triangulation/edge_flips.h"

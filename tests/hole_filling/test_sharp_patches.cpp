@@ -12,9 +12,9 @@
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/hole_filling/fill_holes.h"
 #include "hole_filling/site_scene.h"
-#include "support/scans.h"
-#include "support/surface_distance.h"
-#include "support/virtual_scans.h"
+#include "support/meshes/surface_distance.h"
+#include "support/scans/scans.h"
+#include "support/scans/virtual_scans.h"
 
 using namespace croquis;
 using namespace croquis::test;

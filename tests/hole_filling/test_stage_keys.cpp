@@ -9,8 +9,8 @@
 #include "croquis/hole_filling/fill_holes.h"
 #include "support/key_recorder.h"
 #include "support/member_changes.h"
-#include "support/mesh_shapes.h"
-#include "support/scans.h"
+#include "support/meshes/mesh_shapes.h"
+#include "support/scans/scans.h"
 
 using namespace croquis;
 using namespace croquis::test;

@@ -10,9 +10,9 @@
 #include "croquis/hole_filling/quadric_normals.h"
 #include "croquis/hole_filling/surface_reach.h"
 #include "hole_filling/site_scene.h"
-#include "support/mesh_shapes.h"
-#include "support/scans.h"
-#include "support/virtual_scans.h"
+#include "support/meshes/mesh_shapes.h"
+#include "support/scans/scans.h"
+#include "support/scans/virtual_scans.h"
 
 using namespace croquis;
 using namespace croquis::test;

@@ -7,8 +7,8 @@
 #include "algorithms/hole_filling/patching/avoiding_triangulation.h"
 #include "algorithms/hole_filling/patching/untangling.h"
 #include "croquis/hole_filling/patch_verification.h"
-#include "support/mesh_shapes.h"
-#include "support/scans.h"
+#include "support/meshes/mesh_shapes.h"
+#include "support/scans/scans.h"
 
 using namespace croquis;
 using namespace croquis::test;

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/implicit/kernels.h"
+#include "implicit/log.h"
 #include "support/random.h"
 
 namespace croquis::implicit {
@@ -19,25 +20,6 @@ Vec3 random_offset(test::Random& random, double reach) {
   return {random.between(-reach, reach), random.between(-reach, reach), random.between(-reach, reach)};
 }
 
-TEST_CASE("gradients and second derivatives of all kernels agree with finite differences") {
-  test::Random random(1);
-  for (const Kernel kernel : all_kernels) {
-    for (int i = 0; i < 200; ++i) {
-      const Vec3 d = random_offset(random, 1);
-      const double step = 1e-5 * d.norm();
-      const Vec3 gradient = kernel_gradient(kernel, d);
-      const Eigen::Matrix3d hessian = kernel_hessian(kernel, d);
-      for (int axis = 0; axis < 3; ++axis) {
-        const Vec3 aside = step * Vec3::Unit(axis);
-        const double slope = (kernel_value(kernel, d + aside) - kernel_value(kernel, d - aside)) / (2 * step);
-        const Vec3 bend = (kernel_gradient(kernel, d + aside) - kernel_gradient(kernel, d - aside)) / (2 * step);
-        CHECK(std::abs(slope - gradient[axis]) < 1e-8 * (1 + gradient.norm()));
-        CHECK((bend - hessian.col(axis)).norm() < 1e-8 * (1 + hessian.norm()));
-      }
-    }
-  }
-}
-
 TEST_CASE("values of the kernels at known radii") {
   const Vec3 two(0, 2, 0);
   CHECK(kernel_value(Kernel::Hermite, two) == 8);
@@ -47,8 +29,6 @@ TEST_CASE("values of the kernels at known radii") {
   CHECK(kernel_value(Kernel::ThinPlate, two) == Approx(4 * std::log(2.0)).epsilon(1e-15));
   for (const Kernel kernel : all_kernels) {
     CHECK(kernel_value(kernel, Vec3::Zero()) == 0);
-    CHECK(kernel_gradient(kernel, Vec3::Zero()) == Vec3::Zero());
-    CHECK(kernel_hessian(kernel, Vec3::Zero()) == Eigen::Matrix3d::Zero());
   }
 }
 
@@ -86,9 +66,9 @@ TEST_CASE("the portable logarithm is right to two units in the last place") {
   for (int i = 0; i < 20000; ++i) {
     const double x = i % 2 == 0 ? random.between(0.5, 2) : std::exp(random.between(-80, 80));
     const double expected = std::log(x);
-    CHECK(std::abs(portable_log(x) - expected) <= 4.5e-16 * std::abs(expected));
+    CHECK(std::abs(log_of_normal(x) - expected) <= 4.5e-16 * std::abs(expected));
   }
-  CHECK(portable_log(1) == 0);
+  CHECK(log_of_normal(1) == 0);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "croquis/implicit/marching_cubes.h"
 #include "implicit/sample_fields.h"
 #include "implicit/sample_points.h"
+#include "support/difference_field.h"
 #include "support/random.h"
 
 namespace croquis::implicit {

@@ -10,6 +10,7 @@
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/implicit/slab_polygonizer.h"
 #include "implicit/sample_fields.h"
+#include "support/difference_field.h"
 
 namespace croquis::implicit {
 namespace {

@@ -12,7 +12,9 @@
 #include "croquis/implicit/surface_improvement.h"
 #include "implicit/sample_fields.h"
 #include "implicit/sample_points.h"
-#include "support/mesh_shapes.h"
+#include "support/difference_field.h"
+#include "support/meshes/mesh_shapes.h"
+#include "support/scans/surface_smoothing.h"
 
 namespace croquis::implicit {
 namespace {
@@ -94,13 +96,10 @@ TEST_CASE("projection takes bounded steps where the field is flat, and tells wha
   CHECK(points[0] == Vec3(1, 2, 3));
 }
 
-TEST_CASE("smoothing alone shrinks a sphere; with projection it keeps its volume and evens the triangles") {
+TEST_CASE("smoothed with projection a sphere keeps its volume and gets even triangles") {
   const PolyMesh cubes = cubes_of(sphere_field(), Vec3(1, 0, 0));
-  PolyMesh shrunk = cubes;
-  for (int round = 0; round < 5; ++round) smooth_towards_centroids(shrunk, {});
-  CHECK(volume(shrunk) < 0.99 * volume(cubes));
   PolyMesh smooth = cubes;
-  const ProjectionReport report = smooth_on_surface(smooth, {}, sphere_field(), 5, steps_of(h));
+  const ProjectionReport report = smooth_on_surface(smooth, sphere_field(), 5, steps_of(h));
   CHECK(report.not_converged == 0);
   CHECK(volume(smooth) > 0.999 * volume(cubes));
   for (const Vec3& p : smooth.positions) CHECK(std::abs(p.norm() - 1) < 1e-6 * h);
@@ -110,38 +109,6 @@ TEST_CASE("smoothing alone shrinks a sphere; with projection it keeps its volume
   CHECK(after.front() > 5 * before.front());
   CHECK(after[after.size() / 2] > 40);
   CHECK(smooth.corners == cubes.corners);
-}
-
-TEST_CASE("one smoothing step puts a vertex at the weighted mean of the centroids around it") {
-  PolyMesh mesh;
-  mesh.positions = {Vec3(0.3, 0.2, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, -1, 0)};
-  for (Index k = 1; k <= 4; ++k) mesh.add_triangle(0, k, k % 4 + 1);
-  Vec3 sum = Vec3::Zero();
-  double areas = 0;
-  for (std::size_t f = 0; f < 4; ++f) {
-    const Vec3& a = mesh.positions[mesh.face(f)[0]];
-    const Vec3& b = mesh.positions[mesh.face(f)[1]];
-    const Vec3& c = mesh.positions[mesh.face(f)[2]];
-    const double area = 0.5 * (b - a).cross(c - a).norm();
-    sum += area * (a + b + c) / 3;
-    areas += area;
-  }
-  PolyMesh moved = mesh;
-  smooth_towards_centroids(moved, {});
-  CHECK((moved.positions[0] - sum / areas).norm() < 1e-15);
-  for (std::size_t v = 1; v < 5; ++v) CHECK(moved.positions[v] == mesh.positions[v]);  // the rim
-  PolyMesh held = mesh;
-  const std::vector<std::uint8_t> fixed = {1, 0, 0, 0, 0};
-  smooth_towards_centroids(held, fixed);
-  CHECK(held.positions == mesh.positions);
-}
-
-TEST_CASE("smoothing stays on a plane and keeps flat meshes flat") {
-  PolyMesh flat = triangulated(grid(6, 5));
-  for (std::size_t v = 0; v < flat.positions.size(); ++v)
-    flat.positions[v] += 0.2 * Vec3(std::sin(static_cast<double>(v)), std::cos(3.0 * static_cast<double>(v)), 0);
-  for (int round = 0; round < 10; ++round) smooth_towards_centroids(flat, {});
-  for (const Vec3& p : flat.positions) CHECK(std::abs(p.z()) < 1e-15);
 }
 
 TEST_CASE("splitting makes four triangles of each and keeps shape, orientation and Euler number") {
@@ -190,11 +157,9 @@ TEST_CASE("projection gives the same bits for any number of threads") {
 
 TEST_CASE("meshes of other polygons and marks of another size are refused") {
   PolyMesh quads = cube();
-  CHECK_THROWS_AS(smooth_towards_centroids(quads, {}), Error);
   CHECK_THROWS_AS(split_in_four(quads), Error);
   PolyMesh mesh = triangulated(cube());
   const std::vector<std::uint8_t> few(3, 0);
-  CHECK_THROWS_AS(smooth_towards_centroids(mesh, few), Error);
   CHECK_THROWS_AS(project(mesh.positions, few, sphere_field(), steps_of(h)), Error);
   CHECK_THROWS_AS(project(mesh.positions, {}, sphere_field(), steps_of(0)), Error);
 }

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <limits>
 
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 
 namespace croquis::test {
 namespace {

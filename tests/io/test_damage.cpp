@@ -7,7 +7,7 @@
 
 #include "croquis/io/file.h"
 #include "io/mesh_compare.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 #include "support/sample_count.h"
 

@@ -9,7 +9,7 @@
 #include <tiny_gltf.h>
 
 #include "io/mesh_compare.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 
 using namespace croquis;
 using namespace croquis::test;

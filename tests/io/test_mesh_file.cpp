@@ -8,7 +8,7 @@
 #include "croquis/io/mesh_file.h"
 #include "io/mesh_compare.h"
 #include "io/scratch.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 
 using namespace croquis;

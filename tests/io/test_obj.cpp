@@ -26,6 +26,24 @@ std::vector<std::string> labels_per_element(const PolyMesh& mesh, const char* na
   return labels;
 }
 
+struct DamagedObj {
+  std::string text, code;
+  std::int64_t line;
+};
+
+void check_refusals(const std::vector<DamagedObj>& cases) {
+  for (const DamagedObj& c : cases) {
+    INFO(c.text);
+    const Findings findings = refusal(c.text, MeshFormat::Obj);
+    REQUIRE(findings.size() == 1);
+    CHECK(findings[0].code == c.code);
+    CHECK(findings[0].category == Category::Malformed);
+    CHECK(findings[0].subjects.at(0).line == c.line);
+    CHECK(findings[0].subjects.at(0).id == "file");
+    CHECK_THAT(findings[0].message, Catch::StartsWith("'file', line " + std::to_string(c.line)));
+  }
+}
+
 }  // namespace
 
 TEST_CASE("OBJ faces are understood in every form of reference") {
@@ -189,12 +207,8 @@ TEST_CASE("tags come back from OBJ the same, but for their sets") {
   CHECK(mesh_of(write(mesh, MeshFormat::Obj).bytes).tags.creases[0].sharpness == infinite_sharpness);
 }
 
-TEST_CASE("each damage of an OBJ is refused with its code and line") {
-  struct Case {
-    std::string text, code;
-    std::int64_t line;
-  };
-  const std::vector<Case> cases = {
+TEST_CASE("each damage of an OBJ's faces and lines is refused with its code and line") {
+  check_refusals({
       {square + "f 1 2 5\n", "E_INDEX", 5},
       {square + "f 1 2 0\n", "E_INDEX", 5},
       {square + "f 1 2 -5\n", "E_INDEX", 5},
@@ -209,6 +223,11 @@ TEST_CASE("each damage of an OBJ is refused with its code and line") {
       {square + "f 1 2 3/1/1/1\n", "E_SYNTAX", 5},
       {square + "f 1 2 /3\n", "E_SYNTAX", 5},
       {square + "f 1 2 99999999999999999999\n", "E_SYNTAX", 5},
+  });
+}
+
+TEST_CASE("each damage of an OBJ's vertices and statements is refused with its code and line") {
+  check_refusals({
       {"v 0 0\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
       {"v 0 0 zero\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
       {"v 0 0 0 0 0\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
@@ -217,6 +236,15 @@ TEST_CASE("each damage of an OBJ is refused with its code and line") {
       {"vt\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
       {"s many\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
       {"hello world\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
+      {"v nan 0 0\n" + square + "f 1 2 3\n", "E_NOT_FINITE", 1},
+      {"v 0 -inf 0\n" + square + "f 1 2 3\n", "E_NOT_FINITE", 1},
+      {"v 0 0 1e999\n" + square + "f 1 2 3\n", "E_NOT_FINITE", 1},
+      {"v 0 0 1.#IND\n" + square + "f 1 2 3\n", "E_NOT_FINITE", 1},
+  });
+}
+
+TEST_CASE("each damage of an OBJ's tags is refused with its code and line") {
+  check_refusals({
       {"t\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
       {"t crease\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
       {"t crease 0 1 2\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
@@ -235,21 +263,7 @@ TEST_CASE("each damage of an OBJ is refused with its code and line") {
       {"t crease 99999999999999/1/0 0 1 2\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
       {"t corner 0/1/0 10\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
       {"t corner 1/2/0 0 1 2\n" + square + "f 1 2 3\n", "E_SYNTAX", 1},
-      {"v nan 0 0\n" + square + "f 1 2 3\n", "E_NOT_FINITE", 1},
-      {"v 0 -inf 0\n" + square + "f 1 2 3\n", "E_NOT_FINITE", 1},
-      {"v 0 0 1e999\n" + square + "f 1 2 3\n", "E_NOT_FINITE", 1},
-      {"v 0 0 1.#IND\n" + square + "f 1 2 3\n", "E_NOT_FINITE", 1},
-  };
-  for (const Case& c : cases) {
-    INFO(c.text);
-    const Findings findings = refusal(c.text, MeshFormat::Obj);
-    REQUIRE(findings.size() == 1);
-    CHECK(findings[0].code == c.code);
-    CHECK(findings[0].category == Category::Malformed);
-    CHECK(findings[0].subjects.at(0).line == c.line);
-    CHECK(findings[0].subjects.at(0).id == "file");
-    CHECK_THAT(findings[0].message, Catch::StartsWith("'file', line " + std::to_string(c.line)));
-  }
+  });
 }
 
 TEST_CASE("numbers too small for a double are zero, not damage") {

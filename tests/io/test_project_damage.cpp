@@ -14,7 +14,7 @@
 #include "fuzz/project_property.h"
 #include "io/random_project.h"
 #include "io/scratch.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/sample_count.h"
 
 using namespace croquis;

@@ -18,7 +18,7 @@
 #include "croquis/io/project_file.h"
 #include "io/random_project.h"
 #include "io/scratch.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/sample_count.h"
 
 using namespace croquis;

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "io/mesh_compare.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 
 using namespace croquis;
 using namespace croquis::test;

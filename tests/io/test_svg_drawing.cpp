@@ -14,9 +14,9 @@
 #include "croquis/io/svg_drawing.h"
 #include "support/random.h"
 #include "support/sample_count.h"
-#include "support/sketch_gallery.h"
-#include "support/sketch_modifiers.h"
-#include "support/sketch_svg.h"
+#include "support/sketches/sketch_gallery.h"
+#include "support/sketches/sketch_modifiers.h"
+#include "support/sketches/sketch_svg.h"
 
 using namespace croquis;
 using namespace croquis::test;

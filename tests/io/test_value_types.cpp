@@ -14,7 +14,7 @@
 #include "io/project/database.h"
 #include "io/project/project_reader.h"
 #include "io/scratch.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/trial_operation.h"
 
 /// What holds for every type of value, and a type that only this file knows, which goes all the way that a value can.

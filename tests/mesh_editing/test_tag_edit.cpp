@@ -6,7 +6,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/mesh_editing/tag_edit.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 
 namespace croquis {

@@ -5,7 +5,7 @@
 #include "croquis/geometry/mesh_report.h"
 #include "operators/edit_operation.h"
 #include "support/check_operation.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 
 namespace croquis {
 namespace {

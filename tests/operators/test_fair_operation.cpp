@@ -4,9 +4,9 @@
 #include "croquis/document/content_hash.h"
 #include "croquis/document/memo.h"
 #include "operators/fair_operation.h"
-#include "support/cages.h"
 #include "support/check_operation.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/cages.h"
+#include "support/meshes/mesh_shapes.h"
 
 namespace croquis {
 namespace {

@@ -14,8 +14,8 @@
 #include "operators/fill_operation.h"
 #include "operators/hole_ids.h"
 #include "support/check_operation.h"
-#include "support/mesh_shapes.h"
-#include "support/scans.h"
+#include "support/meshes/mesh_shapes.h"
+#include "support/scans/scans.h"
 
 namespace croquis {
 namespace {

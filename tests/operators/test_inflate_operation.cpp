@@ -8,8 +8,8 @@
 #include "croquis/operators/inflate_result.h"
 #include "operators/inflate_operation.h"
 #include "support/check_operation.h"
-#include "support/sketch_errors.h"
-#include "support/sketch_gallery.h"
+#include "support/sketches/sketch_errors.h"
+#include "support/sketches/sketch_gallery.h"
 
 namespace croquis {
 namespace {

@@ -8,7 +8,7 @@
 #include "croquis/subdivision/fairing.h"
 #include "operators/subdivision_plan.h"
 #include "support/member_changes.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 
 using namespace croquis;
 using namespace croquis::test;

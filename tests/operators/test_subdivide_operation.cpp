@@ -14,9 +14,9 @@
 #include "croquis/operators/subdivide_result.h"
 #include "operators/subdivide_operation.h"
 #include "operators/subdivide_tags.h"
-#include "support/cages.h"
 #include "support/check_operation.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/cages.h"
+#include "support/meshes/mesh_shapes.h"
 
 namespace croquis {
 namespace {

@@ -12,9 +12,9 @@
 #include "hole_filling/fill_invariants.h"
 #include "remeshing/allocation_count.h"
 #include "remeshing/remeshed.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/sample_count.h"
-#include "support/scans.h"
+#include "support/scans/scans.h"
 
 using namespace croquis;
 using namespace croquis::test;

@@ -7,8 +7,8 @@
 
 #include "hole_filling/fill_invariants.h"
 #include "remeshing/remeshed.h"
-#include "support/mesh_shapes.h"
-#include "support/scans.h"
+#include "support/meshes/mesh_shapes.h"
+#include "support/scans/scans.h"
 
 using namespace croquis;
 using namespace croquis::test;

@@ -7,9 +7,9 @@
 #include "algorithms/remeshing/remesh_trimming.h"
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/geometry/self_intersection.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
-#include "support/scans.h"
+#include "support/scans/scans.h"
 
 using namespace croquis;
 using namespace croquis::test;

@@ -13,11 +13,11 @@
 
 #include "hole_filling/fill_invariants.h"
 #include "remeshing/remeshed.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
+#include "support/meshes/surface_distance.h"
 #include "support/random.h"
 #include "support/sample_count.h"
-#include "support/scans.h"
-#include "support/surface_distance.h"
+#include "support/scans/scans.h"
 
 using namespace croquis;
 using namespace croquis::test;

@@ -14,12 +14,12 @@
 #include "croquis/base/error.h"
 #include "hole_filling/fill_invariants.h"
 #include "remeshing/remeshed.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
+#include "support/meshes/surface_distance.h"
 #include "support/sample_count.h"
-#include "support/scans.h"
-#include "support/surface_distance.h"
-#include "support/virtual_scans.h"
-#include "support/wild_scans.h"
+#include "support/scans/scans.h"
+#include "support/scans/virtual_scans.h"
+#include "support/scans/wild_scans.h"
 
 using namespace croquis;
 using namespace croquis::test;

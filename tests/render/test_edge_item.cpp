@@ -8,7 +8,7 @@
 #include "croquis/base/error.h"
 #include "croquis/render/edge_item.h"
 #include "render/picture_probe.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 
 using namespace croquis;
 using namespace croquis::render;

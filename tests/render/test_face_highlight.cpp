@@ -6,7 +6,7 @@
 
 #include "croquis/base/error.h"
 #include "render/picture_probe.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 
 using namespace croquis;
 using namespace croquis::render;
@@ -86,27 +86,6 @@ TEST_CASE("faces highlighted in a wire are filled, behind what covers them") {
     CHECK(tile_color(picture, 0) == palette_color(0));
     CHECK(tile_color(picture, 1) == orange);
     CHECK(tile_color(picture, 2) == white);
-  });
-}
-
-TEST_CASE("a highlight moves to an updated item and sends nothing; to another mesh it does not") {
-  with_renderer([](Renderer& renderer) {
-    PolyMesh mesh = tiles();
-    Scene scene;
-    scene.meshes.emplace_back(make_mesh_item(mesh));
-    scene.highlights.push_back(make_face_highlight(scene.meshes[0].item, std::vector<Index>{0}, orange));
-    pixel_picture(renderer, scene, size);
-    for (Vec3& position : mesh.positions) position.x() += 20;
-    const MeshItemPtr moved = update_mesh_item(scene.meshes[0].item, mesh);
-    scene.meshes[0].item = moved;
-    scene.highlights[0] = moved_to(scene.highlights[0], moved);
-    REQUIRE(scene.highlights[0]);
-    const std::size_t before = renderer.uploaded().bytes;
-    const RenderedPicture picture = pixel_picture(renderer, scene, size);
-    CHECK(renderer.uploaded().bytes - before == moved->vertices.size() * sizeof(SurfaceVertex));
-    CHECK(tile_color(picture, 0) == white);
-    CHECK(tile_color(picture, 1) == orange);
-    CHECK(moved_to(scene.highlights[0], make_mesh_item(mesh)) == nullptr);
   });
 }
 

@@ -8,7 +8,7 @@
 
 #include "croquis/base/error.h"
 #include "render/picture_probe.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 
 using namespace croquis;

@@ -7,7 +7,7 @@
 
 #include "croquis/base/error.h"
 #include "render/picture_probe.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 
 using namespace croquis;
 using namespace croquis::render;
@@ -175,16 +175,4 @@ TEST_CASE("marks that can't be drawn are all named") {
     REQUIRE(error.findings().size() == 2);
     CHECK(error.findings()[0].subjects[0].index == 1);
   }
-}
-
-TEST_CASE("a mark is hit within its outline and halo, a tiny one within reach of a hand") {
-  Mark mark;
-  mark.size = 20;
-  mark.outline_width = 2;
-  CHECK(hit_radius(mark) == Approx(12));
-  mark.halo = {1, 2, 3, 4};
-  CHECK(hit_radius(mark) == Approx(16));
-  mark.size = 1;
-  mark.halo.a = 0;
-  CHECK(hit_radius(mark) == Approx(6));
 }

@@ -9,7 +9,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/render/mesh_item.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 
 using namespace croquis;
 using namespace croquis::render;

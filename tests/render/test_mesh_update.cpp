@@ -7,7 +7,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/render/mesh_item.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 
 using namespace croquis;

@@ -5,7 +5,7 @@
 
 #include "croquis/render/renderer.h"
 #include "render/picture_probe.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 
 using namespace croquis;
 using namespace croquis::render;

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "render/polygon_triangulation.h"
+#include "render/items/polygon_triangulation.h"
 
 using namespace croquis;
 using namespace croquis::render;

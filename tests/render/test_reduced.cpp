@@ -11,7 +11,7 @@
 #include "croquis/render/face_highlight.h"
 #include "croquis/render/renderer.h"
 #include "render/picture_probe.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 
 using namespace croquis;
@@ -172,7 +172,7 @@ TEST_CASE("an updated item is reduced as it is now, and highlighted faces are on
   }
   const Color red(255, 0, 0, 255);
   Scene scene{{item}, {}, {}};
-  scene.highlights.push_back(moved_to(make_face_highlight(first, front, red), item));
+  scene.highlights.push_back(make_face_highlight(item, front, red));
   REQUIRE(scene.highlights.front());
   with_renderer([&](Renderer& renderer) {
     const Camera camera = frame(item->bounds, view_direction(NamedView::Front), 4.0 / 3);

@@ -7,7 +7,7 @@
 #include <epoxy/gl.h>
 
 #include "render/picture_probe.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 
 using namespace croquis;
 using namespace croquis::render;

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "render/picture_probe.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 
 using namespace croquis;
 using namespace croquis::render;

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/session/selection.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/trial_operation.h"
 
 namespace croquis {

@@ -5,7 +5,7 @@
 #include "croquis/document/byte_size.h"
 #include "croquis/document/content_hash.h"
 #include "croquis/session/session.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/trial_operation.h"
 
 namespace croquis {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "croquis/silhouette/labelled_figure.h"
-#include "support/sketch.h"
+#include "support/sketches/sketch.h"
 
 namespace croquis::test {
 

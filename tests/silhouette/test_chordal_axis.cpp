@@ -9,8 +9,8 @@
 #include "algorithms/silhouette/skeleton/chordal_axis.h"
 #include "croquis/geometry/predicates.h"
 #include "silhouette/figure_fixtures.h"
-#include "support/sketch_gallery.h"
-#include "support/sketch_modifiers.h"
+#include "support/sketches/sketch_gallery.h"
+#include "support/sketches/sketch_modifiers.h"
 
 using namespace croquis;
 using namespace croquis::silhouette;

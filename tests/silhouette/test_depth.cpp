@@ -14,7 +14,7 @@
 #include "algorithms/silhouette/skeleton/depth_rows.h"
 #include "silhouette/figure_fixtures.h"
 #include "support/random.h"
-#include "support/sketch_gallery.h"
+#include "support/sketches/sketch_gallery.h"
 
 using namespace croquis;
 using namespace croquis::silhouette;

@@ -12,8 +12,8 @@
 #include "croquis/silhouette/solid.h"
 #include "silhouette/figure_fixtures.h"
 #include "support/sample_count.h"
-#include "support/sketch_gallery.h"
-#include "support/sketch_scrawls.h"
+#include "support/sketches/sketch_gallery.h"
+#include "support/sketches/sketch_scrawls.h"
 
 using namespace croquis;
 using namespace croquis::silhouette;

@@ -12,7 +12,7 @@
 #include "silhouette/labelled_counts.h"
 #include "support/random.h"
 #include "support/sample_count.h"
-#include "support/sketch_generator.h"
+#include "support/sketches/sketch_generator.h"
 
 using namespace croquis;
 using namespace croquis::test;

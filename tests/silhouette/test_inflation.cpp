@@ -13,7 +13,7 @@
 #include "algorithms/silhouette/surface/skeleton_curves.h"
 #include "algorithms/silhouette/surface/swept_limbs.h"
 #include "silhouette/figure_fixtures.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 
 using namespace croquis;
 using namespace croquis::silhouette;

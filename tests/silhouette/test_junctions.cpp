@@ -5,7 +5,7 @@
 
 #include "algorithms/silhouette/strokes/junctions.h"
 #include "algorithms/silhouette/strokes/stroke_cleanup.h"
-#include "support/sketch_generator.h"
+#include "support/sketches/sketch_generator.h"
 
 using namespace croquis;
 using namespace croquis::silhouette;

@@ -3,13 +3,13 @@
 
 #include <catch2/catch.hpp>
 
+#include "algorithms/silhouette/sampling/figure_segments.h"
+#include "algorithms/silhouette/sampling/layer_count.h"
+#include "algorithms/silhouette/sampling/planar_walk.h"
+#include "algorithms/silhouette/sampling/proximity_grid.h"
+#include "algorithms/silhouette/sampling/rim_distance.h"
+#include "algorithms/silhouette/sampling/sheet_sampling.h"
 #include "algorithms/silhouette/skeleton/chordal_axis.h"
-#include "algorithms/silhouette/surface/figure_segments.h"
-#include "algorithms/silhouette/surface/layer_count.h"
-#include "algorithms/silhouette/surface/planar_walk.h"
-#include "algorithms/silhouette/surface/proximity_grid.h"
-#include "algorithms/silhouette/surface/rim_distance.h"
-#include "algorithms/silhouette/surface/sheet_sampling.h"
 #include "croquis/base/error.h"
 #include "silhouette/figure_fixtures.h"
 #include "support/random.h"

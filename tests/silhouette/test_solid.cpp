@@ -14,8 +14,8 @@
 #include "silhouette/surface_quality.h"
 #include "support/random.h"
 #include "support/sample_count.h"
-#include "support/sketch_gallery.h"
-#include "support/sketch_modifiers.h"
+#include "support/sketches/sketch_gallery.h"
+#include "support/sketches/sketch_modifiers.h"
 
 using namespace croquis;
 using namespace croquis::silhouette;

@@ -14,7 +14,7 @@
 #include "croquis/silhouette/solid.h"
 #include "support/key_recorder.h"
 #include "support/member_changes.h"
-#include "support/sketch_generator.h"
+#include "support/sketches/sketch_generator.h"
 
 using namespace croquis;
 using namespace croquis::silhouette;

@@ -7,7 +7,7 @@
 
 #include "algorithms/silhouette/strokes/stroke_cleanup.h"
 #include "silhouette/labelled_counts.h"
-#include "support/sketch_generator.h"
+#include "support/sketches/sketch_generator.h"
 
 using namespace croquis;
 using namespace croquis::silhouette;

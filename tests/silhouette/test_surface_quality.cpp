@@ -7,8 +7,8 @@
 #include "croquis/silhouette/solid.h"
 #include "silhouette/figure_fixtures.h"
 #include "silhouette/surface_quality.h"
-#include "support/mesh_shapes.h"
-#include "support/sketch_gallery.h"
+#include "support/meshes/mesh_shapes.h"
+#include "support/sketches/sketch_gallery.h"
 
 using namespace croquis;
 using namespace croquis::silhouette;

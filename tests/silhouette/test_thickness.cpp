@@ -3,14 +3,14 @@
 
 #include <catch2/catch.hpp>
 
+#include "algorithms/silhouette/sampling/rim_distance.h"
 #include "algorithms/silhouette/skeleton/chordal_axis.h"
-#include "algorithms/silhouette/surface/rim_distance.h"
 #include "algorithms/silhouette/surface/rim_turn.h"
 #include "algorithms/silhouette/surface/thickness.h"
 #include "croquis/silhouette/solid.h"
 #include "silhouette/figure_fixtures.h"
 #include "silhouette/surface_quality.h"
-#include "support/sketch_gallery.h"
+#include "support/sketches/sketch_gallery.h"
 
 using namespace croquis;
 using namespace croquis::silhouette;

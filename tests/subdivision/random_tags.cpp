@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-#include "support/cages.h"
+#include "support/meshes/cages.h"
 
 namespace croquis::test {
 

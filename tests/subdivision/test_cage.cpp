@@ -14,8 +14,8 @@
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/subdivision/cage.h"
 #include "subdivision/subdivided.h"
-#include "support/cages.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/cages.h"
+#include "support/meshes/mesh_shapes.h"
 
 namespace croquis::test {
 namespace {

@@ -7,8 +7,8 @@
 #include "croquis/subdivision/continuity.h"
 #include "croquis/subdivision/shape_keeping.h"
 #include "subdivision/refined.h"
-#include "support/cages.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/cages.h"
+#include "support/meshes/mesh_shapes.h"
 
 using namespace croquis;
 using namespace croquis::subdivision;
@@ -64,7 +64,8 @@ TEST_CASE("Verdicts: halving beside a loop, fading at a smooth end, a kink where
 }
 
 TEST_CASE("Pinned corners of a loop leave a cone beside them, and the verdict names it") {
-  const PolyMesh cage = pin_chains(bolt_loop());
+  PolyMesh cage = bolt_loop();
+  cage.tags.pins = {8, 9, 10, 11};
   const ContinuityReport report = report_of(refined(cage, 5));
   CHECK(report.verdict == Smoothness::Kink);
   const std::vector<Vec3> corners(cage.positions.begin() + 8, cage.positions.begin() + 12);

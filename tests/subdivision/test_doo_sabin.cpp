@@ -10,8 +10,8 @@
 #include "croquis/base/error.h"
 #include "croquis/subdivision/doo_sabin.h"
 #include "subdivision/subdivided.h"
-#include "support/cages.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/cages.h"
+#include "support/meshes/mesh_shapes.h"
 
 namespace croquis::test {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "subdivision/cgal_subdivision.h"
 #include "subdivision/subdivided.h"
-#include "support/cages.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/cages.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 
 /// Surfaces that others compute too.

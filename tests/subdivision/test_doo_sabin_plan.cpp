@@ -8,8 +8,8 @@
 
 #include "croquis/base/error.h"
 #include "subdivision/subdivided.h"
-#include "support/cages.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/cages.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 
 /// What a plan costs, refuses and promises, beside its surfaces.

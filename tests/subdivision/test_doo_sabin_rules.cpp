@@ -6,10 +6,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/subdivision/face_mask.h"
+#include "algorithms/subdivision/refinement/face_mask.h"
 #include "subdivision/subdivided.h"
-#include "support/cages.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/cages.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 
 /// What each rule of positions promises, one by one.

@@ -10,8 +10,8 @@
 #include "croquis/subdivision/edge_chain.h"
 #include "subdivision/random_tags.h"
 #include "subdivision/refined.h"
-#include "support/cages.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/cages.h"
+#include "support/meshes/mesh_shapes.h"
 
 using namespace croquis;
 using namespace croquis::subdivision;
@@ -26,6 +26,11 @@ std::vector<Vec3> chain_points(const EdgeChain& chain, const std::vector<Vec3>& 
   std::vector<Vec3> result;
   for (const Index v : chain.vertices) result.push_back(points[v]);
   return result;
+}
+
+ChainShape first_shape(const Refined& result, int k) {
+  const Level& level = result.plan.level(k);
+  return chain_shapes(level, edge_chains(level), result.at(k))[0];
 }
 
 /// Chaikin's step on a closed polygon.
@@ -121,7 +126,7 @@ TEST_CASE("The bolt's loop bends by a right angle everywhere and lies in its pla
     const Refined result = refined(bolt_loop(), 4, Rules::of(preset));
     for (int k = 0; k <= 4; ++k) {
       const std::vector<EdgeChain> chains = edge_chains(result.plan.level(k));
-      const ChainShape shape = chain_shape(result.plan.level(k), chains[0], result.at(k));
+      const ChainShape shape = chain_shapes(result.plan.level(k), chains, result.at(k))[0];
       CHECK(degrees(shape.least_bend) == Approx(90).margin(1e-9));
       CHECK(degrees(shape.greatest_bend) == Approx(90).margin(1e-9));
       CHECK(shape.planar());
@@ -133,7 +138,7 @@ TEST_CASE("The bolt's loop bends by a right angle everywhere and lies in its pla
 
 TEST_CASE("Planar chains stay planar and others say by how much they are not") {
   const Refined flat = refined(skewed(cube_top_loop()), 0);
-  const ChainShape saddle = chain_shape(flat.plan.level(0), edge_chains(flat.plan.level(0))[0], flat.at(0));
+  const ChainShape saddle = first_shape(flat, 0);
   CHECK(!saddle.planar());
   CHECK(saddle.deviation > 0.2);
 
@@ -141,7 +146,7 @@ TEST_CASE("Planar chains stay planar and others say by how much they are not") {
   for (Vec3& p : tilted.positions) p = Vec3(p.x() + 0.3 * p.z(), p.y(), p.z() + 0.7 * p.x() - 0.2 * p.y());
   const Refined result = refined(tilted, 4);
   for (int k = 0; k <= 4; ++k) {
-    const ChainShape shape = chain_shape(result.plan.level(k), edge_chains(result.plan.level(k))[0], result.at(k));
+    const ChainShape shape = first_shape(result, k);
     CHECK(shape.deviation < 1e-14);
   }
 }
@@ -149,7 +154,7 @@ TEST_CASE("Planar chains stay planar and others say by how much they are not") {
 TEST_CASE("A chain along a line has no plane and no deviation") {
   const std::vector<VertexPair> line = {{6, 7}, {7, 8}};
   const Refined result = refined(tagged(grid(4, 3), line), 0);
-  const ChainShape shape = chain_shape(result.plan.level(0), edge_chains(result.plan.level(0))[0], result.at(0));
+  const ChainShape shape = first_shape(result, 0);
   CHECK(shape.plane_normal == Vec3::Zero());
   CHECK(shape.planar());
   CHECK(shape.length == 2);

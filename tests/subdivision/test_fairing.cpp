@@ -11,8 +11,8 @@
 #include "croquis/subdivision/edge_chain.h"
 #include "croquis/subdivision/fairing.h"
 #include "subdivision/refined.h"
-#include "support/cages.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/cages.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 
 using namespace croquis;
@@ -45,7 +45,8 @@ PolyMesh torus_with_ring() {
 
 ChainShape first_chain(const PolyMesh& mesh, int k) {
   const Refined result = refined(mesh, k);
-  return chain_shape(result.plan.level(k), edge_chains(result.plan.level(k))[0], result.at(k));
+  const Level& level = result.plan.level(k);
+  return chain_shapes(level, edge_chains(level), result.at(k))[0];
 }
 
 }  // namespace

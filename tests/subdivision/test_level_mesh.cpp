@@ -9,8 +9,8 @@
 #include "croquis/subdivision/level_mesh.h"
 #include "subdivision/random_tags.h"
 #include "subdivision/subdivided.h"
-#include "support/cages.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/cages.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 #include "support/sample_count.h"
 

@@ -10,8 +10,8 @@
 #include "croquis/subdivision/limit.h"
 #include "subdivision/random_tags.h"
 #include "subdivision/refined.h"
-#include "support/cages.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/cages.h"
+#include "support/meshes/mesh_shapes.h"
 
 using namespace croquis;
 using namespace croquis::subdivision;
@@ -72,42 +72,6 @@ int sharp_edges_at(const Level& level, Index vertex) {
 std::vector<PolyMesh> tagged_cages() { return {bolt(), bolt_loop(), bolt_open_chain(), cube_top_loop(), house()}; }
 
 }  // namespace
-
-TEST_CASE("Faces without sharp edges keep their centre, and their normals tend to the one foretold") {
-  for (const Weights weights : {Weights::Classical, Weights::Average}) {
-    Rules rules;
-    rules.weights = weights;
-    const int last = 6;
-    const Refined result = refined(house(), last, rules);
-    const FaceLimits limits = face_limits(result.plan.level(1), result.at(1));
-    const HalfEdges& deep = result.plan.level(last).topology;
-    for (Index face = 0; face < limits.points.size(); ++face) {
-      REQUIRE(limits.exact[face] == 1);
-      const Index child = descendant(result.plan, 1, face, last);
-      CHECK((centre(deep, result.at(last), child) - limits.points[face]).norm() < 1e-13);
-      CHECK(angle(unit_normal(deep, result.at(last), child), limits.normals[face]) < 0.02);
-    }
-  }
-}
-
-TEST_CASE("A limit normal of a skew face is that of its descendants, to the rate at which they flatten") {
-  PolyMesh cage = house();
-  for (Vec3& p : cage.positions) p = Vec3(p.x() + 0.3 * p.y() * p.z(), p.y() - 0.4 * p.x() * p.z(), p.z());
-  std::vector<double> gaps;
-  for (const int last : {4, 6}) {
-    const Refined result = refined(cage, last);
-    const FaceLimits limits = face_limits(result.plan.level(0), result.at(0));
-    double gap = 0;
-    for (Index face = 0; face < limits.points.size(); ++face) {
-      const Index child = descendant(result.plan, 0, face, last);
-      gap = std::max(
-          gap, angle(unit_normal(result.plan.level(last).topology, result.at(last), child), limits.normals[face]));
-    }
-    gaps.push_back(gap);
-  }
-  CHECK(gaps[0] < 0.01);
-  CHECK(gaps[1] < gaps[0] / 8);  // a quarter of the size each level, against half for the face
-}
 
 TEST_CASE("Every exact limit point of a level is found again from the next level") {
   for (const PolyMesh& cage : tagged_cages()) {
@@ -182,30 +146,6 @@ TEST_CASE("A vertex of a chain goes to (A + 6V + B)/8, with one normal per side"
     const bool beside =
         std::abs(surface.corner_normals[c].z()) < 1e-12 && surface.corner_normals[c].dot(outwards) > 0.9;
     CHECK((below || beside));
-  }
-}
-
-TEST_CASE("Tagged edges' limits agree with deep levels in point, tangent and both normals") {
-  for (const Preset preset : {Preset::Refined, Preset::Paper}) {
-    PolyMesh cage = bolt_loop();
-    for (Vec3& p : cage.positions) p = Vec3(p.x(), p.y() + 0.2 * p.x() * p.x(), p.z() + 0.1 * p.x() * p.y());
-    const int last = 7;
-    const Refined result = refined(cage, last, Rules::of(preset));
-    const std::vector<EdgeLimit> first = sharp_edge_limits(result.plan.level(1), result.at(1));
-    const std::vector<EdgeLimit> deep = sharp_edge_limits(result.plan.level(last), result.at(last));
-    REQUIRE(first.size() == 8);
-    for (const EdgeLimit& limit : first) {
-      REQUIRE(limit.exact);
-      const auto same = std::min_element(deep.begin(), deep.end(), [&](const EdgeLimit& a, const EdgeLimit& b) {
-        return (a.point - limit.point).norm() < (b.point - limit.point).norm();
-      });
-      CHECK((same->point - limit.point).norm() < 1e-14);
-      const bool same_way = same->tangent.dot(limit.tangent) > 0;
-      CHECK(angle(same->tangent, same_way ? limit.tangent : Vec3(-limit.tangent)) < 1e-12);
-      for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
-        CHECK(angle(same->normals[side], limit.normals[same_way ? side : 1 - side]) < 4e-8);
-      }
-    }
   }
 }
 

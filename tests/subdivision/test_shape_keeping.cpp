@@ -11,8 +11,8 @@
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/subdivision/shape_keeping.h"
 #include "subdivision/refined.h"
-#include "support/cages.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/cages.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 
 using namespace croquis;
@@ -210,8 +210,8 @@ TEST_CASE("Kinks above an angle are pinned, others not, and ends and crossings n
 }
 
 TEST_CASE("A fully fixed polygon is its own limit") {
-  const PolyMesh fixed = pin_chains(bolt_loop());
-  CHECK(fixed.tags.pins == std::vector<Index>{8, 9, 10, 11});
+  PolyMesh fixed = bolt_loop();
+  fixed.tags.pins = {8, 9, 10, 11};
   const Refined result = refined(fixed, 4);
   const Level& level = result.plan.level(4);
   for (const SharpEdge& sharp : level.sharp) {

@@ -14,8 +14,8 @@
 #include "croquis/subdivision/uniform_schemes.h"
 #include "subdivision/cgal_subdivision.h"
 #include "subdivision/refined.h"
-#include "support/cages.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/cages.h"
+#include "support/meshes/mesh_shapes.h"
 
 using namespace croquis;
 using namespace croquis::subdivision;

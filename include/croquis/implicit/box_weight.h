@@ -25,20 +25,14 @@ struct Box {
 /// The smallest box around points; all 0 without any.
 Box bounds(std::span<const Vec3> points);
 
-/// (7a) of Yoo 2005: 0 in the middle of the box, 1 on every face. Outside, where the printed formula becomes less than
-/// 1 again as soon as two factors are negative, it is 1 here.
-double box_distance(const Box& box, const Vec3& point);
-
-/// (7b): 1 at d = 0, 0 at d = 1, there with first and second derivative 0; blend(d) + blend(1 - d) = 1.
-double blend(double d);
-double blend_derivative(double d);
-
 struct BoxWeight {
   double value = 0;              ///< W in [0,1]
   Vec3 gradient = Vec3::Zero();  ///< of W, per model unit
 };
 
-/// W = blend(box_distance): twice continuously differentiable in all of space, 0 outside.
+/// W = 1 - 10 d^3 + 15 d^4 - 6 d^5 ((7b) of Yoo 2005) of the distance d = 1 - prod 4 (P - S)(T - P)/(T - S)^2 (7a): 1
+/// in the middle of the box, 0 on every face, and twice continuously differentiable in all of space. Outside, where the
+/// printed formula becomes positive again as soon as two factors are negative, it is 0.
 BoxWeight box_weight(const Box& box, const Vec3& point);
 
 }  // namespace croquis::implicit

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
-
 #include "croquis/geometry/vector.h"
 
 namespace croquis::implicit {
@@ -32,17 +30,5 @@ KernelTraits traits(Kernel kernel);
 
 /// phi at the offset d = x - c, in any unit of length.
 double kernel_value(Kernel kernel, const Vec3& d);
-
-/// Gradient of phi for x: 3 r d for r^3, 5 r^3 d for r^5, d/r for r (0 at the centre, where it jumps), d (2 log r + 1)
-/// for r^2 log r.
-Vec3 kernel_gradient(Kernel kernel, const Vec3& d);
-
-/// Second derivatives of phi for x: 3 (r I + d d'/r) for r^3, 5 (r^3 I + 3 r d d') for r^5, 0 at its centre. For r and
-/// r^2 log r these grow without bound towards the centre; there 0 is returned.
-Eigen::Matrix3d kernel_hessian(Kernel kernel, const Vec3& d);
-
-/// Natural logarithm of a positive normal number, within 2 units in the last place; the same bits on every machine,
-/// which the C library's isn't.
-double portable_log(double x);
 
 }  // namespace croquis::implicit

@@ -32,18 +32,6 @@ struct ProjectionReport {
 ProjectionReport project(std::span<Vec3> points, std::span<const std::uint8_t> fixed, const Field& field,
                          const ProjectionOptions& options);
 
-/// (9) of Yoo 2005, once: every vertex moves to the mean of the centroids of its triangles, weighted by their areas,
-/// all at the same time. It shrinks closed surfaces: follow it with `project`. Vertices on a boundary, fixed ones and
-/// those without an area around them stay.
-/// @param mesh triangles; @param fixed #V, 1 where a vertex stays; or none
-/// @throws Error (E_NOT_TRIANGLES, E_COUNT)
-void smooth_towards_centroids(PolyMesh& mesh, std::span<const std::uint8_t> fixed);
-
-/// `rounds` of smoothing, each followed by projection. What smoothing leaves in its place stays.
-/// @return the last projection's report
-ProjectionReport smooth_on_surface(PolyMesh& mesh, std::span<const std::uint8_t> fixed, const Field& field, int rounds,
-                                   const ProjectionOptions& options);
-
 /// Every triangle cut in four at the middles of its edges: the old vertices keep their indices, the new ones follow in
 /// the order of their edges' lower vertices. Channels of the mesh are not carried.
 /// @param mesh triangles, any soup

@@ -37,10 +37,6 @@ Elements edge_loop(const MeshTopology& topology, Index edge, bool ordered = fals
 /// Edges opposite to each other across quads, both ways; ends at other faces, at rims and at edges of more faces.
 Elements edge_ring(const MeshTopology& topology, Index edge, bool ordered = false);
 
-/// Faces in a row: the quads between the edges of the ring through the edge that two faces share; empty when they share
-/// none.
-Elements face_loop(const MeshTopology& topology, Index face, Index neighbour, bool ordered = false);
-
 /// The shortest path over edges, by length, ends included; empty when there is none.
 /// @param positions #V. O(n log n) in what lies nearer than the end
 Elements shortest_path(const MeshTopology& topology, std::span<const Vec3> positions, Index from, Index to);
@@ -78,16 +74,11 @@ Elements converted(const MeshTopology& topology, ComponentKind from, ComponentKi
 /// Edges of one face only.
 Elements boundary_edges(const MeshTopology& topology);
 
-/// The rim of a set of faces: edges of exactly one of them.
-Elements outline_edges(const MeshTopology& topology, std::span<const Index> faces);
-
 // ---- By shape and tags
 
-/// Angle between the normals of an edge's two faces, 0 (flat) … 180 degrees; 0 for rims, edges of more faces and faces
-/// without an area. Faces that run the edge the same way are compared as if one was turned over.
-double dihedral_degrees(const MeshTopology& topology, const PolyMesh& mesh, Index edge);
-
-/// Edges whose dihedral angle is greater. O(#C).
+/// Edges between whose faces the angle of the normals is greater than that, 0 (flat) … 180 degrees. Edges of one face
+/// or of more than two, and those of faces without an area, have none; faces that run the edge the same way are
+/// compared as if one was turned over. O(#C).
 Elements edges_sharper_than(const MeshTopology& topology, const PolyMesh& mesh, double degrees);
 
 /// The whole chain of tagged edges that a tagged edge belongs to: it goes on through vertices with exactly two tagged

@@ -26,8 +26,4 @@ using FaceHighlightPtr = std::shared_ptr<const FaceHighlight>;
 /// O(faces highlighted).
 FaceHighlightPtr make_face_highlight(const MeshItemPtr& mesh, std::span<const Index> faces, const Color& color);
 
-/// The same faces of an updated item: sends nothing to the graphics card. One that is no update (other triangles) gets
-/// no highlight: null.
-FaceHighlightPtr moved_to(const FaceHighlightPtr& highlight, const MeshItemPtr& updated);
-
 }  // namespace croquis::render

@@ -74,8 +74,4 @@ using MarkItemPtr = std::shared_ptr<const MarkItem>;
 /// O(marks).
 MarkItemPtr make_mark_item(std::span<const Mark> marks, MarkDepth depth = MarkDepth::OnTop);
 
-/// How far from its place a mark of that size can be hit, in pixels: its half size, outline and halo, at least
-/// `least`.
-double hit_radius(const Mark& mark, double least = 6);
-
 }  // namespace croquis::render

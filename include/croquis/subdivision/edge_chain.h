@@ -46,10 +46,7 @@ struct ChainShape {
   bool planar() const { return deviation <= 1e-9 * length; }
 };
 
-/// @param positions #V of the level
-ChainShape chain_shape(const Level& level, const EdgeChain& chain, std::span<const Vec3> positions);
-
-/// Shapes of several chains, faster than one by one.
+/// Of each of the chains. @param positions #V of the level
 std::vector<ChainShape> chain_shapes(const Level& level, std::span<const EdgeChain> chains,
                                      std::span<const Vec3> positions);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -52,26 +51,5 @@ class LimitPlan {
   struct State;
   std::shared_ptr<const State> state_;
 };
-
-/// Limits of faces of a Doo-Sabin level.
-struct FaceLimits {
-  std::vector<Vec3> points;         ///< #F, the centres
-  std::vector<Vec3> normals;        ///< #F, unit length, or zero where the face has no extent
-  std::vector<std::uint8_t> exact;  ///< #F, 0 for faces with sharp edges: their centres are only near the surface
-};
-
-/// For any weights: both forms keep the centre and the plane of a face's first Fourier modes. Linear time.
-FaceLimits face_limits(const Level& level, std::span<const Vec3> positions);
-
-/// The limit at the middle of a sharp edge of a Doo-Sabin level.
-struct EdgeLimit {
-  Vec3 point;
-  Vec3 tangent;                 ///< unit length, along the edge's half-edge `edge_corner`
-  std::array<Vec3, 2> normals;  ///< unit length, of that half-edge's side and its twin's; zero where there is no side
-  bool exact = false;           ///< both ends lie within chains that stay sharp and the faces beside it are quads
-};
-
-/// In the order of level.sharp. Linear time.
-std::vector<EdgeLimit> sharp_edge_limits(const Level& level, std::span<const Vec3> positions);
 
 }  // namespace croquis::subdivision

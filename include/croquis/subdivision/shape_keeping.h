@@ -42,7 +42,4 @@ PolyMesh keep_outline(const PolyMesh& mesh, std::span<const Index> faces);
 /// @throws Error (E_INDEX) for a mesh with indices out of range
 PolyMesh pin_kinks(const PolyMesh& mesh, double least_turn);
 
-/// Pins every vertex of a tagged edge: chains stay the polygons that they are.
-PolyMesh pin_chains(const PolyMesh& mesh);
-
 }  // namespace croquis::subdivision

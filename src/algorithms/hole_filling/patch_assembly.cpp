@@ -12,7 +12,7 @@
 
 #include <Eigen/Geometry>
 
-#include "algorithms/hole_filling/patching/harmonic_values.h"
+#include "algorithms/hole_filling/fairing/harmonic_values.h"
 #include "croquis/hole_filling/channel_names.h"
 #include "croquis/hole_filling/patch_confidence.h"
 

@@ -126,18 +126,6 @@ Elements edge_ring(const MeshTopology& topology, Index edge, bool ordered) {
   return in_order_or_sorted(std::move(edges), ordered);
 }
 
-Elements face_loop(const MeshTopology& topology, Index face, Index neighbour, bool ordered) {
-  if (face >= topology.face_count() || neighbour >= topology.face_count() || face == neighbour) return {};
-  for (Index edge = 0; edge < topology.edge_count(); ++edge) {
-    const auto corners = topology.edge_corners(edge);
-    if (corners.size() != 2) continue;
-    const auto [low, high] = std::minmax({topology.face(corners[0]), topology.face(corners[1])});
-    if (low == std::min(face, neighbour) && high == std::max(face, neighbour))
-      return in_order_or_sorted(walk_ring(topology, edge).faces, ordered);
-  }
-  return {};
-}
-
 bool closes(const MeshTopology& topology, std::span<const Index> loop) {
   if (loop.size() < 3) return false;
   return straight_on(topology, loop.back(), last_vertex(topology, loop)) == loop.front();
@@ -183,14 +171,6 @@ Elements shortest_edge_path(const MeshTopology& topology, std::span<const Vec3> 
 }
 
 // ---- Shape and tags
-
-double dihedral_degrees(const MeshTopology& topology, const PolyMesh& mesh, Index edge) {
-  if (edge >= topology.edge_count()) return 0;
-  const auto corners = topology.edge_corners(edge);
-  if (corners.size() != 2) return 0;
-  return degrees_between(topology, edge, area_normal(mesh, topology.face(corners[0])),
-                         area_normal(mesh, topology.face(corners[1])));
-}
 
 Elements edges_sharper_than(const MeshTopology& topology, const PolyMesh& mesh, double degrees) {
   std::vector<Vec3> normals(topology.face_count());

@@ -195,16 +195,4 @@ Elements boundary_edges(const MeshTopology& topology) {
   return edges;
 }
 
-Elements outline_edges(const MeshTopology& topology, std::span<const Index> faces) {
-  const std::vector<char> inside = marked(faces, topology.face_count());
-  Elements edges;
-  for (Index edge = 0; edge < topology.edge_count(); ++edge) {
-    const auto corners = topology.edge_corners(edge);
-    const auto count =
-        std::count_if(corners.begin(), corners.end(), [&](Index corner) { return inside[topology.face(corner)] != 0; });
-    if (count == 1) edges.push_back(edge);
-  }
-  return edges;
-}
-
 }  // namespace croquis

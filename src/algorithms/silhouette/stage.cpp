@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/silhouette/stage.h"
 
+#include "algorithms/silhouette/sampling/sheet_sampling.h"
 #include "algorithms/silhouette/skeleton/skeleton.h"
-#include "algorithms/silhouette/surface/sheet_sampling.h"
 
 namespace croquis::silhouette {
 namespace {

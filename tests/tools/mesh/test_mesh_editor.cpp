@@ -8,7 +8,7 @@
 #include "croquis/tools/all_steps.h"
 #include "croquis/tools/mesh/mesh_tool.h"
 #include "croquis/tools/recording/recording.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 
 namespace croquis {

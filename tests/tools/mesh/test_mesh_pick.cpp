@@ -7,7 +7,7 @@
 
 #include "croquis/mesh_editing/mesh_selection.h"
 #include "croquis/tools/mesh/mesh_pick.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 #include "tools/pointer/face_tree.h"
 #include "tools/pointer/mesh_views.h"

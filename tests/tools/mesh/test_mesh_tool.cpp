@@ -9,7 +9,7 @@
 #include "croquis/tools/mesh/mesh_tool.h"
 #include "croquis/tools/recording/general_steps.h"
 #include "croquis/tools/recording/recording.h"
-#include "support/mesh_shapes.h"
+#include "support/meshes/mesh_shapes.h"
 #include "tools/pointer/mesh_views.h"
 
 namespace croquis {

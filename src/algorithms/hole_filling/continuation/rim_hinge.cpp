@@ -6,8 +6,8 @@
 namespace croquis::hole_filling {
 namespace {
 
-constexpr int tangent_smoothings = 3;  // of the tangents: rims of removed triangles run in a zigzag
-constexpr std::size_t neighbours = 6;  // rim vertices that a point is turned about
+constexpr int tangent_smoothings = 3;        // of the tangents: rims of removed triangles run in a zigzag
+constexpr std::size_t hinge_neighbours = 6;  // rim vertices that a point is turned about
 
 /// Both neighbours' difference, then each the mean with its neighbours'.
 std::vector<Vec3> rim_tangents(const RimPolygon& polygon) {
@@ -35,7 +35,7 @@ RimHinge::RimHinge(const HoleSite& site, double bulge)
 std::vector<RimHinge::Turn> RimHinge::turns_at(const Vec3& point) const {
   std::vector<Turn> turns;
   double sum = 0;
-  for (const Index i : tree_.nearest(point, neighbours)) {
+  for (const Index i : tree_.nearest(point, hinge_neighbours)) {
     const double squared = (points_[i] - point).squaredNorm();
     if (squared == 0) return {{tangents_[i], points_[i], 1}};
     turns.push_back({tangents_[i], points_[i], 1 / squared});

@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "algorithms/hole_filling/continuation/rim_field.h"
-#include "algorithms/hole_filling/patching/harmonic_values.h"
-#include "algorithms/hole_filling/patching/patch_displacement.h"
-#include "algorithms/hole_filling/patching/patch_editing.h"
-#include "algorithms/hole_filling/patching/patch_relaxation.h"
+#include "algorithms/hole_filling/fairing/harmonic_values.h"
+#include "algorithms/hole_filling/fairing/patch_displacement.h"
+#include "algorithms/hole_filling/fairing/patch_editing.h"
+#include "algorithms/hole_filling/fairing/patch_relaxation.h"
 #include "algorithms/hole_filling/patching/patcher.h"
 #include "algorithms/hole_filling/patching/untangling.h"
 #include "algorithms/hole_filling/patching/wide_holes.h"

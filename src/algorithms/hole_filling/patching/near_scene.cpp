@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "algorithms/hole_filling/patching/patch_editing.h"
+#include "algorithms/hole_filling/fairing/patch_editing.h"
 #include "croquis/geometry/morton_code.h"
 #include "croquis/geometry/radix_order.h"
 #include "croquis/geometry/self_intersection.h"

@@ -8,7 +8,7 @@
 
 #include <Eigen/Geometry>
 
-#include "algorithms/hole_filling/patching/harmonic_values.h"
+#include "algorithms/hole_filling/fairing/harmonic_values.h"
 #include "croquis/implicit/point_tree.h"
 
 namespace croquis::hole_filling {

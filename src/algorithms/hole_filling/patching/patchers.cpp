@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "algorithms/hole_filling/continuation/rim_hinge.h"
+#include "algorithms/hole_filling/fairing/cgal_patch.h"
+#include "algorithms/hole_filling/fairing/even_fairing.h"
+#include "algorithms/hole_filling/fairing/even_refinement.h"
 #include "algorithms/hole_filling/patching/avoiding_triangulation.h"
-#include "algorithms/hole_filling/patching/cgal_patch.h"
-#include "algorithms/hole_filling/patching/even_fairing.h"
-#include "algorithms/hole_filling/patching/even_refinement.h"
 #include "algorithms/hole_filling/patching/patcher.h"
 #include "algorithms/hole_filling/patching/untangling.h"
 #include "algorithms/hole_filling/triangulation/band_triangulation.h"

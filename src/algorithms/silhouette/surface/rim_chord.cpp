@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/silhouette/surface/rim_distance.h"
-#include "algorithms/silhouette/surface/rim_radius.h"
+#include "algorithms/silhouette/sampling/rim_distance.h"
+#include "algorithms/silhouette/sampling/rim_radius.h"
 
 namespace croquis::silhouette {
 namespace {

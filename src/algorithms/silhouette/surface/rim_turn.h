@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "algorithms/silhouette/surface/sheet_sampling.h"
+#include "algorithms/silhouette/sampling/sheet_sampling.h"
 
 namespace croquis::silhouette {
 

@@ -5,9 +5,9 @@
 
 #include <Eigen/Core>
 
+#include "algorithms/silhouette/sampling/sheet_sampling.h"
 #include "algorithms/silhouette/skeleton/skeleton.h"
 #include "algorithms/silhouette/surface/sheet_operator.h"
-#include "algorithms/silhouette/surface/sheet_sampling.h"
 #include "algorithms/silhouette/surface/thickness.h"
 #include "croquis/base/progress.h"
 #include "croquis/silhouette/labelled_figure.h"

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include "algorithms/silhouette/surface/sheet_sampling.h"
+#include "algorithms/silhouette/sampling/sheet_sampling.h"
 
 namespace croquis::silhouette {
 

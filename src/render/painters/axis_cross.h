@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "croquis/render/scene.h"
+#include "render/painters/drawing.h"
+
+namespace croquis::render {
+
+/// The axes' directions as lines with their letters, the farthest first, in pixels of the whole picture.
+std::vector<Shown<LineItem>> axis_cross(const RenderOptions& options, const ViewFrame& view);
+
+/// A frame whose model units are pixels of the whole picture.
+OverlayFrame pixel_frame(const OverlayFrame& frame);
+
+}  // namespace croquis::render

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <list>
+
+#include "render/gl/shader_program.h"
+#include "render/painters/backdrop.h"
+#include "render/painters/drawing.h"
+#include "render/painters/mesh_painter.h"
+
+namespace croquis::render {
+
+/// Draws meshes: first what is seen at every sample into textures, then light, contours and background from these, only
+/// where something may be seen. One sample without hollows is drawn by a quicker method, with plainer contours.
+class SurfacePainter {
+ public:
+  /// Fills the textures; the framebuffer binding and the viewport change. Decides the drawing's samples.
+  /// @return how many triangles of opaque surfaces
+  std::size_t draw(Drawing& drawing);
+
+  /// Puts surfaces over their backdrop into the framebuffer and viewport that are set, which shows the backdrop.
+  /// @param origin the viewport's lower left pixel in that framebuffer
+  void compose(const Drawing& drawing, const glm::ivec2& origin);
+
+  const FrameBuffers& buffers() const { return buffers_.front(); }
+  void drop_expired() { meshes_.drop_expired(); }
+
+ private:
+  void prepare_buffers(Drawing& drawing);
+  void find_contours(const Drawing& drawing);
+  void find_openness(const Drawing& drawing);
+  void compose_carefully(const Drawing& drawing, const glm::ivec2& origin);
+  void compose_quickly(const Drawing& drawing, const glm::ivec2& origin);
+  void draw_outlines(const Drawing& drawing, const glm::ivec2& origin) const;
+  void set_composed(const ShaderProgram& program, const Drawing& drawing, const glm::ivec2& origin) const;
+  void fill_screen() const;
+
+  MeshPainter meshes_;
+  ShaderProgram contour_detect_ = ShaderProgram({"screen.vert", "contour_detect.frag"});
+  ShaderProgram contour_spread_ = ShaderProgram({"screen.vert", "contour_spread.frag"});
+  ShaderProgram occlusion_ = ShaderProgram({"screen.vert", "occlusion.frag"});
+  ShaderProgram composite_ = ShaderProgram({"screen.vert", "composite.frag", "backdrop.frag", "light.frag"});
+  ShaderProgram composite_quick_ = ShaderProgram({"screen.vert", "composite_quick.frag", "light.frag"});
+  ShaderProgram outline_ = ShaderProgram({"screen.vert", "outline.frag"});
+  GlHandle no_attributes_ = make_vertex_array();  // core profiles draw nothing without a vertex array
+  std::list<FrameBuffers> buffers_;               // of views drawn lately, the last one first
+};
+
+}  // namespace croquis::render
