@@ -8,7 +8,6 @@
 #include "app/panels/object_list.h"
 #include "app/studio_fixture.h"
 #include "croquis/document/content_hash.h"
-#include "support/sketch_gallery.h"
 
 namespace croquis::test {
 namespace {

@@ -4,7 +4,6 @@
 #include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QLocale>
-#include <QPainter>
 #include <QSignalBlocker>
 #include <algorithm>
 
@@ -20,21 +19,8 @@ constexpr int step_role = Qt::UserRole + 2;
 constexpr int name_role = Qt::UserRole + 3;    // as it is shown
 constexpr int opened_role = Qt::UserRole + 4;  // as it first is
 constexpr int step_in = 14;                    // pixels
-constexpr int dot_size = 8;
 
 bool is_part(const QTreeWidgetItem* row) { return !row->data(0, parts_role).toStringList().isEmpty(); }
-
-/// A dot of a colour, as a step's state.
-QIcon dot(const QColor& color) {
-  QPixmap picture(2 * dot_size, 2 * dot_size);
-  picture.fill(Qt::transparent);
-  QPainter painter(&picture);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(color);
-  painter.drawEllipse(dot_size / 2, dot_size / 2, dot_size, dot_size);
-  return picture;
-}
 
 QString words_of(StepState state) {
   switch (state) {
@@ -47,13 +33,8 @@ QString words_of(StepState state) {
 }
 
 QColor color_of(StepState state) {
-  switch (state) {
-    case StepState::Fresh: return colors::hover;
-    case StepState::Computing: return colors::warning;
-    case StepState::Off: return colors::guide;
-    case StepState::Source: return Qt::transparent;
-    default: return colors::error;
-  }
+  if (state == StepState::Computing) return colors::warning;
+  return state == StepState::Stale || state == StepState::Failed ? colors::error : colors::guide;
 }
 
 QStringList to_list(const std::vector<std::string>& texts) {
@@ -131,8 +112,7 @@ void ObjectList::add_steps(QTreeWidgetItem* row, const WorkObject& object, const
     auto* own = new QTreeWidgetItem(row, {name, words_of(step.state)});
     own->setData(0, node_role, qulonglong(step.node));
     own->setData(0, step_role, true);
-    own->setForeground(1, step.problem.empty() ? colors::guide : colors::error);
-    own->setIcon(0, dot(color_of(step.state)));
+    own->setForeground(1, color_of(step.state));
     if (computed) {
       own->setFlags(own->flags() | Qt::ItemIsUserCheckable);
       own->setCheckState(0, step.state == StepState::Off ? Qt::Unchecked : Qt::Checked);

@@ -356,7 +356,7 @@ void MainWindow::show_views() {
 }
 
 void MainWindow::size_panels() {
-  resizeDocks(docks_, {130, 400, 90, 140}, Qt::Vertical);
+  resizeDocks(docks_, {210, 360, 80, 110}, Qt::Vertical);
   resizeDocks(docks_, {310, 310, 310, 310}, Qt::Horizontal);
 }
 

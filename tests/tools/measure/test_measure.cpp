@@ -3,9 +3,8 @@
 #include <numbers>
 #include <random>
 
-#include <catch2/catch.hpp>
-
 #include <Eigen/Geometry>
+#include <catch2/catch.hpp>
 
 #include "croquis/tools/measure/measure_tool.h"
 #include "croquis/tools/measure/measurement.h"

@@ -40,7 +40,7 @@ void write_measure(const Measure& step, FieldWriter& writer) {
 }
 
 const StepKind& Measure::step_kind() {
-  static const StepKind kind = make_step_kind({"measure"}, read_measure, write_measure);
+  static const StepKind kind = make_step_kind({"weigh"}, read_measure, write_measure);
   return kind;
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("a tool's own step reads back as it was written, beside all others") {
   const Vocabulary vocabulary = with_measures();
   const Step step = Measure{{0.1, -2, 1e-9}, {3, 4000000000U}, "inch", false};
   CHECK(to_line(step) ==
-        R"({"do":"measure","from":[0.1,-2.0,1e-09],"vertices":[3,4000000000],"unit":"inch","shown":false})");
+        R"({"do":"weigh","from":[0.1,-2.0,1e-09],"vertices":[3,4000000000],"unit":"inch","shown":false})");
   const std::vector<Line> lines =
       parse(to_line(step) + "\n" + to_line(Move{"box", {1, 2, 3}}), "walk.jsonl", vocabulary);
   REQUIRE(lines.size() == 2);
@@ -87,16 +87,16 @@ TEST_CASE("a tool's own step reads back as it was written, beside all others") {
 
 TEST_CASE("a tool's own step is refused with a sentence that names what is wrong") {
   const Vocabulary vocabulary = with_measures();
-  const std::string begin = R"({"do":"measure","from":[1,2,3],"vertices":[1],"shown":true)";
+  const std::string begin = R"({"do":"weigh","from":[1,2,3],"vertices":[1],"shown":true)";
   CHECK(mistake_in(begin + "}", vocabulary) == "none");
-  CHECK(mistake_in(begin + "}", all_steps()) == "there is no step \"measure\".");
+  CHECK(mistake_in(begin + "}", all_steps()) == "there is no step \"weigh\".");
   CHECK(mistake_in(begin + R"(,"unit":"ell"})", vocabulary) == "\"unit\" must be one of mm, inch.");
   CHECK(mistake_in(begin + R"(,"colour":"red"})", vocabulary) == "\"colour\" means nothing here.");
-  CHECK(mistake_in(R"({"do":"measure"})", vocabulary) == "\"from\" is missing.");
-  CHECK(mistake_in(R"({"do":"measure","from":[1,2]})", vocabulary) == "\"from\" must be three numbers.");
-  CHECK(mistake_in(R"({"do":"measure","from":[1,2,3],"vertices":[-1]})", vocabulary) ==
+  CHECK(mistake_in(R"({"do":"weigh"})", vocabulary) == "\"from\" is missing.");
+  CHECK(mistake_in(R"({"do":"weigh","from":[1,2]})", vocabulary) == "\"from\" must be three numbers.");
+  CHECK(mistake_in(R"({"do":"weigh","from":[1,2,3],"vertices":[-1]})", vocabulary) ==
         "\"vertices\" must hold whole numbers of at least 0.");
-  CHECK(mistake_in(R"({"do":"measure","from":[1,2,3],"vertices":[1],"shown":1})", vocabulary) ==
+  CHECK(mistake_in(R"({"do":"weigh","from":[1,2,3],"vertices":[1],"shown":1})", vocabulary) ==
         "\"shown\" must be true or false.");
 }
 

@@ -53,9 +53,7 @@ void MeasuringTool::make_actions(ActionList& actions) {
   edit->insertAction(actions.find("delete"), copy);
 }
 
-void MeasuringTool::refresh() {
-  host().action("copy-measurement")->setEnabled(active() && tool_.places().size() > 1);
-}
+void MeasuringTool::refresh() { host().action("copy-measurement")->setEnabled(active() && tool_.places().size() > 1); }
 
 void MeasuringTool::set_mode(const QString& mode) {
   const bool was_active = active();
