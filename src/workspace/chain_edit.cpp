@@ -139,10 +139,19 @@ Document without_object(const Document& document, NodeId end) {
   return without_unused(document.without(end), inputs_of(*node));
 }
 
+bool can_be_off(const Document& document, const Registry& registry, NodeId id) {
+  const Node* step = document.find(id);
+  const Operation* operation = step == nullptr || step->source ? nullptr : registry.find(step->operation);
+  if (operation == nullptr) return false;
+  const OperationDescription description = operation->describe();
+  const PortDescription* port = main_input(description);
+  return port != nullptr && main_type(*step, registry) == port->type;
+}
+
 Document with_step_enabled(const Document& document, const Registry& registry, NodeId id, bool enabled) {
   Node step = node_of(document, id);
-  const PortDescription port = input_of(registry, step);
-  if (!enabled && main_type(step, registry) != port.type) {
+  operation_of(registry, step);
+  if (!enabled && !can_be_off(document, registry, id)) {
     refuse(quoted(step) + " can't be switched off: it makes another kind of thing than it is given", id);
   }
   step.enabled = enabled;

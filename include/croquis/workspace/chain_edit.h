@@ -30,6 +30,9 @@ Document without_step(const Document& document, const Registry& registry, NodeId
 /// Without the object that ends in this node: its whole chain, and all else that nothing but this chain uses.
 Document without_object(const Document& document, NodeId end);
 
+/// Whether there is such a step and it gives what it takes.
+bool can_be_off(const Document& document, const Registry& registry, NodeId id);
+
 /// The step does nothing while it is off: the next one works on what is before it.
 /// @throws Error (E_STEP) for a source, and for a step that gives another type than it takes
 Document with_step_enabled(const Document& document, const Registry& registry, NodeId id, bool enabled);

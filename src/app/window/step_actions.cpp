@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "croquis/workspace/chain_edit.h"
+
 namespace croquis::app {
 namespace {
 
@@ -76,7 +78,8 @@ void StepActions::refresh() {
   const bool in_chain = node != nullptr && place != chain.end();
   const bool has_earlier = in_chain && place - chain.begin() > 1;
   const bool has_later = in_chain && std::next(place) != chain.end();
-  for (const char* name : {"step-on", "duplicate-step", "freeze-step", "delete-step"}) enable(name, node != nullptr);
+  for (const char* name : {"duplicate-step", "freeze-step", "delete-step"}) enable(name, node != nullptr);
+  enable("step-on", node != nullptr && can_be_off(studio.session().document(), studio.registry(), step));
   enable("step-earlier", has_earlier);
   enable("step-later", has_later);
   host_.action("step-on")->setChecked(node != nullptr && node->enabled);

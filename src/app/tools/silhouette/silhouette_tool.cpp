@@ -46,6 +46,7 @@ void SilhouetteTool::make_actions(ActionList& actions) {
   QAction* join =
       actions.add(edit, "join-limbs", tr("&Join limbs"), {QKeySequence("J")}, [this] { joints_.join_all(); });
   edit->insertAction(actions.find("delete"), join);
+  actions.menu(tr("&Object"))->addSeparator();
   QMenu* added = actions.menu(tr("&Object"))->addMenu(tr("Add s&ketch"));
   const auto add_plane = [&](const QString& name, const QString& text, const QList<QKeySequence>& keys,
                              const DrawingPlane& plane) {
