@@ -204,10 +204,14 @@ void Workspace::list_objects() {
     if (const auto view = views_.find(object.node); view != views_.end()) object.view = view->second;
   }
   choose_cages();
+  std::vector<NodeId> evaluated;
+  for (const auto& [node, live] : live_) evaluated.push_back(node);
   follow_nodes(document);
   take_live_results();
   fill_cages();
   note_edited_inputs();
+  const bool lost = std::ranges::any_of(evaluated, [&](NodeId node) { return !live_.contains(node); });
+  if (lost) report(listener_.result_changed);
 }
 
 /// Of the active object: by the step that is chosen.
@@ -252,13 +256,12 @@ void Workspace::follow_nodes(const Document& document) {
     wanted.insert(evaluated);
     live_node(evaluated).follow(document);
   }
-  const bool lost = std::erase_if(live_, [&](auto& entry) {
-                      if (wanted.contains(entry.first)) return false;
-                      entry.second->cancel();
-                      // What is hidden is shown again at once; what lost its drawing can't be shown.
-                      return document.find(entry.first) == nullptr || empty.contains(entry.first);
-                    }) > 0;
-  if (lost) report(listener_.result_changed);
+  std::erase_if(live_, [&](auto& entry) {
+    if (wanted.contains(entry.first)) return false;
+    entry.second->cancel();
+    // What is hidden is shown again at once; what lost its drawing can't be shown.
+    return document.find(entry.first) == nullptr || empty.contains(entry.first);
+  });
 }
 
 void Workspace::take_live_results() {

@@ -51,12 +51,12 @@ MainWindow::MainWindow(const QString& state_folder) : files_(studio_, pictures_,
   pages_->addWidget(start_page_);
   pages_->addWidget(viewport_);
   thumbnails_ = new GalleryThumbnails(studio_.registry(), pictures_, this);
+  make_help_line();
   make_docks();
   make_actions();
   make_tools();
   make_window_actions();
   gate_document_actions();
-  make_help_line();
   connect_studio();
   connect_files();
   connect_start_page();
