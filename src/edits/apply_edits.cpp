@@ -56,10 +56,15 @@ MeshEdit apply_edit(const PolyMesh& mesh, const MeshTopology& topology, const Ed
 
 EditedMesh apply_edits(PolyMesh mesh, std::span<const EditLine> lines, const EditRegistry& registry,
                        Progress& progress) {
-  EditedMesh result;
-  result.vertex_source = all_elements(mesh.vertex_count());
-  result.face_source = all_elements(mesh.face_count());
-  result.mesh = std::move(mesh);
+  EditedMesh begun;
+  begun.vertex_source = all_elements(mesh.vertex_count());
+  begun.face_source = all_elements(mesh.face_count());
+  begun.mesh = std::move(mesh);
+  return apply_edits(std::move(begun), lines, registry, progress);
+}
+
+EditedMesh apply_edits(EditedMesh result, std::span<const EditLine> lines, const EditRegistry& registry,
+                       Progress& progress) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     progress.check();
     MeshEdit step = apply_edit(result.mesh, MeshTopology(result.mesh), lines[i], registry);

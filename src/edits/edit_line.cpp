@@ -119,4 +119,10 @@ std::string to_text(const EditLine& line) {
   return text;
 }
 
+std::string to_text(const std::vector<EditLine>& lines) {
+  std::string text;
+  for (const EditLine& line : lines) text += (text.empty() ? "" : "; ") + to_text(line);
+  return text;
+}
+
 }  // namespace croquis

@@ -15,7 +15,8 @@ class ExtrudeEdit final : public Edit {
             {ComponentKind::Face},
             {vector_parameter("by", "", "How far, along x, y and z, in model units; if not given, `distance` counts."),
              number_parameter("distance", 0, -unlimited_value, unlimited_value, "model units",
-                              "How far along the mean normal of the faces; not used where `by` is given.")}};
+                              "How far along the mean normal of the faces; not used where `by` is given.")},
+            EditStart{"distance", 0.1}};
   }
 
   MeshEdit apply(const PolyMesh& mesh, const MeshTopology& topology, ComponentKind /*kind*/,

@@ -12,7 +12,8 @@ class InsetEdit final : public Edit {
             "Inset",
             "Draws the border of faces inwards and fills the strip between with quads.",
             {ComponentKind::Face},
-            {number_parameter("width", 0, 0, unlimited_value, "model units", "Width of the strip.")}};
+            {number_parameter("width", 0, 0, unlimited_value, "model units", "Width of the strip.")},
+            EditStart{"width", 0.1}};
   }
 
   MeshEdit apply(const PolyMesh& mesh, const MeshTopology& topology, ComponentKind /*kind*/,

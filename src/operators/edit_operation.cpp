@@ -2,13 +2,15 @@
 #include "operators/edit_operation.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <string>
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/document/byte_size.h"
+#include "croquis/document/connectivity.h"
 #include "croquis/document/content_hash.h"
+#include "croquis/document/memo.h"
 #include "croquis/edits/apply_edits.h"
 #include "croquis/operators/edit_result.h"
 #include "operators/choice_parameter.h"
@@ -16,20 +18,9 @@
 namespace croquis {
 namespace {
 
-/// A name for how faces are joined: positions don't count. Numbers of elements mean the same in meshes of one name.
-std::string connectivity_name(const PolyMesh& mesh) {
-  ContentHasher hasher;
-  hasher.add(mesh.vertex_count());
-  hasher.add(std::span<const Index>(mesh.face_offsets));
-  hasher.add(std::span<const Index>(mesh.corners));
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hasher.digest().high));
-  return text;
-}
-
 void check_connectivity(const PolyMesh& mesh, const std::string& expected) {
   if (expected.empty() || expected == connectivity_name(mesh)) return;
-  throw Error(make_error(Category::Geometry, "E_CONNECTIVITY",
+  throw Error(make_error(Category::Geometry, connectivity_code,
                          "The faces of the mesh are joined in another way than when these edits were made, so their "
                          "elements can't be found: make the edits again, or freeze the mesh before them.",
                          {{SubjectKind::Parameter, "connectivity", {}, {}, {}}}));
@@ -37,6 +28,41 @@ void check_connectivity(const PolyMesh& mesh, const std::string& expected) {
 
 std::size_t count_new(const std::vector<Index>& sources) {
   return static_cast<std::size_t>(std::count(sources.begin(), sources.end(), no_index));
+}
+
+std::size_t bytes_of(const EditedMesh& edited) {
+  const std::shared_ptr<const PolyMesh> mesh(std::shared_ptr<const void>(), &edited.mesh);  // owns nothing
+  return byte_size(Value(mesh)) + byte_size(edited.warnings) +
+         (edited.vertex_source.capacity() + edited.face_source.capacity()) * sizeof(Index);
+}
+
+ContentHash hash_of_edits(const Value& mesh, const std::vector<EditLine>& lines) {
+  ContentHasher hasher;
+  hasher.add(std::string_view("edit 1 lines"));
+  hasher.add(content_hash(mesh));
+  hasher.add(std::string_view(to_text(lines)));
+  return hasher.digest();
+}
+
+/// People add one line after the other, and drags replace the last one: what is before it is kept.
+EditedMesh edited_mesh(const Value& mesh, const std::vector<EditLine>& lines, Context& context) {
+  const auto apply = [&](auto begun, std::span<const EditLine> more) {
+    return apply_edits(std::move(begun), more, all_edits(), context.progress);
+  };
+  if (context.memo == nullptr || lines.size() < 2) return apply(mesh.get<PolyMesh>(), lines);
+  std::vector<EditLine> before(lines.begin(), lines.end() - 1);
+  const ContentHash key = hash_of_edits(mesh, before);
+  auto begun = context.memo->find<EditedMesh>(key);
+  if (!begun) {
+    const EditLine last = before.back();
+    before.pop_back();
+    const auto earlier = before.empty() ? nullptr : context.memo->find<EditedMesh>(hash_of_edits(mesh, before));
+    before.push_back(last);
+    auto made = std::make_shared<const EditedMesh>(earlier ? apply(*earlier, std::span(&last, 1))
+                                                           : apply(mesh.get<PolyMesh>(), before));
+    begun = context.memo->keep<EditedMesh>(key, made, bytes_of(*made));
+  }
+  return apply(*begun, std::span(&lines.back(), 1));
 }
 
 EditResult result_of_editing(const PolyMesh& given, const EditedMesh& edited, const std::vector<EditLine>& lines) {
@@ -91,7 +117,8 @@ OperationDescription EditOperation::describe() const {
             "",
             "Refuses meshes whose faces are joined in another way, by the name in the details; empty: takes any."}},
           "",
-          "--do 'extrude faces=0 distance=1'"};
+          "--do 'extrude faces=0 distance=1'",
+          InputEdits{"do", "connectivity"}};
 }
 
 OperationResult EditOperation::compute(const Values& inputs, const ParameterValues& parameters,
@@ -99,7 +126,7 @@ OperationResult EditOperation::compute(const Values& inputs, const ParameterValu
   const PolyMesh& mesh = inputs.at("mesh").get<PolyMesh>();
   check_connectivity(mesh, text_of(parameters, "connectivity"));
   const std::vector<EditLine> lines = parse_edit_lines(text_of(parameters, "do"), all_edits());
-  EditedMesh edited = apply_edits(mesh, lines, all_edits(), context.progress);
+  EditedMesh edited = edited_mesh(inputs.at("mesh"), lines, context);
   OperationResult result;
   EditResult details = result_of_editing(mesh, edited, lines);
   result.outputs["details"] = std::make_shared<const Report>(to_report(details));

@@ -61,6 +61,11 @@ std::size_t bound_of(const PolyMesh& mesh, ComponentKind kind) {
   return kind == ComponentKind::Face ? mesh.face_count() : mesh.corners.size();
 }
 
+std::shared_ptr<const ComponentSelection> in_order(ComponentSelection selection) {
+  put_in_order(selection.elements);
+  return std::make_shared<const ComponentSelection>(std::move(selection));
+}
+
 KeptComponents kept(ComponentSelection selection, std::size_t faces, std::size_t corners) {
   if (selection.elements.empty()) selection = {};
   return {std::make_shared<const ComponentSelection>(std::move(selection)), faces, corners};
@@ -68,10 +73,14 @@ KeptComponents kept(ComponentSelection selection, std::size_t faces, std::size_t
 
 }  // namespace
 
-KeptComponents existing_components(KeptComponents components, const Document& document, bool is_new) {
+KeptComponents existing_components(KeptComponents components, const Document& document, bool is_new,
+                                   const MeshFinder& find) {
   const ComponentSelection& selection = *components.selection;
   if (selection.elements.empty()) return selection == ComponentSelection{} ? components : kept({}, 0, 0);
-  const auto mesh = source_mesh(document, selection.node);
+  const Node* node = document.find(selection.node);
+  const bool computed = node != nullptr && !node->source && find;
+  const auto mesh = computed ? find(document, node->id) : source_mesh(document, selection.node);
+  if (!mesh && computed) return is_new ? KeptComponents{in_order(selection), 0, 0} : components;
   if (!mesh) return kept({}, 0, 0);
   const std::size_t faces = mesh->face_count();
   const std::size_t corners = mesh->corners.size();
@@ -84,6 +93,7 @@ KeptComponents existing_components(KeptComponents components, const Document& do
     return kept(std::move(ordered), faces, corners);
   }
   const bool same_connectivity = faces == components.faces && corners == components.corners;
+  if (computed && !same_connectivity && components.corners > 0) return kept({}, 0, 0);
   if (selection.kind == ComponentKind::Edge && !same_connectivity) return kept({}, 0, 0);
   if (selection.elements.back() < bound) return {components.selection, faces, corners};
   ComponentSelection clipped{selection.node, selection.kind, {}};

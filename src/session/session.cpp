@@ -68,13 +68,13 @@ void Session::show(Document document, std::uint64_t state) {
   document_ = document.next_id() == next_id ? std::move(document) : Document::of(document.nodes(), next_id);
   state_ = state;
   selection_ = existing(std::move(selection_), document_);
-  components_ = existing_components(std::move(components_), document_, false);
+  components_ = existing_components(std::move(components_), document_, false, find_mesh_);
   ++revision_;
 }
 
 void Session::take_components(ComponentSelection components) {
   components_.selection = std::make_shared<const ComponentSelection>(std::move(components));
-  components_ = existing_components(std::move(components_), document_, true);
+  components_ = existing_components(std::move(components_), document_, true, find_mesh_);
 }
 
 void Session::tell() {
@@ -208,6 +208,14 @@ void Session::select_components(ComponentSelection components) {
     components_.selection = before;
     return;
   }
+  ++revision_;
+  tell();
+}
+
+void Session::check_components() {
+  const auto before = components_.selection;
+  components_ = existing_components(std::move(components_), document_, false, find_mesh_);
+  if (components_.selection == before) return;
   ++revision_;
   tell();
 }

@@ -68,8 +68,12 @@ void LiveNode::evaluate() {
 }
 
 void LiveNode::take(std::shared_ptr<const Evaluation> result, Quality quality) {
-  result_ = std::move(result);
-  quality_ = quality;
+  // Edits of the final mesh may not fit the coarser draft of it: what there is says more than that.
+  const bool fits_no_draft = quality == Quality::Draft && result->failed && result_;
+  if (!fits_no_draft) {
+    result_ = std::move(result);
+    quality_ = quality;
+  }
   drafting_ = false;
   if (waiting_) evaluate();
   const auto report = host_.changed;  // a receiver may remove this node

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "croquis/base/error.h"
 #include "croquis/workspace/chain.h"
 
 namespace croquis {
@@ -29,6 +30,7 @@ Workspace::Workspace(Registry registry, LiveEvaluation::Post post, Listener list
     OperationDescription description = operation->describe();
     descriptions_[description.id] = std::move(description);
   }
+  session_.find_meshes_with([this](const Document& document, NodeId node) { return final_mesh(document, node); });
   session_.on_change([this] { follow_session(); });
 }
 
@@ -84,14 +86,19 @@ const WorkObject* Workspace::active() const {
 
 void Workspace::set_active(NodeId node) { active_ = node; }
 
+NodeId Workspace::chosen_step(const WorkObject& object) const {
+  for (const SelectedItem& item : session_.selection()) {
+    const Node* node = session_.document().find(item.node);
+    if (item.part.empty() && is_in(object.chain, item.node) && !node->source) return item.node;
+  }
+  return 0;
+}
+
 NodeId Workspace::active_step() const {
   const WorkObject* object = active();
   if (object == nullptr) return 0;
-  for (const SelectedItem& item : session_.selection()) {
-    const Node* node = session_.document().find(item.node);
-    if (item.part.empty() && is_in(object->chain, item.node) && !node->source) return item.node;
-  }
-  return object->node;
+  const NodeId chosen = chosen_step(*object);
+  return chosen == 0 ? object->node : chosen;
 }
 
 const Node* Workspace::active_operation() const {
@@ -114,6 +121,14 @@ void Workspace::set_view(NodeId id, ChainView view) {
   report(listener_.result_changed);
 }
 
+void Workspace::set_edits_elements(bool on) {
+  if (edits_elements_ == on) return;
+  edits_elements_ = on;
+  list_objects();
+  report(listener_.changed);
+  report(listener_.result_changed);
+}
+
 std::shared_ptr<const Evaluation> Workspace::result(NodeId node) const {
   const auto found = live_.find(node);
   if (found != live_.end() && found->second->result()) return found->second->result();
@@ -127,6 +142,24 @@ std::shared_ptr<const PolyMesh> Workspace::mesh_at(NodeId id) const {
   const Operation* operation = registry_.find(node->operation);
   const auto evaluation = operation == nullptr ? nullptr : result(id);
   return evaluation ? mesh_of(*evaluation, *operation) : nullptr;
+}
+
+std::shared_ptr<const PolyMesh> Workspace::final_mesh(const Document& document, NodeId id) const {
+  const Node* node = document.find(id);
+  if (node == nullptr) return nullptr;
+  if (node->source) return mesh_in(*node);
+  const Operation* operation = registry_.find(node->operation);
+  const auto kept = operation == nullptr ? nullptr : evaluator_.find(document, id);
+  const bool is_final = kept && !kept->failed && kept->quality == Quality::Final;
+  return is_final ? mesh_of(*kept, *operation) : nullptr;
+}
+
+std::shared_ptr<const PolyMesh> Workspace::compute_mesh(const Document& document, NodeId id) {
+  Progress progress;
+  const auto evaluation = evaluator_.evaluate(document, id, Quality::Final, progress);
+  if (evaluation->failed) throw Error(evaluation->findings);
+  const Operation* operation = registry_.find(document.find(id)->operation);
+  return operation == nullptr ? mesh_in(*document.find(id)) : mesh_of(*evaluation, *operation);
 }
 
 std::vector<NodeFinding> Workspace::findings() const {
@@ -153,10 +186,11 @@ bool Workspace::begins_empty(const WorkObject& object) const {
   return drawing && drawing->strokes.empty();
 }
 
-bool Workspace::wants_evaluation(const WorkObject& object) const {
-  if (object.is_source() || !object.visible) return false;
-  if (object.cage != 0 && object.view == ChainView::Cage) return false;
-  return !begins_empty(object);
+/// The node whose result is shown; 0 when nothing needs to be computed.
+NodeId Workspace::evaluated_node(const WorkObject& object) const {
+  if (!object.visible || begins_empty(object)) return 0;
+  const NodeId shown = object.cage != 0 && object.view == ChainView::Cage ? object.cage : object.node;
+  return session_.document().find(shown)->source ? 0 : shown;
 }
 
 LiveNode& Workspace::live_node(NodeId node) {
@@ -190,8 +224,47 @@ void Workspace::list_objects() {
   for (WorkObject& object : objects_) {
     if (const auto view = views_.find(object.node); view != views_.end()) object.view = view->second;
   }
+  choose_cages();
+  std::vector<NodeId> evaluated;
+  for (const auto& [node, live] : live_) evaluated.push_back(node);
   follow_nodes(document);
   take_live_results();
+  fill_cages();
+  note_edited_inputs();
+  const bool lost = std::ranges::any_of(evaluated, [&](NodeId node) { return !live_.contains(node); });
+  if (lost) report(listener_.result_changed);
+}
+
+/// Of the active object: by the step that is chosen.
+void Workspace::choose_cages() {
+  const WorkObject* current = active();
+  for (WorkObject& object : objects_) {
+    if (&object != current) continue;
+    object.editable = editable_node(session_.document(), registry_, object.chain, chosen_step(object));
+    if (object.cage != 0 || edits_elements_) object.cage = object.editable;
+  }
+}
+
+/// Computed cages: what is known to be right, else the newest there is.
+void Workspace::fill_cages() {
+  for (WorkObject& object : objects_) {
+    if (object.cage == 0) continue;
+    const auto exact = final_mesh(session_.document(), object.cage);
+    object.cage_mesh = exact ? exact : mesh_at(object.cage);
+    if (!exact || object.cage != object.node || session_.document().find(object.node)->source) continue;
+    object.mesh = exact;
+    object.result = evaluator_.find(session_.document(), object.node);
+    object.quality = Quality::Final;
+  }
+}
+
+void Workspace::note_edited_inputs() {
+  const Document& document = session_.document();
+  for (const auto& node : document.nodes()) {
+    if (!edits_input(*node, registry_) || !final_mesh(document, node->id)) continue;
+    const Node* before = step_before(document, registry_, *node);
+    if (before != nullptr) edited_inputs_[node->id] = final_mesh(document, before->id);
+  }
 }
 
 void Workspace::follow_nodes(const Document& document) {
@@ -199,17 +272,17 @@ void Workspace::follow_nodes(const Document& document) {
   std::set<NodeId> empty;
   for (const WorkObject& object : objects_) {
     if (begins_empty(object)) empty.insert(object.node);
-    if (!wants_evaluation(object)) continue;
-    wanted.insert(object.node);
-    live_node(object.node).follow(document);
+    const NodeId evaluated = evaluated_node(object);
+    if (evaluated == 0) continue;
+    wanted.insert(evaluated);
+    live_node(evaluated).follow(document);
   }
-  const bool lost = std::erase_if(live_, [&](auto& entry) {
-                      if (wanted.contains(entry.first)) return false;
-                      entry.second->cancel();
-                      // What is hidden is shown again at once; what lost its drawing can't be shown.
-                      return document.find(entry.first) == nullptr || empty.contains(entry.first);
-                    }) > 0;
-  if (lost) report(listener_.result_changed);
+  std::erase_if(live_, [&](auto& entry) {
+    if (wanted.contains(entry.first)) return false;
+    entry.second->cancel();
+    // What is hidden is shown again at once; what lost its drawing can't be shown.
+    return document.find(entry.first) == nullptr || empty.contains(entry.first);
+  });
 }
 
 void Workspace::take_live_results() {
@@ -232,6 +305,7 @@ void Workspace::follow_session() {
 void Workspace::take_results() {
   results_wait_ = held_;
   if (held_) return;
+  session_.check_components();
   list_objects();
   report(listener_.result_changed);
 }

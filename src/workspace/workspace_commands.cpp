@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/document/connectivity.h"
+#include "croquis/edits/lines_by_position.h"
 #include "croquis/workspace/chain.h"
 #include "croquis/workspace/object_names.h"
 #include "croquis/workspace/workspace.h"
@@ -161,6 +163,53 @@ void Workspace::freeze_step(NodeId step) {
              with_step_frozen(session_.document(), registry_, step, kept->outputs.at(given.output)), step);
 }
 
+// ---- Steps of edits
+
+std::shared_ptr<const PolyMesh> Workspace::input_of_edits(NodeId step) const {
+  const Node& node = step_node(step);
+  if (!edits_input(node, registry_)) refuse_step('"' + node.name + "\" has no edits to apply again");
+  const Node* before = step_before(session_.document(), registry_, node);
+  auto mesh = before == nullptr ? nullptr : final_mesh(session_.document(), before->id);
+  if (!mesh) refuse_step('"' + title_of(node) + "\" can't be applied again before the step before it is computed");
+  return mesh;
+}
+
+void Workspace::apply_edits_again(NodeId step, const std::string& lines) {
+  const auto input = input_of_edits(step);
+  Node node = step_node(step);
+  const InputEdits names = *description(node.operation)->edits_input;
+  node.parameters[names.lines] = lines;
+  node.parameters[names.connectivity] = connectivity_name(*input);
+  const std::string label = "Re-apply " + title_of(node);
+  Document document = session_.document().with(std::move(node));
+  compute_mesh(document, step);
+  edit_chain(label, std::move(document), step);
+}
+
+void Workspace::reapply_step(NodeId step) {
+  input_of_edits(step);
+  const Node& node = step_node(step);
+  const ParameterValues values = complete(description(node.operation)->parameters, node.parameters);
+  apply_edits_again(step, text_of(values, description(node.operation)->edits_input->lines));
+}
+
+void Workspace::reapply_step_by_position(NodeId step) {
+  const auto now = input_of_edits(step);
+  const Node& node = step_node(step);
+  const InputEdits names = *description(node.operation)->edits_input;
+  const ParameterValues values = complete(description(node.operation)->parameters, node.parameters);
+  const auto noted = edited_inputs_.find(step);
+  const auto before = noted == edited_inputs_.end() ? nullptr : noted->second.lock();
+  if (!before || connectivity_name(*before) != text_of(values, names.connectivity)) {
+    refuse_step("The mesh that \"" + title_of(node) +
+                "\" was made for isn't kept any more, so the places of its elements aren't known: undo the change "
+                "before it, or re-apply it by number");
+  }
+  const auto lines = parse_edit_lines(text_of(values, names.lines), all_edits());
+  Progress progress;
+  apply_edits_again(step, to_text(lines_by_position(*before, *now, lines, all_edits(), progress)));
+}
+
 // ---- States
 
 namespace {
@@ -169,6 +218,11 @@ namespace {
 std::string first_error(const Findings& findings) {
   const auto found = std::ranges::find(findings, Severity::Error, &Finding::severity);
   return found == findings.end() ? std::string() : found->message;
+}
+
+/// Whether edits were made for another mesh than they are given.
+bool has_other_connectivity(const Findings& findings) {
+  return std::ranges::find(findings, connectivity_code, &Finding::code) != findings.end();
 }
 
 }  // namespace
@@ -180,11 +234,12 @@ std::vector<ChainStep> Workspace::steps_of(const WorkObject& object) const {
     ChainStep step{id, node.name, node.source ? std::string() : title_of(node), StepState::Source, {}};
     if (!node.source) {
       const auto kept = evaluator_.find(session_.document(), id);
-      step.state = !node.enabled   ? StepState::Off
-                   : !kept         ? StepState::Computing
-                   : !kept->failed ? StepState::Fresh
-                   : kept->stale   ? StepState::Stale
-                                   : StepState::Failed;
+      step.state = !node.enabled                            ? StepState::Off
+                   : !kept                                  ? StepState::Computing
+                   : !kept->failed                          ? StepState::Fresh
+                   : has_other_connectivity(kept->findings) ? StepState::NeedsAttention
+                   : kept->stale                            ? StepState::Stale
+                                                            : StepState::Failed;
       if (kept && kept->failed) step.problem = first_error(kept->findings);
     }
     steps.push_back(std::move(step));

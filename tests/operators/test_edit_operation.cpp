@@ -2,6 +2,8 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
+#include "croquis/document/content_hash.h"
+#include "croquis/document/memo.h"
 #include "croquis/geometry/mesh_report.h"
 #include "operators/edit_operation.h"
 #include "support/check_operation.h"
@@ -30,6 +32,25 @@ TEST_CASE("editing is a list of edits, and the details count what is new") {
   Progress progress;
   CHECK(inspect(mesh_of(result), false, progress).volume == Approx(1.25));
   CHECK(mesh_of(edit(test::cube(), {})).corners == test::cube().corners);
+}
+
+TEST_CASE("edits with a memo of earlier lines are those without one") {
+  const std::vector<std::string> lines = {"inset faces=0 width=0.25", "extrude faces=0 distance=1", "loop-cut edges=3",
+                                          "delete faces=2", "move vertices=1 by=0,0,1"};
+  Memo memo;
+  std::string text;
+  for (const std::string& line : lines) {
+    text += line + ";";
+    const OperationResult expected = edit(test::cube(), {{"do", text}});
+    for (int again = 0; again < 2; ++again) {
+      Progress progress;
+      Context context{progress, Quality::Final, &memo};
+      const OperationResult kept =
+          run(EditOperation(), {{"mesh", std::make_shared<const PolyMesh>(test::cube())}}, {{"do", text}}, context);
+      CHECK(content_hash(kept.outputs.at("mesh")) == content_hash(expected.outputs.at("mesh")));
+      CHECK(details_of(kept).at("new_faces").as_integer() == details_of(expected).at("new_faces").as_integer());
+    }
+  }
 }
 
 TEST_CASE("edits of one mesh are refused for another one, and taken when it only moved") {

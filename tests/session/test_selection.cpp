@@ -76,5 +76,26 @@ TEST_CASE("components that still fit are kept without a copy; others are clipped
   }
 }
 
+TEST_CASE("components of a computed mesh wait while it isn't there, and fall out when it is joined otherwise") {
+  const Document document =
+      Document().with(test::source_node(test::point(1))).with(test::operation_node("scale", {1, "value"}, 2));
+  const auto finder = [](std::shared_ptr<const PolyMesh> mesh) -> MeshFinder {
+    return [mesh](const Document&, NodeId) { return mesh; };
+  };
+  const auto cube = std::make_shared<const PolyMesh>(test::cube());
+  const auto torus = std::make_shared<const PolyMesh>(test::torus(5, 4));
+  for (const ComponentKind kind : {ComponentKind::Vertex, ComponentKind::Edge, ComponentKind::Face}) {
+    const ComponentSelection wanted{2, kind, {0, 2, 5}};
+    const auto kept = existing_components(chosen({2, kind, {5, 0, 2, 99}}), document, true, finder(cube));
+    CHECK(*kept.selection == wanted);
+    const auto waiting = existing_components(kept, document, false, finder(nullptr));
+    CHECK(waiting.selection == kept.selection);
+    CHECK(existing_components(waiting, document, false, finder(cube)).selection == kept.selection);
+    CHECK(existing_components(waiting, document, false, finder(torus)).selection->empty());
+    CHECK(existing_components(kept, document.without(2), false, finder(cube)).selection->empty());
+    CHECK(existing_components(kept, document, false).selection->empty());  // nobody knows computed meshes
+  }
+}
+
 }  // namespace
 }  // namespace croquis

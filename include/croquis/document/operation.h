@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,12 @@ struct PortDescription {
   bool counts_self_intersections = false;  ///< an output mesh of whose file hosts always count them
 };
 
+/// Of an operation whose parameters are edits of its input's elements: people go on editing what it gives.
+struct InputEdits {
+  std::string lines;         ///< the text parameter with the edits, in their order, separated by ';'
+  std::string connectivity;  ///< the text parameter with the connectivity_name of the mesh that they were made for
+};
+
 /// All that hosts know of an operation: options and help, panel, project-file fields and reference page come from it.
 struct OperationDescription {
   std::string id;   ///< "inflate": also the subcommand of the command line
@@ -36,6 +43,7 @@ struct OperationDescription {
   std::vector<ParameterDescription> parameters;
   std::string list_flag = {};  ///< name of a flag under which "details" is all that is wanted: hosts write nothing then
   std::string example = {};    ///< options of an example on the command line
+  std::optional<InputEdits> edits_input = {};
 };
 
 class Memo;

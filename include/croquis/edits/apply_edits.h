@@ -27,4 +27,8 @@ MeshEdit apply_edit(const PolyMesh& mesh, const MeshTopology& topology, const Ed
 EditedMesh apply_edits(PolyMesh mesh, std::span<const EditLine> lines, const EditRegistry& registry,
                        Progress& progress);
 
+/// The same for a mesh that has been edited already: what comes from where counts from its first mesh on.
+EditedMesh apply_edits(EditedMesh begun, std::span<const EditLine> lines, const EditRegistry& registry,
+                       Progress& progress);
+
 }  // namespace croquis

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,12 @@
 /// its commands from the edit's own description.
 namespace croquis {
 
+/// What people begin with where the defaults of an edit do nothing.
+struct EditStart {
+  std::string parameter;  ///< a number
+  double share = 0;       ///< its value, of the diagonal of the box around the elements
+};
+
 /// All that hosts know of an edit.
 struct EditDescription {
   std::string id;     ///< "extrude": the first word of its line (see edit_line.h)
@@ -20,6 +27,7 @@ struct EditDescription {
   std::string sentence;
   std::vector<ComponentKind> kinds;  ///< of elements that it works on; one kind at a time
   std::vector<ParameterDescription> parameters;
+  std::optional<EditStart> start = {};  ///< see starting_line
 };
 
 /// The elements that an edit works on.

@@ -28,5 +28,6 @@ std::vector<EditLine> parse_edit_lines(std::string_view text, const EditRegistry
 
 /// The line that parse_edit_lines turns back into the same edit.
 std::string to_text(const EditLine& line);
+std::string to_text(const std::vector<EditLine>& lines);
 
 }  // namespace croquis

@@ -3,6 +3,7 @@
 
 #include <compare>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,7 +29,7 @@ using Selection = std::vector<SelectedItem>;
 /// O(#selection log #selection + #nodes + #strokes of the drawings with selected parts)
 Selection existing(Selection selection, const Document& document);
 
-/// Selected parts of ONE mesh: of the mesh that a source node holds.
+/// Selected parts of ONE mesh: of the mesh that a node holds or gives.
 struct ComponentSelection {
   NodeId node = 0;  ///< 0 when nothing is selected
   ComponentKind kind = ComponentKind::Vertex;
@@ -45,12 +46,18 @@ struct KeptComponents {
   std::size_t faces = 0, corners = 0;                   ///< of the mesh selected in
 };
 
+/// Finds the mesh that an operation's node gives, without computing: null while it isn't there.
+using MeshFinder = std::function<std::shared_ptr<const PolyMesh>(const Document&, NodeId)>;
+
 /// Sorted, each element once, without what the mesh doesn't have. Edges are only known by their number, so they fall
-/// out together when the number of faces or corners isn't the one they were selected in.
+/// out together when the number of faces or corners isn't the one they were selected in; elements of a computed mesh
+/// do so whatever their kind. While a computed mesh isn't there, all stay.
 /// @param is_new just selected, in the mesh as it is now
+/// @param find   of computed meshes; empty: elements of these fall out
 /// @return the same pointer when all still fits
 /// O(#nodes), and O(#elements log #elements) for a new one
-KeptComponents existing_components(KeptComponents components, const Document& document, bool is_new);
+KeptComponents existing_components(KeptComponents components, const Document& document, bool is_new,
+                                   const MeshFinder& find = {});
 
 /// The mesh that a node is a source of, or null.
 std::shared_ptr<const PolyMesh> source_mesh(const Document& document, NodeId node);

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "croquis/document/document.h"
@@ -25,6 +26,9 @@ class Session {
   explicit Session(Document initial = {}, std::size_t byte_cap = std::size_t{1} << 30);
 
   const Document& document() const { return document_; }
+
+  /// Each document of the history has its own number, which undo and redo bring back.
+  std::uint64_t state() const { return state_; }
 
   /// Grows with every change of document or selection.
   std::uint64_t revision() const { return revision_; }
@@ -58,6 +62,11 @@ class Session {
   const ComponentSelection& components() const { return *components_.selection; }
   std::shared_ptr<const ComponentSelection> shared_components() const { return components_.selection; }
   void select_components(ComponentSelection components);
+
+  /// How meshes of operations are found, so that their elements can be selected, too.
+  void find_meshes_with(MeshFinder find) { find_mesh_ = std::move(find); }
+  /// Computed meshes are there now that may be others than before: what they don't have falls out.
+  void check_components();
 
   /// Whether the document isn't the one last saved or loaded; right across undo and redo.
   bool modified() const { return state_ != saved_state_; }
@@ -99,9 +108,10 @@ class Session {
   std::deque<Step> undo_;  ///< next one last
   std::deque<Step> redo_;  ///< next one last
   std::optional<Step> drag_;
+  MeshFinder find_mesh_;
   std::size_t byte_cap_;
   std::uint64_t revision_ = 0;
-  std::uint64_t state_ = 0;  ///< each document of the history has its own number
+  std::uint64_t state_ = 0;
   std::uint64_t saved_state_ = 0;
   std::uint64_t last_state_ = 0;
   std::vector<std::function<void()>> listeners_;

@@ -20,10 +20,11 @@ enum class ChainView {
 
 /// What is known of a step.
 enum class StepState {
-  Source,     ///< nothing is computed here
-  Fresh,      ///< computed, of the document as it is
-  Computing,  ///< not computed yet
-  Stale,      ///< failed, and goes on showing its last good result
+  Source,          ///< nothing is computed here
+  Fresh,           ///< computed, of the document as it is
+  Computing,       ///< not computed yet
+  Stale,           ///< failed, and goes on showing its last good result
+  NeedsAttention,  ///< its edits were made for a mesh whose faces were joined in another way
   Failed,
   Off
 };
@@ -42,8 +43,10 @@ struct ChainStep {
 struct WorkObject {
   NodeId node = 0;            ///< the end of the chain
   std::vector<NodeId> chain;  ///< from the first node to the end
-  NodeId cage = 0;            ///< the mesh source that the chain begins with, maybe `node` itself; 0: no mesh source
+  NodeId editable = 0;        ///< the node whose elements can be edited; see Workspace::set_edits_elements
+  NodeId cage = 0;            ///< that node, maybe `node` itself; 0: none, or only in element modes
   std::string name;           ///< of the source that the chain begins with, where there is one
+  bool begins_with_mesh = false;
   bool visible = true;
   ChainView view = ChainView::Result;
   std::shared_ptr<const PolyMesh> cage_mesh;  ///< null without a cage
@@ -51,6 +54,7 @@ struct WorkObject {
   std::shared_ptr<const Evaluation> result;   ///< of an operation; null for a source and before the first one
   Quality quality = Quality::Final;
 
+  /// Nothing is computed after the cage.
   bool is_source() const { return node == cage; }
 
   /// What stands in the views as a surface: the cage, too, as long as it couldn't be refined.
@@ -64,6 +68,18 @@ std::shared_ptr<const PolyMesh> mesh_in(const Node& node);
 
 /// The mesh that a node's operation gives to the next step, or null.
 std::shared_ptr<const PolyMesh> mesh_of(const Evaluation& evaluation, const Operation& operation);
+
+/// The node whose elements people edit in a chain: the first one that gives a mesh, or the last of the steps directly
+/// after it that edit their input (OperationDescription::edits_input).
+/// @param chosen a step of the chain, or 0. Chosen, it is about the mesh that it is made from, with such steps; about
+/// its
+///               own when it edits its input. The end is only chosen when it does
+/// @return 0 when there is no mesh
+NodeId editable_node(const Document& document, const Registry& registry, const std::vector<NodeId>& chain,
+                     NodeId chosen = 0);
+
+/// Whether the node's operation edits its input.
+bool edits_input(const Node& node, const Registry& registry);
 
 /// Every chain whose end gives a mesh and is used by no other node, in the document's order of their ends, without
 /// results.

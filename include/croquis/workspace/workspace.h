@@ -83,12 +83,24 @@ class Workspace {
 
   void set_view(NodeId object, ChainView view);
 
+  /// Whether elements are being picked (vertices, edges, faces). A chain that begins with a mesh, or has steps of
+  /// edits, always has a cage; any other one, as of a sketch's solid, while this is on and it is the active one.
+  void set_edits_elements(bool on);
+
   /// The newest result of a node that is kept evaluated: stale while the next one is computed, null before the first
   /// one. Nodes in chains are found, too, once they are computed.
   std::shared_ptr<const Evaluation> result(NodeId node) const;
 
   /// The mesh that a node gives to the next one, as far as it is there: computed already, or a source's. Or null.
   std::shared_ptr<const PolyMesh> mesh_at(NodeId node) const;
+
+  /// The mesh that a node of some document holds or gives, when it is computed to the end; never an older one. Or null.
+  std::shared_ptr<const PolyMesh> final_mesh(const Document& document, NodeId node) const;
+
+  /// The same, computed now if needed: for a step that is about to be added after what is computed already, as one more
+  /// edit, so that everybody finds it.
+  /// @throws Error what is wrong with the step
+  std::shared_ptr<const PolyMesh> compute_mesh(const Document& document, NodeId node);
 
   /// The findings of the newest results, errors first.
   std::vector<NodeFinding> findings() const;
@@ -129,6 +141,13 @@ class Workspace {
   void copy_step(NodeId step);
   void freeze_step(NodeId step);  ///< what it gave becomes a source; has to be computed
 
+  /// Makes a step of edits fit the mesh that it is given now. By number: its lines stay as they are.
+  /// @throws Error (E_STEP) when the mesh isn't computed yet, and (E_EDIT, E_INPUT …) when it lacks an element
+  void reapply_step(NodeId step);
+  /// By position: each line's elements become those nearest to where its elements were.
+  /// @throws Error (E_STEP) as well when the mesh that the edits were made for isn't kept any more
+  void reapply_step_by_position(NodeId step);
+
   // ---- Computing
 
   /// While held, results and the progress towards them are kept back; released, they are reported at once.
@@ -140,9 +159,15 @@ class Workspace {
  private:
   void follow_session();
   void list_objects();
+  void choose_cages();
+  void fill_cages();
+  void note_edited_inputs();
+  NodeId chosen_step(const WorkObject& object) const;
+  std::shared_ptr<const PolyMesh> input_of_edits(NodeId step) const;
+  void apply_edits_again(NodeId step, const std::string& lines);
   void follow_nodes(const Document& document);
   void take_live_results();
-  bool wants_evaluation(const WorkObject& object) const;
+  NodeId evaluated_node(const WorkObject& object) const;
   bool begins_empty(const WorkObject& object) const;
   LiveNode& live_node(NodeId node);
   void take_results();
@@ -158,6 +183,8 @@ class Workspace {
   std::vector<WorkObject> objects_;
   std::map<NodeId, ChainView> views_;
   NodeId active_ = 0;
+  bool edits_elements_ = false;
+  std::map<NodeId, std::weak_ptr<const PolyMesh>> edited_inputs_;  ///< that the edits of each such step fitted last
   std::map<std::string, OperationDescription> descriptions_;
   bool dragging_parameter_ = false;
   bool held_ = false;

@@ -253,7 +253,7 @@ Findings ProjectFiles::export_solid(const QString& path) const {
                            "\"" + local(path) + "\" names no mesh format: use " + writable_endings()));
   }
   const auto mesh = object == nullptr ? nullptr : object->shown();
-  const bool computed = mesh && mesh != object->cage_mesh;
+  const bool computed = mesh && object->result && mesh == object->mesh;
   if (!mesh || (computed && (object->result->failed || object->quality != Quality::Final))) {
     throw Error(make_error(Category::Geometry, "E_EMPTY", "There is no finished mesh to export yet"));
   }

@@ -34,7 +34,11 @@ class NumberField : public ParameterField {
     QHBoxLayout* row = tight_row(this);
     box_->setDecimals(3);
     box_->setRange(low_, high_);
-    box_->setSingleStep(std::isfinite(high_ - low_) ? (high_ - low_) / 100 : 1);
+    if (std::isfinite(high_ - low_)) {
+      box_->setSingleStep((high_ - low_) / 100);
+    } else {
+      box_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);  // no step fits small and large models
+    }
     box_->setKeyboardTracking(false);
     box_->setAccessibleName(parameter_title(description));
     share_keys(box_);

@@ -38,7 +38,8 @@ SceneScale::Box SceneScale::box_of_rest(const StudioObject& object) {
 
 std::optional<double> SceneScale::factor() {
   const StudioObject* object = studio_.active();
-  if (object == nullptr || object->cage == 0 || !object->visible || !object->cage_mesh) return std::nullopt;
+  if (object == nullptr || !object->visible || !object->cage_mesh) return std::nullopt;
+  if (!source_mesh(studio_.session().document(), object->cage)) return std::nullopt;
   const Box rest = box_of_rest(*object);
   const Box& own = box_of(object->cage, object->cage_mesh);
   if (rest.isEmpty() || own.isEmpty()) return std::nullopt;

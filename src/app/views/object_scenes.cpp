@@ -151,9 +151,9 @@ render::Scene ObjectScenes::scene(const Wanted& wanted) const {
   for (const StudioObject& object : studio_.objects()) {
     const auto items = items_.find(object.node);
     if (!object.visible || items == items_.end()) continue;
-    if (wanted.only_with_cage && object.cage == 0) continue;
+    if (wanted.only_with_cage && !object.begins_with_mesh) continue;
     render::Emphasis emphasis;
-    emphasis.stale = wanted.stale && !object.is_source();
+    emphasis.stale = wanted.stale && object.result != nullptr;
     emphasis.selected = wanted.edited == 0 && several && is_selected(object);
     emphasis.outlined = wanted.edited == 0 && wanted.outlines && is_selected(object);
     render::MeshStyle style = style_of(wanted.look);

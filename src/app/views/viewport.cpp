@@ -21,9 +21,8 @@ constexpr std::size_t upload_budget = 24'000'000;  // bytes a frame: more is a v
 constexpr int picture_height = 1600;
 constexpr QSize least_size(502, 240);  // two views beside each other can be worked in
 
-/// Some object can be edited vertex by vertex.
-bool has_cage(const Studio& studio) {
-  return std::ranges::any_of(studio.objects(), [](const StudioObject& object) { return object.cage != 0; });
+bool has_mesh(const Studio& studio) {
+  return std::ranges::any_of(studio.objects(), [](const StudioObject& object) { return object.begins_with_mesh; });
 }
 
 }  // namespace
@@ -222,7 +221,7 @@ void Viewport::follow_load() {
 void Viewport::follow_document() {
   objects_.follow();
   for (Tool* tool : tools_) tool->follow_document();
-  const bool has_meshes = has_cage(studio_);
+  const bool has_meshes = has_mesh(studio_);
   if (has_meshes && !had_meshes_ && !is_drawn_on(SketchView)) {
     // A document of meshes begins with the perspective view; Space shows the others.
     layout_.arrange(Arrangement::Four);

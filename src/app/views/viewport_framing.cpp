@@ -75,7 +75,7 @@ bool Viewport::note_objects() {
   std::map<NodeId, render::MeshItemPtr> now;
   bool news = false;
   for (const StudioObject& object : studio_.objects()) {
-    const NodeId key = object.cage != 0 ? object.cage : object.node;
+    const NodeId key = object.begins_with_mesh ? object.chain.front() : object.node;
     const auto before = known_.find(key);
     render::MeshItemPtr item = objects_.surface_item(object.node);
     if (!item && before == known_.end()) continue;

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "croquis/base/error.h"
 #include "croquis/edits/apply_edits.h"
+#include "croquis/edits/starting_line.h"
 #include "croquis/tools/recording/general_steps.h"
 #include "tools/mesh/selection_edit.h"
 
@@ -28,13 +30,63 @@ std::string vector_text(const Vec3& vector) {
 
 // ---- Any edit
 
-Verdict MeshEditor::apply(const EditLine& line) {
+std::string MeshEditor::label_of(const EditLine& line) const {
   const Edit* edit = all_edits().find(line.edit);
   const std::string title = edit == nullptr ? line.edit : edit->describe().title;
   const EditTarget& target = line.target;
-  const std::string what =
-      target.all ? source_.node_name() : counted_elements(target.kind, sorted_unique(target.elements).size());
-  return run(line, title + ' ' + what, recorded::EditStep{source_.node_name(), line}, SelectAfter::Results);
+  return title + ' ' +
+         (target.all ? source_.node_name() : counted_elements(target.kind, sorted_unique(target.elements).size()));
+}
+
+Verdict MeshEditor::apply(const EditLine& line) {
+  const NodeId from = source_.node();
+  const Verdict verdict =
+      run(line, label_of(line), recorded::EditStep{source_.node_name(), line, false}, SelectAfter::Results);
+  if (verdict == Verdict::Commit) last_ = LastEdit{line, from, source_.node(), source_.session().state(), true};
+  return verdict;
+}
+
+bool MeshEditor::fits_selection(const EditDescription& edit) const {
+  return !selector_.selected().empty() && std::ranges::find(edit.kinds, selector_.kind()) != edit.kinds.end();
+}
+
+Verdict MeshEditor::begin(const std::string& id) {
+  const Edit* edit = all_edits().find(id);
+  const PreparedMesh* now = source_.prepared();
+  if (edit == nullptr || now == nullptr || !fits_selection(edit->describe())) return Verdict::Continue;
+  return apply(
+      starting_line(*now->mesh, *now->topology, *edit, {selector_.kind(), false, Elements(selector_.selected())}));
+}
+
+// ---- The last edit with other numbers
+
+const EditLine* MeshEditor::last() const {
+  if (adjusting_) return &last_->line;
+  const bool newest = last_ && last_->node == source_.node() && last_->state == source_.session().state();
+  return newest ? &last_->line : nullptr;
+}
+
+Verdict MeshEditor::adjust(ParameterValues parameters) {
+  if (last() == nullptr || last_->line.parameters == parameters) return Verdict::Continue;
+  log_.begin();
+  Session& session = source_.session();
+  const LastEdit before = *last_;
+  EditLine line = before.line;
+  line.parameters = std::move(parameters);
+  adjusting_ = true;  // listeners go on seeing the last edit, though it is taken back for a moment
+  if (before.applied) session.undo();
+  source_.go_on_with(before.from);
+  try {
+    if (apply(line) != Verdict::Commit) last_ = LastEdit{line, before.from, before.from, session.state(), false};
+  } catch (const Error&) {
+    if (before.applied) session.redo();
+    source_.go_on_with(before.node);
+    adjusting_ = false;
+    throw;
+  }
+  adjusting_ = false;
+  log_.done = recorded::EditStep{source_.node_name(), std::move(line), true};
+  return Verdict::Commit;
 }
 
 Verdict MeshEditor::run(const EditLine& line, const std::string& label, std::optional<recorded::Step> step,
@@ -45,23 +97,51 @@ Verdict MeshEditor::run(const EditLine& line, const std::string& label, std::opt
   MeshEdit edit = apply_edit(*now->mesh, *now->topology, line, all_edits());
   log_.notes = std::move(edit.lost);
   if (same_mesh(*now->mesh, edit.mesh)) return Verdict::Continue;
-  const Verdict verdict = commit(line.target, label, std::move(edit), after);
+  const Verdict verdict = commit(line, label, std::move(edit), after);
   if (verdict == Verdict::Commit) log_.done = std::move(step);
   return verdict;
 }
 
-Verdict MeshEditor::commit(const EditTarget& target, const std::string& label, MeshEdit edit, SelectAfter after) {
+Verdict MeshEditor::run_lines(const std::vector<EditLine>& lines, const std::string& label,
+                              std::optional<recorded::Step> step) {
+  log_.begin();
+  if (lines.empty() || !source_.mesh()) return Verdict::Continue;
+  log_.notes.clear();
+  keep_selection(label, source_.with_lines(source_.session().document(), lines));
+  log_.done = std::move(step);
+  return Verdict::Commit;
+}
+
+AddedNode MeshEditor::edited(const EditLine& line, PolyMesh mesh) const {
+  if (source_.is_computed()) return source_.with_lines(source_.session().document(), {line});
+  return {source_.with_mesh(std::move(mesh)), source_.node()};
+}
+
+/// What is selected is so in the edited mesh as well.
+void MeshEditor::keep_selection(const std::string& label, AddedNode edited) {
+  Session& session = source_.session();
+  ComponentSelection selection = session.components();
+  if (edited.node == source_.node()) return session.edit(label, std::move(edited.document));
+  if (selection.node == source_.node()) selection.node = edited.node;
+  source_.go_on_with(edited.node);
+  session.edit(label, std::move(edited.document), std::move(selection));
+}
+
+Verdict MeshEditor::commit(const EditLine& line, const std::string& label, MeshEdit edit, SelectAfter after) {
   Session& session = source_.session();
   const std::uint64_t before = session.revision();
   const auto topology = source_.topology();
-  Document edited = source_.with_mesh(std::move(edit.mesh));
+  AddedNode result = edited(line, std::move(edit.mesh));
+  const NodeId node = result.node;
   if (after == SelectAfter::AsBefore) {
-    session.edit(label, std::move(edited));
+    keep_selection(label, std::move(result));
   } else if (after == SelectAfter::Results && !edit.moved_faces.empty() && selector_.mode() == MeshMode::Face) {
-    session.edit(label, std::move(edited), {source_.node(), ComponentKind::Face, edit.moved_faces});
+    source_.go_on_with(node);
+    session.edit(label, std::move(result.document), {node, ComponentKind::Face, edit.moved_faces});
   } else {
-    session.edit(label, std::move(edited), {});
-    if (after == SelectAfter::Results) select_results(target, edit, *topology);
+    source_.go_on_with(node);
+    session.edit(label, std::move(result.document), {});
+    if (after == SelectAfter::Results) select_results(line.target, edit, *topology);
   }
   return session.revision() == before ? Verdict::Continue : Verdict::Commit;
 }
@@ -87,36 +167,47 @@ void MeshEditor::select_results(const EditTarget& target, const MeshEdit& edit, 
 
 // ---- Places
 
-Verdict MeshEditor::transform(const std::string& edit, const std::string& verb, ParameterValues parameters,
-                              recorded::Step step) {
+EditLine MeshEditor::line_of_selected(const std::string& edit, ParameterValues parameters) const {
+  const bool whole = selector_.mode() == MeshMode::Object;
+  EditLine line =
+      edit_of(edit, whole ? ComponentKind::Vertex : selector_.kind(), selector_.selected(), std::move(parameters));
+  line.target.all = whole;
+  return line;
+}
+
+EditLine MeshEditor::move_line(const Vec3& by) const { return line_of_selected("move", {{"by", vector_text(by)}}); }
+
+EditLine MeshEditor::rotate_line(const Vec3& axis, double degrees, const Vec3& about) const {
+  const double taken = std::abs(degrees) > greatest_rotation ? std::remainder(degrees, 360) : degrees;
+  return line_of_selected("rotate", {{"axis", vector_text(axis)}, {"degrees", taken}, {"about", vector_text(about)}});
+}
+
+EditLine MeshEditor::scale_line(const Vec3& factors, const Vec3& about) const {
+  return line_of_selected("scale", {{"factors", vector_text(factors)}, {"about", vector_text(about)}});
+}
+
+Verdict MeshEditor::transform(const EditLine& line, const std::string& verb, recorded::Step step) {
   log_.begin();
   if (selector_.selected_vertices().empty()) return Verdict::Continue;
-  const bool whole = selector_.mode() == MeshMode::Object;
-  const ComponentKind kind = selector_.kind();
-  const Elements& selected = selector_.selected();
-  const std::string label = selector_.counted(verb, kind, selected.size());
-  EditLine line = edit_of(edit, whole ? ComponentKind::Vertex : kind, selected, std::move(parameters));
-  line.target.all = whole;
+  const std::string label = selector_.counted(verb, selector_.kind(), selector_.selected().size());
   return run(line, label, std::move(step), SelectAfter::AsBefore);
 }
 
 Verdict MeshEditor::move_selected(const Vec3& by) {
-  return transform("move", "Move", {{"by", vector_text(by)}}, recorded::Move{source_.node_name(), by});
+  return transform(move_line(by), "Move", recorded::Move{source_.node_name(), by});
 }
 
 Verdict MeshEditor::rotate_selected(const Vec3& axis, double degrees, std::optional<Vec3> pivot) {
   if (source_.prepared() == nullptr || axis.isZero(0)) return Verdict::Continue;
   const Vec3 about = pivot ? *pivot : selector_.middle();
-  const double taken = std::abs(degrees) > greatest_rotation ? std::remainder(degrees, 360) : degrees;
-  return transform("rotate", "Rotate", {{"axis", vector_text(axis)}, {"degrees", taken}, {"about", vector_text(about)}},
+  return transform(rotate_line(axis, degrees, about), "Rotate",
                    recorded::Rotate{source_.node_name(), axis, degrees, about});
 }
 
 Verdict MeshEditor::scale_selected(const Vec3& factors, std::optional<Vec3> pivot) {
   if (source_.prepared() == nullptr) return Verdict::Continue;
   const Vec3 about = pivot ? *pivot : selector_.middle();
-  return transform("scale", "Scale", {{"factors", vector_text(factors)}, {"about", vector_text(about)}},
-                   recorded::Scale{source_.node_name(), factors, about});
+  return transform(scale_line(factors, about), "Scale", recorded::Scale{source_.node_name(), factors, about});
 }
 
 // ---- Connectivity

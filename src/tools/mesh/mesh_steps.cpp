@@ -51,16 +51,18 @@ std::vector<EditLine> edit_lines_of(const std::string& text) {
 }
 
 EditStep read_edit(Fields& fields) {
-  EditStep step{fields.text("node"), {}};
+  EditStep step{fields.text("node"), {}, false};
   std::vector<EditLine> lines = edit_lines_of(fields.text("line"));
   if (lines.size() != 1) throw Mistake{"\"line\" must hold one edit"};
   step.line = std::move(lines.front());
+  if (fields.has("again")) step.again = fields.flag("again");
   return step;
 }
 
 void write_edit(const EditStep& step, FieldWriter& writer) {
   writer.text("node", step.node);
   writer.text("line", to_text(step.line));
+  if (step.again) writer.flag("again", true);
 }
 
 Move read_move(Fields& fields) { return {fields.text("node"), fields.triple("by")}; }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "croquis/base/error.h"
+
 namespace croquis {
 namespace {
 
@@ -30,11 +32,16 @@ bool same_hover(const std::optional<PickedElement>& a, const std::optional<Picke
 
 }  // namespace
 
-MeshTool::MeshTool(Session& session, MeshToolOptions options)
+MeshTool::MeshTool(Session& session, MeshToolOptions options) : MeshTool(session, nullptr, options) {}
+
+MeshTool::MeshTool(Workspace& workspace, MeshToolOptions options)
+    : MeshTool(workspace.session(), &workspace, options) {}
+
+MeshTool::MeshTool(Session& session, Workspace* workspace, MeshToolOptions options)
     : session_(session),
       options_(options),
       log_{[this] { give_up(); }, {}, {}},
-      source_(session),
+      source_(session, workspace),
       selector_(source_, log_, [this](bool changes) { leave_mode(changes); }),
       editor_(source_, selector_, log_),
       tag_editor_(source_, selector_, editor_, log_) {}
@@ -193,8 +200,11 @@ Verdict MeshTool::finish(const MeshEvent& event) {
 Verdict MeshTool::give_up() {
   if (gesture_ == Gesture::None) return Verdict::Continue;
   const bool dragging = dragging_ && !interrupted();
+  const NodeId before = begun_.node;
   end_gesture();
-  if (dragging) session_.cancel_drag();
+  if (!dragging) return Verdict::Revert;
+  source_.go_on_with(before);
+  session_.cancel_drag();
   return Verdict::Revert;
 }
 
@@ -203,6 +213,7 @@ void MeshTool::end_gesture() {
   preview_ = {};
   drag_.reset();
   original_.reset();
+  begun_ = {};
   dragged_.clear();
   dragging_ = false;
 }
@@ -214,6 +225,7 @@ bool MeshTool::interrupted() const { return dragging_ && session_.revision() != 
 
 void MeshTool::start_drag() {
   original_ = source_.mesh();
+  begun_ = {session_.document(), source_.node()};
   const bool sharpens = gesture_ == Gesture::Sharpen;
   dragged_ = sharpens ? selector_.selected() : selector_.selected_vertices();
   const std::string verb = sharpens                          ? "Sharpen"
@@ -230,22 +242,59 @@ void MeshTool::drag_handle(const Vec2& pixel) {
       drag_->to(start_.frame, pixel, start_.modifiers.ctrl ? options_.snap : ManipulatorSnap{});
   if (!dragging_) start_drag();
   preview_.motion = motion;
-  drag_to(transformed(*original_, dragged_, motion.map));
+  if (source_.is_computed()) return drag_lines(lines_of(motion));
+  drag_to({source_.with_mesh(transformed(*original_, dragged_, motion.map)), source_.node()});
 }
 
-void MeshTool::drag_to(PolyMesh mesh) {
+void MeshTool::drag_to(AddedNode edited) {
+  const NodeId before = source_.node();
+  ComponentSelection selection = session_.components();
   drag_revision_ = session_.revision() + 1;  // what listeners see while they are notified
-  session_.drag(source_.with_mesh(std::move(mesh)));
+  session_.drag(std::move(edited.document));
   drag_revision_ = session_.revision();
+  if (edited.node == before) return;
+  if (selection.node == before) selection.node = edited.node;
+  source_.go_on_with(edited.node);
+  drag_revision_ = session_.revision() + 1;
+  session_.select_components(std::move(selection));
+  drag_revision_ = session_.revision();
+}
+
+/// Each time these lines take the place of those that the drag had before. A drag that came back to where it began is
+/// no edit.
+void MeshTool::drag_lines(const std::vector<EditLine>& lines) {
+  const NodeId now = source_.node();
+  source_.go_on_with(begun_.node);
+  AddedNode edited = begun_;
+  try {
+    if (!lines.empty()) edited = source_.with_lines(begun_.document, lines);
+  } catch (const Error&) {
+    source_.go_on_with(now);
+    throw;
+  }
+  source_.go_on_with(now);
+  drag_to(std::move(edited));
+}
+
+/// None for a motion that moves nothing.
+std::vector<EditLine> MeshTool::lines_of(const ManipulatorMotion& motion) const {
+  const Vec3 pivot = drag_->moved().pivot - motion.by;
+  if (motion.map.matrix() == Eigen::Affine3d::Identity().matrix()) return {};
+  if (handles_ == MeshHandles::Move) return {editor_.move_line(motion.by)};
+  if (handles_ == MeshHandles::Scale) return {editor_.scale_line(motion.factors, pivot)};
+  return {editor_.rotate_line(motion.axis, motion.degrees, pivot)};
 }
 
 void MeshTool::drag_sharpness(const Vec2& pixel) {
   if (!dragging_) start_drag();
   const double levels = (pixel.x() - start_.pixel.x()) / options_.pixels_per_level;
   preview_.sharpness_change = std::round(levels / sharpness_step) * sharpness_step;
+  if (source_.is_computed()) {
+    return drag_lines(sharpening_lines(*original_, *source_.topology(), dragged_, *preview_.sharpness_change));
+  }
   PolyMesh sharpened = *original_;
   sharpened.tags = with_sharpness_changed(original_->tags, *source_.topology(), dragged_, *preview_.sharpness_change);
-  drag_to(std::move(sharpened));
+  drag_to({source_.with_mesh(std::move(sharpened)), source_.node()});
 }
 
 std::optional<recorded::Step> MeshTool::recorded_motion(const ManipulatorMotion& motion, const Vec3& pivot) const {

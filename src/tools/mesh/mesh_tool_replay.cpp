@@ -41,7 +41,12 @@ Verdict replay_pick(MeshTool& tool, const recorded::Pick& step) {
 
 Verdict replay_edit(MeshTool& tool, const recorded::EditStep& step) {
   if (!tool.source().mesh()) refuse_step("\"" + step.node + "\" holds no mesh");
-  return tool.edits().apply(step.line);
+  if (!step.again) return tool.edits().apply(step.line);
+  const EditLine* last = tool.edits().last();
+  if (last == nullptr || last->edit != step.line.edit || !(last->target == step.line.target)) {
+    refuse_step("\"" + to_text(step.line) + "\" isn't the last edit with other parameters");
+  }
+  return tool.edits().adjust(step.line.parameters);
 }
 
 Verdict replay_move(MeshTool& tool, const recorded::Move& step) { return tool.edits().move_selected(step.by); }

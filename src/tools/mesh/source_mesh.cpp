@@ -4,7 +4,9 @@
 #include <chrono>
 #include <utility>
 
+#include "croquis/base/error.h"
 #include "croquis/mesh_editing/tag_edit.h"
+#include "tools/mesh/edit_step.h"
 
 namespace croquis {
 namespace {
@@ -31,7 +33,32 @@ std::string SourceMesh::node_name() const {
   return node == nullptr ? "" : node->name;
 }
 
-std::shared_ptr<const PolyMesh> SourceMesh::mesh() const { return source_mesh(session_.document(), node_); }
+/// Numbers of the elements of connected faces stay, so the picking tree stays, too.
+void SourceMesh::go_on_with(NodeId node) { node_ = node; }
+
+bool SourceMesh::is_computed() const {
+  const Node* node = workspace_ == nullptr ? nullptr : session_.document().find(node_);
+  return node != nullptr && !node->source;
+}
+
+std::shared_ptr<const PolyMesh> SourceMesh::mesh() const {
+  if (!is_computed()) return source_mesh(session_.document(), node_);
+  if (computed_ && computed_node_ == node_ && computed_revision_ == session_.revision()) return computed_;
+  computed_ = workspace_->final_mesh(session_.document(), node_);
+  computed_node_ = node_;
+  computed_revision_ = session_.revision();
+  return computed_;
+}
+
+AddedNode SourceMesh::with_lines(const Document& document, const std::vector<EditLine>& lines) const {
+  const auto before = workspace_->final_mesh(document, node_);
+  if (!before) {
+    throw Error(make_error(Category::Usage, "E_STEP", "The mesh can't be edited before it is computed"));
+  }
+  AddedNode edited = with_edit_lines(document, workspace_->registry(), node_, *before, lines);
+  workspace_->compute_mesh(edited.document, edited.node);
+  return edited;
+}
 
 PreparedMesh* SourceMesh::prepared() {
   auto now = mesh();

@@ -2,12 +2,28 @@
 #include "croquis/tools/mesh/tag_editor.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "croquis/base/error.h"
 #include "tools/mesh/selection_edit.h"
 
 namespace croquis {
+
+std::vector<EditLine> sharpening_lines(const PolyMesh& mesh, const MeshTopology& topology, const Elements& edges,
+                                       double by) {
+  const std::vector<double> before = edge_sharpness(mesh.tags, topology);
+  const std::vector<double> after = edge_sharpness(with_sharpness_changed(mesh.tags, topology, edges, by), topology);
+  std::map<double, Elements> by_value;
+  for (const Index edge : edges) {
+    if (after[edge] != before[edge]) by_value[std::min(after[edge], greatest_sharpness)].push_back(edge);
+  }
+  std::vector<EditLine> lines;
+  for (auto& [value, own] : by_value) {
+    lines.push_back(edit_of("sharpness", ComponentKind::Edge, std::move(own), {{"value", value}}));
+  }
+  return lines;
+}
 
 // ---- Sharpness and pins
 
@@ -52,9 +68,11 @@ Verdict TagEditor::change_sharpness(double by) {
   const PreparedMesh* now = source_.prepared();
   const Elements edges = selector_.selected_edges();
   if (now == nullptr || edges.empty()) return Verdict::Continue;
-  return commit(selector_.counted("Sharpen", ComponentKind::Edge, edges.size()),
-                with_sharpness_changed(now->mesh->tags, *now->topology, edges, by),
-                recorded::Tag{source_.node_name(), "selected", 0, std::nullopt, by});
+  const std::string label = selector_.counted("Sharpen", ComponentKind::Edge, edges.size());
+  recorded::Tag step{source_.node_name(), "selected", 0, std::nullopt, by};
+  if (source_.is_computed())
+    return editor_.run_lines(sharpening_lines(*now->mesh, *now->topology, edges, by), label, std::move(step));
+  return commit(label, with_sharpness_changed(now->mesh->tags, *now->topology, edges, by), std::move(step));
 }
 
 Verdict TagEditor::pin(bool pinned) {
@@ -71,6 +89,10 @@ Verdict TagEditor::commit(const std::string& label, MeshTags tags, recorded::Ste
   log_.begin();
   const auto now = source_.mesh();
   if (!now || now->tags == tags) return Verdict::Continue;
+  if (source_.is_computed()) {
+    throw Error(make_error(Category::Usage, "E_INPUT",
+                           "Crease sets belong to meshes that aren't computed: freeze the step first"));
+  }
   log_.notes.clear();
   PolyMesh edited = *now;
   edited.tags = std::move(tags);

@@ -138,6 +138,79 @@ TEST_CASE("commands on the selection do what the edits of their names do") {
   same(hand.tool.edits().delete_selected(), "dissolve vertices=0,5");
 }
 
+TEST_CASE("an edit begins with numbers that can be seen, whatever the size of what is selected") {
+  for (const double size : {1e-3, 1.0, 1e4}) {
+    Bench bench(test::scaled(test::cube(), size));
+    bench.tool.selection().set_mode(MeshMode::Face);
+    CHECK(bench.tool.edits().begin("inset") == Verdict::Continue);  // nothing is selected
+    bench.tool.selection().pick(ComponentKind::Face, {3, 1});
+    CHECK(bench.tool.edits().begin("inset") == Verdict::Commit);
+    CHECK(bench.mesh().face_count() > 6);
+    const double width = std::get<double>(bench.tool.edits().last()->parameters.at("width"));
+    CHECK(width > 0.01 * size);
+    CHECK(width < 0.5 * size);
+  }
+  // A long face has less room than its size promises.
+  PolyMesh strip = test::grid(1, 1);
+  for (Vec3& place : strip.positions) place.x() *= 300;
+  Bench bench(strip);
+  bench.tool.selection().set_mode(MeshMode::Face);
+  bench.tool.selection().pick(ComponentKind::Face, {0});
+  CHECK(bench.tool.edits().begin("inset") == Verdict::Commit);
+}
+
+TEST_CASE("the last edit with other numbers is the same as having made it so, and one step of the history") {
+  Bench first(test::torus(9, 6));
+  Bench second(test::torus(9, 6));
+  for (Bench* bench : {&first, &second}) bench->tool.selection().set_mode(MeshMode::Face);
+  const ContentHash before = first.hash();
+  MeshEditor& edits = first.tool.edits();
+  CHECK(edits.last() == nullptr);
+  first.apply("inset faces=3,4 width=0.02");
+  const ComponentSelection selected = first.session.components();
+  for (const double width : {0.01, 0.05, 0.03}) {
+    CHECK(edits.adjust({{"width", width}}) == Verdict::Commit);
+    CHECK(first.session.undo_labels() == std::vector<std::string>{"Inset 2 faces"});
+    CHECK(first.session.components() == selected);
+  }
+  second.apply("inset faces=3,4 width=0.03");
+  CHECK(hash_of(first.mesh()) == hash_of(second.mesh()));
+  // What is refused changes nothing, and what does nothing is no step.
+  CHECK_THROWS_AS(edits.adjust({{"width", 9.0}}), Error);
+  CHECK(hash_of(first.mesh()) == hash_of(second.mesh()));
+  REQUIRE(edits.last() != nullptr);
+  CHECK(std::get<double>(edits.last()->parameters.at("width")) == 0.03);
+  first.session.undo();
+  CHECK(first.hash() == before);
+  CHECK(edits.last() == nullptr);
+  CHECK(edits.adjust({{"width", 0.01}}) == Verdict::Continue);
+  first.session.redo();
+  CHECK(edits.last() != nullptr);
+  first.apply("pin vertices=0");
+  CHECK(edits.adjust({{"pinned", false}}) == Verdict::Commit);
+  CHECK(first.session.undo_labels() == std::vector<std::string>{"Inset 2 faces"});
+  CHECK(edits.adjust({{"pinned", true}}) == Verdict::Commit);
+  CHECK(first.session.undo_labels() == std::vector<std::string>{"Inset 2 faces", "Pin 1 vertex"});
+}
+
+TEST_CASE("an edit with other numbers replays") {
+  Bench first(test::torus(9, 6));
+  Bench second(test::torus(9, 6));
+  std::vector<std::string> lines;
+  first.apply("inset faces=3,7 width=0.02");
+  lines.push_back(recorded::to_line(*first.tool.done()));
+  first.tool.edits().adjust({{"width", 0.04}});
+  lines.push_back(recorded::to_line(*first.tool.done()));
+  CHECK(lines.back() == R"({"do":"edit","node":"box","line":"inset faces=3,7 width=0.04","again":true})");
+  for (const std::string& line : lines) {
+    second.tool.replay(recorded::parse(line, "recording", recorded::all_steps()).front().step);
+  }
+  CHECK(first.hash() == second.hash());
+  CHECK(second.session.undo_labels().size() == 1);
+  Bench third(test::torus(9, 6));
+  CHECK_THROWS_AS(third.tool.replay(*first.tool.done()), Error);
+}
+
 TEST_CASE("turning by more than ten turns is turning by the rest") {
   Bench far(test::cube());
   Bench near(test::cube());

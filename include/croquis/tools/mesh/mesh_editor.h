@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -29,6 +30,23 @@ class MeshEditor {
   Verdict apply(const EditLine& line);
   /// The same with a label, a recorded step and a selection of one's own.
   Verdict run(const EditLine& line, const std::string& label, std::optional<recorded::Step> step, SelectAfter after);
+  /// Several lines of a computed mesh, one undo step; they keep all elements.
+  Verdict run_lines(const std::vector<EditLine>& lines, const std::string& label, std::optional<recorded::Step> step);
+
+  /// Whether elements of a kind that the edit takes are selected.
+  bool fits_selection(const EditDescription& edit) const;
+  /// Applies an edit to what is selected, with the values that people begin with (starting_line).
+  Verdict begin(const std::string& edit);
+
+  /// "Inset 2 faces": what apply() calls its undo step.
+  std::string label_of(const EditLine& line) const;
+
+  // ---- The last edit with other numbers
+  /// What apply() or adjust() did, while it is the newest change of the history; else null.
+  const EditLine* last() const;
+  /// Takes the last edit back and applies it with other parameters, as one step of the history.
+  /// @throws Error as apply; the edit stays as it was then
+  Verdict adjust(ParameterValues parameters);
 
   // ---- Of what is selected
   Verdict move_selected(const Vec3& by);
@@ -40,14 +58,32 @@ class MeshEditor {
 
   Verdict cut_loop(Index edge, double at);  ///< @throws Error when there is no such edge
 
+  // ---- The lines of these, for drags. The selection isn't empty
+  EditLine move_line(const Vec3& by) const;
+  EditLine rotate_line(const Vec3& axis, double degrees, const Vec3& about) const;
+  EditLine scale_line(const Vec3& factors, const Vec3& about) const;
+
  private:
-  Verdict transform(const std::string& edit, const std::string& verb, ParameterValues parameters, recorded::Step step);
-  Verdict commit(const EditTarget& target, const std::string& label, MeshEdit edit, SelectAfter after);
+  struct LastEdit {
+    EditLine line;
+    NodeId from = 0;          ///< the node that it was applied to …
+    NodeId node = 0;          ///< … and the one that gives the edited mesh, the same one for a source
+    std::uint64_t state = 0;  ///< of the session after it
+    bool applied = true;      ///< it changed something
+  };
+
+  EditLine line_of_selected(const std::string& edit, ParameterValues parameters) const;
+  Verdict transform(const EditLine& line, const std::string& verb, recorded::Step step);
+  AddedNode edited(const EditLine& line, PolyMesh mesh) const;
+  Verdict commit(const EditLine& line, const std::string& label, MeshEdit edit, SelectAfter after);
+  void keep_selection(const std::string& label, AddedNode edited);
   void select_results(const EditTarget& target, const MeshEdit& edit, const MeshTopology& before);
 
   SourceMesh& source_;
   MeshSelector& selector_;
   CommandLog& log_;
+  std::optional<LastEdit> last_;
+  bool adjusting_ = false;
 };
 
 }  // namespace croquis

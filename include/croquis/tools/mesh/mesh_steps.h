@@ -33,6 +33,7 @@ struct Pick {
 struct EditStep {
   std::string node;
   EditLine line;
+  bool again = false;  ///< instead of the edit before it, which differs in its parameters
 
   static const StepKind& step_kind();
 };

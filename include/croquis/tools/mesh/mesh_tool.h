@@ -53,12 +53,15 @@ struct MeshPreview {
 /// What a gesture costs: a drag event copies the mesh and moves the picked vertices, nothing else.
 class MeshTool {
  public:
-  explicit MeshTool(Session& session, MeshToolOptions options = {});
+  explicit MeshTool(Session& session, MeshToolOptions options = {});  ///< works on meshes of sources alone
+  explicit MeshTool(Workspace& workspace, MeshToolOptions options = {});
   MeshTool(const MeshTool&) = delete;  // its parts refer to one another
   MeshTool& operator=(const MeshTool&) = delete;
 
   // ---- What it works on
-  void set_node(NodeId node);  ///< a source node with a mesh; another one than before empties hover and gestures
+  /// A node with a mesh, or one that gives a mesh: that is edited by a step of edits after it, and the tool goes on
+  /// with this step. Another node than before empties hover and gestures.
+  void set_node(NodeId node);
   SourceMesh& source() { return source_; }
   const SourceMesh& source() const { return source_; }
 
@@ -98,6 +101,8 @@ class MeshTool {
  private:
   enum class Gesture { None, Press, Box, Handle, Sharpen };
 
+  MeshTool(Session& session, Workspace* workspace, MeshToolOptions options);
+
   Verdict begin(const MeshEvent& event);
   void go_on(const MeshEvent& event);
   Verdict finish(const MeshEvent& event);
@@ -106,7 +111,8 @@ class MeshTool {
   bool interrupted() const;
   void press(const MeshEvent& event);
   void start_drag();
-  void drag_to(PolyMesh mesh);
+  void drag_to(AddedNode edited);
+  void drag_lines(const std::vector<EditLine>& lines);
   void drag_handle(const Vec2& pixel);
   void drag_sharpness(const Vec2& pixel);
   Verdict finish_handle();
@@ -118,6 +124,7 @@ class MeshTool {
   Verdict cut_hovered(const MeshEvent& event);
   void hover_element(PreparedMesh& now, const Vec2& pixel, const ViewFrame& frame);
   void leave_mode(bool changes);
+  std::vector<EditLine> lines_of(const ManipulatorMotion& motion) const;
   std::optional<recorded::Step> recorded_motion(const ManipulatorMotion& motion, const Vec3& pivot) const;
 
   Session& session_;
@@ -136,7 +143,8 @@ class MeshTool {
   Vec2 last_ = Vec2::Zero();                  ///< where the pointer is
   bool may_sharpen_ = false;                  ///< the press was meant for the sharpness if it moves
   std::optional<ManipulatorDrag> drag_;       ///< of a handle
-  std::shared_ptr<const PolyMesh> original_;  ///< before the drag
+  std::shared_ptr<const PolyMesh> original_;  ///< before the drag …
+  AddedNode begun_;                           ///< … with the document and the node worked on
   Elements dragged_;                          ///< vertices, or edges of Sharpen
   std::uint64_t drag_revision_ = 0;           ///< of the session after the drag's last change
   bool dragging_ = false;                     ///< the session's drag has begun

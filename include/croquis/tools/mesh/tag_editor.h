@@ -4,11 +4,16 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "croquis/mesh_editing/tag_edit.h"
 #include "croquis/tools/mesh/mesh_editor.h"
 
 namespace croquis {
+
+/// The edits that change the sharpness of edges by so many levels, one for each value that comes out.
+std::vector<EditLine> sharpening_lines(const PolyMesh& mesh, const MeshTopology& topology, const Elements& edges,
+                                       double by);
 
 /// Changes sharpness, pins and sets of a mesh, each one undo step. Commands give Continue when there was nothing to do.
 class TagEditor {

@@ -5,6 +5,9 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QToolBar>
+#include <map>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "app/tools/mesh/mesh_editing_tool.h"
@@ -28,6 +31,12 @@ double extrusion_distance(MeshTool& tool) {
   }
   return extrusion_share * (high - low).norm();
 }
+
+/// Edits with actions of their own, which set their numbers by hand.
+const std::set<std::string> own_actions{"move",   "rotate",   "scale",     "extrude", "loop-cut",
+                                        "delete", "dissolve", "sharpness", "pin"};
+
+const std::map<std::string, const char*> edit_keys{{"inset", "I"}};
 
 }  // namespace
 
@@ -69,7 +78,6 @@ void MeshEditingTool::make_mode_actions(ActionList& actions, QMenu* menu) {
     action->setCheckable(true);
     action->setToolTip(action->text().remove('&') + " (" + key + ")");
     modes->addAction(action);
-    mesh_actions_ << action;
     mode_actions_[mode] = action;
     bar_->addAction(action);
   };
@@ -125,6 +133,23 @@ void MeshEditingTool::make_shape_actions(ActionList& actions, QMenu* menu) {
     emit state_changed();
   });
   mesh_actions_ << host().action("loop-cut");
+  make_edit_actions(actions, menu->addMenu(tr("Edit ele&ments")));
+}
+
+/// From the edits' own descriptions: a new edit needs no line here.
+void MeshEditingTool::make_edit_actions(ActionList& actions, QMenu* menu) {
+  for (const auto& edit : all_edits().edits()) {
+    EditDescription description = edit->describe();
+    if (own_actions.contains(description.id)) continue;
+    QList<QKeySequence> keys;
+    if (const auto key = edit_keys.find(description.id); key != edit_keys.end()) keys << QKeySequence(key->second);
+    QAction* action = actions.add(
+        menu, QString::fromStdString("edit-" + description.id), QString::fromStdString(description.title), keys,
+        [this, id = description.id] { mesh_.act([&](MeshTool& tool) { return tool.edits().begin(id); }); },
+        Recorded::ByItself);
+    action->setToolTip(QString::fromStdString(description.sentence));
+    edit_actions_.push_back({action, std::move(description)});
+  }
 }
 
 void MeshEditingTool::make_scale_actions(ActionList& actions, QMenu* menu) {

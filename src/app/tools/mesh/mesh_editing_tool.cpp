@@ -10,6 +10,7 @@
 
 #include "app/panels/finding_elements.h"
 #include "app/tools/mesh/crease_set_panel.h"
+#include "app/tools/mesh/edit_panel.h"
 #include "app/tools/mesh/tag_panel.h"
 #include "app/views/viewport.h"
 #include "app/window/panel_docks.h"
@@ -40,6 +41,7 @@ MeshEditingTool::MeshEditingTool(ToolHost& host)
   value_->setObjectName("edge-value");
   connect(&mesh_, &MeshInteraction::changed, this, &Tool::changed);
   connect(&mesh_, &MeshInteraction::committed, this, &Tool::committed);
+  connect(&mesh_, &MeshInteraction::committed, this, &MeshEditingTool::show_last_edit);
   connect(&mesh_, &MeshInteraction::mode_changed, this, &Tool::state_changed);
   connect(&mesh_, &MeshInteraction::told, this, &Tool::told);
 }
@@ -54,6 +56,8 @@ void MeshEditingTool::make_panels(PanelDocks& panels) {
   panels.split_below("attributes", edges_dock_);
   panels.tabify("edges", sets_dock_);
   edges_dock_->raise();
+  last_edit_ = new EditPanel(mesh_, nullptr);
+  last_edit_dock_ = panels.add_column(tr("Last edit"), last_edit_, "last-edit");
 }
 
 bool MeshEditingTool::works() const {
@@ -71,6 +75,7 @@ void MeshEditingTool::take(const PointerEvent& event) {
 void MeshEditingTool::set_mode(const QString& mode) {
   Tool::set_mode(mode);
   const auto handles = mesh_modes.find(mode);
+  studio().set_edits_elements(handles != mesh_modes.end() && mesh_.tool().selection().mode() != MeshMode::Object);
   mesh_.set_handles(handles == mesh_modes.end() ? MeshHandles::Select : handles->second);
 }
 
@@ -151,10 +156,17 @@ void MeshEditingTool::place_chips(ChipPlaces& places) {
   places.put(*value_, places.layout().pane(value->view).rect.topLeft() + in_view + value_offset);
 }
 
+void MeshEditingTool::show_last_edit() {
+  last_edit_->follow();
+  panels_->set_useful(last_edit_dock_, last_edit_->useful());
+}
+
 void MeshEditingTool::refresh() {
   const WorkObject* object = studio().active();
   const bool mesh = object != nullptr && object->cage != 0;
   for (QAction* action : mesh_actions_) action->setEnabled(mesh);
+  // Picking elements begins the work on a computed mesh.
+  for (const auto& [mode, action] : mode_actions_) action->setEnabled(object != nullptr && object->editable != 0);
   const auto shown = mode_actions_.find(mesh_.tool().selection().mode());
   if (shown != mode_actions_.end()) shown->second->setChecked(true);
   const Tool* at_work = host().viewport().tool_in(PerspectiveView);
@@ -162,7 +174,10 @@ void MeshEditingTool::refresh() {
   bar_->setVisible(useful && host().shows_views());
   for (const char* name : {"move", "rotate", "scale", "sharpen"}) host().action(name)->setEnabled(mesh);
   tags_->follow(studio().session().components());
+  for (const auto& [action, edit] : edit_actions_)
+    action->setEnabled(mesh && mesh_.tool().edits().fits_selection(edit));
   sets_->follow();
+  show_last_edit();
   panels_->set_useful(edges_dock_, useful);
   panels_->set_useful(sets_dock_, useful);
   follow_scale();

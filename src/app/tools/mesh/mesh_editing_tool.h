@@ -18,6 +18,7 @@ class QToolBar;
 namespace croquis::app {
 
 class CreaseSetPanel;
+class EditPanel;
 class TagPanel;
 
 /// Meshes: objects and their vertices, edges and faces are selected, moved, tagged and cut.
@@ -70,8 +71,10 @@ class MeshEditingTool final : public Tool {
   void make_mode_actions(ActionList& actions, QMenu* menu);
   void make_selection_actions(ActionList& actions, QMenu* menu);
   void make_shape_actions(ActionList& actions, QMenu* menu);
+  void make_edit_actions(ActionList& actions, QMenu* menu);
   void make_scale_actions(ActionList& actions, QMenu* menu);
   void make_tag_actions(ActionList& actions, QMenu* menu);
+  void show_last_edit();
   void set_mesh_mode(MeshMode mode);
   void replay_on_mesh(const std::string& node, const recorded::Step& step);
   void offer_scale();  ///< where what has been added is far larger or smaller than the rest
@@ -83,12 +86,19 @@ class MeshEditingTool final : public Tool {
   QLabel* value_;                 ///< sharpness of the edge under the pointer, beside it
   QList<QAction*> mesh_actions_;  ///< that need a mesh to work on
   std::map<MeshMode, QAction*> mode_actions_;
+  struct EditAction {
+    QAction* action = nullptr;
+    EditDescription edit;
+  };
+  std::vector<EditAction> edit_actions_;  ///< of edits that have no action of their own
   QToolBar* bar_ = nullptr;
   TagPanel* tags_ = nullptr;
   CreaseSetPanel* sets_ = nullptr;
   PanelDocks* panels_ = nullptr;
   QDockWidget* edges_dock_ = nullptr;
   QDockWidget* sets_dock_ = nullptr;
+  EditPanel* last_edit_ = nullptr;
+  QDockWidget* last_edit_dock_ = nullptr;
   QPushButton* scale_offer_ = nullptr;
   std::size_t scale_offered_at_ = 0;  ///< steps of the history when it was; another step takes the offer back
   NodeId scale_offered_ = 0;          ///< the object that was added

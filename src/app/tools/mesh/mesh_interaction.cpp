@@ -32,7 +32,7 @@ QString sharpness_text(double sharpness) {
 }  // namespace
 
 MeshInteraction::MeshInteraction(Studio& studio, Viewport& views, QObject* parent)
-    : QObject(parent), studio_(studio), views_(views), tool_(studio.session()) {}
+    : QObject(parent), studio_(studio), views_(views), tool_(studio) {}
 
 void MeshInteraction::act(const std::function<Verdict(MeshTool&)>& work) {
   try {
@@ -50,6 +50,7 @@ void MeshInteraction::finish(Verdict verdict) {
 }
 
 void MeshInteraction::set_mode(MeshMode mode) {
+  studio_.set_edits_elements(mode != MeshMode::Object);
   tool_.selection().set_mode(mode);
   follow();
   emit mode_changed();

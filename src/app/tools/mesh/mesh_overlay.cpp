@@ -83,7 +83,8 @@ MeshOverlay::SeenThrough MeshOverlay::edges(const MeshTool& tool, std::vector<re
 void MeshOverlay::follow(MeshTool& tool, const ComponentSelection& selection, const StudioObject* object,
                          const render::MeshItemPtr& cage) {
   *this = MeshOverlay();
-  if (object == nullptr || !object->visible || !tool.source().mesh() || object->cage != tool.source().node()) return;
+  if (object == nullptr || !object->visible || object->cage != tool.source().node()) return;
+  if (!tool.source().mesh() || !object->cage_mesh) return;  // still being computed
   const bool editing = tool.selection().mode() != MeshMode::Object;
   const bool cage_seen = editing || object->shown() == object->cage_mesh || object->view == SmoothView::Both;
   if (cage_seen) show_tags(tool, *object);

@@ -26,6 +26,15 @@ struct StepList {
   }
 };
 
+/// The object of that name, else the one with such a node in its chain.
+const StudioObject& object_with_node(const Studio& studio, const std::string& name) {
+  for (const auto& node : studio.session().document().nodes()) {
+    const StudioObject* object = node->name == name ? studio.object(node->id) : nullptr;
+    if (object != nullptr && object->node != node->id && !object->begins_with_mesh) return *object;
+  }
+  return object_named(studio, name);
+}
+
 /// Steps that need no view.
 using CommandSteps =
     StepList<recorded::Pick, recorded::Move, recorded::Rotate, recorded::Scale, recorded::Tag, recorded::Pin,
@@ -58,15 +67,19 @@ bool MeshEditingTool::replay(const recorded::Step& step) {
 void MeshEditingTool::replay_on_mesh(const std::string& node, const recorded::Step& step) {
   if (const auto* pick = step.as<recorded::Pick>()) {
     const MeshMode mode = mode_of(kind_of_singular(pick->kind).value_or(ComponentKind::Edge));
-    if (mesh_.tool().selection().mode() != mode) mesh_.set_mode(mode);
+    if (mesh_.tool().selection().mode() != mode) set_mesh_mode(mode);
   }
-  if (!node.empty()) studio().set_active(object_named(studio(), node).node);
+  if (!node.empty()) studio().set_active(object_with_node(studio(), node).node);
+  if (const auto* edit = step.as<recorded::EditStep>(); edit != nullptr && studio().active()->cage == 0) {
+    set_mesh_mode(mode_of(edit->line.target.kind));  // begins the work on a computed mesh
+  }
   mesh_.follow();
   const MeshMode before = mesh_.tool().selection().mode();
   mesh_.tool().replay(step);
   mesh_.follow();
   const MeshMode after = mesh_.tool().selection().mode();
   if (after != before) mesh_.set_mode(after);  // the window's buttons follow
+  show_last_edit();
 }
 
 }  // namespace croquis::app

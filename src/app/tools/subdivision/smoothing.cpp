@@ -6,6 +6,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/subdivision/shape_keeping.h"
+#include "croquis/workspace/chain.h"
 
 namespace croquis::app {
 namespace {
@@ -35,7 +36,7 @@ Document with_smoothing(const Studio& studio, const Document& document, NodeId c
   node.name = free_name(document, smoothing_operation);
   node.operation = smoothing_operation;
   node.version = operation->version;
-  node.inputs[operation->inputs.front().name] = {cage, "value"};
+  node.inputs[operation->inputs.front().name] = main_link(*document.find(cage), studio.registry());
   return document.with(std::move(node));
 }
 
@@ -114,6 +115,9 @@ Findings keep_selected_faces(Studio& studio, KeptShape kept) {
   }
   const Document& before = studio.session().document();
   Node cage = *before.find(object->cage);
+  if (!cage.source) {
+    throw Error(make_error(Category::Usage, "E_INPUT", "The mesh is computed: freeze its last step first"));
+  }
   Findings notices;
   PolyMesh mesh;
   if (kept == KeptShape::Faces) {
