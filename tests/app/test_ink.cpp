@@ -324,7 +324,7 @@ TEST_CASE("of moves that waited for a busy window only the newest is looked at, 
   hand.settle();
   int changes = 0;
   QObject::connect(&hand.mesh(), &app::MeshInteraction::changed, [&] { ++changes; });
-  const app::StudioObject* mug = hand.studio().active();
+  const WorkObject* mug = hand.studio().active();
   REQUIRE(mug != nullptr);
   const QPointF vertex = view.model_to_widget(mug->shown()->positions.front(), Viewport::PerspectiveView);
   const QPointF nothing = view.pane(Viewport::PerspectiveView).rect.topLeft() + QPointF(30, 60);

@@ -388,7 +388,7 @@ TEST_CASE("a new sketch frees what the old one took", "[window]") {
   hand.act("show-smooth");
   hand.settle();
   std::vector<std::weak_ptr<const PolyMesh>> meshes;
-  for (const app::StudioObject& object : hand.studio().objects()) {
+  for (const WorkObject& object : hand.studio().objects()) {
     meshes.emplace_back(object.cage_mesh);
     meshes.emplace_back(object.mesh);
   }

@@ -246,7 +246,7 @@ QString ProjectFiles::save(const QString& path) {
 }
 
 Findings ProjectFiles::export_solid(const QString& path) const {
-  const StudioObject* object = studio_.active();
+  const WorkObject* object = studio_.active();
   const auto format = mesh_format_of(local(path));
   if (!format) {
     throw Error(make_error(Category::Usage, "E_FORMAT",

@@ -21,9 +21,9 @@ int view_of(const std::string& name) {
   return found == names.end() ? View::SketchView : static_cast<int>(found - names.begin());
 }
 
-const StudioObject& object_named(const Studio& studio, const std::string& name) {
-  const StudioObject* found = name.empty() ? studio.active() : nullptr;
-  for (const StudioObject& object : studio.objects()) {
+const WorkObject& object_named(const Studio& studio, const std::string& name) {
+  const WorkObject* found = name.empty() ? studio.active() : nullptr;
+  for (const WorkObject& object : studio.objects()) {
     const Node* node = studio.session().document().find(object.node);
     if (!name.empty() && (object.name == name || node->name == name)) found = &object;
   }

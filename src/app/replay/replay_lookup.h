@@ -20,7 +20,7 @@ int view_of(const std::string& name);
 
 /// The object of that name, or one of whose nodes has it; the active one when the name is empty.
 /// @throws Error (E_REPLAY) when there is none, or it shows no mesh
-const StudioObject& object_named(const Studio& studio, const std::string& name);
+const WorkObject& object_named(const Studio& studio, const std::string& name);
 
 /// The node of that name or operation, a step of a chain too. @throws Error (E_REPLAY)
 NodeId node_named(const Studio& studio, const std::string& name);

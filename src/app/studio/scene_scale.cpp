@@ -24,9 +24,9 @@ const SceneScale::Box& SceneScale::box_of(NodeId node, const std::shared_ptr<con
   return measured.box;
 }
 
-SceneScale::Box SceneScale::box_of_rest(const StudioObject& object) {
+SceneScale::Box SceneScale::box_of_rest(const WorkObject& object) {
   Box rest;
-  for (const StudioObject& other : studio_.objects()) {
+  for (const WorkObject& other : studio_.objects()) {
     const bool is_seen = other.node != object.node && other.visible && other.shown();
     if (is_seen) rest.extend(box_of(other.node, other.shown()));
   }
@@ -37,7 +37,7 @@ SceneScale::Box SceneScale::box_of_rest(const StudioObject& object) {
 }
 
 std::optional<double> SceneScale::factor() {
-  const StudioObject* object = studio_.active();
+  const WorkObject* object = studio_.active();
   if (object == nullptr || !object->visible || !object->cage_mesh) return std::nullopt;
   if (!source_mesh(studio_.session().document(), object->cage)) return std::nullopt;
   const Box rest = box_of_rest(*object);
@@ -67,7 +67,7 @@ void SceneScale::apply() {
     throw Error(make_error(Category::Usage, "E_EMPTY",
                            "There is nothing to scale to: select a mesh while another object is visible"));
   }
-  const StudioObject object = *studio_.active();
+  const WorkObject object = *studio_.active();
   const Box rest = box_of_rest(object);
   const Vec3 middle = box_of(object.cage, object.cage_mesh).center();
   const Vec3 goal = rest.contains(middle) ? middle : Vec3(rest.center());

@@ -39,7 +39,7 @@ class SceneScale {
     Box box;
   };
   const Box& box_of(NodeId node, const std::shared_ptr<const PolyMesh>& mesh);
-  Box box_of_rest(const StudioObject& object);
+  Box box_of_rest(const WorkObject& object);
 
   Studio& studio_;
   std::map<NodeId, Measured> measured_;

@@ -13,9 +13,6 @@
 
 namespace croquis::app {
 
-using StudioObject = WorkObject;
-using SmoothView = ChainView;
-
 /// The workspace of a window, as Qt's objects hear of it. Lives in the window's thread.
 class Studio : public QObject, public Workspace {
   Q_OBJECT

@@ -5,7 +5,7 @@
 
 namespace croquis::app {
 
-MeshPicker& ObjectPicker::picker_of(const StudioObject& object) {
+MeshPicker& ObjectPicker::picker_of(const WorkObject& object) {
   Kept& kept = kept_[object.node];
   if (kept.mesh != object.shown()) {
     kept.mesh = object.shown();
@@ -14,11 +14,11 @@ MeshPicker& ObjectPicker::picker_of(const StudioObject& object) {
   return *kept.picker;
 }
 
-std::optional<Vec3> ObjectPicker::place_at(const std::vector<StudioObject>& objects, const ViewFrame& frame,
+std::optional<Vec3> ObjectPicker::place_at(const std::vector<WorkObject>& objects, const ViewFrame& frame,
                                            const Vec2& pixel) {
   std::optional<Vec3> nearest;
   double least = std::numeric_limits<double>::infinity();
-  for (const StudioObject& object : objects) {
+  for (const WorkObject& object : objects) {
     if (!object.visible || !object.shown() || object.shown()->face_count() == 0) continue;
     const auto vertex = picker_of(object).at(frame, pixel, ComponentKind::Vertex);
     if (!vertex || vertex->distance >= least) continue;
@@ -30,12 +30,11 @@ std::optional<Vec3> ObjectPicker::place_at(const std::vector<StudioObject>& obje
   return hit.node == 0 ? std::nullopt : std::optional(hit.place);
 }
 
-ObjectPicker::Hit ObjectPicker::at(const std::vector<StudioObject>& objects, const ViewFrame& frame,
-                                   const Vec2& pixel) {
+ObjectPicker::Hit ObjectPicker::at(const std::vector<WorkObject>& objects, const ViewFrame& frame, const Vec2& pixel) {
   Hit nearest;
   double distance = std::numeric_limits<double>::infinity();
   const Ray ray = frame.ray(pixel);
-  for (const StudioObject& object : objects) {
+  for (const WorkObject& object : objects) {
     if (!object.visible || !object.shown() || object.shown()->face_count() == 0) continue;
     const auto hit = picker_of(object).face_under(ray);
     if (!hit || hit->distance >= distance) continue;
@@ -45,10 +44,10 @@ ObjectPicker::Hit ObjectPicker::at(const std::vector<StudioObject>& objects, con
   return nearest;
 }
 
-std::vector<NodeId> ObjectPicker::in_box(const std::vector<StudioObject>& objects, const ViewFrame& frame,
+std::vector<NodeId> ObjectPicker::in_box(const std::vector<WorkObject>& objects, const ViewFrame& frame,
                                          const PickBox& box) {
   std::vector<NodeId> found;
-  for (const StudioObject& object : objects) {
+  for (const WorkObject& object : objects) {
     if (!object.visible || !object.shown()) continue;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     PickBox seen{Vec2(infinity, infinity), Vec2(-infinity, -infinity)};

@@ -21,17 +21,16 @@ class ObjectPicker {
   };
 
   /// The nearest object at a pixel; node 0 for none.
-  Hit at(const std::vector<StudioObject>& objects, const ViewFrame& frame, const Vec2& pixel);
+  Hit at(const std::vector<WorkObject>& objects, const ViewFrame& frame, const Vec2& pixel);
 
   /// The vertex nearest to a pixel, within reach and not hidden; else the place of a surface there; else nothing.
-  std::optional<Vec3> place_at(const std::vector<StudioObject>& objects, const ViewFrame& frame, const Vec2& pixel);
+  std::optional<Vec3> place_at(const std::vector<WorkObject>& objects, const ViewFrame& frame, const Vec2& pixel);
 
   /// The objects whose boxes the pixels' box touches.
-  static std::vector<NodeId> in_box(const std::vector<StudioObject>& objects, const ViewFrame& frame,
-                                    const PickBox& box);
+  static std::vector<NodeId> in_box(const std::vector<WorkObject>& objects, const ViewFrame& frame, const PickBox& box);
 
  private:
-  MeshPicker& picker_of(const StudioObject& object);
+  MeshPicker& picker_of(const WorkObject& object);
 
   struct Kept {
     std::shared_ptr<const PolyMesh> mesh;

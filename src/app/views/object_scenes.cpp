@@ -67,7 +67,7 @@ const PatchSurface* ObjectScenes::patches(NodeId object) const {
   return items == items_.end() || !items->second.patches.mesh ? nullptr : &items->second.patches;
 }
 
-void ObjectScenes::follow_patches(const StudioObject& object, Items& items) {
+void ObjectScenes::follow_patches(const WorkObject& object, Items& items) {
   const auto filled = object.result && object.shown() == object.mesh ? object.mesh : nullptr;
   const bool is_new = filled != items.filled;
   if (is_new) items.patches = filled ? patches_of(*filled, object.cage_mesh.get()) : PatchSurface();
@@ -82,7 +82,7 @@ void ObjectScenes::follow_patches(const StudioObject& object, Items& items) {
 }
 
 /// Which item shows them is only known when it is drawn: those of large meshes come later.
-void ObjectScenes::highlight_chosen(const StudioObject& object, Items& items) const {
+void ObjectScenes::highlight_chosen(const WorkObject& object, Items& items) const {
   const std::vector<Index> faces = studio_.face_sets().selected(object, studio_.session().selection());
   const bool apart = items.patches.completes;
   const LiveItem& live = apart ? *items.filling : *items.surface;
@@ -102,7 +102,7 @@ void ObjectScenes::highlight_chosen(const StudioObject& object, Items& items) co
 
 render::Bounds ObjectScenes::chosen_bounds() const {
   render::Bounds bounds;
-  for (const StudioObject& object : studio_.objects()) {
+  for (const WorkObject& object : studio_.objects()) {
     if (!object.visible) continue;
     for (const Index face : studio_.face_sets().selected(object, studio_.session().selection())) {
       for (const Index vertex : object.mesh->face(face)) {
@@ -116,7 +116,7 @@ render::Bounds ObjectScenes::chosen_bounds() const {
 
 void ObjectScenes::follow() {
   std::set<NodeId> there;
-  for (const StudioObject& object : studio_.objects()) {
+  for (const WorkObject& object : studio_.objects()) {
     there.insert(object.node);
     if (!object.visible) continue;
     Items& items = items_of(object.node);
@@ -140,15 +140,15 @@ render::Scene ObjectScenes::scene(const Wanted& wanted) const {
   render::Scene scene;
   if (wanted.nothing) return scene;
   const Selection& selection = studio_.session().selection();
-  const auto is_selected = [&](const StudioObject& object) {
+  const auto is_selected = [&](const WorkObject& object) {
     return std::any_of(selection.begin(), selection.end(), [&](const SelectedItem& item) {
       return item.part.empty() && (item.node == object.node || item.node == object.cage);
     });
   };
   // A single object needs no colour of its own; its outline shows that it is selected.
-  const auto seen = [](const StudioObject& object) { return object.visible && object.shown() != nullptr; };
+  const auto seen = [](const WorkObject& object) { return object.visible && object.shown() != nullptr; };
   const bool several = std::count_if(studio_.objects().begin(), studio_.objects().end(), seen) > 1;
-  for (const StudioObject& object : studio_.objects()) {
+  for (const WorkObject& object : studio_.objects()) {
     const auto items = items_.find(object.node);
     if (!object.visible || items == items_.end()) continue;
     if (wanted.only_with_cage && !object.begins_with_mesh) continue;
@@ -171,7 +171,7 @@ render::Scene ObjectScenes::scene(const Wanted& wanted) const {
       highlight_chosen(object, items->second);
       if (items->second.highlight) scene.highlights.push_back(items->second.highlight);
     }
-    if (!cage_alone && (edited || object.view == SmoothView::Both)) {
+    if (!cage_alone && (edited || object.view == ChainView::Both)) {
       const QColor& color = colors::cage;
       const render::Color wire(color.red(), color.green(), color.blue(), 230);
       scene.meshes.emplace_back(cage_item(object.cage), render::Emphasis{}, render::MeshStyle::cage(wire));
@@ -182,7 +182,7 @@ render::Scene ObjectScenes::scene(const Wanted& wanted) const {
 
 std::vector<render::MeshItemPtr> ObjectScenes::surfaces() const {
   std::vector<render::MeshItemPtr> surfaces;
-  for (const StudioObject& object : studio_.objects()) {
+  for (const WorkObject& object : studio_.objects()) {
     const auto items = items_.find(object.node);
     if (!object.visible || items == items_.end()) continue;
     if (const auto& item = items->second.surface->item()) surfaces.push_back(item);
@@ -197,7 +197,7 @@ render::MeshItemPtr ObjectScenes::surface_item(NodeId object) const {
 }
 
 render::MeshItemPtr ObjectScenes::cage_item(NodeId cage) const {
-  for (const StudioObject& object : studio_.objects()) {
+  for (const WorkObject& object : studio_.objects()) {
     const auto items = items_.find(object.node);
     if (object.cage != cage || items == items_.end()) continue;
     return (items->second.shows_cage ? items->second.surface : items->second.cage)->item();

@@ -91,8 +91,8 @@ class ObjectScenes : public QObject {
     render::FaceHighlightPtr highlight;            ///< … as this item of theirs shows them
   };
   Items& items_of(NodeId node);
-  void follow_patches(const StudioObject& object, Items& items);
-  void highlight_chosen(const StudioObject& object, Items& items) const;
+  void follow_patches(const WorkObject& object, Items& items);
+  void highlight_chosen(const WorkObject& object, Items& items) const;
   std::unique_ptr<LiveItem> make_item();
 
   Studio& studio_;

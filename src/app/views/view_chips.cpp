@@ -61,7 +61,7 @@ void ViewChips::place_counts(ChipPlaces& places) {
 
 QString ViewChips::counts() const {
   QStringList lines;
-  for (const StudioObject& object : studio_.objects()) {
+  for (const WorkObject& object : studio_.objects()) {
     if (!object.visible || !object.shown()) continue;
     const QString name = shown_name(object);
     QString line = name + ": " + faces(object.shown()->face_count());

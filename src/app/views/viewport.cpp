@@ -22,7 +22,7 @@ constexpr int picture_height = 1600;
 constexpr QSize least_size(502, 240);  // two views beside each other can be worked in
 
 bool has_mesh(const Studio& studio) {
-  return std::ranges::any_of(studio.objects(), [](const StudioObject& object) { return object.begins_with_mesh; });
+  return std::ranges::any_of(studio.objects(), [](const WorkObject& object) { return object.begins_with_mesh; });
 }
 
 }  // namespace
@@ -122,7 +122,7 @@ void Viewport::set_mode(const QString& mode) {
 
 ViewFrame Viewport::frame_of(int view) const {
   render::Bounds bounds = render::bounds_of(objects_.surfaces());
-  if (const StudioObject* object = studio_.active()) {
+  if (const WorkObject* object = studio_.active()) {
     if (const auto cage = objects_.cage_item(object->cage)) bounds.add(cage->bounds);
   }
   if (bounds.empty()) bounds = {{-1, -1, -1}, {1, 1, 1}};
@@ -250,7 +250,7 @@ void Viewport::note_busy(bool busy) {
   }
   patience_.stop();
   const bool stale = std::any_of(studio_.objects().begin(), studio_.objects().end(),
-                                 [](const StudioObject& object) { return object.result && object.result->stale; });
+                                 [](const WorkObject& object) { return object.result && object.result->stale; });
   if (stale_ != stale) redraw_all();
   stale_ = stale;
 }

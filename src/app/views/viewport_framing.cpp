@@ -31,7 +31,7 @@ void Viewport::frame_selection() {
   } else if (const render::Bounds chosen = objects_.chosen_bounds(); !chosen.empty()) {
     pane.frame(chosen);
     turned_ = true;
-  } else if (const StudioObject* active = studio_.active();
+  } else if (const WorkObject* active = studio_.active();
              active != nullptr && !studio_.session().selection().empty() && active->cage != 0) {
     render::Bounds bounds;
     for (const Vec3& place : active->shown() ? active->shown()->positions : std::vector<Vec3>()) {
@@ -74,7 +74,7 @@ void Viewport::frame_new_views() {
 bool Viewport::note_objects() {
   std::map<NodeId, render::MeshItemPtr> now;
   bool news = false;
-  for (const StudioObject& object : studio_.objects()) {
+  for (const WorkObject& object : studio_.objects()) {
     const NodeId key = object.begins_with_mesh ? object.chain.front() : object.node;
     const auto before = known_.find(key);
     render::MeshItemPtr item = objects_.surface_item(object.node);

@@ -115,7 +115,7 @@ void MainWindow::select_all() {
   if (std::ranges::any_of(tools_, [](const auto& tool) { return tool->select_all(); })) return;
   Selection selection;
   for (const auto& tool : tools_) tool->add_all_to(selection);
-  for (const StudioObject& object : studio_.objects()) {
+  for (const WorkObject& object : studio_.objects()) {
     if (object.cage != 0 && object.visible) selection.push_back({object.node, ""});
   }
   studio_.session().select(std::move(selection));
@@ -244,7 +244,7 @@ bool MainWindow::may_discard() {
 
 void MainWindow::ask_export_solid() {
   // Of the formats, PLY alone keeps which faces are patches, and how far to trust them.
-  const StudioObject* object = studio_.active();
+  const WorkObject* object = studio_.active();
   const bool is_filled =
       object != nullptr && object->mesh && object->mesh->channel("patch_id", Domain::Face) != nullptr;
   const QString name = QString::fromStdString(document_name(studio_));

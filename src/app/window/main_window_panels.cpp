@@ -89,7 +89,7 @@ void MainWindow::connect_panels() {
 
 void MainWindow::update_panels() {
   const Session& session = studio_.session();
-  const StudioObject* object = studio_.active();
+  const WorkObject* object = studio_.active();
   const Node* operation = studio_.active_operation();
   attributes_->show_node(operation, operation == nullptr ? nullptr : studio_.description(operation->operation));
   objects_->show_objects(studio_);
@@ -162,7 +162,7 @@ QString MainWindow::owner_of(const NodeFinding& found) const {
 }
 
 void MainWindow::select_face_sets(NodeId node, const std::vector<std::string>& names) {
-  const StudioObject* object = studio_.object(node);
+  const WorkObject* object = studio_.object(node);
   if (object == nullptr) return;
   const std::vector<FaceSet>& sets = studio_.face_sets().of(*object);
   Selection selection;

@@ -35,7 +35,7 @@ const Node* filling_node(const Studio& studio) {
 }
 
 bool can_fill(const Studio& studio) {
-  const StudioObject* object = studio.active();
+  const WorkObject* object = studio.active();
   return object != nullptr && object->shown() != nullptr && studio.description(filling_operation) != nullptr;
 }
 
@@ -44,7 +44,7 @@ void start_filling(Studio& studio) {
   if (!can_fill(studio)) {
     throw Error(make_error(Category::Usage, "E_EMPTY", "There is no mesh whose holes could be filled: open one first"));
   }
-  const StudioObject& object = *studio.active();
+  const WorkObject& object = *studio.active();
   const OperationDescription& operation = *studio.description(filling_operation);
   const Document& before = studio.session().document();
   const Node& last = *before.find(object.node);

@@ -119,7 +119,7 @@ std::vector<Index> HoleInteraction::open_of(const std::vector<Index>& holes) con
 
 void HoleInteraction::follow() {
   const Node* operation = active_ ? node() : nullptr;
-  const StudioObject* object = operation == nullptr ? nullptr : studio_.active();
+  const WorkObject* object = operation == nullptr ? nullptr : studio_.active();
   take_result(object);
   preview_.show(operation == nullptr ? 0 : operation->id, open_of(tool_.selected()));
   preview_.follow();
@@ -128,7 +128,7 @@ void HoleInteraction::follow() {
   emit changed();
 }
 
-void HoleInteraction::take_result(const StudioObject* object) {
+void HoleInteraction::take_result(const WorkObject* object) {
   const NodeId now = object == nullptr ? 0 : object->node;
   const auto result = object == nullptr ? nullptr : object->result;
   if (result == shown_ && now == shown_node_) return;

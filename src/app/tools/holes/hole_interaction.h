@@ -127,7 +127,7 @@ class HoleInteraction : public QObject {
   void follow_pull();
   void feed(const PenStep& step);
   void hover(const PointerEvent& event);
-  void take_result(const StudioObject* object);
+  void take_result(const WorkObject* object);
   void show_patches();
   void show_handles();
   void selection_moved();

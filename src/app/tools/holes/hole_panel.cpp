@@ -68,7 +68,7 @@ QString fill_text(std::size_t count, double limit) {
   return HolePanel::tr("Fill %1 up to %2").arg(count).arg(measure(limit));
 }
 
-bool is_remeshed(const StudioObject& object) {
+bool is_remeshed(const WorkObject& object) {
   const FillResult* found = result_of<FillResult>(object.result.get());
   return found != nullptr && found->remeshed;
 }
@@ -299,7 +299,7 @@ void HolePanel::follow() {
   show_choice(mode_, std::get<std::string>(there ? filling_value(studio_, *filling_node(studio_), "mode")
                                                  : ParameterValue(std::string("patch"))));
   follow_mode();
-  const StudioObject* object = studio_.active();
+  const WorkObject* object = studio_.active();
   const bool filled = there && object->quality == Quality::Final && object->result && !object->result->failed &&
                       std::any_of(holes_.rows().begin(), holes_.rows().end(),
                                   [](const HoleRow& row) { return row.state == HoleState::Filled; });
@@ -346,7 +346,7 @@ void HolePanel::follow_way() {
 
 void HolePanel::follow_mode() {
   const Node* node = filling_node(studio_);
-  const StudioObject* object = studio_.active();
+  const WorkObject* object = studio_.active();
   const bool wanted = mode_->currentData() == "remesh" && node != nullptr && object->cage_mesh;
   const bool runs = wanted && std::get<std::string>(filling_value(studio_, *node, "mode")) == "remesh";
   start_->setVisible(wanted && !runs);

@@ -29,7 +29,7 @@ const char* word_of(HoleClass kind) {
 
 }  // namespace
 
-std::vector<HoleRow> hole_rows(const StudioObject* object) {
+std::vector<HoleRow> hole_rows(const WorkObject* object) {
   const FillResult* found = object == nullptr ? nullptr : result_of<FillResult>(object->result.get());
   return found == nullptr ? std::vector<HoleRow>() : found->holes;
 }

@@ -12,7 +12,7 @@
 namespace croquis::app {
 
 /// Of an object whose last operation is `fill`; empty for any other, and before its first result.
-std::vector<HoleRow> hole_rows(const StudioObject* object);
+std::vector<HoleRow> hole_rows(const WorkObject* object);
 
 /// Ids of those that a selection for all holes names. @param max_diameter as FillOptions has it
 std::vector<Index> named_rows(const std::vector<HoleRow>& rows, hole_filling::Selection selection, double max_diameter);

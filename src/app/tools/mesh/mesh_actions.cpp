@@ -166,14 +166,14 @@ void MeshEditingTool::make_scale_actions(ActionList& actions, QMenu* menu) {
 }
 
 void MeshEditingTool::offer_scale() {
-  const StudioObject* object = studio().active();
+  const WorkObject* object = studio().active();
   scale_offered_ = object == nullptr ? 0 : object->node;
   scale_offered_at_ = studio().session().undo_labels().size();
   follow_scale();
 }
 
 void MeshEditingTool::follow_scale() {
-  const StudioObject* object = studio().active();
+  const WorkObject* object = studio().active();
   const bool offered = object != nullptr && object->node == scale_offered_ &&
                        studio().session().undo_labels().size() == scale_offered_at_ && host().shows_views();
   const QString sentence = offered ? scale_.sentence() : QString();

@@ -215,7 +215,7 @@ QString MeshInteraction::help(const QString& offer) const {
 }
 
 void MeshInteraction::follow() {
-  const StudioObject* object = studio_.active();
+  const WorkObject* object = studio_.active();
   const NodeId cage = object == nullptr ? 0 : object->cage;
   if (tool_.source().node() != cage && !tool_.active()) tool_.set_node(cage);
   overlay_.follow(tool_, studio_.session().components(), object, views_.objects().cage_item(cage));

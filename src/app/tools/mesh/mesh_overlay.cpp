@@ -80,20 +80,20 @@ MeshOverlay::SeenThrough MeshOverlay::edges(const MeshTool& tool, std::vector<re
   return lines;
 }
 
-void MeshOverlay::follow(MeshTool& tool, const ComponentSelection& selection, const StudioObject* object,
+void MeshOverlay::follow(MeshTool& tool, const ComponentSelection& selection, const WorkObject* object,
                          const render::MeshItemPtr& cage) {
   *this = MeshOverlay();
   if (object == nullptr || !object->visible || object->cage != tool.source().node()) return;
   if (!tool.source().mesh() || !object->cage_mesh) return;  // still being computed
   const bool editing = tool.selection().mode() != MeshMode::Object;
-  const bool cage_seen = editing || object->shown() == object->cage_mesh || object->view == SmoothView::Both;
+  const bool cage_seen = editing || object->shown() == object->cage_mesh || object->view == ChainView::Both;
   if (cage_seen) show_tags(tool, *object);
   if (cage_seen && object->shown() != object->cage_mesh) show_chains(*object);
   if (editing) show_selection(tool, selection, cage);
   follow_hover(tool, cage);
 }
 
-void MeshOverlay::show_tags(MeshTool& tool, const StudioObject& object) {
+void MeshOverlay::show_tags(MeshTool& tool, const WorkObject& object) {
   const PolyMesh& mesh = *object.cage_mesh;
   if (mesh.tags.empty()) return;
   const MeshTopology& topology = *tool.source().topology();
@@ -108,7 +108,7 @@ void MeshOverlay::show_tags(MeshTool& tool, const StudioObject& object) {
   if (!marks.empty()) dots_ = render::make_mark_item(marks, render::MarkDepth::OnTop);
 }
 
-void MeshOverlay::show_chains(const StudioObject& object) {
+void MeshOverlay::show_chains(const WorkObject& object) {
   if (!object.result) return;
   const auto found = object.result->outputs.find("chains");
   if (found == object.result->outputs.end()) return;

@@ -17,7 +17,7 @@ namespace croquis::app {
 class MeshOverlay {
  public:
   /// @param object the one worked on; null shows nothing. @param cage made ready, or null
-  void follow(MeshTool& tool, const ComponentSelection& selection, const StudioObject* object,
+  void follow(MeshTool& tool, const ComponentSelection& selection, const WorkObject* object,
               const render::MeshItemPtr& cage);
 
   /// What is under the pointer; cheap enough for every event.
@@ -33,8 +33,8 @@ class MeshOverlay {
   render::Bounds selection_bounds() const { return selection_bounds_; }
 
  private:
-  void show_tags(MeshTool& tool, const StudioObject& object);
-  void show_chains(const StudioObject& object);
+  void show_tags(MeshTool& tool, const WorkObject& object);
+  void show_chains(const WorkObject& object);
   void show_selection(MeshTool& tool, const ComponentSelection& selection, const render::MeshItemPtr& cage);
 
   /// Lines that what covers them leaves faint.

@@ -27,9 +27,9 @@ struct StepList {
 };
 
 /// The object of that name, else the one with such a node in its chain.
-const StudioObject& object_with_node(const Studio& studio, const std::string& name) {
+const WorkObject& object_with_node(const Studio& studio, const std::string& name) {
   for (const auto& node : studio.session().document().nodes()) {
-    const StudioObject* object = node->name == name ? studio.object(node->id) : nullptr;
+    const WorkObject* object = node->name == name ? studio.object(node->id) : nullptr;
     if (object != nullptr && object->node != node->id && !object->begins_with_mesh) return *object;
   }
   return object_named(studio, name);

@@ -10,7 +10,7 @@
 namespace croquis::app {
 namespace {
 
-const std::vector<SharpChain>& chains_of(const StudioObject* object) {
+const std::vector<SharpChain>& chains_of(const WorkObject* object) {
   static const std::vector<SharpChain> none;
   const SubdivideResult* found = object == nullptr ? nullptr : result_of<SubdivideResult>(object->result.get());
   return found == nullptr ? none : found->chains;
@@ -36,7 +36,7 @@ ChainTable::ChainTable(QWidget* parent) : QTableWidget(parent) {
   connect(this, &QTableWidget::cellClicked, this, [this](int row, int) { emit chain_chosen(row); });
 }
 
-void ChainTable::show_chains(const StudioObject* object) {
+void ChainTable::show_chains(const WorkObject* object) {
   const std::vector<SharpChain>& chains = chains_of(object);
   setRowCount(static_cast<int>(chains.size()));
   cage_edges_.clear();
@@ -56,7 +56,7 @@ std::vector<std::array<Index, 2>> ChainTable::cage_edges(int chain) const {
   return cage_edges_.at(static_cast<std::size_t>(chain));
 }
 
-QString ChainTable::summary(const StudioObject* object) {
+QString ChainTable::summary(const WorkObject* object) {
   const std::vector<SharpChain>& chains = chains_of(object);
   if (chains.empty()) return {};
   QStringList parts;

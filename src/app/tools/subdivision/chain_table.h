@@ -18,10 +18,10 @@ class ChainTable : public QTableWidget {
   explicit ChainTable(QWidget* parent = nullptr);
 
   /// @param object may be null or have no chains
-  void show_chains(const StudioObject* object);
+  void show_chains(const WorkObject* object);
 
   /// "chain 1: 8 edges, closed, planar …" of the object; empty for none.
-  static QString summary(const StudioObject* object);
+  static QString summary(const WorkObject* object);
 
   /// The tagged edges of the cage that a chain of the table descends from, by their vertices.
   std::vector<std::array<Index, 2>> cage_edges(int chain) const;

@@ -42,12 +42,12 @@ Document with_smoothing(const Studio& studio, const Document& document, NodeId c
 
 }  // namespace
 
-void show_smooth(Studio& studio, SmoothView view) {
-  const StudioObject* object = studio.active();
+void show_smooth(Studio& studio, ChainView view) {
+  const WorkObject* object = studio.active();
   if (object == nullptr || object->cage == 0) return;
   NodeId node = object->node;
   if (object->is_source()) {
-    if (view == SmoothView::Cage) return;
+    if (view == ChainView::Cage) return;
     const Document& before = studio.session().document();
     node = before.next_id();
     const std::string name = object->name;
@@ -84,7 +84,7 @@ bool set_smoothing(Studio& studio, const std::string& parameter, const Parameter
 }
 
 void freeze_level(Studio& studio) {
-  const StudioObject* object = studio.active();
+  const WorkObject* object = studio.active();
   const bool finished = object != nullptr && !object->is_source() && object->cage != 0 && object->mesh &&
                         object->result && !object->result->failed && object->quality == Quality::Final;
   if (!finished) {
@@ -106,7 +106,7 @@ void freeze_level(Studio& studio) {
 }
 
 Findings keep_selected_faces(Studio& studio, KeptShape kept) {
-  const StudioObject* object = studio.active();
+  const WorkObject* object = studio.active();
   const ComponentSelection& selected = studio.session().components();
   const bool has_faces = object != nullptr && object->cage_mesh && selected.node == object->cage &&
                          selected.kind == ComponentKind::Face && !selected.empty();

@@ -10,7 +10,7 @@
 namespace croquis::app {
 
 /// Shows the cage, both, or the smooth surface; for all but the cage the object gets the operation if it has none.
-void show_smooth(Studio& studio, SmoothView view);
+void show_smooth(Studio& studio, ChainView view);
 
 /// Of the active object; -1 where it isn't subdivided.
 int shown_level(const Studio& studio);

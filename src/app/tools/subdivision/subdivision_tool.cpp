@@ -43,15 +43,15 @@ SubdivisionTool::SubdivisionTool(ToolHost& host)
 
 void SubdivisionTool::make_actions(ActionList& actions) {
   QMenu* menu = actions.menu(tr("&Subdivision"));
-  const auto add_view = [&](const QString& name, const QString& text, const QString& key, SmoothView view) {
+  const auto add_view = [&](const QString& name, const QString& text, const QString& key, ChainView view) {
     actions_ << actions.add(menu, name, text, {QKeySequence(key)}, [this, view] {
       show_smooth(studio(), view);
       host().refresh();
     });
   };
-  add_view("show-cage", tr("&Cage"), "1", SmoothView::Cage);
-  add_view("show-both", tr("Cage and smooth &surface"), "2", SmoothView::Both);
-  add_view("show-smooth", tr("&Smooth surface"), "3", SmoothView::Result);
+  add_view("show-cage", tr("&Cage"), "1", ChainView::Cage);
+  add_view("show-both", tr("Cage and smooth &surface"), "2", ChainView::Both);
+  add_view("show-smooth", tr("&Smooth surface"), "3", ChainView::Result);
   menu->addSeparator();
   actions_ << actions.add(menu, "finer", tr("&Finer"), {QKeySequence(Qt::Key_PageUp)},
                           [this] { change_level(studio(), 1); });
