@@ -69,7 +69,7 @@ struct Desk {
   std::string lines(NodeId step) const { return text_of(workspace.session().document().find(step)->parameters, "do"); }
 };
 
-TEST_CASE("the cage of a chain is its first mesh with the edits after it; a chosen step has its own") {
+TEST_CASE("the cage of a chain is its first mesh with the edits after it, and a chosen step has its own") {
   Desk desk;
   const NodeId box = desk.workspace.add_source("box", value_of(cube()));
   CHECK(desk.workspace.active()->cage == box);
