@@ -6,8 +6,10 @@
 #include <catch2/catch.hpp>
 
 #include "app/panels/object_list.h"
+#include "app/replay/replay_player.h"
 #include "app/studio_fixture.h"
 #include "croquis/document/content_hash.h"
+#include "croquis/tools/all_steps.h"
 
 namespace croquis::test {
 namespace {
@@ -34,6 +36,18 @@ std::vector<Vec2> circle(const Vec2& middle, double radius) {
     places.push_back(middle + radius * Vec2(std::cos(angle), std::sin(angle)));
   }
   return places;
+}
+
+/// Pulls the rightmost anchor of the first stroke further out.
+void bend_first_stroke(StudioFixture& hand) {
+  SketchTool& tool = hand.sketch().tool();
+  const std::string stroke = hand.studio().drawing().strokes.front().id;
+  const StrokeFit* fit = tool.fit(stroke);
+  REQUIRE(fit != nullptr);
+  const auto right =
+      std::ranges::max_element(fit->anchors, {}, [](const StrokeAnchor& anchor) { return anchor.position.x(); });
+  tool.drag(stroke, static_cast<std::size_t>(right - fit->anchors.begin()), {60, 0});
+  hand.settle();
 }
 
 double width_of(const PolyMesh& mesh) {
@@ -65,15 +79,7 @@ TEST_CASE("a chain from a sketch stays live, and its steps are switched, moved a
 
   // The first stroke is changed, and the end follows.
   const double before = width_of(*hand.studio().object(end)->mesh);
-  hand.sketch().tool().set_mode(SketchMode::Select);
-  const std::string stroke = hand.studio().drawing().strokes.front().id;
-  const StrokeFit* fit = hand.sketch().tool().fit(stroke);
-  REQUIRE(fit != nullptr);
-  const auto right =
-      std::ranges::max_element(fit->anchors, {}, [](const StrokeAnchor& anchor) { return anchor.position.x(); });
-  const auto anchor = static_cast<std::size_t>(right - fit->anchors.begin());
-  hand.sketch().tool().drag(stroke, anchor, {60, 0});
-  hand.settle();
+  bend_first_stroke(hand);
   CHECK(width_of(*hand.studio().object(end)->mesh) > before + 30);
 
   // Off: as many faces as the solid. On again: as before.
@@ -110,6 +116,38 @@ TEST_CASE("a chain from a sketch stays live, and its steps are switched, moved a
   while (session.can_redo()) session.redo();
   session.undo();  // the freezing
   CHECK(content_hash(session.document()) == last);
+}
+
+TEST_CASE("edits of a solid that became another one wait, keep their result, and are made again by position",
+          "[chains]") {
+  StudioFixture hand;
+  hand.window().start_sketch();
+  hand.look_at({-200, -200}, {200, 200});
+  hand.draw(circle({0, 0}, 80));
+  hand.settle();
+  hand.act("face-mode");
+  hand.settle();
+  app::ReplayPlayer(hand.window())
+      .play(recorded::parse(R"({"do":"edit","node":"inflate","line":"inset faces=100-102 width=0.02"})", "edits.jsonl",
+                            recorded::all_steps()));
+  hand.settle();
+  const WorkObject& object = hand.studio().objects().front();
+  const NodeId edit = object.node;
+  REQUIRE(step_rows(hand, 0).size() == 3);
+  CHECK(step_rows(hand, 0)[0]->text(1).isEmpty());
+  CHECK_FALSE(hand.window().action("reapply-step-by-position")->isEnabled());
+
+  const auto shown = hand.studio().objects().front().mesh;
+  bend_first_stroke(hand);
+  CHECK(step_rows(hand, 0)[0]->text(1) == "needs attention");
+  CHECK(hand.studio().objects().front().mesh->face_count() == shown->face_count());  // as it was
+  choose(hand, edit);
+  REQUIRE(hand.window().action("reapply-step-by-position")->isEnabled());
+  hand.act("reapply-step-by-position");
+  INFO((hand.window().last_findings().empty() ? std::string("-") : hand.window().last_findings().front().message));
+  hand.settle();
+  CHECK(step_rows(hand, 0)[0]->text(1).isEmpty());
+  CHECK(hand.studio().objects().front().mesh->face_count() != shown->face_count());
 }
 
 TEST_CASE("sketches side by side have their own solids, and the pen draws in the one worked on", "[chains]") {

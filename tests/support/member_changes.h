@@ -33,7 +33,12 @@ Value changed(const Value& value) {
     return other;
   } else {
     Value longer = value;  // a list
-    longer.push_back({});
+    using Element = typename Value::value_type;
+    if constexpr (requires { Element::Zero(); }) {
+      longer.push_back(Element::Zero());  // vectors begin without values
+    } else {
+      longer.push_back({});
+    }
     return longer;
   }
 }

@@ -27,6 +27,7 @@ QString words_of(StepState state) {
     case StepState::Computing: return ObjectList::tr("computing …");
     case StepState::Stale: return ObjectList::tr("failed, shows its last result");
     case StepState::Failed: return ObjectList::tr("failed");
+    case StepState::NeedsAttention: return ObjectList::tr("needs attention");
     case StepState::Off: return ObjectList::tr("off");
     default: return {};
   }
@@ -34,7 +35,8 @@ QString words_of(StepState state) {
 
 QColor color_of(StepState state) {
   if (state == StepState::Computing) return colors::warning;
-  return state == StepState::Stale || state == StepState::Failed ? colors::error : colors::guide;
+  const bool bad = state == StepState::Stale || state == StepState::Failed || state == StepState::NeedsAttention;
+  return bad ? colors::error : colors::guide;
 }
 
 QStringList to_list(const std::vector<std::string>& texts) {

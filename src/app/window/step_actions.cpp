@@ -33,6 +33,10 @@ StepActions::StepActions(ToolHost& host, ActionList& actions) : host_(host) {
       [](Studio& studio, NodeId step) { studio.copy_step(step); });
   add(actions, menu, "freeze-step", QObject::tr("Free&ze step"), {},
       [](Studio& studio, NodeId step) { studio.freeze_step(step); });
+  add(actions, menu, "reapply-step", QObject::tr("&Re-apply edits by number"), {},
+      [](Studio& studio, NodeId step) { studio.reapply_step(step); });
+  add(actions, menu, "reapply-step-by-position", QObject::tr("Re-apply edits by &position"), {},
+      [](Studio& studio, NodeId step) { studio.reapply_step_by_position(step); });
   add(actions, menu, "delete-step", QObject::tr("Delete &step"), "Ctrl+Shift+Backspace",
       [](Studio& studio, NodeId step) { studio.remove_step(step); });
   menu->addSeparator();
@@ -80,6 +84,11 @@ void StepActions::refresh() {
   const bool has_later = in_chain && std::next(place) != chain.end();
   for (const char* name : {"duplicate-step", "freeze-step", "delete-step"}) enable(name, node != nullptr);
   enable("step-on", node != nullptr && can_be_off(studio.session().document(), studio.registry(), step));
+  const bool attention = object != nullptr && std::ranges::any_of(studio.steps_of(*object), [&](const ChainStep& each) {
+                           return each.node == step && each.state == StepState::NeedsAttention;
+                         });
+  enable("reapply-step", attention);
+  enable("reapply-step-by-position", attention);
   enable("step-earlier", has_earlier);
   enable("step-later", has_later);
   host_.action("step-on")->setChecked(node != nullptr && node->enabled);
