@@ -110,7 +110,11 @@ TEST_CASE("workspace: only what was computed can be frozen") {
   Desk desk;
   const NodeId first = desk.workspace.add_step(desk.mesh, "scale");
   const NodeId second = desk.workspace.add_step(first, "other", {{"factor", 7.0}});
+  desk.move_source(2000);  // too far for both
+  desk.settle();
   CHECK_THROWS_AS(desk.workspace.freeze_step(first), Error);
+  CHECK_THROWS_AS(desk.workspace.freeze_step(desk.mesh), Error);
+  desk.workspace.session().undo();
   desk.settle();
   desk.workspace.freeze_step(first);
   CHECK(desk.workspace.objects().front().chain == std::vector<NodeId>{first, second});
