@@ -60,10 +60,7 @@ void MeshEditingTool::make_panels(PanelDocks& panels) {
   last_edit_dock_ = panels.add_column(tr("Last edit"), last_edit_, "last-edit");
 }
 
-bool MeshEditingTool::works() const {
-  return mesh_modes.contains(mode()) &&
-         std::ranges::any_of(studio().objects(), [](const WorkObject& object) { return object.cage != 0; });
-}
+bool MeshEditingTool::works() const { return mesh_modes.contains(mode()) && studio().has_cage(); }
 
 bool MeshEditingTool::works_in(int) const { return works(); }
 

@@ -17,10 +17,6 @@ namespace {
 constexpr const char* hint_style = "color: #8a93a0; background: transparent; font-size: 15px";
 constexpr double hint_height = 60;  // above the view's lower border
 
-bool has_cage_to_edit(const Studio& studio) {
-  return std::ranges::any_of(studio.objects(), [](const WorkObject& object) { return object.cage != 0; });
-}
-
 SketchMode sketch_mode(const QString& mode) {
   if (mode == "draw") return SketchMode::Draw;
   return mode == "erase" ? SketchMode::Erase : SketchMode::Select;
@@ -82,7 +78,7 @@ bool SilhouetteTool::works_in(int view) const {
 }
 
 bool SilhouetteTool::is_paper(int view) const {
-  return view == SketchView && (sketch_.scene().has_strokes() || !has_cage_to_edit(studio()));
+  return view == SketchView && (sketch_.scene().has_strokes() || !studio().has_cage());
 }
 
 Qt::CursorShape SilhouetteTool::cursor(int) const { return draws() ? Qt::CrossCursor : Qt::ArrowCursor; }
