@@ -130,8 +130,12 @@ void Workspace::set_edits_elements(bool on) {
 
 std::shared_ptr<const Evaluation> Workspace::result(NodeId node) const {
   const auto found = live_.find(node);
-  if (found != live_.end() && found->second->result()) return found->second->result();
-  return evaluator_.find(session_.document(), node);
+  const auto newest = found == live_.end() ? nullptr : found->second->result();
+  const bool is_followed = std::ranges::any_of(objects_, [&](const auto& o) { return evaluated_node(o) == node; });
+  if (newest && is_followed) return newest;
+  // What became a step within a chain, or is hidden, was left with the result that it had then.
+  const auto kept = evaluator_.find(session_.document(), node);
+  return kept ? kept : newest;
 }
 
 std::shared_ptr<const PolyMesh> Workspace::mesh_at(NodeId id) const {

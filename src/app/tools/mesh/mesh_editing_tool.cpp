@@ -14,6 +14,7 @@
 #include "app/tools/mesh/tag_panel.h"
 #include "app/views/viewport.h"
 #include "app/window/panel_docks.h"
+#include "croquis/workspace/chain.h"
 
 namespace croquis::app {
 namespace {
@@ -79,6 +80,15 @@ void MeshEditingTool::set_mode(const QString& mode) {
 void MeshEditingTool::set_mesh_mode(MeshMode mode) {
   if (!mesh_modes.contains(this->mode())) host().set_mode(select_mode);
   mesh_.set_mode(mode);
+}
+
+/// Elements of meshes, and the cage of a step that another tool's panels are about.
+bool MeshEditingTool::open_step(const Node& step) {
+  const OperationDescription* operation = studio().description(step.operation);
+  const PortDescription* input = operation == nullptr ? nullptr : main_input(*operation);
+  const bool has_elements = mesh_in(step) != nullptr || (input != nullptr && input->type == ValueType::Mesh);
+  if (has_elements && !mesh_modes.contains(mode())) host().set_mode(select_mode);
+  return has_elements;
 }
 
 QString MeshEditingTool::help() const {

@@ -10,6 +10,7 @@
 #include "app/views/viewport.h"
 #include "app/window/action_list.h"
 #include "croquis/tools/recording/general_steps.h"
+#include "croquis/workspace/chain.h"
 
 namespace croquis::app {
 namespace {
@@ -91,6 +92,17 @@ bool SilhouetteTool::delete_selection() {
   if (sketch_.tool().selected().empty()) return false;
   host().record(recorded::Action{"delete"});
   return sketch_.tool().delete_selected() == Verdict::Commit;
+}
+
+bool SilhouetteTool::open_step(const Node& step) {
+  const OperationDescription* operation = studio().description(step.operation);
+  const PortDescription* input = operation == nullptr ? nullptr : main_input(*operation);
+  if (!source_of<Drawing>(&step) && (input == nullptr || input->type != ValueType::Drawing)) return false;
+  const bool works = draws() || mode() == select_mode;
+  if (!works) host().set_mode(first_mode);
+  Viewport& views = host().viewport();
+  if (!views.pane(SketchView).visible()) views.arrange(Arrangement::SketchAndSolid);
+  return true;
 }
 
 /// Empty, with the solid that will be made of it; the pen draws in it at once.
