@@ -130,8 +130,8 @@ bool MeshEditingTool::show_finding(const NodeFinding& found) {
   studio().set_active(found.node);
   mesh_.follow();
   MeshTool& tool = mesh_.tool();
-  if (!tool.source().mesh()) return false;
-  const FoundElements elements = elements_of(found.finding, *tool.source().topology());
+  if (!tool.editable().mesh()) return false;
+  const FoundElements elements = elements_of(found.finding, *tool.editable().topology());
   if (!pick(elements.kind, elements.elements)) return false;
   host().viewport().frame_selection();
   return true;
@@ -140,7 +140,7 @@ bool MeshEditingTool::show_finding(const NodeFinding& found) {
 // ---- The eye
 
 void MeshEditingTool::adjust(ObjectScenes::Wanted& wanted, int) const {
-  if (picks_elements()) wanted.edited = mesh_.tool().source().node();
+  if (picks_elements()) wanted.edited = mesh_.tool().editable().node();
 }
 
 void MeshEditingTool::add_to(render::Scene& scene, int view) {
