@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAbstractButton>
 #include <QAction>
+#include <QTest>
 #include <QTreeWidget>
 #include <algorithm>
 
@@ -224,6 +226,36 @@ TEST_CASE("choosing a step opens the tool that works on it", "[chains]") {
   hand.act("draw");
   choose(hand, chain[0]);
   CHECK(mode() == "select");
+}
+
+TEST_CASE("Recover brings a chain back with its states and its result", "[chains]") {
+  StudioFixture hand;
+  hand.window().start_sketch();
+  hand.look_at({-200, -200}, {200, 200});
+  hand.draw(circle({0, 0}, 80));
+  hand.settle();
+  hand.act("add-step-subdivide");
+  hand.act("add-step-fill");
+  hand.settle();
+  hand.act("step-on");  // off
+  hand.settle();
+  const ContentHash made = content_hash(hand.studio().session().document());
+  const std::size_t faces = hand.studio().objects().front().mesh->face_count();
+  hand.crash_and_restart();
+
+  auto* recover = hand.window().findChild<QAbstractButton*>("recover");
+  REQUIRE(recover != nullptr);
+  QTest::mouseClick(recover, Qt::LeftButton);
+  hand.settle();
+  CHECK(hand.window().shows_views());
+  CHECK(content_hash(hand.studio().session().document()) == made);
+  REQUIRE(step_rows(hand, 0).size() == 4);
+  CHECK(step_rows(hand, 0)[0]->text(1) == "off");
+  CHECK(hand.studio().objects().front().mesh->face_count() == faces);
+  choose(hand, app::ObjectList::node_of(step_rows(hand, 0)[0]));
+  hand.act("step-on");
+  hand.settle();
+  CHECK(step_rows(hand, 0)[0]->text(1).isEmpty());
 }
 
 }  // namespace
