@@ -124,7 +124,7 @@ void Pull::add(const OrderedNode& ordered) {
     add_source(slot);
   } else {
     slot.state.operation = registry_.find(node.operation);
-    if (slot.state.operation != nullptr) slot.state.description = slot.state.operation->describe();
+    if (slot.state.operation != nullptr) slot.state.description = registry_.description(node.operation);
     if (node.enabled) {
       add_operation(slot);
     } else {
@@ -186,7 +186,7 @@ Link Pull::resolved(const Link& link) const {
 ParameterValues effective_parameters(const NodeState& state) {
   if (state.operation == nullptr) return state.node->parameters;
   try {
-    return complete(state.description.parameters, state.node->parameters);
+    return complete(state.description->parameters, state.node->parameters);
   } catch (const Error&) {
     return state.node->parameters;  // reported when the node is computed
   }
@@ -198,7 +198,7 @@ ContentHash Pull::key_of(const Slot& slot, Quality quality) const {
   hasher.add("operation");
   hasher.add(node.operation);
   hasher.add(node.version);
-  hasher.add(slot.state.description.version);
+  hasher.add(slot.state.description->version);
   hasher.add(static_cast<int>(quality));
   add_content(hasher, effective_parameters(slot.state));
   hasher.add(node.inputs.size());
@@ -239,7 +239,7 @@ void Pull::compute(NodeId target, Progress& progress) {
   for (Slot* slot : missing) {
     const std::string& name = slot->state.node->name;
     Progress part =
-        progress.step(name.empty() ? slot->state.description.title : name, 1.0 / static_cast<double>(missing.size()));
+        progress.step(name.empty() ? slot->state.description->title : name, 1.0 / static_cast<double>(missing.size()));
     slot->state.evaluation = compute(*slot, part);
   }
   progress.report(1);
@@ -250,7 +250,7 @@ std::shared_ptr<const Evaluation> passed_evaluation(const NodeState& state, cons
   const Link link = used_inputs(state).begin()->second;
   const Evaluation& input = *inputs.at(link.node)->evaluation;
   Evaluation evaluation;
-  evaluation.outputs[state.description.outputs.front().name] = input.outputs.at(link.output);
+  evaluation.outputs[state.description->outputs.front().name] = input.outputs.at(link.output);
   evaluation.quality = input.quality;
   evaluation.key = input.key;
   return std::make_shared<const Evaluation>(std::move(evaluation));

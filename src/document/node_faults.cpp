@@ -51,11 +51,11 @@ Findings own_faults(const NodeState& state) {
                       "', which this Croquis doesn't have: open it with a newer one.",
                   node.id)};
   }
-  if (node.version > state.description.version) {
+  if (node.version > state.description->version) {
     return {fault(Category::Malformed, "E_OPERATION_NEWER",
                   in_quotes(node) + " was made with version " + std::to_string(node.version) + " of " +
-                      state.description.title + "; this Croquis has version " +
-                      std::to_string(state.description.version) + ": open it with a newer one.",
+                      state.description->title + "; this Croquis has version " +
+                      std::to_string(state.description->version) + ": open it with a newer one.",
                   node.id)};
   }
   if (state.in_circle) {
@@ -79,8 +79,8 @@ void add_link_faults(const NodeState& state, const std::string& port, const Link
                              "The input '" + port + "' of " + in_quotes(node) + why + ": choose another one.",
                              node.id));
   };
-  if (!has_port(state.description, port)) {
-    broken(" isn't one that " + state.description.title + " has");
+  if (!has_port(*state.description, port)) {
+    broken(" isn't one that " + state.description->title + " has");
     return;
   }
   const auto input = inputs.find(link.node);
@@ -111,17 +111,17 @@ void add_link_faults(const NodeState& state, const std::string& port, const Link
 
 std::map<std::string, Link> used_inputs(const NodeState& state) {
   const Node& node = *state.node;
-  if (node.enabled || state.description.outputs.empty()) return node.inputs;
-  for (const PortDescription& port : state.description.inputs) {
+  if (node.enabled || state.description->outputs.empty()) return node.inputs;
+  for (const PortDescription& port : state.description->inputs) {
     const auto input = node.inputs.find(port.name);
-    if (port.type == state.description.outputs.front().type && input != node.inputs.end()) return {*input};
+    if (port.type == state.description->outputs.front().type && input != node.inputs.end()) return {*input};
   }
   return {};
 }
 
 bool passes_on(const NodeState& state, const std::string& output) {
-  return !state.node->enabled && !state.in_circle && !state.description.outputs.empty() &&
-         state.description.outputs.front().name == output && !used_inputs(state).empty();
+  return !state.node->enabled && !state.in_circle && !state.description->outputs.empty() &&
+         state.description->outputs.front().name == output && !used_inputs(state).empty();
 }
 
 Findings faults_of(const NodeState& state, const NodeStates& inputs) {
@@ -132,11 +132,11 @@ Findings faults_of(const NodeState& state, const NodeStates& inputs) {
 }
 
 void add_version_warning(const NodeState& state, Findings& findings) {
-  if (state.node->version >= state.description.version) return;
+  if (state.node->version >= state.description->version) return;
   findings.push_back(make_warning(Category::Geometry, "W_OPERATION_OLDER",
                                   "Made with version " + std::to_string(state.node->version) + " of " +
-                                      state.description.title + ", computed with version " +
-                                      std::to_string(state.description.version) + ": compare the result."));
+                                      state.description->title + ", computed with version " +
+                                      std::to_string(state.description->version) + ": compare the result."));
 }
 
 Finding no_such_node(NodeId id) {

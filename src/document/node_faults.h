@@ -10,12 +10,16 @@
 
 namespace croquis {
 
+/// Of nodes without an operation.
+inline const OperationDescription no_operation{};
+
 /// A node in the evaluation under way.
 struct NodeState {
   const Node* node = nullptr;
   bool in_circle = false;
   const Operation* operation = nullptr;  ///< null for sources, and where the registry has none of that id
-  OperationDescription description;      ///< of the operation
+  const OperationDescription* description = &no_operation;  ///< of the operation
+
   std::shared_ptr<const Evaluation> evaluation;
 };
 

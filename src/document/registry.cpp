@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "croquis/document/registry.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "croquis/base/error.h"
@@ -8,18 +9,22 @@
 namespace croquis {
 
 void Registry::add(std::unique_ptr<const Operation> operation) {
-  const std::string id = operation->describe().id;
-  if (find(id) != nullptr) {
-    throw Error(make_error(Category::Internal, "E_INTERNAL", "Two operations are called '" + id + "'."));
+  OperationDescription description = operation->describe();
+  if (find(description.id) != nullptr) {
+    throw Error(make_error(Category::Internal, "E_INTERNAL", "Two operations are called '" + description.id + "'."));
   }
   operations_.push_back(std::move(operation));
+  descriptions_.push_back(std::move(description));
+}
+
+const OperationDescription* Registry::description(std::string_view id) const {
+  const auto found = std::ranges::find(descriptions_, id, &OperationDescription::id);
+  return found == descriptions_.end() ? nullptr : &*found;
 }
 
 const Operation* Registry::find(std::string_view id) const {
-  for (const auto& operation : operations_) {
-    if (operation->describe().id == id) return operation.get();
-  }
-  return nullptr;
+  const OperationDescription* known = description(id);
+  return known == nullptr ? nullptr : operations_[static_cast<std::size_t>(known - descriptions_.data())].get();
 }
 
 }  // namespace croquis

@@ -225,7 +225,7 @@ FillSettings read_fill_settings(const ParameterValues& parameters) {
   FillChoice choice = read_fill_choice(parameters);
   options.selection = choice.select;
   options.only = std::move(choice.only);
-  options.max_diameter = choice.max_diameter;
+  if (const double limit = number_of(parameters, "max-diameter"); limit > 0) options.max_diameter = limit;
   for (const HoleWish& wish : choice.wishes) options.requests.push_back(request_of(wish));
   read_shape(parameters, options);
   if (settings.remesh)

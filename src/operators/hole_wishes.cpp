@@ -180,7 +180,6 @@ FillChoice read_fill_choice(const ParameterValues& parameters) {
   FillChoice choice;
   choice.select = parse_selection(text_of(parameters, "select"));
   choice.only = parse_hole_ids(text_of(parameters, "only"));
-  if (const double limit = number_of(parameters, "max-diameter"); limit > 0) choice.max_diameter = limit;
   choice.wishes = wishes_in(parameters.at("holes"));
   return choice;
 }
@@ -189,7 +188,6 @@ ParameterValues to_parameters(const FillChoice& choice) {
   const auto name = std::find(selections.begin(), selections.end(), choice.select) - selections.begin();
   return {{"select", std::string(selection_names[static_cast<std::size_t>(name)])},
           {"only", index_list_text(choice.only, ',')},
-          {"max-diameter", std::isfinite(choice.max_diameter) ? choice.max_diameter : 0.0},
           {"holes", value_of(choice.wishes)}};
 }
 

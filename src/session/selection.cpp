@@ -11,9 +11,6 @@
 namespace croquis {
 namespace {
 
-/// The drawing a node is a source of, or null.
-const Drawing* drawing_of(const Node& node) { return node.source ? node.source->as<Drawing>().get() : nullptr; }
-
 /// Looks up many items with one pass over each drawing.
 class Existence {
  public:
@@ -24,7 +21,7 @@ class Existence {
   bool operator()(const SelectedItem& item) {
     const auto node = nodes_.find(item.node);
     if (node == nodes_.end()) return false;
-    const Drawing* drawing = drawing_of(*node->second);
+    const auto drawing = source_of<Drawing>(node->second);
     if (item.part.empty() || drawing == nullptr) return true;
     const auto [ids, added] = strokes_.try_emplace(item.node);
     if (added) {
@@ -41,8 +38,7 @@ class Existence {
 }  // namespace
 
 std::shared_ptr<const PolyMesh> source_mesh(const Document& document, NodeId id) {
-  const Node* node = document.find(id);
-  return node == nullptr || !node->source ? nullptr : node->source->as<PolyMesh>();
+  return source_of<PolyMesh>(document.find(id));
 }
 
 namespace {

@@ -15,21 +15,29 @@ const PortDescription* main_output(const OperationDescription& operation) {
   return found == operation.outputs.end() ? nullptr : &*found;
 }
 
+const OperationDescription* operation_of(const Node& node, const Registry& registry) {
+  return node.source ? nullptr : registry.description(node.operation);
+}
+
+namespace {
+
+/// The output that a node's chain goes on from; null for sources, and without a known operation.
+const PortDescription* output_of(const Node& node, const Registry& registry) {
+  const OperationDescription* operation = operation_of(node, registry);
+  return operation == nullptr ? nullptr : main_output(*operation);
+}
+
+}  // namespace
+
 Link main_link(const Node& node, const Registry& registry) {
   if (node.source) return {node.id, "value"};
-  const Operation* operation = registry.find(node.operation);
-  if (operation == nullptr) return {node.id, ""};
-  const OperationDescription description = operation->describe();
-  const PortDescription* port = main_output(description);
+  const PortDescription* port = output_of(node, registry);
   return {node.id, port == nullptr ? "" : port->name};
 }
 
 std::optional<ValueType> main_type(const Node& node, const Registry& registry) {
   if (node.source) return node.source->type();
-  const Operation* operation = registry.find(node.operation);
-  if (operation == nullptr) return std::nullopt;
-  const OperationDescription description = operation->describe();
-  const PortDescription* port = main_output(description);
+  const PortDescription* port = output_of(node, registry);
   return port == nullptr ? std::nullopt : std::optional(port->type);
 }
 
@@ -37,10 +45,8 @@ namespace {
 
 /// What the main input is linked to; 0 for none.
 NodeId id_before(const Registry& registry, const Node& node) {
-  const Operation* operation = node.source ? nullptr : registry.find(node.operation);
-  if (operation == nullptr) return 0;
-  const OperationDescription description = operation->describe();
-  const PortDescription* port = main_input(description);
+  const OperationDescription* operation = operation_of(node, registry);
+  const PortDescription* port = operation == nullptr ? nullptr : main_input(*operation);
   const auto link = port == nullptr ? node.inputs.end() : node.inputs.find(port->name);
   return link == node.inputs.end() ? 0 : link->second.node;
 }

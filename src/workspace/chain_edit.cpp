@@ -25,17 +25,17 @@ const Node& node_of(const Document& document, NodeId id) {
 
 std::string quoted(const Node& node) { return '"' + node.name + '"'; }
 
-OperationDescription operation_of(const Registry& registry, const Node& node) {
+/// The operation of a step.
+const OperationDescription& require_step(const Registry& registry, const Node& node) {
   if (node.source) refuse(quoted(node) + " isn't a step: it is what its chain begins with", node.id);
-  const Operation* operation = registry.find(node.operation);
+  const OperationDescription* operation = operation_of(node, registry);
   if (operation == nullptr) refuse("There is no operation \"" + node.operation + "\"", node.id);
-  return operation->describe();
+  return *operation;
 }
 
 /// The main input port's name and type.
-PortDescription input_of(const Registry& registry, const Node& node) {
-  const OperationDescription operation = operation_of(registry, node);
-  const PortDescription* port = main_input(operation);
+const PortDescription& input_of(const Registry& registry, const Node& node) {
+  const PortDescription* port = main_input(require_step(registry, node));
   if (port == nullptr) refuse(quoted(node) + " works on nothing, so it has no place in a chain", node.id);
   return *port;
 }
@@ -66,7 +66,7 @@ Document with_links_moved(Document document, const Link& from, const Link& to, N
 void require_fit(const Document& document, const Registry& registry, NodeId id, const std::optional<ValueType>& given,
                  const std::string& what) {
   for (const Node* later : steps_after(document, registry, id)) {
-    const PortDescription port = input_of(registry, *later);
+    const PortDescription& port = input_of(registry, *later);
     if (given == port.type) continue;
     refuse(what + ": " + quoted(*later) + " needs a " + to_string(port.type), later->id);
   }
@@ -101,9 +101,9 @@ AddedNode with_step(const Document& document, const Registry& registry, NodeId i
   step.operation = operation;
   step.name = free_name(document, operation);
   step.parameters = parameters;
-  const OperationDescription description = operation_of(registry, step);
+  const OperationDescription& description = require_step(registry, step);
   step.version = description.version;
-  const PortDescription port = input_of(registry, step);
+  const PortDescription& port = input_of(registry, step);
   if (main_type(before, registry) != port.type) {
     refuse(
         "\"" + description.title + "\" works on a " + to_string(port.type) + ", and " + quoted(before) + " gives none",
@@ -121,7 +121,7 @@ AddedNode with_step(const Document& document, const Registry& registry, NodeId i
 
 Document without_step(const Document& document, const Registry& registry, NodeId id) {
   const Node& step = node_of(document, id);
-  const PortDescription port = input_of(registry, step);
+  const PortDescription& port = input_of(registry, step);
   const Node* before = step_before(document, registry, step);
   if (before == nullptr) refuse(quoted(step) + " can't be taken away alone: nothing is before it", id);
   require_fit(document, registry, id, main_type(*before, registry), quoted(step) + " can't be taken away");
@@ -141,16 +141,14 @@ Document without_object(const Document& document, NodeId end) {
 
 bool can_be_off(const Document& document, const Registry& registry, NodeId id) {
   const Node* step = document.find(id);
-  const Operation* operation = step == nullptr || step->source ? nullptr : registry.find(step->operation);
-  if (operation == nullptr) return false;
-  const OperationDescription description = operation->describe();
-  const PortDescription* port = main_input(description);
+  const OperationDescription* operation = step == nullptr ? nullptr : operation_of(*step, registry);
+  const PortDescription* port = operation == nullptr ? nullptr : main_input(*operation);
   return port != nullptr && main_type(*step, registry) == port->type;
 }
 
 Document with_step_enabled(const Document& document, const Registry& registry, NodeId id, bool enabled) {
   Node step = node_of(document, id);
-  operation_of(registry, step);
+  require_step(registry, step);
   if (!enabled && !can_be_off(document, registry, id)) {
     refuse(quoted(step) + " can't be switched off: it makes another kind of thing than it is given", id);
   }
@@ -198,7 +196,7 @@ Document with_step_moved(const Document& document, const Registry& registry, Nod
 
 AddedNode with_step_copied(const Document& document, const Registry& registry, NodeId id) {
   const Node step = node_of(document, id);
-  operation_of(registry, step);
+  require_step(registry, step);
   AddedNode added = with_step(document, registry, id, step.operation, step.parameters);
   Node copy = *added.document.find(added.node);
   copy.version = step.version;
@@ -236,7 +234,7 @@ AddedNode with_object_copied(const Document& document, NodeId end) {
 
 Document with_step_frozen(const Document& document, const Registry& registry, NodeId id, Value value) {
   const Node& step = node_of(document, id);
-  operation_of(registry, step);
+  require_step(registry, step);
   const Link given = main_link(step, registry);
   Node frozen = step;
   frozen.operation.clear();

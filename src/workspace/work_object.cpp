@@ -8,20 +8,17 @@
 
 namespace croquis {
 
-std::shared_ptr<const PolyMesh> mesh_in(const Node& node) {
-  return node.source ? node.source->as<PolyMesh>() : nullptr;
-}
+std::shared_ptr<const PolyMesh> mesh_in(const Node& node) { return source_of<PolyMesh>(&node); }
 
-std::shared_ptr<const PolyMesh> mesh_of(const Evaluation& evaluation, const Operation& operation) {
-  const OperationDescription description = operation.describe();
-  const PortDescription* port = main_output(description);
+std::shared_ptr<const PolyMesh> mesh_of(const Evaluation& evaluation, const OperationDescription& operation) {
+  const PortDescription* port = main_output(operation);
   const auto output = port == nullptr ? evaluation.outputs.end() : evaluation.outputs.find(port->name);
   return output == evaluation.outputs.end() ? nullptr : output->second.as<PolyMesh>();
 }
 
 bool edits_input(const Node& node, const Registry& registry) {
-  const Operation* operation = node.source ? nullptr : registry.find(node.operation);
-  return operation != nullptr && operation->describe().edits_input.has_value();
+  const OperationDescription* operation = operation_of(node, registry);
+  return operation != nullptr && operation->edits_input.has_value();
 }
 
 NodeId editable_node(const Document& document, const Registry& registry, const std::vector<NodeId>& chain,

@@ -26,43 +26,42 @@ Workspace::Workspace(Registry registry, LiveEvaluation::Post post, Listener list
       post_(std::move(post)),
       listener_(std::move(listener)),
       session_(Document(), history_cap) {
-  for (const auto& operation : registry_.operations()) {
-    OperationDescription description = operation->describe();
-    descriptions_[description.id] = std::move(description);
-  }
   session_.find_meshes_with([this](const Document& document, NodeId node) { return final_mesh(document, node); });
   session_.on_change([this] { follow_session(); });
 }
 
 Workspace::~Workspace() = default;
 
-const OperationDescription* Workspace::description(const std::string& operation) const {
-  const auto found = descriptions_.find(operation);
-  return found == descriptions_.end() ? nullptr : &found->second;
+namespace {
+
+bool goes_on_from(const OperationDescription& operation, ValueType type) {
+  const PortDescription* port = main_input(operation);
+  return port != nullptr && port->type == type;
 }
 
+}  // namespace
+
 const OperationDescription* Workspace::first_operation_on(ValueType type) const {
-  for (const auto& operation : registry_.operations()) {
-    const OperationDescription& known = descriptions_.at(operation->describe().id);
-    const PortDescription* port = main_input(known);
-    if (port != nullptr && port->type == type) return &known;
-  }
-  return nullptr;
+  const auto& all = registry_.descriptions();
+  const auto found = std::ranges::find_if(all, [&](const auto& operation) { return goes_on_from(operation, type); });
+  return found == all.end() ? nullptr : &*found;
 }
 
 std::vector<const OperationDescription*> Workspace::operations_on(NodeId id) const {
   std::vector<const OperationDescription*> fitting;
   const Node* node = session_.document().find(id);
   const auto type = node == nullptr ? std::nullopt : main_type(*node, registry_);
-  for (const auto& operation : registry_.operations()) {
-    const OperationDescription& known = descriptions_.at(operation->describe().id);
-    const PortDescription* port = main_input(known);
-    if (type && port != nullptr && port->type == *type) fitting.push_back(&known);
+  for (const OperationDescription& operation : registry_.descriptions()) {
+    if (type && goes_on_from(operation, *type)) fitting.push_back(&operation);
   }
   return fitting;
 }
 
 // ---- Objects
+
+bool Workspace::has_cage() const {
+  return std::ranges::any_of(objects_, [](const WorkObject& object) { return object.cage != 0; });
+}
 
 const WorkObject* Workspace::object(NodeId node) const {
   if (node == 0) return nullptr;
@@ -131,15 +130,19 @@ void Workspace::set_edits_elements(bool on) {
 
 std::shared_ptr<const Evaluation> Workspace::result(NodeId node) const {
   const auto found = live_.find(node);
-  if (found != live_.end() && found->second->result()) return found->second->result();
-  return evaluator_.find(session_.document(), node);
+  const auto newest = found == live_.end() ? nullptr : found->second->result();
+  const bool is_followed = std::ranges::any_of(objects_, [&](const auto& o) { return evaluated_node(o) == node; });
+  if (newest && is_followed) return newest;
+  // What became a step within a chain, or is hidden, was left with the result that it had then.
+  const auto kept = evaluator_.find(session_.document(), node);
+  return kept ? kept : newest;
 }
 
 std::shared_ptr<const PolyMesh> Workspace::mesh_at(NodeId id) const {
   const Node* node = session_.document().find(id);
   if (node == nullptr) return nullptr;
   if (node->source) return mesh_in(*node);
-  const Operation* operation = registry_.find(node->operation);
+  const OperationDescription* operation = description(node->operation);
   const auto evaluation = operation == nullptr ? nullptr : result(id);
   return evaluation ? mesh_of(*evaluation, *operation) : nullptr;
 }
@@ -148,7 +151,7 @@ std::shared_ptr<const PolyMesh> Workspace::final_mesh(const Document& document, 
   const Node* node = document.find(id);
   if (node == nullptr) return nullptr;
   if (node->source) return mesh_in(*node);
-  const Operation* operation = registry_.find(node->operation);
+  const OperationDescription* operation = description(node->operation);
   const auto kept = operation == nullptr ? nullptr : evaluator_.find(document, id);
   const bool is_final = kept && !kept->failed && kept->quality == Quality::Final;
   return is_final ? mesh_of(*kept, *operation) : nullptr;
@@ -158,7 +161,7 @@ std::shared_ptr<const PolyMesh> Workspace::compute_mesh(const Document& document
   Progress progress;
   const auto evaluation = evaluator_.evaluate(document, id, Quality::Final, progress);
   if (evaluation->failed) throw Error(evaluation->findings);
-  const Operation* operation = registry_.find(document.find(id)->operation);
+  const OperationDescription* operation = operation_of(*document.find(id), registry_);
   return operation == nullptr ? mesh_in(*document.find(id)) : mesh_of(*evaluation, *operation);
 }
 
@@ -180,9 +183,7 @@ bool Workspace::busy() const {
 // ---- Evaluation
 
 bool Workspace::begins_empty(const WorkObject& object) const {
-  const Node* first = session_.document().find(object.chain.front());
-  if (first == nullptr || !first->source) return false;
-  const auto drawing = first->source->as<Drawing>();
+  const auto drawing = source_of<Drawing>(session_.document().find(object.chain.front()));
   return drawing && drawing->strokes.empty();
 }
 
@@ -291,7 +292,7 @@ void Workspace::take_live_results() {
     if (live == live_.end() || !live->second->result()) continue;
     object.result = live->second->result();
     object.quality = live->second->quality();
-    object.mesh = mesh_of(*object.result, *registry_.find(session_.document().find(object.node)->operation));
+    object.mesh = mesh_of(*object.result, *description(session_.document().find(object.node)->operation));
   }
 }
 

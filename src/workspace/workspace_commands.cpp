@@ -7,6 +7,7 @@
 #include "croquis/document/connectivity.h"
 #include "croquis/edits/lines_by_position.h"
 #include "croquis/workspace/chain.h"
+#include "croquis/workspace/node_values.h"
 #include "croquis/workspace/object_names.h"
 #include "croquis/workspace/workspace.h"
 
@@ -52,12 +53,7 @@ void Workspace::set_parameter(NodeId id, const std::string& name, const Paramete
   const Node* node = session_.document().find(id);
   const OperationDescription* operation = node == nullptr ? nullptr : description(node->operation);
   if (operation == nullptr) return;
-  Node edited = *node;
-  edited.parameters[name] = value;
-  for (const ParameterDescription& parameter : operation->parameters) {
-    if (parameter.name == name && parameter.default_value == value) edited.parameters.erase(name);
-  }
-  Document document = session_.document().with(std::move(edited));
+  Document document = session_.document().with(with_values(*node, *operation, {{name, value}}));
   const std::string label = "Set " + name;
   if (dragging && !dragging_parameter_) session_.begin_drag(label);
   const bool in_drag = dragging || dragging_parameter_;
@@ -227,23 +223,24 @@ bool has_other_connectivity(const Findings& findings) {
 
 }  // namespace
 
+ChainStep Workspace::step(NodeId id) const {
+  const Node& node = step_node(id);
+  ChainStep step{id, node.name, node.source ? std::string() : title_of(node), StepState::Source, {}};
+  if (node.source) return step;
+  const auto kept = evaluator_.find(session_.document(), id);
+  step.state = !node.enabled                            ? StepState::Off
+               : !kept                                  ? StepState::Computing
+               : !kept->failed                          ? StepState::Fresh
+               : has_other_connectivity(kept->findings) ? StepState::NeedsAttention
+               : kept->stale                            ? StepState::Stale
+                                                        : StepState::Failed;
+  if (kept && kept->failed) step.problem = first_error(kept->findings);
+  return step;
+}
+
 std::vector<ChainStep> Workspace::steps_of(const WorkObject& object) const {
   std::vector<ChainStep> steps;
-  for (const NodeId id : object.chain) {
-    const Node& node = *session_.document().find(id);
-    ChainStep step{id, node.name, node.source ? std::string() : title_of(node), StepState::Source, {}};
-    if (!node.source) {
-      const auto kept = evaluator_.find(session_.document(), id);
-      step.state = !node.enabled                            ? StepState::Off
-                   : !kept                                  ? StepState::Computing
-                   : !kept->failed                          ? StepState::Fresh
-                   : has_other_connectivity(kept->findings) ? StepState::NeedsAttention
-                   : kept->stale                            ? StepState::Stale
-                                                            : StepState::Failed;
-      if (kept && kept->failed) step.problem = first_error(kept->findings);
-    }
-    steps.push_back(std::move(step));
-  }
+  for (const NodeId id : object.chain) steps.push_back(step(id));
   return steps;
 }
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAbstractButton>
 #include <QAction>
+#include <QTest>
 #include <QTreeWidget>
 #include <algorithm>
 
 #include <catch2/catch.hpp>
 
+#include "app/hole_scans.h"
 #include "app/panels/object_list.h"
 #include "app/replay/replay_player.h"
 #include "app/studio_fixture.h"
@@ -191,6 +194,68 @@ TEST_CASE("a sketch seen from the top stands on its own plane", "[chains]") {
   // Up in the sketch is away from the eye of the front view.
   CHECK((box.center() - Vec3(20, 0, -60)).norm() < 5);
   CHECK(box.sizes().x() == Approx(200).epsilon(0.05));
+}
+
+TEST_CASE("choosing a step opens the tool that works on it", "[chains]") {
+  StudioFixture hand;
+  open_scan(hand, ball_with_holes());
+  hand.act("fill-all");
+  hand.settle();
+  hand.act("add-step-subdivide");
+  hand.settle();
+  const std::vector<NodeId> chain = hand.studio().objects().front().chain;
+  REQUIRE(chain.size() == 3);
+  hand.act("select");
+  const auto mode = [&] { return hand.window().viewport().mode(); };
+
+  // Within the chain its holes are those of its own result: the end has none left.
+  choose(hand, chain[1]);
+  hand.settle();
+  CHECK(mode() == "holes");
+  REQUIRE(holes(hand).rows().size() == 6);
+  CHECK(count(hand, HoleState::Filled) == 6);
+  const std::size_t faces = hand.studio().objects().front().mesh->face_count();
+  holes(hand).select({1});
+  hand.act("reopen-selected");
+  hand.settle();
+  CHECK(holes(hand).row(1)->state == HoleState::Open);
+  CHECK(hand.studio().objects().front().mesh->face_count() < faces);
+
+  choose(hand, chain[2]);
+  CHECK(mode() == "select");
+  hand.act("draw");
+  choose(hand, chain[0]);
+  CHECK(mode() == "select");
+}
+
+TEST_CASE("Recover brings a chain back with its states and its result", "[chains]") {
+  StudioFixture hand;
+  hand.window().start_sketch();
+  hand.look_at({-200, -200}, {200, 200});
+  hand.draw(circle({0, 0}, 80));
+  hand.settle();
+  hand.act("add-step-subdivide");
+  hand.act("add-step-fill");
+  hand.settle();
+  hand.act("step-on");  // off
+  hand.settle();
+  const ContentHash made = content_hash(hand.studio().session().document());
+  const std::size_t faces = hand.studio().objects().front().mesh->face_count();
+  hand.crash_and_restart();
+
+  auto* recover = hand.window().findChild<QAbstractButton*>("recover");
+  REQUIRE(recover != nullptr);
+  QTest::mouseClick(recover, Qt::LeftButton);
+  hand.settle();
+  CHECK(hand.window().shows_views());
+  CHECK(content_hash(hand.studio().session().document()) == made);
+  REQUIRE(step_rows(hand, 0).size() == 4);
+  CHECK(step_rows(hand, 0)[0]->text(1) == "off");
+  CHECK(hand.studio().objects().front().mesh->face_count() == faces);
+  choose(hand, app::ObjectList::node_of(step_rows(hand, 0)[0]));
+  hand.act("step-on");
+  hand.settle();
+  CHECK(step_rows(hand, 0)[0]->text(1).isEmpty());
 }
 
 }  // namespace

@@ -15,10 +15,14 @@ using namespace croquis::hole_filling;
 
 namespace {
 
-std::vector<std::vector<Index>> groups_of(const PolyMesh& mesh) {
+/// Holes of a mesh that one sheet could join.
+std::vector<std::array<Index, 2>> joinable_pairs(const PolyMesh& mesh) {
   Progress progress;
   const HoleAnalysis analysis = analyse_holes(mesh, progress);
-  return group_holes(mesh, analysis.holes).lists();
+  std::vector<std::array<Index, 2>> pairs = near_pairs(mesh, analysis.holes);
+  std::erase_if(pairs,
+                [&](const auto& pair) { return !are_compatible(analysis.holes[pair[0]], analysis.holes[pair[1]]); });
+  return pairs;
 }
 
 /// Triangles of random places and sizes as rims.
@@ -64,28 +68,20 @@ TEST_CASE("near pairs are those of a search of all pairs") {
   }
 }
 
-TEST_CASE("a hole and its island are one group though their flat rims' own boxes are apart") {
+TEST_CASE("a hole and its island are near though their flat rims' own boxes are apart") {
   // The cap's rim and the hole's rim lie in parallel planes: boxes grown per axis would never meet.
-  CHECK(groups_of(cut_ring(round_sphere(5), Vec3(0, 0, 1), 0.25, 0.6).mesh) == std::vector<std::vector<Index>>{{0, 1}});
+  CHECK(joinable_pairs(cut_ring(round_sphere(5), Vec3(0, 0, 1), 0.25, 0.6).mesh) ==
+        std::vector<std::array<Index, 2>>{{0, 1}});
 }
 
-TEST_CASE("holes far from each other are groups of their own") {
+TEST_CASE("holes far from each other are no pair") {
   const PolyMesh one = cut(round_sphere(5), Vec3(0, 0, 1), 0.3).mesh;
-  CHECK(groups_of(cut(one, Vec3(0, 0, -1), 0.3).mesh).size() == 2);
+  CHECK(joinable_pairs(cut(one, Vec3(0, 0, -1), 0.3).mesh).empty());
 }
 
 TEST_CASE("both skins of a thin shell stay apart") {
   const PolyMesh outer_cut = cut(shell(5, 0.03), Vec3(0, 0, 1), 0.3).mesh;
-  CHECK(groups_of(cut(outer_cut, Vec3(0, 0, 0.97), 0.2).mesh).size() == 2);
-}
-
-TEST_CASE("borders and holes that aren't chosen are in no one's group") {
-  const PolyMesh mesh = cut(cut(sheet(12, 12), Vec3(4, 6, 0), 1.8).mesh, Vec3(8, 6, 0), 1.8).mesh;
-  Progress progress;
-  const HoleAnalysis analysis = analyse_holes(mesh, progress);
-  REQUIRE(analysis.holes.size() == 3);
-  CHECK(group_holes(mesh, analysis.holes).lists() == std::vector<std::vector<Index>>{{0}, {1, 2}});
-  CHECK(group_holes(mesh, analysis.holes, {true, true, false}).lists().size() == 3);
+  CHECK(joinable_pairs(cut(outer_cut, Vec3(0, 0, 0.97), 0.2).mesh).empty());
 }
 
 TEST_CASE("groups can be merged later, in any order, with the same result") {

@@ -12,6 +12,7 @@
 #include "croquis/base/error.h"
 #include "croquis/io/file.h"
 #include "croquis/io/svg_drawing.h"
+#include "croquis/io/svg_writer.h"
 #include "support/random.h"
 #include "support/sample_count.h"
 #include "support/sketches/sketch_gallery.h"
@@ -358,6 +359,37 @@ TEST_CASE("sketches written as SVG read back as they were") {
       if (fitted.strokes[i].closed) line.push_back(line.front());
       for (const Vec2& p : places(drawing.strokes[i])) CHECK(distance_to_polyline(line, p) < 2 * smooth.tolerance);
     }
+  }
+}
+
+TEST_CASE("exported drawings keep their plane, their objects and what was said of them") {
+  Drawing drawing;
+  drawing.plane = {Vec3(1.0 / 3, -2, 1e-7), Vec3::UnitZ(), Vec3(0, 0.6, 0.8).cross(Vec3::UnitZ()).normalized()};
+  REQUIRE(drawing.plane.is_orthonormal());
+  for (const char* object : {"ear", "", "head", "ear"}) {
+    Stroke stroke;
+    stroke.id = "s" + std::to_string(drawing.strokes.size());
+    stroke.object = object;
+    stroke.closed = true;
+    for (const Vec2& place : {Vec2(0, 0), Vec2(0.1, 1.0 / 7), Vec2(2, 1)}) stroke.samples.push_back({place});
+    if (stroke.object == "head") stroke.data["kind"] = "hidden";
+    drawing.strokes.push_back(stroke);
+  }
+  drawing.object_data["ear"]["weight-curvature"] = "2 & more";
+  const Drawing again = read(write_svg_drawing(drawing)).drawing;
+  CHECK(again.plane == drawing.plane);
+  CHECK(again.object_data.at("ear") == drawing.object_data.at("ear"));
+  REQUIRE(again.strokes.size() == drawing.strokes.size());
+  for (std::size_t i = 0; i < again.strokes.size(); ++i) {
+    CHECK(again.strokes[i].id == drawing.strokes[i].id);
+    CHECK(again.strokes[i].object == drawing.strokes[i].object);
+    CHECK(again.strokes[i].data == drawing.strokes[i].data);
+    CHECK(places(again.strokes[i]) == places(drawing.strokes[i]));
+  }
+  const std::string one = "<path d='M0 0L1 1'/></svg>";
+  for (const char* plane : {"1 2 3", "0 0 0 1 0 0 1 0 0", "0 0 0 2 0 0 0 1 0", "0 0 0 1 0 0 0 1 0 7", "x"}) {
+    INFO(plane);
+    CHECK(code_of("<svg data-plane='" + std::string(plane) + "'>" + one) == "E_SYNTAX");
   }
 }
 

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
+#include "algorithms/remeshing/remesh_plan.h"
 #include "croquis/geometry/mesh_topology.h"
 #include "hole_filling/fill_invariants.h"
 #include "remeshing/remeshed.h"

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
+#include "algorithms/remeshing/remesh_plan.h"
 #include "algorithms/remeshing/union_check.h"
 #include "croquis/base/error.h"
 #include "hole_filling/fill_invariants.h"

@@ -43,6 +43,12 @@ struct Node {
   bool enabled = true;
 };
 
+/// What a node is a source of: null where it isn't there, is no source, or holds a value of another type.
+template <ValueContent T>
+std::shared_ptr<const T> source_of(const Node* node) {
+  return node == nullptr || !node->source ? nullptr : node->source->as<T>();
+}
+
 /// What people edit and save: an immutable value.
 ///
 /// Editing makes a new document that shares all nodes but those edited. So undo is keeping the old value, a background

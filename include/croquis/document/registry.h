@@ -18,11 +18,18 @@ class Registry {
   /// The operation of that id, or null.
   const Operation* find(std::string_view id) const;
 
+  /// What that operation says of itself, or null. Valid until another one is added.
+  const OperationDescription* description(std::string_view id) const;
+
+  /// Of all, in the order they were added.
+  const std::vector<OperationDescription>& descriptions() const { return descriptions_; }
+
   /// In the order they were added.
   const std::vector<std::unique_ptr<const Operation>>& operations() const { return operations_; }
 
  private:
   std::vector<std::unique_ptr<const Operation>> operations_;
+  std::vector<OperationDescription> descriptions_;  ///< of each: asked for far more often than made
 };
 
 }  // namespace croquis

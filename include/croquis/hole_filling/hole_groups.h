@@ -39,8 +39,4 @@ bool are_compatible(const Hole& a, const Hole& b);
 /// L log L plus the pairs.
 std::vector<std::array<Index, 2>> near_pairs(const PolyMesh& mesh, std::span<const Hole> holes);
 
-/// The groups to begin with: near pairs of compatible holes that are neither OUTER nor left out.
-/// @param chosen #L, false for holes that aren't to be filled; empty for all
-HoleGroups group_holes(const PolyMesh& mesh, std::span<const Hole> holes, const std::vector<bool>& chosen = {});
-
 }  // namespace croquis::hole_filling

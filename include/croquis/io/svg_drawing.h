@@ -28,7 +28,8 @@ struct DrawingReadResult {
 /// polylines within svg_flattening_tolerance, with exact ends. Fill, stroke and style sheets are not looked at; what is
 /// display:none or visibility:hidden (as an attribute or in `style`) is left out. `data-*` attributes of a shape go
 /// into Stroke::data. `data-object` on a shape or on its nearest such group goes into Stroke::object, that group's
-/// other `data-*` into Drawing::object_data.
+/// other `data-*` into Drawing::object_data. `data-plane` of the root, nine numbers, is the origin, u and v of its
+/// plane.
 ///
 /// Warnings: W_DUPLICATE_ID (renamed), W_IGNORED (text, image, use and other elements without strokes of their own; the
 /// viewBox of an inner svg), W_TINY (a closed subpath of a single point).

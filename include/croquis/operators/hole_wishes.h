@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,8 +12,8 @@
 #include "croquis/geometry/vector.h"
 #include "croquis/hole_filling/fill_holes.h"
 
-/// The parameters of the operation `fill` that say which holes are filled: `select`, `only`, `max-diameter`, and
-/// `holes`, what is wanted of single holes, as text that people can write.
+/// The parameters of the operation `fill` that name holes: `select`, `only`, and `holes`, what is wanted of single
+/// holes, as text that people can write.
 ///
 /// Wishes are separated by ';', each is `HOLES: WISH, WISH…`. HOLES are numbers and ranges (`2`, `5-7`), separated by
 /// ',', '+' or spaces. A WISH is one of
@@ -43,11 +42,10 @@ struct HoleWish {
 /// @throws Error with one E_PARAMETER finding for every part that isn't as above, naming it
 std::vector<HoleWish> parse_hole_wishes(const std::string& text);
 
-/// Which holes are filled, and what is wanted of single ones.
+/// Which holes are filled, whatever their diameters, and what is wanted of single ones.
 struct FillChoice {
   hole_filling::Selection select = hole_filling::Selection::Inner;
   std::vector<Index> only;  ///< ids instead of a selection; empty for the selection
-  double max_diameter = std::numeric_limits<double>::infinity();  ///< model units
   std::vector<HoleWish> wishes;
 };
 

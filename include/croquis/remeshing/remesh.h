@@ -71,9 +71,6 @@ struct RemeshResult {
 /// exceed the limit, or 1.5 GB without one. Linear, and allocates nothing.
 std::size_t predicted_remesh_bytes(const PolyMesh& mesh, const RemeshOptions& options);
 
-/// The same when nothing has to be tried again, in thin slabs: the least limit that isn't refused.
-std::size_t least_remesh_bytes(const PolyMesh& mesh, const RemeshOptions& options);
-
 /// Remeshes a model from one function (Yoo 2005): radial basis functions fitted in small overlapping domains to its
 /// vertices and normals, one larger domain for each hole, blended; the zero set polygonised from every vertex,
 /// smoothed, and verified. Holes that are chosen are closed, the others stay open.

@@ -17,6 +17,9 @@ const PortDescription* main_input(const OperationDescription& operation);
 /// The output that a chain goes on from: the first one that isn't a report; null without such.
 const PortDescription* main_output(const OperationDescription& operation);
 
+/// The operation of a node; null for a source, and where the registry has none of that id.
+const OperationDescription* operation_of(const Node& node, const Registry& registry);
+
 /// The link to what the node gives to the next step: "value" of a source. Without a known operation the output is
 /// empty.
 Link main_link(const Node& node, const Registry& registry);

@@ -67,13 +67,12 @@ struct WorkObject {
 std::shared_ptr<const PolyMesh> mesh_in(const Node& node);
 
 /// The mesh that a node's operation gives to the next step, or null.
-std::shared_ptr<const PolyMesh> mesh_of(const Evaluation& evaluation, const Operation& operation);
+std::shared_ptr<const PolyMesh> mesh_of(const Evaluation& evaluation, const OperationDescription& operation);
 
 /// The node whose elements people edit in a chain: the first one that gives a mesh, or the last of the steps directly
 /// after it that edit their input (OperationDescription::edits_input).
-/// @param chosen a step of the chain, or 0. Chosen, it is about the mesh that it is made from, with such steps; about
-/// its
-///               own when it edits its input. The end is only chosen when it does
+/// @param chosen a step of the chain, or 0. Chosen, it is about the mesh that it is made from, with such steps;
+///               about its own when it edits its input. The end is only chosen when it does
 /// @return 0 when there is no mesh
 NodeId editable_node(const Document& document, const Registry& registry, const std::vector<NodeId>& chain,
                      NodeId chosen = 0);

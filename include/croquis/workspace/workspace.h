@@ -49,7 +49,10 @@ class Workspace {
   Session& session() { return session_; }
   const Session& session() const { return session_; }
   const Registry& registry() const { return registry_; }
-  const OperationDescription* description(const std::string& operation) const;  ///< null for none of that id
+  /// Null for none of that id.
+  const OperationDescription* description(const std::string& operation) const {
+    return registry_.description(operation);
+  }
 
   /// The first operation whose chain goes on from that type of value; null for none.
   const OperationDescription* first_operation_on(ValueType type) const;
@@ -65,6 +68,9 @@ class Workspace {
   /// The one that ends in this node, or has it as its cage, or has it in its chain; or null.
   const WorkObject* object(NodeId node) const;
 
+  /// Some object has elements that can be edited.
+  bool has_cage() const;
+
   /// The object that panels and keys are about: the selected one, else the last that was, else the first.
   const WorkObject* active() const;
   void set_active(NodeId node);
@@ -78,7 +84,10 @@ class Workspace {
   /// The last step of the object that has this operation, or null.
   const Node* step_with(const WorkObject& object, const std::string& operation) const;
 
-  /// The steps of an object with what is known of them, its first node first.
+  /// A node of a chain with what is known of it; it is in the document.
+  ChainStep step(NodeId node) const;
+
+  /// The steps of an object, its first node first.
   std::vector<ChainStep> steps_of(const WorkObject& object) const;
 
   void set_view(NodeId object, ChainView view);
@@ -185,7 +194,6 @@ class Workspace {
   NodeId active_ = 0;
   bool edits_elements_ = false;
   std::map<NodeId, std::weak_ptr<const PolyMesh>> edited_inputs_;  ///< that the edits of each such step fitted last
-  std::map<std::string, OperationDescription> descriptions_;
   bool dragging_parameter_ = false;
   bool held_ = false;
   bool results_wait_ = false;                         ///< for the end of holding

@@ -15,6 +15,9 @@ void require_options(const RemeshOptions& options);
 ///         would fit
 void require_memory(const RemeshMemory& memory, std::size_t limit);
 
+/// As predicted_remesh_bytes when nothing has to be tried again, in thin slabs: the least limit that isn't refused.
+std::size_t least_remesh_bytes(const PolyMesh& mesh, const RemeshOptions& options);
+
 /// A number of bytes as it is reported.
 std::size_t whole_bytes(double bytes);
 

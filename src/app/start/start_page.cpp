@@ -190,7 +190,10 @@ QWidget* StartPage::make_recovery_card(const RecoveryOffer& offer) {
   card->setObjectName("recovery-card");
   auto* layout = new QGridLayout(card);
   auto* picture = new QLabel(card);
-  picture->setPixmap(QPixmap::fromImage(offer.thumbnail.scaled(96, 72, Qt::KeepAspectRatio, Qt::SmoothTransformation)));
+  const QImage& seen = offer.thumbnail;  // none of work that was never shown
+  if (!seen.isNull()) {
+    picture->setPixmap(QPixmap::fromImage(seen.scaled(96, 72, Qt::KeepAspectRatio, Qt::SmoothTransformation)));
+  }
   layout->addWidget(picture, 0, 0, 2, 1);
   const QString name = offer.project.isEmpty() ? tr("Untitled sketch") : QFileInfo(offer.project).fileName();
   const QString time = QLocale().toString(offer.time.toLocalTime(), QLocale::ShortFormat);

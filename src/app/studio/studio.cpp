@@ -10,10 +10,6 @@
 namespace croquis::app {
 namespace {
 
-std::shared_ptr<const Drawing> drawing_of(const Node& node) {
-  return node.source ? node.source->as<Drawing>() : nullptr;
-}
-
 LiveEvaluation::Post post_to(QObject* receiver) {
   return [receiver](std::function<void()> task) {
     QMetaObject::invokeMethod(receiver, std::move(task), Qt::QueuedConnection);
@@ -46,15 +42,12 @@ Studio::~Studio() = default;
 
 const Drawing& Studio::drawing() const {
   static const Drawing none;
-  const Node* node = session().document().find(drawing_node());
-  return node == nullptr ? none : *drawing_of(*node);
+  const auto drawing = source_of<Drawing>(session().document().find(drawing_node()));
+  return drawing ? *drawing : none;
 }
 
 NodeId Studio::drawing_node() const {
-  const auto is_drawing = [&](NodeId id) {
-    const Node* node = session().document().find(id);
-    return node != nullptr && drawing_of(*node) != nullptr;
-  };
+  const auto is_drawing = [&](NodeId id) { return source_of<Drawing>(session().document().find(id)) != nullptr; };
   const WorkObject* object = active();
   if (object != nullptr && is_drawing(object->chain.front())) return object->chain.front();
   if (is_drawing(sketch_)) return sketch_;

@@ -105,6 +105,9 @@ class Tool : public QObject {
   virtual void follow_scenes() {}  ///< surfaces have been made ready
   virtual void opened() {}         ///< a file was opened
 
+  /// A step of a chain was chosen, and is selected: the tool that works on such steps opens. @return false: another one
+  virtual bool open_step(const Node&) { return false; }
+
   /// Faces of the active object were selected by the names of their sets.
   virtual void chosen_by_name(const std::vector<const FaceSet*>&) {}
 

@@ -398,8 +398,7 @@ void MainWindow::reset_layout() {
 
 /// The current tool is always one that works on what is open.
 void MainWindow::hold_usable_tool() {
-  const bool meshes = std::ranges::any_of(studio_.objects(), [](const WorkObject& object) { return object.cage != 0; });
-  if (viewport_->mode() != select_mode && !meshes) set_mode(first_mode);
+  if (viewport_->mode() != select_mode && !studio_.has_cage()) set_mode(first_mode);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

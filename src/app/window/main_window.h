@@ -172,6 +172,7 @@ class MainWindow : public QMainWindow, public ToolHost {
   void delete_selection();
   void select_none();
   void choose_nodes(const std::vector<NodeId>& nodes);
+  void choose_step(NodeId step);
   std::vector<ObjectRow> rows_of(const WorkObject& object, NodeId node) const;
   QString owner_of(const NodeFinding& found) const;  ///< the object it is about, where there are several; else empty
   void show_finding(const NodeFinding& finding);

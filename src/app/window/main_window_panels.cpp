@@ -7,6 +7,7 @@
 #include <QScrollArea>
 #include <algorithm>
 #include <cstring>
+#include <ranges>
 
 #include "app/panels/attribute_panel.h"
 #include "app/panels/finding_elements.h"
@@ -69,7 +70,7 @@ void MainWindow::connect_panels() {
             if (!dragging && edited != nullptr) record(recorded::Set{edited->name, parameter, value});
           });
   connect(objects_, &ObjectList::objects_chosen, this, &MainWindow::choose_nodes);
-  connect(objects_, &ObjectList::step_chosen, this, [this](NodeId step) { choose_nodes({step}); });
+  connect(objects_, &ObjectList::step_chosen, this, &MainWindow::choose_step);
   connect(objects_, &ObjectList::parts_chosen, this, [this](NodeId node, const std::vector<std::string>& parts) {
     attempt([&] { std::ranges::any_of(tools_, [&](const auto& tool) { return tool->choose_parts(node, parts); }); });
   });
@@ -142,6 +143,16 @@ void MainWindow::choose_nodes(const std::vector<NodeId>& nodes) {
   }
   select_nodes(nodes);
   if (!step.nodes.empty()) record(step);
+}
+
+void MainWindow::choose_step(NodeId step) {
+  choose_nodes({step});
+  const Node* node = studio_.session().document().find(step);
+  if (node == nullptr) return;
+  // The special ones come last in the list.
+  for (const auto& tool : tools_ | std::views::reverse) {
+    if (tool->open_step(*node)) return;
+  }
 }
 
 std::vector<ObjectRow> MainWindow::rows_of(const WorkObject& object, NodeId node) const {

@@ -57,8 +57,7 @@ void StepActions::add(ActionList& actions, QMenu* menu, const QString& name, con
 
 void StepActions::add_operations(ActionList& actions, QMenu* menu) {
   added_ = menu->addMenu(QObject::tr("&Add step"));
-  for (const auto& operation : host_.studio().registry().operations()) {
-    const OperationDescription description = operation->describe();
+  for (const OperationDescription& description : host_.studio().registry().descriptions()) {
     const QString name = "add-step-" + QString::fromStdString(description.id);
     add(actions, added_, name, QString::fromStdString(description.title), {},
         [id = description.id](Studio& studio, NodeId step) { studio.add_step(step, id); });
@@ -84,9 +83,7 @@ void StepActions::refresh() {
   const bool has_later = in_chain && std::next(place) != chain.end();
   for (const char* name : {"duplicate-step", "freeze-step", "delete-step"}) enable(name, node != nullptr);
   enable("step-on", node != nullptr && can_be_off(studio.session().document(), studio.registry(), step));
-  const bool attention = object != nullptr && std::ranges::any_of(studio.steps_of(*object), [&](const ChainStep& each) {
-                           return each.node == step && each.state == StepState::NeedsAttention;
-                         });
+  const bool attention = node != nullptr && studio.step(step).state == StepState::NeedsAttention;
   enable("reapply-step", attention);
   enable("reapply-step-by-position", attention);
   enable("step-earlier", has_earlier);

@@ -12,6 +12,7 @@
 #include "croquis/base/error.h"
 #include "io/svg/svg_findings.h"
 #include "io/svg/svg_flattening.h"
+#include "io/svg/svg_scanner.h"
 #include "io/svg/svg_shapes.h"
 #include "io/svg/svg_transform.h"
 #include "io/text.h"
@@ -88,6 +89,7 @@ class SvgReader {
 
   DrawingReadResult read() {
     const pugi::xml_node root = parse();
+    read_plane(root);
     visit(root, {});
     warn_of_ignored();
     if (shapes_.empty() && !limit_reached_) {
@@ -128,6 +130,31 @@ class SvgReader {
       refuse("E_SYNTAX", "The file is not SVG: its outermost element is " + in_quotes(root.name()), line_of(root));
     }
     return root;
+  }
+
+  void read_plane(const pugi::xml_node& root) {
+    const pugi::xml_attribute attribute = root.attribute("data-plane");
+    if (!attribute) return;
+    SvgScanner scanner(attribute.value());
+    DrawingPlane plane;
+    bool complete = true;
+    for (Vec3* vector : {&plane.origin, &plane.u, &plane.v}) {
+      for (double& value : *vector) {
+        scanner.skip_separators();
+        const std::optional<double> number = scanner.number();
+        complete = complete && number;
+        value = number.value_or(0);
+      }
+    }
+    scanner.skip_blanks();
+    if (!complete || !scanner.at_end() || !plane.is_orthonormal()) {
+      refuse(
+          "E_SYNTAX",
+          "The drawing's data-plane is no plane: it takes nine numbers, an origin and two directions of length 1 at a "
+          "right angle",
+          line_of(root));
+    }
+    result_.drawing.plane = plane;
   }
 
   std::int64_t line_of(const pugi::xml_node& node) {

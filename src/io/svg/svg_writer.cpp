@@ -57,7 +57,20 @@ Box bounding_box(const Drawing& drawing) {
   return box;
 }
 
-void append_header(std::string& text, const Box& box) {
+/// Where the sheet lies in space; sheets at z = 0 have none.
+void append_plane(std::string& text, const DrawingPlane& plane) {
+  if (plane.is_default()) return;
+  text += " data-plane=\"";
+  for (const Vec3& vector : {plane.origin, plane.u, plane.v}) {
+    for (const double value : vector) {
+      if (text.back() != '"') text += ' ';
+      append_number(text, value);
+    }
+  }
+  text += '"';
+}
+
+void append_header(std::string& text, const Box& box, const DrawingPlane& plane) {
   const Vec2 size = box.max - box.min;
   const double margin = 0.03 * std::max(size.x(), size.y()) + 1e-9;
   text += "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"";
@@ -66,7 +79,9 @@ void append_header(std::string& text, const Box& box) {
     text += ' ';
   }
   append_number(text, size.y() + 2 * margin);
-  text += "\">\n<g fill=\"none\" stroke=\"#222\" stroke-width=\"";
+  text += '"';
+  append_plane(text, plane);
+  text += ">\n<g fill=\"none\" stroke=\"#222\" stroke-width=\"";
   append_number(text, 0.1 * margin);
   text += "\">\n";
 }
@@ -91,14 +106,29 @@ void append_stroke(std::string& text, const Stroke& stroke, double dash) {
   text += stroke.closed ? " Z\"/>\n" : "\"/>\n";
 }
 
+/// What belongs to an object is in a group of its own, so that strokes keep their order.
+void append_group_start(std::string& text, const Drawing& drawing, const std::string& object) {
+  text += "<g";
+  append_attribute(text, "data-object", object);
+  const auto found = drawing.object_data.find(object);
+  if (found != drawing.object_data.end()) {
+    for (const auto& [name, value] : found->second) append_attribute(text, "data-" + name, value);
+  }
+  text += ">\n";
+}
+
 }  // namespace
 
 std::string write_svg_drawing(const Drawing& drawing) {
   const Box box = bounding_box(drawing);
   std::string text;
-  append_header(text, box);
+  append_header(text, box, drawing.plane);
   const double dash = 0.008 * (box.max - box.min).norm();
-  for (const Stroke& stroke : drawing.strokes) append_stroke(text, stroke, dash);
+  for (const Stroke& stroke : drawing.strokes) {
+    if (!stroke.object.empty()) append_group_start(text, drawing, stroke.object);
+    append_stroke(text, stroke, dash);
+    if (!stroke.object.empty()) text += "</g>\n";
+  }
   return text + "</g>\n</svg>\n";
 }
 

@@ -7,22 +7,21 @@
 
 #include "croquis/base/error.h"
 #include "croquis/document/connectivity.h"
+#include "croquis/workspace/chain.h"
+#include "croquis/workspace/work_object.h"
 
 namespace croquis {
 namespace {
 
 /// The description of the node's operation when it edits its input, and more lines can follow: those of a step that is
 /// off do nothing, and a transform comes after all lines.
-std::optional<OperationDescription> open_edits(const Node& node, const Registry& registry) {
-  const Operation* operation = node.source ? nullptr : registry.find(node.operation);
-  if (operation == nullptr || !node.enabled || !(node.transform == Node().transform)) return std::nullopt;
-  OperationDescription description = operation->describe();
-  return description.edits_input ? std::optional(std::move(description)) : std::nullopt;
+const OperationDescription* open_edits(const Node& node, const Registry& registry) {
+  if (!edits_input(node, registry) || !node.enabled || !(node.transform == Node().transform)) return nullptr;
+  return operation_of(node, registry);
 }
 
-OperationDescription editing_operation(const Registry& registry) {
-  for (const auto& operation : registry.operations()) {
-    OperationDescription description = operation->describe();
+const OperationDescription& editing_operation(const Registry& registry) {
+  for (const OperationDescription& description : registry.descriptions()) {
     if (description.edits_input) return description;
   }
   throw Error(make_error(Category::Usage, "E_STEP", "There is no operation that edits computed meshes"));

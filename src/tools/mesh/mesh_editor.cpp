@@ -35,14 +35,14 @@ std::string MeshEditor::label_of(const EditLine& line) const {
   const std::string title = edit == nullptr ? line.edit : edit->describe().title;
   const EditTarget& target = line.target;
   return title + ' ' +
-         (target.all ? source_.node_name() : counted_elements(target.kind, sorted_unique(target.elements).size()));
+         (target.all ? editable_.node_name() : counted_elements(target.kind, sorted_unique(target.elements).size()));
 }
 
 Verdict MeshEditor::apply(const EditLine& line) {
-  const NodeId from = source_.node();
+  const NodeId from = editable_.node();
   const Verdict verdict =
-      run(line, label_of(line), recorded::EditStep{source_.node_name(), line, false}, SelectAfter::Results);
-  if (verdict == Verdict::Commit) last_ = LastEdit{line, from, source_.node(), source_.session().state(), true};
+      run(line, label_of(line), recorded::EditStep{editable_.node_name(), line, false}, SelectAfter::Results);
+  if (verdict == Verdict::Commit) last_ = LastEdit{line, from, editable_.node(), editable_.session().state(), true};
   return verdict;
 }
 
@@ -52,7 +52,7 @@ bool MeshEditor::fits_selection(const EditDescription& edit) const {
 
 Verdict MeshEditor::begin(const std::string& id) {
   const Edit* edit = all_edits().find(id);
-  const PreparedMesh* now = source_.prepared();
+  const PreparedMesh* now = editable_.prepared();
   if (edit == nullptr || now == nullptr || !fits_selection(edit->describe())) return Verdict::Continue;
   return apply(
       starting_line(*now->mesh, *now->topology, *edit, {selector_.kind(), false, Elements(selector_.selected())}));
@@ -62,37 +62,37 @@ Verdict MeshEditor::begin(const std::string& id) {
 
 const EditLine* MeshEditor::last() const {
   if (adjusting_) return &last_->line;
-  const bool newest = last_ && last_->node == source_.node() && last_->state == source_.session().state();
+  const bool newest = last_ && last_->node == editable_.node() && last_->state == editable_.session().state();
   return newest ? &last_->line : nullptr;
 }
 
 Verdict MeshEditor::adjust(ParameterValues parameters) {
   if (last() == nullptr || last_->line.parameters == parameters) return Verdict::Continue;
   log_.begin();
-  Session& session = source_.session();
+  Session& session = editable_.session();
   const LastEdit before = *last_;
   EditLine line = before.line;
   line.parameters = std::move(parameters);
   adjusting_ = true;  // listeners go on seeing the last edit, though it is taken back for a moment
   if (before.applied) session.undo();
-  source_.go_on_with(before.from);
+  editable_.go_on_with(before.from);
   try {
     if (apply(line) != Verdict::Commit) last_ = LastEdit{line, before.from, before.from, session.state(), false};
   } catch (const Error&) {
     if (before.applied) session.redo();
-    source_.go_on_with(before.node);
+    editable_.go_on_with(before.node);
     adjusting_ = false;
     throw;
   }
   adjusting_ = false;
-  log_.done = recorded::EditStep{source_.node_name(), std::move(line), true};
+  log_.done = recorded::EditStep{editable_.node_name(), std::move(line), true};
   return Verdict::Commit;
 }
 
 Verdict MeshEditor::run(const EditLine& line, const std::string& label, std::optional<recorded::Step> step,
                         SelectAfter after) {
   log_.begin();
-  const PreparedMesh* now = source_.prepared();
+  const PreparedMesh* now = editable_.prepared();
   if (now == nullptr) return Verdict::Continue;
   MeshEdit edit = apply_edit(*now->mesh, *now->topology, line, all_edits());
   log_.notes = std::move(edit.lost);
@@ -105,41 +105,41 @@ Verdict MeshEditor::run(const EditLine& line, const std::string& label, std::opt
 Verdict MeshEditor::run_lines(const std::vector<EditLine>& lines, const std::string& label,
                               std::optional<recorded::Step> step) {
   log_.begin();
-  if (lines.empty() || !source_.mesh()) return Verdict::Continue;
+  if (lines.empty() || !editable_.mesh()) return Verdict::Continue;
   log_.notes.clear();
-  keep_selection(label, source_.with_lines(source_.session().document(), lines));
+  keep_selection(label, editable_.with_lines(editable_.session().document(), lines));
   log_.done = std::move(step);
   return Verdict::Commit;
 }
 
 AddedNode MeshEditor::edited(const EditLine& line, PolyMesh mesh) const {
-  if (source_.is_computed()) return source_.with_lines(source_.session().document(), {line});
-  return {source_.with_mesh(std::move(mesh)), source_.node()};
+  if (editable_.is_computed()) return editable_.with_lines(editable_.session().document(), {line});
+  return {editable_.with_mesh(std::move(mesh)), editable_.node()};
 }
 
 /// What is selected is so in the edited mesh as well.
 void MeshEditor::keep_selection(const std::string& label, AddedNode edited) {
-  Session& session = source_.session();
+  Session& session = editable_.session();
   ComponentSelection selection = session.components();
-  if (edited.node == source_.node()) return session.edit(label, std::move(edited.document));
-  if (selection.node == source_.node()) selection.node = edited.node;
-  source_.go_on_with(edited.node);
+  if (edited.node == editable_.node()) return session.edit(label, std::move(edited.document));
+  if (selection.node == editable_.node()) selection.node = edited.node;
+  editable_.go_on_with(edited.node);
   session.edit(label, std::move(edited.document), std::move(selection));
 }
 
 Verdict MeshEditor::commit(const EditLine& line, const std::string& label, MeshEdit edit, SelectAfter after) {
-  Session& session = source_.session();
+  Session& session = editable_.session();
   const std::uint64_t before = session.revision();
-  const auto topology = source_.topology();
+  const auto topology = editable_.topology();
   AddedNode result = edited(line, std::move(edit.mesh));
   const NodeId node = result.node;
   if (after == SelectAfter::AsBefore) {
     keep_selection(label, std::move(result));
   } else if (after == SelectAfter::Results && !edit.moved_faces.empty() && selector_.mode() == MeshMode::Face) {
-    source_.go_on_with(node);
+    editable_.go_on_with(node);
     session.edit(label, std::move(result.document), {node, ComponentKind::Face, edit.moved_faces});
   } else {
-    source_.go_on_with(node);
+    editable_.go_on_with(node);
     session.edit(label, std::move(result.document), {});
     if (after == SelectAfter::Results) select_results(line.target, edit, *topology);
   }
@@ -149,8 +149,8 @@ Verdict MeshEditor::commit(const EditLine& line, const std::string& label, MeshE
 /// As part of the same undo step: selections aren't steps of their own.
 void MeshEditor::select_results(const EditTarget& target, const MeshEdit& edit, const MeshTopology& before) {
   if (selector_.mode() == MeshMode::Object) return;
-  const auto after = source_.topology();
-  ComponentSelection results{source_.node(), target.kind, {}};
+  const auto after = editable_.topology();
+  ComponentSelection results{editable_.node(), target.kind, {}};
   if (!edit.new_edges.empty()) {
     results.kind = ComponentKind::Edge;
     results.elements = edges_of(*after, edit.new_edges);
@@ -162,7 +162,7 @@ void MeshEditor::select_results(const EditTarget& target, const MeshEdit& edit, 
     results.elements = carried(edit, before, *after, target.kind, elements);
   }
   selector_.set_mode(mode_of(results.kind));
-  source_.session().select_components(std::move(results));
+  editable_.session().select_components(std::move(results));
 }
 
 // ---- Places
@@ -194,20 +194,20 @@ Verdict MeshEditor::transform(const EditLine& line, const std::string& verb, rec
 }
 
 Verdict MeshEditor::move_selected(const Vec3& by) {
-  return transform(move_line(by), "Move", recorded::Move{source_.node_name(), by});
+  return transform(move_line(by), "Move", recorded::Move{editable_.node_name(), by});
 }
 
 Verdict MeshEditor::rotate_selected(const Vec3& axis, double degrees, std::optional<Vec3> pivot) {
-  if (source_.prepared() == nullptr || axis.isZero(0)) return Verdict::Continue;
+  if (editable_.prepared() == nullptr || axis.isZero(0)) return Verdict::Continue;
   const Vec3 about = pivot ? *pivot : selector_.middle();
   return transform(rotate_line(axis, degrees, about), "Rotate",
-                   recorded::Rotate{source_.node_name(), axis, degrees, about});
+                   recorded::Rotate{editable_.node_name(), axis, degrees, about});
 }
 
 Verdict MeshEditor::scale_selected(const Vec3& factors, std::optional<Vec3> pivot) {
-  if (source_.prepared() == nullptr) return Verdict::Continue;
+  if (editable_.prepared() == nullptr) return Verdict::Continue;
   const Vec3 about = pivot ? *pivot : selector_.middle();
-  return transform(scale_line(factors, about), "Scale", recorded::Scale{source_.node_name(), factors, about});
+  return transform(scale_line(factors, about), "Scale", recorded::Scale{editable_.node_name(), factors, about});
 }
 
 // ---- Connectivity
@@ -227,18 +227,18 @@ Verdict MeshEditor::extrude(const Vec3& by) {
   if (selector_.mode() != MeshMode::Face || faces.empty()) return Verdict::Continue;
   const std::string label = selector_.counted("Extrude", ComponentKind::Face, faces.size());
   const EditLine line = edit_of("extrude", ComponentKind::Face, faces, {{"by", vector_text(by)}});
-  return run(line, label, recorded::Extrude{source_.node_name(), by}, SelectAfter::Results);
+  return run(line, label, recorded::Extrude{editable_.node_name(), by}, SelectAfter::Results);
 }
 
 Verdict MeshEditor::extrude_along_normal(double distance) {
-  const PreparedMesh* now = source_.prepared();
+  const PreparedMesh* now = editable_.prepared();
   if (now == nullptr || selector_.mode() != MeshMode::Face) return Verdict::Continue;
   return extrude(distance * mean_normal(*now->mesh, selector_.selected()));
 }
 
 Verdict MeshEditor::cut_loop(Index edge, double at) {
   const EditLine line = edit_of("loop-cut", ComponentKind::Edge, {edge}, {{"at", std::clamp(at, 0.0, 1.0)}});
-  return run(line, "Cut a loop", recorded::LoopCut{source_.node_name(), edge, at}, SelectAfter::Results);
+  return run(line, "Cut a loop", recorded::LoopCut{editable_.node_name(), edge, at}, SelectAfter::Results);
 }
 
 }  // namespace croquis

@@ -63,22 +63,22 @@ ComponentKind MeshSelector::kind() const {
 
 const Elements& MeshSelector::selected() const {
   static const Elements none;
-  const ComponentSelection& selection = source_.session().components();
-  const bool own = mode_ != MeshMode::Object && selection.node == source_.node() && selection.kind == kind();
+  const ComponentSelection& selection = editable_.session().components();
+  const bool own = mode_ != MeshMode::Object && selection.node == editable_.node() && selection.kind == kind();
   return own ? selection.elements : none;
 }
 
 const Elements& MeshSelector::selected_vertices() {
   static const Elements none;
-  const PreparedMesh* now = source_.prepared();
+  const PreparedMesh* now = editable_.prepared();
   if (now == nullptr) return none;
   const bool whole = mode_ == MeshMode::Object;
-  const Selection& objects = source_.session().selection();
-  if (whole && !std::binary_search(objects.begin(), objects.end(), SelectedItem{source_.node(), ""})) return none;
-  const auto selection = source_.session().shared_components();
-  const bool known = vertices_connectivity_ == source_.connectivity() && all_vertices_ == whole;
+  const Selection& objects = editable_.session().selection();
+  if (whole && !std::binary_search(objects.begin(), objects.end(), SelectedItem{editable_.node(), ""})) return none;
+  const auto selection = editable_.session().shared_components();
+  const bool known = vertices_connectivity_ == editable_.connectivity() && all_vertices_ == whole;
   if (known && (whole ? vertices_.size() == now->mesh->vertex_count() : vertices_of_ == selection)) return vertices_;
-  vertices_connectivity_ = source_.connectivity();
+  vertices_connectivity_ = editable_.connectivity();
   all_vertices_ = whole;
   vertices_of_ = selection;
   vertices_ = whole ? all_elements(now->mesh->vertex_count())
@@ -87,14 +87,14 @@ const Elements& MeshSelector::selected_vertices() {
 }
 
 Elements MeshSelector::selected_edges() {
-  const PreparedMesh* now = source_.prepared();
+  const PreparedMesh* now = editable_.prepared();
   if (now == nullptr || mode_ == MeshMode::Object) return {};
   const ConvertRule rule = mode_ == MeshMode::Vertex ? ConvertRule::Contained : ConvertRule::Touching;
   return converted(*now->topology, kind(), ComponentKind::Edge, selected(), rule);
 }
 
 Vec3 MeshSelector::middle() {
-  const PolyMesh& now = *source_.prepared()->mesh;
+  const PolyMesh& now = *editable_.prepared()->mesh;
   const Elements& vertices = selected_vertices();
   if (vertices.empty()) return Vec3::Zero();
   Vec3 low = now.positions[vertices.front()];
@@ -107,7 +107,7 @@ Vec3 MeshSelector::middle() {
 }
 
 std::string MeshSelector::counted(const std::string& verb, ComponentKind wanted, std::size_t count) const {
-  if (mode_ == MeshMode::Object) return verb + ' ' + source_.node_name();
+  if (mode_ == MeshMode::Object) return verb + ' ' + editable_.node_name();
   return verb + ' ' + counted_elements(wanted, count);
 }
 
@@ -118,8 +118,8 @@ void MeshSelector::set_mode(MeshMode mode) {
   mode_set_(mode != mode_);
   if (mode == mode_) return;
   forget_other_connectivity();
-  Session& session = source_.session();
-  if (session.components().node == source_.node() && mode_ != MeshMode::Object)
+  Session& session = editable_.session();
+  if (session.components().node == editable_.node() && mode_ != MeshMode::Object)
     kept_[static_cast<std::size_t>(kind())] = session.shared_components();
   mode_ = mode;
   const auto kept = mode == MeshMode::Object ? nullptr : kept_[static_cast<std::size_t>(kind())];
@@ -127,14 +127,14 @@ void MeshSelector::set_mode(MeshMode mode) {
 }
 
 void MeshSelector::forget_other_connectivity() {
-  source_.prepared();
-  if (kept_connectivity_ == source_.connectivity()) return;
+  editable_.prepared();
+  if (kept_connectivity_ == editable_.connectivity()) return;
   kept_ = {};
-  kept_connectivity_ = source_.connectivity();
+  kept_connectivity_ = editable_.connectivity();
 }
 
 Verdict MeshSelector::convert_to(MeshMode mode, ConvertRule rule) {
-  const PreparedMesh* now = source_.prepared();
+  const PreparedMesh* now = editable_.prepared();
   if (now == nullptr || mode == MeshMode::Object || mode_ == MeshMode::Object) {
     set_mode(mode);
     return Verdict::Continue;
@@ -149,12 +149,12 @@ Verdict MeshSelector::convert_to(MeshMode mode, ConvertRule rule) {
 
 Verdict MeshSelector::choose(ComponentKind wanted, Elements elements, std::optional<recorded::Step> step) {
   log_.begin();
-  if (source_.prepared() == nullptr) return Verdict::Continue;
+  if (editable_.prepared() == nullptr) return Verdict::Continue;
   if (mode_ != mode_of(wanted)) set_mode(mode_of(wanted));
-  if (!step) step = recorded::Pick{source_.node_name(), name_of(wanted), elements, "replace"};
-  Session& session = source_.session();
+  if (!step) step = recorded::Pick{editable_.node_name(), name_of(wanted), elements, "replace"};
+  Session& session = editable_.session();
   const std::uint64_t before = session.revision();
-  session.select_components({source_.node(), wanted, std::move(elements)});
+  session.select_components({editable_.node(), wanted, std::move(elements)});
   if (session.revision() == before) return Verdict::Continue;
   log_.done = std::move(step);
   return Verdict::Commit;
@@ -165,9 +165,9 @@ Verdict MeshSelector::choose_if_any(ComponentKind wanted, Elements elements) {
 }
 
 Verdict MeshSelector::pick(ComponentKind wanted, Elements elements, How how) {
-  if (source_.prepared() == nullptr) return Verdict::Continue;
+  if (editable_.prepared() == nullptr) return Verdict::Continue;
   if (mode_ != mode_of(wanted)) set_mode(mode_of(wanted));
-  recorded::Pick step{source_.node_name(), name_of(wanted), elements, name_of(how)};
+  recorded::Pick step{editable_.node_name(), name_of(wanted), elements, name_of(how)};
   Elements found = found_by(wanted, std::move(elements), how);
   if (how == How::Remove) {
     found = subtracted(selected(), found);
@@ -181,7 +181,7 @@ Verdict MeshSelector::pick(ComponentKind wanted, Elements elements, How how) {
 
 /// What is taken, added or taken away, sorted.
 Elements MeshSelector::found_by(ComponentKind wanted, Elements elements, How how) {
-  if (how == How::All) return all_elements(element_count(*source_.topology(), wanted));
+  if (how == How::All) return all_elements(element_count(*editable_.topology(), wanted));
   if (how == How::Path) {
     return elements.size() < 2 ? Elements{} : sorted_unique(path(wanted, elements.front(), elements.back()));
   }
@@ -196,7 +196,7 @@ Elements MeshSelector::found_by(ComponentKind wanted, Elements elements, How how
 }
 
 Elements MeshSelector::expanded(ComponentKind wanted, Index element, How how) {
-  const PreparedMesh& now = *source_.prepared();
+  const PreparedMesh& now = *editable_.prepared();
   if (how == How::Connected || wanted != ComponentKind::Edge)
     return connected(*now.topology, wanted, std::span(&element, 1));
   if (how == How::Ring) return edge_ring(*now.topology, element);
@@ -207,7 +207,7 @@ Elements MeshSelector::expanded(ComponentKind wanted, Index element, How how) {
 // ---- Paths
 
 Elements MeshSelector::path(ComponentKind wanted, Index from, Index to) {
-  const PreparedMesh& now = *source_.prepared();
+  const PreparedMesh& now = *editable_.prepared();
   const MeshTopology& topology = *now.topology;
   if (wanted == ComponentKind::Face) return face_path(from, to);
   if (wanted == ComponentKind::Vertex) {
@@ -222,7 +222,7 @@ Elements MeshSelector::path(ComponentKind wanted, Index from, Index to) {
 }
 
 Elements MeshSelector::face_path(Index from, Index to) {
-  const PreparedMesh& now = *source_.prepared();
+  const PreparedMesh& now = *editable_.prepared();
   if (from >= now.mesh->face_count() || to >= now.mesh->face_count()) return {};
   Elements best;
   for (Index corner = now.mesh->face_offsets[from]; corner < now.mesh->face_offsets[from + 1]; ++corner) {
@@ -247,19 +247,19 @@ Verdict MeshSelector::select_none() {
 }
 
 Verdict MeshSelector::invert_selection() {
-  const PreparedMesh* now = source_.prepared();
+  const PreparedMesh* now = editable_.prepared();
   if (now == nullptr || mode_ == MeshMode::Object) return Verdict::Continue;
   return choose(kind(), inverted(selected(), element_count(*now->topology, kind())));
 }
 
 Verdict MeshSelector::grow_selection() {
-  const PreparedMesh* now = source_.prepared();
+  const PreparedMesh* now = editable_.prepared();
   if (now == nullptr || selected().empty()) return Verdict::Continue;
   return choose(kind(), grown(*now->topology, kind(), selected()));
 }
 
 Verdict MeshSelector::shrink_selection() {
-  const PreparedMesh* now = source_.prepared();
+  const PreparedMesh* now = editable_.prepared();
   if (now == nullptr || selected().empty()) return Verdict::Continue;
   return choose(kind(), shrunk(*now->topology, kind(), selected()));
 }
@@ -281,48 +281,48 @@ Elements rows_through(const Elements& edges, Row row) {
 }  // namespace
 
 Verdict MeshSelector::select_loop() {
-  const PreparedMesh* now = source_.prepared();
+  const PreparedMesh* now = editable_.prepared();
   if (now == nullptr || mode_ != MeshMode::Edge) return Verdict::Continue;
   return choose_if_any(kind(), rows_through(selected(), [&](Index e) { return edge_loop(*now->topology, e); }));
 }
 
 Verdict MeshSelector::select_ring() {
-  const PreparedMesh* now = source_.prepared();
+  const PreparedMesh* now = editable_.prepared();
   if (now == nullptr || mode_ != MeshMode::Edge) return Verdict::Continue;
   return choose_if_any(kind(), rows_through(selected(), [&](Index e) { return edge_ring(*now->topology, e); }));
 }
 
 Verdict MeshSelector::select_connected() {
-  const PreparedMesh* now = source_.prepared();
+  const PreparedMesh* now = editable_.prepared();
   if (now == nullptr || selected().empty()) return Verdict::Continue;
   return choose(kind(), connected(*now->topology, kind(), selected()));
 }
 
 Verdict MeshSelector::select_chain() {
-  const PreparedMesh* now = source_.prepared();
+  const PreparedMesh* now = editable_.prepared();
   if (now == nullptr || mode_ != MeshMode::Edge) return Verdict::Continue;
   const auto chain = [&](Index edge) { return tagged_chain(*now->topology, now->mesh->tags, edge); };
   return choose_if_any(kind(), rows_through(selected(), chain));
 }
 
 Verdict MeshSelector::select_boundary() {
-  const PreparedMesh* now = source_.prepared();
+  const PreparedMesh* now = editable_.prepared();
   return now == nullptr ? Verdict::Continue : choose_if_any(ComponentKind::Edge, boundary_edges(*now->topology));
 }
 
 Verdict MeshSelector::select_tagged() {
-  const PreparedMesh* now = source_.prepared();
+  const PreparedMesh* now = editable_.prepared();
   if (now == nullptr) return Verdict::Continue;
   return choose_if_any(ComponentKind::Edge, tagged_edges(now->mesh->tags, *now->topology));
 }
 
 Verdict MeshSelector::select_between() {
-  if (source_.prepared() == nullptr || selected().size() != 2) return Verdict::Continue;
+  if (editable_.prepared() == nullptr || selected().size() != 2) return Verdict::Continue;
   return pick(kind(), selected(), How::Path);
 }
 
 Verdict MeshSelector::select_sharper_than(double degrees) {
-  const PreparedMesh* now = source_.prepared();
+  const PreparedMesh* now = editable_.prepared();
   if (now == nullptr) return Verdict::Continue;
   return choose_if_any(ComponentKind::Edge, edges_sharper_than(*now->topology, *now->mesh, degrees));
 }

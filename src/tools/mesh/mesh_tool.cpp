@@ -41,17 +41,17 @@ MeshTool::MeshTool(Session& session, Workspace* workspace, MeshToolOptions optio
     : session_(session),
       options_(options),
       log_{[this] { give_up(); }, {}, {}},
-      source_(session, workspace),
-      selector_(source_, log_, [this](bool changes) { leave_mode(changes); }),
-      editor_(source_, selector_, log_),
-      tag_editor_(source_, selector_, editor_, log_) {}
+      editable_(session, workspace),
+      selector_(editable_, log_, [this](bool changes) { leave_mode(changes); }),
+      editor_(editable_, selector_, log_),
+      tag_editor_(editable_, selector_, editor_, log_) {}
 
 void MeshTool::set_node(NodeId node) {
-  if (node == source_.node()) return;
+  if (node == editable_.node()) return;
   give_up();
   leave();
   last_click_.reset();
-  source_.set_node(node);
+  editable_.set_node(node);
 }
 
 void MeshTool::leave_mode(bool changes) {
@@ -84,7 +84,7 @@ bool MeshTool::hover(const Vec2& pixel, const ViewFrame& frame) {
   preview_.hovered_sharpness.reset();
   preview_.hovered_handle = ManipulatorHandle::None;
   preview_.cut.reset();
-  PreparedMesh* ready = source_.prepared_if_ready();
+  PreparedMesh* ready = editable_.prepared_if_ready();
   if (const auto now = loop_cut_armed_ ? std::nullopt : manipulator())
     preview_.hovered_handle = handle_at(*now, frame, pixel);
   const bool picks = loop_cut_armed_ || selector_.mode() != MeshMode::Object;
@@ -98,7 +98,7 @@ void MeshTool::hover_element(PreparedMesh& now, const Vec2& pixel, const ViewFra
   preview_.hovered = now.picker.at(frame, pixel, wanted, options_.pick);
   if (!preview_.hovered || wanted != ComponentKind::Edge) return;
   const Index element = preview_.hovered->element;
-  const double sharpness = source_.edge_sharpness()[element];
+  const double sharpness = editable_.edge_sharpness()[element];
   if (sharpness > 0) preview_.hovered_sharpness = sharpness;
   if (loop_cut_armed_) preview_.cut = loop_cut_preview(*now.mesh, *now.topology, element, preview_.hovered->parameter);
 }
@@ -115,7 +115,7 @@ bool MeshTool::leave() {
 std::optional<Manipulator> MeshTool::manipulator() {
   if (!is_manipulating(handles_)) return std::nullopt;
   if (gesture_ == Gesture::Handle && drag_) return drag_->moved();
-  if (!source_.ready() || selector_.selected_vertices().empty()) return std::nullopt;
+  if (!editable_.ready() || selector_.selected_vertices().empty()) return std::nullopt;
   Manipulator now;
   now.kind = manipulator_kind(handles_);
   now.pivot = selector_.middle();
@@ -144,7 +144,7 @@ Verdict MeshTool::handle(const MeshEvent& event) {
 
 Verdict MeshTool::begin(const MeshEvent& event) {
   give_up();
-  if (source_.prepared() == nullptr) return Verdict::Continue;
+  if (editable_.prepared() == nullptr) return Verdict::Continue;
   start_ = event;
   last_ = event.pixel;
   press(event);
@@ -170,7 +170,7 @@ void MeshTool::press(const MeshEvent& event) {
   if (selector_.mode() == MeshMode::Object) return;
   gesture_ = Gesture::Press;
   if (handles_ != MeshHandles::Sharpen || selector_.mode() != MeshMode::Edge || selector_.selected().empty()) return;
-  const auto under = source_.prepared()->picker.at(event.frame, event.pixel, ComponentKind::Edge, options_.pick);
+  const auto under = editable_.prepared()->picker.at(event.frame, event.pixel, ComponentKind::Edge, options_.pick);
   may_sharpen_ = event.modifiers.shift || (under && std::binary_search(selector_.selected().begin(),
                                                                        selector_.selected().end(), under->element));
 }
@@ -203,7 +203,7 @@ Verdict MeshTool::give_up() {
   const NodeId before = begun_.node;
   end_gesture();
   if (!dragging) return Verdict::Revert;
-  source_.go_on_with(before);
+  editable_.go_on_with(before);
   session_.cancel_drag();
   return Verdict::Revert;
 }
@@ -224,8 +224,8 @@ bool MeshTool::interrupted() const { return dragging_ && session_.revision() != 
 // ---- Drags
 
 void MeshTool::start_drag() {
-  original_ = source_.mesh();
-  begun_ = {session_.document(), source_.node()};
+  original_ = editable_.mesh();
+  begun_ = {session_.document(), editable_.node()};
   const bool sharpens = gesture_ == Gesture::Sharpen;
   dragged_ = sharpens ? selector_.selected() : selector_.selected_vertices();
   const std::string verb = sharpens                          ? "Sharpen"
@@ -242,19 +242,19 @@ void MeshTool::drag_handle(const Vec2& pixel) {
       drag_->to(start_.frame, pixel, start_.modifiers.ctrl ? options_.snap : ManipulatorSnap{});
   if (!dragging_) start_drag();
   preview_.motion = motion;
-  if (source_.is_computed()) return drag_lines(lines_of(motion));
-  drag_to({source_.with_mesh(transformed(*original_, dragged_, motion.map)), source_.node()});
+  if (editable_.is_computed()) return drag_lines(lines_of(motion));
+  drag_to({editable_.with_mesh(transformed(*original_, dragged_, motion.map)), editable_.node()});
 }
 
 void MeshTool::drag_to(AddedNode edited) {
-  const NodeId before = source_.node();
+  const NodeId before = editable_.node();
   ComponentSelection selection = session_.components();
   drag_revision_ = session_.revision() + 1;  // what listeners see while they are notified
   session_.drag(std::move(edited.document));
   drag_revision_ = session_.revision();
   if (edited.node == before) return;
   if (selection.node == before) selection.node = edited.node;
-  source_.go_on_with(edited.node);
+  editable_.go_on_with(edited.node);
   drag_revision_ = session_.revision() + 1;
   session_.select_components(std::move(selection));
   drag_revision_ = session_.revision();
@@ -263,16 +263,16 @@ void MeshTool::drag_to(AddedNode edited) {
 /// Each time these lines take the place of those that the drag had before. A drag that came back to where it began is
 /// no edit.
 void MeshTool::drag_lines(const std::vector<EditLine>& lines) {
-  const NodeId now = source_.node();
-  source_.go_on_with(begun_.node);
+  const NodeId now = editable_.node();
+  editable_.go_on_with(begun_.node);
   AddedNode edited = begun_;
   try {
-    if (!lines.empty()) edited = source_.with_lines(begun_.document, lines);
+    if (!lines.empty()) edited = editable_.with_lines(begun_.document, lines);
   } catch (const Error&) {
-    source_.go_on_with(now);
+    editable_.go_on_with(now);
     throw;
   }
-  source_.go_on_with(now);
+  editable_.go_on_with(now);
   drag_to(std::move(edited));
 }
 
@@ -289,19 +289,19 @@ void MeshTool::drag_sharpness(const Vec2& pixel) {
   if (!dragging_) start_drag();
   const double levels = (pixel.x() - start_.pixel.x()) / options_.pixels_per_level;
   preview_.sharpness_change = std::round(levels / sharpness_step) * sharpness_step;
-  if (source_.is_computed()) {
-    return drag_lines(sharpening_lines(*original_, *source_.topology(), dragged_, *preview_.sharpness_change));
+  if (editable_.is_computed()) {
+    return drag_lines(sharpening_lines(*original_, *editable_.topology(), dragged_, *preview_.sharpness_change));
   }
   PolyMesh sharpened = *original_;
-  sharpened.tags = with_sharpness_changed(original_->tags, *source_.topology(), dragged_, *preview_.sharpness_change);
-  drag_to({source_.with_mesh(std::move(sharpened)), source_.node()});
+  sharpened.tags = with_sharpness_changed(original_->tags, *editable_.topology(), dragged_, *preview_.sharpness_change);
+  drag_to({editable_.with_mesh(std::move(sharpened)), editable_.node()});
 }
 
 std::optional<recorded::Step> MeshTool::recorded_motion(const ManipulatorMotion& motion, const Vec3& pivot) const {
-  if (handles_ == MeshHandles::Move) return recorded::Move{source_.node_name(), motion.by};
-  if (handles_ == MeshHandles::Scale) return recorded::Scale{source_.node_name(), motion.factors, pivot};
+  if (handles_ == MeshHandles::Move) return recorded::Move{editable_.node_name(), motion.by};
+  if (handles_ == MeshHandles::Scale) return recorded::Scale{editable_.node_name(), motion.factors, pivot};
   if (motion.axis.isZero(0)) return std::nullopt;
-  return recorded::Rotate{source_.node_name(), motion.axis, motion.degrees, pivot};
+  return recorded::Rotate{editable_.node_name(), motion.axis, motion.degrees, pivot};
 }
 
 Verdict MeshTool::finish_handle() {
@@ -319,7 +319,7 @@ Verdict MeshTool::finish_handle() {
 Verdict MeshTool::finish_sharpness() {
   const double change = preview_.sharpness_change.value_or(0);
   end_gesture();
-  log_.done = recorded::Tag{source_.node_name(), "selected", 0, std::nullopt, change};
+  log_.done = recorded::Tag{editable_.node_name(), "selected", 0, std::nullopt, change};
   session_.end_drag();
   return Verdict::Commit;
 }
@@ -329,7 +329,7 @@ Verdict MeshTool::finish_box() {
   const Modifiers modifiers = start_.modifiers;
   const ViewFrame frame = start_.frame;
   end_gesture();
-  PreparedMesh* now = source_.prepared();
+  PreparedMesh* now = editable_.prepared();
   if (now == nullptr) return Verdict::Revert;
   return selector_.pick(selector_.kind(), now->picker.in_box(frame, box, selector_.kind(), options_.pick.through),
                         how_of(modifiers));
@@ -337,7 +337,7 @@ Verdict MeshTool::finish_box() {
 
 Verdict MeshTool::cut_hovered(const MeshEvent& event) {
   end_gesture();
-  PreparedMesh* now = source_.prepared();
+  PreparedMesh* now = editable_.prepared();
   if (now == nullptr) return Verdict::Revert;
   const auto under = now->picker.at(start_.frame, event.pixel, ComponentKind::Edge, options_.pick);
   if (!under) return Verdict::Revert;
@@ -353,7 +353,7 @@ Verdict MeshTool::click() {
   const bool again = last_click_ && at.time - last_click_->time <= options_.double_click_seconds &&
                      (at.pixel - last_click_->pixel).norm() <= options_.drag_pixels;
   last_click_ = again ? std::nullopt : std::optional(at);
-  PreparedMesh* now = source_.prepared();
+  PreparedMesh* now = editable_.prepared();
   if (now == nullptr) return Verdict::Revert;
   const auto under = now->picker.at(at.frame, at.pixel, selector_.kind(), options_.pick);
   const PickHow how = how_of(at.modifiers);
@@ -366,7 +366,7 @@ Verdict MeshTool::click() {
 
 /// Those of another connectivity.
 void MeshTool::forget_other_anchors() {
-  if (std::exchange(anchors_connectivity_, source_.connectivity()) == source_.connectivity()) return;
+  if (std::exchange(anchors_connectivity_, editable_.connectivity()) == editable_.connectivity()) return;
   anchor_ = anchor_before_ = no_index;
 }
 
@@ -375,8 +375,8 @@ Verdict MeshTool::click_again(Index element) {
   const PickHow whole = kind == ComponentKind::Edge ? PickHow::Loop : PickHow::Connected;
   if (start_.modifiers.ctrl && !start_.modifiers.shift)
     return selector_.pick(kind, selector_.expanded(kind, element, whole), PickHow::Remove);
-  const bool goes_on =
-      start_.modifiers.shift && anchor_before_ < element_count(*source_.topology(), kind) && anchor_before_ != element;
+  const bool goes_on = start_.modifiers.shift && anchor_before_ < element_count(*editable_.topology(), kind) &&
+                       anchor_before_ != element;
   if (goes_on && !selector_.path(kind, anchor_before_, element).empty())
     return selector_.pick(kind, {anchor_before_, element}, PickHow::Path);
   return selector_.pick(kind, {element}, whole);

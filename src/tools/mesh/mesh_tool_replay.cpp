@@ -30,7 +30,7 @@ PickHow how_of(const std::string& name) {
 }
 
 Verdict replay_pick(MeshTool& tool, const recorded::Pick& step) {
-  const auto topology = tool.source().topology();
+  const auto topology = tool.editable().topology();
   if (!topology) refuse_step("\"" + step.node + "\" holds no mesh");
   const std::size_t count = element_count(*topology, kind_of(step.kind));
   for (const Index element : step.elements) {
@@ -40,7 +40,7 @@ Verdict replay_pick(MeshTool& tool, const recorded::Pick& step) {
 }
 
 Verdict replay_edit(MeshTool& tool, const recorded::EditStep& step) {
-  if (!tool.source().mesh()) refuse_step("\"" + step.node + "\" holds no mesh");
+  if (!tool.editable().mesh()) refuse_step("\"" + step.node + "\" holds no mesh");
   if (!step.again) return tool.edits().apply(step.line);
   const EditLine* last = tool.edits().last();
   if (last == nullptr || last->edit != step.line.edit || !(last->target == step.line.target)) {
@@ -66,7 +66,7 @@ Verdict replay_loop_cut(MeshTool& tool, const recorded::LoopCut& step) {
 }
 
 Verdict replay_tag(MeshTool& tool, const recorded::Tag& step) {
-  const PreparedMesh* now = tool.source().prepared();
+  const PreparedMesh* now = tool.editable().prepared();
   if (now == nullptr) refuse_step("\"" + step.node + "\" holds no mesh");
   TagEditor& tags = tool.tags();
   if (step.change) return tags.change_sharpness(*step.change);

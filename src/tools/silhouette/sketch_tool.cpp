@@ -13,10 +13,6 @@
 namespace croquis {
 namespace {
 
-std::shared_ptr<const Drawing> drawing_of(const Node* node) {
-  return node == nullptr || !node->source ? nullptr : node->source->as<Drawing>();
-}
-
 std::vector<std::string> modifier_names(const Modifiers& modifiers) {
   std::vector<std::string> names;
   if (modifiers.shift) names.emplace_back("shift");
@@ -290,14 +286,16 @@ Verdict SketchTool::drag(const std::string& stroke, std::optional<std::size_t> a
 // ---- The document
 
 NodeId SketchTool::node() const {
-  if (drawing_of(session_.document().find(node_)) != nullptr) return node_;
+  if (source_of<Drawing>(session_.document().find(node_)) != nullptr) return node_;
   for (const auto& node : session_.document().nodes()) {
-    if (drawing_of(node.get()) != nullptr) return node->id;
+    if (source_of<Drawing>(node.get()) != nullptr) return node->id;
   }
   return 0;
 }
 
-std::shared_ptr<const Drawing> SketchTool::drawing() const { return drawing_of(session_.document().find(node())); }
+std::shared_ptr<const Drawing> SketchTool::drawing() const {
+  return source_of<Drawing>(session_.document().find(node()));
+}
 
 Document SketchTool::with_drawing(Drawing drawing) const {
   const Document& document = session_.document();

@@ -49,14 +49,14 @@ struct Bench {
     loop.run_until([&] { return !workspace.busy(); });
   }
   Session& session() { return workspace.session(); }
-  const PolyMesh& mesh() const { return *tool.source().mesh(); }
+  const PolyMesh& mesh() const { return *tool.editable().mesh(); }
   Verdict apply(const std::string& text) { return tool.edits().apply(parse_edit_lines(text, all_edits()).front()); }
   ContentHash hash() { return content_hash(session().document()); }
-  std::string lines() { return text_of(session().document().find(tool.source().node())->parameters, "do"); }
+  std::string lines() { return text_of(session().document().find(tool.editable().node())->parameters, "do"); }
 
   /// As the window does after every change: undo takes a step away.
   void follow() {
-    if (session().document().find(tool.source().node()) == nullptr) tool.set_node(workspace.active()->editable);
+    if (session().document().find(tool.editable().node()) == nullptr) tool.set_node(workspace.active()->editable);
   }
 
   Verdict drag(const Vec2& from, const Vec2& to) {
@@ -171,7 +171,7 @@ TEST_CASE("a drag of the manipulator is one line of a computed mesh and one undo
 TEST_CASE("a drag that is given up leaves no step of edits") {
   Bench bench(test::cube(), true);
   const ContentHash before = bench.hash();
-  const NodeId node = bench.tool.source().node();
+  const NodeId node = bench.tool.editable().node();
   bench.tool.set_handles(MeshHandles::Move);
   bench.tool.selection().set_mode(MeshMode::Face);
   bench.tool.selection().pick(ComponentKind::Face, {1});
@@ -181,10 +181,10 @@ TEST_CASE("a drag that is given up leaves no step of edits") {
   bench.tool.handle({Kind::Begin, from, {}, frame, 1});
   bench.tool.handle({Kind::Sample, from + Vec2(30, 0), {}, frame, 1});
   CHECK(bench.hash() != before);
-  CHECK(bench.tool.source().node() != node);
+  CHECK(bench.tool.editable().node() != node);
   bench.tool.handle({Kind::Cancel, from, {}, frame, 1});
   CHECK(bench.hash() == before);
-  CHECK(bench.tool.source().node() == node);
+  CHECK(bench.tool.editable().node() == node);
   CHECK(bench.tool.selection().selected() == Elements{1});
 }
 
@@ -222,12 +222,12 @@ TEST_CASE("elements of a computed mesh stay selected while it moves, and fall ou
 TEST_CASE("a step of edits that is off is left alone: new edits go after it") {
   Bench bench(test::cube(), true);
   bench.apply("inset faces=1 width=0.1");
-  const NodeId first = bench.tool.source().node();
+  const NodeId first = bench.tool.editable().node();
   bench.workspace.enable_step(first, false);
   bench.settle();
   CHECK(bench.mesh().face_count() == 6);
   bench.apply("extrude faces=0 distance=1");
-  CHECK(bench.tool.source().node() != first);
+  CHECK(bench.tool.editable().node() != first);
   CHECK(bench.mesh().face_count() == 10);
 }
 

@@ -30,7 +30,7 @@ struct Bench {
     return Document().with(std::move(node));
   }
 
-  const PolyMesh& mesh() const { return *tool.source().mesh(); }
+  const PolyMesh& mesh() const { return *tool.editable().mesh(); }
   Verdict apply(const std::string& text) { return tool.edits().apply(line_of(text)); }
   ContentHash hash() const { return content_hash(session.document()); }
 };
@@ -66,7 +66,7 @@ TEST_CASE("what an edit made is selected, in the mode that shows it") {
   CHECK(bench.tool.selection().mode() == MeshMode::Edge);
   CHECK(selected().elements.size() >= 4);
   for (const Index edge : selected().elements) {
-    for (const Index vertex : bench.tool.source().topology()->edge_vertices(edge)) CHECK(vertex >= 8);
+    for (const Index vertex : bench.tool.editable().topology()->edge_vertices(edge)) CHECK(vertex >= 8);
   }
   bench.apply("move vertices=1,2 by=0,0,1");
   CHECK(selected().kind == ComponentKind::Vertex);
@@ -248,7 +248,7 @@ TEST_CASE("random edits keep a sound mesh sound, and undo gives every mesh back"
         CHECK((error.findings().front().code == "E_INPUT" || error.findings().front().code == "E_EDIT"));
       }
       CHECK(bench.hash() == hashes.back());
-      const std::size_t count = element_count(*bench.tool.source().topology(), bench.session.components().kind);
+      const std::size_t count = element_count(*bench.tool.editable().topology(), bench.session.components().kind);
       for (const Index element : bench.session.components().elements) CHECK(element < count);
     }
     CHECK(validate(bench.mesh()).empty());

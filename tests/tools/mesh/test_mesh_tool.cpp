@@ -42,7 +42,7 @@ struct Desk {
     tool.set_node(1);
   }
 
-  const PolyMesh& mesh() const { return *tool.source().mesh(); }
+  const PolyMesh& mesh() const { return *tool.editable().mesh(); }
   const Elements& selected() const { return session.components().elements; }
 
   Verdict send(Kind kind, const Vec2& pixel, const Modifiers& modifiers) {
@@ -72,7 +72,7 @@ struct Desk {
   }
 
   Vec3 middle(ComponentKind kind, Index element) {
-    const Elements vertices = converted(*tool.source().topology(), kind, ComponentKind::Vertex, std::span(&element, 1));
+    const Elements vertices = converted(*tool.editable().topology(), kind, ComponentKind::Vertex, std::span(&element, 1));
     Vec3 sum = Vec3::Zero();
     for (const Index v : vertices) sum += mesh().positions[v];
     return sum / static_cast<double>(vertices.size());
@@ -174,7 +174,7 @@ TEST_CASE("a double click on an edge takes its loop, with Shift the way from the
   Desk desk(test::torus(16, 8));
   desk.camera.eye = {0.5, 1, 5};
   desk.tool.selection().set_mode(MeshMode::Edge);
-  const MeshTopology& topology = *desk.tool.source().topology();
+  const MeshTopology& topology = *desk.tool.editable().topology();
   // An edge on the upper side that runs around the axis.
   Index along = no_index;
   Index further = no_index;
@@ -310,14 +310,14 @@ TEST_CASE("sharpness is dragged sideways, seen at once, and one step") {
   desk.send(Kind::Begin, on_edge, plain);
   desk.send(Kind::Sample, on_edge + Vec2(60, 3), plain);
   CHECK(desk.tool.preview().sharpness_change == Approx(1));
-  CHECK(desk.tool.source().edge_sharpness()[desk.selected()[0]] == Approx(1));
+  CHECK(desk.tool.editable().edge_sharpness()[desk.selected()[0]] == Approx(1));
   desk.send(Kind::Sample, on_edge + Vec2(150, 3), plain);
   desk.send(Kind::End, on_edge + Vec2(150, 3), plain);
-  for (const Index edge : desk.selected()) CHECK(desk.tool.source().edge_sharpness()[edge] == Approx(2.5));
+  for (const Index edge : desk.selected()) CHECK(desk.tool.editable().edge_sharpness()[edge] == Approx(2.5));
   CHECK(desk.session.undo_labels() == std::vector<std::string>{"Sharpen 2 edges"});
   // With Shift from anywhere, and up to infinite.
   CHECK(desk.drag({20, 20}, {620, 20}, shift) == Verdict::Commit);
-  for (const Index edge : desk.selected()) CHECK(std::isinf(desk.tool.source().edge_sharpness()[edge]));
+  for (const Index edge : desk.selected()) CHECK(std::isinf(desk.tool.editable().edge_sharpness()[edge]));
   check_same(replayed(before, desk.steps), desk.mesh());
   // Without a selected edge under it, a plain drag is a box.
   desk.drag({1, 1}, {799, 599});
@@ -410,11 +410,11 @@ TEST_CASE("tags are set by selection, angle and rim; sets too; each is one step"
   CHECK(desk.mesh().tags.creases.size() == 18);
   note(desk.tool.selection().pick(ComponentKind::Edge, {0, 1}));
   note(desk.tool.tags().change_sharpness(1.5));
-  CHECK(desk.tool.source().edge_sharpness()[0] == 3.5);
+  CHECK(desk.tool.editable().edge_sharpness()[0] == 3.5);
   note(desk.tool.tags().make_set("rim", 4));
   note(desk.tool.tags().rename_set("rim", "collar"));
   note(desk.tool.tags().set_set_sharpness("collar", 5));
-  CHECK(desk.tool.source().edge_sharpness()[1] == 5);
+  CHECK(desk.tool.editable().edge_sharpness()[1] == 5);
   note(desk.tool.selection().select_none());
   note(desk.tool.tags().select_set("collar"));
   CHECK(desk.selected() == Elements{0, 1});
@@ -453,7 +453,7 @@ TEST_CASE("a recorded step that doesn't fit the mesh is refused by name") {
   CHECK_THROWS_AS(desk.tool.replay(recorded::Pick{"body", "edge", {12}, "loop"}), Error);
   CHECK_THROWS_AS(desk.tool.replay(recorded::LoopCut{"body", 99, 0.5}), Error);
   desk.tool.set_node(7);
-  CHECK_FALSE(desk.tool.source().mesh());
+  CHECK_FALSE(desk.tool.editable().mesh());
   CHECK(desk.tool.replay(recorded::Move{"body", {1, 0, 0}}) == Verdict::Continue);
   CHECK_THROWS_AS(desk.tool.replay(recorded::Pick{"body", "edge", {0}, "loop"}), Error);
   CHECK(desk.drag({10, 10}, {100, 100}) == Verdict::Continue);
@@ -462,15 +462,15 @@ TEST_CASE("a recorded step that doesn't fit the mesh is refused by name") {
 
 TEST_CASE("neighbourhoods are made anew only when the connectivity changes") {
   Desk desk(test::torus(9, 6));
-  const auto topology = desk.tool.source().topology();
+  const auto topology = desk.tool.editable().topology();
   desk.tool.selection().pick(ComponentKind::Face, {1, 2});
   desk.tool.edits().move_selected({0.1, 0, 0});
   desk.tool.tags().tag(2);
-  CHECK(desk.tool.source().topology() == topology);
+  CHECK(desk.tool.editable().topology() == topology);
   desk.session.undo();
-  CHECK(desk.tool.source().topology() == topology);
+  CHECK(desk.tool.editable().topology() == topology);
   desk.tool.edits().cut_loop(0, 0.5);
-  CHECK(desk.tool.source().topology() != topology);
+  CHECK(desk.tool.editable().topology() != topology);
 }
 
 TEST_CASE("a big mesh is made ready beside; what can't wait waits, and both give the same") {
@@ -478,16 +478,16 @@ TEST_CASE("a big mesh is made ready beside; what can't wait waits, and both give
   Desk waiting(big);
   // Asked at once: this waits.
   CHECK(waiting.tool.selection().pick(ComponentKind::Edge, {1234}, PickHow::Ring) == Verdict::Commit);
-  CHECK(waiting.tool.source().ready());
+  CHECK(waiting.tool.editable().ready());
   Desk patient(big);
   patient.tool.selection().set_mode(MeshMode::Edge);
   const Vec2 pixel = patient.camera.pixel_of({1, 0, 0.4});
   patient.tool.hover(pixel, patient.camera.frame());  // shows nothing yet, or already something
-  while (!patient.tool.source().ready()) {
+  while (!patient.tool.editable().ready()) {
   }
   patient.tool.hover(pixel, patient.camera.frame());
   CHECK(patient.tool.preview().hovered);
-  CHECK(edge_ring(*patient.tool.source().topology(), 1234) == waiting.selected());
+  CHECK(edge_ring(*patient.tool.editable().topology(), 1234) == waiting.selected());
   // Leaving before it is ready is no trouble, and neither is a mesh that changes meanwhile.
   Desk hasty(big);
   hasty.tool.set_node(0);
@@ -495,7 +495,7 @@ TEST_CASE("a big mesh is made ready beside; what can't wait waits, and both give
   Node other = *hasty.session.document().find(1);
   other.source = std::make_shared<const PolyMesh>(test::torus(301, 200));
   hasty.session.edit("another", hasty.session.document().with(other));
-  CHECK(hasty.tool.source().topology()->face_count() == 60200);
+  CHECK(hasty.tool.editable().topology()->face_count() == 60200);
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ enum class SelectAfter {
 class MeshEditor {
  public:
   /// @param source, selector, log outlive this
-  MeshEditor(SourceMesh& source, MeshSelector& selector, CommandLog& log)
-      : source_(source), selector_(selector), log_(log) {}
+  MeshEditor(EditableMesh& editable, MeshSelector& selector, CommandLog& log)
+      : editable_(editable), selector_(selector), log_(log) {}
 
   /// Applies any edit of all_edits() to the elements that its line names. The undo step is called by the edit's title
   /// ("Inset 2 faces"), what was made is selected, and an EditStep is recorded.
@@ -79,7 +79,7 @@ class MeshEditor {
   void keep_selection(const std::string& label, AddedNode edited);
   void select_results(const EditTarget& target, const MeshEdit& edit, const MeshTopology& before);
 
-  SourceMesh& source_;
+  EditableMesh& editable_;
   MeshSelector& selector_;
   CommandLog& log_;
   std::optional<LastEdit> last_;

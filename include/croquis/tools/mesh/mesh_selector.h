@@ -10,8 +10,8 @@
 
 #include "croquis/mesh_editing/mesh_selection.h"
 #include "croquis/tools/mesh/command_log.h"
+#include "croquis/tools/mesh/editable_mesh.h"
 #include "croquis/tools/mesh/mesh_steps.h"
-#include "croquis/tools/mesh/source_mesh.h"
 #include "croquis/tools/pointer/verdict.h"
 
 namespace croquis {
@@ -35,8 +35,8 @@ class MeshSelector {
  public:
   /// @param source, log outlive this
   /// @param mode_set   called when a mode is chosen, before it counts; true: another one than before
-  MeshSelector(SourceMesh& source, CommandLog& log, std::function<void(bool changes)> mode_set)
-      : source_(source), log_(log), mode_set_(std::move(mode_set)) {}
+  MeshSelector(EditableMesh& editable, CommandLog& log, std::function<void(bool changes)> mode_set)
+      : editable_(editable), log_(log), mode_set_(std::move(mode_set)) {}
 
   // ---- Modes
   MeshMode mode() const { return mode_; }
@@ -81,7 +81,7 @@ class MeshSelector {
   Verdict choose_if_any(ComponentKind kind, Elements elements);
   void forget_other_connectivity();
 
-  SourceMesh& source_;
+  EditableMesh& editable_;
   CommandLog& log_;
   std::function<void(bool)> mode_set_;
   MeshMode mode_ = MeshMode::Object;

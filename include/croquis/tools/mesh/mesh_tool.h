@@ -62,8 +62,8 @@ class MeshTool {
   /// A node with a mesh, or one that gives a mesh: that is edited by a step of edits after it, and the tool goes on
   /// with this step. Another node than before empties hover and gestures.
   void set_node(NodeId node);
-  SourceMesh& source() { return source_; }
-  const SourceMesh& source() const { return source_; }
+  EditableMesh& editable() { return editable_; }
+  const EditableMesh& editable() const { return editable_; }
 
   // ---- Commands
   MeshSelector& selection() { return selector_; }
@@ -130,7 +130,7 @@ class MeshTool {
   Session& session_;
   MeshToolOptions options_;
   CommandLog log_;
-  SourceMesh source_;
+  EditableMesh editable_;
   MeshSelector selector_;
   MeshEditor editor_;
   TagEditor tag_editor_;

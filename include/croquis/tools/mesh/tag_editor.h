@@ -19,8 +19,8 @@ std::vector<EditLine> sharpening_lines(const PolyMesh& mesh, const MeshTopology&
 class TagEditor {
  public:
   /// @param source, selector, editor, log outlive this
-  TagEditor(SourceMesh& source, MeshSelector& selector, MeshEditor& editor, CommandLog& log)
-      : source_(source), selector_(selector), editor_(editor), log_(log) {}
+  TagEditor(EditableMesh& editable, MeshSelector& selector, MeshEditor& editor, CommandLog& log)
+      : editable_(editable), selector_(selector), editor_(editor), log_(log) {}
 
   // ---- Sharpness and pins
   Verdict tag(double sharpness);  ///< selected edges (of faces: their edges); 0 untags
@@ -44,7 +44,7 @@ class TagEditor {
   Verdict tag_these(const Elements& edges, double sharpness, std::optional<recorded::Step> step);
   Verdict commit(const std::string& label, MeshTags tags, recorded::Step step);
 
-  SourceMesh& source_;
+  EditableMesh& editable_;
   MeshSelector& selector_;
   MeshEditor& editor_;
   CommandLog& log_;

@@ -94,16 +94,4 @@ std::vector<std::array<Index, 2>> near_pairs(const PolyMesh& mesh, std::span<con
   return pairs;
 }
 
-HoleGroups group_holes(const PolyMesh& mesh, std::span<const Hole> holes, const std::vector<bool>& chosen) {
-  std::vector<Hole> eligible;  // ids kept, vertices needed for boxes
-  for (const Hole& hole : holes) {
-    if (hole.kind != HoleClass::Outer && (chosen.empty() || chosen[hole.id])) eligible.push_back(hole);
-  }
-  HoleGroups groups(holes.size());
-  for (const auto& [a, b] : near_pairs(mesh, eligible)) {
-    if (are_compatible(eligible[a], eligible[b])) groups.merge(eligible[a].id, eligible[b].id);
-  }
-  return groups;
-}
-
 }  // namespace croquis::hole_filling

@@ -25,7 +25,7 @@ namespace {
 /// Which holes each patch closes.
 std::map<std::int32_t, std::vector<Index>> holes_of_patches(const WorkObject& object) {
   std::map<std::int32_t, std::vector<Index>> holes;
-  for (const HoleRow& row : hole_rows(&object)) {
+  for (const HoleRow& row : hole_rows(object.result.get())) {
     if (row.patch && row.state == HoleState::Filled) holes[static_cast<std::int32_t>(*row.patch)].push_back(row.id);
   }
   return holes;
@@ -239,6 +239,12 @@ bool HoleFillingTool::show_finding(const NodeFinding& found) {
   if (!holes_.active()) host().action("holes")->trigger();
   holes_.select(holes);
   frame_holes();
+  return true;
+}
+
+bool HoleFillingTool::open_step(const Node& step) {
+  if (step.operation != filling_operation) return false;
+  if (!holes_.active()) host().action("holes")->trigger();
   return true;
 }
 

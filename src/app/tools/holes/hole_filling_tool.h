@@ -54,6 +54,7 @@ class HoleFillingTool final : public Tool {
   void follow_result() override { holes_.follow(); }
   void chosen_by_name(const std::vector<const FaceSet*>& sets) override;
   bool show_finding(const NodeFinding& found) override;
+  bool open_step(const Node& step) override;
 
   std::vector<ObjectRow> rows(const WorkObject& object, NodeId node) const override;
   bool choose_parts(NodeId node, const std::vector<std::string>& parts) override;

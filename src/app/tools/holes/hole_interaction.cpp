@@ -119,8 +119,7 @@ std::vector<Index> HoleInteraction::open_of(const std::vector<Index>& holes) con
 
 void HoleInteraction::follow() {
   const Node* operation = active_ ? node() : nullptr;
-  const WorkObject* object = operation == nullptr ? nullptr : studio_.active();
-  take_result(object);
+  take_result(operation);
   preview_.show(operation == nullptr ? 0 : operation->id, open_of(tool_.selected()));
   preview_.follow();
   if (!tool_.active()) show_handles();
@@ -128,14 +127,16 @@ void HoleInteraction::follow() {
   emit changed();
 }
 
-void HoleInteraction::take_result(const WorkObject* object) {
-  const NodeId now = object == nullptr ? 0 : object->node;
-  const auto result = object == nullptr ? nullptr : object->result;
+/// Of a step within a chain, its own result; the views show the end of the chain.
+void HoleInteraction::take_result(const Node* operation) {
+  const WorkObject* object = operation == nullptr ? nullptr : studio_.active();
+  const NodeId now = operation == nullptr ? 0 : operation->id;
+  const auto result = object == nullptr ? nullptr : object->node == now ? object->result : studio_.result(now);
   if (result == shown_ && now == shown_node_) return;
   const bool other_object = now != shown_node_;
   shown_ = result;
   shown_node_ = now;
-  rows_ = hole_rows(object);
+  rows_ = hole_rows(result.get());
   sight_.follow(scan());
   const auto rims = result ? result->outputs.find("rims") : Values::const_iterator();
   if (other_object || !result) tool_.select_none();

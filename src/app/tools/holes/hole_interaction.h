@@ -113,11 +113,13 @@ class HoleInteraction : public QObject {
   std::vector<Index> open_of(const std::vector<Index>& holes) const;
   std::vector<Index> failed_of(const std::vector<Index>& holes) const;
   /// What is open after a selection was filled: of inner holes, what is filled already stays.
-  std::vector<Index> open_after(hole_filling::Selection select, double max_diameter) const;
-  void fill_named(const std::string& label, hole_filling::Selection select, double max_diameter);
+  std::vector<Index> open_after(hole_filling::Selection select, std::span<const Index> named) const;
+  /// @param limit the operation's own parameter; 0 for no limit
+  void fill_named(const std::string& label, hole_filling::Selection select, double limit);
   void attempt(const std::function<void()>& work);
   void edit(const std::string& label, const ParameterValues& values, bool dragging);
-  void change_plan(const std::string& label, const std::function<void(HolePlan&)>& change);
+  void change_plan(const std::string& label, const std::function<void(HolePlan&)>& change,
+                   const ParameterValues& besides = {});
   Way way_of(std::optional<Index> hole) const;  ///< without one, of holes without a wish of their own
   bool is_made_so(const recorded::HoleWay& step) const;
   void change_way(const recorded::HoleWay& step, bool dragging);
@@ -127,7 +129,7 @@ class HoleInteraction : public QObject {
   void follow_pull();
   void feed(const PenStep& step);
   void hover(const PointerEvent& event);
-  void take_result(const WorkObject* object);
+  void take_result(const Node* operation);
   void show_patches();
   void show_handles();
   void selection_moved();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What becomes of holes, and how their patches are made: all that changes the operation's parameters.
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "app/tools/holes/filling.h"
@@ -14,8 +13,6 @@ namespace {
 
 using hole_filling::Selection;
 
-constexpr double any_diameter = std::numeric_limits<double>::infinity();
-
 const std::string remesh_label = "Remesh";
 
 /// "hole 3", "holes 1, 4"; "all holes" for none.
@@ -24,6 +21,8 @@ std::string words_for(const std::vector<Index>& holes) {
   const std::string numbers = numbers_of({holes.begin(), holes.end()}).toStdString();
   return (holes.size() == 1 ? "hole " : "holes ") + numbers;
 }
+
+std::string label_up_to(double diameter) { return "Fill holes up to " + measure(diameter).toStdString(); }
 
 std::string words_for(const recorded::HoleWay& way) {
   const std::string what = way.fairness ? "Method " + *way.fairness
@@ -75,13 +74,16 @@ void HoleInteraction::edit(const std::string& label, const ParameterValues& valu
   if (!dragging) session.end_drag();
 }
 
-void HoleInteraction::change_plan(const std::string& label, const std::function<void(HolePlan&)>& change) {
+void HoleInteraction::change_plan(const std::string& label, const std::function<void(HolePlan&)>& change,
+                                  const ParameterValues& besides) {
   const Node* operation = node();
   if (operation == nullptr) return;
   attempt([&] {
     HolePlan plan(studio_, *operation);
     change(plan);
-    edit(label, plan.values(), false);
+    ParameterValues values = plan.values();
+    values.insert(besides.begin(), besides.end());
+    edit(label, values, false);
   });
 }
 
@@ -120,11 +122,10 @@ void HoleInteraction::fill_all(const std::string& select) {
                            : select == "inner"         ? "Fill all inner holes"
                            : select == "none"          ? "Reopen all holes"
                                                        : "Fill all holes";
-  fill_named(what, parse_selection(select), any_diameter);
+  fill_named(what, parse_selection(select), 0);
 }
 
-std::vector<Index> HoleInteraction::open_after(Selection select, double max_diameter) const {
-  const std::vector<Index> named = named_rows(rows_, select, max_diameter);
+std::vector<Index> HoleInteraction::open_after(Selection select, std::span<const Index> named) const {
   std::vector<Index> open;
   for (const HoleRow& row : rows_) {
     const bool stays_filled = select == Selection::Inner && row.state == HoleState::Filled;
@@ -136,30 +137,32 @@ std::vector<Index> HoleInteraction::open_after(Selection select, double max_diam
 bool HoleInteraction::can_fill_all(const std::string& select) const {
   const bool is_known = shown_ && !shown_->failed;
   if (rows_.empty()) return !is_known;
-  const std::vector<Index> open = open_after(parse_selection(select), any_diameter);
+  const Selection selection = parse_selection(select);
+  const std::vector<Index> open = open_after(selection, named_rows(rows_, selection));
   return std::ranges::any_of(rows_, [&](const HoleRow& row) {
     return std::ranges::binary_search(open, row.id) != (row.state == HoleState::Open);
   });
 }
 
-void HoleInteraction::fill_named(const std::string& label, Selection select, double max_diameter) {
-  const std::vector<Index> named = named_rows(rows_, select, max_diameter);
-  const std::vector<Index> open = open_after(select, max_diameter);
+void HoleInteraction::fill_named(const std::string& label, Selection select, double limit) {
+  const std::vector<Index> named = limit > 0 ? named_rows(rows_, select, limit) : named_rows(rows_, select);
+  const std::vector<Index> open = open_after(select, named);
   std::vector<Index> kept;  // filled before, though the selection doesn't name them
   for (const HoleRow& row : rows_) {
     const bool is_left = std::ranges::binary_search(named, row.id) || std::ranges::binary_search(open, row.id);
     if (!is_left) kept.push_back(row.id);
   }
-  change_plan(label, [&](HolePlan& plan) {
-    plan.fill_all(select, max_diameter, open);
+  const auto fill_named = [&](HolePlan& plan) {
+    plan.fill_all(select, open);
     plan.fill(kept);
-  });
+  };
+  change_plan(label, fill_named, {{"max-diameter", limit}});
 }
 
 void HoleInteraction::fill_up_to(double diameter) {
-  const recorded::HoleChoice step{{}, "fill", {}, diameter};
-  apply(step);
-  emit committed(step);
+  fill_named(label_up_to(diameter), Selection::Inner, diameter);
+  selection_moved();
+  emit committed(recorded::HoleChoice{{}, "fill", {}, diameter});
 }
 
 void HoleInteraction::reopen_selected() {
@@ -186,7 +189,7 @@ void HoleInteraction::clear_handles() {
 
 void HoleInteraction::apply(const recorded::HoleChoice& step) {
   if (step.up_to) {
-    fill_named("Fill holes up to " + measure(*step.up_to).toStdString(), Selection::Inner, *step.up_to);
+    fill_named(label_up_to(*step.up_to), Selection::Inner, *step.up_to);
   } else if (step.action == "fill") {
     change_plan("Fill " + words_for(step.holes), [&](HolePlan& plan) {
       // Where a bridge couldn't be made, each rim gets a patch of its own.

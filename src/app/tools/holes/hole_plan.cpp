@@ -38,7 +38,7 @@ bool same_but_holes(const HoleWish& a, HoleWish b) {
 
 HolePlan::HolePlan(const Studio& studio, const Node& node) {
   ParameterValues values;
-  for (const char* name : {"select", "only", "max-diameter", "holes"}) values[name] = filling_value(studio, node, name);
+  for (const char* name : {"select", "only", "holes"}) values[name] = filling_value(studio, node, name);
   choice_ = read_fill_choice(values);
   for (const HoleWish& wish : std::exchange(choice_.wishes, {})) {
     if (wish.bridge) {
@@ -85,9 +85,8 @@ void HolePlan::fill(std::span<const Index> holes) {
   }
 }
 
-void HolePlan::fill_all(hole_filling::Selection select, double max_diameter, std::span<const Index> open) {
+void HolePlan::fill_all(hole_filling::Selection select, std::span<const Index> open) {
   choice_.select = select;
-  choice_.max_diameter = max_diameter;
   choice_.only.clear();
   for (auto& [hole, wish] : single_) wish.fill.reset();
   forget_empty();

@@ -27,9 +27,8 @@ class HolePlan {
   void fill(std::span<const Index> holes);
 
   /// Fills what a selection of all fills, whatever single holes were given; how they are made stays.
-  /// @param max_diameter as FillOptions has it
   /// @param open holes that stay open then: what is wished of their shape alone would fill them
-  void fill_all(hole_filling::Selection select, double max_diameter, std::span<const Index> open);
+  void fill_all(hole_filling::Selection select, std::span<const Index> open);
 
   /// What was wished of them goes away; those that would be filled with others are left.
   void reopen(std::span<const Index> holes);

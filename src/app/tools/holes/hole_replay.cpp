@@ -12,14 +12,14 @@ namespace {
 
 /// Those that are open or failed.
 std::size_t count_open_holes(const WorkObject& object) {
-  const auto rows = hole_rows(&object);
+  const auto rows = hole_rows(object.result.get());
   return static_cast<std::size_t>(
       std::ranges::count_if(rows, [](const HoleRow& row) { return row.state != HoleState::Filled; }));
 }
 
 std::size_t count_patches(const WorkObject& object) {
   std::set<Index> numbers;
-  for (const HoleRow& row : hole_rows(&object)) {
+  for (const HoleRow& row : hole_rows(object.result.get())) {
     if (row.patch && row.state == HoleState::Filled) numbers.insert(*row.patch);
   }
   return numbers.size();

@@ -29,8 +29,8 @@ const char* word_of(HoleClass kind) {
 
 }  // namespace
 
-std::vector<HoleRow> hole_rows(const WorkObject* object) {
-  const FillResult* found = object == nullptr ? nullptr : result_of<FillResult>(object->result.get());
+std::vector<HoleRow> hole_rows(const Evaluation* result) {
+  const FillResult* found = result_of<FillResult>(result);
   return found == nullptr ? std::vector<HoleRow>() : found->holes;
 }
 

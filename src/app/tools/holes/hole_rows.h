@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <limits>
 #include <set>
 #include <vector>
 
@@ -11,11 +12,12 @@
 /// The holes that the result of `fill` has, as lists and views show them.
 namespace croquis::app {
 
-/// Of an object whose last operation is `fill`; empty for any other, and before its first result.
-std::vector<HoleRow> hole_rows(const WorkObject* object);
+/// Of a result of `fill`; empty for any other, and for null.
+std::vector<HoleRow> hole_rows(const Evaluation* result);
 
 /// Ids of those that a selection for all holes names. @param max_diameter as FillOptions has it
-std::vector<Index> named_rows(const std::vector<HoleRow>& rows, hole_filling::Selection selection, double max_diameter);
+std::vector<Index> named_rows(const std::vector<HoleRow>& rows, hole_filling::Selection selection,
+                              double max_diameter = std::numeric_limits<double>::infinity());
 
 /// These, and the islands in them or the holes around them: one without the other leaves the island cut off, or its
 /// patch in the way. Ascending.

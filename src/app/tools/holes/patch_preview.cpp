@@ -67,7 +67,7 @@ void PatchPreview::forget() {
 
 void PatchPreview::take() {
   const Node* node = studio_.session().document().find(node_);
-  const Operation* operation = node == nullptr ? nullptr : studio_.registry().find(node->operation);
+  const OperationDescription* operation = node == nullptr ? nullptr : studio_.description(node->operation);
   if (operation == nullptr || !live_ || !live_->result() || live_->result() == shown_) return;
   shown_ = live_->result();
   const FillResult* found = shown_->result<FillResult>();

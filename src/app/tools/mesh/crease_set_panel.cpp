@@ -72,7 +72,7 @@ QWidget* CreaseSetPanel::make_buttons() {
   layout->setSpacing(3);
   add_button(row, "set-new", tr("New"), tr("A set of the selected edges or vertices"), [this] {
     mesh_.act([](MeshTool& tool) {
-      const auto mesh = tool.source().mesh();
+      const auto mesh = tool.editable().mesh();
       return mesh ? tool.tags().make_set(new_set_name(mesh->tags)) : Verdict::Continue;
     });
   });
@@ -99,7 +99,7 @@ void CreaseSetPanel::merge() {
 }
 
 void CreaseSetPanel::follow() {
-  const auto mesh = mesh_.tool().source().mesh();
+  const auto mesh = mesh_.tool().editable().mesh();
   const auto shown = sets_->selectedItems();
   const std::string before = shown.isEmpty() ? std::string() : name_of(shown.front());
   const bool editing = sets_->findChild<QWidget*>("qt_edit") != nullptr;

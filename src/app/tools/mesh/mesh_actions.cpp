@@ -21,7 +21,7 @@ constexpr double extrusion_share = 0.1;  // of the mesh's diagonal
 
 /// A first step that can be seen; the manipulator goes on from there.
 double extrusion_distance(MeshTool& tool) {
-  const auto mesh = tool.source().mesh();
+  const auto mesh = tool.editable().mesh();
   if (!mesh || mesh->positions.empty()) return 0;
   Vec3 low = mesh->positions.front();
   Vec3 high = low;
@@ -202,7 +202,7 @@ void MeshEditingTool::make_tag_actions(ActionList& actions, QMenu* menu) {
   this->add(actions, menu, "softer", tr("Softer by a half"), {QKeySequence("Ctrl+Down")},
             [](MeshTool& tool) { return tool.tags().change_sharpness(-0.5); });
   this->add(actions, menu, "new-set", tr("Crease &set of the selection"), {QKeySequence("Ctrl+G")}, [](MeshTool& tool) {
-    const auto mesh = tool.source().mesh();
+    const auto mesh = tool.editable().mesh();
     return mesh ? tool.tags().make_set(new_set_name(mesh->tags)) : Verdict::Continue;
   });
 }

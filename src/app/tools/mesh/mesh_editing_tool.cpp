@@ -14,6 +14,7 @@
 #include "app/tools/mesh/tag_panel.h"
 #include "app/views/viewport.h"
 #include "app/window/panel_docks.h"
+#include "croquis/workspace/chain.h"
 
 namespace croquis::app {
 namespace {
@@ -60,10 +61,7 @@ void MeshEditingTool::make_panels(PanelDocks& panels) {
   last_edit_dock_ = panels.add_column(tr("Last edit"), last_edit_, "last-edit");
 }
 
-bool MeshEditingTool::works() const {
-  return mesh_modes.contains(mode()) &&
-         std::ranges::any_of(studio().objects(), [](const WorkObject& object) { return object.cage != 0; });
-}
+bool MeshEditingTool::works() const { return mesh_modes.contains(mode()) && studio().has_cage(); }
 
 bool MeshEditingTool::works_in(int) const { return works(); }
 
@@ -82,6 +80,15 @@ void MeshEditingTool::set_mode(const QString& mode) {
 void MeshEditingTool::set_mesh_mode(MeshMode mode) {
   if (!mesh_modes.contains(this->mode())) host().set_mode(select_mode);
   mesh_.set_mode(mode);
+}
+
+/// Elements of meshes, and the cage of a step that another tool's panels are about.
+bool MeshEditingTool::open_step(const Node& step) {
+  const OperationDescription* operation = studio().description(step.operation);
+  const PortDescription* input = operation == nullptr ? nullptr : main_input(*operation);
+  const bool has_elements = mesh_in(step) != nullptr || (input != nullptr && input->type == ValueType::Mesh);
+  if (has_elements && !mesh_modes.contains(mode())) host().set_mode(select_mode);
+  return has_elements;
 }
 
 QString MeshEditingTool::help() const {
@@ -123,8 +130,8 @@ bool MeshEditingTool::show_finding(const NodeFinding& found) {
   studio().set_active(found.node);
   mesh_.follow();
   MeshTool& tool = mesh_.tool();
-  if (!tool.source().mesh()) return false;
-  const FoundElements elements = elements_of(found.finding, *tool.source().topology());
+  if (!tool.editable().mesh()) return false;
+  const FoundElements elements = elements_of(found.finding, *tool.editable().topology());
   if (!pick(elements.kind, elements.elements)) return false;
   host().viewport().frame_selection();
   return true;
@@ -133,7 +140,7 @@ bool MeshEditingTool::show_finding(const NodeFinding& found) {
 // ---- The eye
 
 void MeshEditingTool::adjust(ObjectScenes::Wanted& wanted, int) const {
-  if (picks_elements()) wanted.edited = mesh_.tool().source().node();
+  if (picks_elements()) wanted.edited = mesh_.tool().editable().node();
 }
 
 void MeshEditingTool::add_to(render::Scene& scene, int view) {

@@ -54,6 +54,7 @@ class MeshEditingTool final : public Tool {
   void place_chips(ChipPlaces& places) override;
 
   void follow_document() override { mesh_.follow(); }
+  bool open_step(const Node& step) override;
   void follow_result() override { mesh_.follow(); }
   void follow_scenes() override { mesh_.follow(); }
   void opened() override { offer_scale(); }

@@ -70,7 +70,7 @@ void MeshInteraction::take(const PointerEvent& event) {
 void MeshInteraction::leave() {
   hovered_value_.reset();
   if (!tool_.leave()) return;
-  overlay_.follow_hover(tool_, views_.objects().cage_item(tool_.source().node()));
+  overlay_.follow_hover(tool_, views_.objects().cage_item(tool_.editable().node()));
   emit changed();
 }
 
@@ -104,7 +104,7 @@ void MeshInteraction::feed(const MeshEvent& event, int view) {
   }
   const bool left_to_us = tool_.selection().mode() == MeshMode::Object && !tool_.active();
   if (object_press_ || (left_to_us && event.kind == PenStep::Kind::Begin)) feed_object(event, view);
-  overlay_.follow_hover(tool_, views_.objects().cage_item(tool_.source().node()));
+  overlay_.follow_hover(tool_, views_.objects().cage_item(tool_.editable().node()));
   emit changed();
 }
 
@@ -183,7 +183,7 @@ void MeshInteraction::hover(const PointerEvent& event) {
   if (tool_.preview().hovered_sharpness) {
     hovered_value_ = {event.view, event.position, sharpness_text(*tool_.preview().hovered_sharpness)};
   }
-  if (moved) overlay_.follow_hover(tool_, views_.objects().cage_item(tool_.source().node()));
+  if (moved) overlay_.follow_hover(tool_, views_.objects().cage_item(tool_.editable().node()));
   if (moved || hovered_value_) emit changed();
 }
 
@@ -217,7 +217,7 @@ QString MeshInteraction::help(const QString& offer) const {
 void MeshInteraction::follow() {
   const WorkObject* object = studio_.active();
   const NodeId cage = object == nullptr ? 0 : object->cage;
-  if (tool_.source().node() != cage && !tool_.active()) tool_.set_node(cage);
+  if (tool_.editable().node() != cage && !tool_.active()) tool_.set_node(cage);
   overlay_.follow(tool_, studio_.session().components(), object, views_.objects().cage_item(cage));
   emit changed();
 }

@@ -73,18 +73,18 @@ std::vector<render::Mark> special_vertices(const PolyMesh& mesh) {
 MeshOverlay::SeenThrough MeshOverlay::edges(const MeshTool& tool, std::vector<render::StyledEdge> styled) {
   if (styled.empty()) return {};
   SeenThrough lines;
-  lines.clear = render::make_edge_item(tool.source().mesh()->positions, styled);
+  lines.clear = render::make_edge_item(tool.editable().mesh()->positions, styled);
   if (styled.size() > edges_at_most) return lines;
   for (render::StyledEdge& edge : styled) edge.color.a = covered_alpha;
-  lines.faint = render::make_edge_item(tool.source().mesh()->positions, styled, render::LineDepth::OnTop);
+  lines.faint = render::make_edge_item(tool.editable().mesh()->positions, styled, render::LineDepth::OnTop);
   return lines;
 }
 
 void MeshOverlay::follow(MeshTool& tool, const ComponentSelection& selection, const WorkObject* object,
                          const render::MeshItemPtr& cage) {
   *this = MeshOverlay();
-  if (object == nullptr || !object->visible || object->cage != tool.source().node()) return;
-  if (!tool.source().mesh() || !object->cage_mesh) return;  // still being computed
+  if (object == nullptr || !object->visible || object->cage != tool.editable().node()) return;
+  if (!tool.editable().mesh() || !object->cage_mesh) return;  // still being computed
   const bool editing = tool.selection().mode() != MeshMode::Object;
   const bool cage_seen = editing || object->shown() == object->cage_mesh || object->view == ChainView::Both;
   if (cage_seen) show_tags(tool, *object);
@@ -96,8 +96,8 @@ void MeshOverlay::follow(MeshTool& tool, const ComponentSelection& selection, co
 void MeshOverlay::show_tags(MeshTool& tool, const WorkObject& object) {
   const PolyMesh& mesh = *object.cage_mesh;
   if (mesh.tags.empty()) return;
-  const MeshTopology& topology = *tool.source().topology();
-  const std::vector<double>& sharpness = tool.source().edge_sharpness();
+  const MeshTopology& topology = *tool.editable().topology();
+  const std::vector<double>& sharpness = tool.editable().edge_sharpness();
   std::vector<render::StyledEdge> colored;
   for (const Index edge : tagged_edges(mesh.tags, topology)) {
     colored.push_back({topology.edge_vertices(edge), render::sharpness_color(sharpness[edge]),
@@ -124,7 +124,7 @@ void MeshOverlay::show_chains(const WorkObject& object) {
 }
 
 void MeshOverlay::show_selection(MeshTool& tool, const ComponentSelection& selection, const render::MeshItemPtr& cage) {
-  const std::vector<Vec3>& places = tool.source().mesh()->positions;
+  const std::vector<Vec3>& places = tool.editable().mesh()->positions;
   if (tool.selection().mode() == MeshMode::Vertex && places.size() <= points_at_most) {
     render::PointStyle style;
     style.size = 5;
@@ -132,8 +132,8 @@ void MeshOverlay::show_selection(MeshTool& tool, const ComponentSelection& selec
     style.outline = {250, 250, 250, 220};
     vertices_ = render::make_point_item(places, style);
   }
-  if (selection.node != tool.source().node() || selection.empty()) return;
-  const MeshTopology& topology = *tool.source().topology();
+  if (selection.node != tool.editable().node() || selection.empty()) return;
+  const MeshTopology& topology = *tool.editable().topology();
   const ComponentKind kind = selection.kind;
   if (kind == ComponentKind::Vertex) selected_vertices_ = points(places, selection.elements, colors::accent, 9);
   if (kind == ComponentKind::Edge) {
@@ -157,7 +157,7 @@ void MeshOverlay::show_selected_edges(const MeshTool& tool, const MeshTopology& 
   selected_edges_ = edges(tool, styled(topology, chosen, to_color(colors::accent), width));
   if (chosen.empty() || chosen.size() > edges_at_most) return;
   selected_casing_ =
-      render::make_edge_item(tool.source().mesh()->positions,
+      render::make_edge_item(tool.editable().mesh()->positions,
                              styled(topology, chosen, to_color(colors::selected_casing), width + 2 * casing_width));
 }
 
@@ -166,7 +166,7 @@ void MeshOverlay::follow_hover(MeshTool& tool, const render::MeshItemPtr& cage) 
   hovered_vertex_.reset();
   hovered_face_.reset();
   cut_.reset();
-  if (!tool.source().mesh()) return;
+  if (!tool.editable().mesh()) return;
   const MeshPreview& preview = tool.preview();
   if (preview.cut) {
     render::LinePath path;
@@ -178,13 +178,15 @@ void MeshOverlay::follow_hover(MeshTool& tool, const render::MeshItemPtr& cage) 
   if (!preview.hovered) return;
   const std::vector<Index> chosen{preview.hovered->element};
   switch (tool.selection().mode()) {
-    case MeshMode::Vertex: hovered_vertex_ = points(tool.source().mesh()->positions, chosen, colors::hover, 11); break;
+    case MeshMode::Vertex:
+      hovered_vertex_ = points(tool.editable().mesh()->positions, chosen, colors::hover, 11);
+      break;
     case MeshMode::Edge:
-      hovered_edge_ = edges(tool, styled(*tool.source().topology(), chosen, to_color(colors::hover), hovered_width));
+      hovered_edge_ = edges(tool, styled(*tool.editable().topology(), chosen, to_color(colors::hover), hovered_width));
       break;
     case MeshMode::Face: {
-      const Elements rim = converted(*tool.source().topology(), ComponentKind::Face, ComponentKind::Edge, chosen);
-      hovered_edge_ = edges(tool, styled(*tool.source().topology(), rim, to_color(colors::hover), 3));
+      const Elements rim = converted(*tool.editable().topology(), ComponentKind::Face, ComponentKind::Edge, chosen);
+      hovered_edge_ = edges(tool, styled(*tool.editable().topology(), rim, to_color(colors::hover), 3));
       if (cage) hovered_face_ = render::make_face_highlight(cage, chosen, to_color(colors::hover, 70));
       break;
     }

@@ -99,13 +99,13 @@ void TagPanel::choose_by_angle(double degrees) {
 
 void TagPanel::follow(const ComponentSelection& selection) {
   MeshTool& tool = mesh_.tool();
-  setEnabled(tool.source().mesh() != nullptr);
+  setEnabled(tool.editable().mesh() != nullptr);
   const bool edges =
-      selection.node == tool.source().node() && selection.kind == ComponentKind::Edge && !selection.empty();
+      selection.node == tool.editable().node() && selection.kind == ComponentKind::Edge && !selection.empty();
   selected_->setText(selection.empty() ? tr("Sharpness") : elements(selection.kind, selection.elements.size()));
   sharpness_->setEnabled(!selection.empty());
-  const bool known = edges && selection.elements.front() < tool.source().edge_sharpness().size();
-  sharpness_->show_sharpness(known ? tool.source().edge_sharpness()[selection.elements.front()] : 0);
+  const bool known = edges && selection.elements.front() < tool.editable().edge_sharpness().size();
+  sharpness_->show_sharpness(known ? tool.editable().edge_sharpness()[selection.elements.front()] : 0);
 }
 
 }  // namespace croquis::app

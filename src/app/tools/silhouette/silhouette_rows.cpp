@@ -10,12 +10,6 @@
 namespace croquis::app {
 namespace {
 
-/// The drawing of a node, or null.
-std::shared_ptr<const Drawing> drawing_in(const Studio& studio, NodeId id) {
-  const Node* node = studio.session().document().find(id);
-  return node == nullptr || !node->source ? nullptr : node->source->as<Drawing>();
-}
-
 /// The bodies of the solid that the object's second node is.
 std::vector<Body> bodies_in(const Studio& studio, const WorkObject& object, const Drawing& drawing) {
   if (object.chain.size() < 2) return {};
@@ -39,7 +33,8 @@ ObjectRow row_of(const Body& body) {
 }  // namespace
 
 std::vector<ObjectRow> SilhouetteTool::rows(const WorkObject& object, NodeId node) const {
-  const auto drawing = node == object.chain.front() ? drawing_in(studio(), node) : nullptr;
+  const auto drawing =
+      node == object.chain.front() ? source_of<Drawing>(studio().session().document().find(node)) : nullptr;
   std::vector<ObjectRow> rows;
   if (!drawing) return rows;
   std::set<std::string> used;
@@ -55,7 +50,7 @@ std::vector<ObjectRow> SilhouetteTool::rows(const WorkObject& object, NodeId nod
 }
 
 bool SilhouetteTool::choose_parts(NodeId node, const std::vector<std::string>& parts) {
-  if (!drawing_in(studio(), node)) return false;
+  if (!source_of<Drawing>(studio().session().document().find(node))) return false;
   Selection selection;
   for (const std::string& stroke : parts) selection.push_back({node, stroke});
   studio().session().select(std::move(selection));
@@ -64,7 +59,8 @@ bool SilhouetteTool::choose_parts(NodeId node, const std::vector<std::string>& p
 
 QString SilhouetteTool::owner_of(const NodeFinding& found) const {
   const WorkObject* object = studio().object(found.node);
-  const auto drawing = object == nullptr ? nullptr : drawing_in(studio(), object->chain.front());
+  const auto drawing =
+      object == nullptr ? nullptr : source_of<Drawing>(studio().session().document().find(object->chain.front()));
   if (!drawing) return {};
   const std::vector<Body> bodies = bodies_in(studio(), *object, *drawing);
   if (bodies.size() < 2 && studio().objects().size() < 2) return {};

@@ -10,16 +10,13 @@
 #include "app/views/viewport.h"
 #include "app/window/action_list.h"
 #include "croquis/tools/recording/general_steps.h"
+#include "croquis/workspace/chain.h"
 
 namespace croquis::app {
 namespace {
 
 constexpr const char* hint_style = "color: #8a93a0; background: transparent; font-size: 15px";
 constexpr double hint_height = 60;  // above the view's lower border
-
-bool has_cage_to_edit(const Studio& studio) {
-  return std::ranges::any_of(studio.objects(), [](const WorkObject& object) { return object.cage != 0; });
-}
 
 SketchMode sketch_mode(const QString& mode) {
   if (mode == "draw") return SketchMode::Draw;
@@ -82,7 +79,7 @@ bool SilhouetteTool::works_in(int view) const {
 }
 
 bool SilhouetteTool::is_paper(int view) const {
-  return view == SketchView && (sketch_.scene().has_strokes() || !has_cage_to_edit(studio()));
+  return view == SketchView && (sketch_.scene().has_strokes() || !studio().has_cage());
 }
 
 Qt::CursorShape SilhouetteTool::cursor(int) const { return draws() ? Qt::CrossCursor : Qt::ArrowCursor; }
@@ -95,6 +92,17 @@ bool SilhouetteTool::delete_selection() {
   if (sketch_.tool().selected().empty()) return false;
   host().record(recorded::Action{"delete"});
   return sketch_.tool().delete_selected() == Verdict::Commit;
+}
+
+bool SilhouetteTool::open_step(const Node& step) {
+  const OperationDescription* operation = studio().description(step.operation);
+  const PortDescription* input = operation == nullptr ? nullptr : main_input(*operation);
+  if (!source_of<Drawing>(&step) && (input == nullptr || input->type != ValueType::Drawing)) return false;
+  const bool works = draws() || mode() == select_mode;
+  if (!works) host().set_mode(first_mode);
+  Viewport& views = host().viewport();
+  if (!views.pane(SketchView).visible()) views.arrange(Arrangement::SketchAndSolid);
+  return true;
 }
 
 /// Empty, with the solid that will be made of it; the pen draws in it at once.

@@ -33,6 +33,7 @@ class SilhouetteTool final : public Tool {
 
   void add_all_to(Selection& selection) const override;
   bool delete_selection() override;
+  bool open_step(const Node& step) override;
 
   void adjust(ObjectScenes::Wanted& wanted, int view) const override;
   void add_to(render::Scene& scene, int view) override;

@@ -35,7 +35,7 @@ std::vector<render::LinePath> paths_of_others(const Studio& studio) {
   std::vector<render::LinePath> paths;
   for (const WorkObject& object : studio.objects()) {
     const Node* first = studio.session().document().find(object.chain.front());
-    const auto drawing = first->source ? first->source->as<Drawing>() : nullptr;
+    const auto drawing = source_of<Drawing>(first);
     if (!drawing || first->id == studio.drawing_node() || !object.visible || !drawing->plane.is_default()) continue;
     for (const Stroke& stroke : drawing->strokes) paths.push_back(path_of(stroke));
   }

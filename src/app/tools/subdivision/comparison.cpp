@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tools/subdivision/comparison.h"
 
-#include <QMetaObject>
-#include <algorithm>
+#include "croquis/workspace/node_values.h"
 
 namespace croquis::app {
 namespace {
 
 /// An id that no document reaches.
 constexpr NodeId compared_node = NodeId{1} << 62;
-
-const ParameterDescription* find_parameter(const OperationDescription& operation, const std::string& name) {
-  const auto found = std::find_if(operation.parameters.begin(), operation.parameters.end(),
-                                  [&](const auto& parameter) { return parameter.name == name; });
-  return found == operation.parameters.end() ? nullptr : &*found;
-}
-
-std::string value_of(const Node& node, const ParameterDescription& parameter) {
-  const auto given = node.parameters.find(parameter.name);
-  return std::get<std::string>(given == node.parameters.end() ? parameter.default_value : given->second);
-}
 
 /// The first choice is compared with the second, every other one with the first.
 std::string another_choice(const ParameterDescription& parameter, const std::string& value) {
@@ -50,7 +38,8 @@ QString Comparison::title() const { return QString::fromStdString(shown_value_);
 void Comparison::follow() {
   const Node* node = studio_.active_operation();
   const OperationDescription* operation = node == nullptr ? nullptr : studio_.description(node->operation);
-  const ParameterDescription* parameter = operation == nullptr ? nullptr : find_parameter(*operation, parameter_);
+  const ParameterDescription* parameter =
+      operation == nullptr ? nullptr : find_parameter(operation->parameters, parameter_);
   if (!shown_ || parameter == nullptr || parameter->choices.empty()) {
     object_ = 0;
     live_.reset();
@@ -58,7 +47,8 @@ void Comparison::follow() {
     return;
   }
   object_ = node->id;
-  shown_value_ = value_.empty() ? another_choice(*parameter, value_of(*node, *parameter)) : value_;
+  shown_value_ =
+      value_.empty() ? another_choice(*parameter, std::get<std::string>(value_of(*node, *parameter))) : value_;
   Node other = *node;
   other.id = compared_node;
   other.parameters[parameter_] = shown_value_;
@@ -70,7 +60,7 @@ void Comparison::follow() {
 
 void Comparison::take() {
   const Node* node = studio_.session().document().find(object_);
-  const Operation* operation = node == nullptr ? nullptr : studio_.registry().find(node->operation);
+  const OperationDescription* operation = node == nullptr ? nullptr : studio_.description(node->operation);
   if (operation == nullptr || !live_ || !live_->result()) return;
   item_.show(mesh_of(*live_->result(), *operation), {});
   emit changed();

@@ -6,7 +6,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/subdivision/shape_keeping.h"
-#include "croquis/workspace/chain.h"
+#include "croquis/workspace/node_values.h"
 
 namespace croquis::app {
 namespace {
@@ -23,21 +23,7 @@ const Node* smoothing_node(const Studio& studio) {
 const ParameterDescription* level_description(const Studio& studio) {
   const OperationDescription* operation = studio.description(smoothing_operation);
   if (operation == nullptr) return nullptr;
-  const auto found = std::find_if(operation->parameters.begin(), operation->parameters.end(),
-                                  [](const auto& parameter) { return parameter.name == level_parameter; });
-  return found == operation->parameters.end() ? nullptr : &*found;
-}
-
-/// With the operation on a cage; the same document where there is no such operation.
-Document with_smoothing(const Studio& studio, const Document& document, NodeId cage) {
-  const OperationDescription* operation = studio.description(smoothing_operation);
-  if (operation == nullptr) return document;
-  Node node;
-  node.name = free_name(document, smoothing_operation);
-  node.operation = smoothing_operation;
-  node.version = operation->version;
-  node.inputs[operation->inputs.front().name] = main_link(*document.find(cage), studio.registry());
-  return document.with(std::move(node));
+  return find_parameter(operation->parameters, level_parameter);
 }
 
 }  // namespace
@@ -48,11 +34,10 @@ void show_smooth(Studio& studio, ChainView view) {
   NodeId node = object->node;
   if (object->is_source()) {
     if (view == ChainView::Cage) return;
-    const Document& before = studio.session().document();
-    node = before.next_id();
-    const std::string name = object->name;
-    studio.session().edit("Smooth " + name, with_smoothing(studio, before, object->cage));
-    if (studio.object(node) == nullptr) return;
+    const std::string label = "Smooth " + object->name;
+    AddedNode added = with_step(studio.session().document(), studio.registry(), object->cage, smoothing_operation);
+    node = added.node;
+    studio.session().edit(label, std::move(added.document));
     studio.set_active(node);
   }
   studio.set_view(node, view);
@@ -62,9 +47,7 @@ int shown_level(const Studio& studio) {
   const Node* node = smoothing_node(studio);
   const ParameterDescription* level = level_description(studio);
   if (node == nullptr || level == nullptr) return -1;
-  const auto given = node->parameters.find(level_parameter);
-  return static_cast<int>(
-      std::get<std::int64_t>(given == node->parameters.end() ? level->default_value : given->second));
+  return static_cast<int>(std::get<std::int64_t>(value_of(*node, *level)));
 }
 
 void change_level(Studio& studio, int by) {

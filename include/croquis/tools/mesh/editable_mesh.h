@@ -30,10 +30,10 @@ struct PreparedMesh {
 ///
 /// Neighbourhoods are only made again when the connectivity changed, the picking tree is refitted when the next pick
 /// asks. Those of big meshes are made beside. The session outlives this. One thread.
-class SourceMesh {
+class EditableMesh {
  public:
   /// @param workspace computes meshes; null: only those of sources are there
-  explicit SourceMesh(Session& session, Workspace* workspace = nullptr) : session_(session), workspace_(workspace) {}
+  explicit EditableMesh(Session& session, Workspace* workspace = nullptr) : session_(session), workspace_(workspace) {}
 
   Session& session() const { return session_; }
   void set_node(NodeId node);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "croquis/tools/mesh/source_mesh.h"
+#include "croquis/tools/mesh/editable_mesh.h"
 
 #include <chrono>
 #include <utility>
@@ -19,7 +19,7 @@ bool same_connectivity(const PolyMesh& a, const PolyMesh& b) {
 
 }  // namespace
 
-void SourceMesh::set_node(NodeId node) {
+void EditableMesh::set_node(NodeId node) {
   if (node == node_) return;
   node_ = node;
   coming_ = {};
@@ -28,20 +28,20 @@ void SourceMesh::set_node(NodeId node) {
   prepared_if_ready();
 }
 
-std::string SourceMesh::node_name() const {
+std::string EditableMesh::node_name() const {
   const Node* node = session_.document().find(node_);
   return node == nullptr ? "" : node->name;
 }
 
 /// Numbers of the elements of connected faces stay, so the picking tree stays, too.
-void SourceMesh::go_on_with(NodeId node) { node_ = node; }
+void EditableMesh::go_on_with(NodeId node) { node_ = node; }
 
-bool SourceMesh::is_computed() const {
+bool EditableMesh::is_computed() const {
   const Node* node = workspace_ == nullptr ? nullptr : session_.document().find(node_);
   return node != nullptr && !node->source;
 }
 
-std::shared_ptr<const PolyMesh> SourceMesh::mesh() const {
+std::shared_ptr<const PolyMesh> EditableMesh::mesh() const {
   if (!is_computed()) return source_mesh(session_.document(), node_);
   if (computed_ && computed_node_ == node_ && computed_revision_ == session_.revision()) return computed_;
   computed_ = workspace_->final_mesh(session_.document(), node_);
@@ -50,7 +50,7 @@ std::shared_ptr<const PolyMesh> SourceMesh::mesh() const {
   return computed_;
 }
 
-AddedNode SourceMesh::with_lines(const Document& document, const std::vector<EditLine>& lines) const {
+AddedNode EditableMesh::with_lines(const Document& document, const std::vector<EditLine>& lines) const {
   const auto before = workspace_->final_mesh(document, node_);
   if (!before) {
     throw Error(make_error(Category::Usage, "E_STEP", "The mesh can't be edited before it is computed"));
@@ -60,7 +60,7 @@ AddedNode SourceMesh::with_lines(const Document& document, const std::vector<Edi
   return edited;
 }
 
-PreparedMesh* SourceMesh::prepared() {
+PreparedMesh* EditableMesh::prepared() {
   auto now = mesh();
   if (coming_.valid()) prepared_ = coming_.get();
   if (!now) {
@@ -77,7 +77,7 @@ PreparedMesh* SourceMesh::prepared() {
   return prepared_.get();
 }
 
-PreparedMesh* SourceMesh::prepared_if_ready() {
+PreparedMesh* EditableMesh::prepared_if_ready() {
   const auto now = mesh();
   const auto fits = [&] { return prepared_->mesh == now || same_connectivity(*prepared_->mesh, *now); };
   const bool small = !now || now->face_count() < most_faces_at_once;
@@ -97,12 +97,12 @@ PreparedMesh* SourceMesh::prepared_if_ready() {
   return fits() ? prepared() : nullptr;
 }
 
-std::shared_ptr<const MeshTopology> SourceMesh::topology() {
+std::shared_ptr<const MeshTopology> EditableMesh::topology() {
   const PreparedMesh* now = prepared();
   return now == nullptr ? nullptr : now->topology;
 }
 
-const std::vector<double>& SourceMesh::edge_sharpness() {
+const std::vector<double>& EditableMesh::edge_sharpness() {
   static const std::vector<double> none;
   const PreparedMesh* now = prepared();
   if (now == nullptr) return none;
@@ -114,7 +114,7 @@ const std::vector<double>& SourceMesh::edge_sharpness() {
   return sharpness_;
 }
 
-Document SourceMesh::with_mesh(PolyMesh mesh) const {
+Document EditableMesh::with_mesh(PolyMesh mesh) const {
   Node node = *session_.document().find(node_);
   node.source = std::make_shared<const PolyMesh>(std::move(mesh));
   return session_.document().with(std::move(node));
