@@ -125,7 +125,7 @@ BrepFigures inspect(const Brep& brep) {
   figures.shells = brep.shells.size();
   for (const BrepFace& face : brep.faces) figures.rings += face.loops.size() - 1;
   for (const BrepEdge& edge : brep.edges) {
-    figures.open_edges += edge.half_edges[0] == no_index || edge.half_edges[1] == no_index ? 1 : 0;
+    if (edge.half_edges[0] == no_index || edge.half_edges[1] == no_index) ++figures.open_edges;
   }
   if (figures.open_edges > 0) return figures;
   const auto euler = static_cast<std::int64_t>(figures.vertices + figures.faces) -

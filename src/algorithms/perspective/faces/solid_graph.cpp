@@ -197,9 +197,9 @@ std::vector<Index> curves_of(const std::vector<GraphEdge>& edges, const std::vec
 }  // namespace
 
 std::vector<Vec3> SolidGraph::polygon(const std::vector<Index>& loop, std::size_t step) const {
-  std::vector<Vec3> points;
-  for (const Index half : loop) visit_samples(half, step, [&](const Vec3& p) { points.push_back(p); });
-  return points;
+  std::vector<Vec3> outline;
+  for (const Index half : loop) visit_samples(half, step, [&](const Vec3& p) { outline.push_back(p); });
+  return outline;
 }
 
 std::vector<Index> SolidGraph::turned(const std::vector<Index>& loop) {
