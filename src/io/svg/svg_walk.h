@@ -58,6 +58,9 @@ class SvgWalk {
   void limit(const std::string& message, std::int64_t line);
   [[noreturn]] void throw_findings();
 
+  /// What is wrong with the file as a whole, at once. @throws Error
+  [[noreturn]] void refuse(const char* code, const std::string& message, std::optional<std::int64_t> line);
+
   std::int64_t line_of(const pugi::xml_node& node);
   SvgFindings& findings() { return findings_; }
   bool limit_reached() const { return limit_reached_; }
@@ -72,7 +75,6 @@ class SvgWalk {
     int level = 0;
   };
 
-  [[noreturn]] void refuse(const char* code, const std::string& message, std::optional<std::int64_t> line);
   void visit(const pugi::xml_node& node, Surroundings around, SvgVisitor& visitor);
   void ignore(const pugi::xml_node& node, std::string_view name);
   bool enter(const pugi::xml_node& node, Surroundings& around, SvgVisitor& visitor);
