@@ -33,7 +33,7 @@ struct NormalEquations {
 template <typename State, typename Cost, typename Evaluate, typename Moved>
 double levenberg_marquardt(State& state, Eigen::Index unknowns, const Cost& cost, const Evaluate& evaluate,
                            const Moved& moved, int rounds = 60) {
-  constexpr double settled = 1e-15;    // relative change of the cost
+  constexpr double settled = 1e-15;      // relative change of the cost
   constexpr double most_damping = 1e12;  // beyond this no step leads down
   double best = cost(state);
   double damping = 1e-4;

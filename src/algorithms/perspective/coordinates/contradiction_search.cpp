@@ -39,7 +39,11 @@ class ContradictionSearch {
   ContradictionSearch(TiedVertices& tied, std::span<const StrokeGroup> drawn, double sigma,
                       const PerspectiveDrawing& drawing, const DrawingVertices& vertices,
                       const CoordinateOptions& options)
-      : tied_(tied), drawn_(drawn), drawing_(drawing), vertices_(vertices), options_(options),
+      : tied_(tied),
+        drawn_(drawn),
+        drawing_(drawing),
+        vertices_(vertices),
+        options_(options),
         sigma_(std::max(sigma, options.contradiction_noise)) {}
 
   std::vector<Contradiction> run(Progress& progress) {
@@ -84,7 +88,8 @@ class ContradictionSearch {
     result.rms_before = now.solution.rms();
     result.rms_after = worst.rms;
     result.fix = better_group(worst);
-    if (result.fix == StrokeGroup::Unknown && worst.rms > normal_rms * sigma_) result.split = vertex_to_split(worst.rms);
+    if (result.fix == StrokeGroup::Unknown && worst.rms > normal_rms * sigma_)
+      result.split = vertex_to_split(worst.rms);
     return result;
   }
 
@@ -174,9 +179,8 @@ std::vector<StrokeSuspicion> ranked_strokes(const TiedVertices& tied, Progress& 
     const std::array<Index, 2>& ends = tied.ties.of_stroke[suspicion.stroke];
     return std::tuple(suspicion.rms, std::min(ends[0], ends[1]), std::max(ends[0], ends[1]));
   };
-  std::stable_sort(ranking.begin(), ranking.end(), [&](const StrokeSuspicion& a, const StrokeSuspicion& b) {
-    return order(a) < order(b);
-  });
+  std::stable_sort(ranking.begin(), ranking.end(),
+                   [&](const StrokeSuspicion& a, const StrokeSuspicion& b) { return order(a) < order(b); });
   return ranking;
 }
 
