@@ -39,13 +39,12 @@ struct FittedCurve {
 
 /// Curves of all edges that can be lifted, in the order of their strokes.
 struct LiftedCurves {
-  CurveNetwork network;             ///< exact: rational pieces. Ids are those of the strokes; parts of a path with
-                                    ///< corners are called "ID/1", "ID/2" …
-  std::vector<Index> stroke;        ///< of each curve
-  std::vector<FittedCurve> fitted;  ///< of each curve
-  std::vector<Index> vertex;        ///< of each vertex of the drawing the one of the network, or no_index
-  std::vector<Index> flat;          ///< strokes that stay in the picture
-  Findings warnings;                ///< CURVE_BEHIND_HORIZON
+  CurveNetwork network;       ///< exact: rational pieces. Ids are those of the strokes; parts of a path with
+                              ///< corners are called "ID/1", "ID/2" …
+  std::vector<Index> stroke;  ///< of each curve
+  std::vector<Index> vertex;  ///< of each vertex of the drawing the one of the network, or no_index
+  std::vector<Index> flat;    ///< strokes that stay in the picture
+  Findings warnings;          ///< CURVE_BEHIND_HORIZON
 };
 
 /// Lifts the edges of a drawing. Vertices of the network are those of the drawing that have curves, in their order,
@@ -53,6 +52,11 @@ struct LiftedCurves {
 /// ends. Strokes whose group is ignored are lifted nearest to the plane that they were drawn for.
 LiftedCurves lift_curves(const PerspectiveDrawing& drawing, const DrawingVertices& vertices,
                          const VertexCoordinates& coordinates, const CurveOptions& options);
+
+/// Polynomial stand-ins for all curves of a network.
+/// @param unit px of a u, see sheet_units_per_diagonal
+std::vector<FittedCurve> fit_curves(const CurveNetwork& network, const Camera& camera, double unit,
+                                    const CurveOptions& options);
 
 /// A polynomial cubic, or two, near a rational one: same ends and directions there; the lengths of the handles follow
 /// from least squares over foot points. Straight curves become exact.

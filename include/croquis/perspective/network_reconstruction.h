@@ -12,6 +12,7 @@
 #include "croquis/perspective/camera_estimation.h"
 #include "croquis/perspective/curve_lifting.h"
 #include "croquis/perspective/drawing_vertices.h"
+#include "croquis/perspective/edge_continuity.h"
 #include "croquis/perspective/vertex_coordinates.h"
 
 namespace croquis {
@@ -24,6 +25,7 @@ struct NetworkReconstructionOptions {
   CameraOptions camera;
   CoordinateOptions coordinates;
   CurveOptions curves;
+  CurveContinuityOptions continuity;          ///< its ends are those that strokes lock
   std::optional<CameraEstimate> held_camera;  ///< taken as it is, while somebody drags a stroke; not saved
   StageCache* cache = nullptr;                ///< keeps cameras from earlier runs, not owned; null: nothing is kept
 };
@@ -33,8 +35,10 @@ struct ReconstructedNetwork {
   CameraEstimate camera;  ///< its eye at the origin; coordinates.camera is the one in the world
   VertexCoordinates coordinates;
   LiftedCurves curves;
-  std::vector<bool> flagged;  ///< of each stroke: a warning names it
-  Findings warnings;          ///< of all steps, in their order
+  std::vector<SmoothJoint> joints;  ///< ends of curves that go on smoothly into each other
+  std::vector<FittedCurve> fitted;  ///< of each curve, after that
+  std::vector<bool> flagged;        ///< of each stroke: a warning names it
+  Findings warnings;                ///< of all steps, in their order
 };
 
 /// From a drawing to its camera and its curves in space: vertices, camera, coordinates, curves.

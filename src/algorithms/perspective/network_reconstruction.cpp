@@ -81,6 +81,23 @@ Calibration calibrated(const PerspectiveDrawing& drawing, const std::vector<Stro
   return result;
 }
 
+/// The ends that somebody fixed, as ends of curves: of a path with corners those of its first and last part.
+CurveContinuityOptions with_locks(const PerspectiveDrawing& drawing, const LiftedCurves& curves,
+                                  CurveContinuityOptions options) {
+  const auto add = [&](EndLock lock, const CurveEnd& end) {
+    if (lock == EndLock::Corner) options.corners.push_back(end);
+    if (lock == EndLock::Smooth) options.smooth.push_back(end);
+  };
+  for (Index c = 0; c < curves.stroke.size(); ++c) {
+    const Index stroke = curves.stroke[c];
+    const bool is_first = c == 0 || curves.stroke[c - 1] != stroke;
+    const bool is_last = c + 1 == curves.stroke.size() || curves.stroke[c + 1] != stroke;
+    if (is_first) add(drawing.strokes[stroke].start_lock, {c, false});
+    if (is_last) add(drawing.strokes[stroke].end_lock, {c, true});
+  }
+  return options;
+}
+
 void append(Findings& all, const Findings& more) { all.insert(all.end(), more.begin(), more.end()); }
 
 std::vector<bool> named_strokes(const PerspectiveDrawing& drawing, const Findings& findings) {
@@ -110,6 +127,10 @@ ReconstructedNetwork reconstruct_network(const PerspectiveDrawing& drawing, cons
   Progress curve_part = progress.step("lift the curves", 0.1);
   curve_part.check();
   result.curves = lift_curves(drawing, result.vertices, result.coordinates, options.curves);
+  result.joints = join_smoothly(result.curves.network, &result.coordinates.camera,
+                                with_locks(drawing, result.curves, options.continuity));
+  result.fitted = fit_curves(result.curves.network, result.coordinates.camera,
+                             drawing.diagonal() / sheet_units_per_diagonal, options.curves);
   append(result.warnings, result.vertices.warnings);
   append(result.warnings, result.camera.warnings);
   append(result.warnings, result.coordinates.warnings);

@@ -56,7 +56,6 @@ class Lifting {
     }
     add_vertices(kept);
     for (std::size_t i = 0; i < kept.size(); ++i) add_curves(kept[i], lifted[i]);
-    fit_curves();
     warn(behind);
     return std::move(result_);
   }
@@ -121,23 +120,6 @@ class Lifting {
     }
   }
 
-  void fit_curves() {
-    Eigen::AlignedBox3d box;
-    for (const Vec3& vertex : result_.network.vertices) box.extend(vertex);
-    const double most_error = options_.fit_error * (box.isEmpty() ? 0 : box.diagonal().norm());
-    const double most_distance = options_.fit_distance * SheetFrame(drawing_).unit;
-    for (const NetworkCurve& curve : result_.network.curves) {
-      FittedCurve fitted;
-      for (const RationalCubic& piece : curve.pieces) {
-        FittedCurve part = fit_polynomial(piece, coordinates_.camera, most_distance, most_error);
-        fitted.pieces.insert(fitted.pieces.end(), part.pieces.begin(), part.pieces.end());
-        fitted.distance = std::max(fitted.distance, part.distance);
-        fitted.error = std::max(fitted.error, part.error);
-      }
-      result_.fitted.push_back(std::move(fitted));
-    }
-  }
-
   void warn(const std::vector<Index>& behind) {
     for (const Subject& subject : stroke_subjects(drawing_, behind)) {
       result_.warnings.push_back(make_warning(Category::Geometry, "CURVE_BEHIND_HORIZON",
@@ -162,6 +144,25 @@ class Lifting {
 LiftedCurves lift_curves(const PerspectiveDrawing& drawing, const DrawingVertices& vertices,
                          const VertexCoordinates& coordinates, const CurveOptions& options) {
   return Lifting(drawing, vertices, coordinates, options).run();
+}
+
+std::vector<FittedCurve> fit_curves(const CurveNetwork& network, const Camera& camera, double unit,
+                                    const CurveOptions& options) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& vertex : network.vertices) box.extend(vertex);
+  const double most_error = options.fit_error * (box.isEmpty() ? 0 : box.diagonal().norm());
+  std::vector<FittedCurve> all;
+  for (const NetworkCurve& curve : network.curves) {
+    FittedCurve fitted;
+    for (const RationalCubic& piece : curve.pieces) {
+      FittedCurve part = fit_polynomial(piece, camera, options.fit_distance * unit, most_error);
+      fitted.pieces.insert(fitted.pieces.end(), part.pieces.begin(), part.pieces.end());
+      fitted.distance = std::max(fitted.distance, part.distance);
+      fitted.error = std::max(fitted.error, part.error);
+    }
+    all.push_back(std::move(fitted));
+  }
+  return all;
 }
 
 }  // namespace croquis

@@ -99,9 +99,9 @@ class PatchSpanner {
   double proportion(std::size_t side) const {
     const std::array<Vec3, 4>&before = sides_[(side + 3) % 4].points, &after = sides_[(side + 1) % 4].points;
     const double rho = ((before[2] - before[3]).norm() / (before[3] - before[0]).norm() +
-                        (after[1] - after[0]).norm() / (after[3] - after[0]).norm()) / 2;
-    const double width =
-        (cubic_middle(sides_[side].points) - cubic_middle(sides_[(side + 2) % 4].points)).norm();
+                        (after[1] - after[0]).norm() / (after[3] - after[0]).norm()) /
+                       2;
+    const double width = (cubic_middle(sides_[side].points) - cubic_middle(sides_[(side + 2) % 4].points)).norm();
     const CommonSlope& slope = slopes_[side];
     const double km = 2 * rho * width / ((slope.a[0] + slope.a[1]) / 2).norm() - mean(side);
     const double ratio = km / mean(side);
@@ -138,8 +138,9 @@ EnergyMatrix variation_energy() {
       for (const bool slope_u : {true, false}) {
         for (const bool along_u : {true, false}) {
           const double du = along_u ? step : 0, dv = along_u ? 0 : step;
-          const Weights third = (slopes(u + du, v + dv, slope_u) - 2 * slopes(u, v, slope_u) +
-                                 slopes(u - du, v - dv, slope_u)) / (step * step);
+          const Weights third =
+              (slopes(u + du, v + dv, slope_u) - 2 * slopes(u, v, slope_u) + slopes(u - du, v - dv, slope_u)) /
+              (step * step);
           energy += (slope_u == along_u ? 1 : 3) * third * third.transpose();
         }
       }
@@ -153,7 +154,8 @@ void PatchSpanner::make_fair() {
   const auto points_of = [](const GregoryPatch& patch) {
     Eigen::Matrix<double, 20, 3> points;
     for (int i = 0; i < 20; ++i) {
-      points.row(i) = i < 12 ? patch.boundary[static_cast<std::size_t>(i)] : patch.inner[static_cast<std::size_t>(i - 12)];
+      points.row(i) =
+          i < 12 ? patch.boundary[static_cast<std::size_t>(i)] : patch.inner[static_cast<std::size_t>(i - 12)];
     }
     return points;
   };

@@ -25,12 +25,12 @@ Vec3 middle_direction(const std::array<Vec3, 4>& p) { return (p[3] + p[2] - p[1]
 /// A side of a face in two halves that meet at its middle.
 struct FaceSide {
   PatchSide first, second;
-  bool whole = true;             ///< one cubic, `full`
+  bool whole = true;  ///< one cubic, `full`
   std::array<Vec3, 4> full{};
   Vec3 middle = Vec3::Zero();
-  Vec3 tangent = Vec3::Zero();   ///< unit, along the side at its middle
-  Vec3 inwards = Vec3::Zero();   ///< unit, into the face at the middle: where the spoke starts
-  double handle = 0;             ///< length of the spoke's handles
+  Vec3 tangent = Vec3::Zero();  ///< unit, along the side at its middle
+  Vec3 inwards = Vec3::Zero();  ///< unit, into the face at the middle: where the spoke starts
+  double handle = 0;            ///< length of the spoke's handles
 };
 
 /// What is at the middle of a face.
@@ -117,8 +117,7 @@ class FaceSpanner {
       side.second.points = parts[1];
     }
     side.middle = side.first.points[3];
-    side.tangent = side.whole ? middle_direction(parts[0])
-                              : Vec3((parts[0][3] - parts[0][2]).normalized());
+    side.tangent = side.whole ? middle_direction(parts[0]) : Vec3((parts[0][3] - parts[0][2]).normalized());
     set_across(half, side);
     set_inwards(leg_from_end(before), leg_from_start(after), side);
     return side;
@@ -200,7 +199,8 @@ class FaceSpanner {
   }
 
   static PatchSide turned_side(const PatchSide& side) {
-    return {{side.points[3], side.points[2], side.points[1], side.points[0]}, side.common,
+    return {{side.points[3], side.points[2], side.points[1], side.points[0]},
+            side.common,
             {-side.across[1], -side.across[0]}};
   }
 
@@ -209,8 +209,8 @@ class FaceSpanner {
     const std::size_t n = sides_.size();
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t before = (i + n - 1) % n;
-      patches.push_back(span_patch({sides_[i].first, spoke(i, middle), turned_side(spoke(before, middle)),
-                                    sides_[before].second}, options_));
+      patches.push_back(span_patch(
+          {sides_[i].first, spoke(i, middle), turned_side(spoke(before, middle)), sides_[before].second}, options_));
     }
     return patches;
   }
