@@ -20,6 +20,12 @@ constexpr double split_advantage = 0.25;
 /// A lone contradiction is believed when leaving out its stroke takes away so much of the squares.
 constexpr double lone_share = 0.5;
 
+/// A stroke that misses its vanishing point by so many sigma is of the wrong colour, or drawn badly.
+constexpr double misdirection = 5;
+
+/// Leaving out a wrong stroke leaves at most this part of the residuals.
+constexpr double least_help = 0.97;
+
 bool ties_something(const CoordinateTies& ties, std::size_t stroke) {
   return ties.groups[stroke] != StrokeGroup::Unknown && ties.of_stroke[stroke][0] != no_index &&
          ties.of_stroke[stroke][1] != no_index;
@@ -53,7 +59,7 @@ class ContradictionSearch {
       if (!is_suspicious(now)) break;
       const std::vector<StrokeSuspicion> ranking = ranked_strokes(tied_, progress);
       if (ranking.empty()) break;
-      const StrokeSuspicion& worst = ranking.front();
+      const StrokeSuspicion worst = most_suspicious(now, ranking);
       if (!is_wrong(now, worst)) break;
       if (tied_.ties.groups[worst.stroke] != drawn_[worst.stroke]) {
         tied_.ties.groups[worst.stroke] = drawn_[worst.stroke];  // it was promoted by mistake
@@ -70,6 +76,25 @@ class ContradictionSearch {
   bool is_suspicious(const SolvedVertices& now) const {
     return now.solution.rms() > options_.contradiction * sigma_ ||
            now.solution.worst() > options_.lone_contradiction * sigma_ || has_coincident_vertices(now.table);
+  }
+
+  /// Several wrong strokes hide each other. One that doesn't point where its group says comes first, as long as
+  /// leaving it out helps at all.
+  StrokeSuspicion most_suspicious(const SolvedVertices& now, const std::vector<StrokeSuspicion>& ranking) const {
+    const double most = least_help * now.solution.rms_of_freedom();
+    for (const StrokeSuspicion& suspicion : ranking) {
+      if (suspicion.rms < most && is_misdirected(suspicion.stroke)) return suspicion;
+    }
+    return ranking.front();
+  }
+
+  bool is_misdirected(Index stroke) const {
+    const StrokeGroup group = tied_.ties.groups[stroke];
+    if (!is_parallel(group)) return false;
+    const auto [a, b] = tied_.ties.of_stroke[stroke];
+    const Vec3 direction = tied_.seen.rotation.col(axis_of(group));
+    const Vec3 point(tied_.seen.focal * direction.x(), tied_.seen.focal * direction.y(), direction.z());
+    return vanishing_residual(point, tied_.seen.places[a], tied_.seen.places[b]) > misdirection * sigma_;
   }
 
   bool is_wrong(const SolvedVertices& now, const StrokeSuspicion& worst) {
