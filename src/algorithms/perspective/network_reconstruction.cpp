@@ -100,7 +100,7 @@ CurveContinuityOptions with_locks(const PerspectiveDrawing& drawing, const Lifte
 
 void append(Findings& all, const Findings& more) { all.insert(all.end(), more.begin(), more.end()); }
 
-std::vector<bool> named_strokes(const PerspectiveDrawing& drawing, const Findings& findings) {
+std::vector<bool> flagged_strokes(const PerspectiveDrawing& drawing, const Findings& findings) {
   std::set<std::string> names;
   for (const Finding& finding : findings) {
     for (const Subject& subject : finding.subjects) {
@@ -135,7 +135,7 @@ ReconstructedNetwork reconstruct_network(const PerspectiveDrawing& drawing, cons
   append(result.warnings, result.camera.warnings);
   append(result.warnings, result.coordinates.warnings);
   append(result.warnings, result.curves.warnings);
-  result.flagged = named_strokes(drawing, result.warnings);
+  result.flagged = flagged_strokes(drawing, result.warnings);
   progress.report(1);
   return result;
 }
