@@ -158,8 +158,8 @@ TEST_CASE("One wrong colour is the first to be suspected, left out, and its righ
         const StrokeGroup right = wrong.group;
         wrong.group = wrong_group(right, random);
         const ReconstructedNetwork network = reconstructed(truth.drawing);
-        const auto ranking = suspicions(truth.drawing, network.vertices, network.camera,
-                                        drawn_groups(truth.drawing), progress);
+        const auto ranking =
+            suspicions(truth.drawing, network.vertices, network.camera, drawn_groups(truth.drawing), progress);
         INFO(solid.name << ", noise " << noise << ", seed " << seed << ", " << wrong.id);
         CHECK(truth.drawing.strokes[ranking.front().stroke].id == wrong.id);
         if (noise > 5) continue;  // small contradictions drown in such noise

@@ -20,7 +20,8 @@ constexpr double homogeneous_size = sheet_units_per_diagonal;
 /// Pairs of this many longest lines are tried as starts.
 constexpr std::size_t most_pair_lines = 40;
 
-/// A line that misses a point by more doesn't point there; how much more doesn't matter. u, beyond the noise of any hand.
+/// A line that misses a point by more doesn't point there; how much more doesn't matter. u, beyond the noise of any
+/// hand.
 constexpr double wild_residual = 25;
 
 Vec3 from_unit(const Vec3& unit) { return {unit.x() * homogeneous_size, unit.y() * homogeneous_size, unit.z()}; }
