@@ -182,7 +182,8 @@ class PerspectiveSvgReader : public SvgVisitor {
     if (word.size() == 1 && word[0] >= '0' && word[0] <= '5') stated = static_cast<StrokeGroup>(word[0] - '0');
     stroke.group = by_colour;
     take(shape, "group", word, stated, stroke.group);
-    const bool both = stated.value_or(StrokeGroup::Unknown) != StrokeGroup::Unknown && by_colour != StrokeGroup::Unknown;
+    const bool both =
+        stated.value_or(StrokeGroup::Unknown) != StrokeGroup::Unknown && by_colour != StrokeGroup::Unknown;
     if (both && *stated != by_colour) {
       walk_.findings().stroke_note("GROUP_COLOUR",
                                    "Stroke " + in_quotes(shape.id) + " is of group " + std::string(word) +
@@ -236,10 +237,11 @@ class PerspectiveSvgReader : public SvgVisitor {
     if (box.isEmpty()) box.extend(Vec2::Zero());
     drawing_.origin = box.min();
     drawing_.image_size = box.sizes().cwiseMax(1.0);
-    walk_.findings().file_warning("W_NO_SHEET",
-                                  "The drawing has no viewBox: its sheet was taken to end where the strokes end, so the "
-                                  "eye point may be off",
-                                  walk_.line_of(root));
+    walk_.findings().file_warning(
+        "W_NO_SHEET",
+        "The drawing has no viewBox: its sheet was taken to end where the strokes end, so the "
+        "eye point may be off",
+        walk_.line_of(root));
   }
 
   void read_metadata(const pugi::xml_node& root) {

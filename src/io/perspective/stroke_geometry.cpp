@@ -70,8 +70,7 @@ double degrees_of(double radians) {
   // A short number that gives the same radians is most likely what somebody wrote.
   for (int digits = 1; digits <= 17 && std::isfinite(exact); ++digits) {
     char text[40];
-    const auto [end, error] =
-        std::to_chars(text, text + sizeof text, exact, std::chars_format::general, digits);
+    const auto [end, error] = std::to_chars(text, text + sizeof text, exact, std::chars_format::general, digits);
     double shorter = 0;
     if (error == std::errc() && std::from_chars(text, end, shorter).ec == std::errc() &&
         radians_of(shorter) == radians) {
