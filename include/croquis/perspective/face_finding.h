@@ -73,7 +73,8 @@ struct FaceFindingResult {
   std::size_t internal_rejected = 0;    ///< regions of planes that lie inside the solid: bounded by curves whose two
                                         ///< faces are others, and not part of another face
   std::size_t nodes = 0;                ///< of all searches
-  Findings warnings;                    ///< DANGLING, NOT_CLOSED, AMBIGUOUS, NONPLANAR_STRAIGHT_FACE, SEARCH_LIMIT
+  Findings warnings;                    ///< DANGLING, NOT_CLOSED, NONPLANAR_STRAIGHT_FACE, MISSING_STROKE, AMBIGUOUS,
+                                        ///< SEARCH_LIMIT
 };
 
 /// Finds the faces. Parts that share no candidate are solved on their own. Where no set closes, as many sides of curves

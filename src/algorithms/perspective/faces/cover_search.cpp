@@ -18,6 +18,9 @@ constexpr double goal_of_quadrilaterals = -0.5;
 
 constexpr double cost_rounding = 1e-9;
 
+/// If there is a cover the first one is found in few nodes; what is likely to have none shouldn't take long.
+constexpr std::size_t dive_share = 10;
+
 /// Nodes between two looks at the cancel flag.
 constexpr std::size_t nodes_per_check = 256;
 
@@ -52,8 +55,8 @@ class CoverSearch {
     branch();
     dive_ = false;
     if (result_.covers.empty()) return std::move(result_);
-    const EdgePrices prices = price_rows(columns_, rows, result_.covers[0].cost);
     result_.limited = false;
+    const EdgePrices prices = price_rows(columns_, rows, result_.covers[0].cost);
     if (reset(prices.price) && drop_dear()) branch();
     return std::move(result_);
   }
@@ -218,7 +221,7 @@ class CoverSearch {
     const std::size_t outer = trail_.size();
     for (const Index column : on_row_[row]) {
       if (state_[column] != ColumnState::Free) continue;
-      if (++result_.nodes > problem_.node_limit) result_.limited = true;
+      if (++result_.nodes > (dive_ ? problem_.node_limit / dive_share : problem_.node_limit)) result_.limited = true;
       if (result_.nodes % nodes_per_check == 0) progress_.check();
       if (done()) break;
       const std::size_t inner = trail_.size();
