@@ -196,6 +196,28 @@ CurveNetwork perturbed(CurveNetwork network, double by, unsigned seed) {
   return network;
 }
 
+CurveNetwork line_network(const std::vector<Vec3>& vertices, const std::vector<std::array<Index, 2>>& lines) {
+  CurveNetwork network{vertices, {}};
+  for (const auto& [a, b] : lines) {
+    network.curves.push_back(
+        {"e" + std::to_string(network.curves.size()), a, b, {straight_cubic(vertices[a], vertices[b])}, true});
+  }
+  return network;
+}
+
+CurveNetwork box_in_box() {
+  std::vector<Vec3> vertices;
+  std::vector<std::array<Index, 2>> lines;
+  for (Index i = 0; i < 16; ++i) {
+    const double size = i < 8 ? 2 : 1;
+    vertices.push_back(size * Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1));
+    for (Index bit = 1; bit < 16; bit *= 2) {
+      if ((i & bit) == 0) lines.push_back({i, i | bit});
+    }
+  }
+  return line_network(vertices, lines);
+}
+
 CurveNetwork globe(int rings, int steps) {
   CurveNetwork network;
   const auto place = [&](int ring, int step) {

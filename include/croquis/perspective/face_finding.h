@@ -46,7 +46,8 @@ struct NetworkShell {
 struct FaceSet {
   std::vector<NetworkFace> faces;
   std::vector<NetworkShell> shells;
-  double cost = 0;  ///< sum over the faces of their cost less 1, and 3 for each side of a curve that has no face
+  double cost = 0;  ///< sum over the faces of their cost less 1, and for curves 3 for the first side
+                    ///< without a face and 2.5 for the second
 };
 
 /// Names a face by the ids of its curves, in any order.

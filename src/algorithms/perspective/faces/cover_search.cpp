@@ -41,7 +41,7 @@ class CoverSearch {
     if (problem.partial) {
       for (Index r = 0; r < problem.edges.size(); ++r) {
         columns_.push_back({open_side_cost, {r}});
-        columns_.push_back({open_side_cost, {r}});
+        columns_.push_back({second_open_side_cost, {r}});
       }
     }
     find_conflicts();
@@ -63,6 +63,9 @@ class CoverSearch {
 
  private:
   bool is_open_side(Index column) const { return column >= problem_.members.size(); }
+  bool is_second_open_side(Index column) const {
+    return is_open_side(column) && (column - problem_.members.size()) % 2 == 1;
+  }
   const FaceCandidate& face(Index column) const { return problem_.candidates[problem_.members[column]]; }
 
   void find_conflicts() {
@@ -133,13 +136,14 @@ class CoverSearch {
       --free_[r];
       pending_.push_back(r);
     }
-    // An edge's second open side is like the first: without the first there is none.
-    if (is_open_side(column) && (column - problem_.members.size()) % 2 == 0) remove(column + 1);
+    // Without an edge's first open side there is no second one.
+    if (is_open_side(column) && !is_second_open_side(column)) remove(column + 1);
   }
 
   bool choose(Index column) {
     if (state_[column] == ColumnState::Chosen) return true;
     if (state_[column] == ColumnState::Out) return false;
+    if (is_second_open_side(column) && !choose(column - 1)) return false;
     state_[column] = ColumnState::Chosen;
     trail_.push_back(column);
     cost_ += columns_[column].cost;

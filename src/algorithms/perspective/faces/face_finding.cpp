@@ -109,8 +109,8 @@ class FaceFinder {
   void cover(bool partial, Progress& progress) {
     for (CoverPart& part : parts()) {
       part.result = search_part(part, partial, progress);
-      if (part.result.covers.empty()) continue;
       limited_ = limited_ || part.result.limited;
+      if (part.result.covers.empty()) continue;
       for (const Index e : part.edges) open_.erase(e);
       settled_.push_back(std::move(part));
     }
