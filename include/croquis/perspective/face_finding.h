@@ -46,7 +46,8 @@ struct NetworkShell {
 struct FaceSet {
   std::vector<NetworkFace> faces;
   std::vector<NetworkShell> shells;
-  double cost = 0;  ///< sum over the faces of their cost less 1, and 3 for each side of a curve that has no face
+  double cost = 0;  ///< sum over the faces of their cost less 1, and for curves 3 for the first side
+                    ///< without a face and 2.5 for the second
 };
 
 /// Names a face by the ids of its curves, in any order.
@@ -70,10 +71,18 @@ struct FaceFindingResult {
   std::vector<Index> bridges;         ///< curves that alone hold two parts together and bound nothing; ascending
   std::vector<Index> open_curves;     ///< that have fewer than two faces; ascending
   std::size_t candidates = 0;
+<<<<<<< HEAD
   std::size_t internal_rejected = 0;  ///< regions of planes that lie inside the solid: bounded by curves whose two
                                       ///< faces are others, and not part of another face
   std::size_t nodes = 0;              ///< of all searches
   Findings warnings;                  ///< DANGLING, NOT_CLOSED, AMBIGUOUS, NONPLANAR_STRAIGHT_FACE, SEARCH_LIMIT
+=======
+  std::size_t internal_rejected = 0;    ///< regions of planes that lie inside the solid: bounded by curves whose two
+                                        ///< faces are others, and not part of another face
+  std::size_t nodes = 0;                ///< of all searches
+  Findings warnings;                    ///< DANGLING, NOT_CLOSED, NONPLANAR_STRAIGHT_FACE, MISSING_STROKE, AMBIGUOUS,
+                                        ///< SEARCH_LIMIT
+>>>>>>> perspC
 };
 
 /// Finds the faces. Parts that share no candidate are solved on their own. Where no set closes, as many sides of curves
