@@ -286,7 +286,7 @@ class PerspectiveSvgReader : public SvgVisitor {
     } else if (name == "fov_x_deg" && value < 180) {
       drawing_.field_of_view = radians_of(value);
     } else if (name == "f_px") {
-      drawing_.field_of_view = 2 * std::atan(drawing_.image_size.x() / 2 / value);
+      drawing_.field_of_view = radians_of(degrees_of(2 * std::atan(drawing_.image_size.x() / 2 / value)));
     } else if (name == "shells" && value < 1e6 && value == std::floor(value)) {
       drawing_.shells = static_cast<int>(value);
     } else {

@@ -12,6 +12,7 @@ namespace {
 
 std::vector<PictureCubic> cubics_of_arc(const SvgSegment& arc, const Vec2& from) {
   constexpr double quarter = std::numbers::pi / 2;
+  if (!std::isfinite(arc.sweep)) return {straight_piece(from, arc.end)};
   const auto count = static_cast<int>(std::clamp(std::ceil(std::abs(arc.sweep) / quarter - 1e-9), 1.0, 8.0));
   const double step = arc.sweep / count, handle = 4.0 / 3 * std::tan(step / 4);
   const auto place = [&](double angle) { return Vec2(arc.centre + std::cos(angle) * arc.a + std::sin(angle) * arc.b); };
@@ -77,11 +78,8 @@ double degrees_of(double radians) {
       return shorter;
     }
   }
-  for (double near = exact, far = exact, i = 0; i < 4; ++i) {
-    near = std::nextafter(near, 0.0);
-    far = std::nextafter(far, std::numeric_limits<double>::infinity());
+  for (const double near : {std::nextafter(exact, 0.0), std::nextafter(exact, std::numeric_limits<double>::max())}) {
     if (radians_of(near) == radians) return near;
-    if (radians_of(far) == radians) return far;
   }
   return exact;
 }
