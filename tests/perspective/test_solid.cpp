@@ -228,10 +228,10 @@ TEST_CASE("a cavity counts as negative volume") {
 TEST_CASE("edges of two cubics lead to stars and stay smooth") {
   for (const PolyhedronNet& net : sphere_nets()) {
     INFO(net.name);
-    FittedCurves fitted = polynomial_pieces(net.network);
+    std::vector<FittedCurve> fitted = polynomial_pieces(net.network);
     for (std::size_t c = 0; c < fitted.size(); c += 3) {
-      const auto [first, second] = fitted[c][0].split(0.5);
-      fitted[c] = {first, second};
+      const auto [first, second] = fitted[c].pieces[0].split(0.5);
+      fitted[c].pieces = {first, second};
     }
     Progress progress;
     const Solid solid = make_solid(net.network, fitted, faces_of(net.network).best, progress);
