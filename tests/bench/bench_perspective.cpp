@@ -146,8 +146,6 @@ void bench_drawing(std::ostream& out, const PerspectiveSolid& solid) {
   const ReconstructedNetwork network = reconstruct_network(drawing.drawing, plain, progress);
   NetworkReconstructionOptions held;
   held.held_camera = network.camera;
-  FittedCurves fitted;
-  for (const FittedCurve& curve : network.fitted) fitted.push_back(curve.pieces);
   const FaceFindingResult faces = find_faces(network.curves.network, progress);
   const auto lines = std::ranges::count_if(network.camera.lines, &VanishingLine::used);
 
@@ -157,7 +155,7 @@ void bench_drawing(std::ostream& out, const PerspectiveSolid& solid) {
   const double all_curves = median_cpu_ms(runs, [&] { reconstruct_network(drawing.drawing, plain, progress); });
   const double finding = median_cpu_ms(runs, [&] { find_faces(network.curves.network, progress); });
   const double solid_ms =
-      median_cpu_ms(runs, [&] { make_solid(network.curves.network, fitted, faces.best, progress); });
+      median_cpu_ms(runs, [&] { make_solid(network.curves.network, network.fitted, faces.best, progress); });
   PeakMemory memory;
   memory.restart();
   reconstruct_network(drawing.drawing, plain, progress);
