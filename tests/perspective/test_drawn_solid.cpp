@@ -40,7 +40,7 @@ TEST_CASE("drawings without noise become solids") {
         continue;
       }
       Progress progress;
-      const Solid solid = make_solid(network.curves.network, network.curves.fitted, faces.best, progress);
+      const Solid solid = make_solid(network.curves.network, network.fitted, faces.best, progress);
       Progress report_progress;
       const MeshReport mesh = inspect(solid.tessellation.mesh, true, report_progress);
       CHECK(validate(solid.brep).empty());
@@ -66,7 +66,7 @@ TEST_CASE("drawings by hand have the faces of the solid") {
           const FaceFindingResult faces = faces_of(network.curves.network);
           if (ids_of_faces(network.curves.network, faces.best) == ids_of_faces(test)) ++right[test.name];
           Progress progress;
-          const Solid solid = make_solid(network.curves.network, network.curves.fitted, faces.best, progress);
+          const Solid solid = make_solid(network.curves.network, network.fitted, faces.best, progress);
           CHECK(validate(solid.brep).empty());
         } catch (const Error&) {
           ++fewer[test.name];
