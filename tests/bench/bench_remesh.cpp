@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/remeshing/remesh_plan.h"
 #include "bench/bench.h"
 #include "bench/cpu_time.h"
 #include "bench/peak_memory.h"
-#include "algorithms/remeshing/remesh_plan.h"
 #include "croquis/remeshing/remesh.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/sample_count.h"

@@ -72,7 +72,8 @@ TEST_CASE("drawings by hand have the faces of the solid") {
           ++fewer[test.name];
         }
       }
-      if (right[test.name] < seeds) WARN("noise " << noise << " " << test.name << " right " << right[test.name] << " errors " << fewer[test.name]);
+      if (right[test.name] < seeds)
+        WARN("noise " << noise << " " << test.name << " right " << right[test.name] << " errors " << fewer[test.name]);
     }
   }
 }

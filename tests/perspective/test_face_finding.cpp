@@ -35,7 +35,8 @@ void check_directions(const CurveNetwork& network, const FaceSet& set) {
 }
 
 /// Faces as sets of the ids that curves had before they were shuffled.
-std::multiset<FaceIds> old_ids_of(const CurveNetwork& network, const std::vector<std::string>& old, const FaceSet& set) {
+std::multiset<FaceIds> old_ids_of(const CurveNetwork& network, const std::vector<std::string>& old,
+                                  const FaceSet& set) {
   CurveNetwork named = network;
   for (std::size_t c = 0; c < old.size(); ++c) named.curves[c].id = old[c];
   return ids_of_faces(named, set);
@@ -87,7 +88,8 @@ TEST_CASE("faces of nets of arcs are found") {
 TEST_CASE("faces are found in any position and size") {
   for (const PerspectiveSolid& solid : all_solids()) {
     INFO(solid.name);
-    CHECK(ids_of_faces(solid.network, faces_of(moved(solid.network, 0.013, Vec3(7, -3, 100))).best) == ids_of_faces(solid));
+    CHECK(ids_of_faces(solid.network, faces_of(moved(solid.network, 0.013, Vec3(7, -3, 100))).best) ==
+          ids_of_faces(solid));
     const FaceFindingResult turned = faces_of(rotated(solid.network));
     CHECK(ids_of_faces(solid.network, turned.best) == ids_of_faces(solid));
   }
@@ -204,7 +206,8 @@ TEST_CASE("a sheet that sticks out of a solid stays open") {
 }
 
 TEST_CASE("a single loop is an open shell") {
-  const CurveNetwork network = line_network({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}});
+  const CurveNetwork network =
+      line_network({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}});
   const FaceFindingResult result = faces_of(network);
   CHECK(result.best.faces.size() == 1);
   CHECK(result.open_curves.size() == 4);
@@ -226,7 +229,8 @@ TEST_CASE("sets of faces that fit as well are told, and can be chosen") {
     check_directions(network, set);
     // Its faces, fixed, lead to it.
     FaceFindingOptions options;
-    for (const FaceIds& face : ids_of_faces(network, set)) options.fixed.emplace_back(face.begin()->begin(), face.begin()->end());
+    for (const FaceIds& face : ids_of_faces(network, set))
+      options.fixed.emplace_back(face.begin()->begin(), face.begin()->end());
     const FaceFindingResult chosen = faces_of(network, options);
     CHECK(chosen.alternatives.empty());
     CHECK(ids_of_faces(network, chosen.best) == ids_of_faces(network, set));
@@ -241,7 +245,8 @@ TEST_CASE("a face that is forbidden isn't chosen") {
   const PerspectiveSolid solid = stack(2);
   FaceFindingOptions options;
   options.forbidden.resize(1);
-  for (const SolidSide& side : solid.faces[0].loops[0]) options.forbidden[0].push_back(solid.network.curves[side.curve].id);
+  for (const SolidSide& side : solid.faces[0].loops[0])
+    options.forbidden[0].push_back(solid.network.curves[side.curve].id);
   const FaceFindingResult result = faces_of(solid.network, options);
   const FaceIds forbidden = {{options.forbidden[0].begin(), options.forbidden[0].end()}};
   CHECK(!ids_of_faces(solid.network, result.best).contains(forbidden));
