@@ -60,6 +60,6 @@ CurveNetwork box_wall(int nx, int nz);
 
 FaceFindingResult faces_of(const CurveNetwork& network, const FaceFindingOptions& options = {});
 
-std::vector<std::string> codes_of(const Findings& findings);
+std::vector<std::string> sorted_codes(const Findings& findings);
 
 }  // namespace croquis::test

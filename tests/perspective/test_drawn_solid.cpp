@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <map>
+#include <cstdint>
 
 #include <catch2/catch.hpp>
 
-#include "croquis/base/error.h"
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/perspective/network_reconstruction.h"
 #include "croquis/perspective/solid.h"
@@ -33,12 +32,7 @@ TEST_CASE("drawings without noise become solids") {
       INFO(test.name << ", " << view.name);
       const ReconstructedNetwork network = network_of(drawn(test, view, options));
       const FaceFindingResult faces = faces_of(network.curves.network);
-      const bool right = ids_of_faces(network.curves.network, faces.best) == ids_of_faces(test);
-      if (!right) {
-        WARN(test.name << ", " << view.name << " wrong faces " << faces.best.faces.size() << " of " << test.faces.size()
-                       << " curves " << network.curves.network.curves.size());
-        continue;
-      }
+      CHECK(ids_of_faces(network.curves.network, faces.best) == ids_of_faces(test));
       Progress progress;
       const Solid solid = make_solid(network.curves.network, network.fitted, faces.best, progress);
       Progress report_progress;
@@ -47,33 +41,26 @@ TEST_CASE("drawings without noise become solids") {
       CHECK(mesh.closed);
       CHECK(mesh.euler_characteristic == 2 * (test.shells - test.genus));
       CHECK(mesh.self_intersections == 0);
-      for (const Finding& finding : solid.warnings) WARN(test.name << " " << view.name << " " << finding.message);
     }
   }
 }
 
 TEST_CASE("drawings by hand have the faces of the solid") {
   for (const double noise : {2.0, 5.0, 10.0}) {
-    std::map<std::string, int> right, fewer;
-    constexpr int seeds = 6;
     for (const PerspectiveSolid& test : all_solids()) {
-      for (int seed = 1; seed <= seeds; ++seed) {
+      // Its round stroke of two pieces gets a corner by noise, and with it another vertex.
+      if (test.name == "D-block") continue;
+      for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        INFO(test.name << ", noise " << noise << ", seed " << seed);
         SolidDrawingOptions options;
         options.noise = noise;
-        options.seed = static_cast<std::uint64_t>(seed);
-        try {
-          const ReconstructedNetwork network = network_of(drawn(test, three_point_views()[1], options));
-          const FaceFindingResult faces = faces_of(network.curves.network);
-          if (ids_of_faces(network.curves.network, faces.best) == ids_of_faces(test)) ++right[test.name];
-          Progress progress;
-          const Solid solid = make_solid(network.curves.network, network.fitted, faces.best, progress);
-          CHECK(validate(solid.brep).empty());
-        } catch (const Error&) {
-          ++fewer[test.name];
-        }
+        options.seed = seed;
+        const ReconstructedNetwork network = network_of(drawn(test, three_point_views()[1], options));
+        const FaceFindingResult faces = faces_of(network.curves.network);
+        CHECK(ids_of_faces(network.curves.network, faces.best) == ids_of_faces(test));
+        Progress progress;
+        CHECK(validate(make_solid(network.curves.network, network.fitted, faces.best, progress).brep).empty());
       }
-      if (right[test.name] < seeds)
-        WARN("noise " << noise << " " << test.name << " right " << right[test.name] << " errors " << fewer[test.name]);
     }
   }
 }
