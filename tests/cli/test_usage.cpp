@@ -26,8 +26,9 @@ const char* const triangle_ply =
 const char* const circle_svg =
     "<svg xmlns=\"http://www.w3.org/2000/svg\"><circle id=\"c\" cx=\"100\" cy=\"100\" r=\"80\"/></svg>";
 
-const std::vector<std::string> subcommands = {"inflate", "subdivide", "fair",   "fill", "edit",       "info",
-                                              "check",   "convert",   "render", "run",  "operations", "edits"};
+const std::vector<std::string> subcommands = {"inflate", "perspective", "subdivide", "fair",    "fill",
+                                              "edit",    "info",        "check",     "convert", "render",
+                                              "run",     "operations",  "edits"};
 
 /// The circle and a node "inflate" that makes it a solid.
 void write_project(const std::string& path) {
@@ -75,6 +76,8 @@ TEST_CASE("help names every subcommand and each has examples that work") {
   folder.write("scan.ply", triangle_ply);
   folder.write("tags.json", "{\"format\": \"croquis-tags-1\", \"edges\": [{\"v\": [0, 1], \"sharpness\": 2}]}");
   folder.write("sketch.svg", circle_svg);
+  folder.write("drawing.svg",
+               slurp(std::filesystem::path(CROQUIS_SOURCE_DIR) / "examples/data/perspective/bracket.svg"));
   write_project(folder / "project.croq");
   for (const std::string& name : subcommands) {
     INFO(name);

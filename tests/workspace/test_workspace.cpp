@@ -90,8 +90,7 @@ TEST_CASE("workspace: steps tell what is known of them") {
   Desk desk;
   const NodeId first = desk.workspace.add_step(desk.mesh, "scale", {{"factor", 3.0}});
   const NodeId second = desk.workspace.add_step(first, "other");
-  CHECK(desk.state(second) == StepState::Computing);
-  desk.settle();
+  desk.settle();  // a busy machine may have computed it before anybody could look
   CHECK(desk.state(desk.mesh) == StepState::Source);
   CHECK(desk.state(first) == StepState::Fresh);
   CHECK(desk.state(second) == StepState::Fresh);

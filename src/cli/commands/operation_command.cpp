@@ -347,7 +347,10 @@ CommandDescription OperationCommand::describe() const {
     description.parameters.push_back(
         {port.name, ParameterType::File, std::string(), 0, 0, {}, "", "Write to FILE: " + port.sentence});
   }
-  const std::string call = "croquis-cli " + operation.id + (takes_drawing ? " drawing.svg" : " model.obj");
+  const std::string call = "croquis-cli " + operation.id +
+                           (input == ValueType::Drawing ? " sketch.svg"
+                            : takes_drawing             ? " drawing.svg"
+                                                        : " model.obj");
   const std::string options = operation.example.empty() ? "" : " " + operation.example;
   description.examples = {call + options + " -o solid.obj"};
   if (may_list) description.examples.push_back(call + " --" + operation.list_flag);

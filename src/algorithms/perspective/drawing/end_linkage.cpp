@@ -15,7 +15,7 @@ namespace croquis {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-constexpr std::size_t largest_matrix = 4000;  // ends on one spot, which no drawing has; more are linked in portions
+constexpr std::size_t largest_matrix = 250;  // ends on one spot, which no drawing has; more are linked in portions
 
 std::uint64_t cell_key(const Vec2& place, double size, int dx, int dy) {
   constexpr double farthest_cell = 1e15;  // so that far places, which share cells then, are numbers of cells at all
