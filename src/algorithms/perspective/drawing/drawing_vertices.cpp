@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/perspective/drawing_vertices.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "algorithms/perspective/drawing/end_linkage.h"
+#include "algorithms/perspective/drawing/stroke_likeness.h"
+#include "algorithms/perspective/stroke_words.h"
+
+namespace croquis {
+namespace {
+
+constexpr double shortest_stroke = 4e-4;     // × diagonal; half a pixel of an ordinary sheet
+constexpr double duplicate_distance = 8e-4;  // × diagonal; one pixel of an ordinary sheet
+
+bool has_vertices(const PerspectiveStroke& stroke) { return stroke.role == StrokeRole::Edge || stroke.link; }
+
+bool is_finite(const PerspectiveStroke& stroke) {
+  return std::ranges::all_of(stroke.pieces, [](const PictureCubic& piece) {
+    return std::ranges::all_of(piece, [](const Vec2& point) { return point.allFinite(); });
+  });
+}
+
+/// How far the stroke gets from where it begins or ends.
+double reach_of(const PerspectiveStroke& stroke) {
+  double reach = 0;
+  for (const PictureCubic& piece : stroke.pieces) {
+    for (const Vec2& point : piece) {
+      reach = std::max({reach, (point - stroke.start()).norm(), (point - stroke.end()).norm()});
+    }
+  }
+  return reach;
+}
+
+struct UseSentence {
+  const char* code;
+  const char* text;
+};
+
+UseSentence sentence_of(StrokeUse use) {
+  switch (use) {
+    case StrokeUse::NotFinite:
+      return {"NOT_FINITE", " has a coordinate that is not a finite number and is left out: draw it again."};
+    case StrokeUse::ZeroLength:
+      return {"ZERO_LENGTH", " is no longer than a point and is left out: delete it or draw it longer."};
+    case StrokeUse::UnknownGroup:
+      return {"UNKNOWN_GROUP", " has a colour that is none of the six groups and is left out: give it a group."};
+    default: return {"DUPLICATE_STROKE", " joins the same vertices along the same line as "};
+  }
+}
+
+class VertexFinder {
+ public:
+  VertexFinder(const PerspectiveDrawing& drawing, const DrawingVertexOptions& options)
+      : drawing_(drawing), options_(options) {}
+
+  DrawingVertices find() {
+    result_.uses.assign(drawing_.strokes.size(), StrokeUse::Used);
+    result_.of_stroke.assign(drawing_.strokes.size(), {no_index, no_index});
+    for (Index i = 0; i < drawing_.strokes.size(); ++i) judge(i);
+    collect_ends();
+    make_vertices();
+    if (leave_out_duplicates()) {
+      collect_ends();
+      make_vertices();
+    }
+    std::stable_sort(result_.warnings.begin(), result_.warnings.end(),
+                     [](const Finding& a, const Finding& b) { return a.subjects[0].id < b.subjects[0].id; });
+    return std::move(result_);
+  }
+
+ private:
+  /// A stroke's end, and all that decides where it stands in the order of ends.
+  struct End {
+    StrokeEnd end;
+    Vec2 place;
+    const std::string* name;
+  };
+
+  const PerspectiveStroke& stroke(Index i) const { return drawing_.strokes[i]; }
+
+  void leave_out(Index i, StrokeUse use) {
+    const UseSentence sentence = sentence_of(use);
+    result_.uses[i] = use;
+    result_.warnings.push_back(make_warning(Category::Geometry, sentence.code, "Stroke " + stroke(i).id + sentence.text,
+                                            {stroke_subject(drawing_, i)}));
+  }
+
+  void judge(Index i) {
+    if (!is_finite(stroke(i))) {
+      leave_out(i, StrokeUse::NotFinite);
+    } else if (reach_of(stroke(i)) < shortest_stroke * drawing_.diagonal()) {
+      leave_out(i, StrokeUse::ZeroLength);
+    } else if (stroke(i).group == StrokeGroup::Unknown) {
+      leave_out(i, StrokeUse::UnknownGroup);
+    }
+  }
+
+  /// By geometry; ids only tell apart what looks the same.
+  void collect_ends() {
+    std::vector<Index> strokes;
+    for (Index i = 0; i < drawing_.strokes.size(); ++i) {
+      if (result_.is_used(i) && has_vertices(stroke(i))) strokes.push_back(i);
+    }
+    std::vector<StrokeLook> looks(drawing_.strokes.size());
+    for (const Index i : strokes) looks[i] = look_of(stroke(i));
+    ends_.clear();
+    for (const Index i : strokes) {
+      ends_.push_back({{i, false}, stroke(i).start(), &stroke(i).from});
+      ends_.push_back({{i, true}, stroke(i).end(), &stroke(i).to});
+    }
+    std::sort(ends_.begin(), ends_.end(), [&](const End& a, const End& b) {
+      if (a.place != b.place) return std::pair(a.place.y(), a.place.x()) < std::pair(b.place.y(), b.place.x());
+      const StrokeLook &la = looks[a.end.stroke], &lb = looks[b.end.stroke];
+      if (la != lb) return la < lb;
+      return std::tie(stroke(a.end.stroke).id, a.end.at_end) < std::tie(stroke(b.end.stroke).id, b.end.at_end);
+    });
+  }
+
+  void make_vertices() {
+    std::map<std::string, Index> names;
+    std::vector<LinkagePoint> points;
+    for (const End& end : ends_) {
+      LinkagePoint point{end.place, end.end.stroke, no_index};
+      if (!end.name->empty())
+        point.group = names.try_emplace(*end.name, static_cast<Index>(names.size())).first->second;
+      points.push_back(point);
+    }
+    const std::vector<Index> numbers = link_nearest(points, options_.snap * drawing_.diagonal());
+    result_.vertices.clear();
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+      if (numbers[i] == result_.vertices.size()) result_.vertices.emplace_back();
+      DrawingVertex& vertex = result_.vertices[numbers[i]];
+      vertex.position += ends_[i].place;
+      vertex.ends.push_back(ends_[i].end);
+      if (vertex.name.empty()) vertex.name = *ends_[i].name;
+      result_.of_stroke[ends_[i].end.stroke][ends_[i].end.at_end ? 1 : 0] = numbers[i];
+    }
+    for (DrawingVertex& vertex : result_.vertices) vertex.position /= static_cast<double>(vertex.ends.size());
+  }
+
+  /// True when the first one is the one to keep: it says more of its direction, weighs more, comes first.
+  bool is_better(Index a, Index b) const {
+    const auto rank = [&](Index i) { return std::pair(is_parallel(stroke(i).group) ? 0 : 1, -stroke(i).weight); };
+    if (rank(a) != rank(b)) return rank(a) < rank(b);
+    const StrokeLook look_a = look_of(stroke(a)), look_b = look_of(stroke(b));
+    return look_a != look_b ? look_a < look_b : stroke(a).id < stroke(b).id;
+  }
+
+  bool are_alike(Index a, Index b) const {
+    if (stroke(a).straight && stroke(b).straight) return true;
+    const bool turned = result_.of_stroke[a] != result_.of_stroke[b];
+    return distance_between(stroke(a), stroke(b), turned) <= duplicate_distance * drawing_.diagonal();
+  }
+
+  bool leave_out_duplicates() {
+    std::map<std::pair<Index, Index>, std::vector<Index>> edges;
+    for (Index i = 0; i < drawing_.strokes.size(); ++i) {
+      if (!result_.is_used(i) || stroke(i).role != StrokeRole::Edge) continue;
+      const auto [from, to] = result_.of_stroke[i];
+      edges[std::minmax({from, to})].push_back(i);
+    }
+    bool found = false;
+    for (auto& [vertices, between] : edges) {
+      std::sort(between.begin(), between.end(), [&](Index a, Index b) { return is_better(a, b); });
+      for (std::size_t i = 1; i < between.size(); ++i) {
+        const auto kept = std::find_if(between.begin(), between.begin() + static_cast<std::ptrdiff_t>(i),
+                                       [&](Index k) { return result_.is_used(k) && are_alike(k, between[i]); });
+        if (kept == between.begin() + static_cast<std::ptrdiff_t>(i)) continue;
+        leave_out(between[i], StrokeUse::Duplicate);
+        result_.warnings.back().message += stroke(*kept).id + " and is left out: delete one of the two.";
+        result_.warnings.back().subjects.push_back(stroke_subject(drawing_, *kept));
+        result_.of_stroke[between[i]] = {no_index, no_index};
+        found = true;
+      }
+    }
+    return found;
+  }
+
+  const PerspectiveDrawing& drawing_;
+  const DrawingVertexOptions& options_;
+  DrawingVertices result_;
+  std::vector<End> ends_;  // in an order that doesn't depend on that of the strokes
+};
+
+}  // namespace
+
+DrawingVertices find_drawing_vertices(const PerspectiveDrawing& drawing, const DrawingVertexOptions& options) {
+  return VertexFinder(drawing, options).find();
+}
+
+}  // namespace croquis
