@@ -20,6 +20,11 @@ Report to_report(const Finding& finding) {
   for (const Subject& subject : finding.subjects) subjects.push(to_report(subject));
   Report report;
   report.set("code", finding.code).set("message", finding.message).set("subject", std::move(subjects));
+  if (finding.fix) {
+    Report fix;
+    fix.set("stroke", finding.fix->stroke).set("group", finding.fix->group).set("text", finding.fix->text);
+    report.set("fix", std::move(fix));
+  }
   return report;
 }
 

@@ -63,6 +63,13 @@ Subject edge_subject(std::size_t a, std::size_t b);
 /// The subject as reports and sentences spell it: its id, "7", or "3-7" for an edge.
 std::string name_of(const Subject& subject);
 
+/// A change of one stroke that would mend what a finding says.
+struct FindingFix {
+  std::string stroke;  ///< its id
+  std::string group;   ///< the one that it would get
+  std::string text;    ///< one sentence for people
+};
+
 /// One sentence about the input: what is wrong, where, and what to do.
 struct Finding {
   Severity severity = Severity::Error;
@@ -70,6 +77,7 @@ struct Finding {
   std::string code;     ///< stable upper-case name, documented in docs/errors.md
   std::string message;  ///< one sentence for people
   std::vector<Subject> subjects;
+  std::optional<FindingFix> fix = {};  ///< that can be made without asking
 };
 
 using Findings = std::vector<Finding>;

@@ -30,6 +30,12 @@ struct ProposedFix {
   std::string text;  ///< one sentence for people
 };
 
+/// A corner of the solid.
+struct PerspectiveCorner {
+  std::string id;  ///< the name that strokes give it, or "v0" …
+  Vec3 at = Vec3::Zero();
+};
+
 /// A face of the solid.
 struct PerspectiveFace {
   std::string id;                                 ///< "f0" …, as groups of the mesh are named
@@ -52,7 +58,10 @@ struct PerspectiveResult {
   std::vector<PerspectiveStrokeResult> strokes;  ///< in the order of the drawing, construction too
   std::vector<Vec2> vertex_places;               ///< px: where the ends of edges meet
   CurveNetwork network;                          ///< every edge stroke that has a place in space
+  std::size_t edge_strokes = 0;                  ///< in the drawing
+  std::vector<PerspectiveCorner> corners;
   std::vector<PerspectiveFace> faces;
+  std::size_t internal_faces_rejected = 0;  ///< regions of planes inside the solid
   std::vector<FaceAlternative> alternatives;
   std::vector<std::string> open_strokes;  ///< that lack a face
   std::vector<ProposedFix> fixes;         ///< the most likely one first

@@ -57,7 +57,8 @@ const char* axis_name(int axis) {
 
 std::string group_words(StrokeGroup group) {
   if (group == StrokeGroup::Unknown) return {};
-  return (is_parallel(group) ? "parallel to " : "in a plane at right angles to ") + std::string(axis_name(axis_of(group)));
+  return (is_parallel(group) ? "parallel to " : "in a plane at right angles to ") +
+         std::string(axis_name(axis_of(group)));
 }
 
 }  // namespace croquis

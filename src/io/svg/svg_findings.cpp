@@ -32,6 +32,13 @@ void SvgFindings::stroke_warning(const char* code, const std::string& message, c
   add(make_warning(Category::Malformed, code, message, {{SubjectKind::Stroke, stroke, file_, line, {}}}));
 }
 
+void SvgFindings::stroke_note(const char* code, const std::string& message, const std::string& stroke,
+                              std::int64_t line) {
+  Finding note = make_warning(Category::Malformed, code, message, {{SubjectKind::Stroke, stroke, file_, line, {}}});
+  note.severity = Severity::Info;
+  add(std::move(note));
+}
+
 void SvgFindings::file_warning(const char* code, const std::string& message, std::int64_t line) {
   add(make_warning(Category::Malformed, code, message, {{SubjectKind::File, file_, file_, line, {}}}));
 }

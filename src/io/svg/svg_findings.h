@@ -21,6 +21,7 @@ class SvgFindings {
   void stroke_error(Category category, const char* code, const std::string& message, const std::string& stroke,
                     std::int64_t line);
   void stroke_warning(const char* code, const std::string& message, const std::string& stroke, std::int64_t line);
+  void stroke_note(const char* code, const std::string& message, const std::string& stroke, std::int64_t line);
   void file_warning(const char* code, const std::string& message, std::int64_t line);
 
   /// @throws Error with all findings so far when one of them is an error

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <string_view>
 
+#include "io/svg/svg_text.h"
+
 namespace croquis {
 namespace {
 
@@ -17,25 +19,6 @@ void append_point(std::string& text, const Vec2& point) {
   append_number(text, point.x());
   text += ' ';
   append_number(text, -point.y());
-}
-
-/// Text as an attribute's value; characters that XML can't hold become spaces.
-std::string escaped(std::string_view text) {
-  std::string safe;
-  for (const char c : text) {
-    switch (c) {
-      case '&': safe += "&amp;"; break;
-      case '<': safe += "&lt;"; break;
-      case '>': safe += "&gt;"; break;
-      case '"': safe += "&quot;"; break;
-      default: safe += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return safe;
-}
-
-void append_attribute(std::string& text, std::string_view name, std::string_view value) {
-  text.append(" ").append(name).append("=\"").append(escaped(value)).append("\"");
 }
 
 struct Box {
@@ -88,8 +71,8 @@ void append_header(std::string& text, const Box& box, const DrawingPlane& plane)
 
 void append_stroke(std::string& text, const Stroke& stroke, double dash) {
   text += "<path";
-  append_attribute(text, "id", stroke.id);
-  for (const auto& [name, value] : stroke.data) append_attribute(text, "data-" + name, value);
+  append_svg_attribute(text, "id", stroke.id);
+  for (const auto& [name, value] : stroke.data) append_svg_attribute(text, "data-" + name, value);
   const auto visible = stroke.data.find("visible");
   if (visible != stroke.data.end() && visible->second == "false") {
     text += " stroke-dasharray=\"";

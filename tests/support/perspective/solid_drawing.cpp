@@ -111,7 +111,11 @@ StrokeGroup SolidPen::colour_of(StrokeGroup group) {
 
 void SolidPen::add_construction_line(int axis) {
   Eigen::AlignedBox3d box;
-  for (const Vec3& vertex : solid_.network.vertices) box.extend(vertex);
+  for (const NetworkCurve& curve : solid_.network.curves) {
+    for (const RationalCubic& piece : curve.pieces) {
+      for (const Vec3& point : piece.points) box.extend(point);
+    }
+  }
   PerspectiveStroke stroke;
   stroke.id = "c" + std::to_string(result_.drawing.strokes.size());
   stroke.role = StrokeRole::Construction;
@@ -144,11 +148,23 @@ void SolidPen::add_links() {
   }
 }
 
+/// By Simpson's rule.
+double arc_length(const NetworkCurve& curve) {
+  constexpr int parts = 200;
+  double sum = 0;
+  for (const RationalCubic& piece : curve.pieces) {
+    for (int i = 0; i <= parts; ++i) {
+      const double weight = i == 0 || i == parts ? 1 : i % 2 == 1 ? 4 : 2;
+      sum += weight / (3 * parts) * piece.derivative(static_cast<double>(i) / parts).norm();
+    }
+  }
+  return sum;
+}
+
 void SolidPen::set_known() {
   result_.drawing.known_point = KnownPoint{camera_.project(solid_.network.vertices[0]), solid_.network.vertices[0]};
-  const NetworkCurve& curve = solid_.network.curves[0];
-  const double length = (solid_.network.vertices[curve.end] - solid_.network.vertices[curve.start]).norm();
-  result_.drawing.known_lengths = {{curve.id, length}};
+  const NetworkCurve& curve = result_.network.curves[0];
+  result_.drawing.known_lengths = {{curve.id, arc_length(curve)}};
 }
 
 void SolidPen::shuffle() {

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/perspective/camera/axis_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include <Eigen/Geometry>
+
+#include "algorithms/perspective/camera/levenberg_marquardt.h"
+
+namespace croquis {
+namespace {
+
+/// Homogeneous points are kept as unit vectors of (x / size, y / size, w), so that near and far ones count alike.
+constexpr double homogeneous_size = sheet_units_per_diagonal;
+
+/// Pairs of this many longest lines are tried as starts.
+constexpr std::size_t most_pair_lines = 40;
+
+Vec3 from_unit(const Vec3& unit) { return {unit.x() * homogeneous_size, unit.y() * homogeneous_size, unit.z()}; }
+
+Vec3 to_unit(const Vec3& point) {
+  return Vec3(point.x() / homogeneous_size, point.y() / homogeneous_size, point.z()).normalized();
+}
+
+double squared_cost(const Vec3& point, std::span<const AxisLine> lines) {
+  double sum = 0;
+  for (const AxisLine& line : lines) {
+    const double residual = line_residual(point, line);
+    sum += residual * residual;
+  }
+  return sum;
+}
+
+double absolute_cost(const Vec3& point, std::span<const AxisLine> lines) {
+  double sum = 0;
+  for (const AxisLine& line : lines) sum += std::abs(line_residual(point, line));
+  return sum;
+}
+
+Vec3 crossing(const AxisLine& one, const AxisLine& other) {
+  const Vec3 first = one.a.homogeneous().cross(one.b.homogeneous());
+  const Vec3 second = other.a.homogeneous().cross(other.b.homogeneous());
+  return first.cross(second);
+}
+
+/// The crossing of two lines that all lines miss least in the sum of distances: a few wrong ones don't count.
+Vec3 consensus(std::span<const AxisLine> lines) {
+  std::vector<AxisLine> longest(lines.begin(), lines.end());
+  if (longest.size() > most_pair_lines) {
+    std::stable_sort(longest.begin(), longest.end(),
+                     [](const AxisLine& a, const AxisLine& b) { return a.length() > b.length(); });
+    longest.resize(most_pair_lines);
+  }
+  Vec3 best = Vec3::Zero();
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < longest.size(); ++i) {
+    for (std::size_t j = i + 1; j < longest.size(); ++j) {
+      const Vec3 point = crossing(longest[i], longest[j]);
+      if (!(point.norm() > 0)) continue;
+      const double cost = absolute_cost(point, lines);
+      if (cost < least) {
+        least = cost;
+        best = point;
+      }
+    }
+  }
+  return best;
+}
+
+/// Least squares from there. Moves on the unit sphere of homogeneous points.
+Vec3 refined(const Vec3& start, std::span<const AxisLine> lines) {
+  Vec3 unit = to_unit(start);
+  const auto tangents = [](const Vec3& at) {
+    Eigen::Matrix<double, 3, 2> basis;
+    basis.col(0) = at.unitOrthogonal();
+    basis.col(1) = at.cross(basis.col(0));
+    return basis;
+  };
+  levenberg_marquardt(
+      unit, 2, [&](const Vec3& at) { return squared_cost(from_unit(at), lines); },
+      [&](const Vec3& at, NormalEquations& equations) {
+        const Eigen::Matrix<double, 3, 2> basis = tangents(at);
+        for (const AxisLine& line : lines) {
+          Vec3 derivative;
+          const double residual = line_residual(from_unit(at), line, &derivative);
+          derivative.head<2>() *= homogeneous_size;
+          equations.add(basis.transpose() * derivative, residual);
+        }
+      },
+      [&](const Vec3& at, const NormalEquations::Vector& step) {
+        return Vec3(at + tangents(at) * Vec2(step)).normalized();
+      });
+  return from_unit(unit);
+}
+
+/// What it costs to have all lines parallel: for small angles the residual is linear in the direction.
+double cost_of_parallel(std::span<const AxisLine> lines) {
+  Vec2 doubled = Vec2::Zero();  // direction of the axis of inertia, at twice its angle
+  double total = 0;
+  for (const AxisLine& line : lines) {
+    const Vec2 along = line.b - line.a;
+    doubled += Vec2(along.x() * along.x() - along.y() * along.y(), 2 * along.x() * along.y());
+    total += along.squaredNorm();
+  }
+  return std::max(0.0, (total - doubled.norm()) / 4);
+}
+
+std::vector<AxisLine> kept_lines(const std::vector<AxisLine>& lines, int axis) {
+  std::vector<AxisLine> kept;
+  for (const AxisLine& line : lines) {
+    if (line.axis == axis && !line.outlier) kept.push_back(line);
+  }
+  return kept;
+}
+
+std::vector<double> residuals_of(const Vec3& point, std::span<const AxisLine> lines) {
+  std::vector<double> residuals;
+  for (const AxisLine& line : lines) residuals.push_back(std::abs(line_residual(point, line)));
+  return residuals;
+}
+
+/// An axis' lines and the point that most of them agree on.
+struct AxisConsensus {
+  std::vector<AxisLine> kept;
+  std::vector<double> residuals;
+};
+
+AxisConsensus consensus_of(const std::vector<AxisLine>& lines, int axis) {
+  AxisConsensus result;
+  result.kept = kept_lines(lines, axis);
+  if (result.kept.size() >= 2) result.residuals = residuals_of(consensus(result.kept), result.kept);
+  return result;
+}
+
+/// The noise of all axes together. The two lines that a consensus runs through say nothing about it.
+double consensus_sigma(const std::array<AxisConsensus, 3>& axes) {
+  std::vector<double> all;
+  for (const AxisConsensus& axis : axes) {
+    std::vector<double> residuals = axis.residuals;
+    if (residuals.size() <= 2) continue;
+    std::sort(residuals.begin(), residuals.end());
+    all.insert(all.end(), residuals.begin() + 2, residuals.end());
+  }
+  return robust_sigma(all, 0);
+}
+
+/// Leaves out the worst line of an axis if it is far off the point of the others.
+bool leave_out_worst(std::vector<AxisLine>& lines, const AxisConsensus& axis, double limit) {
+  if (axis.kept.size() < 4) return false;  // of three lines any one may be the wrong one
+  const auto worst = std::max_element(axis.residuals.begin(), axis.residuals.end());
+  if (*worst <= limit) return false;
+  const Index stroke = axis.kept[static_cast<std::size_t>(worst - axis.residuals.begin())].stroke;
+  for (AxisLine& line : lines) line.outlier |= line.stroke == stroke;
+  return true;
+}
+
+}  // namespace
+
+int most_outliers(int count) { return std::max(0, std::min(count / 3, count - 2)); }
+
+AxisFits fit_kept_lines(const std::vector<AxisLine>& lines) {
+  AxisFits fits;
+  double sum = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::vector<AxisLine> kept = kept_lines(lines, axis);
+    fits.well_determined[axis] = kept.size() >= 2;
+    if (kept.size() < 2) continue;
+    Vec3 point = consensus(kept);
+    if (!(point.norm() > 0)) point << kept[0].b - kept[0].a, 0;  // all on one line: any point of it will do
+    fits.vanishing_points[axis] = refined(point, kept);
+    fits.cost[axis] = squared_cost(fits.vanishing_points[axis], kept);
+    fits.parallel_cost[axis] = cost_of_parallel(kept);
+    sum += fits.cost[axis];
+    fits.freedom += static_cast<int>(kept.size()) - 2;
+  }
+  fits.sigma = fits.freedom > 0 ? std::sqrt(sum / fits.freedom) : 0;
+  return fits;
+}
+
+AxisFits fit_axes(std::vector<AxisLine>& lines, const CameraOptions& options) {
+  const std::array<int, 3> counts = lines_per_axis(lines);
+  std::array<AxisConsensus, 3> axes{consensus_of(lines, 0), consensus_of(lines, 1), consensus_of(lines, 2)};
+  const double sigma = std::max(consensus_sigma(axes), options.noise_floor);
+  const double limit = std::max(options.outlier_sigmas * sigma, options.outlier_distance);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int allowed = most_outliers(counts[axis]); allowed > 0; --allowed) {
+      if (!leave_out_worst(lines, axes[axis], limit)) break;
+      axes[axis] = consensus_of(lines, axis);
+    }
+  }
+  return fit_kept_lines(lines);
+}
+
+}  // namespace croquis

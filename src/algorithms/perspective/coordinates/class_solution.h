@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "algorithms/perspective/coordinates/class_table.h"
+#include "croquis/geometry/vector.h"
+
+namespace croquis {
+
+/// Vertices as an eye at the origin sees them.
+struct SeenVertices {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< rows right, down, forward
+  double focal = 1;                                        ///< u
+  std::vector<Vec2> places;                                ///< u, relative to the principal point
+  std::vector<double> weights;                             ///< > 0, of each vertex
+
+  Vec3 ray(Index vertex) const;  ///< of depth 1
+};
+
+/// Values of all classes, the eye at the origin; every component has a mean depth of 1 of its own.
+struct ClassSolution {
+  std::vector<double> values;
+  std::vector<Vec2> residuals;  ///< u, of each vertex: seen minus drawn
+  double squares = 0;           ///< u^2, weighted sum
+  int freedom = 0;              ///< equations beyond unknowns
+  bool in_front = true;         ///< all depths are positive
+
+  Vec3 position(const ClassTable& table, Index vertex) const;
+  double rms() const;           ///< u, per coordinate
+  double rms_of_freedom() const;  ///< u, over the degrees of freedom
+  double worst() const;         ///< u, the largest residual of a vertex
+};
+
+/// Values for which vertices are seen where they were drawn, with the least sum of squared distances.
+///
+/// Starts from the smallest singular vector of n · X = 0 with weights 1 / depth, found by inverse iteration; Gauss and
+/// Newton then minimise the distances themselves, which doesn't depend on the scale that is left free. Sparse (Eigen's
+/// SimplicialLDLT): about linear in the number of vertices.
+/// @param near positions of the vertices that are nearly right already, or null
+ClassSolution solve_classes(const SeenVertices& seen, const ClassTable& table, const std::vector<Vec3>* near = nullptr);
+
+/// Standard deviation of each vertex along its ray for a noise of 1 u, where mean depth is 1. For up to 1000 classes,
+/// else empty.
+std::vector<double> depth_deviations(const SeenVertices& seen, const ClassTable& table, const ClassSolution& solution);
+
+}  // namespace croquis

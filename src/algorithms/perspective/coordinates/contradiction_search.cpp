@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/perspective/coordinates/contradiction_search.h"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+namespace croquis {
+namespace {
+
+/// What is as good as normal, in sigma per degree of freedom.
+constexpr double normal_rms = 2.5;
+
+/// A vertex must be so much better off than all its strokes before it is taken for two.
+constexpr double split_advantage = 0.25;
+
+/// A lone contradiction is believed when leaving out its stroke takes away so much of the squares.
+constexpr double lone_share = 0.5;
+
+bool ties_something(const CoordinateTies& ties, std::size_t stroke) {
+  return ties.groups[stroke] != StrokeGroup::Unknown && ties.of_stroke[stroke][0] != no_index &&
+         ties.of_stroke[stroke][1] != no_index;
+}
+
+double rms_with_group(TiedVertices& tied, Index stroke, StrokeGroup group) {
+  const StrokeGroup before = tied.ties.groups[stroke];
+  tied.ties.groups[stroke] = group;
+  const SolvedVertices result = solved(tied);
+  tied.ties.groups[stroke] = before;
+  const bool possible = result.solution.in_front && !has_coincident_vertices(result.table);
+  return possible ? result.solution.rms_of_freedom() : std::numeric_limits<double>::infinity();
+}
+
+class ContradictionSearch {
+ public:
+  ContradictionSearch(TiedVertices& tied, std::span<const StrokeGroup> drawn, double sigma,
+                      const PerspectiveDrawing& drawing, const DrawingVertices& vertices,
+                      const CoordinateOptions& options)
+      : tied_(tied), drawn_(drawn), drawing_(drawing), vertices_(vertices), options_(options),
+        sigma_(std::max(sigma, options.contradiction_noise)) {}
+
+  std::vector<Contradiction> run(Progress& progress) {
+    std::vector<Contradiction> found;
+    for (int round = 0; round < 2 * options_.most_contradictions; ++round) {
+      const SolvedVertices now = solved(tied_);
+      if (!is_suspicious(now)) break;
+      const std::vector<StrokeSuspicion> ranking = ranked_strokes(tied_, progress);
+      if (ranking.empty()) break;
+      const StrokeSuspicion& worst = ranking.front();
+      if (!is_wrong(now, worst)) break;
+      if (tied_.ties.groups[worst.stroke] != drawn_[worst.stroke]) {
+        tied_.ties.groups[worst.stroke] = drawn_[worst.stroke];  // it was promoted by mistake
+        continue;
+      }
+      if (static_cast<int>(found.size()) == options_.most_contradictions) break;
+      found.push_back(contradiction(now, worst));
+      tied_.ties.groups[worst.stroke] = StrokeGroup::Unknown;
+    }
+    return found;
+  }
+
+ private:
+  bool is_suspicious(const SolvedVertices& now) const {
+    return now.solution.rms() > options_.contradiction * sigma_ ||
+           now.solution.worst() > options_.lone_contradiction * sigma_ || has_coincident_vertices(now.table);
+  }
+
+  bool is_wrong(const SolvedVertices& now, const StrokeSuspicion& worst) {
+    if (now.solution.rms() > options_.contradiction * sigma_ || has_coincident_vertices(now.table)) return true;
+    const StrokeGroup group = tied_.ties.groups[worst.stroke];
+    tied_.ties.groups[worst.stroke] = StrokeGroup::Unknown;
+    const SolvedVertices without = solved(tied_);
+    tied_.ties.groups[worst.stroke] = group;
+    return without.solution.squares < lone_share * now.solution.squares &&
+           without.solution.worst() < options_.lone_contradiction * sigma_;
+  }
+
+  Contradiction contradiction(const SolvedVertices& now, const StrokeSuspicion& worst) {
+    Contradiction result;
+    result.stroke = worst.stroke;
+    result.rms_before = now.solution.rms();
+    result.rms_after = worst.rms;
+    result.fix = better_group(worst);
+    if (result.fix == StrokeGroup::Unknown && worst.rms > normal_rms * sigma_) result.split = vertex_to_split(worst.rms);
+    return result;
+  }
+
+  /// Groups along axes tie more, so one that fits says more than a plane that fits. Curves can't run along axes.
+  StrokeGroup better_group(const StrokeSuspicion& worst) {
+    const double limit = std::max(normal_rms * sigma_, 1.25 * worst.rms);
+    const bool straight = drawing_.strokes[worst.stroke].straight;
+    for (const int first : {0, 3}) {
+      if (first == 0 && !straight) continue;
+      StrokeGroup best = StrokeGroup::Unknown;
+      double least = limit;
+      for (int k = first; k < first + 3; ++k) {
+        const auto group = static_cast<StrokeGroup>(k);
+        if (group == drawn_[worst.stroke]) continue;
+        const double rms = rms_with_group(tied_, worst.stroke, group);
+        if (rms < least) {
+          least = rms;
+          best = group;
+        }
+      }
+      if (best != StrokeGroup::Unknown) return best;
+    }
+    return StrokeGroup::Unknown;
+  }
+
+  /// The vertex without which, each of its strokes ending on its own, the rest fits much better.
+  Index vertex_to_split(double best_rms) const {
+    Index best = no_index;
+    double least = std::max(split_advantage * best_rms, 0.0);
+    for (Index v = 0; v < vertices_.vertices.size(); ++v) {
+      if (vertices_.vertices[v].ends.size() < 2) continue;
+      const double rms = solved(without_vertex(v)).solution.rms_of_freedom();
+      if (rms >= least) continue;
+      least = rms;
+      best = v;
+    }
+    return best;
+  }
+
+  TiedVertices without_vertex(Index vertex) const {
+    TiedVertices split = tied_;
+    bool first = true;
+    for (const StrokeEnd& end : vertices_.vertices[vertex].ends) {
+      Index& at = split.ties.of_stroke[end.stroke][end.at_end ? 1 : 0];
+      if (at != vertex || std::exchange(first, false)) continue;
+      at = static_cast<Index>(split.seen.places.size());
+      split.seen.places.push_back(split.seen.places[vertex]);
+      split.seen.weights.push_back(split.seen.weights[vertex]);
+    }
+    return split;
+  }
+
+  TiedVertices& tied_;
+  std::span<const StrokeGroup> drawn_;
+  const PerspectiveDrawing& drawing_;
+  const DrawingVertices& vertices_;
+  const CoordinateOptions& options_;
+  double sigma_;
+};
+
+}  // namespace
+
+std::vector<Vec3> SolvedVertices::positions() const {
+  std::vector<Vec3> list;
+  for (Index v = 0; v < table.vertex_count(); ++v) list.push_back(solution.position(table, v));
+  return list;
+}
+
+SolvedVertices solved(const TiedVertices& tied, const std::vector<Vec3>* near) {
+  SolvedVertices result;
+  result.table = make_classes(tied.seen.places.size(), tied.ties);
+  result.solution = solve_classes(tied.seen, result.table, near);
+  return result;
+}
+
+std::vector<StrokeSuspicion> ranked_strokes(const TiedVertices& tied, Progress& progress) {
+  TiedVertices trial = tied;
+  std::vector<StrokeSuspicion> ranking;
+  for (std::size_t s = 0; s < tied.ties.groups.size(); ++s) {
+    if (!ties_something(tied.ties, s)) continue;
+    progress.check();
+    const auto stroke = static_cast<Index>(s);
+    ranking.push_back({stroke, rms_with_group(trial, stroke, StrokeGroup::Unknown)});
+  }
+  // Equal ones by place: the order of the drawing means nothing.
+  const auto order = [&](const StrokeSuspicion& suspicion) {
+    const std::array<Index, 2>& ends = tied.ties.of_stroke[suspicion.stroke];
+    return std::tuple(suspicion.rms, std::min(ends[0], ends[1]), std::max(ends[0], ends[1]));
+  };
+  std::stable_sort(ranking.begin(), ranking.end(), [&](const StrokeSuspicion& a, const StrokeSuspicion& b) {
+    return order(a) < order(b);
+  });
+  return ranking;
+}
+
+std::vector<Contradiction> resolve_contradictions(TiedVertices& tied, std::span<const StrokeGroup> drawn, double sigma,
+                                                  const PerspectiveDrawing& drawing, const DrawingVertices& vertices,
+                                                  const CoordinateOptions& options, Progress& progress) {
+  return ContradictionSearch(tied, drawn, sigma, drawing, vertices, options).run(progress);
+}
+
+}  // namespace croquis

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "algorithms/perspective/coordinates/class_solution.h"
+#include "algorithms/perspective/coordinates/class_table.h"
+#include "croquis/base/progress.h"
+#include "croquis/perspective/vertex_coordinates.h"
+
+namespace croquis {
+
+/// All that a solve depends on.
+struct TiedVertices {
+  SeenVertices seen;
+  CoordinateTies ties;
+};
+
+/// A solve with all that it was made from.
+struct SolvedVertices {
+  ClassTable table;
+  ClassSolution solution;
+
+  std::vector<Vec3> positions() const;
+};
+
+SolvedVertices solved(const TiedVertices& tied, const std::vector<Vec3>* near = nullptr);
+
+/// Strokes by how well the rest fits without them, best first; the second is u.
+std::vector<StrokeSuspicion> ranked_strokes(const TiedVertices& tied, Progress& progress);
+
+/// Finds what contradicts the rest, one stroke after the other, and takes its group out of the ties. Promoted strokes
+/// get their drawn group back first.
+/// @param sigma u, noise of the drawing
+/// @param drawn groups of all strokes as drawn
+/// @param tied  groups are changed
+std::vector<Contradiction> resolve_contradictions(TiedVertices& tied, std::span<const StrokeGroup> drawn, double sigma,
+                                                  const PerspectiveDrawing& drawing, const DrawingVertices& vertices,
+                                                  const CoordinateOptions& options, Progress& progress);
+
+}  // namespace croquis

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/perspective/vertex_coordinates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <Eigen/Geometry>
+
+#include "algorithms/perspective/camera/sheet_frame.h"
+#include "algorithms/perspective/coordinates/placement.h"
+#include "algorithms/perspective/coordinates/plane_merging.h"
+#include "algorithms/perspective/coordinates/seen_vertices.h"
+#include "algorithms/perspective/stroke_words.h"
+
+namespace croquis {
+namespace {
+
+/// Drawings are never judged as more exact than this, u.
+constexpr double least_sigma = 0.15;
+
+class CoordinateSolve {
+ public:
+  CoordinateSolve(const PerspectiveDrawing& drawing, const DrawingVertices& vertices, const CameraEstimate& camera,
+                  std::span<const StrokeGroup> groups, const CoordinateOptions& options)
+      : drawing_(drawing), vertices_(vertices), camera_(camera), options_(options), unit_(SheetFrame(drawing).unit),
+        tied_(tied_vertices(drawing, vertices, camera, groups)) {}
+
+  VertexCoordinates run(std::span<const PromotedStroke> promoted, Progress& progress) {
+    std::vector<StrokeGroup> drawn = tied_.ties.groups;
+    for (const PromotedStroke& stroke : promoted) drawn[stroke.stroke] = drawing_.strokes[stroke.stroke].group;
+    const double sigma = camera_.sigma / unit_;
+    result_.contradictions =
+        resolve_contradictions(tied_, drawn, sigma, drawing_, vertices_, options_, progress);
+    for (Contradiction& contradiction : result_.contradictions) {
+      contradiction.rms_before *= unit_;
+      contradiction.rms_after *= unit_;
+    }
+    progress.report(0.5);
+    solved_ = solved(tied_);
+    if (options_.merge_planes) result_.merged = merge_planes(tied_, solved_, sigma, options_, progress);
+    for (const PromotedStroke& stroke : promoted) {
+      if (tied_.ties.groups[stroke.stroke] == stroke.group) result_.promoted.push_back(stroke);
+    }
+    result_.groups = tied_.ties.groups;
+    place();
+    add_warnings(sigma);
+    progress.report(1);
+    return std::move(result_);
+  }
+
+ private:
+  /// Numbers components so that the largest one is 0.
+  void number_components() {
+    std::vector<std::size_t> sizes(solved_.table.components, 0);
+    for (const Index c : solved_.table.component) ++sizes[c];
+    std::vector<Index> order(sizes.size());
+    for (Index c = 0; c < order.size(); ++c) order[c] = c;
+    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return sizes[a] > sizes[b]; });
+    std::vector<Index> number(order.size());
+    for (Index i = 0; i < order.size(); ++i) number[order[i]] = i;
+    largest_ = order.front();
+    for (const Index c : solved_.table.component) result_.component.push_back(number[c]);
+  }
+
+  void place() {
+    const ClassTable& table = solved_.table;
+    number_components();
+    Placement placed = placement(drawing_, vertices_, camera_, solved_, largest_);
+    result_.warnings = std::move(placed.warnings);
+    result_.camera = camera_.camera;
+    result_.camera.eye = placed.eye;
+    result_.classes = table.of_vertex;
+    result_.class_values.resize(table.class_count());
+    for (Index v = 0; v < table.vertex_count(); ++v) {
+      for (int k = 0; k < 3; ++k) {
+        const Index c = table.of_vertex[v][static_cast<std::size_t>(k)];
+        result_.class_values[c] = placed.eye[k] + placed.scale[table.component[v]] * solved_.solution.values[c];
+      }
+    }
+    for (Index v = 0; v < table.vertex_count(); ++v) {
+      const std::array<Index, 3>& at = table.of_vertex[v];
+      result_.positions.emplace_back(result_.class_values[at[0]], result_.class_values[at[1]],
+                                     result_.class_values[at[2]]);
+      result_.residuals.push_back(unit_ * solved_.solution.residuals[v]);
+      result_.in_front.push_back(tied_.seen.rotation.row(2).dot(solved_.solution.position(table, v)) > 0);
+    }
+    result_.rms = unit_ * solved_.solution.rms();
+    for (MergedPlanes& merged : result_.merged) merged.distance *= placed.scale[table.component[merged.vertex]];
+    scale_ = std::move(placed.scale);
+  }
+
+  void add_warnings(double sigma) {
+    if (solved_.table.components > 1) warn_disconnected();
+    for (const Contradiction& contradiction : result_.contradictions) warn_contradiction(contradiction);
+    if (!solved_.solution.in_front) warn_not_in_front();
+    add_deviations(std::max(sigma, least_sigma));
+  }
+
+  std::vector<Index> strokes_at(const std::vector<bool>& wanted) const {
+    std::vector<Index> strokes;
+    for (std::size_t s = 0; s < vertices_.of_stroke.size(); ++s) {
+      const auto [a, b] = vertices_.of_stroke[s];
+      if (a != no_index && b != no_index && (wanted[a] || wanted[b])) strokes.push_back(static_cast<Index>(s));
+    }
+    return strokes;
+  }
+
+  void warn_disconnected() {
+    std::vector<bool> apart;
+    for (const Index c : result_.component) apart.push_back(c != 0);
+    const std::vector<Index> strokes = strokes_at(apart);
+    result_.warnings.push_back(
+        make_warning(Category::Geometry, "DISCONNECTED",
+                     "Nothing ties " + stroke_names(drawing_, strokes) +
+                         " to the rest, so how far away they are is a guess: draw a link stroke between them.",
+                     stroke_subjects(drawing_, strokes)));
+  }
+
+  void warn_contradiction(const Contradiction& contradiction) {
+    const PerspectiveStroke& stroke = drawing_.strokes[contradiction.stroke];
+    std::string sentence = "Stroke " + stroke.id + " is drawn as " + group_words(stroke.group);
+    if (contradiction.fix != StrokeGroup::Unknown) {
+      sentence += " but fits " + group_words(contradiction.fix) + ": give it that group.";
+    } else if (contradiction.split != no_index) {
+      sentence += ", which contradicts the rest: two corners seem to be drawn at one place there, move them apart.";
+    } else {
+      sentence += ", which contradicts the rest: check its group and its ends.";
+    }
+    result_.warnings.push_back(make_warning(Category::Geometry, "CONTRADICTION", std::move(sentence),
+                                            {stroke_subject(drawing_, contradiction.stroke)}));
+  }
+
+  void warn_not_in_front() {
+    std::vector<bool> behind;
+    for (const bool in_front : result_.in_front) behind.push_back(!in_front);
+    const std::vector<Index> strokes = strokes_at(behind);
+    result_.warnings.push_back(make_warning(Category::Geometry, "NOT_IN_FRONT",
+                                            "Ends of " + stroke_names(drawing_, strokes) +
+                                                " would lie behind the eye: check groups and ends.",
+                                            stroke_subjects(drawing_, strokes)));
+  }
+
+  void add_deviations(double sigma) {
+    result_.deviations = depth_deviations(tied_.seen, solved_.table, solved_.solution);
+    std::vector<double> diagonals;
+    for (Index c = 0; c < solved_.table.components; ++c) diagonals.push_back(component_diagonal(solved_, c));
+    std::set<Index> grazing;
+    for (Index v = 0; v < result_.deviations.size(); ++v) {
+      const Index component = solved_.table.component[v];
+      const bool uncertain = sigma * result_.deviations[v] > options_.grazing_deviation * diagonals[component];
+      if (uncertain && diagonals[component] > 0) add_grazing_strokes(v, grazing);
+      result_.deviations[v] *= sigma * scale_[component];
+    }
+    if (grazing.empty()) return;
+    const std::vector<Index> strokes(grazing.begin(), grazing.end());
+    result_.warnings.push_back(
+        make_warning(Category::Geometry, "GRAZING",
+                     "The depth of " + stroke_names(drawing_, strokes) +
+                         " is uncertain, their plane is seen from its edge: tie their ends by further strokes.",
+                     stroke_subjects(drawing_, strokes)));
+  }
+
+  void add_grazing_strokes(Index vertex, std::set<Index>& strokes) const {
+    const Vec3 ray = tied_.seen.ray(vertex);
+    for (const StrokeEnd& end : vertices_.vertices[vertex].ends) {
+      const StrokeGroup group = tied_.ties.groups[end.stroke];
+      if (group == StrokeGroup::Unknown || is_parallel(group)) continue;
+      const int axis = axis_of(group);
+      const double along = std::hypot(ray[(axis + 1) % 3], ray[(axis + 2) % 3]);
+      if (std::atan2(std::abs(ray[axis]), along) < options_.grazing) strokes.insert(end.stroke);
+    }
+  }
+
+  const PerspectiveDrawing& drawing_;
+  const DrawingVertices& vertices_;
+  const CameraEstimate& camera_;
+  const CoordinateOptions& options_;
+  double unit_;  // px per u
+  TiedVertices tied_;
+  SolvedVertices solved_;
+  Index largest_ = 0;          // component of the table
+  std::vector<double> scale_;  // of the table's components
+  VertexCoordinates result_;
+};
+
+}  // namespace
+
+VertexCoordinates solve_coordinates(const PerspectiveDrawing& drawing, const DrawingVertices& vertices,
+                                    const CameraEstimate& camera, std::span<const StrokeGroup> groups,
+                                    std::span<const PromotedStroke> promoted, const CoordinateOptions& options,
+                                    Progress& progress) {
+  if (vertices.vertices.empty()) {
+    VertexCoordinates nothing;
+    nothing.camera = camera.camera;
+    nothing.groups.assign(groups.begin(), groups.end());
+    return nothing;
+  }
+  return CoordinateSolve(drawing, vertices, camera, groups, options).run(promoted, progress);
+}
+
+std::vector<StrokeSuspicion> suspicions(const PerspectiveDrawing& drawing, const DrawingVertices& vertices,
+                                        const CameraEstimate& camera, std::span<const StrokeGroup> groups,
+                                        Progress& progress) {
+  std::vector<StrokeSuspicion> ranking = ranked_strokes(tied_vertices(drawing, vertices, camera, groups), progress);
+  for (StrokeSuspicion& suspicion : ranking) suspicion.rms *= SheetFrame(drawing).unit;
+  return ranking;
+}
+
+}  // namespace croquis

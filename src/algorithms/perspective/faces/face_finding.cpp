@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/perspective/face_finding.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "algorithms/perspective/faces/cover_search.h"
+#include "algorithms/perspective/faces/face_findings.h"
+#include "algorithms/perspective/faces/free_faces.h"
+#include "algorithms/perspective/faces/plane_faces.h"
+#include "algorithms/perspective/faces/shells.h"
+#include "croquis/geometry/disjoint_sets.h"
+
+namespace croquis {
+namespace {
+
+/// A set with a dearer face is kept only if more candidates give none that is cheaper.
+constexpr double doubtful_cost = 1;
+
+/// Edges that are covered together, and what was found for them.
+struct CoverPart {
+  std::vector<Index> edges;
+  std::vector<Index> members;
+  CoverResult result;
+};
+
+class FaceFinder {
+ public:
+  FaceFinder(const CurveNetwork& network, Progress& progress, const FaceFindingOptions& options)
+      : network_(network), progress_(progress), options_(options), graph_(make_solid_graph(network)),
+        planes_(planes_of(network, graph_, options.plane_tolerance * graph_.size)) {}
+
+  FaceFindingResult run() {
+    for (Index e = 0; e < graph_.edges.size(); ++e) open_.insert(e);
+    Progress candidates = progress_.step("find loops", 0.2);
+    for (Index p = 0; p < planes_.size(); ++p) add(faces_in_plane(graph_, planes_[p], p));
+    add_free(FreeFaceKind::WithCurves, options_.max_sides, candidates);
+    candidates.report(1);
+    Progress search = progress_.step("choose faces", 0.7);
+    cover(false, search);
+    if (!open_.empty()) {
+      add_free(FreeFaceKind::AllStraight, options_.max_sides, search);
+      cover(false, search);
+    }
+    if (!open_.empty() && options_.max_sides_late > options_.max_sides) {
+      add_free(FreeFaceKind::WithCurves, options_.max_sides_late, search);
+      add_free(FreeFaceKind::AllStraight, options_.max_sides_late, search);
+      cover(false, search);
+    }
+    keep_doubtful();
+    if (!open_.empty()) cover(true, search);
+    search.report(1);
+    FaceFindingResult result = make_result();
+    progress_.report(1);
+    return result;
+  }
+
+ private:
+  /// Takes candidates that are neither forbidden nor known; of those with the same edges the cheapest counts.
+  void add(std::vector<FaceCandidate> faces) {
+    for (FaceCandidate& face : faces) {
+      const std::set<std::string> name = name_of_face(face);
+      const auto is_named = [&](const FaceName& other) { return std::set(other.begin(), other.end()) == name; };
+      if (std::ranges::any_of(options_.forbidden, is_named)) continue;
+      const auto [known, is_new] = by_edges_.try_emplace(face.edges, static_cast<Index>(candidates_.size()));
+      if (is_new) {
+        if (std::ranges::any_of(options_.fixed, is_named)) fixed_.insert(known->second);
+        candidates_.push_back(std::move(face));
+      } else if (face.cost < candidates_[known->second].cost && face.plane == candidates_[known->second].plane) {
+        candidates_[known->second] = std::move(face);
+      }
+    }
+  }
+
+  std::set<std::string> name_of_face(const FaceCandidate& face) const {
+    std::set<std::string> name;
+    if (options_.fixed.empty() && options_.forbidden.empty()) return name;
+    for (const Index e : face.edges) name.insert(network_.curves[graph_.edges[e].curve].id);
+    return name;
+  }
+
+  void add_free(FreeFaceKind kind, std::size_t max_sides, Progress& progress) {
+    FreeFaces found = free_faces(graph_, planes_, kind, max_sides, progress);
+    loops_cut_short_ = loops_cut_short_ || found.cut_short;
+    add(std::move(found.candidates));
+  }
+
+  /// The open edges in parts that share no candidate.
+  std::vector<CoverPart> parts() const {
+    DisjointSets sets(graph_.edges.size());
+    std::vector<Index> usable;
+    for (Index c = 0; c < candidates_.size(); ++c) {
+      const std::vector<Index>& edges = candidates_[c].edges;
+      if (!std::ranges::all_of(edges, [&](Index e) { return open_.contains(e); })) continue;
+      usable.push_back(c);
+      for (const Index e : edges) sets.unite(edges[0], e);
+    }
+    std::map<Index, CoverPart> by_root;
+    for (const Index e : open_) by_root[sets.root(e)].edges.push_back(e);
+    for (const Index c : usable) by_root[sets.root(candidates_[c].edges[0])].members.push_back(c);
+    std::vector<CoverPart> result;
+    for (auto& [root, part] : by_root) result.push_back(std::move(part));
+    return result;
+  }
+
+  /// Covers the open edges part by part; what is covered without doubt is open no longer.
+  void cover(bool partial, Progress& progress) {
+    doubtful_.clear();
+    for (CoverPart& part : parts()) {
+      CoverProblem problem{graph_, candidates_, part.edges, part.members, {}, partial};
+      std::ranges::set_intersection(part.members, fixed_, std::back_inserter(problem.fixed));
+      problem.margin = options_.margin;
+      problem.max_covers = options_.max_alternatives + 1;
+      problem.node_limit = options_.node_limit;
+      part.result = search_covers(problem, progress);
+      nodes_ += part.result.nodes;
+      if (part.result.covers.empty()) {
+        limited_ = limited_ || part.result.limited;
+        continue;
+      }
+      const bool doubtful = !partial && std::ranges::any_of(part.result.covers[0].chosen, [&](Index c) {
+        return candidates_[c].cost > doubtful_cost;
+      });
+      if (doubtful) {
+        doubtful_.push_back(std::move(part));
+      } else {
+        settle(std::move(part));
+      }
+    }
+  }
+
+  void settle(CoverPart part) {
+    limited_ = limited_ || part.result.limited;
+    for (const Index e : part.edges) open_.erase(e);
+    settled_.push_back(std::move(part));
+  }
+
+  void keep_doubtful() {
+    for (CoverPart& part : doubtful_) settle(std::move(part));
+    doubtful_.clear();
+  }
+
+  /// The best choice of every part, but of one part another one.
+  FaceSet face_set(std::size_t changed_part, std::size_t number) const {
+    std::vector<Index> chosen;
+    double cost = 0;
+    for (std::size_t p = 0; p < settled_.size(); ++p) {
+      const Cover& cover = settled_[p].result.covers[p == changed_part ? number : 0];
+      chosen.insert(chosen.end(), cover.chosen.begin(), cover.chosen.end());
+      cost += cover.cost;
+    }
+    std::ranges::sort(chosen);
+    return make_shells(graph_, candidates_, chosen, cost);
+  }
+
+  FaceFindingResult make_result() const {
+    FaceFindingResult result;
+    result.best = face_set(0, 0);
+    for (std::size_t p = 0; p < settled_.size(); ++p) {
+      for (std::size_t i = 1; i < settled_[p].result.covers.size(); ++i) result.alternatives.push_back(face_set(p, i));
+    }
+    std::ranges::stable_sort(result.alternatives, {}, &FaceSet::cost);
+    if (result.alternatives.size() > options_.max_alternatives) result.alternatives.resize(options_.max_alternatives);
+    result.dangling = graph_.dangling;
+    result.bridges = graph_.bridges;
+    result.open_curves = open_curves(result.best);
+    result.candidates = candidates_.size();
+    result.internal_rejected = count_internal(graph_, candidates_, chosen_faces());
+    result.nodes = nodes_;
+    const bool limited = limited_ || (loops_cut_short_ && !result.open_curves.empty());
+    result.warnings = face_findings(network_, result, limited);
+    return result;
+  }
+
+  std::vector<Index> chosen_faces() const {
+    std::vector<Index> chosen;
+    for (const CoverPart& part : settled_) {
+      chosen.insert(chosen.end(), part.result.covers[0].chosen.begin(), part.result.covers[0].chosen.end());
+    }
+    std::ranges::sort(chosen);
+    return chosen;
+  }
+
+  std::vector<Index> open_curves(const FaceSet& set) const {
+    std::map<Index, int> sides;
+    for (const GraphEdge& edge : graph_.edges) sides[edge.curve] = 0;
+    for (const NetworkFace& face : set.faces) {
+      for (const CurveLoop& loop : face.loops) {
+        for (const CurveUse& use : loop) ++sides[use.curve];
+      }
+    }
+    std::vector<Index> open;
+    for (const auto& [curve, count] : sides) {
+      if (count < 2) open.push_back(curve);
+    }
+    return open;
+  }
+
+  const CurveNetwork& network_;
+  Progress& progress_;
+  const FaceFindingOptions& options_;
+  SolidGraph graph_;
+  std::vector<EdgePlane> planes_;
+  std::vector<FaceCandidate> candidates_;
+  std::map<std::vector<Index>, Index> by_edges_;
+  std::set<Index> fixed_;
+  std::set<Index> open_;  ///< edges that no cover was found for
+  std::vector<CoverPart> settled_, doubtful_;
+  bool loops_cut_short_ = false, limited_ = false;
+  std::size_t nodes_ = 0;
+};
+
+}  // namespace
+
+FaceFindingResult find_faces(const CurveNetwork& network, Progress& progress, const FaceFindingOptions& options) {
+  return FaceFinder(network, progress, options).run();
+}
+
+}  // namespace croquis

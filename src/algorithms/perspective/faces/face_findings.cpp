@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/perspective/faces/face_findings.h"
+
+#include <algorithm>
+#include <set>
+
+#include "croquis/base/text.h"
+
+namespace croquis {
+namespace {
+
+/// Sentences name at most that many strokes; the finding's subjects have all.
+constexpr std::size_t named_strokes = 6;
+
+std::vector<std::string> stroke_ids(const CurveNetwork& network, const std::vector<Index>& curves) {
+  std::vector<std::string> ids;
+  for (const Index c : curves) ids.push_back(network.curves[c].id);
+  std::ranges::sort(ids);
+  return ids;
+}
+
+std::string named_list(const std::vector<std::string>& ids) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(ids.size(), named_strokes); ++i) text += (i > 0 ? ", " : "") + ids[i];
+  if (ids.size() > named_strokes) text += " and " + std::to_string(ids.size() - named_strokes) + " more";
+  return text;
+}
+
+std::vector<Subject> stroke_subjects(const std::vector<std::string>& ids) {
+  std::vector<Subject> subjects;
+  for (const std::string& id : ids) {
+    Subject subject;
+    subject.kind = SubjectKind::Stroke;
+    subject.id = id;
+    subjects.push_back(std::move(subject));
+  }
+  return subjects;
+}
+
+Finding stroke_warning(const char* code, const std::string& sentence, const std::vector<std::string>& ids) {
+  return make_warning(Category::Geometry, code, sentence, stroke_subjects(ids));
+}
+
+std::vector<Index> curves_of_face(const NetworkFace& face) {
+  std::vector<Index> curves;
+  for (const CurveLoop& loop : face.loops) {
+    for (const CurveUse& use : loop) curves.push_back(use.curve);
+  }
+  std::ranges::sort(curves);
+  return curves;
+}
+
+void add_loose(const CurveNetwork& network, const FaceFindingResult& result, Findings& findings) {
+  for (const std::string& id : stroke_ids(network, result.dangling)) {
+    findings.push_back(stroke_warning(
+        "DANGLING", "Stroke " + id + " has an end that leads nowhere, so it bounds no face: join it to other strokes.",
+        {id}));
+  }
+  for (const std::string& id : stroke_ids(network, result.bridges)) {
+    findings.push_back(stroke_warning("DANGLING",
+                                      "Stroke " + id +
+                                          " is the only connection of two parts, so it bounds no face: draw the other "
+                                          "edges between them or remove it.",
+                                      {id}));
+  }
+}
+
+void add_straight_faces(const CurveNetwork& network, const FaceFindingResult& result, Findings& findings) {
+  for (const NetworkFace& face : result.best.faces) {
+    const std::vector<Index> curves = curves_of_face(face);
+    if (face.planar || !std::ranges::all_of(curves, [&](Index c) { return network.curves[c].straight; })) continue;
+    const std::vector<std::string> ids = stroke_ids(network, curves);
+    findings.push_back(stroke_warning("NONPLANAR_STRAIGHT_FACE",
+                                      "The straight strokes " + named_list(ids) +
+                                          " bound a face that isn't flat: a stroke is probably missing between them.",
+                                      ids));
+  }
+}
+
+void add_ambiguous(const CurveNetwork& network, const FaceFindingResult& result, Findings& findings) {
+  std::set<Index> differing;
+  std::set<std::vector<Index>> best;
+  for (const NetworkFace& face : result.best.faces) best.insert(curves_of_face(face));
+  for (const FaceSet& set : result.alternatives) {
+    for (const NetworkFace& face : set.faces) {
+      const std::vector<Index> curves = curves_of_face(face);
+      if (!best.contains(curves)) differing.insert(curves.begin(), curves.end());
+    }
+  }
+  const std::vector<std::string> ids = stroke_ids(network, {differing.begin(), differing.end()});
+  findings.push_back(stroke_warning(
+      "AMBIGUOUS",
+      "The strokes " + named_list(ids) + " can be given faces in " +
+          counted(result.alternatives.size() + 1, "way", "ways") + " that fit about as well: choose the faces there.",
+      ids));
+}
+
+}  // namespace
+
+Findings face_findings(const CurveNetwork& network, const FaceFindingResult& result, bool limited) {
+  Findings findings;
+  add_loose(network, result, findings);
+  if (!result.open_curves.empty()) {
+    const std::vector<std::string> ids = stroke_ids(network, result.open_curves);
+    findings.push_back(stroke_warning("NOT_CLOSED",
+                                      "No set of faces closes the solid; the strokes " + named_list(ids) +
+                                          " lack a face: draw the edges that are missing next to them.",
+                                      ids));
+  }
+  add_straight_faces(network, result, findings);
+  if (!result.alternatives.empty()) add_ambiguous(network, result, findings);
+  if (limited) {
+    findings.push_back(make_warning(Category::Limit, "SEARCH_LIMIT",
+                                    "The search for faces ended at its limit, so a better set may exist: choose some "
+                                    "faces by hand or raise the limit."));
+  }
+  return findings;
+}
+
+}  // namespace croquis

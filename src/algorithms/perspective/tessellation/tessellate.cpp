@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "algorithms/perspective/tessellation/edge_samples.h"
+#include "croquis/geometry/planar_triangulation.h"
+#include "croquis/perspective/tessellation.h"
+
+namespace croquis {
+namespace {
+
+/// A corner of triangles: a vertex and the normal that a face has there.
+struct SurfaceCorner {
+  Index vertex = no_index;
+  Vec3 normal = Vec3::Zero();
+};
+
+/// A side of a patch as corners, from its start to its end, evenly spaced in the parameter.
+using SideCorners = std::vector<SurfaceCorner>;
+
+class Tessellator {
+ public:
+  Tessellator(const Brep& brep, Progress& progress, const TessellationOptions& options)
+      : brep_(brep), progress_(progress), samples_(sample_edges(brep, options, result_.mesh)) {}
+
+  Tessellation run() {
+    for (Index f = 0; f < brep_.faces.size(); ++f) {
+      progress_.report(f, brep_.faces.size());
+      face_ = f;
+      if (brep_.faces[f].planar) {
+        add_planar();
+      } else if (brep_.faces[f].patches.size() == 1) {
+        add_single_patch();
+      } else {
+        add_star();
+      }
+    }
+    finish();
+    progress_.report(1);
+    return std::move(result_);
+  }
+
+ private:
+  const BrepFace& face() const { return brep_.faces[face_]; }
+
+  void add(const SurfaceCorner& a, const SurfaceCorner& b, const SurfaceCorner& c) {
+    result_.mesh.add_triangle(a.vertex, b.vertex, c.vertex);
+    for (const SurfaceCorner* corner : {&a, &b, &c}) {
+      for (int i = 0; i < 3; ++i) normals_.push_back(corner->normal[i]);
+    }
+    face_numbers_.push_back(static_cast<std::int32_t>(face_));
+  }
+
+  Index new_vertex(const Vec3& p) {
+    result_.mesh.positions.push_back(p);
+    return static_cast<Index>(result_.mesh.positions.size() - 1);
+  }
+
+  /// The vertices along a half-edge.
+  std::vector<Index> vertices_along(Index half) const {
+    std::vector<Index> vertices = samples_.edges[brep_.half_edges[half].edge].vertices;
+    if (brep_.half_edges[half].reversed) std::ranges::reverse(vertices);
+    return vertices;
+  }
+
+  // Planar faces.
+
+  void add_planar() {
+    std::vector<Index> vertices;
+    std::vector<std::array<Index, 2>> sides;
+    std::map<Index, Index> number;
+    const auto number_of = [&](Index vertex) {
+      const auto [known, is_new] = number.try_emplace(vertex, static_cast<Index>(vertices.size()));
+      if (is_new) vertices.push_back(vertex);
+      return known->second;
+    };
+    for (const Index loop : face().loops) {
+      for (const Index half : brep_.around(loop)) {
+        const std::vector<Index> along = vertices_along(half);
+        for (std::size_t i = 0; i + 1 < along.size(); ++i) sides.push_back({number_of(along[i]), number_of(along[i + 1])});
+      }
+    }
+    const PlanarTriangulationResult plane = triangulate(flat(vertices), sides);
+    if (!plane.conflict.empty()) {
+      add_fan(vertices, sides);
+      return;
+    }
+    const Vec3& normal = face().normal;
+    for (const auto& [a, b, c] : triangles_inside(plane.triangulation)) {
+      add({vertices[a], normal}, {vertices[b], normal}, {vertices[c], normal});
+    }
+  }
+
+  /// Places in the face's plane; along two axes where the plane is at right angles to the third, so that nothing is
+  /// rounded.
+  std::vector<Vec2> flat(const std::vector<Index>& vertices) const {
+    const Vec3& normal = face().normal;
+    Vec3 u = normal.unitOrthogonal();
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::abs(normal[axis]) == 1) u = Vec3::Unit((axis + 1) % 3);
+    }
+    const Vec3 v = normal.cross(u);
+    std::vector<Vec2> places;
+    for (const Index vertex : vertices) {
+      const Vec3& p = result_.mesh.positions[vertex];
+      places.emplace_back(u.dot(p), v.dot(p));
+    }
+    return places;
+  }
+
+  /// For outlines that cross: closed all the same.
+  void add_fan(const std::vector<Index>& vertices, const std::vector<std::array<Index, 2>>& sides) {
+    Vec3 middle = Vec3::Zero();
+    for (const Index vertex : vertices) middle += result_.mesh.positions[vertex] / static_cast<double>(vertices.size());
+    const Vec3& normal = face().normal;
+    const SurfaceCorner apex{new_vertex(middle), normal};
+    for (const auto& [a, b] : sides) add({vertices[a], normal}, {vertices[b], normal}, apex);
+    result_.warnings.push_back(make_warning(
+        Category::Geometry, "PATCH_FOLDED",
+        "The outlines of the plane face " + std::to_string(face_) + " cross each other: move its strokes apart.",
+        {numbered_subject(SubjectKind::Face, face_)}));
+  }
+
+  // Patches.
+
+  static std::pair<double, double> place_on_side(std::size_t side, double s) {
+    switch (side) {
+      case 0: return {s, 0};
+      case 1: return {1, s};
+      case 2: return {1 - s, 1};
+      default: return {0, 1 - s};
+    }
+  }
+
+  /// @param first,last positions among the half-edge's samples
+  SideCorners corners_along(Index half, std::size_t first, std::size_t last, const GregoryPatch& patch,
+                            std::size_t side) const {
+    const EdgeSamples& edge = samples_.edges[brep_.half_edges[half].edge];
+    const bool reversed = brep_.half_edges[half].reversed;
+    const std::vector<Index> vertices = vertices_along(half);
+    SideCorners corners;
+    for (std::size_t i = first; i <= last; ++i) {
+      const auto [u, v] = place_on_side(side, static_cast<double>(i - first) / static_cast<double>(last - first));
+      Vec3 normal = Vec3::Zero();
+      if (i == 0) normal = samples_.corner_normal[half];
+      if (i + 1 == vertices.size()) normal = samples_.corner_normal[brep_.half_edges[half].next];
+      if (normal.isZero(0) && !edge.normals.empty()) normal = edge.normals[reversed ? vertices.size() - 1 - i : i];
+      if (normal.isZero(0)) normal = normal_at(patch, u, v);
+      corners.push_back({vertices[i], normal});
+    }
+    return corners;
+  }
+
+  /// Where a corner of the patch has no normal, the one nearby.
+  Vec3 normal_at(const GregoryPatch& patch, double u, double v) const {
+    constexpr double inside = 1e-3;
+    const Vec3 normal = patch.at(u, v).normal();
+    if (!normal.isZero(0)) return normal;
+    return patch.at(std::clamp(u, inside, 1 - inside), std::clamp(v, inside, 1 - inside)).normal();
+  }
+
+  std::size_t last_of(Index half) const { return vertices_along(half).size() - 1; }
+  std::size_t middle_of(Index half) const {
+    const EdgeSamples& edge = samples_.edges[brep_.half_edges[half].edge];
+    return brep_.half_edges[half].reversed ? edge.vertices.size() - 1 - edge.middle : edge.middle;
+  }
+
+  void add_single_patch() {
+    const GregoryPatch& patch = face().patches[0];
+    const std::vector<Index> halves = brep_.around(face().loops[0]);
+    std::array<SideCorners, 4> sides;
+    for (std::size_t i = 0; i < 4; ++i) sides[i] = corners_along(halves[i], 0, last_of(halves[i]), patch, i);
+    add_patch(patch, sides, samples_.faces[face_].along[0]);
+  }
+
+  void add_star() {
+    const std::vector<GregoryPatch>& patches = face().patches;
+    const std::vector<Index> halves = brep_.around(face().loops[0]);
+    const std::vector<std::array<std::size_t, 2>>& spans = samples_.faces[face_].along;
+    const std::size_t n = patches.size();
+    const SurfaceCorner middle{new_vertex(patches[0].boundary[6]), middle_normal()};
+    std::vector<SideCorners> spokes;
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t count = std::max<std::size_t>(2, std::max(spans[i][1], spans[(i + 1) % n][0]));
+      spokes.push_back(spoke_corners(halves[i], patches[i], count, middle));
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t before = (i + n - 1) % n;
+      SideCorners back(spokes[before].rbegin(), spokes[before].rend());
+      add_patch(patches[i],
+                {corners_along(halves[i], 0, middle_of(halves[i]), patches[i], 0), spokes[i], std::move(back),
+                 corners_along(halves[before], middle_of(halves[before]), last_of(halves[before]), patches[i], 3)},
+                spans[i]);
+    }
+  }
+
+  Vec3 middle_normal() const {
+    Vec3 sum = Vec3::Zero();
+    for (const GregoryPatch& patch : face().patches) sum += normal_at(patch, 1, 1);
+    return sum.normalized();
+  }
+
+  /// From the middle of a side to the middle of the face.
+  SideCorners spoke_corners(Index half, const GregoryPatch& patch, std::size_t count, const SurfaceCorner& middle) {
+    SideCorners corners = corners_along(half, 0, middle_of(half), patch, 0);
+    corners.erase(corners.begin(), corners.end() - 1);
+    for (std::size_t i = 1; i < count; ++i) {
+      const double t = static_cast<double>(i) / static_cast<double>(count);
+      corners.push_back({new_vertex(patch.at(1, t).at), normal_at(patch, 1, t)});
+    }
+    corners.push_back(middle);
+    return corners;
+  }
+
+  /// A grid inside, and between it and each side a strip.
+  void add_patch(const GregoryPatch& patch, const std::array<SideCorners, 4>& sides,
+                 const std::array<std::size_t, 2>& spans) {
+    const std::size_t nu = std::max({std::size_t{2}, spans[0], sides[0].size() - 1, sides[2].size() - 1});
+    const std::size_t nv = std::max({std::size_t{2}, spans[1], sides[1].size() - 1, sides[3].size() - 1});
+    std::vector<std::vector<SurfaceCorner>> grid(nv - 1);
+    for (std::size_t j = 1; j < nv; ++j) {
+      for (std::size_t i = 1; i < nu; ++i) {
+        const PatchPoint p = patch.at(static_cast<double>(i) / static_cast<double>(nu),
+                                      static_cast<double>(j) / static_cast<double>(nv));
+        grid[j - 1].push_back({new_vertex(p.at), p.normal()});
+      }
+    }
+    for (std::size_t j = 0; j + 1 < grid.size(); ++j) {
+      for (std::size_t i = 0; i + 1 < grid[j].size(); ++i) {
+        add_quad(grid[j][i], grid[j][i + 1], grid[j + 1][i + 1], grid[j + 1][i]);
+      }
+    }
+    SideCorners right, left;
+    for (const auto& row : grid) {
+      right.push_back(row.back());
+      left.insert(left.begin(), row.front());
+    }
+    const SideCorners top(grid.back().rbegin(), grid.back().rend());
+    add_strip(sides[0], grid.front());
+    add_strip(sides[1], right);
+    add_strip(sides[2], top);
+    add_strip(sides[3], left);
+  }
+
+  double squared_distance(const SurfaceCorner& a, const SurfaceCorner& b) const {
+    return (result_.mesh.positions[a.vertex] - result_.mesh.positions[b.vertex]).squaredNorm();
+  }
+
+  void add_quad(const SurfaceCorner& a, const SurfaceCorner& b, const SurfaceCorner& c, const SurfaceCorner& d) {
+    if (squared_distance(a, c) <= squared_distance(b, d)) {
+      add(a, b, c);
+      add(a, c, d);
+    } else {
+      add(a, b, d);
+      add(b, c, d);
+    }
+  }
+
+  /// Triangles between a side and the row of the grid inside next to it, both from left to right.
+  void add_strip(const SideCorners& side, const SideCorners& row) {
+    const double side_step = 1 / static_cast<double>(side.size() - 1);
+    const double row_step = 1 / static_cast<double>(row.size() + 1);
+    std::size_t i = 0, j = 0;
+    while (i + 1 < side.size() || j + 1 < row.size()) {
+      // The middle of the next span decides; the row has its first place one step in.
+      const double side_next = (static_cast<double>(i) + 0.5) * side_step;
+      const double row_next = (static_cast<double>(j) + 1.5) * row_step;
+      if (j + 1 >= row.size() || (i + 1 < side.size() && side_next <= row_next)) {
+        add(side[i], side[i + 1], row[j]);
+        ++i;
+      } else {
+        add(side[i], row[j + 1], row[j]);
+        ++j;
+      }
+    }
+  }
+
+  void finish() {
+    PolyMesh& mesh = result_.mesh;
+    mesh.channels.push_back({"normal", Domain::Corner, 3, std::move(normals_), {}});
+    result_.volume.assign(brep_.shells.size(), 0);
+    for (std::size_t t = 0; t < mesh.face_count(); ++t) {
+      const std::span<const Index> corners = mesh.face(t);
+      const Vec3 &a = mesh.positions[corners[0]], &b = mesh.positions[corners[1]], &c = mesh.positions[corners[2]];
+      result_.volume[brep_.faces[static_cast<std::size_t>(face_numbers_[t])].shell] += a.dot(b.cross(c)) / 6;
+    }
+    mesh.channels.push_back({"face", Domain::Face, 1, std::move(face_numbers_), {}});
+  }
+
+  const Brep& brep_;
+  Progress& progress_;
+  Tessellation result_;
+  BrepSamples samples_;
+  Index face_ = 0;
+  std::vector<double> normals_;
+  std::vector<std::int32_t> face_numbers_;
+};
+
+}  // namespace
+
+Tessellation tessellate(const Brep& brep, Progress& progress, const TessellationOptions& options) {
+  return Tessellator(brep, progress, options).run();
+}
+
+}  // namespace croquis

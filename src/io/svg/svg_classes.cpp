@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/svg/svg_classes.h"
+
+#include <algorithm>
+
+#include "io/svg/svg_elements.h"
+#include "io/text.h"
+
+namespace croquis {
+namespace {
+
+/// Cuts off the text before the next separator, and the separator.
+std::string_view cut(std::string_view& text, char separator) {
+  const std::string_view part = text.substr(0, text.find(separator));
+  text.remove_prefix(std::min(text.size(), part.size() + 1));
+  return part;
+}
+
+/// On one line.
+std::string without_comments(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t begin = std::min(text.find("/*"), text.size());
+    result.append(text.substr(0, begin));
+    text.remove_prefix(begin);
+    const std::size_t end = text.find("*/", std::min<std::size_t>(2, text.size()));
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 2);
+  }
+  for (char& c : result) c = c == '\n' ? ' ' : c;
+  return result;
+}
+
+}  // namespace
+
+void SvgClasses::read(const pugi::xml_node& root) {
+  const auto is_style = [](const pugi::xml_node& node) { return svg_local_name(node) == "style"; };
+  for (const pugi::xml_node& child : root.children()) {
+    if (is_style(child)) read_sheet(without_comments(child.text().get()));
+    if (svg_local_name(child) != "defs") continue;
+    for (const pugi::xml_node& inner : child.children()) {
+      if (is_style(inner)) read_sheet(without_comments(inner.text().get()));
+    }
+  }
+}
+
+void SvgClasses::read_sheet(std::string_view text) {
+  while (!text.empty()) {
+    std::string_view selectors = cut(text, '{');
+    const std::string_view declarations = cut(text, '}');
+    while (!selectors.empty()) {
+      const std::string_view selector = trimmed(cut(selectors, ','));
+      if (!selector.starts_with('.')) continue;
+      declarations_[std::string(selector.substr(1))].append(declarations).append(";");
+    }
+  }
+}
+
+std::string SvgClasses::property(const pugi::xml_node& node, std::string_view name) const {
+  const std::string_view declared = svg_declared(node.attribute("style").value(), name);
+  if (!declared.empty()) return std::string(declared);
+  std::string_view classes = node.attribute("class").value();
+  while (!classes.empty()) {
+    const auto found = declarations_.find(trimmed(cut(classes, ' ')));
+    if (found == declarations_.end()) continue;
+    const std::string_view value = svg_declared(found->second, name);
+    if (!value.empty()) return std::string(value);
+  }
+  return svg_property(node, name);
+}
+
+std::string SvgClasses::inherited(pugi::xml_node node, std::string_view name) const {
+  for (; node; node = node.parent()) {
+    std::string value = property(node, name);
+    if (!value.empty() && value != "inherit") return value;
+  }
+  return {};
+}
+
+}  // namespace croquis

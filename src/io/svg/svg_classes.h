@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include <pugixml.hpp>
+
+namespace croquis {
+
+/// Declarations of a file's style sheets by class: rules whose selector is a class alone (".a, .b { stroke: red }").
+class SvgClasses {
+ public:
+  /// All `style` elements below the root.
+  void read(const pugi::xml_node& root);
+
+  /// A property of an element: its style attribute, then its classes, then its own attribute; empty when it has none.
+  std::string property(const pugi::xml_node& node, std::string_view name) const;
+
+  /// The same of the element or of the nearest element around it that has one.
+  std::string inherited(pugi::xml_node node, std::string_view name) const;
+
+ private:
+  void read_sheet(std::string_view text);
+
+  std::map<std::string, std::string, std::less<>> declarations_;
+};
+
+}  // namespace croquis

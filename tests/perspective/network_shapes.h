@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "croquis/geometry/curve_network.h"
+#include "croquis/perspective/face_finding.h"
+#include "support/perspective/solids.h"
+
+/// Curve networks for tests, and what they are compared by.
+namespace croquis::test {
+
+/// A face by its loops, each the set of its curves' ids.
+using FaceIds = std::set<std::set<std::string>>;
+
+std::multiset<FaceIds> ids_of_faces(const CurveNetwork& network, const FaceSet& set);
+std::multiset<FaceIds> ids_of_faces(const PerspectiveSolid& solid);
+
+/// The same curves in another order, some turned, with other ids and vertices in another order.
+/// @return the network and, for each of its curves, the id that it had before
+std::pair<CurveNetwork, std::vector<std::string>> shuffled(const CurveNetwork& network, unsigned seed);
+
+/// The curves of both; ids of the second get a prefix.
+CurveNetwork joined(CurveNetwork a, const CurveNetwork& b, const std::string& prefix);
+
+CurveNetwork moved(CurveNetwork network, double scale, const Vec3& by);
+CurveNetwork rotated(CurveNetwork network);
+
+/// Without the curves of these ids.
+CurveNetwork without(CurveNetwork network, const std::set<std::string>& ids);
+
+/// An edge of a polyhedron as an arc of the unit sphere, one cubic.
+struct PolyhedronNet {
+  std::string name;
+  CurveNetwork network;
+  std::size_t faces = 0;
+};
+
+/// Cube, octahedron, dodecahedron, and a prism of three sides, on the unit sphere.
+std::vector<PolyhedronNet> sphere_nets();
+
+/// Vertices and handles moved by up to that much, ends of curves with their vertices.
+CurveNetwork perturbed(CurveNetwork network, double by, unsigned seed);
+
+FaceFindingResult faces_of(const CurveNetwork& network, const FaceFindingOptions& options = {});
+
+std::vector<std::string> codes_of(const Findings& findings);
+
+}  // namespace croquis::test
