@@ -9,6 +9,7 @@
 #include "croquis/base/error.h"
 #include "croquis/io/file.h"
 #include "croquis/io/json.h"
+#include "croquis/io/perspective_drawing_file.h"
 #include "croquis/io/svg_drawing.h"
 
 namespace croquis::cli {
@@ -83,6 +84,23 @@ Drawing read_input_drawing(const Invocation& invocation, CommandResult& result, 
                            {{SubjectKind::Parameter, "input-format", {}, {}, {}}}));
   }
   DrawingReadResult read = read_svg_drawing(read_input(invocation), shown_name(invocation.input), progress);
+  append(result.warnings, read.warnings);
+  return std::move(read.drawing);
+}
+
+PerspectiveDrawing read_input_perspective(const Invocation& invocation, CommandResult& result, Progress& progress) {
+  const std::string& format = invocation.input_format;
+  if (!format.empty() && format != "svg" && format != "json") {
+    throw Error(make_error(Category::Usage, "E_FORMAT",
+                           "There is no format '" + format + "' of perspective drawings: use svg or json.",
+                           {{SubjectKind::Parameter, "input-format", {}, {}, {}}}));
+  }
+  const std::string bytes = read_input(invocation);
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  const bool is_json = format.empty() ? first != std::string::npos && bytes[first] == '{' : format == "json";
+  const std::string name = shown_name(invocation.input);
+  PerspectiveReadResult read =
+      is_json ? read_perspective_json(bytes, name) : read_perspective_svg(bytes, name, progress);
   append(result.warnings, read.warnings);
   return std::move(read.drawing);
 }

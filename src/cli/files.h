@@ -5,6 +5,7 @@
 
 #include "cli/command.h"
 #include "croquis/geometry/drawing.h"
+#include "croquis/geometry/perspective_drawing.h"
 #include "croquis/geometry/poly_mesh.h"
 #include "croquis/io/mesh_file.h"
 
@@ -32,6 +33,10 @@ Report read_report(const std::string& path);
 /// Reads the input as a silhouette sketch.
 /// @throws Error
 Drawing read_input_drawing(const Invocation& invocation, CommandResult& result, Progress& progress);
+
+/// Reads the input as a perspective drawing: JSON where it begins with a brace, else SVG.
+/// @throws Error
+PerspectiveDrawing read_input_perspective(const Invocation& invocation, CommandResult& result, Progress& progress);
 
 /// The mesh format of an output path; `named` (--output-format) goes before the name.
 /// @throws Error (E_FORMAT, Category::Usage)

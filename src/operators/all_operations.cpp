@@ -5,6 +5,7 @@
 #include "operators/fair_operation.h"
 #include "operators/fill_operation.h"
 #include "operators/inflate_operation.h"
+#include "operators/perspective/perspective_operation.h"
 #include "operators/subdivide_operation.h"
 
 namespace croquis {
@@ -12,6 +13,7 @@ namespace croquis {
 Registry all_operations() {
   Registry registry;
   registry.add(std::make_unique<InflateOperation>());
+  registry.add(std::make_unique<PerspectiveOperation>());
   registry.add(std::make_unique<SubdivideOperation>());
   registry.add(std::make_unique<FairOperation>());
   registry.add(std::make_unique<FillOperation>());

@@ -13,6 +13,7 @@ namespace croquis::bench {
 void bench_holes(std::ostream& out, const std::vector<std::string>& sections);
 
 void bench_implicit(std::ostream& out);
+void bench_perspective(std::ostream& out);
 void bench_readers(std::ostream& out);
 void bench_solver(std::ostream& out);
 void bench_remesh(std::ostream& out);

@@ -20,6 +20,7 @@ const std::map<std::string, Bench>& benches() {
   using namespace croquis::bench;
   static const std::map<std::string, Bench> all = {{"holes", bench_holes},
                                                    {"implicit", plain(bench_implicit)},
+                                                   {"perspective", plain(bench_perspective)},
                                                    {"readers", plain(bench_readers)},
                                                    {"remesh", plain(bench_remesh)},
                                                    {"silhouette", plain(bench_silhouette)},
@@ -40,7 +41,7 @@ bool read_choices(const std::vector<std::string>& words, std::vector<Choice>& ch
       choices.back().second.push_back(word);
     } else {
       std::cerr << "There is no benchmark '" << word
-                << "': use holes, implicit, readers, remesh, silhouette, solver or subdivision.\n";
+                << "': use holes, implicit, perspective, readers, remesh, silhouette, solver or subdivision.\n";
       return false;
     }
   }
@@ -51,7 +52,8 @@ bool read_choices(const std::vector<std::string>& words, std::vector<Choice>& ch
 
 int main(int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
-  if (words.empty()) words = {"readers", "solver", "silhouette", "subdivision", "implicit", "holes", "remesh"};
+  if (words.empty())
+    words = {"readers", "solver", "silhouette", "subdivision", "perspective", "implicit", "holes", "remesh"};
   std::vector<Choice> choices;
   if (!read_choices(words, choices)) return 2;
   try {

@@ -29,17 +29,18 @@ enum class PerspectiveMode { Automatic = 0, OnePoint = 1, TwoPoint = 2, ThreePoi
 
 struct CameraOptions {
   PerspectiveMode mode = PerspectiveMode::Automatic;
-  double minimum_line = 0.03;      ///< parts of the diagonal, 0.005..0.2: shorter strokes aren't used, unless an axis has
-                                   ///< fewer than three longer ones
+  double minimum_line = 0.03;  ///< parts of the diagonal, 0.005..0.2: shorter strokes aren't used, unless an axis has
+                               ///< fewer than three longer ones
   double principal_spread = 0.25;  ///< diagonals, 0.001..1: how far off the centre the principal point may be
-  double flat_principal_spread = 0.02;  ///< the same along the horizon where fewer than three vanishing points are finite
-  double focal_length = 1.2;            ///< diagonals, 0.1..10: what it is likely to be
-  double focal_spread = 0.5;            ///< of its logarithm, 0.01..2
-  double outlier_sigmas = 5;            ///< 3..10: lines farther off are left out …
-  double outlier_distance = 2;          ///< u, and at least so far off
-  double mode_rise = 9;                 ///< 4..25: chi-squared that dropping a vanishing point may cost
-  double noise_floor = 0.15;            ///< u: drawings are never judged as more exact than this
-  bool turn_round = false;              ///< x and y point the other way; a drawing can't tell
+  double flat_principal_spread =
+      0.02;                     ///< the same along the horizon where fewer than three vanishing points are finite
+  double focal_length = 1.2;    ///< diagonals, 0.1..10: what it is likely to be
+  double focal_spread = 0.5;    ///< of its logarithm, 0.01..2
+  double outlier_sigmas = 5;    ///< 3..10: lines farther off are left out …
+  double outlier_distance = 2;  ///< u, and at least so far off
+  double mode_rise = 9;         ///< 4..25: chi-squared that dropping a vanishing point may cost
+  double noise_floor = 0.15;    ///< u: drawings are never judged as more exact than this
+  bool turn_round = false;      ///< x and y point the other way; a drawing can't tell
 };
 constexpr auto members(const CameraOptions& options) {
   return std::tie(options.mode, options.minimum_line, options.principal_spread, options.flat_principal_spread,
@@ -63,9 +64,9 @@ struct CameraEstimate {
   PerspectiveMode mode = PerspectiveMode::ThreePoint;
   std::array<bool, 3> finite{true, true, true};  ///< vanishing points that aren't at infinity
   std::array<Vec3, 3> vanishing_points{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< homogeneous, px
-  std::vector<VanishingLine> lines;     ///< all strokes along axes, in the order of the drawing
-  double sigma = 0;                     ///< px: noise of line ends; 0 where there are no more lines than unknowns
-  double focal_deviation = 0;           ///< px
+  std::vector<VanishingLine> lines;         ///< all strokes along axes, in the order of the drawing
+  double sigma = 0;                         ///< px: noise of line ends; 0 where there are no more lines than unknowns
+  double focal_deviation = 0;               ///< px
   Vec2 principal_deviation = Vec2::Zero();  ///< px
   bool focal_assumed = false;               ///< one-point perspective without a stated field of view
   Findings warnings;

@@ -32,17 +32,17 @@ struct SmoothJoint {
 };
 
 /// Makes curves that meet nearly in one direction meet exactly so: best pairs first, each end in one pair at most.
-/// Vertices stay; handles keep their length and turn; curves stay in the planes at right angles to an axis that they lie
-/// in. A straight curve gives its direction to the other one; two curves of one plane take the mean weighted by handle
-/// lengths, two of different planes the direction of the axis that both contain if it is near. What can't is left a
-/// corner. Call it before cubics are fitted.
+/// Vertices stay; handles keep their length and turn; curves stay in the planes at right angles to an axis that they
+/// lie in. A straight curve gives its direction to the other one; two curves of one plane take the mean weighted by
+/// handle lengths, two of different planes the direction of the axis that both contain if it is near. What can't is
+/// left a corner. Call it before cubics are fitted.
 /// @param camera if given, weights of moved handles change so that the curve still is what is seen as a cubic
 std::vector<SmoothJoint> join_smoothly(CurveNetwork& network, const Camera* camera,
                                        const CurveContinuityOptions& options = {});
 
 struct FaceContinuityOptions {
-  double angle = 0.2618;            ///< radians, 2..30 degrees: faces that turn less across an edge go on smoothly
-  std::vector<std::string> sharp;   ///< ids of curves that stay sharp
+  double angle = 0.2618;           ///< radians, 2..30 degrees: faces that turn less across an edge go on smoothly
+  std::vector<std::string> sharp;  ///< ids of curves that stay sharp
 };
 
 struct FaceContinuity {
@@ -50,10 +50,10 @@ struct FaceContinuity {
   Findings warnings;  ///< SMOOTH_DROPPED
 };
 
-/// Finds the edges that faces cross smoothly, and sets BrepEdge::smooth and ::across. Handles of fitted cubics turn into
-/// a common plane at vertices where that is needed, but no curve leaves a plane that it lies in, no straight one and no
-/// vertex moves, and planar faces stay. Edges that can't be smooth then are named by SMOOTH_DROPPED.
-/// Edges between two planar faces stay as they are.
+/// Finds the edges that faces cross smoothly, and sets BrepEdge::smooth and ::across. Handles of fitted cubics turn
+/// into a common plane at vertices where that is needed, but no curve leaves a plane that it lies in, no straight one
+/// and no vertex moves, and planar faces stay. Edges that can't be smooth then are named by SMOOTH_DROPPED. Edges
+/// between two planar faces stay as they are.
 FaceContinuity find_smooth_edges(Brep& brep, const FaceContinuityOptions& options = {});
 
 }  // namespace croquis

@@ -15,11 +15,11 @@ namespace croquis {
 enum class SlopeRule : std::uint8_t {
   Mean,        ///< the mean of the ends (Chiyokura and Kimura 1983)
   Proportion,  ///< as far as the patch is wide there, in proportion to the neighbouring sides' handles
-  Fair         ///< least thin-plate energy of the patch, starting from Proportion
+  Fair         ///< least variation of curvature: a linear solve per patch over the squares of third derivatives
 };
 
 struct PatchOptions {
-  SlopeRule slope = SlopeRule::Proportion;
+  SlopeRule slope = SlopeRule::Fair;
 };
 
 /// A side of a patch on its way around, with the directions that the slope across it is made of.
@@ -35,7 +35,8 @@ struct PatchSide {
 GregoryPatch span_patch(const std::array<PatchSide, 4>& sides, const PatchOptions& options = {});
 
 /// Spans patches over all faces that aren't planar: one over four sides with one cubic each, else n around a middle
-/// point. Where the patches around the middle fold over, the middle is moved; PATCH_FOLDED names faces that stay folded.
+/// point. Where the patches around the middle fold over, the middle is moved; PATCH_FOLDED names faces that stay
+/// folded.
 /// @param brep smooth edges are known (find_smooth_edges)
 Findings span_patches(Brep& brep, const PatchOptions& options = {});
 

@@ -25,25 +25,25 @@
 namespace croquis {
 
 struct CoordinateOptions {
-  bool promote = true;             ///< straight strokes in planes that point at a vanishing point run along that axis
-  double promote_sigmas = 3;       ///< as long as they miss it by no more than so many sigma …
-  double promote_distance = 1.5;   ///< u, or so much
-  double promote_ratio = 3;        ///< and the other axis of their plane by so many times as much
-  bool merge_planes = true;        ///< planes of one axis that are nearly one become one
-  double merge_distance = 0.02;    ///< × diagonal of the bounding box, 0..0.05; coarse drawings: up to 0.05
-  double merge_rise = 16;          ///< 1..25: chi-squared that making two planes one may cost
-  double contradiction = 4;        ///< 2..10: rms of the residuals, in sigma, from which on something is wrong
-  double contradiction_noise = 0.5;    ///< u: sigma is at least taken for this
-  double lone_contradiction = 7;       ///< a single vertex so many sigma off is also wrong, if a stroke explains it
-  int most_contradictions = 10;        ///< strokes that are left out
+  bool promote = true;               ///< straight strokes in planes that point at a vanishing point run along that axis
+  double promote_sigmas = 3;         ///< as long as they miss it by no more than so many sigma …
+  double promote_distance = 1.5;     ///< u, or so much
+  double promote_ratio = 3;          ///< and the other axis of their plane by so many times as much
+  bool merge_planes = true;          ///< planes of one axis that are nearly one become one
+  double merge_distance = 0.02;      ///< × diagonal of the bounding box, 0..0.05; coarse drawings: up to 0.05
+  double merge_rise = 16;            ///< 1..25: chi-squared that making two planes one may cost
+  double contradiction = 4;          ///< 2..10: rms of the residuals, in sigma, from which on something is wrong
+  double contradiction_noise = 0.5;  ///< u: sigma is at least taken for this
+  double lone_contradiction = 7;     ///< a single vertex so many sigma off is also wrong, if a stroke explains it
+  int most_contradictions = 10;      ///< strokes that are left out
   double grazing = 2 * std::numbers::pi / 180;  ///< radians: planes seen at a smaller angle give no depth
   double grazing_deviation = 0.05;              ///< × diagonal of the bounding box: from then on it is told
 };
 constexpr auto members(const CoordinateOptions& options) {
   return std::tie(options.promote, options.promote_sigmas, options.promote_distance, options.promote_ratio,
                   options.merge_planes, options.merge_distance, options.merge_rise, options.contradiction,
-                  options.contradiction_noise, options.lone_contradiction, options.most_contradictions,
-                  options.grazing, options.grazing_deviation);
+                  options.contradiction_noise, options.lone_contradiction, options.most_contradictions, options.grazing,
+                  options.grazing_deviation);
 }
 static_assert(lists_every_member<CoordinateOptions>);
 
@@ -79,19 +79,19 @@ struct Contradiction {
 
 /// Where vertices are. Model units.
 struct VertexCoordinates {
-  Camera camera;                                ///< with its eye in the world
-  std::vector<Vec3> positions;                  ///< of each vertex of the drawing
-  std::vector<std::array<Index, 3>> classes;    ///< of each vertex: the classes of its x, y and z
-  std::vector<double> class_values;             ///< of each class; positions are made of these, bit by bit
-  std::vector<Index> component;                 ///< of each vertex; 0 is the largest piece
-  std::vector<StrokeGroup> groups;              ///< of each stroke as used: promoted, Unknown if ignored
-  std::vector<Vec2> residuals;                  ///< px, of each vertex: where it is seen minus where it was drawn
-  std::vector<double> deviations;               ///< of each vertex in space; empty for very large drawings
-  std::vector<PromotedStroke> promoted;         ///< by stroke
-  std::vector<MergedPlanes> merged;             ///< as they were found
-  std::vector<Contradiction> contradictions;    ///< as they were found
-  double rms = 0;                               ///< px per coordinate
-  std::vector<bool> in_front;                   ///< of each vertex; others can't be drawn (NOT_IN_FRONT)
+  Camera camera;                              ///< with its eye in the world
+  std::vector<Vec3> positions;                ///< of each vertex of the drawing
+  std::vector<std::array<Index, 3>> classes;  ///< of each vertex: the classes of its x, y and z
+  std::vector<double> class_values;           ///< of each class; positions are made of these, bit by bit
+  std::vector<Index> component;               ///< of each vertex; 0 is the largest piece
+  std::vector<StrokeGroup> groups;            ///< of each stroke as used: promoted, Unknown if ignored
+  std::vector<Vec2> residuals;                ///< px, of each vertex: where it is seen minus where it was drawn
+  std::vector<double> deviations;             ///< of each vertex in space; empty for very large drawings
+  std::vector<PromotedStroke> promoted;       ///< by stroke
+  std::vector<MergedPlanes> merged;           ///< as they were found
+  std::vector<Contradiction> contradictions;  ///< as they were found
+  double rms = 0;                             ///< px per coordinate
+  std::vector<bool> in_front;                 ///< of each vertex; others can't be drawn (NOT_IN_FRONT)
   Findings warnings;
 };
 
@@ -102,8 +102,8 @@ std::vector<PromotedStroke> promoted_strokes(const PerspectiveDrawing& drawing, 
 
 /// The coordinates of all vertices.
 ///
-/// Scale and place follow from the known lengths and the known point; missing: the eye is 10 units from the known point,
-/// the origin is the vertex nearest to the eye.
+/// Scale and place follow from the known lengths and the known point; missing: the eye is 10 units from the known
+/// point, the origin is the vertex nearest to the eye.
 /// @param groups   what each stroke is taken for
 /// @param promoted those of them that may be taken back to the drawn group when they contradict the rest
 /// @throws Cancelled; what is wrong becomes warnings: DISCONNECTED, CONTRADICTION, GRAZING, NOT_IN_FRONT

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -12,6 +13,8 @@
 #include "cli/report_table.h"
 #include "cli/solid_faults.h"
 #include "croquis/base/error.h"
+#include "croquis/io/camera_file.h"
+#include "croquis/io/curve_network_file.h"
 #include "croquis/io/json.h"
 #include "croquis/io/svg_writer.h"
 
@@ -73,6 +76,9 @@ Value read_value(const PortDescription& port, const Invocation& invocation, Comm
   if (port.type == ValueType::Drawing) {
     return std::make_shared<const Drawing>(read_input_drawing(invocation, result, progress));
   }
+  if (port.type == ValueType::PerspectiveDrawing) {
+    return std::make_shared<const PerspectiveDrawing>(read_input_perspective(invocation, result, progress));
+  }
   if (port.is_raw) {
     const bool drop = flag_of(invocation.parameters, drop_option);
     return std::make_shared<const PolyMesh>(drop ? read_finite_mesh(invocation, result, progress)
@@ -97,6 +103,14 @@ Values read_values(const OperationDescription& description, const Invocation& in
   return values;
 }
 
+/// How many vanishing points of a camera aren't at infinity: 1, 2 or 3.
+int finite_vanishing_points(const Camera& camera) {
+  constexpr double parallel = 1e-9;  // of an axis and the picture, radians
+  int count = 0;
+  for (int axis = 0; axis < 3; ++axis) count += std::abs(camera.rotation(2, axis)) > parallel ? 1 : 0;
+  return count;
+}
+
 /// One output to its file.
 struct Destination {
   std::string path;
@@ -111,6 +125,10 @@ void stage_value(const PortDescription& port, const Value& value, const Destinat
     const MeshFormat format = output_mesh_format(destination.path, destination.format);
     stage_mesh(destination.path, *mesh, {}, format, result, progress);
     if (port.is_solid) judge_solid(destination.path, as_written(*mesh, format, {}), result, progress);
+  } else if (const auto network = value.as<CurveNetwork>()) {
+    stage_file(destination.path, write_curve_network_obj(*network), result);
+  } else if (const auto camera = value.as<Camera>()) {
+    stage_file(destination.path, write_camera_json({*camera, Vec2::Zero(), finite_vanishing_points(*camera)}), result);
   } else {
     stage_file(destination.path, write_json(value.get<Report>()), result);
   }
@@ -208,12 +226,23 @@ std::optional<MeshReport> report_of_file(const PortDescription& port, const Valu
   return inspect(as_written(*mesh, format, {}), port.counts_self_intersections, progress);
 }
 
+/// A mesh without faces is no valid result; what was found on the way says why.
+void require_faces(const PortDescription& port, const Value& value, const Findings& warnings) {
+  const auto mesh = value.as<PolyMesh>();
+  if (mesh == nullptr || mesh->face_count() > 0) return;
+  Findings findings{make_error(Category::Geometry, "E_NO_FACES",
+                               "The " + port.name + " has no faces, so it isn't written: see the other findings.")};
+  findings.insert(findings.end(), warnings.begin(), warnings.end());
+  throw Error(std::move(findings));
+}
+
 /// Every output that has a file, and the figures of the main one.
 void stage_outputs(const OperationDescription& description, const Invocation& invocation, const Values& outputs,
                    CommandResult& result, Progress& progress) {
   const PortDescription& main_output = description.outputs.front();
   if (!invocation.output.empty()) {
     const Value& value = outputs.at(main_output.name);
+    require_faces(main_output, value, result.warnings);
     stage_value(main_output, value, {invocation.output, invocation.output_format}, result, progress);
     if (!result.mesh && is_asked_for(invocation)) {
       result.mesh = report_of_file(main_output, value, invocation, progress);
@@ -300,8 +329,11 @@ CommandDescription OperationCommand::describe() const {
   CommandDescription description;
   description.name = operation.id;
   description.sentence = operation.sentence;
-  const bool takes_drawing = operation.inputs.front().type == ValueType::Drawing;
-  description.input_word = takes_drawing ? "SKETCH.svg" : upper_case(operation.inputs.front().name);
+  const ValueType input = operation.inputs.front().type;
+  const bool takes_drawing = input == ValueType::Drawing || input == ValueType::PerspectiveDrawing;
+  description.input_word = input == ValueType::Drawing ? "SKETCH.svg"
+                           : takes_drawing             ? "DRAWING.svg"
+                                                       : upper_case(operation.inputs.front().name);
   const auto extra = extra_outputs(operation);
   const bool may_list = !operation.list_flag.empty();
   description.output = extra.empty() && !may_list ? OutputNeed::Required : OutputNeed::Optional;
@@ -315,7 +347,7 @@ CommandDescription OperationCommand::describe() const {
     description.parameters.push_back(
         {port.name, ParameterType::File, std::string(), 0, 0, {}, "", "Write to FILE: " + port.sentence});
   }
-  const std::string call = "croquis-cli " + operation.id + (takes_drawing ? " sketch.svg" : " model.obj");
+  const std::string call = "croquis-cli " + operation.id + (takes_drawing ? " drawing.svg" : " model.obj");
   const std::string options = operation.example.empty() ? "" : " " + operation.example;
   description.examples = {call + options + " -o solid.obj"};
   if (may_list) description.examples.push_back(call + " --" + operation.list_flag);

@@ -92,10 +92,10 @@ void append_stroke(std::string& text, const Stroke& stroke, double dash) {
 /// What belongs to an object is in a group of its own, so that strokes keep their order.
 void append_group_start(std::string& text, const Drawing& drawing, const std::string& object) {
   text += "<g";
-  append_attribute(text, "data-object", object);
+  append_svg_attribute(text, "data-object", object);
   const auto found = drawing.object_data.find(object);
   if (found != drawing.object_data.end()) {
-    for (const auto& [name, value] : found->second) append_attribute(text, "data-" + name, value);
+    for (const auto& [name, value] : found->second) append_svg_attribute(text, "data-" + name, value);
   }
   text += ">\n";
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "operators/perspective/perspective_report.h"
 
+#include <cmath>
 #include <numbers>
-#include <span>
 #include <utility>
 
 namespace croquis {
@@ -86,6 +86,14 @@ Report side_list(const PerspectiveFace& face, std::size_t patch, std::size_t pat
   return sides.push(strokes[patch]), sides.push(Report()), sides.push(Report()), sides.push(strokes[before]), sides;
 }
 
+std::size_t bytes_of_face(const PerspectiveFace& face) {
+  std::size_t bytes = sizeof face + face.id.capacity();
+  for (const auto& loop : face.strokes) {
+    for (const std::string& stroke : loop) bytes += sizeof stroke + stroke.capacity();
+  }
+  return bytes;
+}
+
 Report point_list(const GregoryPatch& patch) {
   Report points = Report::array();
   for (const Vec3& point : patch.boundary) points.push(numbers(point));
@@ -141,6 +149,20 @@ Report patch_report(const Brep& brep, const std::vector<PerspectiveFace>& faces)
   Report report;
   report.set("format", "croquis-patches/1").set("patches", std::move(patches)).set("planes", std::move(planes));
   return report;
+}
+
+std::size_t byte_size(const PerspectiveResult& result) {
+  std::size_t bytes = sizeof(PerspectiveResult) + result.strokes.capacity() * sizeof(PerspectiveStrokeResult) +
+                      result.vertex_places.capacity() * sizeof(Vec2) +
+                      result.network.vertices.capacity() * sizeof(Vec3) +
+                      result.corners.capacity() * sizeof(PerspectiveCorner);
+  for (const NetworkCurve& curve : result.network.curves)
+    bytes += sizeof curve + curve.id.capacity() + curve.pieces.capacity() * sizeof(RationalCubic);
+  for (const PerspectiveFace& face : result.faces) bytes += bytes_of_face(face);
+  for (const FaceAlternative& alternative : result.alternatives) {
+    for (const PerspectiveFace& face : alternative.faces) bytes += bytes_of_face(face);
+  }
+  return bytes;
 }
 
 }  // namespace croquis

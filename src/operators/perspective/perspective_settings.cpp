@@ -91,37 +91,66 @@ void require_stroke(const PerspectiveDrawing& drawing, const std::string& id, co
 }  // namespace
 
 std::vector<ParameterDescription> perspective_parameters() {
-  return {
-      {"mode",
-       ParameterType::Choice,
-       std::string("auto"),
-       0,
-       0,
-       {"auto", "1", "2", "3"},
-       "",
-       "How many vanishing points aren't at infinity; auto takes the simplest that the lines agree with."},
-      {"smooth-angle", ParameterType::Number, 15.0, 2.0, 30.0, {}, "degrees",
-       "Strokes and faces that turn less go on smoothly into each other."},
-      {"tolerance", ParameterType::Number, 0.0005, 0.00001, 0.01, {}, "x bounding-box diagonal",
-       "Greatest distance of the mesh from the surfaces: smaller is finer."},
-      {"known-point", ParameterType::Text, std::string(), 0, 0, {}, "",
-       "A place of the drawing and its coordinates in space: U,V=X,Y,Z."},
-      stroke_list("scale", "The length of a stroke in space: STROKE=LENGTH."),
-      {"field-of-view", ParameterType::Number, 0.0, 0.0, 170.0, {}, "degrees",
-       "Across the width of the sheet, where it is known; 0 where it isn't."},
-      stroke_list("ignore", "A stroke that is left out."),
-      {"fix", ParameterType::Flag, false, 0, 0, {}, "",
-       "Makes the first proposed change of a stroke that contradicts the others."},
-      stroke_list("faces", "Faces that must be there, each by its strokes: e1+e2+e3."),
-      stroke_list("no-faces", "Faces that must not be there, each by its strokes: e1+e2+e3."),
-      stroke_list("sharp", "Strokes along which faces stay sharp.")};
+  return {{"mode",
+           ParameterType::Choice,
+           std::string("auto"),
+           0,
+           0,
+           {"auto", "1", "2", "3"},
+           "",
+           "How many vanishing points aren't at infinity; auto takes the simplest that the lines agree with."},
+          {"smooth-angle",
+           ParameterType::Number,
+           15.0,
+           2.0,
+           30.0,
+           {},
+           "degrees",
+           "Strokes and faces that turn less go on smoothly into each other."},
+          {"tolerance",
+           ParameterType::Number,
+           0.0005,
+           0.00001,
+           0.01,
+           {},
+           "x bounding-box diagonal",
+           "Greatest distance of the mesh from the surfaces: smaller is finer."},
+          {"known-point",
+           ParameterType::Text,
+           std::string(),
+           0,
+           0,
+           {},
+           "",
+           "A place of the drawing and its coordinates in space: U,V=X,Y,Z."},
+          stroke_list("scale", "The length of a stroke in space: STROKE=LENGTH."),
+          {"field-of-view",
+           ParameterType::Number,
+           0.0,
+           0.0,
+           170.0,
+           {},
+           "degrees",
+           "Across the width of the sheet, where it is known; 0 where it isn't."},
+          stroke_list("ignore", "A stroke that is left out."),
+          {"fix",
+           ParameterType::Flag,
+           false,
+           0,
+           0,
+           {},
+           "",
+           "Makes the first proposed change of a stroke that contradicts the others."},
+          stroke_list("faces", "Faces that must be there, each by its strokes: e1+e2+e3."),
+          stroke_list("no-faces", "Faces that must not be there, each by its strokes: e1+e2+e3."),
+          stroke_list("sharp", "Strokes along which faces stay sharp.")};
 }
 
 PerspectiveSettings read_perspective_settings(const ParameterValues& parameters) {
   PerspectiveSettings settings;
-  settings.reconstruction.camera.mode = mode_of(text_of(parameters, "mode"));
+  settings.network.camera.mode = mode_of(text_of(parameters, "mode"));
   const double angle = number_of(parameters, "smooth-angle") * degree;
-  settings.reconstruction.continuity.angle = angle;
+  settings.network.continuity.angle = angle;
   settings.solid.continuity.angle = angle;
   settings.solid.continuity.sharp = items_of(text_of(parameters, "sharp"));
   settings.solid.tessellation.chord_tolerance = number_of(parameters, "tolerance");

@@ -6,14 +6,14 @@
 
 #include "croquis/base/parameter.h"
 #include "croquis/geometry/perspective_drawing.h"
-#include "croquis/perspective/reconstruction.h"
+#include "croquis/perspective/network_reconstruction.h"
 #include "croquis/perspective/solid.h"
 
 namespace croquis {
 
 /// The parameters of `perspective`, parsed.
 struct PerspectiveSettings {
-  ReconstructionOptions reconstruction;
+  NetworkReconstructionOptions network;
   FaceFindingOptions faces;
   SolidOptions solid;
   bool fix = false;  ///< the first proposed fix is made

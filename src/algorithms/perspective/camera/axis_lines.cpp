@@ -71,7 +71,8 @@ double line_residual(const Vec3& vanishing_point, const AxisLine& line, Vec3* de
   }
   const double residual = factor * cross(towards, along) / distance;
   if (derivative != nullptr) {
-    const Vec2 by_towards = factor / distance * Vec2(along.y(), -along.x()) - residual / (distance * distance) * towards;
+    const Vec2 by_towards =
+        factor / distance * Vec2(along.y(), -along.x()) - residual / (distance * distance) * towards;
     *derivative << by_towards, -by_towards.dot(middle);
   }
   return residual;

@@ -100,9 +100,10 @@ class Estimation {
       const double rise = axes_.parallel_cost[axis] - axes_.cost[axis];
       if (rise >= options_.mode_rise * sigma * sigma) return;
     }
-    throw Error(make_error(Category::Geometry, "ALL_PARALLEL",
-                           "The lines of all three axes are parallel, so there is no perspective to find a camera from: "
-                           "draw lines that converge towards at least one vanishing point."));
+    throw Error(
+        make_error(Category::Geometry, "ALL_PARALLEL",
+                   "The lines of all three axes are parallel, so there is no perspective to find a camera from: "
+                   "draw lines that converge towards at least one vanishing point."));
   }
 
   /// No axis has a line that is far off its own vanishing point.
@@ -216,11 +217,11 @@ class Estimation {
     }
     for (const Index stroke : outliers()) {
       const int axis = axis_of(groups_[stroke]);
-      estimate.warnings.push_back(make_warning(
-          Category::Geometry, "VP_OUTLIER",
-          "Stroke " + drawing_.strokes[stroke].id + " doesn't point at the vanishing point of " + axis_name(axis) +
-              " and isn't used for it: check its colour, or draw it again.",
-          {stroke_subject(drawing_, stroke)}));
+      estimate.warnings.push_back(make_warning(Category::Geometry, "VP_OUTLIER",
+                                               "Stroke " + drawing_.strokes[stroke].id +
+                                                   " doesn't point at the vanishing point of " + axis_name(axis) +
+                                                   " and isn't used for it: check its colour, or draw it again.",
+                                               {stroke_subject(drawing_, stroke)}));
     }
     if (estimate.focal_assumed) {
       estimate.warnings.push_back(make_warning(
@@ -249,12 +250,12 @@ class Estimation {
     }
     const auto percent = std::lround(100 * estimate.focal_deviation / estimate.camera.focal_length);
     const std::vector<Index> strokes = strokes_of(lines_, weakest);
-    estimate.warnings.push_back(
-        make_warning(Category::Geometry, "VP_WEAK",
-                     std::string("The lines along ") + axis_name(weakest) +
-                         " hardly converge, so that the focal length is uncertain by " + std::to_string(percent) +
-                         " percent: draw more of them, far from each other.",
-                     stroke_subjects(drawing_, strokes)));
+    estimate.warnings.push_back(make_warning(Category::Geometry, "VP_WEAK",
+                                             std::string("The lines along ") + axis_name(weakest) +
+                                                 " hardly converge, so that the focal length is uncertain by " +
+                                                 std::to_string(percent) +
+                                                 " percent: draw more of them, far from each other.",
+                                             stroke_subjects(drawing_, strokes)));
   }
 
   std::vector<Index> outliers() const {

@@ -275,7 +275,8 @@ std::optional<Orthocentre> orthocentre(const std::array<Vec3, 3>& vanishing_poin
 
 CameraFit refit_camera(std::span<const AxisLine> lines, const CameraParameters& start, const FlatAxes& flat,
                        const CameraPrior& prior, const LineNoise& noise) {
-  return CameraProblem(lines, flat, prior, noise).solve({flattened(start.rotation, flat), start.log_focal, start.principal});
+  return CameraProblem(lines, flat, prior, noise)
+      .solve({flattened(start.rotation, flat), start.log_focal, start.principal});
 }
 
 CameraFit fit_camera(std::span<const AxisLine> lines, const AxisFits& axes, const FlatAxes& flat,

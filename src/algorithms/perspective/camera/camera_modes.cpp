@@ -16,6 +16,9 @@ constexpr double stated_spread = 1e-3;
 /// Taken in one-point perspective, where nothing tells it.
 constexpr double usual_field_of_view = 50 * std::numbers::pi / 180;
 
+/// Where the likely place of the principal point gives the focal length, a guess of it counts by so much less.
+constexpr double unguessed = 1e3;
+
 /// Cameras outside aren't believed in two-point perspective, diagonals.
 constexpr double least_focal = 0.35;
 constexpr double greatest_focal = 8;
@@ -53,7 +56,11 @@ CameraPrior camera_prior(const PerspectiveDrawing& drawing, const SheetFrame& fr
   }
   prior.flat_spread = options.flat_principal_spread * diagonal;
   // Without an axis the lines say nothing about the principal point.
-  prior.principal_spread = all_well_determined(axes) ? options.principal_spread * diagonal : prior.flat_spread;
+  prior.principal_spread = options.principal_spread * diagonal;
+  if (!all_well_determined(axes)) {
+    prior.principal_spread = prior.flat_spread;
+    if (!prior.focal_stated) prior.focal_spread *= unguessed;
+  }
   if (drawing.principal_point) {
     prior.principal = frame.to_sheet(*drawing.principal_point);
     prior.principal_spread = prior.flat_spread = stated_spread * diagonal;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
@@ -25,6 +27,26 @@ struct NormalEquations {
   }
 };
 
+/// Costs are flat at their bottom, where their digits no longer tell what is better; plain steps still lead on.
+template <typename State, typename Cost, typename Evaluate, typename Moved>
+double polished(State& state, double best, Eigen::Index unknowns, const Cost& cost, const Evaluate& evaluate,
+                const Moved& moved) {
+  constexpr int steps = 6;
+  constexpr double tolerated = 1e-12;  // relative growth of the cost
+  for (int i = 0; i < steps; ++i) {
+    NormalEquations equations(unknowns);
+    evaluate(state, equations);
+    const NormalEquations::Vector step = -equations.matrix.ldlt().solve(equations.gradient);
+    if (!step.allFinite()) return best;
+    const State trial = moved(state, step);
+    const double next = cost(trial);
+    if (!(next <= best * (1 + tolerated))) return best;
+    state = trial;
+    best = std::min(best, next);
+  }
+  return best;
+}
+
 /// Least squares over a small state (Levenberg 1944, Marquardt 1963).
 /// @param cost     (const State&) -> double
 /// @param evaluate (const State&, NormalEquations&) -> void, of half the cost's gradient
@@ -33,7 +55,7 @@ struct NormalEquations {
 template <typename State, typename Cost, typename Evaluate, typename Moved>
 double levenberg_marquardt(State& state, Eigen::Index unknowns, const Cost& cost, const Evaluate& evaluate,
                            const Moved& moved, int rounds = 60) {
-  constexpr double settled = 1e-15;    // relative change of the cost
+  constexpr double settled = 1e-12;      // relative change of the cost
   constexpr double most_damping = 1e12;  // beyond this no step leads down
   double best = cost(state);
   double damping = 1e-4;
@@ -59,7 +81,7 @@ double levenberg_marquardt(State& state, Eigen::Index unknowns, const Cost& cost
     best = next;
     damping = damping > 1e-14 ? damping / 10 : damping;
   }
-  return best;
+  return polished(state, best, unknowns, cost, evaluate, moved);
 }
 
 }  // namespace croquis

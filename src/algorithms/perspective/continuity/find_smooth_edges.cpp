@@ -140,7 +140,8 @@ class SmoothEdges {
     for (const Index h : edge.half_edges) {
       if (h == no_index || !face_of(h).planar) continue;
       const Vec3& normal = face_of(h).normal;
-      const bool known = std::ranges::any_of(normals, [&](const Vec3& n) { return n.cross(normal).norm() < same_plane; });
+      const bool known =
+          std::ranges::any_of(normals, [&](const Vec3& n) { return n.cross(normal).norm() < same_plane; });
       if (!known) normals.push_back(normal);
     }
     return normals;

@@ -58,7 +58,9 @@ class JointMaker {
   }
 
   double limit_of(const CurveEnd& a, const CurveEnd& b) const {
-    const auto has = [](const std::vector<CurveEnd>& ends, const CurveEnd& end) { return std::ranges::count(ends, end); };
+    const auto has = [](const std::vector<CurveEnd>& ends, const CurveEnd& end) {
+      return std::ranges::count(ends, end);
+    };
     if (has(options_.corners, a) + has(options_.corners, b) > 0) return -1;
     return has(options_.smooth, a) + has(options_.smooth, b) > 0 ? 2 * options_.angle : options_.angle;
   }

@@ -69,7 +69,8 @@ class ComponentSolver {
 
   Eigen::Vector3i slots(Index vertex) const {
     Eigen::Vector3i result;
-    for (int k = 0; k < 3; ++k) result[k] = static_cast<int>(local_[table_.of_vertex[vertex][static_cast<std::size_t>(k)]]);
+    for (int k = 0; k < 3; ++k)
+      result[k] = static_cast<int>(local_[table_.of_vertex[vertex][static_cast<std::size_t>(k)]]);
     return result;
   }
 
@@ -258,7 +259,8 @@ double ClassSolution::worst() const {
 ClassSolution solve_classes(const SeenVertices& seen, const ClassTable& table, const std::vector<Vec3>* near) {
   ClassSolution solution;
   solution.values.resize(table.class_count());
-  solution.freedom = static_cast<int>(2 * table.vertex_count() + table.components) - static_cast<int>(table.class_count());
+  solution.freedom =
+      static_cast<int>(2 * table.vertex_count() + table.components) - static_cast<int>(table.class_count());
   for (const std::vector<Index>& vertices : vertices_by_component(table)) {
     ComponentSolver solver(seen, table, vertices);
     const Eigen::VectorXd values = solver.solve(near);

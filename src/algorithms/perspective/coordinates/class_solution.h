@@ -29,9 +29,9 @@ struct ClassSolution {
   bool in_front = true;         ///< all depths are positive
 
   Vec3 position(const ClassTable& table, Index vertex) const;
-  double rms() const;           ///< u, per coordinate
+  double rms() const;             ///< u, per coordinate
   double rms_of_freedom() const;  ///< u, over the degrees of freedom
-  double worst() const;         ///< u, the largest residual of a vertex
+  double worst() const;           ///< u, the largest residual of a vertex
 };
 
 /// Values for which vertices are seen where they were drawn, with the least sum of squared distances.

@@ -20,6 +20,12 @@ constexpr double split_advantage = 0.25;
 /// A lone contradiction is believed when leaving out its stroke takes away so much of the squares.
 constexpr double lone_share = 0.5;
 
+/// A stroke that misses its vanishing point by so many sigma is of the wrong colour, or drawn badly.
+constexpr double misdirection = 5;
+
+/// Leaving out a wrong stroke leaves at most this part of the residuals.
+constexpr double least_help = 0.97;
+
 bool ties_something(const CoordinateTies& ties, std::size_t stroke) {
   return ties.groups[stroke] != StrokeGroup::Unknown && ties.of_stroke[stroke][0] != no_index &&
          ties.of_stroke[stroke][1] != no_index;
@@ -39,7 +45,11 @@ class ContradictionSearch {
   ContradictionSearch(TiedVertices& tied, std::span<const StrokeGroup> drawn, double sigma,
                       const PerspectiveDrawing& drawing, const DrawingVertices& vertices,
                       const CoordinateOptions& options)
-      : tied_(tied), drawn_(drawn), drawing_(drawing), vertices_(vertices), options_(options),
+      : tied_(tied),
+        drawn_(drawn),
+        drawing_(drawing),
+        vertices_(vertices),
+        options_(options),
         sigma_(std::max(sigma, options.contradiction_noise)) {}
 
   std::vector<Contradiction> run(Progress& progress) {
@@ -49,7 +59,7 @@ class ContradictionSearch {
       if (!is_suspicious(now)) break;
       const std::vector<StrokeSuspicion> ranking = ranked_strokes(tied_, progress);
       if (ranking.empty()) break;
-      const StrokeSuspicion& worst = ranking.front();
+      const StrokeSuspicion worst = most_suspicious(now, ranking);
       if (!is_wrong(now, worst)) break;
       if (tied_.ties.groups[worst.stroke] != drawn_[worst.stroke]) {
         tied_.ties.groups[worst.stroke] = drawn_[worst.stroke];  // it was promoted by mistake
@@ -68,6 +78,25 @@ class ContradictionSearch {
            now.solution.worst() > options_.lone_contradiction * sigma_ || has_coincident_vertices(now.table);
   }
 
+  /// Several wrong strokes hide each other. One that doesn't point where its group says comes first, as long as
+  /// leaving it out helps at all.
+  StrokeSuspicion most_suspicious(const SolvedVertices& now, const std::vector<StrokeSuspicion>& ranking) const {
+    const double most = least_help * now.solution.rms_of_freedom();
+    for (const StrokeSuspicion& suspicion : ranking) {
+      if (suspicion.rms < most && is_misdirected(suspicion.stroke)) return suspicion;
+    }
+    return ranking.front();
+  }
+
+  bool is_misdirected(Index stroke) const {
+    const StrokeGroup group = tied_.ties.groups[stroke];
+    if (!is_parallel(group)) return false;
+    const auto [a, b] = tied_.ties.of_stroke[stroke];
+    const Vec3 direction = tied_.seen.rotation.col(axis_of(group));
+    const Vec3 point(tied_.seen.focal * direction.x(), tied_.seen.focal * direction.y(), direction.z());
+    return vanishing_residual(point, tied_.seen.places[a], tied_.seen.places[b]) > misdirection * sigma_;
+  }
+
   bool is_wrong(const SolvedVertices& now, const StrokeSuspicion& worst) {
     if (now.solution.rms() > options_.contradiction * sigma_ || has_coincident_vertices(now.table)) return true;
     const StrokeGroup group = tied_.ties.groups[worst.stroke];
@@ -84,7 +113,8 @@ class ContradictionSearch {
     result.rms_before = now.solution.rms();
     result.rms_after = worst.rms;
     result.fix = better_group(worst);
-    if (result.fix == StrokeGroup::Unknown && worst.rms > normal_rms * sigma_) result.split = vertex_to_split(worst.rms);
+    if (result.fix == StrokeGroup::Unknown && worst.rms > normal_rms * sigma_)
+      result.split = vertex_to_split(worst.rms);
     return result;
   }
 
@@ -174,9 +204,8 @@ std::vector<StrokeSuspicion> ranked_strokes(const TiedVertices& tied, Progress& 
     const std::array<Index, 2>& ends = tied.ties.of_stroke[suspicion.stroke];
     return std::tuple(suspicion.rms, std::min(ends[0], ends[1]), std::max(ends[0], ends[1]));
   };
-  std::stable_sort(ranking.begin(), ranking.end(), [&](const StrokeSuspicion& a, const StrokeSuspicion& b) {
-    return order(a) < order(b);
-  });
+  std::stable_sort(ranking.begin(), ranking.end(),
+                   [&](const StrokeSuspicion& a, const StrokeSuspicion& b) { return order(a) < order(b); });
   return ranking;
 }
 

@@ -44,8 +44,9 @@ class Placing {
     for (const KnownLength& known : drawing_.known_lengths) {
       const auto found = std::find_if(drawing_.strokes.begin(), drawing_.strokes.end(),
                                       [&](const PerspectiveStroke& stroke) { return stroke.id == known.stroke; });
-      const std::optional<double> length =
-          found == drawing_.strokes.end() ? std::nullopt : length_of(static_cast<Index>(found - drawing_.strokes.begin()));
+      const std::optional<double> length = found == drawing_.strokes.end()
+                                               ? std::nullopt
+                                               : length_of(static_cast<Index>(found - drawing_.strokes.begin()));
       if (!length || !(*length > 0) || !(known.length > 0)) {
         warn_unused(known);
         continue;
@@ -55,7 +56,8 @@ class Placing {
       products[component] += *length * known.length;
       squares[component] += *length * *length;
     }
-    for (Index c = 0; c < solved_.table.components; ++c) known_.push_back(squares[c] > 0 ? products[c] / squares[c] : 0);
+    for (Index c = 0; c < solved_.table.components; ++c)
+      known_.push_back(squares[c] > 0 ? products[c] / squares[c] : 0);
   }
 
   std::optional<double> length_of(Index stroke) const {

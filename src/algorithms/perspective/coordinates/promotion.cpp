@@ -25,7 +25,8 @@ std::vector<PromotedStroke> promoted_strokes(const PerspectiveDrawing& drawing, 
     }
     const int nearer = misses[0] <= misses[1] ? 0 : 1;
     // A short stroke misses neither by much: the other axis has to be told from it beyond the noise, too.
-    if (misses[nearer] >= limit || misses[1 - nearer] <= std::max(options.promote_ratio * misses[nearer], limit)) continue;
+    if (misses[nearer] >= limit || misses[1 - nearer] <= std::max(options.promote_ratio * misses[nearer], limit))
+      continue;
     promoted.push_back({static_cast<Index>(s), static_cast<StrokeGroup>(axes[nearer])});
   }
   return promoted;

@@ -23,15 +23,18 @@ class CoordinateSolve {
  public:
   CoordinateSolve(const PerspectiveDrawing& drawing, const DrawingVertices& vertices, const CameraEstimate& camera,
                   std::span<const StrokeGroup> groups, const CoordinateOptions& options)
-      : drawing_(drawing), vertices_(vertices), camera_(camera), options_(options), unit_(SheetFrame(drawing).unit),
+      : drawing_(drawing),
+        vertices_(vertices),
+        camera_(camera),
+        options_(options),
+        unit_(SheetFrame(drawing).unit),
         tied_(tied_vertices(drawing, vertices, camera, groups)) {}
 
   VertexCoordinates run(std::span<const PromotedStroke> promoted, Progress& progress) {
     std::vector<StrokeGroup> drawn = tied_.ties.groups;
     for (const PromotedStroke& stroke : promoted) drawn[stroke.stroke] = drawing_.strokes[stroke.stroke].group;
     const double sigma = camera_.sigma / unit_;
-    result_.contradictions =
-        resolve_contradictions(tied_, drawn, sigma, drawing_, vertices_, options_, progress);
+    result_.contradictions = resolve_contradictions(tied_, drawn, sigma, drawing_, vertices_, options_, progress);
     for (Contradiction& contradiction : result_.contradictions) {
       contradiction.rms_before *= unit_;
       contradiction.rms_after *= unit_;
@@ -135,10 +138,10 @@ class CoordinateSolve {
     std::vector<bool> behind;
     for (const bool in_front : result_.in_front) behind.push_back(!in_front);
     const std::vector<Index> strokes = strokes_at(behind);
-    result_.warnings.push_back(make_warning(Category::Geometry, "NOT_IN_FRONT",
-                                            "Ends of " + stroke_names(drawing_, strokes) +
-                                                " would lie behind the eye: check groups and ends.",
-                                            stroke_subjects(drawing_, strokes)));
+    result_.warnings.push_back(
+        make_warning(Category::Geometry, "NOT_IN_FRONT",
+                     "Ends of " + stroke_names(drawing_, strokes) + " would lie behind the eye: check groups and ends.",
+                     stroke_subjects(drawing_, strokes)));
   }
 
   void add_deviations(double sigma) {

@@ -125,7 +125,8 @@ bool is_straight(const PictureCubic& cubic) {
 }
 
 std::optional<std::vector<std::vector<RationalCubic>>> lifted_stroke(const PerspectiveStroke& stroke, StrokeGroup group,
-                                                                    const Vec3& a, const Vec3& b, const Camera& camera) {
+                                                                     const Vec3& a, const Vec3& b,
+                                                                     const Camera& camera) {
   if (stroke.straight) return {{{straight_cubic(a, b)}}};
   const LiftPlane plane = plane_of_stroke(group, a, b, camera);
   std::vector<std::vector<RationalCubic>> pieces;

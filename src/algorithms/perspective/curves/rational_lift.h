@@ -39,7 +39,8 @@ bool is_straight(const PictureCubic& cubic);
 /// Lifted pieces of each piece of a path, the ends of all at a and b bit by bit, joints at each other. None where it
 /// crosses the horizon.
 std::optional<std::vector<std::vector<RationalCubic>>> lifted_stroke(const PerspectiveStroke& stroke, StrokeGroup group,
-                                                                    const Vec3& a, const Vec3& b, const Camera& camera);
+                                                                     const Vec3& a, const Vec3& b,
+                                                                     const Camera& camera);
 
 /// Arc length by Gauss' rule, model units.
 double arc_length(const RationalCubic& curve);

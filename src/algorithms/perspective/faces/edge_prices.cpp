@@ -9,8 +9,8 @@ namespace croquis {
 namespace {
 
 constexpr int most_price_steps = 200;
-constexpr int patience = 12;         ///< steps without a better bound before steps are halved
-constexpr double least_step = 0.01;  ///< × Polyak's length
+constexpr int patience = 12;              ///< steps without a better bound before steps are halved
+constexpr double least_step = 0.01;       ///< × Polyak's length
 constexpr double starting_price = -0.25;  ///< a quadrilateral's, per side
 
 /// The bound that the prices give; fills the reduced costs and how far each row is from being covered twice.

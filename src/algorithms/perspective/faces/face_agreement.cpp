@@ -37,7 +37,8 @@ FaceAgreement agree_on_sides(const std::vector<FaceCandidate>& candidates, const
     neighbours[sides[0].face].push_back({sides[1].face, turned});
     neighbours[sides[1].face].push_back({sides[0].face, turned});
   }
-  FaceAgreement result{true, std::vector<std::uint8_t>(chosen.size(), 0), std::vector<Index>(chosen.size(), no_index), 0};
+  FaceAgreement result{true, std::vector<std::uint8_t>(chosen.size(), 0), std::vector<Index>(chosen.size(), no_index),
+                       0};
   for (Index first = 0; first < chosen.size(); ++first) {
     if (result.part[first] != no_index) continue;
     std::vector<Index> pending = {first};

@@ -28,7 +28,10 @@ struct CoverPart {
 class FaceFinder {
  public:
   FaceFinder(const CurveNetwork& network, Progress& progress, const FaceFindingOptions& options)
-      : network_(network), progress_(progress), options_(options), graph_(make_solid_graph(network)),
+      : network_(network),
+        progress_(progress),
+        options_(options),
+        graph_(make_solid_graph(network)),
         planes_(planes_of(network, graph_, options.plane_tolerance * graph_.size)) {}
 
   FaceFindingResult run() {

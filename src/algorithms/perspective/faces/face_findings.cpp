@@ -88,11 +88,11 @@ void add_ambiguous(const CurveNetwork& network, const FaceFindingResult& result,
     }
   }
   const std::vector<std::string> ids = stroke_ids(network, {differing.begin(), differing.end()});
-  findings.push_back(stroke_warning(
-      "AMBIGUOUS",
-      "The strokes " + named_list(ids) + " can be given faces in " +
-          counted(result.alternatives.size() + 1, "way", "ways") + " that fit about as well: choose the faces there.",
-      ids));
+  findings.push_back(stroke_warning("AMBIGUOUS",
+                                    "The strokes " + named_list(ids) + " can be given faces in " +
+                                        counted(result.alternatives.size() + 1, "way", "ways") +
+                                        " that fit about as well: choose the faces there.",
+                                    ids));
 }
 
 }  // namespace

@@ -71,7 +71,9 @@ class PlaneArrangement {
   double angle_at(Index half, double radius) const {
     const GraphEdge& edge = graph_.edges[half / 2];
     const std::size_t last = edge.samples.size() - 1;
-    const auto sample = [&](std::size_t i) { return flat((half & 1U) != 0 ? edge.samples[last - i] : edge.samples[i]); };
+    const auto sample = [&](std::size_t i) {
+      return flat((half & 1U) != 0 ? edge.samples[last - i] : edge.samples[i]);
+    };
     const Vec2 origin = sample(0);
     for (std::size_t i = 1; i <= last; ++i) {
       const Vec2 outer = sample(i) - origin;

@@ -162,9 +162,8 @@ class ShellMaker {
 };
 
 bool overlaps(const FaceCandidate& a, const FaceCandidate& b) {
-  return a.plane == b.plane && std::ranges::any_of(a.regions, [&](Index r) {
-           return std::ranges::binary_search(b.regions, r);
-         });
+  return a.plane == b.plane &&
+         std::ranges::any_of(a.regions, [&](Index r) { return std::ranges::binary_search(b.regions, r); });
 }
 
 /// A point inside a flat polygon: the middle of an ear.

@@ -9,7 +9,6 @@
 
 #include <Eigen/Geometry>
 
-
 namespace croquis {
 namespace {
 

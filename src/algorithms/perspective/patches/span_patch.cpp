@@ -99,9 +99,9 @@ class PatchSpanner {
   double proportion(std::size_t side) const {
     const std::array<Vec3, 4>&before = sides_[(side + 3) % 4].points, &after = sides_[(side + 1) % 4].points;
     const double rho = ((before[2] - before[3]).norm() / (before[3] - before[0]).norm() +
-                        (after[1] - after[0]).norm() / (after[3] - after[0]).norm()) / 2;
-    const double width =
-        (cubic_middle(sides_[side].points) - cubic_middle(sides_[(side + 2) % 4].points)).norm();
+                        (after[1] - after[0]).norm() / (after[3] - after[0]).norm()) /
+                       2;
+    const double width = (cubic_middle(sides_[side].points) - cubic_middle(sides_[(side + 2) % 4].points)).norm();
     const CommonSlope& slope = slopes_[side];
     const double km = 2 * rho * width / ((slope.a[0] + slope.a[1]) / 2).norm() - mean(side);
     const double ratio = km / mean(side);
@@ -120,11 +120,12 @@ class PatchSpanner {
 
 using EnergyMatrix = Eigen::Matrix<double, 20, 20>;
 
-/// The thin-plate energy of a patch is the sum over coordinates of x' E x; second derivatives by differences, at the
-/// middles of a grid.
-EnergyMatrix thin_plate_energy() {
+/// The variation energy of a patch is the sum over coordinates of x' E x: squares of all third derivatives, by
+/// differences, at the middles of a grid. It lets curvature be and resists its change, so that spheres stay round;
+/// thin-plate energy flattens them.
+EnergyMatrix variation_energy() {
   constexpr int cells = 12;
-  constexpr double step = 1e-4;
+  constexpr double step = 1e-3;
   using Weights = Eigen::Matrix<double, 20, 1>;
   const auto slopes = [](double u, double v, bool along_u) {
     const GregoryWeights weights = gregory_weights(u, v);
@@ -134,21 +135,27 @@ EnergyMatrix thin_plate_energy() {
   for (int i = 0; i < cells; ++i) {
     for (int j = 0; j < cells; ++j) {
       const double u = (i + 0.5) / cells, v = (j + 0.5) / cells;
-      const Weights uu = (slopes(u + step, v, true) - slopes(u - step, v, true)) / (2 * step);
-      const Weights uv = (slopes(u, v + step, true) - slopes(u, v - step, true)) / (2 * step);
-      const Weights vv = (slopes(u, v + step, false) - slopes(u, v - step, false)) / (2 * step);
-      energy += (uu * uu.transpose() + 2 * uv * uv.transpose() + vv * vv.transpose()) / (cells * cells);
+      for (const bool slope_u : {true, false}) {
+        for (const bool along_u : {true, false}) {
+          const double du = along_u ? step : 0, dv = along_u ? 0 : step;
+          const Weights third =
+              (slopes(u + du, v + dv, slope_u) - 2 * slopes(u, v, slope_u) + slopes(u - du, v - dv, slope_u)) /
+              (step * step);
+          energy += (slope_u == along_u ? 1 : 3) * third * third.transpose();
+        }
+      }
     }
   }
   return energy;
 }
 
 void PatchSpanner::make_fair() {
-  static const EnergyMatrix energy = thin_plate_energy();
+  static const EnergyMatrix energy = variation_energy();
   const auto points_of = [](const GregoryPatch& patch) {
     Eigen::Matrix<double, 20, 3> points;
     for (int i = 0; i < 20; ++i) {
-      points.row(i) = i < 12 ? patch.boundary[static_cast<std::size_t>(i)] : patch.inner[static_cast<std::size_t>(i - 12)];
+      points.row(i) =
+          i < 12 ? patch.boundary[static_cast<std::size_t>(i)] : patch.inner[static_cast<std::size_t>(i - 12)];
     }
     return points;
   };

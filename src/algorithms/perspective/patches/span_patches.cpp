@@ -11,8 +11,8 @@
 namespace croquis {
 namespace {
 
-/// Length of spokes' handles, × distance between their ends as far as known.
-constexpr double spoke_handle = 0.36;
+/// Steepest rise of a spoke from a side towards the middle of the face, radians.
+constexpr double steepest_spoke = 1.9;
 
 /// A patch is looked at in so many cells each way for folds.
 constexpr int fold_cells = 8;
@@ -25,11 +25,12 @@ Vec3 middle_direction(const std::array<Vec3, 4>& p) { return (p[3] + p[2] - p[1]
 /// A side of a face in two halves that meet at its middle.
 struct FaceSide {
   PatchSide first, second;
-  bool whole = true;             ///< one cubic, `full`
+  bool whole = true;  ///< one cubic, `full`
   std::array<Vec3, 4> full{};
   Vec3 middle = Vec3::Zero();
-  Vec3 tangent = Vec3::Zero();   ///< unit, along the side at its middle
-  Vec3 inwards = Vec3::Zero();   ///< unit, into the face at the middle: where the spoke starts
+  Vec3 tangent = Vec3::Zero();  ///< unit, along the side at its middle
+  Vec3 inwards = Vec3::Zero();  ///< unit, into the face at the middle: where the spoke starts
+  double handle = 0;            ///< length of the spoke's handles
 };
 
 /// What is at the middle of a face.
@@ -116,8 +117,7 @@ class FaceSpanner {
       side.second.points = parts[1];
     }
     side.middle = side.first.points[3];
-    side.tangent = side.whole ? middle_direction(parts[0])
-                              : Vec3((parts[0][3] - parts[0][2]).normalized());
+    side.tangent = side.whole ? middle_direction(parts[0]) : Vec3((parts[0][3] - parts[0][2]).normalized());
     set_across(half, side);
     set_inwards(leg_from_end(before), leg_from_start(after), side);
     return side;
@@ -146,29 +146,37 @@ class FaceSpanner {
     side.inwards = direction.normalized();
   }
 
-  Vec3 tip(std::size_t i, const Vec3& towards) const {
-    return sides_[i].middle + spoke_handle * (sides_[i].middle - towards).norm() * sides_[i].inwards;
+  /// The first guess: the spokes are arcs of circles that come to the middle at right angles to the face's axis there,
+  /// as they do on a sphere; the height of the middle is their mean.
+  FaceMiddle first_middle() {
+    Vec3 base = Vec3::Zero(), axis = Vec3::Zero();
+    for (const FaceSide& side : sides_) base += side.middle / static_cast<double>(sides_.size());
+    double scale = 0;
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+      const Vec3 a = sides_[i].middle - base, b = sides_[(i + 1) % sides_.size()].middle - base;
+      axis += a.cross(b);
+      scale += a.norm() * b.norm();
+    }
+    axis = axis.norm() > 1e-6 * scale ? axis.normalized() : face_.normal;
+    double height = 0;
+    for (FaceSide& side : sides_) {
+      const Vec3 out = side.middle - base - axis.dot(side.middle - base) * axis;
+      const double angle = std::clamp(std::atan2(axis.dot(side.inwards), -out.normalized().dot(side.inwards)),
+                                      -steepest_spoke, steepest_spoke);
+      const double radius = std::abs(angle) > 1e-6 ? out.norm() / std::sin(std::abs(angle)) : 0;
+      side.handle = radius > 0 ? 4.0 / 3.0 * std::tan(std::abs(angle) / 4) * radius : out.norm() / 3;
+      height += (axis.dot(side.middle - base) + out.norm() * std::tan(angle / 2)) / static_cast<double>(sides_.size());
+    }
+    return middle_at(base + height * axis);
   }
 
-  Vec3 mean_of_middles() const {
-    Vec3 mean = Vec3::Zero();
-    for (const FaceSide& side : sides_) mean += side.middle / static_cast<double>(sides_.size());
-    return mean;
-  }
-
-  FaceMiddle first_middle() const {
-    const Vec3 base = mean_of_middles();
-    Vec3 mean = Vec3::Zero();
-    for (std::size_t i = 0; i < sides_.size(); ++i) mean += tip(i, base) / static_cast<double>(sides_.size());
-    return middle_at((4 * mean - base) / 3);
-  }
+  Vec3 tip(std::size_t i) const { return sides_[i].middle + sides_[i].handle * sides_[i].inwards; }
 
   FaceMiddle middle_at(const Vec3& point) const {
-    const Vec3 base = mean_of_middles();
     FaceMiddle middle{point, Vec3::Zero()};
     double scale = 0;
     for (std::size_t i = 0; i < sides_.size(); ++i) {
-      const Vec3 a = tip(i, base) - point, b = tip((i + 1) % sides_.size(), base) - point;
+      const Vec3 a = tip(i) - point, b = tip((i + 1) % sides_.size()) - point;
       middle.normal += a.cross(b);
       scale += a.norm() * b.norm();
     }
@@ -180,20 +188,19 @@ class FaceSpanner {
   /// From the middle of side i to the middle of the face, seen by the patch of that side's start.
   PatchSide spoke(std::size_t i, const FaceMiddle& middle) const {
     const FaceSide& side = sides_[i];
-    const Vec3 base = mean_of_middles();
-    const Vec3 start = tip(i, base);
-    Vec3 back = start - middle.point;
+    Vec3 back = tip(i) - middle.point;
     back -= middle.normal.dot(back) * middle.normal;
-    back = spoke_handle * (middle.point - side.middle).norm() * back.normalized();
+    back = side.handle * back.normalized();
     PatchSide result;
-    result.points = {side.middle, start, middle.point + back, middle.point};
+    result.points = {side.middle, tip(i), middle.point + back, middle.point};
     result.common = true;
     result.across = {-side.tangent, middle.normal.cross(-back).normalized()};
     return result;
   }
 
   static PatchSide turned_side(const PatchSide& side) {
-    return {{side.points[3], side.points[2], side.points[1], side.points[0]}, side.common,
+    return {{side.points[3], side.points[2], side.points[1], side.points[0]},
+            side.common,
             {-side.across[1], -side.across[0]}};
   }
 
@@ -202,8 +209,8 @@ class FaceSpanner {
     const std::size_t n = sides_.size();
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t before = (i + n - 1) % n;
-      patches.push_back(span_patch({sides_[i].first, spoke(i, middle), turned_side(spoke(before, middle)),
-                                    sides_[before].second}, options_));
+      patches.push_back(span_patch(
+          {sides_[i].first, spoke(i, middle), turned_side(spoke(before, middle)), sides_[before].second}, options_));
     }
     return patches;
   }

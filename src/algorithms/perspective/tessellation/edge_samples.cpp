@@ -56,7 +56,8 @@ class EdgeSampler {
  private:
   void measure_face(const BrepFace& face) {
     FaceSpans spans;
-    for (const GregoryPatch& patch : face.patches) spans.along.push_back({patch_spans(patch, true), patch_spans(patch, false)});
+    for (const GregoryPatch& patch : face.patches)
+      spans.along.push_back({patch_spans(patch, true), patch_spans(patch, false)});
     const std::vector<Index> halves = brep_.around(face.loops[0]);
     const std::size_t n = face.patches.size();
     for (std::size_t i = 0; n > 0 && i < halves.size(); ++i) {

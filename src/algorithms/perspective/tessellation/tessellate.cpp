@@ -82,7 +82,8 @@ class Tessellator {
     for (const Index loop : face().loops) {
       for (const Index half : brep_.around(loop)) {
         const std::vector<Index> along = vertices_along(half);
-        for (std::size_t i = 0; i + 1 < along.size(); ++i) sides.push_back({number_of(along[i]), number_of(along[i + 1])});
+        for (std::size_t i = 0; i + 1 < along.size(); ++i)
+          sides.push_back({number_of(along[i]), number_of(along[i + 1])});
       }
     }
     const PlanarTriangulationResult plane = triangulate(flat(vertices), sides);

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "operators/perspective/perspective_operation.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "operators/memo_stage_cache.h"
+#include "operators/perspective/perspective_findings.h"
+#include "operators/perspective/perspective_report.h"
+#include "operators/perspective/perspective_settings.h"
+
+namespace croquis {
+namespace {
+
+void append_findings(Findings& all, const Findings& more) { all.insert(all.end(), more.begin(), more.end()); }
+
+FittedCurves pieces_of(const std::vector<FittedCurve>& fitted) {
+  FittedCurves pieces;
+  for (const FittedCurve& curve : fitted) pieces.push_back(curve.pieces);
+  return pieces;
+}
+
+/// The first change that ends a contradiction is made where that is asked for.
+ReconstructedNetwork reconstruct(PerspectiveDrawing& drawing, const PerspectiveSettings& settings, Progress& progress) {
+  Progress first = progress.step("find the curves", settings.fix ? 0.5 : 1);
+  ReconstructedNetwork network = reconstruct_network(drawing, settings.network, first);
+  if (!settings.fix) return network;
+  const std::vector<ProposedFix> fixes = proposed_fixes(drawing, network.coordinates.contradictions);
+  if (fixes.empty()) return network;
+  drawing = with_fix(std::move(drawing), fixes.front());
+  Progress second = progress.step("find the curves", 0.5);
+  return reconstruct_network(drawing, settings.network, second);
+}
+
+/// Strokes that parameters leave out are still strokes of the drawing.
+void add_ignored(const PerspectiveDrawing& given, const PerspectiveDrawing& solved, Findings& findings) {
+  for (const PerspectiveStroke& stroke : given.strokes) {
+    if (std::ranges::find(solved.strokes, stroke.id, &PerspectiveStroke::id) != solved.strokes.end()) continue;
+    findings.push_back(make_warning(Category::Usage, "STROKE_IGNORED",
+                                    "Stroke " + stroke.id + " is left out, as the parameter ignore says.",
+                                    {{SubjectKind::Stroke, stroke.id, {}, stroke.line, {}}}));
+  }
+}
+
+/// In the order of the drawing as given.
+void list_all_strokes(const PerspectiveDrawing& given, PerspectiveResult& result) {
+  std::vector<PerspectiveStrokeResult> all;
+  for (const PerspectiveStroke& stroke : given.strokes) {
+    const auto found = std::ranges::find(result.strokes, stroke.id, &PerspectiveStrokeResult::id);
+    all.push_back(found != result.strokes.end() ? *found : PerspectiveStrokeResult{stroke.id, false, stroke.group, {}});
+  }
+  result.strokes = std::move(all);
+}
+
+}  // namespace
+
+OperationDescription PerspectiveOperation::describe() const {
+  PortDescription mesh{"mesh", ValueType::Mesh,
+                       "The solid as triangles: along planes and smooth patches, watertight where all edges have two "
+                       "faces."};
+  mesh.counts_self_intersections = true;
+  return {"perspective",
+          1,
+          "Solid from Perspective",
+          "Turns one perspective drawing into a solid: finds the eye, lifts every stroke into space, finds the faces.",
+          {{"drawing", ValueType::PerspectiveDrawing, "Strokes with the axis or the plane that each lies along."}},
+          {std::move(mesh),
+           {"curves", ValueType::CurveNetwork, "Every edge in space."},
+           {"camera", ValueType::Camera, "The eye that the drawing was seen from."},
+           {"patches", ValueType::Report, "The surfaces: planes with loops, Gregory patches with control points."},
+           {"details", ValueType::Report, "The camera, every stroke, corners and faces."}},
+          perspective_parameters()};
+}
+
+OperationResult PerspectiveOperation::compute(const Values& inputs, const ParameterValues& parameters,
+                                              Context& context) const {
+  const auto& given = inputs.at("drawing").get<PerspectiveDrawing>();
+  PerspectiveSettings settings = read_perspective_settings(parameters);
+  PerspectiveDrawing drawing = with_parameters(given, parameters);
+  MemoStageCache cache(context.memo);
+  if (context.memo != nullptr) settings.network.cache = &cache;
+
+  Progress lifting = context.progress.step("lift", 0.4);
+  const ReconstructedNetwork network = reconstruct(drawing, settings, lifting);
+  Progress finding = context.progress.step("find the faces", 0.4);
+  const FaceFindingResult faces = find_faces(network.curves.network, finding, settings.faces);
+  Progress building = context.progress.step("build the solid", 0.2);
+  Solid solid = make_solid(network.curves.network, pieces_of(network.fitted), faces.best, building, settings.solid);
+
+  OperationResult result;
+  for (const Findings* found : {&network.warnings, &faces.warnings, &solid.warnings})
+    append_findings(result.warnings, *found);
+  add_ignored(given, drawing, result.warnings);
+  PerspectiveResult details = result_of_perspective(drawing, network, faces, solid, result.warnings);
+  list_all_strokes(given, details);
+  attach_fixes(details.fixes, result.warnings);
+  result.outputs["mesh"] = std::make_shared<const PolyMesh>(std::move(solid.tessellation.mesh));
+  result.outputs["curves"] = std::make_shared<const CurveNetwork>(details.network);
+  result.outputs["camera"] = std::make_shared<const Camera>(details.camera);
+  result.outputs["patches"] = std::make_shared<const Report>(patch_report(solid.brep, details.faces));
+  result.outputs["details"] = std::make_shared<const Report>(to_report(details));
+  result.details = std::move(details);
+  return result;
+}
+
+}  // namespace croquis
