@@ -92,13 +92,13 @@ class MirroredNetwork {
   std::vector<Index> images_;
 };
 
-/// Where the drawing has a vertex of the network; none for one that no stroke with an end there is drawn for.
-std::optional<Vec2> drawn_place(const PerspectiveDrawing& drawing, const CurveNetwork& network, Index vertex) {
-  for (const NetworkCurve& curve : network.curves) {
+/// Where the drawing has a vertex of the network: the nearer end of a stroke that ends there.
+std::optional<Vec2> drawn_place(const PerspectiveDrawing& drawing, const SolvedDrawing& solved, Index vertex) {
+  const Vec2 seen = solved.camera.project(solved.network.vertices[vertex]);
+  for (const NetworkCurve& curve : solved.network.curves) {
     const PerspectiveStroke* stroke = find_stroke(drawing, curve.id);
-    if (stroke == nullptr) continue;
-    if (curve.start == vertex) return stroke->start();
-    if (curve.end == vertex) return stroke->end();
+    if (stroke == nullptr || (curve.start != vertex && curve.end != vertex)) continue;
+    return (stroke->start() - seen).norm() <= (stroke->end() - seen).norm() ? stroke->start() : stroke->end();
   }
   return std::nullopt;
 }
@@ -129,10 +129,8 @@ StrokeShape shape_of(const std::vector<Vec2>& places, bool straight) {
 }
 
 /// The place that the image of a vertex is drawn at: of a vertex that is there, or of an earlier image, else its own.
-Vec2 joined_place(const PerspectiveDrawing& drawing, const MirroredNetwork& mirror, Index vertex, const Vec2& seen) {
-  const Index image = mirror.image_of(vertex);
-  if (image == no_index) return seen;
-  return drawn_place(drawing, mirror.network(), image).value_or(seen);
+Vec2 joined_place(const PerspectiveDrawing& drawing, const SolvedDrawing& solved, Index image, const Vec2& seen) {
+  return image == no_index ? seen : drawn_place(drawing, solved, image).value_or(seen);
 }
 
 struct Candidate {
@@ -189,8 +187,8 @@ std::vector<PerspectiveStroke> mirrored_strokes(const PerspectiveDrawing& drawin
     const std::vector<Vec2> places = seen_image(solved, mirror, curve);
     if (places.size() < 2) continue;
     StrokeShape shape = shape_of(places, curve.straight);
-    const Vec2 start = joined_place(drawing, mirror, curve.start, shape.start());
-    const Vec2 end = joined_place(drawing, mirror, curve.end, shape.end());
+    const Vec2 start = joined_place(drawing, solved, mirror.image_of(curve.start), shape.start());
+    const Vec2 end = joined_place(drawing, solved, mirror.image_of(curve.end), shape.end());
     if ((end - start).norm() < options.same_px) continue;
     shape = with_ends(std::move(shape), start, end);
     PerspectiveStroke stroke;

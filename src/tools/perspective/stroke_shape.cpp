@@ -210,7 +210,8 @@ std::vector<StrokeShape> shapes_of(std::span<const Vec2> drawn, const ShapeOptio
     return {};
   if (options.straightness == Straightness::Always) return {line_through(places)};
   const bool loop = is_loop(places, options);
-  const FitOptions fitting = fit_options(places, options);
+  FitOptions fitting = fit_options(places, options);
+  if (loop) fitting.tolerance = std::max(curve_px, fitting.tolerance / loop_parts);  // as of one part
   const StrokeFit fit = fit_stroke(stroke_of(places, loop), fitting);
   const bool corners = std::ranges::any_of(fit.anchors, [](const StrokeAnchor& anchor) { return anchor.corner; });
   if (loop && !corners) {
