@@ -46,6 +46,12 @@ const Drawing& Studio::drawing() const {
   return drawing ? *drawing : none;
 }
 
+NodeId Studio::sheet_node() const {
+  const WorkObject* object = active();
+  const NodeId first = object == nullptr ? 0 : object->chain.front();
+  return source_of<PerspectiveDrawing>(session().document().find(first)) ? first : 0;
+}
+
 NodeId Studio::drawing_node() const {
   const auto is_drawing = [&](NodeId id) { return source_of<Drawing>(session().document().find(id)) != nullptr; };
   const WorkObject* object = active();

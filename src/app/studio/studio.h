@@ -28,6 +28,9 @@ class Studio : public QObject, public Workspace {
 
   /// The drawing of the active object, else the one that was worked on last, else the first; empty when there is none.
   const Drawing& drawing() const;
+
+  /// The perspective drawing of the active object; 0 when it doesn't begin with one. Then the sketch view is its sheet.
+  NodeId sheet_node() const;
   NodeId drawing_node() const;  ///< 0 when there is none
   NodeId solid_node() const;    ///< 0 when there is none
   const Node* solid_operation() const { return session().document().find(solid_node()); }

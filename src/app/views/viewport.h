@@ -145,6 +145,8 @@ class Viewport : public QOpenGLWidget {
   void take(const PointerEvent& event, const QPointF& place, std::uint64_t stamp);
   void take_in_time(PointerEvent event, const QPointF& place);
   void take_late_move();
+  bool take_key(QKeyEvent& event);
+  void hold_cameras();
   void forget_swallowed_alt();
   void show_tooltip(const QString& sentence, const QPointF& place);
   bool any_down() const;
