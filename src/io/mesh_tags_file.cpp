@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "croquis/base/error.h"
+#include "io/report_reader.h"
 #include "io/text.h"
 
 namespace croquis {
@@ -26,17 +27,12 @@ Report sharpness_report(double sharpness) {
   return sharpness == infinite_sharpness ? Report(infinite_word) : Report(sharpness);
 }
 
-template <typename T>
-const T* as(const Report* report) {
-  return report == nullptr ? nullptr : std::get_if<T>(&report->value());
-}
-
 /// Reads one report, noting what is wrong with it.
 class TagsReader {
  public:
   MeshTagsReadResult read(const Report& report) {
     MeshTagsReadResult result;
-    if (const auto* root = as<Report::Object>(&report)) {
+    if (const auto* root = report_as<Report::Object>(&report)) {
       read_root(report, *root, result.tags);
     } else {
       refuse("E_SYNTAX", "", "they are not an object");
@@ -77,7 +73,7 @@ class TagsReader {
   template <typename Read>
   void each(const Report* report, const std::string& place, const Read& read) {
     if (report == nullptr) return;
-    const auto* list = as<Report::Array>(report);
+    const auto* list = report_as<Report::Array>(report);
     if (list == nullptr) return refuse("E_SYNTAX", place, "it is not a list");
     for (std::size_t i = 0; i < list->size(); ++i) read((*list)[i], place + "[" + std::to_string(i) + "]");
   }
@@ -88,7 +84,7 @@ class TagsReader {
 };
 
 void TagsReader::read_root(const Report& report, const Report::Object& root, MeshTags& tags) {
-  const auto* format = as<std::string>(report.find("format"));
+  const auto* format = report_as<std::string>(report.find("format"));
   if (format == nullptr || *format != format_name) {
     return refuse("E_SYNTAX", "format", std::string("it is not \"") + format_name + "\"");
   }
@@ -102,13 +98,13 @@ void TagsReader::read_root(const Report& report, const Report::Object& root, Mes
 void TagsReader::read_base(const Report& report) {
   const Report* member = report.find("index_base");
   if (member == nullptr) return;
-  const auto* base = as<std::int64_t>(member);
+  const auto* base = report_as<std::int64_t>(member);
   if (base == nullptr || *base < 0 || *base > 1) return refuse("E_SYNTAX", "index_base", "it is neither 0 nor 1");
   base_ = *base;
 }
 
 void TagsReader::read_edge(const Report& report, const std::string& place, MeshTags& tags) {
-  const auto* object = as<Report::Object>(&report);
+  const auto* object = report_as<Report::Object>(&report);
   if (object == nullptr) return refuse("E_SYNTAX", place, "it is not an object with v and sharpness");
   note_unknown(*object, "edges", {"v", "sharpness"});
   const auto vertices = read_pair(report.find("v"), place + ".v");
@@ -117,11 +113,11 @@ void TagsReader::read_edge(const Report& report, const std::string& place, MeshT
 }
 
 void TagsReader::read_set(const Report& report, const std::string& place, MeshTags& tags) {
-  const auto* object = as<Report::Object>(&report);
+  const auto* object = report_as<Report::Object>(&report);
   if (object == nullptr) return refuse("E_SYNTAX", place, "it is not an object");
   note_unknown(*object, "sets", {"name", "sharpness", "edges", "pins"});
   CreaseSet set;
-  const auto* name = as<std::string>(report.find("name"));
+  const auto* name = report_as<std::string>(report.find("name"));
   if (name == nullptr) refuse("E_SYNTAX", place + ".name", "it is not a text");
   if (name != nullptr) set.name = *name;
   set.sharpness = read_sharpness(report.find("sharpness"), place + ".sharpness").value_or(0);
@@ -133,7 +129,7 @@ void TagsReader::read_set(const Report& report, const std::string& place, MeshTa
 }
 
 std::optional<std::array<Index, 2>> TagsReader::read_pair(const Report* report, const std::string& place) {
-  const auto* list = as<Report::Array>(report);
+  const auto* list = report_as<Report::Array>(report);
   if (list == nullptr || list->size() != 2) {
     refuse("E_SYNTAX", place, "it is not a list of two vertices");
     return std::nullopt;
@@ -145,14 +141,15 @@ std::optional<std::array<Index, 2>> TagsReader::read_pair(const Report* report, 
 }
 
 std::optional<double> TagsReader::read_sharpness(const Report* report, const std::string& place) {
-  if (const auto* word = as<std::string>(report); word != nullptr && *word == infinite_word) return infinite_sharpness;
-  if (as<std::int64_t>(report) != nullptr || as<double>(report) != nullptr) return report->as_number();
+  if (const auto* word = report_as<std::string>(report); word != nullptr && *word == infinite_word)
+    return infinite_sharpness;
+  if (report_as<std::int64_t>(report) != nullptr || report_as<double>(report) != nullptr) return report->as_number();
   refuse("E_SYNTAX", place, "it is neither a number nor \"inf\"");
   return std::nullopt;
 }
 
 std::optional<Index> TagsReader::read_vertex(const Report& report, const std::string& place) {
-  const auto* number = as<std::int64_t>(&report);
+  const auto* number = report_as<std::int64_t>(&report);
   if (number == nullptr) {
     refuse("E_SYNTAX", place, "it is not the number of a vertex");
     return std::nullopt;

@@ -174,6 +174,110 @@ TEST_CASE("every field of a mesh's tags counts in its hash") {
   CHECK(hash_of_value(PolyMesh(tagged_mesh())) != hash_of_value(small_mesh()));
 }
 
+Camera small_camera() {
+  Camera camera;
+  camera.focal_length = 1072;
+  camera.principal_point = {500, 375};
+  camera.eye = {6, -4, 5};
+  camera.image_size = {1000, 750};
+  return camera;
+}
+
+TEST_CASE("every field of a camera counts in its hash") {
+  const Changes<Camera> changes = {[](Camera& c) { c.focal_length = 1073; },
+                                   [](Camera& c) { c.principal_point.x() = 501; },
+                                   [](Camera& c) { c.principal_point.y() = 376; },
+                                   [](Camera& c) { c.eye.x() = 7; },
+                                   [](Camera& c) { c.eye.y() = -5; },
+                                   [](Camera& c) { c.eye.z() = 6; },
+                                   [](Camera& c) { c.rotation(0, 1) = 1; },
+                                   [](Camera& c) { c.rotation(1, 0) = 1; },
+                                   [](Camera& c) { c.image_size.x() = 1001; },
+                                   [](Camera& c) { c.image_size.y() = 751; }};
+  check_changes<Camera>(small_camera, changes, hash_of_value<Camera>);
+}
+
+PerspectiveDrawing small_perspective_drawing() {
+  PerspectiveDrawing drawing;
+  drawing.image_size = {1000, 750};
+  PerspectiveStroke stroke;
+  stroke.id = "e01";
+  stroke.group = StrokeGroup::NormalX;
+  stroke.pieces = {{Vec2(0, 0), Vec2(1, 0), Vec2(2, 0), Vec2(3, 1)}, {Vec2(3, 1), Vec2(4, 2), Vec2(5, 2), Vec2(6, 1)}};
+  stroke.line = 12;
+  drawing.strokes = {stroke};
+  drawing.known_point = KnownPoint{Vec2(1, 2), Vec3(3, 4, 5)};
+  drawing.known_lengths = {{"e01", 4}};
+  drawing.field_of_view = 0.8;
+  drawing.principal_point = Vec2(500, 375);
+  drawing.shells = 1;
+  return drawing;
+}
+
+TEST_CASE("every field of a perspective drawing counts in its hash") {
+  using D = PerspectiveDrawing;
+  const Changes<D> changes = {[](D& d) { d.origin.x() = 1; },
+                              [](D& d) { d.origin.y() = 1; },
+                              [](D& d) { d.image_size.x() = 1; },
+                              [](D& d) { d.image_size.y() = 1; },
+                              [](D& d) { d.strokes[0].id = "e02"; },
+                              [](D& d) { d.strokes[0].role = StrokeRole::Construction; },
+                              [](D& d) { d.strokes[0].group = StrokeGroup::NormalY; },
+                              [](D& d) { d.strokes[0].colour = "red"; },
+                              [](D& d) { d.strokes[0].pieces.pop_back(); },
+                              [](D& d) { d.strokes[0].pieces[1][2].y() = 3; },
+                              [](D& d) { d.strokes[0].pieces[0][1].x() = -0.0; },
+                              [](D& d) { d.strokes[0].straight = true; },
+                              [](D& d) { d.strokes[0].from = "v1"; },
+                              [](D& d) { d.strokes[0].to = "v1"; },
+                              [](D& d) { d.strokes[0].link = true; },
+                              [](D& d) { d.strokes[0].start_lock = EndLock::Smooth; },
+                              [](D& d) { d.strokes[0].end_lock = EndLock::Smooth; },
+                              [](D& d) { d.strokes[0].end_lock = EndLock::Corner; },
+                              [](D& d) { d.strokes[0].hidden = true; },
+                              [](D& d) { d.strokes[0].weight = 2; },
+                              [](D& d) { d.strokes[0].line = 13; },
+                              [](D& d) { d.strokes[0].line.reset(); },
+                              [](D& d) { d.strokes.clear(); },
+                              [](D& d) { d.known_point.reset(); },
+                              [](D& d) { d.known_point->at.y() = 3; },
+                              [](D& d) { d.known_point->point.z() = 6; },
+                              [](D& d) { d.known_lengths[0].length = 5; },
+                              [](D& d) { d.known_lengths[0].stroke = "e02"; },
+                              [](D& d) { d.known_lengths.clear(); },
+                              [](D& d) { d.field_of_view = 0.9; },
+                              [](D& d) { d.field_of_view.reset(); },
+                              [](D& d) { d.principal_point->x() = 1; },
+                              [](D& d) { d.principal_point.reset(); },
+                              [](D& d) { d.unit = "mm"; },
+                              [](D& d) { d.shells = 2; },
+                              [](D& d) { d.shells.reset(); },
+                              [](D& d) { d.file = "box.svg"; }};
+  check_changes<D>(small_perspective_drawing, changes, hash_of_value<D>);
+}
+
+CurveNetwork small_network() {
+  CurveNetwork network;
+  network.vertices = {Vec3(0, 0, 0), Vec3(3, 0, 1)};
+  network.curves = {{"e01", 0, 1, {{{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0), Vec3(3, 0, 1)}}}, false}};
+  return network;
+}
+
+TEST_CASE("every field of a curve network counts in its hash") {
+  using N = CurveNetwork;
+  const Changes<N> changes = {[](N& n) { n.vertices[1].z() = 2; },
+                              [](N& n) { n.vertices.emplace_back(0, 0, 0); },
+                              [](N& n) { n.curves[0].id = "e02"; },
+                              [](N& n) { n.curves[0].start = 1; },
+                              [](N& n) { n.curves[0].end = 0; },
+                              [](N& n) { n.curves[0].straight = true; },
+                              [](N& n) { n.curves[0].pieces[0].points[2].y() = 1; },
+                              [](N& n) { n.curves[0].pieces[0].weights[3] = 2; },
+                              [](N& n) { n.curves[0].pieces.push_back(n.curves[0].pieces[0]); },
+                              [](N& n) { n.curves.clear(); }};
+  check_changes<N>(small_network, changes, hash_of_value<N>);
+}
+
 TEST_CASE("every figure of a report counts in its hash, with its type and place") {
   const Changes<Report> changes = {[](Report& r) { r.set("count", 4); },
                                    [](Report& r) { r.set("count", 3.0); },
@@ -242,10 +346,13 @@ TEST_CASE("values of different types differ even when they are empty or missing"
   const std::set<ContentHash> hashes = {hash_of_value(PolyMesh()),
                                         hash_of_value(Drawing()),
                                         hash_of_value(Report()),
+                                        hash_of_value(Camera()),
+                                        hash_of_value(PerspectiveDrawing()),
+                                        hash_of_value(CurveNetwork()),
                                         content_hash(Value(std::shared_ptr<const PolyMesh>())),
                                         content_hash(Value(std::shared_ptr<const Drawing>())),
                                         content_hash(Value(std::shared_ptr<const Report>()))};
-  CHECK(hashes.size() == 6);
+  CHECK(hashes.size() == 9);
 }
 
 TEST_CASE("a parameter's text counts alike whether it was written by a program or a person") {

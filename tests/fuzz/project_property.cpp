@@ -36,9 +36,30 @@ std::string broken_drawing(const Drawing& drawing) {
   return bare ? "a stroke has no samples" : "";
 }
 
+std::string broken_network(const CurveNetwork& network) {
+  for (const NetworkCurve& curve : network.curves) {
+    if (curve.start >= network.vertices.size() || curve.end >= network.vertices.size()) return "a vertex is missing";
+    if (curve.pieces.empty() || curve.pieces.front().points[0] != network.vertices[curve.start] ||
+        curve.pieces.back().points[3] != network.vertices[curve.end]) {
+      return "a curve doesn't meet its vertices";
+    }
+  }
+  return "";
+}
+
+std::string broken_perspective_drawing(const PerspectiveDrawing& drawing) {
+  for (const PerspectiveStroke& stroke : drawing.strokes) {
+    if (stroke.pieces.empty() || stroke.group > StrokeGroup::Unknown) return "a stroke has no pieces or no group";
+  }
+  return "";
+}
+
 std::string broken_content(const Value& value) {
   if (const auto mesh = value.as<PolyMesh>()) return broken_mesh(*mesh);
   if (const auto drawing = value.as<Drawing>()) return broken_drawing(*drawing);
+  if (const auto network = value.as<CurveNetwork>()) return broken_network(*network);
+  if (const auto drawing = value.as<PerspectiveDrawing>()) return broken_perspective_drawing(*drawing);
+  if (const auto camera = value.as<Camera>()) return camera->focal_length > 0 ? "" : "a camera without focal length";
   return "";
 }
 

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <limits>
 
+#include <Eigen/Geometry>
+
 #include "support/meshes/mesh_shapes.h"
 
 namespace croquis::test {
@@ -105,9 +107,12 @@ Report random_tree(Random& random, int depth) {
 }
 
 Value random_value(Random& random) {
-  switch (random.below(3)) {
+  switch (random.below(6)) {
     case 0: return std::make_shared<const PolyMesh>(random_mesh(random));
-    case 1: return std::make_shared<const Drawing>(random_drawing(random));
+    case 1: return std::make_shared<const Camera>(random_camera(random));
+    case 2: return std::make_shared<const PerspectiveDrawing>(random_perspective_drawing(random));
+    case 3: return std::make_shared<const CurveNetwork>(random_network(random));
+    case 4: return std::make_shared<const Drawing>(random_drawing(random));
     default: return std::make_shared<const Report>(random_report(random));
   }
 }
@@ -173,6 +178,11 @@ bool same(const StrokeSample& a, const StrokeSample& b) {
 }
 
 bool same(const Vec3& a, const Vec3& b);
+bool same(const Vec2& a, const Vec2& b);
+bool same(const PictureCubic& a, const PictureCubic& b);
+bool same(const PerspectiveStroke& a, const PerspectiveStroke& b);
+bool same(const RationalCubic& a, const RationalCubic& b);
+bool same(const NetworkCurve& a, const NetworkCurve& b);
 bool same(const Stroke& a, const Stroke& b);
 bool same(const AttributeChannel& a, const AttributeChannel& b);
 bool same(const Crease& a, const Crease& b);
@@ -240,10 +250,48 @@ bool same(const PolyMesh& a, const PolyMesh& b) {
          same_elements(a.channels, b.channels) && same(a.tags, b.tags);
 }
 
+bool same(const Vec2& a, const Vec2& b) { return same(a.x(), b.x()) && same(a.y(), b.y()); }
+
+bool same(const Camera& a, const Camera& b) {
+  return same(a.focal_length, b.focal_length) && same(a.principal_point, b.principal_point) && same(a.eye, b.eye) &&
+         a.rotation == b.rotation && same(a.image_size, b.image_size);
+}
+
+bool same(const PictureCubic& a, const PictureCubic& b) { return same_elements(a, b); }
+
+bool same(const PerspectiveStroke& a, const PerspectiveStroke& b) {
+  return a.id == b.id && a.role == b.role && a.group == b.group && a.colour == b.colour && a.straight == b.straight &&
+         same_elements(a.pieces, b.pieces) && a.from == b.from && a.to == b.to && a.link == b.link &&
+         a.start_lock == b.start_lock && a.end_lock == b.end_lock && a.hidden == b.hidden && same(a.weight, b.weight) &&
+         a.line == b.line;
+}
+
+bool same(const PerspectiveDrawing& a, const PerspectiveDrawing& b) {
+  return same(a.origin, b.origin) && same(a.image_size, b.image_size) && same_elements(a.strokes, b.strokes) &&
+         a.known_point == b.known_point && a.known_lengths == b.known_lengths && a.field_of_view == b.field_of_view &&
+         a.principal_point == b.principal_point && a.unit == b.unit && a.shells == b.shells && a.file == b.file;
+}
+
+bool same(const RationalCubic& a, const RationalCubic& b) {
+  return same_elements(a.points, b.points) && same_elements(a.weights, b.weights);
+}
+
+bool same(const NetworkCurve& a, const NetworkCurve& b) {
+  return a.id == b.id && a.start == b.start && a.end == b.end && a.straight == b.straight &&
+         same_elements(a.pieces, b.pieces);
+}
+
+bool same(const CurveNetwork& a, const CurveNetwork& b) {
+  return same_elements(a.vertices, b.vertices) && same_elements(a.curves, b.curves);
+}
+
 bool same(const Value& a, const Value& b) {
   if (a.type() != b.type()) return false;
   if (const auto mesh = a.as<PolyMesh>()) return same(*mesh, b.get<PolyMesh>());
   if (const auto drawing = a.as<Drawing>()) return same(*drawing, b.get<Drawing>());
+  if (const auto camera = a.as<Camera>()) return same(*camera, b.get<Camera>());
+  if (const auto drawing = a.as<PerspectiveDrawing>()) return same(*drawing, b.get<PerspectiveDrawing>());
+  if (const auto network = a.as<CurveNetwork>()) return same(*network, b.get<CurveNetwork>());
   return same(a.get<Report>(), b.get<Report>());
 }
 
@@ -304,6 +352,72 @@ Drawing random_drawing(Random& random) {
 }
 
 Report random_report(Random& random) { return random_tree(random, 0); }
+
+Camera random_camera(Random& random) {
+  Camera camera;
+  camera.focal_length = random.between(1, 5000);
+  camera.principal_point = {random.between(-900, 900), random.between(-900, 900)};
+  camera.eye = {random.between(-9, 9), random.between(-9, 9), random.between(-9, 9)};
+  camera.rotation = Eigen::AngleAxisd(random.between(-3, 3), Vec3(2, 3, 6) / 7).toRotationMatrix();
+  camera.image_size = {random.between(0, 2000), random.between(0, 2000)};
+  return camera;
+}
+
+PerspectiveDrawing random_perspective_drawing(Random& random) {
+  PerspectiveDrawing drawing;
+  drawing.file = random_text(random);
+  drawing.origin = {random.between(-9, 9), random.between(-9, 9)};
+  drawing.image_size = {random.between(1, 2000), random.between(1, 2000)};
+  if (random.below(2) == 0) drawing.known_point = KnownPoint{drawing.origin, Vec3(1, random.unit(), 3)};
+  if (random.below(2) == 0) drawing.known_lengths = {{random_text(random), random.between(0.1, 9)}};
+  if (random.below(2) == 0) drawing.field_of_view = random.between(0.1, 3);
+  if (random.below(2) == 0) drawing.principal_point = Vec2(random.unit(), 7);
+  if (random.below(2) == 0) drawing.shells = 1 + static_cast<int>(random.below(5));
+  drawing.unit = random_text(random);
+  for (std::uint32_t i = 0, count = random.below(6); i < count; ++i) {
+    PerspectiveStroke stroke;
+    stroke.id = std::to_string(i) + random_text(random);
+    stroke.role = static_cast<StrokeRole>(random.below(2));
+    stroke.group = static_cast<StrokeGroup>(random.below(7));
+    stroke.colour = random_text(random);
+    stroke.straight = random.below(2) == 0;
+    for (std::uint32_t k = stroke.straight ? 1 : 1 + random.below(3); k > 0; --k) {
+      PictureCubic piece;
+      for (Vec2& point : piece) point = {random_number(random), random_number(random)};
+      if (!stroke.pieces.empty()) piece[0] = stroke.end();
+      stroke.pieces.push_back(piece);
+    }
+    stroke.from = random_text(random);
+    stroke.to = random_text(random);
+    stroke.link = random.below(2) == 0;
+    stroke.start_lock = static_cast<EndLock>(random.below(3));
+    stroke.end_lock = static_cast<EndLock>(random.below(3));
+    stroke.hidden = random.below(2) == 0;
+    stroke.weight = random.between(0.1, 3);
+    if (random.below(2) == 0) stroke.line = static_cast<std::int64_t>(random.bits());
+    drawing.strokes.push_back(std::move(stroke));
+  }
+  return drawing;
+}
+
+CurveNetwork random_network(Random& random) {
+  const auto point = [&] { return Vec3(random.between(-9, 9), random.between(-9, 9), random.between(-9, 9)); };
+  CurveNetwork network;
+  for (std::uint32_t i = 1 + random.below(5); i > 0; --i) network.vertices.push_back(point());
+  const auto vertex = [&] { return random.below(static_cast<std::uint32_t>(network.vertices.size())); };
+  for (std::uint32_t i = 0, count = random.below(6); i < count; ++i) {
+    NetworkCurve curve{std::to_string(i) + random_text(random), vertex(), vertex(), {}, random.below(2) == 0};
+    Vec3 start = network.vertices[curve.start];
+    for (std::uint32_t k = curve.straight ? 1 : 1 + random.below(3); k > 0; --k) {
+      RationalCubic piece{{start, point(), point(), k == 1 ? network.vertices[curve.end] : point()}};
+      for (double& weight : piece.weights) weight = random.between(0.1, 3);
+      start = piece.points[3];
+      curve.pieces.push_back(piece);
+    }
+    network.curves.push_back(std::move(curve));
+  }
+  return network;
+}
 
 Document random_document(Random& random, std::uint32_t nodes) {
   Document document;

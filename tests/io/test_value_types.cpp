@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 #include <set>
 #include <string>
 
+#include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
@@ -13,6 +15,7 @@
 #include "document/values/value_row.h"
 #include "io/project/database.h"
 #include "io/project/project_reader.h"
+#include "io/random_project.h"
 #include "io/scratch.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/trial_operation.h"
@@ -143,7 +146,7 @@ TEST_CASE("names and tags of the types of values differ") {
   }
   CHECK(names.size() == value_types().size());
   CHECK(tags.size() == value_types().size());
-  CHECK(names == std::set<std::string>{"mesh", "drawing", "report"});
+  CHECK(names == std::set<std::string>{"mesh", "drawing", "report", "camera", "perspective drawing", "curve network"});
 }
 
 TEST_CASE("values lie where their points are; reports lie nowhere and stay what they are") {
@@ -161,6 +164,65 @@ TEST_CASE("values lie where their points are; reports lie nowhere and stay what 
   const Value report = std::make_shared<const Report>(Report(1));
   CHECK_FALSE(bounds_of(report).has_value());
   CHECK(report.transformed(map) == report);
+}
+
+TEST_CASE("cameras and curve networks move with their nodes") {
+  Affine3 map;
+  map.linear = 2 * Eigen::AngleAxisd(0.7, Vec3(1, 2, 2) / 3).toRotationMatrix();
+  map.offset = Vec3(4, -1, 2);
+  test::Random random(9);
+  const Camera camera = test::random_camera(random);
+  const Camera moved = Value(std::make_shared<const Camera>(camera)).transformed(map).get<Camera>();
+  const CurveNetwork network = test::random_network(random);
+  const Value moved_network = Value(std::make_shared<const CurveNetwork>(network)).transformed(map);
+  for (std::size_t i = 0; i < network.vertices.size(); ++i) {
+    const Vec3 vertex = moved_network.get<CurveNetwork>().vertices[i];
+    CHECK(vertex == map(network.vertices[i]));
+    CHECK((moved.project(vertex) - camera.project(network.vertices[i])).norm() < 1e-6);
+  }
+  map.linear.col(0) *= -1;  // a mirror, which no camera follows
+  const Camera mirrored = transformed(camera, map);
+  CHECK(std::abs(mirrored.rotation.determinant() - 1) < 1e-12);
+  CHECK(mirrored.eye == map(camera.eye));
+  CurveNetwork line;
+  line.vertices = {Vec3(0, 0, 0), Vec3(3, 0, 0)};
+  line.curves = {{"e", 0, 1, {{{Vec3(0, 0, 0), Vec3(1, 5, 0), Vec3(2, 0, -1), Vec3(3, 0, 0)}}}, false}};
+  CHECK(bounds_of(Value(std::make_shared<const CurveNetwork>(line))) == BoundingBox({Vec3(0, 0, -1), Vec3(3, 5, 0)}));
+}
+
+TEST_CASE("stored perspective drawings, cameras and networks that break their rules are refused") {
+  const auto refused = []<typename T>(T content, const auto& spoil) {
+    const std::string good = encode(std::make_shared<const T>(content));
+    CHECK(encode(decode(ValueType::of<T>(), good)) == good);
+    spoil(content);
+    CHECK_THROWS_AS(decode(ValueType::of<T>(), encode(std::make_shared<const T>(content))), BadBytes);
+    for (std::size_t length = 0; length < good.size(); ++length) {
+      CHECK_THROWS_AS(decode(ValueType::of<T>(), good.substr(0, length)), BadBytes);
+    }
+  };
+  refused(Camera(), [](Camera& camera) { camera.focal_length = 0; });
+  refused(Camera(), [](Camera& camera) { camera.rotation(0, 1) = 0.1; });
+  refused(Camera(), [](Camera& camera) { camera.rotation(2, 2) = -1; });
+  refused(Camera(), [](Camera& camera) { camera.eye.x() = std::nan(""); });
+  PerspectiveDrawing drawing;
+  drawing.strokes.resize(1);
+  drawing.strokes[0].pieces = {{Vec2(0, 0), Vec2(1, 0), Vec2(2, 0), Vec2(3, 1)}};
+  refused(drawing, [](PerspectiveDrawing& d) { d.strokes[0].pieces.clear(); });
+  refused(drawing, [](PerspectiveDrawing& d) { d.strokes[0].pieces.push_back(d.strokes[0].pieces[0]); });
+  refused(drawing, [](PerspectiveDrawing& d) { d.strokes[0].group = static_cast<StrokeGroup>(7); });
+  refused(drawing, [](PerspectiveDrawing& d) { d.strokes[0].weight = -1; });
+  refused(drawing, [](PerspectiveDrawing& d) { d.strokes.push_back(d.strokes[0]); });
+  refused(drawing, [](PerspectiveDrawing& d) { d.field_of_view = 4; });
+  refused(drawing, [](PerspectiveDrawing& d) { d.known_lengths = {{"e", 0}}; });
+  refused(drawing, [](PerspectiveDrawing& d) { d.shells = 0; });
+  CurveNetwork network;
+  network.vertices = {Vec3(0, 0, 0), Vec3(3, 0, 0)};
+  network.curves = {{"e", 0, 1, {straight_cubic(Vec3(0, 0, 0), Vec3(3, 0, 0))}, true}};
+  refused(network, [](CurveNetwork& n) { n.curves[0].end = 2; });
+  refused(network, [](CurveNetwork& n) { n.curves[0].end = 0; });
+  refused(network, [](CurveNetwork& n) { n.curves[0].pieces[0].weights[1] = 0; });
+  refused(network, [](CurveNetwork& n) { n.curves[0].pieces.clear(); });
+  refused(network, [](CurveNetwork& n) { n.curves.push_back(n.curves[0]); });
 }
 
 TEST_CASE("a type of value that one file defines is computed, moved, hashed and counted like all others") {

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "croquis/geometry/affine3.h"
 #include "croquis/geometry/vector.h"
 
 namespace croquis {
@@ -31,5 +32,10 @@ struct Camera {
   /// Where lines along a world axis (0..2) meet, homogeneous: (x, y, w), at infinity where w = 0.
   Vec3 vanishing_point(int axis) const;
 };
+
+/// The camera that sees the mapped world as this one sees the world. Exact for moves, turns and scales alike in all
+/// directions; of other maps it follows the turn that is nearest to them.
+/// @param map invertible
+Camera transformed(const Camera& camera, const Affine3& map);
 
 }  // namespace croquis

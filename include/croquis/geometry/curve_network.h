@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "croquis/geometry/affine3.h"
+#include "croquis/geometry/bounds.h"
 #include "croquis/geometry/rational_cubic.h"
 
 namespace croquis {
@@ -30,5 +32,11 @@ struct CurveNetwork {
   std::vector<Vec3> vertices;  ///< model units
   std::vector<NetworkCurve> curves;
 };
+
+/// Of all vertices and control points, which hold the curves between them.
+BoundingBox bounds_of(const CurveNetwork& network);
+
+/// The mapped network, exactly: affine maps keep rational cubics.
+CurveNetwork transformed(const CurveNetwork& network, const Affine3& map);
 
 }  // namespace croquis

@@ -182,7 +182,8 @@ class PerspectiveSvgReader : public SvgVisitor {
     if (word.size() == 1 && word[0] >= '0' && word[0] <= '5') stated = static_cast<StrokeGroup>(word[0] - '0');
     stroke.group = by_colour;
     take(shape, "group", word, stated, stroke.group);
-    const bool both = stated.value_or(StrokeGroup::Unknown) != StrokeGroup::Unknown && by_colour != StrokeGroup::Unknown;
+    const bool both =
+        stated.value_or(StrokeGroup::Unknown) != StrokeGroup::Unknown && by_colour != StrokeGroup::Unknown;
     if (both && *stated != by_colour) {
       walk_.findings().stroke_note("GROUP_COLOUR",
                                    "Stroke " + in_quotes(shape.id) + " is of group " + std::string(word) +
@@ -236,10 +237,11 @@ class PerspectiveSvgReader : public SvgVisitor {
     if (box.isEmpty()) box.extend(Vec2::Zero());
     drawing_.origin = box.min();
     drawing_.image_size = box.sizes().cwiseMax(1.0);
-    walk_.findings().file_warning("W_NO_SHEET",
-                                  "The drawing has no viewBox: its sheet was taken to end where the strokes end, so the "
-                                  "eye point may be off",
-                                  walk_.line_of(root));
+    walk_.findings().file_warning(
+        "W_NO_SHEET",
+        "The drawing has no viewBox: its sheet was taken to end where the strokes end, so the "
+        "eye point may be off",
+        walk_.line_of(root));
   }
 
   void read_metadata(const pugi::xml_node& root) {
@@ -284,7 +286,7 @@ class PerspectiveSvgReader : public SvgVisitor {
     } else if (name == "fov_x_deg" && value < 180) {
       drawing_.field_of_view = radians_of(value);
     } else if (name == "f_px") {
-      drawing_.field_of_view = 2 * std::atan(drawing_.image_size.x() / 2 / value);
+      drawing_.field_of_view = radians_of(degrees_of(2 * std::atan(drawing_.image_size.x() / 2 / value)));
     } else if (name == "shells" && value < 1e6 && value == std::floor(value)) {
       drawing_.shells = static_cast<int>(value);
     } else {

@@ -20,12 +20,12 @@ constexpr std::array<const char*, 7> default_colours{"#F28C00", "#1F9D3A", "#8A2
 
 /// Those of CSS that people use for lines.
 constexpr std::array<std::pair<std::string_view, const char*>, 24> colour_names{
-    {{"red", "#FF0000"},        {"crimson", "#DC143C"},    {"firebrick", "#B22222"},   {"darkred", "#8B0000"},
-     {"maroon", "#800000"},     {"blue", "#0000FF"},       {"navy", "#000080"},        {"mediumblue", "#0000CD"},
-     {"royalblue", "#4169E1"},  {"dodgerblue", "#1E90FF"}, {"yellow", "#FFFF00"},      {"gold", "#FFD700"},
-     {"orange", "#FFA500"},     {"darkorange", "#FF8C00"}, {"green", "#008000"},       {"lime", "#00FF00"},
-     {"limegreen", "#32CD32"},  {"forestgreen", "#228B22"}, {"seagreen", "#2E8B57"},   {"darkgreen", "#006400"},
-     {"purple", "#800080"},     {"indigo", "#4B0082"},     {"blueviolet", "#8A2BE2"},  {"darkviolet", "#9400D3"}}};
+    {{"red", "#FF0000"},       {"crimson", "#DC143C"},     {"firebrick", "#B22222"},  {"darkred", "#8B0000"},
+     {"maroon", "#800000"},    {"blue", "#0000FF"},        {"navy", "#000080"},       {"mediumblue", "#0000CD"},
+     {"royalblue", "#4169E1"}, {"dodgerblue", "#1E90FF"},  {"yellow", "#FFFF00"},     {"gold", "#FFD700"},
+     {"orange", "#FFA500"},    {"darkorange", "#FF8C00"},  {"green", "#008000"},      {"lime", "#00FF00"},
+     {"limegreen", "#32CD32"}, {"forestgreen", "#228B22"}, {"seagreen", "#2E8B57"},   {"darkgreen", "#006400"},
+     {"purple", "#800080"},    {"indigo", "#4B0082"},      {"blueviolet", "#8A2BE2"}, {"darkviolet", "#9400D3"}}};
 
 /// Hues of a group in degrees. Between red, orange and yellow, and between blue and purple, the nearer one is meant.
 struct HueRange {
@@ -106,8 +106,6 @@ StrokeGroup group_of_colour(std::string_view colour) {
   return StrokeGroup::Unknown;
 }
 
-std::string colour_of_group(StrokeGroup group) {
-  return default_colours[static_cast<std::size_t>(group)];
-}
+std::string colour_of_group(StrokeGroup group) { return default_colours[static_cast<std::size_t>(group)]; }
 
 }  // namespace croquis

@@ -12,6 +12,7 @@ namespace {
 
 std::vector<PictureCubic> cubics_of_arc(const SvgSegment& arc, const Vec2& from) {
   constexpr double quarter = std::numbers::pi / 2;
+  if (!std::isfinite(arc.sweep)) return {straight_piece(from, arc.end)};
   const auto count = static_cast<int>(std::clamp(std::ceil(std::abs(arc.sweep) / quarter - 1e-9), 1.0, 8.0));
   const double step = arc.sweep / count, handle = 4.0 / 3 * std::tan(step / 4);
   const auto place = [&](double angle) { return Vec2(arc.centre + std::cos(angle) * arc.a + std::sin(angle) * arc.b); };
@@ -70,19 +71,15 @@ double degrees_of(double radians) {
   // A short number that gives the same radians is most likely what somebody wrote.
   for (int digits = 1; digits <= 17 && std::isfinite(exact); ++digits) {
     char text[40];
-    const auto [end, error] =
-        std::to_chars(text, text + sizeof text, exact, std::chars_format::general, digits);
+    const auto [end, error] = std::to_chars(text, text + sizeof text, exact, std::chars_format::general, digits);
     double shorter = 0;
     if (error == std::errc() && std::from_chars(text, end, shorter).ec == std::errc() &&
         radians_of(shorter) == radians) {
       return shorter;
     }
   }
-  for (double near = exact, far = exact, i = 0; i < 4; ++i) {
-    near = std::nextafter(near, 0.0);
-    far = std::nextafter(far, std::numeric_limits<double>::infinity());
+  for (const double near : {std::nextafter(exact, 0.0), std::nextafter(exact, std::numeric_limits<double>::max())}) {
     if (radians_of(near) == radians) return near;
-    if (radians_of(far) == radians) return far;
   }
   return exact;
 }
