@@ -196,6 +196,83 @@ CurveNetwork perturbed(CurveNetwork network, double by, unsigned seed) {
   return network;
 }
 
+CurveNetwork line_network(const std::vector<Vec3>& vertices, const std::vector<std::array<Index, 2>>& lines) {
+  CurveNetwork network{vertices, {}};
+  for (const auto& [a, b] : lines) {
+    network.curves.push_back(
+        {"e" + std::to_string(network.curves.size()), a, b, {straight_cubic(vertices[a], vertices[b])}, true});
+  }
+  return network;
+}
+
+CurveNetwork box_in_box() {
+  std::vector<Vec3> vertices;
+  std::vector<std::array<Index, 2>> lines;
+  for (Index i = 0; i < 16; ++i) {
+    const double size = i < 8 ? 2 : 1;
+    vertices.push_back(size * Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1));
+    for (Index bit = 1; bit < 16; bit *= 2) {
+      if ((i & bit) == 0) lines.push_back({i, i | bit});
+    }
+  }
+  return line_network(vertices, lines);
+}
+
+CurveNetwork globe(int rings, int steps) {
+  CurveNetwork network;
+  const auto place = [&](int ring, int step) {
+    const double up = std::numbers::pi * ring / (rings + 1), around = 2 * std::numbers::pi * step / steps + 0.05;
+    return Vec3(std::sin(up) * std::cos(around), std::sin(up) * std::sin(around), -std::cos(up));
+  };
+  for (int r = 1; r <= rings; ++r) {
+    for (int s = 0; s < steps; ++s) network.vertices.push_back(place(r, s));
+  }
+  const auto south = static_cast<Index>(network.vertices.size());
+  network.vertices.emplace_back(0, 0, -1);
+  network.vertices.emplace_back(0, 0, 1);
+  const auto join = [&](Index a, Index b) {
+    const std::vector<Vec3>& v = network.vertices;
+    network.curves.push_back({"c" + std::to_string(network.curves.size()), a, b, {arc(v[a], v[b])}, false});
+  };
+  const auto at = [&](int ring, int step) {
+    if (ring == 0) return south;
+    if (ring == rings + 1) return south + 1;
+    return static_cast<Index>((ring - 1) * steps + step % steps);
+  };
+  for (int r = 0; r <= rings; ++r) {
+    for (int s = 0; s < steps; ++s) {
+      if (r > 0) join(at(r, s), at(r, s + 1));
+      join(at(r, s), at(r + 1, s));
+    }
+  }
+  return network;
+}
+
+CurveNetwork box_wall(int nx, int nz) {
+  CurveNetwork network;
+  const auto at = [&](int x, int y, int z) { return static_cast<Index>((z * 2 + y) * (nx + 1) + x); };
+  const auto join = [&](Index a, Index b) {
+    const std::vector<Vec3>& v = network.vertices;
+    network.curves.push_back({"w" + std::to_string(network.curves.size()), a, b, {straight_cubic(v[a], v[b])}, true});
+  };
+  for (int z = 0; z <= nz; ++z) {
+    for (int y = 0; y <= 1; ++y) {
+      for (int x = 0; x <= nx; ++x) network.vertices.emplace_back(1.1 * x, 0.9 * y, 1.3 * z);
+    }
+  }
+  for (int z = 0; z <= nz; ++z) {
+    for (int x = 0; x <= nx; ++x) {
+      // Edges through the inside would have walls on all sides.
+      if (x == 0 || x == nx || z == 0 || z == nz) join(at(x, 0, z), at(x, 1, z));
+      for (int y = 0; y <= 1; ++y) {
+        if (x < nx) join(at(x, y, z), at(x + 1, y, z));
+        if (z < nz) join(at(x, y, z), at(x, y, z + 1));
+      }
+    }
+  }
+  return network;
+}
+
 FaceFindingResult faces_of(const CurveNetwork& network, const FaceFindingOptions& options) {
   Progress progress;
   return find_faces(network, progress, options);

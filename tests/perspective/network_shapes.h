@@ -46,6 +46,18 @@ std::vector<PolyhedronNet> sphere_nets();
 /// Vertices and handles moved by up to that much, ends of curves with their vertices.
 CurveNetwork perturbed(CurveNetwork network, double by, unsigned seed);
 
+/// Straight curves between vertices, with ids "e0", "e1" …
+CurveNetwork line_network(const std::vector<Vec3>& vertices, const std::vector<std::array<Index, 2>>& lines);
+
+/// A box in a box, their corners joined: a frame around each of the three axes, none better than another.
+CurveNetwork box_in_box();
+
+/// Lines of latitude and longitude of a sphere, as arcs: rings · steps + (rings + 1) · steps curves, the poles are vertices.
+CurveNetwork globe(int rings, int steps);
+
+/// A wall of nx by nz boxes of one depth, with all their edges.
+CurveNetwork box_wall(int nx, int nz);
+
 FaceFindingResult faces_of(const CurveNetwork& network, const FaceFindingOptions& options = {});
 
 std::vector<std::string> codes_of(const Findings& findings);

@@ -177,8 +177,8 @@ TEST_CASE("A line of the wrong colour is left out and named") {
       INFO("noise " << noise << ", seed " << seed);
       REQUIRE(codes_of(estimate.warnings) == std::vector<std::string>{"VP_OUTLIER"});
       CHECK(estimate.warnings[0].subjects[0].id == "e03");
-      const auto line = std::ranges::find(estimate.lines, static_cast<Index>(wrong - strokes.begin()),
-                                          &VanishingLine::stroke);
+      const auto line =
+          std::ranges::find(estimate.lines, static_cast<Index>(wrong - strokes.begin()), &VanishingLine::stroke);
       CHECK(line->outlier);
       CHECK_FALSE(line->used);
       CHECK(line->residual > 2);

@@ -164,7 +164,7 @@ TEST_CASE("Curves end at their vertices and stay in their planes bit by bit, dra
       INFO(solid.name << ", noise " << noise);
       for (std::size_t i = 0; i < curves.curves.size(); ++i) {
         const NetworkCurve& curve = curves.curves[i];
-        for (const std::vector<RationalCubic>& pieces : {curve.pieces, network.curves.fitted[i].pieces}) {
+        for (const std::vector<RationalCubic>& pieces : {curve.pieces, network.fitted[i].pieces}) {
           CHECK(pieces.front().points[0] == curves.vertices[curve.start]);
           CHECK(pieces.back().points[3] == curves.vertices[curve.end]);
           for (std::size_t p = 1; p < pieces.size(); ++p) CHECK(pieces[p].points[0] == pieces[p - 1].points[3]);
@@ -191,7 +191,7 @@ TEST_CASE("Polynomial stand-ins are near, with the same directions at the ends")
       INFO(view.name << ", " << solid.name);
       for (std::size_t i = 0; i < network.curves.network.curves.size(); ++i) {
         const NetworkCurve& curve = network.curves.network.curves[i];
-        const FittedCurve& fitted = network.curves.fitted[i];
+        const FittedCurve& fitted = network.fitted[i];
         const bool near = fitted.distance <= 0.5 || fitted.error <= 1e-3 * true_diagonal(truth);
         CHECK((near || fitted.pieces.size() == 2 * curve.pieces.size()));
         NetworkCurve stand_in = curve;
@@ -215,11 +215,11 @@ TEST_CASE("A tighter limit takes two cubics, which are nearer") {
   tight.curves.fit_error = 1e-6;
   const ReconstructedNetwork one = reconstructed(truth.drawing);
   const ReconstructedNetwork two = reconstructed(truth.drawing, tight);
-  for (std::size_t i = 0; i < one.curves.fitted.size(); ++i) {
+  for (std::size_t i = 0; i < one.fitted.size(); ++i) {
     if (one.curves.network.curves[i].straight) continue;
-    CHECK(two.curves.fitted[i].pieces.size() == 2);
-    if (one.curves.fitted[i].pieces.size() == 1) {
-      CHECK(two.curves.fitted[i].distance < 0.5 * one.curves.fitted[i].distance);
+    CHECK(two.fitted[i].pieces.size() == 2);
+    if (one.fitted[i].pieces.size() == 1) {
+      CHECK(two.fitted[i].distance < 0.5 * one.fitted[i].distance);
     }
   }
 }

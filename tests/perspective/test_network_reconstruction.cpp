@@ -75,7 +75,8 @@ TEST_CASE("Order, direction and names of strokes don't change the result") {
       SolidDrawing truth = by_hand(solid, three_point_views()[1], 6);
       if (wrong > 0) {  // with something to be told
         PerspectiveStroke& stroke = truth.drawing.strokes[truth.drawing.strokes.size() / 2];
-        stroke.group = static_cast<StrokeGroup>((static_cast<int>(stroke.group) + 1) % 3 + (is_parallel(stroke.group) ? 0 : 3));
+        stroke.group =
+            static_cast<StrokeGroup>((static_cast<int>(stroke.group) + 1) % 3 + (is_parallel(stroke.group) ? 0 : 3));
       }
       INFO(solid.name << ", wrong " << wrong);
       const ReconstructedNetwork one = reconstructed(truth.drawing);
@@ -128,7 +129,8 @@ TEST_CASE("Cameras are kept while strokes that don't make them are dragged") {
   reconstructed(truth.drawing, options);
   const int made = cache.made;
   CHECK(made > 0);
-  const auto curve = std::ranges::find_if(truth.drawing.strokes, [](const PerspectiveStroke& s) { return !s.straight; });
+  const auto curve =
+      std::ranges::find_if(truth.drawing.strokes, [](const PerspectiveStroke& s) { return !s.straight; });
   curve->pieces[0][1] += Vec2(3, 2);
   const ReconstructedNetwork again = reconstructed(truth.drawing, options);
   CHECK(cache.made == made);
@@ -148,6 +150,25 @@ TEST_CASE("A held camera stays while lines move") {
   for (Vec2& point : stroke_of(truth.drawing, "c1").pieces[0]) point += Vec2(20, -10);
   CHECK(reconstructed(truth.drawing, options).camera.camera.focal_length == focal_length);
   CHECK(reconstructed(truth.drawing).camera.camera.focal_length != focal_length);
+}
+
+TEST_CASE("In one-point perspective a known depth tells the focal length") {
+  View view = frontal_view();
+  view.field_of_view = 0.55;
+  for (const PerspectiveSolid& solid : {box(), l_block(), camera_body()}) {
+    SolidDrawing truth = drawn(solid, view);
+    INFO(solid.name);
+    CHECK(codes_of(reconstructed(truth.drawing).warnings) == std::vector<std::string>{"FOCAL_ASSUMED"});
+    for (const NetworkCurve& curve : solid.network.curves) {
+      if (!curve.straight) continue;
+      const double length = (solid.network.vertices[curve.end] - solid.network.vertices[curve.start]).norm();
+      truth.drawing.known_lengths.push_back({curve.id, length});
+    }
+    const ReconstructedNetwork network = reconstructed(truth.drawing);
+    CHECK(network.warnings.empty());
+    CHECK(network.camera.camera.focal_length == Approx(truth.camera.focal_length).epsilon(1e-9));
+    CHECK(greatest_error(truth, truth.drawing, network.vertices, network.coordinates.positions) < 1e-9);
+  }
 }
 
 TEST_CASE("A reconstruction tells its progress and can be stopped") {

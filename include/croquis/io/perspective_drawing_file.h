@@ -25,8 +25,8 @@
 ///
 /// Further attributes of strokes: cq:link="true", cq:hidden="true", cq:start-lock and cq:end-lock ("smooth", "corner"),
 /// cq:weight; cq:group="unknown" for a colour that
-/// says nothing. cq:role, cq:group and cq:hidden of a group count for what is in it. In metadata cq:f_px value="1070" may
-/// stand for the field of view.
+/// says nothing. cq:role, cq:group and cq:hidden of a group count for what is in it. In metadata cq:f_px value="1070"
+/// may stand for the field of view.
 ///
 /// JSON: {"format": "croquis-perspective/1", "image": {"x", "y", "width", "height"},
 ///        "known_point": {"at": [u, v], "point": [x, y, z]}, "known_lengths": [{"stroke", "length"}], "fov_x_deg",
@@ -60,9 +60,9 @@ std::string colour_of_group(StrokeGroup group);
 /// closed ones every side is a stroke of its own, since the ends of one stroke never meet. Arcs become cubics of at
 /// most a quarter turn (error below 3e-4 of the radius).
 ///
-/// Nothing drawn is dropped: strokes of unknown group, of no length and with coordinates that aren't finite are strokes.
-/// Strokes parallel to an axis are straight: where all their points are nearly on the line between the ends, they are
-/// one straight piece.
+/// Nothing drawn is dropped: strokes of unknown group, of no length and with coordinates that aren't finite are
+/// strokes. Strokes parallel to an axis are straight: where all their points are nearly on the line between the ends,
+/// they are one straight piece.
 ///
 /// Warnings: W_DUPLICATE_ID, W_IGNORED (as read_svg_drawing), W_NO_SHEET, W_VALUE (cq:* that isn't understood).
 /// Info: GROUP_COLOUR (cq:group and colour disagree; cq:group counts).

@@ -2,12 +2,14 @@
 #include "croquis/perspective/network_reconstruction.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 #include <utility>
 
 #include <Eigen/Geometry>
 
+#include "algorithms/perspective/camera/focal_from_lengths.h"
 #include "croquis/base/error.h"
 #include "croquis/base/stage_key.h"
 
@@ -56,6 +58,17 @@ std::vector<StrokeGroup> usable_groups(const PerspectiveDrawing& drawing, const 
   return groups;
 }
 
+/// The drawing with the field of view that known lengths tell, if the lines tell none.
+std::optional<PerspectiveDrawing> with_field_of_view(const PerspectiveDrawing& drawing,
+                                                     const ReconstructedNetwork& network) {
+  if (!network.camera.focal_assumed) return std::nullopt;
+  const std::optional<double> focal = focal_from_lengths(drawing, network.vertices, network.coordinates);
+  if (!focal) return std::nullopt;
+  PerspectiveDrawing known = drawing;
+  known.field_of_view = 2 * std::atan(drawing.image_size.x() / 2 / *focal);
+  return known;
+}
+
 /// The camera, and what strokes are taken for.
 struct Calibration {
   CameraEstimate camera;
@@ -100,7 +113,7 @@ CurveContinuityOptions with_locks(const PerspectiveDrawing& drawing, const Lifte
 
 void append(Findings& all, const Findings& more) { all.insert(all.end(), more.begin(), more.end()); }
 
-std::vector<bool> named_strokes(const PerspectiveDrawing& drawing, const Findings& findings) {
+std::vector<bool> flagged_strokes(const PerspectiveDrawing& drawing, const Findings& findings) {
   std::set<std::string> names;
   for (const Finding& finding : findings) {
     for (const Subject& subject : finding.subjects) {
@@ -118,12 +131,16 @@ ReconstructedNetwork reconstruct_network(const PerspectiveDrawing& drawing, cons
                                          Progress& progress) {
   ReconstructedNetwork result;
   result.vertices = find_drawing_vertices(drawing, options.vertices);
-  Progress camera_part = progress.step("find the camera", 0.5);
+  Progress camera_part = progress.step("find the camera", 0.4);
   Calibration calibration = calibrated(drawing, usable_groups(drawing, result.vertices), options, camera_part);
   result.camera = std::move(calibration.camera);
-  Progress coordinate_part = progress.step("find the vertices", 0.4);
+  Progress coordinate_part = progress.step("find the vertices", 0.3);
   result.coordinates = solve_coordinates(drawing, result.vertices, result.camera, calibration.groups,
                                          calibration.promoted, options.coordinates, coordinate_part);
+  // A length into depth and one across tell the focal length of a drawing with one vanishing point.
+  if (const std::optional<PerspectiveDrawing> known = with_field_of_view(drawing, result)) {
+    return reconstruct_network(*known, options, progress);
+  }
   Progress curve_part = progress.step("lift the curves", 0.1);
   curve_part.check();
   result.curves = lift_curves(drawing, result.vertices, result.coordinates, options.curves);
@@ -135,7 +152,7 @@ ReconstructedNetwork reconstruct_network(const PerspectiveDrawing& drawing, cons
   append(result.warnings, result.camera.warnings);
   append(result.warnings, result.coordinates.warnings);
   append(result.warnings, result.curves.warnings);
-  result.flagged = named_strokes(drawing, result.warnings);
+  result.flagged = flagged_strokes(drawing, result.warnings);
   progress.report(1);
   return result;
 }

@@ -20,6 +20,10 @@ constexpr double homogeneous_size = sheet_units_per_diagonal;
 /// Pairs of this many longest lines are tried as starts.
 constexpr std::size_t most_pair_lines = 40;
 
+/// A line that misses a point by more doesn't point there; how much more doesn't matter. u, beyond the noise of any
+/// hand.
+constexpr double wild_residual = 25;
+
 Vec3 from_unit(const Vec3& unit) { return {unit.x() * homogeneous_size, unit.y() * homogeneous_size, unit.z()}; }
 
 Vec3 to_unit(const Vec3& point) {
@@ -35,9 +39,9 @@ double squared_cost(const Vec3& point, std::span<const AxisLine> lines) {
   return sum;
 }
 
-double absolute_cost(const Vec3& point, std::span<const AxisLine> lines) {
+double capped_cost(const Vec3& point, std::span<const AxisLine> lines) {
   double sum = 0;
-  for (const AxisLine& line : lines) sum += std::abs(line_residual(point, line));
+  for (const AxisLine& line : lines) sum += std::min(std::abs(line_residual(point, line)), wild_residual);
   return sum;
 }
 
@@ -61,7 +65,7 @@ Vec3 consensus(std::span<const AxisLine> lines) {
     for (std::size_t j = i + 1; j < longest.size(); ++j) {
       const Vec3 point = crossing(longest[i], longest[j]);
       if (!(point.norm() > 0)) continue;
-      const double cost = absolute_cost(point, lines);
+      const double cost = capped_cost(point, lines);
       if (cost < least) {
         least = cost;
         best = point;

@@ -21,6 +21,9 @@ constexpr int reweightings = 4;
 constexpr int power_rounds = 8;
 constexpr int newton_rounds = 12;
 
+/// Steps smaller than this part of the values are at the end.
+constexpr double rounding = 1e-13;
+
 /// Keeps matrices of exact drawings regular; relative to the mean diagonal.
 constexpr double regularity = 1e-13;
 
@@ -209,14 +212,15 @@ class ComponentSolver {
       if (solver.info() != Eigen::Success) return;
       const Eigen::VectorXd step = solver.solve(gradient);
       if (!step.allFinite()) return;
+      // Costs are flat at their bottom: a step that leads up by rounding alone is taken.
+      const double most = least * (1 + rounding) + std::numeric_limits<double>::min();
       double factor = 1;
       double next = squares(values - step);
-      for (; factor > 1e-3 && !(next <= least); factor /= 2) next = squares(values - factor / 2 * step);
-      if (!(next <= least)) return;
+      for (; factor > 1e-3 && !(next <= most); factor /= 2) next = squares(values - factor / 2 * step);
+      if (!(next <= most)) return;
       values -= factor * step;
-      const bool settled = least - next <= 1e-12 * least && round > 0;
-      least = next;
-      if (settled) return;
+      least = std::min(least, next);
+      if (step.norm() <= rounding * values.norm()) return;
     }
   }
 

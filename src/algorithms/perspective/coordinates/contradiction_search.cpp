@@ -31,11 +31,17 @@ bool ties_something(const CoordinateTies& ties, std::size_t stroke) {
          ties.of_stroke[stroke][1] != no_index;
 }
 
-double rms_with_group(TiedVertices& tied, Index stroke, StrokeGroup group) {
+SolvedVertices solved_with_group(TiedVertices& tied, Index stroke, StrokeGroup group) {
   const StrokeGroup before = tied.ties.groups[stroke];
   tied.ties.groups[stroke] = group;
-  const SolvedVertices result = solved(tied);
+  SolvedVertices result = solved(tied);
   tied.ties.groups[stroke] = before;
+  return result;
+}
+
+/// Infinite where vertices would lie behind the eye or at one place.
+double rms_with_group(TiedVertices& tied, Index stroke, StrokeGroup group) {
+  const SolvedVertices result = solved_with_group(tied, stroke, group);
   const bool possible = result.solution.in_front && !has_coincident_vertices(result.table);
   return possible ? result.solution.rms_of_freedom() : std::numeric_limits<double>::infinity();
 }
@@ -99,10 +105,7 @@ class ContradictionSearch {
 
   bool is_wrong(const SolvedVertices& now, const StrokeSuspicion& worst) {
     if (now.solution.rms() > options_.contradiction * sigma_ || has_coincident_vertices(now.table)) return true;
-    const StrokeGroup group = tied_.ties.groups[worst.stroke];
-    tied_.ties.groups[worst.stroke] = StrokeGroup::Unknown;
-    const SolvedVertices without = solved(tied_);
-    tied_.ties.groups[worst.stroke] = group;
+    const SolvedVertices without = solved_with_group(tied_, worst.stroke, StrokeGroup::Unknown);
     return without.solution.squares < lone_share * now.solution.squares &&
            without.solution.worst() < options_.lone_contradiction * sigma_;
   }
@@ -197,7 +200,8 @@ std::vector<StrokeSuspicion> ranked_strokes(const TiedVertices& tied, Progress& 
     if (!ties_something(tied.ties, s)) continue;
     progress.check();
     const auto stroke = static_cast<Index>(s);
-    ranking.push_back({stroke, rms_with_group(trial, stroke, StrokeGroup::Unknown)});
+    // Other wrong strokes may go on pulling vertices together.
+    ranking.push_back({stroke, solved_with_group(trial, stroke, StrokeGroup::Unknown).solution.rms_of_freedom()});
   }
   // Equal ones by place: the order of the drawing means nothing.
   const auto order = [&](const StrokeSuspicion& suspicion) {

@@ -18,12 +18,12 @@ std::vector<PromotedStroke> promoted_strokes(const PerspectiveDrawing& drawing, 
     if (!stroke.straight || groups[s] == StrokeGroup::Unknown || is_parallel(groups[s])) continue;
     if (!stroke.start().allFinite() || !stroke.end().allFinite()) continue;
     std::array<double, 2> misses{};
-    std::array<int, 2> axes{};
-    for (int i = 0; i < 2; ++i) {
-      axes[i] = (axis_of(groups[s]) + 1 + i) % 3;
+    std::array<std::size_t, 2> axes{};
+    for (std::size_t i = 0; i < 2; ++i) {
+      axes[i] = (static_cast<std::size_t>(axis_of(groups[s])) + 1 + i) % 3;
       misses[i] = vanishing_residual(camera.vanishing_points[axes[i]], stroke.start(), stroke.end());
     }
-    const int nearer = misses[0] <= misses[1] ? 0 : 1;
+    const std::size_t nearer = misses[0] <= misses[1] ? 0 : 1;
     // A short stroke misses neither by much: the other axis has to be told from it beyond the noise, too.
     if (misses[nearer] >= limit || misses[1 - nearer] <= std::max(options.promote_ratio * misses[nearer], limit))
       continue;

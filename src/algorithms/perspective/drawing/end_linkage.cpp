@@ -9,61 +9,42 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "croquis/geometry/disjoint_sets.h"
+
 namespace croquis {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 constexpr std::size_t largest_matrix = 4000;  // ends on one spot, which no drawing has; more are linked in portions
 
-/// Representatives of what is joined so far.
-class LinkageSets {
- public:
-  explicit LinkageSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
-
-  Index find(Index point) {
-    while (parent_[point] != point) point = parent_[point] = parent_[parent_[point]];
-    return point;
-  }
-
-  /// The lower number stays the representative.
-  void join(Index a, Index b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<Index> parent_;
-};
-
 std::uint64_t cell_key(const Vec2& place, double size, int dx, int dy) {
-  constexpr double farthest = 1e15;  // so that far places, which share cells then, are numbers of cells at all
-  const auto x = static_cast<std::int64_t>(std::floor(std::clamp(place.x() / size, -farthest, farthest))) + dx;
-  const auto y = static_cast<std::int64_t>(std::floor(std::clamp(place.y() / size, -farthest, farthest))) + dy;
+  constexpr double farthest_cell = 1e15;  // so that far places, which share cells then, are numbers of cells at all
+  const auto x = static_cast<std::int64_t>(std::floor(std::clamp(place.x() / size, -farthest_cell, farthest_cell))) + dx;
+  const auto y = static_cast<std::int64_t>(std::floor(std::clamp(place.y() / size, -farthest_cell, farthest_cell))) + dy;
   return static_cast<std::uint64_t>(x) * 0x9e3779b97f4a7c15U ^ static_cast<std::uint64_t>(y);
 }
 
 /// What can't be joined by any sequence of joins lies in different parts: two clusters whose mean distance is below the
 /// limit have a pair of points nearer than that.
 std::vector<std::vector<Index>> parts_within(const std::vector<LinkagePoint>& points, double limit) {
-  LinkageSets sets(points.size());
+  DisjointSets sets(points.size());
   std::unordered_map<std::uint64_t, std::vector<Index>> cells;
   std::unordered_map<Index, Index> first_of_group;
   for (Index i = 0; i < points.size(); ++i) {
-    if (points[i].group != no_index) sets.join(i, first_of_group.try_emplace(points[i].group, i).first->second);
+    if (points[i].group != no_index) sets.unite(i, first_of_group.try_emplace(points[i].group, i).first->second);
     for (int dx = -1; dx <= 1; ++dx) {
       for (int dy = -1; dy <= 1; ++dy) {
         const auto cell = cells.find(cell_key(points[i].place, limit, dx, dy));
         if (cell == cells.end()) continue;
         for (const Index j : cell->second) {
-          if ((points[i].place - points[j].place).norm() < limit) sets.join(i, j);
+          if ((points[i].place - points[j].place).norm() < limit) sets.unite(i, j);
         }
       }
     }
     cells[cell_key(points[i].place, limit, 0, 0)].push_back(i);
   }
   std::map<Index, std::vector<Index>> parts;
-  for (Index i = 0; i < points.size(); ++i) parts[sets.find(i)].push_back(i);
+  for (Index i = 0; i < points.size(); ++i) parts[sets.root(i)].push_back(i);
   std::vector<std::vector<Index>> result;
   for (auto& [first, part] : parts) {
     for (std::size_t begin = 0; begin < part.size(); begin += largest_matrix) {

@@ -18,6 +18,9 @@ constexpr double goal_of_quadrilaterals = -0.5;
 
 constexpr double cost_rounding = 1e-9;
 
+/// If there is a cover the first one is found in few nodes; what is likely to have none shouldn't take long.
+constexpr std::size_t dive_share = 10;
+
 /// Nodes between two looks at the cancel flag.
 constexpr std::size_t nodes_per_check = 256;
 
@@ -38,7 +41,7 @@ class CoverSearch {
     if (problem.partial) {
       for (Index r = 0; r < problem.edges.size(); ++r) {
         columns_.push_back({open_side_cost, {r}});
-        columns_.push_back({open_side_cost, {r}});
+        columns_.push_back({second_open_side_cost, {r}});
       }
     }
     find_conflicts();
@@ -52,14 +55,17 @@ class CoverSearch {
     branch();
     dive_ = false;
     if (result_.covers.empty()) return std::move(result_);
-    const EdgePrices prices = price_rows(columns_, rows, result_.covers[0].cost);
     result_.limited = false;
+    const EdgePrices prices = price_rows(columns_, rows, result_.covers[0].cost);
     if (reset(prices.price) && drop_dear()) branch();
     return std::move(result_);
   }
 
  private:
   bool is_open_side(Index column) const { return column >= problem_.members.size(); }
+  bool is_second_open_side(Index column) const {
+    return is_open_side(column) && (column - problem_.members.size()) % 2 == 1;
+  }
   const FaceCandidate& face(Index column) const { return problem_.candidates[problem_.members[column]]; }
 
   void find_conflicts() {
@@ -130,13 +136,14 @@ class CoverSearch {
       --free_[r];
       pending_.push_back(r);
     }
-    // An edge's second open side is like the first: without the first there is none.
-    if (is_open_side(column) && (column - problem_.members.size()) % 2 == 0) remove(column + 1);
+    // Without an edge's first open side there is no second one.
+    if (is_open_side(column) && !is_second_open_side(column)) remove(column + 1);
   }
 
   bool choose(Index column) {
     if (state_[column] == ColumnState::Chosen) return true;
     if (state_[column] == ColumnState::Out) return false;
+    if (is_second_open_side(column) && !choose(column - 1)) return false;
     state_[column] = ColumnState::Chosen;
     trail_.push_back(column);
     cost_ += columns_[column].cost;
@@ -218,7 +225,7 @@ class CoverSearch {
     const std::size_t outer = trail_.size();
     for (const Index column : on_row_[row]) {
       if (state_[column] != ColumnState::Free) continue;
-      if (++result_.nodes > problem_.node_limit) result_.limited = true;
+      if (++result_.nodes > (dive_ ? problem_.node_limit / dive_share : problem_.node_limit)) result_.limited = true;
       if (result_.nodes % nodes_per_check == 0) progress_.check();
       if (done()) break;
       const std::size_t inner = trail_.size();

@@ -19,14 +19,16 @@ struct CoverProblem {
   std::vector<Index> edges;       ///< of the graph, ascending; all edges of the members and none else
   std::vector<Index> members;     ///< candidates, ascending
   std::vector<Index> fixed;       ///< members that must be chosen
-  bool partial = false;           ///< sides may stay open, at open_side_cost each
+  bool partial = false;           ///< sides may stay open, at a cost
   double margin = 0;
   std::size_t max_covers = 9;
   std::size_t node_limit = 200000;
 };
 
-/// What an open side of an edge costs in a partial cover.
+/// What an open side of an edge costs in a partial cover; the second one costs less, so that rather a few edges are
+/// without faces than more of them with one.
 inline constexpr double open_side_cost = 3;
+inline constexpr double second_open_side_cost = 2.5;
 
 struct Cover {
   std::vector<Index> chosen;  ///< candidates, ascending

@@ -15,8 +15,8 @@
 namespace croquis {
 namespace {
 
-/// A set with a dearer face is kept only if more candidates give none that is cheaper.
-constexpr double doubtful_cost = 1;
+/// Of the nodes for sets that close, how many a search for partial ones gets: these serve while somebody still draws.
+constexpr std::size_t partial_share = 10;
 
 /// Edges that are covered together, and what was found for them.
 struct CoverPart {
@@ -38,21 +38,11 @@ class FaceFinder {
     for (Index e = 0; e < graph_.edges.size(); ++e) open_.insert(e);
     Progress candidates = progress_.step("find loops", 0.2);
     for (Index p = 0; p < planes_.size(); ++p) add(faces_in_plane(graph_, planes_[p], p));
-    add_free(FreeFaceKind::WithCurves, options_.max_sides, candidates);
+    add_free({FreeFaceKind::WithCurves, options_.max_sides, nullptr}, candidates);
     candidates.report(1);
     Progress search = progress_.step("choose faces", 0.7);
     cover(false, search);
-    if (!open_.empty()) {
-      add_free(FreeFaceKind::AllStraight, options_.max_sides, search);
-      cover(false, search);
-    }
-    if (!open_.empty() && options_.max_sides_late > options_.max_sides) {
-      add_free(FreeFaceKind::WithCurves, options_.max_sides_late, search);
-      add_free(FreeFaceKind::AllStraight, options_.max_sides_late, search);
-      cover(false, search);
-    }
-    keep_doubtful();
-    if (!open_.empty()) cover(true, search);
+    if (!open_.empty()) cover_partly(search);
     search.report(1);
     FaceFindingResult result = make_result();
     progress_.report(1);
@@ -83,8 +73,8 @@ class FaceFinder {
     return name;
   }
 
-  void add_free(FreeFaceKind kind, std::size_t max_sides, Progress& progress) {
-    FreeFaces found = free_faces(graph_, planes_, kind, max_sides, progress);
+  void add_free(const FreeFaceSearch& wanted, Progress& progress) {
+    FreeFaces found = free_faces(graph_, planes_, wanted, progress);
     loops_cut_short_ = loops_cut_short_ || found.cut_short;
     add(std::move(found.candidates));
   }
@@ -107,41 +97,45 @@ class FaceFinder {
     return result;
   }
 
-  /// Covers the open edges part by part; what is covered without doubt is open no longer.
+  CoverResult search_part(const CoverPart& part, bool partial, Progress& progress) {
+    CoverProblem problem{graph_, candidates_, part.edges, part.members, {}, partial};
+    std::ranges::set_intersection(part.members, fixed_, std::back_inserter(problem.fixed));
+    problem.margin = options_.margin;
+    problem.max_covers = options_.max_alternatives + 1;
+    problem.node_limit = partial ? options_.node_limit / partial_share : options_.node_limit;
+    CoverResult result = search_covers(problem, progress);
+    nodes_ += result.nodes;
+    return result;
+  }
+
+  /// Covers the open edges part by part; what is covered is open no longer.
   void cover(bool partial, Progress& progress) {
-    doubtful_.clear();
     for (CoverPart& part : parts()) {
-      CoverProblem problem{graph_, candidates_, part.edges, part.members, {}, partial};
-      std::ranges::set_intersection(part.members, fixed_, std::back_inserter(problem.fixed));
-      problem.margin = options_.margin;
-      problem.max_covers = options_.max_alternatives + 1;
-      problem.node_limit = options_.node_limit;
-      part.result = search_covers(problem, progress);
-      nodes_ += part.result.nodes;
-      if (part.result.covers.empty()) {
-        limited_ = limited_ || part.result.limited;
-        continue;
-      }
-      const bool doubtful = !partial && std::ranges::any_of(part.result.covers[0].chosen, [&](Index c) {
-        return candidates_[c].cost > doubtful_cost;
-      });
-      if (doubtful) {
-        doubtful_.push_back(std::move(part));
-      } else {
-        settle(std::move(part));
-      }
+      part.result = search_part(part, partial, progress);
+      limited_ = limited_ || part.result.limited;
+      if (part.result.covers.empty()) continue;
+      for (const Index e : part.edges) open_.erase(e);
+      settled_.push_back(std::move(part));
     }
   }
 
-  void settle(CoverPart part) {
-    limited_ = limited_ || part.result.limited;
-    for (const Index e : part.edges) open_.erase(e);
-    settled_.push_back(std::move(part));
-  }
-
-  void keep_doubtful() {
-    for (CoverPart& part : doubtful_) settle(std::move(part));
-    doubtful_.clear();
+  /// Where nothing closes: sides that then have no face may be those of a face that is long, or straight all around.
+  void cover_partly(Progress& progress) {
+    std::vector<std::uint8_t> lacking(graph_.edges.size(), 0);
+    for (const CoverPart& part : parts()) {
+      const CoverResult result = search_part(part, true, progress);
+      std::map<Index, int> sides;
+      if (!result.covers.empty()) {
+        for (const Index c : result.covers[0].chosen) {
+          for (const Index e : candidates_[c].edges) ++sides[e];
+        }
+      }
+      for (const Index e : part.edges) lacking[e] = sides[e] < 2 ? 1 : 0;
+    }
+    const std::size_t late = std::max(options_.max_sides, options_.max_sides_late);
+    add_free({FreeFaceKind::AllStraight, late, &lacking}, progress);
+    add_free({FreeFaceKind::WithCurves, late, &lacking}, progress);
+    cover(true, progress);
   }
 
   /// The best choice of every part, but of one part another one.
@@ -209,7 +203,7 @@ class FaceFinder {
   std::map<std::vector<Index>, Index> by_edges_;
   std::set<Index> fixed_;
   std::set<Index> open_;  ///< edges that no cover was found for
-  std::vector<CoverPart> settled_, doubtful_;
+  std::vector<CoverPart> settled_;
   bool loops_cut_short_ = false, limited_ = false;
   std::size_t nodes_ = 0;
 };

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <set>
 
+#include <Eigen/Geometry>
+
 #include "croquis/base/text.h"
 
 namespace croquis {
@@ -11,6 +13,9 @@ namespace {
 
 /// Sentences name at most that many strokes; the finding's subjects have all.
 constexpr std::size_t named_strokes = 6;
+
+/// Strokes that meet at less than this (radians) go on smoothly: 15 degrees.
+constexpr double least_corner = 0.2618;
 
 std::vector<std::string> stroke_ids(const CurveNetwork& network, const std::vector<Index>& curves) {
   std::vector<std::string> ids;
@@ -77,6 +82,42 @@ void add_straight_faces(const CurveNetwork& network, const FaceFindingResult& re
   }
 }
 
+/// How many strokes that can bound faces meet at each vertex.
+std::vector<int> valences(const CurveNetwork& network, const FaceFindingResult& result) {
+  std::vector<int> count(network.vertices.size(), 0);
+  for (Index c = 0; c < network.curves.size(); ++c) {
+    if (std::ranges::binary_search(result.dangling, c) || std::ranges::binary_search(result.bridges, c)) continue;
+    ++count[network.curves[c].start];
+    ++count[network.curves[c].end];
+  }
+  return count;
+}
+
+/// Smooth faces with a corner where no third stroke leads on.
+void add_missing(const CurveNetwork& network, const FaceFindingResult& result, Findings& findings) {
+  const std::vector<int> valence = valences(network, result);
+  std::set<std::vector<std::string>> found;
+  for (const NetworkFace& face : result.best.faces) {
+    if (face.planar) continue;
+    const CurveLoop& loop = face.loops[0];
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const NetworkCurve &a = network.curves[loop[i].curve], &b = network.curves[loop[(i + 1) % loop.size()].curve];
+      const bool b_reversed = loop[(i + 1) % loop.size()].reversed;
+      if (valence[loop[i].reversed ? a.start : a.end] != 2 || (a.straight && b.straight)) continue;
+      const Vec3 back = loop[i].reversed ? a.direction_from_start() : a.direction_from_end();
+      const Vec3 ahead = b_reversed ? b.direction_from_end() : b.direction_from_start();
+      if (angle_between(-back, ahead) > least_corner) found.insert({std::min(a.id, b.id), std::max(a.id, b.id)});
+    }
+  }
+  for (const std::vector<std::string>& ids : found) {
+    findings.push_back(stroke_warning("MISSING_STROKE",
+                                      "The strokes " + ids[0] + " and " + ids[1] +
+                                          " meet in a corner of a smooth face from which no third stroke leads on: "
+                                          "draw the edge that begins there.",
+                                      ids));
+  }
+}
+
 void add_ambiguous(const CurveNetwork& network, const FaceFindingResult& result, Findings& findings) {
   std::set<Index> differing;
   std::set<std::vector<Index>> best;
@@ -108,6 +149,7 @@ Findings face_findings(const CurveNetwork& network, const FaceFindingResult& res
                                       ids));
   }
   add_straight_faces(network, result, findings);
+  add_missing(network, result, findings);
   if (!result.alternatives.empty()) add_ambiguous(network, result, findings);
   if (limited) {
     findings.push_back(make_warning(Category::Limit, "SEARCH_LIMIT",

@@ -24,7 +24,7 @@ constexpr double all_straight_cost = 1;
 constexpr double greatest_free_cost = 4;
 
 /// Loops looked at in one search; a network of 400 curves has some thousands of up to 8 sides.
-constexpr std::size_t most_loops = 200000;
+constexpr std::size_t most_loops = 50000;
 
 /// Every how many samples of a curve the polygon has that is checked for crossings.
 constexpr std::size_t crossing_step = 4;
@@ -53,18 +53,15 @@ bool crosses_itself(const std::vector<Vec3>& polygon, const Vec3& normal) {
 
 class LoopSearch {
  public:
-  LoopSearch(const SolidGraph& graph, const std::vector<EdgePlane>& planes, FreeFaceKind kind, std::size_t max_sides)
-      : graph_(graph),
-        kind_(kind),
-        max_sides_(max_sides),
-        planes_at_(graph.edges.size()),
-        on_path_(graph.points.size(), 0),
-        allowed_(graph.edges.size(), 1) {
+  LoopSearch(const SolidGraph& graph, const std::vector<EdgePlane>& planes, const FreeFaceSearch& search)
+      : graph_(graph), kind_(search.kind), max_sides_(search.max_sides), planes_at_(graph.edges.size()),
+        on_path_(graph.points.size(), 0), allowed_(graph.edges.size(), 1) {
+    if (search.usable != nullptr) allowed_ = *search.usable;
     for (Index p = 0; p < planes.size(); ++p) {
       for (const Index e : planes[p].edges) planes_at_[e].push_back(p);
     }
     for (Index e = 0; e < graph.edges.size(); ++e) {
-      if (kind == FreeFaceKind::AllStraight && !graph.edges[e].straight) allowed_[e] = 0;
+      if (kind_ == FreeFaceKind::AllStraight && !graph.edges[e].straight) allowed_[e] = 0;
     }
   }
 
@@ -72,7 +69,7 @@ class LoopSearch {
     for (Index e = 0; e < graph_.edges.size() && !result_.cut_short; ++e) {
       progress.check();
       const GraphEdge& edge = graph_.edges[e];
-      if (edge.straight != (kind_ == FreeFaceKind::AllStraight)) continue;
+      if (allowed_[e] == 0 || edge.straight != (kind_ == FreeFaceKind::AllStraight)) continue;
       allowed_[e] = 0;  // loops through this edge are found now, all of them
       if (edge.start == edge.end) continue;
       measure_steps(edge.start);
@@ -187,9 +184,9 @@ class LoopSearch {
 
 }  // namespace
 
-FreeFaces free_faces(const SolidGraph& graph, const std::vector<EdgePlane>& planes, FreeFaceKind kind,
-                     std::size_t max_sides, Progress& progress) {
-  return LoopSearch(graph, planes, kind, max_sides).run(progress);
+FreeFaces free_faces(const SolidGraph& graph, const std::vector<EdgePlane>& planes, const FreeFaceSearch& search,
+                     Progress& progress) {
+  return LoopSearch(graph, planes, search).run(progress);
 }
 
 }  // namespace croquis

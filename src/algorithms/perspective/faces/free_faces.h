@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "algorithms/perspective/faces/face_candidate.h"
@@ -19,8 +20,14 @@ struct FreeFaces {
 /// Which loops are looked for: they have a curve at least, or straight edges alone.
 enum class FreeFaceKind { WithCurves, AllStraight };
 
+struct FreeFaceSearch {
+  FreeFaceKind kind = FreeFaceKind::WithCurves;
+  std::size_t max_sides = 8;
+  const std::vector<std::uint8_t>* usable = nullptr;  ///< per edge, 1 for those that loops may have; null: all
+};
+
 /// Short simple loops that lie in none of the planes.
-FreeFaces free_faces(const SolidGraph& graph, const std::vector<EdgePlane>& planes, FreeFaceKind kind,
-                     std::size_t max_sides, Progress& progress);
+FreeFaces free_faces(const SolidGraph& graph, const std::vector<EdgePlane>& planes, const FreeFaceSearch& search,
+                     Progress& progress);
 
 }  // namespace croquis

@@ -6,12 +6,19 @@
 #include <Eigen/Geometry>
 
 #include "algorithms/perspective/faces/plane_faces.h"
+#include "croquis/geometry/polygon_area.h"
 
 namespace croquis {
 namespace {
 
 /// Edges that meet at less than this angle (radians) span no plane.
 constexpr double least_corner_angle = 0.035;
+
+/// A curve spans a plane if the area between it and its chord is at least that much of the chord's square …
+constexpr double least_bulge = 0.01;
+
+/// … and it is no farther from the plane than that, × diagonal.
+constexpr double flat_curve = 1e-6;
 
 /// The curve's coordinate along an axis if it is the same everywhere.
 const double* level_along(const NetworkCurve& curve, int axis) {
@@ -55,6 +62,7 @@ class ObliquePlanes {
   }
 
   void run() {
+    for (Index e = 0; e < graph_.edges.size(); ++e) try_curve(e);
     for (const std::vector<Index>& halves : graph_.outgoing) {
       for (std::size_t i = 0; i < halves.size(); ++i) {
         for (std::size_t j = i + 1; j < halves.size(); ++j) try_pair(halves[i], halves[j]);
@@ -67,6 +75,17 @@ class ObliquePlanes {
     for (const Index e : planes_[plane].edges) planes_at_[e].push_back(plane);
   }
 
+  /// A curve that bends lies in one plane at most.
+  void try_curve(Index e) {
+    const GraphEdge& edge = graph_.edges[e];
+    if (edge.straight || !planes_at_[e].empty()) return;
+    const Vec3 normal = area_normal(edge.samples);
+    if (normal.norm() < least_bulge * (edge.samples.back() - edge.samples.front()).squaredNorm()) return;
+    if (lies_in(edge, edge.samples[0], normal.normalized(), flat_curve * graph_.size)) {
+      add(edge.samples[0], normal.normalized());
+    }
+  }
+
   void try_pair(Index a, Index b) {
     if (!graph_.edges[a / 2].straight || !graph_.edges[b / 2].straight) return;
     const Vec3 origin = graph_.points[graph_.origin(a)];
@@ -74,11 +93,15 @@ class ObliquePlanes {
     const Vec3 to_b = (graph_.points[graph_.target(b)] - origin).normalized();
     const Vec3 normal = to_a.cross(to_b);
     if (normal.norm() < least_corner_angle || share_plane(a / 2, b / 2)) return;
-    EdgePlane plane{origin, normal.normalized(), -1, {}};
+    add(origin, normal.normalized());
+  }
+
+  void add(const Vec3& origin, const Vec3& normal) {
+    EdgePlane plane{origin, normal, -1, {}};
     for (Index e = 0; e < graph_.edges.size(); ++e) {
       if (lies_in(graph_.edges[e], origin, plane.normal, tolerance_)) plane.edges.push_back(e);
     }
-    if (plane.edges.size() < 3 || !known_.insert(plane.edges).second || within_known(plane.edges)) return;
+    if (plane.edges.size() < 2 || !known_.insert(plane.edges).second || within_known(plane.edges)) return;
     planes_.push_back(std::move(plane));
     enter(static_cast<Index>(planes_.size() - 1));
   }
