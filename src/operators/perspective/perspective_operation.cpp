@@ -89,8 +89,7 @@ OperationResult PerspectiveOperation::compute(const Values& inputs, const Parame
   Solid solid = make_solid(network.curves.network, pieces_of(network.fitted), faces.best, building, settings.solid);
 
   OperationResult result;
-  for (const Findings* found : {&network.warnings, &faces.warnings, &solid.warnings})
-    append_findings(result.warnings, *found);
+  for (const Findings& found : {network.warnings, faces.warnings, solid.warnings}) append_findings(result.warnings, found);
   add_ignored(given, drawing, result.warnings);
   PerspectiveResult details = result_of_perspective(drawing, network, faces, solid, result.warnings);
   list_all_strokes(given, details);

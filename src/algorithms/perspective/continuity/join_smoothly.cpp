@@ -37,7 +37,7 @@ class JointMaker {
       return std::array{far.x(), far.y(), far.z(), leg.x(), leg.y(), leg.z()};
     };
     std::ranges::stable_sort(joints, {}, [&](const SmoothJoint& joint) {
-      return std::tuple(joint.angle, std::minmax(place(joint.a), place(joint.b)));
+      return std::tuple(joint.angle, std::minmax({place(joint.a), place(joint.b)}));
     });
     std::vector<SmoothJoint> made;
     std::set<CurveEnd> taken;
