@@ -10,18 +10,18 @@
 namespace croquis {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
+constexpr double angle_of_one_degree = std::numbers::pi / 180;
 
 /// A line of the hand points this well to a vanishing point that is known …
-constexpr double solved_limit = 7 * degree;
+constexpr double solved_limit = 7 * angle_of_one_degree;
 /// … or only estimated from a few lines.
-constexpr double estimated_limit = 15 * degree;
+constexpr double estimated_limit = 15 * angle_of_one_degree;
 /// Short lines point worse: by what their ends may miss.
 constexpr double end_miss_px = 3;
-constexpr double most_limit = 20 * degree;
+constexpr double most_limit = 20 * angle_of_one_degree;
 
 /// From upright, up to which a line is z before anything is known.
-constexpr double upright_limit = 20 * degree;
+constexpr double upright_limit = 20 * angle_of_one_degree;
 
 /// Vertices have the same coordinate when it differs by less than this share of the network's size.
 constexpr double same_share = 1e-9;

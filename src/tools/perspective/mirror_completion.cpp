@@ -133,11 +133,6 @@ Vec2 joined_place(const PerspectiveDrawing& drawing, const SolvedDrawing& solved
   return image == no_index ? seen : drawn_place(drawing, solved, image).value_or(seen);
 }
 
-struct Candidate {
-  MirrorPlane plane;
-  double worth = 0;
-};
-
 std::vector<int> edge_counts(const CurveNetwork& network) {
   std::vector<int> counts(network.vertices.size(), 0);
   for (const NetworkCurve& curve : network.curves) {
@@ -205,15 +200,15 @@ std::optional<MirrorProposal> propose_mirror(const PerspectiveDrawing& drawing, 
                                              const MirrorOptions& options) {
   if (solved.network.vertices.empty() || solved.open_strokes.empty()) return std::nullopt;
   const std::vector<int> counts = edge_counts(solved.network);
-  Candidate best;
+  double best = 0;
   MirrorProposal proposal;
   for (const MirrorPlane& plane : planes_to_try(solved.network)) {
     const MirroredNetwork mirror(solved, plane, options);
     const double worth = worth_of(mirror, counts);
-    if (worth <= best.worth) continue;
+    if (worth <= best) continue;
     std::vector<PerspectiveStroke> strokes = mirrored_strokes(drawing, solved, plane, options);
     if (strokes.empty()) continue;
-    best = {plane, worth};
+    best = worth;
     proposal = {plane, std::move(strokes)};
   }
   return proposal.strokes.empty() ? std::nullopt : std::optional(std::move(proposal));

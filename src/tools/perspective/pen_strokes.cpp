@@ -20,7 +20,7 @@ Straightness straightness_of(const PenStrokeOptions& options) {
 }
 
 /// An edge's ends go to vertices, but both to the same one only where the edge was drawn as a loop's part.
-StrokeShape snapped(const PerspectiveDrawing& drawing, StrokeShape shape, double reach) {
+StrokeShape snapped_shape(const PerspectiveDrawing& drawing, StrokeShape shape, double reach) {
   const auto start = nearest_end(drawing, shape.start(), reach);
   const auto end = nearest_end(drawing, shape.end(), reach);
   Vec2 from = start ? place_of(drawing, *start) : shape.start();
@@ -53,7 +53,7 @@ std::vector<std::string> draw_strokes(PerspectiveDrawing& drawing, std::span<con
   std::vector<std::string> ids;
   for (StrokeShape& shape : shapes_of(places, shaping)) {
     if (options.role == StrokeRole::Edge)
-      shape = snapped(before, std::move(shape), options.snap_pixels * options.units_per_pixel);
+      shape = snapped_shape(before, std::move(shape), options.snap_pixels * options.units_per_pixel);
     const StrokeGroup group = group_of(drawing, shape, options);
     // Short of a vertex a curve may have become a point.
     if ((shape.end() - shape.start()).norm() < vertex_reach(drawing)) continue;

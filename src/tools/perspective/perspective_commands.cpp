@@ -46,9 +46,14 @@ std::vector<std::string> items_in(const Node* operation, const std::string& list
 
 }  // namespace
 
-Document add_perspective_drawing(const Document& document, const PerspectiveToolOptions& options) {
-  PerspectiveDrawing drawing;
-  drawing.image_size = options.sheet;
+Affine3 upright_placement() {
+  Affine3 placement;
+  placement.linear << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+  return placement;
+}
+
+Document add_perspective_drawing(const Document& document, PerspectiveDrawing drawing,
+                                 const PerspectiveToolOptions& options) {
   Node source;
   source.id = document.next_id();
   source.name = options.name;
@@ -57,8 +62,15 @@ Document add_perspective_drawing(const Document& document, const PerspectiveTool
   operation.name = options.operation;
   operation.operation = options.operation;
   operation.version = options.version;
+  operation.transform = upright_placement();
   operation.inputs[options.port] = {source.id, "value"};
   return document.with(std::move(source)).with(std::move(operation));
+}
+
+PerspectiveDrawing empty_sheet(const Vec2& size) {
+  PerspectiveDrawing drawing;
+  drawing.image_size = size;
+  return drawing;
 }
 
 // ---- The document
@@ -85,10 +97,8 @@ NodeId PerspectiveTool::operation_node() const {
 }
 
 PerspectiveDrawing PerspectiveTool::drawing_or_empty() const {
-  if (const auto now = drawing()) return *now;
-  PerspectiveDrawing empty;
-  empty.image_size = options_.sheet;
-  return empty;
+  const auto now = drawing();
+  return now ? *now : empty_sheet(options_.sheet);
 }
 
 PerspectiveDrawing PerspectiveTool::required() const {
@@ -99,7 +109,7 @@ PerspectiveDrawing PerspectiveTool::required() const {
 
 Document PerspectiveTool::with_drawing(PerspectiveDrawing drawing) const {
   const Document document =
-      node() == 0 ? add_perspective_drawing(session_.document(), options_) : session_.document();
+      node() == 0 ? add_perspective_drawing(session_.document(), drawing_or_empty(), options_) : session_.document();
   NodeId own = node();
   for (const auto& one : document.nodes()) {
     if (own == 0 && source_of<PerspectiveDrawing>(one.get()) != nullptr) own = one->id;

@@ -13,44 +13,44 @@ const std::vector<std::string> lock_words = {"none", "smooth", "corner"};
 const std::vector<std::string> axis_words = {"x", "y", "z"};
 const std::vector<std::string> list_words = {"faces", "no-faces", "ignore", "sharp"};
 
-constexpr double degree = std::numbers::pi / 180;
+constexpr double degree_in_radians = std::numbers::pi / 180;
 
 template <typename T>
-std::optional<T> read_word(Fields& fields, const std::string& name, const std::vector<std::string>& words) {
+std::optional<T> read_sheet_word(Fields& fields, const std::string& name, const std::vector<std::string>& words) {
   if (!fields.has(name)) return std::nullopt;
   return static_cast<T>(std::ranges::find(words, fields.one_of(name, words)) - words.begin());
 }
 
 template <typename T>
-void write_word(FieldWriter& writer, const std::string& name, const std::vector<std::string>& words, T value) {
+void write_sheet_word(FieldWriter& writer, const std::string& name, const std::vector<std::string>& words, T value) {
   writer.text(name, words[static_cast<std::size_t>(value)]);
 }
 
-SheetStroke read_stroke(Fields& fields) {
+SheetStroke read_sheet_stroke(Fields& fields) {
   SheetStroke step;
   for (const std::vector<double>& place : fields.number_lists("points")) {
     if (place.size() != 2) throw Mistake{"\"points\" must be a list of places of two numbers"};
     step.points.emplace_back(place[0], place[1]);
   }
-  step.group = read_word<StrokeGroup>(fields, "group", group_words);
-  step.role = read_word<StrokeRole>(fields, "role", role_words).value_or(step.role);
+  step.group = read_sheet_word<StrokeGroup>(fields, "group", group_words);
+  step.role = read_sheet_word<StrokeRole>(fields, "role", role_words).value_or(step.role);
   if (fields.has("erases")) step.erases = fields.flag("erases");
   if (fields.has("scale")) step.scale = fields.number("scale");
   if (!(step.scale > 0)) throw Mistake{"\"scale\" must be a number above 0"};
   return step;
 }
 
-void write_stroke(const SheetStroke& step, FieldWriter& writer) {
+void write_sheet_stroke(const SheetStroke& step, FieldWriter& writer) {
   std::vector<std::vector<double>> points;
   for (const Vec2& place : step.points) points.push_back({place.x(), place.y()});
   writer.number_lists("points", points);
-  if (step.group) write_word(writer, "group", group_words, *step.group);
-  write_word(writer, "role", role_words, step.role);
+  if (step.group) write_sheet_word(writer, "group", group_words, *step.group);
+  write_sheet_word(writer, "role", role_words, step.role);
   if (step.erases) writer.flag("erases", true);
   writer.number("scale", step.scale);
 }
 
-SheetDrag read_drag(Fields& fields) {
+SheetDrag read_sheet_drag(Fields& fields) {
   SheetDrag step;
   step.stroke = fields.text("stroke");
   if (fields.has("point")) step.point = static_cast<std::size_t>(fields.count("point"));
@@ -59,14 +59,14 @@ SheetDrag read_drag(Fields& fields) {
   return step;
 }
 
-void write_drag(const SheetDrag& step, FieldWriter& writer) {
+void write_sheet_drag(const SheetDrag& step, FieldWriter& writer) {
   writer.text("stroke", step.stroke);
   if (step.point) writer.count("point", static_cast<std::int64_t>(*step.point));
   writer.pair("by", step.by);
   if (step.alone) writer.flag("alone", true);
 }
 
-SheetAim read_aim(Fields& fields) {
+SheetAim read_sheet_aim(Fields& fields) {
   SheetAim step;
   const std::string axis = fields.one_of("axis", axis_words);
   step.axis = static_cast<int>(std::ranges::find(axis_words, axis) - axis_words.begin());
@@ -74,24 +74,24 @@ SheetAim read_aim(Fields& fields) {
   return step;
 }
 
-void write_aim(const SheetAim& step, FieldWriter& writer) {
-  write_word(writer, "axis", axis_words, step.axis);
+void write_sheet_aim(const SheetAim& step, FieldWriter& writer) {
+  write_sheet_word(writer, "axis", axis_words, step.axis);
   writer.pair("at", step.at);
 }
 
-std::optional<bool> read_flag(Fields& fields, const std::string& name) {
+std::optional<bool> read_sheet_flag(Fields& fields, const std::string& name) {
   return fields.has(name) ? std::optional(fields.flag(name)) : std::nullopt;
 }
 
-SheetSetting read_setting(Fields& fields) {
+SheetSetting read_sheet_setting(Fields& fields) {
   SheetSetting step;
   step.strokes = fields.names("strokes");
-  step.setting.group = read_word<StrokeGroup>(fields, "group", group_words);
-  step.setting.role = read_word<StrokeRole>(fields, "role", role_words);
-  step.setting.hidden = read_flag(fields, "hidden");
-  step.setting.link = read_flag(fields, "link");
-  step.setting.start_lock = read_word<EndLock>(fields, "start-lock", lock_words);
-  step.setting.end_lock = read_word<EndLock>(fields, "end-lock", lock_words);
+  step.setting.group = read_sheet_word<StrokeGroup>(fields, "group", group_words);
+  step.setting.role = read_sheet_word<StrokeRole>(fields, "role", role_words);
+  step.setting.hidden = read_sheet_flag(fields, "hidden");
+  step.setting.link = read_sheet_flag(fields, "link");
+  step.setting.start_lock = read_sheet_word<EndLock>(fields, "start-lock", lock_words);
+  step.setting.end_lock = read_sheet_word<EndLock>(fields, "end-lock", lock_words);
   if (fields.has("weight")) {
     step.setting.weight = fields.number("weight");
     if (!(*step.setting.weight > 0)) throw Mistake{"\"weight\" must be a number above 0"};
@@ -100,73 +100,73 @@ SheetSetting read_setting(Fields& fields) {
   return step;
 }
 
-void write_setting(const SheetSetting& step, FieldWriter& writer) {
+void write_sheet_setting(const SheetSetting& step, FieldWriter& writer) {
   const StrokeSetting& setting = step.setting;
   writer.names("strokes", step.strokes);
-  if (setting.group) write_word(writer, "group", group_words, *setting.group);
-  if (setting.role) write_word(writer, "role", role_words, *setting.role);
+  if (setting.group) write_sheet_word(writer, "group", group_words, *setting.group);
+  if (setting.role) write_sheet_word(writer, "role", role_words, *setting.role);
   if (setting.hidden) writer.flag("hidden", *setting.hidden);
   if (setting.link) writer.flag("link", *setting.link);
-  if (setting.start_lock) write_word(writer, "start-lock", lock_words, *setting.start_lock);
-  if (setting.end_lock) write_word(writer, "end-lock", lock_words, *setting.end_lock);
+  if (setting.start_lock) write_sheet_word(writer, "start-lock", lock_words, *setting.start_lock);
+  if (setting.end_lock) write_sheet_word(writer, "end-lock", lock_words, *setting.end_lock);
   if (setting.weight) writer.number("weight", *setting.weight);
 }
 
-SheetDelete read_delete(Fields& fields) { return {fields.names("strokes")}; }
+SheetDelete read_sheet_delete(Fields& fields) { return {fields.names("strokes")}; }
 
-void write_delete(const SheetDelete& step, FieldWriter& writer) { writer.names("strokes", step.strokes); }
+void write_sheet_delete(const SheetDelete& step, FieldWriter& writer) { writer.names("strokes", step.strokes); }
 
-SheetPoint read_point(Fields& fields) {
+SheetPoint read_sheet_point(Fields& fields) {
   if (!fields.has("at")) return {};
   return {KnownPoint{fields.pair("at"), fields.triple("point")}};
 }
 
-void write_point(const SheetPoint& step, FieldWriter& writer) {
+void write_sheet_point(const SheetPoint& step, FieldWriter& writer) {
   if (!step.known) return;
   writer.pair("at", step.known->at);
   writer.triple("point", step.known->point);
 }
 
-SheetLength read_length(Fields& fields) {
+SheetLength read_sheet_length(Fields& fields) {
   SheetLength step{fields.text("stroke"), {}};
   if (fields.has("length")) step.length = fields.number("length");
   return step;
 }
 
-void write_length(const SheetLength& step, FieldWriter& writer) {
+void write_sheet_length(const SheetLength& step, FieldWriter& writer) {
   writer.text("stroke", step.stroke);
   if (step.length) writer.number("length", *step.length);
 }
 
-SheetCamera read_camera(Fields& fields) {
+SheetCamera read_sheet_camera(Fields& fields) {
   SheetCamera step;
   if (fields.has("field-of-view")) {
     const double degrees = fields.number("field-of-view");
     if (!(degrees > 0 && degrees < 180)) throw Mistake{"\"field-of-view\" must be above 0 and below 180 degrees"};
-    step.field_of_view = degrees * degree;
+    step.field_of_view = degrees * degree_in_radians;
   }
   if (fields.has("principal")) step.principal_point = fields.pair("principal");
   return step;
 }
 
-void write_camera(const SheetCamera& step, FieldWriter& writer) {
-  if (step.field_of_view) writer.number("field-of-view", *step.field_of_view / degree);
+void write_sheet_camera(const SheetCamera& step, FieldWriter& writer) {
+  if (step.field_of_view) writer.number("field-of-view", *step.field_of_view / degree_in_radians);
   if (step.principal_point) writer.pair("principal", *step.principal_point);
 }
 
-SheetChoice read_choice(Fields& fields) {
+SheetChoice read_sheet_choice(Fields& fields) {
   SheetChoice step{fields.one_of("list", list_words), fields.text("item"), true};
   if (fields.has("on")) step.on = fields.flag("on");
   return step;
 }
 
-void write_choice(const SheetChoice& step, FieldWriter& writer) {
+void write_sheet_choice(const SheetChoice& step, FieldWriter& writer) {
   writer.text("list", step.list);
   writer.text("item", step.item);
   writer.flag("on", step.on);
 }
 
-SheetMirror read_mirror(Fields& fields) {
+SheetMirror read_sheet_mirror(Fields& fields) {
   SheetMirror step;
   const std::string axis = fields.one_of("axis", axis_words);
   step.plane.axis = static_cast<int>(std::ranges::find(axis_words, axis) - axis_words.begin());
@@ -174,60 +174,60 @@ SheetMirror read_mirror(Fields& fields) {
   return step;
 }
 
-void write_mirror(const SheetMirror& step, FieldWriter& writer) {
-  write_word(writer, "axis", axis_words, step.plane.axis);
+void write_sheet_mirror(const SheetMirror& step, FieldWriter& writer) {
+  write_sheet_word(writer, "axis", axis_words, step.plane.axis);
   writer.number("at", step.plane.at);
 }
 
 }  // namespace
 
 const StepKind& SheetStroke::step_kind() {
-  static const StepKind kind = make_step_kind({"perspective-stroke"}, read_stroke, write_stroke);
+  static const StepKind kind = make_step_kind({"perspective-stroke"}, read_sheet_stroke, write_sheet_stroke);
   return kind;
 }
 
 const StepKind& SheetDrag::step_kind() {
-  static const StepKind kind = make_step_kind({"perspective-drag"}, read_drag, write_drag);
+  static const StepKind kind = make_step_kind({"perspective-drag"}, read_sheet_drag, write_sheet_drag);
   return kind;
 }
 
 const StepKind& SheetAim::step_kind() {
-  static const StepKind kind = make_step_kind({"perspective-aim"}, read_aim, write_aim);
+  static const StepKind kind = make_step_kind({"perspective-aim"}, read_sheet_aim, write_sheet_aim);
   return kind;
 }
 
 const StepKind& SheetSetting::step_kind() {
-  static const StepKind kind = make_step_kind({"perspective-set"}, read_setting, write_setting);
+  static const StepKind kind = make_step_kind({"perspective-set"}, read_sheet_setting, write_sheet_setting);
   return kind;
 }
 
 const StepKind& SheetDelete::step_kind() {
-  static const StepKind kind = make_step_kind({"perspective-delete"}, read_delete, write_delete);
+  static const StepKind kind = make_step_kind({"perspective-delete"}, read_sheet_delete, write_sheet_delete);
   return kind;
 }
 
 const StepKind& SheetPoint::step_kind() {
-  static const StepKind kind = make_step_kind({"perspective-point"}, read_point, write_point);
+  static const StepKind kind = make_step_kind({"perspective-point"}, read_sheet_point, write_sheet_point);
   return kind;
 }
 
 const StepKind& SheetLength::step_kind() {
-  static const StepKind kind = make_step_kind({"perspective-length"}, read_length, write_length);
+  static const StepKind kind = make_step_kind({"perspective-length"}, read_sheet_length, write_sheet_length);
   return kind;
 }
 
 const StepKind& SheetCamera::step_kind() {
-  static const StepKind kind = make_step_kind({"perspective-camera"}, read_camera, write_camera);
+  static const StepKind kind = make_step_kind({"perspective-camera"}, read_sheet_camera, write_sheet_camera);
   return kind;
 }
 
 const StepKind& SheetChoice::step_kind() {
-  static const StepKind kind = make_step_kind({"perspective-choose"}, read_choice, write_choice);
+  static const StepKind kind = make_step_kind({"perspective-choose"}, read_sheet_choice, write_sheet_choice);
   return kind;
 }
 
 const StepKind& SheetMirror::step_kind() {
-  static const StepKind kind = make_step_kind({"perspective-mirror"}, read_mirror, write_mirror);
+  static const StepKind kind = make_step_kind({"perspective-mirror"}, read_sheet_mirror, write_sheet_mirror);
   return kind;
 }
 

@@ -13,9 +13,9 @@
 namespace croquis {
 namespace {
 
-Vec2 to_sheet(const Vec2& sketch) { return {sketch.x(), -sketch.y()}; }
+Vec2 sheet_place(const Vec2& sketch) { return {sketch.x(), -sketch.y()}; }
 
-bool contains(const std::vector<std::string>& ids, const std::string& id) {
+bool has_id(const std::vector<std::string>& ids, const std::string& id) {
   return std::ranges::find(ids, id) != ids.end();
 }
 
@@ -52,7 +52,7 @@ Verdict PerspectiveTool::handle(const SketchEvent& event) {
 Verdict PerspectiveTool::begin(const SketchEvent& event) {
   give_up();
   start_ = event;
-  from_ = last_ = to_sheet(event.sample.position);
+  from_ = last_ = sheet_place(event.sample.position);
   path_ = {from_};
   if (event.erases || mode_ == PerspectiveMode::Erase) {
     gesture_ = Gesture::Erase;
@@ -66,7 +66,7 @@ Verdict PerspectiveTool::begin(const SketchEvent& event) {
 }
 
 void PerspectiveTool::go_on(const SketchEvent& event) {
-  const Vec2 before = std::exchange(last_, to_sheet(event.sample.position));
+  const Vec2 before = std::exchange(last_, sheet_place(event.sample.position));
   if (gesture_ == Gesture::Draw) {
     path_.push_back(last_);
     preview_.ink.push_back(event.sample);
@@ -77,7 +77,7 @@ void PerspectiveTool::go_on(const SketchEvent& event) {
     const auto now = drawing();
     const double radius = options_.eraser_pixels * start_.units_per_pixel;
     for (std::string& id : now ? strokes_touched(*now, before, last_, radius) : std::vector<std::string>()) {
-      if (!contains(preview_.erased, id)) preview_.erased.push_back(std::move(id));
+      if (!has_id(preview_.erased, id)) preview_.erased.push_back(std::move(id));
     }
   }
   const double moved = (last_ - from_).norm();
@@ -173,7 +173,7 @@ void PerspectiveTool::start_drag() {
     return;
   }
   gesture_ = point_ ? Gesture::Point : axis_ ? Gesture::Aim : Gesture::Strokes;
-  if (gesture_ == Gesture::Strokes && !contains(selected(), *picked_)) {
+  if (gesture_ == Gesture::Strokes && !has_id(selected(), *picked_)) {
     std::vector<std::string> ids = start_.modifiers.shift ? selected() : std::vector<std::string>{};
     ids.push_back(*picked_);
     select(ids);
@@ -236,7 +236,7 @@ Verdict PerspectiveTool::finish_click() {
   const bool shift = start_.modifiers.shift;
   end_gesture();
   std::vector<std::string> ids = shift ? selected() : std::vector<std::string>{};
-  if (id && shift && contains(ids, *id)) {
+  if (id && shift && has_id(ids, *id)) {
     std::erase(ids, *id);
   } else if (id) {
     ids.push_back(*id);

@@ -98,7 +98,7 @@ FitOptions fit_options(std::span<const Vec2> places, const ShapeOptions& options
   return fit;
 }
 
-Stroke stroke_of(std::span<const Vec2> places, bool closed) {
+Stroke samples_of(std::span<const Vec2> places, bool closed) {
   Stroke stroke;
   stroke.id = "drawn";
   stroke.closed = closed;
@@ -112,7 +112,7 @@ Stroke stroke_of(std::span<const Vec2> places, bool closed) {
 StrokeShape curve_through(const std::vector<Vec2>& places, const ShapeOptions& options) {
   FitOptions fit = fit_options(places, options);
   fit.corner_degrees = 180;
-  return {fit_stroke(stroke_of(places, false), fit).segments, false};
+  return {fit_stroke(samples_of(places, false), fit).segments, false};
 }
 
 /// A loop without corners as four curves whose directions agree where they meet.
@@ -212,7 +212,7 @@ std::vector<StrokeShape> shapes_of(std::span<const Vec2> drawn, const ShapeOptio
   const bool loop = is_loop(places, options);
   FitOptions fitting = fit_options(places, options);
   if (loop) fitting.tolerance = std::max(curve_px, fitting.tolerance / loop_parts);  // as of one part
-  const StrokeFit fit = fit_stroke(stroke_of(places, loop), fitting);
+  const StrokeFit fit = fit_stroke(samples_of(places, loop), fitting);
   const bool corners = std::ranges::any_of(fit.anchors, [](const StrokeAnchor& anchor) { return anchor.corner; });
   if (loop && !corners) {
     const double unit = options.units_per_pixel;

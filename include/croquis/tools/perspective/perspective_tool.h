@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "croquis/document/document.h"
+#include "croquis/geometry/affine3.h"
 #include "croquis/session/session.h"
 #include "croquis/tools/perspective/drawing_edit.h"
 #include "croquis/tools/perspective/drawing_pick.h"
@@ -33,8 +34,14 @@ struct PerspectiveToolOptions {
   double drag_pixels = 4;                   ///< a press that moves less is a click
 };
 
-/// The document with an empty drawing in perspective and the operation that it goes to.
-Document add_perspective_drawing(const Document& document, const PerspectiveToolOptions& options);
+/// From the space of perspective drawings, where z is up, to that of the views, where y is.
+Affine3 upright_placement();
+
+PerspectiveDrawing empty_sheet(const Vec2& size);  ///< px
+
+/// The document with a drawing in perspective and the operation that it goes to; the solid stands upright in the views.
+Document add_perspective_drawing(const Document& document, PerspectiveDrawing drawing,
+                                 const PerspectiveToolOptions& options);
 
 /// What to draw over the view while a gesture is under way, px of the sheet.
 struct PerspectivePreview {

@@ -29,6 +29,9 @@ using FromSheet = std::function<glm::dvec3(const Vec2&)>;
 /// On the sketch plane, y up.
 glm::dvec3 on_sketch_plane(const Vec2& sheet);
 
+/// A place on the stroke, halfway.
+Vec2 middle_of_stroke(const PerspectiveStroke& stroke);
+
 /// What the sketch view shows of a drawing in perspective. Items are kept until what they show changes.
 class SheetScene {
  public:
