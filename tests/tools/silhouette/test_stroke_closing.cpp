@@ -9,6 +9,8 @@
 namespace croquis {
 namespace {
 
+using test::sampled;
+
 TEST_CASE("ends meet when they are near each other on a stroke long enough to be a loop") {
   const auto arc = [](double turns, double radius) {
     return sampled({"arc",

@@ -18,8 +18,6 @@ namespace {
 constexpr std::array<const char*, 6> group_actions{"group-x",        "group-y",        "group-z",
                                                    "group-normal-x", "group-normal-y", "group-normal-z"};
 
-constexpr Vec2::Scalar sheet_width = 1000, sheet_height = 750;
-
 QIcon group_icon(StrokeGroup group) {
   QPixmap picture(16, 16);
   picture.fill(Qt::transparent);
@@ -123,12 +121,8 @@ void PerspectiveDrawingTool::make_stroke_actions(ActionList& actions) {
 }
 
 void PerspectiveDrawingTool::begin_new() {
-  PerspectiveToolOptions options;
-  const OperationDescription* operation = studio().first_operation_on(ValueType::PerspectiveDrawing);
-  options.operation = operation->id;
-  options.version = operation->version;
-  options.port = operation->inputs.front().name;
-  if (!host().start_with(add_perspective_drawing(Document(), empty_sheet({sheet_width, sheet_height}), options))) return;
+  const PerspectiveToolOptions options = studio().sheet_options();
+  if (!host().start_with(add_perspective_drawing(Document(), empty_sheet(options.sheet), options))) return;
   host().viewport().arrange(Arrangement::SketchAndSolid);
   host().viewport().frame_all();
 }

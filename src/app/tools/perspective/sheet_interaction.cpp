@@ -21,20 +21,10 @@ std::shared_ptr<const SolvedDrawing> solved_by(const PerspectiveResult& result) 
   return solved;
 }
 
-PerspectiveToolOptions sheet_options(const Studio& studio) {
-  PerspectiveToolOptions options;
-  if (const OperationDescription* operation = studio.first_operation_on(ValueType::PerspectiveDrawing)) {
-    options.operation = operation->id;
-    options.version = operation->version;
-    options.port = operation->inputs.front().name;
-  }
-  return options;
-}
-
 }  // namespace
 
 SheetInteraction::SheetInteraction(Studio& studio, const ViewPane& pane)
-    : studio_(studio), pane_(pane), tool_(studio.session(), sheet_options(studio)) {
+    : studio_(studio), pane_(pane), tool_(studio.session(), studio.sheet_options()) {
   connect(&pen_watch_, &QTimer::timeout, this,
           [this] { take_pen(pen_.settle(last_time_ + static_cast<double>(since_event_.nsecsElapsed()) * 1e-9)); });
 }
