@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include <Eigen/Dense>
 
@@ -14,11 +16,16 @@ constexpr double angle_of_one_degree = std::numbers::pi / 180;
 
 /// A line of the hand points this well to a vanishing point that is known …
 constexpr double solved_limit = 7 * angle_of_one_degree;
-/// … or only estimated from a few lines.
+/// … or only estimated from a few lines …
 constexpr double estimated_limit = 15 * angle_of_one_degree;
-/// Short lines point worse: by what their ends may miss.
+/// … and worse by what its ends may miss, where it is short.
 constexpr double end_miss_px = 3;
 constexpr double most_limit = 20 * angle_of_one_degree;
+/// One that points to one of them so many times better than to any other one was meant for it up to most_limit.
+constexpr double clearly_better = 2.5;
+
+/// Without a better guess: the first lines of a hand may have given a camera that is far off.
+constexpr double farthest_limit = 35 * angle_of_one_degree;
 
 /// From upright, up to which a line is z before anything is known.
 constexpr double upright_limit = 20 * angle_of_one_degree;
@@ -63,7 +70,7 @@ std::optional<Vec3> estimated_vanishing_point(const PerspectiveDrawing& drawing,
 int axis_by_slope(const Vec2& direction) {
   const double from_upright = std::atan2(std::abs(direction.x()), std::abs(direction.y()));
   if (from_upright < upright_limit) return 2;
-  return direction.x() * direction.y() < 0 ? 0 : 1;  // y goes down: what rises to the right has a product below 0
+  return direction.x() * direction.y() > 0 ? 0 : 1;  // y goes down: what falls to the right has a product above 0
 }
 
 std::optional<Index> vertex_at(const SolvedDrawing& solved, const Vec2& place, double reach) {
@@ -77,6 +84,19 @@ std::optional<Index> vertex_at(const SolvedDrawing& solved, const Vec2& place, d
     nearest = static_cast<Index>(i);
   }
   return nearest;
+}
+
+/// Radians, and the axis; the best first.
+using AxisAngle = std::pair<double, int>;
+
+std::vector<AxisAngle> angles_to(const std::array<std::optional<Vec3>, 3>& points, const Vec2& from, const Vec2& to) {
+  std::vector<AxisAngle> angles;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto& point = points[static_cast<std::size_t>(axis)];
+    if (point) angles.emplace_back(angle_to(*point, (from + to) / 2, to - from), axis);
+  }
+  std::ranges::sort(angles);
+  return angles;
 }
 
 double extent_of(const CurveNetwork& network) {
@@ -112,16 +132,11 @@ std::optional<StrokeGroup> guess_axis(const PerspectiveDrawing& drawing, const S
   const Vec2 direction = to - from;
   if (direction.norm() == 0) return std::nullopt;
   const auto points = seen_vanishing_points(drawing, solved);
-  int best = -1;
-  double least = solved ? solved_limit : estimated_limit;
-  least = std::min(most_limit, least + std::atan2(end_miss_px, direction.norm()));
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto& point = points[static_cast<std::size_t>(axis)];
-    if (!point) continue;
-    const double angle = angle_to(*point, (from + to) / 2, direction);
-    if (angle < least) std::tie(best, least) = std::pair(axis, angle);
-  }
-  if (best >= 0) return static_cast<StrokeGroup>(best);
+  const std::vector<AxisAngle> angles = angles_to(points, from, to);
+  const double limit = (solved ? solved_limit : estimated_limit) + std::atan2(end_miss_px, direction.norm());
+  const bool clear = angles.size() == 3 && angles[1].first > clearly_better * angles[0].first;
+  if (!angles.empty() && angles[0].first < (clear ? most_limit : std::min(limit, most_limit)))
+    return static_cast<StrokeGroup>(angles[0].second);
   if (solved) return std::nullopt;
   const int sloped = axis_by_slope(direction);
   if (!points[static_cast<std::size_t>(sloped)]) return static_cast<StrokeGroup>(sloped);
@@ -129,6 +144,13 @@ std::optional<StrokeGroup> guess_axis(const PerspectiveDrawing& drawing, const S
     if (sloped != 2 && !points[static_cast<std::size_t>(axis)]) return static_cast<StrokeGroup>(axis);
   }
   return std::nullopt;
+}
+
+std::optional<StrokeGroup> nearest_axis(const PerspectiveDrawing& drawing, const SolvedDrawing* solved,
+                                        const Vec2& from, const Vec2& to) {
+  const std::vector<AxisAngle> angles = angles_to(seen_vanishing_points(drawing, solved), from, to);
+  if (angles.empty() || angles[0].first > farthest_limit) return std::nullopt;
+  return static_cast<StrokeGroup>(angles[0].second);
 }
 
 StrokeGroup guess_plane(const SolvedDrawing* solved, const Vec2& from, const Vec2& to, double reach,

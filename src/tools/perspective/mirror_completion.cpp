@@ -128,9 +128,25 @@ StrokeShape shape_of(const std::vector<Vec2>& places, bool straight) {
   return shape;
 }
 
-/// The place that the image of a vertex is drawn at: of a vertex that is there, or of an earlier image, else its own.
-Vec2 joined_place(const PerspectiveDrawing& drawing, const SolvedDrawing& solved, Index image, const Vec2& seen) {
-  return image == no_index ? seen : drawn_place(drawing, solved, image).value_or(seen);
+/// Another edge is drawn where the image would be.
+bool is_drawn(const PerspectiveDrawing& drawing, const StrokeShape& shape, double reach) {
+  const Vec2 middle = place_on(shape.pieces[shape.pieces.size() / 2], 0.5);
+  return std::ranges::any_of(drawing.strokes, [&](const PerspectiveStroke& stroke) {
+    if (stroke.role != StrokeRole::Edge || !stroke.start().allFinite()) return false;
+    const double same = std::max((stroke.start() - shape.start()).norm(), (stroke.end() - shape.end()).norm());
+    const double reversed = std::max((stroke.start() - shape.end()).norm(), (stroke.end() - shape.start()).norm());
+    const Vec2 other = place_on(stroke.pieces[stroke.pieces.size() / 2], 0.5);
+    return std::min(same, reversed) <= reach && (other - middle).norm() <= 2 * reach;
+  });
+}
+
+/// The place that the image of a vertex is drawn at: of a vertex that is there, in space or on the sheet, else its own.
+Vec2 joined_place(const PerspectiveDrawing& drawing, const SolvedDrawing& solved, Index image, const Vec2& seen,
+                  double reach) {
+  const auto drawn = image == no_index ? std::nullopt : drawn_place(drawing, solved, image);
+  if (drawn) return *drawn;
+  const auto near = nearest_end(drawing, seen, reach);
+  return near ? place_of(drawing, *near) : seen;
 }
 
 std::vector<int> edge_counts(const CurveNetwork& network) {
@@ -176,16 +192,18 @@ std::vector<PerspectiveStroke> mirrored_strokes(const PerspectiveDrawing& drawin
   std::vector<PerspectiveStroke> strokes;
   if (solved.network.vertices.empty()) return strokes;
   const MirroredNetwork mirror(solved, plane, options);
+  const double reach = options.same_sheet * drawing.diagonal();
   for (const NetworkCurve& curve : solved.network.curves) {
     const PerspectiveStroke* original = find_stroke(drawing, curve.id);
     if (original == nullptr || original->role != StrokeRole::Edge || mirror.is_complete(curve)) continue;
     const std::vector<Vec2> places = seen_image(solved, mirror, curve);
     if (places.size() < 2) continue;
     StrokeShape shape = shape_of(places, curve.straight);
-    const Vec2 start = joined_place(drawing, solved, mirror.image_of(curve.start), shape.start());
-    const Vec2 end = joined_place(drawing, solved, mirror.image_of(curve.end), shape.end());
-    if ((end - start).norm() < options.same_px) continue;
+    const Vec2 start = joined_place(drawing, solved, mirror.image_of(curve.start), shape.start(), reach);
+    const Vec2 end = joined_place(drawing, solved, mirror.image_of(curve.end), shape.end(), reach);
+    if ((end - start).norm() < reach) continue;
     shape = with_ends(std::move(shape), start, end);
+    if (is_drawn(drawing, shape, reach)) continue;
     PerspectiveStroke stroke;
     stroke.group = original->group;
     stroke.pieces = std::move(shape.pieces);

@@ -37,9 +37,12 @@ StrokeGroup group_of(const PerspectiveDrawing& drawing, const StrokeShape& shape
   if (shape.straight) {
     const auto axis = guess_axis(drawing, options.solved, shape.start(), shape.end());
     if (axis) return *axis;
-    if (options.role == StrokeRole::Construction) return StrokeGroup::Unknown;
   }
-  return guess_plane(options.solved, shape.start(), shape.end(), found_share * drawing.diagonal(), options.plane);
+  const StrokeGroup preferred = options.role == StrokeRole::Construction ? StrokeGroup::Unknown : options.plane;
+  const StrokeGroup plane =
+      guess_plane(options.solved, shape.start(), shape.end(), found_share * drawing.diagonal(), preferred);
+  if (plane != StrokeGroup::Unknown || !shape.straight) return plane;
+  return nearest_axis(drawing, options.solved, shape.start(), shape.end()).value_or(plane);
 }
 
 }  // namespace

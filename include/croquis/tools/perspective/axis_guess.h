@@ -19,10 +19,14 @@ std::array<std::optional<Vec3>, 3> seen_vanishing_points(const PerspectiveDrawin
 double angle_to(const Vec3& vanishing_point, const Vec2& place, const Vec2& direction);
 
 /// The axis that a straight stroke points along. Before the drawing is solved, axes without lines are guessed, too:
-/// z for what is nearly upright, x for what rises to the right, y for what falls.
+/// z for what is nearly upright, x for what falls to the right, y for what rises.
 /// @return nothing when it points to none of them
 std::optional<StrokeGroup> guess_axis(const PerspectiveDrawing& drawing, const SolvedDrawing* solved, const Vec2& from,
                                       const Vec2& to);
+
+/// The axis that a straight stroke points along best, where that isn't far off: for what no plane is known of, either.
+std::optional<StrokeGroup> nearest_axis(const PerspectiveDrawing& drawing, const SolvedDrawing* solved,
+                                        const Vec2& from, const Vec2& to);
 
 /// The plane that a stroke between two vertices of the network lies in: at right angles to the axis along which both
 /// have the same coordinate. Of two such planes `preferred` if it is one of them, else the one that is seen more from

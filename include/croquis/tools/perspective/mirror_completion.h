@@ -18,8 +18,8 @@ struct MirrorPlane {
 };
 
 struct MirrorOptions {
-  double same_px = 4;         ///< places of the sheet that are one vertex
-  double same_share = 0.012;  ///< × the network's size: places in space that are one vertex
+  double same_sheet = 0.012;  ///< × the sheet's diagonal: places of the sheet that are one vertex
+  double same_share = 0.03;   ///< × the network's size: places in space that are one vertex; a hand is no better
 };
 
 /// The edges that the drawing lacks, as its curves seen in a mirror. Curves that lie in the plane, that have their

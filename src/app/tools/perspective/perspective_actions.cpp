@@ -11,12 +11,15 @@
 #include "app/tools/perspective/perspective_panel.h"
 #include "app/views/viewport.h"
 #include "app/window/action_list.h"
+#include "app/window/panel_docks.h"
 
 namespace croquis::app {
 namespace {
 
 constexpr std::array<const char*, 6> group_actions{"group-x",        "group-y",        "group-z",
                                                    "group-normal-x", "group-normal-y", "group-normal-z"};
+
+constexpr int panel_width = 330;
 
 QIcon group_icon(StrokeGroup group) {
   QPixmap picture(16, 16);
@@ -145,7 +148,10 @@ void PerspectiveDrawingTool::refresh() {
   host().action("construction")->setChecked(sheet_.tool().role() == StrokeRole::Construction);
   const auto& group = sheet_.tool().group();
   host().action(group ? group_actions[static_cast<std::size_t>(*group)] : "group-auto")->setChecked(true);
-  if (panel_ != nullptr && here) panel_->follow();
+  docks_->set_useful(dock_, here);
+  if (!here) return;
+  docks_->give_room_once(dock_, panel_width);
+  panel_->follow();
 }
 
 QStringList PerspectiveDrawingTool::marking_menu(int view) const {

@@ -23,8 +23,6 @@ PerspectiveMode sheet_mode(const QString& mode) {
   return mode == "erase" ? PerspectiveMode::Erase : PerspectiveMode::Select;
 }
 
-constexpr int panel_width = 330;
-
 }  // namespace
 
 PerspectiveDrawingTool::PerspectiveDrawingTool(ToolHost& host)
@@ -53,11 +51,7 @@ void PerspectiveDrawingTool::make_panels(PanelDocks& docks) {
   scroll->setWidget(panel_);
   dock_ = docks.add(tr("Perspective"), scroll, "perspective");
   docks.set_useful(dock_, false);
-  connect(this, &PerspectiveDrawingTool::state_changed, &docks, [this, &docks] {
-    const bool useful = studio().sheet_node() != 0;
-    docks.set_useful(dock_, useful);
-    if (useful) docks.give_room_once(dock_, panel_width);
-  });
+  docks_ = &docks;
   connect(panel_, &PerspectivePanel::known_point_wanted, this, [this](const std::optional<KnownPoint>& known) {
     do_and_record(sheet_.tool().set_known_point(known));
   });

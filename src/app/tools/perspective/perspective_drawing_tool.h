@@ -79,6 +79,7 @@ class PerspectiveDrawingTool final : public Tool {
   SheetInteraction sheet_;
   PerspectiveChips chips_;
   PerspectivePanel* panel_ = nullptr;
+  PanelDocks* docks_ = nullptr;
   QDockWidget* dock_ = nullptr;
   bool through_ = false;  ///< the perspective view is held at the eye of the drawing
   double overlay_ = 0.6;  ///< opacity of the drawing there; 0: none

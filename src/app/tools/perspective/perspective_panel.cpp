@@ -24,6 +24,7 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 constexpr double weak_deviation = 0.15;  // of the focal length: as VP_WEAK
 constexpr std::size_t most_lines = 60;
+constexpr int number_width = 62;  // logical pixels
 
 QDoubleSpinBox* make_number(QWidget* parent, const QString& name, double low, double high, int decimals) {
   auto* box = new QDoubleSpinBox(parent);
@@ -31,6 +32,7 @@ QDoubleSpinBox* make_number(QWidget* parent, const QString& name, double low, do
   box->setRange(low, high);
   box->setDecimals(decimals);
   box->setKeyboardTracking(false);
+  box->setMinimumWidth(number_width);  // not that of the longest number
   return box;
 }
 
@@ -62,7 +64,8 @@ void PerspectivePanel::make_groups(QBoxLayout* column, const std::function<QActi
     button->setObjectName(QString("button-") + names[static_cast<std::size_t>(i)]);
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setFocusPolicy(Qt::NoFocus);
-    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    button->setMinimumWidth(number_width);
+    button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     grid->addWidget(button, i / 4, i % 4);
   }
   column->addLayout(grid);
@@ -90,7 +93,9 @@ void PerspectivePanel::make_camera(QBoxLayout* column) {
       emit field_of_view_wanted(degrees > 0 ? std::optional(degrees * degree) : std::optional<double>());
   });
   row->addWidget(field_);
-  row->addWidget(new QLabel(tr("Overlay"), this));
+  column->addLayout(row);
+  row = new QHBoxLayout;
+  row->addWidget(new QLabel(tr("Drawing over the solid"), this));
   auto* overlay = new QSlider(Qt::Horizontal, this);
   overlay->setObjectName("perspective-overlay");
   overlay->setRange(0, 100);
@@ -108,19 +113,21 @@ void PerspectivePanel::make_known(QBoxLayout* column) {
   pick_->setCheckable(true);
   pick_->setToolTip(tr("Click a corner of the drawing whose coordinates are known"));
   connect(pick_, &QPushButton::clicked, this, [this](bool on) { sheet_.pick_known_point(on); });
-  row->addWidget(pick_);
-  const std::array<const char*, 3> names{"perspective-point-x", "perspective-point-y", "perspective-point-z"};
-  for (std::size_t i = 0; i < 3; ++i) {
-    point_[i] = make_number(this, names[i], -1e6, 1e6, 3);
-    connect(point_[i], &QDoubleSpinBox::valueChanged, this, [this] { tell_point(); });
-    row->addWidget(point_[i]);
-  }
+  row->addWidget(pick_, 1);
   forget_ = new QPushButton(QStringLiteral("✕"), this);
   forget_->setObjectName("perspective-forget-point");
   forget_->setToolTip(tr("No point is known"));
   forget_->setMaximumWidth(28);
   connect(forget_, &QPushButton::clicked, this, [this] { emit known_point_wanted(std::nullopt); });
   row->addWidget(forget_);
+  column->addLayout(row);
+  row = new QHBoxLayout;
+  const std::array<const char*, 3> names{"perspective-point-x", "perspective-point-y", "perspective-point-z"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    point_[i] = make_number(this, names[i], -1e6, 1e6, 3);
+    connect(point_[i], &QDoubleSpinBox::valueChanged, this, [this] { tell_point(); });
+    row->addWidget(point_[i]);
+  }
   column->addLayout(row);
   auto* second = new QHBoxLayout;
   length_of_ = new QLabel(this);
