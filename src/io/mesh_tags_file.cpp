@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "croquis/base/error.h"
-#include "io/report_reader.h"
+#include "io/json/report_reader.h"
 #include "io/text.h"
 
 namespace croquis {

@@ -278,7 +278,7 @@ FaceFindingResult faces_of(const CurveNetwork& network, const FaceFindingOptions
   return find_faces(network, progress, options);
 }
 
-std::vector<std::string> codes_of(const Findings& findings) {
+std::vector<std::string> sorted_codes(const Findings& findings) {
   std::vector<std::string> codes;
   for (const Finding& finding : findings) codes.push_back(finding.code);
   std::ranges::sort(codes);

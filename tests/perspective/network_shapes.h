@@ -52,7 +52,8 @@ CurveNetwork line_network(const std::vector<Vec3>& vertices, const std::vector<s
 /// A box in a box, their corners joined: a frame around each of the three axes, none better than another.
 CurveNetwork box_in_box();
 
-/// Lines of latitude and longitude of a sphere, as arcs: rings · steps + (rings + 1) · steps curves, the poles are vertices.
+/// Lines of latitude and longitude of a sphere, as arcs: rings · steps + (rings + 1) · steps curves, the poles are
+/// vertices.
 CurveNetwork globe(int rings, int steps);
 
 /// A wall of nx by nz boxes of one depth, with all their edges.
@@ -60,6 +61,6 @@ CurveNetwork box_wall(int nx, int nz);
 
 FaceFindingResult faces_of(const CurveNetwork& network, const FaceFindingOptions& options = {});
 
-std::vector<std::string> codes_of(const Findings& findings);
+std::vector<std::string> sorted_codes(const Findings& findings);
 
 }  // namespace croquis::test

@@ -102,6 +102,12 @@ ReconstructedNetwork reconstructed(const PerspectiveDrawing& drawing, const Netw
   return reconstruct_network(drawing, options, progress);
 }
 
+std::vector<std::string> codes_of(const Findings& findings) {
+  std::vector<std::string> codes;
+  for (const Finding& finding : findings) codes.push_back(finding.code);
+  return codes;
+}
+
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());

@@ -7,7 +7,6 @@
 #include "croquis/geometry/perspective_drawing.h"
 #include "croquis/perspective/drawing_vertices.h"
 #include "croquis/perspective/network_reconstruction.h"
-#include "perspective/network_shapes.h"
 #include "support/perspective/solid_drawing.h"
 
 /// Compares what was found in a drawing with what it shows.
@@ -35,6 +34,8 @@ std::size_t count_true_planes(const SolidDrawing& truth);
 /// With default options.
 ReconstructedNetwork reconstructed(const PerspectiveDrawing& drawing, const NetworkReconstructionOptions& options = {});
 
+/// Of findings, in their order.
+std::vector<std::string> codes_of(const Findings& findings);
 
 /// The middle one.
 double median(std::vector<double> values);

@@ -56,7 +56,7 @@ SolidDrawing noisy(const PerspectiveSolid& solid, const View& view, double noise
 }
 
 /// Lines that point exactly at the vanishing points, then with each end moved a bit.
-PerspectiveDrawing lines_towards(const std::array<Vec2, 3>& points, int count, double noise) {
+PerspectiveDrawing lines_towards(const PerAxis<Vec2>& points, int count, double noise) {
   Random random(5);
   PerspectiveDrawing drawing;
   drawing.image_size = Vec2(1000, 750);
@@ -67,7 +67,7 @@ PerspectiveDrawing lines_towards(const std::array<Vec2, 3>& points, int count, d
       const auto moved = [&](const Vec2& p) {
         return Vec2(p + noise * Vec2(random.between(-1, 1), random.between(-1, 1)));
       };
-      const std::string id = std::string(1, "xyz"[axis]) + std::to_string(i);
+      const std::string id = std::string(axis == 0 ? "x" : axis == 1 ? "y" : "z") + std::to_string(i);
       drawing.strokes.push_back(construction(id, static_cast<StrokeGroup>(axis), moved(a), moved(b)));
     }
   }
@@ -192,7 +192,7 @@ TEST_CASE("Noise alone leaves out nothing, and never more than a third of an axi
   for (const PerspectiveSolid& solid : some_solids()) {
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
       const CameraEstimate estimate = estimated(noisy(solid, three_point_views()[1], 4, seed).drawing);
-      std::array<int, 3> all{}, out{};
+      PerAxis<int> all, out;
       for (const VanishingLine& line : estimate.lines) {
         ++all[line.axis];
         out[line.axis] += line.outlier;
@@ -208,7 +208,7 @@ TEST_CASE("Noise alone leaves out nothing, and never more than a third of an axi
 }
 
 TEST_CASE("An obtuse triangle of vanishing points has no eye, whatever could be left out") {
-  const std::array<Vec2, 3> obtuse{Vec2(-1500, 300), Vec2(2500, 300), Vec2(500, 900)};
+  const PerAxis<Vec2> obtuse{Vec2(-1500, 300), Vec2(2500, 300), Vec2(500, 900)};
   for (const int count : {2, 3, 5, 9}) {
     for (const double noise : {0.0, 0.3}) {
       if (count == 2 && noise > 0) continue;  // nothing tells noise from shape
@@ -220,12 +220,12 @@ TEST_CASE("An obtuse triangle of vanishing points has no eye, whatever could be 
       for (const Subject& subject : errors[0].subjects) CHECK(subject.id[0] == 'z');
     }
   }
-  const std::array<Vec2, 3> acute{Vec2(-1500, 300), Vec2(2500, 300), Vec2(500, 4000)};
+  const PerAxis<Vec2> acute{Vec2(-1500, 300), Vec2(2500, 300), Vec2(500, 4000)};
   CHECK(error_of(lines_towards(acute, 3, 0)) == "none");
 }
 
 TEST_CASE("Lines that don't converge at all have no perspective") {
-  const std::array<Vec2, 3> directions{Vec2(1e9, 4e8), Vec2(-1e9, 5e8), Vec2(1e7, -1e9)};
+  const PerAxis<Vec2> directions{Vec2(1e9, 4e8), Vec2(-1e9, 5e8), Vec2(1e7, -1e9)};
   CHECK(error_of(lines_towards(directions, 4, 0)) == "ALL_PARALLEL");
   CHECK(error_of(lines_towards(directions, 4, 0.3)) == "ALL_PARALLEL");
 }
@@ -239,7 +239,9 @@ TEST_CASE("Two vanishing points give the third, one gives none") {
   CHECK(estimate.camera.focal_length == Approx(truth.camera.focal_length).epsilon(1e-6));
   CHECK((estimate.camera.rotation - truth.camera.rotation).norm() < 1e-6);
   CHECK(error_of(without_lines_of(two, StrokeGroup::ParallelX)) == "VP_INSUFFICIENT");
-  CHECK(error_of(PerspectiveDrawing{.image_size = Vec2(1000, 750)}) == "VP_INSUFFICIENT");
+  PerspectiveDrawing empty;
+  empty.image_size = Vec2(1000, 750);
+  CHECK(error_of(empty) == "VP_INSUFFICIENT");
 }
 
 TEST_CASE("An uncertain focal length names the axis that hardly converges") {

@@ -49,7 +49,8 @@ std::pair<Vec3, Vec3> face_along(const Brep& brep, Index half, double t) {
   const BrepFace& face = brep.faces[brep.face_of(half)];
   if (face.planar) return {Vec3::Zero(), face.normal};
   const std::vector<Index> around = brep.around(face.loops[0]);
-  const PatchPoint p = patch_on_side(face, static_cast<std::size_t>(std::ranges::find(around, half) - around.begin()), t);
+  const PatchPoint p =
+      patch_on_side(face, static_cast<std::size_t>(std::ranges::find(around, half) - around.begin()), t);
   return {p.at, p.normal()};
 }
 
@@ -228,10 +229,10 @@ TEST_CASE("a cavity counts as negative volume") {
 TEST_CASE("edges of two cubics lead to stars and stay smooth") {
   for (const PolyhedronNet& net : sphere_nets()) {
     INFO(net.name);
-    FittedCurves fitted = polynomial_pieces(net.network);
+    std::vector<FittedCurve> fitted = polynomial_pieces(net.network);
     for (std::size_t c = 0; c < fitted.size(); c += 3) {
-      const auto [first, second] = fitted[c][0].split(0.5);
-      fitted[c] = {first, second};
+      const auto [first, second] = fitted[c].pieces[0].split(0.5);
+      fitted[c].pieces = {first, second};
     }
     Progress progress;
     const Solid solid = make_solid(net.network, fitted, faces_of(net.network).best, progress);
@@ -262,7 +263,8 @@ TEST_CASE("the mesh doesn't depend on order, direction and ids of strokes") {
 }
 
 TEST_CASE("an open shell is built") {
-  const CurveNetwork network = line_network({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}});
+  const CurveNetwork network =
+      line_network({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}});
   const Solid solid = solid_of(network);
   CHECK(validate(solid.brep).empty());
   CHECK(inspect(solid.brep).open_edges == 4);

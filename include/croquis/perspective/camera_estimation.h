@@ -12,6 +12,7 @@
 #include "croquis/base/progress.h"
 #include "croquis/geometry/camera.h"
 #include "croquis/geometry/perspective_drawing.h"
+#include "croquis/perspective/per_axis.h"
 
 /// From the strokes of a drawing that run along the axes to the camera that it was seen with.
 ///
@@ -62,8 +63,8 @@ struct VanishingLine {
 struct CameraEstimate {
   Camera camera;
   PerspectiveMode mode = PerspectiveMode::ThreePoint;
-  std::array<bool, 3> finite{true, true, true};  ///< vanishing points that aren't at infinity
-  std::array<Vec3, 3> vanishing_points{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< homogeneous, px
+  PerAxis<bool> finite{true, true, true};  ///< vanishing points that aren't at infinity
+  PerAxis<Vec3> vanishing_points{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< homogeneous, px
   std::vector<VanishingLine> lines;         ///< all strokes along axes, in the order of the drawing
   double sigma = 0;                         ///< px: noise of line ends; 0 where there are no more lines than unknowns
   double focal_deviation = 0;               ///< px

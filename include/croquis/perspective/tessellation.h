@@ -16,7 +16,7 @@ struct TessellationOptions {
   std::size_t most_spans = 128;     ///< of an edge or across a patch
 };
 
-/// The corner channel of unit normals (3 doubles) is "normal"; the face channel "face" (32-bit integers) has for each
+/// The corner channel of unit normals (3 doubles) is "normal"; the face channel "group" ("f0", "f1" …) has for each
 /// triangle its face of the B-rep.
 struct Tessellation {
   PolyMesh mesh;               ///< triangles, counter-clockwise from outside

@@ -89,7 +89,9 @@ void RenderCommand::run(const Invocation& invocation, CommandResult& result, Pro
   Progress drawing = progress.step("draw", 0.5);
   const OffscreenContext context;
   render::Renderer renderer;
-  const std::vector<render::MeshItemPtr> items = {render::make_mesh_item(mesh)};
+  render::MeshItemOptions looks;
+  looks.use_normal_channel = true;  // as the file has them, where it has any
+  const std::vector<render::MeshItemPtr> items = {render::make_mesh_item(mesh, looks)};
   render::RenderOptions options;
   options.wire = flag_of(invocation.parameters, "wire");
   if (flag_of(invocation.parameters, "zebra")) options.shading = render::Shading::Zebra;

@@ -9,7 +9,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/io/json.h"
-#include "io/report_reader.h"
+#include "io/json/report_reader.h"
 #include "io/text.h"
 
 namespace croquis {

@@ -8,9 +8,9 @@
 #include "croquis/base/error.h"
 #include "croquis/io/json.h"
 #include "croquis/io/perspective_drawing_file.h"
+#include "io/json/report_reader.h"
 #include "io/perspective/perspective_words.h"
 #include "io/perspective/stroke_geometry.h"
-#include "io/report_reader.h"
 #include "io/text.h"
 
 namespace croquis {

@@ -85,8 +85,10 @@ class PerspectiveSvgReader : public SvgVisitor {
       if (walk_.count_pieces(stroke.pieces.size(), bytes, shape.line)) drawing_.strokes.push_back(stroke);
       return !walk_.limit_reached();
     };
+    // A coordinate that isn't finite would take the other one with it.
+    const bool moves_nothing = shape.map.matrix() == Eigen::Matrix3d::Identity();
     for (SvgSubpath& subpath : shape.subpaths) {
-      transform(subpath, shape.map);
+      if (!moves_nothing) transform(subpath, shape.map);
       if (!add_subpath(subpath, add_pieces)) return;
     }
   }

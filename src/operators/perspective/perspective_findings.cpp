@@ -122,7 +122,8 @@ double greatest_residual(const VertexCoordinates& coordinates) {
 void add_camera(const ReconstructedNetwork& network, PerspectiveResult& result) {
   result.mode = static_cast<int>(network.camera.mode);
   result.camera = network.coordinates.camera;
-  result.vanishing_points = network.camera.vanishing_points;
+  for (int axis = 0; axis < 3; ++axis)
+    result.vanishing_points[static_cast<std::size_t>(axis)] = network.camera.vanishing_points[axis];
   result.focal_deviation = network.camera.focal_deviation;
   result.principal_deviation = network.camera.principal_deviation;
   result.max_reprojection_error = greatest_residual(network.coordinates);

@@ -15,12 +15,6 @@ namespace {
 
 void append_findings(Findings& all, const Findings& more) { all.insert(all.end(), more.begin(), more.end()); }
 
-FittedCurves pieces_of(const std::vector<FittedCurve>& fitted) {
-  FittedCurves pieces;
-  for (const FittedCurve& curve : fitted) pieces.push_back(curve.pieces);
-  return pieces;
-}
-
 /// The first change that ends a contradiction is made where that is asked for.
 ReconstructedNetwork reconstruct(PerspectiveDrawing& drawing, const PerspectiveSettings& settings, Progress& progress) {
   Progress first = progress.step("find the curves", settings.fix ? 0.5 : 1);
@@ -86,7 +80,7 @@ OperationResult PerspectiveOperation::compute(const Values& inputs, const Parame
   Progress finding = context.progress.step("find the faces", 0.4);
   const FaceFindingResult faces = find_faces(network.curves.network, finding, settings.faces);
   Progress building = context.progress.step("build the solid", 0.2);
-  Solid solid = make_solid(network.curves.network, pieces_of(network.fitted), faces.best, building, settings.solid);
+  Solid solid = make_solid(network.curves.network, network.fitted, faces.best, building, settings.solid);
 
   OperationResult result;
   for (const Findings& found : {network.warnings, faces.warnings, solid.warnings}) append_findings(result.warnings, found);

@@ -141,7 +141,7 @@ AxisConsensus consensus_of(const std::vector<AxisLine>& lines, int axis) {
 }
 
 /// The noise of all axes together. The two lines that a consensus runs through say nothing about it.
-double consensus_sigma(const std::array<AxisConsensus, 3>& axes) {
+double consensus_sigma(const PerAxis<AxisConsensus>& axes) {
   std::vector<double> all;
   for (const AxisConsensus& axis : axes) {
     std::vector<double> residuals = axis.residuals;
@@ -186,8 +186,8 @@ AxisFits fit_kept_lines(const std::vector<AxisLine>& lines) {
 }
 
 AxisFits fit_axes(std::vector<AxisLine>& lines, const CameraOptions& options) {
-  const std::array<int, 3> counts = lines_per_axis(lines);
-  std::array<AxisConsensus, 3> axes{consensus_of(lines, 0), consensus_of(lines, 1), consensus_of(lines, 2)};
+  const PerAxis<int> counts = lines_per_axis(lines);
+  PerAxis<AxisConsensus> axes{consensus_of(lines, 0), consensus_of(lines, 1), consensus_of(lines, 2)};
   const double sigma = std::max(consensus_sigma(axes), options.noise_floor);
   const double limit = std::max(options.outlier_sigmas * sigma, options.outlier_distance);
   for (int axis = 0; axis < 3; ++axis) {

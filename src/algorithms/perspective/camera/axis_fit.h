@@ -10,12 +10,12 @@ namespace croquis {
 
 /// The vanishing points of the three axes, each from its own lines alone.
 struct AxisFits {
-  std::array<Vec3, 3> vanishing_points{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< homogeneous, u; zero: no lines
-  std::array<bool, 3> well_determined{};                                           ///< two lines or more
-  std::array<double, 3> cost{};                                                    ///< sum of squared residuals, u^2
-  std::array<double, 3> parallel_cost{};  ///< the same with the vanishing point at infinity
-  double sigma = 0;                       ///< u, of all axes together; 0 without lines to spare
-  int freedom = 0;                        ///< lines beyond what the vanishing points need
+  PerAxis<Vec3> vanishing_points{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< homogeneous, u; zero: no lines
+  PerAxis<bool> well_determined{};                                           ///< two lines or more
+  PerAxis<double> cost{};                                                    ///< sum of squared residuals, u^2
+  PerAxis<double> parallel_cost{};  ///< the same with the vanishing point at infinity
+  double sigma = 0;                 ///< u, of all axes together; 0 without lines to spare
+  int freedom = 0;                  ///< lines beyond what the vanishing points need
 };
 
 /// Finds each axis' point and leaves out lines that point elsewhere: never more than a third of them, nor so many that

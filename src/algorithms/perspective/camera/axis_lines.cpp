@@ -13,12 +13,12 @@ namespace croquis {
 namespace {
 
 /// An axis with fewer long lines than this takes its short ones, too, down to this part of the least length.
-constexpr std::size_t fewest_lines = 3;
+constexpr int fewest_lines = 3;
 constexpr double shortest_part = 0.2;
 
 /// Short lines say little of an axis that has long ones.
 std::vector<AxisLine> without_short_lines(const std::vector<AxisLine>& lines, double minimum_length) {
-  std::array<std::size_t, 3> long_lines{};
+  PerAxis<int> long_lines{};
   for (const AxisLine& line : lines) long_lines[line.axis] += line.length() >= minimum_length ? 1 : 0;
   std::vector<AxisLine> kept;
   for (const AxisLine& line : lines) {
@@ -51,8 +51,8 @@ std::vector<AxisLine> axis_lines(const PerspectiveDrawing& drawing, std::span<co
   return without_short_lines(lines, minimum_length);
 }
 
-std::array<int, 3> lines_per_axis(std::span<const AxisLine> lines) {
-  std::array<int, 3> counts{};
+PerAxis<int> lines_per_axis(std::span<const AxisLine> lines) {
+  PerAxis<int> counts{};
   for (const AxisLine& line : lines) counts[line.axis] += line.outlier ? 0 : 1;
   return counts;
 }

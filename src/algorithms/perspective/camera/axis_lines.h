@@ -26,7 +26,7 @@ std::vector<AxisLine> axis_lines(const PerspectiveDrawing& drawing, std::span<co
                                  const SheetFrame& frame, double minimum_length);
 
 /// How many of an axis' lines aren't left out.
-std::array<int, 3> lines_per_axis(std::span<const AxisLine> lines);
+PerAxis<int> lines_per_axis(std::span<const AxisLine> lines);
 
 /// As vanishing_residual, with its derivative by the vanishing point.
 double line_residual(const Vec3& vanishing_point, const AxisLine& line, Vec3* derivative = nullptr);

@@ -80,7 +80,7 @@ class Estimation {
 
  private:
   void check_counts() const {
-    const std::array<int, 3> counts = lines_per_axis(lines_);
+    const PerAxis<int> counts = lines_per_axis(lines_);
     const auto lacking = std::count_if(counts.begin(), counts.end(), [](int count) { return count < 2; });
     if (lacking < 2) return;
     std::string axes;
@@ -135,7 +135,7 @@ class Estimation {
   }
 
   [[noreturn]] void throw_no_eye() const {
-    std::array<Vec2, 3> corners;
+    PerAxis<Vec2> corners;
     for (int axis = 0; axis < 3; ++axis) {
       corners[axis] = axes_.vanishing_points[axis].head<2>() / axes_.vanishing_points[axis].z();
     }
@@ -160,7 +160,7 @@ class Estimation {
   }
 
   CameraFit final_fit(const CameraFit& chosen, const CameraPrior& prior) {
-    const int unknowns = 6 - std::array{0, 1, 3}[count_of(chosen.flat)];
+    const int unknowns = 6 - PerAxis<int>(0, 1, 3)[count_of(chosen.flat)];
     freedom_ = -unknowns;
     for (const AxisLine& line : lines_) freedom_ += line.outlier ? 0 : 1;
     const double floor = freedom_ < least_freedom ? options_.noise_floor : least_prior_noise;

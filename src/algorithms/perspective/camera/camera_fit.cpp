@@ -131,7 +131,7 @@ class CameraProblem {
 
   double cost_of_lines(const CameraParameters& at, const LineNoise& noise) const {
     double sum = 0;
-    std::array<Vec3, 3> points{at.vanishing_point(0), at.vanishing_point(1), at.vanishing_point(2)};
+    PerAxis<Vec3> points{at.vanishing_point(0), at.vanishing_point(1), at.vanishing_point(2)};
     for (const AxisLine& line : lines_) {
       if (!line.outlier) sum += croquis::line_cost(line_residual(points[line.axis], line), noise);
     }
@@ -152,8 +152,8 @@ class CameraProblem {
 
   void evaluate(const CameraParameters& at, NormalEquations& equations) const {
     const Basis directions = basis(at);
-    std::array<Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 6, 3>, 3> moves;
-    std::array<Vec3, 3> points;
+    PerAxis<Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 6, 3>> moves;
+    PerAxis<Vec3> points;
     for (int axis = 0; axis < 3; ++axis) {
       moves[axis] = directions.transpose() * vanishing_point_derivative(at, axis).transpose();
       points[axis] = at.vanishing_point(axis);
@@ -195,7 +195,7 @@ class CameraProblem {
 };
 
 /// The rotation whose columns point as nearly as possible at the vanishing points; axes without one follow.
-Eigen::Matrix3d rotation_towards(const std::array<Vec3, 3>& points, const Vec2& principal, double focal) {
+Eigen::Matrix3d rotation_towards(const PerAxis<Vec3>& points, const Vec2& principal, double focal) {
   Eigen::Matrix3d columns = Eigen::Matrix3d::Zero();
   int missing = -1;
   for (int axis = 0; axis < 3; ++axis) {
@@ -259,13 +259,13 @@ Vec3 CameraParameters::vanishing_point(int axis) const {
   return point;
 }
 
-std::optional<Orthocentre> orthocentre(const std::array<Vec3, 3>& vanishing_points) {
-  std::array<Vec2, 3> corners;
+std::optional<Orthocentre> orthocentre(const PerAxis<Vec3>& vanishing_points) {
+  PerAxis<Vec2> corners;
   for (int axis = 0; axis < 3; ++axis) {
     corners[axis] = vanishing_points[axis].head<2>() / vanishing_points[axis].z();
     if (!corners[axis].allFinite()) return std::nullopt;
   }
-  const auto& [a, b, c] = corners;
+  const Vec2 &a = corners[0], &b = corners[1], &c = corners[2];
   Eigen::Matrix2d rows;
   rows << (c - b).transpose(), (a - c).transpose();
   const Vec2 point = rows.fullPivLu().solve(Vec2((c - b).dot(a), (a - c).dot(b)));

@@ -24,7 +24,7 @@ struct CameraParameters {
 };
 
 /// Which axes are parallel to the picture plane, so that their vanishing points are at infinity.
-using FlatAxes = std::array<bool, 3>;
+using FlatAxes = PerAxis<bool>;
 
 inline int count_of(const FlatAxes& flat) { return flat[0] + flat[1] + flat[2]; }
 
@@ -68,6 +68,6 @@ struct Orthocentre {
   Vec2 point = Vec2::Zero();
   double focal_squared = 0;  ///< not positive where the triangle isn't acute
 };
-std::optional<Orthocentre> orthocentre(const std::array<Vec3, 3>& vanishing_points);
+std::optional<Orthocentre> orthocentre(const PerAxis<Vec3>& vanishing_points);
 
 }  // namespace croquis

@@ -74,9 +74,9 @@ double judging_sigma(const AxisFits& axes, const CameraOptions& options) {
 
 std::vector<CameraFit> fit_all_modes(const std::vector<AxisLine>& lines, const AxisFits& axes, const CameraPrior& prior,
                                      double sigma, PerspectiveMode mode, Progress& progress) {
-  constexpr FlatAxes candidates[] = {{false, false, false}, {true, false, false}, {false, true, false},
-                                     {false, false, true},  {false, true, true},  {true, false, true},
-                                     {true, true, false}};
+  const FlatAxes candidates[] = {{false, false, false}, {true, false, false}, {false, true, false},
+                                 {false, false, true},  {false, true, true},  {true, false, true},
+                                 {true, true, false}};
   std::vector<CameraFit> fits;
   for (const FlatAxes& flat : candidates) {
     progress.check();
@@ -111,8 +111,8 @@ const CameraFit& simplest_fit(const std::vector<CameraFit>& fits, const AxisFits
 
 bool leave_out_joint_outliers(std::vector<AxisLine>& lines, const AxisFits& axes, const CameraPrior& prior,
                               const CameraOptions& options, Progress& progress) {
-  std::array<int, 3> allowed{};
-  std::array<int, 3> left_out{};
+  PerAxis<int> allowed{};
+  PerAxis<int> left_out{};
   for (const AxisLine& line : lines) ++allowed[line.axis];
   for (const AxisLine& line : lines) left_out[line.axis] += line.outlier;
   for (int axis = 0; axis < 3; ++axis) allowed[axis] = most_outliers(allowed[axis]) - left_out[axis];

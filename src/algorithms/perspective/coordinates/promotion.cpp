@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -17,17 +18,16 @@ std::vector<PromotedStroke> promoted_strokes(const PerspectiveDrawing& drawing, 
     const PerspectiveStroke& stroke = drawing.strokes[s];
     if (!stroke.straight || groups[s] == StrokeGroup::Unknown || is_parallel(groups[s])) continue;
     if (!stroke.start().allFinite() || !stroke.end().allFinite()) continue;
-    std::array<double, 2> misses{};
-    std::array<std::size_t, 2> axes{};
-    for (std::size_t i = 0; i < 2; ++i) {
-      axes[i] = (static_cast<std::size_t>(axis_of(groups[s])) + 1 + i) % 3;
-      misses[i] = vanishing_residual(camera.vanishing_points[axes[i]], stroke.start(), stroke.end());
+    PerAxis<double> misses;
+    for (int k = 0; k < 3; ++k) {
+      misses[k] = vanishing_residual(camera.vanishing_points[k], stroke.start(), stroke.end());
     }
-    const std::size_t nearer = misses[0] <= misses[1] ? 0 : 1;
+    const int one = (axis_of(groups[s]) + 1) % 3;
+    const int other = (axis_of(groups[s]) + 2) % 3;
+    const auto [nearer, farther] = misses[one] <= misses[other] ? std::pair(one, other) : std::pair(other, one);
     // A short stroke misses neither by much: the other axis has to be told from it beyond the noise, too.
-    if (misses[nearer] >= limit || misses[1 - nearer] <= std::max(options.promote_ratio * misses[nearer], limit))
-      continue;
-    promoted.push_back({static_cast<Index>(s), static_cast<StrokeGroup>(axes[nearer])});
+    if (misses[nearer] >= limit || misses[farther] <= std::max(options.promote_ratio * misses[nearer], limit)) continue;
+    promoted.push_back({static_cast<Index>(s), static_cast<StrokeGroup>(nearer)});
   }
   return promoted;
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr int most_halvings = 6;
 
 /// Depths beyond this many times the smallest one of a curve count as at the horizon.
-constexpr double farthest = 1e6;
+constexpr double farthest_ratio = 1e6;
 
 using CubicHalves = std::pair<PictureCubic, PictureCubic>;
 
@@ -45,7 +45,7 @@ bool lift_piece(const PictureCubic& drawn, const LiftPlane& plane, const Camera&
     least = std::min(least, depth);
     most = std::max(most, depth);
   }
-  if (most > farthest * least) return false;
+  if (most > farthest_ratio * least) return false;
   const double first = std::cbrt(piece.weights[0]);
   const double last = std::cbrt(piece.weights[3]);
   piece.weights = {1, piece.weights[1] / (first * first * last), piece.weights[2] / (first * last * last), 1};

@@ -6,14 +6,14 @@
 namespace croquis {
 namespace {
 
-struct FaceSide {
+struct EdgeUse {
   Index face;
   bool reversed;
 };
 
-std::map<Index, std::vector<FaceSide>> sides_of_edges(const std::vector<FaceCandidate>& candidates,
+std::map<Index, std::vector<EdgeUse>> sides_of_edges(const std::vector<FaceCandidate>& candidates,
                                                       const std::vector<Index>& chosen) {
-  std::map<Index, std::vector<FaceSide>> sides;
+  std::map<Index, std::vector<EdgeUse>> sides;
   for (Index f = 0; f < chosen.size(); ++f) {
     for (const std::vector<Index>& loop : candidates[chosen[f]].loops) {
       for (const Index half : loop) sides[half / 2].push_back({f, (half & 1U) != 0});

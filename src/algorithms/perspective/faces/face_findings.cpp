@@ -12,7 +12,7 @@ namespace croquis {
 namespace {
 
 /// Sentences name at most that many strokes; the finding's subjects have all.
-constexpr std::size_t named_strokes = 6;
+constexpr std::size_t strokes_in_sentence = 6;
 
 /// Strokes that meet at less than this (radians) go on smoothly: 15 degrees.
 constexpr double least_corner = 0.2618;
@@ -26,8 +26,8 @@ std::vector<std::string> stroke_ids(const CurveNetwork& network, const std::vect
 
 std::string named_list(const std::vector<std::string>& ids) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(ids.size(), named_strokes); ++i) text += (i > 0 ? ", " : "") + ids[i];
-  if (ids.size() > named_strokes) text += " and " + std::to_string(ids.size() - named_strokes) + " more";
+  for (std::size_t i = 0; i < std::min(ids.size(), strokes_in_sentence); ++i) text += (i > 0 ? ", " : "") + ids[i];
+  if (ids.size() > strokes_in_sentence) text += " and " + std::to_string(ids.size() - strokes_in_sentence) + " more";
   return text;
 }
 

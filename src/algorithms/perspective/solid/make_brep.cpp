@@ -35,7 +35,7 @@ void turn_pieces(std::vector<RationalCubic>& pieces) {
 
 class BrepMaker {
  public:
-  BrepMaker(const CurveNetwork& network, const FittedCurves& fitted, const FaceSet& faces)
+  BrepMaker(const CurveNetwork& network, const std::vector<FittedCurve>& fitted, const FaceSet& faces)
       : network_(network), fitted_(fitted), faces_(faces) {}
 
   Brep run() {
@@ -88,9 +88,8 @@ class BrepMaker {
     edge.end = use.reversed ? curve.start : curve.end;
     edge.pieces = curve.pieces;
     edge.straight = curve.straight;
-    edge.fitted = curve.straight
-                      ? std::vector{straight_cubic(curve.pieces.front().points[0], curve.pieces.back().points[3])}
-                      : at_most_two(fitted_[use.curve]);
+    edge.fitted = curve.straight ? std::vector{straight_cubic(curve.pieces.front().points[0], curve.pieces.back().points[3])}
+                                 : at_most_two(fitted_[use.curve].pieces);
     if (use.reversed) {
       turn_pieces(edge.pieces);
       turn_pieces(edge.fitted);
@@ -122,7 +121,7 @@ class BrepMaker {
   }
 
   const CurveNetwork& network_;
-  const FittedCurves& fitted_;
+  const std::vector<FittedCurve>& fitted_;
   const FaceSet& faces_;
   Brep brep_;
   std::map<Index, Index> edge_of_;  // curve -> edge
@@ -131,16 +130,16 @@ class BrepMaker {
 
 }  // namespace
 
-FittedCurves polynomial_pieces(const CurveNetwork& network) {
-  FittedCurves fitted;
+std::vector<FittedCurve> polynomial_pieces(const CurveNetwork& network) {
+  std::vector<FittedCurve> fitted;
   for (const NetworkCurve& curve : network.curves) {
-    fitted.push_back(curve.pieces);
-    for (RationalCubic& piece : fitted.back()) piece.weights = {1, 1, 1, 1};
+    fitted.push_back({curve.pieces});
+    for (RationalCubic& piece : fitted.back().pieces) piece.weights = {1, 1, 1, 1};
   }
   return fitted;
 }
 
-Brep make_brep(const CurveNetwork& network, const FittedCurves& fitted, const FaceSet& faces) {
+Brep make_brep(const CurveNetwork& network, const std::vector<FittedCurve>& fitted, const FaceSet& faces) {
   return BrepMaker(network, fitted, faces).run();
 }
 

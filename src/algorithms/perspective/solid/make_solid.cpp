@@ -18,7 +18,7 @@ void turn_shell(FaceSet& faces, Index shell) {
   }
 }
 
-Solid span_solid(const CurveNetwork& network, const FittedCurves& fitted, const FaceSet& faces, Progress& progress,
+Solid span_solid(const CurveNetwork& network, const std::vector<FittedCurve>& fitted, const FaceSet& faces, Progress& progress,
                  const SolidOptions& options) {
   Solid solid;
   solid.brep = make_brep(network, fitted, faces);
@@ -32,7 +32,7 @@ Solid span_solid(const CurveNetwork& network, const FittedCurves& fitted, const 
 
 }  // namespace
 
-Solid make_solid(const CurveNetwork& network, const FittedCurves& fitted, const FaceSet& faces, Progress& progress,
+Solid make_solid(const CurveNetwork& network, const std::vector<FittedCurve>& fitted, const FaceSet& faces, Progress& progress,
                  const SolidOptions& options) {
   Solid solid = span_solid(network, fitted, faces, progress, options);
   FaceSet turned = faces;

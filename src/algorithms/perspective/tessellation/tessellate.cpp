@@ -290,7 +290,9 @@ class Tessellator {
       const Vec3 &a = mesh.positions[corners[0]], &b = mesh.positions[corners[1]], &c = mesh.positions[corners[2]];
       result_.volume[brep_.faces[static_cast<std::size_t>(face_numbers_[t])].shell] += a.dot(b.cross(c)) / 6;
     }
-    mesh.channels.push_back({"face", Domain::Face, 1, std::move(face_numbers_), {}});
+    std::vector<std::string> names;
+    for (std::size_t face = 0; face < brep_.faces.size(); ++face) names.push_back("f" + std::to_string(face));
+    mesh.channels.push_back({"group", Domain::Face, 1, std::move(face_numbers_), std::move(names)});
   }
 
   const Brep& brep_;
