@@ -216,8 +216,9 @@ std::vector<PerspectiveStroke> mirrored_strokes(const PerspectiveDrawing& drawin
 
 std::optional<MirrorProposal> propose_mirror(const PerspectiveDrawing& drawing, const SolvedDrawing& solved,
                                              const MirrorOptions& options) {
-  if (solved.network.vertices.empty() || solved.open_strokes.empty()) return std::nullopt;
   const std::vector<int> counts = edge_counts(solved.network);
+  const bool dangles = std::ranges::find(counts, 1) != counts.end();
+  if (counts.empty() || (solved.open_strokes.empty() && !dangles)) return std::nullopt;
   double best = 0;
   MirrorProposal proposal;
   for (const MirrorPlane& plane : planes_to_try(solved.network)) {

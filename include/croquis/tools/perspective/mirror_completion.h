@@ -36,8 +36,8 @@ struct MirrorProposal {
 
 /// The plane that the drawing is most likely symmetric about, where something is missing. Tried are planes in the
 /// middle of the network, and those at its ends where vertices lie that lack edges. A plane is worth more the more
-/// vertices have their image and the more ends of open strokes it joins; nothing is proposed for one that would add
-/// strokes to a closed solid.
+/// vertices have their image and the more ends of open strokes it joins; nothing is proposed where
+/// no stroke lacks a face and none ends in nothing.
 std::optional<MirrorProposal> propose_mirror(const PerspectiveDrawing& drawing, const SolvedDrawing& solved,
                                              const MirrorOptions& options = {});
 
