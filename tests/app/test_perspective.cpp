@@ -104,10 +104,12 @@ TEST_CASE("looked through, every vertex is seen where it was drawn, and turning 
     hand.picture();
     const app::ViewPane& pane = hand.viewport().pane(app::PerspectiveView);
     const Affine3 placement = upright_placement();
-    const double scale = 0.96 * std::min(pane.rect.width() / view.image_size.x(), pane.rect.height() / view.image_size.y());
+    const double scale =
+        0.96 * std::min(pane.rect.width() / view.image_size.x(), pane.rect.height() / view.image_size.y());
     double worst = 0;
     for (const Vec3& vertex : sheet_of(hand).result()->network.vertices) {
-      const QPointF seen = hand.viewport().model_to_widget(placement(vertex), app::PerspectiveView) - pane.rect.center();
+      const QPointF seen =
+          hand.viewport().model_to_widget(placement(vertex), app::PerspectiveView) - pane.rect.center();
       const Vec2 sheet = sheet_of(hand).result()->camera.project(vertex) - truth.drawing.centre();
       worst = std::max({worst, std::abs(seen.x() - scale * sheet.x()), std::abs(seen.y() - scale * sheet.y())});
     }

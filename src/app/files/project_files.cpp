@@ -14,8 +14,8 @@
 #include "croquis/base/error.h"
 #include "croquis/io/file.h"
 #include "croquis/io/mesh_file.h"
-#include "croquis/io/project_file.h"
 #include "croquis/io/perspective_drawing_file.h"
+#include "croquis/io/project_file.h"
 #include "croquis/io/svg_drawing.h"
 #include "croquis/io/svg_writer.h"
 

@@ -89,7 +89,7 @@ class Tool : public QObject {
   /// A key over one of its views, before it is a menu's shortcut. @param key Qt::Key, without modifiers
   virtual bool takes_key(int) const { return false; }
   virtual void press_key(int) {}
-  virtual void cancel() {}                                                       ///< after computing was stopped
+  virtual void cancel() {}  ///< after computing was stopped
 
   // ---- The eye
 

@@ -300,8 +300,7 @@ bool aim_lines(PerspectiveDrawing& drawing, int axis, const Vec2& place) {
     const PerspectiveStroke& stroke = drawing.strokes[i];
     if (!is_parallel(stroke.group) || axis_of(stroke.group) != axis || !stroke.straight) continue;
     if (!has_vertices(stroke)) construction.push_back(i);
-    const bool meets =
-        ends_at_vertex(drawing, {i, false}).size() > 1 || ends_at_vertex(drawing, {i, true}).size() > 1;
+    const bool meets = ends_at_vertex(drawing, {i, false}).size() > 1 || ends_at_vertex(drawing, {i, true}).size() > 1;
     if (has_vertices(stroke) && !meets) loose.push_back(i);
   }
   const std::vector<std::size_t>& lines = construction.empty() ? loose : construction;

@@ -2,8 +2,11 @@
 #include "croquis/tools/perspective/drawing_pick.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
+#include "croquis/geometry/polyline.h"
 #include "croquis/tools/perspective/drawing_edit.h"
 #include "tools/pointer/segment_distance.h"
 
@@ -63,6 +66,17 @@ std::vector<Vec2> loop_of(const PerspectiveDrawing& drawing, const std::vector<s
   return (loop.back() - loop.front()).norm() > reach ? std::vector<Vec2>() : loop;
 }
 
+bool is_inside(const std::vector<Vec2>& loop, const Vec2& place) {
+  bool inside = false;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vec2& a = loop[i];
+    const Vec2& b = loop[(i + 1) % loop.size()];
+    if ((a.y() > place.y()) == (b.y() > place.y())) continue;
+    if (place.x() < a.x() + (place.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) inside = !inside;
+  }
+  return inside;
+}
+
 }  // namespace
 
 std::optional<std::string> nearest_stroke(const PerspectiveDrawing& drawing, const Vec2& place, double reach) {
@@ -105,21 +119,22 @@ std::vector<std::string> strokes_in_box(const PerspectiveDrawing& drawing, const
 std::vector<std::string> strokes_touched(const PerspectiveDrawing& drawing, const Vec2& from, const Vec2& to,
                                          double radius) {
   return ids_where(drawing, [&](const PerspectiveStroke& stroke) {
-    return any_part(stroke,
-                    [&](const Vec2& a, const Vec2& b) { return segment_distance(a, b, from, to) <= radius; });
+    return any_part(stroke, [&](const Vec2& a, const Vec2& b) { return segment_distance(a, b, from, to) <= radius; });
   });
 }
 
-bool is_inside_loop(const PerspectiveDrawing& drawing, const std::vector<std::string>& ids, const Vec2& place) {
-  const std::vector<Vec2> loop = loop_of(drawing, ids);
-  bool inside = false;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Vec2& a = loop[i];
-    const Vec2& b = loop[(i + 1) % loop.size()];
-    if ((a.y() > place.y()) == (b.y() > place.y())) continue;
-    if (place.x() < a.x() + (place.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) inside = !inside;
+std::optional<std::size_t> face_at(const PerspectiveDrawing& drawing,
+                                   const std::vector<std::vector<std::string>>& loops, const Vec2& place) {
+  std::optional<std::size_t> smallest;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const std::vector<Vec2> loop = loop_of(drawing, loops[i]);
+    const double area = std::abs(signed_area(loop));
+    if (!is_inside(loop, place) || area >= least) continue;
+    least = area;
+    smallest = i;
   }
-  return inside;
+  return smallest;
 }
 
 }  // namespace croquis

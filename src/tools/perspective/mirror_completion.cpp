@@ -122,8 +122,8 @@ StrokeShape shape_of(const std::vector<Vec2>& places, bool straight) {
   constexpr double reach = 3;
   const std::vector<Vec2> reversed(places.rbegin(), places.rend());
   StrokeShape shape;
-  for (const FittedPiece& piece : fit_cubics(places, tangent_at_begin(places, reach),
-                                             -tangent_at_begin(reversed, reach), reach, fit_tolerance))
+  for (const FittedPiece& piece :
+       fit_cubics(places, tangent_at_begin(places, reach), -tangent_at_begin(reversed, reach), reach, fit_tolerance))
     shape.pieces.push_back(piece.cubic);
   return shape;
 }

@@ -127,8 +127,8 @@ Verdict PerspectiveTool::commit(const std::string& label, PerspectiveDrawing dra
 
 // ---- Strokes
 
-Verdict PerspectiveTool::draw(const std::vector<Vec2>& places, double units_per_pixel,
-                              std::optional<StrokeGroup> group, StrokeRole role) {
+Verdict PerspectiveTool::draw(const std::vector<Vec2>& places, double units_per_pixel, std::optional<StrokeGroup> group,
+                              StrokeRole role) {
   give_up();
   PerspectiveDrawing edited = drawing_or_empty();
   PenStrokeOptions options;
@@ -177,8 +177,7 @@ Verdict PerspectiveTool::delete_selected() {
   return ids.empty() ? Verdict::Continue : remove(ids);
 }
 
-Verdict PerspectiveTool::drag(const std::string& stroke, std::optional<std::size_t> point, const Vec2& by,
-                              bool alone) {
+Verdict PerspectiveTool::drag(const std::string& stroke, std::optional<std::size_t> point, const Vec2& by, bool alone) {
   give_up();
   PerspectiveDrawing edited = required();
   std::vector<std::string> ids = selected();

@@ -235,6 +235,13 @@ Verdict PerspectiveTool::finish_click() {
   const auto id = picked_;
   const bool shift = start_.modifiers.shift;
   end_gesture();
+  const auto now = drawing();
+  if (!id && now && solved_) {
+    if (const auto face = face_at(*now, solved_->faces, from_)) {
+      select(solved_->faces[*face]);
+      return Verdict::Continue;
+    }
+  }
   std::vector<std::string> ids = shift ? selected() : std::vector<std::string>{};
   if (id && shift && has_id(ids, *id)) {
     std::erase(ids, *id);
@@ -273,12 +280,6 @@ void PerspectiveTool::select(const std::vector<std::string>& ids) {
   Selection selection;
   for (const std::string& id : ids) selection.push_back({node(), id});
   session_.select(std::move(selection));
-}
-
-void PerspectiveTool::select_all() {
-  std::vector<std::string> ids;
-  for (const PerspectiveStroke& stroke : drawing_or_empty().strokes) ids.push_back(stroke.id);
-  select(ids);
 }
 
 }  // namespace croquis

@@ -112,8 +112,8 @@ TEST_CASE("deleting a stroke forgets its length, and new ids are never those of 
   for (const PerspectiveStroke& stroke : drawing.strokes) ids.insert(stroke.id);
   for (int k = 0; k < 5; ++k) {
     const Vec2 from(10 * k, 0);
-    ids.insert(add_stroke(drawing, {{line_piece(from, from + Vec2(50, 3))}, true}, StrokeGroup::ParallelX,
-                          StrokeRole::Edge));
+    ids.insert(
+        add_stroke(drawing, {{line_piece(from, from + Vec2(50, 3))}, true}, StrokeGroup::ParallelX, StrokeRole::Edge));
   }
   CHECK(ids.size() == drawing.strokes.size());
 }
@@ -172,7 +172,6 @@ TEST_CASE("strokes, points and faces are picked where they are seen") {
   CHECK(!nearest_stroke(drawing, {-500, -500}, 10));
   const PickBox all = PickBox::spanned({-4000, -4000}, {5000, 5000});
   CHECK(strokes_in_box(drawing, all).size() == drawing.strokes.size());
-
 }
 
 TEST_CASE("a place lies within the face whose strokes go around it") {
@@ -187,13 +186,13 @@ TEST_CASE("a place lies within the face whose strokes go around it") {
       middle += truth.camera.project(truth.network.curves[side.curve].pieces.front().at(0.5));
     }
     middle /= static_cast<double>(ids.size());
-    CHECK(is_inside_loop(drawing, ids, middle));
-    CHECK(!is_inside_loop(drawing, ids, middle + Vec2(3000, 0)));
+    CHECK(face_at(drawing, {ids}, middle));
+    CHECK(!face_at(drawing, {ids}, middle + Vec2(3000, 0)));
     std::rotate(ids.begin(), ids.begin() + 1, ids.end());
     std::swap(ids[0], ids[1]);
-    CHECK(is_inside_loop(drawing, ids, middle));
+    CHECK(face_at(drawing, {ids}, middle));
     ids.pop_back();
-    CHECK(!is_inside_loop(drawing, ids, middle));
+    CHECK(!face_at(drawing, {ids}, middle));
   }
 }
 

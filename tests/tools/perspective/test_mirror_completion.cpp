@@ -117,9 +117,8 @@ TEST_CASE("the edges of a box that can't be seen are proposed: two by the first 
   const test::SolidDrawing box = plain_drawing(test::box(), test::three_point_views()[1]);
   const Index hidden = hidden_vertex(box);
   const auto is_hidden = [&](const NetworkCurve& curve) { return curve.start == hidden || curve.end == hidden; };
-  const Part part = part_of(test::box(), [&](const NetworkCurve& curve, const CurveNetwork&) {
-    return !is_hidden(curve);
-  });
+  const Part part =
+      part_of(test::box(), [&](const NetworkCurve& curve, const CurveNetwork&) { return !is_hidden(curve); });
   REQUIRE(part.missing.size() == 3);
   const auto proposal = propose_mirror(part.drawing, part.solved);
   REQUIRE(proposal);

@@ -44,9 +44,7 @@ struct Hand {
   const PerspectiveStroke& stroke(std::size_t i) { return tool.drawing()->strokes.at(i); }
 
   /// With the solid as somebody drew it.
-  void open(PerspectiveDrawing drawing) {
-    session.load(add_perspective_drawing(Document(), std::move(drawing), {}));
-  }
+  void open(PerspectiveDrawing drawing) { session.load(add_perspective_drawing(Document(), std::move(drawing), {})); }
 };
 
 /// Through the text of a recording and back.

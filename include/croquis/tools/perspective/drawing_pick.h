@@ -33,8 +33,9 @@ std::vector<std::string> strokes_in_box(const PerspectiveDrawing& drawing, const
 std::vector<std::string> strokes_touched(const PerspectiveDrawing& drawing, const Vec2& from, const Vec2& to,
                                          double radius);
 
-/// Whether a place lies within a loop of strokes, as they are drawn. The strokes may come in any order and direction.
-/// @param ids of one loop. @return false when they don't make one
-bool is_inside_loop(const PerspectiveDrawing& drawing, const std::vector<std::string>& ids, const Vec2& place);
+/// Of loops of strokes, as they are drawn, the smallest one that a place lies in. The strokes of a loop may come in any
+/// order and direction; what isn't a loop is passed over.
+std::optional<std::size_t> face_at(const PerspectiveDrawing& drawing,
+                                   const std::vector<std::vector<std::string>>& loops, const Vec2& place);
 
 }  // namespace croquis

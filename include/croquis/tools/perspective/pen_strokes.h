@@ -11,9 +11,9 @@
 namespace croquis {
 
 struct PenStrokeOptions {
-  double units_per_pixel = 1;        ///< px of the sheet per pixel of the view drawn in, > 0
-  double snap_pixels = 14;           ///< of the view: an end this near to a vertex goes to it
-  std::optional<StrokeGroup> group;  ///< none: by where it points
+  double units_per_pixel = 1;                ///< px of the sheet per pixel of the view drawn in, > 0
+  double snap_pixels = 14;                   ///< of the view: an end this near to a vertex goes to it
+  std::optional<StrokeGroup> group;          ///< none: by where it points
   StrokeGroup plane = StrokeGroup::Unknown;  ///< for what points along no axis and could be in several planes
   StrokeRole role = StrokeRole::Edge;
   const SolvedDrawing* solved = nullptr;

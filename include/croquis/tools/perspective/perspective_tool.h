@@ -23,15 +23,15 @@ namespace croquis {
 enum class PerspectiveMode { Draw, Select, Erase };
 
 struct PerspectiveToolOptions {
-  std::string name = "Perspective";         ///< of the drawing
-  std::string operation = "perspective";    ///< made together with the drawing …
-  int version = 1;                          ///< … of this version …
-  std::string port = "drawing";             ///< … its input that the drawing goes to
-  Vec2 sheet = {1000, 750};                 ///< px, of a new drawing
-  double snap_pixels = 14;                  ///< of the view: an end this near to a vertex goes to it
-  double pick_pixels = 9;                   ///< how far the pointer may miss
-  double eraser_pixels = 6;                 ///< radius of the eraser
-  double drag_pixels = 4;                   ///< a press that moves less is a click
+  std::string name = "Perspective";       ///< of the drawing
+  std::string operation = "perspective";  ///< made together with the drawing …
+  int version = 1;                        ///< … of this version …
+  std::string port = "drawing";           ///< … its input that the drawing goes to
+  Vec2 sheet = {1000, 750};               ///< px, of a new drawing
+  double snap_pixels = 14;                ///< of the view: an end this near to a vertex goes to it
+  double pick_pixels = 9;                 ///< how far the pointer may miss
+  double eraser_pixels = 6;               ///< radius of the eraser
+  double drag_pixels = 4;                 ///< a press that moves less is a click
 };
 
 /// From the space of perspective drawings, where z is up, to that of the views, where y is.
@@ -45,11 +45,11 @@ Document add_perspective_drawing(const Document& document, PerspectiveDrawing dr
 
 /// What to draw over the view while a gesture is under way, px of the sheet.
 struct PerspectivePreview {
-  std::vector<StrokeSample> ink;    ///< Draw: the samples so far, as they came, on the sketch plane (y up)
+  std::vector<StrokeSample> ink;             ///< Draw: the samples so far, as they came, on the sketch plane (y up)
   StrokeGroup group = StrokeGroup::Unknown;  ///< Draw: that the stroke would have
-  std::optional<Vec2> snap;         ///< the vertex that the end would go to
-  std::vector<std::string> erased;  ///< Erase: ids of the strokes touched
-  std::optional<PickBox> box;       ///< Select: the box spanned
+  std::optional<Vec2> snap;                  ///< the vertex that the end would go to
+  std::vector<std::string> erased;           ///< Erase: ids of the strokes touched
+  std::optional<PickBox> box;                ///< Select: the box spanned
 };
 
 /// The pen on a perspective drawing: draws, selects, bends, joins and erases strokes of one drawing of a session.
@@ -57,11 +57,12 @@ struct PerspectivePreview {
 /// Events come as they fall on the sketch plane; the sheet lies on it upside down: its place (u, v) is at (u, -v).
 ///
 /// Draw: a gesture becomes one stroke, or one for each side between its corners. Ends of edges near a vertex go to it.
-/// Groups are chosen, or found by where a line points. Select: a click picks a stroke (Shift adds or takes away), a
+/// Groups are chosen, or found by where a line points. Select: a click picks a stroke (Shift adds or takes away),
+/// within a face the strokes around it, a
 /// drag on a point of a selected stroke bends it, on an end takes the vertex along (Ctrl: the end alone), on a
-/// vanishing point turns the lines of its axis, on a stroke moves what is selected, elsewhere spans a box. Erase, or the
-/// pen's eraser end in any mode: deletes the strokes touched. Every gesture is one undo step.
-/// The session outlives the tool. Everything on the session's thread.
+/// vanishing point turns the lines of its axis, on a stroke moves what is selected, elsewhere spans a box. Erase, or
+/// the pen's eraser end in any mode: deletes the strokes touched. Every gesture is one undo step. The session outlives
+/// the tool. Everything on the session's thread.
 class PerspectiveTool {
  public:
   explicit PerspectiveTool(Session& session, PerspectiveToolOptions options = {});
@@ -81,7 +82,6 @@ class PerspectiveTool {
 
   Verdict handle(const SketchEvent& event);
   const PerspectivePreview& preview() const { return preview_; }
-  bool busy() const { return gesture_ != Gesture::None; }
 
   /// What the last Commit did, for recordings.
   const std::optional<recorded::Step>& done() const { return done_; }
@@ -114,15 +114,14 @@ class PerspectiveTool {
 
   std::vector<std::string> selected() const;  ///< ids of selected strokes, in the drawing's order
   void select(const std::vector<std::string>& ids);
-  void select_all();
+
+ private:
+  enum class Gesture { None, Draw, Erase, Press, Box, Point, Strokes, Aim };
 
   /// The point of a stroke that a press in Select mode would take.
   std::optional<PickedPoint> point_at(const Vec2& place, double units_per_pixel) const;
   /// The axis whose vanishing point lies there.
   std::optional<int> vanishing_point_at(const Vec2& place, double units_per_pixel) const;
-
- private:
-  enum class Gesture { None, Draw, Erase, Press, Box, Point, Strokes, Aim };
 
   Verdict begin(const SketchEvent& event);
   void go_on(const SketchEvent& event);
@@ -156,15 +155,15 @@ class PerspectiveTool {
   std::optional<recorded::Step> done_;
 
   Gesture gesture_ = Gesture::None;
-  SketchEvent start_;                ///< that began the gesture
-  Vec2 from_ = Vec2::Zero();         ///< where, px of the sheet
-  Vec2 last_ = Vec2::Zero();         ///< where the pointer is, px of the sheet
-  std::vector<Vec2> path_;           ///< Draw, Erase
-  std::optional<std::string> picked_;     ///< stroke under the press
-  std::optional<PickedPoint> point_;      ///< under the press
-  std::optional<int> axis_;               ///< vanishing point under the press
+  SketchEvent start_;                                   ///< that began the gesture
+  Vec2 from_ = Vec2::Zero();                            ///< where, px of the sheet
+  Vec2 last_ = Vec2::Zero();                            ///< where the pointer is, px of the sheet
+  std::vector<Vec2> path_;                              ///< Draw, Erase
+  std::optional<std::string> picked_;                   ///< stroke under the press
+  std::optional<PickedPoint> point_;                    ///< under the press
+  std::optional<int> axis_;                             ///< vanishing point under the press
   std::shared_ptr<const PerspectiveDrawing> original_;  ///< before the drag
-  std::uint64_t drag_revision_ = 0;       ///< of the session after the drag's last change
+  std::uint64_t drag_revision_ = 0;                     ///< of the session after the drag's last change
 };
 
 }  // namespace croquis

@@ -17,7 +17,8 @@ struct SolvedDrawing {
   Camera camera;
   std::array<Vec3, 3> vanishing_points{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< homogeneous, px
   CurveNetwork network;
-  std::vector<std::string> open_strokes;  ///< that lack a face
+  std::vector<std::vector<std::string>> faces;  ///< the strokes of each one's outer loop
+  std::vector<std::string> open_strokes;        ///< that lack a face
 };
 
 }  // namespace croquis

@@ -55,8 +55,9 @@ void PerspectiveDrawingTool::make_group_actions(ActionList& actions) {
   QMenu* menu = actions.menu(tr("&Perspective"));
   auto* choice = new QActionGroup(menu);
   const auto add_group = [&](const QString& name, std::optional<StrokeGroup> group) {
-    QAction* action = actions.add(menu, name, group ? group_title(*group) : tr("By where it points"), {},
-                                  [this, group] { choose_group(group); }, Recorded::ByItself);
+    QAction* action = actions.add(
+        menu, name, group ? group_title(*group) : tr("By where it points"), {}, [this, group] { choose_group(group); },
+        Recorded::ByItself);
     action->setCheckable(true);
     action->setIconText(group ? group_letter(*group) : tr("Auto"));
     if (group) action->setIcon(group_icon(*group));
@@ -84,7 +85,8 @@ void PerspectiveDrawingTool::make_stroke_actions(ActionList& actions) {
   QMenu* menu = actions.menu(tr("&Perspective"));
   menu->addSeparator();
   const auto add = [&](const QString& name, const QString& text, std::function<void()> work) {
-    actions.add(menu, name, text, {}, [this, work = std::move(work)] { host().attempt(work); }, Recorded::ByItself);
+    actions.add(
+        menu, name, text, {}, [this, work = std::move(work)] { host().attempt(work); }, Recorded::ByItself);
   };
   const auto set_selected = [this](const StrokeSetting& setting) {
     do_and_record(sheet_.tool().set(sheet_.tool().selected(), setting));
@@ -118,7 +120,7 @@ void PerspectiveDrawingTool::make_stroke_actions(ActionList& actions) {
     emit state_changed();
   });
   menu->addSeparator();
-  QAction* through = actions.add(menu, "look-through", tr("&Look through the drawing"), {QKeySequence("L")},
+  QAction* through = actions.add(menu, "look-through", tr("&Look through the drawing"), {QKeySequence("V")},
                                  [this] { set_looking_through(host().action("look-through")->isChecked()); });
   through->setCheckable(true);
 }
@@ -138,8 +140,8 @@ void PerspectiveDrawingTool::refresh() {
   enable("group-auto", here);
   for (const char* name : group_actions) enable(name, here);
   enable("construction", here);
-  for (const char* name : {"stroke-hidden", "ends-smooth", "ends-corner", "ends-free", "edge-sharp", "add-face",
-                           "forbid-face"})
+  for (const char* name :
+       {"stroke-hidden", "ends-smooth", "ends-corner", "ends-free", "edge-sharp", "add-face", "forbid-face"})
     enable(name, any);
   enable("perspective-fix", result != nullptr && !result->fixes.empty());
   enable("mirror", result != nullptr);
@@ -156,8 +158,8 @@ void PerspectiveDrawingTool::refresh() {
 
 QStringList PerspectiveDrawingTool::marking_menu(int view) const {
   if (!works_in(view)) return {};
-  return {"group-z", "group-normal-x", "group-x", "group-normal-z", "construction", "group-normal-y", "group-y",
-          "group-auto"};
+  return {"group-z",      "group-normal-x", "group-x", "group-normal-z",
+          "construction", "group-normal-y", "group-y", "group-auto"};
 }
 
 bool PerspectiveDrawingTool::takes_key(int key) const {

@@ -89,7 +89,8 @@ void PerspectiveChips::place_faces(ChipPlaces& places, const ViewPane& pane) {
   if (faces_->styleSheet() != style) faces_->setStyleSheet(style);
   faces_->setText(faces_sentence(*result));
   faces_->adjustSize();
-  places.put(*faces_, QPointF(pane.rect.center().x() - faces_->width() / 2.0, pane.rect.top() + chip_margin), pane.rect);
+  places.put(*faces_, QPointF(pane.rect.center().x() - faces_->width() / 2.0, pane.rect.top() + chip_margin),
+             pane.rect);
 }
 
 void PerspectiveChips::place_fix(ChipPlaces& places, const ViewPane& pane) {
@@ -118,10 +119,11 @@ void PerspectiveChips::place_through(ChipPlaces& places, bool through) {
   through_->hide();
   if (sheet_.result() == nullptr || !pane.visible()) return;
   through_->setText(tr("Look through"));
-  through_->setToolTip(tr("See the solid from the drawing's eye, with the drawing over it (L)"));
+  through_->setToolTip(tr("See the solid from the drawing's eye, with the drawing over it (V)"));
   through_->setChecked(through);
   through_->adjustSize();
-  places.put(*through_, QPointF(pane.rect.center().x() - through_->width() / 2.0, pane.rect.top() + chip_margin), pane.rect);
+  places.put(*through_, QPointF(pane.rect.center().x() - through_->width() / 2.0, pane.rect.top() + chip_margin),
+             pane.rect);
 }
 
 }  // namespace croquis::app

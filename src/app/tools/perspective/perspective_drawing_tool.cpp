@@ -52,9 +52,8 @@ void PerspectiveDrawingTool::make_panels(PanelDocks& docks) {
   dock_ = docks.add(tr("Perspective"), scroll, "perspective");
   docks.set_useful(dock_, false);
   docks_ = &docks;
-  connect(panel_, &PerspectivePanel::known_point_wanted, this, [this](const std::optional<KnownPoint>& known) {
-    do_and_record(sheet_.tool().set_known_point(known));
-  });
+  connect(panel_, &PerspectivePanel::known_point_wanted, this,
+          [this](const std::optional<KnownPoint>& known) { do_and_record(sheet_.tool().set_known_point(known)); });
   connect(panel_, &PerspectivePanel::known_length_wanted, this,
           [this](const std::string& stroke, std::optional<double> length) {
             do_and_record(sheet_.tool().set_known_length(stroke, length));
@@ -85,9 +84,7 @@ void PerspectiveDrawingTool::set_mode(const QString& mode) {
   if (draws() && !views.pane(SketchView).visible()) views.arrange(Arrangement::SketchAndSolid);
 }
 
-bool PerspectiveDrawingTool::works_in(int view) const {
-  return has_view(view) && (draws() || mode() == select_mode);
-}
+bool PerspectiveDrawingTool::works_in(int view) const { return has_view(view) && (draws() || mode() == select_mode); }
 
 Qt::CursorShape PerspectiveDrawingTool::cursor(int) const {
   return draws() || sheet_.picks_known_point() ? Qt::CrossCursor : Qt::ArrowCursor;
@@ -128,7 +125,8 @@ QString PerspectiveDrawingTool::help() const {
   if (sheet_.proposal()) return tr("Enter adds the mirrored strokes · Escape leaves them out");
   switch (sheet_.tool().mode()) {
     case PerspectiveMode::Select:
-      return tr("Drag an end, a handle or a vanishing point · 1–6 give a group · Shift adds · Delete removes · D draws");
+      return tr(
+          "Drag an end, a handle or a vanishing point · 1–6 give a group · Shift adds · Delete removes · D draws");
     case PerspectiveMode::Erase: return tr("Drag over strokes to erase them · D draws");
     case PerspectiveMode::Draw: break;
   }
@@ -152,7 +150,8 @@ void PerspectiveDrawingTool::add_to(render::Scene& scene, int view) {
   const auto place = [&, placed = placement(), depth = looked_depth()](const Vec2& sheet) {
     return before_the_eye(camera, placed, sheet, depth);
   };
-  for (const render::LineItemPtr& item : stroke_items(sheet_.drawing(), place, overlay_)) scene.lines.emplace_back(item);
+  for (const render::LineItemPtr& item : stroke_items(sheet_.drawing(), place, overlay_))
+    scene.lines.emplace_back(item);
 }
 
 std::optional<Ink> PerspectiveDrawingTool::ink() const {

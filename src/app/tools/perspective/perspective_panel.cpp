@@ -89,8 +89,7 @@ void PerspectivePanel::make_camera(QBoxLayout* column) {
   field_->setSpecialValueText(tr("not known"));
   field_->setSuffix(QStringLiteral("°"));
   connect(field_, &QDoubleSpinBox::valueChanged, this, [this](double degrees) {
-    if (!following_)
-      emit field_of_view_wanted(degrees > 0 ? std::optional(degrees * degree) : std::optional<double>());
+    if (!following_) emit field_of_view_wanted(degrees > 0 ? std::optional(degrees * degree) : std::optional<double>());
   });
   row->addWidget(field_);
   column->addLayout(row);
@@ -215,8 +214,8 @@ void PerspectivePanel::follow_lines() {
   shown.resize(std::min(shown.size(), most_lines));
   lines_->clear();
   for (const PerspectiveStrokeResult& stroke : shown) {
-    auto* item = new QTreeWidgetItem(
-        lines_, {QString::fromStdString(stroke.id), group_letter(stroke.group), tr("%1 px").arg(*stroke.residual, 0, 'f', 1)});
+    auto* item = new QTreeWidgetItem(lines_, {QString::fromStdString(stroke.id), group_letter(stroke.group),
+                                              tr("%1 px").arg(*stroke.residual, 0, 'f', 1)});
     item->setForeground(1, group_color(stroke.group));
     item->setBackground(2, residual_color(*stroke.residual).lighter(130));
     item->setForeground(2, QColor(20, 20, 22));

@@ -17,6 +17,7 @@ std::shared_ptr<const SolvedDrawing> solved_by(const PerspectiveResult& result) 
   solved->camera = result.camera;
   solved->vanishing_points = result.vanishing_points;
   solved->network = result.network;
+  for (const PerspectiveFace& face : result.faces) solved->faces.push_back(face.strokes.front());
   solved->open_strokes = result.open_strokes;
   return solved;
 }
@@ -38,8 +39,6 @@ const PerspectiveDrawing& SheetInteraction::drawing() const {
 const PerspectiveResult* SheetInteraction::result() const { return result_of<PerspectiveResult>(shown_.get()); }
 
 Findings SheetInteraction::findings() const { return shown_ ? shown_->findings : Findings(); }
-
-bool SheetInteraction::is_current() const { return shown_ && !shown_->failed && !studio_.busy(); }
 
 Vec2 SheetInteraction::to_sheet(const Vec2& pixel) const {
   const Vec2 place = pane_.sketch_frame().to_sketch(pixel);
@@ -147,9 +146,7 @@ void SheetInteraction::propose_mirror(bool wanted) {
   emit changed();
 }
 
-render::Scene SheetInteraction::scene() const {
-  return scene_.scene(drawing(), pane_.sketch_frame().units_per_pixel);
-}
+render::Scene SheetInteraction::scene() const { return scene_.scene(drawing(), pane_.sketch_frame().units_per_pixel); }
 
 void SheetInteraction::follow_document() {
   if (!pen_.down()) tool_.set_node(studio_.sheet_node());

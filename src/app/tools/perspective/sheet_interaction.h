@@ -46,7 +46,6 @@ class SheetInteraction : public QObject {
   /// What was found in it, also while it is out of date; null before that.
   const PerspectiveResult* result() const;
   Findings findings() const;
-  bool is_current() const;  ///< the result belongs to the drawing as it is, finished
 
   /// What a mirror would add, or nothing.
   const std::optional<MirrorProposal>& proposal() const { return proposal_; }
@@ -57,7 +56,6 @@ class SheetInteraction : public QObject {
 
   render::Scene scene() const;
   render::Bounds bounds() const { return scene_.bounds(); }
-  const SheetScene& sheet() const { return scene_; }
 
   void follow_document();
   void follow_result();

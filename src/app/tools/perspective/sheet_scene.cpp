@@ -99,7 +99,8 @@ void add_letters(const PerspectiveDrawing& drawing, double unit, render::Scene& 
     }
   }
   for (const auto& [group, paths] : letters) {
-    scene.lines.emplace_back(line_item_of(paths, {1.3, to_color(group_color(group), 230), {}, render::LineDepth::OnTop}));
+    scene.lines.emplace_back(
+        line_item_of(paths, {1.3, to_color(group_color(group), 230), {}, render::LineDepth::OnTop}));
   }
 }
 
@@ -131,7 +132,8 @@ void SheetScene::show_drawing(const PerspectiveDrawing& drawing, const std::vect
   strokes_ = stroke_items(drawing, on_sketch_plane, 1);
   const Vec2 low = drawing.origin, high = drawing.origin + drawing.image_size;
   const std::vector<Vec2> corners = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
-  sheet_ = line_item_of({sheet_path(corners, on_sketch_plane, true)}, {1, to_color(colors::guide), {}, render::LineDepth::OnTop});
+  sheet_ = line_item_of({sheet_path(corners, on_sketch_plane, true)},
+                        {1, to_color(colors::guide), {}, render::LineDepth::OnTop});
   bounds_ = sheet_->bounds;
   for (const PerspectiveStroke& stroke : drawing.strokes) {
     if (!is_drawable(stroke)) continue;
@@ -146,8 +148,8 @@ void SheetScene::show_drawing(const PerspectiveDrawing& drawing, const std::vect
     const std::vector<Vec2> places = points_of(*stroke);
     for (std::size_t k = 0; points && k < places.size(); ++k) {
       const bool joint = k % 3 == 0 || stroke->straight;
-      anchors.push_back(sheet_mark(places[k], joint ? render::MarkShape::Square : render::MarkShape::Ring, joint ? 8 : 7,
-                                colors::accent));
+      anchors.push_back(sheet_mark(places[k], joint ? render::MarkShape::Square : render::MarkShape::Ring,
+                                   joint ? 8 : 7, colors::accent));
     }
   }
   selected_ = line_item_of(chosen, {edge_width + 4, to_color(colors::accent, 90), {}, render::LineDepth::OnTop});
@@ -174,7 +176,8 @@ void SheetScene::show_result(const PerspectiveDrawing& drawing, const Perspectiv
     for (std::size_t axis = 0; axis < 3; ++axis) {
       places[axis] = finite_place(result->vanishing_points[axis], drawing);
       if (!places[axis]) continue;
-      handles.push_back(sheet_mark(*places[axis], render::MarkShape::Disc, 13, group_color(static_cast<StrokeGroup>(axis))));
+      handles.push_back(
+          sheet_mark(*places[axis], render::MarkShape::Disc, 13, group_color(static_cast<StrokeGroup>(axis))));
       handles.back().outline_width = 2;
     }
     if (places[0] && places[1]) horizon.push_back(sheet_path({*places[0], *places[1]}, on_sketch_plane));
@@ -187,10 +190,9 @@ void SheetScene::show_result(const PerspectiveDrawing& drawing, const Perspectiv
     const auto at = place_of_finding(finding, drawing);
     if (!at) continue;
     const bool error = finding.severity == Severity::Error;
-    SheetMark mark{*at, QString::fromStdString(finding.message), error, {}};
-    for (const Subject& subject : finding.subjects) mark.strokes.push_back(subject.id);
+    SheetMark mark{*at, QString::fromStdString(finding.message), error};
     symbols.push_back(sheet_mark(*at, error ? render::MarkShape::Cross : render::MarkShape::Warning, error ? 14 : 18,
-                              error ? colors::error : colors::warning));
+                                 error ? colors::error : colors::warning));
     finding_marks_.push_back(std::move(mark));
   }
   findings_ = marks_item(symbols);
@@ -199,7 +201,8 @@ void SheetScene::show_result(const PerspectiveDrawing& drawing, const Perspectiv
 void SheetScene::show_preview(const PerspectiveDrawing& drawing, const PerspectivePreview& preview) {
   std::vector<render::LinePath> paths;
   for (const std::string& id : preview.erased) {
-    if (const PerspectiveStroke* stroke = find_stroke(drawing, id)) paths.push_back(sheet_path(*stroke, on_sketch_plane));
+    if (const PerspectiveStroke* stroke = find_stroke(drawing, id))
+      paths.push_back(sheet_path(*stroke, on_sketch_plane));
   }
   render::LineStyle style{edge_width + 1, to_color(colors::error), {}, render::LineDepth::OnTop};
   if (preview.box) {
@@ -216,7 +219,7 @@ void SheetScene::show_hovered(const PerspectiveDrawing& drawing, const std::opti
   hovered_.reset();
   if (stroke == nullptr || !is_drawable(*stroke)) return;
   hovered_ = line_item_of({sheet_path(*stroke, on_sketch_plane)},
-                   {edge_width + 3, to_color(colors::hover, 120), {}, render::LineDepth::OnTop});
+                          {edge_width + 3, to_color(colors::hover, 120), {}, render::LineDepth::OnTop});
 }
 
 void SheetScene::show_proposed(const std::vector<PerspectiveStroke>& strokes) {

@@ -20,7 +20,6 @@ struct SheetMark {
   Vec2 at = Vec2::Zero();
   QString sentence;
   bool error = false;
-  std::vector<std::string> strokes;
 };
 
 /// Where a place of the sheet lies in a view's space.
