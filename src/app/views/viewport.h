@@ -49,6 +49,9 @@ class Viewport : public QOpenGLWidget {
 
   MarkingMenu& marking_menu() { return marking_menu_; }
 
+  /// As people do: a tool that holds the view's camera lets go of it.
+  void move_camera(int view, const CameraMotion& motion);
+
   /// How tools see the model in a view.
   ViewFrame frame_of(int view) const;
 

@@ -163,6 +163,11 @@ void Viewport::show_tooltip(const QString& sentence, const QPointF& place) {
   shows_tooltip_ = !sentence.isEmpty();
 }
 
+void Viewport::move_camera(int view, const CameraMotion& motion) {
+  for (Tool* tool : tools_) tool->camera_moved(view);
+  layout_.pane(view).move(motion);
+}
+
 bool Viewport::navigate(const PointerEvent& event) {
   PointerEvent seen = event;
   // Where there is nothing to pick and nothing to draw on, plain drags rotate the view.
@@ -172,8 +177,7 @@ bool Viewport::navigate(const PointerEvent& event) {
     if (!motion) continue;
     // Compared views have one camera.
     const int view = motion->view == ComparisonView ? PerspectiveView : motion->view;
-    for (Tool* tool : tools_) tool->camera_moved(view);
-    layout_.pane(view).move(*motion);
+    move_camera(view, *motion);
     turned_ = turned_ || view == PerspectiveView;
     redraw_moved(view);
     if (view == PerspectiveView) redraw_moved(ComparisonView);

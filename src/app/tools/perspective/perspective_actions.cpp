@@ -98,6 +98,14 @@ void PerspectiveDrawingTool::make_stroke_actions(ActionList& actions) {
     setting.hidden = first == nullptr || !first->hidden;
     set_selected(setting);
   });
+  add("stroke-link", tr("&Tie pieces together by a construction line, or no more"), [this, set_selected] {
+    const std::vector<std::string> ids = sheet_.tool().selected();
+    const PerspectiveStroke* first = ids.empty() ? nullptr : find_stroke(sheet_.drawing(), ids.front());
+    StrokeSetting setting;
+    setting.link = first == nullptr || !first->link;
+    setting.role = StrokeRole::Construction;
+    set_selected(setting);
+  });
   const auto add_lock = [&](const QString& name, const QString& text, EndLock lock) {
     add(name, text, [lock, set_selected] {
       StrokeSetting setting;
@@ -140,8 +148,8 @@ void PerspectiveDrawingTool::refresh() {
   enable("group-auto", here);
   for (const char* name : group_actions) enable(name, here);
   enable("construction", here);
-  for (const char* name :
-       {"stroke-hidden", "ends-smooth", "ends-corner", "ends-free", "edge-sharp", "add-face", "forbid-face"})
+  for (const char* name : {"stroke-hidden", "stroke-link", "ends-smooth", "ends-corner", "ends-free", "edge-sharp",
+                           "add-face", "forbid-face"})
     enable(name, any);
   enable("perspective-fix", result != nullptr && !result->fixes.empty());
   enable("mirror", result != nullptr);
