@@ -16,7 +16,7 @@ void describe(QCommandLineParser& parser) {
   parser.addHelpOption();
   parser.addVersionOption();
   parser.addPositionalArgument("FILE", "Projects (.croq), sketches (.svg) or meshes to open.", "[FILE…]");
-  parser.addOption({"new", "Start with an empty sketch of this kind: silhouette.", "kind"});
+  parser.addOption({"new", "Start with an empty drawing of this kind: silhouette or perspective.", "kind"});
   parser.addOption({"screenshot", "Open, evaluate, save the window's picture here, quit.", "png"});
   parser.addOption({"replay", "Replay recorded actions and pen strokes, then quit.", "file"});
   parser.addOption({"record", "Append whatever is done to this recording.", "file"});
@@ -51,8 +51,9 @@ std::optional<LaunchOptions> parse_command_line(const QStringList& arguments, in
   LaunchOptions options{parser.positionalArguments(), parser.value("new"),    parser.value("screenshot"),
                         parser.value("replay"),       parser.value("record"), parser.isSet("stay"),
                         parser.isSet("software-gl")};
-  if (!options.new_kind.isEmpty() && options.new_kind != "silhouette") {
-    refuse("--new takes silhouette; \"" + options.new_kind + "\" is not built yet");
+  const QStringList kinds{"silhouette", "perspective"};
+  if (!options.new_kind.isEmpty() && !kinds.contains(options.new_kind)) {
+    refuse("--new takes silhouette or perspective; \"" + options.new_kind + "\" is not built yet");
     exit_code = wrong_usage;
     return std::nullopt;
   }

@@ -55,7 +55,10 @@ int run(const LaunchOptions& options) {
   if (!options.record.isEmpty() && !window.attempt([&] { window.record_to(options.record); })) {
     return print_findings(window.last_findings());
   }
-  if (!options.new_kind.isEmpty()) window.start_sketch();
+  if (options.new_kind == "silhouette")
+    window.start_sketch();
+  else if (!options.new_kind.isEmpty())
+    window.action("new-" + options.new_kind)->trigger();
   for (const QString& file : options.files) {
     if (!window.open(file) && unattended) return print_findings(window.last_findings());
   }

@@ -21,12 +21,15 @@ class Existence {
   bool operator()(const SelectedItem& item) {
     const auto node = nodes_.find(item.node);
     if (node == nodes_.end()) return false;
-    const auto drawing = source_of<Drawing>(node->second);
-    if (item.part.empty() || drawing == nullptr) return true;
+    const auto sketch = source_of<Drawing>(node->second);
+    const auto sheet = source_of<PerspectiveDrawing>(node->second);
+    if (item.part.empty() || (!sketch && !sheet)) return true;
     const auto [ids, added] = strokes_.try_emplace(item.node);
-    if (added) {
-      for (const Stroke& stroke : drawing->strokes) ids->second.insert(stroke.id);
-    }
+    const auto take_ids = [&ids = ids->second](const auto& strokes) {
+      for (const auto& stroke : strokes) ids.insert(stroke.id);
+    };
+    if (added && sketch) take_ids(sketch->strokes);
+    if (added && sheet) take_ids(sheet->strokes);
     return ids->second.contains(item.part);
   }
 

@@ -4,6 +4,7 @@
 #include "croquis/tools/holes/hole_steps.h"
 #include "croquis/tools/measure/measure_steps.h"
 #include "croquis/tools/mesh/mesh_steps.h"
+#include "croquis/tools/perspective/perspective_steps.h"
 #include "croquis/tools/recording/general_steps.h"
 #include "croquis/tools/silhouette/sketch_steps.h"
 
@@ -17,6 +18,7 @@ const Vocabulary& all_steps() {
     made.add(mesh_steps());
     made.add(hole_steps());
     made.add(measure_steps());
+    made.add(perspective_steps());
     return made;
   }();
   return vocabulary;

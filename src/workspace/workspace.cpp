@@ -183,8 +183,10 @@ bool Workspace::busy() const {
 // ---- Evaluation
 
 bool Workspace::begins_empty(const WorkObject& object) const {
-  const auto drawing = source_of<Drawing>(session_.document().find(object.chain.front()));
-  return drawing && drawing->strokes.empty();
+  const Node* first = session_.document().find(object.chain.front());
+  const auto sketch = source_of<Drawing>(first);
+  const auto sheet = source_of<PerspectiveDrawing>(first);
+  return (sketch && sketch->strokes.empty()) || (sheet && sheet->strokes.empty());
 }
 
 /// The node whose result is shown; 0 when nothing needs to be computed.

@@ -19,6 +19,9 @@ struct Camera {
   glm::dvec3 up = {0, 1, 0};      ///< any length, not along the line of sight
   double height = 2;              ///< orthographic only: model units from the picture's lower to its upper border, > 0
   double field_of_view = 0.5;     ///< perspective only: vertical opening in radians, in (0, pi)
+  /// Perspective only: where the line of sight meets the picture, from its middle, × the picture's height; x to the
+  /// right, y up. Pictures that are a part of a larger one are seen off the axis.
+  glm::dvec2 principal_offset = {0, 0};
 };
 
 /// How a camera looks at things before it knows how large they are.

@@ -10,6 +10,7 @@
 #include "croquis/base/error.h"
 #include "croquis/io/file.h"
 #include "croquis/io/mesh_file.h"
+#include "croquis/io/perspective_drawing_file.h"
 #include "croquis/io/project_file.h"
 #include "croquis/io/svg_drawing.h"
 
@@ -19,6 +20,9 @@ namespace {
 std::string local_name(const QString& path) { return QFile::encodeName(path).toStdString(); }
 
 bool is_sketch(const QString& path) { return QFileInfo(path).suffix().toLower() == "svg"; }
+
+/// Drawings in perspective say that they are; other SVG files are sketches.
+bool is_perspective_drawing(const std::string& bytes) { return bytes.find("urn:croquis:perspective:") != bytes.npos; }
 
 /// ".croq, .svg, .obj or .off".
 std::string readable_endings() {
@@ -60,6 +64,10 @@ ReadFile FileReader::read_now(const QString& path, Progress& progress) {
   if (const auto format = mesh_format_of(file)) {
     MeshReadResult read = read_mesh(bytes, *format, file, progress);
     return {path, std::make_shared<const PolyMesh>(std::move(read.mesh)), std::move(read.warnings)};
+  }
+  if (is_sketch(path) && is_perspective_drawing(bytes)) {
+    PerspectiveReadResult read = read_perspective_svg(bytes, file, progress);
+    return {path, std::make_shared<const PerspectiveDrawing>(std::move(read.drawing)), std::move(read.warnings)};
   }
   if (is_sketch(path)) {
     DrawingReadResult read = read_svg_drawing(bytes, file, progress);

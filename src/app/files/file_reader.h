@@ -19,7 +19,9 @@ namespace croquis::app {
 /// What a file held: a project, a sketch or a mesh.
 struct ReadFile {
   QString path;
-  std::variant<Document, std::shared_ptr<const Drawing>, std::shared_ptr<const PolyMesh>> content;
+  std::variant<Document, std::shared_ptr<const Drawing>, std::shared_ptr<const PerspectiveDrawing>,
+               std::shared_ptr<const PolyMesh>>
+      content;
   Findings warnings;
 };
 

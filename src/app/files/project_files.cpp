@@ -14,6 +14,7 @@
 #include "croquis/base/error.h"
 #include "croquis/io/file.h"
 #include "croquis/io/mesh_file.h"
+#include "croquis/io/perspective_drawing_file.h"
 #include "croquis/io/project_file.h"
 #include "croquis/io/svg_drawing.h"
 #include "croquis/io/svg_writer.h"
@@ -199,6 +200,10 @@ void ProjectFiles::take(const ReadFile& file) {
     }
   } else if (const auto* document = std::get_if<Document>(&file.content)) {
     take_project(file.path, *document);
+  } else if (const auto* sheet = std::get_if<std::shared_ptr<const PerspectiveDrawing>>(&file.content)) {
+    studio_.start_with(**sheet);
+    earlier_version_.clear();
+    set_path({});
   } else {
     studio_.start_with(*std::get<std::shared_ptr<const Drawing>>(file.content));
     earlier_version_.clear();
@@ -267,7 +272,8 @@ Findings ProjectFiles::export_solid(const QString& path) const {
 
 void ProjectFiles::export_drawing(const QString& path) const {
   OutputTransaction files;
-  files.add(local(path), write_svg_drawing(studio_.drawing()));
+  const auto sheet = source_of<PerspectiveDrawing>(studio_.session().document().find(studio_.sheet_node()));
+  files.add(local(path), sheet ? write_perspective_svg(*sheet) : write_svg_drawing(studio_.drawing()));
   files.commit();
 }
 

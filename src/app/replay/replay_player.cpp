@@ -160,13 +160,14 @@ void ReplayPlayer::play(const recorded::File& step) {
 }
 
 void ReplayPlayer::play(const recorded::Navigate& step) {
-  ViewPane& pane = window_.viewport().pane(view_of(step.view));
+  const int view = view_of(step.view);
+  const ViewPane& pane = window_.viewport().pane(view);
   CameraMotion motion;
   motion.kind = kind_of(step.motion);
   motion.delta = step.by * (pane.rect.height() / recorded_view_height);
   motion.factor = std::exp((step.by.x() - step.by.y()) * NavigationOptions().dolly_per_pixel);
   motion.about = Vec2(pane.rect.width() / 2, pane.rect.height() / 2);
-  pane.move(motion);
+  window_.viewport().move_camera(view, motion);
   window_.viewport().redraw_all();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/start/start_page.h"
 
+#include <QAction>
 #include <QFileInfo>
 #include <QFrame>
 #include <QGridLayout>
@@ -87,6 +88,8 @@ QWidget* StartPage::make_side(QWidget* page) {
   fresh->setMinimumHeight(40);
   fresh->setDefault(true);
   connect(fresh, &QPushButton::clicked, this, &StartPage::new_sketch_wanted);
+  starts_ = new QVBoxLayout;
+  left->addLayout(starts_);
   connect(add_button(tr("Open…"), "open-file"), &QPushButton::clicked, this, &StartPage::open_wanted);
   recovery_ = new QVBoxLayout;
   left->addLayout(recovery_);
@@ -152,6 +155,13 @@ void StartPage::offer_back(const QString& name, bool offered) {
   back_->setText(name.isEmpty() ? tr("Back") : tr("Back to %1").arg(name));
   back_->setToolTip(tr("Goes on with what is open (Escape)"));
   back_->setVisible(offered);
+}
+
+void StartPage::add_start(QAction& action) {
+  auto* button = new QPushButton(action.text().remove('&'), this);
+  button->setObjectName("start-" + action.objectName());
+  connect(button, &QPushButton::clicked, &action, &QAction::trigger);
+  starts_->addWidget(button);
 }
 
 void StartPage::show_recent(const QStringList& projects) {

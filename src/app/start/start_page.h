@@ -10,6 +10,7 @@
 
 #include "app/start/gallery.h"
 
+class QAction;
 class QGridLayout;
 class QPushButton;
 class QVBoxLayout;
@@ -30,6 +31,9 @@ class StartPage : public QWidget {
 
  public:
   explicit StartPage(QWidget* parent = nullptr);
+
+  /// A button for another way to start, below the one for sketches.
+  void add_start(QAction& action);
 
   void show_recent(const QStringList& projects);
   void show_recoverable(const std::vector<RecoveryOffer>& offers);
@@ -67,6 +71,7 @@ class StartPage : public QWidget {
   QWidget* make_recovery_card(const RecoveryOffer& offer);
 
   QPushButton* back_;
+  QVBoxLayout* starts_;
   QVBoxLayout* recovery_;
   QVBoxLayout* recent_;
   std::vector<Gallery> galleries_;

@@ -46,6 +46,12 @@ const Drawing& Studio::drawing() const {
   return drawing ? *drawing : none;
 }
 
+NodeId Studio::sheet_node() const {
+  const WorkObject* object = active();
+  const NodeId first = object == nullptr ? 0 : object->chain.front();
+  return source_of<PerspectiveDrawing>(session().document().find(first)) ? first : 0;
+}
+
 NodeId Studio::drawing_node() const {
   const auto is_drawing = [&](NodeId id) { return source_of<Drawing>(session().document().find(id)) != nullptr; };
   const WorkObject* object = active();
@@ -80,6 +86,15 @@ SketchToolOptions Studio::tool_options() const {
   return options;
 }
 
+PerspectiveToolOptions Studio::sheet_options() const {
+  PerspectiveToolOptions options;
+  const OperationDescription* operation = first_operation_on(ValueType::PerspectiveDrawing);
+  options.operation = operation->id;
+  options.version = operation->version;
+  options.port = operation->inputs.front().name;
+  return options;
+}
+
 /// A sketch stays the one worked on while objects are chosen that come from none.
 void Studio::follow_sketch() { sketch_ = drawing_node(); }
 
@@ -87,6 +102,10 @@ void Studio::start_with(Drawing drawing) {
   SketchToolOptions options = tool_options();
   options.parameters.clear();  // files hold exact lines
   load(add_drawing(Document(), std::make_shared<const Drawing>(std::move(drawing)), options));
+}
+
+void Studio::start_with(PerspectiveDrawing drawing) {
+  load(add_perspective_drawing(Document(), std::move(drawing), sheet_options()));
 }
 
 void Studio::start_with(const std::string& name, Value value, const std::string& operation) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/studio/face_sets.h"
+#include "croquis/tools/perspective/perspective_tool.h"
 #include "croquis/tools/silhouette/sketch_tool.h"
 #include "croquis/workspace/object_names.h"
 #include "croquis/workspace/workspace.h"
@@ -28,6 +29,9 @@ class Studio : public QObject, public Workspace {
 
   /// The drawing of the active object, else the one that was worked on last, else the first; empty when there is none.
   const Drawing& drawing() const;
+
+  /// The perspective drawing of the active object; 0 when it doesn't begin with one. Then the sketch view is its sheet.
+  NodeId sheet_node() const;
   NodeId drawing_node() const;  ///< 0 when there is none
   NodeId solid_node() const;    ///< 0 when there is none
   const Node* solid_operation() const { return session().document().find(solid_node()); }
@@ -40,9 +44,11 @@ class Studio : public QObject, public Workspace {
 
   /// What a sketch tool of this studio makes with its first stroke.
   SketchToolOptions tool_options() const;
+  PerspectiveToolOptions sheet_options() const;  ///< the same for drawings in perspective
 
   /// Replaces the document by one drawing and the solid made of it; forgets the history.
   void start_with(Drawing drawing);
+  void start_with(PerspectiveDrawing drawing);
   void start_empty();
 
   /// Replaces the document by a value with one step after it; forgets the history.

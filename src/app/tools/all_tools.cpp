@@ -4,6 +4,7 @@
 #include "app/tools/holes/hole_filling_tool.h"
 #include "app/tools/measure/measuring_tool.h"
 #include "app/tools/mesh/mesh_editing_tool.h"
+#include "app/tools/perspective/perspective_drawing_tool.h"
 #include "app/tools/silhouette/silhouette_tool.h"
 #include "app/tools/subdivision/subdivision_tool.h"
 
@@ -12,6 +13,7 @@ namespace croquis::app {
 std::vector<std::unique_ptr<Tool>> all_tools(ToolHost& host) {
   std::vector<std::unique_ptr<Tool>> tools;
   tools.push_back(std::make_unique<SilhouetteTool>(host));
+  tools.push_back(std::make_unique<PerspectiveDrawingTool>(host));
   tools.push_back(std::make_unique<MeshEditingTool>(host));
   tools.push_back(std::make_unique<SubdivisionTool>(host));
   tools.push_back(std::make_unique<HoleFillingTool>(host));

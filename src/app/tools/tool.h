@@ -13,6 +13,7 @@
 #include "app/tools/tool_host.h"
 #include "app/views/chip_places.h"
 #include "app/views/object_scenes.h"
+#include "app/views/view_pane.h"
 #include "croquis/render/scene.h"
 #include "croquis/tools/pointer/pointer_event.h"
 #include "croquis/tools/recording/step.h"
@@ -84,7 +85,11 @@ class Tool : public QObject {
   virtual void add_all_to(Selection&) const {}  ///< what Select all selects beside meshes
   virtual bool pick(ComponentKind, const std::vector<Index>&) { return false; }  ///< see ToolHost::pick
   virtual bool accept() { return false; }                                        ///< Enter
-  virtual void cancel() {}                                                       ///< after computing was stopped
+
+  /// A key over one of its views, before it is a menu's shortcut. @param key Qt::Key, without modifiers
+  virtual bool takes_key(int) const { return false; }
+  virtual void press_key(int) {}
+  virtual void cancel() {}  ///< after computing was stopped
 
   // ---- The eye
 
@@ -95,6 +100,10 @@ class Tool : public QObject {
   virtual render::Bounds bounds_in(int) const { return {}; }  ///< of what it adds to a view that is its own
   virtual std::optional<SelectionFrame> selection_frame(int) const { return std::nullopt; }
   virtual QString view_title(int) const { return {}; }
+
+  /// The camera that it holds a view at.
+  virtual std::optional<render::Camera> camera_for(const ViewPane&, int) const { return std::nullopt; }
+  virtual void camera_moved(int) {}  ///< somebody rotates, pans or zooms the view: it is free again
   virtual void place_chips(ChipPlaces&) {}
   virtual bool busy() const { return false; }  ///< something that it shows is still being made
 

@@ -14,7 +14,7 @@ constexpr double ink_margin = 6;  // logical pixels around samples: half of the 
 
 bool same_camera(const render::Camera& a, const render::Camera& b) {
   return a.projection == b.projection && a.eye == b.eye && a.target == b.target && a.up == b.up &&
-         a.height == b.height && a.field_of_view == b.field_of_view;
+         a.height == b.height && a.field_of_view == b.field_of_view && a.principal_offset == b.principal_offset;
 }
 
 }  // namespace

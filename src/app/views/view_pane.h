@@ -8,7 +8,7 @@
 #include "croquis/render/scene.h"
 #include "croquis/tools/pointer/navigation.h"
 #include "croquis/tools/pointer/view_frame.h"
-#include "croquis/tools/silhouette/sketch_event.h"
+#include "croquis/tools/strokes/sketch_event.h"
 
 namespace croquis::app {
 

@@ -321,6 +321,14 @@ bool Viewport::draw_ink() {
   return true;
 }
 
+void Viewport::hold_cameras() {
+  for (const int view : layout_.shown()) {
+    for (const Tool* tool : tools_) {
+      if (const auto camera = tool->camera_for(layout_.pane(view), view)) layout_.pane(view).camera = *camera;
+    }
+  }
+}
+
 void Viewport::draw_views() {
   QElapsedTimer watch;
   watch.start();
@@ -330,6 +338,7 @@ void Viewport::draw_views() {
     gl->glClearColor(0.22F, 0.23F, 0.25F, 1);
     gl->glClear(GL_COLOR_BUFFER_BIT);
   }
+  hold_cameras();
   layout_.pane(ComparisonView).camera = layout_.pane(PerspectiveView).camera;
   const auto inked = ink();
   bool fine = false;

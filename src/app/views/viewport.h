@@ -49,6 +49,9 @@ class Viewport : public QOpenGLWidget {
 
   MarkingMenu& marking_menu() { return marking_menu_; }
 
+  /// As people do: a tool that holds the view's camera lets go of it.
+  void move_camera(int view, const CameraMotion& motion);
+
   /// How tools see the model in a view.
   ViewFrame frame_of(int view) const;
 
@@ -145,6 +148,8 @@ class Viewport : public QOpenGLWidget {
   void take(const PointerEvent& event, const QPointF& place, std::uint64_t stamp);
   void take_in_time(PointerEvent event, const QPointF& place);
   void take_late_move();
+  bool take_key(QKeyEvent& event);
+  void hold_cameras();
   void forget_swallowed_alt();
   void show_tooltip(const QString& sentence, const QPointF& place);
   bool any_down() const;

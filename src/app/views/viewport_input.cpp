@@ -28,7 +28,18 @@ bool is_modifier(int key) {
 
 }  // namespace
 
+/// Keys that mean something on what is under the pointer aren't menu shortcuts there.
+bool Viewport::take_key(QKeyEvent& event) {
+  Tool* tool = event.modifiers() == Qt::NoModifier ? tool_in(under_pointer_) : nullptr;
+  if (tool == nullptr || !tool->takes_key(event.key())) return false;
+  if (event.type() == QEvent::KeyPress && !event.isAutoRepeat()) tool->press_key(event.key());
+  event.accept();
+  return true;
+}
+
 bool Viewport::event(QEvent* event) {
+  const bool key_goes_down = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+  if (key_goes_down && take_key(*static_cast<QKeyEvent*>(event))) return true;
   // Shortcuts send no other event.
   if (event->type() == QEvent::ShortcutOverride && !is_modifier(static_cast<QKeyEvent*>(event)->key())) {
     forget_swallowed_alt();
@@ -152,6 +163,11 @@ void Viewport::show_tooltip(const QString& sentence, const QPointF& place) {
   shows_tooltip_ = !sentence.isEmpty();
 }
 
+void Viewport::move_camera(int view, const CameraMotion& motion) {
+  for (Tool* tool : tools_) tool->camera_moved(view);
+  layout_.pane(view).move(motion);
+}
+
 bool Viewport::navigate(const PointerEvent& event) {
   PointerEvent seen = event;
   // Where there is nothing to pick and nothing to draw on, plain drags rotate the view.
@@ -161,7 +177,7 @@ bool Viewport::navigate(const PointerEvent& event) {
     if (!motion) continue;
     // Compared views have one camera.
     const int view = motion->view == ComparisonView ? PerspectiveView : motion->view;
-    layout_.pane(view).move(*motion);
+    move_camera(view, *motion);
     turned_ = turned_ || view == PerspectiveView;
     redraw_moved(view);
     if (view == PerspectiveView) redraw_moved(ComparisonView);

@@ -109,6 +109,9 @@ void MainWindow::connect_files() {
 
 void MainWindow::connect_start_page() {
   connect(start_page_, &StartPage::new_sketch_wanted, this, &MainWindow::start_sketch);
+  for (QAction* one : actions()) {
+    if (one->objectName().startsWith("new-")) start_page_->add_start(*one);
+  }
   connect(start_page_, &StartPage::open_wanted, this, &MainWindow::ask_open);
   connect(start_page_, &StartPage::project_wanted, this, [this](const QString& path) { begin_open({path}); });
   connect(start_page_, &StartPage::sample_wanted, this, [this](const QString& name) {
@@ -269,6 +272,15 @@ void MainWindow::start_sketch() {
   files_.start_sketch();
   set_mode(first_mode);
   show_views();
+}
+
+bool MainWindow::start_with(Document document) {
+  if (!may_discard()) return false;
+  files_.start_sketch();
+  studio_.load(std::move(document));
+  set_mode(first_mode);
+  show_views();
+  return true;
 }
 
 bool MainWindow::open(const QString& path) {

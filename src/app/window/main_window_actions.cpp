@@ -37,7 +37,8 @@ QString mesh_filter() {
 
 /// What can be done without what is open, or whatever it is; all else belongs to the views.
 bool needs_no_document(const QString& action) {
-  return action == "new" || action == "open" || action == "start-page" || action == "quit" || action == "reset-layout";
+  return action == "new" || action.startsWith("new-") || action == "open" || action == "start-page" ||
+         action == "quit" || action == "reset-layout";
 }
 
 bool asks_for_file(const QString& action) {

@@ -162,7 +162,11 @@ DepthRange depth_range(const Camera& camera, const Bounds& bounds) {
 
 glm::dmat4 projection_matrix(const Camera& camera, double aspect, const DepthRange& range) {
   if (camera.projection == Projection::Perspective) {
-    return glm::perspective(camera.field_of_view, aspect, range.near_plane, range.far_plane);
+    glm::dmat4 matrix = glm::perspective(camera.field_of_view, aspect, range.near_plane, range.far_plane);
+    // Clip space is two heights high; w is the distance along -z.
+    matrix[2][0] = -2 * camera.principal_offset.x / aspect;
+    matrix[2][1] = -2 * camera.principal_offset.y;
+    return matrix;
   }
   const double half = camera.height / 2;
   return glm::ortho(-half * aspect, half * aspect, -half, half, range.near_plane, range.far_plane);

@@ -34,6 +34,11 @@ glm::dvec2 from_middle(const glm::dvec2& pixel, const glm::dvec2& view_size) {
   return 2.0 * glm::dvec2(offset.x, -offset.y) / view_size.y;
 }
 
+/// Where the line of sight meets the picture, in half view heights.
+glm::dvec2 principal_place(const Camera& camera) {
+  return camera.projection == Projection::Perspective ? 2.0 * camera.principal_offset : glm::dvec2(0);
+}
+
 Camera moved(const Camera& camera, const glm::dvec3& way) {
   Camera result = camera;
   result.eye += way;
@@ -100,7 +105,7 @@ Camera dolly_about(const Camera& camera, double factor, const glm::dvec2& pixel,
 
 Ray ray_at(const Camera& camera, const glm::dvec2& pixel, const glm::dvec2& view_size) {
   const Axes axes = axes_of(camera);
-  const glm::dvec2 place = half_height(camera) * from_middle(pixel, view_size);
+  const glm::dvec2 place = half_height(camera) * (from_middle(pixel, view_size) - principal_place(camera));
   const glm::dvec3 sideways = place.x * axes.right + place.y * axes.up;
   if (camera.projection == Projection::Perspective) return {camera.eye, glm::normalize(sideways - axes.back)};
   return {camera.eye + sideways, -axes.back};
@@ -132,7 +137,7 @@ std::optional<glm::dvec2> project(const Camera& camera, const glm::dvec3& point,
     if (!(ahead > 0)) return std::nullopt;
     place /= ahead;
   }
-  place /= half_height(camera);
+  place = place / half_height(camera) + principal_place(camera);
   return 0.5 * view_size + 0.5 * view_size.y * glm::dvec2(place.x, -place.y);
 }
 

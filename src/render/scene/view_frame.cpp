@@ -23,7 +23,7 @@ ViewFrame make_view_frame(const Camera& camera, const Bounds& bounds, const View
   const double half_height = frame.perspective ? std::tan(camera.field_of_view / 2) : 0.5 * camera.height / frame.unit;
   const glm::dvec2 half(half_height * aspect, half_height);
   frame.extent = glm::vec2(share * half);
-  frame.center = glm::vec2(middle * half);
+  frame.center = glm::vec2(middle * half - 2 * half_height * camera.principal_offset);
   frame.picture_height = static_cast<float>(2 * half_height);
 
   const glm::dmat4 one(1);

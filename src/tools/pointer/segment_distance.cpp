@@ -53,4 +53,23 @@ bool touches_path(const Stroke& stroke, const std::vector<Vec2>& path, double ra
   return false;
 }
 
+/// Whether a segment and an upright box have a place in common: the parameters at which the segment is between both
+/// pairs of sides overlap.
+bool meets_box(const Vec2& a, const Vec2& b, const PickBox& box) {
+  double enter = 0;
+  double leave = 1;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double step = b[axis] - a[axis];
+    if (step == 0) {
+      if (a[axis] < box.low[axis] || a[axis] > box.high[axis]) return false;
+      continue;
+    }
+    const double at_low = (box.low[axis] - a[axis]) / step;
+    const double at_high = (box.high[axis] - a[axis]) / step;
+    enter = std::max(enter, std::min(at_low, at_high));
+    leave = std::min(leave, std::max(at_low, at_high));
+  }
+  return enter <= leave;
+}
+
 }  // namespace croquis

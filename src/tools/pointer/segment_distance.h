@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "croquis/geometry/drawing.h"
+#include "croquis/tools/pointer/pick_box.h"
 
 namespace croquis {
 
@@ -13,6 +14,9 @@ bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 
 /// Smallest distance of two plane segments, which may have no length; 0 when they cross.
 double segment_distance(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
+
+/// Whether a segment and an upright box have a place in common.
+bool meets_box(const Vec2& a, const Vec2& b, const PickBox& box);
 
 /// Segments of a stroke: one less than samples, as many when closed; a dot has one without length.
 std::size_t segment_count(const Stroke& stroke);

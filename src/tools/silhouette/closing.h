@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "croquis/tools/silhouette/stroke_fit.h"
+#include "croquis/tools/silhouette/stroke_closing.h"
 
 namespace croquis {
 

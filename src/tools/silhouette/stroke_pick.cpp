@@ -9,25 +9,6 @@
 namespace croquis {
 namespace {
 
-/// Whether a segment and an upright box have a place in common: the parameters at which the segment is between both
-/// pairs of sides overlap.
-bool meets_box(const Vec2& a, const Vec2& b, const PickBox& box) {
-  double enter = 0;
-  double leave = 1;
-  for (int axis = 0; axis < 2; ++axis) {
-    const double step = b[axis] - a[axis];
-    if (step == 0) {
-      if (a[axis] < box.low[axis] || a[axis] > box.high[axis]) return false;
-      continue;
-    }
-    const double at_low = (box.low[axis] - a[axis]) / step;
-    const double at_high = (box.high[axis] - a[axis]) / step;
-    enter = std::max(enter, std::min(at_low, at_high));
-    leave = std::min(leave, std::max(at_low, at_high));
-  }
-  return enter <= leave;
-}
-
 bool meets_box(const Stroke& stroke, const PickBox& box) {
   for (std::size_t i = 0; i < segment_count(stroke); ++i) {
     if (meets_box(segment_begin(stroke, i), segment_end(stroke, i), box)) return true;

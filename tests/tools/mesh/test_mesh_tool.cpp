@@ -72,7 +72,8 @@ struct Desk {
   }
 
   Vec3 middle(ComponentKind kind, Index element) {
-    const Elements vertices = converted(*tool.editable().topology(), kind, ComponentKind::Vertex, std::span(&element, 1));
+    const Elements vertices =
+        converted(*tool.editable().topology(), kind, ComponentKind::Vertex, std::span(&element, 1));
     Vec3 sum = Vec3::Zero();
     for (const Index v : vertices) sum += mesh().positions[v];
     return sum / static_cast<double>(vertices.size());

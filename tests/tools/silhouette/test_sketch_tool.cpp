@@ -12,7 +12,7 @@
 #include "croquis/tools/silhouette/sketch_steps.h"
 #include "croquis/tools/silhouette/sketch_tool.h"
 #include "tools/pointer/pointer_traces.h"
-#include "tools/silhouette/drawn_strokes.h"
+#include "tools/strokes/drawn_strokes.h"
 
 namespace croquis {
 namespace {

@@ -8,7 +8,7 @@
 #include "croquis/geometry/polyline.h"
 #include "croquis/tools/silhouette/stroke_edit.h"
 #include "tools/pointer/segment_distance.h"
-#include "tools/silhouette/drawn_strokes.h"
+#include "tools/strokes/drawn_strokes.h"
 
 namespace croquis {
 namespace {

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/tools/silhouette/stroke_pick.h"
-#include "tools/silhouette/drawn_strokes.h"
+#include "tools/strokes/drawn_strokes.h"
 
 namespace croquis {
 namespace {

@@ -12,9 +12,9 @@
 #include "croquis/session/session.h"
 #include "croquis/tools/pointer/verdict.h"
 #include "croquis/tools/recording/step.h"
-#include "croquis/tools/silhouette/sketch_event.h"
 #include "croquis/tools/silhouette/stroke_edit.h"
 #include "croquis/tools/silhouette/stroke_pick.h"
+#include "croquis/tools/strokes/sketch_event.h"
 
 namespace croquis {
 

@@ -6,7 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "croquis/tools/silhouette/stroke_fit.h"
+#include "croquis/tools/silhouette/stroke_closing.h"
+#include "croquis/tools/strokes/stroke_fit.h"
 
 /// Every change that the tools make to a drawing: pure functions from a drawing to a drawing. Strokes that they don't
 /// name keep equal values, in the same order.

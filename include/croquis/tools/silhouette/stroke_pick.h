@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "croquis/tools/pointer/pick_box.h"
-#include "croquis/tools/silhouette/stroke_fit.h"
+#include "croquis/tools/strokes/stroke_fit.h"
 
 /// What lies under the pointer on the sketch plane.
 namespace croquis {

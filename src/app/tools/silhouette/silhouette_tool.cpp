@@ -75,11 +75,14 @@ void SilhouetteTool::set_mode(const QString& mode) {
 }
 
 bool SilhouetteTool::works_in(int view) const {
-  return view == SketchView && (draws() || (mode() == select_mode && is_paper(view)));
+  return has_view(view) && (draws() || (mode() == select_mode && is_paper(view)));
 }
 
+/// The sketch view shows sketches unless it is the sheet of a drawing in perspective.
+bool SilhouetteTool::has_view(int view) const { return view == SketchView && studio().sheet_node() == 0; }
+
 bool SilhouetteTool::is_paper(int view) const {
-  return view == SketchView && (sketch_.scene().has_strokes() || !studio().has_cage());
+  return has_view(view) && (sketch_.scene().has_strokes() || !studio().has_cage());
 }
 
 Qt::CursorShape SilhouetteTool::cursor(int) const { return draws() ? Qt::CrossCursor : Qt::ArrowCursor; }
@@ -133,13 +136,13 @@ QString SilhouetteTool::help() const {
 }
 
 void SilhouetteTool::adjust(ObjectScenes::Wanted& wanted, int view) const {
-  if (view != SketchView) return;
+  if (!has_view(view)) return;
   wanted.only_with_cage = true;
   wanted.nothing = !studio().drawing().plane.is_default();  // it shows the sketch's own plane then
 }
 
 void SilhouetteTool::add_to(render::Scene& scene, int view) {
-  if (view != SketchView) return;
+  if (!has_view(view)) return;
   const render::Scene sketch = sketch_.scene().scene();
   scene.lines.insert(scene.lines.end(), sketch.lines.begin(), sketch.lines.end());
   scene.marks.insert(scene.marks.end(), sketch.marks.begin(), sketch.marks.end());
@@ -151,7 +154,7 @@ std::optional<Ink> SilhouetteTool::ink() const {
 }
 
 render::Bounds SilhouetteTool::bounds_in(int view) const {
-  return view == SketchView && sketch_.scene().has_strokes() ? sketch_.scene().bounds(false) : render::Bounds();
+  return has_view(view) && sketch_.scene().has_strokes() ? sketch_.scene().bounds(false) : render::Bounds();
 }
 
 std::optional<SelectionFrame> SilhouetteTool::selection_frame(int) const {
@@ -160,18 +163,18 @@ std::optional<SelectionFrame> SilhouetteTool::selection_frame(int) const {
 
 QString SilhouetteTool::view_title(int view) const {
   const bool sketched = sketch_.scene().has_strokes() || sketch_.scene().invites();
-  return view == SketchView && sketched ? tr("Sketch") : QString();
+  return has_view(view) && sketched ? tr("Sketch") : QString();
 }
 
 void SilhouetteTool::place_chips(ChipPlaces& places) {
   const ViewPane& pane = places.layout().pane(SketchView);
-  if (sketch_.scene().invites() && pane.visible() && !sketch_.down()) {
+  if (sketch_.scene().invites() && has_view(SketchView) && pane.visible() && !sketch_.down()) {
     hint_->adjustSize();
     places.put(*hint_, QPointF(pane.rect.center().x() - hint_->width() / 2.0, pane.rect.bottom() - hint_height));
   } else {
     hint_->hide();
   }
-  joints_.place(places, !sketch_.down());
+  joints_.place(places, has_view(SketchView) && !sketch_.down());
 }
 
 void SilhouetteTool::follow_result() {

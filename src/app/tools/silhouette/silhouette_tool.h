@@ -59,6 +59,7 @@ class SilhouetteTool final : public Tool {
 
  private:
   void add_sketch(const DrawingPlane& plane);
+  bool has_view(int view) const;
   bool draws() const { return mode() == "draw" || mode() == "erase"; }
 
   SketchInteraction sketch_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/silhouette/fit_points.h"
+#include "tools/strokes/fit_points.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "croquis/geometry/drawing.h"
@@ -50,18 +49,5 @@ struct StrokeFit {
 /// Source: Schneider 1990, "An algorithm for automatically fitting digitized curves", Graphics Gems.
 /// @throws Error (E_NO_STROKES) without samples, E_NOT_FINITE for positions that are not finite
 StrokeFit fit_stroke(const Stroke& stroke, const FitOptions& options = {});
-
-struct CloseOptions {
-  double units_per_pixel = 1;
-  double distance = 12;     ///< pixels, largest gap between the ends
-  double times_longer = 4;  ///< a stroke shorter than this times its gap's limit stays open: a tick is no loop
-  double share = 0.015;     ///< of the stroke's length: a larger loop may miss by more, where its ends go on into each
-                            ///< other or run along each other …
-  double farthest = 40;     ///< … but by no more pixels than this
-};
-
-/// Whether a drawn stroke was meant to be a loop: its ends are near each other, or its end heads for its beginning and
-/// would go on into it, or runs past it, beside it and the same way.
-bool ends_meet(std::span<const StrokeSample> samples, const CloseOptions& options = {});
 
 }  // namespace croquis

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/silhouette/drawn_strokes.h"
+#include "tools/strokes/drawn_strokes.h"
 
 #include <algorithm>
 #include <cmath>

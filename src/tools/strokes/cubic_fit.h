@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "croquis/tools/silhouette/stroke_fit.h"
+#include "croquis/tools/strokes/stroke_fit.h"
 
 namespace croquis {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/silhouette/cubic_fit.h"
+#include "tools/strokes/cubic_fit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "croquis/tools/silhouette/stroke_fit.h"
+#include "croquis/tools/strokes/stroke_fit.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "tools/silhouette/cubic_fit.h"
-#include "tools/silhouette/fit_points.h"
+#include "tools/strokes/cubic_fit.h"
+#include "tools/strokes/fit_points.h"
 
 namespace croquis {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "croquis/tools/silhouette/stroke_fit.h"
+#include "croquis/tools/strokes/stroke_fit.h"
 
 namespace croquis {
 

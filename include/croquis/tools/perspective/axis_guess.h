@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "croquis/tools/perspective/solved_drawing.h"
+
+/// Which group a stroke was meant for, by where it points.
+namespace croquis {
+
+/// Where the lines of each axis meet, homogeneous in px; none for an axis of which nothing is known. Of a solved
+/// drawing its own; before that, of an axis with several straight strokes the place nearest to all of them (least
+/// squares over the lines, weighted by length), of one with a single stroke that stroke's direction.
+std::array<std::optional<Vec3>, 3> seen_vanishing_points(const PerspectiveDrawing& drawing,
+                                                         const SolvedDrawing* solved);
+
+/// The angle at a place between a line of that direction and the one to a vanishing point; radians, 0..pi/2.
+double angle_to(const Vec3& vanishing_point, const Vec2& place, const Vec2& direction);
+
+/// The axis that a straight stroke points along. Before the drawing is solved, axes without lines are guessed, too:
+/// z for what is nearly upright, x for what falls to the right, y for what rises.
+/// @return nothing when it points to none of them
+std::optional<StrokeGroup> guess_axis(const PerspectiveDrawing& drawing, const SolvedDrawing* solved, const Vec2& from,
+                                      const Vec2& to);
+
+/// The axis that a straight stroke points along best, where that isn't far off: for what no plane is known of, either.
+std::optional<StrokeGroup> nearest_axis(const PerspectiveDrawing& drawing, const SolvedDrawing* solved,
+                                        const Vec2& from, const Vec2& to);
+
+/// The plane that a stroke between two vertices of the network lies in: at right angles to the axis along which both
+/// have the same coordinate. Of two such planes `preferred` if it is one of them, else the one that is seen more from
+/// the front. Without both vertices: `preferred`.
+/// @param reach px, how far the ends may lie from where the vertices are seen
+StrokeGroup guess_plane(const SolvedDrawing* solved, const Vec2& from, const Vec2& to, double reach,
+                        StrokeGroup preferred);
+
+}  // namespace croquis

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "croquis/tools/perspective/drawing_edit.h"
+#include "croquis/tools/perspective/mirror_completion.h"
+#include "croquis/tools/recording/vocabulary.h"
+
+/// Steps of the perspective tool. Places are px of the sheet, y down; groups are "x", "y", "z", "normal-x", "normal-y",
+/// "normal-z".
+namespace croquis::recorded {
+
+/// The pen drew on the sheet, or with the eraser deleted what it touched.
+struct SheetStroke {
+  std::vector<Vec2> points;          ///< at least one
+  std::optional<StrokeGroup> group;  ///< none: by where it points
+  StrokeRole role = StrokeRole::Edge;
+  bool erases = false;
+  double scale = 1;  ///< px of the sheet per pixel of the view drawn in
+
+  static const StepKind& step_kind();
+};
+
+/// A point of a stroke (see points_of), or without one the whole stroke, was dragged.
+struct SheetDrag {
+  std::string stroke;
+  std::optional<std::size_t> point;
+  Vec2 by = Vec2::Zero();
+  bool alone = false;  ///< an end without the others at its vertex
+
+  static const StepKind& step_kind();
+};
+
+/// The vanishing point of an axis was dragged.
+struct SheetAim {
+  int axis = 0;
+  Vec2 at = Vec2::Zero();
+
+  static const StepKind& step_kind();
+};
+
+/// What a stroke is was set.
+struct SheetSetting {
+  std::vector<std::string> strokes;
+  StrokeSetting setting;
+
+  static const StepKind& step_kind();
+};
+
+struct SheetDelete {
+  std::vector<std::string> strokes;
+
+  static const StepKind& step_kind();
+};
+
+/// A place whose point in space is known; without both, none is.
+struct SheetPoint {
+  std::optional<KnownPoint> known;
+
+  static const StepKind& step_kind();
+};
+
+/// The length of a stroke in space; without one, none is known.
+struct SheetLength {
+  std::string stroke;
+  std::optional<double> length;
+
+  static const StepKind& step_kind();
+};
+
+/// What is known of the camera; what isn't given isn't known.
+struct SheetCamera {
+  std::optional<double> field_of_view;  ///< radians; degrees in recordings
+  std::optional<Vec2> principal_point;
+
+  static const StepKind& step_kind();
+};
+
+/// Something was put on a list of the operation, or taken off.
+struct SheetChoice {
+  std::string list;  ///< "faces", "no-faces", "ignore" or "sharp"
+  std::string item;  ///< a stroke, or the strokes of a face: "s1+s2+s3"
+  bool on = true;
+
+  static const StepKind& step_kind();
+};
+
+/// What a mirror adds was accepted.
+struct SheetMirror {
+  MirrorPlane plane;
+
+  static const StepKind& step_kind();
+};
+
+/// All of them, and what can be counted of a perspective drawing.
+const Vocabulary& perspective_steps();
+
+}  // namespace croquis::recorded

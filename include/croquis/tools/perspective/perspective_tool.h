@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "croquis/document/document.h"
+#include "croquis/geometry/affine3.h"
+#include "croquis/session/session.h"
+#include "croquis/tools/perspective/drawing_edit.h"
+#include "croquis/tools/perspective/drawing_pick.h"
+#include "croquis/tools/perspective/mirror_completion.h"
+#include "croquis/tools/perspective/solved_drawing.h"
+#include "croquis/tools/pointer/verdict.h"
+#include "croquis/tools/recording/step.h"
+#include "croquis/tools/strokes/sketch_event.h"
+
+namespace croquis {
+
+enum class PerspectiveMode { Draw, Select, Erase };
+
+struct PerspectiveToolOptions {
+  std::string name = "Perspective";       ///< of the drawing
+  std::string operation = "perspective";  ///< made together with the drawing …
+  int version = 1;                        ///< … of this version …
+  std::string port = "drawing";           ///< … its input that the drawing goes to
+  Vec2 sheet = {1000, 750};               ///< px, of a new drawing
+  double snap_pixels = 14;                ///< of the view: an end this near to a vertex goes to it
+  double pick_pixels = 9;                 ///< how far the pointer may miss
+  double eraser_pixels = 6;               ///< radius of the eraser
+  double drag_pixels = 4;                 ///< a press that moves less is a click
+};
+
+/// From the space of perspective drawings, where z is up, to that of the views, where y is.
+Affine3 upright_placement();
+
+PerspectiveDrawing empty_sheet(const Vec2& size);  ///< px
+
+/// The document with a drawing in perspective and the operation that it goes to; the solid stands upright in the views.
+Document add_perspective_drawing(const Document& document, PerspectiveDrawing drawing,
+                                 const PerspectiveToolOptions& options);
+
+/// What to draw over the view while a gesture is under way, px of the sheet.
+struct PerspectivePreview {
+  std::vector<StrokeSample> ink;             ///< Draw: the samples so far, as they came, on the sketch plane (y up)
+  StrokeGroup group = StrokeGroup::Unknown;  ///< Draw: that the stroke would have
+  std::optional<Vec2> snap;                  ///< the vertex that the end would go to
+  std::vector<std::string> erased;           ///< Erase: ids of the strokes touched
+  std::optional<PickBox> box;                ///< Select: the box spanned
+};
+
+/// The pen on a perspective drawing: draws, selects, bends, joins and erases strokes of one drawing of a session.
+///
+/// Events come as they fall on the sketch plane; the sheet lies on it upside down: its place (u, v) is at (u, -v).
+///
+/// Draw: a gesture becomes one stroke, or one for each side between its corners. Ends of edges near a vertex go to it.
+/// Groups are chosen, or found by where a line points. Select: a click picks a stroke (Shift adds or takes away),
+/// within a face the strokes around it, a
+/// drag on a point of a selected stroke bends it, on an end takes the vertex along (Ctrl: the end alone), on a
+/// vanishing point turns the lines of its axis, on a stroke moves what is selected, elsewhere spans a box. Erase, or
+/// the pen's eraser end in any mode: deletes the strokes touched. Every gesture is one undo step. The session outlives
+/// the tool. Everything on the session's thread.
+class PerspectiveTool {
+ public:
+  explicit PerspectiveTool(Session& session, PerspectiveToolOptions options = {});
+
+  PerspectiveMode mode() const { return mode_; }
+  void set_mode(PerspectiveMode mode);  ///< gives up a gesture under way
+
+  /// Of the strokes drawn next, and of the one under way; none: by where they point.
+  const std::optional<StrokeGroup>& group() const { return group_; }
+  void set_group(std::optional<StrokeGroup> group);
+  StrokeRole role() const { return role_; }
+  void set_role(StrokeRole role) { role_ = role; }
+
+  /// What was found in the drawing; null before that. Groups, vanishing points and mirrors follow it.
+  void set_solved(std::shared_ptr<const SolvedDrawing> solved) { solved_ = std::move(solved); }
+  const SolvedDrawing* solved() const { return solved_.get(); }
+
+  Verdict handle(const SketchEvent& event);
+  const PerspectivePreview& preview() const { return preview_; }
+
+  /// What the last Commit did, for recordings.
+  const std::optional<recorded::Step>& done() const { return done_; }
+
+  // Commands; each is one undo step. Commit, or Continue where nothing changed.
+  // @throws Error (E_INPUT) for strokes that aren't there, and values that can't be
+
+  Verdict draw(const std::vector<Vec2>& places, double units_per_pixel, std::optional<StrokeGroup> group,
+               StrokeRole role);
+  Verdict erase(const std::vector<Vec2>& path, double units_per_pixel);
+  Verdict remove(const std::vector<std::string>& ids);
+  Verdict drag(const std::string& stroke, std::optional<std::size_t> point, const Vec2& by, bool alone = false);
+  Verdict aim(int axis, const Vec2& at);
+  Verdict set(const std::vector<std::string>& ids, const StrokeSetting& setting);
+  Verdict set_known_point(const std::optional<KnownPoint>& known);
+  Verdict set_known_length(const std::string& stroke, std::optional<double> length);
+  Verdict set_camera(std::optional<double> field_of_view, const std::optional<Vec2>& principal_point);
+  Verdict choose(const std::string& list, const std::string& item, bool on);
+  Verdict complete_mirrored(const MirrorPlane& plane);
+  Verdict delete_selected();
+
+  /// Whether an item is on one of the operation's lists ("faces", "no-faces", "ignore", "sharp").
+  bool is_chosen(const std::string& list, const std::string& item) const;
+
+  /// The drawing worked on: the one set, else the document's first one; 0 when there is none.
+  NodeId node() const;
+  void set_node(NodeId node) { node_ = node; }
+  std::shared_ptr<const PerspectiveDrawing> drawing() const;  ///< or null
+  NodeId operation_node() const;                              ///< that it goes to; 0 for none
+
+  std::vector<std::string> selected() const;  ///< ids of selected strokes, in the drawing's order
+  void select(const std::vector<std::string>& ids);
+
+ private:
+  enum class Gesture { None, Draw, Erase, Press, Box, Point, Strokes, Aim };
+
+  /// The point of a stroke that a press in Select mode would take.
+  std::optional<PickedPoint> point_at(const Vec2& place, double units_per_pixel) const;
+  /// The axis whose vanishing point lies there.
+  std::optional<int> vanishing_point_at(const Vec2& place, double units_per_pixel) const;
+
+  Verdict begin(const SketchEvent& event);
+  void go_on(const SketchEvent& event);
+  Verdict finish();
+  Verdict give_up();
+  void end_gesture();
+  bool interrupted() const;
+  void press();
+  void start_drag();
+  void drag_to();
+  PerspectiveDrawing dragged() const;
+  Vec2 snapped_way() const;
+  Verdict finish_drag();
+  Verdict finish_click();
+  Verdict finish_box();
+  void preview_stroke();
+  Verdict commit(const std::string& label, PerspectiveDrawing drawing, recorded::Step step);
+  Document with_drawing(PerspectiveDrawing drawing) const;
+  PerspectiveDrawing drawing_or_empty() const;
+  PerspectiveDrawing required() const;
+
+  Session& session_;
+  PerspectiveToolOptions options_;
+  PerspectiveMode mode_ = PerspectiveMode::Draw;
+  std::optional<StrokeGroup> group_;
+  StrokeGroup last_plane_ = StrokeGroup::Unknown;  ///< that was chosen last: for what could be in several
+  StrokeRole role_ = StrokeRole::Edge;
+  NodeId node_ = 0;
+  std::shared_ptr<const SolvedDrawing> solved_;
+  PerspectivePreview preview_;
+  std::optional<recorded::Step> done_;
+
+  Gesture gesture_ = Gesture::None;
+  SketchEvent start_;                                   ///< that began the gesture
+  Vec2 from_ = Vec2::Zero();                            ///< where, px of the sheet
+  Vec2 last_ = Vec2::Zero();                            ///< where the pointer is, px of the sheet
+  std::vector<Vec2> path_;                              ///< Draw, Erase
+  std::optional<std::string> picked_;                   ///< stroke under the press
+  std::optional<PickedPoint> point_;                    ///< under the press
+  std::optional<int> axis_;                             ///< vanishing point under the press
+  std::shared_ptr<const PerspectiveDrawing> original_;  ///< before the drag
+  std::uint64_t drag_revision_ = 0;                     ///< of the session after the drag's last change
+};
+
+}  // namespace croquis

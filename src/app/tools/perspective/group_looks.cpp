@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tools/perspective/group_looks.h"
+
+#include <QObject>
+#include <algorithm>
+#include <array>
+
+#include "app/window/theme.h"
+
+namespace croquis::app {
+namespace {
+
+constexpr double bad_px = 6;  // a line that misses by so much is all red
+
+std::vector<std::vector<Vec2>> letter(int axis) {
+  if (axis == 0) return {{{-0.3, -0.4}, {0.3, 0.4}}, {{-0.3, 0.4}, {0.3, -0.4}}};
+  if (axis == 1) return {{{-0.3, 0.4}, {0, 0}, {0.3, 0.4}}, {{0, 0}, {0, -0.4}}};
+  return {{{-0.3, 0.4}, {0.3, 0.4}, {-0.3, -0.4}, {0.3, -0.4}}};
+}
+
+}  // namespace
+
+QColor group_color(StrokeGroup group) {
+  static const std::array<QColor, 7> made{QColor(0xF2, 0x8C, 0x00), QColor(0x1F, 0x9D, 0x3A), QColor(0x8A, 0x2B, 0xE2),
+                                          QColor(0x1F, 0x4F, 0xD8), QColor(0xD8, 0x1F, 0x2A), QColor(0xC8, 0xA0, 0x00),
+                                          QColor(0x70, 0x74, 0x7C)};
+  return made[static_cast<std::size_t>(group)];
+}
+
+render::DashPattern group_dashes(StrokeGroup group) {
+  switch (group) {
+    case StrokeGroup::ParallelY: return {14, 5, 0, 0};
+    case StrokeGroup::ParallelZ: return {14, 4, 1, 4};
+    case StrokeGroup::NormalX: return {24, 3, 0, 0};
+    case StrokeGroup::NormalY: return {8, 4, 0, 0};
+    case StrokeGroup::NormalZ: return {1, 5, 0, 0};
+    default: return {};
+  }
+}
+
+QString group_letter(StrokeGroup group) {
+  if (group == StrokeGroup::Unknown) return QStringLiteral("?");
+  const QString axis(QStringLiteral("xyz").at(axis_of(group)));
+  return is_parallel(group) ? axis : QStringLiteral("⊥") + axis;
+}
+
+QString group_title(StrokeGroup group) {
+  if (group == StrokeGroup::Unknown) return QObject::tr("By where it points");
+  const QString axis(QStringLiteral("xyz").at(axis_of(group)));
+  return is_parallel(group) ? QObject::tr("Parallel to %1").arg(axis) : QObject::tr("In a plane across %1").arg(axis);
+}
+
+std::vector<std::vector<Vec2>> group_glyph(StrokeGroup group) {
+  if (group == StrokeGroup::Unknown)
+    return {{{-0.25, 0.2}, {-0.1, 0.4}, {0.2, 0.35}, {0.2, 0.1}, {0, -0.05}, {0, -0.2}}, {{0, -0.38}, {0, -0.42}}};
+  auto glyph = letter(axis_of(group));
+  if (!is_parallel(group)) glyph.push_back({{-0.6, -0.7}, {0.6, -0.7}, {0.6, 0.7}, {-0.6, 0.7}, {-0.6, -0.7}});
+  return glyph;
+}
+
+QColor residual_color(double px) {
+  const double share = std::clamp(px / bad_px, 0.0, 1.0);
+  return QColor::fromHsvF(static_cast<float>(0.58 * (1 - share)), 0.85F, 0.95F);
+}
+
+}  // namespace croquis::app

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tools/perspective/perspective_chips.h"
+
+#include <QLabel>
+
+namespace croquis::app {
+namespace {
+
+constexpr double chip_margin = 10;  // logical pixels
+constexpr const char* sheet_hint_style = "color: #8a93a0; background: transparent; font-size: 15px";
+constexpr const char* open_style =
+    "background: #fff4df; color: #7a4a00; border: 1px solid #e0a030; border-radius: 9px; padding: 2px 9px";
+constexpr const char* closed_style =
+    "background: #dff5e3; color: #14602a; border: 1px solid #2f9a4c; border-radius: 9px; padding: 2px 9px";
+constexpr const char* sheet_button_style =
+    "QToolButton { background: white; color: #3c4654; border: 1px solid #7a8698; border-radius: 9px;"
+    " padding: 2px 9px }"
+    "QToolButton:hover { background: #ffe2c2 }"
+    "QToolButton:checked { background: #f28c28; color: #1c1c1e; border: 1px solid #a85a10 }";
+
+QPointF sheet_to_widget(const ViewPane& pane, const Vec2& sheet) {
+  const Vec2 pixel = pane.sketch_frame().to_pixel({sheet.x(), -sheet.y()});
+  return pane.rect.topLeft() + QPointF(pixel.x(), pixel.y());
+}
+
+}  // namespace
+
+QString faces_sentence(const PerspectiveResult& result) {
+  if (result.closed) return PerspectiveChips::tr("Solid closed");
+  const auto faces = static_cast<int>(result.faces.size());
+  const auto open = static_cast<int>(result.open_strokes.size());
+  return (faces == 1 ? PerspectiveChips::tr("1 face") : PerspectiveChips::tr("%1 faces").arg(faces)) + ", " +
+         (open == 1 ? PerspectiveChips::tr("1 edge open") : PerspectiveChips::tr("%1 edges open").arg(open));
+}
+
+PerspectiveChips::PerspectiveChips(SheetInteraction& sheet, QWidget* views)
+    : QObject(views),
+      sheet_(sheet),
+      views_(views),
+      hint_(make_chip_label(*views, sheet_hint_style)),
+      faces_(make_chip_label(*views, open_style)),
+      fix_(make_button("perspective-fix-chip")),
+      mirror_(make_button("perspective-mirror-chip")),
+      through_(make_button("look-through-chip")) {
+  hint_->setObjectName("perspective-hint");
+  faces_->setObjectName("perspective-faces");
+  through_->setCheckable(true);
+  connect(fix_, &QToolButton::clicked, this, &PerspectiveChips::fix_wanted);
+  connect(mirror_, &QToolButton::clicked, this, &PerspectiveChips::mirror_wanted);
+  connect(through_, &QToolButton::clicked, this, &PerspectiveChips::look_through_wanted);
+}
+
+QToolButton* PerspectiveChips::make_button(const QString& name) {
+  auto* button = new QToolButton(views_);
+  button->setObjectName(name);
+  button->setFocusPolicy(Qt::NoFocus);
+  button->setStyleSheet(sheet_button_style);
+  button->hide();
+  return button;
+}
+
+void PerspectiveChips::place(ChipPlaces& places, bool shown, bool through) {
+  for (QWidget* chip : {static_cast<QWidget*>(hint_), static_cast<QWidget*>(faces_), static_cast<QWidget*>(fix_),
+                        static_cast<QWidget*>(mirror_)})
+    chip->hide();
+  const ViewPane& pane = places.layout().pane(SketchView);
+  if (shown && pane.visible()) {
+    place_hint(places, pane);
+    place_faces(places, pane);
+    place_fix(places, pane);
+    place_mirror(places, pane);
+  }
+  place_through(places, through);
+  if (!shown) through_->hide();
+}
+
+/// What to draw first, as long as there is no camera.
+void PerspectiveChips::place_hint(ChipPlaces& places, const ViewPane& pane) {
+  if (sheet_.result() != nullptr && !sheet_.drawing().strokes.empty()) return;
+  hint_->setText(tr("Draw two lines along each axis: they take the axis' colour from where they point"));
+  hint_->adjustSize();
+  places.put(*hint_, QPointF(pane.rect.center().x() - hint_->width() / 2.0, pane.rect.bottom() - 60), pane.rect);
+}
+
+void PerspectiveChips::place_faces(ChipPlaces& places, const ViewPane& pane) {
+  const PerspectiveResult* result = sheet_.result();
+  if (result == nullptr || result->edge_strokes == 0) return;
+  const char* style = result->closed ? closed_style : open_style;
+  if (faces_->styleSheet() != style) faces_->setStyleSheet(style);
+  faces_->setText(faces_sentence(*result));
+  faces_->adjustSize();
+  places.put(*faces_, QPointF(pane.rect.center().x() - faces_->width() / 2.0, pane.rect.top() + chip_margin),
+             pane.rect);
+}
+
+void PerspectiveChips::place_fix(ChipPlaces& places, const ViewPane& pane) {
+  const PerspectiveResult* result = sheet_.result();
+  if (result == nullptr || result->fixes.empty()) return;
+  const ProposedFix& fix = result->fixes.front();
+  const PerspectiveStroke* stroke = find_stroke(sheet_.drawing(), fix.stroke);
+  if (stroke == nullptr) return;
+  fix_->setText(tr("Fix"));
+  fix_->setToolTip(QString::fromStdString(fix.text));
+  fix_->setAccessibleName(fix_->toolTip());
+  fix_->adjustSize();
+  places.put(*fix_, sheet_to_widget(pane, middle_of_stroke(*stroke)) + QPointF(14, 10), pane.rect);
+}
+
+void PerspectiveChips::place_mirror(ChipPlaces& places, const ViewPane& pane) {
+  if (!sheet_.proposal()) return;
+  const auto count = static_cast<int>(sheet_.proposal()->strokes.size());
+  mirror_->setText(count == 1 ? tr("Add 1 mirrored stroke (Enter)") : tr("Add %1 mirrored strokes (Enter)").arg(count));
+  mirror_->adjustSize();
+  places.put(*mirror_, QPointF(pane.rect.center().x() - mirror_->width() / 2.0, pane.rect.bottom() - 40), pane.rect);
+}
+
+void PerspectiveChips::place_through(ChipPlaces& places, bool through) {
+  const ViewPane& pane = places.layout().pane(PerspectiveView);
+  through_->hide();
+  if (sheet_.result() == nullptr || !pane.visible()) return;
+  through_->setText(tr("Look through"));
+  through_->setToolTip(tr("See the solid from the drawing's eye, with the drawing over it (V)"));
+  through_->setChecked(through);
+  through_->adjustSize();
+  places.put(*through_, QPointF(pane.rect.center().x() - through_->width() / 2.0, pane.rect.top() + chip_margin),
+             pane.rect);
+}
+
+}  // namespace croquis::app

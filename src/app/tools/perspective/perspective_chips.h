@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QToolButton>
+
+#include "app/tools/perspective/sheet_interaction.h"
+#include "app/views/chip_places.h"
+
+class QAction;
+class QLabel;
+
+namespace croquis::app {
+
+/// "9 faces, 2 edges open", or "Solid closed". @param closed set
+QString faces_sentence(const PerspectiveResult& result);
+
+/// What stands over the views of a perspective drawing: the count of faces, the change that is proposed, the mirror,
+/// and the way back to the drawing's eye.
+class PerspectiveChips : public QObject {
+  Q_OBJECT
+
+ public:
+  /// @param views that they stand on
+  PerspectiveChips(SheetInteraction& sheet, QWidget* views);
+
+  /// @param through the perspective view is held at the drawing's eye
+  void place(ChipPlaces& places, bool shown, bool through);
+
+ signals:
+  void fix_wanted();
+  void mirror_wanted();
+  void look_through_wanted(bool on);
+
+ private:
+  QToolButton* make_button(const QString& name);
+  void place_hint(ChipPlaces& places, const ViewPane& pane);
+  void place_faces(ChipPlaces& places, const ViewPane& pane);
+  void place_fix(ChipPlaces& places, const ViewPane& pane);
+  void place_mirror(ChipPlaces& places, const ViewPane& pane);
+  void place_through(ChipPlaces& places, bool through);
+
+  SheetInteraction& sheet_;
+  QWidget* views_;
+  QLabel* hint_;
+  QLabel* faces_;
+  QToolButton* fix_;
+  QToolButton* mirror_;
+  QToolButton* through_;
+};
+
+}  // namespace croquis::app

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tools/perspective/perspective_drawing_tool.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QScrollArea>
+#include <algorithm>
+#include <utility>
+
+#include "app/panels/finding_elements.h"
+#include "app/tools/perspective/look_through.h"
+#include "app/tools/perspective/perspective_panel.h"
+#include "app/views/viewport.h"
+#include "app/window/panel_docks.h"
+#include "croquis/tools/recording/general_steps.h"
+#include "croquis/workspace/chain.h"
+
+namespace croquis::app {
+namespace {
+
+PerspectiveMode sheet_mode(const QString& mode) {
+  if (mode == "draw") return PerspectiveMode::Draw;
+  return mode == "erase" ? PerspectiveMode::Erase : PerspectiveMode::Select;
+}
+
+}  // namespace
+
+PerspectiveDrawingTool::PerspectiveDrawingTool(ToolHost& host)
+    : Tool(host), sheet_(host.studio(), host.viewport().pane(SketchView)), chips_(sheet_, &host.viewport()) {
+  connect(&sheet_, &SheetInteraction::changed, this, [this] {
+    emit changed_in(SketchView);
+    if (looks_through()) emit changed_in(PerspectiveView);
+  });
+  connect(&sheet_, &SheetInteraction::inked, this, &Tool::inked);
+  connect(&sheet_, &SheetInteraction::committed, this, &Tool::committed);
+  connect(&sheet_, &SheetInteraction::state_changed, this, [this] {
+    refresh();
+    emit state_changed();
+  });
+  connect(&chips_, &PerspectiveChips::fix_wanted, this, &PerspectiveDrawingTool::apply_fix);
+  connect(&chips_, &PerspectiveChips::mirror_wanted, this, &PerspectiveDrawingTool::complete_mirrored);
+  connect(&chips_, &PerspectiveChips::look_through_wanted, this, &PerspectiveDrawingTool::set_looking_through);
+}
+
+void PerspectiveDrawingTool::make_panels(PanelDocks& docks) {
+  panel_ = new PerspectivePanel(sheet_, [this](const QString& name) { return host().action(name); });
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(panel_);
+  dock_ = docks.add(tr("Perspective"), scroll, "perspective");
+  docks.set_useful(dock_, false);
+  docks_ = &docks;
+  connect(panel_, &PerspectivePanel::known_point_wanted, this,
+          [this](const std::optional<KnownPoint>& known) { do_and_record(sheet_.tool().set_known_point(known)); });
+  connect(panel_, &PerspectivePanel::known_length_wanted, this,
+          [this](const std::string& stroke, std::optional<double> length) {
+            do_and_record(sheet_.tool().set_known_length(stroke, length));
+          });
+  connect(panel_, &PerspectivePanel::field_of_view_wanted, this, [this](std::optional<double> radians) {
+    do_and_record(sheet_.tool().set_camera(radians, sheet_.drawing().principal_point));
+  });
+  connect(panel_, &PerspectivePanel::stroke_wanted, this, [this](const std::string& stroke) {
+    if (mode() != select_mode) host().set_mode(select_mode);
+    sheet_.tool().select({stroke});
+  });
+  connect(panel_, &PerspectivePanel::overlay_wanted, this, [this](double opacity) {
+    overlay_ = opacity;
+    emit changed_in(PerspectiveView);
+  });
+}
+
+void PerspectiveDrawingTool::do_and_record(Verdict verdict) {
+  if (verdict == Verdict::Commit) emit committed(*sheet_.tool().done());
+}
+
+void PerspectiveDrawingTool::set_mode(const QString& mode) {
+  Tool::set_mode(mode);
+  sheet_.set_mode(sheet_mode(mode));
+  if (studio().sheet_node() == 0) return;
+  sheet_.follow_document();
+  Viewport& views = host().viewport();
+  if (draws() && !views.pane(SketchView).visible()) views.arrange(Arrangement::SketchAndSolid);
+}
+
+bool PerspectiveDrawingTool::works_in(int view) const { return has_view(view) && (draws() || mode() == select_mode); }
+
+Qt::CursorShape PerspectiveDrawingTool::cursor(int) const {
+  return draws() || sheet_.picks_known_point() ? Qt::CrossCursor : Qt::ArrowCursor;
+}
+
+bool PerspectiveDrawingTool::abandon() {
+  if (sheet_.abandon()) return true;
+  if (!sheet_.proposal()) return false;
+  sheet_.propose_mirror(false);
+  return true;
+}
+
+void PerspectiveDrawingTool::add_all_to(Selection& selection) const {
+  for (const PerspectiveStroke& stroke : sheet_.drawing().strokes)
+    selection.push_back({studio().sheet_node(), stroke.id});
+}
+
+bool PerspectiveDrawingTool::delete_selection() {
+  if (studio().sheet_node() == 0) return false;
+  const Verdict verdict = sheet_.tool().delete_selected();
+  do_and_record(verdict);
+  return verdict == Verdict::Commit;
+}
+
+bool PerspectiveDrawingTool::open_step(const Node& step) {
+  const OperationDescription* operation = studio().description(step.operation);
+  const PortDescription* input = operation == nullptr ? nullptr : main_input(*operation);
+  const bool is_sheet = source_of<PerspectiveDrawing>(&step) != nullptr;
+  if (!is_sheet && (input == nullptr || input->type != ValueType::PerspectiveDrawing)) return false;
+  if (!draws() && mode() != select_mode) host().set_mode(select_mode);
+  Viewport& views = host().viewport();
+  if (!views.pane(SketchView).visible()) views.arrange(Arrangement::SketchAndSolid);
+  return true;
+}
+
+QString PerspectiveDrawingTool::help() const {
+  if (sheet_.picks_known_point()) return tr("Click the corner whose coordinates are known · Escape stops");
+  if (sheet_.proposal()) return tr("Enter adds the mirrored strokes · Escape leaves them out");
+  switch (sheet_.tool().mode()) {
+    case PerspectiveMode::Select:
+      return tr(
+          "Drag an end, a handle or a vanishing point · 1–6 give a group · Shift adds · Delete removes · D draws");
+    case PerspectiveMode::Erase: return tr("Drag over strokes to erase them · D draws");
+    case PerspectiveMode::Draw: break;
+  }
+  if (sheet_.tool().role() == StrokeRole::Construction)
+    return tr("Draw lines towards the vanishing points · 1 2 3 choose x y z, 0 by direction · E draws edges");
+  return tr("Draw edges: 1 2 3 along x y z, 4 5 6 in planes, 0 by direction · C draws construction lines · Q selects");
+}
+
+void PerspectiveDrawingTool::adjust(ObjectScenes::Wanted& wanted, int view) const {
+  if (has_view(view)) wanted.nothing = true;
+}
+
+void PerspectiveDrawingTool::add_to(render::Scene& scene, int view) {
+  if (has_view(view)) {
+    const render::Scene sheet = sheet_.scene();
+    scene.lines.insert(scene.lines.end(), sheet.lines.begin(), sheet.lines.end());
+    scene.marks.insert(scene.marks.end(), sheet.marks.begin(), sheet.marks.end());
+  }
+  if (view != PerspectiveView || !looks_through() || overlay_ == 0) return;
+  const Camera& camera = sheet_.result()->camera;
+  const auto place = [&, placed = placement(), depth = looked_depth()](const Vec2& sheet) {
+    return before_the_eye(camera, placed, sheet, depth);
+  };
+  for (const render::LineItemPtr& item : stroke_items(sheet_.drawing(), place, overlay_))
+    scene.lines.emplace_back(item);
+}
+
+std::optional<Ink> PerspectiveDrawingTool::ink() const {
+  if (!sheet_.inking()) return std::nullopt;
+  return Ink{SketchView, &sheet_.ink()};
+}
+
+render::Bounds PerspectiveDrawingTool::bounds_in(int view) const {
+  return has_view(view) ? sheet_.bounds() : render::Bounds();
+}
+
+QString PerspectiveDrawingTool::view_title(int view) const {
+  if (has_view(view)) return tr("Perspective drawing");
+  return view == PerspectiveView && looks_through() ? tr("Through the drawing") : QString();
+}
+
+// ---- Looking through
+
+bool PerspectiveDrawingTool::looks_through() const {
+  return through_ && studio().sheet_node() != 0 && sheet_.result() != nullptr;
+}
+
+void PerspectiveDrawingTool::set_looking_through(bool on) {
+  through_ = on;
+  emit changed_in(PerspectiveView);
+  emit state_changed();
+}
+
+Affine3 PerspectiveDrawingTool::placement() const {
+  const Node* node = studio().session().document().find(sheet_.tool().operation_node());
+  return node == nullptr ? Affine3() : node->transform;
+}
+
+/// Of the middle of what was found.
+double PerspectiveDrawingTool::looked_depth() const {
+  const PerspectiveResult& result = *sheet_.result();
+  double sum = 0;
+  for (const Vec3& vertex : result.network.vertices) sum += result.camera.depth(vertex);
+  const double mean = result.network.vertices.empty() ? 0 : sum / static_cast<double>(result.network.vertices.size());
+  return mean > 0 ? mean : 1;
+}
+
+std::optional<render::Camera> PerspectiveDrawingTool::camera_for(const ViewPane& pane, int view) const {
+  if (view != PerspectiveView || !looks_through() || !pane.visible()) return std::nullopt;
+  return camera_through(sheet_.result()->camera, sheet_.drawing(), placement(), looked_depth(), pane);
+}
+
+void PerspectiveDrawingTool::camera_moved(int view) {
+  if (view == PerspectiveView && looks_through()) set_looking_through(false);
+}
+
+void PerspectiveDrawingTool::place_chips(ChipPlaces& places) {
+  chips_.place(places, studio().sheet_node() != 0 && !sheet_.inking(), looks_through());
+}
+
+// ---- The flow
+
+void PerspectiveDrawingTool::follow_document() {
+  const NodeId now = studio().sheet_node();
+  // A drawing that is opened is seen through its own eye.
+  if (std::exchange(shown_node_, now) != now) through_ = now != 0;
+  sheet_.follow_document();
+}
+
+void PerspectiveDrawingTool::follow_result() { sheet_.follow_result(); }
+
+bool PerspectiveDrawingTool::show_finding(const NodeFinding& found) {
+  if (studio().sheet_node() == 0 || found.node != sheet_.tool().operation_node()) return false;
+  if (mode() != select_mode) host().set_mode(select_mode);
+  sheet_.tool().select(strokes_of(found.finding));
+  return true;
+}
+
+QString PerspectiveDrawingTool::status() const {
+  return studio().sheet_node() == 0 || sheet_.result() == nullptr ? QString() : faces_sentence(*sheet_.result());
+}
+
+}  // namespace croquis::app

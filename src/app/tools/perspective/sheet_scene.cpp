@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tools/perspective/sheet_scene.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "app/tools/perspective/group_looks.h"
+#include "app/views/render_color.h"
+#include "app/window/theme.h"
+
+namespace croquis::app {
+namespace {
+
+constexpr double edge_width = 2.4, hidden_width = 1.3, construction_width = 1.1;  // logical pixels
+constexpr int construction_alpha = 150, hidden_alpha = 170;
+constexpr double seen_residual_px = 1.5;  // smaller ones aren't shown: any hand has them
+constexpr double letter_pixels = 9;
+constexpr double least_lettered = 46;  // logical pixels: shorter strokes have no room for a letter
+constexpr double far_diagonals = 40;   // vanishing points farther away are no handles
+
+render::LinePath sheet_path(const std::vector<Vec2>& places, const FromSheet& place, bool closed = false) {
+  render::LinePath path;
+  path.closed = closed;
+  path.points.reserve(places.size());
+  for (const Vec2& one : places) path.points.push_back({place(one), 1, {}});
+  return path;
+}
+
+render::LinePath sheet_path(const PerspectiveStroke& stroke, const FromSheet& place) {
+  return sheet_path(traced(stroke.pieces, stroke.straight), place);
+}
+
+/// Null where there is nothing to draw: items of nothing cost draw calls.
+render::LineItemPtr line_item_of(const std::vector<render::LinePath>& paths, const render::LineStyle& style) {
+  return paths.empty() ? nullptr : render::make_line_item(paths, style);
+}
+
+render::MarkItemPtr marks_item(const std::vector<render::Mark>& marks) {
+  return marks.empty() ? nullptr : render::make_mark_item(marks);
+}
+
+bool is_drawable(const PerspectiveStroke& stroke) {
+  return std::ranges::all_of(stroke.pieces, [](const PictureCubic& piece) {
+    return std::ranges::all_of(piece, [](const Vec2& point) { return point.allFinite(); });
+  });
+}
+
+render::LineStyle stroke_style(const PerspectiveStroke& stroke, double opacity) {
+  const bool construction = stroke.role == StrokeRole::Construction;
+  const int alpha = construction ? construction_alpha : stroke.hidden ? hidden_alpha : 255;
+  render::LineStyle style;
+  style.width = construction ? construction_width : stroke.hidden ? hidden_width : edge_width;
+  style.color = to_color(group_color(stroke.group), static_cast<int>(alpha * opacity));
+  style.dash = construction ? render::DashPattern() : group_dashes(stroke.group);
+  return style;
+}
+
+render::Mark sheet_mark(const Vec2& at, render::MarkShape shape, float size, const QColor& color) {
+  render::Mark mark;
+  mark.position = on_sketch_plane(at);
+  mark.shape = shape;
+  mark.size = size;
+  mark.color = to_color(color);
+  return mark;
+}
+
+std::optional<Vec2> finite_place(const Vec3& vanishing, const PerspectiveDrawing& drawing) {
+  if (vanishing.z() == 0) return std::nullopt;
+  const Vec2 place = vanishing.head<2>() / vanishing.z();
+  if ((place - drawing.centre()).norm() > far_diagonals * drawing.diagonal()) return std::nullopt;
+  return place;
+}
+
+/// Where a finding stands: its own place, else its first stroke's middle.
+std::optional<Vec2> place_of_finding(const Finding& finding, const PerspectiveDrawing& drawing) {
+  for (const Subject& subject : finding.subjects) {
+    const PerspectiveStroke* stroke = find_stroke(drawing, subject.id);
+    if (stroke != nullptr && is_drawable(*stroke)) return middle_of_stroke(*stroke);
+  }
+  for (const Subject& subject : finding.subjects) {
+    if (subject.at.size() == 2) return Vec2(subject.at[0], subject.at[1]);
+  }
+  return std::nullopt;
+}
+
+/// The letters of all strokes, as one item for each colour.
+void add_letters(const PerspectiveDrawing& drawing, double unit, render::Scene& scene) {
+  std::map<StrokeGroup, std::vector<render::LinePath>> letters;
+  for (const PerspectiveStroke& stroke : drawing.strokes) {
+    if (!is_drawable(stroke) || (stroke.end() - stroke.start()).norm() < least_lettered * unit) continue;
+    const Vec2 way = (stroke.end() - stroke.start()).normalized();
+    const glm::dvec3 middle = on_sketch_plane(middle_of_stroke(stroke) + 11 * unit * left_of(way));
+    for (const std::vector<Vec2>& part : group_glyph(stroke.group)) {
+      render::LinePath path;
+      for (const Vec2& place : part)
+        path.points.push_back({middle + letter_pixels * unit * glm::dvec3(place.x(), place.y(), 0), 1, {}});
+      letters[stroke.group].push_back(std::move(path));
+    }
+  }
+  for (const auto& [group, paths] : letters) {
+    scene.lines.emplace_back(
+        line_item_of(paths, {1.3, to_color(group_color(group), 230), {}, render::LineDepth::OnTop}));
+  }
+}
+
+}  // namespace
+
+glm::dvec3 on_sketch_plane(const Vec2& sheet) { return {sheet.x(), -sheet.y(), 0}; }
+
+Vec2 middle_of_stroke(const PerspectiveStroke& stroke) {
+  return place_on(stroke.pieces[stroke.pieces.size() / 2], stroke.pieces.size() % 2 == 1 ? 0.5 : 0);
+}
+
+std::vector<render::LineItemPtr> stroke_items(const PerspectiveDrawing& drawing, const FromSheet& place,
+                                              double opacity) {
+  using Key = std::tuple<StrokeRole, bool, StrokeGroup>;
+  std::map<Key, std::pair<render::LineStyle, std::vector<render::LinePath>>> alike;
+  for (const PerspectiveStroke& stroke : drawing.strokes) {
+    if (!is_drawable(stroke)) continue;
+    auto& [style, paths] = alike[{stroke.role, stroke.hidden, stroke.group}];
+    style = stroke_style(stroke, opacity);
+    paths.push_back(sheet_path(stroke, place));
+  }
+  std::vector<render::LineItemPtr> items;
+  for (const auto& [key, content] : alike) items.push_back(line_item_of(content.second, content.first));
+  return items;
+}
+
+void SheetScene::show_drawing(const PerspectiveDrawing& drawing, const std::vector<std::string>& selected,
+                              bool points) {
+  strokes_ = stroke_items(drawing, on_sketch_plane, 1);
+  const Vec2 low = drawing.origin, high = drawing.origin + drawing.image_size;
+  const std::vector<Vec2> corners = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+  sheet_ = line_item_of({sheet_path(corners, on_sketch_plane, true)},
+                        {1, to_color(colors::guide), {}, render::LineDepth::OnTop});
+  bounds_ = sheet_->bounds;
+  for (const PerspectiveStroke& stroke : drawing.strokes) {
+    if (!is_drawable(stroke)) continue;
+    for (const Vec2& place : {stroke.start(), stroke.end()}) bounds_.add(on_sketch_plane(place));
+  }
+  std::vector<render::LinePath> chosen;
+  std::vector<render::Mark> anchors;
+  for (const std::string& id : selected) {
+    const PerspectiveStroke* stroke = find_stroke(drawing, id);
+    if (stroke == nullptr || !is_drawable(*stroke)) continue;
+    chosen.push_back(sheet_path(*stroke, on_sketch_plane));
+    const std::vector<Vec2> places = points_of(*stroke);
+    for (std::size_t k = 0; points && k < places.size(); ++k) {
+      const bool joint = k % 3 == 0 || stroke->straight;
+      anchors.push_back(sheet_mark(places[k], joint ? render::MarkShape::Square : render::MarkShape::Ring,
+                                   joint ? 8 : 7, colors::accent));
+    }
+  }
+  selected_ = line_item_of(chosen, {edge_width + 4, to_color(colors::accent, 90), {}, render::LineDepth::OnTop});
+  points_ = marks_item(anchors);
+  std::vector<render::Mark> dots;
+  for (const Vec2& place : vertices_of(drawing)) {
+    if (place.allFinite()) dots.push_back(sheet_mark(place, render::MarkShape::Disc, 6, colors::ink));
+  }
+  vertices_ = marks_item(dots);
+}
+
+void SheetScene::show_result(const PerspectiveDrawing& drawing, const PerspectiveResult* result,
+                             const Findings& findings) {
+  std::vector<render::LinePath> heat, horizon;
+  std::vector<render::Mark> handles, symbols;
+  if (result != nullptr) {
+    for (const PerspectiveStrokeResult& one : result->strokes) {
+      const PerspectiveStroke* stroke = find_stroke(drawing, one.id);
+      if (stroke == nullptr || !is_drawable(*stroke) || one.residual.value_or(0) < seen_residual_px) continue;
+      heat.push_back(sheet_path(*stroke, on_sketch_plane));
+      for (render::LinePoint& point : heat.back().points) point.color = to_color(residual_color(*one.residual), 120);
+    }
+    std::array<std::optional<Vec2>, 3> places;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      places[axis] = finite_place(result->vanishing_points[axis], drawing);
+      if (!places[axis]) continue;
+      handles.push_back(
+          sheet_mark(*places[axis], render::MarkShape::Disc, 13, group_color(static_cast<StrokeGroup>(axis))));
+      handles.back().outline_width = 2;
+    }
+    if (places[0] && places[1]) horizon.push_back(sheet_path({*places[0], *places[1]}, on_sketch_plane));
+  }
+  residuals_ = line_item_of(heat, {edge_width + 6, to_color(colors::warning), {}, render::LineDepth::OnTop});
+  vanishing_ = marks_item(handles);
+  horizon_ = line_item_of(horizon, {1, to_color(colors::guide), {8, 5, 0, 0}, render::LineDepth::OnTop});
+  finding_marks_.clear();
+  for (const Finding& finding : findings) {
+    const auto at = place_of_finding(finding, drawing);
+    if (!at) continue;
+    const bool error = finding.severity == Severity::Error;
+    SheetMark mark{*at, QString::fromStdString(finding.message), error};
+    symbols.push_back(sheet_mark(*at, error ? render::MarkShape::Cross : render::MarkShape::Warning, error ? 14 : 18,
+                                 error ? colors::error : colors::warning));
+    finding_marks_.push_back(std::move(mark));
+  }
+  findings_ = marks_item(symbols);
+}
+
+void SheetScene::show_preview(const PerspectiveDrawing& drawing, const PerspectivePreview& preview) {
+  std::vector<render::LinePath> paths;
+  for (const std::string& id : preview.erased) {
+    if (const PerspectiveStroke* stroke = find_stroke(drawing, id))
+      paths.push_back(sheet_path(*stroke, on_sketch_plane));
+  }
+  render::LineStyle style{edge_width + 1, to_color(colors::error), {}, render::LineDepth::OnTop};
+  if (preview.box) {
+    const auto& [low, high] = *preview.box;
+    paths.push_back(sheet_path({low, {high.x(), low.y()}, high, {low.x(), high.y()}}, on_sketch_plane, true));
+    style = {1, to_color(colors::accent), {4, 3, 0, 0}, render::LineDepth::OnTop};
+  }
+  preview_ = line_item_of(paths, style);
+  snap_ = preview.snap ? marks_item({sheet_mark(*preview.snap, render::MarkShape::Ring, 16, colors::hover)}) : nullptr;
+}
+
+void SheetScene::show_hovered(const PerspectiveDrawing& drawing, const std::optional<std::string>& id) {
+  const PerspectiveStroke* stroke = id ? find_stroke(drawing, *id) : nullptr;
+  hovered_.reset();
+  if (stroke == nullptr || !is_drawable(*stroke)) return;
+  hovered_ = line_item_of({sheet_path(*stroke, on_sketch_plane)},
+                          {edge_width + 3, to_color(colors::hover, 120), {}, render::LineDepth::OnTop});
+}
+
+void SheetScene::show_proposed(const std::vector<PerspectiveStroke>& strokes) {
+  std::vector<render::LinePath> paths;
+  for (const PerspectiveStroke& stroke : strokes) paths.push_back(sheet_path(stroke, on_sketch_plane));
+  proposed_ = line_item_of(paths, {edge_width, to_color(colors::hover), {3, 5, 0, 0}, render::LineDepth::OnTop});
+}
+
+void SheetScene::show_guides(const PerspectiveDrawing& drawing, const std::array<std::optional<Vec3>, 3>& vanishing,
+                             const std::optional<Vec2>& from) {
+  std::vector<render::LinePath> rays;
+  for (std::size_t axis = 0; from && axis < 3; ++axis) {
+    if (!vanishing[axis]) continue;
+    const Vec3& point = *vanishing[axis];
+    const Vec2 way = point.head<2>() - point.z() * *from;
+    if (!(way.norm() > 0)) continue;
+    const Vec2 reach = 2 * drawing.diagonal() * way.normalized();
+    rays.push_back(sheet_path({*from - reach, *from + reach}, on_sketch_plane));
+    const render::Color color = to_color(group_color(static_cast<StrokeGroup>(axis)), 90);
+    for (render::LinePoint& end : rays.back().points) end.color = color;
+  }
+  guides_ = line_item_of(rays, {1, to_color(colors::guide), {}, render::LineDepth::OnTop});
+}
+
+render::Scene SheetScene::scene(const PerspectiveDrawing& drawing, double units_per_pixel) const {
+  render::Scene scene;
+  for (const render::LineItemPtr& item : {sheet_, horizon_, guides_, residuals_, hovered_, selected_})
+    scene.lines.emplace_back(item);
+  for (const render::LineItemPtr& item : strokes_) scene.lines.emplace_back(item);
+  add_letters(drawing, units_per_pixel, scene);
+  for (const render::LineItemPtr& item : {proposed_, preview_}) scene.lines.emplace_back(item);
+  for (const render::MarkItemPtr& item : {vertices_, points_, vanishing_, findings_, snap_})
+    scene.marks.emplace_back(item);
+  return scene;
+}
+
+}  // namespace croquis::app

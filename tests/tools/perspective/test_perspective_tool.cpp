@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+
+#include "croquis/base/error.h"
+#include "croquis/tools/all_steps.h"
+#include "croquis/tools/perspective/perspective_steps.h"
+#include "croquis/tools/perspective/perspective_tool.h"
+#include "croquis/tools/recording/recording.h"
+#include "tools/perspective/perspective_ink.h"
+
+namespace croquis {
+namespace {
+
+using test::plain_drawing;
+
+/// A tool on a session of its own, moved as a hand does.
+struct Hand {
+  Session session;
+  PerspectiveTool tool{session};
+  Modifiers held;
+
+  Verdict step(PenStep::Kind kind, const Vec2& sheet) {
+    SketchEvent event;
+    event.kind = kind;
+    event.sample.position = {sheet.x(), -sheet.y()};
+    event.modifiers = held;
+    return tool.handle(event);
+  }
+
+  Verdict drag(const std::vector<Vec2>& way) {
+    step(PenStep::Kind::Begin, way.front());
+    for (const Vec2& place : way) step(PenStep::Kind::Sample, place);
+    return step(PenStep::Kind::End, way.back());
+  }
+
+  Verdict line(const Vec2& from, const Vec2& to) {
+    std::vector<Vec2> way;
+    for (int k = 0; k <= 40; ++k) way.push_back(from + (to - from) * k / 40.0);
+    return drag(way);
+  }
+
+  const PerspectiveStroke& stroke(std::size_t i) { return tool.drawing()->strokes.at(i); }
+
+  /// With the solid as somebody drew it.
+  void open(PerspectiveDrawing drawing) { session.load(add_perspective_drawing(Document(), std::move(drawing), {})); }
+};
+
+/// Through the text of a recording and back.
+recorded::Step recorded_again(const recorded::Step& step) {
+  return recorded::parse(recorded::to_line(step), "test", recorded::all_steps()).front().step;
+}
+
+bool same_drawing(const PerspectiveDrawing& a, const PerspectiveDrawing& b) {
+  const auto same = [](const PerspectiveStroke& x, const PerspectiveStroke& y) {
+    return x.id == y.id && x.group == y.group && x.role == y.role && x.pieces == y.pieces && x.hidden == y.hidden &&
+           x.from == y.from && x.to == y.to && x.start_lock == y.start_lock && x.end_lock == y.end_lock;
+  };
+  return std::ranges::equal(a.strokes, b.strokes, same) && a.known_point == b.known_point &&
+         a.known_lengths == b.known_lengths && a.field_of_view == b.field_of_view;
+}
+
+TEST_CASE("the first stroke makes a drawing with its operation, and each gesture is one step back") {
+  Hand hand;
+  CHECK(hand.tool.node() == 0);
+  CHECK(hand.line({100, 100}, {400, 90}) == Verdict::Commit);
+  REQUIRE(hand.tool.drawing());
+  CHECK(hand.tool.drawing()->strokes.size() == 1);
+  CHECK(hand.tool.operation_node() != 0);
+  hand.line({400, 92}, {410, 400});
+  REQUIRE(hand.tool.drawing()->strokes.size() == 2);
+  CHECK(hand.stroke(1).start() == hand.stroke(0).end());
+  hand.session.undo();
+  CHECK(hand.tool.drawing()->strokes.size() == 1);
+  hand.session.undo();
+  CHECK(hand.tool.node() == 0);
+}
+
+TEST_CASE("a tap draws nothing, and a gesture given up leaves the document as it was") {
+  Hand hand;
+  CHECK(hand.drag({{50, 50}, {51, 50}}) != Verdict::Commit);
+  hand.step(PenStep::Kind::Begin, {10, 10});
+  hand.step(PenStep::Kind::Sample, {200, 10});
+  CHECK(!hand.tool.preview().ink.empty());
+  hand.step(PenStep::Kind::Cancel, {200, 10});
+  CHECK(hand.tool.preview().ink.empty());
+  CHECK(!hand.session.can_undo());
+}
+
+TEST_CASE("chosen groups and roles are those of what is drawn, a key counts for the stroke under way") {
+  Hand hand;
+  hand.tool.set_group(StrokeGroup::NormalY);
+  hand.tool.set_role(StrokeRole::Construction);
+  hand.line({100, 100}, {400, 90});
+  CHECK(hand.stroke(0).group == StrokeGroup::NormalY);
+  CHECK(hand.stroke(0).role == StrokeRole::Construction);
+  hand.step(PenStep::Kind::Begin, {100, 300});
+  hand.step(PenStep::Kind::Sample, {300, 320});
+  hand.tool.set_group(StrokeGroup::ParallelX);
+  CHECK(hand.tool.preview().group == StrokeGroup::ParallelX);
+  hand.step(PenStep::Kind::End, {300, 320});
+  CHECK(hand.stroke(1).group == StrokeGroup::ParallelX);
+}
+
+TEST_CASE("a selected stroke's end is dragged with its vertex, alone with Ctrl, and joins another vertex") {
+  Hand hand;
+  hand.open(plain_drawing(test::box(), test::three_point_views()[1]).drawing);
+  const PerspectiveDrawing before = *hand.tool.drawing();
+  hand.tool.set_mode(PerspectiveMode::Select);
+  std::size_t edge = 0;
+  while (before.strokes[edge].role != StrokeRole::Edge) ++edge;
+  const Vec2 place = before.strokes[edge].start();
+  hand.step(PenStep::Kind::Begin, place_on(before.strokes[edge].pieces[0], 0.5));
+  hand.step(PenStep::Kind::End, place_on(before.strokes[edge].pieces[0], 0.5));
+  REQUIRE(hand.tool.selected() == std::vector<std::string>{before.strokes[edge].id});
+
+  CHECK(hand.line(place, place + Vec2(40, 30)) == Verdict::Commit);
+  CHECK(vertices_of(*hand.tool.drawing()).size() == 8);
+  CHECK((hand.stroke(edge).start() - place - Vec2(40, 30)).norm() < 1e-9);
+  hand.session.undo();
+  CHECK(same_drawing(*hand.tool.drawing(), before));
+
+  hand.held.ctrl = true;
+  hand.line(place, place + Vec2(40, 30));
+  hand.held.ctrl = false;
+  CHECK(vertices_of(*hand.tool.drawing()).size() == 9);
+  hand.line(place + Vec2(40, 30), place + Vec2(3, 2));  // near enough: it goes to the vertex
+  CHECK(vertices_of(*hand.tool.drawing()).size() == 8);
+  CHECK(hand.stroke(edge).start() == place);
+}
+
+TEST_CASE("the eraser deletes what it touches in any mode") {
+  Hand hand;
+  hand.open(plain_drawing(test::box(), test::three_point_views()[1]).drawing);
+  const std::size_t count = hand.tool.drawing()->strokes.size();
+  const std::string id = hand.stroke(0).id;
+  const Vec2 on = place_on(hand.stroke(0).pieces[0], 0.5);
+  hand.tool.set_mode(PerspectiveMode::Erase);
+  CHECK(hand.drag({on - Vec2(0, 1), on, on + Vec2(0, 1)}) == Verdict::Commit);
+  CHECK(hand.tool.drawing()->strokes.size() < count);
+  CHECK(find_stroke(*hand.tool.drawing(), id) == nullptr);
+}
+
+TEST_CASE("lists of the operation hold what was chosen, and nothing when it was taken off") {
+  Hand hand;
+  hand.open(plain_drawing(test::box(), test::three_point_views()[1]).drawing);
+  CHECK(hand.tool.choose("sharp", "e00", true) == Verdict::Commit);
+  CHECK(hand.tool.choose("sharp", "e01", true) == Verdict::Commit);
+  CHECK(hand.tool.choose("sharp", "e01", true) == Verdict::Continue);
+  const auto parameters = [&] { return hand.session.document().find(hand.tool.operation_node())->parameters; };
+  CHECK(std::get<std::string>(parameters().at("sharp")) == "e00;e01");
+  hand.tool.choose("sharp", "e00", false);
+  CHECK(!hand.tool.is_chosen("sharp", "e00"));
+  CHECK(hand.tool.is_chosen("sharp", "e01"));
+  hand.tool.choose("sharp", "e01", false);
+  CHECK(!parameters().contains("sharp"));
+}
+
+TEST_CASE("what isn't there or can't be is refused, and nothing changes") {
+  Hand hand;
+  CHECK_THROWS_AS(hand.tool.remove({"s1"}), Error);
+  hand.open(plain_drawing(test::box(), test::three_point_views()[1]).drawing);
+  const PerspectiveDrawing before = *hand.tool.drawing();
+  CHECK_THROWS_AS(hand.tool.drag("nobody", 0, {1, 1}), Error);
+  CHECK_THROWS_AS(hand.tool.set_known_length("e00", -1.0), Error);
+  CHECK_THROWS_AS(hand.tool.set_camera(4.0, std::nullopt), Error);
+  CHECK_THROWS_AS(hand.tool.complete_mirrored({0, 1}), Error);
+  CHECK(same_drawing(*hand.tool.drawing(), before));
+  CHECK(!hand.session.can_undo());
+}
+
+TEST_CASE("every step reads back as it was written") {
+  StrokeSetting setting;
+  setting.group = StrokeGroup::NormalZ;
+  setting.hidden = true;
+  setting.end_lock = EndLock::Corner;
+  setting.weight = 0.25;
+  const std::vector<recorded::Step> steps = {
+      recorded::SheetStroke{{{1, 2}, {3.5, 4.25}}, StrokeGroup::ParallelY, StrokeRole::Construction, false, 0.5},
+      recorded::SheetStroke{{{1, 2}}, {}, StrokeRole::Edge, true, 2},
+      recorded::SheetDrag{"s3", 4, {1.5, -2}, true},
+      recorded::SheetDrag{"s3", {}, {0.1, 0.2}, false},
+      recorded::SheetAim{2, {5000.5, -20}},
+      recorded::SheetSetting{{"a", "b"}, setting},
+      recorded::SheetDelete{{"a"}},
+      recorded::SheetPoint{KnownPoint{{1, 2}, {3, 4, 5}}},
+      recorded::SheetPoint{},
+      recorded::SheetLength{"s3", 120.0},
+      recorded::SheetLength{"s3", {}},
+      recorded::SheetCamera{0.5, Vec2(500, 375)},
+      recorded::SheetCamera{},
+      recorded::SheetChoice{"no-faces", "s1+s2+s3", false},
+      recorded::SheetMirror{{1, -2.5}},
+  };
+  for (const recorded::Step& step : steps) {
+    const std::string line = recorded::to_line(step);
+    INFO(line);
+    CHECK(recorded::to_line(recorded_again(step)) == line);
+  }
+  CHECK_THROWS_AS(recorded::parse(R"({"do":"perspective-set","strokes":["a"]})", "t", recorded::all_steps()), Error);
+  CHECK_THROWS_AS(recorded::parse(R"({"do":"perspective-stroke","points":[[1]]})", "t", recorded::all_steps()), Error);
+}
+
+TEST_CASE("a recording of gestures makes the same drawing") {
+  const test::SolidDrawing truth = plain_drawing(test::bottle(), test::three_point_views()[1]);
+  test::Random random(8);
+  Hand hand, replayed;
+  for (const PerspectiveStroke& stroke : truth.drawing.strokes) {
+    if (stroke.role != StrokeRole::Edge) continue;
+    hand.tool.set_group(stroke.group);
+    if (hand.drag(test::hand_drawn(stroke.pieces, random, 3)) != Verdict::Commit) continue;
+    const recorded::Step step = recorded_again(*hand.tool.done());
+    const auto* drawn = step.as<recorded::SheetStroke>();
+    REQUIRE(drawn != nullptr);
+    replayed.tool.draw(drawn->points, drawn->scale, drawn->group, drawn->role);
+  }
+  REQUIRE(hand.tool.drawing()->strokes.size() >= 20);
+  CHECK(same_drawing(*hand.tool.drawing(), *replayed.tool.drawing()));
+  // Every end of a hand that misses by 3 px has found the vertex that it was meant for.
+  CHECK(vertices_of(*hand.tool.drawing()).size() == truth.network.vertices.size());
+}
+
+}  // namespace
+}  // namespace croquis
