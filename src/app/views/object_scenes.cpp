@@ -45,6 +45,9 @@ ObjectScenes::Items& ObjectScenes::items_of(NodeId node) {
   return items;
 }
 
+/// Exact normals of each face's corners, as operations give them that know the surface. Scans have normals of vertices.
+bool ObjectScenes::has_own_normals(const PolyMesh& mesh) { return mesh.channel("normal", Domain::Corner) != nullptr; }
+
 render::MeshItemOptions ObjectScenes::item_options() const {
   render::MeshItemOptions options;
   options.shading = flat_ ? render::FaceShading::Flat : render::FaceShading::Smooth;
@@ -128,7 +131,9 @@ void ObjectScenes::follow() {
     const LiveItem::Paint paint = paints_patches                       ? patch_paint(patch_look_)
                                   : surface == object.mesh && painter_ ? painter_(object)
                                                                        : nullptr;
-    items.surface->show(surface, item_options(), paint, paints_patches ? static_cast<int>(patch_look_) : 0);
+    render::MeshItemOptions options = item_options();
+    options.use_normal_channel = !flat_ && surface && !object.is_source() && has_own_normals(*surface);
+    items.surface->show(surface, options, paint, paints_patches ? static_cast<int>(patch_look_) : 0);
     // The cage's own item serves its wire; a cage that is shown as a surface has one already.
     items.cage->show(items.shows_cage ? nullptr : object.cage_mesh, {});
   }

@@ -72,6 +72,7 @@ class ObjectScenes : public QObject {
   bool busy() const;
 
   QThreadPool& threads() { return threads_; }
+  static bool has_own_normals(const PolyMesh& mesh);
   render::MeshItemOptions item_options() const;
 
  signals:
