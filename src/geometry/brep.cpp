@@ -35,9 +35,8 @@ class BrepCheck {
     }
     for (std::size_t e = 0; e < brep_.edges.size(); ++e) {
       const BrepEdge& edge = brep_.edges[e];
-      const bool halves = std::ranges::all_of(edge.half_edges, [&](Index h) {
-        return h == no_index || h < brep_.half_edges.size();
-      });
+      const bool halves =
+          std::ranges::all_of(edge.half_edges, [&](Index h) { return h == no_index || h < brep_.half_edges.size(); });
       if (!halves || !known(edge.start, brep_.vertices.size()) || !known(edge.end, brep_.vertices.size())) {
         complain("An edge refers to something that isn't there.", SubjectKind::Edge, e);
       }

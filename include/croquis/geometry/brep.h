@@ -15,15 +15,15 @@
 namespace croquis {
 
 struct BrepVertex {
-  Vec3 point = Vec3::Zero();         ///< model units
-  Index network_vertex = no_index;   ///< of the curve network; several where solids touch in one of its vertices
+  Vec3 point = Vec3::Zero();        ///< model units
+  Index network_vertex = no_index;  ///< of the curve network; several where solids touch in one of its vertices
 };
 
 /// A curve that faces meet in.
 struct BrepEdge {
-  std::string id;                     ///< of the network's curve, the stroke
-  Index curve = no_index;             ///< of the network
-  Index start = no_index;             ///< vertex of the B-rep
+  std::string id;          ///< of the network's curve, the stroke
+  Index curve = no_index;  ///< of the network
+  Index start = no_index;  ///< vertex of the B-rep
   Index end = no_index;
   std::vector<RationalCubic> pieces;  ///< the exact curve
   std::vector<RationalCubic> fitted;  ///< one or two polynomial cubics close to it, which patches are spanned from
@@ -57,10 +57,10 @@ struct BrepFace {
   Index shell = no_index;
   std::vector<Index> loops;  ///< the outer one first
   bool planar = true;
-  Vec3 origin = Vec3::Zero();          ///< of planar faces: a point of the plane
-  Vec3 normal = Vec3::UnitZ();         ///< of planar faces: unit, outwards. Of others: of the mean plane
-  double flatness = 0;                 ///< of planar faces: greatest distance of their edges from the plane
-  std::vector<GregoryPatch> patches;   ///< none for planar faces
+  Vec3 origin = Vec3::Zero();         ///< of planar faces: a point of the plane
+  Vec3 normal = Vec3::UnitZ();        ///< of planar faces: unit, outwards. Of others: of the mean plane
+  double flatness = 0;                ///< of planar faces: greatest distance of their edges from the plane
+  std::vector<GregoryPatch> patches;  ///< none for planar faces
 };
 
 struct BrepShell {
@@ -69,8 +69,8 @@ struct BrepShell {
   bool is_void = false;  ///< bounds a cavity inside another shell
 };
 
-/// What bounds a solid: shells of faces, faces with loops, loops of half-edges, edges, vertices. Plain arrays that refer
-/// to each other by index. Open shells are allowed: their edges lack a half-edge.
+/// What bounds a solid: shells of faces, faces with loops, loops of half-edges, edges, vertices. Plain arrays that
+/// refer to each other by index. Open shells are allowed: their edges lack a half-edge.
 struct Brep {
   std::vector<BrepVertex> vertices;
   std::vector<BrepEdge> edges;

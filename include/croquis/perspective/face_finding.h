@@ -54,28 +54,28 @@ struct FaceSet {
 using FaceName = std::vector<std::string>;
 
 struct FaceFindingOptions {
-  std::size_t max_sides = 8;            ///< of loops in space, 2..12
-  std::size_t max_sides_late = 12;      ///< if nothing closes with the above
-  std::size_t node_limit = 200000;      ///< of each search
-  double margin = 0.25;                 ///< sets that cost this much more than the best count as alternatives
+  std::size_t max_sides = 8;        ///< of loops in space, 2..12
+  std::size_t max_sides_late = 12;  ///< if nothing closes with the above
+  std::size_t node_limit = 200000;  ///< of each search
+  double margin = 0.25;             ///< sets that cost this much more than the best count as alternatives
   std::size_t max_alternatives = 8;
-  double plane_tolerance = 0.01;        ///< of oblique planes, × diagonal of the network's box
-  std::vector<FaceName> fixed;          ///< faces that must be there; names that fit no candidate are ignored
-  std::vector<FaceName> forbidden;      ///< faces that must not be there
+  double plane_tolerance = 0.01;    ///< of oblique planes, × diagonal of the network's box
+  std::vector<FaceName> fixed;      ///< faces that must be there; names that fit no candidate are ignored
+  std::vector<FaceName> forbidden;  ///< faces that must not be there
 };
 
 struct FaceFindingResult {
   FaceSet best;
-  std::vector<FaceSet> alternatives;    ///< by cost, without the best
-  std::vector<Index> dangling;          ///< curves with a loose end, which bound nothing; ascending
-  std::vector<Index> bridges;           ///< curves that alone hold two parts together and bound nothing; ascending
-  std::vector<Index> open_curves;       ///< that have fewer than two faces; ascending
+  std::vector<FaceSet> alternatives;  ///< by cost, without the best
+  std::vector<Index> dangling;        ///< curves with a loose end, which bound nothing; ascending
+  std::vector<Index> bridges;         ///< curves that alone hold two parts together and bound nothing; ascending
+  std::vector<Index> open_curves;     ///< that have fewer than two faces; ascending
   std::size_t candidates = 0;
-  std::size_t internal_rejected = 0;    ///< regions of planes that lie inside the solid: bounded by curves whose two
-                                        ///< faces are others, and not part of another face
-  std::size_t nodes = 0;                ///< of all searches
-  Findings warnings;                    ///< DANGLING, NOT_CLOSED, NONPLANAR_STRAIGHT_FACE, MISSING_STROKE, AMBIGUOUS,
-                                        ///< SEARCH_LIMIT
+  std::size_t internal_rejected = 0;  ///< regions of planes that lie inside the solid: bounded by curves whose two
+                                      ///< faces are others, and not part of another face
+  std::size_t nodes = 0;              ///< of all searches
+  Findings warnings;                  ///< DANGLING, NOT_CLOSED, NONPLANAR_STRAIGHT_FACE, MISSING_STROKE, AMBIGUOUS,
+                                      ///< SEARCH_LIMIT
 };
 
 /// Finds the faces. Parts that share no candidate are solved on their own. Where no set closes, as many sides of curves

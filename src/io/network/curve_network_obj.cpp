@@ -20,7 +20,8 @@ std::vector<Vec3> points_on(const NetworkCurve& curve) {
 
 /// Names end with the line.
 std::string one_line(std::string name) {
-  std::ranges::replace_if(name, [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+  std::ranges::replace_if(
+      name, [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
   return name;
 }
 

@@ -19,8 +19,10 @@ constexpr std::size_t largest_matrix = 250;  // ends on one spot, which no drawi
 
 std::uint64_t cell_key(const Vec2& place, double size, int dx, int dy) {
   constexpr double farthest_cell = 1e15;  // so that far places, which share cells then, are numbers of cells at all
-  const auto x = static_cast<std::int64_t>(std::floor(std::clamp(place.x() / size, -farthest_cell, farthest_cell))) + dx;
-  const auto y = static_cast<std::int64_t>(std::floor(std::clamp(place.y() / size, -farthest_cell, farthest_cell))) + dy;
+  const auto x =
+      static_cast<std::int64_t>(std::floor(std::clamp(place.x() / size, -farthest_cell, farthest_cell))) + dx;
+  const auto y =
+      static_cast<std::int64_t>(std::floor(std::clamp(place.y() / size, -farthest_cell, farthest_cell))) + dy;
   return static_cast<std::uint64_t>(x) * 0x9e3779b97f4a7c15U ^ static_cast<std::uint64_t>(y);
 }
 

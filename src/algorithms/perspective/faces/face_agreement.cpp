@@ -12,7 +12,7 @@ struct EdgeUse {
 };
 
 std::map<Index, std::vector<EdgeUse>> sides_of_edges(const std::vector<FaceCandidate>& candidates,
-                                                      const std::vector<Index>& chosen) {
+                                                     const std::vector<Index>& chosen) {
   std::map<Index, std::vector<EdgeUse>> sides;
   for (Index f = 0; f < chosen.size(); ++f) {
     for (const std::vector<Index>& loop : candidates[chosen[f]].loops) {

@@ -16,11 +16,11 @@ struct FaceCandidate {
   bool all_straight = true;
   Vec3 origin = Vec3::Zero();
   Vec3 normal = Vec3::UnitZ();
-  double flatness = 0;  ///< greatest distance from the plane
-  double deviation = 0; ///< rms distance to the mean plane by the root of the area
+  double flatness = 0;   ///< greatest distance from the plane
+  double deviation = 0;  ///< rms distance to the mean plane by the root of the area
   double cost = 0;
-  Index plane = no_index;       ///< number of the plane it was found in
-  std::vector<Index> regions;   ///< of that plane, ascending: what it covers of its arrangement
+  Index plane = no_index;      ///< number of the plane it was found in
+  std::vector<Index> regions;  ///< of that plane, ascending: what it covers of its arrangement
 };
 
 }  // namespace croquis

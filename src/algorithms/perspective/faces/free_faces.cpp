@@ -54,8 +54,12 @@ bool crosses_itself(const std::vector<Vec3>& polygon, const Vec3& normal) {
 class LoopSearch {
  public:
   LoopSearch(const SolidGraph& graph, const std::vector<EdgePlane>& planes, const FreeFaceSearch& search)
-      : graph_(graph), kind_(search.kind), max_sides_(search.max_sides), planes_at_(graph.edges.size()),
-        on_path_(graph.points.size(), 0), allowed_(graph.edges.size(), 1) {
+      : graph_(graph),
+        kind_(search.kind),
+        max_sides_(search.max_sides),
+        planes_at_(graph.edges.size()),
+        on_path_(graph.points.size(), 0),
+        allowed_(graph.edges.size(), 1) {
     if (search.usable != nullptr) allowed_ = *search.usable;
     for (Index p = 0; p < planes.size(); ++p) {
       for (const Index e : planes[p].edges) planes_at_[e].push_back(p);

@@ -12,7 +12,7 @@ namespace croquis {
 struct EdgePlane {
   Vec3 origin = Vec3::Zero();
   Vec3 normal = Vec3::UnitZ();
-  int axis = -1;  ///< 0..2: exactly at right angles to that axis; -1: oblique
+  int axis = -1;             ///< 0..2: exactly at right angles to that axis; -1: oblique
   std::vector<Index> edges;  ///< ascending
 };
 

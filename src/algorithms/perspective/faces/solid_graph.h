@@ -11,8 +11,8 @@ namespace croquis {
 /// A curve that can bound faces, turned so that its direction follows from its geometry.
 struct GraphEdge {
   Index curve = no_index;
-  bool reversed = false;      ///< against the network's curve
-  Index start = no_index;     ///< vertices of the graph
+  bool reversed = false;   ///< against the network's curve
+  Index start = no_index;  ///< vertices of the graph
   Index end = no_index;
   bool straight = false;
   std::vector<Vec3> samples;  ///< from start to end: 2 of straight ones, else 17
@@ -21,12 +21,12 @@ struct GraphEdge {
 /// The curves of a network that can bound faces, numbered by their geometry alone. Half-edge 2e runs along edge e,
 /// 2e+1 against it.
 struct SolidGraph {
-  std::vector<Vec3> points;                 ///< of the vertices
+  std::vector<Vec3> points;  ///< of the vertices
   std::vector<GraphEdge> edges;
-  std::vector<std::vector<Index>> outgoing; ///< of each vertex: half-edges that start there, ascending
-  std::vector<Index> dangling;              ///< curves of the network
-  std::vector<Index> bridges;               ///< curves of the network
-  double size = 0;                          ///< diagonal of the box of all curves
+  std::vector<std::vector<Index>> outgoing;  ///< of each vertex: half-edges that start there, ascending
+  std::vector<Index> dangling;               ///< curves of the network
+  std::vector<Index> bridges;                ///< curves of the network
+  double size = 0;                           ///< diagonal of the box of all curves
 
   static Index twin(Index half) { return half ^ 1U; }
   Index origin(Index half) const { return (half & 1U) != 0 ? edges[half / 2].end : edges[half / 2].start; }

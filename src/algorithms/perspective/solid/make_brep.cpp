@@ -88,8 +88,9 @@ class BrepMaker {
     edge.end = use.reversed ? curve.start : curve.end;
     edge.pieces = curve.pieces;
     edge.straight = curve.straight;
-    edge.fitted = curve.straight ? std::vector{straight_cubic(curve.pieces.front().points[0], curve.pieces.back().points[3])}
-                                 : at_most_two(fitted_[use.curve].pieces);
+    edge.fitted = curve.straight
+                      ? std::vector{straight_cubic(curve.pieces.front().points[0], curve.pieces.back().points[3])}
+                      : at_most_two(fitted_[use.curve].pieces);
     if (use.reversed) {
       turn_pieces(edge.pieces);
       turn_pieces(edge.fitted);

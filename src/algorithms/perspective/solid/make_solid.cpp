@@ -18,8 +18,8 @@ void turn_shell(FaceSet& faces, Index shell) {
   }
 }
 
-Solid span_solid(const CurveNetwork& network, const std::vector<FittedCurve>& fitted, const FaceSet& faces, Progress& progress,
-                 const SolidOptions& options) {
+Solid span_solid(const CurveNetwork& network, const std::vector<FittedCurve>& fitted, const FaceSet& faces,
+                 Progress& progress, const SolidOptions& options) {
   Solid solid;
   solid.brep = make_brep(network, fitted, faces);
   solid.warnings = find_smooth_edges(solid.brep, options.continuity).warnings;
@@ -32,8 +32,8 @@ Solid span_solid(const CurveNetwork& network, const std::vector<FittedCurve>& fi
 
 }  // namespace
 
-Solid make_solid(const CurveNetwork& network, const std::vector<FittedCurve>& fitted, const FaceSet& faces, Progress& progress,
-                 const SolidOptions& options) {
+Solid make_solid(const CurveNetwork& network, const std::vector<FittedCurve>& fitted, const FaceSet& faces,
+                 Progress& progress, const SolidOptions& options) {
   Solid solid = span_solid(network, fitted, faces, progress, options);
   FaceSet turned = faces;
   bool wrong = false;
