@@ -10,6 +10,16 @@
 namespace croquis::app {
 namespace {
 
+/// A tool's options, for drawings that this operation goes on from.
+template <class Options>
+Options options_for(const OperationDescription& operation) {
+  Options options;
+  options.operation = operation.id;
+  options.version = operation.version;
+  options.port = operation.inputs.front().name;
+  return options;
+}
+
 LiveEvaluation::Post post_to(QObject* receiver) {
   return [receiver](std::function<void()> task) {
     QMetaObject::invokeMethod(receiver, std::move(task), Qt::QueuedConnection);
@@ -78,21 +88,11 @@ std::shared_ptr<const Evaluation> Studio::result() const { return solid_node() =
 std::shared_ptr<const PolyMesh> Studio::solid() const { return mesh_at(solid_node()); }
 
 SketchToolOptions Studio::tool_options() const {
-  SketchToolOptions options;
-  const OperationDescription* operation = first_operation_on(ValueType::Drawing);
-  options.operation = operation->id;
-  options.version = operation->version;
-  options.port = operation->inputs.front().name;
-  return options;
+  return options_for<SketchToolOptions>(*first_operation_on(ValueType::Drawing));
 }
 
 PerspectiveToolOptions Studio::sheet_options() const {
-  PerspectiveToolOptions options;
-  const OperationDescription* operation = first_operation_on(ValueType::PerspectiveDrawing);
-  options.operation = operation->id;
-  options.version = operation->version;
-  options.port = operation->inputs.front().name;
-  return options;
+  return options_for<PerspectiveToolOptions>(*first_operation_on(ValueType::PerspectiveDrawing));
 }
 
 /// A sketch stays the one worked on while objects are chosen that come from none.

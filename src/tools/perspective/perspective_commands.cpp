@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/base/text.h"
 #include "croquis/tools/perspective/pen_strokes.h"
 #include "croquis/tools/perspective/perspective_steps.h"
 #include "croquis/tools/perspective/perspective_tool.h"
+#include "croquis/tools/strokes/stroke_source.h"
 #include "tools/perspective/perspective_labels.h"
 
 namespace croquis {
@@ -20,14 +22,8 @@ namespace {
 
 /// Items that ';' separates.
 std::vector<std::string> items_of(const std::string& list) {
-  std::vector<std::string> items;
-  std::size_t begin = 0;
-  while (begin < list.size()) {
-    const std::size_t end = std::min(list.find(';', begin), list.size());
-    if (end > begin) items.push_back(list.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return items;
+  const std::vector<std::string_view> items = text_parts(list, ";");
+  return {items.begin(), items.end()};
 }
 
 std::string joined(const std::vector<std::string>& items) {
@@ -54,17 +50,10 @@ Affine3 upright_placement() {
 
 Document add_perspective_drawing(const Document& document, PerspectiveDrawing drawing,
                                  const PerspectiveToolOptions& options) {
-  Node source;
-  source.id = document.next_id();
-  source.name = options.name;
-  source.source = std::make_shared<const PerspectiveDrawing>(std::move(drawing));
   Node operation;
-  operation.name = options.operation;
-  operation.operation = options.operation;
-  operation.version = options.version;
   operation.transform = upright_placement();
-  operation.inputs[options.port] = {source.id, "value"};
-  return document.with(std::move(source)).with(std::move(operation));
+  return with_stroke_source(document, std::make_shared<const PerspectiveDrawing>(std::move(drawing)), options,
+                            std::move(operation));
 }
 
 PerspectiveDrawing empty_sheet(const Vec2& size) {

@@ -8,6 +8,7 @@
 #include "croquis/tools/perspective/axis_guess.h"
 #include "croquis/tools/perspective/pen_strokes.h"
 #include "croquis/tools/perspective/perspective_steps.h"
+#include "croquis/tools/strokes/stroke_source.h"
 #include "tools/perspective/perspective_labels.h"
 
 namespace croquis {
@@ -264,22 +265,10 @@ Verdict PerspectiveTool::finish_box() {
 }
 
 std::vector<std::string> PerspectiveTool::selected() const {
-  std::vector<std::string> ids;
   const auto now = drawing();
-  if (!now) return ids;
-  const Selection& selection = session_.selection();
-  const NodeId own = node();
-  for (const PerspectiveStroke& stroke : now->strokes) {
-    const SelectedItem item{own, stroke.id};
-    if (std::binary_search(selection.begin(), selection.end(), item)) ids.push_back(stroke.id);
-  }
-  return ids;
+  return now ? selected_ids(session_, node(), now->strokes) : std::vector<std::string>();
 }
 
-void PerspectiveTool::select(const std::vector<std::string>& ids) {
-  Selection selection;
-  for (const std::string& id : ids) selection.push_back({node(), id});
-  session_.select(std::move(selection));
-}
+void PerspectiveTool::select(const std::vector<std::string>& ids) { select_ids(session_, node(), ids); }
 
 }  // namespace croquis

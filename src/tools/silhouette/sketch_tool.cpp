@@ -7,6 +7,7 @@
 #include "croquis/base/error.h"
 #include "croquis/tools/recording/general_steps.h"
 #include "croquis/tools/silhouette/sketch_steps.h"
+#include "croquis/tools/strokes/stroke_source.h"
 #include "tools/silhouette/sketch_labels.h"
 #include "tools/silhouette/stroke_ids.h"
 
@@ -309,38 +310,17 @@ Document SketchTool::with_drawing(Drawing drawing) const {
 }
 
 Document add_drawing(const Document& document, Value drawing, const SketchToolOptions& options) {
-  Node source;
-  source.id = document.next_id();
-  source.name = options.name;
-  source.source = std::move(drawing);
   Node operation;
-  operation.name = options.operation;
-  operation.operation = options.operation;
-  operation.version = options.version;
   operation.parameters = options.parameters;
-  operation.inputs[options.port] = {source.id, "value"};
-  return document.with(std::move(source)).with(std::move(operation));
+  return with_stroke_source(document, std::move(drawing), options, std::move(operation));
 }
 
 std::vector<std::string> SketchTool::selected() const {
-  std::vector<std::string> ids;
   const auto now = drawing();
-  if (!now) return ids;
-  const Selection& selection = session_.selection();
-  const NodeId own = node();
-  for (const Stroke& stroke : now->strokes) {
-    const SelectedItem item{own, stroke.id};
-    if (std::binary_search(selection.begin(), selection.end(), item)) ids.push_back(stroke.id);
-  }
-  return ids;
+  return now ? selected_ids(session_, node(), now->strokes) : std::vector<std::string>();
 }
 
-void SketchTool::select_strokes(const std::vector<std::string>& ids) {
-  Selection selection;
-  const NodeId own = node();
-  for (const std::string& id : ids) selection.push_back({own, id});
-  session_.select(std::move(selection));
-}
+void SketchTool::select_strokes(const std::vector<std::string>& ids) { select_ids(session_, node(), ids); }
 
 const StrokeFit* SketchTool::fit(const std::string& id) {
   const auto now = drawing();
