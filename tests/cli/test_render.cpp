@@ -46,6 +46,22 @@ TEST_CASE("the same picture twice is the same bytes, another view or the wire is
   CHECK(first != picture({"--wire"}));
 }
 
+TEST_CASE("a model whose z axis points up looks as if it had been turned upright") {
+  const ScratchFolder folder;
+  const std::string model = folder.write("wedge.obj", wedge);
+  const std::string lying = folder.write("lying.obj",
+                                         "v 0 0 0\nv 4 0 0\nv 4 0 2\nv 0 0 2\nv 0 1 0\nv 4 1 0\n"
+                                         "f 1 2 3 4\nf 5 6 2 1\nf 4 3 6 5\nf 1 4 5\nf 2 6 3\n");
+  for (const char* view : {"front", "side", "top", "persp"}) {
+    INFO(view);
+    const auto picture = [&](const std::string& file, const char* up) {
+      return run_cli({"render", file, "-o", "-", "--size", "200x150", "--view", view, "--up", up}).out;
+    };
+    CHECK(picture(model, "y") == picture(lying, "z"));
+    CHECK(picture(model, "y") != picture(lying, "y"));
+  }
+}
+
 TEST_CASE("a skeleton of lines alone can be drawn") {
   const ScratchFolder folder;
   const std::string lines = folder.write("lines.obj", "v 0 0 0\nv 1 2 0\nv 2 0 1\nl 1 2 3\n");

@@ -41,6 +41,14 @@ render::NamedView named_view(const std::string& name) {
   return render::NamedView::Perspective;
 }
 
+/// The same look at a model whose z axis points up: its y axis points away from who looks at its front.
+render::ViewDirection with_z_up(render::ViewDirection view) {
+  const auto turned = [](const glm::dvec3& v) { return glm::dvec3(v.x, -v.z, v.y); };
+  view.direction = turned(view.direction);
+  view.up = turned(view.up);
+  return view;
+}
+
 void check_picture_format(const Invocation& invocation) {
   const std::string& named = invocation.output_format;
   if (named == "png" || (named.empty() && (invocation.output == "-" || invocation.output.ends_with(".png")))) return;
@@ -65,6 +73,14 @@ CommandDescription RenderCommand::describe() const {
        {"front", "side", "top", "persp"},
        "",
        "Where it is seen from."},
+      {"up",
+       ParameterType::Choice,
+       std::string("y"),
+       0,
+       0,
+       {"y", "z"},
+       "",
+       "The model's axis that points up: z in solids of perspective drawings and in most scans."},
       {"wire", ParameterType::Flag, false, 0, 0, {}, "", "Draw the polygons' edges as well."},
       {"zebra",
        ParameterType::Flag,
@@ -76,7 +92,7 @@ CommandDescription RenderCommand::describe() const {
        "Let the surface mirror black and white stripes, which show how smooth it is."}};
   description.examples = {"croquis-cli render solid.obj -o solid.png",
                           "croquis-cli render solid.obj -o top.png --view top --size 1600x1200 --wire",
-                          "croquis-cli render solid.obj -o stripes.png --zebra"};
+                          "croquis-cli render bottle.obj -o stripes.png --zebra --up z"};
   return description;
 }
 
@@ -95,7 +111,8 @@ void RenderCommand::run(const Invocation& invocation, CommandResult& result, Pro
   render::RenderOptions options;
   options.wire = flag_of(invocation.parameters, "wire");
   if (flag_of(invocation.parameters, "zebra")) options.shading = render::Shading::Zebra;
-  const auto direction = render::view_direction(named_view(text_of(invocation.parameters, "view")));
+  auto direction = render::view_direction(named_view(text_of(invocation.parameters, "view")));
+  if (text_of(invocation.parameters, "up") == "z") direction = with_z_up(direction);
   const render::Camera camera = render::frame(render::points_of(items), direction, size.aspect());
   drawing.check();
   render::RenderedPicture picture = render::render_picture(renderer, items, camera, options, size);
