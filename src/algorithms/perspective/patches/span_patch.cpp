@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 
+#include "algorithms/perspective/patches/patch_energy.h"
 #include "croquis/perspective/gregory_patches.h"
 
 namespace croquis {
@@ -108,6 +109,9 @@ class PatchSpanner {
     return ratio > least_slope && ratio < greatest_slope ? km : mean(side);
   }
 
+  /// How a side's inner points move with the middle coefficient.
+  Vec3 change(std::size_t side, std::size_t end) const { return 2 * slopes_[side].a[end] / 3; }
+
   /// Energy is quadratic in the points, and these are linear in the middle coefficients.
   void make_fair();
 
@@ -118,64 +122,29 @@ class PatchSpanner {
   std::array<double, 4> middle_{};
 };
 
-using EnergyMatrix = Eigen::Matrix<double, 20, 20>;
-
-/// The variation energy of a patch is the sum over coordinates of x' E x: squares of all third derivatives, by
-/// differences, at the middles of a grid. It lets curvature be and resists its change, so that spheres stay round;
-/// thin-plate energy flattens them.
-EnergyMatrix variation_energy() {
-  constexpr int cells = 12;
-  constexpr double step = 1e-3;
-  using Weights = Eigen::Matrix<double, 20, 1>;
-  const auto slopes = [](double u, double v, bool along_u) {
-    const GregoryWeights weights = gregory_weights(u, v);
-    return Weights(Eigen::Map<const Weights>((along_u ? weights.du : weights.dv).data()));
-  };
-  EnergyMatrix energy = EnergyMatrix::Zero();
-  for (int i = 0; i < cells; ++i) {
-    for (int j = 0; j < cells; ++j) {
-      const double u = (i + 0.5) / cells, v = (j + 0.5) / cells;
-      for (const bool slope_u : {true, false}) {
-        for (const bool along_u : {true, false}) {
-          const double du = along_u ? step : 0, dv = along_u ? 0 : step;
-          const Weights third =
-              (slopes(u + du, v + dv, slope_u) - 2 * slopes(u, v, slope_u) + slopes(u - du, v - dv, slope_u)) /
-              (step * step);
-          energy += (slope_u == along_u ? 1 : 3) * third * third.transpose();
-        }
-      }
-    }
-  }
-  return energy;
-}
-
 void PatchSpanner::make_fair() {
-  static const EnergyMatrix energy = variation_energy();
-  const auto points_of = [](const GregoryPatch& patch) {
-    Eigen::Matrix<double, 20, 3> points;
-    for (int i = 0; i < 20; ++i) {
-      points.row(i) =
-          i < 12 ? patch.boundary[static_cast<std::size_t>(i)] : patch.inner[static_cast<std::size_t>(i - 12)];
-    }
-    return points;
-  };
-  const Eigen::Matrix<double, 20, 3> base = points_of(patch_);
-  std::array<Eigen::Matrix<double, 20, 3>, 4> change;
+  const Eigen::Matrix<double, 20, 20>& energy = variation_energy();
+  const PatchPoints base_force = energy * points_of(patch_);
+  std::array<PatchPoints, 4> force;
+  std::array<std::array<int, 2>, 4> row{};
   Eigen::Matrix4d system = Eigen::Matrix4d::Identity();
   Eigen::Vector4d right = Eigen::Vector4d::Zero();
   for (std::size_t i = 0; i < 4; ++i) {
-    change[i].setZero();
     if (!sides_[i].common) continue;
-    change[i].row(static_cast<int>(12 + 2 * i)) = 2 * slopes_[i].a[0] / 3;
-    change[i].row(static_cast<int>(12 + (2 * i + 3) % 8)) = 2 * slopes_[i].a[1] / 3;
+    row[i] = {static_cast<int>(12 + 2 * i), static_cast<int>(12 + (2 * i + 3) % 8)};
+    force[i] = energy.col(row[i][0]) * change(i, 0).transpose() + energy.col(row[i][1]) * change(i, 1).transpose();
   }
-  for (int i = 0; i < 4; ++i) {
-    if (!sides_[static_cast<std::size_t>(i)].common) continue;
-    const Eigen::Matrix<double, 20, 3> force = energy * change[static_cast<std::size_t>(i)];
-    for (int j = 0; j < 4; ++j) system(i, j) = force.cwiseProduct(change[static_cast<std::size_t>(j)]).sum();
-    right[i] = -force.cwiseProduct(base).sum();
+  const auto work = [&](const PatchPoints& of, std::size_t side) {
+    return of.row(row[side][0]).dot(change(side, 0)) + of.row(row[side][1]).dot(change(side, 1));
+  };
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!sides_[i].common) continue;
+    for (std::size_t j = 0; j < 4; ++j) {
+      system(static_cast<int>(i), static_cast<int>(j)) = sides_[j].common ? work(force[i], j) : 0;
+    }
+    right[static_cast<int>(i)] = -work(base_force, i);
   }
-  const Eigen::Vector4d solved = system.fullPivLu().solve(right);
+  const Eigen::Vector4d solved = system.ldlt().solve(right);
   for (std::size_t i = 0; i < 4; ++i) {
     if (!sides_[i].common) continue;
     const double km = middle_[i] + solved[static_cast<int>(i)], ratio = km / mean(i);
