@@ -278,6 +278,113 @@ TEST_CASE("every field of a curve network counts in its hash") {
   check_changes<N>(small_network, changes, hash_of_value<N>);
 }
 
+/// Two faces of two sides, their edges common.
+Brep small_brep() {
+  Brep brep;
+  brep.vertices = {{Vec3(0, 0, 0), 0}, {Vec3(3, 0, 0), 1}};
+  const RationalCubic cubic = straight_cubic(Vec3(0, 0, 0), Vec3(3, 0, 0));
+  for (Index e : {0U, 1U}) brep.edges.push_back({"e", e, 0, 1, {cubic}, {cubic}, false, {e, 2 + e}, false, {}});
+  brep.half_edges = {{0, false, 0, 3}, {1, false, 1, 2}, {0, true, 1, 1}, {1, true, 0, 0}};
+  brep.loops = {{0, 0}, {1, 1}};
+  brep.faces.resize(2);
+  for (Index f : {0U, 1U}) brep.faces[f] = {0, {f}, false, Vec3(0, 0, 0), Vec3(0, 0, 1), 0, {2, GregoryPatch()}};
+  brep.shells = {{{0, 1}, true, false}};
+  return brep;
+}
+
+TEST_CASE("every field of a B-rep counts in its hash") {
+  REQUIRE(validate(small_brep()).empty());
+  const Changes<Brep> changes = {[](Brep& b) { b.vertices[1].point.y() = 1; },
+                                 [](Brep& b) { b.vertices[1].network_vertex = 7; },
+                                 [](Brep& b) { b.edges[0].id = "f"; },
+                                 [](Brep& b) { b.edges[0].curve = 5; },
+                                 [](Brep& b) { b.edges[0].start = 1; },
+                                 [](Brep& b) { b.edges[0].end = 0; },
+                                 [](Brep& b) { b.edges[0].pieces[0].weights[1] = 2; },
+                                 [](Brep& b) { b.edges[0].fitted[0].points[1].z() = 2; },
+                                 [](Brep& b) { b.edges[0].straight = true; },
+                                 [](Brep& b) { b.edges[0].half_edges[1] = no_index; },
+                                 [](Brep& b) { b.edges[0].smooth = true; },
+                                 [](Brep& b) { b.edges[0].across[1].x() = 1; },
+                                 [](Brep& b) { b.half_edges[2].edge = 1; },
+                                 [](Brep& b) { b.half_edges[2].reversed = false; },
+                                 [](Brep& b) { b.half_edges[2].loop = 0; },
+                                 [](Brep& b) { b.half_edges[2].next = 0; },
+                                 [](Brep& b) { b.loops[1].face = 0; },
+                                 [](Brep& b) { b.loops[1].first = 2; },
+                                 [](Brep& b) { b.faces[1].shell = 1; },
+                                 [](Brep& b) { b.faces[1].loops[0] = 0; },
+                                 [](Brep& b) { b.faces[1].planar = true; },
+                                 [](Brep& b) { b.faces[1].origin.x() = 1; },
+                                 [](Brep& b) { b.faces[1].normal.x() = 1; },
+                                 [](Brep& b) { b.faces[1].flatness = 1; },
+                                 [](Brep& b) { b.faces[1].patches[1].boundary[11].z() = 1; },
+                                 [](Brep& b) { b.faces[1].patches[1].inner[7].z() = 1; },
+                                 [](Brep& b) { b.shells[0].faces.pop_back(); },
+                                 [](Brep& b) { b.shells[0].closed = false; },
+                                 [](Brep& b) { b.shells[0].is_void = true; }};
+  check_changes<Brep>(small_brep, changes, hash_of_value<Brep>);
+}
+
+AttributeNetwork small_attribute_network() {
+  AttributeNetwork network;
+  network.name = "tri";
+  network.units = "m";
+  network.tolerance = 1e-5;
+  network.nodes = {{"a", Vec3(0, 0, 0)}, {"b", Vec3(3, 0, 0)}};
+  network.curves = {{"c0", 0, 1, {Vec3(0, 0, 0), Vec3(1, 1, 0), Vec3(3, 0, 0)}, CurveJoin::Crease},
+                    {"c1", 0, 1, {}, CurveJoin::Crease},
+                    {"c2", no_index, no_index, {Vec3(1, 0, 0), Vec3(2, 0, 0)}, CurveJoin::Crease}};
+  network.faces = {{"f", {{0, false}, {1, true}}, {}, 0.7, {}, {{2, InnerProfile::Smooth, 0.5}}}};
+  network.points = {{"p", 0, Vec3(1, 0.5, 0), FanPlace{3, 0.1, 0.2}, 0.3, PointProfile::Smooth, Vec3(0, 0, 1)}};
+  network.slopes = {{0, 0, {0, 1}, {Vec3(0, 0, 1), Vec3(0, 1, 1)}, 1}};
+  return network;
+}
+
+TEST_CASE("every field of an attribute network counts in its hash") {
+  using N = AttributeNetwork;
+  REQUIRE(validate(small_attribute_network()).empty());
+  const Changes<N> changes = {[](N& n) { n.name = "quad"; },
+                              [](N& n) { n.units = "mm"; },
+                              [](N& n) { n.tolerance = 2e-5; },
+                              [](N& n) { n.tolerance.reset(); },
+                              [](N& n) { n.nodes[1].id = "c"; },
+                              [](N& n) { n.nodes[1].point.y() = 1; },
+                              [](N& n) { n.curves[0].id = "c3"; },
+                              [](N& n) { n.curves[0].from = 1; },
+                              [](N& n) { n.curves[0].to = no_index; },
+                              [](N& n) { n.curves[0].control[1].z() = 1; },
+                              [](N& n) { n.curves[0].control.clear(); },
+                              [](N& n) { n.curves[0].join = CurveJoin::Smooth; },
+                              [](N& n) { n.faces[0].id = "g"; },
+                              [](N& n) { n.faces[0].loop[1].curve = 2; },
+                              [](N& n) { n.faces[0].loop[1].reversed = false; },
+                              [](N& n) { n.faces[0].mode = AttributeMode::Paper; },
+                              [](N& n) { n.faces[0].fullness = 1; },
+                              [](N& n) { n.faces[0].domain = AttributeDomain::Uniform; },
+                              [](N& n) { n.faces[0].inner[0].curve = 1; },
+                              [](N& n) { n.faces[0].inner[0].profile = InnerProfile::Sharp; },
+                              [](N& n) { n.faces[0].inner[0].radius.reset(); },
+                              [](N& n) { n.points[0].id = "q"; },
+                              [](N& n) { n.points[0].face = 1; },
+                              [](N& n) { n.points[0].point.x() = 2; },
+                              [](N& n) { n.points[0].fan->corner = 2; },
+                              [](N& n) { n.points[0].fan->a = 0; },
+                              [](N& n) { n.points[0].fan->b = 0; },
+                              [](N& n) { n.points[0].fan.reset(); },
+                              [](N& n) { n.points[0].radius = 1; },
+                              [](N& n) { n.points[0].profile = PointProfile::Cone; },
+                              [](N& n) { n.points[0].normal->x() = 1; },
+                              [](N& n) { n.points[0].normal.reset(); },
+                              [](N& n) { n.slopes[0].curve = 1; },
+                              [](N& n) { n.slopes[0].face = no_index; },
+                              [](N& n) { n.slopes[0].at[0] = 0.1; },
+                              [](N& n) { n.slopes[0].normals[1].x() = 1; },
+                              [](N& n) { n.slopes[0].magnitude = 2; },
+                              [](N& n) { n.slopes.clear(); }};
+  check_changes<N>(small_attribute_network, changes, hash_of_value<N>);
+}
+
 TEST_CASE("every figure of a report counts in its hash, with its type and place") {
   const Changes<Report> changes = {[](Report& r) { r.set("count", 4); },
                                    [](Report& r) { r.set("count", 3.0); },
@@ -349,10 +456,12 @@ TEST_CASE("values of different types differ even when they are empty or missing"
                                         hash_of_value(Camera()),
                                         hash_of_value(PerspectiveDrawing()),
                                         hash_of_value(CurveNetwork()),
+                                        hash_of_value(Brep()),
+                                        hash_of_value(AttributeNetwork()),
                                         content_hash(Value(std::shared_ptr<const PolyMesh>())),
                                         content_hash(Value(std::shared_ptr<const Drawing>())),
                                         content_hash(Value(std::shared_ptr<const Report>()))};
-  CHECK(hashes.size() == 9);
+  CHECK(hashes.size() == 11);
 }
 
 TEST_CASE("a parameter's text counts alike whether it was written by a program or a person") {

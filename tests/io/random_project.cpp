@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include "croquis/document/content_hash.h"
 #include "support/meshes/mesh_shapes.h"
 
 namespace croquis::test {
@@ -107,8 +108,10 @@ Report random_tree(Random& random, int depth) {
 }
 
 Value random_value(Random& random) {
-  switch (random.below(6)) {
+  switch (random.below(8)) {
     case 0: return std::make_shared<const PolyMesh>(random_mesh(random));
+    case 5: return std::make_shared<const Brep>(random_brep(random));
+    case 6: return std::make_shared<const AttributeNetwork>(random_attribute_network(random));
     case 1: return std::make_shared<const Camera>(random_camera(random));
     case 2: return std::make_shared<const PerspectiveDrawing>(random_perspective_drawing(random));
     case 3: return std::make_shared<const CurveNetwork>(random_network(random));
@@ -292,6 +295,8 @@ bool same(const Value& a, const Value& b) {
   if (const auto camera = a.as<Camera>()) return same(*camera, b.get<Camera>());
   if (const auto drawing = a.as<PerspectiveDrawing>()) return same(*drawing, b.get<PerspectiveDrawing>());
   if (const auto network = a.as<CurveNetwork>()) return same(*network, b.get<CurveNetwork>());
+  // Of these every field counts in the hash (tests/document/test_content_hash.cpp).
+  if (a.as<Brep>() || a.as<AttributeNetwork>()) return content_hash(a) == content_hash(b);
   return same(a.get<Report>(), b.get<Report>());
 }
 
@@ -416,6 +421,108 @@ CurveNetwork random_network(Random& random) {
     }
     network.curves.push_back(std::move(curve));
   }
+  return network;
+}
+
+namespace {
+
+Vec3 random_point(Random& random) { return {random.between(-9, 9), random.between(-9, 9), random.between(-9, 9)}; }
+
+RationalCubic random_cubic(Random& random) {
+  RationalCubic cubic;
+  for (Vec3& point : cubic.points) point = random_point(random);
+  for (double& weight : cubic.weights) weight = random.between(0.1, 3);
+  return cubic;
+}
+
+}  // namespace
+
+Brep random_brep(Random& random) {
+  Brep brep;
+  const Index pillows = random.below(3);
+  for (Index k = 0; k < pillows; ++k) {  // each two faces of two sides
+    for (int i = 0; i < 2; ++i) brep.vertices.push_back({random_point(random), random.below(9)});
+    for (const Index e : {2 * k, 2 * k + 1}) {
+      const Index h = 4 * k + e % 2;
+      brep.edges.push_back({random_text(random),
+                            random.below(9),
+                            2 * k,
+                            2 * k + 1,
+                            {random_cubic(random), random_cubic(random)},
+                            {random_cubic(random)},
+                            random.below(2) == 0,
+                            {h, h + 2},
+                            random.below(2) == 0,
+                            {random_point(random), random_point(random)}});
+    }
+    brep.half_edges.push_back({2 * k, false, 2 * k, 4 * k + 3});
+    brep.half_edges.push_back({2 * k + 1, false, 2 * k + 1, 4 * k + 2});
+    brep.half_edges.push_back({2 * k, true, 2 * k + 1, 4 * k + 1});
+    brep.half_edges.push_back({2 * k + 1, true, 2 * k, 4 * k});
+    for (const Index f : {2 * k, 2 * k + 1}) {
+      brep.loops.push_back({f, 4 * k + f % 2});
+      BrepFace face{k, {f}, random.below(2) == 0, random_point(random), Vec3(2, 3, 6) / 7, random.unit(), {}};
+      if (!face.planar) face.patches.resize(2);
+      for (GregoryPatch& patch : face.patches) {
+        for (Vec3& point : patch.boundary) point = random_point(random);
+        for (Vec3& point : patch.inner) point = random_point(random);
+      }
+      brep.faces.push_back(std::move(face));
+    }
+    brep.shells.push_back({{2 * k, 2 * k + 1}, true, random.below(2) == 0});
+  }
+  return brep;
+}
+
+AttributeNetwork random_attribute_network(Random& random) {
+  const auto maybe = [&](double value) { return random.below(2) == 0 ? std::optional(value) : std::nullopt; };
+  AttributeNetwork network;
+  network.name = random_text(random);
+  network.units = random_text(random);
+  network.tolerance = maybe(1e-4);
+  const Index nodes = 2 + random.below(4), curves = 2 + random.below(5), faces = 1 + random.below(3);
+  for (Index i = 0; i < nodes; ++i) network.nodes.push_back({"n" + std::to_string(i), random_point(random)});
+  for (Index i = 0; i < curves; ++i) {
+    AttributeCurve curve{"c" + std::to_string(i), random.below(nodes), random.below(nodes), {}, CurveJoin::Smooth};
+    if (random.below(2) == 0) curve.join = CurveJoin::Crease;
+    if (random.below(3) == 0) curve.from = curve.to = no_index;
+    const std::uint32_t least = curve.from == no_index ? 2 : 0;
+    std::uint32_t points = least + random.below(6);
+    for (points += points == 1 ? 1 : 0; points > 0; --points) curve.control.push_back(random_point(random));
+    network.curves.push_back(std::move(curve));
+  }
+  for (Index i = 0; i < faces; ++i) {
+    AttributeFace face{"f" + std::to_string(i),
+                       {},
+                       static_cast<AttributeMode>(random.below(3)),
+                       random.between(-1, 2),
+                       static_cast<AttributeDomain>(random.below(2)),
+                       {}};
+    for (Index c = 0; c < curves; ++c) {
+      if (c < 2 || random.below(2) == 0) face.loop.push_back({c, random.below(2) == 0});
+    }
+    if (random.below(2) == 0)
+      face.inner.push_back({random.below(curves), static_cast<InnerProfile>(random.below(2)), maybe(0.5)});
+    network.faces.push_back(std::move(face));
+  }
+  for (std::uint32_t i = random.below(3); i > 0; --i) {
+    PointAttribute point{"p" + std::to_string(i),
+                         random.below(faces),
+                         random_point(random),
+                         {},
+                         maybe(0.3),
+                         static_cast<PointProfile>(random.below(2)),
+                         {}};
+    if (random.below(2) == 0) point.fan = FanPlace{random.below(2), random.unit(), random.unit()};
+    if (random.below(2) == 0) point.normal = random_point(random);
+    network.points.push_back(std::move(point));
+  }
+  if (random.below(2) == 0)
+    network.slopes.push_back({random.below(curves),
+                              random.below(2) == 0 ? no_index : random.below(faces),
+                              {0, random.unit()},
+                              {random_point(random), random_point(random)},
+                              random.unit()});
   return network;
 }
 

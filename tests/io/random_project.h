@@ -15,6 +15,8 @@ Report random_report(Random& random);
 Camera random_camera(Random& random);
 PerspectiveDrawing random_perspective_drawing(Random& random);
 CurveNetwork random_network(Random& random);
+Brep random_brep(Random& random);  ///< valid, its curves and patches anywhere
+AttributeNetwork random_attribute_network(Random& random);
 
 /// Sources and operations with parameters and links; texts of any bytes, numbers of any bits. Ids have gaps.
 Document random_document(Random& random, std::uint32_t nodes);

@@ -146,7 +146,8 @@ TEST_CASE("names and tags of the types of values differ") {
   }
   CHECK(names.size() == value_types().size());
   CHECK(tags.size() == value_types().size());
-  CHECK(names == std::set<std::string>{"mesh", "drawing", "report", "camera", "perspective drawing", "curve network"});
+  CHECK(names == std::set<std::string>{"mesh", "drawing", "report", "camera", "perspective drawing", "curve network",
+                                       "B-rep", "attribute network"});
 }
 
 TEST_CASE("values lie where their points are; reports lie nowhere and stay what they are") {
@@ -223,6 +224,73 @@ TEST_CASE("stored perspective drawings, cameras and networks that break their ru
   refused(network, [](CurveNetwork& n) { n.curves[0].pieces[0].weights[1] = 0; });
   refused(network, [](CurveNetwork& n) { n.curves[0].pieces.clear(); });
   refused(network, [](CurveNetwork& n) { n.curves.push_back(n.curves[0]); });
+}
+
+TEST_CASE("stored B-reps and attribute networks that contradict themselves are refused") {
+  const auto refused = []<typename T>(T content, const auto& spoil) {
+    spoil(content);
+    CHECK_THROWS_AS(decode(ValueType::of<T>(), encode(std::make_shared<const T>(content))), BadBytes);
+  };
+  test::Random random(3);
+  Brep brep;
+  while (brep.faces.empty()) brep = test::random_brep(random);
+  const std::string good = encode(std::make_shared<const Brep>(brep));
+  CHECK(encode(decode(ValueType::Brep, good)) == good);
+  for (std::size_t length = 0; length < good.size(); length += 7)
+    CHECK_THROWS_AS(decode(ValueType::Brep, good.substr(0, length)), BadBytes);
+  refused(brep, [](Brep& b) { b.half_edges[0].next = 0; });
+  refused(brep, [](Brep& b) { b.half_edges[1].loop = 99; });
+  refused(brep, [](Brep& b) { b.edges[0].half_edges[0] = 99; });
+  refused(brep, [](Brep& b) { b.edges[0].fitted.clear(); });
+  refused(brep, [](Brep& b) { b.edges[1].end = 99; });
+  refused(brep, [](Brep& b) { b.faces[0].loops = {99}; });
+  refused(brep, [](Brep& b) { b.faces[0].loops = {1}; });
+  refused(brep, [](Brep& b) { b.faces[0].flatness = -1; });
+  refused(brep, [](Brep& b) {
+    b.faces[0].planar = true;
+    b.faces[0].patches.resize(2);
+  });
+  refused(brep, [](Brep& b) { b.shells[0].faces = {0, 99}; });
+  refused(brep, [](Brep& b) { b.shells[0].faces = {0, 0}; });
+  refused(brep, [](Brep& b) { b.shells[0].faces = {0}; });
+  const AttributeNetwork network = test::random_attribute_network(random);
+  refused(network, [](AttributeNetwork& n) { n.nodes[1].id = n.nodes[0].id; });
+  refused(network, [](AttributeNetwork& n) { n.curves[0].from = 99; });
+  refused(network, [](AttributeNetwork& n) { n.curves[0].control = {Vec3(0, 0, 0)}; });
+  refused(network, [](AttributeNetwork& n) { n.faces[0].loop[0].curve = 99; });
+  refused(network, [](AttributeNetwork& n) { n.faces[0].loop.push_back(n.faces[0].loop[0]); });
+  refused(network, [](AttributeNetwork& n) { n.faces[0].fullness = 3; });
+  refused(network, [](AttributeNetwork& n) { n.points.push_back({"p", 99, Vec3(0, 0, 0), {}, {}, {}, {}}); });
+  refused(network, [](AttributeNetwork& n) { n.slopes.push_back({0, no_index, {0.5, 0.2}, {}, 1}); });
+}
+
+TEST_CASE("a B-rep moves with its node, and a mirrored one still has its faces outside") {
+  test::Random random(12);
+  Brep brep;
+  while (brep.faces.empty() || brep.faces[0].planar || brep.faces[1].planar) brep = test::random_brep(random);
+  Affine3 map;
+  map.linear << 1, 0.2, 0, 0, -2, 0.1, 0.3, 0, 1;  // mirrors
+  map.offset = Vec3(1, 2, 3);
+  const Brep mirrored = transformed(brep, map);
+  CHECK(validate(mirrored).empty());
+  for (std::size_t f = 0; f < brep.faces.size(); ++f) {
+    // Patch i begins where half-edge i does; both are counted the other way round.
+    const std::vector<GregoryPatch>& patches = mirrored.faces[f].patches;
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+      const std::size_t old = (patches.size() + 1 - i) % patches.size();
+      for (const double u : {0.0, 0.3, 1.0}) {
+        for (const double v : {0.1, 0.6}) {
+          const PatchPoint there = brep.faces[f].patches[old].at(v, u), here = patches[i].at(u, v);
+          CHECK((here.at - map(there.at)).norm() < 1e-12 * 30);
+          CHECK((here.du - map.linear * there.dv).norm() < 1e-12 * 100);
+        }
+      }
+    }
+  }
+  const Brep back = transformed(mirrored, {map.linear.inverse(), -map.linear.inverse() * map.offset});
+  CHECK(validate(back).empty());
+  CHECK(back.half_edges[1].next == brep.half_edges[1].next);
+  CHECK((back.edges[0].across[0] - brep.edges[0].across[0]).norm() < 1e-9);
 }
 
 TEST_CASE("a type of value that one file defines is computed, moved, hashed and counted like all others") {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "croquis/base/report.h"
+#include "croquis/geometry/attribute_network.h"
+#include "croquis/geometry/brep.h"
 #include "croquis/geometry/camera.h"
 #include "croquis/geometry/curve_network.h"
 #include "croquis/geometry/drawing.h"
@@ -18,5 +20,7 @@
   line(Report, Report)                       \
   line(Camera, Camera)                       \
   line(PerspectiveDrawing, PerspectiveDrawing) \
-  line(CurveNetwork, CurveNetwork)
+  line(CurveNetwork, CurveNetwork)           \
+  line(Brep, Brep)                           \
+  line(AttributeNetwork, AttributeNetwork)
 // clang-format on

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "croquis/base/finding.h"
+#include "croquis/geometry/affine3.h"
+#include "croquis/geometry/bounds.h"
 #include "croquis/geometry/gregory_patch.h"
 #include "croquis/geometry/rational_cubic.h"
 
@@ -103,9 +105,17 @@ struct BrepFigures {
 
 BrepFigures inspect(const Brep& brep);
 
-/// What contradicts itself, each an error E_INTERNAL that names the element: indices out of range, loops that aren't
-/// closed or don't join end to start, edges and half-edges that don't know each other, a genus that isn't a whole
-/// number or is negative. Linear.
+/// What contradicts itself, each an error E_INTERNAL that names the element: indices out of range, elements that don't
+/// know each other, loops that aren't closed or don't join end to start, edges without curves, faces whose patches
+/// don't fit their loop, a genus that isn't a whole number or is negative. Linear.
 Findings validate(const Brep& brep);
+
+/// Of all vertices and control points, which hold the curves and patches between them.
+BoundingBox bounds_of(const Brep& brep);
+
+/// The mapped B-rep, exactly: affine maps keep rational cubics and Gregory patches. A map that mirrors turns every loop
+/// round, so that loops still run counter-clockwise seen from outside.
+/// @param map invertible
+Brep transformed(const Brep& brep, const Affine3& map);
 
 }  // namespace croquis

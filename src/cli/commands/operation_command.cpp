@@ -42,11 +42,14 @@ std::string upper_case(std::string word) {
   return word;
 }
 
+/// Whether there is a file format for values of a type.
+bool has_files(ValueType type) { return type != ValueType::Brep; }
+
 /// The outputs that get an option of their own: all but the first one, which is -o, and the report of the run.
 std::vector<PortDescription> extra_outputs(const OperationDescription& description) {
   std::vector<PortDescription> extra;
   std::copy_if(description.outputs.begin() + 1, description.outputs.end(), std::back_inserter(extra),
-               [](const PortDescription& port) { return port.name != details_output; });
+               [](const PortDescription& port) { return port.name != details_output && has_files(port.type); });
   return extra;
 }
 

@@ -3,6 +3,7 @@
 
 #include "croquis/geometry/curve_network.h"
 #include "document/content_size.h"
+#include "document/values/rational_bytes.h"
 #include "document/values/value_row.h"
 #include "document/values/vector_bytes.h"
 
@@ -13,31 +14,14 @@ constexpr std::uint32_t network_layout = 1;
 
 // The fewest bytes that an element takes: counts are checked with it.
 constexpr std::size_t vertex_bytes = 3 * sizeof(double);
-constexpr std::size_t rational_piece_bytes = 16 * sizeof(double);
 constexpr std::size_t least_curve_bytes = 2 * sizeof(std::uint64_t) + 2 * sizeof(Index) + 1;
-
-void write_rational(const RationalCubic& cubic, ByteWriter& writer) {
-  for (const Vec3& point : cubic.points) write_numbers(point, writer);
-  for (const double weight : cubic.weights) writer.number(weight);
-}
-
-RationalCubic read_rational(ByteReader& reader) {
-  RationalCubic cubic;
-  for (Vec3& point : cubic.points) point = read_finite<Vec3>(reader);
-  for (double& weight : cubic.weights) {
-    weight = reader.number<double>();
-    if (!(weight > 0 && weight <= 1e300)) throw BadBytes("a curve's weight is not positive");
-  }
-  return cubic;
-}
 
 void write_curve(const NetworkCurve& curve, ByteWriter& writer) {
   writer.text(curve.id);
   writer.number(curve.start);
   writer.number(curve.end);
   writer.flag(curve.straight);
-  writer.count(curve.pieces.size());
-  for (const RationalCubic& piece : curve.pieces) write_rational(piece, writer);
+  write_rationals(curve.pieces, writer);
 }
 
 void require_curve(const NetworkCurve& curve, const std::vector<Vec3>& vertices) {
@@ -57,8 +41,7 @@ NetworkCurve read_curve(ByteReader& reader, const std::vector<Vec3>& vertices) {
   curve.start = reader.number<Index>();
   curve.end = reader.number<Index>();
   curve.straight = reader.flag();
-  curve.pieces.resize(reader.count(rational_piece_bytes));
-  for (RationalCubic& piece : curve.pieces) piece = read_rational(reader);
+  curve.pieces = read_rationals(reader);
   require_curve(curve, vertices);
   return curve;
 }
@@ -68,11 +51,7 @@ void hash_curve(const NetworkCurve& curve, ContentHasher& hasher) {
   hasher.add(curve.start);
   hasher.add(curve.end);
   hasher.add(curve.straight);
-  hasher.add(curve.pieces.size());
-  for (const RationalCubic& piece : curve.pieces) {
-    for (const Vec3& point : piece.points) hash_numbers(point, hasher);
-    for (const double weight : piece.weights) hasher.add(weight);
-  }
+  hash_rationals(curve.pieces, hasher);
 }
 
 /// Curves in space that meet at vertices.

@@ -62,6 +62,7 @@ OperationDescription PerspectiveOperation::describe() const {
           {std::move(mesh),
            {"curves", ValueType::CurveNetwork, "Every edge in space."},
            {"camera", ValueType::Camera, "The eye that the drawing was seen from."},
+           {"solid", ValueType::Brep, "Faces, edges and vertices with their exact curves and patches."},
            {"patches", ValueType::Report, "The surfaces: planes with loops, Gregory patches with control points."},
            {"details", ValueType::Report, "The camera, every stroke, corners and faces."}},
           perspective_parameters()};
@@ -93,6 +94,7 @@ OperationResult PerspectiveOperation::compute(const Values& inputs, const Parame
   result.outputs["curves"] = std::make_shared<const CurveNetwork>(details.network);
   result.outputs["camera"] = std::make_shared<const Camera>(details.camera);
   result.outputs["patches"] = std::make_shared<const Report>(patch_report(solid.brep, details.faces));
+  result.outputs["solid"] = std::make_shared<const Brep>(std::move(solid.brep));
   result.outputs["details"] = std::make_shared<const Report>(to_report(details));
   result.details = std::move(details);
   return result;

@@ -11,7 +11,9 @@ class BrepCheck {
   explicit BrepCheck(const Brep& brep) : brep_(brep) {}
 
   Findings run() {
-    if (check_indices()) {
+    check_indices();
+    if (findings_.empty()) check_members();
+    if (findings_.empty()) {
       for (Index l = 0; l < brep_.loops.size(); ++l) check_loop(l);
       for (Index e = 0; e < brep_.edges.size(); ++e) check_edge(e);
       check_genus();
@@ -24,8 +26,9 @@ class BrepCheck {
     findings_.push_back(make_error(Category::Internal, "E_INTERNAL", sentence, {numbered_subject(kind, index)}));
   }
 
-  bool check_indices() {
-    const auto known = [](Index i, std::size_t count) { return i < count; };
+  static bool known(Index i, std::size_t count) { return i < count; }
+
+  void check_indices() {
     for (std::size_t h = 0; h < brep_.half_edges.size(); ++h) {
       const BrepHalfEdge& half = brep_.half_edges[h];
       if (!known(half.edge, brep_.edges.size()) || !known(half.loop, brep_.loops.size()) ||
@@ -47,11 +50,37 @@ class BrepCheck {
       }
     }
     for (std::size_t f = 0; f < brep_.faces.size(); ++f) {
-      if (!known(brep_.faces[f].shell, brep_.shells.size()) || brep_.faces[f].loops.empty()) {
+      const BrepFace& face = brep_.faces[f];
+      const bool loops = std::ranges::all_of(face.loops, [&](Index l) { return known(l, brep_.loops.size()); });
+      if (!known(face.shell, brep_.shells.size()) || face.loops.empty() || !loops) {
         complain("A face has no shell or no loop.", SubjectKind::Face, f);
       }
     }
-    return findings_.empty();
+  }
+
+  /// Everything belongs to one thing, which knows it.
+  void check_members() {
+    std::vector<Index> owners(brep_.loops.size(), no_index);
+    for (Index f = 0; f < brep_.faces.size(); ++f) {
+      for (const Index loop : brep_.faces[f].loops) {
+        if (owners[loop] != no_index || brep_.loops[loop].face != f)
+          complain("A face and its loop don't know each other.", SubjectKind::Face, f);
+        owners[loop] = f;
+      }
+    }
+    if (std::ranges::find(owners, no_index) != owners.end())
+      complain("A loop belongs to no face.", SubjectKind::Face, 0);
+    std::vector<char> placed(brep_.faces.size(), 0);
+    for (Index s = 0; s < brep_.shells.size(); ++s) {
+      for (const Index face : brep_.shells[s].faces) {
+        if (face >= brep_.faces.size() || brep_.faces[face].shell != s || placed[face] != 0) {
+          complain("A shell and its face don't know each other.", SubjectKind::Face, face);
+        } else {
+          placed[face] = 1;
+        }
+      }
+    }
+    if (std::ranges::find(placed, 0) != placed.end()) complain("A face belongs to no shell.", SubjectKind::Face, 0);
   }
 
   void check_loop(Index loop) {
@@ -60,14 +89,27 @@ class BrepCheck {
       const Index next = brep_.half_edges[half].next;
       if (brep_.half_edges[half].loop != loop || brep_.end_of(half) != brep_.start_of(next)) break;
       half = next;
-      if (half == brep_.loops[loop].first) return;
+      if (half == brep_.loops[loop].first) return check_patches(brep_.loops[loop], steps + 1);
     }
     complain("A loop isn't closed.", SubjectKind::Face, brep_.loops[loop].face);
   }
 
+  /// One patch over four sides, or one for each side around the middle.
+  void check_patches(const BrepLoop& loop, std::size_t sides) {
+    const BrepFace& face = brep_.faces[loop.face];
+    const std::size_t patches = face.patches.size();
+    const bool fits =
+        face.planar ? patches == 0
+                    : patches == 0 || (face.loops.size() == 1 && (patches == sides || (patches == 1 && sides == 4)));
+    if (!fits) complain("The patches of a face don't fit its sides.", SubjectKind::Face, loop.face);
+  }
+
   void check_edge(Index e) {
+    const BrepEdge& edge = brep_.edges[e];
+    if (edge.pieces.empty() || edge.fitted.empty() || edge.fitted.size() > 2)
+      complain("An edge has no curve, or one of too many pieces.", SubjectKind::Edge, e);
     for (const bool reversed : {false, true}) {
-      const Index half = brep_.edges[e].half_edges[reversed ? 1 : 0];
+      const Index half = edge.half_edges[reversed ? 1 : 0];
       if (half == no_index) continue;
       if (brep_.half_edges[half].edge != e || brep_.half_edges[half].reversed != reversed) {
         complain("An edge and its half-edge don't know each other.", SubjectKind::Edge, e);
