@@ -24,7 +24,7 @@ struct BrepVertex {
 /// A curve that faces meet in.
 struct BrepEdge {
   std::string id;          ///< of the network's curve, the stroke
-  Index curve = no_index;  ///< of the network
+  Index curve = no_index;  ///< of the network; no_index: no stroke, divides an outline of strokes into faces
   Index start = no_index;  ///< vertex of the B-rep
   Index end = no_index;
   std::vector<RationalCubic> pieces;  ///< the exact curve
@@ -57,6 +57,7 @@ struct BrepLoop {
 /// of the half-edge before.
 struct BrepFace {
   Index shell = no_index;
+  Index outline = no_index;  ///< number of the outline of strokes that it fills; several faces may fill one together
   std::vector<Index> loops;  ///< the outer one first
   bool planar = true;
   Vec3 origin = Vec3::Zero();         ///< of planar faces: a point of the plane

@@ -35,8 +35,8 @@ struct PatchSide {
 GregoryPatch span_patch(const std::array<PatchSide, 4>& sides, const PatchOptions& options = {});
 
 /// Spans patches over all faces that aren't planar: one over four sides with one cubic each, else n around a middle
-/// point. Where the patches around the middle fold over, the middle is moved; PATCH_FOLDED names faces that stay
-/// folded.
+/// point. Where the patches around the middle fold over, the middle is moved; if that isn't enough, the face is divided
+/// by an edge from corner to corner. PATCH_FOLDED names faces that stay folded.
 /// @param brep smooth edges are known (find_smooth_edges)
 Findings span_patches(Brep& brep, const PatchOptions& options = {});
 

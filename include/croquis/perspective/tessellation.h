@@ -17,7 +17,7 @@ struct TessellationOptions {
 };
 
 /// The corner channel of unit normals (3 doubles) is "normal"; the face channel "group" ("f0", "f1" …) has for each
-/// triangle its face of the B-rep.
+/// triangle the outline that its face of the B-rep fills.
 struct Tessellation {
   PolyMesh mesh;               ///< triangles, counter-clockwise from outside
   std::vector<double> volume;  ///< per shell; of open shells what the cone from the origin has

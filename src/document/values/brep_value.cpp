@@ -19,7 +19,7 @@ constexpr std::size_t least_brep_edge_bytes = 3 * sizeof(std::uint64_t) + 5 * si
 constexpr std::size_t brep_half_edge_bytes = 3 * sizeof(Index) + 1;
 constexpr std::size_t brep_loop_bytes = 2 * sizeof(Index);
 constexpr std::size_t patch_bytes = 60 * sizeof(double);
-constexpr std::size_t least_brep_face_bytes = 2 * sizeof(std::uint64_t) + sizeof(Index) + 7 * sizeof(double) + 1;
+constexpr std::size_t least_brep_face_bytes = 2 * sizeof(std::uint64_t) + 2 * sizeof(Index) + 7 * sizeof(double) + 1;
 constexpr std::size_t least_brep_shell_bytes = sizeof(std::uint64_t) + 2;
 
 void write_brep_edge(const BrepEdge& edge, ByteWriter& writer) {
@@ -52,6 +52,7 @@ BrepEdge read_brep_edge(ByteReader& reader) {
 
 void write_brep_face(const BrepFace& face, ByteWriter& writer) {
   writer.number(face.shell);
+  writer.number(face.outline);
   writer.numbers(face.loops);
   writer.flag(face.planar);
   write_numbers(face.origin, writer);
@@ -67,6 +68,7 @@ void write_brep_face(const BrepFace& face, ByteWriter& writer) {
 BrepFace read_brep_face(ByteReader& reader) {
   BrepFace face;
   face.shell = reader.number<Index>();
+  face.outline = reader.number<Index>();
   face.loops = reader.numbers<Index>();
   face.planar = reader.flag();
   face.origin = read_finite<Vec3>(reader);
@@ -98,6 +100,7 @@ void hash_brep_edge(const BrepEdge& edge, ContentHasher& hasher) {
 
 void hash_brep_face(const BrepFace& face, ContentHasher& hasher) {
   hasher.add(face.shell);
+  hasher.add(face.outline);
   hasher.add(std::span<const std::uint32_t>(face.loops));
   hasher.add(face.planar);
   hash_numbers(face.origin, hasher);

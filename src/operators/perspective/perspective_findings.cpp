@@ -66,16 +66,32 @@ class StrokeNames {
   const LiftedCurves& curves_;
 };
 
+/// The curves around an outline from a half-edge on, across the edges that divide it.
+std::vector<Index> curves_around(const Brep& brep, Index first) {
+  std::vector<Index> curves;
+  Index half = first;
+  do {
+    const Index curve = brep.edges[brep.half_edges[half].edge].curve;
+    if (curve != no_index) curves.push_back(curve);
+    half = curve != no_index ? brep.half_edges[half].next : brep.half_edges[brep.twin(half)].next;
+  } while (half != first);
+  return curves;
+}
+
+Index first_drawn(const Brep& brep, Index loop) {
+  for (const Index half : brep.around(loop)) {
+    if (brep.edges[brep.half_edges[half].edge].curve != no_index) return half;
+  }
+  return brep.loops[loop].first;
+}
+
 std::vector<PerspectiveFace> faces_of(const Brep& brep, const StrokeNames& names) {
   std::vector<PerspectiveFace> faces;
   for (const BrepFace& face : brep.faces) {
+    if (face.outline != faces.size()) break;  // a further part of an outline
     PerspectiveFace made{"f" + std::to_string(faces.size()), {}, face.planar};
-    for (const Index loop : face.loops) {
-      std::vector<Index> curves;
-      for (const Index half_edge : brep.around(loop))
-        curves.push_back(brep.edges[brep.half_edges[half_edge].edge].curve);
-      made.strokes.push_back(names.of_loop(curves));
-    }
+    for (const Index loop : face.loops)
+      made.strokes.push_back(names.of_loop(curves_around(brep, first_drawn(brep, loop))));
     faces.push_back(std::move(made));
   }
   return faces;

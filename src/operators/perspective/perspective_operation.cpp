@@ -93,7 +93,9 @@ OperationResult PerspectiveOperation::compute(const Values& inputs, const Parame
   result.outputs["mesh"] = std::make_shared<const PolyMesh>(std::move(solid.tessellation.mesh));
   result.outputs["curves"] = std::make_shared<const CurveNetwork>(details.network);
   result.outputs["camera"] = std::make_shared<const Camera>(details.camera);
-  result.outputs["patches"] = std::make_shared<const Report>(patch_report(solid.brep, details.faces));
+  std::vector<std::string> stroke_of_curve;
+  for (const Index stroke : network.curves.stroke) stroke_of_curve.push_back(drawing.strokes[stroke].id);
+  result.outputs["patches"] = std::make_shared<const Report>(patch_report(solid.brep, details.faces, stroke_of_curve));
   result.outputs["solid"] = std::make_shared<const Brep>(std::move(solid.brep));
   result.outputs["details"] = std::make_shared<const Report>(to_report(details));
   result.details = std::move(details);

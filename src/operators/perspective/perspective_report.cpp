@@ -78,12 +78,22 @@ std::string summary_of(const PerspectiveResult& result) {
 }
 
 /// The strokes along the four sides of a patch; no stroke along those inside a face.
-Report side_list(const PerspectiveFace& face, std::size_t patch, std::size_t patches) {
-  const std::vector<std::string>& strokes = face.strokes.front();
+/// The strokes along a patch's sides; null where none was drawn.
+Report side_list(const Brep& brep, const BrepFace& face, std::size_t patch,
+                 const std::vector<std::string>& stroke_of_curve) {
+  const std::vector<Index> halves = brep.around(face.loops.front());
+  const auto stroke = [&](Index half) {
+    const Index curve = brep.edges[brep.half_edges[half].edge].curve;
+    return curve == no_index ? Report() : Report(stroke_of_curve[curve]);
+  };
   Report sides = Report::array();
-  if (patches == 1) return Report::list(strokes);
-  const std::size_t before = (patch + strokes.size() - 1) % strokes.size();
-  return sides.push(strokes[patch]), sides.push(Report()), sides.push(Report()), sides.push(strokes[before]), sides;
+  if (face.patches.size() > 1) {
+    const std::size_t before = (patch + halves.size() - 1) % halves.size();
+    return sides.push(stroke(halves[patch])), sides.push(Report()), sides.push(Report()),
+           sides.push(stroke(halves[before])), sides;
+  }
+  for (const Index half : halves) sides.push(stroke(half));
+  return sides;
 }
 
 std::size_t bytes_of_face(const PerspectiveFace& face) {
@@ -127,23 +137,23 @@ Report to_report(const PerspectiveResult& result) {
   return report;
 }
 
-Report patch_report(const Brep& brep, const std::vector<PerspectiveFace>& faces) {
+Report patch_report(const Brep& brep, const std::vector<PerspectiveFace>& faces,
+                    const std::vector<std::string>& stroke_of_curve) {
   Report patches = Report::array(), planes = Report::array();
-  for (std::size_t i = 0; i < brep.faces.size(); ++i) {
-    const BrepFace& face = brep.faces[i];
+  for (const BrepFace& face : brep.faces) {
     for (std::size_t k = 0; k < face.patches.size(); ++k) {
       Report entry;
-      entry.set("face", faces[i].id)
-          .set("strokes", side_list(faces[i], k, face.patches.size()))
+      entry.set("face", faces[face.outline].id)
+          .set("strokes", side_list(brep, face, k, stroke_of_curve))
           .set("points", point_list(face.patches[k]));
       patches.push(std::move(entry));
     }
     if (!face.planar) continue;
     Report entry;
-    entry.set("face", faces[i].id)
+    entry.set("face", faces[face.outline].id)
         .set("origin", numbers(face.origin))
         .set("normal", numbers(face.normal))
-        .set("loops", stroke_lists(faces[i].strokes));
+        .set("loops", stroke_lists(faces[face.outline].strokes));
     planes.push(std::move(entry));
   }
   Report report;

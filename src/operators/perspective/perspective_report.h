@@ -12,7 +12,9 @@ Report to_report(const PerspectiveResult& result);
 
 /// All surfaces of a solid: for each Gregory patch its face, the strokes along its sides and its 20 control points, for
 /// each planar face its plane and loops.
-/// @param faces of the B-rep, in its order
-Report patch_report(const Brep& brep, const std::vector<PerspectiveFace>& faces);
+/// @param faces by number of outline
+/// @param stroke_of_curve ids of the strokes that curves of the network were drawn as
+Report patch_report(const Brep& brep, const std::vector<PerspectiveFace>& faces,
+                    const std::vector<std::string>& stroke_of_curve);
 
 }  // namespace croquis

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "algorithms/perspective/patches/face_division.h"
 #include "algorithms/perspective/patches/face_star.h"
 #include "algorithms/perspective/patches/star_fairing.h"
 #include "croquis/perspective/gregory_patches.h"
@@ -14,6 +15,9 @@ constexpr int fold_cells = 8;
 
 /// Moves of the middle of a folded face.
 constexpr int most_moves = 20;
+
+/// Diagonals that are tried for a folded face.
+constexpr std::size_t most_diagonals = 6;
 
 /// How far a patch is from folding over: the least cosine between normals of neighbouring places; negative if it does.
 double least_turn(const GregoryPatch& patch) {
@@ -88,33 +92,63 @@ std::vector<GregoryPatch> span_face(const Brep& brep, const BrepFace& face, cons
   return star.patches;
 }
 
-Finding patch_folded(const Brep& brep, Index face) {
-  std::vector<Subject> subjects = {numbered_subject(SubjectKind::Face, face)};
-  std::string ids;
-  for (const Index half : brep.around(brep.faces[face].loops[0])) {
+/// The edges of a face that were drawn.
+std::vector<std::string> strokes_around(const Brep& brep, const BrepFace& face) {
+  std::vector<std::string> ids;
+  for (const Index half : brep.around(face.loops[0])) {
+    const BrepEdge& edge = brep.edges[brep.half_edges[half].edge];
+    if (edge.curve != no_index) ids.push_back(edge.id);
+  }
+  return ids;
+}
+
+Finding patch_folded(const Brep& brep, const BrepFace& face) {
+  std::vector<Subject> subjects = {numbered_subject(SubjectKind::Face, face.outline)};
+  std::string named;
+  for (const std::string& id : strokes_around(brep, face)) {
     Subject subject;
     subject.kind = SubjectKind::Stroke;
-    subject.id = brep.edges[brep.half_edges[half].edge].id;
-    ids += (ids.empty() ? "" : ", ") + subject.id;
+    subject.id = id;
+    named += (named.empty() ? "" : ", ") + id;
     subjects.push_back(std::move(subject));
   }
   return make_warning(Category::Geometry, "PATCH_FOLDED",
-                      "The smooth surface inside the strokes " + ids +
+                      "The smooth surface inside the strokes " + named +
                           " folds over: divide the face by another stroke or make its outline less bent.",
                       std::move(subjects));
+}
+
+bool spans_without_fold(Brep& brep, Index face, const PatchOptions& options) {
+  bool folded = false;
+  brep.faces[face].patches = span_face(brep, brep.faces[face], options, folded);
+  return !folded;
+}
+
+/// Divides a folded face so that neither part folds, if one of its diagonals does that.
+bool unfold_by_division(Brep& brep, Index face, const PatchOptions& options) {
+  std::vector<FaceDiagonal> found = diagonals(brep, face);
+  found.resize(std::min(found.size(), most_diagonals));
+  for (const FaceDiagonal& diagonal : found) {
+    Brep divided = brep;
+    divide_face(divided, face, diagonal, options);
+    const auto part = static_cast<Index>(divided.faces.size() - 1);
+    if (!spans_without_fold(divided, face, options) || !spans_without_fold(divided, part, options)) continue;
+    brep = std::move(divided);
+    return true;
+  }
+  return false;
 }
 
 }  // namespace
 
 Findings span_patches(Brep& brep, const PatchOptions& options) {
   Findings findings;
-  for (Index f = 0; f < brep.faces.size(); ++f) {
-    BrepFace& face = brep.faces[f];
-    face.patches.clear();
-    if (face.planar) continue;
-    bool folded = false;
-    face.patches = span_face(brep, face, options, folded);
-    if (folded) findings.push_back(patch_folded(brep, f));
+  const std::size_t count = brep.faces.size();
+  for (Index f = 0; f < count; ++f) {
+    brep.faces[f].patches.clear();
+    if (brep.faces[f].planar) continue;
+    if (spans_without_fold(brep, f, options) || unfold_by_division(brep, f, options)) continue;
+    findings.push_back(patch_folded(brep, brep.faces[f]));
   }
   return findings;
 }

@@ -7,9 +7,8 @@
 
 namespace croquis {
 
-/// The star of least energy near another one: of the middle, the tangent plane there and all handles of the spokes.
-/// The energy is the variation energy of the patches, and what their second derivatives differ by across the spokes.
-/// Lengths count by themselves, so that the scaled and turned face gives the scaled and turned star.
+/// The star of least energy (patch_fairing.h) near another one: of the middle, the tangent plane there and all handles
+/// of the spokes.
 StarShape fair_star(const std::vector<FaceSide>& sides, const StarShape& start, const PatchOptions& options);
 
 }  // namespace croquis

@@ -50,6 +50,7 @@ class BrepMaker {
     const NetworkFace& source = faces_.faces[f];
     BrepFace face;
     face.shell = source.shell;
+    face.outline = f;
     face.planar = source.planar;
     face.origin = source.origin;
     face.normal = source.normal;

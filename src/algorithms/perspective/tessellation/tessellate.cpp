@@ -53,7 +53,7 @@ class Tessellator {
     for (const SurfaceCorner* corner : {&a, &b, &c}) {
       for (int i = 0; i < 3; ++i) normals_.push_back(corner->normal[i]);
     }
-    face_numbers_.push_back(static_cast<std::int32_t>(face_));
+    face_numbers_.push_back(static_cast<std::int32_t>(face().outline));
   }
 
   Index new_vertex(const Vec3& p) {
@@ -121,10 +121,10 @@ class Tessellator {
     const Vec3& normal = face().normal;
     const SurfaceCorner apex{new_vertex(middle), normal};
     for (const auto& [a, b] : sides) add({vertices[a], normal}, {vertices[b], normal}, apex);
-    result_.warnings.push_back(make_warning(
-        Category::Geometry, "PATCH_FOLDED",
-        "The outlines of the plane face " + std::to_string(face_) + " cross each other: move its strokes apart.",
-        {numbered_subject(SubjectKind::Face, face_)}));
+    result_.warnings.push_back(make_warning(Category::Geometry, "PATCH_FOLDED",
+                                            "The outlines of the plane face " + std::to_string(face().outline) +
+                                                " cross each other: move its strokes apart.",
+                                            {numbered_subject(SubjectKind::Face, face().outline)}));
   }
 
   // Patches.
@@ -291,7 +291,9 @@ class Tessellator {
       result_.volume[brep_.faces[static_cast<std::size_t>(face_numbers_[t])].shell] += a.dot(b.cross(c)) / 6;
     }
     std::vector<std::string> names;
-    for (std::size_t face = 0; face < brep_.faces.size(); ++face) names.push_back("f" + std::to_string(face));
+    for (const BrepFace& face : brep_.faces) {
+      if (face.outline == names.size()) names.push_back("f" + std::to_string(face.outline));
+    }
     mesh.channels.push_back({"group", Domain::Face, 1, std::move(face_numbers_), std::move(names)});
   }
 

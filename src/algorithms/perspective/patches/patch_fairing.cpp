@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/perspective/patches/patch_fairing.h"
+
+#include <array>
+
+#include <Eigen/Dense>
+
+#include "algorithms/perspective/patches/patch_energy.h"
+
+namespace croquis {
+namespace {
+
+/// How much the squares of differences across a joint count beside the variation of the patches.
+constexpr double joint_weight = 100;
+
+constexpr int most_rounds = 8;
+constexpr int most_attempts = 4;
+constexpr double least_gain = 1e-4;  ///< of the energy in a round
+
+/// Parts of the way along a joint where its patches are compared.
+constexpr std::array<double, 4> joint_places = {0.2, 0.45, 0.7, 0.95};
+
+/// The second derivative across a side, a part t of the way along it.
+PatchWeights across_side(int side, double t) {
+  switch (side) {
+    case 0: return second_derivative(t, 0, false);
+    case 1: return second_derivative(1, t, true);
+    case 2: return second_derivative(1 - t, 1, false);
+    default: return second_derivative(0, 1 - t, true);
+  }
+}
+
+/// The second derivatives across the four sides at the places of joints, on the side's own way and on the way back.
+struct JointWeights {
+  std::array<std::array<PatchWeights, joint_places.size()>, 4> ahead, back;
+};
+
+const JointWeights& joint_weights() {
+  static const JointWeights weights = [] {
+    JointWeights made;
+    for (int side = 0; side < 4; ++side) {
+      for (std::size_t k = 0; k < joint_places.size(); ++k) {
+        made.ahead[static_cast<std::size_t>(side)][k] = across_side(side, joint_places[k]);
+        made.back[static_cast<std::size_t>(side)][k] = across_side(side, 1 - joint_places[k]);
+      }
+    }
+    return made;
+  }();
+  return weights;
+}
+
+/// The energy of a family and how it changes with the variables.
+class FamilyEnergy {
+ public:
+  explicit FamilyEnergy(const PatchFamily& family) : family_(family), joints_(family.joints()) {
+    for (std::size_t i = 0; i < family.patches(); ++i) variables_.push_back(family.variables_of(i));
+  }
+
+  double at(const Eigen::VectorXd& values) const {
+    const std::vector<PatchPoints> points = points_at(values);
+    double energy = 0;
+    for (const PatchPoints& patch : points) energy += patch.cwiseProduct(variation_energy() * patch).sum();
+    for (const PatchJoint& joint : joints_) {
+      for (std::size_t k = 0; k < joint_places.size(); ++k) {
+        energy += joint_share * difference(points, joint, k).squaredNorm();
+      }
+    }
+    return energy;
+  }
+
+  /// @param hessian,gradient are set: of half the energy, by Gauss and Newton
+  void derive(const Eigen::VectorXd& values, Eigen::MatrixXd& hessian, Eigen::VectorXd& gradient) const {
+    const std::vector<PatchPoints> points = points_at(values);
+    const std::vector<std::vector<PatchPoints>> changes = changes_at(values, points);
+    hessian = Eigen::MatrixXd::Zero(values.size(), values.size());
+    gradient = Eigen::VectorXd::Zero(values.size());
+    for (std::size_t i = 0; i < points.size(); ++i) add_variation(i, changes[i], points[i], hessian, gradient);
+    for (const PatchJoint& joint : joints_) add_differences(joint, changes, points, hessian, gradient);
+  }
+
+ private:
+  static constexpr double joint_share = joint_weight / joint_places.size();
+  static constexpr double step = 1e-5;
+
+  static const PatchWeights& before(const PatchJoint& joint, std::size_t place) {
+    return joint_weights().ahead[static_cast<std::size_t>(joint.before_side)][place];
+  }
+  static const PatchWeights& behind(const PatchJoint& joint, std::size_t place) {
+    return joint_weights().back[static_cast<std::size_t>(joint.behind_side)][place];
+  }
+
+  static Eigen::RowVector3d difference(const std::vector<PatchPoints>& points, const PatchJoint& joint,
+                                       std::size_t place) {
+    return before(joint, place).transpose() * points[joint.before] -
+           behind(joint, place).transpose() * points[joint.behind];
+  }
+
+  std::vector<PatchPoints> points_at(const Eigen::VectorXd& values) const {
+    std::vector<PatchPoints> points;
+    for (std::size_t i = 0; i < family_.patches(); ++i) points.push_back(points_of(family_.patch(i, values)));
+    return points;
+  }
+
+  /// Per patch and variable of it, how its points change.
+  std::vector<std::vector<PatchPoints>> changes_at(const Eigen::VectorXd& values,
+                                                   const std::vector<PatchPoints>& points) const {
+    std::vector<std::vector<PatchPoints>> changes(points.size());
+    Eigen::VectorXd moved = values;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      for (const int v : variables_[i]) {
+        moved[v] += step;
+        changes[i].push_back((points_of(family_.patch(i, moved)) - points[i]) / step);
+        moved[v] = values[v];
+      }
+    }
+    return changes;
+  }
+
+  void add_variation(std::size_t patch, const std::vector<PatchPoints>& changes, const PatchPoints& points,
+                     Eigen::MatrixXd& hessian, Eigen::VectorXd& gradient) const {
+    const std::vector<int>& variables = variables_[patch];
+    for (std::size_t a = 0; a < variables.size(); ++a) {
+      const PatchPoints force = variation_energy() * changes[a];
+      gradient[variables[a]] += force.cwiseProduct(points).sum();
+      for (std::size_t b = 0; b < variables.size(); ++b) {
+        hessian(variables[a], variables[b]) += force.cwiseProduct(changes[b]).sum();
+      }
+    }
+  }
+
+  void add_differences(const PatchJoint& joint, const std::vector<std::vector<PatchPoints>>& changes,
+                       const std::vector<PatchPoints>& points, Eigen::MatrixXd& hessian,
+                       Eigen::VectorXd& gradient) const {
+    for (std::size_t k = 0; k < joint_places.size(); ++k) {
+      Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(gradient.size(), 3);
+      for (std::size_t a = 0; a < variables_[joint.before].size(); ++a) {
+        rows.row(variables_[joint.before][a]) += before(joint, k).transpose() * changes[joint.before][a];
+      }
+      for (std::size_t a = 0; a < variables_[joint.behind].size(); ++a) {
+        rows.row(variables_[joint.behind][a]) -= behind(joint, k).transpose() * changes[joint.behind][a];
+      }
+      hessian += joint_share * rows * rows.transpose();
+      gradient += joint_share * rows * difference(points, joint, k).transpose();
+    }
+  }
+
+  const PatchFamily& family_;
+  std::vector<PatchJoint> joints_;
+  std::vector<std::vector<int>> variables_;  // per patch
+};
+
+}  // namespace
+
+Eigen::VectorXd least_energy(const PatchFamily& family) {
+  const FamilyEnergy energy(family);
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(family.variables()), gradient;
+  Eigen::MatrixXd hessian;
+  double now = energy.at(values), damping = 1e-3;
+  for (int round = 0; round < most_rounds; ++round) {
+    energy.derive(values, hessian, gradient);
+    const double before = now;
+    for (int attempt = 0; attempt < most_attempts; ++attempt, damping *= 10) {
+      Eigen::MatrixXd damped = hessian;
+      damped.diagonal() *= 1 + damping;
+      damped.diagonal().array() += 1e-12 * hessian.diagonal().maxCoeff();
+      const Eigen::VectorXd trial = values - damped.ldlt().solve(gradient);
+      if (!trial.allFinite() || !family.allowed(trial)) continue;
+      const double there = energy.at(trial);
+      if (there >= now) continue;
+      values = trial;
+      now = there;
+      damping /= 10;
+      break;
+    }
+    if (now > (1 - least_gain) * before) break;
+  }
+  return values;
+}
+
+}  // namespace croquis
