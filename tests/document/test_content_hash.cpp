@@ -193,7 +193,9 @@ TEST_CASE("every field of a camera counts in its hash") {
                                    [](Camera& c) { c.rotation(0, 1) = 1; },
                                    [](Camera& c) { c.rotation(1, 0) = 1; },
                                    [](Camera& c) { c.image_size.x() = 1001; },
-                                   [](Camera& c) { c.image_size.y() = 751; }};
+                                   [](Camera& c) { c.image_size.y() = 751; },
+                                   [](Camera& c) { c.image_origin.x() = 1; },
+                                   [](Camera& c) { c.image_origin.y() = 1; }};
   check_changes<Camera>(small_camera, changes, hash_of_value<Camera>);
 }
 

@@ -257,7 +257,7 @@ bool same(const Vec2& a, const Vec2& b) { return same(a.x(), b.x()) && same(a.y(
 
 bool same(const Camera& a, const Camera& b) {
   return same(a.focal_length, b.focal_length) && same(a.principal_point, b.principal_point) && same(a.eye, b.eye) &&
-         a.rotation == b.rotation && same(a.image_size, b.image_size);
+         a.rotation == b.rotation && same(a.image_origin, b.image_origin) && same(a.image_size, b.image_size);
 }
 
 bool same(const PictureCubic& a, const PictureCubic& b) { return same_elements(a, b); }
@@ -365,6 +365,7 @@ Camera random_camera(Random& random) {
   camera.eye = {random.between(-9, 9), random.between(-9, 9), random.between(-9, 9)};
   camera.rotation = Eigen::AngleAxisd(random.between(-3, 3), Vec3(2, 3, 6) / 7).toRotationMatrix();
   camera.image_size = {random.between(0, 2000), random.between(0, 2000)};
+  if (random.below(2) == 0) camera.image_origin = {random.between(-900, 900), random.between(-900, 900)};
   return camera;
 }
 

@@ -9,7 +9,8 @@
 namespace croquis {
 
 /// A pinhole camera without lens distortion. The world is right-handed with z up; the camera's own axes are right, down
-/// and forward; picture coordinates are pixels from the upper left corner, y down.
+/// and forward; picture coordinates are pixels, y down. A picture's upper left corner is (0, 0), that of a sheet may
+/// lie anywhere.
 ///
 /// A point X is at Xc = rotation · (X - eye) before the camera and at principal_point + focal_length (Xc.x, Xc.y) /
 /// Xc.z in the picture.
@@ -18,6 +19,7 @@ struct Camera {
   Vec2 principal_point = Vec2::Zero();                     ///< px, may lie off the picture's centre
   Vec3 eye = Vec3::Zero();                                 ///< model units
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< orthonormal; rows: right, down, forward
+  Vec2 image_origin = Vec2::Zero();                        ///< px, upper left corner of the picture
   Vec2 image_size = Vec2::Zero();                          ///< px, width and height
 
   /// How far before the camera a point lies: negative behind it. Model units.

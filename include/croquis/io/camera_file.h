@@ -11,8 +11,7 @@ namespace croquis {
 
 struct CameraFile {
   Camera camera;
-  Vec2 origin = Vec2::Zero();  ///< px, upper left corner of the sheet; the camera's picture coordinates include it
-  int mode = 0;                ///< how many vanishing points are finite, 1..3; 0 for not said
+  int mode = 0;  ///< how many vanishing points are finite, 1..3; 0 for not said
 };
 
 /// {"mode", "focal_length": px, "principal_point": [u, v], "eye": [x, y, z], "rotation": [[right], [down], [forward]],

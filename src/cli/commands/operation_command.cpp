@@ -131,7 +131,7 @@ void stage_value(const PortDescription& port, const Value& value, const Destinat
   } else if (const auto network = value.as<CurveNetwork>()) {
     stage_file(destination.path, write_curve_network_obj(*network), result);
   } else if (const auto camera = value.as<Camera>()) {
-    stage_file(destination.path, write_camera_json({*camera, Vec2::Zero(), finite_vanishing_points(*camera)}), result);
+    stage_file(destination.path, write_camera_json({*camera, finite_vanishing_points(*camera)}), result);
   } else {
     stage_file(destination.path, write_json(value.get<Report>()), result);
   }

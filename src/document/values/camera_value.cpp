@@ -11,7 +11,8 @@ namespace croquis {
 namespace {
 
 constexpr std::uint32_t camera_layout = 1;
-constexpr double largest_camera_skew = 1e-9;  // of stored rotations, which are written as they are
+constexpr std::uint32_t placed_camera_layout = 2;  // with the corner of its picture
+constexpr double largest_camera_skew = 1e-9;       // of stored rotations, which are written as they are
 
 void require_camera(const Camera& camera) {
   if (!(camera.focal_length > 0 && std::isfinite(camera.focal_length)))
@@ -22,6 +23,8 @@ void require_camera(const Camera& camera) {
   }
   if (camera.image_size.minCoeff() < 0) throw BadBytes("its picture's size is negative");
 }
+
+bool is_placed(const Camera& camera) { return camera.image_origin != Vec2::Zero(); }
 
 /// A pinhole camera.
 struct CameraValue {
@@ -35,27 +38,30 @@ struct CameraValue {
     hash_numbers(camera.eye, hasher);
     hash_numbers(camera.rotation, hasher);
     hash_numbers(camera.image_size, hasher);
+    if (is_placed(camera)) hash_numbers(camera.image_origin, hasher);
   }
 
   static std::size_t byte_size(const Camera&) { return sizeof(Camera); }
 
   static void store(const Camera& camera, ByteWriter& writer) {
-    writer.number(camera_layout);
+    writer.number(is_placed(camera) ? placed_camera_layout : camera_layout);
     writer.number(camera.focal_length);
     write_numbers(camera.principal_point, writer);
     write_numbers(camera.eye, writer);
     write_numbers(camera.rotation.transpose(), writer);
     write_numbers(camera.image_size, writer);
+    if (is_placed(camera)) write_numbers(camera.image_origin, writer);
   }
 
   static Camera load(ByteReader& reader) {
-    read_layout(reader, camera_layout);
+    const std::uint32_t layout = read_layout(reader, placed_camera_layout);
     Camera camera;
     camera.focal_length = reader.number<double>();
     camera.principal_point = read_finite<Vec2>(reader);
     camera.eye = read_finite<Vec3>(reader);
     camera.rotation = read_finite<Eigen::Matrix3d>(reader).transpose().eval();
     camera.image_size = read_finite<Vec2>(reader);
+    if (layout == placed_camera_layout) camera.image_origin = read_finite<Vec2>(reader);
     require_camera(camera);
     return camera;
   }

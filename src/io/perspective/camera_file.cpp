@@ -53,7 +53,7 @@ Report place_report(const Vec2& place) {
 
 /// A place of the picture as fSpy counts it.
 Vec2 fspy_place(const CameraFile& file, const Vec2& place) {
-  const Vec2 off = (place - file.origin - file.camera.image_size / 2) / fspy_unit(file.camera.image_size);
+  const Vec2 off = (place - file.camera.image_origin - file.camera.image_size / 2) / fspy_unit(file.camera.image_size);
   return {off.x(), -off.y()};
 }
 
@@ -152,7 +152,7 @@ class CameraReader {
     file.camera.rotation = rotation(matrix<3>(member(report, "rotation"), "rotation"), "rotation");
     file.camera.image_size = vector<2>(member(report, "image"), "image");
     if (file.camera.image_size.minCoeff() <= 0) refuse("E_SYNTAX", "image is not two numbers above 0");
-    if (member(report, "origin") != nullptr) file.origin = vector<2>(member(report, "origin"), "origin");
+    if (member(report, "origin") != nullptr) file.camera.image_origin = vector<2>(member(report, "origin"), "origin");
     const auto mode = number_of(member(report, "mode"));
     if (mode && *mode >= 1 && *mode <= 3) file.mode = static_cast<int>(*mode);
     return file;
@@ -219,7 +219,7 @@ std::string write_camera_json(const CameraFile& file) {
   report.set("focal_length", camera.focal_length).set("principal_point", Report::list(camera.principal_point));
   report.set("eye", Report::list(camera.eye)).set("rotation", rows_report(camera.rotation));
   report.set("image", Report::list(camera.image_size));
-  if (file.origin != Vec2::Zero()) report.set("origin", Report::list(file.origin));
+  if (camera.image_origin != Vec2::Zero()) report.set("origin", Report::list(camera.image_origin));
   set_fspy_members(file, report);
   return write_json(report);
 }

@@ -44,6 +44,7 @@ Eigen::Matrix3d rotation_of(const View& view) {
 Camera camera_for(const PerspectiveSolid& solid, const View& view) {
   const Vec2 sheet_centre = view.origin + view.image_size / 2;
   Camera camera;
+  camera.image_origin = view.origin;
   camera.image_size = view.image_size;
   camera.focal_length = view.image_size.x() / 2 / std::tan(view.field_of_view / 2);
   camera.principal_point = sheet_centre + view.principal_offset.cwiseProduct(view.image_size);

@@ -177,6 +177,7 @@ class Estimation {
     const CameraParameters& parameters = fit.parameters;
     estimate.camera.focal_length = parameters.focal() * frame_.unit;
     estimate.camera.principal_point = frame_.to_picture(parameters.principal);
+    estimate.camera.image_origin = drawing_.origin;
     estimate.camera.image_size = drawing_.image_size;
     const Vec2 place = drawing_.known_point ? frame_.to_sheet(drawing_.known_point->at) : Vec2(Vec2::Zero());
     estimate.camera.rotation = signed_axes(parameters, place, options_.turn_round);
