@@ -14,9 +14,9 @@
 
 /// From drawn strokes to curves in space, once the camera and the vertices are known.
 ///
-/// Cho and Kim, section 3.3, lift the control points and take the polynomial cubic through them, which isn't seen where
-/// it was drawn. A drawn cubic is the picture of a rational cubic: with d_i the ray of control point b_i and n the
-/// normal of its plane, weights w_i = n · d_i and points P_i = E + (c - n · E) / w_i d_i.
+/// Cho and Kim, section 2.2, item 1, lift the control points and take the polynomial cubic through them, which isn't
+/// seen where it was drawn. A drawn cubic is the picture of a rational cubic: with d_i the ray of control point b_i and
+/// n the normal of its plane, weights w_i = n · d_i and points P_i = E + (c - n · E) / w_i d_i.
 namespace croquis {
 
 struct CurveOptions {

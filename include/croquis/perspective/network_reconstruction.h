@@ -51,4 +51,7 @@ struct ReconstructedNetwork {
 ReconstructedNetwork reconstruct_network(const PerspectiveDrawing& drawing, const NetworkReconstructionOptions& options,
                                          Progress& progress);
 
+/// Findings about curves of the network, told again of the strokes that these are parts of, with their places.
+Findings told_of_strokes(Findings findings, const PerspectiveDrawing& drawing, const LiftedCurves& curves);
+
 }  // namespace croquis

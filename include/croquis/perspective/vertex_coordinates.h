@@ -19,9 +19,9 @@
 
 /// From the vertices of a drawing and its camera to their coordinates.
 ///
-/// Cho and Kim, section 3.2, pass coordinates on from edge to edge, which gives another result for another order. Here
-/// coordinates that strokes make equal are one unknown (a class), and all classes are found at once, so that planes are
-/// planes and cycles close, exactly.
+/// Cho and Kim, section 3.1, item 5, pass coordinates on from edge to edge, which gives another result for another
+/// order. Here coordinates that strokes make equal are one unknown (a class), and all classes are found at once, so
+/// that planes are planes and cycles close, exactly.
 namespace croquis {
 
 struct CoordinateOptions {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include "algorithms/perspective/camera/focal_from_lengths.h"
+#include "algorithms/perspective/stroke_words.h"
 #include "croquis/base/error.h"
 #include "croquis/base/stage_key.h"
 
@@ -155,6 +157,25 @@ ReconstructedNetwork reconstruct_network(const PerspectiveDrawing& drawing, cons
   result.flagged = flagged_strokes(drawing, result.warnings);
   progress.report(1);
   return result;
+}
+
+Findings told_of_strokes(Findings findings, const PerspectiveDrawing& drawing, const LiftedCurves& curves) {
+  std::map<std::string, Index> strokes;
+  for (std::size_t c = 0; c < curves.stroke.size(); ++c) strokes.emplace(curves.network.curves[c].id, curves.stroke[c]);
+  for (Finding& finding : findings) {
+    std::vector<Subject> subjects;
+    std::set<Index> told;
+    for (Subject& subject : finding.subjects) {
+      const auto stroke = subject.kind == SubjectKind::Stroke ? strokes.find(subject.id) : strokes.end();
+      if (stroke == strokes.end()) {
+        subjects.push_back(std::move(subject));
+      } else if (told.insert(stroke->second).second) {
+        subjects.push_back(stroke_subject(drawing, stroke->second));
+      }
+    }
+    finding.subjects = std::move(subjects);
+  }
+  return findings;
 }
 
 }  // namespace croquis

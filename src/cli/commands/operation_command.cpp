@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cli/files.h"
+#include "cli/flagged_strokes.h"
 #include "cli/mesh_text.h"
 #include "cli/parameter_reference.h"
 #include "cli/report_table.h"
@@ -229,11 +230,13 @@ std::optional<MeshReport> report_of_file(const PortDescription& port, const Valu
   return inspect(as_written(*mesh, format, {}), port.counts_self_intersections, progress);
 }
 
-/// A mesh without faces is no valid result; what was found on the way says why.
+/// A mesh without faces is no valid result; what was found on the way says why. That may be a limit.
 void require_faces(const PortDescription& port, const Value& value, const Findings& warnings) {
   const auto mesh = value.as<PolyMesh>();
   if (mesh == nullptr || mesh->face_count() > 0) return;
-  Findings findings{make_error(Category::Geometry, "E_NO_FACES",
+  const bool limited =
+      std::any_of(warnings.begin(), warnings.end(), [](const Finding& f) { return f.category == Category::Limit; });
+  Findings findings{make_error(limited ? Category::Limit : Category::Geometry, "E_NO_FACES",
                                "The " + port.name + " has no faces, so it isn't written: see the other findings.")};
   findings.insert(findings.end(), warnings.begin(), warnings.end());
   throw Error(std::move(findings));
@@ -377,7 +380,10 @@ void OperationCommand::run(const Invocation& invocation, CommandResult& result, 
   result.warnings.insert(result.warnings.end(), computed.warnings.begin(), computed.warnings.end());
 
   const auto details = computed.outputs.find(details_output);
-  if (details != computed.outputs.end()) result.details = details->second.get<Report>();
+  if (details != computed.outputs.end()) {
+    result.details = details->second.get<Report>();
+    flag_strokes(result.warnings, *result.details);
+  }
   if (only_lists(description, invocation)) {
     result.text = list_text(*result.details);
   } else {

@@ -84,8 +84,9 @@ OperationResult PerspectiveOperation::compute(const Values& inputs, const Parame
   Solid solid = make_solid(network.curves.network, network.fitted, faces.best, building, settings.solid);
 
   OperationResult result;
-  for (const Findings& found : {network.warnings, faces.warnings, solid.warnings})
-    append_findings(result.warnings, found);
+  append_findings(result.warnings, network.warnings);
+  for (const Findings& found : {faces.warnings, solid.warnings})
+    append_findings(result.warnings, told_of_strokes(found, drawing, network.curves));
   add_ignored(given, drawing, result.warnings);
   PerspectiveResult details = result_of_perspective(drawing, network, faces, solid, result.warnings);
   list_all_strokes(given, details);

@@ -140,7 +140,15 @@ std::vector<ParameterDescription> perspective_parameters() {
            "Makes the first proposed change of a stroke that contradicts the others."},
           stroke_list("faces", "Faces that must be there, each by its strokes: e1+e2+e3."),
           stroke_list("no-faces", "Faces that must not be there, each by its strokes: e1+e2+e3."),
-          stroke_list("sharp", "Strokes along which faces stay sharp.")};
+          stroke_list("sharp", "Strokes along which faces stay sharp."),
+          {"search-limit",
+           ParameterType::Integer,
+           std::int64_t{200000},
+           10,
+           100000000,
+           {},
+           "",
+           "Steps of the search for faces, for each part of the drawing."}};
 }
 
 PerspectiveSettings read_perspective_settings(const ParameterValues& parameters) {
@@ -153,6 +161,7 @@ PerspectiveSettings read_perspective_settings(const ParameterValues& parameters)
   settings.solid.tessellation.chord_tolerance = number_of(parameters, "tolerance");
   settings.faces.fixed = read_face_names(text_of(parameters, "faces"));
   settings.faces.forbidden = read_face_names(text_of(parameters, "no-faces"));
+  settings.faces.node_limit = static_cast<std::size_t>(integer_of(parameters, "search-limit"));
   settings.fix = flag_of(parameters, "fix");
   return settings;
 }

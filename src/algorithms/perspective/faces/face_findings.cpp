@@ -154,7 +154,7 @@ Findings face_findings(const CurveNetwork& network, const FaceFindingResult& res
   if (limited) {
     findings.push_back(make_warning(Category::Limit, "SEARCH_LIMIT",
                                     "The search for faces ended at its limit, so a better set may exist: choose some "
-                                    "faces by hand or raise the limit."));
+                                    "faces by hand or raise the parameter search-limit."));
   }
   return findings;
 }

@@ -121,10 +121,23 @@ class Tessellator {
     const Vec3& normal = face().normal;
     const SurfaceCorner apex{new_vertex(middle), normal};
     for (const auto& [a, b] : sides) add({vertices[a], normal}, {vertices[b], normal}, apex);
-    result_.warnings.push_back(make_warning(Category::Geometry, "PATCH_FOLDED",
-                                            "The outlines of the plane face " + std::to_string(face().outline) +
-                                                " cross each other: move its strokes apart.",
-                                            {numbered_subject(SubjectKind::Face, face().outline)}));
+    result_.warnings.push_back(outlines_cross());
+  }
+
+  Finding outlines_cross() const {
+    std::vector<Subject> subjects{numbered_subject(SubjectKind::Face, face().outline)};
+    for (const Index loop : face().loops) {
+      for (const Index half : brep_.around(loop)) {
+        Subject subject;
+        subject.kind = SubjectKind::Stroke;
+        subject.id = brep_.edges[brep_.half_edges[half].edge].id;
+        subjects.push_back(std::move(subject));
+      }
+    }
+    return make_warning(
+        Category::Geometry, "PATCH_FOLDED",
+        "The outlines of the plane face " + std::to_string(face().outline) + " cross each other: move its strokes apart.",
+        std::move(subjects));
   }
 
   // Patches.
