@@ -11,7 +11,8 @@ namespace croquis::cli {
 std::vector<std::unique_ptr<Command>> all_commands(const Registry& registry) {
   std::vector<std::unique_ptr<Command>> commands;
   for (const auto& operation : registry.operations()) {
-    commands.push_back(std::make_unique<OperationCommand>(*operation));
+    if (reads_files(operation->describe()))
+      commands.push_back(std::make_unique<OperationCommand>(*operation, registry));
   }
   commands.push_back(std::make_unique<InfoCommand>());
   commands.push_back(std::make_unique<CheckCommand>());

@@ -5,6 +5,8 @@
 #include "operators/fair_operation.h"
 #include "operators/fill_operation.h"
 #include "operators/inflate_operation.h"
+#include "operators/perspective/attribute_network_operation.h"
+#include "operators/perspective/patch_cage_operation.h"
 #include "operators/perspective/perspective_operation.h"
 #include "operators/subdivide_operation.h"
 
@@ -14,6 +16,8 @@ Registry all_operations() {
   Registry registry;
   registry.add(std::make_unique<InflateOperation>());
   registry.add(std::make_unique<PerspectiveOperation>());
+  registry.add(std::make_unique<AttributeNetworkOperation>());
+  registry.add(std::make_unique<PatchCageOperation>());
   registry.add(std::make_unique<SubdivideOperation>());
   registry.add(std::make_unique<FairOperation>());
   registry.add(std::make_unique<FillOperation>());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <map>
 #include <set>
 #include <sstream>
@@ -142,6 +143,63 @@ TEST_CASE("the patch file has 20 points for each patch and the loops of each pla
   CHECK(patches.at("patches")[0].at("strokes").size() == 4);
   CHECK(patches.at("planes").size() == 5);
   CHECK(report.at("details").at("faces").size() == 6);
+}
+
+TEST_CASE("the network and the cage of a solid are written beside it") {
+  const ScratchFolder folder;
+  const Json report = solved(folder, file_of(folder, clean(camera_body()).drawing),
+                             {"--network", folder / "net.json", "--cage", folder / "cage.obj", "--cage-segments", "8"});
+  CHECK(warning_codes(report) == std::set<std::string>{"FACE_LEFT_OUT"});
+  const Json network = Json::parse(slurp(folder / "net.json"));
+  CHECK(network.at("format") == "croquis-abs/1");
+  CHECK(network.at("nodes").size() == report.at("details").at("vertices").size());
+  CHECK(network.at("faces").size() + 1 == report.at("details").at("faces").size());
+  CHECK(run_cli({"check", folder / "cage.obj"}).code == 0);
+  CHECK(slurp(folder / "cage.obj").find("t crease 2/1/0 ") != std::string::npos);
+  const ProcessResult refined = run_cli({"subdivide", folder / "cage.obj", "-o", folder / "fine.obj", "--levels", "2"});
+  CHECK(refined.code == 0);
+  CHECK(run_cli({"check", folder / "fine.obj"}).code == 0);
+  const std::string drawing = folder / "drawing.svg";
+  CHECK(run_cli({"perspective", drawing, "--cage", folder / "only.obj"}).code == 0);
+  CHECK(run_cli({"perspective", drawing, "--cage", folder / "x.obj", "--cage-segments", "3"}).code == 2);
+  CHECK(run_cli({"perspective", drawing, "--cage", folder / "x.abc"}).code == 2);
+  CHECK(run_cli({"patch_cage", drawing, "-o", folder / "x.obj"}).code == 2);
+}
+
+TEST_CASE("a GLB has the recovered camera, which sees the solid's corners where they were drawn") {
+  for (const View& view : {off_centre_view(), level_view(), frontal_view(), cropped_view()}) {
+    INFO(view.name);
+    const ScratchFolder folder;
+    SolidDrawing truth = drawn(box(), view);
+    truth.drawing.field_of_view = view.field_of_view;
+    truth.drawing.principal_point = truth.camera.principal_point;
+    const std::string file = file_of(folder, truth.drawing);
+    const ProcessResult result = run_cli({"perspective", file, "-o", folder / "solid.glb", "--json"});
+    REQUIRE(result.code == 0);
+    const std::string glb = slurp(folder / "solid.glb");
+    std::uint32_t length = 0;
+    std::memcpy(&length, glb.data() + 12, sizeof length);
+    const Json gltf = Json::parse(glb.substr(20, length));
+    const Json& camera = gltf.at("cameras").at(0);
+    const auto matrix = gltf.at("nodes").at(1).at("matrix").get<std::vector<double>>();
+    const auto frame = camera.at("extras").at("frame").get<std::vector<double>>();
+    const double half_y = std::tan(camera.at("perspective").at("yfov").get<double>() / 2);
+    const double half_x = half_y * camera.at("perspective").at("aspectRatio").get<double>();
+    const auto column = [&](std::size_t i) { return Vec3(matrix[4 * i], matrix[4 * i + 1], matrix[4 * i + 2]); };
+    const Json details = Json::parse(result.out).at("details");
+    REQUIRE(details.at("vertices").size() == 8);
+    for (const Json& vertex : details.at("vertices")) {
+      const Json& at = vertex.at("at");
+      const Vec3 from_eye = Vec3(at[0], at[1], at[2]) - column(3);
+      const double depth = -column(2).dot(from_eye);
+      const Vec2 device(column(0).dot(from_eye) / depth / half_x, column(1).dot(from_eye) / depth / half_y);
+      const Vec2 place(frame[0] + frame[2] * (device.x() + 1) / 2, frame[1] + frame[3] * (1 - device.y()) / 2);
+      const auto number = std::stoul(vertex.at("id").get<std::string>().substr(1));
+      CHECK((place - truth.camera.project(truth.network.vertices[number])).norm() < 0.5);
+    }
+    CHECK(run_cli({"info", folder / "solid.glb"}).code == 0);
+    CHECK(run_cli({"check", folder / "solid.glb"}).code == 0);
+  }
 }
 
 TEST_CASE("a stroke of the wrong group is named with the group that fits, and --fix makes it so") {

@@ -14,6 +14,7 @@
 #include "cli/report_table.h"
 #include "cli/solid_faults.h"
 #include "croquis/base/error.h"
+#include "croquis/io/attribute_network_file.h"
 #include "croquis/io/camera_file.h"
 #include "croquis/io/curve_network_file.h"
 #include "croquis/io/json.h"
@@ -42,9 +43,6 @@ std::string upper_case(std::string word) {
   std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::toupper(c); });
   return word;
 }
-
-/// Whether there is a file format for values of a type.
-bool has_files(ValueType type) { return type != ValueType::Brep; }
 
 /// The outputs that get an option of their own: all but the first one, which is -o, and the report of the run.
 std::vector<PortDescription> extra_outputs(const OperationDescription& description) {
@@ -118,8 +116,20 @@ int finite_vanishing_points(const Camera& camera) {
 /// One output to its file.
 struct Destination {
   std::string path;
-  std::string format;  ///< asked for, where the path has no known extension
+  std::string format;                     ///< asked for, where the path has no known extension
+  std::optional<CameraFile> camera = {};  ///< that was found with it
 };
+
+/// The camera among the outputs of an operation on a drawing.
+std::optional<CameraFile> camera_among(const Values& outputs, const Value& input) {
+  for (const auto& [port, value] : outputs) {
+    const auto camera = value.as<Camera>();
+    if (camera == nullptr) continue;
+    const auto drawing = input.as<PerspectiveDrawing>();
+    return CameraFile{*camera, drawing == nullptr ? Vec2::Zero() : drawing->origin, finite_vanishing_points(*camera)};
+  }
+  return std::nullopt;
+}
 
 void stage_value(const PortDescription& port, const Value& value, const Destination& destination, CommandResult& result,
                  Progress& progress) {
@@ -127,10 +137,14 @@ void stage_value(const PortDescription& port, const Value& value, const Destinat
     stage_file(destination.path, write_svg_drawing(*drawing), result);
   } else if (const auto mesh = value.as<PolyMesh>()) {
     const MeshFormat format = output_mesh_format(destination.path, destination.format);
-    stage_mesh(destination.path, *mesh, {}, format, result, progress);
+    MeshWriteOptions options;
+    options.camera = destination.camera;
+    stage_mesh(destination.path, *mesh, options, format, result, progress);
     if (port.is_solid) judge_solid(destination.path, as_written(*mesh, format, {}), result, progress);
   } else if (const auto network = value.as<CurveNetwork>()) {
     stage_file(destination.path, write_curve_network_obj(*network), result);
+  } else if (const auto attributes = value.as<AttributeNetwork>()) {
+    stage_file(destination.path, write_attribute_network(*attributes), result);
   } else if (const auto camera = value.as<Camera>()) {
     stage_file(destination.path, write_camera_json({*camera, finite_vanishing_points(*camera)}), result);
   } else {
@@ -195,7 +209,8 @@ bool only_lists(const OperationDescription& description, const Invocation& invoc
 }
 
 /// Files and formats are settled before the work begins, so that a wrong name costs nothing.
-void check_files(const OperationDescription& description, const Invocation& invocation) {
+void check_files(const OperationDescription& description, const std::vector<FollowUp>& follow_ups,
+                 const Invocation& invocation) {
   const auto inputs = extra_inputs(description);
   const auto streams = std::count_if(inputs.begin(), inputs.end(), [&](const PortDescription& port) {
     return text_parameter(invocation, port.name) == "-";
@@ -212,6 +227,11 @@ void check_files(const OperationDescription& description, const Invocation& invo
     if (path.empty()) continue;
     any = true;
     if (port.type == ValueType::Mesh) output_mesh_format(path, "");
+  }
+  for (const FollowUp& follow_up : follow_ups) {
+    const std::string path = text_parameter(invocation, follow_up.option());
+    any = any || !path.empty();
+    if (!path.empty() && follow_up.output().type == ValueType::Mesh) output_mesh_format(path, "");
   }
   if (!any && !only_lists(description, invocation)) {
     throw Error(make_error(Category::Usage, "E_USAGE", "Nothing to write: name an output with -o; see --help."));
@@ -244,19 +264,35 @@ void require_faces(const PortDescription& port, const Value& value, const Findin
 
 /// Every output that has a file, and the figures of the main one.
 void stage_outputs(const OperationDescription& description, const Invocation& invocation, const Values& outputs,
-                   CommandResult& result, Progress& progress) {
+                   const std::optional<CameraFile>& camera, CommandResult& result, Progress& progress) {
   const PortDescription& main_output = description.outputs.front();
   if (!invocation.output.empty()) {
     const Value& value = outputs.at(main_output.name);
     require_faces(main_output, value, result.warnings);
-    stage_value(main_output, value, {invocation.output, invocation.output_format}, result, progress);
+    stage_value(main_output, value, {invocation.output, invocation.output_format, camera}, result, progress);
     if (!result.mesh && is_asked_for(invocation)) {
       result.mesh = report_of_file(main_output, value, invocation, progress);
     }
   }
   for (const PortDescription& port : extra_outputs(description)) {
     const std::string path = text_parameter(invocation, port.name);
-    if (!path.empty()) stage_value(port, outputs.at(port.name), {path, ""}, result, progress);
+    if (!path.empty()) stage_value(port, outputs.at(port.name), {path, "", camera}, result, progress);
+  }
+}
+
+/// What goes on from outputs that have no file format, where it is asked for.
+void stage_follow_ups(const std::vector<FollowUp>& follow_ups, const Invocation& invocation, const Values& outputs,
+                      const std::optional<CameraFile>& camera, CommandResult& result, Progress& progress) {
+  for (const FollowUp& follow_up : follow_ups) {
+    const std::string path = text_parameter(invocation, follow_up.option());
+    if (path.empty()) continue;
+    const OperationResult made = run(follow_up, outputs, invocation, progress);
+    const Value& value = made.outputs.at(follow_up.output().name);
+    Findings warnings = result.warnings;
+    warnings.insert(warnings.end(), made.warnings.begin(), made.warnings.end());
+    require_faces(follow_up.output(), value, warnings);
+    result.warnings = std::move(warnings);
+    stage_value(follow_up.output(), value, {path, "", camera}, result, progress);
   }
 }
 
@@ -330,6 +366,9 @@ ParameterDescription drop_description() {
 
 }  // namespace
 
+OperationCommand::OperationCommand(const Operation& operation, const Registry& registry)
+    : operation_(operation), follow_ups_(follow_ups_of(operation.describe(), registry)) {}
+
 CommandDescription OperationCommand::describe() const {
   const OperationDescription operation = operation_.describe();
   CommandDescription description;
@@ -353,6 +392,10 @@ CommandDescription OperationCommand::describe() const {
     description.parameters.push_back(
         {port.name, ParameterType::File, std::string(), 0, 0, {}, "", "Write to FILE: " + port.sentence});
   }
+  for (const FollowUp& follow_up : follow_ups_) {
+    const auto options = options_of(follow_up);
+    description.parameters.insert(description.parameters.end(), options.begin(), options.end());
+  }
   const std::string call = "croquis-cli " + operation.id +
                            (input == ValueType::Drawing ? " sketch.svg"
                             : takes_drawing             ? " drawing.svg"
@@ -368,7 +411,7 @@ CommandDescription OperationCommand::describe() const {
 
 void OperationCommand::run(const Invocation& invocation, CommandResult& result, Progress& progress) const {
   const OperationDescription description = operation_.describe();
-  check_files(description, invocation);
+  check_files(description, follow_ups_, invocation);
   Progress reading = progress.step("read", 0.05);
   const Values inputs = read_values(description, invocation, result, reading);
 
@@ -388,7 +431,9 @@ void OperationCommand::run(const Invocation& invocation, CommandResult& result, 
     result.text = list_text(*result.details);
   } else {
     Progress writing = progress.step("write", 0.1);
-    stage_outputs(description, invocation, computed.outputs, result, writing);
+    const auto camera = camera_among(computed.outputs, inputs.at(description.inputs.front().name));
+    stage_outputs(description, invocation, computed.outputs, camera, result, writing);
+    stage_follow_ups(follow_ups_, invocation, computed.outputs, camera, result, writing);
     result.text = summary(result);
   }
   progress.report(1);

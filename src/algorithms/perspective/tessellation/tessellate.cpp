@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "algorithms/perspective/solid/plane_axes.h"
 #include "algorithms/perspective/tessellation/edge_samples.h"
 #include "croquis/geometry/planar_triangulation.h"
 #include "croquis/perspective/tessellation.h"
@@ -97,15 +98,9 @@ class Tessellator {
     }
   }
 
-  /// Places in the face's plane; along two axes where the plane is at right angles to the third, so that nothing is
-  /// rounded.
+  /// Places in the face's plane.
   std::vector<Vec2> flat(const std::vector<Index>& vertices) const {
-    const Vec3& normal = face().normal;
-    Vec3 u = normal.unitOrthogonal();
-    for (int axis = 0; axis < 3; ++axis) {
-      if (std::abs(normal[axis]) == 1) u = Vec3::Unit((axis + 1) % 3);
-    }
-    const Vec3 v = normal.cross(u);
+    const auto [u, v] = plane_axes(face().normal);
     std::vector<Vec2> places;
     for (const Index vertex : vertices) {
       const Vec3& p = result_.mesh.positions[vertex];
