@@ -11,6 +11,7 @@
 #include "io/face_triangles.h"
 #include "io/float_positions.h"
 #include "io/format_loss.h"
+#include "io/gltf/glb_camera.h"
 #include "io/value_sink.h"
 
 namespace croquis {
@@ -18,8 +19,9 @@ namespace {
 
 class GlbWriter {
  public:
-  GlbWriter(const PolyMesh& mesh, Progress& progress)
+  GlbWriter(const PolyMesh& mesh, const MeshWriteOptions& options, Progress& progress)
       : mesh_(mesh),
+        camera_(options.camera),
         progress_(progress),
         positions_(positions_as_floats(mesh, MeshFormat::Glb)),
         cut_(face_triangles(mesh)) {}
@@ -48,6 +50,7 @@ class GlbWriter {
   std::string serialized() const;
 
   const PolyMesh& mesh_;
+  const std::optional<CameraFile>& camera_;
   Progress& progress_;
   std::vector<Vec3> positions_;
   FaceTriangles cut_;
@@ -164,8 +167,12 @@ void GlbWriter::finish_model() {
     node.mesh = 0;
     model_.nodes.push_back(node);
     scene.nodes.push_back(0);
-  } else {
+  } else if (!camera_) {
     scene.name = "empty";  // the library would write a scene without any member as null
+  }
+  if (camera_) {
+    scene.nodes.push_back(static_cast<int>(model_.nodes.size()));
+    add_camera_node(*camera_, positions_, model_);
   }
   model_.scenes.push_back(scene);
   model_.defaultScene = 0;
@@ -200,6 +207,8 @@ std::string GlbWriter::serialized() const {
 
 }  // namespace
 
-MeshWriteResult write_glb(const PolyMesh& mesh, Progress& progress) { return GlbWriter(mesh, progress).write(); }
+MeshWriteResult write_glb(const PolyMesh& mesh, const MeshWriteOptions& options, Progress& progress) {
+  return GlbWriter(mesh, options, progress).write();
+}
 
 }  // namespace croquis

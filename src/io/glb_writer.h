@@ -6,7 +6,7 @@
 namespace croquis {
 
 /// Binary glTF 2.0: one mesh of triangles, and polylines as lines, with the vertices' normals, colours and texture
-/// coordinates.
-MeshWriteResult write_glb(const PolyMesh& mesh, Progress& progress);
+/// coordinates; the camera of the options as a node (see gltf/glb_camera.h).
+MeshWriteResult write_glb(const PolyMesh& mesh, const MeshWriteOptions& options, Progress& progress);
 
 }  // namespace croquis

@@ -111,7 +111,7 @@ MeshWriteResult write_mesh(const PolyMesh& mesh, MeshFormat format, const MeshWr
     case MeshFormat::Ply: return write_ply(mesh, options, progress);
     case MeshFormat::Stl: return write_stl(mesh, options, progress);
     case MeshFormat::Off: return write_off(mesh, options, progress);
-    case MeshFormat::Glb: return write_glb(mesh, progress);
+    case MeshFormat::Glb: return write_glb(mesh, options, progress);
   }
   return {};
 }
