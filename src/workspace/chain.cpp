@@ -41,6 +41,14 @@ std::optional<ValueType> main_type(const Node& node, const Registry& registry) {
   return port == nullptr ? std::nullopt : std::optional(port->type);
 }
 
+std::optional<Link> link_to(const Node& node, const Registry& registry, ValueType type) {
+  if (main_type(node, registry) == type) return main_link(node, registry);
+  const OperationDescription* operation = operation_of(node, registry);
+  if (operation == nullptr) return std::nullopt;
+  const auto found = std::ranges::find(operation->outputs, type, &PortDescription::type);
+  return found == operation->outputs.end() ? std::nullopt : std::optional(Link{node.id, found->name});
+}
+
 namespace {
 
 /// What the main input is linked to; 0 for none.

@@ -104,18 +104,18 @@ AddedNode with_step(const Document& document, const Registry& registry, NodeId i
   const OperationDescription& description = require_step(registry, step);
   step.version = description.version;
   const PortDescription& port = input_of(registry, step);
-  if (main_type(before, registry) != port.type) {
+  const std::optional<Link> from = link_to(before, registry, port.type);
+  if (!from) {
     refuse(
         "\"" + description.title + "\" works on a " + to_string(port.type) + ", and " + quoted(before) + " gives none",
         id);
   }
-  const Link from = main_link(before, registry);
-  step.inputs[port.name] = from;
+  step.inputs[port.name] = *from;
   const NodeId added = step.id;
   const bool same_type = main_type(step, registry) == main_type(before, registry);
   const Link to = main_link(step, registry);
   Document edited = document.with(std::move(step));
-  if (same_type) edited = with_links_moved(std::move(edited), from, to, added);
+  if (same_type) edited = with_links_moved(std::move(edited), main_link(before, registry), to, added);
   return {std::move(edited), added};
 }
 
@@ -127,7 +127,7 @@ Document without_step(const Document& document, const Registry& registry, NodeId
   require_fit(document, registry, id, main_type(*before, registry), quoted(step) + " can't be taken away");
   const Link given = step.inputs.at(port.name);
   const std::vector<NodeId> inputs = inputs_of(step);
-  Document edited = with_links_moved(document, main_link(step, registry), given, id).without(id);
+  Document edited = with_links_moved(document, main_link(step, registry), main_link(*before, registry), id).without(id);
   std::vector<NodeId> others;
   std::ranges::copy_if(inputs, std::back_inserter(others), [&](NodeId input) { return input != given.node; });
   return without_unused(std::move(edited), std::move(others));
@@ -236,6 +236,10 @@ Document with_step_frozen(const Document& document, const Registry& registry, No
   const Node& step = node_of(document, id);
   require_step(registry, step);
   const Link given = main_link(step, registry);
+  for (const Node* later : steps_after(document, registry, id)) {
+    if (later->inputs.at(input_of(registry, *later).name) == given) continue;
+    refuse(quoted(step) + " can't be frozen: " + quoted(*later) + " goes on from another result of it", id);
+  }
   Node frozen = step;
   frozen.operation.clear();
   frozen.parameters.clear();

@@ -50,14 +50,35 @@ const OperationDescription* Workspace::first_operation_on(ValueType type) const 
 std::vector<const OperationDescription*> Workspace::operations_on(NodeId id) const {
   std::vector<const OperationDescription*> fitting;
   const Node* node = session_.document().find(id);
-  const auto type = node == nullptr ? std::nullopt : main_type(*node, registry_);
+  if (node == nullptr) return fitting;
   for (const OperationDescription& operation : registry_.descriptions()) {
-    if (type && goes_on_from(operation, *type)) fitting.push_back(&operation);
+    const PortDescription *taken = main_input(operation), *given = main_output(operation);
+    const bool goes_on = taken != nullptr && link_to(*node, registry_, taken->type).has_value();
+    if (goes_on && given != nullptr && given->type == ValueType::Mesh) fitting.push_back(&operation);
   }
   return fitting;
 }
 
 // ---- Objects
+
+Value Workspace::value_along(const WorkObject& object, ValueType type) const {
+  Affine3 later;
+  for (auto id = object.chain.rbegin(); id != object.chain.rend(); ++id) {
+    const Node* node = session_.document().find(*id);
+    if (node == nullptr) return {};
+    if (node->source) {
+      return node->source->type() == type ? node->source->transformed(composed(later, node->transform)) : Value();
+    }
+    const auto found = result(*id);
+    if (found != nullptr && !found->failed && found->quality == Quality::Final) {
+      for (const auto& [port, value] : found->outputs) {
+        if (value.type() == type && value.has_content()) return value.transformed(later);
+      }
+    }
+    later = composed(later, node->transform);
+  }
+  return {};
+}
 
 bool Workspace::has_cage() const {
   return std::ranges::any_of(objects_, [](const WorkObject& object) { return object.cage != 0; });

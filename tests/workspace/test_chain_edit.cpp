@@ -239,5 +239,26 @@ TEST_CASE("workspace: what another chain uses outlives an object") {
   CHECK(without_object(rest, other.node).nodes().empty());
 }
 
+TEST_CASE("a step goes on from the output of its type, and steps after it from what it gives") {
+  Registry registry = chain_operations();
+  OperationDescription scan = mesh_to_mesh("scan");
+  scan.outputs.push_back({"drawing", ValueType::Drawing, "What was seen."});
+  add_operation(registry, std::move(scan), [](const Values& inputs, const ParameterValues&, Context&) {
+    return OperationResult{{{"mesh", inputs.at("mesh")}, {"drawing", std::make_shared<const Drawing>()}}, {}};
+  });
+  const Document start = Document().with(source_node(point(3)));
+  const AddedNode scanned = with_step(start, registry, start.nodes().front()->id, "scan");
+  const AddedNode shifted = with_step(scanned.document, registry, scanned.node, "shift");
+  const AddedNode drawn = with_step(shifted.document, registry, scanned.node, "draw", {{"factor", 5.0}});
+  CHECK(drawn.document.find(drawn.node)->inputs.at("drawing") == Link{scanned.node, "drawing"});
+  CHECK(drawn.document.find(shifted.node)->inputs.at("mesh") == Link{drawn.node, "mesh"});
+  CHECK(x_of(value_of(drawn.document, registry, shifted.node)) == 7);
+  CHECK_THROWS_AS(with_step_frozen(drawn.document, registry, scanned.node, point(3)), Error);
+  CHECK_THROWS_AS(with_step(drawn.document, registry, drawn.node, "draw"), Error);
+  const Document without = without_step(drawn.document, registry, drawn.node);
+  CHECK(without.find(shifted.node)->inputs.at("mesh") == Link{scanned.node, "mesh"});
+  CHECK(x_of(value_of(without, registry, shifted.node)) == 5);
+}
+
 }  // namespace
 }  // namespace croquis::test

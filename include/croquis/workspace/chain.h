@@ -24,7 +24,11 @@ const OperationDescription* operation_of(const Node& node, const Registry& regis
 /// empty.
 Link main_link(const Node& node, const Registry& registry);
 
-/// The type of that; none where the operation isn't known or gives reports alone.
+/// The link to what a step on that type would go on from: the main output where it is of that type, else the first
+/// output that is; none where nothing is.
+std::optional<Link> link_to(const Node& node, const Registry& registry, ValueType type);
+
+/// The type of the main output; none where the operation isn't known or gives reports alone.
 std::optional<ValueType> main_type(const Node& node, const Registry& registry);
 
 /// The node that the main input of a node is linked to, or null.

@@ -57,7 +57,7 @@ class Workspace {
   /// The first operation whose chain goes on from that type of value; null for none.
   const OperationDescription* first_operation_on(ValueType type) const;
 
-  /// All that can be the next step after a node, in the registry's order.
+  /// All that can be the next step after a node and gives a mesh, in the registry's order.
   std::vector<const OperationDescription*> operations_on(NodeId node) const;
 
   // ---- Objects
@@ -89,6 +89,11 @@ class Workspace {
 
   /// The steps of an object, its first node first.
   std::vector<ChainStep> steps_of(const WorkObject& object) const;
+
+  /// A value of a type that the object's chain gives on its way, nearest to its end, moved with the steps after it:
+  /// the camera of a drawing in perspective, say. Without content where there is none, or where what gives it isn't
+  /// computed to the end.
+  Value value_along(const WorkObject& object, ValueType type) const;
 
   void set_view(NodeId object, ChainView view);
 

@@ -12,12 +12,14 @@
 #include "app/panels/word_list.h"
 #include "app/start/gallery.h"
 #include "croquis/base/error.h"
+#include "croquis/io/attribute_network_file.h"
 #include "croquis/io/file.h"
 #include "croquis/io/mesh_file.h"
 #include "croquis/io/perspective_drawing_file.h"
 #include "croquis/io/project_file.h"
 #include "croquis/io/svg_drawing.h"
 #include "croquis/io/svg_writer.h"
+#include "croquis/workspace/chain.h"
 
 namespace croquis::app {
 namespace {
@@ -263,11 +265,54 @@ Findings ProjectFiles::export_solid(const QString& path) const {
     throw Error(make_error(Category::Geometry, "E_EMPTY", "There is no finished mesh to export yet"));
   }
   Progress progress;
-  MeshWriteResult written = write_mesh(*mesh, *format, {}, progress);
+  MeshWriteOptions options;
+  options.camera = camera_of(*object);
+  MeshWriteResult written = write_mesh(*mesh, *format, options, progress);
   OutputTransaction files;
   files.add(local(path), std::move(written.bytes));
   files.commit();
   return written.warnings;
+}
+
+/// The camera that the object was drawn for, with the sheet that it belongs to.
+std::optional<CameraFile> ProjectFiles::camera_of(const WorkObject& object) const {
+  const auto camera = studio_.value_along(object, ValueType::Camera).as<Camera>();
+  if (camera == nullptr) return std::nullopt;
+  const auto drawing = source_of<PerspectiveDrawing>(studio_.session().document().find(object.chain.front()));
+  return CameraFile{*camera, drawing ? drawing->origin : Vec2::Zero(), 0};
+}
+
+std::vector<const OperationDescription*> ProjectFiles::exports() const {
+  std::vector<const OperationDescription*> found;
+  for (const OperationDescription& operation : studio_.registry().descriptions()) {
+    const PortDescription* output = main_output(operation);
+    if (output != nullptr && output->type == ValueType::AttributeNetwork) found.push_back(&operation);
+  }
+  return found;
+}
+
+bool ProjectFiles::can_export(const OperationDescription& operation) const {
+  const WorkObject* object = studio_.active();
+  const PortDescription* input = main_input(operation);
+  return object != nullptr && input != nullptr && studio_.value_along(*object, input->type).has_content();
+}
+
+Findings ProjectFiles::export_result(const OperationDescription& operation, const QString& path) const {
+  const WorkObject* object = studio_.active();
+  const PortDescription& input = *main_input(operation);
+  const Value value = object == nullptr ? Value() : studio_.value_along(*object, input.type);
+  if (!value.has_content()) {
+    throw Error(make_error(Category::Geometry, "E_EMPTY",
+                           "There is no finished " + std::string(to_string(input.type)) + " to export yet"));
+  }
+  Progress progress;
+  Context context{progress};
+  const OperationResult made = run(*studio_.registry().find(operation.id), {{input.name, value}}, {}, context);
+  OutputTransaction files;
+  files.add(local(path),
+            write_attribute_network(made.outputs.at(main_output(operation)->name).get<AttributeNetwork>()));
+  files.commit();
+  return made.warnings;
 }
 
 void ProjectFiles::export_drawing(const QString& path) const {

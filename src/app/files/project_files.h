@@ -18,6 +18,7 @@
 #include "app/start/start_page.h"
 #include "app/studio/studio.h"
 #include "app/views/offscreen_pictures.h"
+#include "croquis/io/camera_file.h"
 #include "croquis/io/project_lock.h"
 #include "croquis/io/recovery.h"
 
@@ -80,6 +81,16 @@ class ProjectFiles : public QObject {
   /// @return what the format can't hold
   Findings export_solid(const QString& path) const;
 
+  /// The operations whose results are files of their own and stand in no view.
+  std::vector<const OperationDescription*> exports() const;
+
+  /// What one of these makes of a value of the active object's chain: its attribute network, say.
+  /// @return what the operation warns of
+  Findings export_result(const OperationDescription& operation, const QString& path) const;
+
+  /// Whether there is such a value, computed to the end.
+  bool can_export(const OperationDescription& operation) const;
+
   /// The drawing as SVG.
   void export_drawing(const QString& path) const;
 
@@ -108,6 +119,7 @@ class ProjectFiles : public QObject {
   void autosave_failed(const QString& sentence);
 
  private:
+  std::optional<CameraFile> camera_of(const WorkObject& object) const;
   void take(const ReadFile& file);
   void take_project(const QString& path, const Document& document);
   void note_damage(const QString& path, const Findings& findings);

@@ -153,6 +153,9 @@ void ReplayPlayer::play(const recorded::File& step) {
     window_.export_picture(file);
   } else if (file.endsWith(".svg")) {
     window_.files().export_drawing(file);
+  } else if (file.endsWith(".json")) {
+    wait_until_settled(window_);
+    window_.files().export_result(*window_.files().exports().front(), file);
   } else {
     wait_until_settled(window_);
     window_.files().export_solid(file);

@@ -166,6 +166,8 @@ class MainWindow : public QMainWindow, public ToolHost {
   bool may_replace(const QString& path);
   QString proposed_path(const QString& file) const;  ///< where people last opened or wrote something
   void ask_export_solid();
+  static QString export_action(const OperationDescription& operation);
+  void ask_export_result(const OperationDescription& operation);
   void ask_export_picture();
   void ask_export_drawing();
   void tell_written(const QString& path, const Findings& lost = {});

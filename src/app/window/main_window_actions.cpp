@@ -47,6 +47,10 @@ bool asks_for_file(const QString& action) {
 
 }  // namespace
 
+QString MainWindow::export_action(const OperationDescription& operation) {
+  return "export-" + QString::fromStdString(operation.id);
+}
+
 QAction* MainWindow::action(const QString& name) const { return actions_->find(name); }
 
 /// Nothing acts on a document that the start page hides. Actions that have no group of their own get one: a group that
@@ -89,6 +93,12 @@ void MainWindow::make_file_actions() {
   actions_->add(menu, "export-picture", tr("Export &picture…"), {QKeySequence("Ctrl+Shift+E")},
                 [this] { ask_export_picture(); });
   actions_->add(menu, "export-drawing", tr("Export &drawing…"), {}, [this] { ask_export_drawing(); });
+  for (const OperationDescription* operation : files_.exports()) {
+    const QString title = QString::fromStdString(operation->title);
+    actions_->add(menu, export_action(*operation), tr("Export %1…").arg(title.toLower()), {},
+                  [this, operation] { ask_export_result(*operation); });
+    action(export_action(*operation))->setToolTip(QString::fromStdString(operation->sentence));
+  }
   menu->addSeparator();
   actions_->add(menu, "quit", tr("&Quit"), {QKeySequence::Quit}, [this] { close(); });
 }
@@ -256,6 +266,15 @@ void MainWindow::ask_export_solid() {
   const QString suffix = filter.section("*", 1).section(")", 0, 0);
   if (QFileInfo(path).suffix().isEmpty() && !QFileInfo::exists(path + suffix)) path += suffix;
   attempt([&] { tell_written(path, files_.export_solid(path)); });
+}
+
+void MainWindow::ask_export_result(const OperationDescription& operation) {
+  const QString proposed = QString::fromStdString(document_name(studio_)) + ".json";
+  const QString title = tr("Export %1").arg(QString::fromStdString(operation.title).toLower());
+  QString path = QFileDialog::getSaveFileName(this, title, proposed_path(proposed), tr("JSON (*.json)"));
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += ".json";
+  attempt([&] { tell_written(path, files_.export_result(operation, path)); });
 }
 
 void MainWindow::ask_export_picture() {

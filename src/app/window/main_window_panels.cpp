@@ -105,6 +105,8 @@ void MainWindow::update_panels() {
   const bool shown = object != nullptr && object->shown() != nullptr;
   action("export-solid")->setEnabled(shown);
   action("export-picture")->setEnabled(shown);
+  for (const OperationDescription* exported : files_.exports())
+    action(export_action(*exported))->setEnabled(files_.can_export(*exported));
   actions_->show_mode(viewport_->mode());
   for (const auto& tool : tools_) tool->refresh();
   setWindowModified(session.modified());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "croquis/workspace/chain.h"
 #include "croquis/workspace/chain_edit.h"
 
 namespace croquis::app {
@@ -58,6 +59,8 @@ void StepActions::add(ActionList& actions, QMenu* menu, const QString& name, con
 void StepActions::add_operations(ActionList& actions, QMenu* menu) {
   added_ = menu->addMenu(QObject::tr("&Add step"));
   for (const OperationDescription& description : host_.studio().registry().descriptions()) {
+    const PortDescription* output = main_output(description);
+    if (output == nullptr || output->type != ValueType::Mesh) continue;  // what it gives has no place in a chain
     const QString name = "add-step-" + QString::fromStdString(description.id);
     add(actions, added_, name, QString::fromStdString(description.title), {},
         [id = description.id](Studio& studio, NodeId step) { studio.add_step(step, id); });
