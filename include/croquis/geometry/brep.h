@@ -93,6 +93,9 @@ struct Brep {
   std::vector<Index> around(Index loop) const;
 };
 
+/// Diagonal of the box around the control points of all edges, model units: what tolerances are parts of.
+double size_of(const Brep& brep);
+
 /// The numbers in V - E + F - R = 2 (S - G).
 struct BrepFigures {
   std::size_t vertices = 0;

@@ -2,6 +2,7 @@
 #include "croquis/geometry/brep.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace croquis {
 namespace {
@@ -156,6 +157,19 @@ std::vector<Index> Brep::around(Index loop) const {
     half = half_edges[half].next;
   } while (half != loops[loop].first);
   return result;
+}
+
+double size_of(const Brep& brep) {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const BrepEdge& edge : brep.edges) {
+    for (const RationalCubic& piece : edge.pieces) {
+      for (const Vec3& p : piece.points) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+      }
+    }
+  }
+  return brep.edges.empty() ? 0 : (high - low).norm();
 }
 
 BrepFigures inspect(const Brep& brep) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <Eigen/Geometry>
 
@@ -163,19 +162,6 @@ class EdgeSampler {
 };
 
 }  // namespace
-
-double size_of(const Brep& brep) {
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (const BrepEdge& edge : brep.edges) {
-    for (const RationalCubic& piece : edge.pieces) {
-      for (const Vec3& p : piece.points) {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-      }
-    }
-  }
-  return brep.edges.empty() ? 0 : (high - low).norm();
-}
 
 BrepSamples sample_edges(const Brep& brep, const TessellationOptions& options, PolyMesh& mesh) {
   return EdgeSampler(brep, options, mesh).run();

@@ -32,7 +32,4 @@ struct BrepSamples {
 /// Samples every edge once, as its own bends and those of its patches need, and appends the points to the mesh.
 BrepSamples sample_edges(const Brep& brep, const TessellationOptions& options, PolyMesh& mesh);
 
-/// Diagonal of the box of all control points.
-double size_of(const Brep& brep);
-
 }  // namespace croquis
