@@ -6,6 +6,18 @@ include(CroquisDependencies)
 
 find_package(CLI11 REQUIRED CONFIG)
 
+set(CROQUIS_HAS_OCCT FALSE)
+if(NOT CROQUIS_WITH_OCCT STREQUAL "OFF")
+  find_package(OpenCASCADE 7.6 QUIET CONFIG)
+  if(OpenCASCADE_FOUND)
+    set(CROQUIS_HAS_OCCT TRUE)
+  elseif(NOT CROQUIS_WITH_OCCT STREQUAL "AUTO")
+    message(FATAL_ERROR "CROQUIS_WITH_OCCT is ON, but there is no OpenCASCADE: install libocct-data-exchange-dev "
+                        "(scripts/setup step), or set it to AUTO or OFF.")
+  endif()
+endif()
+message(STATUS "STEP files: ${CROQUIS_HAS_OCCT}")
+
 if(CROQUIS_BUILD_APP)
   find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGLWidgets Svg)
 endif()
