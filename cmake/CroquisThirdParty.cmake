@@ -8,11 +8,12 @@ find_package(CLI11 REQUIRED CONFIG)
 
 set(CROQUIS_HAS_OCCT FALSE)
 if(NOT CROQUIS_WITH_OCCT STREQUAL "OFF")
-  find_package(OpenCASCADE 7.6 QUIET CONFIG)
-  if(OpenCASCADE_FOUND)
+  # Its config accepts no version but the very same, so none is asked for.
+  find_package(OpenCASCADE QUIET CONFIG)
+  if(OpenCASCADE_FOUND AND OpenCASCADE_VERSION VERSION_GREATER_EQUAL 7.6)
     set(CROQUIS_HAS_OCCT TRUE)
   elseif(NOT CROQUIS_WITH_OCCT STREQUAL "AUTO")
-    message(FATAL_ERROR "CROQUIS_WITH_OCCT is ON, but there is no OpenCASCADE: install libocct-data-exchange-dev "
+    message(FATAL_ERROR "CROQUIS_WITH_OCCT is ON, but there is no OpenCASCADE 7.6: install libocct-data-exchange-dev "
                         "(scripts/setup step), or set it to AUTO or OFF.")
   endif()
 endif()
