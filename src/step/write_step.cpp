@@ -81,6 +81,8 @@ void set_header(const Handle(StepData_StepModel) & model, const std::string& nam
 
 std::string bytes_of(STEPControl_Writer& writer) {
   StepData_StepWriter file(writer.Model());
+  file.FloatWriter().SetFormat("%.16E");  // reads back exactly
+  file.FloatWriter().SetZeroSuppress(Standard_True);
   file.SendModel(Handle(StepData_Protocol)::DownCast(writer.WS()->Protocol()));
   std::ostringstream out;
   file.Print(out);

@@ -13,12 +13,14 @@
 #include "cli/parameter_reference.h"
 #include "cli/report_table.h"
 #include "cli/solid_faults.h"
+#include "cli/solid_files.h"
 #include "croquis/base/error.h"
 #include "croquis/io/attribute_network_file.h"
 #include "croquis/io/camera_file.h"
 #include "croquis/io/curve_network_file.h"
 #include "croquis/io/json.h"
 #include "croquis/io/svg_writer.h"
+#include "step/step_file.h"
 
 namespace croquis::cli {
 namespace {
@@ -197,7 +199,8 @@ ParameterValues operation_parameters(const OperationDescription& description, co
     values[parameter.name] = invocation.parameters.at(parameter.name);
   }
   settle_by_memory(invocation.memory_limit, values);
-  if (invocation.output.empty() || description.outputs.front().type != ValueType::Mesh) return values;
+  const bool is_mesh = description.outputs.front().type == ValueType::Mesh && !writes_step(description, invocation);
+  if (invocation.output.empty() || !is_mesh) return values;
   const MeshFormat format = output_mesh_format(invocation.output, invocation.output_format);
   settle_by_format(format, inputs.at(description.inputs.front().name), values);
   return values;
@@ -219,7 +222,7 @@ void check_files(const OperationDescription& description, const std::vector<Foll
     throw Error(make_error(Category::Usage, "E_USAGE", "Only one input can come from standard input."));
   }
   bool any = !invocation.output.empty();
-  if (any && description.outputs.front().type == ValueType::Mesh) {
+  if (any && description.outputs.front().type == ValueType::Mesh && !writes_step(description, invocation)) {
     output_mesh_format(invocation.output, invocation.output_format);
   }
   for (const PortDescription& port : extra_outputs(description)) {
@@ -241,11 +244,12 @@ void check_files(const OperationDescription& description, const std::vector<Foll
 /// Counting large meshes takes longer than making them.
 bool is_asked_for(const Invocation& invocation) { return invocation.json || !invocation.quiet; }
 
-/// What the main output's file holds, when it is a mesh.
-std::optional<MeshReport> report_of_file(const PortDescription& port, const Value& value, const Invocation& invocation,
-                                         Progress& progress) {
+/// What the main output's file holds, when it is a mesh; beside STEP files the mesh as computed.
+std::optional<MeshReport> report_of_file(const PortDescription& port, const Value& value, bool is_step,
+                                         const Invocation& invocation, Progress& progress) {
   const auto mesh = value.as<PolyMesh>();
   if (mesh == nullptr) return std::nullopt;
+  if (is_step) return inspect(*mesh, port.counts_self_intersections, progress);
   const MeshFormat format = output_mesh_format(invocation.output, invocation.output_format);
   return inspect(as_written(*mesh, format, {}), port.counts_self_intersections, progress);
 }
@@ -262,37 +266,54 @@ void require_faces(const PortDescription& port, const Value& value, const Findin
   throw Error(std::move(findings));
 }
 
+/// What an operation was given and made.
+struct Computed {
+  const Values& inputs;
+  const Values& outputs;
+  std::optional<CameraFile> camera;  ///< that the input was drawn from, if one was found
+};
+
 /// Every output that has a file, and the figures of the main one.
-void stage_outputs(const OperationDescription& description, const Invocation& invocation, const Values& outputs,
-                   const std::optional<CameraFile>& camera, CommandResult& result, Progress& progress) {
+void stage_outputs(const OperationDescription& description, const Invocation& invocation, const Computed& computed,
+                   CommandResult& result, Progress& progress) {
   const PortDescription& main_output = description.outputs.front();
   if (!invocation.output.empty()) {
-    const Value& value = outputs.at(main_output.name);
+    const Value& value = computed.outputs.at(main_output.name);
     require_faces(main_output, value, result.warnings);
-    stage_value(main_output, value, {invocation.output, invocation.output_format, camera}, result, progress);
+    const bool is_step = writes_step(description, invocation);
+    if (is_step) {
+      stage_step(invocation, computed.inputs, computed.outputs, result, progress);
+    } else {
+      stage_value(main_output, value, {invocation.output, invocation.output_format, computed.camera}, result, progress);
+    }
     if (!result.mesh && is_asked_for(invocation)) {
-      result.mesh = report_of_file(main_output, value, invocation, progress);
+      result.mesh = report_of_file(main_output, value, is_step, invocation, progress);
     }
   }
   for (const PortDescription& port : extra_outputs(description)) {
     const std::string path = text_parameter(invocation, port.name);
-    if (!path.empty()) stage_value(port, outputs.at(port.name), {path, "", camera}, result, progress);
+    if (path.empty()) continue;
+    Value value = computed.outputs.at(port.name);
+    if (const auto report = value.as<Report>()) {
+      value = std::make_shared<const Report>(with_fits(*report, computed.outputs, progress));
+    }
+    stage_value(port, value, {path, "", computed.camera}, result, progress);
   }
 }
 
 /// What goes on from outputs that have no file format, where it is asked for.
-void stage_follow_ups(const std::vector<FollowUp>& follow_ups, const Invocation& invocation, const Values& outputs,
-                      const std::optional<CameraFile>& camera, CommandResult& result, Progress& progress) {
+void stage_follow_ups(const std::vector<FollowUp>& follow_ups, const Invocation& invocation, const Computed& computed,
+                      CommandResult& result, Progress& progress) {
   for (const FollowUp& follow_up : follow_ups) {
     const std::string path = text_parameter(invocation, follow_up.option());
     if (path.empty()) continue;
-    const OperationResult made = run(follow_up, outputs, invocation, progress);
+    const OperationResult made = run(follow_up, computed.outputs, invocation, progress);
     const Value& value = made.outputs.at(follow_up.output().name);
     Findings warnings = result.warnings;
     warnings.insert(warnings.end(), made.warnings.begin(), made.warnings.end());
     require_faces(follow_up.output(), value, warnings);
     result.warnings = std::move(warnings);
-    stage_value(follow_up.output(), value, {path, "", camera}, result, progress);
+    stage_value(follow_up.output(), value, {path, "", computed.camera}, result, progress);
   }
 }
 
@@ -364,6 +385,16 @@ ParameterDescription drop_description() {
           "Drop vertices with coordinates that are not finite, and the faces that use them, instead of refusing."};
 }
 
+/// An example where the program writes STEP files, else the reason why it doesn't.
+void add_step(const std::string& call, CommandDescription& description) {
+  const std::string why = why_no_step();
+  if (why.empty()) {
+    description.examples.push_back(call + " -o solid.step");
+  } else {
+    description.sentence += " No STEP files: " + why;
+  }
+}
+
 }  // namespace
 
 OperationCommand::OperationCommand(const Operation& operation, const Registry& registry)
@@ -402,6 +433,7 @@ CommandDescription OperationCommand::describe() const {
                                                         : " model.obj");
   const std::string options = operation.example.empty() ? "" : " " + operation.example;
   description.examples = {call + options + " -o solid.obj"};
+  if (has_exact_solid(operation)) add_step(call + options, description);
   if (may_list) description.examples.push_back(call + " --" + operation.list_flag);
   for (const PortDescription& port : extra_inputs(operation)) {
     description.examples.push_back(call + " --" + port.name + " " + port.name + ".json -o solid.obj");
@@ -431,9 +463,10 @@ void OperationCommand::run(const Invocation& invocation, CommandResult& result, 
     result.text = list_text(*result.details);
   } else {
     Progress writing = progress.step("write", 0.1);
-    const auto camera = camera_among(computed.outputs, inputs.at(description.inputs.front().name));
-    stage_outputs(description, invocation, computed.outputs, camera, result, writing);
-    stage_follow_ups(follow_ups_, invocation, computed.outputs, camera, result, writing);
+    const Computed all{inputs, computed.outputs,
+                       camera_among(computed.outputs, inputs.at(description.inputs.front().name))};
+    stage_outputs(description, invocation, all, result, writing);
+    stage_follow_ups(follow_ups_, invocation, all, result, writing);
     result.text = summary(result);
   }
   progress.report(1);
