@@ -45,7 +45,8 @@ std::string why_no_step();
 /// curves are exact; Gregory patches are bicubic B-spline surfaces within the fit's tolerance. Edges next to patches
 /// are the cubics that the patches were spanned from. Edges have the names of their strokes. The same solid gives the
 /// same bytes.
-/// @throws Error (E_NO_STEP, Category::Usage: built without OpenCASCADE; E_STEP: it refuses the solid), Cancelled
+/// @throws Error (E_NO_STEP, Category::Usage: built without OpenCASCADE; E_STEP_FILE: no faces, or it refuses the
+/// solid), Cancelled
 StepFile write_step(const Brep& brep, const StepOptions& options, Progress& progress);
 
 }  // namespace croquis

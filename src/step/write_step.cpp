@@ -8,6 +8,7 @@
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Writer.hxx>
 #include <Standard_Failure.hxx>
+#include <StepBasic_Product.hxx>
 #include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepData_StepWriter.hxx>
@@ -58,14 +59,26 @@ void apply_settings(const StepOptions& options) {
   Interface_Static::SetCVal("xstep.cascade.unit", unit);
   Interface_Static::SetCVal("write.step.unit", unit);
   Interface_Static::SetCVal("write.step.schema", "AP214IS");
-  Interface_Static::SetCVal("write.step.product.name", options.name.c_str());
 }
 
 void set_names(const StepShape& shape, STEPControl_Writer& writer) {
   const Handle(Transfer_FinderProcess) finder = writer.WS()->TransferWriter()->FinderProcess();
   for (const auto& [part, name] : shape.names) {
-    const Handle(StepRepr_RepresentationItem) item = STEPConstruct::FindEntity(finder, part);
-    if (!item.IsNull()) item->SetName(text(name));
+    // Kept by the direction in which a part came first.
+    for (const TopoDS_Shape& way : {part, part.Reversed()}) {
+      const Handle(StepRepr_RepresentationItem) item = STEPConstruct::FindEntity(finder, way);
+      if (!item.IsNull()) item->SetName(text(name));
+    }
+  }
+}
+
+/// OpenCASCADE numbers products as long as the process runs.
+void set_product(const Handle(StepData_StepModel) & model, const std::string& name) {
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const Handle(StepBasic_Product) product = Handle(StepBasic_Product)::DownCast(model->Entity(i));
+    if (product.IsNull()) continue;
+    product->SetId(text(name));
+    product->SetName(text(name));
   }
 }
 
@@ -82,7 +95,6 @@ void set_header(const Handle(StepData_StepModel) & model, const std::string& nam
 std::string bytes_of(STEPControl_Writer& writer) {
   StepData_StepWriter file(writer.Model());
   file.FloatWriter().SetFormat("%.16E");  // reads back exactly
-  file.FloatWriter().SetZeroSuppress(Standard_True);
   file.SendModel(Handle(StepData_Protocol)::DownCast(writer.WS()->Protocol()));
   std::ostringstream out;
   file.Print(out);
@@ -98,9 +110,11 @@ std::string transferred(const StepShape& shape, const StepOptions& options, Prog
       writer.Transfer(shape.shape, STEPControl_AsIs, Standard_True, indicator->Start());
   progress.check();
   if (status != IFSelect_RetDone) {
-    throw Error(make_error(Category::Geometry, "E_STEP", "OpenCASCADE can't write this solid as STEP: write a mesh."));
+    throw Error(
+        make_error(Category::Geometry, "E_STEP_FILE", "OpenCASCADE can't write this solid as STEP: write a mesh."));
   }
   set_names(shape, writer);
+  set_product(writer.Model(), options.name);
   set_header(writer.Model(), options.name);
   return bytes_of(writer);
 }
@@ -118,6 +132,10 @@ double greatest_error(const std::vector<std::vector<BicubicFit>>& fits) {
 std::string why_no_step() { return {}; }
 
 StepFile write_step(const Brep& brep, const StepOptions& options, Progress& progress) try {
+  if (brep.faces.empty()) {
+    throw Error(make_error(Category::Geometry, "E_STEP_FILE",
+                           "A solid without faces can't be written as STEP: see the other findings."));
+  }
   Progress fitting = progress.step("fit surfaces", 0.5);
   const std::vector<std::vector<BicubicFit>> fits = fit_patches(brep, fitting, options.fit);
   Progress writing = progress.step("write STEP", 0.5);
@@ -128,7 +146,7 @@ StepFile write_step(const Brep& brep, const StepOptions& options, Progress& prog
   return file;
 } catch (const Standard_Failure& failure) {
   throw Error(make_error(
-      Category::Geometry, "E_STEP",
+      Category::Geometry, "E_STEP_FILE",
       std::string("OpenCASCADE can't write this solid as STEP (") + failure.GetMessageString() + "): write a mesh."));
 }
 

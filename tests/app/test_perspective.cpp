@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAction>
+#include <QFile>
+#include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QTest>
 #include <QToolButton>
 #include <algorithm>
 
 #include <catch2/catch.hpp>
 
+#include "app/dialogs.h"
+#include "app/hole_scans.h"
 #include "app/studio_fixture.h"
 #include "app/tools/perspective/look_through.h"
 #include "app/tools/perspective/perspective_drawing_tool.h"
@@ -121,6 +126,38 @@ TEST_CASE("looked through, every vertex is seen where it was drawn, and turning 
     hand.act("look-through");
     CHECK(hand.window().action("look-through")->isChecked());
   }
+}
+
+TEST_CASE("the solid of a drawing is exported as STEP, or the window says what to install", "[perspective]") {
+  StudioFixture hand;
+  hand.studio().start_with(drawn(soap(), three_point_views()[0]).drawing);
+  hand.window().show_views();
+  hand.settle();
+  QAction* action = hand.window().action("export-step");
+  REQUIRE(action->isEnabled());
+  const QString path = hand.folder() + "/soap.step";
+  if (const std::string why = why_no_step(); !why.empty()) {
+    action->trigger();
+    CHECK(label(hand, "message") == QString::fromStdString(why));
+    return;
+  }
+  in_dialog<QFileDialog>([&](QFileDialog& dialog) {
+    dialog.findChild<QLineEdit*>()->setText(path);
+    QMetaObject::invokeMethod(&dialog, "accept");
+  });
+  action->trigger();
+  hand.settle();
+  CHECK(label(hand, "message").contains(path));
+  QFile file(path);
+  REQUIRE(file.open(QIODevice::ReadOnly));
+  const QByteArray bytes = file.readAll();
+  CHECK(bytes.startsWith("ISO-10303-21;"));
+  CHECK(bytes.contains("MANIFOLD_SOLID_BREP"));
+  CHECK(bytes.contains("PRODUCT('soap','soap'"));
+
+  hand.act("new-perspective");
+  hand.settle();
+  CHECK(!action->isEnabled());
 }
 
 TEST_CASE("keys over the sheet choose groups, elsewhere they are those of the views", "[perspective]") {

@@ -142,7 +142,7 @@ std::string library_of(const std::string& system_include) {
   for (const auto& [prefix, library] : prefixes) {
     if (system_include.starts_with(prefix)) return library;
   }
-  return "";
+  return system_include.ends_with(".hxx") ? "opencascade" : "";
 }
 
 }  // namespace croquis::test

@@ -202,6 +202,52 @@ TEST_CASE("a GLB has the recovered camera, which sees the solid's corners where 
   }
 }
 
+TEST_CASE("the patch file has a B-spline surface with its error beside each patch") {
+  const ScratchFolder folder;
+  solved(folder, file_of(folder, clean(bottle()).drawing), {"--patches", folder / "patches.json"});
+  const Json file = Json::parse(slurp(folder / "patches.json"));
+  CHECK(file.at("patches").size() == 24);
+  for (const Json& patch : file.at("patches")) {
+    const Json& fit = patch.at("bicubic");
+    const std::size_t across = fit.at("u_knots").size() - 4, along = fit.at("v_knots").size() - 4;
+    CHECK(fit.at("points").size() == across * along);
+    CHECK(fit.at("points").front() == patch.at("points")[0]);
+    CHECK(fit.at("points").back() == patch.at("points")[6]);
+    CHECK(fit.at("error").get<double>() < 1e-3);
+    CHECK(fit.at("angle_degrees").get<double>() <= 0.05);
+    CHECK(fit.at("within_tolerance") == true);
+  }
+}
+
+TEST_CASE("STEP files are written in the drawing's unit; a program that can't says what to install") {
+  const ScratchFolder folder;
+  PerspectiveDrawing drawing = clean(soap()).drawing;
+  drawing.unit = "inch";
+  const std::string file = file_of(folder, drawing);
+  const ProcessResult result = run_cli({"perspective", file, "-o", folder / "soap.stp", "--json", "--quiet"});
+  const Json report = Json::parse(result.out);
+  if (!CROQUIS_HAS_STEP) {
+    CHECK(result.code == 2);
+    CHECK(report.at("error").at("code") == "E_NO_STEP");
+    CHECK(report.at("error").at("message").get<std::string>().find("libocct-data-exchange-dev") != std::string::npos);
+    CHECK_FALSE(std::filesystem::exists(folder / "soap.stp"));
+    return;
+  }
+  REQUIRE(result.code == 0);
+  const Json& step = report.at("details").at("step");
+  CHECK(step.at("unit") == "inch");
+  CHECK(step.at("faces") == 6);
+  CHECK(step.at("edges") == 12);
+  CHECK(step.at("error").get<double>() < 1e-3);
+  const std::string bytes = slurp(folder / "soap.stp");
+  CHECK(bytes.starts_with("ISO-10303-21;"));
+  CHECK(bytes.find("MANIFOLD_SOLID_BREP") != std::string::npos);
+  CHECK(bytes.find("'INCH'") != std::string::npos);
+  const ProcessResult piped = run_cli({"perspective", file, "-o", "-", "--output-format", "step", "--quiet"});
+  CHECK(piped.code == 0);
+  CHECK(piped.out.starts_with("ISO-10303-21;"));
+}
+
 TEST_CASE("a stroke of the wrong group is named with the group that fits, and --fix makes it so") {
   const ScratchFolder folder;
   const PerspectiveSolid solid = l_block();

@@ -13,7 +13,8 @@ cached() { sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt" | head -n 1; }
 
 # looked_for FILE: "NAME GROUP" for each find_package, its components and pkg_check_modules; pkg-config's as "pc:NAME"
 looked_for() {
-  awk '/^if\(CROQUIS_BUILD_TESTS/ { tests = 1 } /^endif/ { tests = 0 }
+  awk '/^if\(CROQUIS_BUILD_TESTS/ { tests = 1 } /^if\(.*CROQUIS_WITH_OCCT/ { step = 1 } /^endif/ { tests = step = 0 }
+       step { next }  # optional: the group `step` brings it
        match($0, /find_package\([A-Za-z0-9_]+/) {
          name = substr($0, RSTART + 13, RLENGTH - 13)
          print name, tests ? "test" : "build"

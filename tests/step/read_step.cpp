@@ -5,7 +5,6 @@
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
-#include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
 #include <Interface_Static.hxx>
 #include <Message.hxx>
@@ -16,7 +15,6 @@
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
-#include <algorithm>
 #include <sstream>
 
 namespace croquis::test {
@@ -45,7 +43,6 @@ void look_at_edges(const TopoDS_Shape& shape, ReadSolid& solid) {
     const BRepAdaptor_Curve curve(edge);
     if (curve.GetType() == GeomAbs_Line) ++solid.lines;
     if (curve.GetType() == GeomAbs_BSplineCurve && curve.IsRational()) ++solid.rational_edges;
-    solid.greatest_tolerance = std::max(solid.greatest_tolerance, BRep_Tool::Tolerance(edge));
   }
 }
 
@@ -55,15 +52,21 @@ void look_at_faces(const TopoDS_Shape& shape, ReadSolid& solid) {
   }
 }
 
-}  // namespace
-
-ReadSolid read_step(const std::string& bytes) {
+/// Null where the bytes can't be read.
+TopoDS_Shape shape_in(const std::string& bytes) {
   STEPControl_Reader reader;
   Message::DefaultMessenger()->ChangePrinters().Clear();
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   std::istringstream stream(bytes);
   if (reader.ReadStream("solid.step", stream) != IFSelect_RetDone || reader.TransferRoots() == 0) return {};
-  const TopoDS_Shape shape = reader.OneShape();
+  return reader.OneShape();
+}
+
+}  // namespace
+
+ReadSolid read_step(const std::string& bytes) {
+  const TopoDS_Shape shape = shape_in(bytes);
+  if (shape.IsNull()) return {};
   ReadSolid solid;
   solid.valid = BRepCheck_Analyzer(shape).IsValid();
   solid.closed = all_edges_have_two_faces(shape);
@@ -74,9 +77,15 @@ ReadSolid read_step(const std::string& bytes) {
   look_at_edges(shape, solid);
   look_at_faces(shape, solid);
   GProp_GProps properties;
-  BRepGProp::VolumeProperties(shape, properties, 1e-8);
+  BRepGProp::VolumeProperties(shape, properties);
   solid.volume = properties.Mass();
   return solid;
+}
+
+double area_in_step(const std::string& bytes) {
+  GProp_GProps properties;
+  BRepGProp::SurfaceProperties(shape_in(bytes), properties, 1e-12);
+  return properties.Mass();
 }
 
 }  // namespace croquis::test

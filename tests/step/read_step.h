@@ -18,11 +18,13 @@ struct ReadSolid {
   std::size_t planes = 0;  ///< faces on planes
   std::size_t lines = 0;   ///< edges along lines
   std::size_t rational_edges = 0;
-  double volume = 0;              ///< millimetres³
-  double greatest_tolerance = 0;  ///< of edges, millimetres
+  double volume = 0;  ///< millimetres³
 };
 
 /// Solids without faces where the bytes can't be read.
 ReadSolid read_step(const std::string& bytes);
+
+/// Of all faces, within 1e-12 of it: slow for many. Millimetres².
+double area_in_step(const std::string& bytes);
 
 }  // namespace croquis::test

@@ -315,6 +315,30 @@ Findings ProjectFiles::export_result(const OperationDescription& operation, cons
   return made.warnings;
 }
 
+std::shared_ptr<const Brep> ProjectFiles::exact_solid() const {
+  const WorkObject* object = studio_.active();
+  if (object == nullptr || !object->result || object->result->failed || object->result->stale) return nullptr;
+  if (object->result->quality != Quality::Final) return nullptr;
+  for (const auto& [name, value] : object->result->outputs) {
+    if (const auto solid = value.as<Brep>(); solid && !solid->faces.empty()) return solid;
+  }
+  return nullptr;
+}
+
+void ProjectFiles::export_step(const QString& path) {
+  const std::shared_ptr<const Brep> solid = exact_solid();
+  if (!solid) {
+    throw Error(make_error(Category::Geometry, "E_EMPTY",
+                           "There is no finished solid of a drawing in perspective to export yet"));
+  }
+  StepOptions options;
+  options.name = QFileInfo(path).completeBaseName().toStdString();
+  const NodeId first = studio_.active()->chain.front();
+  const auto sheet = source_of<PerspectiveDrawing>(studio_.session().document().find(first));
+  if (sheet) options.unit = length_unit_named(sheet->unit).value_or(LengthUnit::Millimetre);
+  step_export_.start(solid, std::move(options), path);
+}
+
 void ProjectFiles::export_drawing(const QString& path) const {
   OutputTransaction files;
   const auto sheet = source_of<PerspectiveDrawing>(studio_.session().document().find(studio_.sheet_node()));

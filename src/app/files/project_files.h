@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "app/files/file_reader.h"
+#include "app/files/step_export.h"
 #include "app/start/start_page.h"
 #include "app/studio/studio.h"
 #include "app/views/offscreen_pictures.h"
@@ -91,6 +92,16 @@ class ProjectFiles : public QObject {
   /// Whether there is such a value, computed to the end.
   bool can_export(const OperationDescription& operation) const;
 
+  /// The active object's faces as they are, of solids made from a drawing in perspective; null while it isn't finished,
+  /// and of other objects.
+  std::shared_ptr<const Brep> exact_solid() const;
+
+  /// Begins to write it as STEP, in the drawing's unit; step_export() tells the end.
+  /// @throws Error (E_EMPTY) without one
+  void export_step(const QString& path);
+  StepExport& step_export() { return step_export_; }
+  const StepExport& step_export() const { return step_export_; }
+
   /// The drawing as SVG.
   void export_drawing(const QString& path) const;
 
@@ -133,6 +144,7 @@ class ProjectFiles : public QObject {
 
   Studio& studio_;
   FileReader reader_;
+  StepExport step_export_;
   OffscreenPictures& pictures_;
   std::function<std::vector<render::MeshItemPtr>()> items_;
   QString state_folder_;

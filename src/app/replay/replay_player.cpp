@@ -156,6 +156,10 @@ void ReplayPlayer::play(const recorded::File& step) {
   } else if (file.endsWith(".json")) {
     wait_until_settled(window_);
     window_.files().export_result(*window_.files().exports().front(), file);
+  } else if (is_step_path(step.file)) {
+    wait_until_settled(window_);
+    window_.files().export_step(file);
+    wait_until_settled(window_);
   } else {
     wait_until_settled(window_);
     window_.files().export_solid(file);

@@ -85,12 +85,20 @@ void MainWindow::connect_studio() {
   };
   connect(&studio_, &Studio::progress_changed, this, show_step);
   connect(&files_.reader(), &FileReader::progress_changed, this, show_step);
+  connect(&files_.step_export(), &StepExport::progress_changed, this, show_step);
 }
 
 void MainWindow::connect_files() {
   connect(&files_, &ProjectFiles::path_changed, this, &MainWindow::update_title);
   connect(&files_, &ProjectFiles::autosave_failed, this, &MainWindow::tell);
   connect(&files_.reader(), &FileReader::busy_changed, this, &MainWindow::show_progress);
+  connect(&files_.step_export(), &StepExport::busy_changed, this, &MainWindow::show_progress);
+  connect(&files_.step_export(), &StepExport::finished, this, [this](const QString& path) { tell_written(path); });
+  connect(&files_.step_export(), &StepExport::failed, this, [this](const Findings& findings) {
+    if (findings.empty()) return tell(tr("Cancelled."));
+    last_findings_ = findings;
+    show_message(findings);
+  });
   connect(&files_, &ProjectFiles::opened, this, [this](const QString& path, const Findings& warnings) {
     record(recorded::File{"open", QFileInfo(path).absoluteFilePath().toStdString()});
     folder_ = QFileInfo(path).absolutePath();
@@ -177,7 +185,7 @@ QString MainWindow::offer_for(const WorkObject& object) const {
 }
 
 void MainWindow::show_progress(bool) {
-  const bool busy = studio_.busy() || files_.reader().busy();
+  const bool busy = studio_.busy() || files_.reader().busy() || files_.step_export().busy();
   if (busy && !progress_->isVisible()) progress_->setValue(0);
   progress_->setVisible(busy);
   cancel_->setVisible(busy);
@@ -193,6 +201,7 @@ void MainWindow::make_help_line() {
   cancel_->setObjectName("cancel");
   connect(cancel_, &QPushButton::clicked, this, [this] {
     files_.reader().cancel();
+    files_.step_export().cancel();
     stop_computing();
   });
   statusBar()->addWidget(help_, 1);
@@ -322,7 +331,7 @@ void MainWindow::record(const recorded::Step& step) {
 void MainWindow::export_picture(const QString& path) { viewport_->export_picture(pictures_, path); }
 
 bool MainWindow::settled() const {
-  if (files_.reader().busy()) return false;
+  if (files_.reader().busy() || files_.step_export().busy()) return false;
   return shows_start_page() ? !thumbnails_->busy() : studio_.settled() && viewport_->settled();
 }
 

@@ -168,6 +168,7 @@ class MainWindow : public QMainWindow, public ToolHost {
   void ask_export_solid();
   static QString export_action(const OperationDescription& operation);
   void ask_export_result(const OperationDescription& operation);
+  void ask_export_step();
   void ask_export_picture();
   void ask_export_drawing();
   void tell_written(const QString& path, const Findings& lost = {});

@@ -90,6 +90,7 @@ void MainWindow::make_file_actions() {
   });
   menu->addSeparator();
   actions_->add(menu, "export-solid", tr("&Export mesh…"), {QKeySequence("Ctrl+E")}, [this] { ask_export_solid(); });
+  actions_->add(menu, "export-step", tr("Export S&TEP…"), {}, [this] { ask_export_step(); });
   actions_->add(menu, "export-picture", tr("Export &picture…"), {QKeySequence("Ctrl+Shift+E")},
                 [this] { ask_export_picture(); });
   actions_->add(menu, "export-drawing", tr("Export &drawing…"), {}, [this] { ask_export_drawing(); });
@@ -275,6 +276,16 @@ void MainWindow::ask_export_result(const OperationDescription& operation) {
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += ".json";
   attempt([&] { tell_written(path, files_.export_result(operation, path)); });
+}
+
+void MainWindow::ask_export_step() {
+  if (const std::string why = why_no_step(); !why.empty()) return tell(QString::fromStdString(why));
+  const QString proposed = QString::fromStdString(document_name(studio_)) + ".step";
+  QString path =
+      QFileDialog::getSaveFileName(this, tr("Export STEP"), proposed_path(proposed), tr("STEP (*.step *.stp)"));
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += ".step";
+  attempt([&] { files_.export_step(path); });
 }
 
 void MainWindow::ask_export_picture() {

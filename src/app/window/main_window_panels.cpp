@@ -104,6 +104,7 @@ void MainWindow::update_panels() {
   action("delete")->setEnabled(!session.selection().empty() || has_selection);
   const bool shown = object != nullptr && object->shown() != nullptr;
   action("export-solid")->setEnabled(shown);
+  action("export-step")->setEnabled(files_.exact_solid() != nullptr);
   action("export-picture")->setEnabled(shown);
   for (const OperationDescription* exported : files_.exports())
     action(export_action(*exported))->setEnabled(files_.can_export(*exported));
