@@ -22,6 +22,7 @@ class GlbWriter {
   GlbWriter(const PolyMesh& mesh, const MeshWriteOptions& options, Progress& progress)
       : mesh_(mesh),
         camera_(options.camera),
+        z_up_(options.z_up),
         progress_(progress),
         positions_(positions_as_floats(mesh, MeshFormat::Glb)),
         cut_(face_triangles(mesh)) {}
@@ -46,11 +47,13 @@ class GlbWriter {
   void add_lines();
   void add_primitive(const std::vector<std::uint32_t>& indices, int mode);
   void finish_model();
+  void turn_upright(tinygltf::Scene& scene);
   void note_losses();
   std::string serialized() const;
 
   const PolyMesh& mesh_;
-  const std::optional<CameraFile>& camera_;
+  const std::optional<Camera>& camera_;
+  bool z_up_;
   Progress& progress_;
   std::vector<Vec3> positions_;
   FaceTriangles cut_;
@@ -170,16 +173,24 @@ void GlbWriter::finish_model() {
   } else if (!camera_) {
     scene.name = "empty";  // the library would write a scene without any member as null
   }
-  if (camera_) {
-    scene.nodes.push_back(static_cast<int>(model_.nodes.size()));
-    add_camera_node(*camera_, positions_, model_);
-  }
+  if (camera_) scene.nodes.push_back(add_camera_node(*camera_, positions_, model_));
+  if (z_up_ && !scene.nodes.empty()) turn_upright(scene);
   model_.scenes.push_back(scene);
   model_.defaultScene = 0;
   if (data_.empty()) return;
   tinygltf::Buffer buffer;
   buffer.data.assign(data_.begin(), data_.end());
   model_.buffers.push_back(buffer);
+}
+
+/// Puts all nodes under one that turns z, which points up in the mesh, to y.
+void GlbWriter::turn_upright(tinygltf::Scene& scene) {
+  tinygltf::Node upright;
+  upright.name = "Z up";
+  upright.matrix = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};
+  upright.children = scene.nodes;
+  scene.nodes = {static_cast<int>(model_.nodes.size())};
+  model_.nodes.push_back(std::move(upright));
 }
 
 void GlbWriter::note_losses() {

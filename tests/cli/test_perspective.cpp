@@ -197,7 +197,15 @@ TEST_CASE("a GLB has the recovered camera, which sees the solid's corners where 
       const auto number = std::stoul(vertex.at("id").get<std::string>().substr(1));
       CHECK((place - truth.camera.project(truth.network.vertices[number])).norm() < 0.5);
     }
-    CHECK(run_cli({"info", folder / "solid.glb"}).code == 0);
+    // Upright: y points up in glTF.
+    const Json upright = gltf.at("nodes").at(gltf.at("scenes").at(0).at("nodes").at(0).get<std::size_t>());
+    CHECK(upright.at("children").size() == 2);
+    const ProcessResult info = run_cli({"info", folder / "solid.glb", "--json"});
+    REQUIRE(info.code == 0);
+    const Json bounds = Json::parse(info.out).at("mesh").at("bounds");
+    double highest = -1e9;
+    for (const Json& vertex : details.at("vertices")) highest = std::max(highest, vertex.at("at")[2].get<double>());
+    CHECK(bounds[1][1].get<double>() == Approx(highest).margin(1e-5));
     CHECK(run_cli({"check", folder / "solid.glb"}).code == 0);
   }
 }

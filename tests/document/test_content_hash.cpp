@@ -289,7 +289,7 @@ Brep small_brep() {
   brep.half_edges = {{0, false, 0, 3}, {1, false, 1, 2}, {0, true, 1, 1}, {1, true, 0, 0}};
   brep.loops = {{0, 0}, {1, 1}};
   brep.faces.resize(2);
-  for (Index f : {0U, 1U}) brep.faces[f] = {0, {f}, false, Vec3(0, 0, 0), Vec3(0, 0, 1), 0, {2, GregoryPatch()}};
+  for (Index f : {0U, 1U}) brep.faces[f] = {0, f, {f}, false, Vec3(0, 0, 0), Vec3(0, 0, 1), 0, {2, GregoryPatch()}};
   brep.shells = {{{0, 1}, true, false}};
   return brep;
 }

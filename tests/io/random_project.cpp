@@ -462,7 +462,7 @@ Brep random_brep(Random& random) {
     brep.half_edges.push_back({2 * k + 1, true, 2 * k, 4 * k});
     for (const Index f : {2 * k, 2 * k + 1}) {
       brep.loops.push_back({f, 4 * k + f % 2});
-      BrepFace face{k, {f}, random.below(2) == 0, random_point(random), Vec3(2, 3, 6) / 7, random.unit(), {}};
+      BrepFace face{k, random.below(9), {f}, random.below(2) == 0, random_point(random), Vec3(2, 3, 6) / 7, random.unit(), {}};
       if (!face.planar) face.patches.resize(2);
       for (GregoryPatch& patch : face.patches) {
         for (Vec3& point : patch.boundary) point = random_point(random);

@@ -25,7 +25,7 @@ Json json_of(const std::string& glb) {
   return Json::parse(glb.substr(20, length));
 }
 
-Json glb_with_camera(const PolyMesh& mesh, const CameraFile& camera, std::string* bytes = nullptr) {
+Json glb_with_camera(const PolyMesh& mesh, const Camera& camera, std::string* bytes = nullptr) {
   Progress progress;
   MeshWriteOptions options;
   options.camera = camera;
@@ -59,8 +59,9 @@ TEST_CASE("the camera node of a GLB sees the model where it was drawn") {
   for (const View& view : all_views()) {
     for (const PerspectiveSolid& solid : {box(), bottle(), camera_body()}) {
       INFO(view.name << ", " << solid.name);
-      const Camera camera = camera_for(solid, view);
-      const Json gltf = glb_with_camera(corners_of(solid), {camera, view.origin, 3});
+      Camera camera = camera_for(solid, view);
+      camera.image_origin = view.origin;
+      const Json gltf = glb_with_camera(corners_of(solid), camera);
       const Json node = gltf.at("nodes").at(gltf.at("scenes").at(0).at("nodes").back().get<std::size_t>());
       const Json& made = gltf.at("cameras").at(node.at("camera").get<std::size_t>());
       CHECK(made.at("type") == "perspective");
@@ -95,7 +96,7 @@ TEST_CASE("a GLB with a camera is read as the mesh that it holds") {
   std::string bytes;
   const PerspectiveSolid solid = box();
   const Camera camera = camera_for(solid, off_centre_view());
-  glb_with_camera(tetrahedron(), {camera, Vec2::Zero(), 3}, &bytes);
+  glb_with_camera(tetrahedron(), camera, &bytes);
   Progress progress;
   const MeshReadResult read = read_mesh(bytes, MeshFormat::Glb, "seen.glb", progress);
   CHECK(read.mesh.face_count() == 4);

@@ -23,7 +23,7 @@ struct BrepVertex {
 
 /// A curve that faces meet in.
 struct BrepEdge {
-  std::string id;          ///< of the network's curve, the stroke
+  std::string id;          ///< unique; of the network's curve, the stroke, if there is one
   Index curve = no_index;  ///< of the network; no_index: no stroke, divides an outline of strokes into faces
   Index start = no_index;  ///< vertex of the B-rep
   Index end = no_index;

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "croquis/base/progress.h"
+#include "croquis/geometry/camera.h"
 #include "croquis/geometry/poly_mesh.h"
-#include "croquis/io/camera_file.h"
 
 /// Meshes as bytes of a file, and back.
 ///
@@ -71,7 +71,8 @@ MeshReadResult read_mesh(std::string_view bytes, MeshFormat format, const std::s
 struct MeshWriteOptions {
   int precision = 0;   ///< significant digits (1..17) of text formats; 0 = the shortest that read back exactly
   bool ascii = false;  ///< PLY and STL as text; else binary, little endian
-  std::optional<CameraFile> camera = {};  ///< that sees the mesh: a camera node in GLB, nothing in the other formats
+  std::optional<Camera> camera = {};  ///< that sees the mesh: a camera node in GLB, nothing in the other formats
+  bool z_up = false;                  ///< the mesh's z axis points up, not y: GLB, whose y axis does, turns it upright
 };
 
 struct MeshWriteResult {

@@ -274,12 +274,11 @@ Findings ProjectFiles::export_solid(const QString& path) const {
   return written.warnings;
 }
 
-/// The camera that the object was drawn for, with the sheet that it belongs to.
-std::optional<CameraFile> ProjectFiles::camera_of(const WorkObject& object) const {
+/// The camera that the object was drawn for.
+std::optional<Camera> ProjectFiles::camera_of(const WorkObject& object) const {
   const auto camera = studio_.value_along(object, ValueType::Camera).as<Camera>();
   if (camera == nullptr) return std::nullopt;
-  const auto drawing = source_of<PerspectiveDrawing>(studio_.session().document().find(object.chain.front()));
-  return CameraFile{*camera, drawing ? drawing->origin : Vec2::Zero(), 0};
+  return *camera;
 }
 
 std::vector<const OperationDescription*> ProjectFiles::exports() const {

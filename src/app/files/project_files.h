@@ -19,7 +19,7 @@
 #include "app/start/start_page.h"
 #include "app/studio/studio.h"
 #include "app/views/offscreen_pictures.h"
-#include "croquis/io/camera_file.h"
+#include "croquis/geometry/camera.h"
 #include "croquis/io/project_lock.h"
 #include "croquis/io/recovery.h"
 
@@ -130,7 +130,7 @@ class ProjectFiles : public QObject {
   void autosave_failed(const QString& sentence);
 
  private:
-  std::optional<CameraFile> camera_of(const WorkObject& object) const;
+  std::optional<Camera> camera_of(const WorkObject& object) const;
   void take(const ReadFile& file);
   void take_project(const QString& path, const Document& document);
   void note_damage(const QString& path, const Findings& findings);

@@ -118,19 +118,16 @@ int finite_vanishing_points(const Camera& camera) {
 /// One output to its file.
 struct Destination {
   std::string path;
-  std::string format;                     ///< asked for, where the path has no known extension
-  std::optional<CameraFile> camera = {};  ///< that was found with it
+  std::string format;              ///< asked for, where the path has no known extension
+  const Camera* camera = nullptr;  ///< that was found with it, in a world whose z axis points up
 };
 
-/// The camera among the outputs of an operation on a drawing.
-std::optional<CameraFile> camera_among(const Values& outputs, const Value& input) {
+/// The camera among the outputs of an operation, or null.
+const Camera* camera_among(const Values& outputs) {
   for (const auto& [port, value] : outputs) {
-    const auto camera = value.as<Camera>();
-    if (camera == nullptr) continue;
-    const auto drawing = input.as<PerspectiveDrawing>();
-    return CameraFile{*camera, drawing == nullptr ? Vec2::Zero() : drawing->origin, finite_vanishing_points(*camera)};
+    if (const auto camera = value.as<Camera>()) return camera.get();
   }
-  return std::nullopt;
+  return nullptr;
 }
 
 void stage_value(const PortDescription& port, const Value& value, const Destination& destination, CommandResult& result,
@@ -140,7 +137,8 @@ void stage_value(const PortDescription& port, const Value& value, const Destinat
   } else if (const auto mesh = value.as<PolyMesh>()) {
     const MeshFormat format = output_mesh_format(destination.path, destination.format);
     MeshWriteOptions options;
-    options.camera = destination.camera;
+    if (destination.camera != nullptr) options.camera = *destination.camera;
+    options.z_up = destination.camera != nullptr;
     stage_mesh(destination.path, *mesh, options, format, result, progress);
     if (port.is_solid) judge_solid(destination.path, as_written(*mesh, format, {}), result, progress);
   } else if (const auto network = value.as<CurveNetwork>()) {
@@ -270,7 +268,7 @@ void require_faces(const PortDescription& port, const Value& value, const Findin
 struct Computed {
   const Values& inputs;
   const Values& outputs;
-  std::optional<CameraFile> camera;  ///< that the input was drawn from, if one was found
+  const Camera* camera = nullptr;  ///< that the input was drawn from, if one was found
 };
 
 /// Every output that has a file, and the figures of the main one.
@@ -463,8 +461,7 @@ void OperationCommand::run(const Invocation& invocation, CommandResult& result, 
     result.text = list_text(*result.details);
   } else {
     Progress writing = progress.step("write", 0.1);
-    const Computed all{inputs, computed.outputs,
-                       camera_among(computed.outputs, inputs.at(description.inputs.front().name))};
+    const Computed all{inputs, computed.outputs, camera_among(computed.outputs)};
     stage_outputs(description, invocation, all, result, writing);
     stage_follow_ups(follow_ups_, invocation, all, result, writing);
     result.text = summary(result);

@@ -22,11 +22,11 @@ tinygltf::Value numbers_of(std::initializer_list<double> numbers) {
 }
 
 /// Half of the width and height of the smallest picture around the principal point that holds the sheet, px.
-Vec2 half_frame(const CameraFile& file) {
-  const Vec2 low = file.camera.principal_point - file.origin;
-  const Vec2 high = file.origin + file.camera.image_size - file.camera.principal_point;
+Vec2 half_frame(const Camera& camera) {
+  const Vec2 low = camera.principal_point - camera.image_origin;
+  const Vec2 high = camera.image_origin + camera.image_size - camera.principal_point;
   const Vec2 half = low.cwiseAbs().cwiseMax(high.cwiseAbs());
-  return half.cwiseMax(1e-6 * file.camera.focal_length);  // a sheet without size
+  return half.cwiseMax(1e-6 * camera.focal_length);  // a sheet without size
 }
 
 /// Near and far plane.
@@ -45,9 +45,8 @@ std::pair<double, double> depth_range(const Camera& camera, const std::vector<Ve
 
 }  // namespace
 
-void add_camera_node(const CameraFile& file, const std::vector<Vec3>& positions, tinygltf::Model& model) {
-  const Camera& camera = file.camera;
-  const Vec2 half = half_frame(file);
+int add_camera_node(const Camera& camera, const std::vector<Vec3>& positions, tinygltf::Model& model) {
+  const Vec2 half = half_frame(camera);
   const auto [near, far] = depth_range(camera, positions);
   tinygltf::Camera made;
   made.type = "perspective";
@@ -59,7 +58,7 @@ void add_camera_node(const CameraFile& file, const std::vector<Vec3>& positions,
   const Vec2 corner = camera.principal_point - half;
   tinygltf::Value::Object extras;
   extras["image"] = numbers_of({camera.image_size.x(), camera.image_size.y()});
-  extras["origin"] = numbers_of({file.origin.x(), file.origin.y()});
+  extras["origin"] = numbers_of({camera.image_origin.x(), camera.image_origin.y()});
   extras["principal_point"] = numbers_of({camera.principal_point.x(), camera.principal_point.y()});
   extras["focal_length"] = tinygltf::Value(camera.focal_length);
   extras["frame"] = numbers_of({corner.x(), corner.y(), 2 * half.x(), 2 * half.y()});
@@ -75,6 +74,7 @@ void add_camera_node(const CameraFile& file, const std::vector<Vec3>& positions,
   }
   model.cameras.push_back(std::move(made));
   model.nodes.push_back(std::move(node));
+  return static_cast<int>(model.nodes.size()) - 1;
 }
 
 }  // namespace croquis

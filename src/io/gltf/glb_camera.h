@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "croquis/geometry/camera.h"
 #include "croquis/geometry/vector.h"
-#include "croquis/io/camera_file.h"
 
 namespace tinygltf {
 class Model;
@@ -19,6 +19,7 @@ namespace croquis {
 /// sheet (px, y down) and `focal_length` (px), and `frame` [x, y, width, height], the part of the sheet's plane that
 /// the camera sees (px).
 /// @param positions that are to lie between the near and the far plane
-void add_camera_node(const CameraFile& file, const std::vector<Vec3>& positions, tinygltf::Model& model);
+/// @return the node
+int add_camera_node(const Camera& camera, const std::vector<Vec3>& positions, tinygltf::Model& model);
 
 }  // namespace croquis

@@ -168,6 +168,7 @@ Index cut_loop(Brep& brep, Index face, Index first, Index second) {
   };
   const Index before_first = before(first), before_second = before(second);
   BrepEdge diagonal;
+  diagonal.id = "f" + std::to_string(brep.faces[face].outline) + "/" + std::to_string(edge);
   diagonal.start = brep.start_of(first);
   diagonal.end = brep.start_of(second);
   diagonal.half_edges = {ahead, back};
