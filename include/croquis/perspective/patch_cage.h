@@ -27,7 +27,8 @@ struct PatchCage {
 /// Mehlhorn 1983), so that they stay plane under every scheme. A straight edge is divided only where a patch needs it.
 /// Vertices on edges lie on the exact curves.
 ///
-/// Edges along which the solid isn't smooth are infinitely sharp; vertices where two of these meet at a corner of their
+/// Edges along which the solid isn't smooth are infinitely sharp, and so are cuts of plane faces between two corners of
+/// the solid, which would move beyond reflex corners else; vertices where two of these meet at a corner of their
 /// curves are pinned.
 /// @pre 2 <= segments, even
 /// @throws Cancelled

@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 #include <numbers>
+#include <set>
 #include <utility>
 
 #include "algorithms/perspective/bridges/convex_pieces.h"
@@ -34,6 +35,7 @@ class PatchCageMaker {
       brep_.faces[f].patches.empty() ? add_plane_face(f) : add_patches(brep_.faces[f]);
     }
     add_creases();
+    add_sharp_cuts();
     add_pins();
     progress_.report(1);
     return std::move(cage_);
@@ -125,6 +127,19 @@ class PatchCageMaker {
     for (std::vector<Index>& piece : pieces) {
       for (Index& vertex : piece) vertex = vertices[vertex];
       cage_.mesh.add_face(piece);
+      note_cuts(outlines, piece);
+    }
+  }
+
+  /// The sides of a piece that aren't on the face's outlines; of the two pieces at a cut one tells it.
+  void note_cuts(const std::vector<std::vector<Index>>& outlines, const std::vector<Index>& piece) {
+    std::set<std::array<Index, 2>> rim;
+    for (const std::vector<Index>& outline : outlines) {
+      for (std::size_t i = 0; i < outline.size(); ++i) rim.insert({outline[i], outline[(i + 1) % outline.size()]});
+    }
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      const Index a = piece[i], b = piece[(i + 1) % piece.size()];
+      if (a < b && !rim.contains({a, b})) cuts_.push_back({a, b});
     }
   }
 
@@ -211,6 +226,21 @@ class PatchCageMaker {
     }
   }
 
+  /// Around reflex corners the schemes would move points of a plane face's cuts beyond its outline. Between corners,
+  /// where chains of sharp edges end anyway, a sharp cut stays where it is and changes nothing else.
+  void add_sharp_cuts() {
+    std::vector<int> sharp_edges(brep_.vertices.size(), 0);
+    for (const BrepEdge& edge : brep_.edges) {
+      if (!is_sharp(edge)) continue;
+      ++sharp_edges[edge.start];
+      ++sharp_edges[edge.end];
+    }
+    const auto is_corner = [&](Index vertex) { return vertex < sharp_edges.size() && sharp_edges[vertex] > 2; };
+    for (const auto& cut : cuts_) {
+      if (is_corner(cut[0]) && is_corner(cut[1])) cage_.mesh.tags.creases.push_back({cut, infinite_sharpness});
+    }
+  }
+
   /// Where more than two sharp edges meet there is a corner anyway.
   void add_pins() {
     std::map<Index, std::vector<Vec3>> leaving;
@@ -229,7 +259,8 @@ class PatchCageMaker {
   const std::size_t segments_;
   Progress& progress_;
   PatchCage cage_;
-  std::vector<std::vector<Index>> along_;  ///< per edge, the vertices from its start to its end
+  std::vector<std::array<Index, 2>> cuts_;  ///< through plane faces
+  std::vector<std::vector<Index>> along_;   ///< per edge, the vertices from its start to its end
 };
 
 }  // namespace
