@@ -315,6 +315,7 @@ TEST_CASE("every field of a B-rep counts in its hash") {
                                  [](Brep& b) { b.loops[1].face = 0; },
                                  [](Brep& b) { b.loops[1].first = 2; },
                                  [](Brep& b) { b.faces[1].shell = 1; },
+                                 [](Brep& b) { b.faces[1].outline = 0; },
                                  [](Brep& b) { b.faces[1].loops[0] = 0; },
                                  [](Brep& b) { b.faces[1].planar = true; },
                                  [](Brep& b) { b.faces[1].origin.x() = 1; },
