@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #version 330 core
-// Light, lines and background, averaged over the samples of a pixel.
+// Light and lines over the backdrop, averaged over the samples of a pixel.
 uniform sampler2D colors;
 uniform sampler2D normals;
 uniform sampler2D depths;
@@ -24,8 +24,6 @@ uniform int contour_reach;         // samples
 uniform vec4 contour_color;
 
 layout(location = 0) out vec4 color;
-
-vec3 backdrop(vec2 pixel);
 
 // The colour on screen of a surface of that colour.
 vec3 lit_clay(vec3 surface, vec3 normal, vec3 to_eye, float open_sky);
@@ -62,31 +60,30 @@ float open_sky_at(ivec2 pixel, vec2 here) {
   return weight > 0.0 ? sum / weight : 1.0;
 }
 
+// One colour times its strength over another.
+vec4 over(vec4 upper, vec4 lower) { return upper + (1.0 - upper.a) * lower; }
+
+vec4 ink(vec4 line) { return vec4(line.rgb * line.a, line.a); }
+
 void main() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy) - viewport_origin;
-  vec3 background = backdrop(vec2(pixel) + 0.5);
-  pixel += border;
+  ivec2 pixel = ivec2(gl_FragCoord.xy) - viewport_origin + border;
   vec2 middle = texelFetch(depths, pixel * samples + samples / 2, 0).xy;
   float open_sky = lit && occluded ? open_sky_at(pixel, middle) : 1.0;
-  vec3 sum = vec3(0.0);
+  vec4 sum = vec4(0.0);
   for (int i = 0; i < samples * samples; ++i) {
     ivec2 place = pixel * samples + ivec2(i % samples, i / samples);
-    vec3 shade = background;
+    vec4 drawn = vec4(0.0);
     vec4 surface = texelFetch(colors, place, 0);
     if (surface.a != 0.0) {
-      shade = surface.rgb;
+      drawn = vec4(surface.rgb, 1.0);
       if (lit) {
-        shade = lit_clay(shade, texelFetch(normals, place, 0).xyz, eye_direction(place), open_sky);
+        drawn.rgb = lit_clay(surface.rgb, texelFetch(normals, place, 0).xyz, eye_direction(place), open_sky);
       }
     }
-    if (veiled) {
-      vec4 over = texelFetch(veil, place, 0);
-      shade = over.rgb + (1.0 - over.a) * shade;
-    }
-    vec4 line = texelFetch(overlay, place, 0);
-    shade = mix(shade, line.rgb, line.a);
-    if (contours) shade = mix(shade, contour_color.rgb, contour_color.a * contour_strength(place));
-    sum += clamp(shade, 0.0, 1.0);
+    if (veiled) drawn = over(texelFetch(veil, place, 0), drawn);
+    drawn = over(ink(texelFetch(overlay, place, 0)), drawn);
+    if (contours) drawn = over(ink(vec4(contour_color.rgb, contour_color.a * contour_strength(place))), drawn);
+    sum += clamp(drawn, 0.0, 1.0);
   }
-  color = vec4(sum / float(samples * samples), 1.0);
+  color = sum / float(samples * samples);
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <variant>
 
+#include "croquis/document/backdrop.h"
 #include "document/content_size.h"
 
 namespace croquis {
@@ -36,6 +37,7 @@ std::size_t byte_size(const Node& node) {
   }
   for (const auto& [port, link] : node.inputs)
     bytes += tree_node + size_of(port) + sizeof(Link) + link.output.capacity();
+  if (node.backdrop) bytes += sizeof(Backdrop);
   return bytes;
 }
 

@@ -7,6 +7,7 @@
 
 #include <xxhash.h>
 
+#include "croquis/document/backdrop.h"
 #include "croquis/document/document.h"
 #include "document/node_content.h"
 
@@ -98,6 +99,19 @@ ContentHash content_hash(const Value& value) {
   return hasher.digest();
 }
 
+namespace {
+
+void add_content(ContentHasher& hasher, const Backdrop& backdrop) {
+  for (const double number : {backdrop.centre.x(), backdrop.centre.y(), backdrop.scale, backdrop.opacity})
+    hasher.add(number);
+  hasher.add(backdrop.visible);
+  const ContentHash picture = content_hash(Value(backdrop.picture));
+  hasher.add(picture.high);
+  hasher.add(picture.low);
+}
+
+}  // namespace
+
 ContentHash content_hash(const Document& document) {
   ContentHasher hasher;
   hasher.add(document.nodes().size());
@@ -117,8 +131,9 @@ ContentHash content_hash(const Document& document) {
     if (node->source) hasher.add(content_hash(*node->source));
     // One number for what nodes seldom have, so that the hashes of all others stay as they are.
     const bool is_placed = !node->transform.is_identity();
-    hasher.add((node->visible ? 1 : 0) + (node->enabled ? 0 : 2) + (is_placed ? 4 : 0));
+    hasher.add((node->visible ? 1 : 0) + (node->enabled ? 0 : 2) + (is_placed ? 4 : 0) + (node->backdrop ? 8 : 0));
     if (is_placed) add_content(hasher, node->transform);
+    if (node->backdrop) add_content(hasher, *node->backdrop);
   }
   return hasher.digest();
 }

@@ -14,6 +14,7 @@
 #include "render/painters/line_painter.h"
 #include "render/painters/mark_painter.h"
 #include "render/painters/occlusion_reach.h"
+#include "render/painters/picture_painter.h"
 #include "render/painters/point_painter.h"
 #include "render/painters/surface_painter.h"
 
@@ -55,11 +56,12 @@ class Renderer::Implementation {
 
  private:
   void drop_expired();
-  void draw_picture(const Drawing& drawing, const glm::ivec2& origin);
+  void draw_picture(const Drawing& drawing, const glm::ivec2& origin, const ViewFrame& view);
   void draw_overlay(const Drawing& drawing, const OverlayFrame& frame);
   void copy_canvas(const glm::ivec2& origin);
   void fill_screen() const;
 
+  PicturePainter pictures_;
   SurfacePainter surfaces_;
   LinePainter lines_;
   PointPainter points_;
@@ -73,6 +75,7 @@ class Renderer::Implementation {
 };
 
 void Renderer::Implementation::drop_expired() {
+  pictures_.drop_expired();
   surfaces_.drop_expired();
   lines_.drop_expired();
   points_.drop_expired();
@@ -84,11 +87,13 @@ void Renderer::Implementation::fill_screen() const {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void Renderer::Implementation::draw_picture(const Drawing& drawing, const glm::ivec2& origin) {
+/// @param view exactly the viewport, without the border
+void Renderer::Implementation::draw_picture(const Drawing& drawing, const glm::ivec2& origin, const ViewFrame& view) {
   paper_.use();
   paper_.set("viewport_origin", origin);
   set_backdrop(paper_, drawing.options, drawing.view);
   fill_screen();
+  if (!drawing.scene.pictures.empty()) pictures_.draw(drawing.scene.pictures, view, drawing.uploads);
   if (!drawing.scene.meshes.empty()) surfaces_.compose(drawing, origin);
 }
 
@@ -123,11 +128,12 @@ void Renderer::Implementation::draw(const Scene& scene, const Camera& camera, co
   triangles_drawn_ = scene.meshes.empty() ? 0 : surfaces_.draw(drawing);
 
   const glm::ivec2 origin(viewport.x, viewport.y);
+  const ViewFrame view = make_view_frame(camera, bounds, viewport, 0);
   if (has_overlay(scene, options)) {
-    const OverlayFrame frame{make_view_frame(camera, bounds, viewport, 0), glm::vec2(size),
-                             scene.meshes.empty() ? nullptr : &surfaces_.buffers(), drawing.border, uploads_};
+    const OverlayFrame frame{view, glm::vec2(size), scene.meshes.empty() ? nullptr : &surfaces_.buffers(),
+                             drawing.border, uploads_};
     canvas_.begin(size);
-    draw_picture(drawing, glm::ivec2(0));
+    draw_picture(drawing, glm::ivec2(0), view);
     draw_overlay(drawing, frame);
   }
   host.bind_framebuffers();
@@ -136,7 +142,7 @@ void Renderer::Implementation::draw(const Scene& scene, const Camera& camera, co
   if (has_overlay(scene, options)) {
     copy_canvas(origin);
   } else {
-    draw_picture(drawing, origin);
+    draw_picture(drawing, origin, view);
   }
   check_gl("drawing a picture");
 }

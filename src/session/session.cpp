@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/document/backdrop.h"
 #include "croquis/document/byte_size.h"
 #include "croquis/document/content_hash.h"
 
@@ -17,10 +18,14 @@ bool same_source(const Node& a, const Node& b) {
   return a.source && b.source && content_hash(*a.source) == content_hash(*b.source);
 }
 
+bool same_backdrop(const Node& a, const Node& b) {
+  return a.backdrop == b.backdrop || (a.backdrop && b.backdrop && *a.backdrop == *b.backdrop);
+}
+
 bool same_content(const Node& a, const Node& b) {
   return a.id == b.id && a.name == b.name && a.operation == b.operation && a.version == b.version &&
          a.parameters == b.parameters && a.inputs == b.inputs && a.visible == b.visible && a.transform == b.transform &&
-         a.enabled == b.enabled && same_source(a, b);
+         a.enabled == b.enabled && same_backdrop(a, b) && same_source(a, b);
 }
 
 bool same_content(const Document& a, const Document& b) {
@@ -28,18 +33,28 @@ bool same_content(const Document& a, const Document& b) {
                     [](const auto& left, const auto& right) { return left == right || same_content(*left, *right); });
 }
 
+/// What a node has and may share with others.
+std::vector<Value> shared_by(const Node& node) {
+  std::vector<Value> values;
+  if (node.source) values.push_back(*node.source);
+  if (node.backdrop) values.emplace_back(node.backdrop->picture);
+  return values;
+}
+
 /// What keeping a document costs when its neighbour is kept anyway.
 std::size_t bytes_beside(const Document& kept, const Document& neighbour) {
   std::set<std::shared_ptr<const Node>> shared_nodes(neighbour.nodes().begin(), neighbour.nodes().end());
   std::set<Value> shared_values;
   for (const auto& node : neighbour.nodes()) {
-    if (node->source) shared_values.insert(*node->source);
+    for (Value& value : shared_by(*node)) shared_values.insert(std::move(value));
   }
   std::size_t bytes = kept.nodes().size() * sizeof(std::shared_ptr<const Node>);
   for (const auto& node : kept.nodes()) {
     if (shared_nodes.contains(node)) continue;
     bytes += byte_size(*node);
-    if (node->source && shared_values.insert(*node->source).second) bytes += byte_size(*node->source);
+    for (const Value& value : shared_by(*node)) {
+      if (shared_values.insert(value).second) bytes += byte_size(value);
+    }
   }
   return bytes;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "croquis/tools/all_steps.h"
 
+#include "croquis/tools/backdrop/backdrop_steps.h"
 #include "croquis/tools/holes/hole_steps.h"
 #include "croquis/tools/measure/measure_steps.h"
 #include "croquis/tools/mesh/mesh_steps.h"
@@ -19,6 +20,7 @@ const Vocabulary& all_steps() {
     made.add(hole_steps());
     made.add(measure_steps());
     made.add(perspective_steps());
+    made.add(backdrop_steps());
     return made;
   }();
   return vocabulary;

@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/document/content_hash.h"
+#include "croquis/document/backdrop.h"
 #include "croquis/document/document.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/trial_operation.h"
@@ -407,6 +408,11 @@ TEST_CASE("every figure of a report counts in its hash, with its type and place"
   check_changes<Report>(small_report, changes, hash_of_value<Report>);
 }
 
+std::shared_ptr<const Backdrop> backdrop(double x, double opacity, bool visible, const std::string& bytes) {
+  auto picture = std::make_shared<const PictureFile>(PictureFile{bytes, 3, 2, "a.png"});
+  return std::make_shared<const Backdrop>(Backdrop{picture, Vec2(x, 0), 1, opacity, visible});
+}
+
 TEST_CASE("every field of a node counts in its document's hash") {
   const Changes<Node> changes = {[](Node& n) { n.id = 6; },
                                  [](Node& n) { n.name = "smaller"; },
@@ -428,7 +434,12 @@ TEST_CASE("every field of a node counts in its document's hash") {
                                  [](Node& n) { n.enabled = n.visible = false; },
                                  [](Node& n) { n.transform.offset.y() = 1; },
                                  [](Node& n) { n.transform.linear(0, 1) = 1; },
-                                 [](Node& n) { n.transform.linear(1, 0) = 1; }};
+                                 [](Node& n) { n.transform.linear(1, 0) = 1; },
+                                 [](Node& n) { n.backdrop = backdrop(1, 0.5, true, "a"); },
+                                 [](Node& n) { n.backdrop = backdrop(2, 0.5, true, "a"); },
+                                 [](Node& n) { n.backdrop = backdrop(1, 0.4, true, "a"); },
+                                 [](Node& n) { n.backdrop = backdrop(1, 0.5, false, "a"); },
+                                 [](Node& n) { n.backdrop = backdrop(1, 0.5, true, "b"); }};
   check_changes<Node>(small_node, changes, [](const Node& node) { return content_hash(Document().with(node)); });
 }
 

@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include "croquis/document/backdrop.h"
 #include "croquis/document/content_hash.h"
 #include "support/meshes/mesh_shapes.h"
 
@@ -107,8 +108,13 @@ Report random_tree(Random& random, int depth) {
   }
 }
 
+PictureFile random_picture(Random& random) {
+  return {"bytes" + random_text(random), static_cast<int>(1 + random.below(5000)),
+          static_cast<int>(1 + random.below(5000)), random_text(random)};
+}
+
 Value random_value(Random& random) {
-  switch (random.below(8)) {
+  switch (random.below(9)) {
     case 0: return std::make_shared<const PolyMesh>(random_mesh(random));
     case 5: return std::make_shared<const Brep>(random_brep(random));
     case 6: return std::make_shared<const AttributeNetwork>(random_attribute_network(random));
@@ -116,6 +122,7 @@ Value random_value(Random& random) {
     case 2: return std::make_shared<const PerspectiveDrawing>(random_perspective_drawing(random));
     case 3: return std::make_shared<const CurveNetwork>(random_network(random));
     case 4: return std::make_shared<const Drawing>(random_drawing(random));
+    case 7: return std::make_shared<const PictureFile>(random_picture(random));
     default: return std::make_shared<const Report>(random_report(random));
   }
 }
@@ -159,6 +166,12 @@ Node random_node(Random& random, const Document& document) {
   node.enabled = random.below(4) != 0;
   if (document.nodes().empty() || random.below(2) == 0) {
     node.source = random_value(random);
+    if (random.below(4) == 0) {
+      node.backdrop = std::make_shared<const Backdrop>(
+          Backdrop{std::make_shared<const PictureFile>(random_picture(random)),
+                   Vec2(random.between(-10, 10), random.between(-10, 10)), random.between(0.1, 10),
+                   random.between(0, 1), random.below(2) == 0});
+    }
     return node;
   }
   node.operation = "operation-" + std::to_string(random.below(3));
@@ -288,6 +301,15 @@ bool same(const CurveNetwork& a, const CurveNetwork& b) {
   return same_elements(a.vertices, b.vertices) && same_elements(a.curves, b.curves);
 }
 
+bool same(const PictureFile& a, const PictureFile& b) {
+  return a.bytes == b.bytes && a.width == b.width && a.height == b.height && a.file == b.file;
+}
+
+bool same(const Backdrop& a, const Backdrop& b) {
+  return same(*a.picture, *b.picture) && same(a.centre, b.centre) && same(a.scale, b.scale) &&
+         same(a.opacity, b.opacity) && a.visible == b.visible;
+}
+
 bool same(const Value& a, const Value& b) {
   if (a.type() != b.type()) return false;
   if (const auto mesh = a.as<PolyMesh>()) return same(*mesh, b.get<PolyMesh>());
@@ -297,6 +319,7 @@ bool same(const Value& a, const Value& b) {
   if (const auto network = a.as<CurveNetwork>()) return same(*network, b.get<CurveNetwork>());
   // Of these every field counts in the hash (tests/document/test_content_hash.cpp).
   if (a.as<Brep>() || a.as<AttributeNetwork>()) return content_hash(a) == content_hash(b);
+  if (const auto picture = a.as<PictureFile>()) return same(*picture, b.get<PictureFile>());
   return same(a.get<Report>(), b.get<Report>());
 }
 
@@ -323,6 +346,8 @@ std::string difference(const Node& a, const Node& b) {
   if (a.inputs != b.inputs) return "inputs differ";
   if (a.transform != b.transform || a.enabled != b.enabled) return "transforms differ, or one is off";
   if (a.source.has_value() != b.source.has_value()) return "one is a source";
+  if ((a.backdrop == nullptr) != (b.backdrop == nullptr)) return "one has a backdrop";
+  if (a.backdrop && !same(*a.backdrop, *b.backdrop)) return "backdrops differ";
   return !a.source || same(*a.source, *b.source) ? "" : "sources differ";
 }
 
@@ -462,7 +487,8 @@ Brep random_brep(Random& random) {
     brep.half_edges.push_back({2 * k + 1, true, 2 * k, 4 * k});
     for (const Index f : {2 * k, 2 * k + 1}) {
       brep.loops.push_back({f, 4 * k + f % 2});
-      BrepFace face{k, random.below(9), {f}, random.below(2) == 0, random_point(random), Vec3(2, 3, 6) / 7, random.unit(), {}};
+      BrepFace face{
+          k, random.below(9), {f}, random.below(2) == 0, random_point(random), Vec3(2, 3, 6) / 7, random.unit(), {}};
       if (!face.planar) face.patches.resize(2);
       for (GregoryPatch& patch : face.patches) {
         for (Vec3& point : patch.boundary) point = random_point(random);

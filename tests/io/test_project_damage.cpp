@@ -202,11 +202,11 @@ TEST_CASE("missing and wrong parts are named one by one") {
 
 TEST_CASE("a newer schema is followed where it says so, with a word about what is left out") {
   const Document document = small_document();
-  CHECK(refusal(edited(document, "PRAGMA user_version=3")) == "E_PROJECT_VERSION");
-  CHECK(refusal(edited(document, "PRAGMA user_version=9; INSERT INTO meta VALUES('readable_since', '3')")) ==
+  CHECK(refusal(edited(document, "PRAGMA user_version=4")) == "E_PROJECT_VERSION");
+  CHECK(refusal(edited(document, "PRAGMA user_version=9; INSERT INTO meta VALUES('readable_since', '4')")) ==
         "E_PROJECT_VERSION");
   const ProjectFile project = read(edited(document,
-                                          "PRAGMA user_version=3; INSERT INTO meta VALUES('readable_since', '1');"
+                                          "PRAGMA user_version=4; INSERT INTO meta VALUES('readable_since', '1');"
                                           "ALTER TABLE nodes ADD COLUMN colour TEXT; CREATE TABLE layers(name);"));
   CHECK(difference(document, project.document) == "");
   CHECK(has_warning(project, "W_PROJECT_NEWER", "newer"));

@@ -13,6 +13,7 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
+#include "croquis/document/backdrop.h"
 #include "croquis/document/value_bytes.h"
 #include "croquis/io/file.h"
 #include "croquis/io/project_file.h"
@@ -394,4 +395,66 @@ TEST_CASE("names that SQLite would take for addresses are names") {
     CHECK(name_in(folder / name) == name);
   }
   CHECK(folder.names().size() == 5);
+}
+
+namespace {
+
+std::shared_ptr<const Backdrop> photo_behind(std::shared_ptr<const PictureFile> picture, double opacity) {
+  return std::make_shared<const Backdrop>(Backdrop{std::move(picture), Vec2(3.5, -2), 0.25, opacity, false});
+}
+
+std::shared_ptr<const PictureFile> photo(std::size_t bytes) {
+  return std::make_shared<const PictureFile>(PictureFile{std::string(bytes, 'p'), 6000, 4000, "/home/photo.jpg"});
+}
+
+Node drawing_node() {
+  Node node;
+  node.name = "drawing";
+  node.source = std::make_shared<const Drawing>();
+  return node;
+}
+
+}  // namespace
+
+TEST_CASE("a picture behind drawings is stored once, byte by byte, in a table of its own that others can leave out") {
+  const Scratch folder;
+  Node node = drawing_node();
+  node.backdrop = photo_behind(photo(2'000'000), 0.5);
+  Node other = drawing_node();
+  other.backdrop = photo_behind(node.backdrop->picture, 0.25);
+  const Document document = Document().with(node).with(other);
+  save(folder / "a.croq", document);
+  CHECK(fs::file_size(folder / "a.croq") < 2'200'000);
+  const std::string bytes = read_file((folder / "a.croq").string());
+  CHECK(static_cast<int>(bytes[63]) == 3);
+  CHECK(bytes.find("readable_since1") != std::string::npos);
+  CHECK(bytes.find("transforms") == std::string::npos);
+  const ProjectFile loaded = load(folder / "a.croq");
+  CHECK(loaded.warnings.empty());
+  CHECK(difference(document, loaded.document) == "");
+  CHECK(loaded.document.nodes()[0]->backdrop->picture == loaded.document.nodes()[1]->backdrop->picture);
+
+  node.backdrop = nullptr;
+  node.enabled = false;
+  save(folder / "a.croq", Document().with(node));
+  CHECK(fs::file_size(folder / "a.croq") < 100'000);
+  CHECK(static_cast<int>(read_file((folder / "a.croq").string())[63]) == 2);
+}
+
+TEST_CASE("a drawing whose picture can't be read is kept, and the finding names it") {
+  const Scratch folder;
+  Node node = drawing_node();
+  node.backdrop = photo_behind(photo(300'000), 0.5);
+  save(folder / "a.croq", Document().with(node));
+  std::string bytes = read_file((folder / "a.croq").string());
+  const auto at = bytes.find(std::string(200, 'p'));
+  REQUIRE(at != std::string::npos);
+  bytes[at + 50] = 'q';
+  Progress progress;
+  const ProjectFile read = read_project(bytes, "a.croq", progress);
+  REQUIRE(read.document.nodes().size() == 1);
+  CHECK(read.document.nodes()[0]->backdrop == nullptr);
+  REQUIRE(!read.warnings.empty());
+  CHECK(read.warnings[0].code == "W_PROJECT_DAMAGED");
+  CHECK(read.warnings[0].message.find("lost the picture behind it") != std::string::npos);
 }

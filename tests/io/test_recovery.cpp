@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
+#include "croquis/document/backdrop.h"
 #include "croquis/io/recovery.h"
 #include "io/random_project.h"
 #include "io/scratch.h"
@@ -345,4 +346,28 @@ TEST_CASE("a process killed at any moment loses one edit at most, and no saved v
     }
   }
   CHECK(versions > 1);
+}
+
+TEST_CASE("a picture behind a drawing survives a crash, and changing its opacity doesn't write it again") {
+  const Scratch folder;
+  Node node;
+  node.source = std::make_shared<const Drawing>();
+  const auto picture_file =
+      std::make_shared<const PictureFile>(PictureFile{std::string(1'000'000, 'p'), 40, 30, "scan.png"});
+  const auto behind = [&](double opacity) {
+    node.backdrop = std::make_shared<const Backdrop>(Backdrop{picture_file, Vec2(1, 2), 2, opacity, true});
+    return Document().with(node);
+  };
+  REQUIRE(in_child([&] {
+            WorkingCopy copy = WorkingCopy::create(folder / "state");
+            for (int i = 1; i <= 20; ++i) copy.commit(behind(i / 20.0), "", picture);
+            ::_exit(0);
+            return 0;
+          }) == 0);
+  const auto found = find_recoverable(folder / "state");
+  REQUIRE(found.size() == 1);
+  std::uintmax_t written = 0;
+  for (const auto& file : fs::directory_iterator(folder / "state")) written += file.file_size();
+  CHECK(written < 3'000'000);
+  CHECK(difference(recovered(found[0].file).document, behind(1)) == "");
 }

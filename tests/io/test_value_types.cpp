@@ -147,7 +147,7 @@ TEST_CASE("names and tags of the types of values differ") {
   CHECK(names.size() == value_types().size());
   CHECK(tags.size() == value_types().size());
   CHECK(names == std::set<std::string>{"mesh", "drawing", "report", "camera", "perspective drawing", "curve network",
-                                       "B-rep", "attribute network"});
+                                       "B-rep", "attribute network", "picture"});
 }
 
 TEST_CASE("values lie where their points are; reports lie nowhere and stay what they are") {

@@ -2,8 +2,10 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
+#include "croquis/document/backdrop.h"
 #include "croquis/document/byte_size.h"
 #include "croquis/document/content_hash.h"
+#include "croquis/document/backdrop.h"
 #include "croquis/session/session.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/trial_operation.h"
@@ -338,6 +340,29 @@ TEST_CASE("a drag given up brings back the components selected at its beginning"
   CHECK(session.components().empty());
   session.cancel_drag();
   CHECK(session.components() == ComponentSelection{1, ComponentKind::Edge, {2}});
+}
+
+TEST_CASE("steps that change the picture behind a drawing share its bytes, and none counts twice") {
+  Node node = test::source_node(large_value(10));
+  const auto picture = std::make_shared<const PictureFile>(PictureFile{std::string(3'000'000, 'p'), 40, 30, "a.png"});
+  const auto behind = [&](double opacity) {
+    Node edited = node;
+    edited.id = 1;
+    edited.backdrop = std::make_shared<const Backdrop>(Backdrop{picture, Vec2::Zero(), 1, opacity, true});
+    return Document().with(edited);
+  };
+  Session session(behind(0));
+  for (int i = 1; i <= 50; ++i) session.edit("Opacity", behind(i / 50.0));
+  CHECK(session.undo_labels().size() == 50);
+  CHECK(session.history_bytes() < 50 * 1000);
+  session.edit("Opacity", behind(1));
+  CHECK(session.undo_labels().size() == 50);  // nothing changed
+  node.id = 1;
+  session.edit("Remove", Document().with(node));
+  CHECK(session.history_bytes() >= 3'000'000);
+  session.undo();
+  CHECK(session.history_bytes() < 50 * 1000);
+  CHECK(session.document().find(1)->backdrop->opacity == 1);
 }
 
 }  // namespace

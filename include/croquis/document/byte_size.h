@@ -14,7 +14,7 @@ std::size_t byte_size(const Value& value);
 std::size_t byte_size(const Values& values);
 std::size_t byte_size(const Findings& findings);
 
-/// Without its source's value, which nodes may share.
+/// Without its source's value and its backdrop's picture, which nodes may share.
 std::size_t byte_size(const Node& node);
 
 }  // namespace croquis

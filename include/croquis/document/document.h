@@ -13,6 +13,8 @@
 
 namespace croquis {
 
+struct Backdrop;
+
 /// The name of a node in links, files and selections: never used again in the same document. 0 names none.
 using NodeId = std::uint64_t;
 
@@ -41,6 +43,9 @@ struct Node {
 
   /// Of an operation: off, it computes nothing and passes on its input (see Evaluator).
   bool enabled = true;
+
+  /// Of a drawing: the picture behind it; null for none. No computation sees it.
+  std::shared_ptr<const Backdrop> backdrop = {};
 };
 
 /// What a node is a source of: null where it isn't there, is no source, or holds a value of another type.

@@ -8,6 +8,7 @@
 #include "croquis/geometry/curve_network.h"
 #include "croquis/geometry/drawing.h"
 #include "croquis/geometry/perspective_drawing.h"
+#include "croquis/geometry/picture_file.h"
 #include "croquis/geometry/poly_mesh.h"
 
 /// All types of values, one line each: the type, and the name of its row in the table (ValueTraits::Mesh) and of its
@@ -22,5 +23,6 @@
   line(PerspectiveDrawing, PerspectiveDrawing) \
   line(CurveNetwork, CurveNetwork)           \
   line(Brep, Brep)                           \
-  line(AttributeNetwork, AttributeNetwork)
+  line(AttributeNetwork, AttributeNetwork)   \
+  line(PictureFile, PictureFile)
 // clang-format on

@@ -10,6 +10,7 @@
 #include "croquis/render/line_item.h"
 #include "croquis/render/mark_item.h"
 #include "croquis/render/mesh_item.h"
+#include "croquis/render/picture_item.h"
 #include "croquis/render/point_item.h"
 
 namespace croquis::render {
@@ -85,20 +86,21 @@ struct Shown<MeshItem> {
       : item(std::move(shown_item)), emphasis(how), style(look) {}
 };
 
-/// Everything one view shows: surfaces with their highlighted faces, then lines, points and marks, each in the order of
-/// its list.
+/// Everything one view shows: pictures, surfaces with their highlighted faces, then lines, points and marks, each in
+/// the order of its list.
 struct Scene {
   std::vector<Shown<MeshItem>> meshes;
   std::vector<Shown<LineItem>> lines;
   std::vector<Shown<MarkItem>> marks;
   std::vector<PointItemPtr> points = {};
   std::vector<FaceHighlightPtr> highlights = {};  ///< of meshes that are in the list, later ones over earlier ones
+  std::vector<ShownPicture> pictures = {};        ///< behind everything, later ones over earlier ones
 };
 
-/// The box of all items; empty for none.
+/// The box of all items but pictures; empty for none.
 Bounds bounds_of(const Scene& scene);
 
-/// Every vertex, corner and mark, in model coordinates: what `frame` puts into the picture.
+/// Every vertex, corner and mark (pictures have none), in model coordinates: what `frame` puts into the picture.
 std::vector<glm::dvec3> points_of(const Scene& scene);
 
 }  // namespace croquis::render

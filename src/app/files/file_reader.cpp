@@ -6,6 +6,7 @@
 #include <QMetaObject>
 #include <utility>
 
+#include "app/files/picture_reader.h"
 #include "app/panels/word_list.h"
 #include "croquis/base/error.h"
 #include "croquis/io/file.h"
@@ -28,6 +29,7 @@ bool is_perspective_drawing(const std::string& bytes) { return bytes.find("urn:c
 std::string readable_endings() {
   std::vector<std::string> endings{".croq", ".svg"};
   for (const MeshFormat format : mesh_formats()) endings.push_back(extension_of(format));
+  for (const QString& ending : picture_endings()) endings.push_back(ending.toStdString());
   return either_of(endings);
 }
 
@@ -50,7 +52,10 @@ QString FileReader::dialog_filter() {
     endings << ending;
     kinds << QString("%1 (%2)").arg(to_string(format), ending);
   }
-  kinds.prepend(tr("Projects, sketches and meshes (%1)").arg(endings.join(' ')));
+  QStringList pictures;
+  for (const QString& ending : picture_endings()) pictures << "*" + ending;
+  kinds << tr("Pictures (%1)").arg(pictures.join(' '));
+  kinds.prepend(tr("Projects, drawings, meshes and pictures (%1)").arg((endings + pictures).join(' ')));
   return kinds.join(";;");
 }
 
@@ -65,6 +70,7 @@ ReadFile FileReader::read_now(const QString& path, Progress& progress) {
     MeshReadResult read = read_mesh(bytes, *format, file, progress);
     return {path, std::make_shared<const PolyMesh>(std::move(read.mesh)), std::move(read.warnings)};
   }
+  if (is_picture_name(path)) return {path, std::make_shared<const PictureFile>(read_picture(bytes, file)), {}};
   if (is_sketch(path) && is_perspective_drawing(bytes)) {
     PerspectiveReadResult read = read_perspective_svg(bytes, file, progress);
     return {path, std::make_shared<const PerspectiveDrawing>(std::move(read.drawing)), std::move(read.warnings)};
@@ -74,7 +80,7 @@ ReadFile FileReader::read_now(const QString& path, Progress& progress) {
     return {path, std::make_shared<const Drawing>(std::move(read.drawing)), std::move(read.warnings)};
   }
   throw Error(make_error(Category::Malformed, "E_FORMAT",
-                         "\"" + file + "\" is no project, sketch or mesh: open " + readable_endings()));
+                         "\"" + file + "\" is no project, drawing, mesh or picture: open " + readable_endings()));
 }
 
 void FileReader::read(const QString& path) {

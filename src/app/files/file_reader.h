@@ -16,16 +16,16 @@
 
 namespace croquis::app {
 
-/// What a file held: a project, a sketch or a mesh.
+/// What a file held: a project, a drawing, a mesh or a picture.
 struct ReadFile {
   QString path;
   std::variant<Document, std::shared_ptr<const Drawing>, std::shared_ptr<const PerspectiveDrawing>,
-               std::shared_ptr<const PolyMesh>>
+               std::shared_ptr<const PolyMesh>, std::shared_ptr<const PictureFile>>
       content;
   Findings warnings;
 };
 
-/// Reads projects, sketches and meshes on another thread, one after the other in the order asked for.
+/// Reads projects, drawings, meshes and pictures on another thread, one after the other in the order asked for.
 class FileReader : public QObject {
   Q_OBJECT
 
@@ -33,7 +33,7 @@ class FileReader : public QObject {
   FileReader();
   ~FileReader() override;
 
-  /// What opens there takes the place of what is open: projects and sketches do, meshes are added to it.
+  /// What opens there takes the place of what is open: projects and drawings do, meshes and pictures are added to it.
   static bool replaces_document(const QString& path);
 
   /// What a dialog lists: everything that `read` reads, and nothing else.

@@ -200,6 +200,8 @@ void ProjectFiles::take(const ReadFile& file) {
       studio_.session().mark_saved();
       forget_work();
     }
+  } else if (const auto* picture = std::get_if<std::shared_ptr<const PictureFile>>(&file.content)) {
+    studio_.add_picture(*picture);
   } else if (const auto* document = std::get_if<Document>(&file.content)) {
     take_project(file.path, *document);
   } else if (const auto* sheet = std::get_if<std::shared_ptr<const PerspectiveDrawing>>(&file.content)) {

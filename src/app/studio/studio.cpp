@@ -5,10 +5,13 @@
 #include <utility>
 
 #include "croquis/operators/all_operations.h"
+#include "croquis/tools/backdrop/backdrop_area.h"
 #include "croquis/workspace/chain.h"
 
 namespace croquis::app {
 namespace {
+
+constexpr double first_opacity = 0.7;  // of a picture: strokes over it are seen well
 
 /// A tool's options, for drawings that this operation goes on from.
 template <class Options>
@@ -31,6 +34,7 @@ LiveEvaluation::Post post_to(QObject* receiver) {
 Workspace::Listener Studio::listener_of(Studio* studio) {
   Workspace::Listener listener;
   listener.loaded = [studio] {
+    studio->begun_ = true;
     studio->face_sets().clear();
     emit studio->loaded();
   };
@@ -114,6 +118,36 @@ void Studio::start_with(const std::string& name, Value value, const std::string&
   source.source = std::move(value);
   const Document document = Document().with(std::move(source));
   load(with_step(document, registry(), document.nodes().front()->id, operation).document);
+}
+
+void Studio::add_picture(std::shared_ptr<const PictureFile> picture) {
+  Document document = session().document();
+  const bool is_empty = document.nodes().empty();
+  const bool is_first = is_empty && !begun_;
+  NodeId drawing = shown_drawing();
+  if (drawing == 0) {
+    drawing = document.next_id();
+    PerspectiveToolOptions options = sheet_options();
+    options.name = free_name(document, options.name);
+    document = is_empty && begun_ ? add_drawing(document, std::make_shared<const Drawing>(), tool_options())
+                                  : add_perspective_drawing(document, empty_sheet(sheet_for(*picture)), options);
+  }
+  const auto sheet = source_of<PerspectiveDrawing>(document.find(drawing));
+  if (sheet && sheet->strokes.empty()) {
+    Node resized = *document.find(drawing);
+    PerspectiveDrawing fitting = *sheet;
+    fitting.image_size = sheet_for(*picture);
+    resized.source = std::make_shared<const PerspectiveDrawing>(std::move(fitting));
+    document = document.with(std::move(resized));
+  }
+  const Node& node = *document.find(drawing);
+  const bool replaces = node.backdrop && !(sheet && sheet->strokes.empty());
+  Backdrop backdrop = fitted(std::move(picture), replaces ? area_of(*node.backdrop) : backdrop_area(node));
+  backdrop.opacity = node.backdrop ? node.backdrop->opacity : first_opacity;
+  document = with_backdrop(document, drawing, backdrop);
+  if (is_first) return load(std::move(document));
+  session().edit("Add picture", std::move(document));
+  session().select({{drawing, ""}});
 }
 
 void Studio::start_empty() { load(Document()); }

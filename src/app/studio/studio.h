@@ -33,6 +33,8 @@ class Studio : public QObject, public Workspace {
   /// The perspective drawing of the active object; 0 when it doesn't begin with one. Then the sketch view is its sheet.
   NodeId sheet_node() const;
   NodeId drawing_node() const;  ///< 0 when there is none
+  /// What the sketch view shows: the sheet, else the sketch; 0 when there is neither.
+  NodeId shown_drawing() const { return sheet_node() != 0 ? sheet_node() : drawing_node(); }
   NodeId solid_node() const;    ///< 0 when there is none
   const Node* solid_operation() const { return session().document().find(solid_node()); }
   const OperationDescription* solid_description() const;
@@ -54,6 +56,10 @@ class Studio : public QObject, public Workspace {
   /// Replaces the document by a value with one step after it; forgets the history.
   void start_with(const std::string& name, Value value, const std::string& operation);
 
+  /// Puts a picture behind the drawing that is shown; a sheet without strokes becomes as large as the picture. Where no
+  /// drawing is shown, one begins: a sketch where one was about to be drawn, else a drawing in perspective.
+  void add_picture(std::shared_ptr<const PictureFile> picture);
+
   NodeId add_mesh(const std::string& name, std::shared_ptr<const PolyMesh> mesh) {
     return add_source(name, std::move(mesh));
   }
@@ -70,7 +76,8 @@ class Studio : public QObject, public Workspace {
   void follow_sketch();
 
   FaceSets face_sets_;
-  NodeId sketch_ = 0;  ///< that was worked on last
+  NodeId sketch_ = 0;   ///< that was worked on last
+  bool begun_ = false;  ///< some document was begun or opened
 };
 
 }  // namespace croquis::app

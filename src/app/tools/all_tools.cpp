@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tools/all_tools.h"
 
+#include "app/tools/backdrop/backdrop_tool.h"
 #include "app/tools/holes/hole_filling_tool.h"
 #include "app/tools/measure/measuring_tool.h"
 #include "app/tools/mesh/mesh_editing_tool.h"
@@ -18,6 +19,7 @@ std::vector<std::unique_ptr<Tool>> all_tools(ToolHost& host) {
   tools.push_back(std::make_unique<SubdivisionTool>(host));
   tools.push_back(std::make_unique<HoleFillingTool>(host));
   tools.push_back(std::make_unique<MeasuringTool>(host));
+  tools.push_back(std::make_unique<BackdropTool>(host));
   return tools;
 }
 

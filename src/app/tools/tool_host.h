@@ -53,6 +53,9 @@ class ToolHost {
   /// An empty sketch in the views.
   virtual void start_sketch() = 0;
 
+  /// Begins to open a file as File > Open does.
+  virtual void open_file(const QString& path) = 0;
+
   /// Another document in the views, where people don't keep theirs. @return false: they do
   virtual bool start_with(Document document) = 0;
 

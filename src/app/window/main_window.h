@@ -61,6 +61,7 @@ class MainWindow : public QMainWindow, public ToolHost {
   /// Leaves the start page with an empty sketch and the pen ready.
   void start_sketch() override;
   bool start_with(Document document) override;
+  void open_file(const QString& path) override { begin_open({path}); }
 
   void wait_until_settled() override;
 

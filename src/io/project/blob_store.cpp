@@ -61,9 +61,10 @@ std::string load_blob(const Database& database, std::string_view hash, const Pro
 }
 
 void remove_unused_blobs(Database& database) {
-  database.execute(
-      "DELETE FROM chunks WHERE hash NOT IN (SELECT hash FROM sources);"
-      "DELETE FROM blobs WHERE hash NOT IN (SELECT hash FROM sources)");
+  const std::string used =
+      std::string("(SELECT hash FROM sources") + (has_backdrops(database) ? " UNION SELECT hash FROM backdrops)" : ")");
+  for (const char* table : {"chunks", "blobs"})
+    database.execute(std::string("DELETE FROM ") + table + " WHERE hash NOT IN " + used);
 }
 
 }  // namespace croquis

@@ -22,7 +22,7 @@ void store_blob(const Database& database, std::string_view hash, std::string_vie
 /// @throws DatabaseError, Cancelled
 std::string load_blob(const Database& database, std::string_view hash, const Progress& progress);
 
-/// Removes those that no source uses any more.
+/// Removes those that no source and no backdrop uses any more.
 void remove_unused_blobs(Database& database);
 
 }  // namespace croquis

@@ -103,6 +103,24 @@ void read_off(const Statement& row, RowsById& rows) {
   if (owner != rows.end()) owner->second.node.enabled = false;
 }
 
+void read_backdrop(const Statement& row, RowsById& rows, DamageLog& damage) {
+  const auto owner = rows.find(from_row_id(row.integer(0)));
+  if (owner == rows.end()) return;
+  Node& node = owner->second.node;
+  const std::string_view bytes = row.blob(2);
+  if (!row.is_blob(2) || bytes.size() != 4 * sizeof(double) || !is_bit(row.integer(3))) {
+    damage.lose(title_of(node) + " has lost the picture behind it", {node_subject(node)});
+    return;
+  }
+  ByteReader reader(bytes);
+  Backdrop backdrop;
+  for (double* number : {&backdrop.centre.x(), &backdrop.centre.y(), &backdrop.scale, &backdrop.opacity})
+    *number = reader.number<double>();
+  backdrop.visible = row.integer(3) == 1;
+  owner->second.backdrop = backdrop;
+  owner->second.picture_hash = row.blob(1);
+}
+
 std::optional<ValueType> kind_of(std::string_view word, std::span<const ValueType> types) {
   const auto found = std::find_if(types.begin(), types.end(), [&](ValueType type) { return word == to_string(type); });
   return found == types.end() ? std::nullopt : std::optional(*found);
@@ -139,8 +157,8 @@ std::string title_of(const Node& node) {
 
 Subject node_subject(const Node& node) { return {SubjectKind::Node, std::to_string(node.id), {}, {}, {}}; }
 
-std::vector<NodeRow> read_node_rows(const Database& database, std::span<const ValueType> types, bool has_later_tables,
-                                    DamageLog& damage) {
+std::vector<NodeRow> read_node_rows(const Database& database, std::span<const ValueType> types,
+                                    const LaterTables& later, DamageLog& damage) {
   RowsById rows;
   each_row(database, "SELECT id, position, name, operation, version, visible FROM nodes", "nodes", damage,
            [&](const Statement& row) { read_node(row, rows, damage); });
@@ -150,11 +168,15 @@ std::vector<NodeRow> read_node_rows(const Database& database, std::span<const Va
            [&](const Statement& row) { read_link(row, rows); });
   each_row(database, "SELECT node, kind, hash FROM sources", "sources", damage,
            [&](const Statement& row) { read_source(row, types, rows, damage); });
-  if (has_later_tables) {
+  if (later.placements) {
     each_row(database, "SELECT node, numbers FROM transforms", "transforms", damage,
              [&](const Statement& row) { read_transform(row, rows, damage); });
     each_row(database, "SELECT node FROM nodes_off", "nodes_off", damage,
              [&](const Statement& row) { read_off(row, rows); });
+  }
+  if (later.backdrops) {
+    each_row(database, "SELECT node, hash, numbers, visible FROM backdrops", "backdrops", damage,
+             [&](const Statement& row) { read_backdrop(row, rows, damage); });
   }
   return in_order(std::move(rows));
 }

@@ -11,12 +11,17 @@
 
 namespace croquis {
 
-/// The rows of all nodes that can be read, in the document's order, without their sources' values. What can't be read
-/// is noted, and nodes are left out whose sources are of none of these types.
-/// @param has_later_tables of the second schema
+/// Which tables are there that not every project has.
+struct LaterTables {
+  bool placements = false;  ///< of the second schema
+  bool backdrops = false;   ///< of the third
+};
+
+/// The rows of all nodes that can be read, in the document's order, without their sources' values and their backdrops'
+/// pictures. What can't be read is noted, and nodes are left out whose sources are of none of these types.
 /// @throws Cancelled
-std::vector<NodeRow> read_node_rows(const Database& database, std::span<const ValueType> types, bool has_later_tables,
-                                    DamageLog& damage);
+std::vector<NodeRow> read_node_rows(const Database& database, std::span<const ValueType> types,
+                                    const LaterTables& later, DamageLog& damage);
 
 /// How findings call a node.
 std::string title_of(const Node& node);

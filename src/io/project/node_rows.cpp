@@ -51,6 +51,11 @@ std::string row_bytes(const NodeRow& row) {
   // After everything else and only where they are, so that the bytes of all other rows stay as they were.
   if (!row.node.transform.is_identity()) writer.text(transform_bytes(row.node.transform));
   if (!row.node.enabled) writer.flag(false);
+  if (row.backdrop) {
+    writer.text(row.picture_hash);
+    writer.text(backdrop_bytes(*row.backdrop));
+    writer.flag(row.backdrop->visible);
+  }
   return writer.take();
 }
 
@@ -60,6 +65,13 @@ std::string transform_bytes(const Affine3& transform) {
     for (int k = 0; k < 3; ++k) writer.number(transform.linear(i, k));
   }
   for (const double coordinate : transform.offset) writer.number(coordinate);
+  return writer.take();
+}
+
+std::string backdrop_bytes(const Backdrop& backdrop) {
+  ByteWriter writer;
+  for (const double number : {backdrop.centre.x(), backdrop.centre.y(), backdrop.scale, backdrop.opacity})
+    writer.number(number);
   return writer.take();
 }
 

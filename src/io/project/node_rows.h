@@ -5,17 +5,20 @@
 #include <optional>
 #include <string>
 
+#include "croquis/document/backdrop.h"
 #include "croquis/document/document.h"
 
 /// What the tables hold of one node, between a Document and the rows of a database.
 namespace croquis {
 
-/// A node whose source is named by the hash of its bytes instead of being there.
+/// A node whose source and picture are named by the hashes of their bytes instead of being there.
 struct NodeRow {
-  Node node;  ///< without its source
+  Node node;  ///< without its source and its backdrop
   std::int64_t position = 0;
-  std::optional<ValueType> kind;  ///< of the source
-  std::string hash;               ///< of the source's bytes
+  std::optional<ValueType> kind;          ///< of the source
+  std::string hash;                       ///< of the source's bytes
+  std::optional<Backdrop> backdrop = {};  ///< without its picture
+  std::string picture_hash = {};          ///< of the picture's bytes
 };
 
 /// The canonical bytes of a row: a project's checksum is taken over those of all its nodes.
@@ -23,6 +26,9 @@ std::string row_bytes(const NodeRow& row);
 
 /// A transform's 12 numbers (the rows of the linear part, then the offset) as 96 bytes.
 std::string transform_bytes(const Affine3& transform);
+
+/// Where a backdrop lies and how strong it is (its centre's x and y, scale, opacity) as 32 bytes.
+std::string backdrop_bytes(const Backdrop& backdrop);
 
 /// Identifiers are unsigned in a document and signed in SQLite: the same bits.
 inline std::int64_t to_row_id(NodeId id) { return static_cast<std::int64_t>(id); }

@@ -41,10 +41,11 @@ class ProjectReader {
     check_tables();
     check_version();
     check_pages();
-    std::vector<NodeRow> rows = read_node_rows(database_, types_, has_states(), damage_);
+    std::vector<NodeRow> rows = read_node_rows(database_, types_, later_tables(), damage_);
     const auto next_id = parse_or<NodeId>(meta("next_id"), 0);
     check_sum(rows, next_id);
     read_sources(rows);
+    read_pictures(rows);
     drop_dead_links(rows);
     ProjectFile project;
     project.document = assemble(std::move(rows), next_id);
@@ -65,12 +66,11 @@ class ProjectReader {
     }
   }
 
-  // Whether some nodes have transforms or are off.
-  bool has_states() {
+  LaterTables later_tables() {
     try {
-      return has_later_tables(database_);
+      return {has_later_tables(database_), has_backdrops(database_)};
     } catch (const DatabaseError&) {
-      return false;  // check_tables reports it
+      return {};  // check_tables reports it
     }
   }
 
@@ -152,6 +152,22 @@ class ProjectReader {
       damage_.lose(title_of(node) + " is left out since its contents can't be read: " + reason, {node_subject(node)});
       return true;
     });
+  }
+
+  // A drawing without the picture behind it is whole.
+  void read_pictures(std::vector<NodeRow>& rows) {
+    for (NodeRow& row : rows) {
+      if (!row.backdrop) continue;
+      const auto& [value, reason] = value_of(ValueType::PictureFile, row.picture_hash);
+      if (value) row.backdrop->picture = value->as<PictureFile>();
+      if (value && is_valid(*row.backdrop)) {
+        row.node.backdrop = std::make_shared<const Backdrop>(*row.backdrop);
+        continue;
+      }
+      damage_.lose(
+          title_of(row.node) + " has lost the picture behind it: " + (value ? "its place or opacity can't be" : reason),
+          {node_subject(row.node)});
+    }
   }
 
   using Loaded = std::pair<std::optional<Value>, std::string>;

@@ -66,6 +66,18 @@ void insert_placement(Database& database, const Node& node) {
   }
 }
 
+void insert_backdrop(Database& database, const NodeRow& row) {
+  if (!row.backdrop) return;
+  require_backdrops(database);
+  const std::string numbers = backdrop_bytes(*row.backdrop);
+  Statement(database, "INSERT INTO backdrops(node, hash, numbers, visible) VALUES(?, ?, ?, ?)")
+      .bind(0, to_row_id(row.node.id))
+      .bind_blob(1, row.picture_hash)
+      .bind_blob(2, numbers)
+      .bind(3, std::int64_t{row.backdrop->visible})
+      .run();
+}
+
 }  // namespace
 
 void ProjectWriter::write(const Document& document, Progress& progress) {
@@ -94,9 +106,15 @@ NodeRow ProjectWriter::row_of(const Node& node, std::size_t position, State& nex
       known && old->second.node == &node && old->second.row.position == static_cast<std::int64_t>(position);
   NodeRow row{node, static_cast<std::int64_t>(position), std::nullopt, {}};
   row.node.source.reset();
+  row.node.backdrop.reset();
   if (node.source) {
     row.kind = node.source->type();
     row.hash = hash_of(*node.source, next, progress);
+  }
+  if (node.backdrop) {
+    row.backdrop = *node.backdrop;
+    row.backdrop->picture.reset();
+    row.picture_hash = hash_of(node.backdrop->picture, next, progress);
   }
   if (unmoved) return row;
   if (known) remove(node.id);
@@ -129,6 +147,7 @@ void ProjectWriter::insert(const NodeRow& row) {
   insert_parameters(database_, node);
   insert_links(database_, node);
   insert_placement(database_, node);
+  insert_backdrop(database_, row);
   if (!row.kind) return;
   Statement(database_, "INSERT INTO sources(node, kind, hash) VALUES(?, ?, ?)")
       .bind(0, to_row_id(node.id))
@@ -142,6 +161,7 @@ void ProjectWriter::remove(NodeId id) {
                           "DELETE FROM links WHERE node=?", "DELETE FROM sources WHERE node=?"}) {
     Statement(database_, sql).bind(0, to_row_id(id)).run();
   }
+  if (has_backdrops(database_)) Statement(database_, "DELETE FROM backdrops WHERE node=?").bind(0, to_row_id(id)).run();
   if (!has_later_tables(database_)) return;
   for (const char* sql : {"DELETE FROM transforms WHERE node=?", "DELETE FROM nodes_off WHERE node=?"}) {
     Statement(database_, sql).bind(0, to_row_id(id)).run();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/project/schema.h"
 
+#include <algorithm>
 #include <string>
 
 namespace croquis {
@@ -24,22 +25,43 @@ void create_schema(Database& database) {
       std::to_string(project_application_id) + ";PRAGMA user_version=" + std::to_string(first_schema_version));
 }
 
+namespace {
+
+/// Readers of the first schema can follow every later one so far.
+void raise_version(Database& database, std::int64_t version) {
+  const std::int64_t now = std::max(version, database.integer("PRAGMA user_version"));
+  database.execute("INSERT OR REPLACE INTO meta(key, value) VALUES('readable_since', '" +
+                   std::to_string(first_schema_version) + "');PRAGMA user_version=" + std::to_string(now));
+}
+
+// Counted here: projects of unknown origin are read without any function of SQL.
+int count_tables(const Database& database, const std::string& names) {
+  Statement statement(database, "SELECT name FROM sqlite_schema WHERE type='table' AND name IN (" + names + ")");
+  int found = 0;
+  while (statement.step()) ++found;
+  return found;
+}
+
+}  // namespace
+
 void require_later_tables(Database& database) {
   if (has_later_tables(database)) return;
   database.execute(
       "CREATE TABLE transforms(node INTEGER PRIMARY KEY, numbers BLOB NOT NULL);"
-      "CREATE TABLE nodes_off(node INTEGER PRIMARY KEY);"
-      "INSERT OR REPLACE INTO meta(key, value) VALUES('readable_since', '" +
-      std::to_string(first_schema_version) + "');PRAGMA user_version=" + std::to_string(project_schema_version));
+      "CREATE TABLE nodes_off(node INTEGER PRIMARY KEY)");
+  raise_version(database, second_schema_version);
 }
 
-// Counted here: projects of unknown origin are read without any function of SQL.
-bool has_later_tables(const Database& database) {
-  Statement statement(database,
-                      "SELECT name FROM sqlite_schema WHERE type='table' AND name IN ('transforms', 'nodes_off')");
-  int found = 0;
-  while (statement.step()) ++found;
-  return found == 2;
+bool has_later_tables(const Database& database) { return count_tables(database, "'transforms', 'nodes_off'") == 2; }
+
+void require_backdrops(Database& database) {
+  if (has_backdrops(database)) return;
+  database.execute(
+      "CREATE TABLE backdrops(node INTEGER PRIMARY KEY, hash BLOB NOT NULL, numbers BLOB NOT NULL,"
+      " visible INTEGER NOT NULL)");
+  raise_version(database, project_schema_version);
 }
+
+bool has_backdrops(const Database& database) { return count_tables(database, "'backdrops'") == 1; }
 
 }  // namespace croquis

@@ -14,18 +14,22 @@ namespace croquis {
 inline constexpr std::uint32_t project_application_id = 0x43524f51;
 
 /// Raised with every change of the tables: the newest one that this version knows.
-inline constexpr std::int64_t project_schema_version = 2;
+inline constexpr std::int64_t project_schema_version = 3;
 
-/// That of projects in which no node has a transform or is off. Versions that know only this schema open the others as
-/// well and leave these two out.
+/// That of projects in which no drawing has a picture behind it.
+inline constexpr std::int64_t second_schema_version = 2;
+
+/// That of projects in which, besides, no node has a transform or is off. Versions that know only this schema open the
+/// others as well and leave these three out.
 inline constexpr std::int64_t first_schema_version = 1;
 
 /// SQLite itself ends at 2 GiB; parts of this size can also be read one at a time.
 inline constexpr int max_chunk_bytes = 64 * 1024 * 1024;
 
 /// The tables that this version knows.
-inline constexpr std::array<std::string_view, 10> project_tables = {
-    "meta", "nodes", "parameters", "links", "sources", "blobs", "chunks", "thumbnail", "transforms", "nodes_off"};
+inline constexpr std::array<std::string_view, 11> project_tables = {
+    "meta",   "nodes",     "parameters", "links",     "sources",  "blobs",
+    "chunks", "thumbnail", "transforms", "nodes_off", "backdrops"};
 
 /// Makes the tables of a new database: those of the first schema.
 void create_schema(Database& database);
@@ -33,5 +37,9 @@ void create_schema(Database& database);
 /// Makes the tables that the second schema has beside those of the first, unless they are there.
 void require_later_tables(Database& database);
 bool has_later_tables(const Database& database);
+
+/// The same for the table of the third schema.
+void require_backdrops(Database& database);
+bool has_backdrops(const Database& database);
 
 }  // namespace croquis

@@ -146,30 +146,24 @@ void SurfacePainter::set_composed(const ShaderProgram& program, const Drawing& d
   program.set("contour_color", to_float(drawing.options.contour_color));
 }
 
-void SurfacePainter::compose_carefully(const Drawing& drawing, const glm::ivec2& origin) {
+void SurfacePainter::set_careful(const Drawing& drawing, const glm::ivec2& origin) const {
   composite_.use();
   set_composed(composite_, drawing, origin);
   composite_.set_texture("row_distances", 4, buffers_.front().row_distances);
   composite_.set_texture("openness", 5, buffers_.front().openness);
   composite_.set("samples", drawing.samples);
-  set_backdrop(composite_, drawing.options, drawing.view);
   composite_.set("occluded", wants_occlusion(drawing.options));
   composite_.set("contours", drawing.options.contours);
   composite_.set("contour_half_width", static_cast<float>(contour_half_width(drawing)));
   composite_.set("contour_reach", static_cast<int>(std::ceil(contour_half_width(drawing))));
-  fill_screen();
 }
 
-void SurfacePainter::compose_quickly(const Drawing& drawing, const glm::ivec2& origin) {
+void SurfacePainter::set_quick(const Drawing& drawing, const glm::ivec2& origin) const {
   composite_quick_.use();
   set_composed(composite_quick_, drawing, origin);
   const int reach = std::max(1, static_cast<int>(std::lround(contour_half_width(drawing))));
   composite_quick_.set("contour_reach", drawing.options.contours ? reach : 0);
   composite_quick_.set("contour_break", 0.02F * drawing.view.picture_height);
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  fill_screen();
-  glDisable(GL_BLEND);
 }
 
 void SurfacePainter::draw_outlines(const Drawing& drawing, const glm::ivec2& origin) const {
@@ -203,10 +197,14 @@ void SurfacePainter::draw_outlines(const Drawing& drawing, const glm::ivec2& ori
 void SurfacePainter::compose(const Drawing& drawing, const glm::ivec2& origin) {
   set_scissor(in_viewport(drawn_part(drawing), drawing), origin - drawing.border, 1);
   if (is_quick(drawing)) {
-    compose_quickly(drawing, origin);
+    set_quick(drawing, origin);
   } else {
-    compose_carefully(drawing, origin);
+    set_careful(drawing, origin);
   }
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  fill_screen();
+  glDisable(GL_BLEND);
   draw_outlines(drawing, origin);
   glDisable(GL_SCISSOR_TEST);
 }

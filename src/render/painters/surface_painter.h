@@ -4,14 +4,13 @@
 #include <list>
 
 #include "render/gl/shader_program.h"
-#include "render/painters/backdrop.h"
 #include "render/painters/drawing.h"
 #include "render/painters/mesh_painter.h"
 
 namespace croquis::render {
 
-/// Draws meshes: first what is seen at every sample into textures, then light, contours and background from these, only
-/// where something may be seen. One sample without hollows is drawn by a quicker method, with plainer contours.
+/// Draws meshes: first what is seen at every sample into textures, then light and contours from these, only where
+/// something may be seen. One sample without hollows is drawn by a quicker method, with plainer contours.
 class SurfacePainter {
  public:
   /// Fills the textures; the framebuffer binding and the viewport change. Decides the drawing's samples.
@@ -29,8 +28,8 @@ class SurfacePainter {
   void prepare_buffers(Drawing& drawing);
   void find_contours(const Drawing& drawing);
   void find_openness(const Drawing& drawing);
-  void compose_carefully(const Drawing& drawing, const glm::ivec2& origin);
-  void compose_quickly(const Drawing& drawing, const glm::ivec2& origin);
+  void set_careful(const Drawing& drawing, const glm::ivec2& origin) const;
+  void set_quick(const Drawing& drawing, const glm::ivec2& origin) const;
   void draw_outlines(const Drawing& drawing, const glm::ivec2& origin) const;
   void set_composed(const ShaderProgram& program, const Drawing& drawing, const glm::ivec2& origin) const;
   void fill_screen() const;
@@ -39,7 +38,7 @@ class SurfacePainter {
   ShaderProgram contour_detect_ = ShaderProgram({"screen.vert", "contour_detect.frag"});
   ShaderProgram contour_spread_ = ShaderProgram({"screen.vert", "contour_spread.frag"});
   ShaderProgram occlusion_ = ShaderProgram({"screen.vert", "occlusion.frag"});
-  ShaderProgram composite_ = ShaderProgram({"screen.vert", "composite.frag", "backdrop.frag", "light.frag"});
+  ShaderProgram composite_ = ShaderProgram({"screen.vert", "composite.frag", "light.frag"});
   ShaderProgram composite_quick_ = ShaderProgram({"screen.vert", "composite_quick.frag", "light.frag"});
   ShaderProgram outline_ = ShaderProgram({"screen.vert", "outline.frag"});
   GlHandle no_attributes_ = make_vertex_array();  // core profiles draw nothing without a vertex array

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tools/backdrop/backdrop_tool.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QMenu>
+#include <utility>
+
+#include "app/files/picture_reader.h"
+#include "app/replay/replay_lookup.h"
+#include "app/tools/backdrop/backdrop_panel.h"
+#include "app/views/render_color.h"
+#include "app/views/viewport.h"
+#include "app/window/action_list.h"
+#include "app/window/panel_docks.h"
+#include "app/window/theme.h"
+#include "croquis/tools/backdrop/backdrop_area.h"
+#include "croquis/tools/backdrop/backdrop_steps.h"
+
+namespace croquis::app {
+namespace {
+
+constexpr float corner_size = 9;  // logical pixels
+
+glm::dvec3 on_plane_of_views(const Vec2& place) { return {place.x(), place.y(), 0}; }
+
+std::array<Vec2, 4> corners_of(const BackdropArea& area) {
+  return {area.low, Vec2(area.high.x(), area.low.y()), area.high, Vec2(area.low.x(), area.high.y())};
+}
+
+/// The picture's border and its corners, which can be dragged.
+void add_frame(const Backdrop& backdrop, render::Scene& scene) {
+  render::LinePath border;
+  border.closed = true;
+  std::vector<render::Mark> marks;
+  for (const Vec2& corner : corners_of(area_of(backdrop))) {
+    border.points.push_back({on_plane_of_views(corner), 1, {}});
+    render::Mark mark;
+    mark.position = on_plane_of_views(corner);
+    mark.shape = render::MarkShape::Square;
+    mark.size = corner_size;
+    mark.color = to_color(colors::accent);
+    marks.push_back(mark);
+  }
+  scene.lines.emplace_back(
+      render::make_line_item({border}, {1.5, to_color(colors::accent), {6, 4, 0, 0}, render::LineDepth::OnTop}));
+  scene.marks.emplace_back(render::make_mark_item(marks));
+}
+
+}  // namespace
+
+BackdropTool::BackdropTool(ToolHost& host) : Tool(host), editor_(host.studio().session()) {
+  connect(&items_, &PictureItems::ready, this, &Tool::changed);
+}
+
+void BackdropTool::make_actions(ActionList& actions) {
+  QMenu* menu = actions.menu(tr("&Object"))->addMenu(tr("P&icture behind the drawing"));
+  const auto add = [&](const QString& name, const QString& text, const QString& button, std::function<void()> work) {
+    QAction* action = actions.add(
+        menu, name, text, {}, [this, work = std::move(work)] { host().attempt(work); }, Recorded::ByItself);
+    action->setIconText(button);
+    return action;
+  };
+  add("open-picture", tr("&Open a picture…"), tr("Replace…"), [this] { ask_picture(); });
+  add("show-picture", tr("&Show"), tr("Show"), [this] {
+    change(tr("Show picture"), [this](Backdrop& b) { b.visible = host().action("show-picture")->isChecked(); });
+  })->setCheckable(true);
+  add("fit-picture", tr("&Fit to the sheet or the strokes"), tr("Fit"), [this] { do_and_record(editor_.fit()); });
+  actions
+      .add(menu, "move-picture", tr("&Move and scale"), {},
+           [this] { host().set_mode(mode() == "move-picture" ? first_mode : QStringLiteral("move-picture")); })
+      ->setCheckable(true);
+  host().action("move-picture")->setIconText(tr("Move"));
+  add("remove-picture", tr("&Remove"), tr("Remove"), [this] { do_and_record(editor_.remove()); });
+}
+
+void BackdropTool::make_panels(PanelDocks& docks) {
+  panel_ = new BackdropPanel([this](const QString& name) { return host().action(name); });
+  dock_ = docks.add(tr("Picture"), panel_, "picture");
+  docks.tabify("history", dock_);
+  docks.set_useful(dock_, false);
+  docks_ = &docks;
+  connect(panel_, &BackdropPanel::opacity_moved, this, [this](double opacity) {
+    const auto now = editor_.backdrop();
+    if (!now) return;
+    Backdrop edited = *now;
+    edited.opacity = opacity;
+    editor_.change("Opacity of the picture", edited);
+  });
+  connect(panel_, &BackdropPanel::opacity_left, this, [this] { do_and_record(editor_.finish()); });
+  connect(panel_, &BackdropPanel::place_wanted, this, [this](const Vec2& centre, double scale) {
+    change(tr("Place picture"), [&](Backdrop& backdrop) {
+      backdrop.centre = centre;
+      backdrop.scale = scale;
+    });
+  });
+}
+
+void BackdropTool::change(const QString& label, const std::function<void(Backdrop&)>& edit) {
+  const auto now = editor_.backdrop();
+  if (!now) return;
+  Backdrop edited = *now;
+  edit(edited);
+  host().attempt([&] { do_and_record(editor_.set(label.toStdString(), edited)); });
+}
+
+void BackdropTool::do_and_record(Verdict verdict) {
+  if (verdict == Verdict::Commit) emit committed(*editor_.done());
+}
+
+void BackdropTool::ask_picture() {
+  QStringList endings;
+  for (const QString& ending : picture_endings()) endings << "*" + ending;
+  const QString path = QFileDialog::getOpenFileName(&host().viewport(), tr("Open a picture"), QString(),
+                                                    tr("Pictures (%1)").arg(endings.join(' ')));
+  if (!path.isEmpty()) host().open_file(path);
+}
+
+void BackdropTool::refresh() {
+  const auto backdrop = editor_.backdrop();
+  for (const char* name : {"show-picture", "fit-picture", "move-picture", "remove-picture"})
+    host().action(name)->setEnabled(backdrop != nullptr);
+  host().action("show-picture")->setChecked(backdrop != nullptr && backdrop->visible);
+  host().action("move-picture")->setChecked(moves());
+  docks_->set_useful(dock_, backdrop != nullptr);
+  panel_->follow(backdrop.get());
+}
+
+void BackdropTool::set_mode(const QString& mode) {
+  Tool::set_mode(mode);
+  editor_.give_up();
+  emit state_changed();
+}
+
+void BackdropTool::take(const PointerEvent& event) {
+  for (const PenStep& step : pen_.handle(event))
+    do_and_record(editor_.handle(to_sketch(step, host().viewport().pane(SketchView).sketch_frame())));
+}
+
+bool BackdropTool::abandon() {
+  if (!pen_.down()) return false;
+  for (const PenStep& step : pen_.cancel())
+    editor_.handle(to_sketch(step, host().viewport().pane(SketchView).sketch_frame()));
+  return true;
+}
+
+QString BackdropTool::help() const {
+  return tr("Drag the picture to move it, a corner to scale it · D draws · Q selects");
+}
+
+void BackdropTool::add_to(render::Scene& scene, int view) {
+  const auto backdrop = editor_.backdrop();
+  if (view != SketchView || !backdrop) return;
+  if (moves()) add_frame(*backdrop, scene);
+  if (!backdrop->visible) return;
+  const BackdropArea area = area_of(*backdrop);
+  const Vec2 size = area.high - area.low;
+  scene.pictures.push_back({items_.item(backdrop->picture), on_plane_of_views(area.low), glm::dvec3(size.x(), 0, 0),
+                            glm::dvec3(0, size.y(), 0), backdrop->opacity});
+}
+
+render::Bounds BackdropTool::bounds_in(int view) const {
+  const auto backdrop = editor_.backdrop();
+  render::Bounds bounds;
+  if (view != SketchView || !backdrop || !backdrop->visible) return bounds;
+  const BackdropArea area = area_of(*backdrop);
+  bounds.add(on_plane_of_views(area.low));
+  bounds.add(on_plane_of_views(area.high));
+  return bounds;
+}
+
+void BackdropTool::follow_document() {
+  editor_.set_node(studio().shown_drawing());
+  const auto backdrop = editor_.backdrop();
+  const auto picture = backdrop ? backdrop->picture : nullptr;
+  const bool is_new = picture && picture != shown_.lock();
+  shown_ = picture;
+  Viewport& views = host().viewport();
+  if (is_new && host().shows_views() && !views.pane(SketchView).visible()) views.arrange(Arrangement::SketchAndSolid);
+  if (mode() == "move-picture" && !picture) host().set_mode(first_mode);
+}
+
+std::vector<const recorded::StepKind*> BackdropTool::steps() const { return recorded::backdrop_steps().kinds(); }
+
+bool BackdropTool::replay(const recorded::Step& step) {
+  const auto now = editor_.backdrop();
+  if (!now) refuse_replay("There is no picture behind the drawing");
+  if (const auto* setting = step.as<recorded::BackdropSetting>()) {
+    editor_.set("Place picture",
+                {now->picture, setting->centre, setting->scale, setting->opacity, setting->visible});
+  } else if (step.as<recorded::BackdropRemoval>() != nullptr) {
+    editor_.remove();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+Expectations BackdropTool::expectations() {
+  Expectations own;
+  own.counts["backdrops"] = [this](const std::string&) -> std::size_t { return editor_.backdrop() ? 1 : 0; };
+  own.ranges["backdrop-scale"] = [this](const std::string&) {
+    const auto now = editor_.backdrop();
+    if (!now) refuse_replay("There is no picture behind the drawing");
+    return std::pair(now->scale, now->scale);
+  };
+  return own;
+}
+
+}  // namespace croquis::app

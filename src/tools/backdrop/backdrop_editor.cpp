@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/tools/backdrop/backdrop_editor.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "croquis/base/error.h"
+#include "croquis/tools/backdrop/backdrop_area.h"
+#include "croquis/tools/backdrop/backdrop_steps.h"
+
+namespace croquis {
+namespace {
+
+constexpr double least_share = 1e-3;  // of its size before: a corner dragged past the opposite one turns nothing over
+
+recorded::Step step_of(const Backdrop& backdrop) {
+  return recorded::BackdropSetting{backdrop.centre, backdrop.scale, backdrop.opacity, backdrop.visible};
+}
+
+}  // namespace
+
+std::shared_ptr<const Backdrop> BackdropEditor::backdrop() const {
+  const Node* node = session_.document().find(node_);
+  return node == nullptr ? nullptr : node->backdrop;
+}
+
+void BackdropEditor::require_valid(const Backdrop& backdrop) const {
+  if (is_valid(backdrop)) return;
+  throw Error(make_error(Category::Usage, "E_INPUT",
+                         "The picture needs a finite place, a scale above 0 and an opacity from 0 to 1; type other "
+                         "numbers."));
+}
+
+Verdict BackdropEditor::set(const std::string& label, const Backdrop& backdrop) {
+  give_up();
+  require_valid(backdrop);
+  const auto now = this->backdrop();
+  if (!now || *now == backdrop) return Verdict::Continue;
+  done_ = step_of(backdrop);
+  session_.edit(label, with_backdrop(session_.document(), node_, backdrop));
+  return Verdict::Commit;
+}
+
+Verdict BackdropEditor::fit() {
+  const auto now = backdrop();
+  if (!now) return Verdict::Continue;
+  Backdrop placed = fitted(now->picture, backdrop_area(*session_.document().find(node_)));
+  placed.opacity = now->opacity;
+  placed.visible = now->visible;
+  return set("Fit picture", placed);
+}
+
+Verdict BackdropEditor::remove() {
+  give_up();
+  if (!backdrop()) return Verdict::Continue;
+  done_ = recorded::BackdropRemoval{};
+  session_.edit("Remove picture", with_backdrop(session_.document(), node_, std::nullopt));
+  return Verdict::Commit;
+}
+
+void BackdropEditor::change(const std::string& label, const Backdrop& backdrop) {
+  require_valid(backdrop);
+  if (gesture_ != Gesture::Change || interrupted()) {
+    give_up();
+    before_ = this->backdrop();
+    if (!before_) return;
+    gesture_ = Gesture::Change;
+    session_.begin_drag(label);
+  }
+  drag(backdrop);
+}
+
+void BackdropEditor::drag(const Backdrop& backdrop) {
+  session_.drag(with_backdrop(session_.document(), node_, backdrop));
+  revision_ = session_.revision();
+}
+
+Verdict BackdropEditor::finish() {
+  if (std::exchange(gesture_, Gesture::None) == Gesture::None || interrupted()) return Verdict::Continue;
+  session_.end_drag();
+  const auto now = backdrop();
+  if (!now || *now == *before_) return Verdict::Continue;
+  done_ = step_of(*now);
+  return Verdict::Commit;
+}
+
+Verdict BackdropEditor::give_up() {
+  if (std::exchange(gesture_, Gesture::None) == Gesture::None) return Verdict::Continue;
+  if (!interrupted()) session_.cancel_drag();
+  return Verdict::Revert;
+}
+
+void BackdropEditor::begin(const SketchEvent& event) {
+  give_up();
+  before_ = backdrop();
+  if (!before_) return;
+  from_ = event.sample.position;
+  const BackdropArea area = area_of(*before_);
+  gesture_ = Gesture::Move;
+  double reach = corner_pixels_ * event.units_per_pixel;
+  for (const Vec2& corner : {area.low, area.high, Vec2(area.low.x(), area.high.y()), Vec2(area.high.x(), area.low.y())}) {
+    if ((corner - from_).norm() > reach) continue;
+    reach = (corner - from_).norm();
+    gesture_ = Gesture::Scale;
+    fixed_ = 2 * before_->centre - corner;
+  }
+  session_.begin_drag(gesture_ == Gesture::Scale ? "Scale picture" : "Move picture");
+  revision_ = session_.revision();
+}
+
+void BackdropEditor::go_on(const SketchEvent& event) {
+  if (gesture_ == Gesture::None || interrupted()) return;
+  Backdrop dragged = *before_;
+  const Vec2& place = event.sample.position;
+  if (gesture_ == Gesture::Move) {
+    dragged.centre += place - from_;
+  } else {
+    const Vec2 diagonal = 2 * (before_->centre - fixed_);
+    const double share = std::max(least_share, (diagonal + place - from_).dot(diagonal) / diagonal.squaredNorm());
+    dragged.scale *= share;
+    dragged.centre = fixed_ + share * (before_->centre - fixed_);
+  }
+  drag(dragged);
+}
+
+Verdict BackdropEditor::handle(const SketchEvent& event) {
+  switch (event.kind) {
+    case PenStep::Kind::Begin: begin(event); return Verdict::Continue;
+    case PenStep::Kind::Sample: go_on(event); return Verdict::Continue;
+    case PenStep::Kind::End: return finish();
+    case PenStep::Kind::Cancel: break;
+  }
+  return give_up();
+}
+
+}  // namespace croquis
