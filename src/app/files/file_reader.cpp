@@ -22,12 +22,33 @@ std::string local_name(const QString& path) { return QFile::encodeName(path).toS
 
 bool is_sketch(const QString& path) { return QFileInfo(path).suffix().toLower() == "svg"; }
 
-/// Drawings in perspective say that they are; other SVG files are sketches.
+/// Drawings in perspective say that they are.
 bool is_perspective_drawing(const std::string& bytes) { return bytes.find("urn:croquis:perspective:") != bytes.npos; }
+
+bool has_ending(const QString& path, const char* ending) { return QFileInfo(path).suffix().toLower() == ending; }
+
+ReadFile sheet_of(const QString& path, PerspectiveReadResult read) {
+  return {path, std::make_shared<const PerspectiveDrawing>(std::move(read.drawing)), std::move(read.warnings)};
+}
+
+/// A drawing or a camera.
+ReadFile read_json_file(const QString& path, const std::string& bytes, const std::string& file) {
+  if (bytes.find("croquis-perspective/") != bytes.npos) return sheet_of(path, read_perspective_json(bytes, file));
+  return {path, read_camera_file(bytes, file), {}};
+}
+
+ReadFile read_drawing(const QString& path, const std::string& bytes, FileReader::PlainDrawing plain,
+                      Progress& progress) {
+  const std::string file = local_name(path);
+  if (plain == FileReader::PlainDrawing::Perspective || is_perspective_drawing(bytes))
+    return sheet_of(path, read_perspective_svg(bytes, file, progress));
+  DrawingReadResult read = read_svg_drawing(bytes, file, progress);
+  return {path, std::make_shared<const Drawing>(std::move(read.drawing)), std::move(read.warnings)};
+}
 
 /// ".croq, .svg, .obj or .off".
 std::string readable_endings() {
-  std::vector<std::string> endings{".croq", ".svg"};
+  std::vector<std::string> endings{".croq", ".svg", ".json", ".fspy"};
   for (const MeshFormat format : mesh_formats()) endings.push_back(extension_of(format));
   for (const QString& ending : picture_endings()) endings.push_back(ending.toStdString());
   return either_of(endings);
@@ -42,11 +63,14 @@ FileReader::~FileReader() {
   thread_.waitForDone();
 }
 
-bool FileReader::replaces_document(const QString& path) { return is_project_name(local_name(path)) || is_sketch(path); }
+bool FileReader::replaces_document(const QString& path) {
+  return is_project_name(local_name(path)) || is_sketch(path) || has_ending(path, "json");
+}
 
 QString FileReader::dialog_filter() {
-  QStringList endings{"*.croq", "*.svg"};
-  QStringList kinds{tr("Projects (*.croq)"), tr("Earlier versions of projects (*.croq~*)"), tr("Sketches (*.svg)")};
+  QStringList endings{"*.croq", "*.svg", "*.json", "*.fspy"};
+  QStringList kinds{tr("Projects (*.croq)"), tr("Earlier versions of projects (*.croq~*)"),
+                    tr("Drawings (*.svg *.json)"), tr("Cameras (*.fspy *.json)")};
   for (const MeshFormat format : mesh_formats()) {
     const QString ending = "*" + QString::fromStdString(extension_of(format));
     endings << ending;
@@ -59,7 +83,7 @@ QString FileReader::dialog_filter() {
   return kinds.join(";;");
 }
 
-ReadFile FileReader::read_now(const QString& path, Progress& progress) {
+ReadFile FileReader::read_now(const QString& path, Progress& progress, PlainDrawing plain) {
   const std::string file = local_name(path);
   if (is_project_name(file)) {
     ProjectFile project = load_project(file, progress);
@@ -71,31 +95,26 @@ ReadFile FileReader::read_now(const QString& path, Progress& progress) {
     return {path, std::make_shared<const PolyMesh>(std::move(read.mesh)), std::move(read.warnings)};
   }
   if (is_picture_name(path)) return {path, std::make_shared<const PictureFile>(read_picture(bytes, file)), {}};
-  if (is_sketch(path) && is_perspective_drawing(bytes)) {
-    PerspectiveReadResult read = read_perspective_svg(bytes, file, progress);
-    return {path, std::make_shared<const PerspectiveDrawing>(std::move(read.drawing)), std::move(read.warnings)};
-  }
-  if (is_sketch(path)) {
-    DrawingReadResult read = read_svg_drawing(bytes, file, progress);
-    return {path, std::make_shared<const Drawing>(std::move(read.drawing)), std::move(read.warnings)};
-  }
+  if (is_sketch(path)) return read_drawing(path, bytes, plain, progress);
+  if (has_ending(path, "json")) return read_json_file(path, bytes, file);
+  if (has_ending(path, "fspy")) return {path, read_camera_file(bytes, file), {}};
   throw Error(make_error(Category::Malformed, "E_FORMAT",
                          "\"" + file + "\" is no project, drawing, mesh or picture: open " + readable_endings()));
 }
 
-void FileReader::read(const QString& path) {
+void FileReader::read(const QString& path, PlainDrawing plain) {
   if (open_++ == 0) {
     *cancelled_ = false;
     emit busy_changed(true);
   }
-  thread_.start([this, path, cancelled = cancelled_] {
+  thread_.start([this, path, plain, cancelled = cancelled_] {
     Progress progress([this](double fraction, const std::string& step) { tell_progress(fraction, step); },
                       cancelled.get());
     std::shared_ptr<const ReadFile> file;
     Findings findings;
     try {
       progress.check();
-      file = std::make_shared<const ReadFile>(read_now(path, progress));
+      file = std::make_shared<const ReadFile>(read_now(path, progress, plain));
       progress.check();
     } catch (const Error& error) {
       findings = error.findings();

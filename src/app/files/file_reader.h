@@ -13,14 +13,15 @@
 #include "croquis/base/finding.h"
 #include "croquis/base/progress.h"
 #include "croquis/document/document.h"
+#include "croquis/io/camera_file.h"
 
 namespace croquis::app {
 
-/// What a file held: a project, a drawing, a mesh or a picture.
+/// What a file held: a project, a drawing, a mesh, a picture or a camera.
 struct ReadFile {
   QString path;
   std::variant<Document, std::shared_ptr<const Drawing>, std::shared_ptr<const PerspectiveDrawing>,
-               std::shared_ptr<const PolyMesh>, std::shared_ptr<const PictureFile>>
+               std::shared_ptr<const PolyMesh>, std::shared_ptr<const PictureFile>, CameraFile>
       content;
   Findings warnings;
 };
@@ -33,13 +34,16 @@ class FileReader : public QObject {
   FileReader();
   ~FileReader() override;
 
-  /// What opens there takes the place of what is open: projects and drawings do, meshes and pictures are added to it.
+  /// What opens there takes the place of what is open: projects and drawings do, all else is added to it.
   static bool replaces_document(const QString& path);
+
+  /// What a drawing is that doesn't say so: SVG files of other programs can be sketches and drawings in perspective.
+  enum class PlainDrawing { Sketch, Perspective };
 
   /// What a dialog lists: everything that `read` reads, and nothing else.
   static QString dialog_filter();
 
-  void read(const QString& path);
+  void read(const QString& path, PlainDrawing plain = PlainDrawing::Sketch);
 
   /// What is being read, and what waits to be, isn't read.
   void cancel();
@@ -47,7 +51,7 @@ class FileReader : public QObject {
   bool busy() const { return open_ > 0; }
 
   /// The file's content now, on the caller's thread. @throws Error, Cancelled
-  static ReadFile read_now(const QString& path, Progress& progress);
+  static ReadFile read_now(const QString& path, Progress& progress, PlainDrawing plain = PlainDrawing::Sketch);
 
  signals:
   void finished(const croquis::app::ReadFile& file);

@@ -168,6 +168,11 @@ void ProjectFiles::start_sample(const QString& name) {
   set_path({});
 }
 
+void ProjectFiles::begin_open(const QString& path) {
+  using Plain = FileReader::PlainDrawing;
+  reader_.read(path, studio_.sheet_node() != 0 ? Plain::Perspective : Plain::Sketch);
+}
+
 void ProjectFiles::open(const QString& path) {
   QEventLoop waiting;
   bool failed = false;
@@ -202,6 +207,8 @@ void ProjectFiles::take(const ReadFile& file) {
     }
   } else if (const auto* picture = std::get_if<std::shared_ptr<const PictureFile>>(&file.content)) {
     studio_.add_picture(*picture);
+  } else if (const auto* camera = std::get_if<CameraFile>(&file.content)) {
+    studio_.state_camera(camera->camera, camera->origin);
   } else if (const auto* document = std::get_if<Document>(&file.content)) {
     take_project(file.path, *document);
   } else if (const auto* sheet = std::get_if<std::shared_ptr<const PerspectiveDrawing>>(&file.content)) {

@@ -62,7 +62,8 @@ class ProjectFiles : public QObject {
 
   /// Begins to open a project (.croq), a sketch (.svg) or a mesh; `opened` or `open_failed` follows. Meshes are added
   /// to what is open.
-  void begin_open(const QString& path) { reader_.read(path); }
+  /// SVG files that don't say what they are are read as what is being worked on: a sketch, or a drawing in perspective.
+  void begin_open(const QString& path);
 
   /// The same, and waits, keeping the window alive. @throws Error, Cancelled
   void open(const QString& path);

@@ -2,6 +2,7 @@
 #include "app/studio/studio.h"
 
 #include <QMetaObject>
+#include <cmath>
 #include <utility>
 
 #include "croquis/operators/all_operations.h"
@@ -147,6 +148,28 @@ void Studio::add_picture(std::shared_ptr<const PictureFile> picture) {
   document = with_backdrop(document, drawing, backdrop);
   if (is_first) return load(std::move(document));
   session().edit("Add picture", std::move(document));
+  session().select({{drawing, ""}});
+}
+
+void Studio::state_camera(const Camera& camera, const Vec2& origin) {
+  Document document = session().document();
+  NodeId drawing = sheet_node();
+  const bool is_first = drawing == 0 && document.nodes().empty();
+  if (drawing == 0) {
+    drawing = document.next_id();
+    PerspectiveToolOptions options = sheet_options();
+    options.name = free_name(document, options.name);
+    document = add_perspective_drawing(document, empty_sheet(camera.image_size), options);
+  }
+  Node edited = *document.find(drawing);
+  PerspectiveDrawing stated = *source_of<PerspectiveDrawing>(&edited);
+  const Vec2 share = stated.image_size.cwiseQuotient(camera.image_size);
+  stated.field_of_view = 2 * std::atan(camera.image_size.x() / (2 * camera.focal_length));
+  stated.principal_point = stated.origin + share.cwiseProduct(camera.principal_point - origin);
+  edited.source = std::make_shared<const PerspectiveDrawing>(std::move(stated));
+  document = document.with(std::move(edited));
+  if (is_first) return load(std::move(document));
+  session().edit("State the camera", std::move(document));
   session().select({{drawing, ""}});
 }
 

@@ -35,7 +35,7 @@ class Studio : public QObject, public Workspace {
   NodeId drawing_node() const;  ///< 0 when there is none
   /// What the sketch view shows: the sheet, else the sketch; 0 when there is neither.
   NodeId shown_drawing() const { return sheet_node() != 0 ? sheet_node() : drawing_node(); }
-  NodeId solid_node() const;    ///< 0 when there is none
+  NodeId solid_node() const;  ///< 0 when there is none
   const Node* solid_operation() const { return session().document().find(solid_node()); }
   const OperationDescription* solid_description() const;
 
@@ -59,6 +59,11 @@ class Studio : public QObject, public Workspace {
   /// Puts a picture behind the drawing that is shown; a sheet without strokes becomes as large as the picture. Where no
   /// drawing is shown, one begins: a sketch where one was about to be drawn, else a drawing in perspective.
   void add_picture(std::shared_ptr<const PictureFile> picture);
+
+  /// States the camera of the sheet that is shown: its field of view and principal point. Without a sheet, an empty
+  /// one of the camera's picture begins.
+  /// @param origin upper left corner of the camera's picture, px
+  void state_camera(const Camera& camera, const Vec2& origin);
 
   NodeId add_mesh(const std::string& name, std::shared_ptr<const PolyMesh> mesh) {
     return add_source(name, std::move(mesh));
