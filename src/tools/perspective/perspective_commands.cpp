@@ -225,6 +225,16 @@ Verdict PerspectiveTool::set_camera(std::optional<double> field_of_view, const s
   return commit("Set the camera", std::move(edited), recorded::SheetCamera{field_of_view, principal_point});
 }
 
+Verdict PerspectiveTool::set_sheet(const Vec2& size) {
+  give_up();
+  if (!(size.allFinite() && size.minCoeff() > 0))
+    refuse_input("The sheet needs a width and a height above 0; type other ones.");
+  PerspectiveDrawing edited = required();
+  if (edited.image_size == size) return Verdict::Continue;
+  edited.image_size = size;
+  return commit("Set the sheet's size", std::move(edited), recorded::SheetSize{size});
+}
+
 // ---- Lists of the operation
 
 bool PerspectiveTool::is_chosen(const std::string& list, const std::string& item) const {

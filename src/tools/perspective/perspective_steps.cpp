@@ -112,6 +112,14 @@ void write_sheet_setting(const SheetSetting& step, FieldWriter& writer) {
   if (setting.weight) writer.number("weight", *setting.weight);
 }
 
+SheetSize read_sheet_size(Fields& fields) {
+  const SheetSize step{fields.pair("size")};
+  if (!(step.size.minCoeff() > 0)) throw Mistake{"\"size\" must be two numbers above 0"};
+  return step;
+}
+
+void write_sheet_size(const SheetSize& step, FieldWriter& writer) { writer.pair("size", step.size); }
+
 SheetDelete read_sheet_delete(Fields& fields) { return {fields.names("strokes")}; }
 
 void write_sheet_delete(const SheetDelete& step, FieldWriter& writer) { writer.names("strokes", step.strokes); }
@@ -201,6 +209,11 @@ const StepKind& SheetSetting::step_kind() {
   return kind;
 }
 
+const StepKind& SheetSize::step_kind() {
+  static const StepKind kind = make_step_kind({"perspective-sheet"}, read_sheet_size, write_sheet_size);
+  return kind;
+}
+
 const StepKind& SheetDelete::step_kind() {
   static const StepKind kind = make_step_kind({"perspective-delete"}, read_sheet_delete, write_sheet_delete);
   return kind;
@@ -236,8 +249,8 @@ const Vocabulary& perspective_steps() {
     Vocabulary made;
     for (const StepKind* kind :
          {&SheetStroke::step_kind(), &SheetDrag::step_kind(), &SheetAim::step_kind(), &SheetSetting::step_kind(),
-          &SheetDelete::step_kind(), &SheetPoint::step_kind(), &SheetLength::step_kind(), &SheetCamera::step_kind(),
-          &SheetChoice::step_kind(), &SheetMirror::step_kind()})
+          &SheetDelete::step_kind(), &SheetSize::step_kind(), &SheetPoint::step_kind(), &SheetLength::step_kind(),
+          &SheetCamera::step_kind(), &SheetChoice::step_kind(), &SheetMirror::step_kind()})
       made.add(*kind);
     for (const char* count : {"perspective-strokes", "perspective-faces", "perspective-open", "perspective-closed",
                               "perspective-mode", "perspective-fixes"})

@@ -97,6 +97,13 @@ struct SheetMirror {
 };
 
 /// All of them, and what can be counted of a perspective drawing.
+/// The sheet got another size, px; strokes keep their places.
+struct SheetSize {
+  Vec2 size = Vec2::Zero();
+
+  static const StepKind& step_kind();
+};
+
 const Vocabulary& perspective_steps();
 
 }  // namespace croquis::recorded

@@ -99,6 +99,7 @@ class PerspectiveTool {
   Verdict set_known_point(const std::optional<KnownPoint>& known);
   Verdict set_known_length(const std::string& stroke, std::optional<double> length);
   Verdict set_camera(std::optional<double> field_of_view, const std::optional<Vec2>& principal_point);
+  Verdict set_sheet(const Vec2& size);  ///< px; the strokes keep their places
   Verdict choose(const std::string& list, const std::string& item, bool on);
   Verdict complete_mirrored(const MirrorPlane& plane);
   Verdict delete_selected();

@@ -61,6 +61,8 @@ void PerspectiveDrawingTool::make_panels(PanelDocks& docks) {
   connect(panel_, &PerspectivePanel::field_of_view_wanted, this, [this](std::optional<double> radians) {
     do_and_record(sheet_.tool().set_camera(radians, sheet_.drawing().principal_point));
   });
+  connect(panel_, &PerspectivePanel::sheet_size_wanted, this,
+          [this](const Vec2& size) { do_and_record(sheet_.tool().set_sheet(size)); });
   connect(panel_, &PerspectivePanel::stroke_wanted, this, [this](const std::string& stroke) {
     if (mode() != select_mode) host().set_mode(select_mode);
     sheet_.tool().select({stroke});

@@ -17,6 +17,7 @@
 #include <numbers>
 
 #include "app/tools/perspective/group_looks.h"
+#include "app/tools/perspective/sheet_size_field.h"
 
 namespace croquis::app {
 namespace {
@@ -49,6 +50,9 @@ PerspectivePanel::PerspectivePanel(SheetInteraction& sheet, const std::function<
   column->setContentsMargins(8, 6, 8, 6);
   make_groups(column, action);
   make_camera(column);
+  size_ = new SheetSizeField(this);
+  connect(size_, &SheetSizeField::size_wanted, this, &PerspectivePanel::sheet_size_wanted);
+  column->addWidget(size_);
   make_known(column);
   make_lines(column);
 }
@@ -163,6 +167,7 @@ void PerspectivePanel::tell_point() {
 void PerspectivePanel::follow() {
   following_ = true;
   follow_camera();
+  size_->follow(sheet_.drawing().image_size);
   follow_known();
   follow_lines();
   following_ = false;

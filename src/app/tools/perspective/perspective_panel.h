@@ -19,6 +19,8 @@ class QTreeWidget;
 
 namespace croquis::app {
 
+class SheetSizeField;
+
 /// The groups of strokes, the camera that was found, what is known, and which lines miss their vanishing point.
 class PerspectivePanel : public QWidget {
   Q_OBJECT
@@ -34,6 +36,7 @@ class PerspectivePanel : public QWidget {
   void known_point_wanted(const std::optional<croquis::KnownPoint>& known);
   void known_length_wanted(const std::string& stroke, std::optional<double> length);
   void field_of_view_wanted(std::optional<double> radians);
+  void sheet_size_wanted(const croquis::Vec2& size);
   void stroke_wanted(const std::string& stroke);  ///< selected in the list
   void overlay_wanted(double opacity);
 
@@ -48,6 +51,7 @@ class PerspectivePanel : public QWidget {
   void tell_point();
 
   SheetInteraction& sheet_;
+  SheetSizeField* size_;
   QLabel* camera_;
   QProgressBar* deviation_;
   QDoubleSpinBox* field_;

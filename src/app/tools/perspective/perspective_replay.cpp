@@ -38,6 +38,8 @@ bool PerspectiveDrawingTool::replay(const recorded::Step& step) {
     tool.set_known_length(length->stroke, length->length);
   } else if (const auto* camera = step.as<recorded::SheetCamera>()) {
     tool.set_camera(camera->field_of_view, camera->principal_point);
+  } else if (const auto* sheet = step.as<recorded::SheetSize>()) {
+    tool.set_sheet(sheet->size);
   } else if (const auto* choice = step.as<recorded::SheetChoice>()) {
     tool.choose(choice->list, choice->item, choice->on);
   } else if (const auto* mirror = step.as<recorded::SheetMirror>()) {
