@@ -100,10 +100,6 @@ class Tool : public QObject {
   virtual render::Bounds bounds_in(int) const { return {}; }  ///< of what it adds to a view that is its own
   virtual std::optional<SelectionFrame> selection_frame(int) const { return std::nullopt; }
   virtual QString view_title(int) const { return {}; }
-
-  /// The camera that it holds a view at.
-  virtual std::optional<render::Camera> camera_for(const ViewPane&, int) const { return std::nullopt; }
-  virtual void camera_moved(int) {}  ///< somebody rotates, pans or zooms the view: it is free again
   virtual void place_chips(ChipPlaces&) {}
   virtual bool busy() const { return false; }  ///< something that it shows is still being made
 

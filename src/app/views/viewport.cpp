@@ -321,12 +321,10 @@ bool Viewport::draw_ink() {
   return true;
 }
 
-void Viewport::hold_cameras() {
-  for (const int view : layout_.shown()) {
-    for (const Tool* tool : tools_) {
-      if (const auto camera = tool->camera_for(layout_.pane(view), view)) layout_.pane(view).camera = *camera;
-    }
-  }
+void Viewport::hold_camera() {
+  ViewPane& pane = layout_.pane(PerspectiveView);
+  const auto camera = pane.visible() ? looked_through() : std::nullopt;
+  if (camera) pane.camera = camera->in(pane);
 }
 
 void Viewport::draw_views() {
@@ -338,7 +336,7 @@ void Viewport::draw_views() {
     gl->glClearColor(0.22F, 0.23F, 0.25F, 1);
     gl->glClear(GL_COLOR_BUFFER_BIT);
   }
-  hold_cameras();
+  hold_camera();
   layout_.pane(ComparisonView).camera = layout_.pane(PerspectiveView).camera;
   const auto inked = ink();
   bool fine = false;
@@ -421,6 +419,7 @@ void Viewport::place_chips() {
         titles[static_cast<std::size_t>(view)] = tool->view_title(view);
     }
   }
+  if (const auto camera = looked_through()) titles[PerspectiveView] = tr("Camera of %1").arg(camera->name);
   chips_.place(places, titles);
   for (Tool* tool : tools_) tool->place_chips(places);
 }

@@ -17,6 +17,7 @@
 #include "app/views/marking_menu.h"
 #include "app/views/object_scenes.h"
 #include "app/views/pane_layout.h"
+#include "app/views/scene_camera.h"
 #include "app/views/view_chips.h"
 #include "croquis/render/renderer.h"
 #include "croquis/tools/pointer/navigation.h"
@@ -71,6 +72,13 @@ class Viewport : public QOpenGLWidget {
   QPointF pane_shares() const { return layout_.shares(); }
   void set_pane_shares(const QPointF& shares);
 
+  /// Holds the perspective view at the camera of the object that begins with that node, until somebody rotates, pans or
+  /// zooms it; 0: frees it, and it stays where it is.
+  void look_through(NodeId first);
+  /// The camera that the perspective view is held at, as soon as the object has one.
+  std::optional<SceneCamera> looked_through() const;
+  NodeId look_through_node() const { return through_; }
+
   /// The perspective view shows the whole scene, if it doesn't already.
   void show_scene();
 
@@ -114,6 +122,9 @@ class Viewport : public QOpenGLWidget {
  signals:
   void help_changed();
 
+  /// The perspective view is held at another camera, or free.
+  void look_through_changed();
+
   /// A gesture changed the document or the selection.
   void committed(const croquis::recorded::Step& step);
 
@@ -149,7 +160,7 @@ class Viewport : public QOpenGLWidget {
   void take_in_time(PointerEvent event, const QPointF& place);
   void take_late_move();
   bool take_key(QKeyEvent& event);
-  void hold_cameras();
+  void hold_camera();
   void forget_swallowed_alt();
   void show_tooltip(const QString& sentence, const QPointF& place);
   bool any_down() const;
@@ -200,7 +211,8 @@ class Viewport : public QOpenGLWidget {
   QString mode_ = first_mode;
   MeshLook look_ = MeshLook::Shaded;
   bool zebra_ = false;
-  int grabbed_ = -1;  ///< the view that the gesture under way began in, or -1
+  NodeId through_ = 0;  ///< the first node of the object whose camera holds the perspective view
+  int grabbed_ = -1;    ///< the view that the gesture under way began in, or -1
   int under_pointer_ = SketchView;
   PaneLayout::Border dragged_border_;
   bool shows_tooltip_ = false;

@@ -6,6 +6,18 @@
 
 namespace croquis::app {
 
+void Viewport::look_through(NodeId first) {
+  if (first == through_) return;
+  through_ = first;
+  redraw(PerspectiveView);
+  redraw(ComparisonView);
+  emit look_through_changed();
+}
+
+std::optional<SceneCamera> Viewport::looked_through() const {
+  return through_ == 0 ? std::nullopt : scene_camera(studio_, through_);
+}
+
 void Viewport::frame_all() {
   after_layout();
   for (const int view : layout_.shown()) {

@@ -164,7 +164,7 @@ void Viewport::show_tooltip(const QString& sentence, const QPointF& place) {
 }
 
 void Viewport::move_camera(int view, const CameraMotion& motion) {
-  for (Tool* tool : tools_) tool->camera_moved(view);
+  if (view == PerspectiveView) look_through(0);
   layout_.pane(view).move(motion);
 }
 

@@ -149,6 +149,7 @@ void MainWindow::connect_start_page() {
 void MainWindow::connect_viewport() {
   connect(viewport_, &Viewport::committed, this, &MainWindow::record);
   connect(viewport_, &Viewport::help_changed, this, &MainWindow::update_help);
+  connect(viewport_, &Viewport::look_through_changed, this, &MainWindow::show_cameras);
   viewport_->installEventFilter(this);
 }
 

@@ -160,6 +160,8 @@ class MainWindow : public QMainWindow, public ToolHost {
   void hold_usable_tool();
   void reset_layout();
   void keep_window_layout();
+  void show_cameras();
+  void look_through_camera(int place);
   void ask_open();
   bool ask_save();
   bool save_to(const QString& path);

@@ -41,6 +41,10 @@ bool needs_no_document(const QString& action) {
          action == "quit" || action == "reset-layout";
 }
 
+constexpr int most_cameras = 9;  // in the menu
+
+QString camera_action(int place) { return QString("camera-%1").arg(place + 1); }
+
 bool asks_for_file(const QString& action) {
   return action == "open" || action.startsWith("save") || action.startsWith("export");
 }
@@ -171,6 +175,11 @@ void MainWindow::make_view_actions() {
   add_alone("front-alone", tr("Fr&ont alone"), SketchView);
   add_alone("top-alone", tr("&Top alone"), TopView);
   add_alone("side-alone", tr("Si&de alone"), SideView);
+  for (int place = 0; place < most_cameras; ++place) {
+    QAction* camera = actions_->add(menu, camera_action(place), {}, {}, [this, place] { look_through_camera(place); });
+    camera->setCheckable(true);
+    camera->setVisible(false);
+  }
   menu->addSeparator();
   auto* shading = new QActionGroup(this);
   const auto add_shading = [&](const QString& name, const QString& text, const QString& key, MeshLook look) {
@@ -188,6 +197,28 @@ void MainWindow::make_view_actions() {
   QAction* zebra = actions_->add(menu, "zebra", tr("&Zebra stripes"), {QKeySequence("Shift+6")},
                                  [this] { viewport_->set_zebra(action("zebra")->isChecked()); });
   zebra->setCheckable(true);
+}
+
+/// The cameras of the scene, in the order of their objects, beside the other views.
+void MainWindow::show_cameras() {
+  const std::vector<SceneCamera> cameras = scene_cameras(studio_);
+  for (int place = 0; place < most_cameras; ++place) {
+    QAction* entry = action(camera_action(place));
+    const bool there = place < static_cast<int>(cameras.size());
+    entry->setVisible(there);
+    if (!there) continue;
+    const SceneCamera& camera = cameras[static_cast<std::size_t>(place)];
+    entry->setText(tr("Camera of %1").arg(camera.name));
+    entry->setChecked(viewport_->look_through_node() == camera.node);
+  }
+}
+
+void MainWindow::look_through_camera(int place) {
+  const std::vector<SceneCamera> cameras = scene_cameras(studio_);
+  const NodeId node = place < static_cast<int>(cameras.size()) ? cameras[static_cast<std::size_t>(place)].node : 0;
+  viewport_->look_through(viewport_->look_through_node() == node ? 0 : node);
+  if (node != 0 && !viewport_->pane(PerspectiveView).visible()) viewport_->show_alone(PerspectiveView);
+  update_panels();
 }
 
 void MainWindow::ask_open() {

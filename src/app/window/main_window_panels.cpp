@@ -109,6 +109,7 @@ void MainWindow::update_panels() {
   for (const OperationDescription* exported : files_.exports())
     action(export_action(*exported))->setEnabled(files_.can_export(*exported));
   actions_->show_mode(viewport_->mode());
+  show_cameras();
   for (const auto& tool : tools_) tool->refresh();
   setWindowModified(session.modified());
   update_help();

@@ -98,7 +98,8 @@ void BackdropEditor::begin(const SketchEvent& event) {
   const BackdropArea area = area_of(*before_);
   gesture_ = Gesture::Move;
   double reach = corner_pixels_ * event.units_per_pixel;
-  for (const Vec2& corner : {area.low, area.high, Vec2(area.low.x(), area.high.y()), Vec2(area.high.x(), area.low.y())}) {
+  for (const Vec2& corner :
+       {area.low, area.high, Vec2(area.low.x(), area.high.y()), Vec2(area.high.x(), area.low.y())}) {
     if ((corner - from_).norm() > reach) continue;
     reach = (corner - from_).norm();
     gesture_ = Gesture::Scale;

@@ -149,7 +149,20 @@ QString BackdropTool::help() const {
   return tr("Drag the picture to move it, a corner to scale it · D draws · Q selects");
 }
 
+/// Behind the solid that is seen through the camera of its drawing: what was traced lies over it.
+void BackdropTool::add_behind_solid(render::Scene& scene) {
+  const auto camera = host().viewport().looked_through();
+  const Node* node = camera ? studio().session().document().find(camera->node) : nullptr;
+  if (node == nullptr || !node->backdrop || !node->backdrop->visible) return;
+  const BackdropArea area = area_of(*node->backdrop);
+  const auto place = [&](double x, double y) { return camera->before_the_eye({x, -y}); };
+  const glm::dvec3 corner = place(area.low.x(), area.low.y());
+  scene.pictures.push_back({items_.item(node->backdrop->picture), corner, place(area.high.x(), area.low.y()) - corner,
+                            place(area.low.x(), area.high.y()) - corner, node->backdrop->opacity});
+}
+
 void BackdropTool::add_to(render::Scene& scene, int view) {
+  if (view == PerspectiveView) return add_behind_solid(scene);
   const auto backdrop = editor_.backdrop();
   if (view != SketchView || !backdrop) return;
   if (moves()) add_frame(*backdrop, scene);
@@ -187,8 +200,7 @@ bool BackdropTool::replay(const recorded::Step& step) {
   const auto now = editor_.backdrop();
   if (!now) refuse_replay("There is no picture behind the drawing");
   if (const auto* setting = step.as<recorded::BackdropSetting>()) {
-    editor_.set("Place picture",
-                {now->picture, setting->centre, setting->scale, setting->opacity, setting->visible});
+    editor_.set("Place picture", {now->picture, setting->centre, setting->scale, setting->opacity, setting->visible});
   } else if (step.as<recorded::BackdropRemoval>() != nullptr) {
     editor_.remove();
   } else {

@@ -46,6 +46,7 @@ class BackdropTool final : public Tool {
  private:
   bool moves() const { return mode() == "move-picture" && editor_.backdrop() != nullptr; }
   void do_and_record(Verdict verdict);
+  void add_behind_solid(render::Scene& scene);
   void change(const QString& label, const std::function<void(Backdrop&)>& edit);
   void ask_picture();
 

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "app/panels/finding_elements.h"
-#include "app/tools/perspective/look_through.h"
 #include "app/tools/perspective/perspective_panel.h"
 #include "app/views/viewport.h"
 #include "app/window/panel_docks.h"
@@ -40,6 +39,7 @@ PerspectiveDrawingTool::PerspectiveDrawingTool(ToolHost& host)
   connect(&chips_, &PerspectiveChips::fix_wanted, this, &PerspectiveDrawingTool::apply_fix);
   connect(&chips_, &PerspectiveChips::mirror_wanted, this, &PerspectiveDrawingTool::complete_mirrored);
   connect(&chips_, &PerspectiveChips::look_through_wanted, this, &PerspectiveDrawingTool::set_looking_through);
+  connect(&host.viewport(), &Viewport::look_through_changed, this, &Tool::state_changed);
 }
 
 void PerspectiveDrawingTool::make_panels(PanelDocks& docks) {
@@ -147,11 +147,9 @@ void PerspectiveDrawingTool::add_to(render::Scene& scene, int view) {
     scene.lines.insert(scene.lines.end(), sheet.lines.begin(), sheet.lines.end());
     scene.marks.insert(scene.marks.end(), sheet.marks.begin(), sheet.marks.end());
   }
-  if (view != PerspectiveView || !looks_through() || overlay_ == 0) return;
-  const Camera& camera = sheet_.result()->camera;
-  const auto place = [&, placed = placement(), depth = looked_depth()](const Vec2& sheet) {
-    return before_the_eye(camera, placed, sheet, depth);
-  };
+  const auto camera = view == PerspectiveView && looks_through() ? host().viewport().looked_through() : std::nullopt;
+  if (!camera || overlay_ == 0) return;
+  const auto place = [&](const Vec2& sheet) { return camera->before_the_eye(sheet); };
   for (const render::LineItemPtr& item : stroke_items(sheet_.drawing(), place, overlay_))
     scene.lines.emplace_back(item);
 }
@@ -166,43 +164,18 @@ render::Bounds PerspectiveDrawingTool::bounds_in(int view) const {
 }
 
 QString PerspectiveDrawingTool::view_title(int view) const {
-  if (has_view(view)) return tr("Perspective drawing");
-  return view == PerspectiveView && looks_through() ? tr("Through the drawing") : QString();
+  return has_view(view) ? tr("Perspective drawing") : QString();
 }
 
 // ---- Looking through
 
 bool PerspectiveDrawingTool::looks_through() const {
-  return through_ && studio().sheet_node() != 0 && sheet_.result() != nullptr;
+  const NodeId sheet = studio().sheet_node();
+  return sheet != 0 && host().viewport().look_through_node() == sheet && sheet_.result() != nullptr;
 }
 
 void PerspectiveDrawingTool::set_looking_through(bool on) {
-  through_ = on;
-  emit changed_in(PerspectiveView);
-  emit state_changed();
-}
-
-Affine3 PerspectiveDrawingTool::placement() const {
-  const Node* node = studio().session().document().find(sheet_.tool().operation_node());
-  return node == nullptr ? Affine3() : node->transform;
-}
-
-/// Of the middle of what was found.
-double PerspectiveDrawingTool::looked_depth() const {
-  const PerspectiveResult& result = *sheet_.result();
-  double sum = 0;
-  for (const Vec3& vertex : result.network.vertices) sum += result.camera.depth(vertex);
-  const double mean = result.network.vertices.empty() ? 0 : sum / static_cast<double>(result.network.vertices.size());
-  return mean > 0 ? mean : 1;
-}
-
-std::optional<render::Camera> PerspectiveDrawingTool::camera_for(const ViewPane& pane, int view) const {
-  if (view != PerspectiveView || !looks_through() || !pane.visible()) return std::nullopt;
-  return camera_through(sheet_.result()->camera, sheet_.drawing(), placement(), looked_depth(), pane);
-}
-
-void PerspectiveDrawingTool::camera_moved(int view) {
-  if (view == PerspectiveView && looks_through()) set_looking_through(false);
+  host().viewport().look_through(on ? studio().sheet_node() : 0);
 }
 
 void PerspectiveDrawingTool::place_chips(ChipPlaces& places) {
@@ -214,7 +187,7 @@ void PerspectiveDrawingTool::place_chips(ChipPlaces& places) {
 void PerspectiveDrawingTool::follow_document() {
   const NodeId now = studio().sheet_node();
   // A drawing that is opened is seen through its own eye.
-  if (std::exchange(shown_node_, now) != now) through_ = now != 0;
+  if (std::exchange(shown_node_, now) != now && now != 0) host().viewport().look_through(now);
   sheet_.follow_document();
 }
 

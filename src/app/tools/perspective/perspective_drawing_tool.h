@@ -46,8 +46,6 @@ class PerspectiveDrawingTool final : public Tool {
   bool is_paper(int view) const override { return has_view(view); }
   render::Bounds bounds_in(int view) const override;
   QString view_title(int view) const override;
-  std::optional<render::Camera> camera_for(const ViewPane& pane, int view) const override;
-  void camera_moved(int view) override;
   void place_chips(ChipPlaces& places) override;
 
   void follow_document() override;
@@ -64,8 +62,6 @@ class PerspectiveDrawingTool final : public Tool {
   bool draws() const { return mode() == "draw" || mode() == "erase"; }
   bool looks_through() const;
   void set_looking_through(bool on);
-  double looked_depth() const;
-  Affine3 placement() const;
   void begin_new();
   void choose_group(std::optional<StrokeGroup> group);
   void apply_fix();
@@ -81,7 +77,6 @@ class PerspectiveDrawingTool final : public Tool {
   PerspectivePanel* panel_ = nullptr;
   PanelDocks* docks_ = nullptr;
   QDockWidget* dock_ = nullptr;
-  bool through_ = false;  ///< the perspective view is held at the eye of the drawing
   double overlay_ = 0.6;  ///< opacity of the drawing there; 0: none
   NodeId shown_node_ = 0;
 };
