@@ -185,7 +185,14 @@ TEST_CASE("large pictures and those turned by their file are shown as people see
 
   // A JPEG whose EXIF data says: turn it by 90 degrees clockwise.
   const std::string bytes = read_file(saved_photo(hand, "plain.jpg").toStdString());
-  const std::string exif("\xFF\xE1\x00\x22" "Exif\0\0" "MM\0\x2A\0\0\0\x08" "\0\x01" "\x01\x12\0\x03\0\0\0\x01\0\x06\0\0" "\0\0\0\0", 36);
+  const std::string exif(
+      "\xFF\xE1\x00\x22"
+      "Exif\0\0"
+      "MM\0\x2A\0\0\0\x08"
+      "\0\x01"
+      "\x01\x12\0\x03\0\0\0\x01\0\x06\0\0"
+      "\0\0\0\0",
+      36);
   const PictureFile turned = app::read_picture(bytes.substr(0, 2) + exif + bytes.substr(2), "turned.jpg");
   CHECK(turned.width == 200);
   CHECK(turned.height == 400);

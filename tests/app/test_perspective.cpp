@@ -13,7 +13,6 @@
 #include "app/dialogs.h"
 #include "app/hole_scans.h"
 #include "app/studio_fixture.h"
-#include "app/tools/perspective/look_through.h"
 #include "app/tools/perspective/perspective_drawing_tool.h"
 #include "app/x_pointer.h"
 #include "support/perspective/solid_drawing.h"

@@ -8,8 +8,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "croquis/document/content_hash.h"
 #include "croquis/document/backdrop.h"
+#include "croquis/document/content_hash.h"
 #include "croquis/document/document.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/trial_operation.h"

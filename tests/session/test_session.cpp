@@ -5,7 +5,6 @@
 #include "croquis/document/backdrop.h"
 #include "croquis/document/byte_size.h"
 #include "croquis/document/content_hash.h"
-#include "croquis/document/backdrop.h"
 #include "croquis/session/session.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/trial_operation.h"
