@@ -68,6 +68,7 @@ TEST_CASE("a camera file states the camera of the sheet, at the sheet's own size
   file.camera.image_size = {800, 600};
   file.camera.principal_point = {420, 280};
   StudioFixture hand;
+  hand.crash_and_restart();  // to the start page
   const QString path = written(hand, "camera.json", write_camera_json(file));
   REQUIRE(hand.window().open(path));
   REQUIRE(hand.studio().sheet_node() != 0);
@@ -113,7 +114,8 @@ TEST_CASE("the camera of an object is a view of the scene, with any tool and bes
   CHECK_FALSE(hand.window().action("camera-2")->isVisible());
   hand.act("camera-1");
   CHECK_FALSE(camera->isChecked());
-  hand.open_cage("cube");
+  hand.open_cage("bolt");
+  hand.studio().session().select({{hand.studio().objects().back().node, ""}});
   hand.act("camera-1");
   CHECK(hand.studio().sheet_node() == 0);
   hand.picture();

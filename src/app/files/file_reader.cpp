@@ -27,6 +27,14 @@ bool is_perspective_drawing(const std::string& bytes) { return bytes.find("urn:c
 
 bool has_ending(const QString& path, const char* ending) { return QFileInfo(path).suffix().toLower() == ending; }
 
+/// Other JSON files are cameras. Drawings name their format at the beginning.
+bool is_json_drawing(const QString& path) {
+  constexpr qint64 looked_at = 4096;  // bytes
+  QFile file(path);
+  return has_ending(path, "json") && file.open(QIODevice::ReadOnly) &&
+         file.read(looked_at).contains("croquis-perspective/");
+}
+
 ReadFile sheet_of(const QString& path, PerspectiveReadResult read) {
   return {path, std::make_shared<const PerspectiveDrawing>(std::move(read.drawing)), std::move(read.warnings)};
 }
@@ -64,7 +72,7 @@ FileReader::~FileReader() {
 }
 
 bool FileReader::replaces_document(const QString& path) {
-  return is_project_name(local_name(path)) || is_sketch(path) || has_ending(path, "json");
+  return is_project_name(local_name(path)) || is_sketch(path) || is_json_drawing(path);
 }
 
 QString FileReader::dialog_filter() {
