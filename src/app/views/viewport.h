@@ -62,6 +62,7 @@ class Viewport : public QOpenGLWidget {
 
   void frame_all();
   void frame_selection();
+  void frame_selection_in(int view);
 
   /// The view under the pointer alone, or the views of the arrangement again.
   void toggle_layout();

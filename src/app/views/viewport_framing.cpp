@@ -35,8 +35,13 @@ void Viewport::frame_all() {
 
 void Viewport::frame_selection() {
   if (!layout_.pane(under_pointer_).visible()) under_pointer_ = layout_.shown().front();
-  ViewPane& pane = layout_.pane(under_pointer_);
-  if (const auto selected = selection_in(under_pointer_)) {
+  frame_selection_in(under_pointer_);
+}
+
+void Viewport::frame_selection_in(int view) {
+  ViewPane& pane = layout_.pane(view);
+  if (!pane.visible()) return;
+  if (const auto selected = selection_in(view)) {
     if (selected->facing) pane.turn_to(*selected->facing);
     pane.frame(selected->bounds);
     turned_ = turned_ || selected->stays;

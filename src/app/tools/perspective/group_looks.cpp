@@ -4,13 +4,14 @@
 #include <QObject>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "app/window/theme.h"
 
 namespace croquis::app {
 namespace {
 
-constexpr double bad_px = 6;  // a line that misses by so much is all red
+constexpr double bad_px = 6;  // a line that misses by so much is darkest red
 
 std::vector<std::vector<Vec2>> letter(int axis) {
   if (axis == 0) return {{{-0.3, -0.4}, {0.3, 0.4}}, {{-0.3, 0.4}, {0.3, -0.4}}};
@@ -58,9 +59,16 @@ std::vector<std::vector<Vec2>> group_glyph(StrokeGroup group) {
   return glyph;
 }
 
+/// Lightness falls evenly, so that the order is seen with any colour vision.
 QColor residual_color(double px) {
-  const double share = std::clamp(px / bad_px, 0.0, 1.0);
-  return QColor::fromHsvF(static_cast<float>(0.58 * (1 - share)), 0.85F, 0.95F);
+  static const std::array<QColor, 4> scale{QColor(0xFF, 0xE0, 0x8A), QColor(0xFD, 0xA9, 0x4B), QColor(0xE0, 0x4B, 0x2F),
+                                           QColor(0x8B, 0x10, 0x2B)};
+  const double place = std::clamp(px / bad_px, 0.0, 1.0) * static_cast<double>(scale.size() - 1);
+  const auto i = std::min(static_cast<std::size_t>(place), scale.size() - 2);
+  const double share = place - static_cast<double>(i);
+  const auto mix = [&](int a, int b) { return static_cast<int>(std::lround(a + share * (b - a))); };
+  const QColor &low = scale[i], &high = scale[i + 1];
+  return {mix(low.red(), high.red()), mix(low.green(), high.green()), mix(low.blue(), high.blue())};
 }
 
 }  // namespace croquis::app

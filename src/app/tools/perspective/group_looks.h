@@ -25,7 +25,7 @@ QString group_title(StrokeGroup group);
 /// The letter as polylines in a square of side 1 about (0, 0), y up; planes have a frame around theirs.
 std::vector<std::vector<Vec2>> group_glyph(StrokeGroup group);
 
-/// From blue over yellow to red, the worse the redder. @param px how far a line misses its vanishing point
+/// From pale yellow over orange to dark red, the worse the darker. @param px how far a line misses its vanishing point
 QColor residual_color(double px);
 
 }  // namespace croquis::app

@@ -2,16 +2,23 @@
 #include "app/tools/perspective/perspective_chips.h"
 
 #include <QLabel>
+#include <algorithm>
+#include <utility>
+
+#include "app/tools/perspective/solid_state.h"
 
 namespace croquis::app {
 namespace {
 
 constexpr double chip_margin = 10;  // logical pixels
+constexpr double hint_width = 620;
 constexpr const char* sheet_hint_style = "color: #8a93a0; background: transparent; font-size: 15px";
 constexpr const char* open_style =
-    "background: #fff4df; color: #7a4a00; border: 1px solid #e0a030; border-radius: 9px; padding: 2px 9px";
+    "QToolButton { background: #fff4df; color: #7a4a00; border: 1px solid #e0a030; border-radius: 9px; padding: 2px 9px"
+    "} QToolButton:hover { background: #ffe2a8 }";
 constexpr const char* closed_style =
-    "background: #dff5e3; color: #14602a; border: 1px solid #2f9a4c; border-radius: 9px; padding: 2px 9px";
+    "QToolButton { background: #dff5e3; color: #14602a; border: 1px solid #2f9a4c; border-radius: 9px; padding: 2px 9px"
+    "}";
 constexpr const char* sheet_button_style =
     "QToolButton { background: white; color: #3c4654; border: 1px solid #7a8698; border-radius: 9px;"
     " padding: 2px 9px }"
@@ -25,26 +32,20 @@ QPointF sheet_to_widget(const ViewPane& pane, const Vec2& sheet) {
 
 }  // namespace
 
-QString faces_sentence(const PerspectiveResult& result) {
-  if (result.closed) return PerspectiveChips::tr("Solid closed");
-  const auto faces = static_cast<int>(result.faces.size());
-  const auto open = static_cast<int>(result.open_strokes.size());
-  return (faces == 1 ? PerspectiveChips::tr("1 face") : PerspectiveChips::tr("%1 faces").arg(faces)) + ", " +
-         (open == 1 ? PerspectiveChips::tr("1 edge open") : PerspectiveChips::tr("%1 edges open").arg(open));
-}
-
 PerspectiveChips::PerspectiveChips(SheetInteraction& sheet, QWidget* views)
     : QObject(views),
       sheet_(sheet),
       views_(views),
       hint_(make_chip_label(*views, sheet_hint_style)),
-      faces_(make_chip_label(*views, open_style)),
+      faces_(make_button("perspective-faces")),
       fix_(make_button("perspective-fix-chip")),
       mirror_(make_button("perspective-mirror-chip")),
       through_(make_button("look-through-chip")) {
   hint_->setObjectName("perspective-hint");
-  faces_->setObjectName("perspective-faces");
+  hint_->setWordWrap(true);
+  hint_->setAlignment(Qt::AlignCenter);
   through_->setCheckable(true);
+  connect(faces_, &QToolButton::clicked, this, [this] { emit strokes_wanted(faces_strokes_); });
   connect(fix_, &QToolButton::clicked, this, &PerspectiveChips::fix_wanted);
   connect(mirror_, &QToolButton::clicked, this, &PerspectiveChips::mirror_wanted);
   connect(through_, &QToolButton::clicked, this, &PerspectiveChips::look_through_wanted);
@@ -78,6 +79,7 @@ void PerspectiveChips::place(ChipPlaces& places, bool shown, bool through) {
 void PerspectiveChips::place_hint(ChipPlaces& places, const ViewPane& pane) {
   if (sheet_.result() != nullptr && !sheet_.drawing().strokes.empty()) return;
   hint_->setText(tr("Draw two lines along each axis: they take the axis' colour from where they point"));
+  hint_->setFixedWidth(static_cast<int>(std::min(pane.rect.width() - 2 * chip_margin, hint_width)));
   hint_->adjustSize();
   places.put(*hint_, QPointF(pane.rect.center().x() - hint_->width() / 2.0, pane.rect.bottom() - 60), pane.rect);
 }
@@ -85,9 +87,12 @@ void PerspectiveChips::place_hint(ChipPlaces& places, const ViewPane& pane) {
 void PerspectiveChips::place_faces(ChipPlaces& places, const ViewPane& pane) {
   const PerspectiveResult* result = sheet_.result();
   if (result == nullptr || result->edge_strokes == 0) return;
-  const char* style = result->closed ? closed_style : open_style;
+  SolidState state = solid_state(sheet_.drawing(), *result, sheet_.findings());
+  const char* style = state.sound ? closed_style : open_style;
   if (faces_->styleSheet() != style) faces_->setStyleSheet(style);
-  faces_->setText(faces_sentence(*result));
+  faces_->setText(state.sentence);
+  faces_->setToolTip(state.strokes.empty() ? QString() : tr("Click to see the strokes"));
+  faces_strokes_ = std::move(state.strokes);
   faces_->adjustSize();
   places.put(*faces_, QPointF(pane.rect.center().x() - faces_->width() / 2.0, pane.rect.top() + chip_margin),
              pane.rect);

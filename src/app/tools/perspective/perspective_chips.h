@@ -12,10 +12,7 @@ class QLabel;
 
 namespace croquis::app {
 
-/// "9 faces, 2 edges open", or "Solid closed". @param closed set
-QString faces_sentence(const PerspectiveResult& result);
-
-/// What stands over the views of a perspective drawing: the count of faces, the change that is proposed, the mirror,
+/// What stands over the views of a perspective drawing: how far it is a solid, the change that is proposed, the mirror,
 /// and the way back to the drawing's eye.
 class PerspectiveChips : public QObject {
   Q_OBJECT
@@ -31,6 +28,7 @@ class PerspectiveChips : public QObject {
   void fix_wanted();
   void mirror_wanted();
   void look_through_wanted(bool on);
+  void strokes_wanted(const std::vector<std::string>& strokes);  ///< selected, and looked at
 
  private:
   QToolButton* make_button(const QString& name);
@@ -43,7 +41,8 @@ class PerspectiveChips : public QObject {
   SheetInteraction& sheet_;
   QWidget* views_;
   QLabel* hint_;
-  QLabel* faces_;
+  QToolButton* faces_;
+  std::vector<std::string> faces_strokes_;  ///< that its sentence is about
   QToolButton* fix_;
   QToolButton* mirror_;
   QToolButton* through_;

@@ -9,6 +9,7 @@
 
 #include "app/panels/finding_elements.h"
 #include "app/tools/perspective/perspective_panel.h"
+#include "app/tools/perspective/solid_state.h"
 #include "app/views/viewport.h"
 #include "app/window/panel_docks.h"
 #include "croquis/tools/recording/general_steps.h"
@@ -16,6 +17,8 @@
 
 namespace croquis::app {
 namespace {
+
+constexpr double framed_share = 0.4;  // of the sheet, at least, where strokes are looked at
 
 PerspectiveMode sheet_mode(const QString& mode) {
   if (mode == "draw") return PerspectiveMode::Draw;
@@ -38,6 +41,7 @@ PerspectiveDrawingTool::PerspectiveDrawingTool(ToolHost& host)
   });
   connect(&chips_, &PerspectiveChips::fix_wanted, this, &PerspectiveDrawingTool::apply_fix);
   connect(&chips_, &PerspectiveChips::mirror_wanted, this, &PerspectiveDrawingTool::complete_mirrored);
+  connect(&chips_, &PerspectiveChips::strokes_wanted, this, &PerspectiveDrawingTool::look_at_strokes);
   connect(&chips_, &PerspectiveChips::look_through_wanted, this, &PerspectiveDrawingTool::set_looking_through);
   connect(&host.viewport(), &Viewport::look_through_changed, this, &Tool::state_changed);
 }
@@ -195,13 +199,38 @@ void PerspectiveDrawingTool::follow_result() { sheet_.follow_result(); }
 
 bool PerspectiveDrawingTool::show_finding(const NodeFinding& found) {
   if (studio().sheet_node() == 0 || found.node != sheet_.tool().operation_node()) return false;
-  if (mode() != select_mode) host().set_mode(select_mode);
-  sheet_.tool().select(strokes_of(found.finding));
+  look_at_strokes(strokes_of(found.finding));
   return true;
 }
 
+void PerspectiveDrawingTool::look_at_strokes(const std::vector<std::string>& strokes) {
+  if (strokes.empty()) return;
+  if (mode() != select_mode) host().set_mode(select_mode);
+  sheet_.tool().select(strokes);
+  if (has_view(SketchView)) host().viewport().frame_selection_in(SketchView);
+}
+
+/// Strokes are looked at with what is around them.
+std::optional<SelectionFrame> PerspectiveDrawingTool::selection_frame(int view) const {
+  const std::vector<std::string> ids = sheet_.tool().selected();
+  if (!has_view(view) || ids.empty()) return std::nullopt;
+  SelectionFrame frame;
+  for (const std::string& id : ids) {
+    const PerspectiveStroke* stroke = find_stroke(sheet_.drawing(), id);
+    if (stroke == nullptr || !is_drawable(*stroke)) continue;
+    for (const Vec2& place : traced(stroke->pieces, stroke->straight)) frame.bounds.add(on_sketch_plane(place));
+  }
+  if (frame.bounds.empty()) return std::nullopt;
+  const glm::dvec3 middle = frame.bounds.center();
+  const Vec2 around = framed_share * sheet_.drawing().image_size / 2;
+  frame.bounds.add(middle - glm::dvec3(around.x(), around.y(), 0));
+  frame.bounds.add(middle + glm::dvec3(around.x(), around.y(), 0));
+  return frame;
+}
+
 QString PerspectiveDrawingTool::status() const {
-  return studio().sheet_node() == 0 || sheet_.result() == nullptr ? QString() : faces_sentence(*sheet_.result());
+  if (studio().sheet_node() == 0 || sheet_.result() == nullptr) return {};
+  return solid_state(sheet_.drawing(), *sheet_.result(), sheet_.findings()).sentence;
 }
 
 }  // namespace croquis::app

@@ -45,6 +45,7 @@ class PerspectiveDrawingTool final : public Tool {
   std::optional<Ink> ink() const override;
   bool is_paper(int view) const override { return has_view(view); }
   render::Bounds bounds_in(int view) const override;
+  std::optional<SelectionFrame> selection_frame(int view) const override;
   QString view_title(int view) const override;
   void place_chips(ChipPlaces& places) override;
 
@@ -65,6 +66,7 @@ class PerspectiveDrawingTool final : public Tool {
   void begin_new();
   void choose_group(std::optional<StrokeGroup> group);
   void apply_fix();
+  void look_at_strokes(const std::vector<std::string>& strokes);
   void toggle_sharp();
   void set_face(bool add);
   void complete_mirrored();

@@ -222,8 +222,9 @@ void PerspectivePanel::follow_lines() {
     auto* item = new QTreeWidgetItem(lines_, {QString::fromStdString(stroke.id), group_letter(stroke.group),
                                               tr("%1 px").arg(*stroke.residual, 0, 'f', 1)});
     item->setForeground(1, group_color(stroke.group));
-    item->setBackground(2, residual_color(*stroke.residual).lighter(130));
-    item->setForeground(2, QColor(20, 20, 22));
+    const QColor heat = residual_color(*stroke.residual);
+    item->setBackground(2, heat);
+    item->setForeground(2, heat.lightness() > 120 ? QColor(20, 20, 22) : QColor(250, 249, 246));
   }
 }
 

@@ -5,7 +5,9 @@
 #include <map>
 #include <utility>
 
+#include "app/tools/perspective/group_letters.h"
 #include "app/tools/perspective/group_looks.h"
+#include "app/tools/perspective/solid_state.h"
 #include "app/views/render_color.h"
 #include "app/window/theme.h"
 
@@ -14,9 +16,8 @@ namespace {
 
 constexpr double edge_width = 2.4, hidden_width = 1.3, construction_width = 1.1;  // logical pixels
 constexpr int construction_alpha = 150, hidden_alpha = 170;
-constexpr double seen_residual_px = 1.5;  // smaller ones aren't shown: any hand has them
-constexpr double letter_pixels = 9;
-constexpr double least_lettered = 46;  // logical pixels: shorter strokes have no room for a letter
+constexpr double seen_residual_px = 1.5;  // smaller ones aren't shown: any hand has them …
+constexpr double seen_residual_share = 1.5;  // … nor are those that the drawing's middle line has, times this
 constexpr double far_diagonals = 40;   // vanishing points farther away are no handles
 
 render::LinePath sheet_path(const std::vector<Vec2>& places, const FromSheet& place, bool closed = false) {
@@ -38,12 +39,6 @@ render::LineItemPtr line_item_of(const std::vector<render::LinePath>& paths, con
 
 render::MarkItemPtr marks_item(const std::vector<render::Mark>& marks) {
   return marks.empty() ? nullptr : render::make_mark_item(marks);
-}
-
-bool is_drawable(const PerspectiveStroke& stroke) {
-  return std::ranges::all_of(stroke.pieces, [](const PictureCubic& piece) {
-    return std::ranges::all_of(piece, [](const Vec2& point) { return point.allFinite(); });
-  });
 }
 
 render::LineStyle stroke_style(const PerspectiveStroke& stroke, double opacity) {
@@ -84,27 +79,40 @@ std::optional<Vec2> place_of_finding(const Finding& finding, const PerspectiveDr
   return std::nullopt;
 }
 
-/// The letters of all strokes, as one item for each colour.
-void add_letters(const PerspectiveDrawing& drawing, double unit, render::Scene& scene) {
-  std::map<StrokeGroup, std::vector<render::LinePath>> letters;
-  for (const PerspectiveStroke& stroke : drawing.strokes) {
-    if (!is_drawable(stroke) || (stroke.end() - stroke.start()).norm() < least_lettered * unit) continue;
-    const Vec2 way = (stroke.end() - stroke.start()).normalized();
-    const glm::dvec3 middle = on_sketch_plane(middle_of_stroke(stroke) + 11 * unit * left_of(way));
-    for (const std::vector<Vec2>& part : group_glyph(stroke.group)) {
-      render::LinePath path;
-      for (const Vec2& place : part)
-        path.points.push_back({middle + letter_pixels * unit * glm::dvec3(place.x(), place.y(), 0), 1, {}});
-      letters[stroke.group].push_back(std::move(path));
+/// Ends of strokes that lead nowhere.
+std::vector<Vec2> loose_ends(const PerspectiveDrawing& drawing, const Finding& finding) {
+  std::vector<Vec2> ends;
+  if (finding.code != "DANGLING") return ends;
+  for (const Subject& subject : finding.subjects) {
+    const PerspectiveStroke* stroke = find_stroke(drawing, subject.id);
+    if (stroke == nullptr || !is_drawable(*stroke)) continue;
+    for (const bool last : {false, true}) {
+      const DrawnEnd end{static_cast<std::size_t>(stroke - drawing.strokes.data()), last};
+      if (ends_at_vertex(drawing, end).size() == 1) ends.push_back(place_of(drawing, end));
     }
   }
-  for (const auto& [group, paths] : letters) {
-    scene.lines.emplace_back(
-        line_item_of(paths, {1.3, to_color(group_color(group), 230), {}, render::LineDepth::OnTop}));
+  return ends;
+}
+
+/// Of what stands out among the drawing's lines.
+double least_seen_residual(const PerspectiveResult& result) {
+  std::vector<double> residuals;
+  for (const PerspectiveStrokeResult& stroke : result.strokes) {
+    if (stroke.residual) residuals.push_back(*stroke.residual);
   }
+  if (residuals.empty()) return seen_residual_px;
+  const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
+  std::ranges::nth_element(residuals, middle);
+  return std::max(seen_residual_px, seen_residual_share * *middle);
 }
 
 }  // namespace
+
+bool is_drawable(const PerspectiveStroke& stroke) {
+  return std::ranges::all_of(stroke.pieces, [](const PictureCubic& piece) {
+    return std::ranges::all_of(piece, [](const Vec2& point) { return point.allFinite(); });
+  });
+}
 
 glm::dvec3 on_sketch_plane(const Vec2& sheet) { return {sheet.x(), -sheet.y(), 0}; }
 
@@ -163,37 +171,58 @@ void SheetScene::show_drawing(const PerspectiveDrawing& drawing, const std::vect
 
 void SheetScene::show_result(const PerspectiveDrawing& drawing, const PerspectiveResult* result,
                              const Findings& findings) {
-  std::vector<render::LinePath> heat, horizon;
-  std::vector<render::Mark> handles, symbols;
-  if (result != nullptr) {
-    for (const PerspectiveStrokeResult& one : result->strokes) {
-      const PerspectiveStroke* stroke = find_stroke(drawing, one.id);
-      if (stroke == nullptr || !is_drawable(*stroke) || one.residual.value_or(0) < seen_residual_px) continue;
-      heat.push_back(sheet_path(*stroke, on_sketch_plane));
-      for (render::LinePoint& point : heat.back().points) point.color = to_color(residual_color(*one.residual), 120);
-    }
-    std::array<std::optional<Vec2>, 3> places;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      places[axis] = finite_place(result->vanishing_points[axis], drawing);
-      if (!places[axis]) continue;
-      handles.push_back(
-          sheet_mark(*places[axis], render::MarkShape::Disc, 13, group_color(static_cast<StrokeGroup>(axis))));
-      handles.back().outline_width = 2;
-    }
-    if (places[0] && places[1]) horizon.push_back(sheet_path({*places[0], *places[1]}, on_sketch_plane));
+  show_residuals(drawing, result);
+  show_vanishing_points(drawing, result);
+  show_findings(drawing, findings);
+}
+
+void SheetScene::show_residuals(const PerspectiveDrawing& drawing, const PerspectiveResult* result) {
+  std::vector<render::LinePath> heat;
+  const double least = result == nullptr ? 0 : least_seen_residual(*result);
+  for (const PerspectiveStrokeResult& one : result == nullptr ? std::vector<PerspectiveStrokeResult>()
+                                                              : result->strokes) {
+    const PerspectiveStroke* stroke = find_stroke(drawing, one.id);
+    if (stroke == nullptr || !is_drawable(*stroke) || one.residual.value_or(0) < least) continue;
+    heat.push_back(sheet_path(*stroke, on_sketch_plane));
+    for (render::LinePoint& point : heat.back().points) point.color = to_color(residual_color(*one.residual), 150);
   }
-  residuals_ = line_item_of(heat, {edge_width + 6, to_color(colors::warning), {}, render::LineDepth::OnTop});
+  residuals_ = line_item_of(heat, {edge_width + 7, to_color(colors::warning), {}, render::LineDepth::OnTop});
+}
+
+void SheetScene::show_vanishing_points(const PerspectiveDrawing& drawing, const PerspectiveResult* result) {
+  std::vector<render::LinePath> horizon;
+  std::vector<render::Mark> handles;
+  std::array<std::optional<Vec2>, 3> places;
+  for (std::size_t axis = 0; result != nullptr && axis < 3; ++axis) {
+    places[axis] = finite_place(result->vanishing_points[axis], drawing);
+    if (!places[axis]) continue;
+    handles.push_back(
+        sheet_mark(*places[axis], render::MarkShape::Disc, 13, group_color(static_cast<StrokeGroup>(axis))));
+    handles.back().outline_width = 2;
+  }
+  if (places[0] && places[1]) horizon.push_back(sheet_path({*places[0], *places[1]}, on_sketch_plane));
   vanishing_ = marks_item(handles);
   horizon_ = line_item_of(horizon, {1, to_color(colors::guide), {8, 5, 0, 0}, render::LineDepth::OnTop});
+}
+
+void SheetScene::show_findings(const PerspectiveDrawing& drawing, const Findings& findings) {
+  std::vector<render::Mark> symbols;
   finding_marks_.clear();
   for (const Finding& finding : findings) {
+    const QString sentence = QString::fromStdString(finding.message);
+    if (is_of_unfinished(finding)) {
+      for (const Vec2& end : loose_ends(drawing, finding)) {
+        symbols.push_back(sheet_mark(end, render::MarkShape::Ring, 12, colors::warning));
+        finding_marks_.push_back({end, sentence, false});
+      }
+      continue;
+    }
     const auto at = place_of_finding(finding, drawing);
     if (!at) continue;
     const bool error = finding.severity == Severity::Error;
-    SheetMark mark{*at, QString::fromStdString(finding.message), error};
     symbols.push_back(sheet_mark(*at, error ? render::MarkShape::Cross : render::MarkShape::Warning, error ? 14 : 18,
                                  error ? colors::error : colors::warning));
-    finding_marks_.push_back(std::move(mark));
+    finding_marks_.push_back({*at, sentence, error});
   }
   findings_ = marks_item(symbols);
 }
@@ -249,7 +278,8 @@ render::Scene SheetScene::scene(const PerspectiveDrawing& drawing, double units_
   for (const render::LineItemPtr& item : {sheet_, horizon_, guides_, residuals_, hovered_, selected_})
     scene.lines.emplace_back(item);
   for (const render::LineItemPtr& item : strokes_) scene.lines.emplace_back(item);
-  add_letters(drawing, units_per_pixel, scene);
+  for (const render::LineItemPtr& item : letter_items(group_letters(drawing, units_per_pixel), units_per_pixel))
+    scene.lines.emplace_back(item);
   for (const render::LineItemPtr& item : {proposed_, preview_}) scene.lines.emplace_back(item);
   for (const render::MarkItemPtr& item : {vertices_, points_, vanishing_, findings_, snap_})
     scene.marks.emplace_back(item);

@@ -31,6 +31,9 @@ glm::dvec3 on_sketch_plane(const Vec2& sheet);
 /// A place on the stroke, halfway.
 Vec2 middle_of_stroke(const PerspectiveStroke& stroke);
 
+/// All of its places are finite.
+bool is_drawable(const PerspectiveStroke& stroke);
+
 /// What the sketch view shows of a drawing in perspective. Items are kept until what they show changes.
 class SheetScene {
  public:
@@ -54,6 +57,10 @@ class SheetScene {
   const std::vector<SheetMark>& marks() const { return finding_marks_; }
 
  private:
+  void show_residuals(const PerspectiveDrawing& drawing, const PerspectiveResult* result);
+  void show_vanishing_points(const PerspectiveDrawing& drawing, const PerspectiveResult* result);
+  void show_findings(const PerspectiveDrawing& drawing, const Findings& findings);
+
   std::vector<render::LineItemPtr> strokes_;
   render::LineItemPtr sheet_, selected_, hovered_, residuals_, preview_, guides_, proposed_, horizon_;
   render::MarkItemPtr points_, vertices_, findings_, vanishing_, snap_;
