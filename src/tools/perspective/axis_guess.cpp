@@ -30,6 +30,11 @@ constexpr double farthest_limit = 35 * angle_of_one_degree;
 /// From upright, up to which a line is z before anything is known.
 constexpr double upright_limit = 20 * angle_of_one_degree;
 
+/// Of a curve at its end, from the axis that it is tangent to: ends of the hand's curves are worse than its lines.
+constexpr double tangent_limit = 18 * angle_of_one_degree;
+/// The sum of both ends' angles, against that of the next best two axes.
+constexpr double clearly_better_sum = 1.6;
+
 /// Vertices have the same coordinate when it differs by less than this share of the network's size.
 constexpr double same_share = 1e-9;
 
@@ -110,6 +115,68 @@ double extent_of(const CurveNetwork& network) {
 
 StrokeGroup plane_group(int axis) { return static_cast<StrokeGroup>(3 + axis); }
 
+/// Directions of a curve at its ends, each with the place it is taken at.
+struct EndDirection {
+  Vec2 from, to;
+};
+
+std::vector<EndDirection> end_directions(const StrokeShape& shape) {
+  std::vector<EndDirection> ends;
+  if (shape.straight) return ends;
+  const PictureCubic &first = shape.pieces.front(), &last = shape.pieces.back();
+  for (const EndDirection& end : {EndDirection{first[0], first[1]}, EndDirection{last[2], last[3]}}) {
+    if (end.from != end.to) ends.push_back(end);
+  }
+  return ends;
+}
+
+/// The two axes that a curve's ends run along, where it begins along one and ends along another one: those that both
+/// ends together fit clearly better than any other two.
+std::vector<int> both_end_axes(const std::array<std::optional<Vec3>, 3>& points,
+                               const std::vector<EndDirection>& ends) {
+  if (ends.size() != 2 || !points[0] || !points[1] || !points[2]) return {};
+  const auto angle = [&](const EndDirection& end, int axis) {
+    const Vec3& point = *points[static_cast<std::size_t>(axis)];
+    return angle_to(point, (end.from + end.to) / 2, end.to - end.from);
+  };
+  std::array<AxisAngle, 3> sums;  // of the planes, by their normals
+  for (int normal = 0; normal < 3; ++normal) {
+    const int a = (normal + 1) % 3, b = (normal + 2) % 3;
+    const double sum = std::min(angle(ends[0], a) + angle(ends[1], b), angle(ends[0], b) + angle(ends[1], a));
+    sums[static_cast<std::size_t>(normal)] = {sum, normal};
+  }
+  std::ranges::sort(sums);
+  if (sums[0].first > 2 * tangent_limit || sums[1].first < clearly_better_sum * sums[0].first) return {};
+  return {(sums[0].second + 1) % 3, (sums[0].second + 2) % 3};
+}
+
+/// The axes that a curve runs along at its ends: none, one, or two that differ.
+std::vector<int> end_axes(const std::array<std::optional<Vec3>, 3>& points, const StrokeShape& shape) {
+  const std::vector<EndDirection> ends = end_directions(shape);
+  std::vector<int> axes = both_end_axes(points, ends);
+  if (!axes.empty()) return axes;
+  for (const EndDirection& end : ends) {
+    const std::vector<AxisAngle> angles = angles_to(points, end.from, end.to);
+    const bool clear = angles.size() < 2 || angles[1].first > clearly_better * angles[0].first;
+    if (angles.empty() || angles[0].first > tangent_limit || !clear) continue;
+    if (std::ranges::find(axes, angles[0].second) == axes.end()) axes.push_back(angles[0].second);
+  }
+  return axes;
+}
+
+/// Of the planes at right angles to the axes that may be. Unknown: there is none, or nothing tells them apart.
+StrokeGroup best_plane(const std::array<bool, 3>& may, const Vec3& sight, StrokeGroup preferred) {
+  if (std::ranges::count(may, true) == 0) return preferred;
+  if (preferred != StrokeGroup::Unknown && may[static_cast<std::size_t>(axis_of(preferred))]) return preferred;
+  StrokeGroup best = StrokeGroup::Unknown;
+  double frontal = std::ranges::count(may, true) == 1 ? -1 : 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!may[static_cast<std::size_t>(axis)] || std::abs(sight[axis]) <= frontal) continue;
+    std::tie(best, frontal) = std::pair(plane_group(axis), std::abs(sight[axis]));
+  }
+  return best;
+}
+
 }  // namespace
 
 std::array<std::optional<Vec3>, 3> seen_vanishing_points(const PerspectiveDrawing& drawing,
@@ -153,25 +220,28 @@ std::optional<StrokeGroup> nearest_axis(const PerspectiveDrawing& drawing, const
   return static_cast<StrokeGroup>(angles[0].second);
 }
 
-StrokeGroup guess_plane(const SolvedDrawing* solved, const Vec2& from, const Vec2& to, double reach,
-                        StrokeGroup preferred) {
-  if (solved == nullptr) return preferred;
-  const auto start = vertex_at(*solved, from, reach);
-  const auto end = vertex_at(*solved, to, reach);
-  if (!start || !end || *start == *end) return preferred;
-  const Vec3& a = solved->network.vertices[*start];
-  const Vec3& b = solved->network.vertices[*end];
-  const double limit = same_share * extent_of(solved->network);
-  const Vec3 sight = ((a + b) / 2 - solved->camera.eye).normalized();
-  StrokeGroup best = preferred;
-  double frontal = -1;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (std::abs(a[axis] - b[axis]) > limit) continue;
-    const StrokeGroup group = plane_group(axis);
-    if (group == preferred) return group;
-    if (std::abs(sight[axis]) > frontal) std::tie(best, frontal) = std::pair(group, std::abs(sight[axis]));
+StrokeGroup guess_plane(const PerspectiveDrawing& drawing, const SolvedDrawing* solved, const StrokeShape& shape,
+                        double reach, StrokeGroup preferred) {
+  const auto start = solved ? vertex_at(*solved, shape.start(), reach) : std::nullopt;
+  const auto end = solved ? vertex_at(*solved, shape.end(), reach) : std::nullopt;
+  std::array<bool, 3> may{true, true, true};
+  Vec3 sight = Vec3::Zero();
+  bool known = start && end && *start != *end;
+  if (known) {
+    const Vec3& a = solved->network.vertices[*start];
+    const Vec3& b = solved->network.vertices[*end];
+    const double limit = same_share * extent_of(solved->network);
+    for (std::size_t k = 0; k < 3; ++k) may[k] = std::abs((a - b)[static_cast<int>(k)]) <= limit;
+    sight = ((a + b) / 2 - solved->camera.eye).normalized();
+  } else if (const auto nearest = start ? start : end) {
+    sight = (solved->network.vertices[*nearest] - solved->camera.eye).normalized();
   }
-  return best;
+  for (const int axis : end_axes(seen_vanishing_points(drawing, solved), shape)) {
+    may[static_cast<std::size_t>(axis)] = false;
+    known = true;
+  }
+  if (!known) return preferred;
+  return best_plane(may, sight, preferred);
 }
 
 }  // namespace croquis

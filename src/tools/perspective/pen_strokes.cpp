@@ -40,7 +40,7 @@ StrokeGroup group_of(const PerspectiveDrawing& drawing, const StrokeShape& shape
   }
   const StrokeGroup preferred = options.role == StrokeRole::Construction ? StrokeGroup::Unknown : options.plane;
   const StrokeGroup plane =
-      guess_plane(options.solved, shape.start(), shape.end(), found_share * drawing.diagonal(), preferred);
+      guess_plane(drawing, options.solved, shape, found_share * drawing.diagonal(), preferred);
   if (plane != StrokeGroup::Unknown || !shape.straight) return plane;
   return nearest_axis(drawing, options.solved, shape.start(), shape.end()).value_or(plane);
 }
@@ -57,7 +57,8 @@ std::vector<std::string> draw_strokes(PerspectiveDrawing& drawing, std::span<con
   for (StrokeShape& shape : shapes_of(places, shaping)) {
     if (options.role == StrokeRole::Edge)
       shape = snapped_shape(before, std::move(shape), options.snap_pixels * options.units_per_pixel);
-    const StrokeGroup group = group_of(drawing, shape, options);
+    const bool known = !options.group && ids.size() < options.groups.size();
+    const StrokeGroup group = known ? options.groups[ids.size()] : group_of(drawing, shape, options);
     // Short of a vertex a curve may have become a point.
     if ((shape.end() - shape.start()).norm() < vertex_reach(drawing)) continue;
     ids.push_back(add_stroke(drawing, std::move(shape), group, options.role));

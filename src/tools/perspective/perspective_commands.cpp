@@ -117,24 +117,24 @@ Verdict PerspectiveTool::commit(const std::string& label, PerspectiveDrawing dra
 // ---- Strokes
 
 Verdict PerspectiveTool::draw(const std::vector<Vec2>& places, double units_per_pixel, std::optional<StrokeGroup> group,
-                              StrokeRole role) {
+                              StrokeRole role, const std::vector<StrokeGroup>& groups) {
   give_up();
   PerspectiveDrawing edited = drawing_or_empty();
   PenStrokeOptions options;
   options.units_per_pixel = units_per_pixel;
   options.snap_pixels = options_.snap_pixels;
   options.group = group;
+  options.groups = groups;
   options.plane = last_plane_;
   options.role = role;
   options.solved = solved_.get();
   const std::vector<std::string> ids = draw_strokes(edited, places, options);
   if (ids.empty()) return Verdict::Revert;
-  // What was guessed now is guessed again in a replay only if nothing came in between: so the result is recorded.
-  std::optional<StrokeGroup> told = group;
-  if (ids.size() == 1 && find_stroke(edited, ids.front())->group != StrokeGroup::Unknown)
-    told = find_stroke(edited, ids.front())->group;
-  return commit(named_label("Draw", ids), std::move(edited),
-                recorded::SheetStroke{places, told, role, false, units_per_pixel});
+  recorded::SheetStroke step{places, group, role, false, units_per_pixel, {}};
+  // What was guessed now depends on what is known by now; a replay may know less, or more.
+  for (const std::string& id : group ? std::vector<std::string>() : ids)
+    step.groups.push_back(find_stroke(edited, id)->group);
+  return commit(named_label("Draw", ids), std::move(edited), std::move(step));
 }
 
 Verdict PerspectiveTool::erase(const std::vector<Vec2>& path, double units_per_pixel) {
@@ -151,7 +151,7 @@ Verdict PerspectiveTool::erase(const std::vector<Vec2>& path, double units_per_p
   PerspectiveDrawing edited = *now;
   if (!remove_strokes(edited, ids)) return Verdict::Revert;
   return commit(named_label("Erase", ids), std::move(edited),
-                recorded::SheetStroke{path, {}, StrokeRole::Edge, true, units_per_pixel});
+                recorded::SheetStroke{path, {}, StrokeRole::Edge, true, units_per_pixel, {}});
 }
 
 Verdict PerspectiveTool::remove(const std::vector<std::string>& ids) {
@@ -258,13 +258,16 @@ Verdict PerspectiveTool::choose(const std::string& list, const std::string& item
   return Verdict::Commit;
 }
 
-Verdict PerspectiveTool::complete_mirrored(const MirrorPlane& plane) {
+Verdict PerspectiveTool::complete_mirrored(const MirrorPlane& plane, std::vector<PerspectiveStroke> strokes) {
   give_up();
   PerspectiveDrawing edited = required();
-  if (!solved_) refuse_input("The drawing has no places in space yet; correct its lines first.");
-  const std::vector<std::string> ids = add_mirrored(edited, mirrored_strokes(edited, *solved_, plane));
+  if (strokes.empty()) {
+    if (!solved_) refuse_input("The drawing has no places in space yet; correct its lines first.");
+    strokes = mirrored_strokes(edited, *solved_, plane);
+  }
+  const std::vector<std::string> ids = add_mirrored(edited, strokes);
   if (ids.empty()) return Verdict::Continue;
-  return commit(named_label("Mirror", ids), std::move(edited), recorded::SheetMirror{plane});
+  return commit(named_label("Mirror", ids), std::move(edited), recorded::SheetMirror{plane, std::move(strokes)});
 }
 
 }  // namespace croquis

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <numbers>
 
+#include "croquis/tools/perspective/stroke_shape.h"
+
 namespace croquis::recorded {
 namespace {
 
-const std::vector<std::string> group_words = {"x", "y", "z", "normal-x", "normal-y", "normal-z"};
+const std::vector<std::string> group_words = {"x", "y", "z", "normal-x", "normal-y", "normal-z", "unknown"};
 const std::vector<std::string> role_words = {"construction", "edge"};
 const std::vector<std::string> lock_words = {"none", "smooth", "corner"};
 const std::vector<std::string> axis_words = {"x", "y", "z"};
@@ -26,6 +28,22 @@ void write_sheet_word(FieldWriter& writer, const std::string& name, const std::v
   writer.text(name, words[static_cast<std::size_t>(value)]);
 }
 
+std::vector<StrokeGroup> read_sheet_groups(Fields& fields, const std::string& name) {
+  std::vector<StrokeGroup> groups;
+  for (const std::string& word : fields.names(name)) {
+    const auto found = std::ranges::find(group_words, word);
+    if (found == group_words.end()) throw Mistake{'"' + name + "\" has \"" + word + "\", which is no group"};
+    groups.push_back(static_cast<StrokeGroup>(found - group_words.begin()));
+  }
+  return groups;
+}
+
+void write_sheet_groups(FieldWriter& writer, const std::string& name, const std::vector<StrokeGroup>& groups) {
+  std::vector<std::string> words;
+  for (const StrokeGroup group : groups) words.push_back(group_words[static_cast<std::size_t>(group)]);
+  writer.names(name, words);
+}
+
 SheetStroke read_sheet_stroke(Fields& fields) {
   SheetStroke step;
   for (const std::vector<double>& place : fields.number_lists("points")) {
@@ -36,6 +54,7 @@ SheetStroke read_sheet_stroke(Fields& fields) {
   step.role = read_sheet_word<StrokeRole>(fields, "role", role_words).value_or(step.role);
   if (fields.has("erases")) step.erases = fields.flag("erases");
   if (fields.has("scale")) step.scale = fields.number("scale");
+  if (fields.has("groups")) step.groups = read_sheet_groups(fields, "groups");
   if (!(step.scale > 0)) throw Mistake{"\"scale\" must be a number above 0"};
   return step;
 }
@@ -48,6 +67,7 @@ void write_sheet_stroke(const SheetStroke& step, FieldWriter& writer) {
   write_sheet_word(writer, "role", role_words, step.role);
   if (step.erases) writer.flag("erases", true);
   writer.number("scale", step.scale);
+  if (!step.groups.empty()) write_sheet_groups(writer, "groups", step.groups);
 }
 
 SheetDrag read_sheet_drag(Fields& fields) {
@@ -174,17 +194,61 @@ void write_sheet_choice(const SheetChoice& step, FieldWriter& writer) {
   writer.flag("on", step.on);
 }
 
+/// Eight numbers for each piece; a line has its two ends.
+std::vector<double> curve_numbers(const PerspectiveStroke& stroke) {
+  std::vector<Vec2> places;
+  if (stroke.straight) places = {stroke.start(), stroke.end()};
+  for (const PictureCubic& piece : stroke.straight ? std::vector<PictureCubic>() : stroke.pieces)
+    places.insert(places.end(), piece.begin(), piece.end());
+  std::vector<double> numbers;
+  for (const Vec2& place : places) numbers.insert(numbers.end(), {place.x(), place.y()});
+  return numbers;
+}
+
+PerspectiveStroke stroke_of_numbers(const std::vector<double>& numbers) {
+  PerspectiveStroke stroke;
+  stroke.hidden = true;
+  stroke.straight = numbers.size() == 4;
+  if (stroke.straight) {
+    stroke.pieces = {line_piece({numbers[0], numbers[1]}, {numbers[2], numbers[3]})};
+    return stroke;
+  }
+  if (numbers.empty() || numbers.size() % 8 != 0)
+    throw Mistake{"\"curves\" must be lists of 4 numbers for a line, or of 8 for each piece of a curve"};
+  for (std::size_t i = 0; i < numbers.size(); i += 8) {
+    PictureCubic piece;
+    for (std::size_t k = 0; k < 4; ++k) piece[k] = {numbers[i + 2 * k], numbers[i + 2 * k + 1]};
+    stroke.pieces.push_back(piece);
+  }
+  return stroke;
+}
+
 SheetMirror read_sheet_mirror(Fields& fields) {
   SheetMirror step;
   const std::string axis = fields.one_of("axis", axis_words);
   step.plane.axis = static_cast<int>(std::ranges::find(axis_words, axis) - axis_words.begin());
   step.plane.at = fields.number("at");
+  if (!fields.has("curves")) return step;
+  for (const std::vector<double>& numbers : fields.number_lists("curves"))
+    step.strokes.push_back(stroke_of_numbers(numbers));
+  const std::vector<StrokeGroup> groups = read_sheet_groups(fields, "groups");
+  if (groups.size() != step.strokes.size()) throw Mistake{"\"groups\" must name a group for each of \"curves\""};
+  for (std::size_t i = 0; i < groups.size(); ++i) step.strokes[i].group = groups[i];
   return step;
 }
 
 void write_sheet_mirror(const SheetMirror& step, FieldWriter& writer) {
   write_sheet_word(writer, "axis", axis_words, step.plane.axis);
   writer.number("at", step.plane.at);
+  if (step.strokes.empty()) return;
+  std::vector<std::vector<double>> curves;
+  std::vector<StrokeGroup> groups;
+  for (const PerspectiveStroke& stroke : step.strokes) {
+    curves.push_back(curve_numbers(stroke));
+    groups.push_back(stroke.group);
+  }
+  writer.number_lists("curves", curves);
+  write_sheet_groups(writer, "groups", groups);
 }
 
 }  // namespace

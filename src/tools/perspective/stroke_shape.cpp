@@ -25,8 +25,12 @@ constexpr double curve_share = 0.005, curve_px = 1;
 /// A loop's ends are nearer to each other than this share of its length, or that many pixels.
 constexpr double loop_share = 0.06, loop_px = 14;
 
-/// Corners: turns by more than this within that many pixels.
-constexpr double corner_degrees = 42, corner_reach_px = 14;
+/// Corners: turns by more than this within that many pixels, or within that share of a short gesture's length: there a
+/// bend is as narrow as a corner of a long one.
+constexpr double corner_degrees = 42, corner_reach_px = 14, corner_reach_share = 0.12, least_corner_reach_px = 4;
+
+/// Pixels, and a share of the gesture: a shorter part at its end is where the pen slipped.
+constexpr double slip_px = 12, slip_share = 0.2;
 
 /// Pixels over which a curve's direction is taken.
 constexpr double tangent_reach_px = 8;
@@ -94,7 +98,8 @@ FitOptions fit_options(std::span<const Vec2> places, const ShapeOptions& options
   fit.units_per_pixel = options.units_per_pixel;
   fit.tolerance = std::max(curve_px, curve_share * length(places, false) / options.units_per_pixel);
   fit.corner_degrees = corner_degrees;
-  fit.corner_reach = corner_reach_px;
+  const double pixels = length(places, false) / options.units_per_pixel;
+  fit.corner_reach = std::clamp(corner_reach_share * pixels, least_corner_reach_px, corner_reach_px);
   return fit;
 }
 
@@ -177,6 +182,13 @@ void join(std::vector<StrokeShape>& shapes, bool closed) {
   }
 }
 
+/// An open gesture without short parts at its ends.
+void drop_slips(std::vector<std::vector<Vec2>>& runs, double whole, const ShapeOptions& options) {
+  const double limit = std::min(slip_px * options.units_per_pixel, slip_share * whole);
+  if (runs.size() > 1 && length(runs.front(), false) < limit) runs.erase(runs.begin());
+  if (runs.size() > 1 && length(runs.back(), false) < limit) runs.pop_back();
+}
+
 bool is_loop(std::span<const Vec2> places, const ShapeOptions& options) {
   if (options.straightness == Straightness::Always) return false;
   const double gap = (places.back() - places.front()).norm();
@@ -218,8 +230,10 @@ std::vector<StrokeShape> shapes_of(std::span<const Vec2> drawn, const ShapeOptio
     const double unit = options.units_per_pixel;
     return quarters(fit.segments, fitting.tolerance * unit, tangent_reach_px * unit);
   }
+  std::vector<std::vector<Vec2>> runs = between_corners(places, fit);
+  if (!fit.closed) drop_slips(runs, length(places, false), options);
   std::vector<StrokeShape> shapes;
-  for (const std::vector<Vec2>& run : between_corners(places, fit)) {
+  for (const std::vector<Vec2>& run : runs) {
     if (largest_distance(run, run.front()) < least_reach_px * options.units_per_pixel) continue;
     shapes.push_back(is_straight(run, options) ? line_through(run) : curve_through(run, options));
   }

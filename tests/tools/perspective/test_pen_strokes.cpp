@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <utility>
 
 #include <catch2/catch.hpp>
 
@@ -201,14 +202,102 @@ TEST_CASE("what joins two known vertices lies in the plane that both are in") {
     if (is_parallel(truth.groups[i])) continue;
     const Vec2 from = truth.camera.project(truth.network.vertices[curve.start]);
     const Vec2 to = truth.camera.project(truth.network.vertices[curve.end]);
-    CHECK(guess_plane(&solved, from, to, 3, truth.groups[i]) == truth.groups[i]);
+    const StrokeShape chord{{line_piece(from, to)}, true};
+    CHECK(guess_plane(empty_sheet(), &solved, chord, 3, truth.groups[i]) == truth.groups[i]);
     const Vec3 step = truth.network.vertices[curve.end] - truth.network.vertices[curve.start];
     if ((step.array().abs() < 1e-9).count() == 1) {
       ++planes;
-      CHECK(guess_plane(&solved, from, to, 3, StrokeGroup::Unknown) == truth.groups[i]);
+      CHECK(guess_plane(empty_sheet(), &solved, chord, 3, StrokeGroup::Unknown) == truth.groups[i]);
     }
   }
   CHECK(planes > 0);
+}
+
+/// Samples of a mouse: whole pixels, dense where the hand starts and stops.
+std::vector<Vec2> mouse_way(const std::vector<Vec2>& line, test::Random& random, double tremor) {
+  std::vector<Vec2> places;
+  for (int k = 0; k <= 40; ++k) {
+    const double t = k / 40.0, eased = t * t * (3 - 2 * t) * static_cast<double>(line.size() - 1);
+    const auto i = std::min(static_cast<std::size_t>(eased), line.size() - 2);
+    Vec2 place = line[i] + (eased - static_cast<double>(i)) * (line[i + 1] - line[i]);
+    place += Vec2(random.between(-tremor, tremor), random.between(-tremor, tremor));
+    places.emplace_back(std::round(place.x()), std::round(place.y()));
+  }
+  return places;
+}
+
+TEST_CASE("small arcs of a mouse are one curve each, small corners stay corners") {
+  test::Random random(21);
+  for (const double radius : {28.0, 35.0, 60.0, 90.0}) {
+    for (const double squash : {0.4, 0.6, 1.0}) {
+      for (const double turned : {0.3, 1.1, 2.4, 4.0}) {
+        std::vector<Vec2> line;
+        for (int k = 0; k <= 60; ++k) {
+          const double angle = std::numbers::pi / 2 * k / 60;
+          const Vec2 flat(radius * std::cos(angle), squash * radius * std::sin(angle));
+          line.emplace_back(200 + std::cos(turned) * flat.x() - std::sin(turned) * flat.y(),
+                            200 + std::sin(turned) * flat.x() + std::cos(turned) * flat.y());
+        }
+        INFO("radius " << radius << " squash " << squash << " turned " << turned);
+        CHECK(shapes_of(mouse_way(line, random, 0.4)).size() == 1);
+      }
+    }
+  }
+  for (const double size : {25.0, 40.0, 90.0}) {
+    const std::vector<Vec2> corner = {{100, 100}, {100 + size, 100 + size / 8}, {100 + size, 100 + size}};
+    CHECK(shapes_of(mouse_way(corner, random, 0.4)).size() == 2);
+  }
+}
+
+TEST_CASE("a hook where the pen went down isn't a stroke of its own") {
+  test::Random random(2);
+  for (const double hook : {4.0, 7.0, 10.0}) {
+    const std::vector<Vec2> way = {{100 - hook, 100 + hook / 3}, {100, 100}, {110, 190}, {130, 260}};
+    std::vector<Vec2> line;
+    for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+      for (int k = 0; k < 30; ++k) line.push_back(way[i] + k / 30.0 * (way[i + 1] - way[i]));
+    }
+    line.push_back(way.back());
+    INFO("hook of " << hook << " pixels");
+    CHECK(shapes_of(line).size() == 1);
+  }
+}
+
+TEST_CASE("a curve that rounds a corner lies in the plane of the axes at its ends, before it is tied to anything") {
+  int right = 0, wrong = 0, all = 0;
+  test::Random random(8);
+  for (const test::View& view : test::three_point_views()) {
+    const test::SolidDrawing truth = plain_drawing(test::box(), view);
+    SolvedDrawing solved = truth_of(truth);
+    const std::vector<Vec3> corners = std::exchange(solved.network, {}).vertices;  // nothing to be tied to
+    const double radius = 0.3 * (corners[0] - corners[1]).norm();
+    for (const Vec3& corner : corners) {
+      for (int normal = 0; normal < 3; ++normal) {
+        std::vector<Vec2> line;
+        for (int k = 0; k <= 60; ++k) {
+          const double angle = std::numbers::pi / 2 * k / 60;
+          Vec3 place = corner;
+          place[(normal + 1) % 3] += radius * std::cos(angle);
+          place[(normal + 2) % 3] += radius * std::sin(angle);
+          line.push_back(truth.camera.project(place));
+        }
+        PerspectiveDrawing drawing = empty_sheet();
+        PenStrokeOptions options;
+        options.solved = &solved;
+        if ((line.front() - line.back()).norm() < 50) continue;
+        if (draw_strokes(drawing, mouse_way(line, random, 0.4), options).size() != 1) continue;
+        if (drawing.strokes.back().straight) continue;
+        ++all;
+        right += drawing.strokes.back().group == static_cast<StrokeGroup>(3 + normal);
+        wrong += drawing.strokes.back().group != static_cast<StrokeGroup>(3 + normal) &&
+                 drawing.strokes.back().group != StrokeGroup::Unknown;
+      }
+    }
+  }
+  INFO(right << " right, " << wrong << " wrong of " << all);
+  REQUIRE(all > 30);
+  CHECK(wrong * 20 <= all);
+  CHECK(right * 10 >= all * 8);
 }
 
 }  // namespace

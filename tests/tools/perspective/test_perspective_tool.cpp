@@ -177,8 +177,10 @@ TEST_CASE("every step reads back as it was written") {
   setting.end_lock = EndLock::Corner;
   setting.weight = 0.25;
   const std::vector<recorded::Step> steps = {
-      recorded::SheetStroke{{{1, 2}, {3.5, 4.25}}, StrokeGroup::ParallelY, StrokeRole::Construction, false, 0.5},
-      recorded::SheetStroke{{{1, 2}}, {}, StrokeRole::Edge, true, 2},
+      recorded::SheetStroke{{{1, 2}, {3.5, 4.25}}, StrokeGroup::ParallelY, StrokeRole::Construction, false, 0.5, {}},
+      recorded::SheetStroke{{{1, 2}}, {}, StrokeRole::Edge, true, 2, {}},
+      recorded::SheetStroke{
+          {{1, 2}, {3, 4}}, {}, StrokeRole::Edge, false, 2, {StrokeGroup::NormalX, StrokeGroup::Unknown}},
       recorded::SheetDrag{"s3", 4, {1.5, -2}, true},
       recorded::SheetDrag{"s3", {}, {0.1, 0.2}, false},
       recorded::SheetAim{2, {5000.5, -20}},
@@ -191,7 +193,8 @@ TEST_CASE("every step reads back as it was written") {
       recorded::SheetCamera{0.5, Vec2(500, 375)},
       recorded::SheetCamera{},
       recorded::SheetChoice{"no-faces", "s1+s2+s3", false},
-      recorded::SheetMirror{{1, -2.5}},
+      recorded::SheetMirror{{1, -2.5}, {}},
+      recorded::SheetMirror{{1, -2.5}, plain_drawing(test::bottle(), test::three_point_views()[0]).drawing.strokes},
   };
   for (const recorded::Step& step : steps) {
     const std::string line = recorded::to_line(step);
@@ -213,12 +216,73 @@ TEST_CASE("a recording of gestures makes the same drawing") {
     const recorded::Step step = recorded_again(*hand.tool.done());
     const auto* drawn = step.as<recorded::SheetStroke>();
     REQUIRE(drawn != nullptr);
-    replayed.tool.draw(drawn->points, drawn->scale, drawn->group, drawn->role);
+    replayed.tool.draw(drawn->points, drawn->scale, drawn->group, drawn->role, drawn->groups);
   }
   REQUIRE(hand.tool.drawing()->strokes.size() >= 20);
   CHECK(same_drawing(*hand.tool.drawing(), *replayed.tool.drawing()));
   // Every end of a hand that misses by 3 px has found the vertex that it was meant for.
   CHECK(vertices_of(*hand.tool.drawing()).size() == truth.network.vertices.size());
+}
+
+TEST_CASE("a replay that knows nothing of the camera gives automatic strokes and those of a mirror their groups") {
+  const test::SolidDrawing truth = plain_drawing(test::bottle(), test::three_point_views()[1]);
+  Hand hand, replayed;
+  hand.tool.set_solved(std::make_shared<const SolvedDrawing>(truth_of(truth)));
+  test::Random random(6);
+  std::size_t guessed = 0;
+  const auto replay_last = [&] {
+    const recorded::Step step = recorded_again(*hand.tool.done());
+    if (const auto* mirror = step.as<recorded::SheetMirror>())
+      return replayed.tool.complete_mirrored(mirror->plane, mirror->strokes);
+    const auto* drawn = step.as<recorded::SheetStroke>();
+    REQUIRE(drawn != nullptr);
+    return replayed.tool.draw(drawn->points, drawn->scale, drawn->group, drawn->role, drawn->groups);
+  };
+  double low = 1e9, high = -1e9;
+  for (const Vec3& vertex : truth.network.vertices) {
+    low = std::min(low, vertex.y());
+    high = std::max(high, vertex.y());
+  }
+  for (const NetworkCurve& curve : truth.network.curves) {
+    const double nearer = std::min(truth.network.vertices[curve.start].y(), truth.network.vertices[curve.end].y());
+    if (nearer > (low + high) / 2) continue;
+    const PerspectiveStroke* stroke = find_stroke(truth.drawing, curve.id);
+    if (hand.drag(test::hand_drawn(stroke->pieces, random, 2)) != Verdict::Commit) continue;
+    guessed += hand.tool.drawing()->strokes.back().group != StrokeGroup::Unknown;
+    replay_last();
+    CHECK(same_drawing(*hand.tool.drawing(), *replayed.tool.drawing()));
+  }
+  // One gesture around a corner: two strokes, whose groups are recorded one by one.
+  std::vector<Vec2> bent;
+  for (int k = 0; k < 100; ++k) bent.emplace_back(k < 50 ? 20 + 4 * k : 220, k < 50 ? 40 + k : 90 + 4 * (k - 50));
+  REQUIRE(hand.drag(bent) == Verdict::Commit);
+  CHECK(hand.tool.done()->as<recorded::SheetStroke>()->groups.size() == 2);
+  replay_last();
+  CHECK(same_drawing(*hand.tool.drawing(), *replayed.tool.drawing()));
+  CHECK(guessed > 8);
+
+  // The strokes are not those of the truth's names, so its curves are mirrored in a drawing that has them.
+  Hand named, mirrored;
+  SolvedDrawing found = truth_of(truth);
+  std::erase_if(found.network.curves, [&](const NetworkCurve& curve) {
+    return std::min(found.network.vertices[curve.start].y(), found.network.vertices[curve.end].y()) > (low + high) / 2;
+  });
+  const MirrorPlane plane{1, (low + high) / 2};
+  for (Hand* one : {&named, &mirrored}) {
+    PerspectiveDrawing half = truth.drawing;
+    for (const NetworkCurve& curve : truth.network.curves) {
+      const double nearer = std::min(truth.network.vertices[curve.start].y(), truth.network.vertices[curve.end].y());
+      if (nearer > plane.at) remove_strokes(half, {curve.id});
+    }
+    one->open(half);
+  }
+  named.tool.set_solved(std::make_shared<const SolvedDrawing>(found));
+  REQUIRE(named.tool.complete_mirrored(plane) == Verdict::Commit);
+  const recorded::Step step = recorded_again(*named.tool.done());
+  const auto* mirror = step.as<recorded::SheetMirror>();
+  REQUIRE(mirror->strokes.size() > 5);
+  REQUIRE(mirrored.tool.complete_mirrored(mirror->plane, mirror->strokes) == Verdict::Commit);
+  CHECK(same_drawing(*named.tool.drawing(), *mirrored.tool.drawing()));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "croquis/tools/perspective/solved_drawing.h"
+#include "croquis/tools/perspective/stroke_shape.h"
 
 /// Which group a stroke was meant for, by where it points.
 namespace croquis {
@@ -28,11 +29,14 @@ std::optional<StrokeGroup> guess_axis(const PerspectiveDrawing& drawing, const S
 std::optional<StrokeGroup> nearest_axis(const PerspectiveDrawing& drawing, const SolvedDrawing* solved,
                                         const Vec2& from, const Vec2& to);
 
-/// The plane that a stroke between two vertices of the network lies in: at right angles to the axis along which both
-/// have the same coordinate. Of two such planes `preferred` if it is one of them, else the one that is seen more from
-/// the front. Without both vertices: `preferred`.
+/// The plane that a stroke lies in, by what is known of its ends:
+/// - Between two vertices of the network, a plane in which both lie: at right angles to an axis along which they have
+///   the same coordinate.
+/// - A curve that begins or ends along an axis, as where it rounds a corner, lies in a plane with that axis.
+/// Of several such planes `preferred` if it is one of them, else the one that is seen more from the front; where
+/// nothing is known, `preferred`.
 /// @param reach px, how far the ends may lie from where the vertices are seen
-StrokeGroup guess_plane(const SolvedDrawing* solved, const Vec2& from, const Vec2& to, double reach,
-                        StrokeGroup preferred);
+StrokeGroup guess_plane(const PerspectiveDrawing& drawing, const SolvedDrawing* solved, const StrokeShape& shape,
+                        double reach, StrokeGroup preferred);
 
 }  // namespace croquis

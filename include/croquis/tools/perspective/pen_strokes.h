@@ -15,6 +15,7 @@ struct PenStrokeOptions {
   double snap_pixels = 14;                   ///< of the view: an end this near to a vertex goes to it
   std::optional<StrokeGroup> group;          ///< none: by where it points
   StrokeGroup plane = StrokeGroup::Unknown;  ///< for what points along no axis and could be in several planes
+  std::vector<StrokeGroup> groups;           ///< without a group: of each stroke, known before; empty: guessed
   StrokeRole role = StrokeRole::Edge;
   const SolvedDrawing* solved = nullptr;
 };

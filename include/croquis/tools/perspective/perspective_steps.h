@@ -20,7 +20,8 @@ struct SheetStroke {
   std::optional<StrokeGroup> group;  ///< none: by where it points
   StrokeRole role = StrokeRole::Edge;
   bool erases = false;
-  double scale = 1;  ///< px of the sheet per pixel of the view drawn in
+  double scale = 1;                 ///< px of the sheet per pixel of the view drawn in
+  std::vector<StrokeGroup> groups;  ///< that were found for its strokes, one each; empty: found again
 
   static const StepKind& step_kind();
 };
@@ -92,6 +93,7 @@ struct SheetChoice {
 /// What a mirror adds was accepted.
 struct SheetMirror {
   MirrorPlane plane;
+  std::vector<PerspectiveStroke> strokes;  ///< that it added: shape and group; empty: found again
 
   static const StepKind& step_kind();
 };

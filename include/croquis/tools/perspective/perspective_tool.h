@@ -89,8 +89,9 @@ class PerspectiveTool {
   // Commands; each is one undo step. Commit, or Continue where nothing changed.
   // @throws Error (E_INPUT) for strokes that aren't there, and values that can't be
 
+  /// @param groups without a group: of the strokes that the gesture becomes, as a recording knows them; else guessed
   Verdict draw(const std::vector<Vec2>& places, double units_per_pixel, std::optional<StrokeGroup> group,
-               StrokeRole role);
+               StrokeRole role, const std::vector<StrokeGroup>& groups = {});
   Verdict erase(const std::vector<Vec2>& path, double units_per_pixel);
   Verdict remove(const std::vector<std::string>& ids);
   Verdict drag(const std::string& stroke, std::optional<std::size_t> point, const Vec2& by, bool alone = false);
@@ -101,7 +102,8 @@ class PerspectiveTool {
   Verdict set_camera(std::optional<double> field_of_view, const std::optional<Vec2>& principal_point);
   Verdict set_sheet(const Vec2& size);  ///< px; the strokes keep their places
   Verdict choose(const std::string& list, const std::string& item, bool on);
-  Verdict complete_mirrored(const MirrorPlane& plane);
+  /// @param strokes that the mirror adds, as a recording knows them; none: found now
+  Verdict complete_mirrored(const MirrorPlane& plane, std::vector<PerspectiveStroke> strokes = {});
   Verdict delete_selected();
 
   /// Whether an item is on one of the operation's lists ("faces", "no-faces", "ignore", "sharp").

@@ -23,7 +23,7 @@ bool PerspectiveDrawingTool::replay(const recorded::Step& step) {
   if (studio().sheet_node() == 0) host().action("new-perspective")->trigger();
   if (const auto* stroke = step.as<recorded::SheetStroke>()) {
     stroke->erases ? tool.erase(stroke->points, stroke->scale)
-                   : tool.draw(stroke->points, stroke->scale, stroke->group, stroke->role);
+                   : tool.draw(stroke->points, stroke->scale, stroke->group, stroke->role, stroke->groups);
   } else if (const auto* drag = step.as<recorded::SheetDrag>()) {
     tool.drag(drag->stroke, drag->point, drag->by, drag->alone);
   } else if (const auto* aim = step.as<recorded::SheetAim>()) {
@@ -43,7 +43,7 @@ bool PerspectiveDrawingTool::replay(const recorded::Step& step) {
   } else if (const auto* choice = step.as<recorded::SheetChoice>()) {
     tool.choose(choice->list, choice->item, choice->on);
   } else if (const auto* mirror = step.as<recorded::SheetMirror>()) {
-    tool.complete_mirrored(mirror->plane);
+    tool.complete_mirrored(mirror->plane, mirror->strokes);
   } else {
     return false;
   }
