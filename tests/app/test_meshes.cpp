@@ -306,7 +306,7 @@ TEST_CASE("crease sets are made, named, given a sharpness and taken away", "[mes
   StudioFixture hand;
   show_collar(hand);
   hand.click_model(collar_edge, Viewport::PerspectiveView, 2);
-  hand.act("new-set");
+  hand.act("crease-set");
   auto* list = hand.window().findChild<QTreeWidget*>("crease-set-list");
   REQUIRE(list->topLevelItemCount() == 1);
   list->topLevelItem(0)->setText(0, "collar");

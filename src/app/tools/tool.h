@@ -62,6 +62,9 @@ class Tool : public QObject {
   /// Names of the actions around the pointer, clockwise from above; none: no marking menu in that view.
   virtual QStringList marking_menu(int) const { return {}; }
 
+  /// The key that opens the marking menu while it is held, over a view that has one; 0: none.
+  virtual int marking_key() const { return 0; }
+
   // ---- The hand
 
   virtual void set_mode(const QString& mode) { mode_ = mode; }

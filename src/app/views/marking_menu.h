@@ -5,10 +5,16 @@
 #include <QWidget>
 #include <array>
 
+class QColor;
+
 namespace croquis::app {
 
+/// The colour of an action in menus that are rings of sectors; such a sector shows its iconText.
+void set_sector_color(QAction& action, const QColor& color);
+
 /// Eight actions around the place where a button went down: the pointer's direction chooses, release runs the action.
-/// Directions work before the menu is read. Over its parent, which passes on the pointer's movement.
+/// Directions work before the menu is read. Labels around the place; where actions have colours, a small ring of
+/// coloured sectors with letters. Over its parent, which passes on the pointer's movement.
 class MarkingMenu : public QWidget {
   Q_OBJECT
 
@@ -36,7 +42,12 @@ class MarkingMenu : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  bool is_ring() const;
   QRectF label_rect(std::size_t place) const;
+  void paint_labels(QPainter& painter, int chosen) const;
+  void paint_ring(QPainter& painter, int chosen) const;
+  void paint_sector(QPainter& painter, std::size_t place, bool marked) const;
+  void paint_name(QPainter& painter, const QAction& action) const;
 
   std::array<QAction*, places> actions_{};
   QPointF middle_;

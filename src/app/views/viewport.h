@@ -172,6 +172,7 @@ class Viewport : public QOpenGLWidget {
   std::optional<Ink> ink() const;
   void connect_tool(Tool& tool);
   void open_marking_menu(const QPointF& place);
+  bool take_marking_key(const QKeyEvent& event);
   bool take_marking(const PointerEvent& event, const QPointF& place);
   bool drag_border(const PointerEvent& event, const QPointF& place);
   bool navigate(const PointerEvent& event);
@@ -204,6 +205,8 @@ class Viewport : public QOpenGLWidget {
   ObjectScenes objects_;
   ViewChips chips_;
   MarkingMenu marking_menu_;
+  bool marking_by_key_ = false;  ///< it is open while a key is held, and follows the pointer
+  QPointF pointer_at_;           ///< logical pixels of the widget
   std::vector<Tool*> tools_;
   std::unique_ptr<render::Renderer> renderer_;
   std::array<PaneState, view_count> states_;

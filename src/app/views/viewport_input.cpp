@@ -37,7 +37,31 @@ bool Viewport::take_key(QKeyEvent& event) {
   return true;
 }
 
+/// Held, the key opens the marking menu at the pointer; let go, it chooses: for pens that only hover.
+bool Viewport::take_marking_key(const QKeyEvent& event) {
+  if (marking_by_key_ && event.type() == QEvent::KeyRelease) {
+    if (event.isAutoRepeat()) return true;
+    marking_by_key_ = false;
+    marking_menu_.choose();
+    return true;
+  }
+  const Tool* tool = event.modifiers() == Qt::NoModifier ? tool_in(under_pointer_) : nullptr;
+  const bool goes_down = event.type() == QEvent::ShortcutOverride || event.type() == QEvent::KeyPress;
+  if (!goes_down || tool == nullptr || tool->marking_key() != event.key() || any_down()) return false;
+  if (event.type() == QEvent::KeyPress && !event.isAutoRepeat() && !marking_menu_.is_open()) {
+    open_marking_menu(pointer_at_);
+    marking_by_key_ = true;
+  }
+  return true;
+}
+
 bool Viewport::event(QEvent* event) {
+  const bool is_key = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress ||
+                      event->type() == QEvent::KeyRelease;
+  if (is_key && take_marking_key(*static_cast<QKeyEvent*>(event))) {
+    event->accept();
+    return true;
+  }
   const bool key_goes_down = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
   if (key_goes_down && take_key(*static_cast<QKeyEvent*>(event))) return true;
   // Shortcuts send no other event.
@@ -140,7 +164,10 @@ void Viewport::take_in_time(PointerEvent event, const QPointF& place) {
     forget_swallowed_alt();
   const bool leaving = event.action == PointerEvent::Action::Leave;
   if (drag_border(event, place)) return;
-  if (!leaving) under_pointer_ = layout_.view_at(place);
+  if (!leaving) {
+    under_pointer_ = layout_.view_at(place);
+    pointer_at_ = place;
+  }
   // A gesture belongs to the view that it began in.
   event.view = grabbed_ >= 0 ? grabbed_ : under_pointer_;
   event.position = to_vec(place - layout_.pane(event.view).rect.topLeft());
@@ -197,9 +224,11 @@ void Viewport::open_marking_menu(const QPointF& place) {
 
 bool Viewport::take_marking(const PointerEvent& event, const QPointF& place) {
   using Action = PointerEvent::Action;
+  // The side switch with the tip down pans.
+  if (marking_menu_.is_open() && event.buttons.barrel && event.buttons.left) marking_menu_.dismiss();
   if (marking_menu_.is_open()) {
     marking_menu_.move_to(place);
-    const bool let_go = !event.buttons.any() && (event.action == Action::Release || event.action == Action::Hover);
+    const bool let_go = !marking_by_key_ && !event.buttons.any() && (event.action == Action::Release || event.action == Action::Hover);
     if (let_go) {
       grabbed_ = -1;
       marking_menu_.choose();
@@ -209,8 +238,10 @@ bool Viewport::take_marking(const PointerEvent& event, const QPointF& place) {
   const Tool* tool = tool_in(event.view);
   const QStringList sectors = tool == nullptr ? QStringList() : tool->marking_menu(event.view);
   const bool alone = !event.modifiers.alt && !event.modifiers.super;
-  if (!sectors.isEmpty() && alone && event.device == PointerEvent::Device::Mouse && event.action == Action::Press &&
-      event.buttons.right && !event.buttons.left) {
+  const bool by_mouse = event.device == PointerEvent::Device::Mouse && event.buttons.right;
+  const bool by_pen = is_pen(event.device) && event.buttons.barrel && layout_.pane(event.view).flat() &&
+                      !event.modifiers.shift && !event.modifiers.ctrl;
+  if (!sectors.isEmpty() && alone && event.action == Action::Press && (by_mouse || by_pen) && !event.buttons.left) {
     open_marking_menu(place);
     return true;
   }

@@ -9,6 +9,7 @@
 #include "app/tools/perspective/group_looks.h"
 #include "app/tools/perspective/perspective_drawing_tool.h"
 #include "app/tools/perspective/perspective_panel.h"
+#include "app/views/marking_menu.h"
 #include "app/views/viewport.h"
 #include "app/window/action_list.h"
 #include "app/window/panel_docks.h"
@@ -61,6 +62,7 @@ void PerspectiveDrawingTool::make_group_actions(ActionList& actions) {
     action->setCheckable(true);
     action->setIconText(group ? group_letter(*group) : tr("Auto"));
     if (group) action->setIcon(group_icon(*group));
+    set_sector_color(*action, group ? group_color(*group) : QColor(70, 74, 82));
     choice->addAction(action);
   };
   add_group("group-auto", std::nullopt);
@@ -79,6 +81,7 @@ void PerspectiveDrawingTool::make_group_actions(ActionList& actions) {
       Recorded::ByItself);
   construction->setCheckable(true);
   construction->setIconText(tr("Guide"));
+  set_sector_color(*construction, QColor(150, 156, 166));
 }
 
 void PerspectiveDrawingTool::make_stroke_actions(ActionList& actions) {
@@ -169,6 +172,8 @@ QStringList PerspectiveDrawingTool::marking_menu(int view) const {
   return {"group-z",      "group-normal-x", "group-x", "group-normal-z",
           "construction", "group-normal-y", "group-y", "group-auto"};
 }
+
+int PerspectiveDrawingTool::marking_key() const { return Qt::Key_G; }
 
 bool PerspectiveDrawingTool::takes_key(int key) const {
   return (key >= Qt::Key_0 && key <= Qt::Key_6) || key == Qt::Key_C || key == Qt::Key_E;

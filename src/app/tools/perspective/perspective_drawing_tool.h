@@ -22,6 +22,7 @@ class PerspectiveDrawingTool final : public Tool {
   void make_panels(PanelDocks& docks) override;
   void refresh() override;
   QStringList marking_menu(int view) const override;
+  int marking_key() const override;
 
   void set_mode(const QString& mode) override;
   bool works_in(int view) const override;
