@@ -19,6 +19,7 @@ constexpr double ring_x = 104;      // where labels stand
 constexpr double ring_y = 74;
 constexpr double label_height = 26;
 constexpr double ring_inner = 17, ring_outer = 56, ring_marked = 66;
+constexpr double letter_font = 10, short_font = 7.5;  // points: of a letter, of a short word
 constexpr const char* sector_property = "sector-color";
 
 QString text_of(const QAction& action) { return action.text().remove('&').section(QChar(0x2026), 0, 0); }
@@ -124,8 +125,7 @@ void MarkingMenu::paint_ring(QPainter& painter, int chosen) const {
   const QAction* action = chosen < 0 ? nullptr : actions_[static_cast<std::size_t>(chosen)];
   if (action == nullptr) return;
   paint_sector(painter, static_cast<std::size_t>(chosen), true);
-  font.setBold(false);
-  painter.setFont(font);
+  painter.setFont(this->font());
   paint_name(painter, *action);
 }
 
@@ -154,6 +154,9 @@ void MarkingMenu::paint_sector(QPainter& painter, std::size_t place, bool marked
   const double angle = angle_of(place), reach = (ring_inner + outer) / 2 + 2;
   const QPointF at = middle_ + QPointF(reach * std::sin(angle), -reach * std::cos(angle));
   painter.setPen(text_color_on(fill));
+  QFont font = painter.font();
+  font.setPointSizeF(action->iconText().size() > 2 ? short_font : letter_font);
+  painter.setFont(font);
   painter.drawText(QRectF(at.x() - 22, at.y() - 11, 44, 22), Qt::AlignCenter, action->iconText());
 }
 

@@ -129,6 +129,14 @@ std::vector<ParameterDescription> perspective_parameters() {
            {},
            "degrees",
            "Across the width of the sheet, where it is known; 0 where it isn't."},
+          {"flip",
+           ParameterType::Flag,
+           false,
+           0,
+           0,
+           {},
+           "",
+           "x and y point the other way; a drawing doesn't tell which."},
           stroke_list("ignore", "A stroke that is left out."),
           {"fix",
            ParameterType::Flag,
@@ -154,6 +162,7 @@ std::vector<ParameterDescription> perspective_parameters() {
 PerspectiveSettings read_perspective_settings(const ParameterValues& parameters) {
   PerspectiveSettings settings;
   settings.network.camera.mode = mode_of(text_of(parameters, "mode"));
+  settings.network.camera.turn_round = flag_of(parameters, "flip");
   const double angle = number_of(parameters, "smooth-angle") * degree;
   settings.network.continuity.angle = angle;
   settings.solid.continuity.angle = angle;

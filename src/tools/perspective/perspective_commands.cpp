@@ -10,6 +10,7 @@
 #include "croquis/tools/perspective/pen_strokes.h"
 #include "croquis/tools/perspective/perspective_steps.h"
 #include "croquis/tools/perspective/perspective_tool.h"
+#include "croquis/tools/perspective/sheet_units.h"
 #include "croquis/tools/strokes/stroke_source.h"
 #include "tools/perspective/perspective_labels.h"
 
@@ -215,6 +216,20 @@ Verdict PerspectiveTool::set_known_length(const std::string& stroke, std::option
                 recorded::SheetLength{stroke, length});
 }
 
+Verdict PerspectiveTool::set_unit(const std::string& unit) {
+  give_up();
+  PerspectiveDrawing edited = required();
+  if (!unit.empty() && metres_of_unit(unit) == 0)
+    refuse_input("The unit \"" + unit + "\" isn't known; choose mm, cm, m or in.");
+  if (edited.unit == unit) return Verdict::Continue;
+  const double before = metres_of_unit(edited.unit), after = metres_of_unit(unit);
+  const double scale = before > 0 && after > 0 ? before / after : 1;
+  for (KnownLength& known : edited.known_lengths) known.length *= scale;
+  if (edited.known_point) edited.known_point->point *= scale;
+  edited.unit = unit;
+  return commit("Set the unit", std::move(edited), recorded::SheetUnit{unit});
+}
+
 Verdict PerspectiveTool::set_camera(std::optional<double> field_of_view, const std::optional<Vec2>& principal_point) {
   give_up();
   if (field_of_view && !(*field_of_view > 0 && *field_of_view < std::numbers::pi))
@@ -255,6 +270,30 @@ Verdict PerspectiveTool::choose(const std::string& list, const std::string& item
   if (!items.empty()) edited.parameters[list] = joined(items);
   done_ = recorded::SheetChoice{list, item, on};
   session_.edit("Change " + list, session_.document().with(std::move(edited)));
+  return Verdict::Commit;
+}
+
+Verdict PerspectiveTool::choose_faces(const std::vector<std::string>& required,
+                                      const std::vector<std::string>& forbidden) {
+  give_up();
+  const Node* operation = session_.document().find(operation_node());
+  if (operation == nullptr) refuse_input("Nothing is made of the drawing; add the step that makes a solid of it.");
+  Node edited = *operation;
+  const auto change = [&](const std::string& list, const std::vector<std::string>& add,
+                          const std::vector<std::string>& take) {
+    std::vector<std::string> items = items_in(operation, list);
+    std::erase_if(items, [&](const std::string& item) { return std::ranges::find(take, item) != take.end(); });
+    for (const std::string& item : add) {
+      if (std::ranges::find(items, item) == items.end()) items.push_back(item);
+    }
+    edited.parameters.erase(list);
+    if (!items.empty()) edited.parameters[list] = joined(items);
+  };
+  change("faces", required, forbidden);
+  change("no-faces", forbidden, required);
+  if (edited.parameters == operation->parameters) return Verdict::Continue;
+  done_ = recorded::SheetFaces{required, forbidden};
+  session_.edit("Choose faces", session_.document().with(std::move(edited)));
   return Verdict::Commit;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "croquis/tools/perspective/sheet_units.h"
 #include "croquis/tools/perspective/stroke_shape.h"
 
 namespace croquis::recorded {
@@ -166,6 +167,27 @@ void write_sheet_length(const SheetLength& step, FieldWriter& writer) {
   if (step.length) writer.number("length", *step.length);
 }
 
+SheetUnit read_sheet_unit(Fields& fields) {
+  std::vector<std::string> words = length_units();
+  words.emplace_back();
+  return {fields.one_of("unit", words)};
+}
+
+void write_sheet_unit(const SheetUnit& step, FieldWriter& writer) { writer.text("unit", step.unit); }
+
+SheetFaces read_sheet_faces(Fields& fields) {
+  SheetFaces step;
+  if (fields.has("required")) step.required = fields.names("required");
+  if (fields.has("forbidden")) step.forbidden = fields.names("forbidden");
+  if (step.required.empty() && step.forbidden.empty()) throw Mistake{"no face is \"required\" or \"forbidden\""};
+  return step;
+}
+
+void write_sheet_faces(const SheetFaces& step, FieldWriter& writer) {
+  if (!step.required.empty()) writer.names("required", step.required);
+  if (!step.forbidden.empty()) writer.names("forbidden", step.forbidden);
+}
+
 SheetCamera read_sheet_camera(Fields& fields) {
   SheetCamera step;
   if (fields.has("field-of-view")) {
@@ -293,6 +315,16 @@ const StepKind& SheetLength::step_kind() {
   return kind;
 }
 
+const StepKind& SheetUnit::step_kind() {
+  static const StepKind kind = make_step_kind({"perspective-unit"}, read_sheet_unit, write_sheet_unit);
+  return kind;
+}
+
+const StepKind& SheetFaces::step_kind() {
+  static const StepKind kind = make_step_kind({"perspective-choose-faces"}, read_sheet_faces, write_sheet_faces);
+  return kind;
+}
+
 const StepKind& SheetCamera::step_kind() {
   static const StepKind kind = make_step_kind({"perspective-camera"}, read_sheet_camera, write_sheet_camera);
   return kind;
@@ -313,8 +345,10 @@ const Vocabulary& perspective_steps() {
     Vocabulary made;
     for (const StepKind* kind :
          {&SheetStroke::step_kind(), &SheetDrag::step_kind(), &SheetAim::step_kind(), &SheetSetting::step_kind(),
-          &SheetDelete::step_kind(), &SheetSize::step_kind(), &SheetPoint::step_kind(), &SheetLength::step_kind(),
-          &SheetCamera::step_kind(), &SheetChoice::step_kind(), &SheetMirror::step_kind()})
+          {&SheetStroke::step_kind(), &SheetDrag::step_kind(), &SheetAim::step_kind(), &SheetSetting::step_kind(),
+           &SheetDelete::step_kind(), &SheetSize::step_kind(), &SheetPoint::step_kind(), &SheetLength::step_kind(),
+           &SheetCamera::step_kind(), &SheetChoice::step_kind(), &SheetMirror::step_kind(), &SheetUnit::step_kind(),
+           &SheetFaces::step_kind()})
       made.add(*kind);
     for (const char* count : {"perspective-strokes", "perspective-faces", "perspective-open", "perspective-closed",
                               "perspective-mode", "perspective-fixes"})

@@ -7,6 +7,7 @@
 #include "croquis/tools/all_steps.h"
 #include "croquis/tools/perspective/perspective_steps.h"
 #include "croquis/tools/perspective/perspective_tool.h"
+#include "croquis/tools/perspective/sheet_units.h"
 #include "croquis/tools/recording/recording.h"
 #include "tools/perspective/perspective_ink.h"
 
@@ -192,6 +193,9 @@ TEST_CASE("every step reads back as it was written") {
       recorded::SheetLength{"s3", {}},
       recorded::SheetCamera{0.5, Vec2(500, 375)},
       recorded::SheetCamera{},
+      recorded::SheetUnit{"cm"},
+      recorded::SheetUnit{},
+      recorded::SheetFaces{{"s1+s2+s3"}, {"s1+s4", "s2+s5+s6"}},
       recorded::SheetChoice{"no-faces", "s1+s2+s3", false},
       recorded::SheetMirror{{1, -2.5}, {}},
       recorded::SheetMirror{{1, -2.5}, plain_drawing(test::bottle(), test::three_point_views()[0]).drawing.strokes},
@@ -222,6 +226,45 @@ TEST_CASE("a recording of gestures makes the same drawing") {
   CHECK(same_drawing(*hand.tool.drawing(), *replayed.tool.drawing()));
   // Every end of a hand that misses by 3 px has found the vertex that it was meant for.
   CHECK(vertices_of(*hand.tool.drawing()).size() == truth.network.vertices.size());
+}
+
+TEST_CASE("changing the unit keeps known lengths at their size, and choosing faces is one step back") {
+  Hand hand;
+  hand.line({100, 100}, {400, 90});
+  hand.tool.set_unit("mm");
+  hand.tool.set_known_length("s1", 120.0);
+  hand.tool.set_known_point(KnownPoint{{100, 100}, {10, 20, 30}});
+  CHECK(hand.tool.set_unit("cm") == Verdict::Commit);
+  CHECK(hand.tool.drawing()->known_lengths[0].length == Approx(12));
+  CHECK((hand.tool.drawing()->known_point->point - Vec3(1, 2, 3)).norm() < 1e-12);
+  CHECK(hand.tool.set_unit("cm") == Verdict::Continue);
+  CHECK_THROWS_AS(hand.tool.set_unit("furlong"), Error);
+  hand.session.undo();
+  CHECK(hand.tool.drawing()->known_lengths[0].length == 120);
+
+  hand.tool.choose("faces", "s1+s2+s3", true);
+  CHECK(hand.tool.choose_faces({"s4+s5+s6"}, {"s1+s2+s3"}) == Verdict::Commit);
+  CHECK(hand.tool.is_chosen("faces", "s4+s5+s6"));
+  CHECK_FALSE(hand.tool.is_chosen("faces", "s1+s2+s3"));
+  CHECK(hand.tool.is_chosen("no-faces", "s1+s2+s3"));
+  hand.session.undo();
+  CHECK(hand.tool.is_chosen("faces", "s1+s2+s3"));
+  CHECK_FALSE(hand.tool.is_chosen("no-faces", "s1+s2+s3"));
+}
+
+TEST_CASE("lengths and points are read as people type them") {
+  CHECK(read_length("120", "mm") == 120);
+  CHECK(*read_length(" 12 cm ", "mm") == Approx(120));
+  CHECK(*read_length("4,5in", "cm") == Approx(11.43));
+  CHECK(*read_length("1 inch", "mm") == Approx(25.4));
+  CHECK(read_length("7", "") == 7);
+  for (const char* wrong : {"", "abc", "-3", "0", "1 2", "3 miles", "nan", "1e999"}) CHECK_FALSE(read_length(wrong, "mm"));
+  CHECK_FALSE(read_length("12 cm", ""));
+  CHECK(*read_point("0 0 0", "") == Vec3(0, 0, 0));
+  CHECK(*read_point("1, -2, 3.5", "mm") == Vec3(1, -2, 3.5));
+  CHECK(*read_point("1,2,3", "mm") == Vec3(1, 2, 3));
+  CHECK((*read_point("1 2,5 3 cm", "mm") - Vec3(10, 25, 30)).norm() < 1e-12);
+  for (const char* wrong : {"", "1 2", "1 2 3 4", "a b c", "1 2 3 cm"}) CHECK_FALSE(read_point(wrong, ""));
 }
 
 TEST_CASE("a replay that knows nothing of the camera gives automatic strokes and those of a mirror their groups") {

@@ -73,6 +73,21 @@ struct SheetLength {
   static const StepKind& step_kind();
 };
 
+/// The unit of lengths: "mm", "cm", "m", "in"; empty: none.
+struct SheetUnit {
+  std::string unit;
+
+  static const StepKind& step_kind();
+};
+
+/// One set of faces was chosen among several that fit: each face by its strokes, "s1+s2+s3".
+struct SheetFaces {
+  std::vector<std::string> required;
+  std::vector<std::string> forbidden;
+
+  static const StepKind& step_kind();
+};
+
 /// What is known of the camera; what isn't given isn't known.
 struct SheetCamera {
   std::optional<double> field_of_view;  ///< radians; degrees in recordings

@@ -99,9 +99,12 @@ class PerspectiveTool {
   Verdict set(const std::vector<std::string>& ids, const StrokeSetting& setting);
   Verdict set_known_point(const std::optional<KnownPoint>& known);
   Verdict set_known_length(const std::string& stroke, std::optional<double> length);
+  Verdict set_unit(const std::string& unit);  ///< known lengths keep their size. @param unit see length_units, or empty
   Verdict set_camera(std::optional<double> field_of_view, const std::optional<Vec2>& principal_point);
   Verdict set_sheet(const Vec2& size);  ///< px; the strokes keep their places
   Verdict choose(const std::string& list, const std::string& item, bool on);
+  /// Of several sets of faces one: its own are required, those of the others forbidden. @param required "s1+s2+s3"
+  Verdict choose_faces(const std::vector<std::string>& required, const std::vector<std::string>& forbidden);
   /// @param strokes that the mirror adds, as a recording knows them; none: found now
   Verdict complete_mirrored(const MirrorPlane& plane, std::vector<PerspectiveStroke> strokes = {});
   Verdict delete_selected();

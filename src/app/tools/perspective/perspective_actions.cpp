@@ -5,6 +5,8 @@
 #include <QMenu>
 #include <QPainter>
 #include <QPixmap>
+#include <algorithm>
+#include <array>
 
 #include "app/tools/perspective/group_looks.h"
 #include "app/tools/perspective/perspective_drawing_tool.h"
@@ -121,6 +123,10 @@ void PerspectiveDrawingTool::make_stroke_actions(ActionList& actions) {
   add_lock("ends-free", tr("Ends as they are &drawn"), EndLock::None);
   add("edge-sharp", tr("Faces meet &sharply there, or smoothly again"), [this] { toggle_sharp(); });
   menu->addSeparator();
+  add("known-point", tr("&Known point: click it and type its coordinates"),
+      [this] { sheet_.pick(SheetInteraction::Pick::Point); });
+  add("known-length", tr("Known &length of a stroke"), [this] { begin_known_length(); });
+  menu->addSeparator();
   add("add-face", tr("&Add the face between the selected strokes"), [this] { set_face(true); });
   add("forbid-face", tr("&No face between the selected strokes"), [this] { set_face(false); });
   add("perspective-fix", tr("Make the first proposed &fix"), [this] { apply_fix(); });
@@ -151,6 +157,8 @@ void PerspectiveDrawingTool::refresh() {
   enable("group-auto", here);
   for (const char* name : group_actions) enable(name, here);
   enable("construction", here);
+  enable("known-point", here);
+  enable("known-length", here && !sheet_.drawing().strokes.empty());
   for (const char* name : {"stroke-hidden", "stroke-link", "ends-smooth", "ends-corner", "ends-free", "edge-sharp",
                            "add-face", "forbid-face"})
     enable(name, any);
@@ -176,7 +184,8 @@ QStringList PerspectiveDrawingTool::marking_menu(int view) const {
 int PerspectiveDrawingTool::marking_key() const { return Qt::Key_G; }
 
 bool PerspectiveDrawingTool::takes_key(int key) const {
-  return (key >= Qt::Key_0 && key <= Qt::Key_6) || key == Qt::Key_C || key == Qt::Key_E;
+  constexpr std::array letters{Qt::Key_C, Qt::Key_E, Qt::Key_K, Qt::Key_L};
+  return (key >= Qt::Key_0 && key <= Qt::Key_6) || std::ranges::find(letters, key) != letters.end();
 }
 
 void PerspectiveDrawingTool::press_key(int key) {
@@ -185,6 +194,8 @@ void PerspectiveDrawingTool::press_key(int key) {
     if (construction->isChecked() != (key == Qt::Key_C)) construction->trigger();
     return;
   }
+  if (key == Qt::Key_K) return host().action("known-point")->trigger();
+  if (key == Qt::Key_L) return host().action("known-length")->trigger();
   if (key == Qt::Key_0) return choose_group(std::nullopt);
   choose_group(static_cast<StrokeGroup>(key - Qt::Key_1));
 }

@@ -36,6 +36,7 @@ PerspectiveChips::PerspectiveChips(SheetInteraction& sheet, QWidget* views)
     : QObject(views),
       sheet_(sheet),
       views_(views),
+      alternatives_(views),
       hint_(make_chip_label(*views, sheet_hint_style)),
       faces_(make_button("perspective-faces")),
       fix_(make_button("perspective-fix-chip")),
@@ -60,19 +61,29 @@ QToolButton* PerspectiveChips::make_button(const QString& name) {
   return button;
 }
 
+void PerspectiveChips::put(ChipPlaces& places, QWidget& chip, const QPointF& at, const ViewPane& pane) {
+  places.put(chip, at, pane.rect);
+  placed_.push_back(&chip);
+}
+
+/// Chips that stay are never hidden meanwhile: a button would forget that it is pressed.
 void PerspectiveChips::place(ChipPlaces& places, bool shown, bool through) {
-  for (QWidget* chip : {static_cast<QWidget*>(hint_), static_cast<QWidget*>(faces_), static_cast<QWidget*>(fix_),
-                        static_cast<QWidget*>(mirror_)})
-    chip->hide();
+  placed_.clear();
   const ViewPane& pane = places.layout().pane(SketchView);
+  const PerspectiveResult* result = sheet_.result();
   if (shown && pane.visible()) {
     place_hint(places, pane);
     place_faces(places, pane);
+    alternatives_.place(places, pane, result == nullptr ? 0 : result->alternatives.size());
     place_fix(places, pane);
     place_mirror(places, pane);
+  } else {
+    alternatives_.hide();
   }
-  place_through(places, through);
-  if (!shown) through_->hide();
+  if (shown) place_through(places, through);
+  for (QWidget* chip : std::initializer_list<QWidget*>{hint_, faces_, fix_, mirror_, through_}) {
+    if (std::ranges::find(placed_, chip) == placed_.end()) chip->hide();
+  }
 }
 
 /// What to draw first, as long as there is no camera.
@@ -81,7 +92,7 @@ void PerspectiveChips::place_hint(ChipPlaces& places, const ViewPane& pane) {
   hint_->setText(tr("Draw two lines along each axis: they take the axis' colour from where they point"));
   hint_->setFixedWidth(static_cast<int>(std::min(pane.rect.width() - 2 * chip_margin, hint_width)));
   hint_->adjustSize();
-  places.put(*hint_, QPointF(pane.rect.center().x() - hint_->width() / 2.0, pane.rect.bottom() - 60), pane.rect);
+  put(places, *hint_, QPointF(pane.rect.center().x() - hint_->width() / 2.0, pane.rect.bottom() - 60), pane);
 }
 
 void PerspectiveChips::place_faces(ChipPlaces& places, const ViewPane& pane) {
@@ -94,8 +105,7 @@ void PerspectiveChips::place_faces(ChipPlaces& places, const ViewPane& pane) {
   faces_->setToolTip(state.strokes.empty() ? QString() : tr("Click to see the strokes"));
   faces_strokes_ = std::move(state.strokes);
   faces_->adjustSize();
-  places.put(*faces_, QPointF(pane.rect.center().x() - faces_->width() / 2.0, pane.rect.top() + chip_margin),
-             pane.rect);
+  put(places, *faces_, QPointF(pane.rect.center().x() - faces_->width() / 2.0, pane.rect.top() + chip_margin), pane);
 }
 
 void PerspectiveChips::place_fix(ChipPlaces& places, const ViewPane& pane) {
@@ -108,7 +118,7 @@ void PerspectiveChips::place_fix(ChipPlaces& places, const ViewPane& pane) {
   fix_->setToolTip(QString::fromStdString(fix.text));
   fix_->setAccessibleName(fix_->toolTip());
   fix_->adjustSize();
-  places.put(*fix_, sheet_to_widget(pane, middle_of_stroke(*stroke)) + QPointF(14, 10), pane.rect);
+  put(places, *fix_, sheet_to_widget(pane, middle_of_stroke(*stroke)) + QPointF(14, 10), pane);
 }
 
 void PerspectiveChips::place_mirror(ChipPlaces& places, const ViewPane& pane) {
@@ -116,19 +126,17 @@ void PerspectiveChips::place_mirror(ChipPlaces& places, const ViewPane& pane) {
   const auto count = static_cast<int>(sheet_.proposal()->strokes.size());
   mirror_->setText(count == 1 ? tr("Add 1 mirrored stroke (Enter)") : tr("Add %1 mirrored strokes (Enter)").arg(count));
   mirror_->adjustSize();
-  places.put(*mirror_, QPointF(pane.rect.center().x() - mirror_->width() / 2.0, pane.rect.bottom() - 40), pane.rect);
+  put(places, *mirror_, QPointF(pane.rect.center().x() - mirror_->width() / 2.0, pane.rect.bottom() - 40), pane);
 }
 
 void PerspectiveChips::place_through(ChipPlaces& places, bool through) {
   const ViewPane& pane = places.layout().pane(PerspectiveView);
-  through_->hide();
   if (sheet_.result() == nullptr || !pane.visible()) return;
   through_->setText(tr("Look through"));
   through_->setToolTip(tr("See the solid from the drawing's eye, with the drawing over it (V)"));
   through_->setChecked(through);
   through_->adjustSize();
-  places.put(*through_, QPointF(pane.rect.center().x() - through_->width() / 2.0, pane.rect.top() + chip_margin),
-             pane.rect);
+  put(places, *through_, QPointF(pane.rect.center().x() - through_->width() / 2.0, pane.rect.top() + chip_margin), pane);
 }
 
 }  // namespace croquis::app

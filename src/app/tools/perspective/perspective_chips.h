@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QToolButton>
 
+#include "app/tools/perspective/alternative_chips.h"
 #include "app/tools/perspective/sheet_interaction.h"
 #include "app/views/chip_places.h"
 
@@ -21,6 +22,9 @@ class PerspectiveChips : public QObject {
   /// @param views that they stand on
   PerspectiveChips(SheetInteraction& sheet, QWidget* views);
 
+  AlternativeChips& alternatives() { return alternatives_; }
+  const AlternativeChips& alternatives() const { return alternatives_; }
+
   /// @param through the perspective view is held at the drawing's eye
   void place(ChipPlaces& places, bool shown, bool through);
 
@@ -32,6 +36,7 @@ class PerspectiveChips : public QObject {
 
  private:
   QToolButton* make_button(const QString& name);
+  void put(ChipPlaces& places, QWidget& chip, const QPointF& at, const ViewPane& pane);
   void place_hint(ChipPlaces& places, const ViewPane& pane);
   void place_faces(ChipPlaces& places, const ViewPane& pane);
   void place_fix(ChipPlaces& places, const ViewPane& pane);
@@ -40,6 +45,8 @@ class PerspectiveChips : public QObject {
 
   SheetInteraction& sheet_;
   QWidget* views_;
+  AlternativeChips alternatives_;
+  std::vector<QWidget*> placed_;  ///< this time
   QLabel* hint_;
   QToolButton* faces_;
   std::vector<std::string> faces_strokes_;  ///< that its sentence is about

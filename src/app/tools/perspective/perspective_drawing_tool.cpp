@@ -28,7 +28,10 @@ PerspectiveMode sheet_mode(const QString& mode) {
 }  // namespace
 
 PerspectiveDrawingTool::PerspectiveDrawingTool(ToolHost& host)
-    : Tool(host), sheet_(host.studio(), host.viewport().pane(SketchView)), chips_(sheet_, &host.viewport()) {
+    : Tool(host),
+      sheet_(host.studio(), host.viewport().pane(SketchView)),
+      chips_(sheet_, &host.viewport()),
+      entry_(new PenEntry(&host.viewport())) {
   connect(&sheet_, &SheetInteraction::changed, this, [this] {
     emit changed_in(SketchView);
     if (looks_through()) emit changed_in(PerspectiveView);
@@ -39,6 +42,10 @@ PerspectiveDrawingTool::PerspectiveDrawingTool(ToolHost& host)
     refresh();
     emit state_changed();
   });
+  connect(&sheet_, &SheetInteraction::point_picked, this, &PerspectiveDrawingTool::ask_point);
+  connect(&sheet_, &SheetInteraction::length_picked, this, &PerspectiveDrawingTool::ask_length);
+  connect(&chips_.alternatives(), &AlternativeChips::hovered_changed, this, &Tool::changed);
+  connect(&chips_.alternatives(), &AlternativeChips::wanted, this, &PerspectiveDrawingTool::take_alternative);
   connect(&chips_, &PerspectiveChips::fix_wanted, this, &PerspectiveDrawingTool::apply_fix);
   connect(&chips_, &PerspectiveChips::mirror_wanted, this, &PerspectiveDrawingTool::complete_mirrored);
   connect(&chips_, &PerspectiveChips::strokes_wanted, this, &PerspectiveDrawingTool::look_at_strokes);
@@ -56,6 +63,10 @@ void PerspectiveDrawingTool::make_panels(PanelDocks& docks) {
   dock_ = docks.add(tr("Perspective"), scroll, "perspective");
   docks.set_useful(dock_, false);
   docks_ = &docks;
+  connect_panel();
+}
+
+void PerspectiveDrawingTool::connect_panel() {
   connect(panel_, &PerspectivePanel::known_point_wanted, this,
           [this](const std::optional<KnownPoint>& known) { do_and_record(sheet_.tool().set_known_point(known)); });
   connect(panel_, &PerspectivePanel::known_length_wanted, this,
@@ -67,6 +78,10 @@ void PerspectiveDrawingTool::make_panels(PanelDocks& docks) {
   });
   connect(panel_, &PerspectivePanel::sheet_size_wanted, this,
           [this](const Vec2& size) { do_and_record(sheet_.tool().set_sheet(size)); });
+  connect(panel_, &PerspectivePanel::unit_wanted, this,
+          [this](const std::string& unit) { do_and_record(sheet_.tool().set_unit(unit)); });
+  connect(panel_, &PerspectivePanel::parameter_wanted, this, &PerspectiveDrawingTool::set_parameter);
+  connect(entry_, &PenEntry::finished, this, &Tool::state_changed);
   connect(panel_, &PerspectivePanel::stroke_wanted, this, [this](const std::string& stroke) {
     if (mode() != select_mode) host().set_mode(select_mode);
     sheet_.tool().select({stroke});
@@ -93,7 +108,7 @@ void PerspectiveDrawingTool::set_mode(const QString& mode) {
 bool PerspectiveDrawingTool::works_in(int view) const { return has_view(view) && (draws() || mode() == select_mode); }
 
 Qt::CursorShape PerspectiveDrawingTool::cursor(int) const {
-  return draws() || sheet_.picks_known_point() ? Qt::CrossCursor : Qt::ArrowCursor;
+  return draws() || sheet_.picks() != SheetInteraction::Pick::None ? Qt::CrossCursor : Qt::ArrowCursor;
 }
 
 bool PerspectiveDrawingTool::abandon() {
@@ -127,7 +142,11 @@ bool PerspectiveDrawingTool::open_step(const Node& step) {
 }
 
 QString PerspectiveDrawingTool::help() const {
-  if (sheet_.picks_known_point()) return tr("Click the corner whose coordinates are known · Escape stops");
+  if (sheet_.picks() == SheetInteraction::Pick::Point)
+    return tr("Click the corner whose coordinates are known · Escape stops");
+  if (sheet_.picks() == SheetInteraction::Pick::Length)
+    return tr("Click the stroke whose length is known · Escape stops");
+  if (entry_->isVisible()) return tr("Type a number, if you like with mm, cm, m or in · Enter takes it · Escape stops");
   if (sheet_.proposal()) return tr("Enter adds the mirrored strokes · Escape leaves them out");
   switch (sheet_.tool().mode()) {
     case PerspectiveMode::Select:
@@ -151,6 +170,7 @@ void PerspectiveDrawingTool::add_to(render::Scene& scene, int view) {
     scene.lines.insert(scene.lines.end(), sheet.lines.begin(), sheet.lines.end());
     scene.marks.insert(scene.marks.end(), sheet.marks.begin(), sheet.marks.end());
   }
+  add_alternative_to(scene, view);
   const auto camera = view == PerspectiveView && looks_through() ? host().viewport().looked_through() : std::nullopt;
   if (!camera || overlay_ == 0) return;
   const auto place = [&](const Vec2& sheet) { return camera->before_the_eye(sheet); };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/tools/perspective/pen_entry.h"
 #include "app/tools/perspective/perspective_chips.h"
 #include "app/tools/perspective/sheet_interaction.h"
 #include "app/tools/tool.h"
@@ -66,7 +67,15 @@ class PerspectiveDrawingTool final : public Tool {
   void set_looking_through(bool on);
   void begin_new();
   void choose_group(std::optional<StrokeGroup> group);
+  void connect_panel();
   void apply_fix();
+  void ask_point(const Vec2& at);
+  void ask_length(const std::string& stroke);
+  void begin_known_length();
+  void take_alternative(std::size_t alternative);
+  void add_alternative_to(render::Scene& scene, int view) const;
+  void set_parameter(const std::string& name, const ParameterValue& value);
+  QPointF widget_place(const Vec2& sheet) const;
   void look_at_strokes(const std::vector<std::string>& strokes);
   void toggle_sharp();
   void set_face(bool add);
@@ -77,6 +86,7 @@ class PerspectiveDrawingTool final : public Tool {
 
   SheetInteraction sheet_;
   PerspectiveChips chips_;
+  PenEntry* entry_;
   PerspectivePanel* panel_ = nullptr;
   PanelDocks* docks_ = nullptr;
   QDockWidget* dock_ = nullptr;

@@ -2,6 +2,8 @@
 #include "app/tools/perspective/perspective_panel.h"
 
 #include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QHeaderView>
@@ -18,6 +20,7 @@
 
 #include "app/tools/perspective/group_looks.h"
 #include "app/tools/perspective/sheet_size_field.h"
+#include "croquis/tools/perspective/sheet_units.h"
 
 namespace croquis::app {
 namespace {
@@ -87,6 +90,7 @@ void PerspectivePanel::make_camera(QBoxLayout* column) {
   deviation_->setMaximumHeight(16);
   deviation_->setToolTip(tr("How uncertain the focal length is: one standard deviation"));
   column->addWidget(deviation_);
+  make_mode(column);
   auto* row = new QHBoxLayout;
   row->addWidget(new QLabel(tr("Field of view"), this));
   field_ = make_number(this, "perspective-field", 0, 170, 2);
@@ -97,7 +101,31 @@ void PerspectivePanel::make_camera(QBoxLayout* column) {
   });
   row->addWidget(field_);
   column->addLayout(row);
-  row = new QHBoxLayout;
+  make_overlay(column);
+}
+
+/// What the operation is told of the camera.
+void PerspectivePanel::make_mode(QBoxLayout* column) {
+  auto* row = new QHBoxLayout;
+  row->addWidget(new QLabel(tr("Vanishing points"), this));
+  mode_ = new QComboBox(this);
+  mode_->setObjectName("perspective-mode");
+  mode_->addItem(tr("automatic"), "auto");
+  for (const char* count : {"3", "2", "1"}) mode_->addItem(count, count);
+  mode_->setToolTip(tr("How many vanishing points aren't at infinity"));
+  connect(mode_, &QComboBox::activated, this,
+          [this] { emit parameter_wanted("mode", mode_->currentData().toString().toStdString()); });
+  row->addWidget(mode_);
+  flip_ = new QCheckBox(tr("Flip x and y"), this);
+  flip_->setObjectName("perspective-flip");
+  flip_->setToolTip(tr("Lets x and y point the other way: a drawing doesn't tell which"));
+  connect(flip_, &QCheckBox::clicked, this, [this](bool on) { emit parameter_wanted("flip", on); });
+  row->addWidget(flip_);
+  column->addLayout(row);
+}
+
+void PerspectivePanel::make_overlay(QBoxLayout* column) {
+  auto* row = new QHBoxLayout;
   row->addWidget(new QLabel(tr("Drawing over the solid"), this));
   auto* overlay = new QSlider(Qt::Horizontal, this);
   overlay->setObjectName("perspective-overlay");
@@ -114,8 +142,9 @@ void PerspectivePanel::make_known(QBoxLayout* column) {
   pick_ = new QPushButton(tr("Known point"), this);
   pick_->setObjectName("perspective-pick-point");
   pick_->setCheckable(true);
-  pick_->setToolTip(tr("Click a corner of the drawing whose coordinates are known"));
-  connect(pick_, &QPushButton::clicked, this, [this](bool on) { sheet_.pick_known_point(on); });
+  pick_->setToolTip(tr("Click a corner of the drawing whose coordinates are known and type them (K)"));
+  connect(pick_, &QPushButton::clicked, this,
+          [this](bool on) { sheet_.pick(on ? SheetInteraction::Pick::Point : SheetInteraction::Pick::None); });
   row->addWidget(pick_, 1);
   forget_ = new QPushButton(QStringLiteral("✕"), this);
   forget_->setObjectName("perspective-forget-point");
@@ -132,6 +161,10 @@ void PerspectivePanel::make_known(QBoxLayout* column) {
     row->addWidget(point_[i]);
   }
   column->addLayout(row);
+  make_length(column);
+}
+
+void PerspectivePanel::make_length(QBoxLayout* column) {
   auto* second = new QHBoxLayout;
   length_of_ = new QLabel(this);
   second->addWidget(length_of_, 1);
@@ -143,7 +176,22 @@ void PerspectivePanel::make_known(QBoxLayout* column) {
     emit known_length_wanted(ids.front(), length > 0 ? std::optional(length) : std::optional<double>());
   });
   second->addWidget(length_);
+  unit_ = new QComboBox(this);
+  unit_->setObjectName("perspective-unit");
+  unit_->addItem(tr("no unit"), "");
+  for (const std::string& unit : length_units()) {
+    const QString name = QString::fromStdString(unit);
+    unit_->addItem(unit == "in" ? tr("inch") : name, name);
+  }
+  unit_->setToolTip(tr("Of all lengths and coordinates; known ones keep their size when it changes"));
+  connect(unit_, &QComboBox::activated, this,
+          [this] { emit unit_wanted(unit_->currentData().toString().toStdString()); });
+  second->addWidget(unit_);
   column->addLayout(second);
+  size_ = new QLabel(this);
+  size_->setObjectName("perspective-size");
+  size_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  column->addWidget(size_);
 }
 
 void PerspectivePanel::make_lines(QBoxLayout* column) {
@@ -168,7 +216,9 @@ void PerspectivePanel::follow() {
   following_ = true;
   follow_camera();
   size_->follow(sheet_.drawing().image_size);
+  follow_mode();
   follow_known();
+  follow_size();
   follow_lines();
   following_ = false;
 }
@@ -190,7 +240,7 @@ void PerspectivePanel::follow_camera() {
 
 void PerspectivePanel::follow_known() {
   const PerspectiveDrawing& drawing = sheet_.drawing();
-  pick_->setChecked(sheet_.picks_known_point());
+  pick_->setChecked(sheet_.picks() == SheetInteraction::Pick::Point);
   forget_->setEnabled(drawing.known_point.has_value());
   for (int i = 0; i < 3; ++i) {
     QDoubleSpinBox& box = *point_[static_cast<std::size_t>(i)];
@@ -206,6 +256,25 @@ void PerspectivePanel::follow_known() {
     if (ids.size() == 1 && known.stroke == ids.front()) length = known.length;
   }
   show_value(*length_, length);
+}
+
+void PerspectivePanel::follow_mode() {
+  const QString mode = QString::fromStdString(sheet_.parameter_text("mode"));
+  mode_->setCurrentIndex(std::max(0, mode_->findData(mode)));
+  flip_->setChecked(sheet_.parameter_flag("flip"));
+}
+
+/// The box about the solid's corners.
+void PerspectivePanel::follow_size() {
+  const QString unit = QString::fromStdString(sheet_.drawing().unit);
+  unit_->setCurrentIndex(std::max(0, unit_->findData(unit)));
+  const PerspectiveResult* result = sheet_.result();
+  const BoundingBox box = result == nullptr ? BoundingBox() : bounds_of(result->network);
+  size_->setVisible(box.has_value());
+  if (!box) return;
+  const Vec3 size = (*box)[1] - (*box)[0];
+  const auto text = [&](int axis) { return QString::number(size[axis], 'g', 4); };
+  size_->setText(tr("Size %1 × %2 × %3 %4").arg(text(0), text(1), text(2), unit).trimmed());
 }
 
 void PerspectivePanel::follow_lines() {

@@ -11,6 +11,7 @@
 class QAction;
 class QBoxLayout;
 class QCheckBox;
+class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 class QProgressBar;
@@ -39,20 +40,31 @@ class PerspectivePanel : public QWidget {
   void sheet_size_wanted(const croquis::Vec2& size);
   void stroke_wanted(const std::string& stroke);  ///< selected in the list
   void overlay_wanted(double opacity);
+  void unit_wanted(const std::string& unit);
+  void parameter_wanted(const std::string& name, const croquis::ParameterValue& value);  ///< of the operation
 
  private:
   void make_groups(QBoxLayout* column, const std::function<QAction*(const QString&)>& action);
   void make_camera(QBoxLayout* column);
+  void make_mode(QBoxLayout* column);
+  void make_overlay(QBoxLayout* column);
   void make_known(QBoxLayout* column);
+  void make_length(QBoxLayout* column);
   void make_lines(QBoxLayout* column);
   void follow_camera();
+  void follow_mode();
   void follow_known();
+  void follow_size();
   void follow_lines();
   void tell_point();
 
   SheetInteraction& sheet_;
   SheetSizeField* size_;
   QLabel* camera_;
+  QComboBox* mode_;
+  QCheckBox* flip_;
+  QComboBox* unit_;
+  QLabel* size_;
   QProgressBar* deviation_;
   QDoubleSpinBox* field_;
   QPushButton* pick_;

@@ -40,6 +40,10 @@ bool PerspectiveDrawingTool::replay(const recorded::Step& step) {
     tool.set_camera(camera->field_of_view, camera->principal_point);
   } else if (const auto* sheet = step.as<recorded::SheetSize>()) {
     tool.set_sheet(sheet->size);
+  } else if (const auto* unit = step.as<recorded::SheetUnit>()) {
+    tool.set_unit(unit->unit);
+  } else if (const auto* faces = step.as<recorded::SheetFaces>()) {
+    tool.choose_faces(faces->required, faces->forbidden);
   } else if (const auto* choice = step.as<recorded::SheetChoice>()) {
     tool.choose(choice->list, choice->item, choice->on);
   } else if (const auto* mirror = step.as<recorded::SheetMirror>()) {

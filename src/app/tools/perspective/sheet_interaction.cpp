@@ -40,6 +40,24 @@ const PerspectiveResult* SheetInteraction::result() const { return result_of<Per
 
 Findings SheetInteraction::findings() const { return shown_ ? shown_->findings : Findings(); }
 
+template <typename T>
+const T* SheetInteraction::parameter_of(const std::string& name) const {
+  const Node* operation = studio_.session().document().find(tool_.operation_node());
+  if (operation == nullptr) return nullptr;
+  const auto found = operation->parameters.find(name);
+  return found == operation->parameters.end() ? nullptr : std::get_if<T>(&found->second);
+}
+
+std::string SheetInteraction::parameter_text(const std::string& name) const {
+  const std::string* text = parameter_of<std::string>(name);
+  return text == nullptr ? std::string() : *text;
+}
+
+bool SheetInteraction::parameter_flag(const std::string& name) const {
+  const bool* flag = parameter_of<bool>(name);
+  return flag != nullptr && *flag;
+}
+
 Vec2 SheetInteraction::to_sheet(const Vec2& pixel) const {
   const Vec2 place = pane_.sketch_frame().to_sketch(pixel);
   return {place.x(), -place.y()};
@@ -55,15 +73,8 @@ void SheetInteraction::set_mode(PerspectiveMode mode) {
 void SheetInteraction::take(const PointerEvent& event) {
   last_time_ = event.time;
   since_event_.start();
-  if (picks_point_ && event.action == PointerEvent::Action::Press && event.buttons.left) {
-    pick_known_point(false);
-    const Vec2 at = to_sheet(event.position);
-    const auto end = nearest_end(drawing(), at, 2 * sheet_stroke_reach * pane_.sketch_frame().units_per_pixel);
-    const auto& known = drawing().known_point;
-    const KnownPoint picked{end ? place_of(drawing(), *end) : at, known ? known->point : Vec3(Vec3::Zero())};
-    if (tool_.set_known_point(picked) == Verdict::Commit) emit committed(*tool_.done());
-    return;
-  }
+  if (picks_ != Pick::None && event.action == PointerEvent::Action::Press && event.buttons.left)
+    return take_pick(event);
   take_pen(pen_.handle(event));
   if (event.action == PointerEvent::Action::Leave) {
     show_guides(std::nullopt);
@@ -73,13 +84,27 @@ void SheetInteraction::take(const PointerEvent& event) {
   }
 }
 
-void SheetInteraction::pick_known_point(bool wanted) {
-  picks_point_ = wanted;
+void SheetInteraction::pick(Pick wanted) {
+  picks_ = wanted;
   emit state_changed();
 }
 
+/// A click beside any stroke chooses no length: the next one may.
+void SheetInteraction::take_pick(const PointerEvent& event) {
+  const double unit = pane_.sketch_frame().units_per_pixel;
+  const Vec2 at = to_sheet(event.position);
+  if (picks_ == Pick::Point) {
+    const auto end = nearest_end(drawing(), at, 2 * sheet_stroke_reach * unit);
+    pick(Pick::None);
+    emit point_picked(end ? place_of(drawing(), *end) : at);
+  } else if (const auto stroke = nearest_stroke(drawing(), at, 2 * sheet_stroke_reach * unit)) {
+    pick(Pick::None);
+    emit length_picked(*stroke);
+  }
+}
+
 bool SheetInteraction::abandon() {
-  if (std::exchange(picks_point_, false)) {
+  if (std::exchange(picks_, Pick::None) != Pick::None) {
     emit state_changed();
     return true;
   }

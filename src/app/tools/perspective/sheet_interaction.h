@@ -37,15 +37,20 @@ class SheetInteraction : public QObject {
   const std::vector<StrokeSample>& ink() const { return tool_.preview().ink; }
   bool inking() const { return !ink().empty(); }
 
-  /// The next press doesn't draw: it says where the known point is.
-  void pick_known_point(bool wanted);
-  bool picks_known_point() const { return picks_point_; }
+  /// What the next press chooses instead of drawing: the known point, or the stroke whose length is known.
+  enum class Pick { None, Point, Length };
+  void pick(Pick wanted);
+  Pick picks() const { return picks_; }
 
   /// Of what is shown; an empty one while there is none.
   const PerspectiveDrawing& drawing() const;
   /// What was found in it, also while it is out of date; null before that.
   const PerspectiveResult* result() const;
   Findings findings() const;
+
+  /// Parameters of the operation that the drawing goes to; empty and false where it has none of its own.
+  std::string parameter_text(const std::string& name) const;
+  bool parameter_flag(const std::string& name) const;
 
   /// What a mirror would add, or nothing.
   const std::optional<MirrorProposal>& proposal() const { return proposal_; }
@@ -65,8 +70,13 @@ class SheetInteraction : public QObject {
   void inked();    ///< nothing but the ink
   void committed(const croquis::recorded::Step& step);
   void state_changed();
+  void point_picked(const croquis::Vec2& at);        ///< px of the sheet
+  void length_picked(const std::string& stroke);
 
  private:
+  template <typename T>
+  const T* parameter_of(const std::string& name) const;
+  void take_pick(const PointerEvent& event);
   void take_pen(const std::vector<PenStep>& steps);
   void feed(const PenStep& step);
   void show();
@@ -80,7 +90,7 @@ class SheetInteraction : public QObject {
   PerspectiveTool tool_;
   PenInput pen_;
   SheetScene scene_;
-  bool picks_point_ = false;
+  Pick picks_ = Pick::None;
   std::optional<MirrorProposal> proposal_;
   std::shared_ptr<const Evaluation> shown_;  ///< result that the scene is made of
   QString told_finding_;
