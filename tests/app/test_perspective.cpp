@@ -86,7 +86,7 @@ TEST_CASE("a box drawn with a mouse at the speed of a hand, missing by one perce
   CHECK(result->faces.size() == 6);
   CHECK(result->network.vertices.size() == 8);
   hand.picture();
-  const auto* faces = hand.viewport().findChild<QLabel*>("perspective-faces");
+  const auto* faces = hand.viewport().findChild<QToolButton*>("perspective-faces");
   REQUIRE(faces != nullptr);
   CHECK(faces->text() == "Solid closed");
 

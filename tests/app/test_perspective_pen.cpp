@@ -122,8 +122,7 @@ TEST_CASE("coordinates and lengths are typed at the pen, with units", "[perspect
   auto* entry = hand.viewport().findChild<QLineEdit*>("perspective-entry");
   REQUIRE(entry != nullptr);
   sheet.tool().set_unit("mm");
-  const std::string edge =
-      std::ranges::find(sheet.drawing().strokes, StrokeRole::Edge, &PerspectiveStroke::role)->id;
+  const std::string edge = std::ranges::find(sheet.drawing().strokes, StrokeRole::Edge, &PerspectiveStroke::role)->id;
   const PerspectiveStroke stroke = *find_stroke(sheet.drawing(), edge);
 
   hand.send_mouse(QEvent::MouseMove, on_screen(hand, stroke.start()), Qt::NoButton, Qt::NoModifier);
@@ -238,7 +237,8 @@ TEST_CASE("other sets of faces are seen under the pointer and taken by a click, 
 
   const auto face_sets = [&] {
     std::set<std::set<std::string>> faces;
-    for (const PerspectiveFace& face : sheet.result()->faces) faces.insert({face.strokes[0].begin(), face.strokes[0].end()});
+    for (const PerspectiveFace& face : sheet.result()->faces)
+      faces.insert({face.strokes[0].begin(), face.strokes[0].end()});
     return faces;
   };
   const auto old_faces = face_sets();
@@ -261,12 +261,18 @@ TEST_CASE("undo after each reconstruction restores the drawing byte for byte", "
   std::vector<std::string> states = {bytes()};
   PerspectiveTool& tool = sheet.tool();
   const std::vector<std::function<void()>> edits = {
-      [&] { tool.drag(sheet.drawing().strokes[8].id, 0, {7.25, -3.5}); },
+      [&] {
+        tool.drag(sheet.drawing().strokes[8].id, 0, {7.25, -3.5});
+      },
       [&] { tool.remove({sheet.drawing().strokes[10].id}); },
-      [&] { tool.aim(0, {4000, 200}); },
+      [&] {
+        tool.aim(0, {4000, 200});
+      },
       [&] { tool.set_known_length(sheet.drawing().strokes[12].id, 40.0); },
       [&] { tool.set_unit("cm"); },
-      [&] { tool.draw({{300, 300}, {350, 320}, {420, 350}}, 1, std::nullopt, StrokeRole::Edge); },
+      [&] {
+        tool.draw({{300, 300}, {350, 320}, {420, 350}}, 1, std::nullopt, StrokeRole::Edge);
+      },
   };
   for (const auto& edit : edits) {
     edit();

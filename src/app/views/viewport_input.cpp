@@ -228,7 +228,8 @@ bool Viewport::take_marking(const PointerEvent& event, const QPointF& place) {
   if (marking_menu_.is_open() && event.buttons.barrel && event.buttons.left) marking_menu_.dismiss();
   if (marking_menu_.is_open()) {
     marking_menu_.move_to(place);
-    const bool let_go = !marking_by_key_ && !event.buttons.any() && (event.action == Action::Release || event.action == Action::Hover);
+    const bool let_go =
+        !marking_by_key_ && !event.buttons.any() && (event.action == Action::Release || event.action == Action::Hover);
     if (let_go) {
       grabbed_ = -1;
       marking_menu_.choose();

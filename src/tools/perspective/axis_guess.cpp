@@ -9,6 +9,8 @@
 
 #include <Eigen/Dense>
 
+#include "croquis/tools/perspective/drawing_edit.h"
+
 namespace croquis {
 namespace {
 
@@ -32,6 +34,8 @@ constexpr double upright_limit = 20 * angle_of_one_degree;
 
 /// Of a curve at its end, from the axis that it is tangent to: ends of the hand's curves are worse than its lines.
 constexpr double tangent_limit = 18 * angle_of_one_degree;
+/// From a line that the curve goes on from: its end was moved to that line's end, which turns its direction.
+constexpr double continued_limit = 40 * angle_of_one_degree;
 /// The sum of both ends' angles, against that of the next best two axes.
 constexpr double clearly_better_sum = 1.6;
 
@@ -150,12 +154,40 @@ std::vector<int> both_end_axes(const std::array<std::optional<Vec3>, 3>& points,
   return {(sums[0].second + 1) % 3, (sums[0].second + 2) % 3};
 }
 
+/// The axis of the line that a curve goes on from at its end, where there is one.
+std::optional<int> axis_continued(const PerspectiveDrawing& drawing, const EndDirection& end) {
+  std::optional<int> axis;
+  double best = continued_limit;
+  for (const PerspectiveStroke& stroke : drawing.strokes) {
+    const auto meets = [&](const Vec2& place) { return place == end.from || place == end.to; };
+    if (!is_parallel(stroke.group) || !has_vertices(stroke) || (!meets(stroke.start()) && !meets(stroke.end())))
+      continue;
+    const Vec2 line = stroke.end() - stroke.start(), way = end.to - end.from;
+    const double angle = std::atan2(std::abs(cross(line, way)), std::abs(line.dot(way)));
+    if (angle >= best) continue;
+    best = angle;
+    axis = axis_of(stroke.group);
+  }
+  return axis;
+}
+
 /// The axes that a curve runs along at its ends: none, one, or two that differ.
-std::vector<int> end_axes(const std::array<std::optional<Vec3>, 3>& points, const StrokeShape& shape) {
+std::vector<int> end_axes(const PerspectiveDrawing& drawing, const std::array<std::optional<Vec3>, 3>& points,
+                          const StrokeShape& shape) {
   const std::vector<EndDirection> ends = end_directions(shape);
-  std::vector<int> axes = both_end_axes(points, ends);
-  if (!axes.empty()) return axes;
+  std::vector<int> axes;
   for (const EndDirection& end : ends) {
+    const auto axis = axis_continued(drawing, end);
+    if (axis && std::ranges::find(axes, *axis) == axes.end()) axes.push_back(*axis);
+  }
+  if (axes.size() == 2) return axes;
+  if (std::vector<int> both = both_end_axes(points, ends); !both.empty()) return both;
+  axes.clear();
+  for (const EndDirection& end : ends) {
+    if (const auto axis = axis_continued(drawing, end)) {
+      if (std::ranges::find(axes, *axis) == axes.end()) axes.push_back(*axis);
+      continue;
+    }
     const std::vector<AxisAngle> angles = angles_to(points, end.from, end.to);
     const bool clear = angles.size() < 2 || angles[1].first > clearly_better * angles[0].first;
     if (angles.empty() || angles[0].first > tangent_limit || !clear) continue;
@@ -236,7 +268,7 @@ StrokeGroup guess_plane(const PerspectiveDrawing& drawing, const SolvedDrawing* 
   } else if (const auto nearest = start ? start : end) {
     sight = (solved->network.vertices[*nearest] - solved->camera.eye).normalized();
   }
-  for (const int axis : end_axes(seen_vanishing_points(drawing, solved), shape)) {
+  for (const int axis : end_axes(drawing, seen_vanishing_points(drawing, solved), shape)) {
     may[static_cast<std::size_t>(axis)] = false;
     known = true;
   }

@@ -39,8 +39,7 @@ StrokeGroup group_of(const PerspectiveDrawing& drawing, const StrokeShape& shape
     if (axis) return *axis;
   }
   const StrokeGroup preferred = options.role == StrokeRole::Construction ? StrokeGroup::Unknown : options.plane;
-  const StrokeGroup plane =
-      guess_plane(drawing, options.solved, shape, found_share * drawing.diagonal(), preferred);
+  const StrokeGroup plane = guess_plane(drawing, options.solved, shape, found_share * drawing.diagonal(), preferred);
   if (plane != StrokeGroup::Unknown || !shape.straight) return plane;
   return nearest_axis(drawing, options.solved, shape.start(), shape.end()).value_or(plane);
 }

@@ -345,10 +345,9 @@ const Vocabulary& perspective_steps() {
     Vocabulary made;
     for (const StepKind* kind :
          {&SheetStroke::step_kind(), &SheetDrag::step_kind(), &SheetAim::step_kind(), &SheetSetting::step_kind(),
-          {&SheetStroke::step_kind(), &SheetDrag::step_kind(), &SheetAim::step_kind(), &SheetSetting::step_kind(),
-           &SheetDelete::step_kind(), &SheetSize::step_kind(), &SheetPoint::step_kind(), &SheetLength::step_kind(),
-           &SheetCamera::step_kind(), &SheetChoice::step_kind(), &SheetMirror::step_kind(), &SheetUnit::step_kind(),
-           &SheetFaces::step_kind()})
+          &SheetDelete::step_kind(), &SheetSize::step_kind(), &SheetPoint::step_kind(), &SheetLength::step_kind(),
+          &SheetCamera::step_kind(), &SheetChoice::step_kind(), &SheetMirror::step_kind(), &SheetUnit::step_kind(),
+          &SheetFaces::step_kind()})
       made.add(*kind);
     for (const char* count : {"perspective-strokes", "perspective-faces", "perspective-open", "perspective-closed",
                               "perspective-mode", "perspective-fixes"})

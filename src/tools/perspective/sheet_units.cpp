@@ -12,8 +12,8 @@
 namespace croquis {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, double>, 4> units{
-    std::pair{"mm", 0.001}, std::pair{"cm", 0.01}, std::pair{"m", 1.0}, std::pair{"in", 0.0254}};
+constexpr std::array<std::pair<std::string_view, double>, 4> units{std::pair{"mm", 0.001}, std::pair{"cm", 0.01},
+                                                                   std::pair{"m", 1.0}, std::pair{"in", 0.0254}};
 
 /// Letters at the end of a text, and the text before them.
 std::pair<std::string_view, std::string_view> number_and_unit(std::string_view text) {

@@ -213,6 +213,30 @@ TEST_CASE("what joins two known vertices lies in the plane that both are in") {
   CHECK(planes > 0);
 }
 
+TEST_CASE("an arc between an upright and a level line lies in the plane of both, whatever its ends are moved by") {
+  const test::SolidDrawing truth = plain_drawing(test::box(), usual_view());
+  SolvedDrawing solved = truth_of(truth);
+  solved.network = {};
+  const auto seen = [&](double y, double z) { return truth.camera.project({0.5, y, z}); };
+  PerspectiveDrawing drawing = empty_sheet();
+  add_stroke(drawing, {{line_piece(seen(0, 0), seen(0, 1))}, true}, StrokeGroup::ParallelZ, StrokeRole::Edge);
+  add_stroke(drawing, {{line_piece(seen(0.8, 1.8), seen(2, 1.8))}, true}, StrokeGroup::ParallelY, StrokeRole::Edge);
+  test::Random random(3);
+  PenStrokeOptions options;
+  options.solved = &solved;
+  for (int trial = 0; trial < 12; ++trial) {
+    std::vector<Vec2> arc;
+    const Vec2 off(random.between(-6, 6), random.between(-6, 6));
+    for (int k = 0; k <= 40; ++k) {
+      const double angle = std::numbers::pi / 2 * k / 40;
+      arc.push_back(seen(0.8 - 0.8 * std::cos(angle), 1 + 0.8 * std::sin(angle)) + off);
+    }
+    PerspectiveDrawing drawn = drawing;
+    REQUIRE(draw_strokes(drawn, arc, options).size() == 1);
+    CHECK(drawn.strokes.back().group == StrokeGroup::NormalX);
+  }
+}
+
 /// Samples of a mouse: whole pixels, dense where the hand starts and stops.
 std::vector<Vec2> mouse_way(const std::vector<Vec2>& line, test::Random& random, double tremor) {
   std::vector<Vec2> places;

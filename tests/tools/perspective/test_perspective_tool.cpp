@@ -258,7 +258,8 @@ TEST_CASE("lengths and points are read as people type them") {
   CHECK(*read_length("4,5in", "cm") == Approx(11.43));
   CHECK(*read_length("1 inch", "mm") == Approx(25.4));
   CHECK(read_length("7", "") == 7);
-  for (const char* wrong : {"", "abc", "-3", "0", "1 2", "3 miles", "nan", "1e999"}) CHECK_FALSE(read_length(wrong, "mm"));
+  for (const char* wrong : {"", "abc", "-3", "0", "1 2", "3 miles", "nan", "1e999"})
+    CHECK_FALSE(read_length(wrong, "mm"));
   CHECK_FALSE(read_length("12 cm", ""));
   CHECK(*read_point("0 0 0", "") == Vec3(0, 0, 0));
   CHECK(*read_point("1, -2, 3.5", "mm") == Vec3(1, -2, 3.5));

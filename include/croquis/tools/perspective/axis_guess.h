@@ -32,7 +32,8 @@ std::optional<StrokeGroup> nearest_axis(const PerspectiveDrawing& drawing, const
 /// The plane that a stroke lies in, by what is known of its ends:
 /// - Between two vertices of the network, a plane in which both lie: at right angles to an axis along which they have
 ///   the same coordinate.
-/// - A curve that begins or ends along an axis, as where it rounds a corner, lies in a plane with that axis.
+/// - A curve that goes on from a line along an axis, or begins or ends along an axis, as where it rounds a corner, lies
+///   in a plane with that axis.
 /// Of several such planes `preferred` if it is one of them, else the one that is seen more from the front; where
 /// nothing is known, `preferred`.
 /// @param reach px, how far the ends may lie from where the vertices are seen

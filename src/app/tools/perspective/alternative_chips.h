@@ -10,7 +10,8 @@
 
 namespace croquis::app {
 
-/// A button for each other set of faces that fits a drawing as well: under the pointer it is shown, clicked it is taken.
+/// A button for each other set of faces that fits a drawing as well: under the pointer it is shown, clicked it is
+/// taken.
 class AlternativeChips : public QObject {
   Q_OBJECT
 

@@ -136,7 +136,8 @@ void PerspectiveChips::place_through(ChipPlaces& places, bool through) {
   through_->setToolTip(tr("See the solid from the drawing's eye, with the drawing over it (V)"));
   through_->setChecked(through);
   through_->adjustSize();
-  put(places, *through_, QPointF(pane.rect.center().x() - through_->width() / 2.0, pane.rect.top() + chip_margin), pane);
+  put(places, *through_, QPointF(pane.rect.center().x() - through_->width() / 2.0, pane.rect.top() + chip_margin),
+      pane);
 }
 
 }  // namespace croquis::app

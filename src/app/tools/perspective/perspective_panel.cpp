@@ -116,12 +116,12 @@ void PerspectivePanel::make_mode(QBoxLayout* column) {
   connect(mode_, &QComboBox::activated, this,
           [this] { emit parameter_wanted("mode", mode_->currentData().toString().toStdString()); });
   row->addWidget(mode_);
+  column->addLayout(row);
   flip_ = new QCheckBox(tr("Flip x and y"), this);
   flip_->setObjectName("perspective-flip");
   flip_->setToolTip(tr("Lets x and y point the other way: a drawing doesn't tell which"));
   connect(flip_, &QCheckBox::clicked, this, [this](bool on) { emit parameter_wanted("flip", on); });
-  row->addWidget(flip_);
-  column->addLayout(row);
+  column->addWidget(flip_);
 }
 
 void PerspectivePanel::make_overlay(QBoxLayout* column) {

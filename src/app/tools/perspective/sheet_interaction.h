@@ -70,7 +70,7 @@ class SheetInteraction : public QObject {
   void inked();    ///< nothing but the ink
   void committed(const croquis::recorded::Step& step);
   void state_changed();
-  void point_picked(const croquis::Vec2& at);        ///< px of the sheet
+  void point_picked(const croquis::Vec2& at);  ///< px of the sheet
   void length_picked(const std::string& stroke);
 
  private:

@@ -16,9 +16,9 @@ namespace {
 
 constexpr double edge_width = 2.4, hidden_width = 1.3, construction_width = 1.1;  // logical pixels
 constexpr int construction_alpha = 150, hidden_alpha = 170;
-constexpr double seen_residual_px = 1.5;  // smaller ones aren't shown: any hand has them …
+constexpr double seen_residual_px = 1.5;     // smaller ones aren't shown: any hand has them …
 constexpr double seen_residual_share = 1.5;  // … nor are those that the drawing's middle line has, times this
-constexpr double far_diagonals = 40;   // vanishing points farther away are no handles
+constexpr double far_diagonals = 40;         // vanishing points farther away are no handles
 
 render::LinePath sheet_path(const std::vector<Vec2>& places, const FromSheet& place, bool closed = false) {
   render::LinePath path;
@@ -179,8 +179,8 @@ void SheetScene::show_result(const PerspectiveDrawing& drawing, const Perspectiv
 void SheetScene::show_residuals(const PerspectiveDrawing& drawing, const PerspectiveResult* result) {
   std::vector<render::LinePath> heat;
   const double least = result == nullptr ? 0 : least_seen_residual(*result);
-  for (const PerspectiveStrokeResult& one : result == nullptr ? std::vector<PerspectiveStrokeResult>()
-                                                              : result->strokes) {
+  for (const PerspectiveStrokeResult& one :
+       result == nullptr ? std::vector<PerspectiveStrokeResult>() : result->strokes) {
     const PerspectiveStroke* stroke = find_stroke(drawing, one.id);
     if (stroke == nullptr || !is_drawable(*stroke) || one.residual.value_or(0) < least) continue;
     heat.push_back(sheet_path(*stroke, on_sketch_plane));

@@ -67,7 +67,8 @@ SolidState doubt_about(const PerspectiveDrawing& drawing, const PerspectiveResul
             false, strokes_with(findings, "NONPLANAR_STRAIGHT_FACE")};
   }
   if (count_of(findings, "MISSING_STROKE") > 0)
-    return {QObject::tr("Closed, but a stroke is missing at a corner"), false, strokes_with(findings, "MISSING_STROKE")};
+    return {QObject::tr("Closed, but a stroke is missing at a corner"), false,
+            strokes_with(findings, "MISSING_STROKE")};
   if (count_of(findings, "PATCH_FOLDED") > 0)
     return {QObject::tr("Closed, but a face is folded"), false, strokes_with(findings, "PATCH_FOLDED")};
   const std::vector<std::string> contrary = strokes_with(findings, "CONTRADICTION");
