@@ -40,7 +40,7 @@ PerspectiveDrawing plain(const PerspectiveSolid& solid) {
 QString chip_text(StudioFixture& hand) {
   hand.picture();
   const auto* chip = hand.viewport().findChild<QToolButton*>("perspective-faces");
-  return chip->isVisible() ? chip->text() : QString();
+  return chip->isVisible() ? chip->text().replace('\n', ' ') : QString();
 }
 
 QPointF on_screen(StudioFixture& hand, const Vec2& sheet) {

@@ -196,9 +196,18 @@ std::vector<int> end_axes(const PerspectiveDrawing& drawing, const std::array<st
   return axes;
 }
 
-/// Of the planes at right angles to the axes that may be. Unknown: there is none, or nothing tells them apart.
-StrokeGroup best_plane(const std::array<bool, 3>& may, const Vec3& sight, StrokeGroup preferred) {
-  if (std::ranges::count(may, true) == 0) return preferred;
+/// By the axis at right angles.
+using Planes = std::array<bool, 3>;
+
+/// In which both vertices lie.
+Planes shared_planes(const CurveNetwork& network, Index a, Index b) {
+  const Vec3 way = network.vertices[a] - network.vertices[b];
+  const double limit = same_share * extent_of(network);
+  return {std::abs(way.x()) <= limit, std::abs(way.y()) <= limit, std::abs(way.z()) <= limit};
+}
+
+/// Of the planes that may be, the preferred one, else the most frontal. Unknown: nothing tells them apart.
+StrokeGroup best_plane(const Planes& may, const Vec3& sight, StrokeGroup preferred) {
   if (preferred != StrokeGroup::Unknown && may[static_cast<std::size_t>(axis_of(preferred))]) return preferred;
   StrokeGroup best = StrokeGroup::Unknown;
   double frontal = std::ranges::count(may, true) == 1 ? -1 : 0;
@@ -256,23 +265,17 @@ StrokeGroup guess_plane(const PerspectiveDrawing& drawing, const SolvedDrawing* 
                         double reach, StrokeGroup preferred) {
   const auto start = solved ? vertex_at(*solved, shape.start(), reach) : std::nullopt;
   const auto end = solved ? vertex_at(*solved, shape.end(), reach) : std::nullopt;
-  std::array<bool, 3> may{true, true, true};
   Vec3 sight = Vec3::Zero();
-  bool known = start && end && *start != *end;
-  if (known) {
-    const Vec3& a = solved->network.vertices[*start];
-    const Vec3& b = solved->network.vertices[*end];
-    const double limit = same_share * extent_of(solved->network);
-    for (std::size_t k = 0; k < 3; ++k) may[k] = std::abs((a - b)[static_cast<int>(k)]) <= limit;
-    sight = ((a + b) / 2 - solved->camera.eye).normalized();
-  } else if (const auto nearest = start ? start : end) {
-    sight = (solved->network.vertices[*nearest] - solved->camera.eye).normalized();
-  }
-  for (const int axis : end_axes(drawing, seen_vanishing_points(drawing, solved), shape)) {
-    may[static_cast<std::size_t>(axis)] = false;
-    known = true;
-  }
-  if (!known) return preferred;
+  if (const auto known = start ? start : end) sight = solved->network.vertices[*known] - solved->camera.eye;
+  Planes shared = {false, false, false}, spanned = {true, true, true};
+  if (start && end && *start != *end) shared = shared_planes(solved->network, *start, *end);
+  const std::vector<int> axes = end_axes(drawing, seen_vanishing_points(drawing, solved), shape);
+  for (const int axis : axes) spanned[static_cast<std::size_t>(axis)] = false;
+  Planes may = shared;
+  for (std::size_t k = 0; k < 3; ++k) may[k] = shared[k] && spanned[k];
+  // Vertices of pieces that nothing ties together share no coordinate, though they are meant to.
+  if (std::ranges::count(may, true) == 0) may = std::ranges::count(shared, true) > 0 ? shared : spanned;
+  if (axes.empty() && std::ranges::count(shared, true) == 0) return preferred;
   return best_plane(may, sight, preferred);
 }
 

@@ -224,6 +224,11 @@ TEST_CASE("an arc between an upright and a level line lies in the plane of both,
   test::Random random(3);
   PenStrokeOptions options;
   options.solved = &solved;
+  // The lines are two pieces, each of a scale of its own: places in space are known, but share no coordinate.
+  const Vec3 eye = truth.camera.eye;
+  solved.network.vertices = {{0.5, 0, 0}, {0.5, 0, 1}};
+  for (const Vec3& other : {Vec3(0.5, 0.8, 1.8), Vec3(0.5, 2, 1.8)})
+    solved.network.vertices.push_back(eye + 1.2 * (other - eye));
   for (int trial = 0; trial < 12; ++trial) {
     std::vector<Vec2> arc;
     const Vec2 off(random.between(-6, 6), random.between(-6, 6));

@@ -30,6 +30,14 @@ QPointF sheet_to_widget(const ViewPane& pane, const Vec2& sheet) {
   return pane.rect.topLeft() + QPointF(pixel.x(), pixel.y());
 }
 
+/// Parted at the blank nearest to the middle.
+QString on_two_lines(QString sentence) {
+  const qsizetype middle = sentence.size() / 2;
+  const qsizetype before = sentence.lastIndexOf(' ', middle), after = sentence.indexOf(' ', middle);
+  const qsizetype blank = after < 0 || middle - before < after - middle ? before : after;
+  return blank < 0 ? sentence : sentence.replace(blank, 1, '\n');
+}
+
 }  // namespace
 
 PerspectiveChips::PerspectiveChips(SheetInteraction& sheet, QWidget* views)
@@ -105,6 +113,10 @@ void PerspectiveChips::place_faces(ChipPlaces& places, const ViewPane& pane) {
   faces_->setToolTip(state.strokes.empty() ? QString() : tr("Click to see the strokes"));
   faces_strokes_ = std::move(state.strokes);
   faces_->adjustSize();
+  if (faces_->width() > pane.rect.width() - 2 * chip_margin) {
+    faces_->setText(on_two_lines(state.sentence));
+    faces_->adjustSize();
+  }
   put(places, *faces_, QPointF(pane.rect.center().x() - faces_->width() / 2.0, pane.rect.top() + chip_margin), pane);
 }
 

@@ -112,6 +112,7 @@ void PerspectivePanel::make_mode(QBoxLayout* column) {
   mode_->setObjectName("perspective-mode");
   mode_->addItem(tr("automatic"), "auto");
   for (const char* count : {"3", "2", "1"}) mode_->addItem(count, count);
+  mode_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   mode_->setToolTip(tr("How many vanishing points aren't at infinity"));
   connect(mode_, &QComboBox::activated, this,
           [this] { emit parameter_wanted("mode", mode_->currentData().toString().toStdString()); });
@@ -176,6 +177,12 @@ void PerspectivePanel::make_length(QBoxLayout* column) {
     emit known_length_wanted(ids.front(), length > 0 ? std::optional(length) : std::optional<double>());
   });
   second->addWidget(length_);
+  column->addLayout(second);
+  second = new QHBoxLayout;
+  size_ = new QLabel(this);
+  size_->setObjectName("perspective-size");
+  size_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  second->addWidget(size_, 1);
   unit_ = new QComboBox(this);
   unit_->setObjectName("perspective-unit");
   unit_->addItem(tr("no unit"), "");
@@ -183,15 +190,12 @@ void PerspectivePanel::make_length(QBoxLayout* column) {
     const QString name = QString::fromStdString(unit);
     unit_->addItem(unit == "in" ? tr("inch") : name, name);
   }
+  unit_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   unit_->setToolTip(tr("Of all lengths and coordinates; known ones keep their size when it changes"));
   connect(unit_, &QComboBox::activated, this,
           [this] { emit unit_wanted(unit_->currentData().toString().toStdString()); });
   second->addWidget(unit_);
   column->addLayout(second);
-  size_ = new QLabel(this);
-  size_->setObjectName("perspective-size");
-  size_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  column->addWidget(size_);
 }
 
 void PerspectivePanel::make_lines(QBoxLayout* column) {
@@ -270,8 +274,7 @@ void PerspectivePanel::follow_size() {
   unit_->setCurrentIndex(std::max(0, unit_->findData(unit)));
   const PerspectiveResult* result = sheet_.result();
   const BoundingBox box = result == nullptr ? BoundingBox() : bounds_of(result->network);
-  size_->setVisible(box.has_value());
-  if (!box) return;
+  if (!box) return size_->setText(tr("Unit of lengths"));
   const Vec3 size = (*box)[1] - (*box)[0];
   const auto text = [&](int axis) { return QString::number(size[axis], 'g', 4); };
   size_->setText(tr("Size %1 × %2 × %3 %4").arg(text(0), text(1), text(2), unit).trimmed());
