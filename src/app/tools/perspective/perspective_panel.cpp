@@ -53,9 +53,9 @@ PerspectivePanel::PerspectivePanel(SheetInteraction& sheet, const std::function<
   column->setContentsMargins(8, 6, 8, 6);
   make_groups(column, action);
   make_camera(column);
-  size_ = new SheetSizeField(this);
-  connect(size_, &SheetSizeField::size_wanted, this, &PerspectivePanel::sheet_size_wanted);
-  column->addWidget(size_);
+  sheet_size_ = new SheetSizeField(this);
+  connect(sheet_size_, &SheetSizeField::size_wanted, this, &PerspectivePanel::sheet_size_wanted);
+  column->addWidget(sheet_size_);
   make_known(column);
   make_lines(column);
 }
@@ -219,7 +219,7 @@ void PerspectivePanel::tell_point() {
 void PerspectivePanel::follow() {
   following_ = true;
   follow_camera();
-  size_->follow(sheet_.drawing().image_size);
+  sheet_size_->follow(sheet_.drawing().image_size);
   follow_mode();
   follow_known();
   follow_size();

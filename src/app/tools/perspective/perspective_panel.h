@@ -59,7 +59,7 @@ class PerspectivePanel : public QWidget {
   void tell_point();
 
   SheetInteraction& sheet_;
-  SheetSizeField* size_;
+  SheetSizeField* sheet_size_;
   QLabel* camera_;
   QComboBox* mode_;
   QCheckBox* flip_;
