@@ -164,6 +164,15 @@ PerspectiveSolid arched_u() {
   return arched({{0, 0}, {4, 0}, {4, 3}, {3.2, 3}, {3.2, 0.8}, {0.8, 0.8}, {0.8, 3}, {0, 3}}, 0.06);
 }
 
+/// A box that is 3 px high, without names of corners.
+std::string flat_box() {
+  SolidBuilder b("flat");
+  b.prism({rectangle({0, 0}, {4, 3}), 2, 0, 0.02});
+  SolidDrawingOptions plain;
+  plain.vertex_ids = false;
+  return svg_of(drawn(b.take(), three_point_views()[1], plain).drawing);
+}
+
 void add_stroke_codes(std::vector<CodeDrawing>& list) {
   const SolidDrawing truth = clean(box());
   list.push_back(
@@ -186,6 +195,7 @@ void add_stroke_codes(std::vector<CodeDrawing>& list) {
   list.push_back({"STROKE_IGNORED", svg_of(truth.drawing), {"e03"}, 1, 0, {"--ignore", "e03"}});
   list.push_back({"LENGTH_UNUSED", changed(truth, [](auto& d) { d.known_lengths = {{"c0", 3}}; }), {"c0"}});
   list.push_back({"GROUP_COLOUR", changed(truth, [](auto& d) { stroke_of(d, "e03").colour = "#D81F2A"; }), {"e03"}});
+  list.push_back({"SHORT_STROKE", flat_box(), {"e08", "e09", "e10", "e11"}});
   std::string twice = svg_of(truth.drawing);
   twice.replace(twice.find("id=\"e03\""), 8, "id=\"e04\"");
   list.push_back({"W_DUPLICATE_ID", twice, {"e04-2"}});

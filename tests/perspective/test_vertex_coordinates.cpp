@@ -178,6 +178,28 @@ TEST_CASE("One wrong colour is the first to be suspected, left out, and its righ
   }
 }
 
+TEST_CASE("Wrong colours are found among hundreds of strokes, where only a few are left out in earnest") {
+  for (const int boxes : {16, 30}) {
+    const PerspectiveSolid solid = stack(boxes);
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+      SolidDrawing truth = coarse(solid, seed % 2 == 0 ? 1 : 0, seed);
+      Random random(seed);
+      std::set<std::string> wrong;
+      while (wrong.size() < 1 + seed % 2) {
+        const auto number = random.below(static_cast<std::uint32_t>(solid.network.curves.size()));
+        PerspectiveStroke& stroke = stroke_of(truth.drawing, solid.network.curves[number].id);
+        if (wrong.insert(stroke.id).second) stroke.group = wrong_group(stroke.group, random);
+      }
+      const ReconstructedNetwork network = reconstructed(truth.drawing);
+      std::set<std::string> found;
+      for (const Contradiction& contradiction : network.coordinates.contradictions)
+        found.insert(truth.drawing.strokes[contradiction.stroke].id);
+      INFO(boxes << " boxes, seed " << seed);
+      CHECK(found == wrong);
+    }
+  }
+}
+
 TEST_CASE("Several wrong colours are found one after the other") {
   SolidDrawing truth = noisy(stack(4), 0, 1);
   Random random(3);

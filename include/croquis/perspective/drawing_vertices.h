@@ -44,7 +44,8 @@ struct DrawingVertices {
   std::vector<std::array<Index, 2>> of_stroke;  ///< for each stroke its vertices at start and end; no_index for those
                                                 ///< that aren't used and for construction strokes without link
   std::vector<StrokeUse> uses;                  ///< one for each stroke
-  Findings warnings;                            ///< one for each stroke that isn't used, ordered by their ids
+  Findings warnings;                            ///< one for each stroke that isn't used, ordered by their ids; and
+                                                ///< SHORT_STROKE: ends so near each other that neighbours may be wrong
 
   bool is_used(Index stroke) const { return uses[stroke] == StrokeUse::Used; }
 };

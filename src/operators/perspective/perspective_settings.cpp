@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "croquis/base/error.h"
 #include "croquis/base/text.h"
@@ -74,6 +75,21 @@ std::vector<FaceName> read_face_names(const std::string& list) {
   return names;
 }
 
+/// How the solid's faces are chosen.
+std::vector<ParameterDescription> face_parameters() {
+  return {stroke_list("faces", "Faces that must be there, each by its strokes: e1+e2+e3."),
+          stroke_list("no-faces", "Faces that must not be there, each by its strokes: e1+e2+e3."),
+          stroke_list("sharp", "Strokes along which faces stay sharp."),
+          {"search-limit",
+           ParameterType::Integer,
+           std::int64_t{200000},
+           10,
+           100000000,
+           {},
+           "",
+           "Steps of the search for faces, for each part of the drawing."}};
+}
+
 PerspectiveMode mode_of(const std::string& name) {
   return name == "auto" ? PerspectiveMode::Automatic : static_cast<PerspectiveMode>(name[0] - '0');
 }
@@ -88,7 +104,7 @@ void require_stroke(const PerspectiveDrawing& drawing, const std::string& id, co
 }  // namespace
 
 std::vector<ParameterDescription> perspective_parameters() {
-  return {
+  std::vector<ParameterDescription> parameters = {
       {"mode",
        ParameterType::Choice,
        std::string("auto"),
@@ -139,18 +155,9 @@ std::vector<ParameterDescription> perspective_parameters() {
        0,
        {},
        "",
-       "Makes the first proposed change of a stroke that contradicts the others."},
-      stroke_list("faces", "Faces that must be there, each by its strokes: e1+e2+e3."),
-      stroke_list("no-faces", "Faces that must not be there, each by its strokes: e1+e2+e3."),
-      stroke_list("sharp", "Strokes along which faces stay sharp."),
-      {"search-limit",
-       ParameterType::Integer,
-       std::int64_t{200000},
-       10,
-       100000000,
-       {},
-       "",
-       "Steps of the search for faces, for each part of the drawing."}};
+       "Makes the first proposed change of a stroke that contradicts the others."}};
+  for (ParameterDescription& parameter : face_parameters()) parameters.push_back(std::move(parameter));
+  return parameters;
 }
 
 PerspectiveSettings read_perspective_settings(const ParameterValues& parameters) {

@@ -19,7 +19,6 @@ using Solver = Eigen::SimplicialLDLT<SparseMatrix>;
 
 constexpr int reweightings = 4;
 constexpr int power_rounds = 8;
-constexpr int newton_rounds = 12;
 
 /// Steps smaller than this part of the values are at the end.
 constexpr double rounding = 1e-13;
@@ -44,12 +43,12 @@ class ComponentSolver {
     }
   }
 
-  Eigen::VectorXd solve(const std::vector<Vec3>* near) {
+  Eigen::VectorXd solve(const std::vector<Vec3>* near, int rounds) {
     Eigen::VectorXd values = start(near);
     if (near == nullptr) {
       for (int round = 0; round < reweightings; ++round) values = null_vector(values);
     }
-    minimise_distances(values);
+    minimise_distances(values, rounds);
     normalise(values);
     return values;
   }
@@ -201,12 +200,12 @@ class ComponentSolver {
     return assembled(std::move(triplets));
   }
 
-  void minimise_distances(Eigen::VectorXd& values) const {
+  void minimise_distances(Eigen::VectorXd& values, int rounds) const {
     normalise(values);
     double least = squares(values);
     if (!std::isfinite(least)) return;  // something lies behind the eye; it is told by who asks for the depths
     Solver solver;
-    for (int round = 0; round < newton_rounds; ++round) {
+    for (int round = 0; round < rounds; ++round) {
       Eigen::VectorXd gradient;
       solver.compute(newton_system(values, gradient));
       if (solver.info() != Eigen::Success) return;
@@ -260,14 +259,15 @@ double ClassSolution::worst() const {
   return largest;
 }
 
-ClassSolution solve_classes(const SeenVertices& seen, const ClassTable& table, const std::vector<Vec3>* near) {
+ClassSolution solve_classes(const SeenVertices& seen, const ClassTable& table, const std::vector<Vec3>* near,
+                            int rounds) {
   ClassSolution solution;
   solution.values.resize(table.class_count());
   solution.freedom =
       static_cast<int>(2 * table.vertex_count() + table.components) - static_cast<int>(table.class_count());
   for (const std::vector<Index>& vertices : vertices_by_component(table)) {
     ComponentSolver solver(seen, table, vertices);
-    const Eigen::VectorXd values = solver.solve(near);
+    const Eigen::VectorXd values = solver.solve(near, rounds);
     for (std::size_t i = 0; i < solver.classes().size(); ++i) {
       solution.values[solver.classes()[i]] = values[static_cast<Eigen::Index>(i)];
     }

@@ -39,8 +39,10 @@ struct ClassSolution {
 /// Starts from the smallest singular vector of n · X = 0 with weights 1 / depth, found by inverse iteration; Gauss and
 /// Newton then minimise the distances themselves, which doesn't depend on the scale that is left free. Sparse (Eigen's
 /// SimplicialLDLT): about linear in the number of vertices.
-/// @param near positions of the vertices that are nearly right already, or null
-ClassSolution solve_classes(const SeenVertices& seen, const ClassTable& table, const std::vector<Vec3>* near = nullptr);
+/// @param near   positions of the vertices that are nearly right already, or null
+/// @param rounds of Gauss and Newton; with few of them the result is only good for comparing
+ClassSolution solve_classes(const SeenVertices& seen, const ClassTable& table, const std::vector<Vec3>* near = nullptr,
+                            int rounds = 12);
 
 /// Standard deviation of each vertex along its ray for a noise of 1 u, where mean depth is 1. For up to 1000 classes,
 /// else empty.

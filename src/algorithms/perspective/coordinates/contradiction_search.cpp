@@ -26,6 +26,12 @@ constexpr double misdirection = 5;
 /// Leaving out a wrong stroke leaves at most this part of the residuals.
 constexpr double least_help = 0.97;
 
+/// In drawings of more strokes only those are left out in earnest that a quick look finds best: so many of all, and so
+/// many of those that don't point where their group says.
+constexpr std::size_t many_strokes = 120;
+constexpr std::size_t looked_at = 24;
+constexpr int quick_rounds = 2;
+
 bool ties_something(const CoordinateTies& ties, std::size_t stroke) {
   return ties.groups[stroke] != StrokeGroup::Unknown && ties.of_stroke[stroke][0] != no_index &&
          ties.of_stroke[stroke][1] != no_index;
@@ -46,6 +52,16 @@ double rms_with_group(TiedVertices& tied, Index stroke, StrokeGroup group) {
   return possible ? result.solution.rms_of_freedom() : std::numeric_limits<double>::infinity();
 }
 
+/// Equal ones by place: the order of the drawing means nothing.
+void sort_by_rms(const CoordinateTies& ties, std::vector<StrokeSuspicion>& ranking) {
+  const auto order = [&](const StrokeSuspicion& suspicion) {
+    const std::array<Index, 2>& ends = ties.of_stroke[suspicion.stroke];
+    return std::tuple(suspicion.rms, std::min(ends[0], ends[1]), std::max(ends[0], ends[1]));
+  };
+  std::stable_sort(ranking.begin(), ranking.end(),
+                   [&](const StrokeSuspicion& a, const StrokeSuspicion& b) { return order(a) < order(b); });
+}
+
 class ContradictionSearch {
  public:
   ContradictionSearch(TiedVertices& tied, std::span<const StrokeGroup> drawn, double sigma,
@@ -61,9 +77,10 @@ class ContradictionSearch {
   std::vector<Contradiction> run(Progress& progress) {
     std::vector<Contradiction> found;
     for (int round = 0; round < 2 * options_.most_contradictions; ++round) {
+      progress.report(0.5 * round / (2 * options_.most_contradictions));
       const SolvedVertices now = solved(tied_);
       if (!is_suspicious(now)) break;
-      const std::vector<StrokeSuspicion> ranking = ranked_strokes(tied_, progress);
+      const std::vector<StrokeSuspicion> ranking = ranked_strokes(tied_, suspects(now, progress), progress);
       if (ranking.empty()) break;
       const StrokeSuspicion worst = most_suspicious(now, ranking);
       if (!is_wrong(now, worst)) break;
@@ -82,6 +99,28 @@ class ContradictionSearch {
   bool is_suspicious(const SolvedVertices& now) const {
     return now.solution.rms() > options_.contradiction * sigma_ ||
            now.solution.worst() > options_.lone_contradiction * sigma_ || has_coincident_vertices(now.table);
+  }
+
+  /// The strokes to be left out one by one.
+  std::vector<Index> suspects(const SolvedVertices& now, Progress& progress) {
+    const std::vector<Index> all = tying_strokes(tied_.ties);
+    if (all.size() <= many_strokes || !now.solution.in_front) return all;
+    const std::vector<Vec3> near = now.positions();
+    std::vector<StrokeSuspicion> quick;
+    for (const Index stroke : all) {
+      progress.check();
+      const StrokeGroup group = std::exchange(tied_.ties.groups[stroke], StrokeGroup::Unknown);
+      quick.push_back({stroke, solved(tied_, &near, quick_rounds).solution.rms_of_freedom()});
+      tied_.ties.groups[stroke] = group;
+    }
+    sort_by_rms(tied_.ties, quick);
+    std::vector<Index> best;
+    std::size_t plain = 0, misdirected = 0;
+    for (const StrokeSuspicion& suspicion : quick) {
+      std::size_t& count = is_misdirected(suspicion.stroke) ? misdirected : plain;
+      if (++count <= looked_at) best.push_back(suspicion.stroke);
+    }
+    return best;
   }
 
   /// Several wrong strokes hide each other. One that doesn't point where its group says comes first, as long as
@@ -186,30 +225,31 @@ std::vector<Vec3> SolvedVertices::positions() const {
   return list;
 }
 
-SolvedVertices solved(const TiedVertices& tied, const std::vector<Vec3>* near) {
+SolvedVertices solved(const TiedVertices& tied, const std::vector<Vec3>* near, int rounds) {
   SolvedVertices result;
   result.table = make_classes(tied.seen.places.size(), tied.ties);
-  result.solution = solve_classes(tied.seen, result.table, near);
+  result.solution = solve_classes(tied.seen, result.table, near, rounds);
   return result;
 }
 
-std::vector<StrokeSuspicion> ranked_strokes(const TiedVertices& tied, Progress& progress) {
+std::vector<Index> tying_strokes(const CoordinateTies& ties) {
+  std::vector<Index> strokes;
+  for (Index s = 0; s < ties.groups.size(); ++s) {
+    if (ties_something(ties, s)) strokes.push_back(s);
+  }
+  return strokes;
+}
+
+std::vector<StrokeSuspicion> ranked_strokes(const TiedVertices& tied, const std::vector<Index>& strokes,
+                                            Progress& progress) {
   TiedVertices trial = tied;
   std::vector<StrokeSuspicion> ranking;
-  for (std::size_t s = 0; s < tied.ties.groups.size(); ++s) {
-    if (!ties_something(tied.ties, s)) continue;
+  for (const Index stroke : strokes) {
     progress.check();
-    const auto stroke = static_cast<Index>(s);
     // Other wrong strokes may go on pulling vertices together.
     ranking.push_back({stroke, solved_with_group(trial, stroke, StrokeGroup::Unknown).solution.rms_of_freedom()});
   }
-  // Equal ones by place: the order of the drawing means nothing.
-  const auto order = [&](const StrokeSuspicion& suspicion) {
-    const std::array<Index, 2>& ends = tied.ties.of_stroke[suspicion.stroke];
-    return std::tuple(suspicion.rms, std::min(ends[0], ends[1]), std::max(ends[0], ends[1]));
-  };
-  std::stable_sort(ranking.begin(), ranking.end(),
-                   [&](const StrokeSuspicion& a, const StrokeSuspicion& b) { return order(a) < order(b); });
+  sort_by_rms(tied.ties, ranking);
   return ranking;
 }
 

@@ -24,10 +24,15 @@ struct SolvedVertices {
   std::vector<Vec3> positions() const;
 };
 
-SolvedVertices solved(const TiedVertices& tied, const std::vector<Vec3>* near = nullptr);
+/// @param near, rounds as for solve_classes
+SolvedVertices solved(const TiedVertices& tied, const std::vector<Vec3>* near = nullptr, int rounds = 12);
+
+/// The strokes that tie something.
+std::vector<Index> tying_strokes(const CoordinateTies& ties);
 
 /// Strokes by how well the rest fits without them, best first; the second is u.
-std::vector<StrokeSuspicion> ranked_strokes(const TiedVertices& tied, Progress& progress);
+std::vector<StrokeSuspicion> ranked_strokes(const TiedVertices& tied, const std::vector<Index>& strokes,
+                                            Progress& progress);
 
 /// Finds what contradicts the rest, one stroke after the other, and takes its group out of the ties. Promoted strokes
 /// get their drawn group back first.

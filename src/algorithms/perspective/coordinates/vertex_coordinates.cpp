@@ -205,7 +205,8 @@ VertexCoordinates solve_coordinates(const PerspectiveDrawing& drawing, const Dra
 std::vector<StrokeSuspicion> suspicions(const PerspectiveDrawing& drawing, const DrawingVertices& vertices,
                                         const CameraEstimate& camera, std::span<const StrokeGroup> groups,
                                         Progress& progress) {
-  std::vector<StrokeSuspicion> ranking = ranked_strokes(tied_vertices(drawing, vertices, camera, groups), progress);
+  const TiedVertices tied = tied_vertices(drawing, vertices, camera, groups);
+  std::vector<StrokeSuspicion> ranking = ranked_strokes(tied, tying_strokes(tied.ties), progress);
   for (StrokeSuspicion& suspicion : ranking) suspicion.rms *= SheetFrame(drawing).unit;
   return ranking;
 }

@@ -69,6 +69,7 @@ class VertexFinder {
       collect_ends();
       make_vertices();
     }
+    warn_of_short_strokes();
     std::stable_sort(result_.warnings.begin(), result_.warnings.end(),
                      [](const Finding& a, const Finding& b) { return a.subjects[0].id < b.subjects[0].id; });
     return std::move(result_);
@@ -180,6 +181,25 @@ class VertexFinder {
       }
     }
     return found;
+  }
+
+  /// Where a stroke's own ends are near enough to be one corner, all ends around may be at the wrong one.
+  void warn_of_short_strokes() {
+    std::vector<Index> strokes;
+    for (Index i = 0; i < drawing_.strokes.size(); ++i) {
+      const auto [from, to] = result_.of_stroke[i];
+      if (from == no_index || to == no_index) continue;
+      const DrawingVertex &a = result_.vertices[from], &b = result_.vertices[to];
+      const bool named = !a.name.empty() && !b.name.empty();
+      if (!named && (a.position - b.position).norm() < options_.snap * drawing_.diagonal()) strokes.push_back(i);
+    }
+    if (strokes.empty()) return;
+    result_.warnings.push_back(make_warning(
+        Category::Geometry, "SHORT_STROKE",
+        "The two ends of " + stroke_names(drawing_, strokes) +
+            " are so near to each other that ends around them may be joined to the wrong one: draw larger, or name "
+            "the ends.",
+        stroke_subjects(drawing_, strokes)));
   }
 
   const PerspectiveDrawing& drawing_;
