@@ -208,7 +208,7 @@ void ProjectFiles::take(const ReadFile& file) {
   } else if (const auto* picture = std::get_if<std::shared_ptr<const PictureFile>>(&file.content)) {
     studio_.add_picture(*picture);
   } else if (const auto* camera = std::get_if<CameraFile>(&file.content)) {
-    studio_.state_camera(camera->camera, camera->origin);
+    studio_.state_camera(camera->camera);
   } else if (const auto* document = std::get_if<Document>(&file.content)) {
     take_project(file.path, *document);
   } else if (const auto* sheet = std::get_if<std::shared_ptr<const PerspectiveDrawing>>(&file.content)) {

@@ -151,7 +151,7 @@ void Studio::add_picture(std::shared_ptr<const PictureFile> picture) {
   session().select({{drawing, ""}});
 }
 
-void Studio::state_camera(const Camera& camera, const Vec2& origin) {
+void Studio::state_camera(const Camera& camera) {
   Document document = session().document();
   NodeId drawing = sheet_node();
   const bool is_first = drawing == 0 && document.nodes().empty();
@@ -165,7 +165,7 @@ void Studio::state_camera(const Camera& camera, const Vec2& origin) {
   PerspectiveDrawing stated = *source_of<PerspectiveDrawing>(&edited);
   const Vec2 share = stated.image_size.cwiseQuotient(camera.image_size);
   stated.field_of_view = 2 * std::atan(camera.image_size.x() / (2 * camera.focal_length));
-  stated.principal_point = stated.origin + share.cwiseProduct(camera.principal_point - origin);
+  stated.principal_point = stated.origin + share.cwiseProduct(camera.principal_point - camera.image_origin);
   edited.source = std::make_shared<const PerspectiveDrawing>(std::move(stated));
   document = document.with(std::move(edited));
   if (is_first) return load(std::move(document));

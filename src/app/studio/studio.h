@@ -62,8 +62,7 @@ class Studio : public QObject, public Workspace {
 
   /// States the camera of the sheet that is shown: its field of view and principal point. Without a sheet, an empty
   /// one of the camera's picture begins.
-  /// @param origin upper left corner of the camera's picture, px
-  void state_camera(const Camera& camera, const Vec2& origin);
+  void state_camera(const Camera& camera);
 
   NodeId add_mesh(const std::string& name, std::shared_ptr<const PolyMesh> mesh) {
     return add_source(name, std::move(mesh));
