@@ -9,6 +9,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/base/stage_cache.h"
+#include "croquis/perspective/face_finding.h"
 #include "croquis/perspective/network_reconstruction.h"
 #include "perspective/network_truth.h"
 #include "support/perspective/solids.h"
@@ -62,6 +63,19 @@ class CountingCache : public StageCache {
  private:
   std::map<std::pair<std::string, std::string>, std::shared_ptr<const void>> kept_;
 };
+
+/// Looks along the line from one corner to another one, so that both are seen at one place.
+Camera along(const PerspectiveSolid& solid, Index near, Index far) {
+  Camera camera = camera_for(solid, three_point_views()[1]);
+  const Vec3 &a = solid.network.vertices[near], &b = solid.network.vertices[far];
+  const Vec3 forward = (b - a).normalized();
+  const Vec3 right = forward.cross(Vec3::UnitZ()).normalized();
+  camera.rotation.row(0) = right;
+  camera.rotation.row(1) = forward.cross(right);
+  camera.rotation.row(2) = forward;
+  camera.eye = (a + b) / 2 - 2.2 * (b - a).norm() * forward;
+  return camera;
+}
 
 PerspectiveStroke& stroke_of(PerspectiveDrawing& drawing, const std::string& id) {
   return *std::ranges::find(drawing.strokes, id, &PerspectiveStroke::id);
@@ -168,6 +182,33 @@ TEST_CASE("In one-point perspective a known depth tells the focal length") {
     CHECK(network.warnings.empty());
     CHECK(network.camera.camera.focal_length == Approx(truth.camera.focal_length).epsilon(1e-9));
     CHECK(greatest_error(truth, truth.drawing, network.vertices, network.coordinates.positions) < 1e-9);
+  }
+}
+
+TEST_CASE("Corners that lie behind each other are told apart") {
+  struct Case {
+    PerspectiveSolid solid;
+    Index near, far;
+  };
+  for (const auto& [solid, near, far] :
+       {Case{box(), 5, 3}, Case{l_block(), 4, 7}, Case{stack(2), 9, 3}, Case{stack(3), 9, 3}, Case{stack(3), 5, 3}}) {
+    for (const double noise : {0.0, 2.0, 5.0}) {
+      for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        SolidDrawingOptions options;
+        options.noise = noise;
+        options.vertex_ids = false;
+        options.seed = seed;
+        const SolidDrawing truth = drawn(solid, along(solid, near, far), options);
+        const ReconstructedNetwork network = reconstructed(truth.drawing);
+        INFO(solid.name << " from " << near << " to " << far << ", noise " << noise << ", seed " << seed);
+        CHECK(network.warnings.empty());
+        CHECK(network.vertices.vertices.size() == solid.network.vertices.size());
+        Progress progress;
+        CHECK(find_faces(network.curves.network, progress).best.faces.size() == solid.faces.size());
+        if (noise == 0)
+          CHECK(greatest_error(truth, truth.drawing, network.vertices, network.coordinates.positions) < 1e-9);
+      }
+    }
   }
 }
 

@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include "algorithms/perspective/camera/focal_from_lengths.h"
+#include "algorithms/perspective/coordinates/vertex_splitting.h"
 #include "algorithms/perspective/stroke_words.h"
 #include "croquis/base/error.h"
 #include "croquis/base/stage_key.h"
@@ -96,6 +97,31 @@ Calibration calibrated(const PerspectiveDrawing& drawing, const std::vector<Stro
   return result;
 }
 
+/// One stroke of a wrong group explains itself; what needs more, or nothing explains, may be two corners at one place.
+bool may_need_split(const std::vector<Contradiction>& contradictions) {
+  if (contradictions.size() > 1) return true;
+  return contradictions.size() == 1 && contradictions[0].fix == StrokeGroup::Unknown;
+}
+
+/// Solves for the coordinates. Vertices that turn out to be two corners are divided, if that leaves fewer
+/// contradictions.
+void solve_with_splits(const PerspectiveDrawing& drawing, const Calibration& calibration,
+                       const CoordinateOptions& options, Progress& progress, ReconstructedNetwork& result) {
+  const auto solve = [&](const DrawingVertices& vertices) {
+    return solve_coordinates(drawing, vertices, result.camera, calibration.groups, calibration.promoted, options,
+                             progress);
+  };
+  result.coordinates = solve(result.vertices);
+  if (!may_need_split(result.coordinates.contradictions)) return;
+  std::optional<DrawingVertices> divided =
+      with_split_vertices(drawing, result.vertices, result.camera, calibration.groups, options, progress);
+  if (!divided) return;
+  VertexCoordinates trial = solve(*divided);
+  if (trial.contradictions.size() >= result.coordinates.contradictions.size()) return;
+  result.vertices = std::move(*divided);
+  result.coordinates = std::move(trial);
+}
+
 /// The ends that somebody fixed, as ends of curves: of a path with corners those of its first and last part.
 CurveContinuityOptions with_locks(const PerspectiveDrawing& drawing, const LiftedCurves& curves,
                                   CurveContinuityOptions options) {
@@ -137,8 +163,7 @@ ReconstructedNetwork reconstruct_network(const PerspectiveDrawing& drawing, cons
   Calibration calibration = calibrated(drawing, usable_groups(drawing, result.vertices), options, camera_part);
   result.camera = std::move(calibration.camera);
   Progress coordinate_part = progress.step("find the vertices", 0.3);
-  result.coordinates = solve_coordinates(drawing, result.vertices, result.camera, calibration.groups,
-                                         calibration.promoted, options.coordinates, coordinate_part);
+  solve_with_splits(drawing, calibration, options.coordinates, coordinate_part, result);
   // A length into depth and one across tell the focal length of a drawing with one vanishing point.
   if (const std::optional<PerspectiveDrawing> known = with_field_of_view(drawing, result)) {
     return reconstruct_network(*known, options, progress);
