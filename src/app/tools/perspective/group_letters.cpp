@@ -19,7 +19,7 @@ constexpr double letter_pixels = 9;
 constexpr double letter_offset = 11;  // from the stroke
 constexpr double letter_room = 17;    // between the middles of two letters
 constexpr double least_lettered = 32;
-constexpr double letter_width = 1.4, casing_width = 4.5;
+constexpr double letter_width = 1.4, letter_casing_width = 4.5;
 
 /// Along a stroke, the middle first.
 constexpr std::array letter_places{0.5, 0.36, 0.64, 0.22, 0.78};
@@ -73,7 +73,7 @@ std::vector<render::LineItemPtr> letter_items(const std::vector<GroupLetter>& le
   std::vector<render::LineItemPtr> items;
   if (casing.empty()) return items;
   items.push_back(
-      render::make_line_item(casing, {casing_width, to_color(colors::paper, 220), {}, render::LineDepth::OnTop}));
+      render::make_line_item(casing, {letter_casing_width, to_color(colors::paper, 220), {}, render::LineDepth::OnTop}));
   for (const auto& [group, paths] : by_group) {
     items.push_back(
         render::make_line_item(paths, {letter_width, to_color(group_color(group)), {}, render::LineDepth::OnTop}));

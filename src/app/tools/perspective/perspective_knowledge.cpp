@@ -64,8 +64,10 @@ void PerspectiveDrawingTool::add_alternative_to(render::Scene& scene, int view) 
   if (!hovered || result == nullptr || *hovered >= result->alternatives.size()) return;
   const FaceDifference difference = difference_of(*result, result->alternatives[*hovered]);
   const auto on_sheet = [&](const Vec3& point) { return on_sketch_plane(result->camera.project(point)); };
-  const auto in_space = [placed = placement()](const Vec3& point) {
-    const Vec3 place = placed(point);
+  const Node* node = studio().session().document().find(sheet_.tool().operation_node());
+  const Affine3 placement = node == nullptr ? Affine3() : node->transform;
+  const auto in_space = [&](const Vec3& point) {
+    const Vec3 place = placement(point);
     return glm::dvec3(place.x(), place.y(), place.z());
   };
   const FromSpace place = has_view(view) ? FromSpace(on_sheet) : FromSpace(in_space);
