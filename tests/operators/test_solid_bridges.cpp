@@ -93,7 +93,7 @@ TEST_CASE("the subdivided bottle comes nearer to its patches with every doubling
       const double distance = std::max(distance_from(mesh, exact), distance_from(exact, mesh)) / diagonal(exact);
       INFO(scheme << ", " << segments << " segments: " << distance << " of the diagonal");
       CHECK(distance < before);
-      before = distance / 3;
+      before = distance / 2;
     }
   }
 }

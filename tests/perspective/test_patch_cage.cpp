@@ -95,7 +95,7 @@ TEST_CASE("cages of solids are closed and have the solid's Euler number") {
       CHECK(report.euler_characteristic == 2 * (test.shells - test.genus));
       CHECK(*report.volume > 0);
       CHECK(report.self_intersections == 0);
-      CHECK(reflex_corner(cage.mesh) < (segments == 2 ? 0.3 : 0.09));  // plane ones convex, those of patches nearly so
+      CHECK(reflex_corner(cage.mesh) < (segments == 2 ? 0.6 : 0.09));  // plane ones convex, those of patches nearly so
     }
   }
 }

@@ -92,7 +92,7 @@ CommandDescription RenderCommand::describe() const {
        "Let the surface mirror black and white stripes, which show how smooth it is."}};
   description.examples = {"croquis-cli render solid.obj -o solid.png",
                           "croquis-cli render solid.obj -o top.png --view top --size 1600x1200 --wire",
-                          "croquis-cli render bottle.obj -o stripes.png --zebra --up z"};
+                          "croquis-cli render solid.obj -o stripes.png --zebra --up z"};
   return description;
 }
 
