@@ -44,6 +44,7 @@ TEST_CASE("perspective drawings open as SVG and as JSON, and become the same sol
     REQUIRE(sheet_in(hand).result() != nullptr);
     CHECK(sheet_in(hand).result()->closed);
     CHECK(sheet_in(hand).result()->faces.size() == 6);
+    CHECK(hand.studio().active()->name == "box");
   }
 }
 

@@ -62,5 +62,12 @@ TEST_CASE("a recorded edit changes the mesh, is one undo step, and the window sh
   CHECK_THROWS_AS(play(hand, R"({"do":"expect","what":"vertices","count":85})"), Error);
 }
 
+TEST_CASE("a recorded movement of a view that isn't there is refused", "[replay]") {
+  StudioFixture hand;
+  hand.act("new-perspective");
+  const char* const unknown = R"({"do":"navigate","view":"persp","motion":"tumble","by":[40,20]})";
+  CHECK_THROWS_WITH(play(hand, unknown), Catch::Contains("There is no view \"persp\""));
+}
+
 }  // namespace
 }  // namespace croquis::test

@@ -212,7 +212,7 @@ void ProjectFiles::take(const ReadFile& file) {
   } else if (const auto* document = std::get_if<Document>(&file.content)) {
     take_project(file.path, *document);
   } else if (const auto* sheet = std::get_if<std::shared_ptr<const PerspectiveDrawing>>(&file.content)) {
-    studio_.start_with(**sheet);
+    studio_.start_with(**sheet, QFileInfo(file.path).completeBaseName().toStdString());
     earlier_version_.clear();
     set_path({});
   } else {

@@ -16,9 +16,11 @@ Modifiers modifiers_of(const std::vector<std::string>& names) {
 }
 
 int view_of(const std::string& name) {
+  if (name.empty() || name == "sketch") return View::SketchView;
   const std::vector<std::string> names{"front", "perspective", "top", "side", "comparison"};
   const auto found = std::find(names.begin(), names.end(), name);
-  return found == names.end() ? View::SketchView : static_cast<int>(found - names.begin());
+  if (found == names.end()) refuse_replay("There is no view \"" + name + "\"");
+  return static_cast<int>(found - names.begin());
 }
 
 const WorkObject& object_named(const Studio& studio, const std::string& name) {

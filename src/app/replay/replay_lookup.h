@@ -15,7 +15,8 @@ namespace croquis::app {
 
 Modifiers modifiers_of(const std::vector<std::string>& names);
 
-/// The view of that name; the sketch's for any other.
+/// The view of that name: "sketch" or none, "front", "perspective", "top", "side", "comparison".
+/// @throws Error (E_REPLAY) for others
 int view_of(const std::string& name);
 
 /// The object of that name, or one of whose nodes has it; the active one when the name is empty.

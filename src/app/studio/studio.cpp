@@ -109,8 +109,10 @@ void Studio::start_with(Drawing drawing) {
   load(add_drawing(Document(), std::make_shared<const Drawing>(std::move(drawing)), options));
 }
 
-void Studio::start_with(PerspectiveDrawing drawing) {
-  load(add_perspective_drawing(Document(), std::move(drawing), sheet_options()));
+void Studio::start_with(PerspectiveDrawing drawing, const std::string& name) {
+  PerspectiveToolOptions options = sheet_options();
+  if (!name.empty()) options.name = name;
+  load(add_perspective_drawing(Document(), std::move(drawing), options));
 }
 
 void Studio::start_with(const std::string& name, Value value, const std::string& operation) {

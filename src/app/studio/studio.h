@@ -50,7 +50,7 @@ class Studio : public QObject, public Workspace {
 
   /// Replaces the document by one drawing and the solid made of it; forgets the history.
   void start_with(Drawing drawing);
-  void start_with(PerspectiveDrawing drawing);
+  void start_with(PerspectiveDrawing drawing, const std::string& name = {});
   void start_empty();
 
   /// Replaces the document by a value with one step after it; forgets the history.
