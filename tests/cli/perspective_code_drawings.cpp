@@ -150,20 +150,6 @@ std::string box_beside(SolidDrawing truth) {
   return svg_of(truth.drawing);
 }
 
-/// The arched edges of `arched`.
-Names arched_edges(const PerspectiveSolid& solid) {
-  Names names;
-  for (const NetworkCurve& curve : solid.network.curves) {
-    if (!curve.straight) names.insert(curve.id);
-  }
-  return names;
-}
-
-/// A U whose top is one smooth face that no single point of it sees whole.
-PerspectiveSolid arched_u() {
-  return arched({{0, 0}, {4, 0}, {4, 3}, {3.2, 3}, {3.2, 0.8}, {0.8, 0.8}, {0.8, 3}, {0, 3}}, 0.06);
-}
-
 /// A box that is 3 px high, without names of corners.
 std::string flat_box() {
   SolidBuilder b("flat");
@@ -330,10 +316,32 @@ void add_face_codes(std::vector<CodeDrawing>& list) {
   list.push_back({"AMBIGUOUS", svg_of(clean(four_sheets()).drawing), sheets});
   list.push_back({"SEARCH_LIMIT", box_beside(clean(camera_ring())), {}, 1, 0, {"--search-limit", "200"}});
   list.push_back({"SMOOTH_DROPPED", svg_of(clean(tent()).drawing), {"e00", "e01", "e02", "e03"}, 4});
-  list.push_back({"PATCH_FOLDED", svg_of(clean(arched_u()).drawing), arched_edges(arched_u())});
+  // An edge of the top bends across the opposite one.
+  const Camera seen = clean(box()).camera;
+  list.push_back({"PATCH_FOLDED",
+                  changed(clean(box()),
+                          [&](auto& d) {
+                            PerspectiveStroke& edge = stroke_of(d, "e04");
+                            edge.group = StrokeGroup::NormalZ;
+                            edge.straight = false;
+                            edge.pieces = {{edge.pieces[0].front(), seen.project({1, 5, 2}), seen.project({3, 5, 2}),
+                                            edge.pieces[0].back()}};
+                            d.known_lengths.clear();
+                          }),
+                  {"e04", "e05", "e06", "e07"}});
 }
 
 }  // namespace
+
+std::vector<std::string> folding_drawings() {
+  const std::vector<PerspectiveSolid> solids = {
+      arched({{0, 0}, {4, 0}, {4, 3}, {3.2, 3}, {3.2, 0.8}, {0.8, 0.8}, {0.8, 3}, {0, 3}}, 0.06),
+      arched({{0, 0}, {5, 0}, {5, 2}, {4, 2}, {4, 1}, {1, 1}, {1, 3}, {0, 3}}, 0.04),
+      arched({{0, 0}, {3, 0}, {3, 2}, {5, 2}, {5, 3}, {2, 3}, {2, 1}, {0, 1}}, 0.05)};
+  std::vector<std::string> drawings;
+  for (const PerspectiveSolid& solid : solids) drawings.push_back(svg_of(clean(solid).drawing));
+  return drawings;
+}
 
 std::vector<CodeDrawing> code_drawings() {
   std::vector<CodeDrawing> list;

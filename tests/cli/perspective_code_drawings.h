@@ -17,6 +17,9 @@ struct CodeDrawing {
   std::vector<std::string> options{};
 };
 
+/// A U, a J and an S, each with one smooth face of eight sides as its top that no single point sees whole.
+std::vector<std::string> folding_drawings();
+
 /// One drawing for each code that strokes of a perspective drawing can have.
 std::vector<CodeDrawing> code_drawings();
 

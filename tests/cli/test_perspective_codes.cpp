@@ -90,4 +90,29 @@ TEST_CASE("a search for faces whose limit leaves none ends with the code of limi
   }
 }
 
+TEST_CASE("folded faces are divided, and close without folds") {
+  for (const std::string& svg : folding_drawings()) {
+    const ScratchFolder folder;
+    const std::string file = folder.write("drawing.svg", svg);
+    const ProcessResult result =
+        run_cli({"perspective", file, "-o", folder / "solid.obj", "--patches", folder / "patches.json", "--json"});
+    REQUIRE(result.code == 0);
+    const Json report = Json::parse(result.out);
+    INFO(report.at("warnings").dump());
+    CHECK(report.at("warnings").empty());
+    const Json& details = report.at("details");
+    CHECK(details.at("closed") == true);
+    CHECK(details.at("faces").size() == 10);
+    for (const Json& face : details.at("faces")) {
+      if (face.at("kind") == "patch") CHECK(face.at("strokes").at(0).size() == 8);
+    }
+    CHECK(details.at("max_g1_angle_degrees").get<double>() < 1e-6);
+    std::set<std::string> filled;
+    const Json file_of_patches = Json::parse(slurp(folder / "patches.json"));
+    for (const Json& patch : file_of_patches.at("patches")) filled.insert(patch.at("face"));
+    CHECK(filled.size() == 1);
+    CHECK(run_cli({"check", folder / "solid.obj"}).code == 0);
+  }
+}
+
 }  // namespace croquis::test

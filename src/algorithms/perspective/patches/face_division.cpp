@@ -24,6 +24,9 @@ constexpr double least_angle = 10 * degree, greatest_angle = 170 * degree;
 /// doesn't tell which way round it is.
 constexpr double least_span = 0.05, least_cosine = 0.1;
 
+/// Corners of more than this are wide, and what a diagonal from there costs, x.
+constexpr double wide_angle = 190 * degree, wide_price = 0.5;
+
 /// How much dearer a diagonal is for each side that a part has more or less than four.
 constexpr double side_cost = 0.5;
 
@@ -211,6 +214,7 @@ std::vector<FaceDiagonal> diagonals(const Brep& brep, Index face) {
       const auto sides_off = [](std::size_t count) { return std::abs(static_cast<double>(count) - 4); };
       diagonal.cost =
           (b.point - a.point).norm() * (1 + side_cost * (sides_off(j - i + 1) + sides_off(n - (j - i) + 1)));
+      if (std::max(a.angle, b.angle) > wide_angle) diagonal.cost *= wide_price;
       found.push_back(diagonal);
     }
   }

@@ -18,7 +18,8 @@ struct FaceDiagonal {
   double cost = 0;
 };
 
-/// The diagonals of a face, the best first: short ones that leave four sides on both of theirs. They lie well inside
+/// The diagonals of a face, the best first: short ones that leave four sides on both of theirs and begin in corners of
+/// more than 180 degrees. They lie well inside
 /// the angles at both corners and in the planes that the face's sides span there.
 std::vector<FaceDiagonal> diagonals(const Brep& brep, Index face);
 

@@ -16,8 +16,8 @@ constexpr int fold_cells = 8;
 /// Moves of the middle of a folded face.
 constexpr int most_moves = 20;
 
-/// Diagonals that are tried for a folded face.
-constexpr std::size_t most_diagonals = 6;
+/// Divisions that are tried for a folded face and its parts.
+constexpr int most_divisions = 30;
 
 /// How far a patch is from folding over: the least cosine between normals of neighbouring places; negative if it does.
 double least_turn(const GregoryPatch& patch) {
@@ -124,15 +124,16 @@ bool spans_without_fold(Brep& brep, Index face, const PatchOptions& options) {
   return !folded;
 }
 
-/// Divides a folded face so that neither part folds, if one of its diagonals does that.
-bool unfold_by_division(Brep& brep, Index face, const PatchOptions& options) {
-  std::vector<FaceDiagonal> found = diagonals(brep, face);
-  found.resize(std::min(found.size(), most_diagonals));
-  for (const FaceDiagonal& diagonal : found) {
+/// Spans a face; where it folds, divides it, and its parts again, until no part folds.
+/// @param left divisions that may still be tried
+bool span_in_parts(Brep& brep, Index face, const PatchOptions& options, int& left) {
+  if (spans_without_fold(brep, face, options)) return true;
+  for (const FaceDiagonal& diagonal : diagonals(brep, face)) {
+    if (--left < 0) return false;
     Brep divided = brep;
     divide_face(divided, face, diagonal, options);
     const auto part = static_cast<Index>(divided.faces.size() - 1);
-    if (!spans_without_fold(divided, face, options) || !spans_without_fold(divided, part, options)) continue;
+    if (!span_in_parts(divided, face, options, left) || !span_in_parts(divided, part, options, left)) continue;
     brep = std::move(divided);
     return true;
   }
@@ -147,7 +148,8 @@ Findings span_patches(Brep& brep, const PatchOptions& options) {
   for (Index f = 0; f < count; ++f) {
     brep.faces[f].patches.clear();
     if (brep.faces[f].planar) continue;
-    if (spans_without_fold(brep, f, options) || unfold_by_division(brep, f, options)) continue;
+    int left = most_divisions;
+    if (span_in_parts(brep, f, options, left)) continue;
     findings.push_back(patch_folded(brep, brep.faces[f]));
   }
   return findings;
