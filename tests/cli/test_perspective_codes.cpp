@@ -112,6 +112,10 @@ TEST_CASE("folded faces are divided, and close without folds") {
     for (const Json& patch : file_of_patches.at("patches")) filled.insert(patch.at("face"));
     CHECK(filled.size() == 1);
     CHECK(run_cli({"check", folder / "solid.obj"}).code == 0);
+    // What goes on from the solid knows nothing of the division.
+    CHECK(run_cli({"perspective", file, "--cage", folder / "cage.obj", "--network", folder / "net.json"}).code == 0);
+    CHECK(run_cli({"check", folder / "cage.obj"}).code == 0);
+    if (CROQUIS_HAS_STEP) CHECK(run_cli({"perspective", file, "-o", folder / "solid.step"}).code == 0);
   }
 }
 
