@@ -12,9 +12,9 @@ namespace croquis {
 /// does, not to the drawing.
 struct Backdrop {
   std::shared_ptr<const PictureFile> picture;  ///< never null; shared by all that show it
-  Vec2 centre = Vec2::Zero();              ///< on the plane that is drawn on, x right, y UP; finite
-  double scale = 1;                        ///< units of the drawing per pixel of the picture, > 0
-  double opacity = 1;                      ///< 0..1
+  Vec2 centre = Vec2::Zero();                  ///< on the plane that is drawn on, x right, y UP; finite
+  double scale = 1;                            ///< units of the drawing per pixel of the picture, > 0
+  double opacity = 1;                          ///< 0..1
   bool visible = true;
 
   /// Units of the drawing.

@@ -129,10 +129,10 @@ class Tessellator {
         subjects.push_back(std::move(subject));
       }
     }
-    return make_warning(
-        Category::Geometry, "PATCH_FOLDED",
-        "The outlines of the plane face " + std::to_string(face().outline) + " cross each other: move its strokes apart.",
-        std::move(subjects));
+    return make_warning(Category::Geometry, "PATCH_FOLDED",
+                        "The outlines of the plane face " + std::to_string(face().outline) +
+                            " cross each other: move its strokes apart.",
+                        std::move(subjects));
   }
 
   // Patches.

@@ -72,8 +72,8 @@ std::vector<render::LineItemPtr> letter_items(const std::vector<GroupLetter>& le
   }
   std::vector<render::LineItemPtr> items;
   if (casing.empty()) return items;
-  items.push_back(
-      render::make_line_item(casing, {letter_casing_width, to_color(colors::paper, 220), {}, render::LineDepth::OnTop}));
+  items.push_back(render::make_line_item(
+      casing, {letter_casing_width, to_color(colors::paper, 220), {}, render::LineDepth::OnTop}));
   for (const auto& [group, paths] : by_group) {
     items.push_back(
         render::make_line_item(paths, {letter_width, to_color(group_color(group)), {}, render::LineDepth::OnTop}));
