@@ -228,8 +228,10 @@ ChainStep Workspace::step(NodeId id) const {
   ChainStep step{id, node.name, node.source ? std::string() : title_of(node), StepState::Source, {}};
   if (node.source) return step;
   const auto kept = evaluator_.find(session_.document(), id);
+  const WorkObject* owner = object(id);
+  const bool waits = owner != nullptr && begins_empty(*owner);
   step.state = !node.enabled                            ? StepState::Off
-               : !kept                                  ? StepState::Computing
+               : !kept                                  ? waits ? StepState::Waiting : StepState::Computing
                : !kept->failed                          ? StepState::Fresh
                : has_other_connectivity(kept->findings) ? StepState::NeedsAttention
                : kept->stale                            ? StepState::Stale

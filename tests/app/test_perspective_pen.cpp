@@ -52,6 +52,25 @@ QPointF empty_place(StudioFixture& hand) {
   return hand.viewport().pane(app::SketchView).rect.bottomLeft() + QPointF(120, -120);
 }
 
+TEST_CASE("an empty sheet says what to draw, in full, and computes nothing", "[perspective-pen]") {
+  StudioFixture hand;
+  hand.act("new-perspective");
+  hand.window().show_views();
+  for (const QSize size : {QSize(1440, 900), QSize(1024, 640)}) {
+    hand.window().resize(size);
+    hand.settle();
+    hand.picture();
+    const auto* hint = hand.window().findChild<QLabel*>("perspective-hint");
+    REQUIRE(hint != nullptr);
+    CHECK(hint->isVisible());
+    CHECK(hint->height() >= hint->heightForWidth(hint->width()));
+  }
+  REQUIRE(hand.studio().active() != nullptr);
+  for (const ChainStep& step : hand.studio().steps_of(*hand.studio().active())) {
+    CHECK(step.state == (step.title.empty() ? StepState::Source : StepState::Waiting));
+  }
+}
+
 TEST_CASE("a flick with the right button, or with G held, chooses a group without reading the ring",
           "[perspective-pen]") {
   StudioFixture hand;

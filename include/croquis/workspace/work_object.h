@@ -23,6 +23,7 @@ enum class StepState {
   Source,          ///< nothing is computed here
   Fresh,           ///< computed, of the document as it is
   Computing,       ///< not computed yet
+  Waiting,         ///< nothing is drawn yet
   Stale,           ///< failed, and goes on showing its last good result
   NeedsAttention,  ///< its edits were made for a mesh whose faces were joined in another way
   Failed,

@@ -98,8 +98,8 @@ void PerspectiveChips::place(ChipPlaces& places, bool shown, bool through) {
 void PerspectiveChips::place_hint(ChipPlaces& places, const ViewPane& pane) {
   if (sheet_.result() != nullptr && !sheet_.drawing().strokes.empty()) return;
   hint_->setText(tr("Draw two lines along each axis: they take the axis' colour from where they point"));
-  hint_->setFixedWidth(static_cast<int>(std::min(pane.rect.width() - 2 * chip_margin, hint_width)));
-  hint_->adjustSize();
+  const int width = static_cast<int>(std::min(pane.rect.width() - 2 * chip_margin, hint_width));
+  hint_->setFixedSize(width, hint_->heightForWidth(width));
   put(places, *hint_, QPointF(pane.rect.center().x() - hint_->width() / 2.0, pane.rect.bottom() - 60), pane);
 }
 
