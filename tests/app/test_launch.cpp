@@ -72,22 +72,22 @@ TEST_CASE("a killed studio leaves its work to the next one", "[launch]") {
                                            "\"}\n{\"do\":\"wait\",\"for\":\"solid\"}\n"
                                            "{\"do\":\"action\",\"name\":\"select-all\"}\n"
                                            "{\"do\":\"action\",\"name\":\"delete\"}\n"
-                                           "{\"do\":\"action\",\"name\":\"undo\"}\n");
+                                           "{\"do\":\"action\",\"name\":\"undo\"}\n"
+                                           "{\"do\":\"screenshot\",\"file\":\"" +
+                                           folder.filePath("done.png").toUtf8() + "\"}\n");
   QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
   environment.insert("XDG_STATE_HOME", folder.path());
   QProcess process;
   process.setProcessEnvironment(environment);
   process.start(CROQUIS_STUDIO, {"--replay", folder.filePath("draw.jsonl"), "--stay"});
   const std::filesystem::path state = folder.filePath("croquis").toStdString();
-  // Two seconds of edits may be lost at most: by then the last one must be on the disk.
-  std::vector<croquis::RecoverableWork> left;
-  for (int tries = 0; tries < 40 && left.empty(); ++tries) {
-    QThread::msleep(250);
-    if (tries < 11) continue;
-    process.kill();
-    process.waitForFinished(5000);
-    left = croquis::find_recoverable(state);
-  }
+  for (int tries = 0; tries < 150 && !QFile::exists(folder.filePath("done.png")); ++tries) QThread::msleep(100);
+  // Two seconds of edits may be lost at most: by then the last one must be on the disk, of a busy machine a little
+  // later.
+  QThread::msleep(3500);
+  process.kill();
+  process.waitForFinished(5000);
+  const std::vector<croquis::RecoverableWork> left = croquis::find_recoverable(state);
   REQUIRE(left.size() == 1);
   croquis::Progress progress;
   const croquis::Document document = croquis::recover(left.front().file, progress).document;
