@@ -278,6 +278,11 @@ FaceFindingResult faces_of(const CurveNetwork& network, const FaceFindingOptions
   return find_faces(network, progress, options);
 }
 
+Solid solid_of(const CurveNetwork& network, const SolidOptions& options) {
+  Progress progress;
+  return make_solid(network, polynomial_pieces(network), faces_of(network).best, progress, options);
+}
+
 std::vector<std::string> sorted_codes(const Findings& findings) {
   std::vector<std::string> codes;
   for (const Finding& finding : findings) codes.push_back(finding.code);

@@ -9,6 +9,7 @@
 
 #include "croquis/geometry/curve_network.h"
 #include "croquis/perspective/face_finding.h"
+#include "croquis/perspective/solid.h"
 #include "support/perspective/solids.h"
 
 /// Curve networks for tests, and what they are compared by.
@@ -60,6 +61,9 @@ CurveNetwork globe(int rings, int steps);
 CurveNetwork box_wall(int nx, int nz);
 
 FaceFindingResult faces_of(const CurveNetwork& network, const FaceFindingOptions& options = {});
+
+/// With the faces that are found.
+Solid solid_of(const CurveNetwork& network, const SolidOptions& options = {});
 
 std::vector<std::string> sorted_codes(const Findings& findings);
 

@@ -21,18 +21,13 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-Brep brep_of(const CurveNetwork& network) {
-  Progress progress;
-  return make_solid(network, polynomial_pieces(network), faces_of(network).best, progress).brep;
-}
-
 /// Every generated solid that has patches, and the balls of arcs, whose patches twist most.
 std::map<std::string, Brep> breps_with_patches() {
   std::map<std::string, Brep> breps;
-  for (const PerspectiveSolid& solid : all_solids()) breps[solid.name] = brep_of(solid.network);
+  for (const PerspectiveSolid& solid : all_solids()) breps[solid.name] = solid_of(solid.network).brep;
   for (const PolyhedronNet& net : sphere_nets()) {
-    breps["round " + net.name] = brep_of(net.network);
-    breps["bent " + net.name] = brep_of(perturbed(net.network, 0.05, 3));
+    breps["round " + net.name] = solid_of(net.network).brep;
+    breps["bent " + net.name] = solid_of(perturbed(net.network, 0.05, 3)).brep;
   }
   std::erase_if(breps, [](const auto& named) {
     return std::ranges::all_of(named.second.faces, [](const BrepFace& face) { return face.patches.empty(); });
@@ -191,7 +186,7 @@ TEST_CASE("sides of fits are the patches' own, so that neighbours share them") {
 }
 
 TEST_CASE("a fit turns and grows with its patch") {
-  const Brep brep = brep_of(sphere_nets()[3].network);
+  const Brep brep = solid_of(sphere_nets()[3].network).brep;
   const Eigen::AngleAxisd turn(0.7, Vec3(1, 2, -1).normalized());
   constexpr double scale = 250;
   const Vec3 move(3, -20, 5);
@@ -214,7 +209,7 @@ TEST_CASE("a fit turns and grows with its patch") {
 }
 
 TEST_CASE("a fit that may have no more spans says what it reaches") {
-  const Brep brep = brep_of(sphere_nets()[0].network);
+  const Brep brep = solid_of(sphere_nets()[0].network).brep;
   BicubicFitOptions coarse;
   coarse.most_spans = 2;
   const BicubicFit few = fit_bicubic(brep.faces[0].patches[0], 1e-9, {true, true, true, true}, coarse);
@@ -226,7 +221,7 @@ TEST_CASE("a fit that may have no more spans says what it reaches") {
 }
 
 TEST_CASE("a finer tolerance is kept with more control points") {
-  const Brep brep = brep_of(bottle().network);
+  const Brep brep = solid_of(bottle().network).brep;
   const auto count = [&](double tolerance) {
     BicubicFitOptions options;
     options.tolerance = tolerance;

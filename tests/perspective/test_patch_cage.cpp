@@ -17,12 +17,6 @@ using namespace croquis::test;
 
 namespace {
 
-Brep brep_of_solid(const PerspectiveSolid& test) {
-  Progress progress;
-  const FaceFindingResult faces = faces_of(test.network);
-  return make_solid(test.network, polynomial_pieces(test.network), faces.best, progress).brep;
-}
-
 PatchCage cage_of(const Brep& brep, std::size_t segments) {
   Progress progress;
   return make_patch_cage(brep, {segments}, progress);
@@ -81,7 +75,7 @@ double reflex_corner(const PolyMesh& mesh) {
 
 TEST_CASE("cages of solids are closed and have the solid's Euler number") {
   for (const PerspectiveSolid& test : all_solids()) {
-    const Brep brep = brep_of_solid(test);
+    const Brep brep = solid_of(test.network).brep;
     for (const std::size_t segments : {2U, 4U, 8U}) {
       INFO(test.name << ", " << segments);
       const PatchCage cage = cage_of(brep, segments);
@@ -103,7 +97,7 @@ TEST_CASE("cages of solids are closed and have the solid's Euler number") {
 TEST_CASE("sharp edges of the solid are sharp in the cage, smooth ones aren't, and vertices lie on the exact curves") {
   for (const PerspectiveSolid& test : all_solids()) {
     INFO(test.name);
-    const Brep brep = brep_of_solid(test);
+    const Brep brep = solid_of(test.network).brep;
     const PatchCage cage = cage_of(brep, 4);
     std::set<Edge> tagged;
     for (const Crease& crease : cage.mesh.tags.creases) {
@@ -146,14 +140,14 @@ TEST_CASE("sharp edges of the solid are sharp in the cage, smooth ones aren't, a
 }
 
 TEST_CASE("plane faces of cages stay plane, and straight edges whole where no curve asks for more") {
-  const PatchCage plain = cage_of(brep_of_solid(box()), 8);
+  const PatchCage plain = cage_of(solid_of(box().network).brep, 8);
   CHECK(plain.mesh.vertex_count() == 8);
   CHECK(plain.mesh.face_count() == 6);
   CHECK(plain.mesh.tags.creases.size() == 12);
-  const PatchCage step = cage_of(brep_of_solid(l_block()), 8);
+  const PatchCage step = cage_of(solid_of(l_block().network).brep, 8);
   CHECK(step.mesh.vertex_count() == 12);
   CHECK(step.mesh.face_count() == 6 + 2 * 2);  // each L is two convex parts
-  const PatchCage frame = cage_of(brep_of_solid(ring_frame()), 8);
+  const PatchCage frame = cage_of(solid_of(ring_frame().network).brep, 8);
   CHECK(frame.mesh.vertex_count() == 16);
   for (std::size_t f = 0; f < frame.mesh.face_count(); ++f) CHECK(frame.mesh.face(f).size() <= 6);
 }

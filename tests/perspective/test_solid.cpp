@@ -19,11 +19,6 @@ namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
 
-Solid solid_of(const CurveNetwork& network, const SolidOptions& options = {}) {
-  Progress progress;
-  return make_solid(network, polynomial_pieces(network), faces_of(network).best, progress, options);
-}
-
 MeshReport report_of(const PolyMesh& mesh) {
   Progress progress;
   return inspect(mesh, true, progress);

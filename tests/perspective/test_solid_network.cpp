@@ -14,12 +14,6 @@ using namespace croquis::test;
 
 namespace {
 
-Brep brep_of(const PerspectiveSolid& test) {
-  Progress progress;
-  const FaceFindingResult faces = faces_of(test.network);
-  return make_solid(test.network, polynomial_pieces(test.network), faces.best, progress).brep;
-}
-
 const AttributeCurve* curve_named(const AttributeNetwork& network, const std::string& id) {
   for (const AttributeCurve& curve : network.curves) {
     if (curve.id == id) return &curve;
@@ -38,7 +32,7 @@ Index node_of(const AttributeNetwork& network, const AttributeSide& side, bool a
 TEST_CASE("the network of a solid has its curves and its faces, closed and oriented outwards") {
   for (const PerspectiveSolid& test : all_solids()) {
     INFO(test.name);
-    const Brep brep = brep_of(test);
+    const Brep brep = solid_of(test.network).brep;
     const SolidNetwork made = network_of_solid(brep);
     const AttributeNetwork& network = made.network;
     CHECK(validate(network).empty());
@@ -78,7 +72,7 @@ TEST_CASE("the network of a solid has its curves and its faces, closed and orien
 }
 
 TEST_CASE("faces that a network can't have are named and left out") {
-  const SolidNetwork made = network_of_solid(brep_of(camera_body()));
+  const SolidNetwork made = network_of_solid(solid_of(camera_body().network).brep);
   REQUIRE(made.warnings.size() == 1);
   CHECK(made.warnings[0].code == "FACE_LEFT_OUT");
   CHECK(made.warnings[0].subjects.at(0).kind == SubjectKind::Face);

@@ -29,11 +29,6 @@ SolidOptions fine() {
   return options;
 }
 
-Solid solid_of(const CurveNetwork& network) {
-  Progress progress;
-  return make_solid(network, polynomial_pieces(network), faces_of(network).best, progress, fine());
-}
-
 Solid drawn_solid(const std::string& name) {
   Progress progress;
   const std::string path = CROQUIS_DRAWINGS "/" + name;
@@ -121,14 +116,14 @@ ReadSolid check_file(const Solid& solid, double volume_factor = 1, const StepOpt
 TEST_CASE("STEP files of all test solids are closed, valid and have their volumes") {
   for (const PerspectiveSolid& test : all_solids()) {
     INFO(test.name);
-    check_file(solid_of(test.network));
+    check_file(solid_of(test.network, fine()));
   }
 }
 
 TEST_CASE("STEP files of balls of arcs are smooth and closed") {
   for (const PolyhedronNet& net : sphere_nets()) {
     INFO(net.name);
-    check_file(solid_of(net.network));
+    check_file(solid_of(net.network, fine()));
   }
 }
 
@@ -140,7 +135,7 @@ TEST_CASE("STEP files of the shipped drawings are valid") {
 }
 
 TEST_CASE("straight edges are lines in STEP, planes planes") {
-  const ReadSolid plain = read_step(step_of(solid_of(box().network).brep).bytes);
+  const ReadSolid plain = read_step(step_of(solid_of(box().network, fine()).brep).bytes);
   CHECK(plain.lines == 12);
   CHECK(plain.planes == 6);
   CHECK(plain.volume == Approx(24).epsilon(1e-12));
@@ -153,30 +148,30 @@ TEST_CASE("rational curves stay exact in STEP: a quarter of a disc has the area 
   arc.straight = false;
   arc.pieces = {{{Vec3(1, 0, 0), Vec3(1, near, 0), Vec3(near, 1, 0), Vec3(0, 1, 0)}, {1, middle, middle, 1}}};
   CHECK(arc.pieces[0].at(0.3).norm() == Approx(1).epsilon(1e-15));
-  const ReadSolid read = read_step(step_of(solid_of(network).brep).bytes);
+  const ReadSolid read = read_step(step_of(solid_of(network, fine()).brep).bytes);
   CHECK(read.valid);
   CHECK(read.rational_edges == 1);
   CHECK(read.lines == 2);
-  CHECK(area_in_step(step_of(solid_of(network).brep).bytes) == Approx(std::numbers::pi / 4).epsilon(1e-9));
+  CHECK(area_in_step(step_of(solid_of(network, fine()).brep).bytes) == Approx(std::numbers::pi / 4).epsilon(1e-9));
 
   // In two pieces that meet with other weights.
   const auto [first, second] = arc.pieces[0].split(0.3);
   arc.pieces = {first, second};
   for (double& weight : arc.pieces[1].weights) weight *= 3;
-  const ReadSolid pieces = read_step(step_of(solid_of(network).brep).bytes);
+  const ReadSolid pieces = read_step(step_of(solid_of(network, fine()).brep).bytes);
   CHECK(pieces.valid);
-  CHECK(area_in_step(step_of(solid_of(network).brep).bytes) == Approx(std::numbers::pi / 4).epsilon(1e-9));
+  CHECK(area_in_step(step_of(solid_of(network, fine()).brep).bytes) == Approx(std::numbers::pi / 4).epsilon(1e-9));
 }
 
 TEST_CASE("cavities are voids of their solids, also of the right one of two") {
   const CurveNetwork hollow = joined(box().network, moved(box().network, 0.4, Vec3(1, 1, 0.5)), "inner");
-  CHECK(check_file(solid_of(hollow)).solids == 1);
+  CHECK(check_file(solid_of(hollow, fine())).solids == 1);
 
   CHECK(check_file(solid_of(joined(hollow, moved(box().network, 1, Vec3(10, 0, 0)), "other"))).solids == 2);
 }
 
 TEST_CASE("STEP files are in the unit that is asked for") {
-  const Solid solid = solid_of(soap().network);
+  const Solid solid = solid_of(soap().network, fine());
   const std::vector<std::pair<LengthUnit, double>> units = {
       {LengthUnit::Millimetre, 1}, {LengthUnit::Centimetre, 10}, {LengthUnit::Metre, 1000}, {LengthUnit::Inch, 25.4}};
   for (const auto& [unit, millimetres] : units) {
@@ -189,7 +184,7 @@ TEST_CASE("STEP files are in the unit that is asked for") {
 }
 
 TEST_CASE("STEP files name strokes, faces and the product, and are the same each time") {
-  const Solid solid = solid_of(bottle().network);
+  const Solid solid = solid_of(bottle().network, fine());
   StepOptions options;
   options.name = "bottle";
   for (std::size_t f = 0; f < solid.brep.faces.size(); ++f) options.face_names.push_back("f" + std::to_string(f));
@@ -208,7 +203,7 @@ TEST_CASE("STEP files name strokes, faces and the product, and are the same each
 
 TEST_CASE("an open shell stays open in STEP") {
   const Solid solid =
-      solid_of(line_network({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}));
+      solid_of(line_network({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}), fine());
   const ReadSolid read = read_step(step_of(solid.brep).bytes);
   CHECK(read.valid);
   CHECK(!read.closed);
@@ -219,7 +214,7 @@ TEST_CASE("an open shell stays open in STEP") {
 TEST_CASE("writing STEP can be cancelled") {
   const std::atomic<bool> cancel = true;
   Progress progress({}, &cancel);
-  CHECK_THROWS_AS(write_step(solid_of(bottle().network).brep, {}, progress), Cancelled);
+  CHECK_THROWS_AS(write_step(solid_of(bottle().network, fine()).brep, {}, progress), Cancelled);
 }
 
 TEST_CASE("a solid without faces is refused as STEP") {
