@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "croquis/attribute_surface/domain_polygon.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,6 +7,8 @@
 #include <vector>
 
 #include <catch2/catch.hpp>
+
+#include "croquis/attribute_surface/domain_polygon.h"
 
 using namespace croquis;
 
@@ -89,7 +89,8 @@ TEST_CASE("the lengths' order and size don't matter for what becomes of each") {
 TEST_CASE("polygons follow their lengths without a jump, where relaxing begins and where the centre leaves them too") {
   std::mt19937 random(2);
   std::normal_distribution<double> normal;
-  std::vector<Lengths> cases{{1, 1, 1.9}, {1, 1, 2 * 0.95}, {3, 4, 5}, {1, 1, std::numbers::sqrt2}, {2, .5, .5, .5, .6}};
+  std::vector<Lengths> cases{
+      {1, 1, 1.9}, {1, 1, 2 * 0.95}, {3, 4, 5}, {1, 1, std::numbers::sqrt2}, {2, .5, .5, .5, .6}};
   for (std::size_t i = 0; i < 300; ++i) cases.push_back(over_decades(random, 3 + i % 10));
   for (const Lengths& lengths : cases) {
     const double step = 1e-9 * std::accumulate(lengths.begin(), lengths.end(), 0.0);

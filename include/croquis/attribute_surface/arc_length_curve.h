@@ -56,7 +56,7 @@ class ArcLengthCurve {
   Vec3 end_derivative_ = Vec3::Zero();
 };
 
-/// Length of a Bézier curve, exact to rounding on tame curves (16-point Gauss quadrature on 16 parts). 0 when all
+/// Length of a Bézier curve, exact to rounding (Gauss quadrature on parts that are halved as needed). 0 when all
 /// control points are equal.
 /// @pre control is not empty
 double bezier_length(const std::vector<Vec3>& control);

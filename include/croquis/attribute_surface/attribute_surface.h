@@ -23,7 +23,7 @@ struct AttributeSurfaceOptions {
   std::optional<AttributeMode> mode;      ///< none: as each face says
   std::optional<AttributeDomain> domain;  ///< none: as each face says
   std::optional<double> fullness;         ///< -1..2; none: as each face says
-  StageCache* cache = nullptr;  ///< curves and faces from earlier runs, not owned; null: all is made again
+  StageCache* cache = nullptr;            ///< curves and faces from earlier runs, not owned; null: all is made again
 };
 
 /// A curve that can be evaluated.

@@ -11,8 +11,8 @@
 #include "croquis/geometry/attribute_network.h"
 
 /// The surface of one face, evaluated at places of its domain.
-/// Source: Kim and Park 2006, sections 2 and 3. The paper's formulas (mode Paper) miss the curves and shrink to a needle
-/// at points; docs/algorithms/attribute_surface.md lists what stands in their place.
+/// Source: Kim and Park 2006, sections 2 and 3. The paper's formulas (mode Paper) miss the curves and shrink to a
+/// needle at points; docs/algorithms/attribute_surface.md lists what stands in their place.
 namespace croquis {
 
 /// Unit normals of the surface along a side, which give its tangent planes there.
@@ -77,9 +77,9 @@ class FaceSurface {
 
   const DomainPolygon& domain() const;
   const SurfaceFrame& frame() const;
-  double sigma() const;                              ///< model units per unit of the domain: the loop's length
-  const std::vector<PlacedPoint>& points() const;    ///< as given, radii filled in
-  const std::vector<PlacedCurve>& curves() const;    ///< as given, radii filled in
+  double sigma() const;                            ///< model units per unit of the domain: the loop's length
+  const std::vector<PlacedPoint>& points() const;  ///< as given, radii filled in
+  const std::vector<PlacedCurve>& curves() const;  ///< as given, radii filled in
 
   /// The place in space of a place of the domain, its sides included.
   Vec3 at(const Vec2& place) const;

@@ -23,12 +23,12 @@ struct PatchMeasures {
 };
 
 struct SurfaceMeasures {
-  std::vector<PatchMeasures> patches;                       ///< of the faces that could be evaluated
-  double boundary_error = 0;                                ///< model units: surfaces at their sides against the curves
-  std::vector<std::optional<double>> point_errors;          ///< by point, model units
-  std::vector<std::vector<double>> inner_errors;            ///< by face and inner curve, model units
-  std::vector<std::optional<double>> normal_jumps;          ///< by curve that is smooth: radians, the largest
-  double largest_normal_jump = 0;                           ///< radians, over smooth curves
+  std::vector<PatchMeasures> patches;               ///< of the faces that could be evaluated
+  double boundary_error = 0;                        ///< model units: surfaces at their sides against the curves
+  std::vector<std::optional<double>> point_errors;  ///< by point, model units
+  std::vector<std::vector<double>> inner_errors;    ///< by face and inner curve, model units
+  std::vector<std::optional<double>> normal_jumps;  ///< by curve that is smooth: radians, the largest
+  double largest_normal_jump = 0;                   ///< radians, over smooth curves
 };
 
 SurfaceMeasures measure(const AttributeNetwork& network, const AttributeSurface& surface);

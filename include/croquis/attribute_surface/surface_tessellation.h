@@ -16,8 +16,8 @@ class StageCache;
 
 /// Samples along a curve in its own direction, both ends included: ends are the places of its nodes, bit for bit.
 struct CurveSamples {
-  std::vector<double> at;     ///< fractions of the arc length, ascending from 0 to 1
-  std::vector<Vec3> points;   ///< one for each
+  std::vector<double> at;    ///< fractions of the arc length, ascending from 0 to 1
+  std::vector<Vec3> points;  ///< one for each
 };
 
 struct SurfaceTessellationOptions {
@@ -38,7 +38,7 @@ struct SurfacePart {
 };
 
 struct SurfaceTessellation {
-  PolyMesh mesh;  ///< triangles in groups named after the faces, with the surface's normals at corners
+  PolyMesh mesh;                   ///< triangles in groups named after the faces, with the surface's normals at corners
   std::vector<SurfacePart> parts;  ///< of faces that could be evaluated, in their order
 };
 
