@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "croquis/attribute_surface/arc_length_curve.h"
-
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -8,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "croquis/attribute_surface/arc_length_curve.h"
 #include "croquis/geometry/attribute_network.h"
 
 using namespace croquis;
@@ -19,7 +18,8 @@ using Control = std::vector<Vec3>;
 Control random_control(std::mt19937& random, std::size_t degree) {
   std::normal_distribution<double> normal;
   Control control;
-  for (std::size_t i = 0; i <= degree; ++i) control.emplace_back(normal(random) + 2.0 * static_cast<double>(i), normal(random), normal(random));
+  for (std::size_t i = 0; i <= degree; ++i)
+    control.emplace_back(normal(random) + 2.0 * static_cast<double>(i), normal(random), normal(random));
   return control;
 }
 

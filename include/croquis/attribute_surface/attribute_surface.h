@@ -30,13 +30,17 @@ struct AttributeSurfaceOptions {
 struct NetworkCurve {
   std::shared_ptr<const ArcLengthCurve> curve;  ///< null: it failed, findings say why
   std::vector<Index> faces;                     ///< that could be evaluated and have it in their loop
-  bool smooth = false;  ///< exactly two of them, both of mode Smooth, meet in it with common tangent planes
+  bool smooth = false;    ///< exactly two of them, both of mode Smooth, meet in it with common tangent planes
+  std::size_t start = 0;  ///< number of the corner where it begins: all ends that meet in a place have one number,
+  std::size_t end = 0;    ///< and are in the same place bit for bit
 };
 
 /// A face that can be evaluated.
 struct NetworkFace {
   std::shared_ptr<const FaceSurface> surface;  ///< null: it failed, findings say why
   bool flipped = false;  ///< its loop runs against that of the first face that it is joined to: meshes turn it round
+  double folded = 0;     ///< 0..1, share of its places where the normal points away from the loop's
+  std::string content;   ///< all that the surface depends on, byte by byte: a key for what is made from it
 };
 
 /// Where a point attribute of the network is met.
@@ -51,7 +55,8 @@ struct AttributeSurface {
   std::vector<NetworkCurve> curves;
   std::vector<NetworkFace> faces;
   std::vector<NetworkPoint> points;
-  Findings findings;  ///< warnings; errors name curves, faces and points that were left out
+  std::size_t corners = 0;  ///< how many places curves begin and end in
+  Findings findings;        ///< warnings; errors name curves, faces and points that were left out
 
   /// At least one face could be evaluated.
   bool any() const;

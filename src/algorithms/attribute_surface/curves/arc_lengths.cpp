@@ -12,9 +12,10 @@ namespace croquis {
 namespace {
 
 // Gauss-Legendre quadrature of 8 points on -1..1, half of them (Abramowitz and Stegun, table 25.4).
-constexpr std::array<double, 4> gauss_places{0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
+constexpr std::array<double, 4> gauss_places{0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
+                                             0.9602898564975363};
 constexpr std::array<double, 4> gauss_weights{0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
-                                        0.1012285362903763};
+                                              0.1012285362903763};
 
 /// Parts are halved until halving changes them by less than this part of the curve.
 constexpr double quadrature_tolerance = 1e-14;

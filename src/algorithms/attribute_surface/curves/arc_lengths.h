@@ -29,9 +29,9 @@ class ArcLengths {
   void add_parts(double from, double to, double length, int depth);
 
   std::vector<Vec3> derivative_;
-  double scale_ = 0;           ///< length of the control polygon
-  std::vector<double> ends_;   ///< of the parts, the first 0, the last 1
-  std::vector<double> sums_;   ///< arc length up to each of them
+  double scale_ = 0;          ///< length of the control polygon
+  std::vector<double> ends_;  ///< of the parts, the first 0, the last 1
+  std::vector<double> sums_;  ///< arc length up to each of them
 };
 
 }  // namespace croquis

@@ -58,8 +58,7 @@ class PiecewiseQuintic {
     const Found found = find(t);
     const Piece& c = *found.piece;
     const double x = found.x;
-    const Value slope =
-        c.col(1) + x * (2 * c.col(2) + x * (3 * c.col(3) + x * (4 * c.col(4) + x * (5 * c.col(5)))));
+    const Value slope = c.col(1) + x * (2 * c.col(2) + x * (3 * c.col(3) + x * (4 * c.col(4) + x * (5 * c.col(5)))));
     return {value_in(c, x), found.scale * slope};
   }
 
@@ -107,14 +106,17 @@ class PiecewiseQuintic {
   template <class Function>
   bool add_pieces(const Function& function, const Interval& interval, double tolerance) {
     bool kept = true;
-    const auto place = [&](std::size_t i, double x) { return interval.begin + (static_cast<double>(i) + x) / interval.scale; };
+    const auto place = [&](std::size_t i, double x) {
+      return interval.begin + (static_cast<double>(i) + x) / interval.scale;
+    };
     for (std::size_t i = 0; i < interval.count; ++i) {
       Piece values;
       for (int k = 0; k < 6; ++k) values.col(k) = function(place(i, quintic_places()[static_cast<std::size_t>(k)]));
       const Piece piece = values * quintic_from_values().transpose();
       pieces_.push_back(piece);
       // The two gaps where such a fit misses most.
-      for (const double x : {0.22, 0.5}) kept = kept && (value_in(piece, x) - function(place(i, x))).norm() <= tolerance;
+      for (const double x : {0.22, 0.5})
+        kept = kept && (value_in(piece, x) - function(place(i, x))).norm() <= tolerance;
       if (!kept && interval.count < 64) return false;
     }
     return kept;
