@@ -27,7 +27,7 @@ struct AttributeSurfaceOptions {
 };
 
 /// A curve that can be evaluated.
-struct NetworkCurve {
+struct SurfaceCurve {
   std::shared_ptr<const ArcLengthCurve> curve;  ///< null: it failed, findings say why
   std::vector<Index> faces;                     ///< that could be evaluated and have it in their loop
   bool smooth = false;    ///< exactly two of them, both of mode Smooth, meet in it with common tangent planes
@@ -36,7 +36,7 @@ struct NetworkCurve {
 };
 
 /// A face that can be evaluated.
-struct NetworkFace {
+struct SurfaceFace {
   std::shared_ptr<const FaceSurface> surface;  ///< null: it failed, findings say why
   bool flipped = false;  ///< its loop runs against that of the first face that it is joined to: meshes turn it round
   double folded = 0;     ///< 0..1, share of its places where the normal points away from the loop's
@@ -44,7 +44,7 @@ struct NetworkFace {
 };
 
 /// Where a point attribute of the network is met.
-struct NetworkPoint {
+struct SurfacePoint {
   std::optional<FanPlace> fan;  ///< none: its face failed, or the point is left out
   bool moved_inside = false;    ///< the nearest place was on the boundary
 };
@@ -52,9 +52,9 @@ struct NetworkPoint {
 /// Everything by the indices of the network.
 struct AttributeSurface {
   double tolerance = 0;  ///< model units, the one that was used
-  std::vector<NetworkCurve> curves;
-  std::vector<NetworkFace> faces;
-  std::vector<NetworkPoint> points;
+  std::vector<SurfaceCurve> curves;
+  std::vector<SurfaceFace> faces;
+  std::vector<SurfacePoint> points;
   std::size_t corners = 0;  ///< how many places curves begin and end in
   Findings findings;        ///< warnings; errors name curves, faces and points that were left out
 

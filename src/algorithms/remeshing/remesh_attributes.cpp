@@ -58,7 +58,7 @@ bool is_normal(const AttributeChannel& channel) {
 }
 
 /// Value of one vertex in one channel.
-void interpolate(const AttributeChannel& from, const std::array<Index, 3>& corners, const SurfacePlace& place,
+void interpolate(const AttributeChannel& from, const std::array<Index, 3>& corners, const NearestScanPlace& place,
                  std::size_t vertex, AttributeChannel& to) {
   const std::size_t heaviest =
       static_cast<std::size_t>(std::max_element(place.weights.begin(), place.weights.end()) - place.weights.begin());
@@ -107,7 +107,7 @@ class Transfer {
   }
 
   /// The hole that a new vertex lies in, if it does.
-  Index hole_at(const Vec3& place, const SurfacePlace& nearest) const {
+  Index hole_at(const Vec3& place, const NearestScanPlace& nearest) const {
     if (nearest.point >= rim_of_.size() || nearest.distance < least_from_rim * cell_) return no_index;
     const Index rim = rim_of_[nearest.point];
     if (rim == no_index) return no_index;
@@ -121,7 +121,7 @@ class Transfer {
   }
 
   /// The vertices of the mesh whose values count; three times the same where there is no triangle.
-  std::array<Index, 3> corners(const SurfacePlace& place) const {
+  std::array<Index, 3> corners(const NearestScanPlace& place) const {
     if (place.triangle != no_index) return analysis_.view.triangles[place.triangle];
     const Index v = piece_.vertices[place.point];
     return {v, v, v};
@@ -142,8 +142,8 @@ NearestSurface::NearestSurface(const PolyMesh& mesh, const SurfaceView& view, co
                                const RemeshPiece& piece, const RemeshPoints& points, int threads)
     : mesh_(mesh), view_(view), fans_(fans), piece_(piece), points_(points), tree_(points.positions, threads) {}
 
-SurfacePlace NearestSurface::nearest(const Vec3& place) const {
-  SurfacePlace found;
+NearestScanPlace NearestSurface::nearest(const Vec3& place) const {
+  NearestScanPlace found;
   found.point = tree_.nearest(place);
   found.distance = (place - points_.positions[found.point]).norm();
   const auto look_at = [&](Index triangle) {
@@ -191,7 +191,7 @@ void transfer(PolyMesh& made, const NewVertices& vertices, const NearestSurface&
     for (std::size_t i = begin; i < end; ++i) {
       if (!vertices.piece_at.empty() && vertices.piece_at[i] != vertices.piece) continue;
       const std::size_t v = vertices.first + i;
-      const SurfacePlace place = nearest.nearest(made.positions[v]);
+      const NearestScanPlace place = nearest.nearest(made.positions[v]);
       const Index hole = work.hole_at(made.positions[v], place);
       marks.hole[v] = hole;
       if (hole != no_index) marks.confidence[v] = work.confidence(hole, place.distance);

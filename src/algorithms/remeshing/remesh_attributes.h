@@ -14,7 +14,7 @@
 namespace croquis::remeshing {
 
 /// A place on the mesh given.
-struct SurfacePlace {
+struct NearestScanPlace {
   Index point = no_index;     ///< of the piece's points, the one nearest to what was asked for
   Index triangle = no_index;  ///< of the view; no_index where no triangle is at the point
   std::array<double, 3> weights = {1, 0, 0};
@@ -29,7 +29,7 @@ class NearestSurface {
                  const RemeshPiece& piece, const RemeshPoints& points, int threads);
 
   /// Thread-safe; log n.
-  SurfacePlace nearest(const Vec3& place) const;
+  NearestScanPlace nearest(const Vec3& place) const;
 
  private:
   const PolyMesh& mesh_;
