@@ -6,23 +6,17 @@
 
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/geometry/triangle_tree.h"
-#include "croquis/perspective/face_finding.h"
 #include "croquis/perspective/solid.h"
 #include "operators/perspective/attribute_network_operation.h"
 #include "operators/perspective/patch_cage_operation.h"
 #include "operators/subdivide_operation.h"
+#include "perspective/network_shapes.h"
 #include "support/check_operation.h"
 #include "support/perspective/solids.h"
 
 /// From a solid to cages and networks.
 namespace croquis {
 namespace {
-
-Solid solid_of(const test::PerspectiveSolid& shape) {
-  Progress progress;
-  const FaceFindingResult faces = find_faces(shape.network, progress);
-  return make_solid(shape.network, polynomial_pieces(shape.network), faces.best, progress);
-}
 
 Values solid_input(const Solid& solid) { return {{"solid", std::make_shared<const Brep>(solid.brep)}}; }
 
@@ -61,7 +55,7 @@ double diagonal(const PolyMesh& mesh) {
 }
 
 TEST_CASE("solids become networks and cages as functions of their arguments") {
-  const Solid bottle = solid_of(test::bottle()), camera = solid_of(test::camera_body());
+  const Solid bottle = test::solid_of(test::bottle().network), camera = test::solid_of(test::camera_body().network);
   for (const Solid* solid : {&bottle, &camera}) {
     test::check_operation(PatchCageOperation(), solid_input(*solid), {{"segments", std::string("8")}});
     test::check_operation(AttributeNetworkOperation(), solid_input(*solid), {});
@@ -70,7 +64,7 @@ TEST_CASE("solids become networks and cages as functions of their arguments") {
 
 TEST_CASE("subdivided cages of solids are closed and don't intersect themselves") {
   for (const test::PerspectiveSolid& shape : test::all_solids()) {
-    const Solid solid = solid_of(shape);
+    const Solid solid = test::solid_of(shape.network);
     for (const char* scheme : {"doo-sabin", "catmull-clark"}) {
       INFO(shape.name << ", " << scheme);
       const PolyMesh mesh = subdivided_cage(solid, "4", scheme);
@@ -84,7 +78,7 @@ TEST_CASE("subdivided cages of solids are closed and don't intersect themselves"
 }
 
 TEST_CASE("the subdivided bottle comes nearer to its patches with every doubling of segments") {
-  const Solid bottle = solid_of(test::bottle());
+  const Solid bottle = test::solid_of(test::bottle().network);
   const PolyMesh& exact = bottle.tessellation.mesh;
   for (const char* scheme : {"doo-sabin", "catmull-clark"}) {
     double before = 0.01;
