@@ -11,21 +11,12 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "app/panels/number_box.h"
+
 namespace croquis::app {
 namespace {
 
 constexpr double percent = 0.01;
-constexpr int least_number_width = 62;  // logical pixels
-
-QDoubleSpinBox* make_field(QWidget* parent, const QString& name, double low, double high, int decimals) {
-  auto* box = new QDoubleSpinBox(parent);
-  box->setObjectName(name);
-  box->setRange(low, high);
-  box->setDecimals(decimals);
-  box->setKeyboardTracking(false);
-  box->setMinimumWidth(least_number_width);
-  return box;
-}
 
 }  // namespace
 
@@ -61,13 +52,13 @@ void BackdropPanel::make_opacity(QBoxLayout* column) {
 void BackdropPanel::make_place(QBoxLayout* column) {
   auto* grid = new QGridLayout;
   grid->addWidget(new QLabel(tr("Middle x, y"), this), 0, 0);
-  centre_ = {make_field(this, "backdrop-x", -1e7, 1e7, 2), make_field(this, "backdrop-y", -1e7, 1e7, 2)};
+  centre_ = {make_number_box(this, "backdrop-x", {-1e7, 1e7, 2}), make_number_box(this, "backdrop-y", {-1e7, 1e7, 2})};
   for (int i = 0; i < 2; ++i) {
     grid->addWidget(centre_[static_cast<std::size_t>(i)], 0, 1 + i);
     connect(centre_[static_cast<std::size_t>(i)], &QDoubleSpinBox::valueChanged, this, &BackdropPanel::tell_place);
   }
   grid->addWidget(new QLabel(tr("Scale"), this), 1, 0);
-  scale_ = make_field(this, "backdrop-scale", 1e-3, 1e5, 3);
+  scale_ = make_number_box(this, "backdrop-scale", {1e-3, 1e5, 3});
   scale_->setSuffix(QStringLiteral(" %"));
   scale_->setToolTip(tr("At 100 % a pixel of the picture is one unit of the drawing"));
   connect(scale_, &QDoubleSpinBox::valueChanged, this, &BackdropPanel::tell_place);

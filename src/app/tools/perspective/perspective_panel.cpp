@@ -18,6 +18,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/panels/number_box.h"
 #include "app/tools/perspective/group_looks.h"
 #include "app/tools/perspective/sheet_size_field.h"
 #include "croquis/tools/perspective/sheet_units.h"
@@ -28,17 +29,6 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 constexpr double weak_deviation = 0.15;  // of the focal length: as VP_WEAK
 constexpr std::size_t most_lines = 60;
-constexpr int number_width = 62;  // logical pixels
-
-QDoubleSpinBox* make_number(QWidget* parent, const QString& name, double low, double high, int decimals) {
-  auto* box = new QDoubleSpinBox(parent);
-  box->setObjectName(name);
-  box->setRange(low, high);
-  box->setDecimals(decimals);
-  box->setKeyboardTracking(false);
-  box->setMinimumWidth(number_width);  // not that of the longest number
-  return box;
-}
 
 void show_value(QDoubleSpinBox& box, double value) {
   if (!box.hasFocus() || box.value() != value) box.setValue(value);
@@ -71,7 +61,7 @@ void PerspectivePanel::make_groups(QBoxLayout* column, const std::function<QActi
     button->setObjectName(QString("button-") + names[static_cast<std::size_t>(i)]);
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setFocusPolicy(Qt::NoFocus);
-    button->setMinimumWidth(number_width);
+    button->setMinimumWidth(number_box_width);
     button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     grid->addWidget(button, i / 4, i % 4);
   }
@@ -93,7 +83,7 @@ void PerspectivePanel::make_camera(QBoxLayout* column) {
   make_mode(column);
   auto* row = new QHBoxLayout;
   row->addWidget(new QLabel(tr("Field of view"), this));
-  field_ = make_number(this, "perspective-field", 0, 170, 2);
+  field_ = make_number_box(this, "perspective-field", {0, 170, 2});
   field_->setSpecialValueText(tr("not known"));
   field_->setSuffix(QStringLiteral("°"));
   connect(field_, &QDoubleSpinBox::valueChanged, this, [this](double degrees) {
@@ -157,7 +147,7 @@ void PerspectivePanel::make_known(QBoxLayout* column) {
   row = new QHBoxLayout;
   const std::array<const char*, 3> names{"perspective-point-x", "perspective-point-y", "perspective-point-z"};
   for (std::size_t i = 0; i < 3; ++i) {
-    point_[i] = make_number(this, names[i], -1e6, 1e6, 3);
+    point_[i] = make_number_box(this, names[i], {-1e6, 1e6, 3});
     connect(point_[i], &QDoubleSpinBox::valueChanged, this, [this] { tell_point(); });
     row->addWidget(point_[i]);
   }
@@ -169,7 +159,7 @@ void PerspectivePanel::make_length(QBoxLayout* column) {
   auto* second = new QHBoxLayout;
   length_of_ = new QLabel(this);
   second->addWidget(length_of_, 1);
-  length_ = make_number(this, "perspective-length", 0, 1e9, 3);
+  length_ = make_number_box(this, "perspective-length", {0, 1e9, 3});
   length_->setSpecialValueText(tr("not known"));
   connect(length_, &QDoubleSpinBox::valueChanged, this, [this](double length) {
     const std::vector<std::string> ids = sheet_.tool().selected();

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/panels/number_box.h"
+
 namespace croquis::app {
 namespace {
 
@@ -23,7 +25,6 @@ constexpr std::array<SheetShape, 5> shapes{{{"4:3", 4.0 / 3},
                                             {"A4 landscape", std::numbers::sqrt2},
                                             {"A4 portrait", 1 / std::numbers::sqrt2}}};
 constexpr double longest_sheet = 100'000;  // px
-constexpr int side_width = 62;             // logical pixels
 
 }  // namespace
 
@@ -39,12 +40,7 @@ SheetSizeField::SheetSizeField(QWidget* parent) : QWidget(parent), shape_(new QC
   row->addWidget(shape_, 1);
   const std::array<const char*, 2> names{"sheet-width", "sheet-height"};
   for (std::size_t i = 0; i < 2; ++i) {
-    sides_[i] = new QDoubleSpinBox(this);
-    sides_[i]->setObjectName(names[i]);
-    sides_[i]->setRange(1, longest_sheet);
-    sides_[i]->setDecimals(0);
-    sides_[i]->setKeyboardTracking(false);
-    sides_[i]->setMinimumWidth(side_width);
+    sides_[i] = make_number_box(this, names[i], {1, longest_sheet, 0});
     connect(sides_[i], &QDoubleSpinBox::valueChanged, this, &SheetSizeField::tell);
     row->addWidget(sides_[i]);
   }
