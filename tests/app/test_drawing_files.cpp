@@ -3,6 +3,8 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QListWidget>
+#include <QToolButton>
 #include <cmath>
 
 #include <catch2/catch.hpp>
@@ -25,6 +27,17 @@ QString written(StudioFixture& hand, const QString& name, const std::string& byt
 
 app::SheetInteraction& sheet_in(StudioFixture& hand) {
   return hand.window().tool<app::PerspectiveDrawingTool>().sheet();
+}
+
+/// The names of the strokes that the panel says something of that code about, in its order.
+std::vector<std::string> listed(StudioFixture& hand, const QString& code) {
+  const auto& panel = *hand.window().findChild<QListWidget*>("findings");
+  std::vector<std::string> strokes;
+  for (int row = 0; row < panel.count(); ++row) {
+    if (panel.item(row)->toolTip() == code)
+      strokes.push_back(panel.item(row)->text().section('\'', 1, 1).toStdString());
+  }
+  return strokes;
 }
 
 const std::string plain_svg =
@@ -61,6 +74,35 @@ TEST_CASE("an SVG file that doesn't say what it is opens as what is being worked
   CHECK(sheet_in(hand).drawing().image_size == Vec2(400, 300));
   CHECK(sheet_in(hand).drawing().strokes.size() == 2);
   CHECK(sheet_in(hand).drawing().strokes[0].group == StrokeGroup::ParallelX);
+}
+
+TEST_CASE("what was found in a drawing's file is told of strokes as they were read, not of changed ones",
+          "[drawing-files]") {
+  using Names = std::vector<std::string>;
+  SolidDrawing truth = drawn(box(), three_point_views()[1]);
+  Names names;
+  for (PerspectiveStroke& stroke : truth.drawing.strokes) {
+    if (stroke.role != StrokeRole::Edge || stroke.group != StrokeGroup::ParallelY) continue;
+    names.push_back(stroke.id);
+    stroke.colour = colour_of_group(names.size() == 1 ? StrokeGroup::ParallelY : StrokeGroup::ParallelZ);
+    if (names.size() == 1) stroke.group = StrokeGroup::ParallelX;
+  }
+  REQUIRE(names.size() == 4);
+  StudioFixture hand;
+  hand.window().set_unattended();
+  REQUIRE(hand.window().open(written(hand, "box.svg", write_perspective_svg(truth.drawing))));
+  hand.settle();
+  CHECK(listed(hand, "GROUP_COLOUR") == names);
+  hand.picture();
+  hand.viewport().findChild<QToolButton*>("perspective-fix-chip")->click();
+  hand.settle();
+  REQUIRE(find_stroke(sheet_in(hand).drawing(), names[0])->group == StrokeGroup::ParallelY);
+  CHECK(listed(hand, "GROUP_COLOUR") == Names(names.begin() + 1, names.end()));
+  sheet_in(hand).tool().remove({names[3]});
+  CHECK(listed(hand, "GROUP_COLOUR") == Names{names[1], names[2]});
+  hand.act("undo");
+  hand.act("undo");
+  CHECK(listed(hand, "GROUP_COLOUR") == names);
 }
 
 TEST_CASE("a camera file states the camera of the sheet, at the sheet's own size, or begins one", "[drawing-files]") {

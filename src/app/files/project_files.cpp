@@ -223,7 +223,7 @@ void ProjectFiles::take(const ReadFile& file) {
   note_damage(file.path, file.warnings);
   Findings warnings = file.warnings;
   if (file.path == path_ && is_open_elsewhere(path_)) warnings.push_back(open_elsewhere(path_));
-  warnings_.insert(warnings_.end(), warnings.begin(), warnings.end());
+  warnings_.add(warnings, studio_.session().document());
   if (!project_of_backup(local(file.path))) remember(file.path);
   emit opened(file.path, warnings);
 }
@@ -378,7 +378,7 @@ void ProjectFiles::recover(const RecoveryOffer& offer) {
   studio_.load(std::move(work.document), true);
   earlier_version_.clear();
   set_path(offer.project);
-  warnings_ = std::move(work.warnings);
+  warnings_.add(work.warnings, studio_.session().document());
   autosave_now();
   croquis::discard(local(offer.file));
 }

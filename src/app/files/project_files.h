@@ -22,6 +22,7 @@
 #include "croquis/geometry/camera.h"
 #include "croquis/io/project_lock.h"
 #include "croquis/io/recovery.h"
+#include "croquis/workspace/read_findings.h"
 
 namespace croquis::app {
 
@@ -41,8 +42,9 @@ class ProjectFiles : public QObject {
   /// The file's name; of an earlier version that was opened, its own; empty for what came from no project.
   QString file_name() const;
 
-  /// What was wrong with the files that the open document came from; W_PROJECT_OPEN when others have it open, too.
-  const Findings& warnings() const { return warnings_; }
+  /// What was wrong with the files that the open document came from, without what was said of strokes that were changed
+  /// since; W_PROJECT_OPEN when others have it open, too.
+  Findings warnings() const { return warnings_.in(studio_.session().document()); }
 
   /// A project that was found damaged is never overwritten: saving there keeps it beside the new one.
   bool is_damaged(const QString& path) const;
@@ -153,7 +155,7 @@ class ProjectFiles : public QObject {
   std::pair<QDateTime, qint64> known_file_;  ///< time and size of the project's file when it was read or written here
   QString earlier_version_;                  ///< that was opened instead of the project
   std::optional<ProjectLock> lock_;          ///< of the project that is open, unless others have it
-  Findings warnings_;
+  ReadFindings warnings_;
   QSet<QString> damaged_;  ///< projects found so, by whole path
   bool touched_ = false;   ///< what is open was worked on since it was opened or saved
   QTimer autosave_timer_;
