@@ -60,24 +60,23 @@ Verdict BackdropEditor::remove() {
 
 void BackdropEditor::change(const std::string& label, const Backdrop& backdrop) {
   require_valid(backdrop);
-  if (gesture_ != Gesture::Change || interrupted()) {
+  if (gesture_ != Gesture::Change || drag_.interrupted()) {
     give_up();
     before_ = this->backdrop();
     if (!before_) return;
     gesture_ = Gesture::Change;
-    session_.begin_drag(label);
+    drag_.begin(label);
   }
-  drag(backdrop);
+  drag_to(backdrop);
 }
 
-void BackdropEditor::drag(const Backdrop& backdrop) {
-  session_.drag(with_backdrop(session_.document(), node_, backdrop));
-  revision_ = session_.revision();
+void BackdropEditor::drag_to(const Backdrop& backdrop) {
+  drag_.to(with_backdrop(session_.document(), node_, backdrop));
 }
 
 Verdict BackdropEditor::finish() {
-  if (std::exchange(gesture_, Gesture::None) == Gesture::None || interrupted()) return Verdict::Continue;
-  session_.end_drag();
+  if (std::exchange(gesture_, Gesture::None) == Gesture::None || drag_.interrupted()) return Verdict::Continue;
+  drag_.end();
   const auto now = backdrop();
   if (!now || *now == *before_) return Verdict::Continue;
   done_ = step_of(*now);
@@ -86,7 +85,7 @@ Verdict BackdropEditor::finish() {
 
 Verdict BackdropEditor::give_up() {
   if (std::exchange(gesture_, Gesture::None) == Gesture::None) return Verdict::Continue;
-  if (!interrupted()) session_.cancel_drag();
+  drag_.cancel();
   return Verdict::Revert;
 }
 
@@ -105,12 +104,11 @@ void BackdropEditor::begin(const SketchEvent& event) {
     gesture_ = Gesture::Scale;
     fixed_ = 2 * before_->centre - corner;
   }
-  session_.begin_drag(gesture_ == Gesture::Scale ? "Scale picture" : "Move picture");
-  revision_ = session_.revision();
+  drag_.begin(gesture_ == Gesture::Scale ? "Scale picture" : "Move picture");
 }
 
 void BackdropEditor::go_on(const SketchEvent& event) {
-  if (gesture_ == Gesture::None || interrupted()) return;
+  if (gesture_ == Gesture::None || drag_.interrupted()) return;
   Backdrop dragged = *before_;
   const Vec2& place = event.sample.position;
   if (gesture_ == Gesture::Move) {
@@ -121,7 +119,7 @@ void BackdropEditor::go_on(const SketchEvent& event) {
     dragged.scale *= share;
     dragged.centre = fixed_ + share * (before_->centre - fixed_);
   }
-  drag(dragged);
+  drag_to(dragged);
 }
 
 Verdict BackdropEditor::handle(const SketchEvent& event) {

@@ -44,7 +44,8 @@ MeshTool::MeshTool(Session& session, Workspace* workspace, MeshToolOptions optio
       editable_(session, workspace),
       selector_(editable_, log_, [this](bool changes) { leave_mode(changes); }),
       editor_(editable_, selector_, log_),
-      tag_editor_(editable_, selector_, editor_, log_) {}
+      tag_editor_(editable_, selector_, editor_, log_),
+      session_drag_(session) {}
 
 void MeshTool::set_node(NodeId node) {
   if (node == editable_.node()) return;
@@ -134,10 +135,7 @@ Verdict MeshTool::handle(const MeshEvent& event) {
   if (event.kind == PenStep::Kind::Cancel) return give_up();
   if (event.kind == PenStep::Kind::Begin) return event.pixel.allFinite() ? begin(event) : give_up();
   if (gesture_ == Gesture::None) return Verdict::Continue;
-  if (interrupted()) {
-    end_gesture();
-    return Verdict::Revert;
-  }
+  if (session_drag_.interrupted()) return give_up();
   if (event.pixel.allFinite() && event.pixel != last_) go_on(event);
   return event.kind == PenStep::Kind::End ? finish(event) : Verdict::Continue;
 }
@@ -199,12 +197,11 @@ Verdict MeshTool::finish(const MeshEvent& event) {
 
 Verdict MeshTool::give_up() {
   if (gesture_ == Gesture::None) return Verdict::Continue;
-  const bool dragging = dragging_ && !interrupted();
+  const bool goes_back = session_drag_.begun() && !session_drag_.interrupted();
   const NodeId before = begun_.node;
   end_gesture();
-  if (!dragging) return Verdict::Revert;
-  editable_.go_on_with(before);
-  session_.cancel_drag();
+  if (goes_back) editable_.go_on_with(before);
+  session_drag_.cancel();
   return Verdict::Revert;
 }
 
@@ -215,11 +212,7 @@ void MeshTool::end_gesture() {
   original_.reset();
   begun_ = {};
   dragged_.clear();
-  dragging_ = false;
 }
-
-/// Something else changed the session while a drag was under way, which ended it.
-bool MeshTool::interrupted() const { return dragging_ && session_.revision() != drag_revision_; }
 
 // ---- Drags
 
@@ -232,15 +225,13 @@ void MeshTool::start_drag() {
                            : handles_ == MeshHandles::Move   ? "Move"
                            : handles_ == MeshHandles::Rotate ? "Rotate"
                                                              : "Scale";
-  session_.begin_drag(selector_.counted(verb, selector_.kind(), selector_.selected().size()));
-  dragging_ = true;
-  drag_revision_ = session_.revision();
+  session_drag_.begin(selector_.counted(verb, selector_.kind(), selector_.selected().size()));
 }
 
 void MeshTool::drag_handle(const Vec2& pixel) {
   const ManipulatorMotion& motion =
       drag_->to(start_.frame, pixel, start_.modifiers.ctrl ? options_.snap : ManipulatorSnap{});
-  if (!dragging_) start_drag();
+  if (!session_drag_.begun()) start_drag();
   preview_.motion = motion;
   if (editable_.is_computed()) return drag_lines(lines_of(motion));
   drag_to({editable_.with_mesh(transformed(*original_, dragged_, motion.map)), editable_.node()});
@@ -249,15 +240,11 @@ void MeshTool::drag_handle(const Vec2& pixel) {
 void MeshTool::drag_to(AddedNode edited) {
   const NodeId before = editable_.node();
   ComponentSelection selection = session_.components();
-  drag_revision_ = session_.revision() + 1;  // what listeners see while they are notified
-  session_.drag(std::move(edited.document));
-  drag_revision_ = session_.revision();
+  session_drag_.to(std::move(edited.document));
   if (edited.node == before) return;
   if (selection.node == before) selection.node = edited.node;
   editable_.go_on_with(edited.node);
-  drag_revision_ = session_.revision() + 1;
-  session_.select_components(std::move(selection));
-  drag_revision_ = session_.revision();
+  session_drag_.select(std::move(selection));
 }
 
 /// Each time these lines take the place of those that the drag had before. A drag that came back to where it began is
@@ -286,7 +273,7 @@ std::vector<EditLine> MeshTool::lines_of(const ManipulatorMotion& motion) const 
 }
 
 void MeshTool::drag_sharpness(const Vec2& pixel) {
-  if (!dragging_) start_drag();
+  if (!session_drag_.begun()) start_drag();
   const double levels = (pixel.x() - start_.pixel.x()) / options_.pixels_per_level;
   preview_.sharpness_change = std::round(levels / sharpness_step) * sharpness_step;
   if (editable_.is_computed()) {
@@ -305,14 +292,13 @@ std::optional<recorded::Step> MeshTool::recorded_motion(const ManipulatorMotion&
 }
 
 Verdict MeshTool::finish_handle() {
-  const bool dragged = dragging_;
   const ManipulatorMotion motion = drag_->motion();
   // The drag turns and scales about where it began.
   const Vec3 pivot = drag_->moved().pivot - motion.by;
   end_gesture();
-  if (!dragged) return Verdict::Continue;
+  if (!session_drag_.begun()) return Verdict::Continue;
   log_.done = recorded_motion(motion, pivot);
-  session_.end_drag();
+  session_drag_.end();
   return log_.done ? Verdict::Commit : Verdict::Revert;
 }
 
@@ -320,7 +306,7 @@ Verdict MeshTool::finish_sharpness() {
   const double change = preview_.sharpness_change.value_or(0);
   end_gesture();
   log_.done = recorded::Tag{editable_.node_name(), "selected", 0, std::nullopt, change};
-  session_.end_drag();
+  session_drag_.end();
   return Verdict::Commit;
 }
 

@@ -23,7 +23,7 @@ bool has_id(const std::vector<std::string>& ids, const std::string& id) {
 }  // namespace
 
 PerspectiveTool::PerspectiveTool(Session& session, PerspectiveToolOptions options)
-    : session_(session), options_(std::move(options)) {}
+    : session_(session), options_(std::move(options)), drag_(session) {}
 
 void PerspectiveTool::set_mode(PerspectiveMode mode) {
   give_up();
@@ -41,10 +41,7 @@ Verdict PerspectiveTool::handle(const SketchEvent& event) {
   if (event.kind == PenStep::Kind::Cancel) return give_up();
   if (event.kind == PenStep::Kind::Begin) return finite ? begin(event) : give_up();
   if (gesture_ == Gesture::None) return Verdict::Continue;
-  if (interrupted()) {
-    end_gesture();
-    return Verdict::Revert;
-  }
+  if (drag_.interrupted()) return give_up();
   if (event.kind == PenStep::Kind::End) return finish();
   if (finite) go_on(event);
   return Verdict::Continue;
@@ -111,9 +108,8 @@ Verdict PerspectiveTool::finish() {
 
 Verdict PerspectiveTool::give_up() {
   if (gesture_ == Gesture::None) return Verdict::Continue;
-  const bool dragging = original_ != nullptr && !interrupted();
   end_gesture();
-  if (dragging) session_.cancel_drag();
+  drag_.cancel();
   return Verdict::Revert;
 }
 
@@ -123,9 +119,6 @@ void PerspectiveTool::end_gesture() {
   path_.clear();
   original_.reset();
 }
-
-/// Something else changed the session while a drag was under way, which ended it.
-bool PerspectiveTool::interrupted() const { return original_ != nullptr && session_.revision() != drag_revision_; }
 
 /// The group that the stroke under way will have, and the vertex that it would end at.
 void PerspectiveTool::preview_stroke() {
@@ -180,10 +173,9 @@ void PerspectiveTool::start_drag() {
     select(ids);
   }
   original_ = drawing();
-  session_.begin_drag(gesture_ == Gesture::Aim     ? "Drag a vanishing point"
-                      : gesture_ == Gesture::Point ? "Drag a point of " + stroke_name(point_->stroke)
-                                                   : named_label("Move", selected()));
-  drag_revision_ = session_.revision();
+  drag_.begin(gesture_ == Gesture::Aim     ? "Drag a vanishing point"
+              : gesture_ == Gesture::Point ? "Drag a point of " + stroke_name(point_->stroke)
+                                           : named_label("Move", selected()));
 }
 
 /// How far the pointer has gone; of an end that comes near another vertex, the way to that.
@@ -212,12 +204,7 @@ PerspectiveDrawing PerspectiveTool::dragged() const {
   return edited;
 }
 
-void PerspectiveTool::drag_to() {
-  Document edited = with_drawing(dragged());
-  drag_revision_ = session_.revision() + 1;  // what listeners see while they are notified
-  session_.drag(std::move(edited));
-  drag_revision_ = session_.revision();
-}
+void PerspectiveTool::drag_to() { drag_.to(with_drawing(dragged())); }
 
 Verdict PerspectiveTool::finish_drag() {
   if (gesture_ == Gesture::Aim) {
@@ -228,7 +215,7 @@ Verdict PerspectiveTool::finish_drag() {
     done_ = recorded::SheetDrag{*picked_, {}, last_ - from_, false};
   }
   end_gesture();
-  session_.end_drag();
+  drag_.end();
   return Verdict::Commit;
 }
 

@@ -40,7 +40,8 @@ double extent(const std::vector<StrokeSample>& samples) {
 
 }  // namespace
 
-SketchTool::SketchTool(Session& session, SketchToolOptions options) : session_(session), options_(std::move(options)) {}
+SketchTool::SketchTool(Session& session, SketchToolOptions options)
+    : session_(session), options_(std::move(options)), drag_(session) {}
 
 void SketchTool::set_mode(SketchMode mode) {
   give_up();
@@ -52,10 +53,7 @@ Verdict SketchTool::handle(const SketchEvent& event) {
   if (event.kind == PenStep::Kind::Cancel) return give_up();
   if (event.kind == PenStep::Kind::Begin) return finite ? begin(event) : give_up();
   if (gesture_ == Gesture::None) return Verdict::Continue;
-  if (interrupted()) {
-    end_gesture();
-    return Verdict::Revert;
-  }
+  if (drag_.interrupted()) return give_up();
   if (event.kind == PenStep::Kind::End) return finish(event);
   return finite ? go_on(event) : Verdict::Continue;
 }
@@ -112,9 +110,8 @@ Verdict SketchTool::finish(const SketchEvent&) {
 
 Verdict SketchTool::give_up() {
   if (gesture_ == Gesture::None) return Verdict::Continue;
-  const bool dragging = (gesture_ == Gesture::Anchor || gesture_ == Gesture::Strokes) && !interrupted();
   end_gesture();
-  if (dragging) session_.cancel_drag();
+  drag_.cancel();
   return Verdict::Revert;
 }
 
@@ -205,28 +202,20 @@ void SketchTool::start_drag() {
   gesture_ = anchor_ ? Gesture::Anchor : Gesture::Strokes;
   preview_.held_stroke = picked_;
   preview_.held_anchor = anchor_;
-  session_.begin_drag(anchor_ ? point_label(picked_) : strokes_label("Move", selected()));
-  drag_revision_ = session_.revision();
+  drag_.begin(anchor_ ? point_label(picked_) : strokes_label("Move", selected()));
 }
 
 void SketchTool::drag_to(const Vec2& place) {
   const Vec2 by = place - start_.sample.position;
   DrawingEdit edit =
       anchor_ ? drag_anchor(*original_, picked_, held_fit_, *anchor_, by) : move_strokes(*original_, selected(), by);
-  drag_revision_ = session_.revision() + 1;  // what listeners see while they are notified
-  session_.drag(with_drawing(std::move(edit.drawing)));
-  drag_revision_ = session_.revision();
-}
-
-/// Something else changed the session while a drag was under way, which ended it.
-bool SketchTool::interrupted() const {
-  return (gesture_ == Gesture::Anchor || gesture_ == Gesture::Strokes) && session_.revision() != drag_revision_;
+  drag_.to(with_drawing(std::move(edit.drawing)));
 }
 
 Verdict SketchTool::finish_drag() {
   done_ = recorded::Drag{picked_, anchor_, last_ - start_.sample.position};
   end_gesture();
-  session_.end_drag();
+  drag_.end();
   return Verdict::Commit;
 }
 
@@ -327,7 +316,7 @@ const StrokeFit* SketchTool::fit(const std::string& id) {
   const Stroke* stroke = now ? find_stroke(*now, id) : nullptr;
   if (stroke == nullptr || stroke->samples.empty()) return nullptr;
   KeptFit& kept = fits_[id];
-  if (gesture_ == Gesture::Anchor && id == picked_ && !interrupted()) {
+  if (gesture_ == Gesture::Anchor && id == picked_ && !drag_.interrupted()) {
     kept = {{}, held_fit_};
     kept.fit.anchors[*anchor_].position += last_ - start_.sample.position;
   } else if (!same_samples(kept.samples, stroke->samples)) {

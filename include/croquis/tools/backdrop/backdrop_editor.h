@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "croquis/document/backdrop.h"
 #include "croquis/session/session.h"
+#include "croquis/tools/pointer/session_drag.h"
 #include "croquis/tools/pointer/verdict.h"
 #include "croquis/tools/recording/step.h"
 #include "croquis/tools/strokes/sketch_event.h"
@@ -22,7 +22,7 @@ class BackdropEditor {
  public:
   /// @param corner_pixels how far from a corner the pointer may be, of the view
   explicit BackdropEditor(Session& session, double corner_pixels = 14)
-      : session_(session), corner_pixels_(corner_pixels) {}
+      : session_(session), corner_pixels_(corner_pixels), drag_(session) {}
 
   void set_node(NodeId drawing) { node_ = drawing; }
   NodeId node() const { return node_; }
@@ -51,18 +51,17 @@ class BackdropEditor {
 
   void begin(const SketchEvent& event);
   void go_on(const SketchEvent& event);
-  void drag(const Backdrop& backdrop);
-  bool interrupted() const { return session_.revision() != revision_; }
+  void drag_to(const Backdrop& backdrop);
   void require_valid(const Backdrop& backdrop) const;
 
   Session& session_;
   double corner_pixels_;
   NodeId node_ = 0;
   Gesture gesture_ = Gesture::None;
+  SessionDrag drag_;
   std::shared_ptr<const Backdrop> before_;  ///< the gesture
   Vec2 from_ = Vec2::Zero();                ///< where it began
   Vec2 fixed_ = Vec2::Zero();               ///< Scale: the corner that stays
-  std::uint64_t revision_ = 0;              ///< of the session after the gesture's last change
   std::optional<recorded::Step> done_;
 };
 

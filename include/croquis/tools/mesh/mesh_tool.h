@@ -14,6 +14,7 @@
 #include "croquis/tools/pointer/manipulator.h"
 #include "croquis/tools/pointer/mesh_event.h"
 #include "croquis/tools/pointer/pen.h"
+#include "croquis/tools/pointer/session_drag.h"
 
 namespace croquis {
 
@@ -108,7 +109,6 @@ class MeshTool {
   Verdict finish(const MeshEvent& event);
   Verdict give_up();
   void end_gesture();
-  bool interrupted() const;
   void press(const MeshEvent& event);
   void start_drag();
   void drag_to(AddedNode edited);
@@ -139,6 +139,7 @@ class MeshTool {
   MeshPreview preview_;
 
   Gesture gesture_ = Gesture::None;
+  SessionDrag session_drag_;
   MeshEvent start_;                           ///< that began the gesture
   Vec2 last_ = Vec2::Zero();                  ///< where the pointer is
   bool may_sharpen_ = false;                  ///< the press was meant for the sharpness if it moves
@@ -146,8 +147,6 @@ class MeshTool {
   std::shared_ptr<const PolyMesh> original_;  ///< before the drag …
   AddedNode begun_;                           ///< … with the document and the node worked on
   Elements dragged_;                          ///< vertices, or edges of Sharpen
-  std::uint64_t drag_revision_ = 0;           ///< of the session after the drag's last change
-  bool dragging_ = false;                     ///< the session's drag has begun
 
   std::optional<MeshEvent> last_click_;
   Index anchor_ = no_index, anchor_before_ = no_index;  ///< last clicked element, and the one before that …

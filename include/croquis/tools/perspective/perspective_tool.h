@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +13,7 @@
 #include "croquis/tools/perspective/drawing_pick.h"
 #include "croquis/tools/perspective/mirror_completion.h"
 #include "croquis/tools/perspective/solved_drawing.h"
+#include "croquis/tools/pointer/session_drag.h"
 #include "croquis/tools/pointer/verdict.h"
 #include "croquis/tools/recording/step.h"
 #include "croquis/tools/strokes/sketch_event.h"
@@ -134,7 +134,6 @@ class PerspectiveTool {
   Verdict finish();
   Verdict give_up();
   void end_gesture();
-  bool interrupted() const;
   void press();
   void start_drag();
   void drag_to();
@@ -161,6 +160,7 @@ class PerspectiveTool {
   std::optional<recorded::Step> done_;
 
   Gesture gesture_ = Gesture::None;
+  SessionDrag drag_;
   SketchEvent start_;                                   ///< that began the gesture
   Vec2 from_ = Vec2::Zero();                            ///< where, px of the sheet
   Vec2 last_ = Vec2::Zero();                            ///< where the pointer is, px of the sheet
@@ -169,7 +169,6 @@ class PerspectiveTool {
   std::optional<PickedPoint> point_;                    ///< under the press
   std::optional<int> axis_;                             ///< vanishing point under the press
   std::shared_ptr<const PerspectiveDrawing> original_;  ///< before the drag
-  std::uint64_t drag_revision_ = 0;                     ///< of the session after the drag's last change
 };
 
 }  // namespace croquis

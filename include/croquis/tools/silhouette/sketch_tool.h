@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -10,6 +9,7 @@
 
 #include "croquis/document/document.h"
 #include "croquis/session/session.h"
+#include "croquis/tools/pointer/session_drag.h"
 #include "croquis/tools/pointer/verdict.h"
 #include "croquis/tools/recording/step.h"
 #include "croquis/tools/silhouette/stroke_edit.h"
@@ -98,7 +98,6 @@ class SketchTool {
   void press(const SketchEvent& event);
   void start_drag();
   void drag_to(const Vec2& place);
-  bool interrupted() const;
   Verdict finish_drawing();
   Verdict finish_erasing();
   Verdict finish_click();
@@ -117,13 +116,13 @@ class SketchTool {
   std::optional<recorded::Step> done_;
 
   Gesture gesture_ = Gesture::None;
+  SessionDrag drag_;
   SketchEvent start_;                        ///< that began the gesture
   Vec2 last_ = Vec2::Zero();                 ///< where the pointer is
   std::string picked_;                       ///< stroke under the press, empty for none
   std::optional<std::size_t> anchor_;        ///< of picked_, under the press
   std::shared_ptr<const Drawing> original_;  ///< before the drag
   StrokeFit held_fit_;                       ///< of picked_ before the drag
-  std::uint64_t drag_revision_ = 0;          ///< of the session after the drag's last change
   std::map<std::string, KeptFit> fits_;
 };
 
