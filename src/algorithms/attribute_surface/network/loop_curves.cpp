@@ -5,21 +5,21 @@
 #include <utility>
 
 #include "croquis/base/stage_key.h"
-#include "croquis/base/text.h"
 #include "croquis/geometry/disjoint_sets.h"
+#include "network_words.h"
 
 namespace croquis {
 namespace {
 
 /// Ends of curves by number: 2 × curve, + 1 for the end.
-std::size_t end_number(Index curve, bool end) { return 2 * std::size_t{curve} + (end ? 1 : 0); }
+Index end_number(Index curve, bool end) { return 2 * curve + (end ? 1 : 0); }
 
-Vec3 drawn_end(const AttributeNetwork& network, std::size_t number) {
+Vec3 drawn_end(const AttributeNetwork& network, Index number) {
   const std::vector<Vec3> control = control_polygon(network, network.curves[number / 2]);
   return number % 2 == 0 ? control.front() : control.back();
 }
 
-Index node_of(const AttributeNetwork& network, std::size_t number) {
+Index node_of(const AttributeNetwork& network, Index number) {
   const AttributeCurve& curve = network.curves[number / 2];
   return number % 2 == 0 ? curve.from : curve.to;
 }
@@ -28,62 +28,64 @@ Index node_of(const AttributeNetwork& network, std::size_t number) {
 class Corners {
  public:
   Corners(const AttributeNetwork& network, double tolerance)
-      : network_(network), tolerance_(tolerance), sets_(2 * network.curves.size() + network.nodes.size()) {
-    for (std::size_t end = 0; end < 2 * network.curves.size(); ++end) {
+      : network_(network),
+        tolerance_(tolerance),
+        end_count_(2 * static_cast<Index>(network.curves.size())),
+        sets_(end_count_ + network.nodes.size()) {
+    for (Index end = 0; end < end_count_; ++end) {
       const Index node = node_of(network, end);
-      if (node != no_index) sets_.join(end, node_number(node));
+      if (node != no_index) sets_.unite(end, end_count_ + node);
     }
     for (const AttributeFace& face : network.faces) join_loop(face.loop);
   }
 
   /// Numbers from 0 in the order of the ends.
-  std::size_t number_of(std::size_t end) {
-    const std::size_t root = sets_.find(end);
-    if (numbers_.empty()) numbers_.resize(2 * network_.curves.size() + network_.nodes.size(), none);
+  std::size_t number_of(Index end) {
+    const Index root = sets_.root(end);
+    if (numbers_.empty()) numbers_.resize(end_count_ + network_.nodes.size(), none);
     if (numbers_[root] == none) numbers_[root] = count_++;
     return numbers_[root];
   }
   std::size_t count() const { return count_; }
 
   /// Where the ends of that corner belong: its first node, else its first end.
-  const Vec3& place_of(std::size_t end) {
+  const Vec3& place_of(Index end) {
     if (places_.empty()) find_places();
-    return *places_[sets_.find(end)];
+    return *places_[sets_.root(end)];
   }
 
  private:
   static constexpr std::size_t none = ~std::size_t{0};
 
-  std::size_t node_number(Index node) const { return 2 * network_.curves.size() + node; }
-
   void join_loop(const std::vector<AttributeSide>& loop) {
     for (std::size_t i = 0; i < loop.size() && loop.size() > 1; ++i) {
       const AttributeSide& next = loop[(i + 1) % loop.size()];
-      const std::size_t end = end_number(loop[i].curve, !loop[i].reversed);
-      const std::size_t start = end_number(next.curve, next.reversed);
-      if ((place_as_drawn(end) - place_as_drawn(start)).norm() <= tolerance_) sets_.join(end, start);
+      const Index end = end_number(loop[i].curve, !loop[i].reversed);
+      const Index start = end_number(next.curve, next.reversed);
+      if ((place_as_drawn(end) - place_as_drawn(start)).norm() <= tolerance_) sets_.unite(end, start);
     }
   }
 
-  Vec3 place_as_drawn(std::size_t end) const {
+  Vec3 place_as_drawn(Index end) const {
     const Index node = node_of(network_, end);
     return node != no_index ? network_.nodes[node].point : drawn_end(network_, end);
   }
 
   void find_places() {
-    places_.resize(2 * network_.curves.size() + network_.nodes.size());
-    for (std::size_t node = 0; node < network_.nodes.size(); ++node) {
-      auto& place = places_[sets_.find(2 * network_.curves.size() + node)];
+    places_.resize(end_count_ + network_.nodes.size());
+    for (Index node = 0; node < network_.nodes.size(); ++node) {
+      auto& place = places_[sets_.root(end_count_ + node)];
       if (!place) place = network_.nodes[node].point;
     }
-    for (std::size_t end = 0; end < 2 * network_.curves.size(); ++end) {
-      auto& place = places_[sets_.find(end)];
+    for (Index end = 0; end < end_count_; ++end) {
+      auto& place = places_[sets_.root(end)];
       if (!place) place = drawn_end(network_, end);
     }
   }
 
   const AttributeNetwork& network_;
   double tolerance_;
+  Index end_count_;  ///< ends come first in the sets, then nodes
   DisjointSets sets_;
   std::vector<std::size_t> numbers_;
   std::vector<std::optional<Vec3>> places_;
@@ -122,26 +124,25 @@ class MetCurve {
 
  private:
   void tell_gap(const AttributeCurve& curve, const char* which, double gap) {
-    findings_.push_back(make_error(
-        Category::Geometry, "E_GAP",
-        "The " + std::string(which) + " of curve " + quoted(curve.id) + " is " + length_text(network_, gap) +
-            " away from its node, more than the tolerance of " + length_text(network_, tolerance_) +
-            ": move it there, or raise the tolerance.",
-        {network_subject(SubjectKind::Curve, curve.id)}));
+    findings_.push_back(make_error(Category::Geometry, "E_GAP",
+                                   "The " + std::string(which) + " of curve " + quoted(curve.id) + " is " +
+                                       length_text(network_, gap) + " away from its node, more than the tolerance of " +
+                                       length_text(network_, tolerance_) + ": move it there, or raise the tolerance.",
+                                   {subject_of(SubjectKind::Curve, curve.id)}));
   }
 
   void tell_snap(const AttributeCurve& curve, const char* which, double gap) {
     findings_.push_back(make_warning(Category::Geometry, "W_SNAP",
                                      "The " + std::string(which) + " of curve " + quoted(curve.id) + " was moved by " +
                                          length_text(network_, gap) + " to where it meets the others.",
-                                     {network_subject(SubjectKind::Curve, curve.id)}));
+                                     {subject_of(SubjectKind::Curve, curve.id)}));
   }
 
   void tell_length(const AttributeCurve& curve, double length) {
     findings_.push_back(make_error(Category::Geometry, "E_ZERO_LENGTH",
                                    "Curve " + quoted(curve.id) + " is only " + length_text(network_, length) +
                                        " long, not more than the tolerance: delete it, or move its ends apart.",
-                                   {network_subject(SubjectKind::Curve, curve.id)}));
+                                   {subject_of(SubjectKind::Curve, curve.id)}));
   }
 
   const AttributeNetwork& network_;
@@ -164,24 +165,13 @@ std::vector<Vec3> with_ends_moved(std::vector<Vec3> control, const Vec3& start, 
   return control;
 }
 
-std::string length_text(const AttributeNetwork& network, double length) {
-  return short_number(length) + (network.units.empty() ? "" : " " + network.units);
-}
-
-Subject network_subject(SubjectKind kind, const std::string& id) {
-  Subject subject;
-  subject.kind = kind;
-  subject.id = id;
-  return subject;
-}
-
 LoopCurves meet_ends(const AttributeNetwork& network, double tolerance, StageCache* cache, Findings& findings) {
   Corners corners(network, tolerance);
   MetCurve met(network, tolerance, findings);
   LoopCurves result;
   for (Index i = 0; i < network.curves.size(); ++i) {
-    const std::size_t start = end_number(i, false);
-    const std::size_t end = end_number(i, true);
+    const Index start = end_number(i, false);
+    const Index end = end_number(i, true);
     result.curves.push_back({met.make(i, corners.place_of(start), corners.place_of(end), cache),
                              {corners.number_of(start), corners.number_of(end)}});
   }

@@ -33,10 +33,4 @@ LoopCurves meet_ends(const AttributeNetwork& network, double tolerance, StageCac
 /// The control points with the ends moved: each follows an end by how near it is to it in the polygon.
 std::vector<Vec3> with_ends_moved(std::vector<Vec3> control, const Vec3& start, const Vec3& end);
 
-/// The length as sentences have it, with units where the network has some.
-std::string length_text(const AttributeNetwork& network, double length);
-
-/// A subject of a network: a curve, face, point or node with its id.
-Subject network_subject(SubjectKind kind, const std::string& id);
-
 }  // namespace croquis
