@@ -44,7 +44,7 @@ struct PlacedPoint {
 struct PlacedCurve {
   std::vector<Vec2> places;
   std::vector<Vec3> points;
-  std::optional<double> radius;  ///< model units, > 0; none: half of the middle's distance to the sides
+  std::optional<double> radius;  ///< model units, > 0; none: everywhere half of the distance to the sides
   InnerProfile profile = InnerProfile::Smooth;
 };
 
@@ -78,8 +78,8 @@ class FaceSurface {
   const DomainPolygon& domain() const;
   const SurfaceFrame& frame() const;
   double sigma() const;                            ///< model units per unit of the domain: the loop's length
-  const std::vector<PlacedPoint>& points() const;  ///< as given, radii filled in
-  const std::vector<PlacedCurve>& curves() const;  ///< as given, radii filled in
+  const std::vector<PlacedPoint>& points() const;  ///< as given
+  const std::vector<PlacedCurve>& curves() const;  ///< as given
 
   /// The place in space of a place of the domain, its sides included.
   Vec3 at(const Vec2& place) const;

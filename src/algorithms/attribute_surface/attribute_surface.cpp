@@ -171,11 +171,11 @@ class Evaluation {
           {subject_of(SubjectKind::Face, face.id)}));
     }
     if (made.folded > folded_share) {
-      result_.findings.push_back(make_warning(
-          Category::Geometry, "W_FOLD",
-          "Face " + quoted(face.id) + " is folded over at " + rounded_text(100 * made.folded) +
-              " % of its places: split it by a curve where its loop turns inwards or crosses itself.",
-          {subject_of(SubjectKind::Face, face.id)}));
+      result_.findings.push_back(
+          make_warning(Category::Geometry, "W_FOLD",
+                       "Face " + quoted(face.id) + " is folded over at " + rounded_text(100 * made.folded) +
+                           " % of its places: split it by a curve where its loop turns inwards or crosses itself.",
+                       {subject_of(SubjectKind::Face, face.id)}));
     }
   }
 

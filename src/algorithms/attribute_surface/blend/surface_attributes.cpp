@@ -20,9 +20,8 @@ Eigen::Matrix<double, 3, 2> base_slopes(const SurfaceBase& base, const Vec2& pla
 }
 
 /// The radius as a distance in the domain: half of the distance to the sides where none is given.
-double reach_of(const SurfaceBase& base, const Vec2& place, std::optional<double>& radius) {
-  if (!radius) radius = 0.5 * base.depth(place) * base.sigma();
-  return *radius / base.sigma();
+double reach_of(const SurfaceBase& base, const Vec2& place, const std::optional<double>& radius) {
+  return radius ? *radius / base.sigma() : 0.5 * base.depth(place);
 }
 
 /// Weight that falls to 0 at the farthest reach, without a kink.
@@ -74,7 +73,7 @@ SurfaceAttributes::SurfaceAttributes(const SurfaceBase& base, std::vector<Placed
                                      std::vector<PlacedCurve> curves)
     : points_(std::move(points)), curves_(std::move(curves)) {
   for (PlacedPoint& point : points_) prepare(base, point);
-  for (PlacedCurve& curve : curves_) prepare(base, curve);
+  for (const PlacedCurve& curve : curves_) prepare(base, curve);
 }
 
 void SurfaceAttributes::prepare(const SurfaceBase& base, PlacedPoint& point) {
@@ -86,15 +85,14 @@ void SurfaceAttributes::prepare(const SurfaceBase& base, PlacedPoint& point) {
     displacement.slopes = -*point.normal * (point.normal->transpose() * base_slopes(base, point.place));
   }
   displacement.reach = reach_of(base, point.place, point.radius);
+  point.radius = displacement.reach * base.sigma();
   displacement.cone = point.profile == PointProfile::Cone;
   displacement.strength =
       base.boundary_weight(point.place) * displacement.reach * (displacement.cone ? 1 : displacement.reach);
   displacements_.push_back(displacement);
 }
 
-void SurfaceAttributes::prepare(const SurfaceBase& base, PlacedCurve& curve) {
-  const Vec2 middle = curve.places[curve.places.size() / 2];
-  const double reach = reach_of(base, middle, curve.radius);
+void SurfaceAttributes::prepare(const SurfaceBase& base, const PlacedCurve& curve) {
   std::vector<Vec3> offsets;
   for (std::size_t i = 0; i < curve.places.size(); ++i) {
     offsets.push_back(curve.points[i] - base.blend<PlainNumbers>(curve.places[i]).point);
@@ -109,7 +107,9 @@ void SurfaceAttributes::prepare(const SurfaceBase& base, PlacedCurve& curve) {
     segment.across = left_of(segment.along);
     segment.offset = offsets[i];
     segment.offset_change = offsets[i + 1] - offsets[i];
-    segment.strength = base.boundary_weight(0.5 * (curve.places[i] + curve.places[i + 1])) * reach * reach / 2;
+    const Vec2 middle = 0.5 * (curve.places[i] + curve.places[i + 1]);
+    const double reach = reach_of(base, middle, curve.radius);
+    segment.strength = base.boundary_weight(middle) * reach * reach / 2;
     segment.sharp = curve.profile == InnerProfile::Sharp;
     segments_.push_back(segment);
   }

@@ -15,7 +15,7 @@ namespace croquis {
 /// shrinks to a needle; the displacement that is blended here leaves a surface alone that meets the point already.
 class SurfaceAttributes {
  public:
-  /// Radii that are missing are filled in.
+  /// Points' radii that are missing are filled in.
   SurfaceAttributes(const SurfaceBase& base, std::vector<PlacedPoint> points, std::vector<PlacedCurve> curves);
 
   const std::vector<PlacedPoint>& points() const { return points_; }
@@ -54,7 +54,7 @@ class SurfaceAttributes {
   struct Sums;
 
   void prepare(const SurfaceBase& base, PlacedPoint& point);
-  void prepare(const SurfaceBase& base, PlacedCurve& curve);
+  void prepare(const SurfaceBase& base, const PlacedCurve& curve);
   const Displacement* point_under(const Vec2& place) const;
   double scale_near_points(const Vec2& place) const;
 

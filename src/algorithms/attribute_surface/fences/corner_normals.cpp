@@ -37,7 +37,7 @@ Vec3 corner_normal(const Vec3& arriving, const Vec3& leaving, const Vec3& newell
   const Vec3 product = leaving.cross(-arriving);
   const double sine = product.norm();
   const double share = smooth_step((sine - least_sine) / sine_range);
-  Vec3 normal = (1 - share) * (newell - newell.dot(leaving) * leaving);
+  Vec3 normal = (1 - share) * unit_or_zero(newell - newell.dot(leaving) * leaving);
   if (share > 0) normal += share * (product.dot(newell) < 0 ? -1 : 1) / sine * product;
   return normal.norm() > 1e-9 ? Vec3(normal.normalized()) : Vec3(leaving.unitOrthogonal());
 }

@@ -36,8 +36,7 @@ class AttributePlacing {
 
   Footprint footprint_of(const PointAttribute& point, const FaceSurface& base, const std::string& content);
   Footprint nearest(const PointAttribute& point, const FaceSurface& base, const std::string& content);
-  bool conflicts(const std::vector<PlacedPoint>& before, const std::vector<Index>& ids, Index point,
-                 const Vec2& place);
+  bool conflicts(const std::vector<PlacedPoint>& before, const std::vector<Index>& ids, Index point, const Vec2& place);
   std::optional<PlacedCurve> place_inner(const AttributeFace& face, const InnerCurve& inner, const FaceSurface& base,
                                          const std::string& content);
   void tell_moved(const PointAttribute& point, const AttributeFace& face);
