@@ -60,27 +60,32 @@ inline Dual at_most(const Dual& number, double bound) { return number.value > bo
 
 struct DualVector {
   Vec3 value = Vec3::Zero();
-  Eigen::Matrix<double, 3, 2> slope = Eigen::Matrix<double, 3, 2>::Zero();
+  Vec3 du = Vec3::Zero();
+  Vec3 dv = Vec3::Zero();
 
   DualVector() = default;
   DualVector(const Vec3& constant) : value(constant) {}  // NOLINT(google-explicit-constructor)
-  DualVector(const Vec3& vector, const Eigen::Matrix<double, 3, 2>& derivative) : value(vector), slope(derivative) {}
+  DualVector(const Vec3& vector, const Vec3& by_u, const Vec3& by_v) : value(vector), du(by_u), dv(by_v) {}
 
   DualVector& operator+=(const DualVector& b) {
     value += b.value;
-    slope += b.slope;
+    du += b.du;
+    dv += b.dv;
     return *this;
   }
 };
 
 inline DualVector operator+(DualVector a, const DualVector& b) { return a += b; }
-inline DualVector operator-(const DualVector& a, const DualVector& b) { return {a.value - b.value, a.slope - b.slope}; }
+inline DualVector operator-(const DualVector& a, const DualVector& b) {
+  return {a.value - b.value, a.du - b.du, a.dv - b.dv};
+}
 inline DualVector operator*(const Dual& a, const DualVector& b) {
-  return {a.value * b.value, a.value * b.slope + b.value * a.slope.transpose()};
+  return {a.value * b.value, a.value * b.du + a.slope.x() * b.value, a.value * b.dv + a.slope.y() * b.value};
 }
 inline DualVector operator/(const DualVector& a, const Dual& b) {
-  const Vec3 quotient = a.value / b.value;
-  return {quotient, (a.slope - quotient * b.slope.transpose()) / b.value};
+  const double inverse = 1 / b.value;
+  const Vec3 quotient = a.value * inverse;
+  return {quotient, (a.du - b.slope.x() * quotient) * inverse, (a.dv - b.slope.y() * quotient) * inverse};
 }
 
 /// The kinds of numbers that blending is written for.
@@ -104,7 +109,7 @@ inline Dual coordinate(const Vec2& place, const Vec2& from, const Vec2& directio
 /// The value of a function of one number whose slope is known.
 inline const Vec3& chained(const Vec3& value, const Vec3&, double) { return value; }
 inline DualVector chained(const Vec3& value, const Vec3& slope, const Dual& at) {
-  return {value, slope * at.slope.transpose()};
+  return {value, at.slope.x() * slope, at.slope.y() * slope};
 }
 
 }  // namespace croquis

@@ -15,7 +15,7 @@ namespace {
 /// Corners have no derivatives of their own: they are read this far inside, in domains of perimeter 1.
 constexpr double beside_a_corner = 1e-7;
 
-SurfacePlace place_of(const DualVector& blended) { return {blended.value, blended.slope.col(0), blended.slope.col(1)}; }
+SurfacePlace place_of(const DualVector& blended) { return {blended.value, blended.du, blended.dv}; }
 
 /// Off corners and footprints of cones, where the surface has no derivative.
 Vec2 where_smooth(const SurfaceBase& base, const Vec2& place) {
@@ -70,13 +70,13 @@ SurfacePlace FaceSurface::evaluate(const Vec2& place) const {
   const Vec2 smooth = where_smooth(*base_, place);
   const auto sides = base_->blend<DualNumbers>(smooth);
   SurfacePlace result = place_of(attributes_ ? attributes_->blend(*base_, sides, smooth) : sides.point);
-  result.point = at(place);
+  if (base_->footprint_under(place) < base_->footprints().size()) result.point = at(place);
   return result;
 }
 
 SurfacePlace FaceSurface::evaluate_base(const Vec2& place) const {
   SurfacePlace result = place_of(base_->blend<DualNumbers>(where_smooth(*base_, place)).point);
-  result.point = base_at(place);
+  if (base_->footprint_under(place) < base_->footprints().size()) result.point = base_at(place);
   return result;
 }
 

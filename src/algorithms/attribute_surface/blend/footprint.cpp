@@ -9,21 +9,42 @@
 namespace croquis {
 namespace {
 
-/// Evenly turned from a to b, both unit.
-Vec3 turned_between(const Vec3& a, const Vec3& b, double part) {
-  const double angle = angle_between(a, b);
-  if (std::sin(angle) < 1e-9) return ((1 - part) * a + part * b);
+/// Evenly turned from a to b, both unit, at that angle to each other.
+Vec3 turned_between(const Vec3& a, const Vec3& b, double angle, double part) {
+  if (std::sin(angle) < 1e-9) return (1 - part) * a + part * b;
   return (std::sin((1 - part) * angle) * a + std::sin(part * angle) * b) / std::sin(angle);
 }
 
-Vec3 normal_between_keys(const NormalFence& fence, double at) {
-  const auto next = std::ranges::upper_bound(fence.at, at);
-  if (next == fence.at.begin()) return fence.normals.front();
-  if (next == fence.at.end()) return fence.normals.back();
-  const auto key = static_cast<std::size_t>(next - fence.at.begin()) - 1;
-  const double part = (at - fence.at[key]) / (fence.at[key + 1] - fence.at[key]);
-  return turned_between(fence.normals[key], fence.normals[key + 1], part);
-}
+/// A fence with the angles between its keys.
+class FenceReader {
+ public:
+  explicit FenceReader(const NormalFence& fence) : fence_(fence) {
+    for (std::size_t i = 0; i + 1 < fence.normals.size(); ++i) {
+      angles_.push_back(angle_between(fence.normals[i], fence.normals[i + 1]));
+    }
+  }
+
+  /// Projected off the unit tangent.
+  Vec3 normal(double at, const Vec3& tangent) const {
+    const Vec3 between = between_keys(at);
+    const Vec3 projected = between - between.dot(tangent) * tangent;
+    const double size = projected.norm();
+    return size > 1e-9 ? Vec3(projected / size) : Vec3(tangent.unitOrthogonal());
+  }
+
+ private:
+  Vec3 between_keys(double at) const {
+    const auto next = std::ranges::upper_bound(fence_.at, at);
+    if (next == fence_.at.begin()) return fence_.normals.front();
+    if (next == fence_.at.end()) return fence_.normals.back();
+    const auto key = static_cast<std::size_t>(next - fence_.at.begin()) - 1;
+    const double part = (at - fence_.at[key]) / (fence_.at[key + 1] - fence_.at[key]);
+    return turned_between(fence_.normals[key], fence_.normals[key + 1], angles_[key], part);
+  }
+
+  const NormalFence& fence_;
+  std::vector<double> angles_;
+};
 
 /// Where conormals may have kinks: keys of the fence inside the extent, as fractions of it.
 std::vector<double> breaks_in(const NormalFence& fence, const Footprint::Extent& extent) {
@@ -39,10 +60,7 @@ std::vector<double> breaks_in(const NormalFence& fence, const Footprint::Extent&
 }  // namespace
 
 Vec3 fence_normal(const NormalFence& fence, double at, const Vec3& tangent) {
-  const Vec3 normal = normal_between_keys(fence, at);
-  const Vec3 projected = normal - normal.dot(tangent) * tangent;
-  if (projected.norm() > 1e-9) return projected.normalized();
-  return tangent.unitOrthogonal();
+  return FenceReader(fence).normal(at, tangent);
 }
 
 Footprint::Footprint(const DomainPolygon& polygon, std::size_t index, const SurfaceSide& side, const Extent& extent)
@@ -57,13 +75,14 @@ Footprint::Footprint(const DomainPolygon& polygon, std::size_t index, const Surf
   end_ = place(1);
   if (side.fence.empty()) return;
 
+  const FenceReader fence(side.fence);
   const auto conormal_at = [&](double t) -> Vec3 {
     const Vec3 tangent = place(t).derivative.normalized();
     const double at = extent.begin + t * (extent.end - extent.begin);
-    return side.fence.magnitude * fence_normal(side.fence, at, tangent).cross(tangent);
+    return side.fence.magnitude * fence.normal(at, tangent).cross(tangent);
   };
-  const PiecewiseQuintic<3>::Options options{.tolerance = 1e-10 * std::abs(side.fence.magnitude), .most_pieces = 64};
-  conormals_ = std::make_shared<const PiecewiseQuintic<3>>(conormal_at, breaks_in(side.fence, extent), options);
+  const PiecewiseQuintic::Options options{.tolerance = 1e-9 * std::abs(side.fence.magnitude), .most_pieces = 64};
+  conormals_ = std::make_shared<const PiecewiseQuintic>(conormal_at, breaks_in(side.fence, extent), options);
 }
 
 ArcLengthCurve::Place Footprint::place(double t) const {

@@ -41,7 +41,7 @@ class Footprint {
   /// Of the surface, into the face, as long as the fence's magnitude: the surface's derivative across the side in
   /// arc-length units.
   Vec3 conormal(double t) const { return conormals_->at(t); }
-  PiecewiseQuintic<3>::ValueAndSlope conormal_place(double t) const { return conormals_->evaluate(t); }
+  PiecewiseQuintic::ValueAndSlope conormal_place(double t) const { return conormals_->evaluate(t); }
 
   std::size_t byte_size() const { return sizeof(*this) + (conormals_ ? conormals_->byte_size() : 0); }
 
@@ -53,7 +53,7 @@ class Footprint {
   double step_ = 1;   ///< to its end: below 0 where the curve is walked along backwards
   ArcLengthCurve::Place start_;
   ArcLengthCurve::Place end_;
-  std::shared_ptr<const PiecewiseQuintic<3>> conormals_;  ///< null: no fence
+  std::shared_ptr<const PiecewiseQuintic> conormals_;  ///< null: no fence
 };
 
 /// The normal of a fence at a fraction of its side, projected off the curve's tangent there.

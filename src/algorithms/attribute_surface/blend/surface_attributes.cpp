@@ -15,10 +15,6 @@ constexpr double farthest_reach = 3;
 /// Square of the least distance from an inner curve's footprint that is told from none.
 constexpr double least_square = 1e-26;
 
-Eigen::Matrix<double, 3, 2> base_slopes(const SurfaceBase& base, const Vec2& place) {
-  return base.blend<DualNumbers>(place).point.slope;
-}
-
 /// The radius as a distance in the domain: half of the distance to the sides where none is given.
 double reach_of(const SurfaceBase& base, const Vec2& place, const std::optional<double>& radius) {
   return radius ? *radius / base.sigma() : 0.5 * base.depth(place);
@@ -80,9 +76,10 @@ void SurfaceAttributes::prepare(const SurfaceBase& base, PlacedPoint& point) {
   Displacement displacement;
   displacement.place = point.place;
   displacement.offset = point.point - base.blend<PlainNumbers>(point.place).point;
-  displacement.slopes.setZero();
   if (point.normal) {
-    displacement.slopes = -*point.normal * (point.normal->transpose() * base_slopes(base, point.place));
+    const DualVector sides = base.blend<DualNumbers>(point.place).point;
+    displacement.du = -point.normal->dot(sides.du) * *point.normal;
+    displacement.dv = -point.normal->dot(sides.dv) * *point.normal;
   }
   displacement.reach = reach_of(base, point.place, point.radius);
   point.radius = displacement.reach * base.sigma();
@@ -132,6 +129,13 @@ double SurfaceAttributes::scale_near_points(const Vec2& place) const {
 }
 
 template <class Numbers>
+typename Numbers::Vector SurfaceAttributes::offset_of(const Displacement& point, const typename Numbers::Number& x,
+                                                      const typename Numbers::Number& y) {
+  using Vector = typename Numbers::Vector;
+  return Vector(point.offset) + x * Vector(point.du) + y * Vector(point.dv);
+}
+
+template <class Numbers>
 void SurfaceAttributes::add_points(Sums<Numbers>& sums, const Vec2& place) const {
   using Number = typename Numbers::Number;
   for (const Displacement& point : displacements_) {
@@ -141,11 +145,7 @@ void SurfaceAttributes::add_points(Sums<Numbers>& sums, const Vec2& place) const
     const Number square = x * x + y * y;
     const Number weight =
         sums.scale * (point.strength * falloff(square, point.reach)) / (point.cone ? square_root(square) : square);
-    const Vec3 sideways = point.slopes.col(0);
-    const Vec3 upwards = point.slopes.col(1);
-    using Vector = typename Numbers::Vector;
-    const Vector offset = Vector(point.offset) + x * Vector(sideways) + y * Vector(upwards);
-    sums.offsets += weight * offset;
+    sums.offsets += weight * offset_of<Numbers>(point, x, y);
     sums.weights += weight;
   }
 }
@@ -170,13 +170,11 @@ void SurfaceAttributes::add_segments(Sums<Numbers>& sums, const Vec2& place) con
 template <class Numbers>
 typename Numbers::Vector SurfaceAttributes::blend(const SurfaceBase& base, const BaseBlend<Numbers>& sides,
                                                   const Vec2& place) const {
-  using Vector = typename Numbers::Vector;
   if (base.is_paper()) return blend_as_in_paper(sides, place);
   if (const Displacement* point = point_under(place)) {
     const auto x = coordinate(place, point->place, Vec2::UnitX(), typename Numbers::Number());
     const auto y = coordinate(place, point->place, Vec2::UnitY(), typename Numbers::Number());
-    return sides.point + Vector(point->offset) + x * Vector(Vec3(point->slopes.col(0))) +
-           y * Vector(Vec3(point->slopes.col(1)));
+    return sides.point + offset_of<Numbers>(*point, x, y);
   }
   Sums<Numbers> sums;
   const double near_points = scale_near_points(place);

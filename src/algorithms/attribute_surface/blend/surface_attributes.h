@@ -31,10 +31,11 @@ class SurfaceAttributes {
   /// A point with what doesn't depend on the place that is evaluated.
   struct Displacement {
     Vec2 place;
-    Vec3 offset;                         ///< of the surface of the sides: it is moved this far there
-    Eigen::Matrix<double, 3, 2> slopes;  ///< change of that offset by the domain's coordinates, for a normal
-    double reach = 0;                    ///< rho, in the domain
-    double strength = 0;                 ///< weight of the sides there × reach^2, or × reach for cones
+    Vec3 offset;             ///< of the surface of the sides: it is moved this far there
+    Vec3 du = Vec3::Zero();  ///< change of that offset by the domain's coordinates, for a normal
+    Vec3 dv = Vec3::Zero();
+    double reach = 0;     ///< rho, in the domain
+    double strength = 0;  ///< weight of the sides there × reach^2, or × reach for cones
     bool cone = false;
   };
 
@@ -58,6 +59,9 @@ class SurfaceAttributes {
   const Displacement* point_under(const Vec2& place) const;
   double scale_near_points(const Vec2& place) const;
 
+  template <class Numbers>
+  static typename Numbers::Vector offset_of(const Displacement& point, const typename Numbers::Number& x,
+                                            const typename Numbers::Number& y);
   template <class Numbers>
   void add_points(Sums<Numbers>& sums, const Vec2& place) const;
   template <class Numbers>

@@ -3,41 +3,99 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "arc_lengths.h"
 #include "bezier.h"
-#include "piecewise_quintic.h"
 
 namespace croquis {
 
-/// The curve's parameter as a function of the arc-length fraction.
+/// The curve's parameter as a function of the arc-length fraction: quintics on even pieces that have the exact value,
+/// slope and bend at their ends.
 class CurveParameterTable {
  public:
   explicit CurveParameterTable(const std::vector<Vec3>& control)
-      : derivative_(bezier_derivative(control)),
-        lengths_(control),
-        table_([this](double s) { return Scalar(solved(s)); }, std::array<double, 2>{0, 1},
-               {.tolerance = 1e-13, .most_pieces = 256}) {}
+      : derivative_(bezier_derivative(control)), lengths_(control) {
+    for (std::size_t count = 8; count <= most_pieces && !kept_; count *= 2) kept_ = fit(count);
+  }
 
   const ArcLengths& lengths() const { return lengths_; }
   Vec3 velocity(double t) const { return bezier_at(derivative_, t); }
 
   double parameter(double s) const {
     // Where the curve nearly stops, no polynomial follows its parameter: then it is solved for.
-    return table_.kept() ? std::clamp(table_.at(s)[0], 0.0, 1.0) : solved(s);
+    return kept_ ? std::clamp(tabled(s), 0.0, 1.0) : lengths_.parameter(s * lengths_.whole());
   }
 
-  std::size_t byte_size() const { return sizeof(*this) + table_.byte_size() + 1024; }
+  std::size_t byte_size() const { return sizeof(*this) + pieces_.capacity() * sizeof(Piece) + 1024; }
 
  private:
-  using Scalar = Eigen::Matrix<double, 1, 1>;
+  using Piece = std::array<double, 6>;  ///< coefficients of 1, x … x^5, x = 0..1 along the piece
 
-  double solved(double s) const { return lengths_.parameter(s * lengths_.whole()); }
+  static constexpr double tolerance = 1e-13;  ///< of the length
+  static constexpr std::size_t most_pieces = 256;
+
+  struct Jet {
+    double value = 0;
+    double slope = 0;
+    double bend = 0;
+  };
+
+  /// By x of a piece that is one of that many.
+  Jet jet(double t, double count) const {
+    const double step = lengths_.whole() / count;
+    const double speed = lengths_.speed(t);
+    const double slope = step / speed;
+    return {t, slope, -slope * slope * lengths_.speed_change(t) / speed};
+  }
+
+  static Piece between(const Jet& a, const Jet& b) {
+    const double rise = b.value - a.value - a.slope - 0.5 * a.bend;
+    const double turn = b.slope - a.slope - a.bend;
+    const double bend = 0.5 * (b.bend - a.bend);
+    return {a.value,
+            a.slope,
+            0.5 * a.bend,
+            10 * rise - 4 * turn + bend,
+            -15 * rise + 7 * turn - 2 * bend,
+            6 * rise - 3 * turn + bend};
+  }
+
+  static double value_in(const Piece& c, double x) {
+    return c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * (c[4] + x * c[5]))));
+  }
+
+  double tabled(double s) const {
+    const double along = s * static_cast<double>(pieces_.size());
+    const std::size_t piece = std::min(static_cast<std::size_t>(along), pieces_.size() - 1);
+    return value_in(pieces_[piece], along - static_cast<double>(piece));
+  }
+
+  /// @return whether the middles of all pieces are where they should be
+  bool fit(std::size_t count) {
+    const double whole = lengths_.whole();
+    pieces_.clear();
+    const auto parts = static_cast<double>(count);
+    Jet before = jet(0, parts);
+    for (std::size_t i = 1; i <= count; ++i) {
+      const double end = static_cast<double>(i) / parts;
+      const double guess = before.value + before.slope + 0.5 * before.bend;
+      const Jet after = jet(i == count ? 1 : lengths_.parameter(end * whole, guess), parts);
+      pieces_.push_back(between(before, after));
+      const double middle = value_in(pieces_.back(), 0.5);
+      const double miss = std::abs(lengths_.to(std::clamp(middle, 0.0, 1.0)) - (end - 0.5 / parts) * whole);
+      if (!(miss <= tolerance * whole)) return false;
+      before = after;
+    }
+    return true;
+  }
 
   std::vector<Vec3> derivative_;
   ArcLengths lengths_;
-  PiecewiseQuintic<1> table_;
+  std::vector<Piece> pieces_;
+  bool kept_ = false;
 };
 
 namespace {

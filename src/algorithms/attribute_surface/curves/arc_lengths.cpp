@@ -23,7 +23,8 @@ constexpr int deepest_halving = 24;
 
 }  // namespace
 
-ArcLengths::ArcLengths(const std::vector<Vec3>& control) : derivative_(bezier_derivative(control)) {
+ArcLengths::ArcLengths(const std::vector<Vec3>& control)
+    : derivative_(bezier_derivative(control)), second_derivative_(bezier_derivative(derivative_)) {
   for (std::size_t i = 0; i + 1 < control.size(); ++i) scale_ += (control[i + 1] - control[i]).norm();
   ends_.push_back(0);
   sums_.push_back(0);
@@ -32,6 +33,12 @@ ArcLengths::ArcLengths(const std::vector<Vec3>& control) : derivative_(bezier_de
 }
 
 double ArcLengths::speed(double t) const { return bezier_at(derivative_, t).norm(); }
+
+double ArcLengths::speed_change(double t) const {
+  if (second_derivative_.empty()) return 0;
+  const Vec3 velocity = bezier_at(derivative_, t);
+  return velocity.dot(bezier_at(second_derivative_, t)) / velocity.norm();
+}
 
 double ArcLengths::quadrature(double from, double to) const {
   const double middle = 0.5 * (from + to);
@@ -70,9 +77,18 @@ double ArcLengths::parameter(double length) const {
   if (next == sums_.begin()) return 0;
   if (next == sums_.end()) return 1;
   const auto part = static_cast<std::size_t>(next - sums_.begin()) - 1;
+  const double share = (length - sums_[part]) / (sums_[part + 1] - sums_[part]);
+  return parameter(length, ends_[part] + (ends_[part + 1] - ends_[part]) * share);
+}
+
+double ArcLengths::parameter(double length, double guess) const {
+  const auto next = std::ranges::upper_bound(sums_, length);
+  if (next == sums_.begin()) return 0;
+  if (next == sums_.end()) return 1;
+  const auto part = static_cast<std::size_t>(next - sums_.begin()) - 1;
   double low = ends_[part];
   double high = ends_[part + 1];
-  double t = low + (high - low) * (length - sums_[part]) / (sums_[part + 1] - sums_[part]);
+  double t = std::clamp(guess, low, high);
   // Newton's steps, and halves of the bracket where the curve hardly moves.
   for (int i = 0; i < 60; ++i) {
     const double excess = sums_[part] + quadrature(ends_[part], t) - length;
@@ -83,7 +99,7 @@ double ArcLengths::parameter(double length) const {
     if (!(better > low && better < high)) better = 0.5 * (low + high);
     const double step = std::abs(better - t);
     t = better;
-    if (step <= 1e-15) break;
+    if (step <= 1e-9) break;  // the next one would be about its square
   }
   return t;
 }

@@ -21,14 +21,21 @@ class ArcLengths {
   /// The parameter of an arc length 0..whole().
   double parameter(double length) const;
 
+  /// The same, found sooner from a guess that is nearly right.
+  double parameter(double length, double guess) const;
+
   /// |C'(t)|.
   double speed(double t) const;
+
+  /// Derivative of the speed by t. @pre speed(t) > 0
+  double speed_change(double t) const;
 
  private:
   double quadrature(double from, double to) const;
   void add_parts(double from, double to, double length, int depth);
 
   std::vector<Vec3> derivative_;
+  std::vector<Vec3> second_derivative_;
   double scale_ = 0;          ///< length of the control polygon
   std::vector<double> ends_;  ///< of the parts, the first 0, the last 1
   std::vector<double> sums_;  ///< arc length up to each of them

@@ -5,10 +5,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
-#include <Eigen/Core>
+#include "croquis/geometry/vector.h"
 
 namespace croquis {
 
@@ -19,13 +20,12 @@ const std::array<double, 6>& quintic_places();
 /// Coefficients of the quintic 1, x … x^5 from its values at quintic_places(), one row per coefficient.
 const Eigen::Matrix<double, 6, 6>& quintic_from_values();
 
-/// A smooth function on 0..1 as quintics on even pieces, fitted to a tolerance. It is read without searching: the
-/// inverse of an arc length or the turn of normals along a curve cost as little as a polynomial then.
-template <int Dimension>
+/// A smooth path of vectors over 0..1 as quintics on even pieces, fitted to a tolerance. It is read without searching:
+/// the turn of normals along a curve costs as little as a polynomial then.
 class PiecewiseQuintic {
  public:
-  using Value = Eigen::Matrix<double, Dimension, 1>;
-  using Piece = Eigen::Matrix<double, Dimension, 6>;
+  using Value = Vec3;
+  using Piece = Eigen::Matrix<double, 3, 6>;
 
   struct Options {
     double tolerance = 1e-12;      ///< in the function's own units
@@ -37,7 +37,7 @@ class PiecewiseQuintic {
     Value slope;
   };
 
-  /// @param function of t in 0..1 to Value, smooth between breaks
+  /// @param function of t in 0..1 to Vec3, smooth between breaks
   /// @param breaks   ascending, the first 0, the last 1
   template <class Function>
   PiecewiseQuintic(const Function& function, std::span<const double> breaks, const Options& options) {
@@ -45,9 +45,6 @@ class PiecewiseQuintic {
       if (breaks[i + 1] > breaks[i]) add_interval(function, breaks[i], breaks[i + 1], options);
     }
   }
-
-  /// Whether every piece keeps to the tolerance.
-  bool kept() const { return kept_; }
 
   Value at(double t) const {
     const Found found = find(t);
@@ -95,31 +92,32 @@ class PiecewiseQuintic {
     for (;; interval.count *= 2) {
       pieces_.resize(interval.first);
       interval.scale = static_cast<double>(interval.count) / (end - begin);
-      const bool kept = add_pieces(function, interval, options.tolerance);
-      if (!kept && interval.count < options.most_pieces) continue;
-      kept_ = kept_ && kept;
-      break;
+      const bool last = interval.count >= options.most_pieces;
+      if (add_pieces(function, interval, last ? std::numeric_limits<double>::infinity() : options.tolerance)) break;
     }
     intervals_.push_back(interval);
   }
 
+  /// @return false as soon as a piece doesn't keep to the tolerance
   template <class Function>
   bool add_pieces(const Function& function, const Interval& interval, double tolerance) {
-    bool kept = true;
-    const auto place = [&](std::size_t i, double x) {
-      return interval.begin + (static_cast<double>(i) + x) / interval.scale;
+    const auto value = [&](std::size_t i, double x) -> Value {
+      return function(interval.begin + (static_cast<double>(i) + x) / interval.scale);
     };
+    Value end = value(0, 0);
     for (std::size_t i = 0; i < interval.count; ++i) {
       Piece values;
-      for (int k = 0; k < 6; ++k) values.col(k) = function(place(i, quintic_places()[static_cast<std::size_t>(k)]));
-      const Piece piece = values * quintic_from_values().transpose();
-      pieces_.push_back(piece);
-      // The two gaps where such a fit misses most.
-      for (const double x : {0.22, 0.5})
-        kept = kept && (value_in(piece, x) - function(place(i, x))).norm() <= tolerance;
-      if (!kept && interval.count < 64) return false;
+      values.col(0) = end;
+      for (int k = 1; k < 6; ++k) values.col(k) = value(i, quintic_places()[static_cast<std::size_t>(k)]);
+      end = values.col(5);
+      pieces_.push_back(values * quintic_from_values().transpose());
+      // Where such a fit misses most: between the first two places, which are the same as the last two mirrored.
+      if (tolerance < std::numeric_limits<double>::infinity() &&
+          (value_in(pieces_.back(), 0.04) - value(i, 0.04)).norm() > tolerance) {
+        return false;
+      }
     }
-    return kept;
+    return true;
   }
 
   static Value value_in(const Piece& c, double x) {
@@ -128,7 +126,6 @@ class PiecewiseQuintic {
 
   std::vector<Interval> intervals_;
   std::vector<Piece> pieces_;
-  bool kept_ = true;
 };
 
 }  // namespace croquis
