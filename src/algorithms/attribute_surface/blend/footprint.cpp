@@ -81,7 +81,7 @@ Footprint::Footprint(const DomainPolygon& polygon, std::size_t index, const Surf
     const double at = extent.begin + t * (extent.end - extent.begin);
     return side.fence.magnitude * fence.normal(at, tangent).cross(tangent);
   };
-  const PiecewiseQuintic::Options options{.tolerance = 1e-9 * std::abs(side.fence.magnitude), .most_pieces = 64};
+  const PiecewiseQuintic::Options options{.tolerance = 1e-9 * std::abs(side.fence.magnitude), .most_pieces = 512};
   conormals_ = std::make_shared<const PiecewiseQuintic>(conormal_at, breaks_in(side.fence, extent), options);
 }
 

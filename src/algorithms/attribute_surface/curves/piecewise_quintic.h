@@ -111,9 +111,9 @@ class PiecewiseQuintic {
       for (int k = 1; k < 6; ++k) values.col(k) = value(i, quintic_places()[static_cast<std::size_t>(k)]);
       end = values.col(5);
       pieces_.push_back(values * quintic_from_values().transpose());
-      // Where such a fit misses most: between the first two places, which are the same as the last two mirrored.
+      // Where such a fit misses most: in the middle.
       if (tolerance < std::numeric_limits<double>::infinity() &&
-          (value_in(pieces_.back(), 0.04) - value(i, 0.04)).norm() > tolerance) {
+          (value_in(pieces_.back(), 0.5) - value(i, 0.5)).norm() > tolerance) {
         return false;
       }
     }
