@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "croquis/attribute_surface/attribute_surface.h"
+#include "croquis/base/finding.h"
 #include "croquis/geometry/poly_mesh.h"
 
 /// Triangles of attribute surfaces. Faces that share a curve read the same samples of it, so they meet without gaps and
@@ -40,8 +41,12 @@ struct SurfacePart {
 struct SurfaceTessellation {
   PolyMesh mesh;                   ///< triangles in groups named after the faces, with the surface's normals at corners
   std::vector<SurfacePart> parts;  ///< of faces that could be evaluated, in their order
+  Findings findings;               ///< W_TOLERANCE: faces that a limit keeps from the tolerance
 };
 
+/// With even samples a face of N curves has 1 + N n (n + 1) / 2 vertices, those that it shares included, and N n²
+/// triangles. A curve of a face of two has an even number of parts, since its middle is a corner of the domain: such a
+/// face is a fan of four sides with n / 2 parts each.
 /// @throws Cancelled
 SurfaceTessellation tessellate(const AttributeNetwork& network, const AttributeSurface& surface, Progress& progress,
                                const SurfaceTessellationOptions& options = {});

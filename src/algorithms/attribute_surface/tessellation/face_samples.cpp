@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "face_samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "croquis/base/error.h"
+#include "croquis/geometry/planar_triangulation.h"
+
+namespace croquis {
+namespace {
+
+/// Whether fractions are 0, 1/n, 2/n …
+bool are_even(const std::vector<double>& fractions) {
+  const auto count = static_cast<double>(fractions.size());
+  for (std::size_t i = 0; i < fractions.size(); ++i) {
+    if (std::abs(fractions[i] - static_cast<double>(i) / count) > 1e-12) return false;
+  }
+  return true;
+}
+
+/// Rings of a rim that has as many even samples on each side of the domain; none of others.
+std::optional<std::size_t> regular_rings(const FaceRim& rim) {
+  const std::size_t count = rim.front().size();
+  const bool same = std::ranges::all_of(rim, [&](const auto& side) { return side.size() == count && are_even(side); });
+  if (!same) return std::nullopt;
+  if (rim.size() > 2) return count;
+  return count % 2 == 0 ? std::optional(count / 2) : std::nullopt;
+}
+
+/// Places of the rings 0 to `rings` - 1.
+std::vector<Vec2> ring_places(const DomainPolygon& domain, std::size_t rings) {
+  const auto whole = static_cast<double>(rings);
+  std::vector<Vec2> places{domain.middle};
+  places.reserve(1 + domain.corners.size() * rings * (rings - 1) / 2);
+  for (std::size_t ring = 1; ring < rings; ++ring) {
+    for (std::size_t k = 0; k < domain.corners.size(); ++k) {
+      for (std::size_t i = 0; i < ring; ++i)
+        places.push_back(place_in(domain, {k, static_cast<double>(ring - i) / whole, static_cast<double>(i) / whole}));
+    }
+  }
+  return places;
+}
+
+/// Numbers of the places of rings around a polygon.
+struct RingNumbers {
+  std::size_t sides = 0;
+
+  /// @param i 0..ring, where `ring` is the next side's first
+  Index at(std::size_t ring, std::size_t side, std::size_t i) const {
+    if (ring == 0) return 0;
+    const std::size_t around = (side * ring + i) % (sides * ring);
+    return static_cast<Index>(1 + sides * ring * (ring - 1) / 2 + around);
+  }
+};
+
+std::vector<std::array<Index, 3>> ring_triangles(std::size_t sides, std::size_t rings) {
+  const RingNumbers number{sides};
+  std::vector<std::array<Index, 3>> triangles;
+  triangles.reserve(sides * rings * rings);
+  for (std::size_t ring = 1; ring <= rings; ++ring) {
+    for (std::size_t k = 0; k < sides; ++k) {
+      for (std::size_t i = 0; i < ring; ++i) {
+        const Index inner = number.at(ring - 1, k, i), next = number.at(ring, k, i + 1);
+        triangles.push_back({inner, number.at(ring, k, i), next});
+        if (i + 1 < ring) triangles.push_back({inner, next, number.at(ring - 1, k, i + 1)});
+      }
+    }
+  }
+  return triangles;
+}
+
+/// Inside of a convex rim, and not at it.
+bool is_well_inside(const std::vector<Vec2>& rim, const Vec2& place) {
+  constexpr double margin = 1e-6;  // of the perimeter
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    const Vec2 along = rim[(i + 1) % rim.size()] - rim[i];
+    if (cross(along, place - rim[i]) <= margin * along.norm()) return false;
+  }
+  return true;
+}
+
+Vec3 rim_normal(const FaceSurface& surface, const FaceRim& rim, std::size_t side, std::size_t sample) {
+  const Vec3 normal = surface.side_normal(side, rim[side][sample]);
+  if (sample > 0) return normal;
+  return unit_or_zero(normal + surface.side_normal((side + rim.size() - 1) % rim.size(), 1));
+}
+
+}  // namespace
+
+std::size_t FaceSamples::byte_size() const {
+  return sizeof *this + plane.places.size() * sizeof(Vec2) + (points.size() + normals.size()) * sizeof(Vec3) +
+         plane.triangles.size() * sizeof(plane.triangles[0]);
+}
+
+std::vector<Vec2> rim_places(const FaceSurface& surface, const FaceRim& rim) {
+  std::vector<Vec2> places;
+  for (std::size_t side = 0; side < rim.size(); ++side) {
+    for (const double fraction : rim[side]) places.push_back(surface.side_place(side, fraction));
+  }
+  return places;
+}
+
+FacePlaces fan_places(const FaceSurface& surface, const FaceRim& rim) {
+  const DomainPolygon& domain = surface.domain();
+  const std::vector<Vec2> around = rim_places(surface, rim);
+  const std::size_t sides = domain.corners.size();
+  if (const auto rings = regular_rings(rim)) {
+    FacePlaces made{ring_places(domain, *rings), 0, ring_triangles(sides, *rings)};
+    made.inner_count = made.places.size();
+    made.places.insert(made.places.end(), around.begin(), around.end());
+    return made;
+  }
+  const std::size_t rings = std::max<std::size_t>(1, (around.size() + sides / 2) / sides);
+  std::vector<Vec2> inner = ring_places(domain, rings);
+  if (rim.size() == 2) std::erase_if(inner, [&](const Vec2& place) { return !is_well_inside(around, place); });
+  return joined_places(around, std::move(inner));
+}
+
+FacePlaces joined_places(const std::vector<Vec2>& rim, std::vector<Vec2> inner) {
+  FacePlaces made{std::move(inner), 0, {}};
+  made.inner_count = made.places.size();
+  made.places.insert(made.places.end(), rim.begin(), rim.end());
+  const auto first = static_cast<Index>(made.inner_count), count = static_cast<Index>(rim.size());
+  std::vector<std::array<Index, 2>> sides;
+  for (Index i = 0; i < count; ++i) sides.push_back({first + i, first + (i + 1) % count});
+  const PlanarTriangulationResult plane = triangulate(made.places, sides);
+  if (!plane.conflict.empty()) throw_internal("the samples of a face can't be joined");
+  made.triangles = triangles_inside(plane.triangulation);
+  return made;
+}
+
+FaceSamples evaluate_places(const FaceSurface& surface, const FaceRim& rim, FacePlaces places) {
+  FaceSamples samples;
+  samples.plane = std::move(places);
+  const auto& all = samples.plane.places;
+  samples.points.reserve(samples.plane.inner_count);
+  samples.normals.reserve(all.size());
+  for (std::size_t i = 0; i < samples.plane.inner_count; ++i) {
+    const SurfacePlace place = surface.evaluate(all[i]);
+    samples.points.push_back(place.point);
+    samples.normals.push_back(unit_or_zero(place.du.cross(place.dv)));
+  }
+  const bool has_fence = surface.frame().mode == AttributeMode::Smooth;
+  for (std::size_t side = 0; side < rim.size(); ++side) {
+    for (std::size_t i = 0; i < rim[side].size(); ++i)
+      samples.normals.push_back(has_fence ? rim_normal(surface, rim, side, i)
+                                          : surface.normal(all[samples.normals.size()]));
+  }
+  return samples;
+}
+
+}  // namespace croquis

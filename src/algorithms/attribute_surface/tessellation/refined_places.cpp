@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "refined_places.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "croquis/geometry/triangle_tree.h"
+
+namespace croquis {
+namespace {
+
+/// Triangles with no edge longer than that part of the perimeter stay: a tip or a tight fold is followed so far.
+constexpr double least_edge = 1e-5;
+/// Attributes nearer than that to each other or to the rim are one vertex.
+constexpr double least_distance = 1e-6;
+
+using Triangle = std::array<Index, 3>;
+using Weights = std::array<double, 3>;
+
+/// A place of a triangle where the surface is measured.
+struct Probe {
+  Vec2 place = Vec2::Zero();
+  double error = 0;
+};
+
+/// Adds places to a triangulation until it keeps to the surface.
+class Refinement {
+ public:
+  Refinement(const FaceSurface& surface, const FaceRim& rim, const RefinementOptions& options)
+      : surface_(surface), options_(options), rim_(rim_places(surface, rim)) {
+    for (const Vec2& place : rim_) rim_points_.push_back(surface.at(place));
+    if (options.insert_attributes) insert_attributes();
+    insert_apart(surface.domain().middle);
+  }
+
+  RefinedPlaces run(Progress& progress) {
+    double largest = 0;
+    do {
+      progress.check();
+      made_ = joined_places(rim_, inner_);
+      points_ = inner_points_;
+      points_.insert(points_.end(), rim_points_.begin(), rim_points_.end());
+      largest = add_places();
+    } while (made_.inner_count < inner_.size());
+    progress.report(1);
+    return {std::move(made_), largest};
+  }
+
+ private:
+  void insert_attributes() {
+    for (const PlacedPoint& point : surface_.points()) insert_apart(point.place);
+    for (const PlacedCurve& curve : surface_.curves()) {
+      for (const Vec2& place : curve.places) insert_apart(place);
+    }
+  }
+
+  void insert_apart(const Vec2& place) {
+    const auto is_near = [&](const Vec2& other) { return (other - place).norm() < least_distance; };
+    if (distance_inside(surface_.domain(), place) < least_distance || is_outside_rim(place)) return;
+    if (std::ranges::none_of(inner_, is_near)) insert(place);
+  }
+
+  void insert(const Vec2& place) {
+    inner_.push_back(place);
+    inner_points_.push_back(surface_.at(place));
+  }
+
+  /// Rims of two curves may cut off a corner of the domain.
+  bool is_outside_rim(const Vec2& place) const {
+    for (std::size_t i = 0; i < rim_.size(); ++i) {
+      const Vec2 along = rim_[(i + 1) % rim_.size()] - rim_[i];
+      if (cross(along, place - rim_[i]) < least_distance * along.norm()) return true;
+    }
+    return false;
+  }
+
+  /// The same for the same three places in every round: those of the rim are numbered behind a growing inside.
+  Triangle name_of(Triangle triangle) const {
+    for (Index& vertex : triangle) {
+      if (vertex >= made_.inner_count) vertex = no_index - (vertex - static_cast<Index>(made_.inner_count));
+    }
+    std::ranges::sort(triangle);
+    return triangle;
+  }
+
+  /// Whether two vertices follow each other along the rim.
+  bool is_rim_edge(Index a, Index b) const {
+    if (a < made_.inner_count || b < made_.inner_count) return false;
+    const std::size_t apart = a < b ? b - a : a - b;
+    return apart == 1 || apart + 1 == rim_.size();
+  }
+
+  Probe measured(const Triangle& triangle, const Vec2& place) const {
+    const TriangleFoot foot =
+        foot_on_triangle({points_[triangle[0]], points_[triangle[1]], points_[triangle[2]]}, surface_.at(place));
+    return {place, foot.distance};
+  }
+
+  /// At a quarter, half and three quarters of an edge, from its lower vertex on: both triangles find the same places.
+  void measure_edge(const Triangle& triangle, std::size_t first, Probe& worst) const {
+    const auto [low, high] = std::minmax(triangle[first], triangle[(first + 1) % 3]);
+    if (is_rim_edge(low, high)) return;
+    for (const double part : {0.5, 0.25, 0.75}) {
+      const Probe probe = measured(triangle, made_.places[low] + part * (made_.places[high] - made_.places[low]));
+      if (probe.error > worst.error) worst = probe;
+    }
+  }
+
+  Probe worst_of(const Triangle& triangle) const {
+    constexpr std::array<Weights, 3> inside{Weights{0.5, 0.25, 0.25}, {0.25, 0.5, 0.25}, {0.25, 0.25, 0.5}};
+    Probe worst;
+    for (const Weights& weights : inside) {
+      Vec2 place = Vec2::Zero();
+      for (std::size_t i = 0; i < 3; ++i) place += weights[i] * made_.places[triangle[i]];
+      const Probe probe = measured(triangle, place);
+      if (probe.error > worst.error) worst = probe;
+    }
+    for (std::size_t first = 0; first < 3; ++first) measure_edge(triangle, first, worst);
+    return worst;
+  }
+
+  double longest_edge(const Triangle& triangle) const {
+    double longest = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      longest = std::max(longest, (made_.places[triangle[(i + 1) % 3]] - made_.places[triangle[i]]).norm());
+    return longest;
+  }
+
+  /// One place for each triangle that is too far from the surface, the worst first; none for those beside it, which
+  /// change. @return the largest error that nothing was done about though it is above the tolerance
+  double add_places() {
+    std::vector<std::pair<Triangle, Probe>> wanted;
+    double left = 0;
+    std::set<Triangle> settled;
+    for (const Triangle& triangle : made_.triangles) {
+      const Triangle name = name_of(triangle);
+      const Probe worst = settled_.contains(name) ? Probe{} : worst_of(triangle);
+      if (worst.error <= options_.tolerance) {
+        settled.insert(name);
+        continue;
+      }
+      const bool is_stuck = longest_edge(triangle) < least_edge || inner_.size() >= options_.most_inner;
+      if (is_stuck) left = std::max(left, worst.error);
+      if (!is_stuck) wanted.emplace_back(triangle, worst);
+    }
+    settled_ = std::move(settled);
+    std::ranges::stable_sort(wanted, [](const auto& a, const auto& b) { return a.second.error > b.second.error; });
+    std::vector<bool> touched(made_.places.size(), false);
+    for (const auto& [triangle, worst] : wanted) {
+      if (std::ranges::count_if(triangle, [&](Index v) { return touched[v]; }) > 1) continue;
+      for (const Index vertex : triangle) touched[vertex] = true;
+      insert(worst.place);
+    }
+    return left;
+  }
+
+  const FaceSurface& surface_;
+  const RefinementOptions& options_;
+  std::vector<Vec2> rim_;
+  std::vector<Vec3> rim_points_;
+  std::vector<Vec2> inner_;
+  std::vector<Vec3> inner_points_;
+  FacePlaces made_;
+  std::vector<Vec3> points_;    ///< of all places of made_
+  std::set<Triangle> settled_;  ///< names of those that keep to the tolerance
+};
+
+}  // namespace
+
+RefinedPlaces refined_places(const FaceSurface& surface, const FaceRim& rim, Progress& progress,
+                             const RefinementOptions& options) {
+  return Refinement(surface, rim, options).run(progress);
+}
+
+}  // namespace croquis

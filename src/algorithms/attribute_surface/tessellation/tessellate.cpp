@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <numeric>
+#include <utility>
+
+#include "croquis/attribute_surface/surface_tessellation.h"
+#include "croquis/base/stage_key.h"
+#include "croquis/base/text.h"
+#include "curve_samples.h"
+#include "face_samples.h"
+#include "refined_places.h"
+
+namespace croquis {
+namespace {
+
+class SurfaceTessellator {
+ public:
+  SurfaceTessellator(const AttributeNetwork& network, const AttributeSurface& surface, Progress& progress,
+                     const SurfaceTessellationOptions& options)
+      : network_(network), surface_(surface), progress_(progress), options_(options) {}
+
+  SurfaceTessellation run() {
+    add_curves();
+    for (Index f = 0; f < surface_.faces.size(); ++f) {
+      progress_.report(f, surface_.faces.size());
+      if (surface_.faces[f].surface != nullptr) add_samples(f);
+    }
+    reserve();
+    for (std::size_t i = 0; i < samples_.size(); ++i) add_face(result_.parts[i], *samples_[i]);
+    finish();
+    progress_.report(1);
+    return std::move(result_);
+  }
+
+ private:
+  // ---- Curves
+
+  /// The vertices of corners, then those between the ends of curves.
+  void add_curves() {
+    curves_ = sample_curves(network_, surface_, options_);
+    std::vector<Index> corner_vertices(surface_.corners, no_index);
+    for (std::size_t c = 0; c < curves_.size(); ++c) {
+      if (curves_[c].at.empty()) continue;
+      add_corner(curves_[c].points.front(), corner_vertices[surface_.curves[c].start]);
+      add_corner(curves_[c].points.back(), corner_vertices[surface_.curves[c].end]);
+    }
+    std::vector<Vec3>& positions = result_.mesh.positions;
+    curve_vertices_.resize(curves_.size());
+    for (std::size_t c = 0; c < curves_.size(); ++c) {
+      const CurveSamples& curve = curves_[c];
+      if (curve.at.empty()) continue;
+      std::vector<Index>& vertices = curve_vertices_[c];
+      vertices.push_back(corner_vertices[surface_.curves[c].start]);
+      for (std::size_t i = 1; i + 1 < curve.points.size(); ++i) {
+        vertices.push_back(static_cast<Index>(positions.size()));
+        positions.push_back(curve.points[i]);
+      }
+      vertices.push_back(corner_vertices[surface_.curves[c].end]);
+    }
+  }
+
+  void add_corner(const Vec3& place, Index& vertex) {
+    if (vertex != no_index) return;
+    vertex = static_cast<Index>(result_.mesh.positions.size());
+    result_.mesh.positions.push_back(place);
+  }
+
+  FaceRim rim_of(const AttributeFace& face) const {
+    FaceRim rim;
+    for (const AttributeSide& side : face.loop) {
+      const std::vector<double>& at = curves_[side.curve].at;
+      std::vector<double>& fractions = rim.emplace_back();
+      for (std::size_t i = 0; i + 1 < at.size(); ++i)
+        fractions.push_back(side.reversed ? 1 - at[at.size() - 1 - i] : at[i]);
+    }
+    return rim;
+  }
+
+  /// Vertices of the mesh along the rim, as rim_of has their fractions.
+  void append_rim(const AttributeFace& face, std::vector<Index>& vertices) const {
+    for (const AttributeSide& side : face.loop) {
+      const std::vector<Index>& along = curve_vertices_[side.curve];
+      for (std::size_t i = 0; i + 1 < along.size(); ++i)
+        vertices.push_back(side.reversed ? along[along.size() - 1 - i] : along[i]);
+    }
+  }
+
+  // ---- Faces
+
+  FaceSamples make_samples(const FaceSurface& surface, const FaceRim& rim) {
+    if (!options_.tolerance) return evaluate_places(surface, rim, fan_places(surface, rim));
+    Progress silent = progress_.silent();
+    RefinedPlaces refined = refined_places(surface, rim, silent, {*options_.tolerance, options_.insert_points});
+    FaceSamples samples = evaluate_places(surface, rim, std::move(refined.plane));
+    samples.error = refined.error;
+    return samples;
+  }
+
+  void add_samples(Index f) {
+    const FaceSurface& surface = *surface_.faces[f].surface;
+    const FaceRim rim = rim_of(network_.faces[f]);
+    StageKey key;
+    if (options_.cache != nullptr) {
+      key.add(surface_.faces[f].content).add(rim).add(options_.tolerance.value_or(0)).add(options_.insert_points);
+    }
+    samples_.push_back(cached<FaceSamples>(
+        options_.cache, "samples of a surface", key, [&] { return make_samples(surface, rim); },
+        [](const FaceSamples& made) { return made.byte_size(); }));
+    result_.parts.emplace_back().face = f;
+    if (samples_.back()->error > 0) note_error(f, samples_.back()->error);
+  }
+
+  void note_error(Index f, double error) {
+    const std::string& id = network_.faces[f].id;
+    result_.findings.push_back(make_warning(Category::Limit, "W_TOLERANCE",
+                                            "Face \"" + id + "\" keeps only to " + number_text(error) +
+                                                ", not to the tolerance of " + number_text(*options_.tolerance) +
+                                                ": choose a greater one.",
+                                            {{SubjectKind::Face, id, {}, {}, {}}}));
+  }
+
+  void reserve() {
+    std::size_t vertices = result_.mesh.positions.size(), triangles = 0;
+    for (const auto& samples : samples_) {
+      vertices += samples->plane.inner_count;
+      triangles += samples->plane.triangles.size();
+    }
+    PolyMesh& mesh = result_.mesh;
+    mesh.positions.reserve(vertices);
+    mesh.corners.resize(3 * triangles);
+    mesh.face_offsets.resize(triangles + 1);
+    for (std::size_t t = 0; t <= triangles; ++t) mesh.face_offsets[t] = static_cast<Index>(3 * t);
+    normals_.resize(9 * triangles);
+    groups_.resize(triangles);
+  }
+
+  void add_face(SurfacePart& part, const FaceSamples& samples) {
+    PolyMesh& mesh = result_.mesh;
+    part.first_triangle = triangle_count_;
+    part.triangle_count = samples.plane.triangles.size();
+    part.places = samples.plane.places;
+    part.vertices.resize(samples.plane.inner_count);
+    std::iota(part.vertices.begin(), part.vertices.end(), static_cast<Index>(mesh.positions.size()));
+    mesh.positions.insert(mesh.positions.end(), samples.points.begin(), samples.points.end());
+    append_rim(network_.faces[part.face], part.vertices);
+    for (const auto& triangle : samples.plane.triangles) add_triangle(part, samples, triangle);
+  }
+
+  void add_triangle(const SurfacePart& part, const FaceSamples& samples, const std::array<Index, 3>& triangle) {
+    const bool flipped = surface_.faces[part.face].flipped;
+    const std::size_t first = 3 * triangle_count_;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index local = triangle[flipped && i > 0 ? 3 - i : i];
+      result_.mesh.corners[first + i] = part.vertices[local];
+      const Vec3& normal = samples.normals[local];
+      for (int axis = 0; axis < 3; ++axis)
+        normals_[3 * (first + i) + static_cast<std::size_t>(axis)] = flipped ? -normal[axis] : normal[axis];
+      if (normal.isZero()) missing_normals_.push_back(first + i);
+    }
+    groups_[triangle_count_++] = static_cast<std::int32_t>(part.face);
+  }
+
+  /// Where the surface has no normal its triangle's stands in.
+  void fill_missing_normals() {
+    for (const std::size_t corner : missing_normals_) {
+      const auto triangle = result_.mesh.face(corner / 3);
+      const auto& at = result_.mesh.positions;
+      const Vec3& origin = at[triangle[0]];
+      const Vec3 normal = unit_or_zero((at[triangle[1]] - origin).cross(at[triangle[2]] - origin));
+      for (int axis = 0; axis < 3; ++axis) normals_[3 * corner + static_cast<std::size_t>(axis)] = normal[axis];
+    }
+  }
+
+  void finish() {
+    fill_missing_normals();
+    PolyMesh& mesh = result_.mesh;
+    mesh.channels.push_back({"normal", Domain::Corner, 3, std::move(normals_), {}});
+    std::vector<std::string> names;
+    for (const AttributeFace& face : network_.faces) names.push_back(face.id);
+    mesh.channels.push_back({"group", Domain::Face, 1, std::move(groups_), std::move(names)});
+  }
+
+  const AttributeNetwork& network_;
+  const AttributeSurface& surface_;
+  Progress& progress_;
+  const SurfaceTessellationOptions& options_;
+  SurfaceTessellation result_;
+  std::vector<CurveSamples> curves_;
+  std::vector<std::vector<Index>> curve_vertices_;           ///< by curve, both ends included
+  std::vector<std::shared_ptr<const FaceSamples>> samples_;  ///< of the parts
+  std::vector<double> normals_;
+  std::vector<std::int32_t> groups_;
+  std::vector<std::size_t> missing_normals_;  ///< corners
+  std::size_t triangle_count_ = 0;
+};
+
+}  // namespace
+
+SurfaceTessellation tessellate(const AttributeNetwork& network, const AttributeSurface& surface, Progress& progress,
+                               const SurfaceTessellationOptions& options) {
+  return SurfaceTessellator(network, surface, progress, options).run();
+}
+
+}  // namespace croquis
