@@ -7,6 +7,7 @@
 
 #include "cli/finite_part.h"
 #include "croquis/base/error.h"
+#include "croquis/io/attribute_network_file.h"
 #include "croquis/io/file.h"
 #include "croquis/io/json.h"
 #include "croquis/io/perspective_drawing_file.h"
@@ -103,6 +104,17 @@ PerspectiveDrawing read_input_perspective(const Invocation& invocation, CommandR
       is_json ? read_perspective_json(bytes, name) : read_perspective_svg(bytes, name, progress);
   append(result.warnings, read.warnings);
   return std::move(read.drawing);
+}
+
+AttributeNetwork read_input_network(const Invocation& invocation, CommandResult& result) {
+  if (!invocation.input_format.empty() && invocation.input_format != "json") {
+    throw Error(make_error(Category::Usage, "E_FORMAT",
+                           "There is no format '" + invocation.input_format + "' of attribute networks: use json.",
+                           {{SubjectKind::Parameter, "input-format", {}, {}, {}}}));
+  }
+  AttributeNetworkReadResult read = read_attribute_network(read_input(invocation), shown_name(invocation.input));
+  append(result.warnings, read.warnings);
+  return std::move(read.network);
 }
 
 MeshFormat output_mesh_format(const std::string& path, const std::string& named) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/command.h"
+#include "croquis/geometry/attribute_network.h"
 #include "croquis/geometry/drawing.h"
 #include "croquis/geometry/perspective_drawing.h"
 #include "croquis/geometry/poly_mesh.h"
@@ -37,6 +38,10 @@ Drawing read_input_drawing(const Invocation& invocation, CommandResult& result, 
 /// Reads the input as a perspective drawing: JSON where it begins with a brace, else SVG.
 /// @throws Error
 PerspectiveDrawing read_input_perspective(const Invocation& invocation, CommandResult& result, Progress& progress);
+
+/// Reads the input as an attribute network.
+/// @throws Error
+AttributeNetwork read_input_network(const Invocation& invocation, CommandResult& result);
 
 /// The mesh format of an output path; `named` (--output-format) goes before the name.
 /// @throws Error (E_FORMAT, Category::Usage)

@@ -9,6 +9,7 @@
 #include "operators/perspective/patch_cage_operation.h"
 #include "operators/perspective/perspective_operation.h"
 #include "operators/subdivide_operation.h"
+#include "operators/surface/surface_operation.h"
 
 namespace croquis {
 
@@ -18,6 +19,7 @@ Registry all_operations() {
   registry.add(std::make_unique<PerspectiveOperation>());
   registry.add(std::make_unique<AttributeNetworkOperation>());
   registry.add(std::make_unique<PatchCageOperation>());
+  registry.add(std::make_unique<SurfaceOperation>());
   registry.add(std::make_unique<SubdivideOperation>());
   registry.add(std::make_unique<FairOperation>());
   registry.add(std::make_unique<FillOperation>());

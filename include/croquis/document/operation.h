@@ -22,6 +22,7 @@ struct PortDescription {
   std::string sentence;
   bool is_solid = false;  ///< a mesh that promises to be closed, oriented and free of self-intersection, as written
   bool optional = false;  ///< an input that may be absent
+  bool asks = false;      ///< an optional report of questions that "details" answers: nothing else need be wanted then
   bool is_raw = false;    ///< an input mesh as devices leave it: hosts offer to drop what isn't finite
   bool counts_self_intersections = false;  ///< an output mesh of whose file hosts always count them
 };

@@ -83,6 +83,9 @@ Value read_value(const PortDescription& port, const Invocation& invocation, Comm
   if (port.type == ValueType::PerspectiveDrawing) {
     return std::make_shared<const PerspectiveDrawing>(read_input_perspective(invocation, result, progress));
   }
+  if (port.type == ValueType::AttributeNetwork) {
+    return std::make_shared<const AttributeNetwork>(read_input_network(invocation, result));
+  }
   if (port.is_raw) {
     const bool drop = flag_of(invocation.parameters, drop_option);
     return std::make_shared<const PolyMesh>(drop ? read_finite_mesh(invocation, result, progress)
@@ -209,6 +212,13 @@ bool only_lists(const OperationDescription& description, const Invocation& invoc
   return !description.list_flag.empty() && flag_of(invocation.parameters, description.list_flag);
 }
 
+/// Whether there are questions, which need no file to be written.
+bool asks(const OperationDescription& description, const Invocation& invocation) {
+  return std::ranges::any_of(description.inputs, [&](const PortDescription& port) {
+    return port.asks && !text_parameter(invocation, port.name).empty();
+  });
+}
+
 /// Files and formats are settled before the work begins, so that a wrong name costs nothing.
 void check_files(const OperationDescription& description, const std::vector<FollowUp>& follow_ups,
                  const Invocation& invocation) {
@@ -234,7 +244,7 @@ void check_files(const OperationDescription& description, const std::vector<Foll
     any = any || !path.empty();
     if (!path.empty() && follow_up.output().type == ValueType::Mesh) output_mesh_format(path, "");
   }
-  if (!any && !only_lists(description, invocation)) {
+  if (!any && !only_lists(description, invocation) && !asks(description, invocation)) {
     throw Error(make_error(Category::Usage, "E_USAGE", "Nothing to write: name an output with -o; see --help."));
   }
 }
@@ -393,6 +403,19 @@ void add_step(const std::string& call, CommandDescription& description) {
   }
 }
 
+/// How the help calls an operation's first input.
+std::string input_word(const PortDescription& port) {
+  if (port.type == ValueType::Drawing) return "SKETCH.svg";
+  if (port.type == ValueType::PerspectiveDrawing) return "DRAWING.svg";
+  return upper_case(port.name) + (port.type == ValueType::AttributeNetwork ? ".json" : "");
+}
+
+std::string example_input(ValueType type) {
+  if (type == ValueType::Drawing) return "sketch.svg";
+  if (type == ValueType::PerspectiveDrawing) return "drawing.svg";
+  return type == ValueType::AttributeNetwork ? "network.json" : "model.obj";
+}
+
 }  // namespace
 
 OperationCommand::OperationCommand(const Operation& operation, const Registry& registry)
@@ -404,13 +427,11 @@ CommandDescription OperationCommand::describe() const {
   description.name = operation.id;
   description.sentence = operation.sentence;
   const ValueType input = operation.inputs.front().type;
-  const bool takes_drawing = input == ValueType::Drawing || input == ValueType::PerspectiveDrawing;
-  description.input_word = input == ValueType::Drawing ? "SKETCH.svg"
-                           : takes_drawing             ? "DRAWING.svg"
-                                                       : upper_case(operation.inputs.front().name);
+  description.input_word = input_word(operation.inputs.front());
   const auto extra = extra_outputs(operation);
   const bool may_list = !operation.list_flag.empty();
-  description.output = extra.empty() && !may_list ? OutputNeed::Required : OutputNeed::Optional;
+  const bool may_ask = std::ranges::any_of(operation.inputs, &PortDescription::asks);
+  description.output = extra.empty() && !may_list && !may_ask ? OutputNeed::Required : OutputNeed::Optional;
   description.parameters = operation.parameters;
   if (operation.inputs.front().is_raw) description.parameters.push_back(drop_description());
   for (const PortDescription& port : extra_inputs(operation)) {
@@ -425,10 +446,7 @@ CommandDescription OperationCommand::describe() const {
     const auto options = options_of(follow_up);
     description.parameters.insert(description.parameters.end(), options.begin(), options.end());
   }
-  const std::string call = "croquis-cli " + operation.id +
-                           (input == ValueType::Drawing ? " sketch.svg"
-                            : takes_drawing             ? " drawing.svg"
-                                                        : " model.obj");
+  const std::string call = "croquis-cli " + operation.id + ' ' + example_input(input);
   const std::string options = operation.example.empty() ? "" : " " + operation.example;
   description.examples = {call + options + " -o solid.obj"};
   if (has_exact_solid(operation)) add_step(call + options, description);
@@ -464,7 +482,7 @@ void OperationCommand::run(const Invocation& invocation, CommandResult& result, 
     const Computed all{inputs, computed.outputs, camera_among(computed.outputs)};
     stage_outputs(description, invocation, all, result, writing);
     stage_follow_ups(follow_ups_, invocation, all, result, writing);
-    result.text = summary(result);
+    result.text = result.files.empty() && asks(description, invocation) ? list_text(*result.details) : summary(result);
   }
   progress.report(1);
 }

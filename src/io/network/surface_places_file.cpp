@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/io/surface_places_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <initializer_list>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "croquis/base/error.h"
+#include "io/json/report_reader.h"
+#include "io/text.h"
+
+namespace croquis {
+namespace {
+
+constexpr const char* places_format = "croquis-abs-places/1";
+constexpr std::size_t most_place_findings = 100;
+
+/// Reads one report, noting all that is wrong with it.
+class SurfacePlacesReader {
+ public:
+  SurfacePlacesReadResult read(const Report& report) {
+    const auto* format = report_as<Report::Object>(&report) == nullptr ? nullptr
+                                                                       : report_as<std::string>(report.find("format"));
+    if (format == nullptr || *format != places_format) {
+      refuse("E_SYNTAX", "", std::string("their format is not \"") + places_format + "\"");
+    } else {
+      note_unknown(report, "the list", {"format", "places"});
+      read_list(report.find("places"));
+    }
+    if (!errors_.empty()) throw Error(std::move(errors_));
+    for (const auto& [name, count] : ignored_) {
+      result_.warnings.push_back(make_warning(Category::Malformed, "W_IGNORED",
+                                              "Places: " + std::to_string(count) + " " + name +
+                                                  " were passed over: " + places_format + " has no such member."));
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void refuse(const char* code, const std::string& place, const std::string& what) {
+    if (errors_.size() >= most_place_findings) return;
+    const std::string where = place.empty() ? "Places: " : "Places, " + place + ": ";
+    errors_.push_back(make_error(Category::Malformed, code, where + what + "."));
+  }
+
+  void note_unknown(const Report& report, const char* what, std::initializer_list<std::string_view> known) {
+    for (const auto& [key, value] : report.as_object()) {
+      const bool is_known = std::ranges::find(known, std::string_view(key)) != known.end();
+      if (!is_known && ignored_.size() < most_place_findings) ++ignored_[in_quotes(key) + " of " + what];
+    }
+  }
+
+  void read_list(const Report* member) {
+    const auto* list = report_as<Report::Array>(member);
+    if (list == nullptr) return refuse("E_SYNTAX", "", "places is not a list");
+    for (std::size_t i = 0; i < list->size(); ++i) read_place((*list)[i], "places[" + std::to_string(i) + "]");
+  }
+
+  void read_place(const Report& report, const std::string& place) {
+    if (report_as<Report::Object>(&report) == nullptr) return refuse("E_SYNTAX", place, "it is not an object");
+    note_unknown(report, "places", {"face", "fan"});
+    const auto* face = report_as<std::string>(report.find("face"));
+    if (face == nullptr || face->empty()) return refuse("E_SYNTAX", place, "its face is not a text");
+    if (const auto fan = read_fan(report.find("fan"), place)) result_.places.push_back({*face, *fan});
+  }
+
+  std::optional<FanPlace> read_fan(const Report* report, const std::string& place) {
+    const auto* list = report_as<Report::Array>(report);
+    const auto* corner = list == nullptr || list->size() != 3 ? nullptr : report_as<std::int64_t>(&(*list)[0]);
+    if (corner == nullptr || *corner < 0 || !is_number(&(*list)[1]) || !is_number(&(*list)[2])) {
+      refuse("E_SYNTAX", place, "its fan is not a list of a corner and two numbers");
+      return std::nullopt;
+    }
+    const auto a = number_of(&(*list)[1]), b = number_of(&(*list)[2]);
+    if (!a || !b) {
+      refuse("E_NOT_FINITE", place, "a number of its fan is not finite");
+      return std::nullopt;
+    }
+    return FanPlace{static_cast<std::size_t>(*corner), *a, *b};
+  }
+
+  SurfacePlacesReadResult result_;
+  Findings errors_;
+  std::map<std::string, std::size_t> ignored_;
+};
+
+}  // namespace
+
+Report report_of(const std::vector<SurfacePlaceQuestion>& places) {
+  Report list = Report::array();
+  for (const SurfacePlaceQuestion& place : places) {
+    Report fan = Report::array();
+    fan.push(place.fan.corner);
+    fan.push(place.fan.a);
+    fan.push(place.fan.b);
+    Report entry;
+    entry.set("face", place.face).set("fan", std::move(fan));
+    list.push(std::move(entry));
+  }
+  Report report;
+  report.set("format", places_format).set("places", std::move(list));
+  return report;
+}
+
+SurfacePlacesReadResult read_surface_places(const Report& report) { return SurfacePlacesReader().read(report); }
+
+}  // namespace croquis
