@@ -24,8 +24,8 @@ constexpr std::size_t most_place_findings = 100;
 class SurfacePlacesReader {
  public:
   SurfacePlacesReadResult read(const Report& report) {
-    const auto* format = report_as<Report::Object>(&report) == nullptr ? nullptr
-                                                                       : report_as<std::string>(report.find("format"));
+    const auto* format =
+        report_as<Report::Object>(&report) == nullptr ? nullptr : report_as<std::string>(report.find("format"));
     if (format == nullptr || *format != places_format) {
       refuse("E_SYNTAX", "", std::string("their format is not \"") + places_format + "\"");
     } else {

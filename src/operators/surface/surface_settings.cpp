@@ -46,36 +46,37 @@ std::optional<double> read_fullness(const std::string& text) {
 }  // namespace
 
 std::vector<ParameterDescription> surface_parameters() {
-  return {choice_of("mode", {"smooth", "position", "paper"},
-                    "How faces are blended: with common tangent planes at smooth curves, from positions alone, by the "
-                    "paper's formulas, or as the file says of each."),
-          choice_of("domain", {"chordlength", "uniform"},
-                    "The polygon that a face is a map of: with its curves' lengths as sides, a regular one, or as the "
-                    "file says of each."),
-          {"fullness",
-           ParameterType::Text,
-           std::string(),
-           0,
-           0,
-           {},
-           "",
-           "How full smooth faces are, -1 to 2: 1 follows the slopes at the sides, 0 is flat; empty: as the file says."},
-          {"samples",
-           ParameterType::Integer,
-           std::int64_t{16},
-           1,
-           1024,
-           {},
-           "",
-           "Parts of each curve, and rings of triangles around the middle of each face."},
-          {"tolerance",
-           ParameterType::Number,
-           0.0,
-           0.0,
-           1e9,
-           {},
-           "model units",
-           "Greatest distance of the mesh from the surface: as few triangles as keep to it; 0: rings of triangles."}};
+  return {
+      choice_of("mode", {"smooth", "position", "paper"},
+                "How faces are blended: with common tangent planes at smooth curves, from positions alone, by the "
+                "paper's formulas, or as the file says of each."),
+      choice_of("domain", {"chordlength", "uniform"},
+                "The polygon that a face is a map of: with its curves' lengths as sides, a regular one, or as the "
+                "file says of each."),
+      {"fullness",
+       ParameterType::Text,
+       std::string(),
+       0,
+       0,
+       {},
+       "",
+       "How full smooth faces are, -1 to 2: 1 follows the slopes at the sides, 0 is flat; empty: as the file says."},
+      {"samples",
+       ParameterType::Integer,
+       std::int64_t{16},
+       1,
+       1024,
+       {},
+       "",
+       "Parts of each curve, and rings of triangles around the middle of each face."},
+      {"tolerance",
+       ParameterType::Number,
+       0.0,
+       0.0,
+       1e9,
+       {},
+       "model units",
+       "Greatest distance of the mesh from the surface: as few triangles as keep to it; 0: rings of triangles."}};
 }
 
 SurfaceSettings read_surface_settings(const ParameterValues& parameters, Quality quality) {

@@ -10,13 +10,15 @@
 namespace croquis {
 namespace {
 
-/// Triangles with no edge longer than that part of the perimeter stay: a tip or a tight fold is followed so far.
+/// Triangles with no edge longer than that part of the perimeter stay: tips and tight folds are followed that far.
 constexpr double least_edge = 1e-5;
 /// Attributes nearer than that to each other or to the rim are one vertex.
-constexpr double least_distance = 1e-6;
+constexpr double least_vertex_distance = 1e-6;
+
+/// Into how many parts the edges of a triangle are divided by the places where it is measured.
+constexpr int probe_parts = 6;
 
 using Triangle = std::array<Index, 3>;
-using Weights = std::array<double, 3>;
 
 /// A place of a triangle where the surface is measured.
 struct Probe {
@@ -56,8 +58,8 @@ class Refinement {
   }
 
   void insert_apart(const Vec2& place) {
-    const auto is_near = [&](const Vec2& other) { return (other - place).norm() < least_distance; };
-    if (distance_inside(surface_.domain(), place) < least_distance || is_outside_rim(place)) return;
+    const auto is_near = [&](const Vec2& other) { return (other - place).norm() < least_vertex_distance; };
+    if (distance_inside(surface_.domain(), place) < least_vertex_distance || is_outside_rim(place)) return;
     if (std::ranges::none_of(inner_, is_near)) insert(place);
   }
 
@@ -70,7 +72,7 @@ class Refinement {
   bool is_outside_rim(const Vec2& place) const {
     for (std::size_t i = 0; i < rim_.size(); ++i) {
       const Vec2 along = rim_[(i + 1) % rim_.size()] - rim_[i];
-      if (cross(along, place - rim_[i]) < least_distance * along.norm()) return true;
+      if (cross(along, place - rim_[i]) < least_vertex_distance * along.norm()) return true;
     }
     return false;
   }
@@ -97,34 +99,56 @@ class Refinement {
     return {place, foot.distance};
   }
 
-  /// At a quarter, half and three quarters of an edge, from its lower vertex on: both triangles find the same places.
+  /// Along an edge, from its lower vertex on: both triangles find the same places.
   void measure_edge(const Triangle& triangle, std::size_t first, Probe& worst) const {
     const auto [low, high] = std::minmax(triangle[first], triangle[(first + 1) % 3]);
     if (is_rim_edge(low, high)) return;
-    for (const double part : {0.5, 0.25, 0.75}) {
-      const Probe probe = measured(triangle, made_.places[low] + part * (made_.places[high] - made_.places[low]));
+    for (const int part : {3, 2, 4, 1, 5}) {
+      const Vec2 along = made_.places[high] - made_.places[low];
+      const Probe probe = measured(triangle, made_.places[low] + part / double{probe_parts} * along);
       if (probe.error > worst.error) worst = probe;
+    }
+  }
+
+  void measure_inside(const Triangle& triangle, Probe& worst) const {
+    const Vec2& origin = made_.places[triangle[0]];
+    const Vec2 a = (made_.places[triangle[1]] - origin) / probe_parts,
+               b = (made_.places[triangle[2]] - origin) / probe_parts;
+    for (int i = 1; i + 1 < probe_parts; ++i) {
+      for (int j = 1; i + j < probe_parts; ++j) {
+        const Probe probe = measured(triangle, origin + i * a + j * b);
+        if (probe.error > worst.error) worst = probe;
+      }
     }
   }
 
   Probe worst_of(const Triangle& triangle) const {
-    constexpr std::array<Weights, 3> inside{Weights{0.5, 0.25, 0.25}, {0.25, 0.5, 0.25}, {0.25, 0.25, 0.5}};
     Probe worst;
-    for (const Weights& weights : inside) {
-      Vec2 place = Vec2::Zero();
-      for (std::size_t i = 0; i < 3; ++i) place += weights[i] * made_.places[triangle[i]];
-      const Probe probe = measured(triangle, place);
-      if (probe.error > worst.error) worst = probe;
-    }
+    measure_inside(triangle, worst);
     for (std::size_t first = 0; first < 3; ++first) measure_edge(triangle, first, worst);
     return worst;
   }
 
-  double longest_edge(const Triangle& triangle) const {
-    double longest = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-      longest = std::max(longest, (made_.places[triangle[(i + 1) % 3]] - made_.places[triangle[i]]).norm());
-    return longest;
+  /// What a triangle can be asked to keep to: no more than the chords of the rim that it has do.
+  double limit_of(const Triangle& triangle) const {
+    double limit = options_.tolerance;
+    for (std::size_t first = 0; first < 3; ++first) {
+      const Index from = triangle[first], to = triangle[(first + 1) % 3];
+      if (!is_rim_edge(from, to)) continue;
+      for (int part = 1; part < probe_parts; ++part) {
+        const Vec2 along = made_.places[to] - made_.places[from];
+        limit =
+            std::max(limit, 1.5 * measured(triangle, made_.places[from] + part / double{probe_parts} * along).error);
+      }
+    }
+    return limit;
+  }
+
+  /// Too small or too flat to be divided.
+  bool is_stuck(const Triangle& triangle) const {
+    const Vec2 &a = made_.places[triangle[0]], &b = made_.places[triangle[1]], &c = made_.places[triangle[2]];
+    const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+    return longest < least_edge || cross(b - a, c - a) < least_vertex_distance * longest;
   }
 
   /// One place for each triangle that is too far from the surface, the worst first; none for those beside it, which
@@ -136,13 +160,13 @@ class Refinement {
     for (const Triangle& triangle : made_.triangles) {
       const Triangle name = name_of(triangle);
       const Probe worst = settled_.contains(name) ? Probe{} : worst_of(triangle);
-      if (worst.error <= options_.tolerance) {
+      if (worst.error <= options_.tolerance || worst.error <= limit_of(triangle)) {
         settled.insert(name);
-        continue;
+      } else if (is_stuck(triangle) || inner_.size() >= options_.most_inner) {
+        left = std::max(left, worst.error);
+      } else {
+        wanted.emplace_back(triangle, worst);
       }
-      const bool is_stuck = longest_edge(triangle) < least_edge || inner_.size() >= options_.most_inner;
-      if (is_stuck) left = std::max(left, worst.error);
-      if (!is_stuck) wanted.emplace_back(triangle, worst);
     }
     settled_ = std::move(settled);
     std::ranges::stable_sort(wanted, [](const auto& a, const auto& b) { return a.second.error > b.second.error; });

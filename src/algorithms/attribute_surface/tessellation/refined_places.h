@@ -18,7 +18,7 @@ struct RefinementOptions {
 };
 
 /// A Delaunay triangulation of the domain with places added where the surface is farther than the tolerance from a
-/// triangle: at 12 places of each triangle, none along the rim, which keeps to its curves already.
+/// triangle: at 25 places of each triangle, none along the rim, which keeps to its curves already.
 /// @throws Cancelled
 RefinedPlaces refined_places(const FaceSurface& surface, const FaceRim& rim, Progress& progress,
                              const RefinementOptions& options);
