@@ -61,7 +61,7 @@ AttributeNetwork hill(std::size_t sides, double height) {
   return network;
 }
 
-AttributeNetwork leaf() {
+AttributeNetwork small_leaf() {
   AttributeNetwork network;
   const Index a = add_node(network, {0, 0, 0}), b = add_node(network, {3, 0, 0});
   const Index low = add_curve(network, a, b, {{1, -1, 0.3}, {2, -0.8, 0.2}});
@@ -71,7 +71,7 @@ AttributeNetwork leaf() {
 }
 
 AttributeNetwork leaf_between_triangles() {
-  AttributeNetwork network = leaf();
+  AttributeNetwork network = small_leaf();
   const Index left = add_node(network, {1.5, -3, 0}), right = add_node(network, {1.5, 3, 0.5});
   add_face(network, "left", {{add_curve(network, 0, left), false}, {add_curve(network, left, 1), false}, {0, true}});
   add_face(network, "right",

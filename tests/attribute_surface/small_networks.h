@@ -16,7 +16,7 @@ AttributeNetwork straight_loop(const std::vector<Vec3>& corners);
 AttributeNetwork hill(std::size_t sides, double height);
 
 /// Two arcs between two nodes: a leaf of one face "f".
-AttributeNetwork leaf();
+AttributeNetwork small_leaf();
 
 /// A leaf with a triangle beside each arc: faces "f", "left" and "right".
 AttributeNetwork leaf_between_triangles();

@@ -179,7 +179,7 @@ TEST_CASE("a face of two curves is covered once whatever the number of samples")
   for (const std::size_t n : {1U, 2U, 3U, 7U, 16U}) {
     INFO(n << " samples");
     const std::size_t even = n + n % 2;
-    const AttributeNetwork alone = leaf();
+    const AttributeNetwork alone = small_leaf();
     const AttributeSurface surface = surface_of(alone);
     const SurfaceTessellation made = mesh_of(alone, surface, with_samples(n));
     CHECK(made.mesh.face_count() == even * even);

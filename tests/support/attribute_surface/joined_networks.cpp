@@ -111,7 +111,7 @@ AttributeNetwork boat_hull() {
 }
 
 AttributeNetwork example_network(const std::string& name) {
-  const std::string path = CROQUIS_SOURCE_DIR "/tests/attribute_surface/data/" + name + ".json";
+  const std::string path = CROQUIS_SOURCE_DIR "/examples/data/surface/" + name + ".json";
   return read_attribute_network(read_file(path), path).network;
 }
 

@@ -18,7 +18,7 @@ AttributeNetwork torus_of_quads(std::size_t around, std::size_t tube);  ///< clo
 /// closes the stern along creases. Faces "left", "right" and "transom".
 AttributeNetwork boat_hull();
 
-/// The network of a file in tests/attribute_surface/data: "car_intact", "car_crashed", "pocket5" or "tri_point".
+/// The network of a file in examples/data/surface: "car_intact", "car_crashed", "pocket5" or "tri_point".
 AttributeNetwork example_network(const std::string& name);
 
 /// All of them.
