@@ -46,7 +46,7 @@ TEST_CASE("lengths are those of fine chords") {
     const Control control = random_control(random, degree);
     const ArcLengthCurve curve(control);
     CHECK(curve.length() == Approx(length_by_chords(control, 1)).epsilon(1e-9));
-    CHECK(bezier_length(control) == curve.length());
+    CHECK(bezier_length(control) == Approx(curve.length()).epsilon(1e-14));
   }
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("derivatives are as long as the curve and point along it") {
     for (const double s : {0.1, 0.5, 0.9}) {
       const Vec3 difference = (curve.at(s + h) - curve.at(s - h)) / (2 * h);
       CHECK((curve.place(s).derivative - difference).norm() < 1e-6 * curve.length());
-      CHECK(curve.place(s).derivative.norm() == Approx(curve.length()).epsilon(1e-12));
+      CHECK(curve.place(s).derivative.norm() == Approx(curve.length()).epsilon(1e-10));
     }
     CHECK((curve.start_derivative() - (curve.at(h) - curve.at(0)) / h).norm() < 1e-3 * curve.length());
     CHECK((curve.end_derivative() - (curve.at(1) - curve.at(1 - h)) / h).norm() < 1e-3 * curve.length());

@@ -9,13 +9,13 @@
 
 namespace croquis {
 
-class CurveParameterTable;
+class ArcLengthTable;
 
 /// A Bézier curve of any degree, walked along by the fraction s of its arc length: s = 0 at its start, 1 at its end.
 ///
 /// Chordlength domains keep their promise only if curves are read at even speed: the speed of a Bézier curve would
-/// distort the surface again. The inverse of the arc length is tabled once; errors of the table (below 1e-12 of the
-/// length on tame curves) move places along the curve and never off it. Immutable; reading allocates nothing.
+/// distort the surface again. The curve is tabled by its arc length once, to 1e-13 of its length; curves that can't be,
+/// since they nearly stop somewhere, are solved for each time. Immutable; reading allocates nothing.
 class ArcLengthCurve {
  public:
   /// @param control both ends included, at least 2, finite, not all equal
@@ -25,7 +25,7 @@ class ArcLengthCurve {
   double length() const { return length_; }
   const std::vector<Vec3>& control() const { return control_; }
 
-  /// The curve's own parameter at s in 0..1.
+  /// The curve's own parameter at s in 0..1, solved for.
   double parameter(double s) const;
 
   /// The place at s in 0..1; the ends are met exactly.
@@ -51,7 +51,7 @@ class ArcLengthCurve {
  private:
   std::vector<Vec3> control_;
   double length_ = 0;
-  std::shared_ptr<const CurveParameterTable> table_;
+  std::shared_ptr<const ArcLengthTable> table_;
   Vec3 start_derivative_ = Vec3::Zero();
   Vec3 end_derivative_ = Vec3::Zero();
 };

@@ -98,7 +98,7 @@ Vec3 FaceSurface::side_normal(std::size_t side, double fraction) const {
   if (along.fence.empty()) return normal(side_place(side, fraction));
   Vec3 tangent = along.curve->place(along.reversed ? 1 - fraction : fraction).derivative.normalized();
   if (along.reversed) tangent = -tangent;
-  return fence_normal(along.fence, fraction, tangent);
+  return base_->fences()[side].normal(fraction, tangent);
 }
 
 Vec2 FaceSurface::side_place(std::size_t side, double fraction) const {

@@ -15,37 +15,6 @@ Vec3 turned_between(const Vec3& a, const Vec3& b, double angle, double part) {
   return (std::sin((1 - part) * angle) * a + std::sin(part * angle) * b) / std::sin(angle);
 }
 
-/// A fence with the angles between its keys.
-class FenceReader {
- public:
-  explicit FenceReader(const NormalFence& fence) : fence_(fence) {
-    for (std::size_t i = 0; i + 1 < fence.normals.size(); ++i) {
-      angles_.push_back(angle_between(fence.normals[i], fence.normals[i + 1]));
-    }
-  }
-
-  /// Projected off the unit tangent.
-  Vec3 normal(double at, const Vec3& tangent) const {
-    const Vec3 between = between_keys(at);
-    const Vec3 projected = between - between.dot(tangent) * tangent;
-    const double size = projected.norm();
-    return size > 1e-9 ? Vec3(projected / size) : Vec3(tangent.unitOrthogonal());
-  }
-
- private:
-  Vec3 between_keys(double at) const {
-    const auto next = std::ranges::upper_bound(fence_.at, at);
-    if (next == fence_.at.begin()) return fence_.normals.front();
-    if (next == fence_.at.end()) return fence_.normals.back();
-    const auto key = static_cast<std::size_t>(next - fence_.at.begin()) - 1;
-    const double part = (at - fence_.at[key]) / (fence_.at[key + 1] - fence_.at[key]);
-    return turned_between(fence_.normals[key], fence_.normals[key + 1], angles_[key], part);
-  }
-
-  const NormalFence& fence_;
-  std::vector<double> angles_;
-};
-
 /// Where conormals may have kinks: keys of the fence inside the extent, as fractions of it.
 std::vector<double> breaks_in(const NormalFence& fence, const Footprint::Extent& extent) {
   std::vector<double> breaks{0};
@@ -59,8 +28,26 @@ std::vector<double> breaks_in(const NormalFence& fence, const Footprint::Extent&
 
 }  // namespace
 
-Vec3 fence_normal(const NormalFence& fence, double at, const Vec3& tangent) {
-  return FenceReader(fence).normal(at, tangent);
+FenceReader::FenceReader(const NormalFence& fence) : fence_(fence) {
+  for (std::size_t i = 0; i + 1 < fence.normals.size(); ++i) {
+    angles_.push_back(angle_between(fence.normals[i], fence.normals[i + 1]));
+  }
+}
+
+Vec3 FenceReader::normal(double at, const Vec3& tangent) const {
+  const Vec3 between = between_keys(at);
+  const Vec3 projected = between - between.dot(tangent) * tangent;
+  const double size = projected.norm();
+  return size > 1e-9 ? Vec3(projected / size) : Vec3(tangent.unitOrthogonal());
+}
+
+Vec3 FenceReader::between_keys(double at) const {
+  const auto next = std::ranges::upper_bound(fence_.at, at);
+  if (next == fence_.at.begin()) return fence_.normals.front();
+  if (next == fence_.at.end()) return fence_.normals.back();
+  const auto key = static_cast<std::size_t>(next - fence_.at.begin()) - 1;
+  const double part = (at - fence_.at[key]) / (fence_.at[key + 1] - fence_.at[key]);
+  return turned_between(fence_.normals[key], fence_.normals[key + 1], angles_[key], part);
 }
 
 Footprint::Footprint(const DomainPolygon& polygon, std::size_t index, const SurfaceSide& side, const Extent& extent)

@@ -9,6 +9,22 @@
 
 namespace croquis {
 
+/// A fence, read between its keys.
+class FenceReader {
+ public:
+  explicit FenceReader(const NormalFence& fence);
+
+  /// The normal at a fraction of the side, projected off the curve's tangent there.
+  /// @param tangent unit
+  Vec3 normal(double at, const Vec3& tangent) const;
+
+ private:
+  Vec3 between_keys(double at) const;
+
+  NormalFence fence_;
+  std::vector<double> angles_;  ///< between a key and the next, radians
+};
+
 /// One straight side of a domain and what lies along it: a curve, or half of one in a domain of two curves. Everything
 /// along it is read by the fraction t = 0..1 in the loop's direction.
 class Footprint {
@@ -55,9 +71,5 @@ class Footprint {
   ArcLengthCurve::Place end_;
   std::shared_ptr<const PiecewiseQuintic> conormals_;  ///< null: no fence
 };
-
-/// The normal of a fence at a fraction of its side, projected off the curve's tangent there.
-/// @param tangent unit
-Vec3 fence_normal(const NormalFence& fence, double at, const Vec3& tangent);
 
 }  // namespace croquis

@@ -74,7 +74,10 @@ Number segment_distance(const Number& t, const Number& h, double length) {
 
 SurfaceBase::SurfaceBase(const SurfaceFrame& frame)
     : frame_(frame), polygon_(polygon_of(frame)), footprints_(footprints_of(frame, polygon_)) {
-  for (const SurfaceSide& side : frame.sides) sigma_ += side.curve->length();
+  for (const SurfaceSide& side : frame.sides) {
+    sigma_ += side.curve->length();
+    fences_.emplace_back(side.fence);
+  }
   middle_bubble_ = 1 / boundary_weight(polygon_.centroid);
 }
 

@@ -33,6 +33,9 @@ class SurfaceBase {
   const SurfaceFrame& frame() const { return frame_; }
   const DomainPolygon& polygon() const { return polygon_; }
   const std::vector<Footprint>& footprints() const { return footprints_; }
+
+  /// Of the sides of the loop, which have them in mode Smooth.
+  const std::vector<FenceReader>& fences() const { return fences_; }
   double sigma() const { return sigma_; }
   bool is_paper() const { return frame_.mode == AttributeMode::Paper; }
 
@@ -63,6 +66,7 @@ class SurfaceBase {
   SurfaceFrame frame_;
   DomainPolygon polygon_;
   std::vector<Footprint> footprints_;
+  std::vector<FenceReader> fences_;
   double sigma_ = 0;
   double middle_bubble_ = 1;  ///< 1 / boundary weight at the area's centroid
 };

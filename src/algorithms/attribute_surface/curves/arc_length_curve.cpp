@@ -9,94 +9,9 @@
 
 #include "arc_lengths.h"
 #include "bezier.h"
+#include "piecewise_quintic.h"
 
 namespace croquis {
-
-/// The curve's parameter as a function of the arc-length fraction: quintics on even pieces that have the exact value,
-/// slope and bend at their ends.
-class CurveParameterTable {
- public:
-  explicit CurveParameterTable(const std::vector<Vec3>& control)
-      : derivative_(bezier_derivative(control)), lengths_(control) {
-    for (std::size_t count = 8; count <= most_pieces && !kept_; count *= 2) kept_ = fit(count);
-  }
-
-  const ArcLengths& lengths() const { return lengths_; }
-  Vec3 velocity(double t) const { return bezier_at(derivative_, t); }
-
-  double parameter(double s) const {
-    // Where the curve nearly stops, no polynomial follows its parameter: then it is solved for.
-    return kept_ ? std::clamp(tabled(s), 0.0, 1.0) : lengths_.parameter(s * lengths_.whole());
-  }
-
-  std::size_t byte_size() const { return sizeof(*this) + pieces_.capacity() * sizeof(Piece) + 1024; }
-
- private:
-  using Piece = std::array<double, 6>;  ///< coefficients of 1, x … x^5, x = 0..1 along the piece
-
-  static constexpr double tolerance = 1e-13;  ///< of the length
-  static constexpr std::size_t most_pieces = 256;
-
-  struct Jet {
-    double value = 0;
-    double slope = 0;
-    double bend = 0;
-  };
-
-  /// By x of a piece that is one of that many.
-  Jet jet(double t, double count) const {
-    const double step = lengths_.whole() / count;
-    const double speed = lengths_.speed(t);
-    const double slope = step / speed;
-    return {t, slope, -slope * slope * lengths_.speed_change(t) / speed};
-  }
-
-  static Piece between(const Jet& a, const Jet& b) {
-    const double rise = b.value - a.value - a.slope - 0.5 * a.bend;
-    const double turn = b.slope - a.slope - a.bend;
-    const double bend = 0.5 * (b.bend - a.bend);
-    return {a.value,
-            a.slope,
-            0.5 * a.bend,
-            10 * rise - 4 * turn + bend,
-            -15 * rise + 7 * turn - 2 * bend,
-            6 * rise - 3 * turn + bend};
-  }
-
-  static double value_in(const Piece& c, double x) {
-    return c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * (c[4] + x * c[5]))));
-  }
-
-  double tabled(double s) const {
-    const double along = s * static_cast<double>(pieces_.size());
-    const std::size_t piece = std::min(static_cast<std::size_t>(along), pieces_.size() - 1);
-    return value_in(pieces_[piece], along - static_cast<double>(piece));
-  }
-
-  /// @return whether the middles of all pieces are where they should be
-  bool fit(std::size_t count) {
-    const double whole = lengths_.whole();
-    pieces_.clear();
-    const auto parts = static_cast<double>(count);
-    Jet before = jet(0, parts);
-    for (std::size_t i = 1; i <= count; ++i) {
-      const double end = static_cast<double>(i) / parts;
-      const double guess = before.value + before.slope + 0.5 * before.bend;
-      const Jet after = jet(i == count ? 1 : lengths_.parameter(end * whole, guess), parts);
-      pieces_.push_back(between(before, after));
-      const double middle = value_in(pieces_.back(), 0.5);
-      const double miss = std::abs(lengths_.to(std::clamp(middle, 0.0, 1.0)) - (end - 0.5 / parts) * whole);
-      if (!(miss <= tolerance * whole)) return false;
-      before = after;
-    }
-    return true;
-  }
-
-  std::vector<Vec3> derivative_;
-  ArcLengths lengths_;
-  std::vector<Piece> pieces_;
-  bool kept_ = false;
-};
 
 namespace {
 
@@ -123,9 +38,106 @@ Vec3 start_direction(const std::vector<Vec3>& control, double length) {
 
 }  // namespace
 
+/// The curve by its arc-length fraction: quintics on even pieces, with the exact place and derivatives at their ends.
+class ArcLengthTable {
+ public:
+  explicit ArcLengthTable(const std::vector<Vec3>& control)
+      : origin_(control.front()),
+        control_(from_origin(control)),
+        derivative_(bezier_derivative(control_)),
+        second_derivative_(bezier_derivative(derivative_)),
+        lengths_(control_) {
+    for (std::size_t count = 4; count <= most_pieces && !kept_; count *= 2) kept_ = fit(count);
+    if (!kept_) pieces_.clear();
+  }
+
+  double whole() const { return lengths_.whole(); }
+  double fraction(double t) const { return lengths_.to(t) / whole(); }
+  double parameter(double s) const { return lengths_.parameter(s * whole()); }
+
+  Vec3 at(double s) const {
+    // Where the curve nearly stops no polynomial follows it: then its parameter is solved for.
+    if (!kept_) return origin_ + bezier_at(control_, parameter(s));
+    const double along = s * static_cast<double>(pieces_.size());
+    const std::size_t piece = std::min(static_cast<std::size_t>(along), pieces_.size() - 1);
+    return origin_ + value_in(pieces_[piece], along - static_cast<double>(piece));
+  }
+
+  ArcLengthCurve::Place place(double s) const {
+    if (!kept_) return solved_place(parameter(s));
+    const auto count = static_cast<double>(pieces_.size());
+    const double along = s * count;
+    const std::size_t piece = std::min(static_cast<std::size_t>(along), pieces_.size() - 1);
+    const double x = along - static_cast<double>(piece);
+    return {origin_ + value_in(pieces_[piece], x), count * slope_in(pieces_[piece], x)};
+  }
+
+  std::size_t byte_size() const {
+    return sizeof(*this) + pieces_.capacity() * sizeof(QuinticPiece) + 3 * control_.capacity() * sizeof(Vec3) + 1024;
+  }
+
+ private:
+  static constexpr double tolerance = 1e-13;  ///< of the length
+  static constexpr std::size_t most_pieces = 256;
+
+  /// Far from the origin of the model the digits are kept for the curve.
+  static std::vector<Vec3> from_origin(std::vector<Vec3> control) {
+    const Vec3 origin = control.front();
+    for (Vec3& point : control) point -= origin;
+    return control;
+  }
+
+  ArcLengthCurve::Place solved_place(double t) const {
+    const Vec3 velocity = bezier_at(derivative_, t);
+    const double speed = velocity.norm();
+    const bool moves = speed > standstill * whole();
+    return {origin_ + bezier_at(control_, t),
+            moves ? Vec3(velocity * (whole() / speed)) : Vec3(whole() * direction_beside(control_, t))};
+  }
+
+  /// By x of a piece that is so long.
+  QuinticEnd end_at(double t, double length) const {
+    const Vec3 velocity = bezier_at(derivative_, t);
+    const double speed = velocity.norm();
+    const Vec3 along = velocity / speed;
+    QuinticEnd end{bezier_at(control_, t), length * along, Vec3::Zero()};
+    if (second_derivative_.empty()) return end;
+    const Vec3 change = bezier_at(second_derivative_, t);
+    end.bend = (length / speed) * (length / speed) * (change - change.dot(along) * along);
+    return end;
+  }
+
+  /// @return whether the middles of all pieces are where they should be
+  bool fit(std::size_t count) {
+    const double length = whole() / static_cast<double>(count);
+    pieces_.clear();
+    double t = 0;
+    QuinticEnd before = end_at(0, length);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double start = static_cast<double>(i) * length;
+      const double middle = lengths_.parameter(start + 0.5 * length, t + 0.5 * length / lengths_.speed(t));
+      t = i + 1 == count ? 1 : lengths_.parameter(start + length, 2 * middle - t);
+      const QuinticEnd after = end_at(t, length);
+      pieces_.push_back(quintic_between(before, after));
+      const double miss = (value_in(pieces_.back(), 0.5) - bezier_at(control_, middle)).norm();
+      if (!(miss <= tolerance * whole())) return false;
+      before = after;
+    }
+    return true;
+  }
+
+  Vec3 origin_;                ///< the start of the curve
+  std::vector<Vec3> control_;  ///< from there
+  std::vector<Vec3> derivative_;
+  std::vector<Vec3> second_derivative_;
+  ArcLengths lengths_;
+  std::vector<QuinticPiece> pieces_;
+  bool kept_ = false;
+};
+
 ArcLengthCurve::ArcLengthCurve(std::vector<Vec3> control) : control_(std::move(control)) {
-  table_ = std::make_shared<const CurveParameterTable>(control_);
-  length_ = table_->lengths().whole();
+  table_ = std::make_shared<const ArcLengthTable>(control_);
+  length_ = table_->whole();
   start_derivative_ = length_ * start_direction(control_, length_);
   end_derivative_ = -length_ * start_direction({control_.rbegin(), control_.rend()}, length_);
 }
@@ -135,24 +147,19 @@ double ArcLengthCurve::parameter(double s) const { return table_->parameter(s); 
 Vec3 ArcLengthCurve::at(double s) const {
   if (s <= 0) return control_.front();
   if (s >= 1) return control_.back();
-  return bezier_at(control_, table_->parameter(s));
+  return table_->at(s);
 }
 
 ArcLengthCurve::Place ArcLengthCurve::place(double s) const {
   if (s <= 0) return {control_.front(), start_derivative_};
   if (s >= 1) return {control_.back(), end_derivative_};
-  const double t = table_->parameter(s);
-  const Vec3 velocity = table_->velocity(t);
-  const double speed = velocity.norm();
-  const Vec3 derivative =
-      speed > standstill * length_ ? Vec3(velocity * (length_ / speed)) : Vec3(length_ * direction_beside(control_, t));
-  return {bezier_at(control_, t), derivative};
+  return table_->place(s);
 }
 
-double ArcLengthCurve::fraction(double t) const { return table_->lengths().to(t) / length_; }
+double ArcLengthCurve::fraction(double t) const { return table_->fraction(t); }
 
 std::size_t ArcLengthCurve::byte_size() const {
-  return sizeof(*this) + 2 * control_.capacity() * sizeof(Vec3) + table_->byte_size();
+  return sizeof(*this) + control_.capacity() * sizeof(Vec3) + table_->byte_size();
 }
 
 double bezier_length(const std::vector<Vec3>& control) { return ArcLengths(control).whole(); }

@@ -23,8 +23,7 @@ constexpr int deepest_halving = 24;
 
 }  // namespace
 
-ArcLengths::ArcLengths(const std::vector<Vec3>& control)
-    : derivative_(bezier_derivative(control)), second_derivative_(bezier_derivative(derivative_)) {
+ArcLengths::ArcLengths(const std::vector<Vec3>& control) : derivative_(bezier_derivative(control)) {
   for (std::size_t i = 0; i + 1 < control.size(); ++i) scale_ += (control[i + 1] - control[i]).norm();
   ends_.push_back(0);
   sums_.push_back(0);
@@ -33,12 +32,6 @@ ArcLengths::ArcLengths(const std::vector<Vec3>& control)
 }
 
 double ArcLengths::speed(double t) const { return bezier_at(derivative_, t).norm(); }
-
-double ArcLengths::speed_change(double t) const {
-  if (second_derivative_.empty()) return 0;
-  const Vec3 velocity = bezier_at(derivative_, t);
-  return velocity.dot(bezier_at(second_derivative_, t)) / velocity.norm();
-}
 
 double ArcLengths::quadrature(double from, double to) const {
   const double middle = 0.5 * (from + to);

@@ -27,15 +27,11 @@ class ArcLengths {
   /// |C'(t)|.
   double speed(double t) const;
 
-  /// Derivative of the speed by t. @pre speed(t) > 0
-  double speed_change(double t) const;
-
  private:
   double quadrature(double from, double to) const;
   void add_parts(double from, double to, double length, int depth);
 
   std::vector<Vec3> derivative_;
-  std::vector<Vec3> second_derivative_;
   double scale_ = 0;          ///< length of the control polygon
   std::vector<double> ends_;  ///< of the parts, the first 0, the last 1
   std::vector<double> sums_;  ///< arc length up to each of them

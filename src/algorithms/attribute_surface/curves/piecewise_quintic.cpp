@@ -38,4 +38,14 @@ const Eigen::Matrix<double, 6, 6>& quintic_from_values() {
   return matrix;
 }
 
+QuinticPiece quintic_between(const QuinticEnd& a, const QuinticEnd& b) {
+  const Vec3 rise = b.value - a.value - a.slope - 0.5 * a.bend;
+  const Vec3 turn = b.slope - a.slope - a.bend;
+  const Vec3 bend = 0.5 * (b.bend - a.bend);
+  QuinticPiece piece = QuinticPiece::Zero();
+  piece.topRows<3>() << a.value, a.slope, 0.5 * a.bend, 10 * rise - 4 * turn + bend, -15 * rise + 7 * turn - 2 * bend,
+      6 * rise - 3 * turn + bend;
+  return piece;
+}
+
 }  // namespace croquis

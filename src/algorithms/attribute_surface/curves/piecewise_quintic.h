@@ -20,21 +20,43 @@ const std::array<double, 6>& quintic_places();
 /// Coefficients of the quintic 1, x … x^5 from its values at quintic_places(), one row per coefficient.
 const Eigen::Matrix<double, 6, 6>& quintic_from_values();
 
+/// A quintic path: coefficients of 1, x … x^5, x = 0..1 along it. The fourth row is 0: four numbers are computed with
+/// as fast as three.
+using QuinticPiece = Eigen::Matrix<double, 4, 6>;
+
+inline Vec3 value_in(const QuinticPiece& c, double x) {
+  const Eigen::Vector4d value =
+      c.col(0) + x * (c.col(1) + x * (c.col(2) + x * (c.col(3) + x * (c.col(4) + x * c.col(5)))));
+  return value.head<3>();
+}
+
+/// By x.
+inline Vec3 slope_in(const QuinticPiece& c, double x) {
+  const Eigen::Vector4d slope =
+      c.col(1) + x * (2 * c.col(2) + x * (3 * c.col(3) + x * (4 * c.col(4) + x * (5 * c.col(5)))));
+  return slope.head<3>();
+}
+
+/// What a quintic has to be at one end: its value and its first two derivatives by x.
+struct QuinticEnd {
+  Vec3 value = Vec3::Zero();
+  Vec3 slope = Vec3::Zero();
+  Vec3 bend = Vec3::Zero();
+};
+QuinticPiece quintic_between(const QuinticEnd& a, const QuinticEnd& b);
+
 /// A smooth path of vectors over 0..1 as quintics on even pieces, fitted to a tolerance. It is read without searching:
 /// the turn of normals along a curve costs as little as a polynomial then.
 class PiecewiseQuintic {
  public:
-  using Value = Vec3;
-  using Piece = Eigen::Matrix<double, 3, 6>;
-
   struct Options {
     double tolerance = 1e-12;      ///< in the function's own units
     std::size_t most_pieces = 64;  ///< of each interval, a power of 2
   };
 
   struct ValueAndSlope {
-    Value value;
-    Value slope;
+    Vec3 value;
+    Vec3 slope;
   };
 
   /// @param function of t in 0..1 to Vec3, smooth between breaks
@@ -46,21 +68,18 @@ class PiecewiseQuintic {
     }
   }
 
-  Value at(double t) const {
+  Vec3 at(double t) const {
     const Found found = find(t);
     return value_in(*found.piece, found.x);
   }
 
   ValueAndSlope evaluate(double t) const {
     const Found found = find(t);
-    const Piece& c = *found.piece;
-    const double x = found.x;
-    const Value slope = c.col(1) + x * (2 * c.col(2) + x * (3 * c.col(3) + x * (4 * c.col(4) + x * (5 * c.col(5)))));
-    return {value_in(c, x), found.scale * slope};
+    return {value_in(*found.piece, found.x), found.scale * slope_in(*found.piece, found.x)};
   }
 
   std::size_t byte_size() const {
-    return pieces_.capacity() * sizeof(Piece) + intervals_.capacity() * sizeof(Interval);
+    return pieces_.capacity() * sizeof(QuinticPiece) + intervals_.capacity() * sizeof(Interval);
   }
 
  private:
@@ -72,7 +91,7 @@ class PiecewiseQuintic {
   };
 
   struct Found {
-    const Piece* piece;
+    const QuinticPiece* piece;
     double x;  ///< 0..1 in the piece
     double scale;
   };
@@ -101,16 +120,17 @@ class PiecewiseQuintic {
   /// @return false as soon as a piece doesn't keep to the tolerance
   template <class Function>
   bool add_pieces(const Function& function, const Interval& interval, double tolerance) {
-    const auto value = [&](std::size_t i, double x) -> Value {
+    const auto value = [&](std::size_t i, double x) -> Vec3 {
       return function(interval.begin + (static_cast<double>(i) + x) / interval.scale);
     };
-    Value end = value(0, 0);
+    Vec3 end = value(0, 0);
     for (std::size_t i = 0; i < interval.count; ++i) {
-      Piece values;
+      Eigen::Matrix<double, 3, 6> values;
       values.col(0) = end;
       for (int k = 1; k < 6; ++k) values.col(k) = value(i, quintic_places()[static_cast<std::size_t>(k)]);
       end = values.col(5);
-      pieces_.push_back(values * quintic_from_values().transpose());
+      pieces_.push_back(QuinticPiece::Zero());
+      pieces_.back().topRows<3>() = values * quintic_from_values().transpose();
       // Where such a fit misses most: in the middle.
       if (tolerance < std::numeric_limits<double>::infinity() &&
           (value_in(pieces_.back(), 0.5) - value(i, 0.5)).norm() > tolerance) {
@@ -120,12 +140,8 @@ class PiecewiseQuintic {
     return true;
   }
 
-  static Value value_in(const Piece& c, double x) {
-    return c.col(0) + x * (c.col(1) + x * (c.col(2) + x * (c.col(3) + x * (c.col(4) + x * c.col(5)))));
-  }
-
   std::vector<Interval> intervals_;
-  std::vector<Piece> pieces_;
+  std::vector<QuinticPiece> pieces_;
 };
 
 }  // namespace croquis
