@@ -143,7 +143,7 @@ std::vector<ExactPatch> exact_patches() {
           cut_from_hood("hood trapezoid", {{-0.8, -0.7}, {0.8, -0.5}, {0.8, 0.5}, {-0.8, 0.7}}),
           cut_from_sphere("sphere pentagon", pentagon),
           cut_from_hood("hood pentagon", {{-0.9, -0.4}, {0.2, -0.6}, {0.9, -0.1}, {0.5, 0.5}, {-0.7, 0.4}}),
-          cut_from_saddle("saddle quad", {{0, 0}, {1, 0}, {1, 1}, {0, 1}})};
+          cut_from_saddle("saddle quad", {{0, 0}, {1, 0.1}, {1.1, 1}, {-0.1, 0.9}})};
 }
 
 }  // namespace croquis::test

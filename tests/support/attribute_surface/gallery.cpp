@@ -39,9 +39,9 @@ AttributeNetwork gallery_bonnet() {
   builder.face("hood right", {"+window right", "+wing right", "-front right", "-crown"});
   builder.face("nose left", {"+nose", "+bumper left", "-lamp left", "-front left"});
   builder.face("nose right", {"+front right", "+lamp right", "-bumper right", "-nose"});
-  builder.inner("line", "hood right",
-                {{0.16, -0.42, 1}, {0.45, -0.44, 1.015}, {0.75, -0.4, 0.96}, {0.98, -0.36, 0.875}},
-                {no_index, InnerProfile::Sharp, 0.07});
+  builder.inner("bulge", "hood right",
+                {{0.2, -0.36, 1.01}, {0.45, -0.36, 1.05}, {0.75, -0.34, 1.02}, {0.95, -0.32, 0.9}},
+                {no_index, InnerProfile::Smooth, 0.09});
   builder.point("dent", "hood left", {0.62, 0.33, 0.85}, 0.13);
   return builder.take();
 }
@@ -85,7 +85,7 @@ AttributeNetwork gallery_chair() {
   builder.face("seat", {"+front edge", "+seat right", "-hips", "-seat left"});
   builder.face("back", {"+hips", "+back right", "-top edge", "-back left"});
   builder.point("hollow", "seat", {0, -0.03, 0.405}, 0.11);
-  builder.point("spine", "back", {0, 0.235, 0.62}, 0.09);
+  builder.point("spine", "back", {0, 0.27, 0.66}, 0.16);
   return builder.take();
 }
 
@@ -106,12 +106,12 @@ AttributeNetwork gallery_dinghy() {
   builder.face("hull right", {"+keel", "+bow rail right", "+rail right", "-transom right"});
   builder.face("transom", {"+transom right", "-transom top", "-transom left"});
   builder.face("foredeck", {"+bow rail left", "+coaming", "-bow rail right"});
-  for (const auto& [x, half, bulge] : {std::array{0.75, 0.66, 0.05}, std::array{1.05, 0.68, 0.05}}) {
+  for (const auto& [x, half, bulge] : {std::array{0.75, 0.6, 0.04}, std::array{1.05, 0.61, 0.04}}) {
     const std::string name = x < 1 ? "bench back" : "bench front";
     builder.crease(name, {{x, half, 0.4}, {x, half / 3, 0.4 + bulge}, {x, -half / 3, 0.4 + bulge}, {x, -half, 0.4}});
   }
-  builder.crease("bench end left", {{1.05, 0.68, 0.4}, {0.75, 0.66, 0.4}});
-  builder.crease("bench end right", {{0.75, -0.66, 0.4}, {1.05, -0.68, 0.4}});
+  builder.crease("bench end left", {{1.05, 0.61, 0.4}, {0.75, 0.6, 0.4}});
+  builder.crease("bench end right", {{0.75, -0.6, 0.4}, {1.05, -0.61, 0.4}});
   builder.face("bench", {"+bench back", "+bench end right", "-bench front", "+bench end left"});
   return builder.take();
 }
@@ -123,7 +123,7 @@ AttributeNetwork gallery_sail() {
   builder.crease("foot", {tack, {0.8, 0.45, 0.95}, {1.8, 0.6, 1}, clew});
   builder.crease("leech", {clew, {2.5, 0.55, 2.8}, {1.5, 0.45, 4.8}, head});
   builder.face("sail", {"+luff", "+foot", "+leech"});
-  builder.point("belly", "sail", {0.85, 0.85, 2.6}, 0.8);
+  builder.point("belly", "sail", {0.95, 0.62, 2.7}, 1.7);
   return builder.take();
 }
 

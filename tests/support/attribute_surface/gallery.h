@@ -8,7 +8,7 @@
 /// The attribute networks of examples/data. z is up, lengths are metres.
 namespace croquis::test {
 
-AttributeNetwork gallery_bonnet();  ///< a car's bonnet, four smooth faces, with a dent and a sharp line in its metal
+AttributeNetwork gallery_bonnet();  ///< a car's bonnet, four smooth faces, with a dent and a bulge along an inner curve
 AttributeNetwork gallery_bowl();    ///< five petals around a five-sided foot, a knob in its middle
 AttributeNetwork gallery_chair();   ///< a seat shell: two faces, a hollow to sit in, a bend for the back
 AttributeNetwork gallery_dinghy();  ///< a hull with a smooth keel, a transom, a foredeck and a bench

@@ -76,38 +76,52 @@ void add_body_faces(GalleryBuilder& builder) {
     builder.face("wall " + n, {"+foot " + n, "+wall " + next, "-belly " + n, "-wall " + n});
     if (k < 4) builder.face("shoulder " + n, {"+belly " + n, "+shoulder " + next, "-neck " + n, "-shoulder " + n});
   }
-  builder.face("beside spout 4", {"+belly 4", "+below spout", "+root right", "+above spout", "-neck 4", "-shoulder 4"});
-  builder.face("beside spout 5", {"+belly 5", "+shoulder 1", "-neck 5", "-above spout", "-root left", "-below spout"});
+  builder.face("beside spout 4", {"+belly 4", "+below spout", "+low root right", "+high root right", "+above spout",
+                                  "-neck 4", "-shoulder 4"});
+  builder.face("beside spout 5", {"+belly 5", "+shoulder 1", "-neck 5", "-above spout", "-high root left",
+                                  "-low root left", "-below spout"});
 }
 
+/// A tube of four strips from its root in the body to its tip.
 void add_spout(GalleryBuilder& builder) {
   const Vec3 low = turned(0, part_of(upper_profile(), 0, 0.18).back());
   const Vec3 high = turned(0, part_of(upper_profile(), 0.62, 1).front());
-  const Vec3 tip_low(0.205, 0, 0.15), tip_high(0.198, 0, 0.168);
+  const Vec3 tip_low(0.205, 0, 0.15), tip_high(0.196, 0, 0.172);
+  builder.smooth("spout below", {low, low + Vec3(0.04, 0, 0), tip_low + Vec3(-0.022, 0, -0.04), tip_low});
+  builder.smooth("spout above", {high, high + Vec3(0.04, 0, 0), tip_high + Vec3(-0.02, 0, -0.03), tip_high});
   for (const double side : {-1.0, 1.0}) {
     const std::string name = side < 0 ? " right" : " left";
-    const Vec3 out(0.012, side * 0.034, 0), out_high(0.016, side * 0.03, 0), tip(0, side * 0.012, 0);
-    builder.crease("root" + name, {low, low + out, high + out_high, high});
-    builder.crease("tip" + name, {tip_low, tip_low + tip, tip_high + tip, tip_high});
+    const Vec3 out(0, side, 0), beside(0.104, side * 0.033, 0.112), tip = 0.5 * (tip_low + tip_high) + 0.011 * out;
+    const Vec3 up_root = (high - low) / 4, up_tip = (tip_high - tip_low) / 4;
+    builder.crease("low root" + name, {low, low + 0.018 * out, beside - up_root, beside});
+    builder.crease("high root" + name, {beside, beside + up_root, high + 0.018 * out, high});
+    builder.crease("low tip" + name, {tip_low, tip_low + 0.006 * out, tip - up_tip, tip});
+    builder.crease("high tip" + name, {tip, tip + up_tip, tip_high + 0.006 * out, tip_high});
+    builder.smooth("spout" + name, {beside, beside + Vec3(0.035, -0.012 * side, 0), tip + Vec3(-0.02, 0, -0.035), tip});
   }
-  builder.smooth("spout below", {low, low + Vec3(0.045, 0, 0.004), tip_low + Vec3(-0.018, 0, -0.035), tip_low});
-  builder.smooth("spout above", {high, high + Vec3(0.035, 0, -0.008), tip_high + Vec3(-0.022, 0, -0.03), tip_high});
-  builder.face("spout right", {"-root right", "+spout below", "+tip right", "-spout above"});
-  builder.face("spout left", {"+root left", "+spout above", "-tip left", "-spout below"});
+  builder.face("spout low right", {"+spout below", "+low tip right", "-spout right", "-low root right"});
+  builder.face("spout high right", {"+spout right", "+high tip right", "-spout above", "-high root right"});
+  builder.face("spout low left", {"+low root left", "+spout left", "-low tip left", "-spout below"});
+  builder.face("spout high left", {"+high root left", "+spout above", "-high tip left", "-spout left"});
 }
 
 void add_lid_and_handle(GalleryBuilder& builder) {
   builder.face("lid", {"+neck 1", "+neck 2", "+neck 3", "+neck 4", "+neck 5"});
   builder.point("knob", "lid", {0, 0, 0.182}, 0.016);
   builder.face("bottom", {"-foot 5", "-foot 4", "-foot 3", "-foot 2", "-foot 1"});
+  const auto across = [](const Vec3& left) { return std::vector<Vec3>{left, left - Vec3(0, 2 * left.y(), 0)}; };
+  const Vec3 back(-0.085, 0.012, 0.14), top(0, 0.012, 0.275), front(0.078, 0.012, 0.146);
+  builder.crease("handle back", across(back));
+  builder.smooth("handle top", across(top));
+  builder.crease("handle front", across(front));
   for (const double side : {-1.0, 1.0}) {
-    const double y = 0.011 * side;
-    builder.crease(side < 0 ? "handle right" : "handle left",
-                   {{-0.085, y, 0.14}, {-0.13, y, 0.31}, {0.1, y, 0.31}, {0.075, y, 0.146}});
+    const std::string name = side < 0 ? " right" : " left";
+    const auto at = [&](const Vec3& point) { return Vec3(point.x(), side * point.y(), point.z()); };
+    builder.crease("handle back" + name, {at(back), at({-0.11, 0.012, 0.22}), at({-0.06, 0.012, 0.275}), at(top)});
+    builder.crease("handle front" + name, {at(top), at({0.055, 0.012, 0.275}), at({0.1, 0.012, 0.22}), at(front)});
   }
-  builder.crease("handle back", {{-0.085, 0.011, 0.14}, {-0.087, 0, 0.143}, {-0.085, -0.011, 0.14}});
-  builder.crease("handle front", {{0.075, -0.011, 0.146}, {0.077, 0, 0.149}, {0.075, 0.011, 0.146}});
-  builder.face("handle", {"+handle right", "+handle front", "-handle left", "+handle back"});
+  builder.face("handle back", {"+handle back", "+handle back right", "-handle top", "-handle back left"});
+  builder.face("handle front", {"+handle top", "+handle front right", "-handle front", "-handle front left"});
 }
 
 }  // namespace
