@@ -19,5 +19,6 @@ void bench_solver(std::ostream& out);
 void bench_remesh(std::ostream& out);
 void bench_silhouette(std::ostream& out);
 void bench_subdivision(std::ostream& out);
+void bench_surface(std::ostream& out);
 
 }  // namespace croquis::bench

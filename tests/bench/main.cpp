@@ -25,7 +25,8 @@ const std::map<std::string, Bench>& benches() {
                                                    {"remesh", plain(bench_remesh)},
                                                    {"silhouette", plain(bench_silhouette)},
                                                    {"solver", plain(bench_solver)},
-                                                   {"subdivision", plain(bench_subdivision)}};
+                                                   {"subdivision", plain(bench_subdivision)},
+                                                   {"surface", plain(bench_surface)}};
   return all;
 }
 
@@ -40,8 +41,9 @@ bool read_choices(const std::vector<std::string>& words, std::vector<Choice>& ch
     } else if (!choices.empty() && choices.back().first == "holes") {
       choices.back().second.push_back(word);
     } else {
-      std::cerr << "There is no benchmark '" << word
-                << "': use holes, implicit, perspective, readers, remesh, silhouette, solver or subdivision.\n";
+      std::cerr
+          << "There is no benchmark '" << word
+          << "': use holes, implicit, perspective, readers, remesh, silhouette, solver, subdivision or surface.\n";
       return false;
     }
   }
@@ -53,7 +55,7 @@ bool read_choices(const std::vector<std::string>& words, std::vector<Choice>& ch
 int main(int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   if (words.empty())
-    words = {"readers", "solver", "silhouette", "subdivision", "perspective", "implicit", "holes", "remesh"};
+    words = {"readers", "solver", "silhouette", "subdivision", "perspective", "surface", "implicit", "holes", "remesh"};
   std::vector<Choice> choices;
   if (!read_choices(words, choices)) return 2;
   try {
