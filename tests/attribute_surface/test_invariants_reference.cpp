@@ -27,7 +27,7 @@ const std::map<std::string, AttributeMode>& modes_by_name() {
 
 /// Values of an independent program: 9 decimals of places, side lengths, radii and points' footprints.
 Json expected_values() {
-  return Json::parse(read_file(CROQUIS_SOURCE_DIR "/tests/attribute_surface/data/expected.json"));
+  return Json::parse(read_file(CROQUIS_SOURCE_DIR "/tests/cli/networks/expected.json"));
 }
 
 Vec3 vector_of(const Json& json) { return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()}; }
@@ -104,7 +104,7 @@ TEST_CASE("lengths, domains and what lies below points are those of an independe
 }
 
 TEST_CASE("surfaces agree with their formulas evaluated slowly, for any number of sides") {
-  std::vector<AttributeNetwork> networks{leaf(), wavy_star(6)};
+  std::vector<AttributeNetwork> networks{leaf_loop(), wavy_star(6)};
   for (std::size_t sides = 2; sides <= 12; ++sides) networks.push_back(random_loop(sides, 40));
   for (const AttributeNetwork& network : strained_loops()) networks.push_back(network);
   for (const ExactPatch& patch : exact_patches()) networks.push_back(patch.network);

@@ -124,7 +124,7 @@ AttributeNetwork convex_polygon(std::size_t sides, std::uint64_t seed) {
   return network;
 }
 
-AttributeNetwork leaf() {
+AttributeNetwork leaf_loop() {
   NetworkBuilder builder("leaf");
   const Vec3 stalk(0, 0, 0), tip(2, 0, 0.3);
   const Index right = builder.curve({stalk, {0.6, -0.7, 0.3}, {1.4, -0.5, 0.5}, tip});
@@ -200,7 +200,7 @@ std::vector<AttributeNetwork> all_loops() {
   for (std::size_t sides = 2; sides <= 12; ++sides) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) result.push_back(random_loop(sides, seed));
   }
-  result.push_back(leaf());
+  result.push_back(leaf_loop());
   result.push_back(wavy_star(6));
   result.push_back(wavy_star(10));
   return result;

@@ -23,7 +23,7 @@ AttributeNetwork cyclic_polygon(std::size_t sides, std::uint64_t seed);
 /// A convex polygon of straight sides in no circle, anywhere in space.
 AttributeNetwork convex_polygon(std::size_t sides, std::uint64_t seed);
 
-AttributeNetwork leaf();                        ///< two curves
+AttributeNetwork leaf_loop();                   ///< two curves
 AttributeNetwork wavy_star(std::size_t sides);  ///< corners in and out by turns, curves of degree 5 up and down
 AttributeNetwork l_loop();                      ///< six straight sides around an L, strongly concave
 
