@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iomanip>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -14,6 +16,7 @@
 #include "croquis/base/stage_cache.h"
 #include "support/attribute_surface/joined_networks.h"
 #include "support/attribute_surface/loops.h"
+#include "support/attribute_surface/network_builder.h"
 #include "support/attribute_surface/surfaces.h"
 
 namespace croquis::bench {
@@ -67,6 +70,30 @@ std::vector<Vec2> places_in(const DomainPolygon& domain) {
   return places;
 }
 
+/// Cubics between corners in a circle, up and down by turns.
+AttributeNetwork cubic_loop(std::size_t sides) {
+  NetworkBuilder builder("cubics");
+  std::vector<AttributeSide> loop;
+  const auto corner = [&](std::size_t i) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(i % sides) / static_cast<double>(sides);
+    return Vec3(1.3 * std::cos(angle), std::sin(angle), i % sides % 2 == 0 ? 0.1 : -0.1);
+  };
+  for (std::size_t i = 0; i < sides; ++i) {
+    const Vec3 from = corner(i), along = corner(i + 1) - from;
+    const Vec3 up(0, 0, 0.15 * along.norm());
+    loop.push_back(
+        {builder.curve({from, from + 0.3 * along + up, from + 0.65 * along + up, corner(i + 1)}, CurveJoin::Crease),
+         false});
+  }
+  builder.face(std::move(loop));
+  return std::move(builder.network);
+}
+
+struct EvaluationCase {
+  const char* what;
+  AttributeNetwork network;
+};
+
 void bench_evaluation(std::ostream& out) {
   const BicubicPatch patch = any_patch();
   const std::vector<Vec2> square = places_in(uniform_polygon(4));
@@ -75,12 +102,17 @@ void bench_evaluation(std::ostream& out) {
       << std::setprecision(1) << peer << " ns).\n\n"
       << "| sides | position | smooth | ratio | with derivatives | ratio | smooth with 3 points | ratio |\n"
       << "|---|---|---|---|---|---|---|---|\n";
-  for (const std::size_t sides : std::vector<std::size_t>{3, 4, 6, 12}) {
-    const AttributeNetwork network = random_loop(sides, 90);
+  const std::vector<EvaluationCase> cases{{"3", cubic_loop(3)},
+                                          {"4", cubic_loop(4)},
+                                          {"6", cubic_loop(6)},
+                                          {"12", cubic_loop(12)},
+                                          {"4 of degree up to 6", random_loop(4, 90)},
+                                          {"3, one nearly stops", random_loop(3, 90)}};
+  for (const EvaluationCase& each : cases) {
     AttributeSurfaceOptions position;
     position.mode = AttributeMode::Position;
-    const FaceSurface plain = first_surface(network, position), smooth = first_surface(network);
-    const FaceSurface pulled = first_surface(with_points(network, 3, 0.1, 1));
+    const FaceSurface plain = first_surface(each.network, position), smooth = first_surface(each.network);
+    const FaceSurface pulled = first_surface(with_points(each.network, 3, 0.1, 1));
     const std::vector<Vec2> places = places_in(smooth.domain());
     const double base = ns_per_place(places, [&](const Vec2& place) { return plain.at(place); });
     const double full = ns_per_place(places, [&](const Vec2& place) { return smooth.at(place); });
@@ -89,7 +121,7 @@ void bench_evaluation(std::ostream& out) {
       return Vec3(at.du + at.dv);
     });
     const double points = ns_per_place(places, [&](const Vec2& place) { return pulled.at(place); });
-    out << "| " << sides << " | " << base << " | " << full << " | " << full / peer << " | " << slopes << " | "
+    out << "| " << each.what << " | " << base << " | " << full << " | " << full / peer << " | " << slopes << " | "
         << slopes / peer << " | " << points << " | " << points / peer << " |" << std::endl;
   }
 }
