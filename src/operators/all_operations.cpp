@@ -10,6 +10,8 @@
 #include "operators/perspective/perspective_operation.h"
 #include "operators/subdivide_operation.h"
 #include "operators/surface/surface_operation.h"
+#include "operators/surface/contour_network_operation.h"
+#include "operators/surface/edge_network_operation.h"
 
 namespace croquis {
 
@@ -18,6 +20,8 @@ Registry all_operations() {
   registry.add(std::make_unique<InflateOperation>());
   registry.add(std::make_unique<PerspectiveOperation>());
   registry.add(std::make_unique<AttributeNetworkOperation>());
+  registry.add(std::make_unique<ContourNetworkOperation>());
+  registry.add(std::make_unique<EdgeNetworkOperation>());
   registry.add(std::make_unique<PatchCageOperation>());
   registry.add(std::make_unique<SurfaceOperation>());
   registry.add(std::make_unique<SubdivideOperation>());
