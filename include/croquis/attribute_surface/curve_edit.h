@@ -36,9 +36,9 @@ AddedElement add_curve(AttributeNetwork network, const NewCurve& curve);
 
 /// The control polygon with its ends moved: control point j of n by (1 - j/n) start + (j/n) end. Straight stays
 /// straight.
-std::vector<Vec3> with_ends_moved(std::vector<Vec3> control, const Vec3& start, const Vec3& end);
+std::vector<Vec3> with_ends_moved_by(std::vector<Vec3> control, const Vec3& start, const Vec3& end);
 
-/// Moves nodes; the ends of their curves follow as with_ends_moved has it. Each once, though it is named twice.
+/// Moves nodes; the ends of their curves follow as with_ends_moved_by has it. Each once, though it is named twice.
 AttributeNetwork move_nodes(AttributeNetwork network, const std::vector<std::string>& nodes, const Vec3& by);
 
 /// Of a curve what people drag: its control polygon, raised to degree 3 where it has less, so that lines can be bent.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "algorithms/attribute_surface/edits/edit_errors.h"
+#include "algorithms/attribute_surface/network/loop_curves.h"
 
 namespace croquis {
 namespace {
@@ -15,14 +16,6 @@ Index node_or_new(AttributeNetwork& network, const std::string& id, const Vec3& 
   if (!id.empty()) return require_element(network, NetworkElement::Node, id);
   network.nodes.push_back({new_element_id(network, NetworkElement::Node), place});
   return static_cast<Index>(network.nodes.size() - 1);
-}
-
-/// Brings the ends of a control polygon to places, bit for bit.
-std::vector<Vec3> brought_to(std::vector<Vec3> control, const Vec3& start, const Vec3& end) {
-  control = with_ends_moved(control, start - control.front(), end - control.back());
-  control.front() = start;
-  control.back() = end;
-  return control;
 }
 
 void require_control(const std::vector<Vec3>& control) {
@@ -44,7 +37,8 @@ void move_ends(AttributeNetwork& network, const std::vector<bool>& moved, const 
   const auto way = [&](Index node) { return node != no_index && moved[node] ? by : Vec3(Vec3::Zero()); };
   for (AttributeCurve& curve : network.curves) {
     const bool moves = (curve.from != no_index && moved[curve.from]) || (curve.to != no_index && moved[curve.to]);
-    if (moves && !curve.control.empty()) curve.control = with_ends_moved(curve.control, way(curve.from), way(curve.to));
+    if (moves && !curve.control.empty())
+      curve.control = with_ends_moved_by(curve.control, way(curve.from), way(curve.to));
   }
 }
 
@@ -96,13 +90,13 @@ AddedElement add_curve(AttributeNetwork network, const NewCurve& curve) {
     added.to = node_or_new(network, curve.to, end);
   }
   if (!curve.free && !added.control.empty())
-    added.control = brought_to(added.control, network.nodes[added.from].point, network.nodes[added.to].point);
+    added.control = with_ends_moved(added.control, network.nodes[added.from].point, network.nodes[added.to].point);
   std::string id = added.id;
   network.curves.push_back(std::move(added));
   return {std::move(network), std::move(id)};
 }
 
-std::vector<Vec3> with_ends_moved(std::vector<Vec3> control, const Vec3& start, const Vec3& end) {
+std::vector<Vec3> with_ends_moved_by(std::vector<Vec3> control, const Vec3& start, const Vec3& end) {
   const double degree = static_cast<double>(std::max<std::size_t>(control.size(), 2) - 1);
   for (std::size_t j = 0; j < control.size(); ++j) {
     const double share = static_cast<double>(j) / degree;
@@ -189,7 +183,8 @@ AttributeNetwork tie_ends(AttributeNetwork network, const std::string& id, doubl
   AttributeCurve& curve = network.curves[index];
   curve.from = from;
   curve.to = to;
-  if (!curve.control.empty()) curve.control = brought_to(control, network.nodes[from].point, network.nodes[to].point);
+  if (!curve.control.empty())
+    curve.control = with_ends_moved(control, network.nodes[from].point, network.nodes[to].point);
   return network;
 }
 

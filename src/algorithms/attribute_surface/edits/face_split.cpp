@@ -11,9 +11,10 @@
 #include "algorithms/attribute_surface/edits/element_removal.h"
 #include "algorithms/attribute_surface/edits/loop_shape.h"
 #include "algorithms/attribute_surface/edits/mean_value.h"
+#include "algorithms/attribute_surface/network/loop_curves.h"
+#include "algorithms/attribute_surface/network/network_words.h"
 #include "croquis/attribute_surface/arc_length_curve.h"
 #include "croquis/attribute_surface/face_edit.h"
-#include "croquis/base/text.h"
 
 namespace croquis {
 namespace {
@@ -51,7 +52,7 @@ Index node_on_loop(AttributeNetwork& network, Index face, Index cut, bool last, 
   if (found.distance > reach) {
     const std::string& id = network.curves[cut].id;
     throw Error(make_error(Category::Geometry, "E_OPEN_LOOP",
-                           "Curve \"" + id + "\" ends " + number_text(found.distance) +
+                           "Curve \"" + id + "\" ends " + length_text(network, found.distance) +
                                " away from the loop of face \"" + network.faces[face].id +
                                "\": bring its ends to the loop.",
                            {named_curve(id), named_face(network.faces[face].id)}));
@@ -121,11 +122,7 @@ AttributeNetwork tied_to(AttributeNetwork network, Index cut, Index from, Index 
   const Index old[] = {curve.from, curve.to};
   const Vec3 start = network.nodes[from].point;
   const Vec3 end = network.nodes[to].point;
-  if (!curve.control.empty()) {
-    curve.control = with_ends_moved(curve.control, start - curve.control.front(), end - curve.control.back());
-    curve.control.front() = start;
-    curve.control.back() = end;
-  }
+  if (!curve.control.empty()) curve.control = with_ends_moved(curve.control, start, end);
   curve.from = from;
   curve.to = to;
   RemovedElements removed(network);

@@ -8,16 +8,16 @@
 
 #include "algorithms/attribute_surface/edits/curve_ends.h"
 #include "algorithms/attribute_surface/edits/edit_errors.h"
+#include "algorithms/attribute_surface/network/network_words.h"
 #include "croquis/attribute_surface/face_edit.h"
 #include "croquis/attribute_surface/loop_search.h"
-#include "croquis/base/text.h"
 
 namespace croquis {
 namespace {
 
 constexpr std::size_t most_loop_sides = 64;
 
-std::string quoted(const AttributeNetwork& network, Index curve) { return '"' + network.curves[curve].id + '"'; }
+std::string curve_name(const AttributeNetwork& network, Index curve) { return quoted(network.curves[curve].id); }
 
 /// Sorts the curves of one loop, or says why they are none.
 class LoopOrder {
@@ -51,7 +51,7 @@ class LoopOrder {
     if (curves_.empty()) complain("E_TOO_FEW", "No curve is chosen: choose those around a patch.", {});
     if (lone)
       complain("E_TOO_FEW",
-               "Curve " + quoted(network_, curves_[0]) + " isn't closed: choose all curves around a patch.",
+               "Curve " + curve_name(network_, curves_[0]) + " isn't closed: choose all curves around a patch.",
                {curves_[0]});
     return loop_.findings.empty();
   }
@@ -85,7 +85,7 @@ class LoopOrder {
     for (std::size_t end = 0; end < 2 * curves_.size(); ++end) {
       if (ends_.of(end / 2, end % 2 == 1) != place) continue;
       named.push_back(curves_[end / 2]);
-      names += (names.empty() ? "" : ", ") + quoted(network_, curves_[end / 2]);
+      names += (names.empty() ? "" : ", ") + curve_name(network_, curves_[end / 2]);
     }
     complain("E_OPEN_LOOP", "Curves " + names + " all meet at one place: leave out those that aren't around the patch.",
              named);
@@ -106,12 +106,12 @@ class LoopOrder {
       }
       const Index a = curves_[loose[nearest.first] / 2];
       const Index b = curves_[loose[nearest.second] / 2];
-      const std::string who = a == b ? "Both ends of curve " + quoted(network_, a)
-                                     : "Curves " + quoted(network_, a) + " and " + quoted(network_, b);
-      complain(
-          "E_OPEN_LOOP",
-          who + " are " + number_text(least) + " apart: move their ends together, or choose the curve between them.",
-          a == b ? std::vector{a} : std::vector{a, b});
+      const std::string who = a == b ? "Both ends of curve " + curve_name(network_, a)
+                                     : "Curves " + curve_name(network_, a) + " and " + curve_name(network_, b);
+      complain("E_OPEN_LOOP",
+               who + " are " + length_text(network_, least) +
+                   " apart: move their ends together, or choose the curve between them.",
+               a == b ? std::vector{a} : std::vector{a, b});
       loose.erase(loose.begin() + static_cast<std::ptrdiff_t>(nearest.second));
       loose.erase(loose.begin() + static_cast<std::ptrdiff_t>(nearest.first));
     }
@@ -124,8 +124,9 @@ class LoopOrder {
       if (std::ranges::find(loop_.sides, curve, &AttributeSide::curve) == loop_.sides.end()) others.push_back(curve);
     }
     complain("E_OPEN_LOOP",
-             "The curves are more than one loop: choose those of the loop with curve " + quoted(network_, curves_[0]) +
-                 " or those of the loop with curve " + quoted(network_, others.front()) + ".",
+             "The curves are more than one loop: choose those of the loop with curve " +
+                 curve_name(network_, curves_[0]) + " or those of the loop with curve " +
+                 curve_name(network_, others.front()) + ".",
              {curves_[0], others.front()});
     loop_.sides.clear();
     loop_.snaps.clear();

@@ -7,6 +7,8 @@
 
 #include <Eigen/Geometry>
 
+#include "algorithms/attribute_surface/edits/element_removal.h"
+#include "algorithms/attribute_surface/network/loop_curves.h"
 #include "croquis/attribute_surface/loop_search.h"
 
 namespace croquis {
@@ -174,9 +176,7 @@ void NetworkImage::renew_face_settings(Index original) {
 void NetworkImage::renew_face_loop(Index original) {
   const Index partner = partners_.faces[original];
   result_.faces[partner].loop = loop(original);
-  for (PointAttribute& one : result_.points) {
-    if (one.face == partner) one.fan.reset();
-  }
+  forget_places(result_, partner);
 }
 
 void NetworkImage::renew_inner_curves(Index original) {
@@ -210,9 +210,6 @@ void NetworkImage::centre_curve(Index index) {
   for (Vec3& place : mirror) place = map_(place);
   if (backwards_[index]) std::ranges::reverse(mirror);
   for (std::size_t i = 0; i < control.size(); ++i) control[i] = (control[i] + mirror[i]) / 2;
-  const AttributeCurve& curve = result_.curves[index];
-  if (!control.empty() && curve.from != no_index) control.front() = result_.nodes[curve.from].point;
-  if (!control.empty() && curve.to != no_index) control.back() = result_.nodes[curve.to].point;
 }
 
 void NetworkImage::centre_point(Index point) {
@@ -236,8 +233,39 @@ void NetworkImage::complete_loop(Index face) {
     for (AttributeSide& one : sorted.sides) one.reversed = !one.reversed;
   }
   result_.faces[face].loop = std::move(sorted.sides);
-  for (PointAttribute& one : result_.points) {
-    if (one.face == face) one.fan.reset();
+  forget_places(result_, face);
+}
+
+std::optional<AttributeSide> NetworkImage::new_side(Index from, Index to) const {
+  for (Index i = static_cast<Index>(original_.curves.size()); i < result_.curves.size(); ++i) {
+    for (const bool reversed : {false, true}) {
+      const AttributeSide side{i, reversed};
+      if (start_node(result_, side) == from && end_node(result_, side) == to) return side;
+    }
+  }
+  return std::nullopt;
+}
+
+void NetworkImage::meet_nodes() {
+  for (AttributeCurve& curve : result_.curves) {
+    if (curve.control.empty() || (curve.from == no_index && curve.to == no_index)) continue;
+    const Vec3 start = curve.from == no_index ? curve.control.front() : result_.nodes[curve.from].point;
+    const Vec3 end = curve.to == no_index ? curve.control.back() : result_.nodes[curve.to].point;
+    curve.control = with_ends_moved(std::move(curve.control), start, end);
+  }
+}
+
+void NetworkImage::mend_loops() {
+  for (Index index = 0; index < result_.faces.size(); ++index) {
+    std::vector<AttributeSide>& loop = result_.faces[index].loop;
+    const std::size_t count = loop.size();
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Index end = end_node(result_, loop[i]);
+      const Index start = start_node(result_, loop[(i + 1) % loop.size()]);
+      const auto between = end == start ? std::nullopt : new_side(end, start);
+      if (between) loop.insert(loop.begin() + static_cast<std::ptrdiff_t>(i + 1), *between);
+    }
+    if (loop.size() != count) forget_places(result_, index);
   }
 }
 

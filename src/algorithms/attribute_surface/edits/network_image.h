@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,12 @@ class NetworkImage {
   void centre_point(Index point);
   void complete_loop(Index face);  ///< with the images of its curves
 
+  /// Where an image has parted neighbours in a loop, as that of a curve that was split does, the new curve that goes
+  /// from one to the other is put between them.
+  void mend_loops();
+  /// Curves follow nodes that were brought into the plane.
+  void meet_nodes();
+
   const NetworkElements& added() const { return added_; }
   AttributeNetwork& network() { return result_; }
 
@@ -49,6 +56,7 @@ class NetworkImage {
   std::string name_for(NetworkElement kind, const std::string& original);
   AttributeSide side(const AttributeSide& original);
   std::vector<AttributeSide> loop(Index original);
+  std::optional<AttributeSide> new_side(Index from, Index to) const;
   std::vector<InnerCurve> inner_curves(Index original);
   AttributeCurve curve_image(Index original);
   PointAttribute point_image(Index original, Index face);

@@ -182,6 +182,7 @@ MirroredNetwork mirror_network(const AttributeNetwork& network, const SymmetryPl
     const SlopeAttribute& slope = network.slopes[i];
     if (partners.curves[slope.curve] == no_index || lacks_image(partners, slope.face)) image.add_slope(i);
   }
+  image.meet_nodes();
   result.added = image.added();
   result.network = std::move(image.network());
   return result;

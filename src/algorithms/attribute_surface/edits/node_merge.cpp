@@ -39,7 +39,7 @@ AttributeNetwork merged_into(AttributeNetwork network, const std::vector<Index>&
     if (!moves(curve.from) && !moves(curve.to)) continue;
     const bool starts = moves(curve.from);
     const bool ends = moves(curve.to);
-    if (!curve.control.empty()) curve.control = with_ends_moved(curve.control, way(curve.from), way(curve.to));
+    if (!curve.control.empty()) curve.control = with_ends_moved_by(curve.control, way(curve.from), way(curve.to));
     for (Index* node : {&curve.from, &curve.to}) {
       if (*node != no_index) *node = into[*node];
     }

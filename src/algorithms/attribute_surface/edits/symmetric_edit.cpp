@@ -189,6 +189,8 @@ AttributeNetwork with_symmetric_edit(const AttributeNetwork& before, const Attri
                                 carried_over(old.points, now.points, partners.points, found.points)};
   NetworkImage image(after, plane, carried);
   renew_all(image, edit, carried);
+  image.mend_loops();
+  image.meet_nodes();
   const NetworkElements deleted{{},
                                 images_of_deleted(before.curves, now.curves, partners.curves),
                                 images_of_deleted(before.faces, now.faces, partners.faces),
