@@ -8,6 +8,7 @@
 #include "croquis/tools/perspective/perspective_steps.h"
 #include "croquis/tools/recording/general_steps.h"
 #include "croquis/tools/silhouette/sketch_steps.h"
+#include "croquis/tools/surface/surface_steps.h"
 
 namespace croquis::recorded {
 
@@ -21,6 +22,7 @@ const Vocabulary& all_steps() {
     made.add(measure_steps());
     made.add(perspective_steps());
     made.add(backdrop_steps());
+    made.add(surface_steps());
     return made;
   }();
   return vocabulary;

@@ -12,6 +12,7 @@
 #include "croquis/attribute_surface/network_mirror.h"
 #include "croquis/session/session.h"
 #include "croquis/tools/pointer/mesh_event.h"
+#include "croquis/tools/pointer/session_drag.h"
 #include "croquis/tools/pointer/verdict.h"
 #include "croquis/tools/recording/step.h"
 #include "croquis/tools/surface/drawing_plane.h"
@@ -170,7 +171,65 @@ class SurfaceTool {
 
  private:
   enum class Gesture { None, Draw, Press, Box, Move, Handle, Slope, Ring, Pull };
-  struct Drag;
+
+  /// A network as a drag has changed it, and the step that does the same.
+  struct Dragged {
+    AttributeNetwork network;
+    recorded::Step step;
+    std::string label;
+  };
+
+  /// What a sample of a stroke lies over.
+  struct Sample {
+    Vec2 pixel = Vec2::Zero();
+    std::optional<SurfaceHit> patch;
+    std::optional<Vec3> mesh;  ///< nearer than the patch
+  };
+
+  Verdict begin(const SurfaceEvent& event);
+  void go_on(const SurfaceEvent& event);
+  Verdict finish();
+  Verdict give_up();
+  void end_gesture();
+
+  // Draw
+  void add_sample(const Vec2& pixel);
+  void preview_stroke();
+  std::optional<SurfaceSnap> snap_at(const ViewFrame& frame, const Vec2& pixel) const;
+  std::string face_drawn_on() const;  ///< empty for none
+  bool draws_on_mesh() const;
+  SpacePlane plane_for(const std::optional<SurfaceSnap>& end) const;
+  std::vector<Vec3> stroke_places(const std::optional<SurfaceSnap>& end) const;
+  std::vector<Vec3> places_over(const std::string& face) const;
+  Verdict finish_stroke();
+
+  // Select, Patch, Point
+  void press();
+  void start_drag();
+  void drag_to();
+  Dragged dragged() const;
+  Dragged moved() const;
+  Dragged slope_dragged() const;
+  Dragged ring_dragged() const;
+  Dragged point_pulled() const;
+  Vec3 way_across(const Vec3& place) const;
+  Vec3 way_along(const Vec3& place, const Vec3& normal) const;
+  std::optional<PickedPlace> node_to_join() const;
+  Verdict finish_drag();
+  Verdict finish_click();
+  Verdict finish_box();
+  std::optional<PickedPlace> pick(const ViewFrame& frame, const Vec2& pixel) const;
+  bool ring_at(const ViewFrame& frame, const Vec2& pixel) const;
+  std::optional<SlopeTip> slope_at(const ViewFrame& frame, const Vec2& pixel) const;
+  std::optional<SurfaceHit> hit_at(const ViewFrame& frame, const Vec2& pixel) const;
+  std::optional<LoopAround> loop_at(const ViewFrame& frame, const Vec2& pixel) const;
+  Verdict click_in_loop();
+
+  // The document
+  Verdict commit(const std::string& label, AttributeNetwork network, recorded::Step step);
+  AttributeNetwork on_both_sides(const AttributeNetwork& before, AttributeNetwork after) const;
+  Document with_network(AttributeNetwork network) const;
+  AttributeNetwork network_or_empty() const;
 
   Session& session_;
   SurfaceToolOptions options_;
@@ -184,7 +243,21 @@ class SurfaceTool {
   SurfacePreview preview_;
   std::optional<recorded::Step> done_;
   Findings notes_;
+
   Gesture gesture_ = Gesture::None;
+  SurfaceEvent start_;                 ///< that began the gesture
+  Vec2 last_ = Vec2::Zero();           ///< where the pointer is
+  std::vector<Sample> samples_;        ///< Draw
+  std::optional<SurfaceSnap> from_;    ///< Draw: what the stroke begins at
+  std::optional<PickedPlace> picked_;  ///< under the press
+  std::optional<SlopeTip> tip_;        ///< under the press
+  std::optional<SurfaceHit> hit_;      ///< under the press
+  bool on_ring_ = false;               ///< the press was on the ring of the selected point
+  NetworkElements moving_;             ///< Move
+  SessionDrag drag_;
+  std::shared_ptr<const AttributeNetwork> original_;  ///< before the drag …
+  std::optional<NetworkPartners> partners_;           ///< … and its symmetry
+  std::optional<recorded::Step> dragged_;             ///< what the drag does by now
 };
 
 /// "part" of a selected item, and back: "curve c1".
