@@ -15,8 +15,8 @@ void describe(QCommandLineParser& parser) {
       "Draw with a pen and watch it become solid.\n\nExample:\n  croquis --new silhouette");
   parser.addHelpOption();
   parser.addVersionOption();
-  parser.addPositionalArgument("FILE", "Projects (.croq), drawings (.svg), meshes or pictures to open.", "[FILE…]");
-  parser.addOption({"new", "Start with an empty drawing of this kind: silhouette or perspective.", "kind"});
+  parser.addPositionalArgument("FILE", "Projects (.croq), drawings (.svg), networks of curves (.json), meshes or pictures to open.", "[FILE…]");
+  parser.addOption({"new", "Start with an empty drawing of this kind: silhouette, perspective or surface.", "kind"});
   parser.addOption({"screenshot", "Open, evaluate, save the window's picture here, quit.", "png"});
   parser.addOption({"replay", "Replay recorded actions and pen strokes, then quit.", "file"});
   parser.addOption({"record", "Append whatever is done to this recording.", "file"});
@@ -51,9 +51,9 @@ std::optional<LaunchOptions> parse_command_line(const QStringList& arguments, in
   LaunchOptions options{parser.positionalArguments(), parser.value("new"),    parser.value("screenshot"),
                         parser.value("replay"),       parser.value("record"), parser.isSet("stay"),
                         parser.isSet("software-gl")};
-  const QStringList kinds{"silhouette", "perspective"};
+  const QStringList kinds{"silhouette", "perspective", "surface"};
   if (!options.new_kind.isEmpty() && !kinds.contains(options.new_kind)) {
-    refuse("--new takes silhouette or perspective; \"" + options.new_kind + "\" is not built yet");
+    refuse("--new takes silhouette, perspective or surface; \"" + options.new_kind + "\" is not built yet");
     exit_code = wrong_usage;
     return std::nullopt;
   }

@@ -10,7 +10,7 @@ namespace croquis::app {
 /// The studio's command line options.
 struct LaunchOptions {
   QStringList files;
-  QString new_kind;    ///< --new: "silhouette", "perspective", or empty
+  QString new_kind;    ///< --new: "silhouette", "perspective", "surface", or empty
   QString screenshot;  ///< --screenshot: evaluate, save the window's picture, quit
   QString replay;      ///< --replay: play, then quit unless `stay`
   QString record;      ///< --record: append what is done to this recording

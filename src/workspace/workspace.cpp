@@ -207,7 +207,9 @@ bool Workspace::begins_empty(const WorkObject& object) const {
   const Node* first = session_.document().find(object.chain.front());
   const auto sketch = source_of<Drawing>(first);
   const auto sheet = source_of<PerspectiveDrawing>(first);
-  return (sketch && sketch->strokes.empty()) || (sheet && sheet->strokes.empty());
+  const auto network = source_of<AttributeNetwork>(first);
+  return (sketch && sketch->strokes.empty()) || (sheet && sheet->strokes.empty()) ||
+         (network && network->faces.empty());
 }
 
 /// The node whose result is shown; 0 when nothing needs to be computed.

@@ -23,6 +23,7 @@ struct EvaluatedPlace {
 };
 
 struct SurfaceResult {
+  std::shared_ptr<const AttributeNetwork> network;  ///< that it was made of
   std::shared_ptr<const AttributeSurface> surface;  ///< by the indices of the network
   std::vector<SurfacePart> parts;                   ///< of the mesh: triangles, and vertices with their places
   SurfaceMeasures measures;

@@ -9,6 +9,7 @@
 #include "app/files/picture_reader.h"
 #include "app/panels/word_list.h"
 #include "croquis/base/error.h"
+#include "croquis/io/attribute_network_file.h"
 #include "croquis/io/file.h"
 #include "croquis/io/mesh_file.h"
 #include "croquis/io/perspective_drawing_file.h"
@@ -27,21 +28,26 @@ bool is_perspective_drawing(const std::string& bytes) { return bytes.find("urn:c
 
 bool has_ending(const QString& path, const char* ending) { return QFileInfo(path).suffix().toLower() == ending; }
 
-/// Other JSON files are cameras. Drawings name their format at the beginning.
+/// Other JSON files are cameras. Drawings and networks name their format at the beginning.
 bool is_json_drawing(const QString& path) {
   constexpr qint64 looked_at = 4096;  // bytes
   QFile file(path);
-  return has_ending(path, "json") && file.open(QIODevice::ReadOnly) &&
-         file.read(looked_at).contains("croquis-perspective/");
+  if (!has_ending(path, "json") || !file.open(QIODevice::ReadOnly)) return false;
+  const QByteArray beginning = file.read(looked_at);
+  return beginning.contains("croquis-perspective/") || beginning.contains("croquis-abs/");
 }
 
 ReadFile sheet_of(const QString& path, PerspectiveReadResult read) {
   return {path, std::make_shared<const PerspectiveDrawing>(std::move(read.drawing)), std::move(read.warnings)};
 }
 
-/// A drawing or a camera.
+/// A drawing, a network of curves or a camera.
 ReadFile read_json_file(const QString& path, const std::string& bytes, const std::string& file) {
   if (bytes.find("croquis-perspective/") != bytes.npos) return sheet_of(path, read_perspective_json(bytes, file));
+  if (bytes.find("croquis-abs/") != bytes.npos) {
+    AttributeNetworkReadResult read = read_attribute_network(bytes, file);
+    return {path, std::make_shared<const AttributeNetwork>(std::move(read.network)), std::move(read.warnings)};
+  }
   return {path, read_camera_file(bytes, file), {}};
 }
 
@@ -78,7 +84,7 @@ bool FileReader::replaces_document(const QString& path) {
 QString FileReader::dialog_filter() {
   QStringList endings{"*.croq", "*.svg", "*.json", "*.fspy"};
   QStringList kinds{tr("Projects (*.croq)"), tr("Earlier versions of projects (*.croq~*)"),
-                    tr("Drawings (*.svg *.json)"), tr("Cameras (*.fspy *.json)")};
+                    tr("Drawings and networks of curves (*.svg *.json)"), tr("Cameras (*.fspy *.json)")};
   for (const MeshFormat format : mesh_formats()) {
     const QString ending = "*" + QString::fromStdString(extension_of(format));
     endings << ending;

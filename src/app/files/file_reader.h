@@ -17,11 +17,12 @@
 
 namespace croquis::app {
 
-/// What a file held: a project, a drawing, a mesh, a picture or a camera.
+/// What a file held: a project, a drawing, a network of curves, a mesh, a picture or a camera.
 struct ReadFile {
   QString path;
   std::variant<Document, std::shared_ptr<const Drawing>, std::shared_ptr<const PerspectiveDrawing>,
-               std::shared_ptr<const PolyMesh>, std::shared_ptr<const PictureFile>, CameraFile>
+               std::shared_ptr<const AttributeNetwork>, std::shared_ptr<const PolyMesh>,
+               std::shared_ptr<const PictureFile>, CameraFile>
       content;
   Findings warnings;
 };
@@ -34,7 +35,7 @@ class FileReader : public QObject {
   FileReader();
   ~FileReader() override;
 
-  /// What opens there takes the place of what is open: projects and drawings do, all else is added to it.
+  /// What opens there takes the place of what is open: projects, drawings and networks do, all else is added to it.
   static bool replaces_document(const QString& path);
 
   /// What a drawing is that doesn't say so: SVG files of other programs can be sketches and drawings in perspective.

@@ -215,6 +215,10 @@ void ProjectFiles::take(const ReadFile& file) {
     studio_.start_with(**sheet, QFileInfo(file.path).completeBaseName().toStdString());
     earlier_version_.clear();
     set_path({});
+  } else if (const auto* network = std::get_if<std::shared_ptr<const AttributeNetwork>>(&file.content)) {
+    studio_.start_with(**network, QFileInfo(file.path).completeBaseName().toStdString());
+    earlier_version_.clear();
+    set_path({});
   } else {
     studio_.start_with(*std::get<std::shared_ptr<const Drawing>>(file.content));
     earlier_version_.clear();
@@ -349,8 +353,12 @@ void ProjectFiles::export_step(const QString& path) {
 
 void ProjectFiles::export_drawing(const QString& path) const {
   OutputTransaction files;
-  const auto sheet = source_of<PerspectiveDrawing>(studio_.session().document().find(studio_.sheet_node()));
-  files.add(local(path), sheet ? write_perspective_svg(*sheet) : write_svg_drawing(studio_.drawing()));
+  const Document& document = studio_.session().document();
+  const auto sheet = source_of<PerspectiveDrawing>(document.find(studio_.sheet_node()));
+  const auto network = source_of<AttributeNetwork>(document.find(studio_.network_node()));
+  files.add(local(path), network ? write_attribute_network(*network)
+                         : sheet ? write_perspective_svg(*sheet)
+                                 : write_svg_drawing(studio_.drawing()));
   files.commit();
 }
 

@@ -151,7 +151,7 @@ void ReplayPlayer::play(const recorded::File& step) {
     window_.files().save(file);
   } else if (file.endsWith(".png")) {
     window_.export_picture(file);
-  } else if (file.endsWith(".svg")) {
+  } else if (file.endsWith(".svg") || (file.endsWith(".json") && window_.studio().network_node() != 0)) {
     window_.files().export_drawing(file);
   } else if (file.endsWith(".json")) {
     wait_until_settled(window_);

@@ -67,6 +67,12 @@ NodeId Studio::sheet_node() const {
   return source_of<PerspectiveDrawing>(session().document().find(first)) ? first : 0;
 }
 
+NodeId Studio::network_node() const {
+  const WorkObject* object = active();
+  const NodeId first = object == nullptr ? 0 : object->chain.front();
+  return source_of<AttributeNetwork>(session().document().find(first)) ? first : 0;
+}
+
 NodeId Studio::drawing_node() const {
   const auto is_drawing = [&](NodeId id) { return source_of<Drawing>(session().document().find(id)) != nullptr; };
   const WorkObject* object = active();
@@ -100,6 +106,12 @@ PerspectiveToolOptions Studio::sheet_options() const {
   return options_for<PerspectiveToolOptions>(*first_operation_on(ValueType::PerspectiveDrawing));
 }
 
+SurfaceToolOptions Studio::network_options() const {
+  const SurfaceToolOptions usual;
+  const OperationDescription* operation = description(usual.operation);
+  return operation == nullptr ? usual : options_for<SurfaceToolOptions>(*operation);
+}
+
 /// A sketch stays the one worked on while objects are chosen that come from none.
 void Studio::follow_sketch() { sketch_ = drawing_node(); }
 
@@ -113,6 +125,12 @@ void Studio::start_with(PerspectiveDrawing drawing, const std::string& name) {
   PerspectiveToolOptions options = sheet_options();
   if (!name.empty()) options.name = name;
   load(add_perspective_drawing(Document(), std::move(drawing), options));
+}
+
+void Studio::start_with(AttributeNetwork network, const std::string& name) {
+  SurfaceToolOptions options = network_options();
+  if (!name.empty()) options.name = name;
+  load(add_network(Document(), std::move(network), options));
 }
 
 void Studio::start_with(const std::string& name, Value value, const std::string& operation) {

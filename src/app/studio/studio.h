@@ -9,6 +9,7 @@
 #include "app/studio/face_sets.h"
 #include "croquis/tools/perspective/perspective_tool.h"
 #include "croquis/tools/silhouette/sketch_tool.h"
+#include "croquis/tools/surface/surface_tool.h"
 #include "croquis/workspace/object_names.h"
 #include "croquis/workspace/workspace.h"
 
@@ -32,6 +33,8 @@ class Studio : public QObject, public Workspace {
 
   /// The perspective drawing of the active object; 0 when it doesn't begin with one. Then the sketch view is its sheet.
   NodeId sheet_node() const;
+  /// The network of curves that the active object begins with; 0 when it doesn't.
+  NodeId network_node() const;
   NodeId drawing_node() const;  ///< 0 when there is none
   /// What the sketch view shows: the sheet, else the sketch; 0 when there is neither.
   NodeId shown_drawing() const { return sheet_node() != 0 ? sheet_node() : drawing_node(); }
@@ -47,10 +50,12 @@ class Studio : public QObject, public Workspace {
   /// What a sketch tool of this studio makes with its first stroke.
   SketchToolOptions tool_options() const;
   PerspectiveToolOptions sheet_options() const;  ///< the same for drawings in perspective
+  SurfaceToolOptions network_options() const;    ///< the same for networks of curves
 
   /// Replaces the document by one drawing and the solid made of it; forgets the history.
   void start_with(Drawing drawing);
   void start_with(PerspectiveDrawing drawing, const std::string& name = {});
+  void start_with(AttributeNetwork network, const std::string& name = {});
   void start_empty();
 
   /// Replaces the document by a value with one step after it; forgets the history.

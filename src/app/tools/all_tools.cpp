@@ -8,6 +8,7 @@
 #include "app/tools/perspective/perspective_drawing_tool.h"
 #include "app/tools/silhouette/silhouette_tool.h"
 #include "app/tools/subdivision/subdivision_tool.h"
+#include "app/tools/surface/surface_drawing_tool.h"
 
 namespace croquis::app {
 
@@ -15,6 +16,7 @@ std::vector<std::unique_ptr<Tool>> all_tools(ToolHost& host) {
   std::vector<std::unique_ptr<Tool>> tools;
   tools.push_back(std::make_unique<SilhouetteTool>(host));
   tools.push_back(std::make_unique<PerspectiveDrawingTool>(host));
+  tools.push_back(std::make_unique<SurfaceDrawingTool>(host));
   tools.push_back(std::make_unique<MeshEditingTool>(host));
   tools.push_back(std::make_unique<SubdivisionTool>(host));
   tools.push_back(std::make_unique<HoleFillingTool>(host));

@@ -331,10 +331,13 @@ void MainWindow::ask_export_picture() {
 }
 
 void MainWindow::ask_export_drawing() {
-  const QString proposed = QString::fromStdString(document_name(studio_)) + ".svg";
-  QString path = QFileDialog::getSaveFileName(this, tr("Export drawing"), proposed_path(proposed), tr("SVG (*.svg)"));
+  const bool network = studio_.network_node() != 0;
+  const QString ending = network ? QStringLiteral(".json") : QStringLiteral(".svg");
+  const QString proposed = QString::fromStdString(document_name(studio_)) + ending;
+  QString path = QFileDialog::getSaveFileName(this, tr("Export drawing"), proposed_path(proposed),
+                                              network ? tr("Network of curves (*.json)") : tr("SVG (*.svg)"));
   if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += ".svg";
+  if (QFileInfo(path).suffix().isEmpty()) path += ending;
   attempt([&] {
     files_.export_drawing(path);
     tell_written(path);

@@ -126,6 +126,7 @@ OperationResult SurfaceOperation::compute(const Values& inputs, const ParameterV
   OperationResult result;
   SurfaceSettings settings = read_surface_settings(parameters, context.quality);
   SurfaceResult details;
+  details.network = inputs.at("network").as<AttributeNetwork>();
   details.evaluated = read_questions(inputs, network, result.warnings);
   MemoStageCache cache(context.memo);
   StageCache* kept = context.memo != nullptr ? &cache : nullptr;

@@ -71,15 +71,18 @@ void SilhouetteTool::set_mode(const QString& mode) {
   Tool::set_mode(mode);
   sketch_.set_mode(sketch_mode(mode));
   Viewport& views = host().viewport();
-  if (draws() && !views.pane(SketchView).visible()) views.arrange(Arrangement::SketchAndSolid);
+  if (draws() && studio().network_node() == 0 && !views.pane(SketchView).visible())
+    views.arrange(Arrangement::SketchAndSolid);
 }
 
 bool SilhouetteTool::works_in(int view) const {
   return has_view(view) && (draws() || (mode() == select_mode && is_paper(view)));
 }
 
-/// The sketch view shows sketches unless it is the sheet of a drawing in perspective.
-bool SilhouetteTool::has_view(int view) const { return view == SketchView && studio().sheet_node() == 0; }
+/// The sketch view shows sketches unless it is the sheet of a drawing in perspective, or a view of a network.
+bool SilhouetteTool::has_view(int view) const {
+  return view == SketchView && studio().sheet_node() == 0 && studio().network_node() == 0;
+}
 
 bool SilhouetteTool::is_paper(int view) const {
   return has_view(view) && (sketch_.scene().has_strokes() || !studio().has_cage());

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tools/surface/drawable_meshes.h"
+
+#include <Eigen/Geometry>
+
+namespace croquis::app {
+namespace {
+
+/// Newell's normal: of concave faces, too. Of no length for a face without area.
+Vec3 face_normal(const PolyMesh& mesh, Index face) {
+  const auto corners = mesh.face(face);
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Vec3& a = mesh.positions[corners[k]];
+    const Vec3& b = mesh.positions[corners[(k + 1) % corners.size()]];
+    sum += (a - mesh.positions[corners[0]]).cross(b - mesh.positions[corners[0]]);
+  }
+  return sum.normalized();
+}
+
+}  // namespace
+
+MeshPicker& DrawableMeshes::picker_of(const WorkObject& object) {
+  Kept& kept = kept_[object.node];
+  if (kept.mesh != object.shown()) {
+    kept.mesh = object.shown();
+    kept.picker = std::make_unique<MeshPicker>(kept.mesh, std::make_shared<const MeshTopology>(*kept.mesh));
+  }
+  return *kept.picker;
+}
+
+std::optional<MeshHit> DrawableMeshes::under(const Ray& ray, NodeId except) {
+  std::optional<MeshHit> nearest;
+  for (const WorkObject& object : studio_.objects()) {
+    const bool is_seen = object.visible && object.shown() && object.shown()->face_count() > 0;
+    if (!is_seen || object.node == except) continue;
+    const auto hit = picker_of(object).face_under(ray);
+    if (!hit || (nearest && hit->distance >= nearest->distance)) continue;
+    nearest = MeshHit{hit->place, face_normal(*object.shown(), hit->element), hit->distance};
+  }
+  return nearest;
+}
+
+}  // namespace croquis::app

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+#include <functional>
+#include <optional>
+
+#include "app/tools/surface/drawable_meshes.h"
+#include "app/tools/surface/network_scene.h"
+#include "croquis/tools/pointer/pen.h"
+
+namespace croquis::app {
+
+class Viewport;
+
+/// Work on a network of curves: pen and mouse events of any view draw curves, pull points and fill loops, and the views
+/// show what they do.
+class NetworkInteraction : public QObject {
+  Q_OBJECT
+
+ public:
+  /// @param views outlive this
+  NetworkInteraction(Studio& studio, Viewport& views);
+
+  SurfaceTool& tool() { return tool_; }
+  const SurfaceTool& tool() const { return tool_; }
+
+  /// Runs one of the tool's functions; what it did is recorded, what it refused is told.
+  void act(const std::function<Verdict(SurfaceTool&)>& work);
+
+  void set_mode(SurfaceMode mode);
+  void take(const PointerEvent& event);  ///< its place in its view's pixels
+  bool down() const { return pen_.down(); }
+  bool abandon();
+
+  /// Of the active object; an empty one while there is none.
+  const AttributeNetwork& network() const { return *network_; }
+  const ShownSurface& shown() const { return shown_; }
+  Findings findings() const;
+  Affine3 to_world() const { return shown_.to_world; }
+  const SurfaceSight* sight() const { return sight_.get(); }  ///< null before the first one
+
+  /// Why the last gesture or command did nothing.
+  const Findings& notes() const { return tool_.notes(); }
+
+  /// How a view sees the network's own space.
+  ViewFrame frame_of(int view) const;
+
+  const NetworkScene& scene() const { return scene_; }
+  void add_to(render::Scene& scene, int view) const;
+
+  /// The sentences of the findings under the pointer.
+  const QString& told_finding() const { return told_finding_; }
+
+  bool shows_jumps() const { return jumps_; }
+  void show_jumps(bool on);
+
+  void follow_document();
+  void follow_result();
+
+ signals:
+  void changed();  ///< what is drawn
+  void state_changed();
+  void committed(const croquis::recorded::Step& step);
+  void told(const QString& sentence);
+
+ private:
+  void take_pen(const std::vector<PenStep>& steps);
+  void feed(const PenStep& step);
+  void finish(Verdict verdict);
+  void hover(const PointerEvent& event);
+  void show_preview();
+  QString told_at(const Vec2& pixel, int view) const;
+
+  Studio& studio_;
+  Viewport& views_;
+  SurfaceTool tool_;
+  PenInput pen_;
+  DrawableMeshes meshes_;
+  NetworkScene scene_;
+  std::shared_ptr<const AttributeNetwork> network_;
+  ShownSurface shown_;
+  std::shared_ptr<const SurfaceSight> sight_;
+  bool jumps_ = false;
+  int gesture_view_ = 0;
+  QString told_finding_;
+  QTimer pen_watch_;  ///< while a gesture is under way: a pen may vanish without an event
+  double last_time_ = 0;
+  QElapsedTimer since_event_;
+};
+
+}  // namespace croquis::app
