@@ -15,7 +15,8 @@ void describe(QCommandLineParser& parser) {
       "Draw with a pen and watch it become solid.\n\nExample:\n  croquis --new silhouette");
   parser.addHelpOption();
   parser.addVersionOption();
-  parser.addPositionalArgument("FILE", "Projects (.croq), drawings (.svg), networks of curves (.json), meshes or pictures to open.", "[FILE…]");
+  parser.addPositionalArgument(
+      "FILE", "Projects (.croq), drawings (.svg), networks of curves (.json), meshes or pictures to open.", "[FILE…]");
   parser.addOption({"new", "Start with an empty drawing of this kind: silhouette, perspective or surface.", "kind"});
   parser.addOption({"screenshot", "Open, evaluate, save the window's picture here, quit.", "png"});
   parser.addOption({"replay", "Replay recorded actions and pen strokes, then quit.", "file"});

@@ -9,9 +9,9 @@
 #include "operators/perspective/patch_cage_operation.h"
 #include "operators/perspective/perspective_operation.h"
 #include "operators/subdivide_operation.h"
-#include "operators/surface/surface_operation.h"
 #include "operators/surface/contour_network_operation.h"
 #include "operators/surface/edge_network_operation.h"
+#include "operators/surface/surface_operation.h"
 
 namespace croquis {
 

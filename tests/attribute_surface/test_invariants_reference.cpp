@@ -26,9 +26,7 @@ const std::map<std::string, AttributeMode>& modes_by_name() {
 }
 
 /// Values of an independent program: 9 decimals of places, side lengths, radii and points' footprints.
-Json expected_values() {
-  return Json::parse(read_file(CROQUIS_SOURCE_DIR "/tests/cli/networks/expected.json"));
-}
+Json expected_values() { return Json::parse(read_file(CROQUIS_SOURCE_DIR "/tests/cli/networks/expected.json")); }
 
 Vec3 vector_of(const Json& json) { return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()}; }
 

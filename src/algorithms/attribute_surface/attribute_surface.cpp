@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "algorithms/attribute_surface/fences/normal_fences.h"
+#include "algorithms/attribute_surface/network/face_loops.h"
+#include "algorithms/attribute_surface/network/loop_curves.h"
+#include "algorithms/attribute_surface/network/network_words.h"
+#include "algorithms/attribute_surface/network/placed_attributes.h"
 #include "croquis/base/stage_key.h"
-#include "fences/normal_fences.h"
-#include "network/face_loops.h"
-#include "network/loop_curves.h"
-#include "network/network_words.h"
-#include "network/placed_attributes.h"
 
 namespace croquis {
 namespace {

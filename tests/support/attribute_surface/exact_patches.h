@@ -18,8 +18,8 @@ struct ExactPatch {
 };
 
 /// From a sphere: `octant`, `wedge` (20 degrees), `skinny obtuse`, `sphere pentagon`; from a torus: `torus triangle`,
-/// `torus quad` (4:1); from the saddle z = x y: `saddle triangle`, `saddle quad` (nearly a square, over which it is bilinear); from a
-/// hood, a height that is round both ways: `hood triangle`, `hood trapezoid`, `hood pentagon`.
+/// `torus quad` (4:1); from the saddle z = x y: `saddle triangle`, `saddle quad` (nearly a square, over which it is
+/// bilinear); from a hood, a height that is round both ways: `hood triangle`, `hood trapezoid`, `hood pentagon`.
 std::vector<ExactPatch> exact_patches();
 
 /// The surfaces: the unit sphere around the origin, a torus of radii 2 and 0.8 around z, the saddle and the hood.

@@ -6,8 +6,8 @@
 
 #include <Eigen/Geometry>
 
-#include "surface_attributes.h"
-#include "surface_base.h"
+#include "algorithms/attribute_surface/blend/surface_attributes.h"
+#include "algorithms/attribute_surface/blend/surface_base.h"
 
 namespace croquis {
 namespace {

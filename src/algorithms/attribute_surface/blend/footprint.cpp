@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "footprint.h"
+#include "algorithms/attribute_surface/blend/footprint.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "../curves/piecewise_quintic.h"
+#include "algorithms/attribute_surface/curves/piecewise_quintic.h"
 #include "croquis/attribute_surface/face_surface.h"
 
 namespace croquis {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface_attributes.h"
+#include "algorithms/attribute_surface/blend/surface_attributes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "algorithms/attribute_surface/blend/dual.h"
+#include "algorithms/attribute_surface/blend/surface_base.h"
 #include "croquis/attribute_surface/face_surface.h"
-#include "dual.h"
-#include "surface_base.h"
 
 namespace croquis {
 

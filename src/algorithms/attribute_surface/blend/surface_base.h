@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "algorithms/attribute_surface/blend/dual.h"
+#include "algorithms/attribute_surface/blend/footprint.h"
 #include "croquis/attribute_surface/face_surface.h"
-#include "dual.h"
-#include "footprint.h"
 
 namespace croquis {
 

@@ -7,9 +7,9 @@
 #include <cstddef>
 #include <utility>
 
-#include "arc_lengths.h"
-#include "bezier.h"
-#include "piecewise_quintic.h"
+#include "algorithms/attribute_surface/curves/arc_lengths.h"
+#include "algorithms/attribute_surface/curves/bezier.h"
+#include "algorithms/attribute_surface/curves/piecewise_quintic.h"
 
 namespace croquis {
 

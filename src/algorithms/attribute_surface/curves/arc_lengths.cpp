@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "arc_lengths.h"
+#include "algorithms/attribute_surface/curves/arc_lengths.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 
-#include "bezier.h"
+#include "algorithms/attribute_surface/curves/bezier.h"
 
 namespace croquis {
 namespace {

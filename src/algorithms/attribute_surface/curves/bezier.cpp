@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bezier.h"
+#include "algorithms/attribute_surface/curves/bezier.h"
 
 namespace croquis {
 

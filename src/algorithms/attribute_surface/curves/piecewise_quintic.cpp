@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "piecewise_quintic.h"
+#include "algorithms/attribute_surface/curves/piecewise_quintic.h"
 
 #include <numbers>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "corner_normals.h"
+#include "algorithms/attribute_surface/fences/corner_normals.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "normal_fences.h"
+#include "algorithms/attribute_surface/fences/normal_fences.h"
 
 #include <algorithm>
 #include <array>
@@ -11,8 +11,8 @@
 
 #include <Eigen/Geometry>
 
-#include "../network/network_words.h"
-#include "smooth_corners.h"
+#include "algorithms/attribute_surface/fences/smooth_corners.h"
+#include "algorithms/attribute_surface/network/network_words.h"
 
 namespace croquis {
 namespace {

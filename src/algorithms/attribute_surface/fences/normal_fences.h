@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "../network/loop_curves.h"
+#include "algorithms/attribute_surface/network/loop_curves.h"
 #include "croquis/attribute_surface/face_surface.h"
 #include "croquis/base/finding.h"
 #include "croquis/geometry/attribute_network.h"

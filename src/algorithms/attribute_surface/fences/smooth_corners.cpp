@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "smooth_corners.h"
+#include "algorithms/attribute_surface/fences/smooth_corners.h"
 
 #include <algorithm>
 

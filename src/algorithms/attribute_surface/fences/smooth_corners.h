@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "corner_normals.h"
+#include "algorithms/attribute_surface/fences/corner_normals.h"
+#include "algorithms/attribute_surface/fences/normal_fences.h"
 #include "croquis/geometry/vector.h"
-#include "normal_fences.h"
 
 namespace croquis {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "patch_measures.h"
+#include "algorithms/attribute_surface/measures/patch_measures.h"
 
 #include <algorithm>
 #include <array>

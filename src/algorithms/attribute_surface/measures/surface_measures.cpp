@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "algorithms/attribute_surface/measures/patch_measures.h"
 #include "croquis/base/stage_key.h"
-#include "patch_measures.h"
 
 namespace croquis {
 namespace {

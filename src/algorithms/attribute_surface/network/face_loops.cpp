@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "face_loops.h"
+#include "algorithms/attribute_surface/network/face_loops.h"
 
 #include <algorithm>
 #include <deque>
@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "network_words.h"
+#include "algorithms/attribute_surface/network/network_words.h"
 
 namespace croquis {
 namespace {

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "algorithms/attribute_surface/network/loop_curves.h"
 #include "croquis/base/finding.h"
 #include "croquis/geometry/attribute_network.h"
-#include "loop_curves.h"
 
 namespace croquis {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "loop_curves.h"
+#include "algorithms/attribute_surface/network/loop_curves.h"
 
 #include <optional>
 #include <utility>
 
+#include "algorithms/attribute_surface/network/network_words.h"
 #include "croquis/base/stage_key.h"
 #include "croquis/geometry/disjoint_sets.h"
-#include "network_words.h"
 
 namespace croquis {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "network_words.h"
+#include "algorithms/attribute_surface/network/network_words.h"
 
 #include <array>
 #include <charconv>

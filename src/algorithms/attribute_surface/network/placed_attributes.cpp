@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "placed_attributes.h"
+#include "algorithms/attribute_surface/network/placed_attributes.h"
 
 #include <utility>
 
+#include "algorithms/attribute_surface/network/network_words.h"
 #include "croquis/base/stage_key.h"
-#include "network_words.h"
 
 namespace croquis {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "algorithms/attribute_surface/network/loop_curves.h"
 #include "croquis/attribute_surface/attribute_surface.h"
-#include "loop_curves.h"
 
 namespace croquis {
 

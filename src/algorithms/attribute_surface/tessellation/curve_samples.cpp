@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "curve_samples.h"
+#include "algorithms/attribute_surface/tessellation/curve_samples.h"
 
 #include <algorithm>
 #include <map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "face_samples.h"
+#include "algorithms/attribute_surface/tessellation/face_samples.h"
 
 #include <algorithm>
 #include <cmath>

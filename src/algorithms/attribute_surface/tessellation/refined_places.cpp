@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "refined_places.h"
+#include "algorithms/attribute_surface/tessellation/refined_places.h"
 
 #include <algorithm>
 #include <set>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "algorithms/attribute_surface/tessellation/face_samples.h"
 #include "croquis/base/progress.h"
-#include "face_samples.h"
 
 namespace croquis {
 

@@ -3,12 +3,12 @@
 #include <numeric>
 #include <utility>
 
+#include "algorithms/attribute_surface/tessellation/curve_samples.h"
+#include "algorithms/attribute_surface/tessellation/face_samples.h"
+#include "algorithms/attribute_surface/tessellation/refined_places.h"
 #include "croquis/attribute_surface/surface_tessellation.h"
 #include "croquis/base/stage_key.h"
 #include "croquis/base/text.h"
-#include "curve_samples.h"
-#include "face_samples.h"
-#include "refined_places.h"
 
 namespace croquis {
 namespace {

@@ -29,7 +29,7 @@ class CurveTaking : public QObject {
   bool busy() const { return live_ != nullptr; }
 
  signals:
-  void taken();                                       ///< the network is in the document
+  void taken();  ///< the network is in the document
   void failed(const croquis::Findings& findings);
 
  private:

@@ -19,7 +19,11 @@ QString length_text(double value, const std::string& units) {
 }  // namespace
 
 DomainPanel::DomainPanel(NetworkInteraction& network, const UniformGhost& ghost, QAction* compare)
-    : network_(network), ghost_(ghost), view_(new DomainView(this)), title_(new QLabel(this)), numbers_(new QLabel(this)) {
+    : network_(network),
+      ghost_(ghost),
+      view_(new DomainView(this)),
+      title_(new QLabel(this)),
+      numbers_(new QLabel(this)) {
   setObjectName("domain-panel");
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 6, 8, 6);
@@ -74,9 +78,8 @@ QString DomainPanel::numbers_text() const {
   const auto own = shown ? domain_numbers(shown.network(), shown.found->measures, face_) : std::nullopt;
   if (!own) return {};
   const UniformGhost::Compared* compared = ghost_.compared();
-  const auto uniform = compared == nullptr
-                           ? std::nullopt
-                           : domain_numbers(compared->comparison.network, compared->measures, face_);
+  const auto uniform =
+      compared == nullptr ? std::nullopt : domain_numbers(compared->comparison.network, compared->measures, face_);
   QString text = tr("anisotropy %1").arg(short_number(own->anisotropy));
   if (uniform) text += tr(" (uniform %1)").arg(short_number(uniform->anisotropy));
   text += tr(" · σ %1").arg(length_text(own->sigma, network_.network().units));

@@ -103,8 +103,8 @@ void paint_attributes(QPainter& painter, const DomainPicture& picture, const Dom
 void paint_domain(QPainter& painter, const DomainPicture& picture, const QRectF& room, const QString& title) {
   painter.setPen(colors::guide);
   painter.drawText(QRectF(room.topLeft(), QSizeF(room.width(), title_height)), Qt::AlignCenter, title);
-  const DomainFit fit(picture.polygon, room.adjusted(domain_margin, domain_margin + title_height / 2, -domain_margin,
-                                                     -domain_margin));
+  const DomainFit fit(picture.polygon,
+                      room.adjusted(domain_margin, domain_margin + title_height / 2, -domain_margin, -domain_margin));
   paint_polygon(painter, picture, fit);
   paint_names(painter, picture, fit);
   painter.save();

@@ -14,9 +14,9 @@ namespace {
 
 constexpr double crease_width = 2.8, smooth_width = 1.5, inner_width = 1.6;  // logical pixels
 constexpr double halo_width = 6;
-constexpr int behind_alpha = 70;           // of lines that surfaces hide: faint, but seen
-constexpr double told_degrees = 0.1;       // an angle between patches that nobody sees
-constexpr double greatest_told = 2;        // degrees: where the colours end
+constexpr int behind_alpha = 70;      // of lines that surfaces hide: faint, but seen
+constexpr double told_degrees = 0.1;  // an angle between patches that nobody sees
+constexpr double greatest_told = 2;   // degrees: where the colours end
 constexpr double jump_degree = std::numbers::pi / 180;
 const QColor smooth_color(64, 92, 150);
 const QColor inner_color(112, 64, 150);
@@ -82,9 +82,9 @@ void NetworkScene::show_network(const AttributeNetwork& network, const ShownSurf
   for (Index curve = 0; curve < network.curves.size(); ++curve) {
     const render::LinePath path = curve_path(network, curve, to_world);
     for (const render::LinePoint& point : path.points) bounds_.add(point.position);
-    (inner.contains(curve)                                    ? inside
+    (inner.contains(curve)                             ? inside
      : network.curves[curve].join == CurveJoin::Smooth ? smooth
-                                                              : creases)
+                                                       : creases)
         .push_back(path);
     if (selected.has(NetworkElement::Curve, network.curves[curve].id)) chosen.push_back(path);
   }
@@ -170,7 +170,8 @@ void NetworkScene::show_preview(const SurfacePreview& preview, const AttributeNe
   std::vector<render::Mark> marks;
   if (preview.ink.size() > 1) ink.push_back(path_through(preview.ink, to_world));
   if (preview.loop) {
-    for (const AttributeSide& side : preview.loop->loop.sides) loop.push_back(curve_path(network, side.curve, to_world));
+    for (const AttributeSide& side : preview.loop->loop.sides)
+      loop.push_back(curve_path(network, side.curve, to_world));
   }
   if (preview.hovered && preview.hovered->kind == NetworkElement::Curve && !preview.hovered->control) {
     const Index curve = find_element(network, NetworkElement::Curve, preview.hovered->id);
@@ -211,7 +212,9 @@ void NetworkScene::show_jumps(const AttributeNetwork& network, const ShownSurfac
 }
 
 void NetworkScene::add_to(render::Scene& scene) const {
-  const auto add = [&](const render::LineItemPtr& item) { if (item) scene.lines.emplace_back(item); };
+  const auto add = [&](const render::LineItemPtr& item) {
+    if (item) scene.lines.emplace_back(item);
+  };
   add(selected_);
   add(jumps_);
   for (const render::LineItemPtr& item : curves_) add(item);

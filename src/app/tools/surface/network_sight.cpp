@@ -72,9 +72,9 @@ MeshPicker& NetworkSight::picker() const {
 std::optional<Vec2> NetworkSight::domain_place(const SurfacePart& part, Index triangle, const Vec3& place) const {
   const auto corners = shown_.mesh->face(triangle);
   if (corners.size() != 3) return std::nullopt;
-  const Vec3 weights = weights_at({shown_.mesh->positions[corners[0]], shown_.mesh->positions[corners[1]],
-                                   shown_.mesh->positions[corners[2]]},
-                                  place);
+  const Vec3 weights = weights_at(
+      {shown_.mesh->positions[corners[0]], shown_.mesh->positions[corners[1]], shown_.mesh->positions[corners[2]]},
+      place);
   Vec2 found = Vec2::Zero();
   for (int k = 0; k < 3; ++k) {
     const auto vertex = std::ranges::find(part.vertices, corners[static_cast<std::size_t>(k)]);
@@ -157,8 +157,8 @@ std::optional<SlopeFrame> NetworkSight::slope_at(const std::string& face_id, con
   const Vec3 inward = normal.cross(along);
   if (!(inward.norm() > 0)) return std::nullopt;
   const Affine3 back = inverse_of(shown_.to_result);
-  return SlopeFrame{back(on_curve.point), normal_back(normal, shown_.to_result),
-                    (back.linear * inward).normalized(), handle_share * surface->sigma()};
+  return SlopeFrame{back(on_curve.point), normal_back(normal, shown_.to_result), (back.linear * inward).normalized(),
+                    handle_share * surface->sigma()};
 }
 
 }  // namespace croquis::app

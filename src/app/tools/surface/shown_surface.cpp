@@ -9,13 +9,9 @@ namespace croquis::app {
 
 Index ShownSurface::face(const std::string& id) const { return find_element(network(), NetworkElement::Face, id); }
 
-Index ShownSurface::curve(const std::string& id) const {
-  return find_element(network(), NetworkElement::Curve, id);
-}
+Index ShownSurface::curve(const std::string& id) const { return find_element(network(), NetworkElement::Curve, id); }
 
-Index ShownSurface::point(const std::string& id) const {
-  return find_element(network(), NetworkElement::Point, id);
-}
+Index ShownSurface::point(const std::string& id) const { return find_element(network(), NetworkElement::Point, id); }
 
 Affine3 inverse_of(const Affine3& map) {
   if (map.is_identity()) return map;

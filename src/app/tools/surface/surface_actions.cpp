@@ -68,8 +68,7 @@ void SurfaceDrawingTool::make_mode_actions(ActionList& actions) {
 
 void SurfaceDrawingTool::make_element_actions(ActionList& actions) {
   QMenu* menu = actions.menu(tr("Sur&face"));
-  const auto add = [&](const QString& name, const QString& text, const QString& icon_text,
-                       std::function<void()> work) {
+  const auto add = [&](const QString& name, const QString& text, const QString& icon_text, std::function<void()> work) {
     QAction* action = actions.add(
         menu, name, text, {}, [this, work = std::move(work)] { host().attempt(work); }, Recorded::ByItself);
     action->setIconText(icon_text);
@@ -99,9 +98,8 @@ void SurfaceDrawingTool::make_element_actions(ActionList& actions) {
   const std::array<QString, 3> axes{tr("x"), tr("y"), tr("z")};
   for (int axis = 0; axis < 3; ++axis) {
     const auto place = static_cast<std::size_t>(axis);
-    add(mirror_actions[place], tr("Mirror &across %1 = 0").arg(axes[place]), tr("Mirror"), [this, axis] {
-      network_.act([axis](SurfaceTool& tool) { return tool.mirror(plane_across(axis)); });
-    });
+    add(mirror_actions[place], tr("Mirror &across %1 = 0").arg(axes[place]), tr("Mirror"),
+        [this, axis] { network_.act([axis](SurfaceTool& tool) { return tool.mirror(plane_across(axis)); }); });
   }
   add("symmetric-edit", tr("S&ymmetric editing"), tr("Symmetric"), [this] { toggle_symmetry(); });
   actions.find("symmetric-edit")->setCheckable(true);
@@ -135,9 +133,8 @@ void SurfaceDrawingTool::make_view_actions(ActionList& actions) {
 void SurfaceDrawingTool::make_source_actions(ActionList& actions) {
   QMenu* menu = actions.menu(tr("Sur&face"))->addMenu(tr("Take &curves"));
   for (const OperationDescription* operation : taking_.ways()) {
-    QAction* action =
-        actions.add(menu, taking_action(*operation), QString::fromStdString(operation->title), {},
-                    [this, id = operation->id] { taking_.take(id); });
+    QAction* action = actions.add(menu, taking_action(*operation), QString::fromStdString(operation->title), {},
+                                  [this, id = operation->id] { taking_.take(id); });
     action->setToolTip(QString::fromStdString(operation->sentence));
   }
 }
@@ -208,7 +205,8 @@ void SurfaceDrawingTool::refresh() {
   host().action("compare-uniform")->setChecked(ghost_.on());
   host().action("normal-jump")->setChecked(network_.shows_jumps());
   host().action(plane_actions[static_cast<std::size_t>(network_.tool().plane())])->setChecked(true);
-  for (const OperationDescription* operation : taking_.ways()) enable(taking_action(*operation), taking_.can_take(*operation));
+  for (const OperationDescription* operation : taking_.ways())
+    enable(taking_action(*operation), taking_.can_take(*operation));
   if (docks_ == nullptr) return;
   docks_->set_useful(dock_, here);
   docks_->set_useful(domain_dock_, here);
@@ -229,9 +227,9 @@ bool SurfaceDrawingTool::takes_key(int key) const {
 }
 
 void SurfaceDrawingTool::press_key(int key) {
-  static const std::map<int, QString> names{{Qt::Key_P, "patch"},           {Qt::Key_T, "surface-point"},
-                                            {Qt::Key_I, "inner-curve"},     {Qt::Key_U, "compare-uniform"},
-                                            {Qt::Key_S, "toggle-join"},     {Qt::Key_J, "normal-jump"}};
+  static const std::map<int, QString> names{{Qt::Key_P, "patch"},       {Qt::Key_T, "surface-point"},
+                                            {Qt::Key_I, "inner-curve"}, {Qt::Key_U, "compare-uniform"},
+                                            {Qt::Key_S, "toggle-join"}, {Qt::Key_J, "normal-jump"}};
   host().action(names.at(key))->trigger();
 }
 

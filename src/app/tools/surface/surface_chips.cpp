@@ -132,16 +132,16 @@ std::vector<PlacedText> SurfaceChips::numbers() const {
   const SurfacePreview& preview = network_.tool().preview();
   const std::vector<Vec3> ring = network_.tool().ring();
   if (preview.radius && !ring.empty())
-    numbers.push_back({network_.to_world()(ring.front()),
-                       tr("radius %1").arg(QString::number(*preview.radius, 'g', 3)), QColor("#f28c28")});
+    numbers.push_back({network_.to_world()(ring.front()), tr("radius %1").arg(QString::number(*preview.radius, 'g', 3)),
+                       QColor("#f28c28")});
   if (const UniformGhost::Compared* compared = ghost_.compared()) {
     for (const ComparedPoint& point : compared->comparison.points) {
       const Index index = find_element(network_.network(), NetworkElement::Point, point.id);
       if (index == no_index || !point.own || !point.uniform) continue;
-      numbers.push_back({network_.to_world()(network_.network().points[index].point),
-                         tr("off by %1, uniform %2")
-                             .arg(offset_number(point.own->offset), offset_number(point.uniform->offset)),
-                         QColor("#f28c28")});
+      numbers.push_back(
+          {network_.to_world()(network_.network().points[index].point),
+           tr("off by %1, uniform %2").arg(offset_number(point.own->offset), offset_number(point.uniform->offset)),
+           QColor("#f28c28")});
     }
   }
   const std::vector<PlacedText>& jumps = network_.scene().numbers();

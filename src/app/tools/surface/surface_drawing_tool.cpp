@@ -63,7 +63,8 @@ SurfaceDrawingTool::SurfaceDrawingTool(ToolHost& host)
     emit Tool::changed();
   });
   connect(&chips_, &SurfaceChips::patch_wanted, this, [this] { this->host().action("fill-loop")->trigger(); });
-  connect(&taking_, &CurveTaking::failed, this, [this](const Findings& findings) { this->host().show_message(findings); });
+  connect(&taking_, &CurveTaking::failed, this,
+          [this](const Findings& findings) { this->host().show_message(findings); });
   connect(&taking_, &CurveTaking::taken, this, [this] {
     show_in_space();
     this->host().set_mode(select_mode);
@@ -114,7 +115,8 @@ Qt::CursorShape SurfaceDrawingTool::cursor(int) const {
 QString SurfaceDrawingTool::help() const {
   if (mode() == "inner-curve") return tr("Draw on a patch: the surface goes through the curve · Q selects and drags");
   switch (network_.tool().mode()) {
-    case SurfaceMode::Patch: return tr("Click inside a loop of curves: it becomes a smooth patch · T puts points on it");
+    case SurfaceMode::Patch:
+      return tr("Click inside a loop of curves: it becomes a smooth patch · T puts points on it");
     case SurfaceMode::Point:
       return tr("Click on a patch and drag: the point pulls it along its normal, with Ctrl across the view");
     case SurfaceMode::Select: break;
@@ -125,7 +127,8 @@ QString SurfaceDrawingTool::help() const {
   if (selected.curves.size() > 1) return tr("Enter makes a patch of the selected curves · S smooth or crease · Delete");
   if (!selected.curves.empty())
     return tr("Drag squares to bend it, blue handles to turn the slope · S smooth or crease · Delete removes");
-  if (!selected.points.empty()) return tr("Drag the point, or its ring for the radius · U compares with a uniform domain");
+  if (!selected.points.empty())
+    return tr("Drag the point, or its ring for the radius · U compares with a uniform domain");
   return tr("Click or drag a box: curves, nodes, points, patches · Shift adds · D draws · P fills a loop · T points");
 }
 

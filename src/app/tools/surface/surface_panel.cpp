@@ -71,7 +71,7 @@ SurfacePanel::SurfacePanel(NetworkInteraction& network, const std::function<QAct
 void SurfacePanel::make_buttons(QBoxLayout* column, const std::function<QAction*(const QString&)>& action) {
   auto* grid = new QGridLayout;
   grid->setSpacing(3);
-  const std::array<const char*, 6> names{"fill-loop",   "split-element",      "merge-patches",
+  const std::array<const char*, 6> names{"fill-loop",    "split-element",  "merge-patches",
                                          "turn-patches", "mirror-network", "symmetric-edit"};
   for (int i = 0; i < static_cast<int>(names.size()); ++i) {
     auto* button = new QToolButton(this);
@@ -89,8 +89,9 @@ void SurfacePanel::make_faces(QBoxLayout* column) {
   QGridLayout* grid = nullptr;
   faces_ = add_group(column, tr("Patches"), grid);
   mode_ = add_choice(this, "surface-mode", {tr("smooth"), tr("from positions"), tr("as in the paper")});
-  mode_->setToolTip(tr("How a patch is made from its curves: with common tangent planes at smooth curves, from the "
-                       "curves' positions alone, or by the formulas of the paper"));
+  mode_->setToolTip(
+      tr("How a patch is made from its curves: with common tangent planes at smooth curves, from the "
+         "curves' positions alone, or by the formulas of the paper"));
   connect(mode_, &QComboBox::activated, this, [this](int index) {
     FaceSetting setting;
     setting.mode = static_cast<AttributeMode>(index);
@@ -125,7 +126,8 @@ void SurfacePanel::make_curves(QBoxLayout* column) {
   join_ = add_choice(this, "surface-join", {tr("crease"), tr("smooth")});
   join_->setToolTip(tr("How the two patches beside a curve meet in it (S)"));
   connect(join_, &QComboBox::activated, this, [this](int index) {
-    network_.act([&](SurfaceTool& tool) { return tool.set_join(tool.selected().curves, static_cast<CurveJoin>(index)); });
+    network_.act(
+        [&](SurfaceTool& tool) { return tool.set_join(tool.selected().curves, static_cast<CurveJoin>(index)); });
   });
   grid->addWidget(new QLabel(tr("Join"), this), 0, 0);
   grid->addWidget(join_, 0, 1);
@@ -270,7 +272,8 @@ void SurfacePanel::follow() {
 void SurfacePanel::follow_faces(const NetworkElements& selected) {
   const std::vector<std::string> meant = faces_meant();
   faces_->setEnabled(!meant.empty());
-  faces_->setTitle(selected.faces.empty() ? tr("All patches") : counted(selected.faces, tr("Patch %1"), tr("%1 patches")));
+  faces_->setTitle(selected.faces.empty() ? tr("All patches")
+                                          : counted(selected.faces, tr("Patch %1"), tr("%1 patches")));
   if (meant.empty()) return;
   const AttributeFace& face =
       network_.network().faces[find_element(network_.network(), NetworkElement::Face, meant.front())];
@@ -340,7 +343,8 @@ QString SurfacePanel::quality_text() const {
   if (!measures.point_errors.empty()) lines << tr("Points are met within %1").arg(length(points));
   const bool any_smooth = std::ranges::any_of(measures.normal_jumps, [](const auto& jump) { return jump.has_value(); });
   if (any_smooth)
-    lines << tr("Largest angle along smooth curves: %1°").arg(quality_number(measures.largest_normal_jump / per_degree));
+    lines
+        << tr("Largest angle along smooth curves: %1°").arg(quality_number(measures.largest_normal_jump / per_degree));
   lines << tr("Tolerance of ends: %1").arg(length(shown.surface().tolerance));
   return lines.join('\n');
 }
