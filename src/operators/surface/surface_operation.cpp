@@ -106,7 +106,7 @@ void require_any_face(const AttributeNetwork& network, const AttributeSurface& s
 
 OperationDescription SurfaceOperation::describe() const {
   PortDescription questions{"evaluate", ValueType::Report,
-                            "places of faces whose point and normal are told, in the format croquis-abs-places/1."};
+                            "Places of faces whose point and normal are told, in the format croquis-abs-places/1."};
   questions.optional = true;
   questions.asks = true;
   return {"surface",
