@@ -339,6 +339,33 @@ TEST_CASE("triangles are the same with a cache, and a moved point makes its face
   }
 }
 
+TEST_CASE("a face that may not have enough places says what it keeps to") {
+  const AttributeNetwork network = hill(5, 0.5);
+  const AttributeSurface surface = surface_of(network);
+  SurfaceTessellationOptions options = with_tolerance(1e-4);
+  options.most_places = 40;
+  const SurfaceTessellation made = mesh_of(network, surface, options);
+  REQUIRE(made.findings.size() == 1);
+  CHECK(made.findings[0].code == "W_TOLERANCE");
+  CHECK(made.findings[0].subjects[0].id == "f");
+  CHECK(made.parts[0].vertices.size() - figures_of(made.mesh).boundary_edges == 40);
+  check_parts(network, surface, made);
+}
+
+TEST_CASE("nodes nearer than the tolerance are one vertex where a loop joins them") {
+  AttributeNetwork network = leaf_between_triangles();
+  network.tolerance = 0.01;
+  network.nodes.push_back({"twin", network.nodes[0].point + Vec3(0, 0.004, 0)});
+  network.curves[2].from = static_cast<Index>(network.nodes.size() - 1);  // of the face "left"
+  const AttributeSurface surface = surface_of(network);
+  const SurfaceTessellation made = mesh_of(network, surface);
+  CHECK(made.parts.size() == 3);
+  const MeshReport figures = figures_of(made.mesh);
+  CHECK(figures.boundary_edges == 64);
+  CHECK(figures.boundary_loops == 1);
+  CHECK(figures.components == 1);
+}
+
 TEST_CASE("triangles of a cancelled computation aren't made") {
   const AttributeNetwork network = hill(5, 0.3);
   const AttributeSurface surface = surface_of(network);

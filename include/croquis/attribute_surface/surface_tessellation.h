@@ -25,6 +25,7 @@ struct SurfaceTessellationOptions {
   std::size_t samples = 16;         ///< parts per curve, 1..1024: rings of a fan around each face's middle
   std::optional<double> tolerance;  ///< model units, > 0: instead, as few triangles as keep to it (chord error)
   bool insert_points = true;        ///< with a tolerance: points and inner curves are vertices
+  std::size_t most_places = 60000;  ///< with a tolerance: inside a face
   std::vector<CurveSamples> given;  ///< by curve; empty, or an empty element: as above
   StageCache* cache = nullptr;      ///< faces from earlier runs, not owned; null: all are made again
 };

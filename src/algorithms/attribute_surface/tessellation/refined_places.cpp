@@ -173,6 +173,7 @@ class Refinement {
     std::vector<bool> touched(made_.places.size(), false);
     for (const auto& [triangle, worst] : wanted) {
       if (std::ranges::count_if(triangle, [&](Index v) { return touched[v]; }) > 1) continue;
+      if (inner_.size() >= options_.most_inner) break;
       for (const Index vertex : triangle) touched[vertex] = true;
       insert(worst.place);
     }

@@ -9,6 +9,7 @@
 #include "croquis/attribute_surface/surface_tessellation.h"
 #include "croquis/base/stage_key.h"
 #include "croquis/base/text.h"
+#include "croquis/geometry/disjoint_sets.h"
 
 namespace croquis {
 namespace {
@@ -38,11 +39,13 @@ class SurfaceTessellator {
   /// The vertices of corners, then those between the ends of curves.
   void add_curves() {
     curves_ = sample_curves(network_, surface_, options_);
+    const std::vector<Index> meeting = meeting_corners();
     std::vector<Index> corner_vertices(surface_.corners, no_index);
+    const auto vertex_of = [&](std::size_t corner) -> Index& { return corner_vertices[meeting[corner]]; };
     for (std::size_t c = 0; c < curves_.size(); ++c) {
       if (curves_[c].at.empty()) continue;
-      add_corner(curves_[c].points.front(), corner_vertices[surface_.curves[c].start]);
-      add_corner(curves_[c].points.back(), corner_vertices[surface_.curves[c].end]);
+      add_corner(curves_[c].points.front(), vertex_of(surface_.curves[c].start));
+      add_corner(curves_[c].points.back(), vertex_of(surface_.curves[c].end));
     }
     std::vector<Vec3>& positions = result_.mesh.positions;
     curve_vertices_.resize(curves_.size());
@@ -50,13 +53,28 @@ class SurfaceTessellator {
       const CurveSamples& curve = curves_[c];
       if (curve.at.empty()) continue;
       std::vector<Index>& vertices = curve_vertices_[c];
-      vertices.push_back(corner_vertices[surface_.curves[c].start]);
+      vertices.push_back(vertex_of(surface_.curves[c].start));
       for (std::size_t i = 1; i + 1 < curve.points.size(); ++i) {
         vertices.push_back(static_cast<Index>(positions.size()));
         positions.push_back(curve.points[i]);
       }
-      vertices.push_back(corner_vertices[surface_.curves[c].end]);
+      vertices.push_back(vertex_of(surface_.curves[c].end));
     }
+  }
+
+  /// For each corner the lowest of those that are one in a loop: nodes may be nearer to each other than the tolerance.
+  std::vector<Index> meeting_corners() const {
+    DisjointSets sets(surface_.corners);
+    for (std::size_t f = 0; f < surface_.faces.size(); ++f) {
+      const auto& loop = network_.faces[f].loop;
+      for (std::size_t k = 0; surface_.faces[f].surface != nullptr && k < loop.size(); ++k) {
+        const AttributeSide &side = loop[k], &next = loop[(k + 1) % loop.size()];
+        const SurfaceCurve &from = surface_.curves[side.curve], &to = surface_.curves[next.curve];
+        sets.unite(static_cast<Index>(side.reversed ? from.start : from.end),
+                   static_cast<Index>(next.reversed ? to.end : to.start));
+      }
+    }
+    return sets.take_roots();
   }
 
   void add_corner(const Vec3& place, Index& vertex) {
@@ -90,7 +108,8 @@ class SurfaceTessellator {
   FaceSamples make_samples(const FaceSurface& surface, const FaceRim& rim) {
     if (!options_.tolerance) return evaluate_places(surface, rim, fan_places(surface, rim));
     Progress silent = progress_.silent();
-    RefinedPlaces refined = refined_places(surface, rim, silent, {*options_.tolerance, options_.insert_points});
+    RefinedPlaces refined =
+        refined_places(surface, rim, silent, {*options_.tolerance, options_.insert_points, options_.most_places});
     FaceSamples samples = evaluate_places(surface, rim, std::move(refined.plane));
     samples.error = refined.error;
     return samples;
@@ -101,7 +120,11 @@ class SurfaceTessellator {
     const FaceRim rim = rim_of(network_.faces[f]);
     StageKey key;
     if (options_.cache != nullptr) {
-      key.add(surface_.faces[f].content).add(rim).add(options_.tolerance.value_or(0)).add(options_.insert_points);
+      key.add(surface_.faces[f].content)
+          .add(rim)
+          .add(options_.tolerance.value_or(0))
+          .add(options_.insert_points)
+          .add(options_.most_places);
     }
     samples_.push_back(cached<FaceSamples>(
         options_.cache, "samples of a surface", key, [&] { return make_samples(surface, rim); },
