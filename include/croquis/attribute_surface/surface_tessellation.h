@@ -27,6 +27,7 @@ struct SurfaceTessellationOptions {
   bool insert_points = true;        ///< with a tolerance: points and inner curves are vertices
   std::size_t most_places = 60000;  ///< with a tolerance: inside a face
   std::vector<CurveSamples> given;  ///< by curve; empty, or an empty element: as above
+  int threads = 1;                  ///< that evaluate faces, 0: as many as the machine has; the result is the same
   StageCache* cache = nullptr;      ///< faces from earlier runs, not owned; null: all are made again
 };
 

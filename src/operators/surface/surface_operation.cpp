@@ -131,6 +131,7 @@ OperationResult SurfaceOperation::compute(const Values& inputs, const ParameterV
   MemoStageCache cache(context.memo);
   StageCache* kept = context.memo != nullptr ? &cache : nullptr;
   settings.surface.cache = settings.tessellation.cache = kept;
+  settings.tessellation.threads = context.threads;
 
   Progress evaluating = context.progress.step("evaluate the network", 0.3);
   details.surface =

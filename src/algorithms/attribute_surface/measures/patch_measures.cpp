@@ -14,7 +14,7 @@ namespace {
 /// Places per side at which a surface is compared with its curve.
 constexpr std::size_t boundary_places = 8;
 /// Rings of the fan in whose triangles the stretch of a map is measured.
-constexpr std::size_t stretch_rings = 6;
+constexpr std::size_t stretch_rings = 4;
 
 std::vector<double> side_lengths(const SurfaceFrame& frame) {
   std::vector<double> lengths;

@@ -7,12 +7,15 @@
 #include "algorithms/attribute_surface/tessellation/face_samples.h"
 #include "algorithms/attribute_surface/tessellation/refined_places.h"
 #include "croquis/attribute_surface/surface_tessellation.h"
+#include "croquis/base/parallel.h"
 #include "croquis/base/stage_key.h"
 #include "croquis/base/text.h"
 #include "croquis/geometry/disjoint_sets.h"
 
 namespace croquis {
 namespace {
+
+constexpr const char* samples_stage = "samples of a surface";
 
 class SurfaceTessellator {
  public:
@@ -23,13 +26,12 @@ class SurfaceTessellator {
   SurfaceTessellation run() {
     add_curves();
     for (Index f = 0; f < surface_.faces.size(); ++f) {
-      progress_.report(f, surface_.faces.size());
-      if (surface_.faces[f].surface != nullptr) add_samples(f);
+      if (surface_.faces[f].surface != nullptr) add_part(f);
     }
+    make_samples();
     reserve();
     for (std::size_t i = 0; i < samples_.size(); ++i) add_face(result_.parts[i], *samples_[i]);
     finish();
-    progress_.report(1);
     return std::move(result_);
   }
 
@@ -105,7 +107,7 @@ class SurfaceTessellator {
 
   // ---- Faces
 
-  FaceSamples make_samples(const FaceSurface& surface, const FaceRim& rim) {
+  FaceSamples evaluated(const FaceSurface& surface, const FaceRim& rim) const {
     if (!options_.tolerance) return evaluate_places(surface, rim, fan_places(surface, rim));
     Progress silent = progress_.silent();
     RefinedPlaces refined =
@@ -115,22 +117,37 @@ class SurfaceTessellator {
     return samples;
   }
 
-  void add_samples(Index f) {
-    const FaceSurface& surface = *surface_.faces[f].surface;
-    const FaceRim rim = rim_of(network_.faces[f]);
-    StageKey key;
-    if (options_.cache != nullptr) {
-      key.add(surface_.faces[f].content)
-          .add(rim)
-          .add(options_.tolerance.value_or(0))
-          .add(options_.insert_points)
-          .add(options_.most_places);
-    }
-    samples_.push_back(cached<FaceSamples>(
-        options_.cache, "samples of a surface", key, [&] { return make_samples(surface, rim); },
-        [](const FaceSamples& made) { return made.byte_size(); }));
+  /// What the cache has of a face is taken from there.
+  void add_part(Index f) {
     result_.parts.emplace_back().face = f;
-    if (samples_.back()->error > 0) note_error(f, samples_.back()->error);
+    rims_.push_back(rim_of(network_.faces[f]));
+    StageKey& key = keys_.emplace_back();
+    if (options_.cache != nullptr) {
+      key.add(surface_.faces[f].content).add(rims_.back()).add(options_.tolerance.value_or(0));
+      key.add(options_.insert_points).add(options_.most_places);
+    }
+    samples_.push_back(kept<FaceSamples>(options_.cache, samples_stage, key));
+  }
+
+  /// Faces that the cache doesn't have, on several threads; the cache itself is used by this one alone.
+  void make_samples() {
+    std::vector<std::size_t> missing;
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      if (samples_[i] == nullptr) missing.push_back(i);
+    }
+    std::vector<FaceSamples> made(missing.size());
+    for_each_part(missing.size(), 1, options_.threads, progress_, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        made[i] = evaluated(*surface_.faces[result_.parts[missing[i]].face].surface, rims_[missing[i]]);
+    });
+    for (std::size_t i = 0; i < missing.size(); ++i) {
+      samples_[missing[i]] = cached<FaceSamples>(
+          options_.cache, samples_stage, keys_[missing[i]], [&] { return std::move(made[i]); },
+          [](const FaceSamples& samples) { return samples.byte_size(); });
+    }
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      if (samples_[i]->error > 0) note_error(result_.parts[i].face, samples_[i]->error);
+    }
   }
 
   void note_error(Index f, double error) {
@@ -210,6 +227,8 @@ class SurfaceTessellator {
   SurfaceTessellation result_;
   std::vector<CurveSamples> curves_;
   std::vector<std::vector<Index>> curve_vertices_;           ///< by curve, both ends included
+  std::vector<FaceRim> rims_;                                ///< of the parts
+  std::vector<StageKey> keys_;                               ///< of the parts
   std::vector<std::shared_ptr<const FaceSamples>> samples_;  ///< of the parts
   std::vector<double> normals_;
   std::vector<std::int32_t> groups_;
