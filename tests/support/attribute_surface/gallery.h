@@ -12,7 +12,7 @@ AttributeNetwork gallery_bonnet();  ///< a car's bonnet, four smooth faces, with
 AttributeNetwork gallery_bowl();    ///< five petals around a five-sided foot, a knob in its middle
 AttributeNetwork gallery_chair();   ///< a seat shell: two faces, a hollow to sit in, a bend for the back
 AttributeNetwork gallery_dinghy();  ///< a hull with a smooth keel, a transom, a foredeck and a bench
-AttributeNetwork gallery_kettle();  ///< a round body, whose seven-sided faces leave room for a spout; lid and handle
+AttributeNetwork gallery_kettle();  ///< a round body of faces of four and five sides around a spout; lid and handle
 AttributeNetwork gallery_sail();    ///< three curves, one point: the smallest
 
 /// Each with the name of its file.

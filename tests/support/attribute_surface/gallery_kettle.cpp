@@ -54,7 +54,12 @@ Profile part_of(const Profile& profile, double from, double to) {
   return {blossom(from, from, from), blossom(from, from, to), blossom(from, to, to), blossom(to, to, to)};
 }
 
-/// Rings and meridians: the quarter in front has two halves.
+/// Where the body's upper part is divided: below, beside and above the spout.
+constexpr double below = 0.18, beside = 0.45, above = 0.62;
+/// Half the angle over which the spout begins.
+constexpr double root_angle = 18;
+
+/// Rings and meridians: the quarter in front has two halves, and its meridians have a node beside the spout.
 void add_body_curves(GalleryBuilder& builder) {
   const std::vector<std::vector<double>> quarters{{45, 135}, {135, 225}, {225, 315}, {315, 360}, {360, 405}};
   for (std::size_t k = 0; k < quarters.size(); ++k) {
@@ -64,40 +69,51 @@ void add_body_curves(GalleryBuilder& builder) {
     builder.smooth("belly " + n, arc(from, to, lower_profile().back()));
     builder.crease("neck " + n, arc(from, to, upper_profile().back()));
     builder.smooth("wall " + n, turned(from, lower_profile()));
-    if (k != 4) builder.smooth("shoulder " + n, turned(from, upper_profile()));
+    if (k == 1 || k == 2) builder.smooth("shoulder " + n, turned(from, upper_profile()));
+    if (k == 0 || k == 3) {
+      builder.smooth("low shoulder " + n, turned(from, part_of(upper_profile(), 0, beside)));
+      builder.smooth("high shoulder " + n, turned(from, part_of(upper_profile(), beside, 1)));
+    }
   }
-  builder.smooth("below spout", turned(0, part_of(upper_profile(), 0, 0.18)));
-  builder.smooth("above spout", turned(0, part_of(upper_profile(), 0.62, 1)));
+  const Vec2 waist = part_of(upper_profile(), 0, beside).back();
+  builder.smooth("waist left", arc(root_angle, 45, waist));
+  builder.smooth("waist right", arc(315, 360 - root_angle, waist));
+  builder.smooth("below spout", turned(0, part_of(upper_profile(), 0, below)));
+  builder.smooth("above spout", turned(0, part_of(upper_profile(), above, 1)));
 }
 
 void add_body_faces(GalleryBuilder& builder) {
   for (int k = 1; k <= 5; ++k) {
     const std::string n = std::to_string(k), next = std::to_string(k % 5 + 1);
     builder.face("wall " + n, {"+foot " + n, "+wall " + next, "-belly " + n, "-wall " + n});
-    if (k < 4) builder.face("shoulder " + n, {"+belly " + n, "+shoulder " + next, "-neck " + n, "-shoulder " + n});
   }
-  builder.face("beside spout 4", {"+belly 4", "+below spout", "+low root right", "+high root right", "+above spout",
-                                  "-neck 4", "-shoulder 4"});
-  builder.face("beside spout 5", {"+belly 5", "+shoulder 1", "-neck 5", "-above spout", "-high root left",
-                                  "-low root left", "-below spout"});
+  builder.face("shoulder 1", {"+belly 1", "+shoulder 2", "-neck 1", "-high shoulder 1", "-low shoulder 1"});
+  builder.face("shoulder 2", {"+belly 2", "+shoulder 3", "-neck 2", "-shoulder 2"});
+  builder.face("shoulder 3", {"+belly 3", "+low shoulder 4", "+high shoulder 4", "-neck 3", "-shoulder 3"});
+  builder.face("below spout right", {"+belly 4", "+below spout", "+low root right", "-waist right", "-low shoulder 4"});
+  builder.face("above spout right",
+               {"+waist right", "+high root right", "+above spout", "-neck 4", "-high shoulder 4"});
+  builder.face("below spout left", {"+belly 5", "+low shoulder 1", "-waist left", "-low root left", "-below spout"});
+  builder.face("above spout left", {"+waist left", "+high shoulder 1", "-neck 5", "-above spout", "-high root left"});
 }
 
 /// A tube of four strips from its root in the body to its tip.
 void add_spout(GalleryBuilder& builder) {
-  const Vec3 low = turned(0, part_of(upper_profile(), 0, 0.18).back());
-  const Vec3 high = turned(0, part_of(upper_profile(), 0.62, 1).front());
+  const Vec3 low = turned(0, part_of(upper_profile(), 0, below).back());
+  const Vec3 high = turned(0, part_of(upper_profile(), above, 1).front());
   const Vec3 tip_low(0.205, 0, 0.15), tip_high(0.196, 0, 0.172);
   builder.smooth("spout below", {low, low + Vec3(0.04, 0, 0), tip_low + Vec3(-0.022, 0, -0.04), tip_low});
   builder.smooth("spout above", {high, high + Vec3(0.04, 0, 0), tip_high + Vec3(-0.02, 0, -0.03), tip_high});
   for (const double side : {-1.0, 1.0}) {
     const std::string name = side < 0 ? " right" : " left";
-    const Vec3 out(0, side, 0), beside(0.104, side * 0.033, 0.112), tip = 0.5 * (tip_low + tip_high) + 0.011 * out;
+    const Vec3 root = turned(side < 0 ? 360 - root_angle : root_angle, part_of(upper_profile(), 0, beside).back());
+    const Vec3 out(0, side, 0), tip = 0.5 * (tip_low + tip_high) + 0.011 * out;
     const Vec3 up_root = (high - low) / 4, up_tip = (tip_high - tip_low) / 4;
-    builder.crease("low root" + name, {low, low + 0.018 * out, beside - up_root, beside});
-    builder.crease("high root" + name, {beside, beside + up_root, high + 0.018 * out, high});
+    builder.crease("low root" + name, {low, low + 0.018 * out, root - up_root, root});
+    builder.crease("high root" + name, {root, root + up_root, high + 0.018 * out, high});
     builder.crease("low tip" + name, {tip_low, tip_low + 0.006 * out, tip - up_tip, tip});
     builder.crease("high tip" + name, {tip, tip + up_tip, tip_high + 0.006 * out, tip_high});
-    builder.smooth("spout" + name, {beside, beside + Vec3(0.035, -0.012 * side, 0), tip + Vec3(-0.02, 0, -0.035), tip});
+    builder.smooth("spout" + name, {root, root + Vec3(0.035, -0.012 * side, 0), tip + Vec3(-0.02, 0, -0.035), tip});
   }
   builder.face("spout low right", {"+spout below", "+low tip right", "-spout right", "-low root right"});
   builder.face("spout high right", {"+spout right", "+high tip right", "-spout above", "-high root right"});
