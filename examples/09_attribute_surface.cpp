@@ -32,7 +32,7 @@ AttributeNetwork tent() {
   network.faces[0].id = "left wing";
   network.faces[0].loop = {{0, false}, {1, false}, {2, false}};
   network.faces[1].id = "right wing";
-  network.faces[1].loop = {{5, false}, {4, false}, {3, false}, {0, true}};
+  network.faces[1].loop = {{0, true}, {3, true}, {4, true}, {5, true}};
   return network;
 }
 
