@@ -14,8 +14,10 @@ namespace croquis {
 namespace {
 
 constexpr double spacing_pixels = 2;       // of the places that a stroke is worked on with
+constexpr double least_step_pixels = 3;    // between places that tell a direction
 constexpr int steadying_passes = 6;        // moves a place by less than the jitter of a hand
 constexpr double closing_pixels = 14;      // ends this near are meant to meet …
+constexpr double closing_miss = 0.05;      // … or this near × the stroke's length …
 constexpr double closing_share = 0.15;     // … where the stroke is much longer than the gap
 constexpr double corner_sharpness = 0.7;   // of a corner nearly all turning is within half the reach; of an arc half
 constexpr double least_line_pixels = 1.5;  // a line is never drawn straighter
@@ -84,13 +86,14 @@ std::vector<std::size_t> corners_of(std::span<const Vec3> places, bool ring, con
     turns[i] = turn_at(places, i, reach, ring);
     if (turn_at(places, i, reach / 2, ring) < corner_sharpness * turns[i]) turns[i] = 0;
   }
-  for (std::size_t i = 0; i < turns.size(); ++i) {
-    if (turns[i] < least) continue;
-    const std::size_t low = i > reach ? i - reach : 0;
-    const std::size_t high = std::min(turns.size() - 1, i + reach);
-    const auto sharpest = std::max_element(turns.begin() + static_cast<std::ptrdiff_t>(low),
-                                           turns.begin() + static_cast<std::ptrdiff_t>(high + 1));
-    if (static_cast<std::size_t>(sharpest - turns.begin()) == i) corners.push_back(i);
+  const std::size_t count = ring ? turns.size() - 1 : turns.size();  // a ring's last place is its first
+  for (std::size_t i = 0; i < count; ++i) {
+    bool sharpest = turns[i] >= least;
+    for (std::size_t k = 1; k <= reach && sharpest; ++k) {
+      if (ring || i >= k) sharpest = turns[(i + count - k) % count] < turns[i];
+      if (ring || i + k < count) sharpest = sharpest && turns[(i + k) % count] <= turns[i];
+    }
+    if (sharpest) corners.push_back(i);
   }
   return corners;
 }
@@ -110,7 +113,8 @@ class StrokeRow {
   StrokeRow(std::span<const Vec3> points, const StrokeCurveOptions& options)
       : options_(options), places_(evenly_spaced(points, spacing_pixels * options.unit)) {
     const double gap = (places_.back() - places_.front()).norm();
-    closed_ = gap <= closing_pixels * options.unit && gap <= closing_share * row_length(points);
+    const double length = row_length(points);
+    closed_ = gap <= std::max(closing_pixels * options.unit, closing_miss * length) && gap <= closing_share * length;
     if (closed_) close();
     corners_ = corners_of(places_, closed_, options);
     if (closed_) turn_to_corner();
@@ -181,10 +185,13 @@ class StrokeRow {
 }  // namespace
 
 std::vector<std::vector<Vec3>> curves_of_stroke(std::span<const Vec3> points, const StrokeCurveOptions& options) {
+  // A slow hand leaves many places close together, whose tremble would count as length and as turns.
   std::vector<Vec3> different;
   for (const Vec3& point : points) {
-    if (different.empty() || (point - different.back()).norm() > 1e-6 * options.unit) different.push_back(point);
+    if (different.empty() || (point - different.back()).norm() >= least_step_pixels * options.unit)
+      different.push_back(point);
   }
+  if (different.size() > 1) different.back() = points.back();
   const auto far = [&](const Vec3& point) {
     return (point - different.front()).norm() >= options.smallest * options.unit;
   };

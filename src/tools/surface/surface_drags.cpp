@@ -73,17 +73,19 @@ std::vector<SlopeTip> SurfaceTool::slopes() const {
   const auto now = network();
   const std::string& curve = chosen.curves.front();
   for (const Index face : faces_along(*now, require_element(*now, NetworkElement::Curve, curve))) {
+    const std::string& patch = now->faces[face].id;
     SlopeTip tip;
-    tip.side = {curve, now->faces[face].id};
+    tip.side = {curve, patch};
     Index slope = find_slope(*now, tip.side);
     if (slope == no_index) slope = find_slope(*now, {curve, {}});
     if (slope != no_index) {
       const SlopeAttribute& set = now->slopes[slope];
+      if (set.face == no_index) tip.side.face.clear();
       tip.at = *std::ranges::min_element(set.at, {}, [](double at) { return std::abs(at - 0.5); });
       tip.magnitude = set.magnitude;
       tip.automatic = false;
     }
-    const auto frame = sight_->slope_at(tip.side.face, curve, tip.at);
+    const auto frame = sight_->slope_at(patch, curve, tip.at);
     if (!frame) continue;
     tip.frame = *frame;
     tip.tip = frame->point + tip.magnitude * frame->length * frame->inward;

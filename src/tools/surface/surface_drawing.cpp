@@ -111,8 +111,6 @@ std::vector<Vec3> SurfaceTool::stroke_places(const std::optional<SurfaceSnap>& e
       if (const auto place = place_on(plane, start_.pointer.frame, sample.pixel)) places.push_back(*place);
     }
   }
-  if (from_ && !places.empty()) places.front() = from_->place;
-  if (end && places.size() > 1) places.back() = end->place;
   return places;
 }
 

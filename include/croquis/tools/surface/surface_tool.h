@@ -58,7 +58,7 @@ struct SurfaceSnap {
 
 /// A handle of the slope of a patch along a selected curve.
 struct SlopeTip {
-  SlopeSide side;
+  SlopeSide side;   ///< the slope that a drag sets: the patch's own, or the one for all patches where that is set
   double at = 0.5;  ///< fraction of the curve's arc length
   SlopeFrame frame;
   double magnitude = 1;

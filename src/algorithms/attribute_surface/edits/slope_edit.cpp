@@ -26,10 +26,9 @@ Index face_of(const AttributeNetwork& network, const SlopeSide& side) {
   return side.face.empty() ? no_index : require_element(network, NetworkElement::Face, side.face);
 }
 
-/// The slope of that side; a new one begins as the one for all faces is.
+/// The slope of that side, or a new one without normals. One for a face is added to that for all of them.
 SlopeAttribute slope_or_new(const AttributeNetwork& network, const SlopeSide& side) {
-  Index found = find_slope(network, side);
-  if (found == no_index) found = find_slope(network, {side.curve, {}});
+  const Index found = find_slope(network, side);
   SlopeAttribute slope;
   if (found != no_index) slope = network.slopes[found];
   slope.curve = require_element(network, NetworkElement::Curve, side.curve);
