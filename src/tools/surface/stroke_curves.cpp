@@ -19,14 +19,21 @@ constexpr int steadying_passes = 6;        // moves a place by less than the jit
 constexpr double closing_pixels = 14;      // ends this near are meant to meet …
 constexpr double closing_miss = 0.05;      // … or this near × the stroke's length …
 constexpr double closing_share = 0.15;     // … where the stroke is much longer than the gap
-constexpr double corner_sharpness = 0.7;   // of a corner nearly all turning is within half the reach; of an arc half
+constexpr double corner_sharpness = 0.62;  // of a corner nearly all turning is within half the reach; of an arc half
 constexpr double least_line_pixels = 1.5;  // a line is never drawn straighter
-constexpr std::size_t loop_parts = 4;      // of a loop without corners
+constexpr double steps_in_reach = 2.2;
+constexpr std::size_t loop_parts = 4;  // of a loop without corners
 
 double row_length(std::span<const Vec3> points) {
   double length = 0;
   for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
   return length;
+}
+
+double longest_step(std::span<const Vec3> points) {
+  double longest = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) longest = std::max(longest, (points[i] - points[i - 1]).norm());
+  return longest;
 }
 
 /// Places at even distances along the stroke, its ends too.
@@ -75,8 +82,11 @@ double turn_at(std::span<const Vec3> places, std::size_t at, std::size_t reach, 
 }
 
 /// Positions of sharp corners, ascending.
-std::vector<std::size_t> corners_of(std::span<const Vec3> places, bool ring, const StrokeCurveOptions& options) {
-  const auto reach = std::max<std::size_t>(2, static_cast<std::size_t>(options.corner_reach / spacing_pixels));
+/// @param step px, the longest way between two events: a corner that falls between them is cut off by so much
+std::vector<std::size_t> corners_of(std::span<const Vec3> places, bool ring, double step,
+                                    const StrokeCurveOptions& options) {
+  const double pixels = std::max(options.corner_reach, steps_in_reach * step);
+  const auto reach = std::max<std::size_t>(2, static_cast<std::size_t>(pixels / spacing_pixels));
   const double least = options.corner_degrees * std::numbers::pi / 180;
   std::vector<std::size_t> corners;
   std::vector<double> turns(places.size());
@@ -116,7 +126,7 @@ class StrokeRow {
     const double length = row_length(points);
     closed_ = gap <= std::max(closing_pixels * options.unit, closing_miss * length) && gap <= closing_share * length;
     if (closed_) close();
-    corners_ = corners_of(places_, closed_, options);
+    corners_ = corners_of(places_, closed_, longest_step(points) / options.unit, options);
     if (closed_) turn_to_corner();
   }
 

@@ -25,7 +25,8 @@ std::vector<Vec2> by_hand(const std::vector<Vec2>& way, Random& random) {
     const auto next = std::clamp<std::size_t>(
         static_cast<std::size_t>(std::ranges::lower_bound(lengths, along) - lengths.begin()), 1, way.size() - 1);
     const double part = lengths[next] - lengths[next - 1];
-    const Vec2 place = way[next - 1] + (way[next] - way[next - 1]) * (part > 0 ? (along - lengths[next - 1]) / part : 0);
+    const Vec2 place =
+        way[next - 1] + (way[next] - way[next - 1]) * (part > 0 ? (along - lengths[next - 1]) / part : 0);
     const Vec2 tremble(random.between(-0.7, 0.7), random.between(-0.7, 0.7));
     pixels.push_back(place + (1 - share) * at_start + share * at_end + tremble);
   }

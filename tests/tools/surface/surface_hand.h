@@ -30,9 +30,9 @@ struct SurfaceHand {
 
   Vec2 pixel(const Vec3& place) const { return camera.pixel_of(place); }
   Verdict step(PenStep::Kind kind, const Vec2& pixel);
-  Verdict stroke(const std::vector<Vec2>& way);                 ///< by_hand
-  Verdict stroke_through(const std::vector<Vec3>& places);      ///< as they are seen
-  Verdict drag(const Vec2& from, const Vec2& to);               ///< by_hand, but begun exactly
+  Verdict stroke(const std::vector<Vec2>& way);             ///< by_hand
+  Verdict stroke_through(const std::vector<Vec3>& places);  ///< as they are seen
+  Verdict drag(const Vec2& from, const Vec2& to);           ///< by_hand, but begun exactly
   Verdict click(const Vec2& pixel);
 
   const AttributeNetwork& network() const { return *tool.network(); }

@@ -114,8 +114,7 @@ TEST_CASE("a stroke round and back to its beginning is closed") {
     const auto curves = curves_drawn(way, random);
     INFO("seed " << seed);
     CHECK(curves.size() == 4);
-    for (std::size_t i = 0; i < curves.size(); ++i)
-      CHECK(curves[i].back() == curves[(i + 1) % curves.size()].front());
+    for (std::size_t i = 0; i < curves.size(); ++i) CHECK(curves[i].back() == curves[(i + 1) % curves.size()].front());
   }
 }
 

@@ -367,8 +367,9 @@ TEST_CASE("commands about what isn't there are refused, and nothing changes") {
   CHECK_THROWS_AS(hand.tool.draw({{{0, 0, 0}, {1, 0, 0}}, 0.01, {"n9", {}, 0}, {}, {}}), Error);
   CHECK(hand.tool.remove({{"n9"}, {}, {}, {}}) == Verdict::Continue);
   CHECK(hand.text() == before);
-  CHECK_THROWS_WITH(recorded::parse(R"({"do":"surface-join","curves":["c1"],"join":"round"})", "test", recorded::all_steps()),
-                    Catch::Contains("join"));
+  CHECK_THROWS_WITH(
+      recorded::parse(R"({"do":"surface-join","curves":["c1"],"join":"round"})", "test", recorded::all_steps()),
+      Catch::Contains("join"));
 }
 
 }  // namespace
