@@ -5,7 +5,7 @@
 
 #include "croquis/io/attribute_network_file.h"
 #include "croquis/tools/recording/recording.h"
-#include "croquis/tools/surface/patch_sight.h"
+#include "tools/surface/patch_sight.h"
 
 namespace croquis::test {
 

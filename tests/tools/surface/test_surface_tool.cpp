@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
@@ -356,6 +357,48 @@ TEST_CASE("every recorded step does again what the hand did") {
   }
   CHECK(again.text() == hand.text());
   CHECK(again.tool.selected() == hand.tool.selected());
+}
+
+/// A ball to draw on, and nothing else.
+class BallSight final : public SurfaceSight {
+ public:
+  explicit BallSight(const Vec3& middle) : middle_(middle) {}
+
+  std::optional<MeshHit> mesh_under(const Ray& ray) const override {
+    const Vec3 offset = ray.origin - middle_;
+    const double half = offset.dot(ray.direction);
+    const double rest = half * half - offset.squaredNorm() + 1;
+    if (rest < 0) return std::nullopt;
+    const double distance = -half - std::sqrt(rest);
+    return MeshHit{ray.at(distance), (ray.at(distance) - middle_).normalized(), distance};
+  }
+  std::optional<SurfaceHit> patch_under(const Ray&) const override { return std::nullopt; }
+  std::optional<Vec3> normal_at(const std::string&) const override { return std::nullopt; }
+  std::optional<double> radius_of(const std::string&) const override { return std::nullopt; }
+  std::vector<Vec3> ring_of(const std::string&, double) const override { return {}; }
+  std::optional<SlopeFrame> slope_at(const std::string&, const std::string&, double) const override { return {}; }
+
+ private:
+  Vec3 middle_;
+};
+
+TEST_CASE("a stroke that begins on a mesh lies on it, and so does one between nodes on it") {
+  SurfaceHand hand;
+  const Vec3 middle(1, 1, 0);
+  hand.tool.set_sight(std::make_shared<const BallSight>(middle));
+  const Vec2 centre = hand.pixel(middle);
+  REQUIRE(hand.stroke({centre + Vec2(-45, 10), centre + Vec2(40, -15)}) == Verdict::Commit);
+  const auto distance = [&](const Vec3& place) { return std::abs((place - middle).norm() - 1); };
+  for (const Vec3& place : traced_curve(hand.network(), 0)) CHECK(distance(place) < 0.05);
+  CHECK(hand.network().curves[0].control.size() >= 3);
+  REQUIRE(hand.stroke({hand.pixel(hand.node_place("n2")), centre + Vec2(5, 40), hand.pixel(hand.node_place("n1"))}) ==
+          Verdict::Commit);
+  CHECK(hand.network().nodes.size() <= 3);
+  for (Index curve = 1; curve < hand.network().curves.size(); ++curve) {
+    for (const Vec3& place : traced_curve(hand.network(), curve)) CHECK(distance(place) < 0.05);
+  }
+  CHECK(hand.stroke({{20, 560}, {200, 560}}) == Verdict::Commit);  // beside it: on the ground
+  CHECK(std::abs(hand.network().nodes.back().point.y()) < 1e-9);
 }
 
 TEST_CASE("commands about what isn't there are refused, and nothing changes") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "croquis/tools/surface/patch_sight.h"
+#include "tools/surface/patch_sight.h"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@
 #include "croquis/attribute_surface/network_elements.h"
 #include "tools/pointer/face_tree.h"
 
-namespace croquis {
+namespace croquis::test {
 namespace {
 
 constexpr double handle_share = 0.08;  // × the loop's length: how long a slope of magnitude 1 is shown
@@ -173,4 +173,4 @@ std::optional<SlopeFrame> PatchSight::slope_at(const std::string& face, const st
   return frame.inward.norm() > 0 ? std::optional(frame) : std::nullopt;
 }
 
-}  // namespace croquis
+}  // namespace croquis::test

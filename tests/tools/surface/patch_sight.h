@@ -10,9 +10,9 @@
 #include "croquis/attribute_surface/surface_tessellation.h"
 #include "croquis/tools/surface/surface_sight.h"
 
-namespace croquis {
+namespace croquis::test {
 
-/// What lies under rays of an evaluated network, by the triangles that are shown of it. Immutable.
+/// What lies under rays of an evaluated network, by its triangles: as a host would tell the tool.
 class PatchSight final : public SurfaceSight {
  public:
   /// Finds what a ray meets of other meshes; empty: nothing.
@@ -38,4 +38,4 @@ class PatchSight final : public SurfaceSight {
   std::unique_ptr<const State> state_;
 };
 
-}  // namespace croquis
+}  // namespace croquis::test
