@@ -114,6 +114,7 @@ TEST_CASE("edits done on both sides leave symmetric networks symmetric") {
   check("delete node", delete_elements(whole, {{"n1_1"}, {}, {}, {}}));
   check("delete point", delete_elements(whole, {{}, {}, {}, {"p2"}}));
   check("merge nodes", merge_nodes(whole, "n2_1", "n2_2"));
+  check("merge with the image", merge_nodes(whole, "n1_1", "n1_1_m"));
   check("new curve", add_curve(whole, {"n0_0", "n1_1", {}, CurveJoin::Smooth, false}).network);
   check("split face",
         split_face(add_curve(whole, {"n1_0", "n2_1", {}, {}, false}).network, "f1_0", "c1", 1e-6).network);

@@ -44,7 +44,8 @@ MirroredNetwork mirror_network(const AttributeNetwork& network, const SymmetryPl
 
 /// An edit done on both sides: what became of an element becomes of its image, too; what is new gets an image; the
 /// image of what was deleted goes. Where both were changed, the first one counts. What is its own image stays so:
-/// places in the plane stay in it.
+/// places in the plane stay in it. Where the image of an edit would open the loop of a face that has no image itself,
+/// the edit is done alone.
 /// @param before, after the network without and with the edit
 AttributeNetwork with_symmetric_edit(const AttributeNetwork& before, const AttributeNetwork& after,
                                      const SymmetryPlane& plane, const NetworkPartners& partners);

@@ -114,6 +114,22 @@ class EditComparison {
   Correspondence old_;
 };
 
+/// Nodes that have taken over curves of their own image, which was merged into them: they are their own image now.
+std::vector<Index> merged_with_image(const AttributeNetwork& before, const AttributeNetwork& after,
+                                     const Correspondence& old, const std::vector<Index>& partners) {
+  std::vector<Index> merged;
+  for (std::size_t i = 0; i < after.curves.size(); ++i) {
+    if (old.curves[i] == no_index) continue;
+    const AttributeCurve& then = before.curves[old.curves[i]];
+    for (const auto& [now, was] :
+         {std::pair(after.curves[i].from, then.from), std::pair(after.curves[i].to, then.to)}) {
+      if (now == no_index || was == no_index || old.nodes[now] == no_index || old.nodes[now] == was) continue;
+      if (partners[old.nodes[now]] == was) merged.push_back(now);
+    }
+  }
+  return merged;
+}
+
 /// Calls `make` for new elements, `centre` for those that are their own image, `renew` for changed ones whose image
 /// hasn't been renewed by its own change.
 template <typename Changed, typename Make, typename Centre, typename Renew>
@@ -175,6 +191,17 @@ bool has_curves(const AttributeNetwork& network, const std::string& node) {
          });
 }
 
+std::size_t open_corners(const AttributeNetwork& network) {
+  std::size_t count = 0;
+  for (const AttributeFace& face : network.faces) {
+    for (std::size_t i = 0; i < face.loop.size(); ++i) {
+      const AttributeSide& next = face.loop[(i + 1) % face.loop.size()];
+      if (end_node(network, face.loop[i]) != start_node(network, next)) ++count;
+    }
+  }
+  return count;
+}
+
 }  // namespace
 
 AttributeNetwork with_symmetric_edit(const AttributeNetwork& before, const AttributeNetwork& after,
@@ -183,11 +210,14 @@ AttributeNetwork with_symmetric_edit(const AttributeNetwork& before, const Attri
   const Correspondence& old = edit.old();
   const Correspondence now = correspondence(before, after);
   const NetworkPartners found = find_partners(after, plane, tolerance_of(after));
-  const NetworkPartners carried{carried_over(old.nodes, now.nodes, partners.nodes, found.nodes),
-                                carried_over(old.curves, now.curves, partners.curves, found.curves),
-                                carried_over(old.faces, now.faces, partners.faces, found.faces),
-                                carried_over(old.points, now.points, partners.points, found.points)};
+  NetworkPartners carried{carried_over(old.nodes, now.nodes, partners.nodes, found.nodes),
+                          carried_over(old.curves, now.curves, partners.curves, found.curves),
+                          carried_over(old.faces, now.faces, partners.faces, found.faces),
+                          carried_over(old.points, now.points, partners.points, found.points)};
+  const std::vector<Index> merged = merged_with_image(before, after, old, partners.nodes);
+  for (const Index node : merged) carried.nodes[node] = node;
   NetworkImage image(after, plane, carried);
+  for (const Index node : merged) image.centre_node(node);
   renew_all(image, edit, carried);
   image.mend_loops();
   image.meet_nodes();
@@ -198,7 +228,9 @@ AttributeNetwork with_symmetric_edit(const AttributeNetwork& before, const Attri
   AttributeNetwork result = delete_elements(std::move(image.network()), deleted);
   NetworkElements bare{images_of_deleted(before.nodes, now.nodes, partners.nodes), {}, {}, {}};
   std::erase_if(bare.nodes, [&](const std::string& id) { return has_curves(result, id); });
-  return delete_elements(std::move(result), bare);
+  result = delete_elements(std::move(result), bare);
+  // Where only part of a network is symmetric, the image of an edit may part what the other part holds together.
+  return open_corners(result) > open_corners(after) ? after : result;
 }
 
 }  // namespace croquis
