@@ -8,6 +8,7 @@
 #include "croquis/io/file.h"
 #include "support/attribute_surface/gallery.h"
 #include "support/attribute_surface/joined_networks.h"
+#include "support/attribute_surface/loops.h"
 #include "support/attribute_surface/surfaces.h"
 
 namespace croquis::test {
@@ -46,6 +47,13 @@ TEST_CASE("the smooth keel of a hull is no knife edge away from the stem") {
     // A hull looks the same from both sides.
     CHECK(std::abs(left.y()) < 1e-6);
   }
+}
+
+TEST_CASE("a strongly concave loop is told of, and evaluated all the same") {
+  const AttributeSurface surface = surface_of(l_loop());
+  REQUIRE(surface.findings.size() == 1);
+  CHECK(surface.findings[0].code == "W_FOLD");
+  CHECK(surface.any());
 }
 
 }  // namespace croquis::test
