@@ -117,11 +117,29 @@ bool is_line(std::span<const Vec3> places, const StrokeCurveOptions& options) {
   });
 }
 
+/// How far places are beside the stroke that was meant, one standard deviation: from third differences, which smooth
+/// curves hardly have, and their median, which corners don't change.
+double tremble_of(std::span<const Vec3> points) {
+  constexpr double deviation_of_median = 1.4826;  // of normal noise
+  const double growth = std::sqrt(20.0);          // 1 + 9 + 9 + 1: of noise in a third difference
+  std::vector<double> sizes;
+  for (std::size_t i = 0; i + 3 < points.size(); ++i) {
+    const Vec3 along = unit_or_zero(points[i + 3] - points[i]);
+    const Vec3 difference = points[i + 3] - 3 * points[i + 2] + 3 * points[i + 1] - points[i];
+    sizes.push_back((difference - difference.dot(along) * along).norm());
+  }
+  if (sizes.empty()) return 0;
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::ranges::nth_element(sizes, middle);
+  return deviation_of_median / growth * *middle;
+}
+
 /// A stroke on the way to its curves.
 class StrokeRow {
  public:
   StrokeRow(std::span<const Vec3> points, const StrokeCurveOptions& options)
       : options_(options), places_(evenly_spaced(points, spacing_pixels * options.unit)) {
+    tremble_ = tremble_of(points);
     const double gap = (places_.back() - places_.front()).norm();
     const double length = row_length(points);
     closed_ = gap <= std::max(closing_pixels * options.unit, closing_miss * length) && gap <= closing_share * length;
@@ -181,13 +199,15 @@ class StrokeRow {
       return;
     }
     steady(part);
-    const BezierFitOptions fit{options_.tolerance * options_.unit, options_.most_degree,
-                               smooth_direction(from, places_), smooth_direction(to, places_)};
+    const double tolerance = std::max(options_.tolerance * options_.unit, options_.tremble_share * tremble_);
+    const BezierFitOptions fit{tolerance, options_.most_degree, smooth_direction(from, places_),
+                               smooth_direction(to, places_)};
     for (const FittedBezier& fitted : fit_beziers(part, fit)) curves.push_back(fitted.control);
   }
 
   StrokeCurveOptions options_;
   std::vector<Vec3> places_;
+  double tremble_ = 0;
   bool closed_ = false;
   std::vector<std::size_t> corners_;
 };
