@@ -3,6 +3,7 @@
 #include "cli/commands/edits_command.h"
 #include "cli/commands/mesh_commands.h"
 #include "cli/commands/operation_command.h"
+#include "cli/commands/operations_command.h"
 #include "cli/commands/render_command.h"
 #include "cli/commands/run_command.h"
 

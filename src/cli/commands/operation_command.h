@@ -25,16 +25,4 @@ class OperationCommand final : public Command {
   std::vector<FollowUp> follow_ups_;
 };
 
-/// `operations`: every operation with its parameters, and the reference page.
-class OperationsCommand final : public Command {
- public:
-  explicit OperationsCommand(const Registry& registry) : registry_(registry) {}
-
-  CommandDescription describe() const override;
-  void run(const Invocation& invocation, CommandResult& result, Progress& progress) const override;
-
- private:
-  const Registry& registry_;
-};
-
 }  // namespace croquis::cli

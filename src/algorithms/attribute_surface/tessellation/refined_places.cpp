@@ -2,7 +2,7 @@
 #include "algorithms/attribute_surface/tessellation/refined_places.h"
 
 #include <algorithm>
-#include <set>
+#include <map>
 #include <utility>
 
 #include "croquis/geometry/triangle_tree.h"
@@ -99,33 +99,39 @@ class Refinement {
     return {place, foot.distance};
   }
 
-  /// Along an edge, from its lower vertex on: both triangles find the same places.
-  void measure_edge(const Triangle& triangle, std::size_t first, Probe& worst) const {
+  void measure(const Triangle& triangle, const Vec2& place, Probe& worst) const {
+    const Probe probe = measured(triangle, place);
+    if (probe.error > worst.error) worst = probe;
+  }
+
+  /// At a part of an edge, counted from its lower vertex on: both triangles find the same place.
+  void measure_edge(const Triangle& triangle, std::size_t first, int part, Probe& worst) const {
     const auto [low, high] = std::minmax(triangle[first], triangle[(first + 1) % 3]);
     if (is_rim_edge(low, high)) return;
-    for (const int part : {3, 2, 4, 1, 5}) {
-      const Vec2 along = made_.places[high] - made_.places[low];
-      const Probe probe = measured(triangle, made_.places[low] + part / double{probe_parts} * along);
-      if (probe.error > worst.error) worst = probe;
-    }
+    const Vec2 along = made_.places[high] - made_.places[low];
+    measure(triangle, made_.places[low] + part / double{probe_parts} * along, worst);
   }
 
   void measure_inside(const Triangle& triangle, Probe& worst) const {
     const Vec2& origin = made_.places[triangle[0]];
-    const Vec2 a = (made_.places[triangle[1]] - origin) / probe_parts,
-               b = (made_.places[triangle[2]] - origin) / probe_parts;
+    const Vec2 a = (made_.places[triangle[1]] - origin) / probe_parts;
+    const Vec2 b = (made_.places[triangle[2]] - origin) / probe_parts;
     for (int i = 1; i + 1 < probe_parts; ++i) {
-      for (int j = 1; i + j < probe_parts; ++j) {
-        const Probe probe = measured(triangle, origin + i * a + j * b);
-        if (probe.error > worst.error) worst = probe;
-      }
+      for (int j = 1; i + j < probe_parts; ++j) measure(triangle, origin + i * a + j * b, worst);
     }
   }
 
+  /// Where a few places show already that it must be divided, no more are measured.
   Probe worst_of(const Triangle& triangle) const {
     Probe worst;
+    for (std::size_t first = 0; first < 3; ++first) measure_edge(triangle, first, probe_parts / 2, worst);
+    const auto& at = made_.places;
+    measure(triangle, (at[triangle[0]] + at[triangle[1]] + at[triangle[2]]) / 3, worst);
+    if (worst.error > 2 * options_.tolerance) return worst;
     measure_inside(triangle, worst);
-    for (std::size_t first = 0; first < 3; ++first) measure_edge(triangle, first, worst);
+    for (std::size_t first = 0; first < 3; ++first) {
+      for (const int part : {1, 2, 4, 5}) measure_edge(triangle, first, part, worst);
+    }
     return worst;
   }
 
@@ -151,24 +157,31 @@ class Refinement {
     return longest < least_edge || cross(b - a, c - a) < least_vertex_distance * longest;
   }
 
+  /// The worst place of a triangle; error 0 where it keeps to what it can be asked for.
+  Probe fault_of(const Triangle& triangle) const {
+    const Probe worst = worst_of(triangle);
+    const bool keeps = worst.error <= options_.tolerance || worst.error <= limit_of(triangle);
+    return keeps ? Probe{} : worst;
+  }
+
   /// One place for each triangle that is too far from the surface, the worst first; none for those beside it, which
   /// change. @return the largest error that nothing was done about though it is above the tolerance
   double add_places() {
     std::vector<std::pair<Triangle, Probe>> wanted;
     double left = 0;
-    std::set<Triangle> settled;
+    std::map<Triangle, Probe> faults;
     for (const Triangle& triangle : made_.triangles) {
       const Triangle name = name_of(triangle);
-      const Probe worst = settled_.contains(name) ? Probe{} : worst_of(triangle);
-      if (worst.error <= options_.tolerance || worst.error <= limit_of(triangle)) {
-        settled.insert(name);
-      } else if (is_stuck(triangle) || inner_.size() >= options_.most_inner) {
-        left = std::max(left, worst.error);
+      const auto known = faults_.find(name);
+      const Probe& fault = faults[name] = known != faults_.end() ? known->second : fault_of(triangle);
+      if (fault.error == 0) continue;
+      if (is_stuck(triangle) || inner_.size() >= options_.most_inner) {
+        left = std::max(left, fault.error);
       } else {
-        wanted.emplace_back(triangle, worst);
+        wanted.emplace_back(triangle, fault);
       }
     }
-    settled_ = std::move(settled);
+    faults_ = std::move(faults);
     std::ranges::stable_sort(wanted, [](const auto& a, const auto& b) { return a.second.error > b.second.error; });
     std::vector<bool> touched(made_.places.size(), false);
     for (const auto& [triangle, worst] : wanted) {
@@ -187,8 +200,8 @@ class Refinement {
   std::vector<Vec2> inner_;
   std::vector<Vec3> inner_points_;
   FacePlaces made_;
-  std::vector<Vec3> points_;    ///< of all places of made_
-  std::set<Triangle> settled_;  ///< names of those that keep to the tolerance
+  std::vector<Vec3> points_;          ///< of all places of made_
+  std::map<Triangle, Probe> faults_;  ///< by the names of triangles that were measured
 };
 
 }  // namespace
