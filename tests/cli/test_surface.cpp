@@ -124,7 +124,7 @@ Json pillow_network() {
 TEST_CASE("the reference's figures come back for every shipped network, in every mode") {
   const ScratchFolder folder;
   const Json expected =
-      Json::parse(slurp(std::filesystem::path(CROQUIS_SOURCE_DIR) / "tests/attribute_surface/data/expected.json"));
+      Json::parse(slurp(std::filesystem::path(CROQUIS_SOURCE_DIR) / "tests/cli/networks/expected.json"));
   REQUIRE(expected.size() == 4);
   for (const auto& [name, faces] : expected.items()) {
     for (const char* mode : {"smooth", "position", "paper"})
