@@ -16,6 +16,7 @@ namespace croquis {
 struct BezierFitOptions {
   double tolerance = 0;                 ///< model units, > 0: greatest distance of a point from its curve
   std::size_t most_degree = 7;          ///< 3..12
+  bool divide = true;                   ///< else the row stays one curve, as near as may be
   std::optional<Vec3> start_direction;  ///< unit, along the row: the first curve leaves in it; none: free
   std::optional<Vec3> end_direction;    ///< unit, along the row: the last curve arrives in it; none: free
 };
@@ -26,6 +27,7 @@ struct FittedBezier {
   std::size_t last = 0;       ///< … and ends, above `first`; both are met bit for bit
   std::vector<Vec3> control;  ///< 2 for a straight one
   double distance = 0;        ///< model units, the greatest of its points
+  std::vector<double> parameters;  ///< 0..1, of the places nearest to its points; not always ascending
 };
 
 /// A chain of curves along points, with common tangents where one follows another. A row that no allowed degree comes

@@ -16,6 +16,7 @@ constexpr int plain_rounds = 2;         // in which distances along the curve co
 constexpr int most_idle = 3;            // rounds without gain
 constexpr double least_gain = 0.95;     // × the distance before
 constexpr double along_weight = 1e-2;   // of distances along the curve in later rounds
+constexpr int settling_steps = 4;         // of parameters on the curve that was chosen
 constexpr double hold = 1e-9;           // pulls what the points don't determine towards the lower degree's curve
 constexpr double least_handle = 1e-2;   // × chord / degree: shorter ones, or backward, are kinks
 constexpr double straight_turn = 1e-3;  // radians: a given direction that a straight curve may miss
@@ -74,8 +75,31 @@ class RowFit {
   }
 
   /// The lowest degree that keeps the tolerance, or else the nearest curve.
-  FittedBezier run() {
-    FittedBezier best{0, points_.size() - 1, {points_.front(), points_.back()}, 0};
+  FittedBezier run() const {
+    FittedBezier best = nearest_curve();
+    best.parameters = parameters_;
+    for (int step = 0; step < settling_steps; ++step)
+      best.parameters = nearest_parameters(best.control, std::move(best.parameters));
+    return best;
+  }
+
+  /// Where to divide a row: the farthest point of the row's middle half.
+  std::size_t worst_within(const FittedBezier& curve) const {
+    const std::size_t n = points_.size();
+    const std::vector<double>& at = curve.parameters;
+    std::size_t worst = n / 2;
+    double greatest = -1;
+    for (std::size_t i = std::max<std::size_t>(1, n / 4); i < n - std::max<std::size_t>(1, n / 4); ++i) {
+      const double distance = (place_on(curve.control, at[i]).point - points_[i]).norm();
+      if (distance > greatest) worst = i;
+      greatest = std::max(greatest, distance);
+    }
+    return worst;
+  }
+
+ private:
+  FittedBezier nearest_curve() const {
+    FittedBezier best{0, points_.size() - 1, {points_.front(), points_.back()}, 0, {}};
     best.distance = greatest_distance(best.control, parameters_);
     if (best.distance <= options_.tolerance && directions_suit_line()) return best;
     Control control = first_guess();
@@ -97,21 +121,6 @@ class RowFit {
     return best;
   }
 
-  /// Where to divide a row that is too far from its curve: the farthest point of its middle half.
-  std::size_t worst_within(const FittedBezier& curve) const {
-    const std::size_t n = points_.size();
-    const std::vector<double> at = nearest_parameters(curve.control, parameters_);
-    std::size_t worst = n / 2;
-    double greatest = -1;
-    for (std::size_t i = std::max<std::size_t>(1, n / 4); i < n - std::max<std::size_t>(1, n / 4); ++i) {
-      const double distance = (place_on(curve.control, at[i]).point - points_[i]).norm();
-      if (distance > greatest) worst = i;
-      greatest = std::max(greatest, distance);
-    }
-    return worst;
-  }
-
- private:
   Vec3 chord() const { return points_.back() - points_.front(); }
   bool has_directions() const { return options_.start_direction || options_.end_direction; }
 
@@ -238,9 +247,9 @@ class RowFit {
 
 void fit_rows(std::span<const Vec3> points, std::size_t offset, const BezierFitOptions& options,
               std::vector<FittedBezier>& result) {
-  RowFit fit(points, options);
+  const RowFit fit(points, options);
   FittedBezier curve = fit.run();
-  if (curve.distance <= options.tolerance || points.size() < 3) {
+  if (!options.divide || curve.distance <= options.tolerance || points.size() < 3) {
     curve.first += offset;
     curve.last += offset;
     result.push_back(std::move(curve));
