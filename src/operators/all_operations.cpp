@@ -11,7 +11,9 @@
 #include "operators/subdivide_operation.h"
 #include "operators/surface/contour_network_operation.h"
 #include "operators/surface/edge_network_operation.h"
+#include "operators/surface/surface_cage_operation.h"
 #include "operators/surface/surface_operation.h"
+#include "operators/surface/surface_patch_operation.h"
 
 namespace croquis {
 
@@ -24,9 +26,11 @@ Registry all_operations() {
   registry.add(std::make_unique<EdgeNetworkOperation>());
   registry.add(std::make_unique<PatchCageOperation>());
   registry.add(std::make_unique<SurfaceOperation>());
+  registry.add(std::make_unique<SurfaceCageOperation>());
   registry.add(std::make_unique<SubdivideOperation>());
   registry.add(std::make_unique<FairOperation>());
   registry.add(std::make_unique<FillOperation>());
+  registry.add(std::make_unique<SurfacePatchOperation>());
   registry.add(std::make_unique<EditOperation>());
   return registry;
 }

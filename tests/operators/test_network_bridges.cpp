@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
+#include "croquis/geometry/mesh_report.h"
+#include "croquis/geometry/mesh_topology.h"
+#include "operators/subdivide_operation.h"
 #include "operators/surface/contour_network_operation.h"
 #include "operators/surface/edge_network_operation.h"
+#include "operators/surface/surface_cage_operation.h"
+#include "operators/surface/surface_patch_operation.h"
+#include "support/attribute_surface/joined_networks.h"
 #include "support/check_operation.h"
 #include "support/meshes/cages.h"
 #include "support/meshes/mesh_shapes.h"
@@ -60,6 +69,67 @@ TEST_CASE("edges are chosen by name, as boundaries or by the angle of their face
   CHECK(refusal_of({{"edges", std::string("0-1-2")}}) == "E_PARAMETER");
   CHECK(refusal_of({{"edges", std::string("nose")}}) == "E_PARAMETER");
   CHECK(refusal_of({{"edges", std::string("0-99")}}) == "E_PARAMETER");
+}
+
+Values network_input(AttributeNetwork network) {
+  return {{"network", std::make_shared<const AttributeNetwork>(std::move(network))}};
+}
+
+PolyMesh holed_sphere() {
+  return test::without_faces(test::uv_sphere(24, 12), std::vector<Index>{0, 1, 2, 3, 4, 5, 130, 131, 154, 155});
+}
+
+OperationResult result_of(const Operation& operation, const Values& inputs, const ParameterValues& parameters) {
+  Progress progress;
+  Context context{progress};
+  return run(operation, inputs, parameters, context);
+}
+
+TEST_CASE("patches and cages are functions of their arguments") {
+  test::check_operation(SurfacePatchOperation(), mesh_input(holed_sphere()), {});
+  test::check_operation(SurfacePatchOperation(), mesh_input(holed_sphere()),
+                        {{"join", std::string("crease")}, {"sides", std::int64_t{5}}});
+  test::check_operation(SurfaceCageOperation(), network_input(test::cube_sphere()), {{"segments", std::string("8")}});
+}
+
+TEST_CASE("holes to patch are chosen by number or by a vertex of their rim") {
+  const PolyMesh sphere = holed_sphere();
+  const auto boundary_loops = [&](const ParameterValues& parameters) {
+    const OperationResult result = result_of(SurfacePatchOperation(), mesh_input(sphere), parameters);
+    CHECK(result.warnings.empty());
+    Progress progress;
+    return inspect(result.outputs.at("mesh").get<PolyMesh>(), false, progress).boundary_loops;
+  };
+  Progress progress;
+  REQUIRE(inspect(sphere, false, progress).boundary_loops == 2);
+  CHECK(boundary_loops({}) == 0);
+  CHECK(boundary_loops({{"only", std::string("1")}}) == 1);
+  CHECK(boundary_loops({{"only", std::string("0-1")}}) == 0);
+  const MeshTopology topology(sphere);
+  const std::int64_t rim_vertex = topology.boundary_loops()[0][1];
+  CHECK(boundary_loops({{"vertex", rim_vertex}}) == 1);
+  for (const ParameterValues& wrong :
+       {ParameterValues{{"only", std::string("7")}}, ParameterValues{{"vertex", std::int64_t{99999}}},
+        ParameterValues{{"sides", std::int64_t{2}}}, ParameterValues{{"fullness", std::string("3")}}})
+    CHECK_THROWS_AS(result_of(SurfacePatchOperation(), mesh_input(sphere), wrong), Error);
+}
+
+TEST_CASE("subdivided cages of closed networks come near to the surface, the more segments the nearer") {
+  double before = 0.2;
+  for (const char* segments : {"2", "4", "8"}) {
+    const OperationResult cage = result_of(SurfaceCageOperation(), network_input(test::sphere_of_octants()),
+                                           {{"segments", std::string(segments)}});
+    const OperationResult smooth =
+        result_of(SubdivideOperation(), {{"cage", cage.outputs.at("cage")}}, {{"levels", std::int64_t{2}}});
+    const PolyMesh& mesh = smooth.outputs.at("mesh").get<PolyMesh>();
+    double farthest = 0;
+    for (const Vec3& position : mesh.positions) farthest = std::max(farthest, std::abs(position.norm() - 1));
+    INFO(segments << " segments: " << farthest);
+    CHECK(farthest < before);
+    before = std::max(0.6 * farthest, 0.02);  // what the octants themselves are off a sphere
+    Progress progress;
+    CHECK(inspect(mesh, true, progress).self_intersections == 0);
+  }
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
+#include "croquis/attribute_surface/attribute_surface.h"
+#include "croquis/attribute_surface/surface_tessellation.h"
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/geometry/triangle_tree.h"
 #include "croquis/perspective/solid.h"
@@ -88,6 +90,36 @@ TEST_CASE("the subdivided bottle comes nearer to its patches with every doubling
       INFO(scheme << ", " << segments << " segments: " << distance << " of the diagonal");
       CHECK(distance < before);
       before = distance / 2;
+    }
+  }
+}
+
+TEST_CASE("networks of solids are attribute surfaces: a patch for every face of 2 to 12 curves") {
+  for (const test::PerspectiveSolid& shape : test::all_solids()) {
+    INFO(shape.name);
+    const Solid solid = solid_of(shape);
+    Progress progress;
+    Context context{progress};
+    const OperationResult made = run(AttributeNetworkOperation(), solid_input(solid), {}, context);
+    const AttributeNetwork& network = made.outputs.at("network").get<AttributeNetwork>();
+    CHECK(network.faces.size() + made.warnings.size() == solid.brep.faces.size());  // the others are named
+    if (network.faces.empty()) continue;
+    const AttributeSurface surface = make_attribute_surface(network, progress);
+    for (std::size_t f = 0; f < network.faces.size(); ++f) {
+      INFO(network.faces[f].id);
+      CHECK(surface.faces[f].surface != nullptr);
+    }
+    CHECK(!has_errors(surface.findings));
+    for (std::size_t c = 0; c < network.curves.size(); ++c) {
+      const bool joined = network.curves[c].join == CurveJoin::Smooth && surface.curves[c].faces.size() == 2;
+      CHECK(surface.curves[c].smooth == joined);
+    }
+    const MeshReport report = inspect(tessellate(network, surface, progress).mesh, false, progress);
+    CHECK(report.oriented);
+    CHECK(report.nonmanifold_edges == 0);
+    if (made.warnings.empty()) {
+      CHECK(report.closed);
+      CHECK(report.euler_characteristic == 2 * (shape.shells - shape.genus));
     }
   }
 }

@@ -36,13 +36,31 @@ std::vector<ParameterDescription> patch_parameters() {
            "",
            "Numbers of the holes to close, as the list of fill shows them: 0,3-5; empty for all.",
            true},
-          {"vertex", ParameterType::Integer, std::int64_t{-1}, -1, 4e9, {}, "",
+          {"vertex",
+           ParameterType::Integer,
+           std::int64_t{-1},
+           -1,
+           4e9,
+           {},
+           "",
            "Closes the holes that have this vertex in their rims, counted from 0; -1 for none."},
           choice("join", {"smooth", "crease"}, "smooth continues the faces around, crease meets them at an angle."),
           number("corner", 40, 0, 180, "degrees", "Rims that turn more have a corner between two sides there."),
-          {"sides", ParameterType::Integer, std::int64_t{0}, 0, 12, {}, "",
+          {"sides",
+           ParameterType::Integer,
+           std::int64_t{0},
+           0,
+           12,
+           {},
+           "",
            "Sides that a rim is divided into, 3 to 12; 0 for as many as it has corners."},
-          {"fullness", ParameterType::Text, std::string("auto"), 0, 0, {}, "",
+          {"fullness",
+           ParameterType::Text,
+           std::string("auto"),
+           0,
+           0,
+           {},
+           "",
            "How far slopes at the rim reach into the patch, -1 to 2; auto finds the height that the rim lets expect."},
           number("density", 1, 0.1, 10, "x mean edge of the rim", "Edges inside the patch: smaller is finer.")};
 }
@@ -51,7 +69,7 @@ Finding refused(const std::string& parameter, const std::string& sentence) {
   return make_error(Category::Usage, "E_PARAMETER", sentence, {{SubjectKind::Parameter, parameter, {}, {}, {}}});
 }
 
-std::optional<double> read_fullness(const std::string& text) {
+std::optional<double> fullness_of_patch(const std::string& text) {
   if (text == "auto" || text.empty()) return std::nullopt;
   double value = 0;
   if (read_number(text, value) && value >= -1 && value <= 2) return value;
@@ -63,7 +81,7 @@ RimPatchOptions read_options(const ParameterValues& parameters) {
   options.corner = number_of(parameters, "corner") * std::numbers::pi / 180;
   options.sides = static_cast<std::size_t>(integer_of(parameters, "sides"));
   options.smooth = text_of(parameters, "join") == "smooth";
-  options.fullness = read_fullness(text_of(parameters, "fullness"));
+  options.fullness = fullness_of_patch(text_of(parameters, "fullness"));
   options.density = number_of(parameters, "density");
   if (options.sides == 1 || options.sides == 2)
     throw Error(refused("sides", "A patch has 3 to 12 sides; 0 takes as many as the rim has corners."));
@@ -93,10 +111,11 @@ std::vector<const Hole*> chosen_holes(const std::vector<Hole>& holes, const Para
 }
 
 Finding left_open(const Hole& hole, const std::string& reason) {
-  return make_warning(Category::Geometry, "HOLE_LEFT_OPEN",
-                      "Hole " + std::to_string(hole.id) + " is left open: " + reason +
-                          "; divide it otherwise (sides, corner), or use fill.",
-                      {numbered_subject(SubjectKind::Hole, hole.id, {hole.centre.x(), hole.centre.y(), hole.centre.z()})});
+  return make_warning(
+      Category::Geometry, "HOLE_LEFT_OPEN",
+      "Hole " + std::to_string(hole.id) + " is left open: " + reason +
+          "; divide it otherwise (sides, corner), or use fill.",
+      {numbered_subject(SubjectKind::Hole, hole.id, {hole.centre.x(), hole.centre.y(), hole.centre.z()})});
 }
 
 Report entry_of(const Hole& hole, const RimOutcome& outcome) {

@@ -11,6 +11,7 @@
 #include "algorithms/perspective/bridges/convex_pieces.h"
 #include "algorithms/perspective/bridges/nearest_on_curve.h"
 #include "algorithms/perspective/solid/plane_axes.h"
+#include "croquis/geometry/cage_builder.h"
 #include "croquis/geometry/planar_triangulation.h"
 
 namespace croquis {
@@ -25,7 +26,7 @@ class PatchCageMaker {
       : brep_(brep), segments_(options.segments), progress_(progress) {}
 
   PatchCage run() {
-    for (const BrepVertex& vertex : brep_.vertices) cage_.mesh.positions.push_back(vertex.point);
+    for (const BrepVertex& vertex : brep_.vertices) builder_.mesh.positions.push_back(vertex.point);
     for (const BrepEdge& edge : brep_.edges) {
       progress_.check();
       along_.push_back(vertices_on(edge));
@@ -36,17 +37,12 @@ class PatchCageMaker {
     }
     add_creases();
     add_sharp_cuts();
-    add_pins();
+    builder_.add_pins(corner_turn);
     progress_.report(1);
-    return std::move(cage_);
+    return {std::move(builder_.mesh), std::move(warnings_)};
   }
 
  private:
-  Index add_vertex(const Vec3& point) {
-    cage_.mesh.positions.push_back(point);
-    return static_cast<Index>(cage_.mesh.positions.size() - 1);
-  }
-
   // ---- Edges
 
   bool has_patches(Index half_edge) const {
@@ -69,7 +65,7 @@ class PatchCageMaker {
   std::vector<Index> vertices_on(const BrepEdge& edge) {
     std::vector<Index> vertices{edge.start};
     for (std::size_t k = 1; is_divided(edge) && k < segments_; ++k)
-      vertices.push_back(add_vertex(nearest_on_curve(edge.pieces, fitted_point(edge, k))));
+      vertices.push_back(builder_.add_vertex(nearest_on_curve(edge.pieces, fitted_point(edge, k))));
     vertices.push_back(edge.end);
     return vertices;
   }
@@ -106,7 +102,7 @@ class PatchCageMaker {
       const auto [known, is_new] = numbers.try_emplace(vertex, static_cast<Index>(vertices.size()));
       if (is_new) {
         vertices.push_back(vertex);
-        places.emplace_back(u.dot(cage_.mesh.positions[vertex]), v.dot(cage_.mesh.positions[vertex]));
+        places.emplace_back(u.dot(builder_.mesh.positions[vertex]), v.dot(builder_.mesh.positions[vertex]));
       }
       return known->second;
     };
@@ -126,7 +122,7 @@ class PatchCageMaker {
     }
     for (std::vector<Index>& piece : pieces) {
       for (Index& vertex : piece) vertex = vertices[vertex];
-      cage_.mesh.add_face(piece);
+      builder_.mesh.add_face(piece);
       note_cuts(outlines, piece);
     }
   }
@@ -145,8 +141,8 @@ class PatchCageMaker {
 
   /// Each outline a polygon of its own: closed all the same.
   void add_crossing(Index f, const std::vector<std::vector<Index>>& outlines) {
-    for (const std::vector<Index>& outline : outlines) cage_.mesh.add_face(outline);
-    cage_.warnings.push_back(make_warning(
+    for (const std::vector<Index>& outline : outlines) builder_.mesh.add_face(outline);
+    warnings_.push_back(make_warning(
         Category::Geometry, "PATCH_FOLDED",
         "The outlines of the plane face " + std::to_string(f) + " cross each other in the cage: take more segments.",
         {numbered_subject(SubjectKind::Face, f)}));
@@ -154,61 +150,16 @@ class PatchCageMaker {
 
   // ---- Patches
 
-  /// The four sides of a grid, each from its corner to the next one.
-  using GridSides = std::array<std::vector<Index>, 4>;
-
-  void add_grid(const GregoryPatch& patch, const GridSides& sides) {
-    const std::size_t n = sides[0].size() - 1;
-    std::vector<std::vector<Index>> rows(n + 1, std::vector<Index>(n + 1));
-    for (std::size_t row = 0; row <= n; ++row) {
-      for (std::size_t column = 0; column <= n; ++column) {
-        Index& vertex = rows[row][column];
-        if (row == 0) {
-          vertex = sides[0][column];
-        } else if (row == n) {
-          vertex = sides[2][n - column];
-        } else if (column == 0) {
-          vertex = sides[3][n - row];
-        } else if (column == n) {
-          vertex = sides[1][row];
-        } else {
-          const double step = 1 / static_cast<double>(n);
-          vertex = add_vertex(patch.at(static_cast<double>(column) * step, static_cast<double>(row) * step).at);
-        }
-      }
-    }
-    for (std::size_t row = 0; row < n; ++row) {
-      for (std::size_t column = 0; column < n; ++column) {
-        cage_.mesh.add_face(
-            std::array{rows[row][column], rows[row][column + 1], rows[row + 1][column + 1], rows[row + 1][column]});
-      }
-    }
-  }
-
-  static std::vector<Index> part(const std::vector<Index>& vertices, std::size_t first, std::size_t last) {
-    return {vertices.begin() + static_cast<std::ptrdiff_t>(first),
-            vertices.begin() + static_cast<std::ptrdiff_t>(last + 1)};
-  }
-
   void add_patches(const BrepFace& face) {
-    std::vector<std::vector<Index>> sides;
+    std::vector<CageBuilder::Row> sides;
     for (const Index half_edge : brep_.around(face.loops[0])) sides.push_back(vertices_along(half_edge));
-    const std::size_t n = sides.size(), half = segments_ / 2;
-    if (face.patches.size() == 1) return add_grid(face.patches[0], {sides[0], sides[1], sides[2], sides[3]});
-    const Index middle = add_vertex(face.patches[0].boundary[6]);
-    std::vector<std::vector<Index>> spokes;  // from the middles of sides to the middle of the face
-    for (std::size_t i = 0; i < n; ++i) {
-      std::vector<Index>& spoke = spokes.emplace_back();
-      spoke.push_back(sides[i][half]);
-      for (std::size_t k = 1; k < half; ++k)
-        spoke.push_back(add_vertex(face.patches[i].at(1, static_cast<double>(k) / static_cast<double>(half)).at));
-      spoke.push_back(middle);
-    }
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t before = (i + n - 1) % n;
-      std::vector<Index> back(spokes[before].rbegin(), spokes[before].rend());
-      add_grid(face.patches[i],
-               {part(sides[i], 0, half), spokes[i], std::move(back), part(sides[before], half, segments_)});
+    const auto& patches = face.patches;
+    if (patches.size() == 1) {
+      builder_.add_grid({sides[0], sides[1], sides[2], sides[3]},
+                        [&](double u, double v) { return patches[0].at(u, v).at; });
+    } else {
+      builder_.add_star(sides, patches[0].boundary[6],
+                        [&](std::size_t corner, double u, double v) { return patches[corner].at(u, v).at; });
     }
   }
 
@@ -220,9 +171,9 @@ class PatchCageMaker {
 
   void add_creases() {
     for (std::size_t e = 0; e < brep_.edges.size(); ++e) {
-      if (!is_sharp(brep_.edges[e])) continue;
-      for (std::size_t i = 0; i + 1 < along_[e].size(); ++i)
-        cage_.mesh.tags.creases.push_back({{along_[e][i], along_[e][i + 1]}, infinite_sharpness});
+      const BrepEdge& edge = brep_.edges[e];
+      if (is_sharp(edge))
+        builder_.add_crease(along_[e], edge.pieces.front().derivative(0), edge.pieces.back().derivative(1));
     }
   }
 
@@ -237,28 +188,15 @@ class PatchCageMaker {
     }
     const auto is_corner = [&](Index vertex) { return vertex < sharp_edges.size() && sharp_edges[vertex] > 2; };
     for (const auto& cut : cuts_) {
-      if (is_corner(cut[0]) && is_corner(cut[1])) cage_.mesh.tags.creases.push_back({cut, infinite_sharpness});
-    }
-  }
-
-  /// Where more than two sharp edges meet there is a corner anyway.
-  void add_pins() {
-    std::map<Index, std::vector<Vec3>> leaving;
-    for (const BrepEdge& edge : brep_.edges) {
-      if (!is_sharp(edge)) continue;
-      leaving[edge.start].push_back(edge.pieces.front().derivative(0));
-      leaving[edge.end].push_back(-edge.pieces.back().derivative(1));
-    }
-    for (const auto& [vertex, directions] : leaving) {
-      const bool turns = directions.size() == 2 && angle_between(directions[0], -directions[1]) > corner_turn;
-      if (turns) cage_.mesh.tags.pins.push_back(vertex);
+      if (is_corner(cut[0]) && is_corner(cut[1])) builder_.mesh.tags.creases.push_back({cut, infinite_sharpness});
     }
   }
 
   const Brep& brep_;
   const std::size_t segments_;
   Progress& progress_;
-  PatchCage cage_;
+  CageBuilder builder_;
+  Findings warnings_;
   std::vector<std::array<Index, 2>> cuts_;  ///< through plane faces
   std::vector<std::vector<Index>> along_;   ///< per edge, the vertices from its start to its end
 };
