@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -8,8 +7,10 @@
 
 #include "attribute_surface/small_networks.h"
 #include "croquis/attribute_surface/surface_cage.h"
+#include "croquis/attribute_surface/surface_tessellation.h"
 #include "croquis/geometry/mesh_report.h"
 #include "support/attribute_surface/joined_networks.h"
+#include "support/meshes/surface_distance.h"
 
 namespace croquis::test {
 namespace {
@@ -69,10 +70,15 @@ TEST_CASE("faces of any number of sides become as many quads as their sides ask 
 }
 
 TEST_CASE("cages lie on their surfaces, nodes where the network has them") {
-  const AttributeNetwork network = cube_sphere();
-  const PolyMesh mesh = cage_of(network, 8).mesh;
-  for (const AttributeNode& node : network.nodes) CHECK(std::ranges::count(mesh.positions, node.point) == 1);
-  for (const Vec3& position : mesh.positions) CHECK(std::abs(position.norm() - network.nodes[0].point.norm()) < 0.02);
+  for (const AttributeNetwork& network : {cube_sphere(), sphere_of_octants(), torus_of_quads(6, 4)}) {
+    const CageOfNetwork made = cage_of(network, 8);
+    for (const AttributeNode& node : network.nodes) CHECK(std::ranges::count(made.mesh.positions, node.point) == 1);
+    Progress progress;
+    SurfaceTessellationOptions fine;
+    fine.samples = 64;
+    const SurfaceDistance distance(tessellate(network, made.surface, progress, fine).mesh);
+    for (const Vec3& position : made.mesh.positions) CHECK(distance(position) < 0.002);
+  }
 }
 
 TEST_CASE("curves in which faces meet at an angle are sharp, those of one face are not") {

@@ -66,5 +66,27 @@ TEST_CASE("a drawing of a dot alone makes no network") {
   CHECK(result.err.find("E_NO_STROKES") != std::string::npos);
 }
 
+TEST_CASE("holes of a mesh file are patched by curves, and networks become cages that subdivide goes on from") {
+  const ScratchFolder folder;
+  const std::string open = folder.write("open.obj",
+                                        "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 1 1\n"
+                                        "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
+  const ProcessResult patched =
+      run_cli({"surface_patch", open, "--join", "crease", "-o", folder / "closed.obj", "--json", "--quiet"});
+  INFO(patched.err);
+  REQUIRE(patched.code == 0);
+  CHECK(patched.out.find("1 of 1 hole closed.") != std::string::npos);
+  CHECK(run_cli({"check", folder / "closed.obj"}).code == 0);
+  const ProcessResult wrong = run_cli({"surface_patch", open, "--only", "3", "-o", folder / "none.obj"});
+  CHECK(wrong.code == 2);
+  CHECK(wrong.err.find("There is no hole 3") != std::string::npos);
+
+  const std::string pocket = (shipped / "surface" / "pocket5.json").string();
+  const ProcessResult cage = run_cli({"surface_cage", pocket, "--segments", "4", "-o", folder / "cage.obj"});
+  INFO(cage.err);
+  REQUIRE(cage.code == 0);
+  CHECK(run_cli({"subdivide", folder / "cage.obj", "-o", folder / "smooth.obj"}).code == 0);
+}
+
 }  // namespace
 }  // namespace croquis::test

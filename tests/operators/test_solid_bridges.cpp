@@ -97,7 +97,7 @@ TEST_CASE("the subdivided bottle comes nearer to its patches with every doubling
 TEST_CASE("networks of solids are attribute surfaces: a patch for every face of 2 to 12 curves") {
   for (const test::PerspectiveSolid& shape : test::all_solids()) {
     INFO(shape.name);
-    const Solid solid = solid_of(shape);
+    const Solid solid = test::solid_of(shape.network);
     Progress progress;
     Context context{progress};
     const OperationResult made = run(AttributeNetworkOperation(), solid_input(solid), {}, context);
