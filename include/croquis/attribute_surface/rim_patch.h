@@ -17,28 +17,28 @@
 namespace croquis {
 
 struct RimPatchOptions {
-  double corner = 40 * std::numbers::pi / 180;  ///< radians, 0..pi: rims that turn more, beyond what a circle of as many
-                                                ///< edges does, have a corner there
-  std::size_t sides = 0;  ///< 3..12; 0: as many as there are corners, 4 where these are fewer than 3, and
-                          ///< more where the surface would fold
-  bool smooth = true;     ///< common tangent planes with the mesh around; else a crease
+  double corner = 40 * std::numbers::pi / 180;  ///< radians, 0..pi: rims that turn more, beyond what a circle of as
+                                                ///< many edges does, have a corner there
+  std::size_t sides = 0;           ///< 3..12; 0: as many as there are corners, 4 where these are fewer than 3, and
+                                   ///< more where the surface would fold
+  bool smooth = true;              ///< common tangent planes with the mesh around; else a crease
   std::optional<double> fullness;  ///< -1..2; none: so that the middle is as high as the rim lets expect
-  double density = 1;     ///< 0.1..10, × as long edges as the rim's: smaller is finer
+  double density = 1;              ///< 0.1..10, × as long edges as the rim's: smaller is finer
 };
 
 /// What became of a rim.
 struct RimOutcome {
   bool closed = false;
-  std::string reason;           ///< why not; empty where it is closed
-  std::size_t sides = 0;        ///< of the face
-  std::size_t first_face = 0;   ///< of the mesh
-  std::size_t face_count = 0;   ///< triangles
-  double curve_distance = 0;    ///< model units: how far the rim is from its curves
+  std::string reason;          ///< why not; empty where it is closed
+  std::size_t sides = 0;       ///< of the face
+  std::size_t first_face = 0;  ///< of the mesh
+  std::size_t face_count = 0;  ///< triangles
+  double curve_distance = 0;   ///< model units: how far the rim is from its curves
 };
 
 struct RimPatches {
-  PolyMesh mesh;                      ///< the one given, with new vertices and triangles behind its own
-  std::vector<RimOutcome> outcomes;   ///< one for each rim
+  PolyMesh mesh;                     ///< the one given, with new vertices and triangles behind its own
+  std::vector<RimOutcome> outcomes;  ///< one for each rim
 };
 
 /// Closes holes. Vertices and faces of the mesh stay as they are, bit for bit; patches use its rims' vertices and turn

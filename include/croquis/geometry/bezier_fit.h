@@ -23,10 +23,10 @@ struct BezierFitOptions {
 
 /// One curve along part of the points.
 struct FittedBezier {
-  std::size_t first = 0;      ///< 0-based point where it begins …
-  std::size_t last = 0;       ///< … and ends, above `first`; both are met bit for bit
-  std::vector<Vec3> control;  ///< 2 for a straight one
-  double distance = 0;        ///< model units, the greatest of its points
+  std::size_t first = 0;           ///< 0-based point where it begins …
+  std::size_t last = 0;            ///< … and ends, above `first`; both are met bit for bit
+  std::vector<Vec3> control;       ///< 2 for a straight one
+  double distance = 0;             ///< model units, the greatest of its points
   std::vector<double> parameters;  ///< 0..1, of the places nearest to its points; not always ascending
 };
 

@@ -13,8 +13,8 @@ namespace croquis {
 /// A place on the outline of a domain.
 struct OutlinePlace {
   Vec2 place = Vec2::Zero();
-  std::size_t side = 0;   ///< the place is at its beginning or on it
-  double fraction = 0;    ///< 0..1 of the side
+  std::size_t side = 0;  ///< the place is at its beginning or on it
+  double fraction = 0;   ///< 0..1 of the side
 };
 
 /// Triangles over a domain: the outline's places first, in their order, then places inside.

@@ -22,7 +22,7 @@ constexpr std::size_t long_rim = 16;    // edges: corners of longer ones are loo
 constexpr double least_upright = 0.2;   // cosine: rims that stand up more say nothing of heights
 constexpr double least_rise = 1e-6;     // × perimeter
 constexpr double usual_fullness = 0.5;
-constexpr double least_step = 1e-9;     // between fractions of a curve
+constexpr double least_step = 1e-9;  // between fractions of a curve
 
 double loop_length(const RimLoop& loop) {
   double length = (loop.points.front() - loop.points.back()).norm();
@@ -96,7 +96,8 @@ double expected_height(const RimLoop& rim, const Vec3& middle, const Vec3& axis)
   return heights / lengths;
 }
 
-/// The fullness with which the surface has the height in its middle that the rim lets expect: it depends linearly on it.
+/// The fullness with which the surface has the height in its middle that the rim lets expect: it depends linearly on
+/// it.
 double expected_fullness(SurfaceFrame frame, const RimLoop& rim) {
   Vec3 axis = Vec3::Zero();
   for (const Vec3& normal : rim.normals) axis += normal;
@@ -116,8 +117,8 @@ double expected_fullness(SurfaceFrame frame, const RimLoop& rim) {
 
 RimFace::RimFace(const RimLoop& loop, const RimPatchOptions& options) : is_corner_(loop.points.size(), false) {
   const std::size_t n = loop.points.size();
-  const RimCuts cuts = cut_rim(n < long_rim ? loop.points : evened_out(loop, is_corner_).points, options.corner,
-                               options.sides);
+  const RimCuts cuts =
+      cut_rim(n < long_rim ? loop.points : evened_out(loop, is_corner_).points, options.corner, options.sides);
   for (std::size_t k = 0; k < cuts.at.size(); ++k) is_corner_[cuts.at[k]] = cuts.is_corner[k];
   first_point_ = cuts.at.front();
   even_ = evened_out(loop, is_corner_);

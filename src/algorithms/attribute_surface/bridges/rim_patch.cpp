@@ -117,14 +117,14 @@ class RimPatcher {
 
   /// The triangles over the face's domain, or none with the outcome's reason.
   PatchTriangles triangles_of(const RimFace& face, const std::vector<Index>& outline, std::vector<Vec3>& points) {
-    PatchTriangles patch =
-        fill_domain(face.surface().domain(), face.outline(), options_.density * face.spacing());
+    PatchTriangles patch = fill_domain(face.surface().domain(), face.outline(), options_.density * face.spacing());
     for (std::size_t i = 0; i < patch.places.size(); ++i)
       points.push_back(i < outline.size() ? mesh_.positions[outline[i]] : face.at(patch.places[i]));
     even_out(points, patch.triangles);
     const auto is_taken = [&](Index a, Index b) {
       if (a >= outline.size() || b >= outline.size()) return false;
-      return find_edge(topology_, outline[a], outline[b]) != no_index || chords_.contains(chord(outline[a], outline[b]));
+      return find_edge(topology_, outline[a], outline[b]) != no_index ||
+             chords_.contains(chord(outline[a], outline[b]));
     };
     cut_edges(is_taken, patch);
     for (std::size_t i = points.size(); i < patch.places.size(); ++i) points.push_back(face.at(patch.places[i]));

@@ -11,8 +11,8 @@ namespace croquis {
 
 /// Where a closed row of points is cut into sides.
 struct RimCuts {
-  std::vector<std::size_t> at;     ///< ascending
-  std::vector<bool> is_corner;     ///< one for each: whether the row turns sharply there
+  std::vector<std::size_t> at;  ///< ascending
+  std::vector<bool> is_corner;  ///< one for each: whether the row turns sharply there
 };
 
 /// @param corner radians: turns by more, beyond those of a circle of as many points, are corners
