@@ -200,7 +200,7 @@ class StrokeRow {
     }
     steady(part);
     const double tolerance = std::max(options_.tolerance * options_.unit, options_.tremble_share * tremble_);
-    const BezierFitOptions fit{tolerance, options_.most_degree, smooth_direction(from, places_),
+    const BezierFitOptions fit{tolerance, options_.most_degree, true, smooth_direction(from, places_),
                                smooth_direction(to, places_)};
     for (const FittedBezier& fitted : fit_beziers(part, fit)) curves.push_back(fitted.control);
   }
