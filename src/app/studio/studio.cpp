@@ -112,6 +112,14 @@ SurfaceToolOptions Studio::network_options() const {
   return operation == nullptr ? usual : options_for<SurfaceToolOptions>(*operation);
 }
 
+Document Studio::with_network(const Document& document, AttributeNetwork network,
+                              const SurfaceToolOptions& options) const {
+  const Document made = add_network(document, std::move(network), options);
+  Node operation = *made.nodes().back();
+  operation.transform = upright_placement();
+  return made.with(std::move(operation));
+}
+
 /// A sketch stays the one worked on while objects are chosen that come from none.
 void Studio::follow_sketch() { sketch_ = drawing_node(); }
 
@@ -130,7 +138,7 @@ void Studio::start_with(PerspectiveDrawing drawing, const std::string& name) {
 void Studio::start_with(AttributeNetwork network, const std::string& name) {
   SurfaceToolOptions options = network_options();
   if (!name.empty()) options.name = name;
-  load(add_network(Document(), std::move(network), options));
+  load(with_network(Document(), std::move(network), options));
 }
 
 void Studio::start_with(const std::string& name, Value value, const std::string& operation) {

@@ -52,6 +52,9 @@ class Studio : public QObject, public Workspace {
   PerspectiveToolOptions sheet_options() const;  ///< the same for drawings in perspective
   SurfaceToolOptions network_options() const;    ///< the same for networks of curves
 
+  /// The document with a network and its surfaces. Networks have z upwards; what is made of them stands upright.
+  Document with_network(const Document& document, AttributeNetwork network, const SurfaceToolOptions& options) const;
+
   /// Replaces the document by one drawing and the solid made of it; forgets the history.
   void start_with(Drawing drawing);
   void start_with(PerspectiveDrawing drawing, const std::string& name = {});

@@ -375,8 +375,10 @@ const Vocabulary& surface_steps() {
           &SurfaceSplit::step_kind(), &SurfaceMerge::step_kind(), &SurfaceDelete::step_kind(),
           &SurfaceMirror::step_kind(), &SurfaceSymmetry::step_kind(), &SurfaceChoice::step_kind()})
       made.add(*kind);
-    for (const char* count : {"surface-nodes", "surface-curves", "surface-faces", "surface-points", "surface-selected"})
+    for (const char* count : {"surface-nodes", "surface-curves", "surface-faces", "surface-points", "surface-selected",
+                              "surface-patches-made", "surface-nearer-dents"})
       made.add_count(count);
+    for (const char* range : {"surface-boundary-error", "surface-point-errors"}) made.add_range(range);
     return made;
   }();
   return vocabulary;

@@ -138,7 +138,9 @@ struct SurfaceChoice {
 };
 
 /// All of them, with the counts "surface-nodes", "surface-curves", "surface-faces", "surface-points",
-/// "surface-selected".
+/// "surface-selected", "surface-patches-made" (faces that have a surface), "surface-nearer-dents" (points whose dents
+/// lie nearer to them than on uniform domains, while these are shown); and the ranges "surface-boundary-error" and
+/// "surface-point-errors" from 0 to the largest.
 const Vocabulary& surface_steps();
 
 }  // namespace croquis::recorded

@@ -64,7 +64,7 @@ void SilhouetteTool::make_actions(ActionList& actions) {
 void SilhouetteTool::refresh() {
   const WorkObject* object = studio().active();
   const bool mesh = object != nullptr && object->cage != 0;
-  host().action("erase")->setEnabled(!studio().drawing().strokes.empty() || !mesh);
+  host().action("erase")->setEnabled(studio().network_node() == 0 && (!studio().drawing().strokes.empty() || !mesh));
 }
 
 void SilhouetteTool::set_mode(const QString& mode) {

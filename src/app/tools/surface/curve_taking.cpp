@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/tools/surface/shown_surface.h"
 #include "croquis/tools/surface/surface_tool.h"
 #include "croquis/workspace/chain.h"
 
@@ -78,7 +79,8 @@ void CurveTaking::follow() {
   const Document& document = studio_.session().document();
   options.name = free_name(document, name_);
   const NodeId node = document.next_id();
-  studio_.session().edit("Take curves", add_network(document, *network, options));
+  AttributeNetwork lying = transformed(*network, inverse_of(upright_placement()));
+  studio_.session().edit("Take curves", studio_.with_network(document, std::move(lying), options));
   studio_.session().select({{node, ""}});
   emit taken();
 }

@@ -12,8 +12,9 @@
 namespace croquis::app {
 namespace {
 
-constexpr double domain_margin = 20;  // logical pixels: room for the names of sides
-constexpr double name_distance = 10;
+constexpr double domain_margin = 20;  // logical pixels: room for the names of sides …
+constexpr double name_share = 0.22;   // … which take at most that much of the width on either side
+constexpr double name_distance = 9;
 constexpr double title_height = 18;
 constexpr double dot = 4;
 const QColor domain_fill(58, 62, 70);
@@ -21,14 +22,14 @@ const QColor domain_line(222, 226, 232);
 const QColor domain_smooth(126, 164, 232);
 const QColor domain_curve(186, 140, 224);
 
-/// Places of a domain in the widget, y up.
+/// Places of a domain in the widget: its first side lies below.
 class DomainFit {
  public:
-  DomainFit(const DomainPolygon& polygon, const QRectF& room) {
-    Vec2 low = polygon.corners.front(), high = low;
+  DomainFit(const DomainPolygon& polygon, const QRectF& room) : along_((polygon.corners[1] - polygon.corners[0]).normalized()) {
+    Vec2 low = turned(polygon.corners.front()), high = low;
     for (const Vec2& corner : polygon.corners) {
-      low = low.cwiseMin(corner);
-      high = high.cwiseMax(corner);
+      low = low.cwiseMin(turned(corner));
+      high = high.cwiseMax(turned(corner));
     }
     const Vec2 size = (high - low).cwiseMax(1e-9);
     scale_ = std::min(room.width() / size.x(), room.height() / size.y());
@@ -36,10 +37,18 @@ class DomainFit {
     offset_ = room.center() - scale_ * QPointF(middle.x(), -middle.y());
   }
 
-  QPointF operator()(const Vec2& place) const { return offset_ + scale_ * QPointF(place.x(), -place.y()); }
+  QPointF operator()(const Vec2& place) const {
+    const Vec2 at = turned(place);
+    return offset_ + scale_ * QPointF(at.x(), -at.y());
+  }
   double scale() const { return scale_; }
 
  private:
+  Vec2 turned(const Vec2& place) const {
+    return {place.dot(along_), along_.x() * place.y() - along_.y() * place.x()};
+  }
+
+  Vec2 along_;
   double scale_ = 1;
   QPointF offset_;
 };
@@ -60,7 +69,7 @@ void paint_polygon(QPainter& painter, const DomainPicture& picture, const Domain
 }
 
 /// Outside of the polygon, upright.
-void paint_names(QPainter& painter, const DomainPicture& picture, const DomainFit& fit) {
+void paint_names(QPainter& painter, const DomainPicture& picture, const DomainFit& fit, int most_width) {
   const std::vector<Vec2>& corners = picture.polygon.corners;
   painter.setPen(domain_line);
   for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -70,9 +79,10 @@ void paint_names(QPainter& painter, const DomainPicture& picture, const DomainFi
     const QPointF way = b - a;
     const double length = std::max(1.0, std::hypot(way.x(), way.y()));
     const QPointF outward(-way.y() / length, way.x() / length);
-    const QPointF at = (a + b) / 2 + name_distance * outward;
-    const QRectF box = painter.fontMetrics().boundingRect(picture.sides[k].name);
-    painter.drawText(at - QPointF(box.width() / 2, -painter.fontMetrics().ascent() / 2.0 + 1), picture.sides[k].name);
+    const QString name = painter.fontMetrics().elidedText(picture.sides[k].name, Qt::ElideRight, most_width);
+    const double width = painter.fontMetrics().horizontalAdvance(name);
+    const QPointF at = (a + b) / 2 + name_distance * outward + QPointF(outward.x() * width / 2, 0);
+    painter.drawText(at - QPointF(width / 2, -painter.fontMetrics().ascent() / 2.0 + 1), name);
   }
 }
 
@@ -103,10 +113,11 @@ void paint_attributes(QPainter& painter, const DomainPicture& picture, const Dom
 void paint_domain(QPainter& painter, const DomainPicture& picture, const QRectF& room, const QString& title) {
   painter.setPen(colors::guide);
   painter.drawText(QRectF(room.topLeft(), QSizeF(room.width(), title_height)), Qt::AlignCenter, title);
+  const double aside = name_share * room.width();
   const DomainFit fit(picture.polygon,
-                      room.adjusted(domain_margin, domain_margin + title_height / 2, -domain_margin, -domain_margin));
+                      room.adjusted(aside, domain_margin + title_height / 2, -aside, -domain_margin));
   paint_polygon(painter, picture, fit);
-  paint_names(painter, picture, fit);
+  paint_names(painter, picture, fit, static_cast<int>(aside));
   painter.save();
   QPolygonF outline;
   for (const Vec2& corner : picture.polygon.corners) outline << fit(corner);

@@ -21,8 +21,8 @@ class DomainView : public QWidget {
   const std::optional<DomainPicture>& own() const { return own_; }
   const std::optional<DomainPicture>& uniform() const { return uniform_; }
 
-  QSize sizeHint() const override { return {300, 190}; }
-  QSize minimumSizeHint() const override { return {160, 130}; }
+  QSize sizeHint() const override { return {300, 210}; }
+  QSize minimumSizeHint() const override { return {160, 190}; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -43,6 +43,7 @@ NetworkInteraction::NetworkInteraction(Studio& studio, Viewport& views)
       tool_(studio.session(), studio.network_options()),
       meshes_(studio),
       network_(no_network()) {
+  tool_.set_ground({Vec3::Zero(), Vec3::UnitZ()});
   connect(&pen_watch_, &QTimer::timeout, this,
           [this] { take_pen(pen_.settle(last_time_ + static_cast<double>(since_event_.nsecsElapsed()) * 1e-9)); });
 }

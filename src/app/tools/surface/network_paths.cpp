@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tools/surface/network_paths.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "app/views/render_color.h"
+#include "app/window/theme.h"
 
 namespace croquis::app {
 
@@ -34,6 +38,23 @@ render::LineItemPtr lines_of(const std::vector<render::LinePath>& paths, const r
 
 render::MarkItemPtr marks_of(const std::vector<render::Mark>& marks) {
   return marks.empty() ? nullptr : render::make_mark_item(marks);
+}
+
+render::LineItemPtr ground_lines(const render::Bounds& drawn, const Affine3& to_world) {
+  constexpr int squares = 10;          // on either side of the middle
+  constexpr double least_size = 200;   // model units: as far as an empty view shows
+  constexpr int line_alpha = 60, axis_alpha = 130;
+  const double reach = drawn.empty() ? least_size : std::max(glm::length(drawn.max - drawn.min), 1e-6);
+  const double step = std::pow(5, std::round(std::log(reach / squares) / std::log(5)));
+  std::vector<render::LinePath> lines;
+  for (int k = -squares; k <= squares; ++k) {
+    const double at = k * step, end = squares * step;
+    lines.push_back(path_through({Vec3(at, -end, 0), Vec3(at, end, 0)}, to_world));
+    lines.push_back(path_through({Vec3(-end, at, 0), Vec3(end, at, 0)}, to_world));
+    for (auto line = lines.end() - 2; k == 0 && line != lines.end(); ++line)
+      for (render::LinePoint& point : line->points) point.color = to_color(colors::guide, axis_alpha);
+  }
+  return lines_of(lines, {1, to_color(colors::guide, line_alpha), {}, render::LineDepth::Tested});
 }
 
 Vec3 middle_of(const AttributeNetwork& network, Index curve, const Affine3& to_world) {

@@ -26,6 +26,10 @@ render::Mark place_mark(const Vec3& world, render::MarkShape shape, float size, 
 render::LineItemPtr lines_of(const std::vector<render::LinePath>& paths, const render::LineStyle& style);
 render::MarkItemPtr marks_of(const std::vector<render::Mark>& marks);
 
+/// Squares on the plane z = 0 of the network's own space, around what is drawn: what strokes lie on that begin on
+/// nothing.
+render::LineItemPtr ground_lines(const render::Bounds& drawn, const Affine3& to_world);
+
 /// Halfway along a curve, or where its control points are, if it is of no length. World.
 Vec3 middle_of(const AttributeNetwork& network, Index curve, const Affine3& to_world);
 

@@ -140,7 +140,8 @@ void SurfaceDrawingTool::make_source_actions(ActionList& actions) {
 }
 
 void SurfaceDrawingTool::begin_new() {
-  if (!host().start_with(add_network(Document(), {}, studio().network_options()))) return;
+  const SurfaceToolOptions options = studio().network_options();
+  if (!host().start_with(studio().with_network(Document(), {}, options))) return;
   show_in_space();
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double state_margin = 10;  // logical pixels
 constexpr double network_hint_height = 70;
-constexpr const char* network_hint_style = "color: #c9ced6; background: transparent; font-size: 15px";
+constexpr const char* network_hint_style = "color: #6d7683; background: transparent; font-size: 15px";
 constexpr const char* lacking_style =
     "QToolButton, QLabel { background: #fff4df; color: #7a4a00; border: 1px solid #e0a030; border-radius: 9px;"
     " padding: 2px 9px } QToolButton:hover { background: #ffe2a8 }";

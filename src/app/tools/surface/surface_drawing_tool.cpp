@@ -81,6 +81,7 @@ void SurfaceDrawingTool::make_panels(PanelDocks& docks) {
   dock_ = docks.add(tr("Surface"), scrolled(panel_), "surface");
   domain_dock_ = docks.add(tr("Domain"), domain_panel_, "domain");
   docks.tabify("attributes", dock_);
+  docks.tabify("history", domain_dock_);
   docks.set_useful(dock_, false);
   docks.set_useful(domain_dock_, false);
 }
@@ -184,6 +185,9 @@ void SurfaceDrawingTool::add_to(render::Scene& scene, int view) {
   if (!is_there()) return;
   if (const UniformGhost::Compared* compared = ghost_.compared(); compared != nullptr && compared->item)
     scene.meshes.emplace_back(compared->item, render::Emphasis{}, render::MeshStyle::translucent(ghost_opacity));
+  const bool on_ground = mode() == "draw" && network_.tool().plane() == SurfacePlane::Ground;
+  if (on_ground && view == PerspectiveView)
+    scene.lines.emplace_back(ground_lines(network_.scene().bounds(), network_.to_world()));
   network_.add_to(scene, view);
 }
 
@@ -251,6 +255,8 @@ void SurfaceDrawingTool::opened() {
 }
 
 void SurfaceDrawingTool::show_in_space() {
+  dock_->raise();
+  domain_dock_->raise();
   host().viewport().arrange(Arrangement::Four);
   host().viewport().show_alone(PerspectiveView);
   host().viewport().frame_all();
@@ -272,10 +278,13 @@ void SurfaceDrawingTool::look_at(const NetworkElements& elements) {
 QString SurfaceDrawingTool::status() const {
   if (!is_there()) return {};
   const AttributeNetwork& network = network_.network();
-  return tr("%1 curves, %2 patches, %3 points")
-      .arg(network.curves.size())
-      .arg(network.faces.size())
-      .arg(network.points.size());
+  const auto counted = [](std::size_t count, const QString& one, const QString& many) {
+    return count == 1 ? one : many.arg(count);
+  };
+  return QStringList{counted(network.curves.size(), tr("1 curve"), tr("%1 curves")),
+                     counted(network.faces.size(), tr("1 patch"), tr("%1 patches")),
+                     counted(network.points.size(), tr("1 point"), tr("%1 points"))}
+      .join(", ");
 }
 
 }  // namespace croquis::app
