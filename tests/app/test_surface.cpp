@@ -274,7 +274,7 @@ TEST_CASE("while a point is dragged its patch follows, and Escape takes all back
     return shown && (shown.network().points[0].point - dragged).norm() < 1e-9;
   });
   CHECK(followed);
-  QTest::keyClick(&hand.viewport(), Qt::Key_Escape);
+  hand.act("deselect");  // Escape
   hand.settle();
   CHECK(drawn(hand).points[0].point == before);
   CHECK(hand.studio().session().undo_labels().empty());

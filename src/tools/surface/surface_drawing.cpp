@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where strokes lie in space, and what their ends go to.
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -13,6 +14,12 @@ namespace {
 constexpr double most_samples = 0.6;      // share of a stroke's samples that must lie over what it is drawn on
 constexpr double curve_snap_share = 0.7;  // × the reach of nodes: curves are everywhere, and nodes come first
 constexpr double on_ground = 1e-6;        // × the network's size: so near to the ground is on it
+
+/// 1 for a plane seen straight on, less the flatter it is seen: there a hand that trembles by a pixel goes far.
+double slant_of(const SpacePlane& plane, const ViewFrame& frame, const Vec3& place) {
+  constexpr double flattest = 0.25;
+  return std::max(flattest, std::abs(frame.to_eye(place).dot(plane.normal.normalized())));
+}
 
 }  // namespace
 
@@ -135,11 +142,14 @@ Verdict SurfaceTool::finish_stroke() {
   recorded::SurfaceStroke stroke;
   stroke.points = stroke_places(end);
   stroke.face = face_drawn_on();
+  const bool on_plane = stroke.face.empty() && !draws_on_mesh();
+  const std::optional<SpacePlane> plane = on_plane ? std::optional(plane_for(end)) : std::nullopt;
   if (from_) stroke.start = from_->end;
   if (end) stroke.end = end->end;
   end_gesture();
   if (stroke.points.size() < 2) return Verdict::Revert;
   stroke.unit = frame.units_per_pixel(stroke.points.front());
+  if (plane) stroke.unit /= slant_of(*plane, frame, stroke.points.front());
   return stroke.unit > 0 ? draw(stroke) : Verdict::Revert;
 }
 

@@ -22,7 +22,7 @@ class DomainView : public QWidget {
   const std::optional<DomainPicture>& uniform() const { return uniform_; }
 
   QSize sizeHint() const override { return {300, 210}; }
-  QSize minimumSizeHint() const override { return {160, 190}; }
+  QSize minimumSizeHint() const override { return {160, 120}; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -81,7 +81,7 @@ void SurfaceDrawingTool::make_panels(PanelDocks& docks) {
   dock_ = docks.add(tr("Surface"), scrolled(panel_), "surface");
   domain_dock_ = docks.add(tr("Domain"), domain_panel_, "domain");
   docks.tabify("attributes", dock_);
-  docks.tabify("history", domain_dock_);
+  docks.tabify("findings", domain_dock_);
   docks.set_useful(dock_, false);
   docks.set_useful(domain_dock_, false);
 }
