@@ -156,6 +156,8 @@ void ProjectFiles::start_sample(const QString& name) {
   earlier_version_.clear();
   if (const auto drawing = sample.as<Drawing>()) {
     studio_.start_with(*drawing);
+  } else if (const auto network = sample.as<AttributeNetwork>()) {
+    studio_.start_with(*network, name.toStdString());
   } else {
     auto mesh = sample.as<PolyMesh>();
     if (kind_of_sample(name) == SampleKind::Scan) {

@@ -7,19 +7,25 @@
 
 #include "croquis/base/error.h"
 #include "croquis/document/operation.h"
+#include "croquis/io/attribute_network_file.h"
 #include "croquis/io/mesh_file.h"
 #include "croquis/io/svg_drawing.h"
+#include "croquis/tools/perspective/perspective_tool.h"
 
 namespace croquis::app {
 namespace {
 
 const QString folder = QStringLiteral(":/sketches/");
 
-const std::map<SampleKind, QString> endings{
-    {SampleKind::Sketch, ".svg"}, {SampleKind::Cage, ".obj"}, {SampleKind::Scan, ".ply"}};
+const std::map<SampleKind, QString> endings{{SampleKind::Sketch, ".svg"},
+                                            {SampleKind::Cage, ".obj"},
+                                            {SampleKind::Network, ".json"},
+                                            {SampleKind::Scan, ".ply"}};
+
+QString folder_of(SampleKind kind) { return kind == SampleKind::Network ? folder + "surface/" : folder; }
 
 Sample sample_of(const QString& file, SampleKind kind) {
-  const QString name = file.chopped(4);
+  const QString name = file.chopped(endings.at(kind).size());
   QString title = name;
   title.replace('_', ' ');
   title[0] = title[0].toUpper();
@@ -31,7 +37,7 @@ Sample sample_of(const QString& file, SampleKind kind) {
 std::vector<Sample> samples() {
   std::vector<Sample> found;
   for (const auto& [kind, ending] : endings) {
-    for (const QString& file : QDir(folder).entryList({"*" + ending}, QDir::Files, QDir::Name)) {
+    for (const QString& file : QDir(folder_of(kind)).entryList({"*" + ending}, QDir::Files, QDir::Name)) {
       found.push_back(sample_of(file, kind));
     }
   }
@@ -40,7 +46,7 @@ std::vector<Sample> samples() {
 
 SampleKind kind_of_sample(const QString& name) {
   for (const auto& [kind, ending] : endings) {
-    if (QFile::exists(folder + name + ending)) return kind;
+    if (QFile::exists(folder_of(kind) + name + ending)) return kind;
   }
   return SampleKind::Sketch;
 }
@@ -56,7 +62,7 @@ QString first_action_of_sample(const QString& name) {
 Value load_sample(const QString& name) {
   const SampleKind kind = kind_of_sample(name);
   const QString file_name = name + endings.at(kind);
-  QFile file(folder + file_name);
+  QFile file(folder_of(kind) + file_name);
   if (!file.open(QIODevice::ReadOnly)) {
     throw Error(make_error(Category::Malformed, "E_FILE_OPEN",
                            "There is no shipped sample named \"" + name.toStdString() + "\""));
@@ -67,6 +73,8 @@ Value load_sample(const QString& name) {
   if (kind == SampleKind::Sketch) {
     return std::make_shared<const Drawing>(read_svg_drawing(text, file_name.toStdString(), progress).drawing);
   }
+  if (kind == SampleKind::Network)
+    return std::make_shared<const AttributeNetwork>(read_attribute_network(text, file_name.toStdString()).network);
   const MeshFormat format = kind == SampleKind::Scan ? MeshFormat::Ply : MeshFormat::Obj;
   return std::make_shared<const PolyMesh>(read_mesh(text, format, file_name.toStdString(), progress).mesh);
 }
@@ -74,6 +82,11 @@ Value load_sample(const QString& name) {
 std::shared_ptr<const PolyMesh> sample_surface(const QString& name, const Registry& registry, Progress& progress) {
   const Value sample = load_sample(name);
   const bool sketch = sample.type() == ValueType::Drawing;
+  if (sample.type() == ValueType::AttributeNetwork) {
+    Context context{progress, Quality::Draft};
+    const OperationResult made = run(*registry.find("surface"), {{"network", sample}}, {}, context);
+    return std::make_shared<const PolyMesh>(transformed(made.outputs.at("mesh").get<PolyMesh>(), upright_placement()));
+  }
   const Operation* operation = registry.find(sketch ? "inflate" : "subdivide");
   if (operation == nullptr || kind_of_sample(name) == SampleKind::Scan) return sample.as<PolyMesh>();
   Context context{progress, Quality::Draft};

@@ -12,9 +12,10 @@ namespace croquis::app {
 
 /// What a sample becomes.
 enum class SampleKind {
-  Sketch,  ///< a drawing that becomes solid
-  Cage,    ///< a mesh with sharp edges that becomes smooth
-  Scan     ///< a mesh with holes that are to be filled
+  Sketch,   ///< a drawing that becomes solid
+  Cage,     ///< a mesh with sharp edges that becomes smooth
+  Network,  ///< curves that become smooth patches
+  Scan      ///< a mesh with holes that are to be filled
 };
 
 /// A sketch or mesh that ships inside the program.
@@ -24,10 +25,10 @@ struct Sample {
   SampleKind kind = SampleKind::Sketch;
 };
 
-/// Sketches, then cages, then scans, each in the order of their names.
+/// Sketches, then cages, then networks, then scans, each in the order of their names.
 std::vector<Sample> samples();
 
-/// A drawing or a mesh. @throws Error (E_FILE_OPEN) when there is none of that name
+/// A drawing, a mesh or a network of curves. @throws Error (E_FILE_OPEN) when there is none of that name
 Value load_sample(const QString& name);
 
 SampleKind kind_of_sample(const QString& name);

@@ -63,6 +63,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   row->addLayout(right, 1);
   add_gallery(tr("Start from a sketch"), SampleKind::Sketch, right);
   add_gallery(tr("Start from a cage with sharp edges"), SampleKind::Cage, right);
+  add_gallery(tr("Start from a network of curves"), SampleKind::Network, right);
   add_gallery(tr("Start from a scan with holes"), SampleKind::Scan, right);
   right->addStretch();
   place_tiles();

@@ -54,7 +54,8 @@ QAction* ActionList::add(QMenu* menu, const QString& name, const QString& text, 
 
 QAction* ActionList::add_mode(QMenu* menu, const QString& mode, const QString& text, const QString& key,
                               std::function<void()> work) {
-  QAction* action = add(menu, mode, text, {QKeySequence(key)}, std::move(work));
+  const QList<QKeySequence> keys = key.isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{QKeySequence(key)};
+  QAction* action = add(menu, mode, text, keys, std::move(work));
   action->setCheckable(true);
   action->setToolTip(action->text().remove('&') + " (" + key + ")");
   mode_group_->addAction(action);

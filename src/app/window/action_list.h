@@ -37,6 +37,7 @@ class ActionList {
                std::function<void()> work, Recorded recorded = Recorded::AsAction);
 
   /// What the pointer does: one of the tools' buttons, of which one is checked. @param work makes it the mode
+  /// @param key empty: none of the window
   QAction* add_mode(QMenu* menu, const QString& mode, const QString& text, const QString& key,
                     std::function<void()> work);
 

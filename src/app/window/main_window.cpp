@@ -126,6 +126,7 @@ void MainWindow::connect_start_page() {
     if (!may_discard() || !attempt([&] { files_.start_sample(name); })) return;
     hold_usable_tool();
     show_views();
+    for (const auto& tool : tools_) tool->opened();
     if (const QString first = first_action_of_sample(name); !first.isEmpty()) action(first)->trigger();
   });
   connect(start_page_, &StartPage::recovery_wanted, this, [this](const RecoveryOffer& offer) {
