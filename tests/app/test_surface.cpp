@@ -72,8 +72,7 @@ std::vector<QPoint> way_of_hand(StudioFixture& hand, const QPointF& from, const 
 }
 
 /// Half a second.
-void stroke(StudioFixture& hand, XPointer& pointer, const std::vector<QPoint>& way,
-            const std::function<bool()>& done) {
+void stroke(StudioFixture& hand, XPointer& pointer, const std::vector<QPoint>& way, const std::function<bool()>& done) {
   pointer.drag(way, 8);
   REQUIRE(hand.wait_for(done));
   hand.settle();
@@ -109,9 +108,10 @@ Vec3 middle_of_patch(StudioFixture& hand) {
   return network_of(hand).to_world()(face.at(face.domain().centroid));
 }
 
-TEST_CASE("three curves drawn by hand and selected by a box become a patch; a point, a comparison, an inner curve and "
-          "a file follow",
-          "[surface]") {
+TEST_CASE(
+    "three curves drawn by hand and selected by a box become a patch; a point, a comparison, an inner curve and "
+    "a file follow",
+    "[surface]") {
   StudioFixture hand;
   XPointer pointer;
   draw_three_curves(hand, pointer);
@@ -187,9 +187,7 @@ TEST_CASE("a click inside a loop makes a patch of it, and a loop that isn't clos
 
   hand.act("undo");
   hand.settle();
-  network_of(hand).act([&](SurfaceTool& tool) {
-    return tool.remove({{}, {drawn(hand).curves[1].id}, {}, {}});
-  });
+  network_of(hand).act([&](SurfaceTool& tool) { return tool.remove({{}, {drawn(hand).curves[1].id}, {}, {}}); });
   box_select(hand, pointer);
   hand.picture();
   const auto* gap = hand.viewport().findChild<QLabel*>("gap-chip");

@@ -142,14 +142,15 @@ Verdict SurfaceTool::finish_stroke() {
   recorded::SurfaceStroke stroke;
   stroke.points = stroke_places(end);
   stroke.face = face_drawn_on();
-  const bool on_plane = stroke.face.empty() && !draws_on_mesh();
-  const std::optional<SpacePlane> plane = on_plane ? std::optional(plane_for(end)) : std::nullopt;
+  if (stroke.points.size() >= 2) {
+    stroke.unit = frame.units_per_pixel(stroke.points.front());
+    const bool on_plane = stroke.face.empty() && !draws_on_mesh();
+    if (on_plane) stroke.unit /= slant_of(plane_for(end), frame, stroke.points.front());
+  }
   if (from_) stroke.start = from_->end;
   if (end) stroke.end = end->end;
   end_gesture();
   if (stroke.points.size() < 2) return Verdict::Revert;
-  stroke.unit = frame.units_per_pixel(stroke.points.front());
-  if (plane) stroke.unit /= slant_of(*plane, frame, stroke.points.front());
   return stroke.unit > 0 ? draw(stroke) : Verdict::Revert;
 }
 

@@ -25,7 +25,8 @@ const QColor domain_curve(186, 140, 224);
 /// Places of a domain in the widget: its first side lies below.
 class DomainFit {
  public:
-  DomainFit(const DomainPolygon& polygon, const QRectF& room) : along_((polygon.corners[1] - polygon.corners[0]).normalized()) {
+  DomainFit(const DomainPolygon& polygon, const QRectF& room)
+      : along_((polygon.corners[1] - polygon.corners[0]).normalized()) {
     Vec2 low = turned(polygon.corners.front()), high = low;
     for (const Vec2& corner : polygon.corners) {
       low = low.cwiseMin(turned(corner));
@@ -44,9 +45,7 @@ class DomainFit {
   double scale() const { return scale_; }
 
  private:
-  Vec2 turned(const Vec2& place) const {
-    return {place.dot(along_), along_.x() * place.y() - along_.y() * place.x()};
-  }
+  Vec2 turned(const Vec2& place) const { return {place.dot(along_), along_.x() * place.y() - along_.y() * place.x()}; }
 
   Vec2 along_;
   double scale_ = 1;
@@ -114,8 +113,7 @@ void paint_domain(QPainter& painter, const DomainPicture& picture, const QRectF&
   painter.setPen(colors::guide);
   painter.drawText(QRectF(room.topLeft(), QSizeF(room.width(), title_height)), Qt::AlignCenter, title);
   const double aside = name_share * room.width();
-  const DomainFit fit(picture.polygon,
-                      room.adjusted(aside, domain_margin + title_height / 2, -aside, -domain_margin));
+  const DomainFit fit(picture.polygon, room.adjusted(aside, domain_margin + title_height / 2, -aside, -domain_margin));
   paint_polygon(painter, picture, fit);
   paint_names(painter, picture, fit, static_cast<int>(aside));
   painter.save();

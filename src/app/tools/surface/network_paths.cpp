@@ -41,8 +41,8 @@ render::MarkItemPtr marks_of(const std::vector<render::Mark>& marks) {
 }
 
 render::LineItemPtr ground_lines(const render::Bounds& drawn, const Affine3& to_world) {
-  constexpr int squares = 10;          // on either side of the middle
-  constexpr double least_size = 200;   // model units: as far as an empty view shows
+  constexpr int squares = 10;         // on either side of the middle
+  constexpr double least_size = 200;  // model units: as far as an empty view shows
   constexpr int line_alpha = 60, axis_alpha = 130;
   const double reach = drawn.empty() ? least_size : std::max(glm::length(drawn.max - drawn.min), 1e-6);
   const double step = std::pow(5, std::round(std::log(reach / squares) / std::log(5)));
