@@ -62,12 +62,12 @@ TEST_CASE("surfaces are functions of their network, their questions and their pa
   test::check_operation(SurfaceOperation(), network_input(broken), {});
 }
 
-TEST_CASE("drafts of surfaces have at most 8 samples") {
+TEST_CASE("drafts of surfaces have at most 16 samples") {
   const Values car = network_input(shipped_network("car_intact"));
   const auto faces = [&](std::int64_t samples, Quality quality) {
     return surface_of(car, {{"samples", samples}}, quality).outputs.at("mesh").get<PolyMesh>().face_count();
   };
-  CHECK(faces(16, Quality::Draft) == faces(8, Quality::Final));
+  CHECK(faces(32, Quality::Draft) == faces(16, Quality::Final));
   CHECK(faces(4, Quality::Draft) == faces(4, Quality::Final));
 }
 

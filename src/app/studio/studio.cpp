@@ -12,7 +12,8 @@
 namespace croquis::app {
 namespace {
 
-constexpr double first_opacity = 0.7;  // of a picture: strokes over it are seen well
+constexpr double first_opacity = 0.7;       // of a picture: strokes over it are seen well
+constexpr std::int64_t shown_samples = 32;  // of curves of a network: dents of points look round
 
 /// A tool's options, for drawings that this operation goes on from.
 template <class Options>
@@ -117,6 +118,7 @@ Document Studio::with_network(const Document& document, AttributeNetwork network
   const Document made = add_network(document, std::move(network), options);
   Node operation = *made.nodes().back();
   operation.transform = upright_placement();
+  operation.parameters["samples"] = shown_samples;
   return made.with(std::move(operation));
 }
 

@@ -14,7 +14,7 @@ namespace {
 /// The choice that leaves a property as the network has it.
 constexpr const char* as_in_file = "file";
 /// Samples of drafts, which are looked at while something is dragged.
-constexpr std::size_t draft_samples = 8;
+constexpr std::size_t draft_samples = 16;
 
 ParameterDescription choice_of(const std::string& name, std::vector<std::string> choices, const std::string& sentence) {
   choices.insert(choices.begin(), as_in_file);

@@ -142,15 +142,13 @@ Verdict SurfaceTool::finish_stroke() {
   recorded::SurfaceStroke stroke;
   stroke.points = stroke_places(end);
   stroke.face = face_drawn_on();
-  if (stroke.points.size() >= 2) {
-    stroke.unit = frame.units_per_pixel(stroke.points.front());
-    const bool on_plane = stroke.face.empty() && !draws_on_mesh();
-    if (on_plane) stroke.unit /= slant_of(plane_for(end), frame, stroke.points.front());
-  }
+  const bool on_plane = stroke.face.empty() && !draws_on_mesh();
+  const double slant = on_plane && !stroke.points.empty() ? slant_of(plane_for(end), frame, stroke.points.front()) : 1;
   if (from_) stroke.start = from_->end;
   if (end) stroke.end = end->end;
   end_gesture();
   if (stroke.points.size() < 2) return Verdict::Revert;
+  stroke.unit = frame.units_per_pixel(stroke.points.front()) / slant;
   return stroke.unit > 0 ? draw(stroke) : Verdict::Revert;
 }
 

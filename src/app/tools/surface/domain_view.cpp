@@ -22,11 +22,19 @@ const QColor domain_line(222, 226, 232);
 const QColor domain_smooth(126, 164, 232);
 const QColor domain_curve(186, 140, 224);
 
-/// Places of a domain in the widget: its first side lies below.
+Vec2 longest_side(const DomainPolygon& polygon) {
+  Vec2 longest = polygon.corners[1] - polygon.corners[0];
+  for (std::size_t k = 1; k < polygon.corners.size(); ++k) {
+    const Vec2 side = polygon.corners[(k + 1) % polygon.corners.size()] - polygon.corners[k];
+    if (side.norm() > longest.norm() * (1 + 1e-9)) longest = side;
+  }
+  return longest;
+}
+
+/// Places of a domain in the widget: its longest side lies below.
 class DomainFit {
  public:
-  DomainFit(const DomainPolygon& polygon, const QRectF& room)
-      : along_((polygon.corners[1] - polygon.corners[0]).normalized()) {
+  DomainFit(const DomainPolygon& polygon, const QRectF& room) : along_(longest_side(polygon).normalized()) {
     Vec2 low = turned(polygon.corners.front()), high = low;
     for (const Vec2& corner : polygon.corners) {
       low = low.cwiseMin(turned(corner));

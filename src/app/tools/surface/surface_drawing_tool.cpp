@@ -230,11 +230,15 @@ void SurfaceDrawingTool::place_chips(ChipPlaces& places) { chips_.place(places, 
 
 void SurfaceDrawingTool::follow_document() {
   network_.follow_document();
-  follow_result();
+  follow_surfaces();
 }
 
 void SurfaceDrawingTool::follow_result() {
   network_.follow_result();
+  follow_surfaces();
+}
+
+void SurfaceDrawingTool::follow_surfaces() {
   ghost_.follow(is_there() ? network_.shown() : ShownSurface());
   chips_.follow();
   follow_panels();

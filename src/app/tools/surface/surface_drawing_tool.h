@@ -79,6 +79,7 @@ class SurfaceDrawingTool final : public Tool {
   void draw_through_selected();
   void look_at(const NetworkElements& elements);
   void follow_panels();
+  void follow_surfaces();
   SymmetryPlane mirror_plane() const;
 
   NetworkInteraction network_;
