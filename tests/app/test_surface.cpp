@@ -10,10 +10,14 @@
 
 #include <catch2/catch.hpp>
 
+#include "app/hand_on_meshes.h"
+#include "app/replay/replay_player.h"
 #include "app/studio_fixture.h"
 #include "app/tools/surface/domain_panel.h"
 #include "app/tools/surface/surface_drawing_tool.h"
 #include "app/x_pointer.h"
+#include "croquis/io/file.h"
+#include "croquis/tools/all_steps.h"
 #include "support/random.h"
 
 namespace croquis::test {
@@ -306,6 +310,81 @@ TEST_CASE("a curve is made smooth and a crease again by a key, split and merged 
   REQUIRE(hand.window().action("merge-patches")->isEnabled());
   hand.act("merge-patches");
   CHECK(drawn(hand).faces.size() == faces - 1);
+}
+
+TEST_CASE("what a hand does to a network is recorded, and a recording makes the same network again", "[surface]") {
+  const QTemporaryDir folder;
+  const std::string path = (folder.path() + "/hand.jsonl").toStdString();
+  StudioFixture hand;
+  hand.window().record_to(QString::fromStdString(path));
+  XPointer pointer;
+  draw_three_curves(hand, pointer);
+  box_select(hand, pointer);
+  QTest::keyClick(&hand.viewport(), Qt::Key_Return);
+  hand.settle();
+  hand.act("surface-point");
+  const QPointF middle = seen(hand, middle_of_patch(hand));
+  hand.drag_pixels(middle, middle - QPointF(0, 60), Qt::LeftButton, Qt::NoModifier);
+  hand.settle();
+  REQUIRE(drawn(hand).points.size() == 1);
+
+  StudioFixture again;
+  app::ReplayPlayer(again.window()).play(recorded::parse(read_file(path), path, recorded::all_steps()));
+  again.settle();
+  REQUIRE(drawn(again).nodes.size() == drawn(hand).nodes.size());
+  REQUIRE(drawn(again).curves.size() == drawn(hand).curves.size());
+  REQUIRE(drawn(again).faces.size() == 1);
+  REQUIRE(drawn(again).points.size() == 1);
+  for (Index node = 0; node < drawn(hand).nodes.size(); ++node)
+    CHECK((drawn(again).nodes[node].point - drawn(hand).nodes[node].point).norm() < 1e-3);
+  CHECK((drawn(again).points[0].point - drawn(hand).points[0].point).norm() < 1e-3);
+}
+
+TEST_CASE("a patch that can't be made stays as a loop, the others are made, and the chip over the view shows where",
+          "[surface]") {
+  StudioFixture hand;
+  open_network(hand, "car_intact");
+  AttributeNetwork broken = drawn(hand);
+  const Index hood = find_element(broken, NetworkElement::Face, "hood");
+  broken.faces[hood].loop[0].reversed = !broken.faces[hood].loop[0].reversed;
+  hand.studio().start_with(broken, "broken");
+  hand.window().show_views();
+  hand.settle();
+  CHECK(!result_of(hand).surface->faces[hood].surface);
+  CHECK(std::ranges::count_if(result_of(hand).surface->faces,
+                              [](const SurfaceFace& face) { return face.surface != nullptr; }) == 20);
+  hand.picture();
+  auto* chip = hand.viewport().findChild<QToolButton*>("network-state");
+  REQUIRE(chip->isVisible());
+  CHECK(chip->text().startsWith("1 patch can't be made"));
+  shoot(hand, "13-broken");
+  chip->click();
+  CHECK(!network_of(hand).tool().selected().empty());
+  CHECK(network_of(hand).scene().marks().size() >= 1);
+}
+
+TEST_CASE("curves are taken from the edges of a mesh, to be worked on", "[surface]") {
+  StudioFixture hand;
+  PolyMesh tray = cube();
+  tray.corners.resize(tray.corners.size() - tray.face(static_cast<Index>(tray.face_count() - 1)).size());
+  tray.face_offsets.pop_back();
+  open_mesh(hand, tray, "tray");
+  REQUIRE(hand.window().action("curves-by-edge_network")->isEnabled());
+  hand.act("curves-by-edge_network");
+  CHECK(hand.wait_for([&] { return hand.studio().network_node() != 0; }));
+  hand.settle();
+  CHECK(drawn(hand).curves.size() == 4);
+  const auto& positions = tray.positions;
+  double farthest = 0;  // curves lie where the mesh does
+  for (const AttributeNode& node : drawn(hand).nodes) {
+    double nearest = 1e300;
+    for (const Vec3& place : positions)
+      nearest = std::min(nearest, (network_of(hand).to_world()(node.point) - place).norm());
+    farthest = std::max(farthest, nearest);
+  }
+  CHECK(farthest < 1e-6);
+  CHECK(hand.studio().session().undo_labels().back() == "Take curves");
+  shoot(hand, "14-taken");
 }
 
 }  // namespace
