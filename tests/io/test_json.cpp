@@ -61,6 +61,7 @@ TEST_CASE("damaged JSON is refused with its line") {
     CHECK(finding.code == "E_SYNTAX");
     CHECK(finding.subjects.at(0).line == 2);
     CHECK_THAT(finding.message, Catch::StartsWith("'file', line 2: "));
+    CHECK_THAT(finding.message, !Catch::Contains("exception"));
   }
 }
 

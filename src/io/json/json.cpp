@@ -50,7 +50,10 @@ class ReportBuilder {
 
   bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& exception) {
     std::string what = exception.what();
-    const std::size_t reason = what.find(": ");  // behind the library's own name of the error and the place
+    // The reason stands behind the library's own name of the error, "[…] ", and the place, where it gives one.
+    if (const std::size_t name = what.find("] "); what.starts_with('[') && name != std::string::npos)
+      what.erase(0, name + 2);
+    const std::size_t reason = what.find(": ");
     fault_ = {position, reason == std::string::npos ? what : what.substr(reason + 2)};
     return false;
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <initializer_list>
 #include <map>
@@ -11,6 +12,7 @@
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/base/text.h"
 #include "io/json/report_reader.h"
 #include "io/text.h"
 
@@ -72,16 +74,25 @@ class SurfacePlacesReader {
   std::optional<FanPlace> read_fan(const Report* report, const std::string& place) {
     const auto* list = report_as<Report::Array>(report);
     const auto* corner = list == nullptr || list->size() != 3 ? nullptr : report_as<std::int64_t>(&(*list)[0]);
-    if (corner == nullptr || *corner < 0 || !is_number(&(*list)[1]) || !is_number(&(*list)[2])) {
-      refuse("E_SYNTAX", place, "its fan is not a list of a corner and two numbers");
-      return std::nullopt;
-    }
-    const auto a = number_of(&(*list)[1]), b = number_of(&(*list)[2]);
-    if (!a || !b) {
+    const bool shaped = corner != nullptr && *corner >= 0;
+    if (shaped && (names_no_number((*list)[1]) || names_no_number((*list)[2]))) {
       refuse("E_NOT_FINITE", place, "a number of its fan is not finite");
       return std::nullopt;
     }
+    const auto a = shaped ? number_of(&(*list)[1]) : std::nullopt;
+    const auto b = shaped ? number_of(&(*list)[2]) : std::nullopt;
+    if (!a || !b) {
+      refuse("E_SYNTAX", place, "its fan is not a list of a corner and two numbers");
+      return std::nullopt;
+    }
     return FanPlace{static_cast<std::size_t>(*corner), *a, *b};
+  }
+
+  /// JSON has no NaN and no infinity: some programs write their names.
+  static bool names_no_number(const Report& report) {
+    const auto* text = report_as<std::string>(&report);
+    double number = 0;
+    return text != nullptr && croquis::read_number(*text, number) && !std::isfinite(number);
   }
 
   SurfacePlacesReadResult result_;
