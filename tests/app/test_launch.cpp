@@ -66,6 +66,17 @@ TEST_CASE("a picture of an opened sketch is taken when its solid is finished", "
   CHECK(clay > 500);
 }
 
+TEST_CASE("an empty surface is shown from the command line, and a network of curves opens with its patches",
+          "[launch]") {
+  const QTemporaryDir folder;
+  const QString picture = folder.filePath("window.png");
+  CHECK(studio({"--new", "surface", "--screenshot", picture, "--software-gl"}).exit_code == 0);
+  CHECK(QImage(picture).width() >= 1000);
+  const Finished done = studio({sketch("surface/car_crashed.json"), "--screenshot", picture, "--software-gl"});
+  INFO(done.errors.toStdString());
+  CHECK(done.exit_code == 0);
+}
+
 TEST_CASE("a killed studio leaves its work to the next one", "[launch]") {
   const QTemporaryDir folder;
   write(folder.filePath("draw.jsonl"), "{\"do\":\"open\",\"file\":\"" + sketch("chain.svg").toUtf8() +

@@ -22,19 +22,20 @@ const QColor domain_line(222, 226, 232);
 const QColor domain_smooth(126, 164, 232);
 const QColor domain_curve(186, 140, 224);
 
-Vec2 longest_side(const DomainPolygon& polygon) {
-  Vec2 longest = polygon.corners[1] - polygon.corners[0];
-  for (std::size_t k = 1; k < polygon.corners.size(); ++k) {
-    const Vec2 side = polygon.corners[(k + 1) % polygon.corners.size()] - polygon.corners[k];
-    if (side.norm() > longest.norm() * (1 + 1e-9)) longest = side;
+std::size_t longest_side(const DomainPolygon& polygon) {
+  std::size_t longest = 0;
+  for (std::size_t k = 1; k < polygon.side_lengths.size(); ++k) {
+    if (polygon.side_lengths[k] > polygon.side_lengths[longest] * (1 + 1e-9)) longest = k;
   }
   return longest;
 }
 
-/// Places of a domain in the widget: its longest side lies below.
+/// Places of a domain in the widget, turned so that one side lies below.
 class DomainFit {
  public:
-  DomainFit(const DomainPolygon& polygon, const QRectF& room) : along_(longest_side(polygon).normalized()) {
+  DomainFit(const DomainPolygon& polygon, const QRectF& room, std::size_t below) {
+    const std::size_t next = (below + 1) % polygon.corners.size();
+    along_ = (polygon.corners[next] - polygon.corners[below]).normalized();
     Vec2 low = turned(polygon.corners.front()), high = low;
     for (const Vec2& corner : polygon.corners) {
       low = low.cwiseMin(turned(corner));
@@ -55,7 +56,7 @@ class DomainFit {
  private:
   Vec2 turned(const Vec2& place) const { return {place.dot(along_), along_.x() * place.y() - along_.y() * place.x()}; }
 
-  Vec2 along_;
+  Vec2 along_ = Vec2::UnitX();
   double scale_ = 1;
   QPointF offset_;
 };
@@ -117,11 +118,20 @@ void paint_attributes(QPainter& painter, const DomainPicture& picture, const Dom
   painter.drawLine(at - QPointF(0, 2 * dot), at + QPointF(0, 2 * dot));
 }
 
-void paint_domain(QPainter& painter, const DomainPicture& picture, const QRectF& room, const QString& title) {
+/// Where a domain is drawn, and how.
+struct DomainRoom {
+  QRectF rect;
+  QString title;
+  std::size_t below = 0;  ///< the side that lies below
+};
+
+void paint_domain(QPainter& painter, const DomainPicture& picture, const DomainRoom& where) {
+  const QRectF& room = where.rect;
   painter.setPen(colors::guide);
-  painter.drawText(QRectF(room.topLeft(), QSizeF(room.width(), title_height)), Qt::AlignCenter, title);
+  painter.drawText(QRectF(room.topLeft(), QSizeF(room.width(), title_height)), Qt::AlignCenter, where.title);
   const double aside = name_share * room.width();
-  const DomainFit fit(picture.polygon, room.adjusted(aside, domain_margin + title_height / 2, -aside, -domain_margin));
+  const DomainFit fit(picture.polygon, room.adjusted(aside, domain_margin + title_height / 2, -aside, -domain_margin),
+                      where.below);
   paint_polygon(painter, picture, fit);
   paint_names(painter, picture, fit, static_cast<int>(aside));
   painter.save();
@@ -154,10 +164,12 @@ void DomainView::paintEvent(QPaintEvent*) {
   }
   const QRectF room = rect();
   const double width = uniform_ ? room.width() / 2 : room.width();
-  paint_domain(painter, *own_, QRectF(room.topLeft(), QSizeF(width, room.height())),
-               uniform_ ? tr("by lengths") : QString());
-  if (uniform_)
-    paint_domain(painter, *uniform_, QRectF(room.left() + width, room.top(), width, room.height()), tr("uniform"));
+  const std::size_t below = longest_side(own_->polygon);
+  paint_domain(painter, *own_,
+               {QRectF(room.topLeft(), QSizeF(width, room.height())), uniform_ ? tr("by lengths") : QString(), below});
+  if (!uniform_) return;
+  const QRectF beside(room.left() + width, room.top(), width, room.height());
+  paint_domain(painter, *uniform_, {beside, tr("uniform"), below});
 }
 
 }  // namespace croquis::app
