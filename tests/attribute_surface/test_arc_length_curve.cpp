@@ -64,6 +64,17 @@ TEST_CASE("fractions of the arc length divide the curve") {
   }
 }
 
+TEST_CASE("the middle of a curve that is its own mirror image is at the middle of its parameter") {
+  std::mt19937 random(6);
+  for (int run = 0; run < 50; ++run) {
+    Control control = random_control(random, 3);
+    for (std::size_t i = 0; i < 2; ++i) control[3 - i] = {-control[i].x(), control[i].y(), control[i].z()};
+    const ArcLengthCurve curve(control);
+    CHECK(curve.parameter(0.5) == Approx(0.5).margin(1e-14));
+    CHECK(std::abs(curve.at(0.5).x()) < 1e-12 * curve.length());
+  }
+}
+
 TEST_CASE("ends are the control points, bit for bit") {
   std::mt19937 random(3);
   for (std::size_t degree = 1; degree <= 7; ++degree) {

@@ -78,7 +78,7 @@ class ArcLengthTable {
 
  private:
   static constexpr double tolerance = 2e-13;  ///< of the length; rounding alone comes near to half of it
-  static constexpr std::size_t most_pieces = 256;
+  static constexpr std::size_t most_pieces = 1024;
 
   /// Far from the origin of the model the digits are kept for the curve.
   static std::vector<Vec3> from_origin(std::vector<Vec3> control) {
@@ -107,6 +107,15 @@ class ArcLengthTable {
     return end;
   }
 
+  /// The parameter so much farther along the curve, solved from what is known at t.
+  double stepped(double t, double target, double step) const {
+    const double speed = lengths_.speed(t);
+    const Vec3 velocity = bezier_at(derivative_, t);
+    const double change = second_derivative_.empty() ? 0 : velocity.dot(bezier_at(second_derivative_, t)) / speed;
+    const double guess = step / speed;
+    return lengths_.parameter(target, t + guess - 0.5 * guess * guess * change / speed);
+  }
+
   /// @return whether the middles of all pieces are where they should be
   bool fit(std::size_t count) {
     const double length = whole() / static_cast<double>(count);
@@ -115,8 +124,8 @@ class ArcLengthTable {
     QuinticEnd before = end_at(0, length);
     for (std::size_t i = 0; i < count; ++i) {
       const double start = static_cast<double>(i) * length;
-      const double middle = lengths_.parameter(start + 0.5 * length, t + 0.5 * length / lengths_.speed(t));
-      t = i + 1 == count ? 1 : lengths_.parameter(start + length, 2 * middle - t);
+      const double middle = stepped(t, start + 0.5 * length, 0.5 * length);
+      t = i + 1 == count ? 1 : stepped(middle, start + length, 0.5 * length);
       const QuinticEnd after = end_at(t, length);
       pieces_.push_back(quintic_between(before, after));
       const double miss = (value_in(pieces_.back(), 0.5) - bezier_at(control_, middle)).norm();

@@ -89,7 +89,8 @@ double ArcLengths::parameter(double length, double guess) const {
     (excess > 0 ? high : low) = t;
     const double v = speed(t);
     double better = v > 0 ? t - excess / v : high;
-    if (!(better > low && better < high)) better = 0.5 * (low + high);
+    const bool inside = better > low - 1e-12 && better < high + 1e-12;  // of a part whose end is sought, about there
+    better = inside ? std::clamp(better, low, high) : 0.5 * (low + high);
     const double step = std::abs(better - t);
     t = better;
     if (step <= 1e-9) break;  // the next one would be about its square
