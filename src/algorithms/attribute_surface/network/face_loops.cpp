@@ -73,8 +73,14 @@ class LoopCheck {
                                     subject_of(SubjectKind::Curve, second)}));
   }
 
+  bool is_one_closed_curve(const AttributeFace& face) const {
+    if (face.loop.size() != 1) return false;
+    const auto& corners = curves_.curves[face.loop[0].curve].corners;
+    return corners[0] == corners[1];
+  }
+
   bool tell_too_few(const AttributeFace& face) {
-    const std::string advice = face.loop.empty() ? "add its curves" : "split its closed curve, best in 4";
+    const std::string advice = is_one_closed_curve(face) ? "split it, best in 4" : "add the curves that close its loop";
     findings_.push_back(make_error(Category::Geometry, "E_TOO_FEW",
                                    "Face " + quoted(face.id) + " has " +
                                        (face.loop.empty() ? "no curve" : "one curve only") +

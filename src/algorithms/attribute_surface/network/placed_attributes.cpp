@@ -20,6 +20,7 @@ double limit_of(const DomainPolygon& polygon) { return 1e-3 / static_cast<double
 struct CurveFootprint {
   PlacedCurve placed;
   std::optional<double> outside;
+  bool across = false;  ///< both ends are on the boundary
 };
 
 CurveFootprint footprint_along(const ArcLengthCurve& curve, const FaceSurface& base) {
@@ -32,6 +33,8 @@ CurveFootprint footprint_along(const ArcLengthCurve& curve, const FaceSurface& b
     if (found.at_limit && !result.outside) result.outside = s;
     result.placed.points.push_back(point);
     result.placed.places.push_back(found.place);
+    if (i == 0) result.across = found.at_limit;
+    if (i + 1 == inner_knots) result.across = result.across && found.at_limit;
     guess = found.place;
   }
   return result;
@@ -124,13 +127,12 @@ std::optional<PlacedCurve> AttributePlacing::place_inner(const AttributeFace& fa
       [](const CurveFootprint& made) { return byte_size(made); });
   if (footprint->outside) {
     const std::string& id = network_.curves[inner.curve].id;
-    const bool at_end = *footprint->outside == 0 || *footprint->outside == 1;
-    findings_.push_back(make_error(
-        Category::Geometry, "E_INNER_OUTSIDE",
-        "Inner curve " + quoted(id) + " leaves face " + quoted(face.id) + " at " + rounded_text(*footprint->outside) +
-            " of its length and is left out: " +
-            (at_end ? "split the face along it, or keep its ends off the sides." : "keep it within the face's sides."),
-        {subject_of(SubjectKind::Curve, id), subject_of(SubjectKind::Face, face.id)}));
+    findings_.push_back(
+        make_error(Category::Geometry, "E_INNER_OUTSIDE",
+                   "Inner curve " + quoted(id) + " leaves face " + quoted(face.id) + " at " +
+                       rounded_text(*footprint->outside) + " of its length and is left out: " +
+                       (footprint->across ? "split the face along it." : "keep it within the face's sides, off them."),
+                   {subject_of(SubjectKind::Curve, id), subject_of(SubjectKind::Face, face.id)}));
     return std::nullopt;
   }
   PlacedCurve placed = footprint->placed;
