@@ -12,13 +12,13 @@ namespace croquis {
 namespace {
 
 /// The choice that leaves a property as the network has it.
-constexpr const char* as_in_file = "file";
+constexpr const char* as_in_network = "network";
 /// Samples of drafts, which are looked at while something is dragged.
 constexpr std::size_t draft_samples = 16;
 
 ParameterDescription choice_of(const std::string& name, std::vector<std::string> choices, const std::string& sentence) {
-  choices.insert(choices.begin(), as_in_file);
-  return {name, ParameterType::Choice, std::string(as_in_file), 0, 0, std::move(choices), "", sentence};
+  choices.insert(choices.begin(), as_in_network);
+  return {name, ParameterType::Choice, std::string(as_in_network), 0, 0, std::move(choices), "", sentence};
 }
 
 std::optional<AttributeMode> mode_of(const std::string& name) {
@@ -49,10 +49,10 @@ std::vector<ParameterDescription> surface_parameters() {
   return {
       choice_of("mode", {"smooth", "position", "paper"},
                 "How faces are blended: with common tangent planes at smooth curves, from positions alone, by the "
-                "paper's formulas, or as the file says of each."),
+                "paper's formulas, or as the network says of each."),
       choice_of("domain", {"chordlength", "uniform"},
                 "The polygon that a face is a map of: with its curves' lengths as sides, a regular one, or as the "
-                "file says of each."),
+                "network says of each."),
       {"fullness",
        ParameterType::Text,
        std::string(),
@@ -60,7 +60,7 @@ std::vector<ParameterDescription> surface_parameters() {
        0,
        {},
        "",
-       "How full smooth faces are, -1 to 2: 1 follows the slopes at the sides, 0 is flat; empty: as the file says."},
+       "How full smooth faces are, -1 to 2: 1 follows the slopes at the sides, 0 is flat; empty: as the network says."},
       {"samples",
        ParameterType::Integer,
        std::int64_t{16},
