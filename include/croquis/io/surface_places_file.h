@@ -23,6 +23,9 @@ struct SurfacePlaceQuestion {
 
 Report report_of(const std::vector<SurfacePlaceQuestion>& places);
 
+/// [corner, a, b], as files and reports have a place.
+Report report_of(const FanPlace& fan);
+
 struct SurfacePlacesReadResult {
   std::vector<SurfacePlaceQuestion> places;
   Findings warnings;  ///< W_IGNORED, for each name of a member that the format doesn't have

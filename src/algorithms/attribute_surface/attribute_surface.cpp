@@ -9,21 +9,14 @@
 #include "algorithms/attribute_surface/network/loop_curves.h"
 #include "algorithms/attribute_surface/network/network_words.h"
 #include "algorithms/attribute_surface/network/placed_attributes.h"
+#include "croquis/attribute_surface/network_elements.h"
 #include "croquis/base/stage_key.h"
 
 namespace croquis {
 namespace {
 
-/// Of the diagonal of the bounding box, where a network has no tolerance of its own.
-constexpr double default_tolerance = 1e-4;
 /// Faces with more of their places turned over than this are told.
 constexpr double folded_share = 0.05;
-
-double tolerance_of(const AttributeNetwork& network) {
-  if (network.tolerance) return *network.tolerance;
-  const BoundingBox box = bounds_of(network);
-  return box ? default_tolerance * ((*box)[1] - (*box)[0]).norm() : 0;
-}
 
 AttributeNetwork with_overrides(const AttributeNetwork& network, const AttributeSurfaceOptions& options) {
   AttributeNetwork result = network;

@@ -102,15 +102,19 @@ class SurfacePlacesReader {
 
 }  // namespace
 
+Report report_of(const FanPlace& fan) {
+  Report list = Report::array();
+  list.push(fan.corner);
+  list.push(fan.a);
+  list.push(fan.b);
+  return list;
+}
+
 Report report_of(const std::vector<SurfacePlaceQuestion>& places) {
   Report list = Report::array();
   for (const SurfacePlaceQuestion& place : places) {
-    Report fan = Report::array();
-    fan.push(place.fan.corner);
-    fan.push(place.fan.a);
-    fan.push(place.fan.b);
     Report entry;
-    entry.set("face", place.face).set("fan", std::move(fan));
+    entry.set("face", place.face).set("fan", report_of(place.fan));
     list.push(std::move(entry));
   }
   Report report;

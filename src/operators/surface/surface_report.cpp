@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "croquis/base/text.h"
+#include "croquis/io/surface_places_file.h"
 
 namespace croquis {
 namespace {
@@ -52,13 +53,9 @@ Report error_list(const AttributeNetwork& network, const SurfaceMeasures& measur
 Report evaluated_list(const AttributeNetwork& network, const std::vector<EvaluatedPlace>& places) {
   Report list = Report::array();
   for (const EvaluatedPlace& place : places) {
-    Report fan = Report::array();
-    fan.push(place.fan.corner);
-    fan.push(place.fan.a);
-    fan.push(place.fan.b);
     Report entry;
     entry.set("face", network.faces[place.face].id)
-        .set("fan", std::move(fan))
+        .set("fan", report_of(place.fan))
         .set("p", place.place ? Report::list(place.place->point) : Report())
         .set("normal", place.place ? Report::list(place.normal) : Report());
     list.push(std::move(entry));

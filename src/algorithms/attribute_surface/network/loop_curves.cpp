@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "algorithms/attribute_surface/network/network_words.h"
+#include "croquis/attribute_surface/curve_edit.h"
 #include "croquis/base/stage_key.h"
 #include "croquis/geometry/disjoint_sets.h"
 
@@ -155,11 +156,7 @@ class MetCurve {
 std::vector<Vec3> with_ends_moved(std::vector<Vec3> control, const Vec3& start, const Vec3& end) {
   const Vec3 start_move = start - control.front();
   const Vec3 end_move = end - control.back();
-  const auto degree = static_cast<double>(control.size() - 1);
-  for (std::size_t i = 0; i < control.size(); ++i) {
-    const double part = static_cast<double>(i) / degree;
-    control[i] += (1 - part) * start_move + part * end_move;
-  }
+  control = with_ends_moved_by(std::move(control), start_move, end_move);
   control.front() = start;
   control.back() = end;
   return control;
