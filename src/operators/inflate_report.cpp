@@ -43,7 +43,7 @@ void add_overlaps(const LabelledFigure& figure, InflateResult& result) {
     result.overlaps.push_back(std::move(strands));
   }
   for (const silhouette::AttachSuggestion& joint : attach_suggestions(figure)) {
-    result.suggested.push_back({figure.objects[joint.a].name, figure.objects[joint.b].name, joint.at});
+    result.suggested.push_back({figure.objects[joint.a].name, figure.objects[joint.b].name, joint.at, joint.hold});
   }
 }
 

@@ -17,6 +17,7 @@ struct InflatedObject {
   std::vector<std::string> strokes;  ///< names of those that it is made of
   int euler_region = 0;              ///< Euler number of the immersed region
   int euler_mesh = 0;                ///< of its mesh before it is joined with others
+  double thickness = 1;              ///< factor of its depth
 };
 
 /// A closed surface of its own: one object, or several attached ones.
@@ -32,10 +33,26 @@ struct StrandOverlap {
   std::vector<Vec2> crossings;  ///< corners of the overlap
 };
 
-/// A limb and a body that may be attached.
+/// Two objects that may be attached, and how.
 struct SuggestedJoint {
   std::string a, b;  ///< names of objects
   Vec2 at = Vec2::Zero();
+  silhouette::Hold hold = silhouette::Hold::Joined;
+};
+
+/// A closed outline within another one's surface.
+struct NestedStroke {
+  std::string stroke, around;  ///< ids of strokes
+  bool hole = false;           ///< else a part in front
+  bool chosen = false;         ///< by the drawing; else read from its shape
+  Vec2 at = Vec2::Zero();      ///< on the outline
+};
+
+/// Two strokes that cross in full view.
+struct StrokesInView {
+  std::string front, behind;  ///< ids of strokes
+  Vec2 at = Vec2::Zero();
+  bool chosen = false;  ///< by the drawing; else by the order of drawing
 };
 
 /// The label of one arc of a contour.
@@ -60,6 +77,8 @@ struct InflateResult {
   std::vector<InflatedShell> shells;
   std::vector<silhouette::SolidAttachment> attached;
   std::vector<SuggestedJoint> suggested;
+  std::vector<NestedStroke> nested;
+  std::vector<StrokesInView> crossings_in_view;
   silhouette::SolidDiagnostics diagnostics;
 };
 

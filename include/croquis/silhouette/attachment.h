@@ -4,15 +4,18 @@
 #include <vector>
 
 #include "croquis/silhouette/labelled_figure.h"
+#include "croquis/silhouette/options.h"
 
 /// Limbs that grow out of a body instead of floating before it.
 namespace croquis::silhouette {
 
-/// Two objects of a figure that look like limb and body.
+/// Two objects of a figure that look as if they touch: limb and body, or a part that lies on another.
 struct AttachSuggestion {
   Index a = 0;  ///< objects of the figure, a < b
   Index b = 0;
   Vec2 at = Vec2::Zero();  ///< where they overlap, sketch units
+  Hold hold =
+      Hold::Joined;  ///< Joined for a limb whose outline ends at the other's, Resting for a part wholly before it
 };
 
 /// The pairs of which one ends within the other's outline: their overlap has two corners, or none where one lies wholly

@@ -55,6 +55,7 @@ struct FigureObject {
   std::vector<Index> strokes;  ///< indices into Drawing::strokes
   std::vector<Index> contours;
   int euler_region = 0;  ///< Euler number of its immersed region, from the turning numbers of its contours
+  double thickness = 1;  ///< factor of its depth: 1 is as deep as it is wide
 };
 
 /// One place where an object passes in front of another, or of itself: the region of a pair of layers.
@@ -89,9 +90,28 @@ struct LabelledFigure {
   int panels = 0;    ///< sum of w over the faces
 };
 
+/// A closed outline drawn within another one's surface, and how it is read.
+struct NestedOutline {
+  Index stroke = 0;        ///< indices into Drawing::strokes
+  Index around = 0;        ///< one that bounds the surface around it
+  bool hole = false;       ///< else it bounds a part in front
+  bool chosen = false;     ///< by the stroke's "kind", see stroke_data.h; else by its shape
+  Vec2 at = Vec2::Zero();  ///< on the outline, sketch units
+};
+
+/// Two outlines that cross in full view, and which of them is read as the one in front.
+struct CrossingInView {
+  Index front = 0;  ///< indices into Drawing::strokes
+  Index behind = 0;
+  Vec2 at = Vec2::Zero();  ///< one of the places where they cross, sketch units
+  bool chosen = false;     ///< by the stroke's "behind", see stroke_data.h; else by the order of drawing
+};
+
 struct LabelledDrawing {
   std::vector<LabelledFigure> figures;  ///< independent parts that could be labelled
-  Findings findings;                    ///< warnings, and the errors of parts that could not
+  std::vector<NestedOutline> nested;
+  std::vector<CrossingInView> crossings;
+  Findings findings;  ///< warnings, and the errors of parts that could not
 };
 
 /// Sections 4 to 7: prepares strokes, finds which ends pass behind what, completes and labels the contours.

@@ -21,6 +21,12 @@ enum class Preset {
   Tablet  ///< hand-drawn lines: more smoothing, wider reach of a stroke's end
 };
 
+/// What becomes of outlines that cross in full view.
+enum class Crossings {
+  Refuse,  ///< E_CROSS
+  Front    ///< the closed stroke that was drawn later covers the other one, unless it is told to lie behind
+};
+
 /// Stroke preparation.
 struct StrokeOptions {
   double step = 6;           ///< u, 2..20: spacing of contour samples
@@ -29,9 +35,15 @@ struct StrokeOptions {
   double gap = 18;           ///< u: ends of two strokes nearer than this may be one line
   double snap = 10;          ///< u: how far an end may stop short of, or overshoot, the line it passes behind
   int smoothing_passes = 2;  ///< 0..20: Taubin passes
+  Crossings crossings = Crossings::Refuse;
+  /// What a hand may miss, in parts of the size of what it draws; with 0 only the lengths above count.
+  double close_share = 0;  ///< of a stroke's length: the gap or overlap of its ends that closes it
+  double aside_share = 0;  ///< of its length: how far aside of one another the ends of a closed stroke may lie
+  double reach_share = 0;  ///< of an object's size: how far an end may miss the line that it passes behind
 };
 constexpr auto members(const StrokeOptions& options) {
-  return std::tie(options.step, options.tiny, options.close, options.gap, options.snap, options.smoothing_passes);
+  return std::tie(options.step, options.tiny, options.close, options.gap, options.snap, options.smoothing_passes,
+                  options.crossings, options.close_share, options.aside_share, options.reach_share);
 }
 static_assert(lists_every_member<StrokeOptions>);
 
@@ -70,11 +82,20 @@ enum class Quality {
   Final
 };
 
-/// Two objects that grow together where they overlap, instead of keeping the gap: limb and body.
+/// How two objects that overlap are held.
+enum class Hold {
+  Apart,    ///< they keep the gap
+  Resting,  ///< they touch, the upper one lying on the lower one: a wing on a body; each stays a surface of its own
+  Joined    ///< they grow together to one surface: limb and body
+};
+
+/// Two objects that are held otherwise than apart, or apart where they would be attached by themselves.
 struct AttachedPair {
   std::string a;  ///< names of objects; a stroke's id stands for the object that it bounds
   std::string b;
-  double kappa = 0.55;  ///< 0..1: least distance of their middles, in parts of that of touching ones
+  double kappa = 0.55;  ///< 0..1: least distance of joined ones' middles, in parts of that of touching ones
+  Hold hold = Hold::Joined;
+  double blend = 0;  ///< 0..1: radius of the seam of joined ones, in radii of the thinner one; 0: a sharp seam
 };
 
 struct Options {
@@ -82,6 +103,7 @@ struct Options {
   CompletionOptions completion;
   DepthOptions depth;
   std::vector<AttachedPair> attach;  ///< of two entries for one pair the later counts
+  bool attach_suggested = false;     ///< pairs not named above are held as `attach_suggestions` says
   Quality quality = Quality::Final;  ///< of the surface; the labelled figure is the same for both
   StageCache* cache = nullptr;       ///< results of earlier runs, not owned; null: everything is computed
 
@@ -90,6 +112,7 @@ struct Options {
     if (preset == Preset::Tablet) {
       options.strokes.snap = 14;
       options.strokes.smoothing_passes = 8;
+      options.strokes.crossings = Crossings::Front;
     }
     return options;
   }

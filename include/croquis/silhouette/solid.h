@@ -33,7 +33,10 @@ struct SolidShell {
 struct SolidAttachment {
   std::string a;
   std::string b;
-  double kappa = 0;
+  double kappa = 0;  ///< of joined ones
+  Hold hold = Hold::Joined;
+  double blend = 0;        ///< of joined ones
+  Vec2 at = Vec2::Zero();  ///< where they overlap, sketch units
 };
 
 struct SolidDiagnostics {
@@ -45,6 +48,7 @@ struct SolidDiagnostics {
   double silhouette_iou = 0;  ///< of the mesh's projection and the drawn region; NaN for a draft
   int solver_iterations = 0;  ///< of the depth solves, the largest
   double solver_residual = 0;
+  double depth_ratio = 0;  ///< depth of the figure over the widths of what lies over what, the largest
 };
 
 /// The solids of a drawing.

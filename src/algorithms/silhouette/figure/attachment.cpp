@@ -13,7 +13,8 @@ std::vector<AttachSuggestion> attach_suggestions(const LabelledFigure& figure) {
   for (const FigureOverlap& overlap : figure.overlaps) {
     if (overlap.upper == overlap.lower || overlap.crossings.size() > 2) continue;
     const auto [a, b] = std::minmax(overlap.upper, overlap.lower);
-    if (known.emplace(a, b).second) suggestions.push_back({a, b, overlap.at});
+    const Hold hold = overlap.crossings.empty() ? Hold::Resting : Hold::Joined;
+    if (known.emplace(a, b).second) suggestions.push_back({a, b, overlap.at, hold});
   }
   return suggestions;
 }

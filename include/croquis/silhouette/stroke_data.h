@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "croquis/geometry/drawing.h"
+
+/// What a drawing says about its own strokes, in their data attributes (SVG: with "data-" before the name).
+namespace croquis::silhouette {
+
+/// The attribute "kind".
+enum class StrokeKind {
+  Visible,  ///< "visible", or not given
+  Hidden,   ///< "hidden": a piece of contour behind something, used instead of one that is found
+  Part,     ///< "part": a closed outline within another one bounds a part in front
+  Hole      ///< "hole": it bounds a hole
+};
+
+inline constexpr const char* kind_key = "kind";
+
+/// "thickness": factor of the depth of the object that the stroke bounds, 0.05 to 4; of several strokes of an object
+/// the first one's counts, of a named object that of its group.
+inline constexpr const char* thickness_key = "thickness";
+
+/// "behind": ids of strokes, separated by commas, that this one passes behind where they cross in full view, though it
+/// was drawn later; "all" for all drawn before it.
+inline constexpr const char* behind_key = "behind";
+
+/// None for a word that is no kind.
+std::optional<StrokeKind> stroke_kind(const Stroke& stroke);
+
+/// The text of a kind, as files have it.
+std::string to_string(StrokeKind kind);
+
+/// Whether `later`, drawn after `earlier`, is told to lie behind it.
+bool told_behind(const Stroke& later, const Stroke& earlier);
+
+}  // namespace croquis::silhouette

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/silhouette/stroke_data.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "croquis/base/text.h"
+
+namespace croquis::silhouette {
+namespace {
+
+constexpr std::array<std::pair<StrokeKind, std::string_view>, 4> kinds{{{StrokeKind::Visible, "visible"},
+                                                                        {StrokeKind::Hidden, "hidden"},
+                                                                        {StrokeKind::Part, "part"},
+                                                                        {StrokeKind::Hole, "hole"}}};
+
+std::string_view without_spaces(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  return text;
+}
+
+}  // namespace
+
+std::optional<StrokeKind> stroke_kind(const Stroke& stroke) {
+  const auto found = stroke.data.find(kind_key);
+  if (found == stroke.data.end()) return StrokeKind::Visible;
+  for (const auto& [kind, text] : kinds) {
+    if (found->second == text) return kind;
+  }
+  return std::nullopt;
+}
+
+std::string to_string(StrokeKind kind) {
+  const auto found =
+      std::find_if(kinds.begin(), kinds.end(), [kind](const auto& entry) { return entry.first == kind; });
+  return std::string(found->second);
+}
+
+bool told_behind(const Stroke& later, const Stroke& earlier) {
+  const auto found = later.data.find(behind_key);
+  if (found == later.data.end()) return false;
+  const std::vector<std::string_view> ids = text_parts(found->second, ",");
+  return std::any_of(ids.begin(), ids.end(), [&](std::string_view id) {
+    return without_spaces(id) == "all" || without_spaces(id) == earlier.id;
+  });
+}
+
+}  // namespace croquis::silhouette
