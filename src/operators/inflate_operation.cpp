@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "croquis/geometry/affine3.h"
+#include "croquis/operators/attach_text.h"
 #include "croquis/silhouette/labelled_figure.h"
 #include "croquis/silhouette/solid.h"
-#include "operators/attach_parameter.h"
 #include "operators/choice_parameter.h"
 #include "operators/inflate_report.h"
 #include "operators/memo_stage_cache.h"
@@ -21,6 +21,12 @@ ParameterDescription weight(const std::string& name, double value, const std::st
   return {"weight-" + name, ParameterType::Number, value, 1e-3, 1.0, {}, "", sentence};
 }
 
+/// What hands draw crosses itself; exact lines that cross are a slip.
+silhouette::Crossings crossings_of(const std::string& choice, const Options& preset) {
+  if (choice == "front") return silhouette::Crossings::Front;
+  return choice == "refuse" ? silhouette::Crossings::Refuse : preset.strokes.crossings;
+}
+
 Options read_inflate_options(const ParameterValues& parameters) {
   const bool tablet = text_of(parameters, "preset") == "tablet";
   Options options = Options::of(tablet ? Preset::Tablet : Preset::Clean);
@@ -29,7 +35,10 @@ Options read_inflate_options(const ParameterValues& parameters) {
   options.depth.weight_orientation = number_of(parameters, "weight-orientation");
   options.depth.weight_distance = number_of(parameters, "weight-distance");
   options.depth.minimum_gap = number_of(parameters, "min-gap");
-  options.attach = parse_attached_pairs(text_of(parameters, "attach"));
+  options.strokes.crossings = crossings_of(text_of(parameters, "crossings"), options);
+  AttachText attach = read_attach_text(text_of(parameters, "attach"));
+  options.attach = std::move(attach.pairs);
+  options.attach_suggested = attach.suggested;
   return options;
 }
 
@@ -86,9 +95,13 @@ OperationDescription InflateOperation::describe() const {
             0,
             {},
             "",
-            "Pairs of objects that grow together where they overlap: A,B or A,B=K; K from 0 to 1 is the least distance "
-            "of their middles in parts of that of touching ones, 0.55 unless said.",
-            true}}};
+            "Objects that are held together where they overlap: auto for all that look it, else pairs: A,B or A,B=K "
+            "grow together, K from 0 to 1 being the least distance of their middles in parts of that of touching ones, "
+            "0.55 unless said, and A,B=K:R with a seam of radius R, 0 to 1; A,B=rest touch, A,B=apart keep a gap.",
+            true},
+           choice("crossings", {"preset", "front", "refuse"},
+                  "Outlines that cross in full view: the closed line drawn later lies in front, or they are refused; "
+                  "tablet takes them, clean refuses them.")}};
 }
 
 OperationResult InflateOperation::compute(const Values& inputs, const ParameterValues& parameters,

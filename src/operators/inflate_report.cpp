@@ -47,9 +47,9 @@ void add_overlaps(const LabelledFigure& figure, InflateResult& result) {
   }
 }
 
-void add_solid(const Drawing& drawing, const Solid& solid, InflateResult& result) {
+void add_solid(const Drawing& drawing, const LabelledDrawing& labelled, const Solid& solid, InflateResult& result) {
   for (const silhouette::SolidObject& object : solid.objects) {
-    InflatedObject inflated{object.name, {}, object.euler_region, object.euler_mesh};
+    InflatedObject inflated{object.name, {}, object.euler_region, object.euler_mesh, object.thickness};
     for (const Index stroke : object.strokes) inflated.strokes.push_back(drawing.strokes[stroke].id);
     result.objects.push_back(std::move(inflated));
   }
@@ -57,6 +57,12 @@ void add_solid(const Drawing& drawing, const Solid& solid, InflateResult& result
     InflatedShell inflated{{}, shell.euler_mesh};
     for (const Index object : shell.objects) inflated.objects.push_back(solid.objects[object].name);
     result.shells.push_back(std::move(inflated));
+  }
+  for (const auto& [stroke, around, hole, chosen, at] : labelled.nested) {
+    result.nested.push_back({drawing.strokes[stroke].id, drawing.strokes[around].id, hole, chosen, at});
+  }
+  for (const auto& [front, behind, at, chosen] : labelled.crossings) {
+    result.crossings_in_view.push_back({drawing.strokes[front].id, drawing.strokes[behind].id, at, chosen});
   }
   result.attached = solid.attached;
   result.diagnostics = solid.diagnostics;
@@ -69,7 +75,8 @@ Report object_list(const InflateResult& result) {
     entry.set("name", object.name)
         .set("strokes", Report::list(object.strokes))
         .set("euler_region", object.euler_region)
-        .set("euler_mesh", object.euler_mesh);
+        .set("euler_mesh", object.euler_mesh)
+        .set("thickness", object.thickness);
     list.push(std::move(entry));
   }
   return list;
@@ -77,6 +84,11 @@ Report object_list(const InflateResult& result) {
 
 /// In the sketch's own frame, y down.
 Report place(const Vec2& at) { return Report::list(std::vector<double>{at.x(), -at.y()}); }
+
+std::string word_of(silhouette::Hold hold) {
+  if (hold == silhouette::Hold::Joined) return "joined";
+  return hold == silhouette::Hold::Resting ? "resting" : "apart";
+}
 
 Report overlap_list(const InflateResult& result) {
   Report list = Report::array();
@@ -99,7 +111,8 @@ Report joint_list(const InflateResult& result) {
   Report list = Report::array();
   for (const SuggestedJoint& joint : result.suggested) {
     Report entry;
-    list.push(std::move(entry.set("a", joint.a).set("b", joint.b).set("at", place(joint.at))));
+    entry.set("a", joint.a).set("b", joint.b).set("at", place(joint.at)).set("hold", word_of(joint.hold));
+    list.push(std::move(entry));
   }
   return list;
 }
@@ -117,7 +130,32 @@ Report attached_list(const InflateResult& result) {
   Report list = Report::array();
   for (const silhouette::SolidAttachment& pair : result.attached) {
     Report entry;
-    list.push(std::move(entry.set("a", pair.a).set("b", pair.b).set("kappa", pair.kappa)));
+    entry.set("a", pair.a).set("b", pair.b).set("kappa", pair.kappa).set("hold", word_of(pair.hold));
+    list.push(std::move(entry.set("blend", pair.blend)));
+  }
+  return list;
+}
+
+Report nested_list(const InflateResult& result) {
+  Report list = Report::array();
+  for (const NestedStroke& nested : result.nested) {
+    Report entry;
+    entry.set("stroke", nested.stroke)
+        .set("around", nested.around)
+        .set("kind", nested.hole ? "hole" : "part")
+        .set("chosen", nested.chosen)
+        .set("at", place(nested.at));
+    list.push(std::move(entry));
+  }
+  return list;
+}
+
+Report view_crossing_list(const InflateResult& result) {
+  Report list = Report::array();
+  for (const StrokesInView& pair : result.crossings_in_view) {
+    Report entry;
+    entry.set("front", pair.front).set("behind", pair.behind).set("chosen", pair.chosen).set("at", place(pair.at));
+    list.push(std::move(entry));
   }
   return list;
 }
@@ -149,7 +187,7 @@ InflateResult result_of_inflating(const Drawing& drawing, const LabelledDrawing&
     add_counts(figure, result);
     add_overlaps(figure, result);
   }
-  add_solid(drawing, solid, result);
+  add_solid(drawing, labelled, solid, result);
   return result;
 }
 
@@ -176,19 +214,23 @@ Report to_report(const InflateResult& result) {
       .set("shells", shell_list(result))
       .set("attached", attached_list(result))
       .set("attach_suggestions", joint_list(result))
+      .set("nested", nested_list(result))
+      .set("crossings_in_view", view_crossing_list(result))
       .set("silhouette_iou", result.diagnostics.silhouette_iou)
       .set("min_gap", result.diagnostics.minimum_gap)
+      .set("depth_ratio", result.diagnostics.depth_ratio)
       .set("solver", std::move(solver));
   return details;
 }
 
 std::size_t byte_size(const InflateResult& result) {
-  std::size_t bytes = sizeof(InflateResult) + result.arcs.capacity() * sizeof(ArcLabel) +
-                      result.objects.capacity() * sizeof(InflatedObject) +
-                      result.overlaps.capacity() * sizeof(StrandOverlap) +
-                      result.shells.capacity() * sizeof(InflatedShell) +
-                      result.attached.capacity() * sizeof(silhouette::SolidAttachment) +
-                      result.suggested.capacity() * sizeof(SuggestedJoint);
+  std::size_t bytes =
+      sizeof(InflateResult) + result.arcs.capacity() * sizeof(ArcLabel) +
+      result.objects.capacity() * sizeof(InflatedObject) + result.overlaps.capacity() * sizeof(StrandOverlap) +
+      result.shells.capacity() * sizeof(InflatedShell) +
+      result.attached.capacity() * sizeof(silhouette::SolidAttachment) +
+      result.suggested.capacity() * sizeof(SuggestedJoint) + result.nested.capacity() * sizeof(NestedStroke) +
+      result.crossings_in_view.capacity() * sizeof(StrokesInView);
   for (const ArcLabel& arc : result.arcs) bytes += arc.object.capacity();
   for (const InflatedObject& object : result.objects) bytes += object.name.capacity() + bytes_of(object.strokes);
   for (const StrandOverlap& overlap : result.overlaps) bytes += overlap.crossings.capacity() * sizeof(Vec2);

@@ -21,6 +21,7 @@ struct SolidObject {
   std::vector<Index> strokes;  ///< indices into Drawing::strokes
   int euler_region = 0;        ///< of the immersed region
   int euler_mesh = 0;          ///< of its mesh, before it is joined with others; twice euler_region
+  double thickness = 1;        ///< factor of its depth
 };
 
 /// A surface of its own: that of one object, or of several attached ones joined.

@@ -74,7 +74,8 @@ class SolidBuilder {
       channel.labels.push_back(object.name);
       made.objects.push_back(static_cast<Index>(solid_.objects.size()));
       // Counted and found to be this, see certify_topology.
-      solid_.objects.push_back({object.name, object.strokes, object.euler_region, 2 * object.euler_region});
+      solid_.objects.push_back(
+          {object.name, object.strokes, object.euler_region, 2 * object.euler_region, object.thickness});
     }
     auto& values = std::get<std::vector<std::int32_t>>(channel.data);
     for (std::size_t f = 0; f < shell.mesh.face_count(); ++f) {
