@@ -45,6 +45,11 @@ bool has_errors(const Findings& findings) {
                      [](const Finding& finding) { return finding.severity == Severity::Error; });
 }
 
+bool has_warnings(const Findings& findings) {
+  return std::any_of(findings.begin(), findings.end(),
+                     [](const Finding& finding) { return finding.severity != Severity::Info; });
+}
+
 Finding make_error(Category category, std::string code, std::string message, std::vector<Subject> subjects) {
   return {Severity::Error, category, std::move(code), std::move(message), std::move(subjects)};
 }

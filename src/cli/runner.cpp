@@ -68,9 +68,14 @@ std::string places_text(const Finding& finding) {
   return text;
 }
 
+const char* word_of(Severity severity) {
+  if (severity == Severity::Error) return "error";
+  return severity == Severity::Warning ? "warning" : "note";
+}
+
 void print_findings(const Findings& findings) {
   for (const Finding& finding : findings) {
-    const char* word = finding.severity == Severity::Error ? "error" : "warning";
+    const char* word = word_of(finding.severity);
     std::fprintf(stderr, "%s: %s [%s%s]\n", word, finding.message.c_str(), finding.code.c_str(),
                  places_text(finding).c_str());
   }
@@ -139,7 +144,7 @@ Outcome execute(const Command& command, const Invocation& invocation, ProgressDi
   } catch (const std::exception& exception) {
     fail(outcome, {internal_finding(exception.what())}, exit_internal);
   }
-  if (outcome.code == exit_done && invocation.strict && !outcome.result.warnings.empty()) outcome.code = exit_warnings;
+  if (outcome.code == exit_done && invocation.strict && has_warnings(outcome.result.warnings)) outcome.code = exit_warnings;
   return outcome;
 }
 

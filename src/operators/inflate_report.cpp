@@ -58,9 +58,6 @@ void add_solid(const Drawing& drawing, const LabelledDrawing& labelled, const So
     for (const Index object : shell.objects) inflated.objects.push_back(solid.objects[object].name);
     result.shells.push_back(std::move(inflated));
   }
-  for (const auto& [stroke, around, hole, chosen, at] : labelled.nested) {
-    result.nested.push_back({drawing.strokes[stroke].id, drawing.strokes[around].id, hole, chosen, at});
-  }
   for (const auto& [front, behind, at, chosen] : labelled.crossings) {
     result.crossings_in_view.push_back({drawing.strokes[front].id, drawing.strokes[behind].id, at, chosen});
   }
@@ -186,6 +183,9 @@ InflateResult result_of_inflating(const Drawing& drawing, const LabelledDrawing&
     add_arcs(figure, result.contours, result.arcs);
     add_counts(figure, result);
     add_overlaps(figure, result);
+    for (const auto& [stroke, around, hole, chosen, at] : figure.nested) {
+      result.nested.push_back({drawing.strokes[stroke].id, drawing.strokes[around].id, hole, chosen, at});
+    }
   }
   add_solid(drawing, labelled, solid, result);
   return result;

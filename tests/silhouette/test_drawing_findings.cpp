@@ -65,6 +65,7 @@ TEST_CASE("every finding about a drawing names the strokes it is about") {
     std::vector<std::string> named;
     for (const Finding& finding : findings) {
       INFO(finding.message);
+      if (finding.severity == Severity::Info) continue;
       const bool expected = finding.code == sketch.code;
       CHECK((expected || std::count(sketch.allowed.begin(), sketch.allowed.end(), finding.code) > 0));
       if (!expected) continue;

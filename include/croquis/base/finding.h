@@ -85,6 +85,9 @@ using Findings = std::vector<Finding>;
 /// True when at least one finding is an error.
 bool has_errors(const Findings& findings);
 
+/// True when at least one finding is a warning or an error: more than a note.
+bool has_warnings(const Findings& findings);
+
 /// Short forms for the two severities that algorithms produce.
 Finding make_error(Category category, std::string code, std::string message, std::vector<Subject> subjects = {});
 Finding make_warning(Category category, std::string code, std::string message, std::vector<Subject> subjects = {});

@@ -68,6 +68,15 @@ struct FigureOverlap {
   std::vector<Index> crossings;
 };
 
+/// A closed outline drawn within another one's surface, and how it is read.
+struct NestedOutline {
+  Index stroke = 0;        ///< indices into Drawing::strokes
+  Index around = 0;        ///< one that bounds the surface around it
+  bool hole = false;       ///< else it bounds a part in front
+  bool chosen = false;     ///< by the stroke's "kind", see stroke_data.h; else by its shape
+  Vec2 at = Vec2::Zero();  ///< on the outline, sketch units
+};
+
 /// The labelled figure of one part of a drawing; parts share no contour, crossing or overlap.
 struct LabelledFigure {
   double unit = 1;           ///< u of the whole drawing
@@ -79,6 +88,7 @@ struct LabelledFigure {
   std::vector<FigureCompletion> completions;
   std::vector<FigureObject> objects;
   std::vector<FigureOverlap> overlaps;
+  std::vector<NestedOutline> nested;  ///< closed strokes whose side no junction tells
   std::vector<std::array<Index, 2>>
       segments;                       ///< #S by 2: every contour segment once, the constraints of the triangulation
   std::vector<Index> segment_arc;     ///< #S: the arc that a segment belongs to
@@ -88,15 +98,6 @@ struct LabelledFigure {
   std::vector<std::vector<Vec2>>
       raw_contours;  ///< per contour the strokes before smoothing, completions between: for checks
   int panels = 0;    ///< sum of w over the faces
-};
-
-/// A closed outline drawn within another one's surface, and how it is read.
-struct NestedOutline {
-  Index stroke = 0;        ///< indices into Drawing::strokes
-  Index around = 0;        ///< one that bounds the surface around it
-  bool hole = false;       ///< else it bounds a part in front
-  bool chosen = false;     ///< by the stroke's "kind", see stroke_data.h; else by its shape
-  Vec2 at = Vec2::Zero();  ///< on the outline, sketch units
 };
 
 /// Two outlines that cross in full view, and which of them is read as the one in front.
@@ -109,7 +110,6 @@ struct CrossingInView {
 
 struct LabelledDrawing {
   std::vector<LabelledFigure> figures;  ///< independent parts that could be labelled
-  std::vector<NestedOutline> nested;
   std::vector<CrossingInView> crossings;
   Findings findings;  ///< warnings, and the errors of parts that could not
 };

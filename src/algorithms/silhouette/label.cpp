@@ -6,6 +6,7 @@
 
 #include "algorithms/silhouette/figure/contour_completion.h"
 #include "algorithms/silhouette/figure/drawing_parts.h"
+#include "algorithms/silhouette/figure/nested_outlines.h"
 #include "algorithms/silhouette/stage.h"
 #include "algorithms/silhouette/strokes/junctions.h"
 #include "algorithms/silhouette/strokes/stroke_cleanup.h"
@@ -65,6 +66,10 @@ LabelledDrawing label_anew(const Drawing& drawing, const Options& options, Progr
   Findings findings = std::move(clean.findings);
   for (LineFinding& found : junctions.findings) findings.push_back(std::move(found.finding));
   std::move(result.findings.begin(), result.findings.end(), std::back_inserter(findings));
+  for (const LabelledFigure& figure : result.figures) {
+    Findings notes = nested_findings(drawing, figure);
+    std::move(notes.begin(), notes.end(), std::back_inserter(findings));
+  }
   result.findings = std::move(findings);
   if (result.figures.empty()) throw Error(result.findings);
   return result;

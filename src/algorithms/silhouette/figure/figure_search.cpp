@@ -12,6 +12,7 @@
 #include "algorithms/silhouette/figure/labelled_figure_builder.h"
 #include "algorithms/silhouette/figure/labelling.h"
 #include "algorithms/silhouette/figure/matching.h"
+#include "algorithms/silhouette/figure/nested_outlines.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -118,10 +119,16 @@ class Search {
   std::optional<LabelledFigure> try_matching(const std::vector<Index>& chosen) {
     Trial trial = arrange(chosen, true);
     if (!trial.usable) return std::nullopt;
-    const Labelling labelling = label_arrangement(trial.arrangement, trial.sides, trial.faces, LabellingRules::Full);
+    const std::vector<NestedContour> nested =
+        nested_contours(context_.drawing, trial.contours.paths, trial.arrangement, trial.faces);
+    const std::vector<int> sides = sides_with(nested, trial.contours.paths);
+    const Labelling labelling = label_arrangement(trial.arrangement, sides, trial.faces, LabellingRules::Full);
     if (labelling.status == IntegerProgram::Status::Limit) limit_reached_ = true;
     if (labelling.status != IntegerProgram::Status::Optimal) return std::nullopt;
-    return build_figure(context_, trial.contours, trial.arrangement, std::move(trial.faces), labelling);
+    LabelledFigure figure =
+        build_figure(context_, trial.contours, trial.arrangement, std::move(trial.faces), labelling);
+    figure.nested = nested_outlines(nested, trial.contours.paths);
+    return figure;
   }
 
   /// Crosses the contours of a matching and finds the faces; if contours meet in one point, once more with finer

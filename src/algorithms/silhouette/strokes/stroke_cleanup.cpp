@@ -9,6 +9,7 @@
 #include "algorithms/silhouette/strokes/drawing_findings.h"
 #include "algorithms/silhouette/strokes/gap_joining.h"
 #include "croquis/base/error.h"
+#include "croquis/silhouette/stroke_data.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -69,9 +70,9 @@ std::vector<UsableStroke> usable_strokes(const Drawing& drawing, const DrawingSc
   std::vector<UsableStroke> usable;
   for (Index s = 0; s < drawing.strokes.size(); ++s) {
     const Stroke& stroke = drawing.strokes[s];
-    const auto kind = stroke.data.find("kind");
-    if (kind != stroke.data.end() && kind->second != "visible") {
-      findings.push_back(unsupported_kind(drawing, s, kind->second));
+    const std::optional<StrokeKind> kind = stroke_kind(stroke);
+    if (!kind || kind == StrokeKind::Hidden) {
+      findings.push_back(unsupported_kind(drawing, s, stroke.data.at(kind_key)));
       continue;
     }
     if (!all_finite(stroke)) {
