@@ -18,6 +18,11 @@ void bench_readers(std::ostream& out);
 void bench_solver(std::ostream& out);
 void bench_remesh(std::ostream& out);
 void bench_silhouette(std::ostream& out);
+
+/// How often drawings with random errors of the hand are read as they were meant.
+/// @param words "tuning" for the seeds that rules were tuned on; a folder for the drawings that aren't read
+void bench_silhouette_hand(std::ostream& out, const std::vector<std::string>& words);
+
 void bench_subdivision(std::ostream& out);
 void bench_surface(std::ostream& out);
 

@@ -24,6 +24,7 @@ const std::map<std::string, Bench>& benches() {
                                                    {"readers", plain(bench_readers)},
                                                    {"remesh", plain(bench_remesh)},
                                                    {"silhouette", plain(bench_silhouette)},
+                                                   {"silhouette-hand", bench_silhouette_hand},
                                                    {"solver", plain(bench_solver)},
                                                    {"subdivision", plain(bench_subdivision)},
                                                    {"surface", plain(bench_surface)}};
@@ -33,17 +34,21 @@ const std::map<std::string, Bench>& benches() {
 /// One benchmark, and the words behind its name.
 using Choice = std::pair<std::string, std::vector<std::string>>;
 
-/// Words that are no benchmark's name belong to `holes`, which has sections. @return whether all words mean something
+bool takes_words(const std::string& bench) { return bench == "holes" || bench == "silhouette-hand"; }
+
+/// Words that are no benchmark's name belong to the one before them that takes words. @return whether all words mean
+/// something
 bool read_choices(const std::vector<std::string>& words, std::vector<Choice>& choices) {
   for (const std::string& word : words) {
     if (benches().contains(word)) {
       choices.push_back({word, {}});
-    } else if (!choices.empty() && choices.back().first == "holes") {
+    } else if (!choices.empty() && takes_words(choices.back().first)) {
       choices.back().second.push_back(word);
     } else {
-      std::cerr
-          << "There is no benchmark '" << word
-          << "': use holes, implicit, perspective, readers, remesh, silhouette, solver, subdivision or surface.\n";
+      std::cerr << "There is no benchmark '" << word
+                << "': use holes, implicit, perspective, readers, remesh, silhouette, silhouette-hand, solver, "
+                   "subdivision or "
+                   "surface.\n";
       return false;
     }
   }
@@ -55,7 +60,8 @@ bool read_choices(const std::vector<std::string>& words, std::vector<Choice>& ch
 int main(int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   if (words.empty())
-    words = {"readers", "solver", "silhouette", "subdivision", "perspective", "surface", "implicit", "holes", "remesh"};
+    words = {"readers",     "solver",  "silhouette", "silhouette-hand", "subdivision",
+             "perspective", "surface", "implicit",   "holes",           "remesh"};
   std::vector<Choice> choices;
   if (!read_choices(words, choices)) return 2;
   try {

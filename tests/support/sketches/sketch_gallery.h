@@ -23,6 +23,9 @@ Sketch three_blobs_sketch();                         ///< overlapping pairwise
 Sketch dog_sketch();                                 ///< body, head, ear, tail, two legs before the body and two behind
 Sketch duck_sketch();                                ///< body, head, beak, wing, tail, two feet
 Sketch octopus_sketch();                             ///< a head over eight arms, two of them crossing each other
+Sketch bear_sketch();                                ///< head, body, ears and legs behind them, arms before
+Sketch fish_sketch();                                ///< body, a fin before it, tail and two fins behind
+Sketch mushroom_sketch();                            ///< one large, one small, and a slug before the stem
 
 /// Smooth blobs and capsules in random order, each overlapping another; never one wholly inside another.
 /// @param parts 2..12

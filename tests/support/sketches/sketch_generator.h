@@ -5,6 +5,7 @@
 #include "support/sketches/sketch.h"
 #include "support/sketches/sketch_errors.h"
 #include "support/sketches/sketch_gallery.h"
+#include "support/sketches/sketch_hand.h"
 #include "support/sketches/sketch_layers.h"
 #include "support/sketches/sketch_modifiers.h"
 #include "support/sketches/sketch_svg.h"

@@ -2,94 +2,19 @@
 #include "support/sketches/sketch_modifiers.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "support/random.h"
+#include "support/sketches/sketch_paths.h"
 
 namespace croquis::test {
 namespace {
 
 using Points = std::vector<Vec2>;
 
-Points points_of(const Stroke& stroke) {
-  Points points;
-  for (const StrokeSample& sample : stroke.samples) points.push_back(sample.position);
-  return points;
-}
-
-void set_points(Stroke& stroke, const Points& points) {
-  stroke.samples.assign(points.size(), StrokeSample{});
-  for (std::size_t i = 0; i < points.size(); ++i) stroke.samples[i].position = points[i];
-}
-
-double length_of(const Points& points) {
-  double length = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
-  return length;
-}
-
-/// The place at a distance along an open polyline; beyond an end straight on.
-Vec2 along(const Points& points, double distance) {
-  std::size_t i = 1;
-  double left = distance;
-  while (i + 1 < points.size() && left > (points[i] - points[i - 1]).norm()) {
-    left -= (points[i] - points[i - 1]).norm();
-    ++i;
-  }
-  return points[i - 1] + left * (points[i] - points[i - 1]).normalized();
-}
-
-/// The part of an open polyline between two distances, either of which may lie beyond its ends.
-Points part(const Points& points, double from, double to) {
-  Points kept{along(points, from)};
-  double distance = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (i > 0) distance += (points[i] - points[i - 1]).norm();
-    if (distance > from + 0.2 && distance < to - 0.2) kept.push_back(points[i]);
-  }
-  kept.push_back(along(points, to));
-  return kept;
-}
-
-/// A displacement that varies slowly along a stroke and, on a closed one, comes round to itself.
-class Wobble {
- public:
-  Wobble(Random& random, double length, double amplitude, double wavelength) : length_(length) {
-    const int waves = std::max(2, static_cast<int>(length / wavelength));
-    for (int k = 1; k <= waves; ++k) {
-      const auto wave = [&] { return Wave{random.between(-1, 1), random.between(0, 2 * std::numbers::pi)}; };
-      x_.push_back(wave());
-      y_.push_back(wave());
-    }
-    // Each wave has variance E[a²]/2 = 1/6; amplitude² is shared by the two coordinates.
-    scale_ = amplitude * std::sqrt(3.0 / waves);
-  }
-
-  Vec2 at(double distance) const {
-    Vec2 sum = Vec2::Zero();
-    for (std::size_t k = 0; k < x_.size(); ++k) {
-      const double angle = 2 * std::numbers::pi * static_cast<double>(k + 1) * distance / length_;
-      sum += Vec2(x_[k].size * std::sin(angle + x_[k].phase), y_[k].size * std::sin(angle + y_[k].phase));
-    }
-    return scale_ * sum;
-  }
-
- private:
-  struct Wave {
-    double size;
-    double phase;
-  };
-  double length_;
-  double scale_ = 0;
-  std::vector<Wave> x_;
-  std::vector<Wave> y_;
-};
-
 Points wobbled(const Points& points, bool closed, Random& random, const NoiseOptions& options, double u) {
   Points open = points;
   if (closed) open.push_back(points.front());
-  const Wobble wobble(random, length_of(open), options.amplitude * u, options.wavelength * u);
+  const Wobble wobble(random, path_length(open), options.amplitude * u, options.wavelength * u);
   Points moved;
   double distance = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -122,7 +47,7 @@ Points opened(const Stroke& stroke) {
 std::size_t longest_stroke(const Drawing& drawing) {
   std::size_t longest = 0;
   for (std::size_t i = 1; i < drawing.strokes.size(); ++i) {
-    if (length_of(opened(drawing.strokes[i])) > length_of(opened(drawing.strokes[longest]))) longest = i;
+    if (path_length(opened(drawing.strokes[i])) > path_length(opened(drawing.strokes[longest]))) longest = i;
   }
   return longest;
 }
@@ -132,17 +57,17 @@ std::size_t longest_stroke(const Drawing& drawing) {
 void break_longest(Drawing& drawing, Random& random, double gap) {
   const std::size_t index = longest_stroke(drawing);
   const Points points = opened(drawing.strokes[index]);
-  const double length = length_of(points);
+  const double length = path_length(points);
   double best = length / 2;
   double clear = -1;
   for (int i = 0; i < 40; ++i) {
     const double at = random.between(0.15, 0.85) * length;
-    const double distance = distance_to_ends(drawing, along(points, at));
+    const double distance = distance_to_ends(drawing, path_place(points, at));
     if (distance > clear) best = at;
     clear = std::max(clear, distance);
   }
-  const Points before = part(points, 0, best - gap / 2);
-  const Points after = part(points, best + gap / 2, length);
+  const Points before = path_part(points, 0, best - gap / 2);
+  const Points after = path_part(points, best + gap / 2, length);
   Stroke& stroke = drawing.strokes[index];
   if (stroke.closed) {
     Points joined = after;
@@ -223,7 +148,7 @@ Drawing noisy(const Drawing& drawing, std::uint64_t seed, const NoiseOptions& op
       };
       const double before = shift(points.front());
       const double after = shift(points.back());
-      points = part(points, -before, length_of(points) + after);
+      points = path_part(points, -before, path_length(points) + after);
     }
     set_points(stroke, wobbled(points, stroke.closed, random, options, u));
   }
