@@ -113,6 +113,9 @@ struct Options {
       options.strokes.snap = 14;
       options.strokes.smoothing_passes = 8;
       options.strokes.crossings = Crossings::Front;
+      options.strokes.close_share = 0.05;
+      options.strokes.aside_share = 0.03;
+      options.strokes.reach_share = 0.04;
     }
     return options;
   }

@@ -48,7 +48,9 @@ struct DrawnPath {
 Points wobbled_path(const DrawnPath& path, Random& random, double amplitude, double wavelength) {
   Points round = path.points;
   if (path.closed) round.push_back(path.points.front());
-  const Wobble wobble(random, path_length(round), amplitude, wavelength);
+  // However short an open stroke is, the hand doesn't wobble faster.
+  const double period = path.closed ? path_length(round) : std::max(path_length(round), 2 * wavelength);
+  const Wobble wobble(random, period, amplitude, wavelength);
   Points moved;
   double distance = 0;
   for (std::size_t i = 0; i < path.points.size(); ++i) {

@@ -26,7 +26,16 @@ struct BarSearch::Probe {
 };
 
 BarSearch::BarSearch(const std::vector<CleanLine>& lines, const DrawingScale& scale)
-    : lines_(lines), scale_(scale), grid_(line_segments(lines), scale.step) {}
+    : lines_(lines), scale_(scale), grid_(line_segments(lines), scale.step) {
+  for (const CleanLine& line : lines) largest_ = std::max(largest_, line.size);
+}
+
+// A small part's end misses the large outline that it passes behind by as much as that outline is off.
+double BarSearch::reach(Index line, Index bar) const {
+  return scale_.reach(std::max(lines_[line].size, lines_[bar].size));
+}
+
+double BarSearch::reach(Index line) const { return scale_.reach(std::max(lines_[line].size, largest_)); }
 
 BarSearch::Probe BarSearch::probe(Index line, bool at_start, double back) const {
   const Points& points = lines_[line].points;
@@ -34,8 +43,9 @@ BarSearch::Probe BarSearch::probe(Index line, bool at_start, double back) const 
   // An overshoot longer than nearly half the line is no overshoot.
   back = std::min(back, 0.45 * croquis::length(points, false));
   const Vec2 tangent = end_tangent(points, at_start, tangent_steps * scale_.step);
-  probe.path = {probe.end + scale_.snap * tangent, probe.end};
-  probe.along = {scale_.snap, 0};
+  const double ahead = reach(line);
+  probe.path = {probe.end + ahead * tangent, probe.end};
+  probe.along = {ahead, 0};
   const std::size_t count = points.size();
   for (std::size_t i = 1; i < count && probe.along.back() > -back; ++i) {
     const Vec2& next = points[at_start ? i : count - 1 - i];
@@ -74,8 +84,10 @@ std::vector<BarHit> BarSearch::hits(const Probe& probe) const {
       const double g = crossing_fraction(segment.a, segment.b, a, b);
       // Written so that the undefined fractions of parallel segments are refused.
       if (!(std::min(f, g) >= -fraction_slack && std::max(f, g) <= 1 + fraction_slack)) return;
+      const double along = probe.along[k] + f * (probe.along[k + 1] - probe.along[k]);
+      if (std::abs(along) > reach(probe.line, segment.line)) return;
       const double fraction = std::clamp(g, 0.0, 1.0);
-      found.push_back({probe.along[k] + f * (probe.along[k + 1] - probe.along[k]), segment.line,
+      found.push_back({along, segment.line,
                        segment.position + fraction, segment.a + fraction * (segment.b - segment.a)});
     });
   }
@@ -85,7 +97,7 @@ std::vector<BarHit> BarSearch::hits(const Probe& probe) const {
 
 std::optional<BarHit> BarSearch::nearest(const Probe& probe) const {
   std::optional<BarHit> best;
-  const Vec2 reach = Vec2::Constant(scale_.snap);
+  const Vec2 reach = Vec2::Constant(this->reach(probe.line));
   grid_.near_box(probe.end - reach, probe.end + reach, [&](Index i) {
     const GridSegment& segment = grid_.segments()[i];
     if (is_own_end(probe, segment)) return;
@@ -93,7 +105,7 @@ std::optional<BarHit> BarSearch::nearest(const Probe& probe) const {
     const double parameter = segment.position + fraction;
     const Vec2 at = segment.a + fraction * (segment.b - segment.a);
     const double distance = (at - probe.end).norm();
-    if (distance > scale_.snap || (best && distance >= best->along)) return;
+    if (distance > this->reach(probe.line, segment.line) || (best && distance >= best->along)) return;
     // Two loose ends that lie near one another are no junction.
     if (distance_to_open_end(segment.line, parameter) <= 0) return;
     best = BarHit{distance, segment.line, parameter, at};

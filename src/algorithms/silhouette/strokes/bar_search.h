@@ -22,13 +22,17 @@ class BarSearch {
   /// @param lines must outlive the search and stay as they are
   BarSearch(const std::vector<CleanLine>& lines, const DrawingScale& scale);
 
-  /// The bar of an end: what the last `back` of the line crosses, else what a ray of length `snap` along the end's
-  /// tangent meets, else the nearest line within `snap` (an end that meets its bar almost tangentially).
+  /// The bar of an end: what the last `back` of the line crosses, else what a ray along the end's tangent
+  /// meets within reach, else the nearest line within reach (an end that meets its bar almost tangentially).
   std::optional<BarHit> find(Index line, bool at_start, double back) const;
+
+  /// How far an end of a line may miss any other one.
+  double reach(Index line) const;
 
  private:
   struct Probe;
 
+  double reach(Index line, Index bar) const;
   Probe probe(Index line, bool at_start, double back) const;
   std::vector<BarHit> hits(const Probe& probe) const;
   std::optional<BarHit> nearest(const Probe& probe) const;
@@ -37,6 +41,7 @@ class BarSearch {
 
   const std::vector<CleanLine>& lines_;
   const DrawingScale& scale_;
+  double largest_ = 0;  ///< size of any line
   SegmentGrid grid_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct CleanLine {
   Points raw;                  ///< the strokes as drawn, one after the other
   std::string object;          ///< name of the object it was forced into, empty for none
   bool closed = false;
+  double size = 0;  ///< see `size_of`
 
   Index segment_count() const { return static_cast<Index>(closed ? points.size() : points.size() - 1); }
   const Vec2& end(bool at_start) const { return at_start ? points.front() : points.back(); }
@@ -39,6 +41,12 @@ struct DrawingScale {
   double close = 8;
   double gap = 18;
   double snap = 10;
+  double close_share = 0;  ///< of a stroke's length
+  double aside_share = 0;  ///< of a stroke's length
+  double reach_share = 0;  ///< of a line's size
+
+  /// How far an end may miss a line when the larger of the two has this size.
+  double reach(double size) const { return std::max(snap, reach_share * size); }
 };
 
 }  // namespace croquis::silhouette

@@ -22,14 +22,22 @@ constexpr double negligible_gap = 3;
 // A stroke must be this many times longer than the hole it leaves to count as closed.
 constexpr double closing_ratio = 4;
 
+// Chords are no longer than this share of their stroke: that of a small circle would cut across it.
+constexpr double chord_share = 0.1;
+
+// The gap and the distance aside are measured along a direction that is uncertain, and both may be as large as they may.
+constexpr double closing_slack = 1.5;
+
 struct End {
   Index stroke = 0;
   bool at_start = false;
   Vec2 place = Vec2::Zero();
   std::array<Vec2, 2> outward;  ///< over the last bit, then over a longer one
+  double reach = 0;             ///< how far it may miss a line
 };
 
 struct Pair {
+  bool closing = false;  ///< the ends of one stroke
   double distance = 0;
   Index a = 0;  ///< ends, a < b
   Index b = 0;
@@ -42,12 +50,8 @@ class Joiner {
     for (Index s = 0; s < strokes_.size(); ++s) {
       if (strokes_[s].closed) continue;
       for (const bool at_start : {true, false}) {
-        const Points& points = strokes_[s].points;
-        ends_.push_back({s,
-                         at_start,
-                         at_start ? points.front() : points.back(),
-                         {end_tangent(points, at_start, bend_reach * scale_.unit),
-                          end_chord(points, at_start, chord_reach * scale_.unit)}});
+        ends_.push_back(end_of(s, at_start));
+        widest_ = std::max(widest_, widest_miss(s));
       }
     }
     partner_.assign(ends_.size(), no_index);
@@ -69,6 +73,29 @@ class Joiner {
   }
 
  private:
+  End end_of(Index stroke, bool at_start) const {
+    const Points& points = strokes_[stroke].points;
+    double bend = bend_reach * scale_.unit;
+    double chord = chord_reach * scale_.unit;
+    if (by_size()) {
+      bend = std::min(bend, chord_share / 2 * strokes_[stroke].length);
+      chord = std::min(chord, chord_share * strokes_[stroke].length);
+    }
+    return {stroke,
+            at_start,
+            at_start ? points.front() : points.back(),
+            {end_tangent(points, at_start, bend), end_chord(points, at_start, chord)},
+            scale_.reach(strokes_[stroke].size)};
+  }
+
+  bool by_size() const { return scale_.close_share > 0; }
+
+  /// The farthest that an end of a stroke may be from one that it is joined with.
+  double widest_miss(Index stroke) const {
+    return std::max({scale_.gap, scale_.reach_share * strokes_[stroke].size,
+                     closing_slack * scale_.close_share * strokes_[stroke].length});
+  }
+
   static std::vector<GridSegment> segments(const std::vector<SampledStroke>& strokes) {
     std::vector<GridSegment> all;
     for (Index s = 0; s < strokes.size(); ++s) {
@@ -88,21 +115,22 @@ class Joiner {
     std::vector<Pair> pairs;
     for (std::size_t i = 0; i < by_x.size(); ++i) {
       for (std::size_t k = i + 1; k < by_x.size(); ++k) {
-        if (ends_[by_x[k]].place.x() - ends_[by_x[i]].place.x() > scale_.gap) break;
+        if (ends_[by_x[k]].place.x() - ends_[by_x[i]].place.x() > widest_) break;
         consider(std::min(by_x[i], by_x[k]), std::max(by_x[i], by_x[k]), pairs);
       }
     }
     std::sort(pairs.begin(), pairs.end(), [](const Pair& p, const Pair& q) {
-      return std::tuple(p.distance, p.a, p.b) < std::tuple(q.distance, q.a, q.b);
+      return std::tuple(!p.closing, p.distance, p.a, p.b) < std::tuple(!q.closing, q.distance, q.a, q.b);
     });
     return pairs;
   }
 
   void consider(Index a, Index b, std::vector<Pair>& pairs) const {
     const double distance = (ends_[a].place - ends_[b].place).norm();
-    if (distance >= scale_.gap || !compatible(ends_[a], ends_[b])) return;
-    if (!(continues(ends_[a], ends_[b], distance) || closes(ends_[a], ends_[b], distance))) return;
-    if (!blocked(ends_[a], ends_[b])) pairs.push_back({distance, a, b});
+    if (distance >= widest_ || !compatible(ends_[a], ends_[b])) return;
+    const bool closing = misses_itself(ends_[a], ends_[b]);
+    if (!closing && !continues(ends_[a], ends_[b], distance) && !closes(ends_[a], ends_[b], distance)) return;
+    if (!blocked(ends_[a], ends_[b])) pairs.push_back({closing, distance, a, b});
   }
 
   bool compatible(const End& a, const End& b) const {
@@ -113,6 +141,9 @@ class Joiner {
 
   bool continues(const End& a, const End& b, double distance) const {
     if (a.stroke == b.stroke && stroke_length(a.stroke) < closing_ratio * distance) return false;
+    if (distance >= std::max(scale_.gap, scale_.reach_share * (strokes_[a.stroke].size + strokes_[b.stroke].size) / 2)) {
+      return false;
+    }
     return continues(a, b, distance, 0) || continues(a, b, distance, 1);
   }
 
@@ -132,6 +163,20 @@ class Joiner {
            !(reaches_line(a) && reaches_line(b));
   }
 
+  /// The ends of a stroke that was meant to be closed: the hand stopped early, or went on beside the start.
+  bool misses_itself(const End& a, const End& b) const {
+    if (!by_size() || a.stroke != b.stroke) return false;
+    const Vec2 miss = b.place - a.place;
+    const double length = strokes_[a.stroke].length + miss.norm();
+    for (std::size_t reach = 0; reach < a.outward.size(); ++reach) {
+      if (a.outward[reach].dot(-b.outward[reach]) <= agreeing_cosine) continue;
+      const Vec2 along = (a.outward[reach] - b.outward[reach]).normalized();
+      const double share = std::hypot(miss.dot(along) / scale_.close_share, cross(along, miss) / scale_.aside_share);
+      if (share <= closing_slack * length) return true;
+    }
+    return miss.norm() <= scale_.aside_share * length && !(reaches_line(a) && reaches_line(b));
+  }
+
   double stroke_length(Index stroke) const {
     return spacing_ * static_cast<double>(strokes_[stroke].points.size() - 1);
   }
@@ -139,12 +184,12 @@ class Joiner {
   /// True when another line is near enough that the end may be passing behind it.
   bool reaches_line(const End& end) const {
     bool reached = false;
-    const Vec2 reach = Vec2::Constant(scale_.snap);
+    const Vec2 reach = Vec2::Constant(end.reach);
     grid_.near_box(end.place - reach, end.place + reach, [&](Index i) {
       const GridSegment& segment = grid_.segments()[i];
       if (segment.line == end.stroke || reached) return;
       const Vec2 nearest = segment.a + nearest_parameter(end.place, segment.a, segment.b) * (segment.b - segment.a);
-      reached = (nearest - end.place).norm() <= scale_.snap;
+      reached = (nearest - end.place).norm() <= end.reach;
     });
     return reached;
   }
@@ -163,7 +208,7 @@ class Joiner {
     bool found = false;
     grid_.near_box(low, high, [&](Index i) {
       const GridSegment& segment = grid_.segments()[i];
-      if (found || belongs_to_end(segment, a) || belongs_to_end(segment, b) || is_loose_end(segment)) return;
+      if (found || belongs_to_end(segment, a) || belongs_to_end(segment, b) || is_loose_end(segment, a, b)) return;
       for (std::size_t k = 0; k + 1 < path.size() && !found; ++k) {
         found = cross_properly(path[k], path[k + 1], segment.a, segment.b);
       }
@@ -171,10 +216,10 @@ class Joiner {
     return found;
   }
 
-  /// The samples within `snap` of an end, the end itself last.
+  /// The samples within reach of an end, the end itself last.
   Points last_bit(const End& end) const {
     const Points& points = strokes_[end.stroke].points;
-    const auto wanted = static_cast<std::size_t>(std::ceil(scale_.snap / spacing_)) + 1;
+    const auto wanted = static_cast<std::size_t>(std::ceil(end.reach / spacing_)) + 1;
     const auto count = static_cast<std::ptrdiff_t>(std::min(wanted, points.size()));
     Points bit;
     if (end.at_start) {
@@ -192,13 +237,15 @@ class Joiner {
   }
 
   bool belongs_to_end(const GridSegment& segment, const End& end) const {
-    return segment.line == end.stroke && distance_to_end(segment, end.at_start) < scale_.gap + scale_.snap;
+    return segment.line == end.stroke && distance_to_end(segment, end.at_start) < widest_miss(end.stroke) + end.reach;
   }
 
   /// The overshoot of a stem that ends at the line with the hole must not keep the hole open.
-  bool is_loose_end(const GridSegment& segment) const {
+  bool is_loose_end(const GridSegment& segment, const End& a, const End& b) const {
+    const double reach = std::max({scale_.reach(strokes_[segment.line].size), a.reach, b.reach});
     return !strokes_[segment.line].closed &&
-           std::min(distance_to_end(segment, true), distance_to_end(segment, false)) < scale_.snap;
+           std::min(distance_to_end(segment, true), distance_to_end(segment, false)) <
+               reach;
   }
 
   std::vector<StrokeChain> chains() const {
@@ -243,6 +290,7 @@ class Joiner {
   SegmentGrid grid_;
   std::vector<End> ends_;
   std::vector<Index> partner_;  ///< per end
+  double widest_ = 0;           ///< of all ends
 };
 
 }  // namespace

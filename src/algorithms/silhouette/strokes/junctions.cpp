@@ -27,12 +27,15 @@ constexpr double least_junction_spacing = 0.3;
 /// What was found for the start and the end of a line.
 using EndHits = std::vector<std::array<std::optional<BarHit>, 2>>;
 
-EndHits search(const std::vector<CleanLine>& lines, const DrawingScale& scale, double back, const Progress& progress) {
+/// @param most_back how far from its end a line is searched for what it crosses
+EndHits search(const std::vector<CleanLine>& lines, const DrawingScale& scale, double most_back,
+               const Progress& progress) {
   const BarSearch bars(lines, scale);
   EndHits hits(lines.size());
   for (Index line = 0; line < lines.size(); ++line) {
     progress.check();
     if (lines[line].closed) continue;
+    const double back = std::min(most_back, bars.reach(line));
     hits[line] = {bars.find(line, true, back), bars.find(line, false, back)};
   }
   return hits;
@@ -89,7 +92,7 @@ void move_ends(std::vector<CleanLine>& lines, const EndHits& hits, const Drawing
       if (!hit) continue;
       if (at_start) reverse(lines[i]);
       move_end(lines[i], *hit, scale.step);
-      move_raw_end(lines[i], hit->at, 3 * scale.snap);
+      move_raw_end(lines[i], hit->at, 3 * std::max(scale.snap, std::abs(hit->along)));
       if (at_start) reverse(lines[i]);
     }
   }
@@ -194,7 +197,7 @@ void decide_sides(const Drawing& drawing, const std::vector<CleanLine>& lines, J
 
 Junctions find_junctions(const Drawing& drawing, std::vector<CleanLine>& lines, const DrawingScale& scale,
                          const Progress& progress) {
-  move_ends(lines, search(lines, scale, scale.snap, progress), scale);
+  move_ends(lines, search(lines, scale, std::numeric_limits<double>::infinity(), progress), scale);
   // Once more on the trimmed lines: a bar may have lost the bit that a stem ended on.
   const EndHits hits = search(lines, scale, least_junction_spacing * scale.step, progress);
   move_ends(lines, hits, scale);

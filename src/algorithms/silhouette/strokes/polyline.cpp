@@ -95,6 +95,25 @@ std::vector<Index> corners(std::span<const Vec2> points, bool closed, double rea
   return found;
 }
 
+double size_of(std::span<const Vec2> points, bool closed) {
+  const std::size_t count = points.size();
+  double length = 0;
+  Vec2 first = Vec2::Zero();
+  double second = 0;
+  // Relative to the first point, against cancellation; each segment has its exact moments.
+  for (std::size_t i = 0; i + (closed ? 0 : 1) < count; ++i) {
+    const Vec2 a = points[i] - points[0];
+    const Vec2 b = points[(i + 1) % count] - points[0];
+    const double piece = (b - a).norm();
+    length += piece;
+    first += piece / 2 * (a + b);
+    second += piece / 3 * (a.squaredNorm() + a.dot(b) + b.squaredNorm());
+  }
+  if (!(length > 0)) return 0;
+  const Vec2 middle = first / length;
+  return std::sqrt(12 * std::max(0.0, second / length - middle.squaredNorm()));
+}
+
 Vec2 end_tangent(std::span<const Vec2> points, bool at_start, double reach) {
   const Vec2 end = at_start ? points.front() : points.back();
   Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();

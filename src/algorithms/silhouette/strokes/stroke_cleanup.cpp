@@ -8,6 +8,7 @@
 #include "algorithms/silhouette/strokes/doubled_lines.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
 #include "algorithms/silhouette/strokes/gap_joining.h"
+#include "algorithms/silhouette/strokes/stroke_chains.h"
 #include "croquis/base/error.h"
 #include "croquis/silhouette/stroke_data.h"
 
@@ -53,8 +54,15 @@ double bounding_diagonal(const Drawing& drawing) {
 
 DrawingScale scale_of(const Drawing& drawing, const StrokeOptions& options) {
   const double unit = bounding_diagonal(drawing) / 1000;
-  return {
-      unit, options.step * unit, options.tiny * unit, options.close * unit, options.gap * unit, options.snap * unit};
+  return {unit,
+          options.step * unit,
+          options.tiny * unit,
+          options.close * unit,
+          options.gap * unit,
+          options.snap * unit,
+          options.close_share,
+          options.aside_share,
+          options.reach_share};
 }
 
 Points distinct_points(const Stroke& stroke) {
@@ -123,46 +131,15 @@ std::vector<SampledStroke> sample(const Drawing& drawing, const std::vector<Usab
     one.stroke = stroke.stroke;
     one.object = drawing.strokes[stroke.stroke].object;
     one.closed = stroke.closed;
+    one.raw = stroke.points;
+    one.length = stroke.length;
+    one.size = size_of(stroke.points, stroke.closed);
     for (const double parameter : even_parameters(stroke.points, stroke.closed, spacing)) {
       one.points.push_back(point_at(stroke.points, parameter));
     }
     sampled.push_back(std::move(one));
   }
   return sampled;
-}
-
-/// Drops samples at the end of `points` that lie beyond the place where the line goes on.
-void trim_overlap(Points& points, std::vector<Index>& stroke, const Vec2& next, double reach) {
-  if (points.size() < 3) return;
-  const Vec2 outward = end_chord(points, false, reach);
-  while (points.size() > 2 && (next - points.back()).dot(outward) < 0 && (next - points.back()).norm() < reach) {
-    points.pop_back();
-    stroke.pop_back();
-  }
-}
-
-/// Joins the strokes of a chain.
-CleanLine concatenate(const StrokeChain& chain, const std::vector<SampledStroke>& sampled,
-                      const std::vector<UsableStroke>& usable, double gap) {
-  CleanLine line;
-  line.closed = chain.closed;
-  for (const ChainLink& link : chain.links) {
-    Points points = sampled[link.index].points;
-    Points raw = usable[link.index].points;
-    if (link.reversed) {
-      std::reverse(points.begin(), points.end());
-      std::reverse(raw.begin(), raw.end());
-    }
-    trim_overlap(line.points, line.stroke, points.front(), gap);
-    line.points.insert(line.points.end(), points.begin(), points.end());
-    line.stroke.insert(line.stroke.end(), points.size(), sampled[link.index].stroke);
-    line.strokes.push_back(sampled[link.index].stroke);
-    line.raw.insert(line.raw.end(), raw.begin(), raw.end());
-    if (line.object.empty()) line.object = sampled[link.index].object;
-  }
-  const bool drawn_closed = chain.links.size() == 1 && sampled[chain.links.front().index].closed;
-  if (line.closed && !drawn_closed) trim_overlap(line.points, line.stroke, line.points.front(), gap);
-  return line;
 }
 
 /// Smooths a line of densely sampled points and samples it once per step.
@@ -182,6 +159,7 @@ void finish(CleanLine& line, double step, int passes) {
   }
   line.points = std::move(points);
   line.stroke = std::move(stroke);
+  line.size = size_of(line.points, line.closed);
 }
 
 Finding gap_warning(const Drawing& drawing, const std::vector<SampledStroke>& sampled, const GapJoin& join) {
@@ -211,7 +189,7 @@ CleanDrawing clean_strokes(const Drawing& drawing, const StrokeOptions& options,
   for (const GapJoin& join : joining.joins) result.findings.push_back(gap_warning(drawing, sampled, join));
   progress.check();
   for (const StrokeChain& chain : joining.chains) {
-    result.lines.push_back(concatenate(chain, sampled, usable, result.scale.gap));
+    result.lines.push_back(join_chain(chain, sampled, result.scale));
     finish(result.lines.back(), result.scale.step, options.smoothing_passes);
     progress.check();
   }
