@@ -42,9 +42,9 @@ struct FigureCrossing {
   Index under_position = 0;
 };
 
-/// A hidden contour piece that joins two stroke ends: a cubic Bezier, G1 with both strokes.
+/// A hidden contour piece that joins two stroke ends.
 struct FigureCompletion {
-  std::array<Vec2, 4> bezier;
+  std::vector<Vec2> points;  ///< from the one end to the other, both included
   Index contour = 0;
   double cost = 0;  ///< dimensionless
 };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <iterator>
@@ -10,6 +11,7 @@
 #include "algorithms/silhouette/stage.h"
 #include "algorithms/silhouette/strokes/junctions.h"
 #include "algorithms/silhouette/strokes/stroke_cleanup.h"
+#include "algorithms/silhouette/strokes/visible_crossings.h"
 #include "croquis/base/error.h"
 #include "croquis/silhouette/labelled_figure.h"
 
@@ -54,7 +56,12 @@ void bring_into_general_position(std::vector<CleanLine>& lines, double step) {
 LabelledDrawing label_anew(const Drawing& drawing, const Options& options, Progress& progress) {
   CleanDrawing clean = clean_strokes(drawing, options.strokes, progress.step("cleaning strokes", 0.2));
   Progress finding = progress.step("finding junctions", 0.2);
-  Junctions junctions = find_junctions(drawing, clean.lines, clean.scale, finding);
+  const std::vector<std::array<bool, 2>> loose = meet_bars(clean.lines, clean.scale, finding);
+  VisibleCrossings crossed;
+  if (options.strokes.crossings == Crossings::Front) {
+    crossed = cut_visible_crossings(drawing, clean.lines, loose, clean.scale, finding);
+  }
+  Junctions junctions = find_junctions(drawing, clean.lines, std::move(crossed.pieces), clean.scale, finding);
   extend_behind_bars(clean.lines, junctions.ends, clean.scale);
   bring_into_general_position(clean.lines, clean.scale.step);
 
@@ -63,7 +70,9 @@ LabelledDrawing label_anew(const Drawing& drawing, const Options& options, Progr
                               clean.lines, junctions, completion_reference(clean.lines, junctions)};
   LabelledDrawing result = label_parts(context, junctions.findings, labelling);
 
+  result.crossings = std::move(crossed.pairs);
   Findings findings = std::move(clean.findings);
+  std::move(crossed.findings.begin(), crossed.findings.end(), std::back_inserter(findings));
   for (LineFinding& found : junctions.findings) findings.push_back(std::move(found.finding));
   std::move(result.findings.begin(), result.findings.end(), std::back_inserter(findings));
   for (const LabelledFigure& figure : result.figures) {

@@ -10,11 +10,6 @@ namespace {
 
 // Midpoint rule over so many pieces: the bending of a half circle is right to 0.1 %.
 constexpr int integration_pieces = 24;
-// Points that a curve is measured by before it is sampled evenly.
-constexpr int dense_points = 64;
-// Ends that turn away from each other further than this are given no longer handles.
-constexpr double least_facing = -0.3;
-
 // Bending away from the surface costs this much more than bending round it.
 constexpr double concave_factor = 5;
 
@@ -22,11 +17,6 @@ struct Derivatives {
   Vec2 first;
   Vec2 second;
 };
-
-Vec2 bezier_at(const std::array<Vec2, 4>& p, double t) {
-  const double s = 1 - t;
-  return s * s * s * p[0] + 3 * s * s * t * p[1] + 3 * s * t * t * p[2] + t * t * t * p[3];
-}
 
 Derivatives derivatives_at(const std::array<Vec2, 4>& p, double t) {
   const double s = 1 - t;
@@ -57,15 +47,17 @@ int likely_outward_side(const std::vector<CleanLine>& lines, const Junctions& ju
   return end.at_start ? -round : round;
 }
 
-}  // namespace
-
-std::array<Vec2, 4> completion_curve(const Vec2& a, const Vec2& tangent_a, const Vec2& b, const Vec2& tangent_b) {
-  const double distance = (b - a).norm();
-  const Vec2 across = distance > 0 ? Vec2((b - a) / distance) : Vec2(1, 0);
-  const double facing = 0.5 * (tangent_a.dot(across) - tangent_b.dot(across));
-  const double handle = 2.0 / 3.0 * distance / (1 + std::max(facing, least_facing));
-  return {a, a + handle * tangent_a, b + handle * tangent_b, b};
+/// Per end: the known piece that it belongs to.
+std::vector<Index> given_pieces_of(const Junctions& junctions) {
+  std::vector<Index> piece(junctions.ends.size(), no_index);
+  for (Index k = 0; k < junctions.given.size(); ++k) {
+    piece[junctions.given[k].from] = k;
+    piece[junctions.given[k].to] = k;
+  }
+  return piece;
 }
+
+}  // namespace
 
 double completion_cost(const std::array<Vec2, 4>& curve, int side, double reference, const CompletionOptions& options) {
   double length = 0;
@@ -82,20 +74,13 @@ double completion_cost(const std::array<Vec2, 4>& curve, int side, double refere
   return options.length_weight * length / reference + options.curvature_weight * (curve[3] - curve[0]).norm() * bending;
 }
 
-Points bezier_points(const std::array<Vec2, 4>& curve, double spacing) {
-  Points dense;
-  for (int i = 0; i <= dense_points; ++i) dense.push_back(bezier_at(curve, static_cast<double>(i) / dense_points));
-  const double length = croquis::length(dense, false);
-  Points points;
-  for (const double parameter : even_parameters(dense, false, std::min(spacing, length / 4))) {
-    points.push_back(point_at(dense, parameter));
-  }
-  return points;
-}
-
 double completion_reference(const std::vector<CleanLine>& lines, const Junctions& junctions) {
   std::vector<Vec2> places;
-  for (const HiddenEnd& end : junctions.ends) places.push_back(lines[end.line].end(end.at_start));
+  const std::vector<Index> given = given_pieces_of(junctions);
+  for (Index e = 0; e < junctions.ends.size(); ++e) {
+    const HiddenEnd& end = junctions.ends[e];
+    if (given[e] == no_index) places.push_back(lines[end.line].end(end.at_start));
+  }
   std::vector<double> nearest(places.size(), std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < places.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
@@ -114,19 +99,28 @@ std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLi
                                                        const std::vector<Index>& ends, double reference,
                                                        const CompletionOptions& options) {
   std::vector<CompletionCandidate> candidates;
-  if (!(reference > 0)) return candidates;
+  const std::vector<Index> given = given_pieces_of(junctions);
   std::vector<int> side;
   for (const Index end : ends) side.push_back(likely_outward_side(lines, junctions, junctions.ends[end]));
   for (Index i = 0; i < ends.size(); ++i) {
     for (Index k = i + 1; k < ends.size(); ++k) {
       const HiddenEnd& a = junctions.ends[ends[i]];
       const HiddenEnd& b = junctions.ends[ends[k]];
-      if (!may_join(lines, junctions, a, b)) continue;
+      if (given[ends[i]] != given[ends[k]]) continue;
+      if (given[ends[i]] != no_index) {
+        CompletionCandidate known;
+        known.a = i;
+        known.b = k;
+        known.given = given[ends[i]];
+        candidates.push_back(known);
+        continue;
+      }
+      if (!(reference > 0) || !may_join(lines, junctions, a, b)) continue;
       const Vec2& from = lines[a.line].end(a.at_start);
       const Vec2& to = lines[b.line].end(b.at_start);
       // No curve is shorter than its chord.
       if (options.length_weight * (to - from).norm() > options.maximum_cost * reference) continue;
-      CompletionCandidate candidate{i, k, completion_curve(from, a.tangent, to, b.tangent), 0};
+      CompletionCandidate candidate{i, k, completion_curve(from, a.tangent, to, b.tangent), 0, no_index};
       const int agreed = side[i] == -side[k] ? side[i] : 0;
       candidate.cost = completion_cost(candidate.bezier, agreed, reference, options);
       if (candidate.cost <= options.maximum_cost) candidates.push_back(candidate);

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "algorithms/silhouette/strokes/cubic_join.h"
 #include "algorithms/silhouette/strokes/junctions.h"
 #include "croquis/silhouette/options.h"
 
@@ -13,13 +14,11 @@ namespace croquis::silhouette {
 struct CompletionCandidate {
   Index a = 0;  ///< indices of ends, a < b
   Index b = 0;
-  std::array<Vec2, 4> bezier;  ///< from a to b, leaving both along their tangents
-  double cost = 0;             ///< dimensionless
+  /// From a to b, leaving both along their tangents.
+  std::array<Vec2, 4> bezier{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
+  double cost = 0;         ///< dimensionless
+  Index given = no_index;  ///< index into Junctions::given: then that piece counts instead of the curve
 };
-
-/// The cubic that leaves two places along their outward tangents: straight ends give handles of a third of the
-/// distance, a U-turn two thirds, which is a half circle to 1 %.
-std::array<Vec2, 4> completion_curve(const Vec2& a, const Vec2& tangent_a, const Vec2& b, const Vec2& tangent_b);
 
 /// length / reference + weight * distance * integral of curvature², both free of scale: a half circle costs the same
 /// bending at any size (Williams 1994 uses the two terms with dimensions, which favours long straight joins).
@@ -28,15 +27,13 @@ std::array<Vec2, 4> completion_curve(const Vec2& a, const Vec2& tangent_a, const
 double completion_cost(const std::array<Vec2, 4>& curve, int side, double reference_length,
                        const CompletionOptions& options);
 
-/// Samples of a cubic Bezier, evenly spread, both ends included.
-Points bezier_points(const std::array<Vec2, 4>& curve, double spacing);
-
-/// The length that completions are measured by: the median over all hidden ends of the distance to the nearest other.
-/// O(n²) for n ends.
+/// The length that completions are measured by: the median over the hidden ends that have to be joined of the distance
+/// to the nearest other. O(n²) for n ends.
 double completion_reference(const std::vector<CleanLine>& lines, const Junctions& junctions);
 
 /// All pairs of the given ends that may be joined: the surface lies on the same side of both lines as far as that is
-/// known, neither is forced into another object, and the cost stays below the maximum.
+/// known, neither is forced into another object, and the cost stays below the maximum. Ends that a known piece joins
+/// have that one candidate.
 /// @param ends subset of junctions.ends, as indices; candidates hold positions in this list
 /// O(n²) for n ends.
 std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLine>& lines, const Junctions& junctions,

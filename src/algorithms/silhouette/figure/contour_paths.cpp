@@ -11,6 +11,9 @@ namespace {
 
 using Drawn = ContourPath::Drawn;
 
+// Samples of a known piece nearer to its bar than so many times what its line goes on behind it give way.
+constexpr double clearance = 1.5;
+
 class Closer {
  public:
   Closer(const std::vector<CleanLine>& lines, const Junctions& junctions, const PartLines& part,
@@ -70,9 +73,19 @@ class Closer {
       forward = end.at_start;
     } while (line != first);
     if (!forward) return false;
+    drop_repeated(path.strokes);
     result_.paths.push_back(std::move(path));
     result_.raw.push_back(std::move(raw));
     return true;
+  }
+
+  /// A stroke that is hidden in between comes as several lines and as what is known between them.
+  static void drop_repeated(std::vector<Index>& strokes) {
+    std::vector<Index> once;
+    for (const Index stroke : strokes) {
+      if (std::find(once.begin(), once.end(), stroke) == once.end()) once.push_back(stroke);
+    }
+    strokes = std::move(once);
   }
 
   /// Appends the points of a line but its last one, with which the completion begins.
@@ -113,23 +126,66 @@ class Closer {
   Index append_completion(Index leaving, ContourPath& path, Points& raw) {
     const Index choice = choice_of_[leaving];
     const CompletionCandidate& candidate = part_.candidates[chosen_[choice]];
+    const Index arriving = candidate.a == leaving ? candidate.b : candidate.a;
+    HiddenCurve curve = candidate.given != no_index ? given_curve(candidate.given, leaving, arriving)
+                                                    : completed_curve(candidate, choice, leaving);
+    const auto inner = curve.points.end() - 1;
+    path.points.insert(path.points.end(), curve.points.begin(), inner);
+    path.stroke.insert(path.stroke.end(), curve.stroke.begin(), curve.stroke.end() - 1);
+    path.drawn.insert(path.drawn.end(), curve.points.size() - 1, Drawn::No);
+    path.cut.insert(path.cut.end(), curve.points.size() - 1, 0.0);
+    raw.insert(raw.end(), curve.points.begin(), inner);
+    if (candidate.given != no_index) {
+      path.strokes.insert(path.strokes.end(), curve.stroke.begin(), curve.stroke.end());
+    }
+    result_.completions.push_back({std::move(curve.points), static_cast<Index>(result_.paths.size()), candidate.cost});
+    return arriving;
+  }
+
+  struct HiddenCurve {
+    Points points;
+    std::vector<Index> stroke;  ///< per point
+  };
+
+  HiddenCurve completed_curve(const CompletionCandidate& candidate, Index choice, Index leaving) const {
     std::array<Vec2, 4> curve = candidate.bezier;
     if (candidate.b == leaving) std::reverse(curve.begin(), curve.end());
     const double factor = shape_.handles * (1 + (choice % 2 == 0 ? shape_.stretch : -shape_.stretch));
     curve[1] = curve[0] + factor * (curve[1] - curve[0]);
     curve[2] = curve[3] + factor * (curve[2] - curve[3]);
-    const Points points = bezier_points(curve, spacing_);
     const HiddenEnd& end = junctions_.ends[part_.ends[leaving]];
-    const Index stroke = lines_[end.line].end_stroke(end.at_start);
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      path.points.push_back(points[i]);
-      path.stroke.push_back(stroke);
-      path.drawn.push_back(Drawn::No);
-      path.cut.push_back(0);
+    HiddenCurve result{bezier_points(curve, spacing_), {}};
+    result.stroke.assign(result.points.size(), lines_[end.line].end_stroke(end.at_start));
+    return result;
+  }
+
+  /// A known piece, between the places behind their bars that the two ends were carried on to.
+  HiddenCurve given_curve(Index piece, Index leaving, Index arriving) const {
+    const GivenPiece& given = junctions_.given[piece];
+    const HiddenEnd& from = junctions_.ends[part_.ends[leaving]];
+    const HiddenEnd& to = junctions_.ends[part_.ends[arriving]];
+    HiddenCurve all{given.points, given.stroke};
+    if (given.from != part_.ends[leaving]) {
+      std::reverse(all.points.begin(), all.points.end());
+      std::reverse(all.stroke.begin(), all.stroke.end());
     }
-    raw.insert(raw.end(), points.begin(), points.end() - 1);
-    result_.completions.push_back({curve, static_cast<Index>(result_.paths.size()), candidate.cost});
-    return candidate.a == leaving ? candidate.b : candidate.a;
+    const Vec2& first = lines_[from.line].end(from.at_start);
+    const Vec2& last = lines_[to.line].end(to.at_start);
+    const double clear_first = clearance * (first - from.at).norm();
+    const double clear_last = clearance * (last - to.at).norm();
+    HiddenCurve result{{first}, {all.stroke.front()}};
+    for (std::size_t i = 0; i < all.points.size(); ++i) {
+      if ((all.points[i] - from.at).norm() < clear_first || (all.points[i] - to.at).norm() < clear_last) continue;
+      result.points.push_back(all.points[i]);
+      result.stroke.push_back(all.stroke[i]);
+    }
+    if (result.points.size() == 1) {
+      result.points.emplace_back(0.5 * (first + last));
+      result.stroke.push_back(all.stroke.front());
+    }
+    result.points.push_back(last);
+    result.stroke.push_back(all.stroke.back());
+    return result;
   }
 
   const std::vector<CleanLine>& lines_;

@@ -63,6 +63,9 @@ class PartLabeller {
   void find_units() {
     DisjointSets joined(context_.lines.size());
     for (const HiddenEnd& end : context_.junctions.ends) joined.unite(end.line, end.bar);
+    for (const GivenPiece& given : context_.junctions.given) {
+      joined.unite(context_.junctions.ends[given.from].line, context_.junctions.ends[given.to].line);
+    }
     std::map<std::string, Index> first_of_object;
     for (Index line = 0; line < context_.lines.size(); ++line) {
       const std::string& object = context_.lines[line].object;

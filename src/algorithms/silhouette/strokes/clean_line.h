@@ -25,6 +25,20 @@ struct CleanLine {
   Index end_stroke(bool at_start) const { return at_start ? stroke.front() : stroke.back(); }
 };
 
+/// A piece of contour that is known though it is hidden: it joins two ends of lines.
+struct HiddenPiece {
+  struct End {
+    Index line = 0;
+    bool at_start = false;
+    int bar_side = 0;  ///< surface of what covers it there: on the left (+1) or right (-1) of that line, 0 unknown
+  };
+
+  End from;
+  End to;
+  Points points;              ///< between the two places, both included
+  std::vector<Index> stroke;  ///< per point: index into Drawing::strokes
+};
+
 /// Something wrong with certain lines: their part of the drawing can't be labelled, others can.
 struct LineFinding {
   Finding finding;

@@ -141,6 +141,45 @@ HiddenEnd junction(const std::vector<CleanLine>& lines, Index line, bool at_star
   return end;
 }
 
+Index end_of_piece(const HiddenPiece::End& piece, const Junctions& junctions) {
+  const auto found = std::find_if(junctions.ends.begin(), junctions.ends.end(), [&](const HiddenEnd& end) {
+    return end.line == piece.line && end.at_start == piece.at_start;
+  });
+  return found == junctions.ends.end() ? no_index : static_cast<Index>(found - junctions.ends.begin());
+}
+
+/// The ends of a known piece leave along it.
+void follow(const Points& piece, int bar_side, double distance, const std::vector<CleanLine>& lines, HiddenEnd& end) {
+  double walked = 0;
+  std::size_t i = 1;
+  while (i + 1 < piece.size() && walked + (piece[i] - piece[i - 1]).norm() < distance) {
+    walked += (piece[i] - piece[i - 1]).norm();
+    ++i;
+  }
+  const Vec2 step = piece[i] - piece[i - 1];
+  const Vec2 ahead = piece[i - 1] + std::min(1.0, (distance - walked) / step.norm()) * step;
+  end.tangent = (ahead - end.at).normalized();
+  end.bar_side = bar_side;
+  if (bar_side != 0) return;
+  const Points& bar = lines[end.bar].points;
+  const auto segment = static_cast<std::size_t>(end.bar_parameter);
+  end.bar_side = cross(bar[(segment + 1) % bar.size()] - bar[segment], end.tangent) >= 0 ? 1 : -1;
+}
+
+/// Hands the known hidden pieces to the ends that they join; one whose end isn't hidden after all is left out.
+void give_pieces(std::vector<HiddenPiece> pieces, const std::vector<CleanLine>& lines, const DrawingScale& scale,
+                 Junctions& junctions) {
+  const double ahead = extension * scale.unit;
+  for (HiddenPiece& piece : pieces) {
+    const Index from = end_of_piece(piece.from, junctions);
+    const Index to = end_of_piece(piece.to, junctions);
+    if (from == no_index || to == no_index || from == to) continue;
+    follow(piece.points, piece.from.bar_side, ahead, lines, junctions.ends[from]);
+    follow(Points(piece.points.rbegin(), piece.points.rend()), piece.to.bar_side, ahead, lines, junctions.ends[to]);
+    junctions.given.push_back({from, to, std::move(piece.points), std::move(piece.stroke)});
+  }
+}
+
 LineFinding free_end(const Drawing& drawing, const CleanLine& line, Index index, bool at_start) {
   const Vec2 at = line.end(at_start);
   const Index stroke = line.end_stroke(at_start);
@@ -195,9 +234,19 @@ void decide_sides(const Drawing& drawing, const std::vector<CleanLine>& lines, J
 
 }  // namespace
 
-Junctions find_junctions(const Drawing& drawing, std::vector<CleanLine>& lines, const DrawingScale& scale,
-                         const Progress& progress) {
-  move_ends(lines, search(lines, scale, std::numeric_limits<double>::infinity(), progress), scale);
+std::vector<std::array<bool, 2>> meet_bars(std::vector<CleanLine>& lines, const DrawingScale& scale,
+                                           const Progress& progress) {
+  const EndHits hits = search(lines, scale, std::numeric_limits<double>::infinity(), progress);
+  move_ends(lines, hits, scale);
+  std::vector<std::array<bool, 2>> loose(lines.size(), {false, false});
+  for (Index line = 0; line < lines.size(); ++line) {
+    if (!lines[line].closed) loose[line] = {!hits[line][0], !hits[line][1]};
+  }
+  return loose;
+}
+
+Junctions find_junctions(const Drawing& drawing, std::vector<CleanLine>& lines, std::vector<HiddenPiece> pieces,
+                         const DrawingScale& scale, const Progress& progress) {
   // Once more on the trimmed lines: a bar may have lost the bit that a stem ended on.
   const EndHits hits = search(lines, scale, least_junction_spacing * scale.step, progress);
   move_ends(lines, hits, scale);
@@ -214,6 +263,7 @@ Junctions find_junctions(const Drawing& drawing, std::vector<CleanLine>& lines, 
       }
     }
   }
+  give_pieces(std::move(pieces), lines, scale, junctions);
   decide_sides(drawing, lines, junctions);
   LineFindings conflicts = find_line_conflicts(drawing, lines, junctions.ends, scale, progress);
   std::move(conflicts.begin(), conflicts.end(), std::back_inserter(junctions.findings));

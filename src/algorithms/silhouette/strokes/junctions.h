@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "algorithms/silhouette/strokes/clean_line.h"
@@ -20,18 +21,33 @@ struct HiddenEnd {
   int bar_side = 1;             ///< the bar's surface lies on its left (+1) or right (-1)
 };
 
+/// A piece of contour between two ends that is known though it is hidden.
+struct GivenPiece {
+  Index from = 0;  ///< positions in Junctions::ends
+  Index to = 0;
+  Points points;
+  std::vector<Index> stroke;  ///< per point
+};
+
 struct Junctions {
   std::vector<HiddenEnd> ends;  ///< by line, its start first
   std::vector<int> sides;       ///< per line: surface on its left (+1), right (-1), or not given by any stem (0)
-  LineFindings findings;        ///< E_FREE_END, E_TWO_SIDED, E_CROSS, E_TOUCH
+  std::vector<GivenPiece> given;
+  LineFindings findings;  ///< E_FREE_END, E_TWO_SIDED, E_CROSS, E_TOUCH
 };
 
-/// Finds what every open end passes behind and trims or extends the lines to meet it exactly (Cordier, Seo, Cho 2006,
-/// section 3; the side rule is Williams 1994).
+/// Trims or extends the lines to what their ends pass behind, however far they miss it.
+/// @returns per line, whether its start and its end found nothing; both false for closed lines
+std::vector<std::array<bool, 2>> meet_bars(std::vector<CleanLine>& lines, const DrawingScale& scale,
+                                           const Progress& progress);
+
+/// Finds what every open end passes behind, exactly where the line ends (Cordier, Seo, Cho 2006, section 3; the side
+/// rule is Williams 1994).
 ///
-/// Lines then end on their bars; `extend_behind_bars` carries them on. O(n) for evenly spread samples.
-Junctions find_junctions(const Drawing& drawing, std::vector<CleanLine>& lines, const DrawingScale& scale,
-                         const Progress& progress);
+/// Lines have met their bars and end on them; `extend_behind_bars` carries them on. O(n) for evenly spread samples.
+/// @param pieces between ends of the lines
+Junctions find_junctions(const Drawing& drawing, std::vector<CleanLine>& lines, std::vector<HiddenPiece> pieces,
+                         const DrawingScale& scale, const Progress& progress);
 
 /// Carries each stem a little past its bar, so that the two cross instead of touching.
 void extend_behind_bars(std::vector<CleanLine>& lines, const std::vector<HiddenEnd>& ends, const DrawingScale& scale);

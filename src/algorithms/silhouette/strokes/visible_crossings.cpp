@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/strokes/visible_crossings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "algorithms/silhouette/strokes/covered_runs.h"
+#include "algorithms/silhouette/strokes/cubic_join.h"
+#include "algorithms/silhouette/strokes/drawing_findings.h"
+#include "algorithms/silhouette/strokes/line_cutting.h"
+#include "algorithms/silhouette/strokes/segment_grid.h"
+#include "croquis/geometry/polyline.h"
+#include "croquis/silhouette/stroke_data.h"
+
+namespace croquis::silhouette {
+namespace {
+
+// Lines that come no further than this (u) beyond one another touch: crossings as shallow as that are a hand's tremble.
+constexpr double crossing_tremble = 2;
+// Closed lines that come nearer than this (u) are moved apart.
+constexpr double touching = 0.2;
+// Ends that lie inside a closed line by less than this share of the width between them were drawn too far.
+constexpr double overshoot_share = 0.2;
+// No sample lies nearer to the end of a cut line than this share of a step.
+constexpr double least_cut_spacing = 0.3;
+
+/// A line that another one covers, and by which pair of strokes that is told.
+struct Cover {
+  Index front = 0;
+  bool chosen = false;
+};
+
+class CrossingReader {
+ public:
+  CrossingReader(const Drawing& drawing, std::vector<CleanLine>& lines, const std::vector<std::array<bool, 2>>& loose,
+                 const DrawingScale& scale)
+      : drawing_(drawing), lines_(lines), loose_(loose), scale_(scale), is_limb_(lines.size(), 0) {}
+
+  VisibleCrossings run(const Progress& progress) {
+    std::set<std::pair<Index, Index>> pairs = crossing_pairs();
+    if (pairs.empty()) return {};
+    for (Index line = 0; line < lines_.size(); ++line) close_limb(line, pairs);
+    pairs = crossing_pairs();
+    covers_.resize(lines_.size());
+    for (const auto& [a, b] : pairs) read_pair(a, b);
+    VisibleCrossings result;
+    std::vector<CleanLine> cut;
+    for (const std::vector<CutRun>& cuts : all_cuts(progress)) {
+      append_cut(lines_[static_cast<Index>(&cuts - cuts_.data())], cuts, least_cut_spacing * scale_.step, cut,
+                 result.pieces);
+    }
+    lines_ = std::move(cut);
+    result.pairs = std::move(told_);
+    for (const CrossingInView& pair : result.pairs) result.findings.push_back(warning(pair));
+    return result;
+  }
+
+ private:
+  /// Pairs of lines that cross, and of closed ones that touch.
+  std::set<std::pair<Index, Index>> crossing_pairs() const {
+    const double reach = touching * scale_.unit;
+    const SegmentGrid grid(line_segments(lines_), scale_.step, reach);
+    std::set<std::pair<Index, Index>> found;
+    grid.pairs([&](Index i, Index j) {
+      const GridSegment& a = grid.segments()[i];
+      const GridSegment& b = grid.segments()[j];
+      if (a.line == b.line) return;
+      const auto near = [reach](const Vec2& point, const GridSegment& s) {
+        return (s.a + nearest_parameter(point, s.a, s.b) * (s.b - s.a) - point).norm() < reach;
+      };
+      const bool touch = lines_[a.line].closed && lines_[b.line].closed && (near(a.a, b) || near(b.a, a));
+      if (touch || cross_properly(a.a, a.b, b.a, b.b)) found.insert(std::minmax(a.line, b.line));
+    });
+    return found;
+  }
+
+  Index last_stroke(Index line) const {
+    return *std::max_element(lines_[line].strokes.begin(), lines_[line].strokes.end());
+  }
+
+  bool told_behind_line(Index line, Index other) const {
+    const auto told = [&](Index s) {
+      return std::any_of(lines_[other].strokes.begin(), lines_[other].strokes.end(),
+                         [&](Index t) { return told_behind(drawing_.strokes[s], drawing_.strokes[t]); });
+    };
+    return std::any_of(lines_[line].strokes.begin(), lines_[line].strokes.end(), told);
+  }
+
+  /// An open line that is seen inside a closed one up to its ends bounds a limb in front.
+  void close_limb(Index line, const std::set<std::pair<Index, Index>>& pairs) {
+    if (lines_[line].closed || !loose_[line][0] || !loose_[line][1]) return;
+    for (const auto& [a, b] : pairs) {
+      if (a != line && b != line) continue;
+      const Index body = a == line ? b : a;
+      if (!lines_[body].closed || is_limb_[body] || told_behind_line(line, body) || !reaches_into(line, body)) continue;
+      close_round(lines_[line]);
+      is_limb_[line] = 1;
+      return;
+    }
+  }
+
+  bool reaches_into(Index line, Index body) const {
+    CleanLine copy = lines_[line];
+    const std::vector<LineRun> runs = covered_runs(copy, lines_[body], crossing_tremble * scale_.unit, scale_.step);
+    const double last = copy.segment_count();
+    if (runs.size() < 2 || runs.front().begin > 0 || runs.back().end < last) return false;
+    const double width = (point_at(copy.points, runs.front().end) - point_at(copy.points, runs.back().begin)).norm();
+    const double inside = std::max(runs.front().end, last - runs.back().begin) * scale_.step;
+    return inside > overshoot_share * width;
+  }
+
+  void close_round(CleanLine& line) const {
+    const double reach = tangent_steps * scale_.step;
+    const Points cap =
+        bezier_points(completion_curve(line.points.back(), end_tangent(line.points, false, reach), line.points.front(),
+                                       end_tangent(line.points, true, reach)),
+                      scale_.step);
+    line.closed = true;
+    line.raw.insert(line.raw.end(), cap.begin() + 1, cap.end() - 1);
+    line.stroke.insert(line.stroke.end(), cap.size() - 2, line.stroke.back());
+    line.points.insert(line.points.end(), cap.begin() + 1, cap.end() - 1);
+  }
+
+  void read_pair(Index a, Index b) {
+    if (!lines_[a].closed && !lines_[b].closed) return;
+    if (lines_[a].closed != lines_[b].closed) {
+      const Index open = lines_[a].closed ? b : a;
+      covers_[open].push_back({open == a ? b : a, false});
+      return;
+    }
+    const Index later = last_stroke(a) > last_stroke(b) ? a : b;
+    const Index earlier = later == a ? b : a;
+    // A limb whose ends lie inside a body is in front of it, whichever was drawn first.
+    if (is_limb_[earlier] && !is_limb_[later] && encloses(lines_[later], lines_[earlier].points.front())) {
+      covers_[later].push_back({earlier, false});
+    } else if (told_behind_line(later, earlier)) {
+      covers_[later].push_back({earlier, true});
+    } else {
+      covers_[earlier].push_back({later, false});
+    }
+  }
+
+  /// What is covered of every line. Lines are moved where they nearly touch, those in front first.
+  const std::vector<std::vector<CutRun>>& all_cuts(const Progress& progress) {
+    cuts_.resize(lines_.size());
+    std::vector<Index> order(lines_.size());
+    std::iota(order.begin(), order.end(), Index{0});
+    std::sort(order.begin(), order.end(), [this](Index a, Index b) { return last_stroke(a) > last_stroke(b); });
+    for (const Index line : order) {
+      progress.check();
+      std::vector<CutRun> runs;
+      for (const Cover& cover : covers_[line]) {
+        const std::vector<LineRun> covered =
+            covered_runs(lines_[line], lines_[cover.front], crossing_tremble * scale_.unit, scale_.step);
+        const int side = signed_area(lines_[cover.front].points) > 0 ? 1 : -1;
+        for (const LineRun& run : covered) runs.push_back({run, side, side});
+        if (covered.empty()) continue;
+        const double at = covered.front().begin > 0 || lines_[line].closed ? covered.front().begin : covered.front().end;
+        tell(line, cover, at);
+      }
+      cuts_[line] = joined(line, std::move(runs));
+    }
+    std::sort(told_.begin(), told_.end(), [](const CrossingInView& a, const CrossingInView& b) {
+      return std::pair(a.front, a.behind) < std::pair(b.front, b.behind);
+    });
+    return cuts_;
+  }
+
+  void tell(Index line, const Cover& cover, double parameter) {
+    const double count = lines_[line].segment_count();
+    const double turned = lines_[line].closed ? parameter - count * std::floor(parameter / count) : parameter;
+    told_.push_back({last_stroke(cover.front), last_stroke(line),
+                     point_at(lines_[line].points, std::min(turned, count)), cover.chosen});
+  }
+
+  /// The union of covered runs. None for a line that is covered completely.
+  std::vector<CutRun> joined(Index line, std::vector<CutRun> runs) const {
+    if (runs.empty()) return runs;
+    const double count = lines_[line].segment_count();
+    if (lines_[line].closed) {
+      const std::optional<double> free = uncovered(runs, count);
+      if (!free) return {};
+      for (CutRun& cut : runs) {
+        const double turns = std::floor((cut.run.begin - *free) / count);
+        cut.run.begin -= turns * count;
+        cut.run.end -= turns * count;
+      }
+    }
+    std::sort(runs.begin(), runs.end(), [](const CutRun& a, const CutRun& b) {
+      return std::pair(a.run.begin, a.run.end) < std::pair(b.run.begin, b.run.end);
+    });
+    std::vector<CutRun> result;
+    for (const CutRun& cut : runs) {
+      if (result.empty() || cut.run.begin > result.back().run.end) {
+        result.push_back(cut);
+      } else if (cut.run.end > result.back().run.end) {
+        result.back().run.end = cut.run.end;
+        result.back().end_side = cut.end_side;
+      }
+    }
+    const bool whole = !lines_[line].closed && result.front().run.begin <= 0 && result.front().run.end >= count;
+    return whole ? std::vector<CutRun>{} : result;
+  }
+
+  /// The end of a run that no other run covers.
+  static std::optional<double> uncovered(const std::vector<CutRun>& runs, double count) {
+    for (const CutRun& candidate : runs) {
+      const double place = candidate.run.end;
+      const bool covered = std::any_of(runs.begin(), runs.end(), [&](const CutRun& other) {
+        const double from = place - other.run.begin;
+        const double turned = from - count * std::floor(from / count);
+        return &other != &candidate && turned < other.run.end - other.run.begin;
+      });
+      if (!covered) return place;
+    }
+    return std::nullopt;
+  }
+
+  Finding warning(const CrossingInView& pair) const {
+    const std::string front = in_quotes(drawing_, pair.front);
+    const std::string behind = in_quotes(drawing_, pair.behind);
+    const std::string why = pair.chosen ? "as it is told" : "if it lies behind, let it stop at the other one";
+    return make_warning(Category::Geometry, "W_CROSS",
+                        front + " and " + behind + " cross in full view: " + front +
+                            " is read as the one in front; " + why,
+                        {stroke_subject(drawing_, pair.front, pair.at), stroke_subject(drawing_, pair.behind, pair.at),
+                         crossing_subject(drawing_, pair.at)});
+  }
+
+  const Drawing& drawing_;
+  std::vector<CleanLine>& lines_;
+  const std::vector<std::array<bool, 2>>& loose_;
+  const DrawingScale& scale_;
+  std::vector<char> is_limb_;               ///< per line: open as drawn, closed here
+  std::vector<std::vector<Cover>> covers_;  ///< per line
+  std::vector<std::vector<CutRun>> cuts_;   ///< per line
+  std::vector<CrossingInView> told_;
+};
+
+}  // namespace
+
+VisibleCrossings cut_visible_crossings(const Drawing& drawing, std::vector<CleanLine>& lines,
+                                       const std::vector<std::array<bool, 2>>& loose_end, const DrawingScale& scale,
+                                       const Progress& progress) {
+  return CrossingReader(drawing, lines, loose_end, scale).run(progress);
+}
+
+}  // namespace croquis::silhouette
