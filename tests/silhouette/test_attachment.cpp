@@ -9,6 +9,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "algorithms/silhouette/skeleton/attachments.h"
 #include "croquis/base/error.h"
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/silhouette/attachment.h"
@@ -129,6 +130,30 @@ Findings refused(const Drawing& drawing, const std::vector<AttachedPair>& pairs)
 }
 
 }  // namespace
+
+TEST_CASE("pairs are joined or resting, whatever was said last; only joined ones make groups") {
+  Attachments attachments;
+  CHECK(attachments.empty());
+  attachments.rest(4, 2);
+  CHECK(attachments.empty());
+  CHECK(attachments.resting(2, 4));
+  CHECK(attachments.resting(4, 2));
+  CHECK(!attachments.resting(4, 4));
+  CHECK(!attachments.involves(4));
+  attachments.add(2, 1, 0.5);
+  attachments.add(5, 6, 0.25);
+  attachments.rest(0, 2);
+  CHECK(attachments.resting_pairs() == std::vector<Attachments::Pair>{{0, 2}, {2, 4}});
+  CHECK(attachments.groups() == std::vector<std::vector<Index>>{{1, 2}, {5, 6}});
+  attachments.rest(1, 2);
+  CHECK(!attachments.kappa(1, 2));
+  attachments.add(4, 2, 0.75);
+  CHECK(!attachments.resting(4, 2));
+  CHECK(attachments.kappa(2, 4) == 0.75);
+  const Attachments rest = attachments.without({2, 4});
+  CHECK(rest.groups() == std::vector<std::vector<Index>>{{5, 6}});
+  CHECK(rest.resting(0, 2));
+}
 
 TEST_CASE("attached animals are one sound surface that shows what was drawn") {
   for (const test::NamedSketch& animal : animals()) {

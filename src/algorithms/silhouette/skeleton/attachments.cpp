@@ -29,6 +29,23 @@ std::vector<double> mean_radii(const Skeleton& skeleton, std::size_t count) {
 
 }  // namespace
 
+void Attachments::add(Index a, Index b, double kappa) {
+  const Pair pair = std::minmax(a, b);
+  kappa_[pair] = kappa;
+  std::erase(resting_, pair);
+}
+
+void Attachments::rest(Index a, Index b) {
+  const Pair pair = std::minmax(a, b);
+  kappa_.erase(pair);
+  const auto place = std::lower_bound(resting_.begin(), resting_.end(), pair);
+  if (place == resting_.end() || *place != pair) resting_.insert(place, pair);
+}
+
+bool Attachments::resting(Index a, Index b) const {
+  return std::binary_search(resting_.begin(), resting_.end(), Pair(std::minmax(a, b)));
+}
+
 std::optional<double> Attachments::kappa(Index a, Index b) const {
   const auto found = kappa_.find(std::minmax(a, b));
   return found == kappa_.end() ? std::nullopt : std::optional<double>(found->second);
@@ -51,11 +68,11 @@ std::vector<std::vector<Index>> Attachments::groups() const {
 }
 
 Attachments Attachments::without(const std::vector<Index>& group) const {
-  Attachments rest;
-  for (const auto& [pair, kappa] : kappa_) {
-    if (std::find(group.begin(), group.end(), pair.first) == group.end()) rest.add(pair.first, pair.second, kappa);
-  }
-  return rest;
+  Attachments others = *this;
+  std::erase_if(others.kappa_, [&](const auto& entry) {
+    return std::find(group.begin(), group.end(), entry.first.first) != group.end();
+  });
+  return others;
 }
 
 double attached_distance(double kappa, double a, double b) {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -11,33 +12,49 @@
 
 namespace croquis::silhouette {
 
-/// The pairs of a figure's objects that may sink into one another, and how deep.
+/// How the pairs of a figure's objects are held that don't just keep the gap.
 class Attachments {
  public:
-  /// @param kappa 0..1, see AttachedPair
-  void add(Index a, Index b, double kappa) { kappa_[std::minmax(a, b)] = kappa; }
+  using Pair = std::pair<Index, Index>;  ///< objects (a, b), a < b
 
+  /// Joined: they may sink into one another. A later call for the same pair counts.
+  /// @param kappa 0..1, see AttachedPair
+  void add(Index a, Index b, double kappa);
+
+  /// Resting: the upper one lies on the lower one; each stays a surface of its own. A later call counts.
+  void rest(Index a, Index b);
+
+  /// Whether no pair is joined.
   bool empty() const { return kappa_.empty(); }
 
-  /// None for objects that must keep apart, and for an object and itself.
+  /// None for objects that aren't joined, and for an object and itself.
   std::optional<double> kappa(Index a, Index b) const;
 
+  bool resting(Index a, Index b) const;
+
+  /// Whether the object is joined to another one.
   bool involves(Index object) const;
 
-  /// Objects that are attached, each group ascending, in the order of their first objects.
+  /// Objects that are joined, each group ascending, in the order of their first objects.
   std::vector<std::vector<Index>> groups() const;
 
-  /// Without the pairs among these objects.
+  /// Without the joined pairs among these objects.
   Attachments without(const std::vector<Index>& group) const;
 
-  /// By objects (a, b), a < b.
-  const std::map<std::pair<Index, Index>, double>& pairs() const { return kappa_; }
+  /// Joined ones, with their kappa.
+  const std::map<Pair, double>& pairs() const { return kappa_; }
+
+  /// Ascending.
+  const std::vector<Pair>& resting_pairs() const { return resting_; }
 
  private:
-  std::map<std::pair<Index, Index>, double> kappa_;
+  std::map<Pair, double> kappa_;
+  std::vector<Pair> resting_;
 };
 
-inline auto members(const Attachments& attachments) { return std::tie(attachments.pairs()); }
+inline auto members(const Attachments& attachments) {
+  return std::tie(attachments.pairs(), attachments.resting_pairs());
+}
 
 /// Distance of the middles of two attached parts of these half thicknesses: kappa times that of touching ones, but sunk
 /// by at least two fifths of the thinner one. Surfaces that only touch have no sound union.
@@ -52,7 +69,7 @@ struct RowStiffness {
   double distance = 1;
 };
 
-/// @return per object up to the last one attached, 1 for those that aren't; none without attachments
+/// @return per object up to the last one joined, 1 for those that aren't; none without joined ones
 std::vector<RowStiffness> row_stiffness(const Skeleton& skeleton, const Attachments& attachments);
 
 }  // namespace croquis::silhouette
