@@ -23,6 +23,7 @@ void bench_silhouette(std::ostream& out);
 /// @param words "tuning" for the seeds that rules were tuned on; a folder for the drawings that aren't read
 void bench_silhouette_hand(std::ostream& out, const std::vector<std::string>& words);
 
+void bench_silhouette_finish(std::ostream& out);  ///< joined parts and the meshes of silhouettes
 void bench_subdivision(std::ostream& out);
 void bench_surface(std::ostream& out);
 

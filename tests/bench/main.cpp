@@ -25,6 +25,7 @@ const std::map<std::string, Bench>& benches() {
                                                    {"remesh", plain(bench_remesh)},
                                                    {"silhouette", plain(bench_silhouette)},
                                                    {"silhouette-hand", bench_silhouette_hand},
+                                                   {"silhouette-finish", plain(bench_silhouette_finish)},
                                                    {"solver", plain(bench_solver)},
                                                    {"subdivision", plain(bench_subdivision)},
                                                    {"surface", plain(bench_surface)}};
@@ -49,6 +50,8 @@ bool read_choices(const std::vector<std::string>& words, std::vector<Choice>& ch
                 << "': use holes, implicit, perspective, readers, remesh, silhouette, silhouette-hand, solver, "
                    "subdivision or "
                    "surface.\n";
+                << "': use holes, implicit, perspective, readers, remesh, silhouette, silhouette-finish, solver, "
+                   "subdivision or surface.\n";
       return false;
     }
   }

@@ -68,8 +68,8 @@ struct Solid {
 /// Objects whose heights can't be trusted are refused by name (E_NOT_SOLVED): the solve gave up or may be farther off
 /// than DepthOptions::accuracy, or they are deeper than the drawing explains.
 ///
-/// Attached objects that overlap are joined to one surface. Where that fails the whole group is made again with gaps
-/// (W_ATTACH); a pair that doesn't overlap stays as it is (W_ATTACH_APART).
+/// Attached objects that overlap are joined to one surface. A pair for which that fails is named and kept apart
+/// (W_ATTACH), the others are joined; a pair that doesn't overlap stays as it is (W_ATTACH_APART).
 /// @throws Error when no part becomes a solid; E_ATTACH for every pair that names an unknown object, or one twice, or
 ///         has a kappa outside 0..1; Cancelled
 Solid inflate(const LabelledDrawing& labelled, const Drawing& drawing, const Options& options, Progress& progress);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -17,39 +16,37 @@
 #include "algorithms/silhouette/surface/inflation.h"
 #include "algorithms/silhouette/surface/sheet_surface.h"
 #include "algorithms/silhouette/surface/skeleton_curves.h"
-#include "algorithms/silhouette/surface/surface_union.h"
-#include "croquis/geometry/disjoint_sets.h"
 
 namespace croquis::silhouette {
 namespace {
 
-/// Joined surfaces show what their parts show, but for rounding; a union that lost a part of them is no union.
-constexpr double least_kept_silhouette = 0.99;
+/// How often a figure is made again with less attached. What fails then is left apart with all that hangs together with
+/// it.
+constexpr int max_joining_rounds = 6;
 
-/// u: seams' edges shorter than that may go.
-constexpr double sliver = 0.25;
-
-Finding about_group(const LabelledFigure& figure, const Drawing& drawing, const std::vector<Index>& group,
-                    const std::string& code, const std::string& sentence) {
-  std::string names;
-  std::vector<Subject> subjects;
-  for (const Index object : group) {
-    names += (names.empty() ? "\"" : ", \"") + figure.objects[object].name + "\"";
-    for (Subject& subject : object_subjects(figure.objects[object], drawing)) subjects.push_back(std::move(subject));
+const char* sentence_of(JoinFault fault) {
+  switch (fault) {
+    case JoinFault::DontMeet:
+      return " could not be joined, since their surfaces don't meet, and were kept apart: let them sink deeper, or "
+             "draw "
+             "them further over one another";
+    case JoinFault::Unsolved:
+      return " could not be joined, since no depth holds them together, and were kept apart: attach fewer parts, or "
+             "draw thin ones wider";
+    case JoinFault::Unsound: break;
   }
-  return make_warning(Category::Geometry, code, "The attached objects " + names + " " + sentence, std::move(subjects));
+  return " could not be joined to one sound surface and were kept apart: change how deep they sink, or draw them "
+         "further over one another";
 }
 
-Finding not_joined(const LabelledFigure& figure, const Drawing& drawing, const std::vector<Index>& group) {
-  return about_group(figure, drawing, group, "W_ATTACH",
-                     "could not be joined to one sound surface and were kept apart: attach fewer of them, or change "
-                     "how deep they sink");
-}
-
-Finding still_apart(const LabelledFigure& figure, const Drawing& drawing, const FigureShell& shell) {
-  return about_group(figure, drawing, shell.objects, "W_ATTACH_APART",
-                     "stay in " + std::to_string(shell.pieces) +
-                         " pieces that don't meet: let them sink deeper, or draw them further over one another");
+Finding not_joined(const LabelledFigure& figure, const Drawing& drawing, const FailedJoin& failed) {
+  const FigureObject& a = figure.objects[failed.pair.first];
+  const FigureObject& b = figure.objects[failed.pair.second];
+  std::vector<Subject> subjects = object_subjects(a, drawing);
+  for (Subject& subject : object_subjects(b, drawing)) subjects.push_back(std::move(subject));
+  return make_warning(Category::Geometry, "W_ATTACH",
+                      "The attached objects \"" + a.name + "\" and \"" + b.name + "\"" + sentence_of(failed.fault),
+                      std::move(subjects));
 }
 
 /// One solve of a figure with given attachments.
@@ -73,27 +70,21 @@ class Attempt {
   }
 
   /// Makes the shells and checks them.
-  /// @return groups of attached objects that have no sound surface; then nothing else counts
-  std::vector<std::vector<Index>> make_shells(Progress& progress) {
+  /// @return attached pairs that have no sound surface; then nothing else counts
+  std::vector<FailedJoin> finish(Progress& progress) {
     std::vector<ObjectSurface> surfaces = object_surfaces(figure_, sheets_);
+    const std::vector<Index> unsolved = refuse_unsolved(surfaces);
     // Attached parts may be held too weakly: apart, each part is pulled to the sketch plane by itself.
-    if (!refuse_unsolved(surfaces) && !settings_.attachments.empty()) return settings_.attachments.groups();
-    if (quality_ == Quality::Draft) {
-      for (const ObjectSurface& surface : surfaces) add_single(surface, {});
-      return {};
-    }
-    std::vector<std::string> faults = check_surfaces(surfaces, progress);
-    std::vector<std::vector<Index>> failed;
-    for (const std::vector<Index>& group : settings_.attachments.groups()) {
-      if (!join(group, surfaces, faults, progress)) failed.push_back(group);
-    }
-    if (!failed.empty()) return failed;
-    for (std::size_t s = 0; s < surfaces.size(); ++s) {
-      if (!settings_.attachments.involves(surfaces[s].object)) add_single(surfaces[s], faults[s]);
-    }
-    std::sort(shells_.begin(), shells_.end(),
-              [](const FigureShell& a, const FigureShell& b) { return a.objects.front() < b.objects.front(); });
-    return settings_.attachments.empty() ? failed : check_apart(progress);
+    if (!unsolved.empty() && !settings_.attachments.empty()) return pairs_of(unsolved);
+    std::vector<std::string> faults(surfaces.size());
+    if (quality_ == Quality::Final) faults = check_surfaces(surfaces, progress);
+    std::vector<CheckedSurface> checked;
+    for (std::size_t s = 0; s < surfaces.size(); ++s) checked.push_back({&surfaces[s], std::move(faults[s])});
+    const bool joins = quality_ == Quality::Final;
+    FigureShells made = make_shells(figure_, checked, joins ? settings_.attachments : Attachments{}, progress);
+    for (const auto& [object, fault] : made.refused) refuse(object, fault);
+    shells_ = std::move(made.shells);
+    return std::move(made.failed);
   }
 
   FigureSolid take() {
@@ -120,8 +111,8 @@ class Attempt {
         [](const SheetBasis& basis) { return bytes_of(basis); });
   }
 
-  /// Takes out the surfaces whose depths aren't exact enough; true when all are.
-  bool refuse_unsolved(std::vector<ObjectSurface>& surfaces) {
+  /// Takes out the surfaces whose depths aren't exact enough. @return their objects, ascending
+  std::vector<Index> refuse_unsolved(std::vector<ObjectSurface>& surfaces) {
     const bool solved = std::max(depth_.uncertainty, sheets_.uncertainty) <= settings_.options.accuracy;
     std::vector<DepthRange> ranges;
     for (const ObjectSurface& surface : surfaces) ranges.push_back(depth_range(surface));
@@ -132,7 +123,21 @@ class Attempt {
     std::erase_if(surfaces, [&](const ObjectSurface& surface) {
       return std::binary_search(deep.begin(), deep.end(), surface.object);
     });
-    return deep.empty();
+    return deep;
+  }
+
+  /// Attachments of these objects, or else all: what held them wrongly is among them.
+  std::vector<FailedJoin> pairs_of(const std::vector<Index>& objects) const {
+    std::vector<FailedJoin> own;
+    std::vector<FailedJoin> all;
+    for (const auto& [pair, kappa] : settings_.attachments.pairs()) {
+      all.push_back({pair, JoinFault::Unsolved});
+      if (std::binary_search(objects.begin(), objects.end(), pair.first) ||
+          std::binary_search(objects.begin(), objects.end(), pair.second)) {
+        own.push_back(all.back());
+      }
+    }
+    return own.empty() ? all : own;
   }
 
   static DepthRange depth_range(const ObjectSurface& surface) {
@@ -175,82 +180,11 @@ class Attempt {
     return faults;
   }
 
-  std::vector<SidedOutline> outlines_of(const std::vector<Index>& objects) const {
-    std::vector<SidedOutline> outlines;
-    for (const Index object : objects) {
-      for (const Index c : figure_.objects[object].contours) {
-        SidedOutline outline{{}, figure_.contours[c].side};
-        for (const Index v : figure_.contours[c].vertices) outline.points.push_back(figure_.points[v]);
-        outlines.push_back(std::move(outline));
-      }
-    }
-    return outlines;
-  }
-
-  bool join(const std::vector<Index>& group, const std::vector<ObjectSurface>& surfaces,
-            const std::vector<std::string>& faults, Progress& progress) {
-    std::vector<UnionPart> parts;
-    for (const Index object : group) {
-      if (!faults[object].empty()) return false;
-      parts.push_back({&surfaces[object].mesh, object});
-    }
-    std::optional<SurfaceUnion> joined = unite_surfaces(parts, sliver * figure_.unit, progress);
-    if (!joined) return false;
-    const CertificateInput input{&joined->mesh, std::nullopt};
-    if (!certify_topology({&input, 1}, progress).front().empty()) return false;
-    if (silhouette_overlap(joined->mesh, outlines_of(group)).ratio() < least_kept_silhouette) return false;
-    // A closed surface of triangles has three edges for every two faces.
-    const int euler = static_cast<int>(joined->mesh.vertex_count()) - static_cast<int>(joined->mesh.face_count() / 2);
-    const std::size_t pieces = piece_count(joined->mesh);
-    shells_.push_back({std::move(joined->mesh), group, std::move(joined->face_objects), euler, pieces});
-    return true;
-  }
-
-  static std::size_t piece_count(const PolyMesh& mesh) {
-    DisjointSets sets(mesh.vertex_count());
-    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-      sets.unite(mesh.face(f)[0], mesh.face(f)[1]);
-      sets.unite(mesh.face(f)[0], mesh.face(f)[2]);
-    }
-    std::size_t count = 0;
-    for (Index v = 0; v < mesh.vertex_count(); ++v) count += sets.root(v) == v ? 1U : 0U;
-    return count;
-  }
-
-  void add_single(const ObjectSurface& surface, const std::string& fault) {
-    if (fault.empty()) {
-      // certify_topology has counted the mesh's Euler number and found it to be this.
-      shells_.push_back({surface.mesh, {surface.object}, {}, 2 * figure_.objects[surface.object].euler_region, 1});
-    } else {
-      refuse(surface.object, fault);
-    }
-  }
-
   void refuse(Index object, const std::string& fault) {
     refusals_.push_back(make_error(Category::Geometry, "E_NOT_CERTIFIED",
                                    "The surface of \"" + figure_.objects[object].name + "\" " + fault +
                                        ": draw its lines further apart, or lower the resolution step",
                                    object_subjects(figure_.objects[object], drawing_)));
-  }
-
-  /// Nothing is proven about joined surfaces: they are tested on the numbers as they are and as files may round them.
-  std::vector<std::vector<Index>> check_apart(Progress& progress) {
-    std::vector<CertificateInput> inputs;
-    for (const FigureShell& shell : shells_) inputs.push_back({&shell.mesh, std::nullopt});
-    std::vector<std::string> faults(shells_.size());
-    for (const Rounding rounding : {Rounding::None, Rounding::Grid}) {
-      certify_apart(inputs, rounding, figure_.unit, faults, progress);
-    }
-    std::vector<std::vector<Index>> failed;
-    for (std::size_t s = 0; s < shells_.size(); ++s) {
-      if (!faults[s].empty() && shells_[s].objects.size() > 1) failed.push_back(shells_[s].objects);
-    }
-    for (std::size_t s = shells_.size(); failed.empty() && s-- > 0;) {
-      if (faults[s].empty()) continue;
-      refuse(shells_[s].objects.front(), faults[s]);
-      shells_.erase(shells_.begin() + static_cast<std::ptrdiff_t>(s));
-    }
-    return failed;
   }
 
   Overlap overlap_with_drawing() const {
@@ -269,9 +203,6 @@ class Attempt {
 
   void add_findings(FigureSolid& solid) const {
     solid.findings = refusals_;
-    for (const FigureShell& shell : shells_) {
-      if (shell.pieces > 1) solid.findings.push_back(still_apart(figure_, drawing_, shell));
-    }
     const Findings depths = depth_findings(depth_, skeleton_, figure_, drawing_);
     solid.findings.insert(solid.findings.end(), depths.begin(), depths.end());
   }
@@ -310,27 +241,43 @@ std::shared_ptr<const Skeleton> make_axis(const LabelledFigure& figure, const Fi
       [](const Skeleton& skeleton) { return bytes_of(skeleton); });
 }
 
+/// All attachments of the groups that these pairs belong to.
+std::vector<FailedJoin> whole_groups(const Attachments& attachments, const std::vector<FailedJoin>& failed) {
+  std::vector<FailedJoin> all;
+  for (const std::vector<Index>& group : attachments.groups()) {
+    const auto in_group = [&](Index object) { return std::binary_search(group.begin(), group.end(), object); };
+    const auto found =
+        std::find_if(failed.begin(), failed.end(), [&](const FailedJoin& join) { return in_group(join.pair.first); });
+    if (found == failed.end()) continue;
+    for (const auto& [pair, kappa] : attachments.pairs()) {
+      if (in_group(pair.first)) all.push_back({pair, found->fault});
+    }
+  }
+  return all;
+}
+
 FigureSolid solidify(const LabelledFigure& figure, const Drawing& drawing, FigureSettings settings,
                      Progress& progress) {
   Progress finding_axis = progress.step("skeleton", 0.05);
   const std::shared_ptr<const Skeleton> axis = make_axis(figure, settings, finding_axis);
   Findings warnings;
-  for (;;) {
-    // Every repetition has one group less, so they end.
+  for (int round = 1;; ++round) {
+    // Every repetition has fewer pairs, so they end.
     const double share = settings.depth.attachments.empty() ? 0.75 : 0.35;
     Progress solving = progress.step("solve", share);
     Attempt attempt(figure, drawing, settings);
     attempt.solve(*axis, solving);
     Progress checking = progress.step("check", share / 4);
-    const std::vector<std::vector<Index>> failed = attempt.make_shells(checking);
+    std::vector<FailedJoin> failed = attempt.finish(checking);
     if (failed.empty()) {
       FigureSolid solid = attempt.take();
       solid.findings.insert(solid.findings.end(), warnings.begin(), warnings.end());
       return solid;
     }
-    for (const std::vector<Index>& group : failed) {
-      warnings.push_back(not_joined(figure, drawing, group));
-      settings.depth.attachments = settings.depth.attachments.without(group);
+    if (round >= max_joining_rounds) failed = whole_groups(settings.depth.attachments, failed);
+    for (const FailedJoin& join : failed) {
+      warnings.push_back(not_joined(figure, drawing, join));
+      settings.depth.attachments.remove(join.pair.first, join.pair.second);
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "algorithms/silhouette/figure_shells.h"
 #include "algorithms/silhouette/skeleton/depth.h"
 #include "algorithms/silhouette/surface/silhouette_overlap.h"
 #include "croquis/base/finding.h"
@@ -15,15 +16,6 @@
 #include "croquis/silhouette/solid.h"
 
 namespace croquis::silhouette {
-
-/// A closed surface: of one object, or of several joined.
-struct FigureShell {
-  PolyMesh mesh;
-  std::vector<Index> objects;       ///< of the figure, ascending
-  std::vector<Index> face_objects;  ///< per face; empty: all are the only object's
-  int euler = 0;                    ///< counted
-  std::size_t pieces = 1;           ///< that share no vertex
-};
 
 /// What one figure of a drawing becomes.
 struct FigureSolid {
@@ -41,8 +33,8 @@ struct FigureSettings {
   StageCache* cache = nullptr;
 };
 
-/// Skeleton, depths, sheets, surfaces, checks; attached objects joined. A group of attached objects that can't be
-/// joined to a sound surface is made again with gaps. A draft isn't checked, measured against the drawing, or joined.
+/// Skeleton, depths, sheets, surfaces, checks; attached objects joined. Pairs that can't be joined are told, and the
+/// figure is made again with these apart. A draft isn't checked, measured against the drawing, or joined.
 /// @throws Error when the figure becomes no solid at all; Cancelled
 std::shared_ptr<const FigureSolid> make_figure_solid(const LabelledFigure& figure, const Drawing& drawing,
                                                      const FigureSettings& settings, Progress& progress);

@@ -4,6 +4,7 @@
 /// Everything that makes sketches, in one include.
 #include "support/sketches/sketch.h"
 #include "support/sketches/sketch_errors.h"
+#include "support/sketches/sketch_figures.h"
 #include "support/sketches/sketch_gallery.h"
 #include "support/sketches/sketch_hand.h"
 #include "support/sketches/sketch_layers.h"

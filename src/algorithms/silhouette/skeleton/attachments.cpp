@@ -67,14 +67,6 @@ std::vector<std::vector<Index>> Attachments::groups() const {
   return by_root;
 }
 
-Attachments Attachments::without(const std::vector<Index>& group) const {
-  Attachments others = *this;
-  std::erase_if(others.kappa_, [&](const auto& entry) {
-    return std::find(group.begin(), group.end(), entry.first.first) != group.end();
-  });
-  return others;
-}
-
 double attached_distance(double kappa, double a, double b) {
   constexpr double least_sinking = 0.4;
   return std::min(kappa * (a + b), a + b - least_sinking * std::min(a, b));

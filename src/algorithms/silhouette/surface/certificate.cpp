@@ -82,26 +82,33 @@ std::vector<std::string> certify_topology(std::span<const CertificateInput> mesh
   return faults;
 }
 
-void certify_apart(std::span<const CertificateInput> meshes, Rounding rounding, double unit,
-                   std::vector<std::string>& faults, Progress& progress) {
+std::vector<std::array<MeshFace, 2>> meeting_faces(std::span<const CertificateInput> meshes, Rounding rounding,
+                                                   double unit, Progress& progress) {
   PolyMesh all;
-  std::vector<std::size_t> owner;
+  std::vector<MeshFace> origin;
   for (std::size_t m = 0; m < meshes.size(); ++m) {
     const PolyMesh& mesh = *meshes[m].mesh;
     const auto first = static_cast<Index>(all.positions.size());
     for (const Vec3& p : mesh.positions) {
       all.positions.push_back(p.unaryExpr([&](double value) { return rounded(value, rounding, unit); }));
     }
-    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    for (Index f = 0; f < mesh.face_count(); ++f) {
       std::vector<Index> corners(mesh.face(f).begin(), mesh.face(f).end());
       for (Index& corner : corners) corner += first;
       all.add_face(corners);
-      owner.push_back(m);
+      origin.push_back({m, f});
     }
   }
-  for (const auto& pair : find_self_intersections(all, progress).pairs) {
-    for (const Index face : pair) {
-      if (faults[owner[face]].empty()) faults[owner[face]] = "intersects itself or another one";
+  std::vector<std::array<MeshFace, 2>> meeting;
+  for (const auto& [a, b] : find_self_intersections(all, progress).pairs) meeting.push_back({origin[a], origin[b]});
+  return meeting;
+}
+
+void certify_apart(std::span<const CertificateInput> meshes, Rounding rounding, double unit,
+                   std::vector<std::string>& faults, Progress& progress) {
+  for (const auto& pair : meeting_faces(meshes, rounding, unit, progress)) {
+    for (const MeshFace& place : pair) {
+      if (faults[place.mesh].empty()) faults[place.mesh] = "intersects itself or another one";
     }
   }
 }

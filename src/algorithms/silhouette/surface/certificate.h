@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -40,6 +41,16 @@ struct CertificateInput {
 /// For each mesh what is wrong with it, empty for nothing: closed, manifold, oriented outwards, without degenerate
 /// faces, Euler number twice its region's. Any mesh may be given, also one that was smoothed or remeshed.
 std::vector<std::string> certify_topology(std::span<const CertificateInput> meshes, Progress& progress);
+
+/// A face of one of several meshes.
+struct MeshFace {
+  std::size_t mesh = 0;
+  Index face = 0;
+};
+
+/// Pairs of faces that meet after rounding, within one mesh or of two; the first of them where they are many.
+std::vector<std::array<MeshFace, 2>> meeting_faces(std::span<const CertificateInput> meshes, Rounding rounding,
+                                                   double unit, Progress& progress);
 
 /// Adds to `faults` the meshes that intersect themselves or each other after rounding.
 void certify_apart(std::span<const CertificateInput> meshes, Rounding rounding, double unit,

@@ -38,7 +38,13 @@ FaceObjects face_objects(Surface& surface) { return surface.add_property_map<Fac
 /// keep their places.
 class ObjectKeeper : public pmp::Corefinement::Default_visitor<Surface> {
  public:
-  void before_subface_creations(Face face, Surface& surface) { object_ = face_objects(surface)[face]; }
+  /// @param met set as soon as a face is cut by the other surface
+  explicit ObjectKeeper(bool& met) : met_(&met) {}
+
+  void before_subface_creations(Face face, Surface& surface) {
+    *met_ = true;
+    object_ = face_objects(surface)[face];
+  }
   void after_subface_created(Face face, Surface& surface) { face_objects(surface)[face] = object_; }
   void after_face_copy(Face from, const Surface& source, Face to, Surface& target) {
     face_objects(target)[to] = source.property_map<Face, Index>("f:object").first[from];
@@ -48,6 +54,7 @@ class ObjectKeeper : public pmp::Corefinement::Default_visitor<Surface> {
   }
 
  private:
+  bool* met_;
   Index object_ = 0;
 };
 
@@ -127,26 +134,6 @@ void remove_slivers(Surface& surface, double longest) {
                                                     pmp::parameters::vertex_is_constrained_map(fixed));
 }
 
-double projected_area(const PolyMesh& mesh) {
-  double area = 0;
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const auto face = mesh.face(f);
-    const Vec2 a = mesh.positions[face[0]].head<2>();
-    area += std::abs(cross(mesh.positions[face[1]].head<2>() - a, mesh.positions[face[2]].head<2>() - a));
-  }
-  return area;
-}
-
-/// Largest first; equals in the order given.
-std::vector<UnionPart> by_size(std::span<const UnionPart> parts) {
-  std::vector<std::pair<double, UnionPart>> sized;
-  for (const UnionPart& part : parts) sized.emplace_back(-projected_area(*part.mesh), part);
-  std::stable_sort(sized.begin(), sized.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<UnionPart> result;
-  for (const auto& [area, part] : sized) result.push_back(part);
-  return result;
-}
-
 /// The same vertices and faces in the same order, half-edges numbered by them alone: the library numbers new ones by
 /// addresses in memory, and which slivers are removed first depends on these numbers. @return false where faces can't
 /// be added in this order
@@ -173,40 +160,71 @@ struct UnionPair {
   Surface part;
 };
 
-bool join(UnionPair& surfaces) {
+Meeting join(UnionPair& surfaces) {
   auto& [whole, part] = surfaces;
   // Its search for pairs of faces takes random numbers from here; earlier use must not matter.
   CGAL::get_default_random() = CGAL::Random(0);
-  ObjectKeeper keeper;
+  bool met = false;
+  ObjectKeeper keeper(met);
   try {
-    return pmp::corefine_and_compute_union(whole, part, whole,
-                                           pmp::parameters::throw_on_self_intersection(true).visitor(keeper));
+    const bool sound = pmp::corefine_and_compute_union(
+        whole, part, whole, pmp::parameters::throw_on_self_intersection(true).visitor(keeper));
+    if (!met) return Meeting::Apart;
+    return sound ? Meeting::Joined : Meeting::Unsound;
   } catch (const pmp::Corefinement::Self_intersection_exception&) {
-    return false;
+    return Meeting::Unsound;
+  } catch (const std::exception&) {  // a failed precondition of the library
+    return Meeting::Unsound;
+  }
+}
+
+/// @return false where the library can't
+bool clean_seams(Surface& surface, double sliver) {
+  if (!renumber_halfedges(surface)) return false;
+  try {
+    remove_slivers(surface, sliver);
   } catch (const std::exception&) {  // a failed precondition of the library
     return false;
   }
+  return true;
 }
 
 }  // namespace
 
-std::optional<SurfaceUnion> unite_surfaces(std::span<const UnionPart> parts, double sliver, Progress& progress) {
+struct GrowingUnion::State {
   UnionPair surfaces;
-  Surface& whole = surfaces.whole;
-  bool first = true;
-  for (const UnionPart& part : by_size(parts)) {
-    progress.check();
-    (first ? whole : surfaces.part) = to_surface(part);
-    if (!first && (!join(surfaces) || !renumber_halfedges(whole))) return std::nullopt;
-    first = false;
-  }
+  double sliver = 0;
+};
+
+GrowingUnion::GrowingUnion(const UnionPart& first, double sliver)
+    : state_(std::make_unique<State>(State{{to_surface(first), {}}, sliver})) {}
+
+GrowingUnion::~GrowingUnion() = default;
+
+Meeting GrowingUnion::add(const UnionPart& part) {
+  Surface before = state_->surfaces.whole;
+  state_->surfaces.part = to_surface(part);
+  Meeting meeting = join(state_->surfaces);
+  if (meeting == Meeting::Joined && !clean_seams(state_->surfaces.whole, state_->sliver)) meeting = Meeting::Unsound;
+  if (meeting != Meeting::Joined) state_->surfaces.whole = std::move(before);
+  return meeting;
+}
+
+std::optional<SurfaceUnion> GrowingUnion::take() {
+  Surface& whole = state_->surfaces.whole;
   straighten(whole);
-  try {
-    remove_slivers(whole, sliver);
-  } catch (const std::exception&) {  // a failed precondition of the library
-    return std::nullopt;
-  }
+  if (!clean_seams(whole, state_->sliver)) return std::nullopt;
   return from_surface(whole);
+}
+
+double projected_area(const PolyMesh& mesh) {
+  double area = 0;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    const Vec2 a = mesh.positions[face[0]].head<2>();
+    area += std::abs(cross(mesh.positions[face[1]].head<2>() - a, mesh.positions[face[2]].head<2>() - a));
+  }
+  return area;
 }
 
 }  // namespace croquis::silhouette

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/figure_shells.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <set>
+
+#include "algorithms/silhouette/surface/certificate.h"
+#include "algorithms/silhouette/surface/silhouette_overlap.h"
+
+namespace croquis::silhouette {
+namespace {
+
+/// Joined surfaces show what their parts show, but for rounding; a union that lost a part of them is no union.
+constexpr double least_kept_silhouette = 0.99;
+
+/// u: seams' edges shorter than that may go.
+constexpr double sliver = 0.25;
+
+Vec3 centre_of(const PolyMesh& mesh, Index face) {
+  const auto corners = mesh.face(face);
+  return (mesh.positions[corners[0]] + mesh.positions[corners[1]] + mesh.positions[corners[2]]) / 3;
+}
+
+std::vector<SidedOutline> outlines_of(const LabelledFigure& figure, const std::vector<Index>& objects) {
+  std::vector<SidedOutline> outlines;
+  for (const Index object : objects) {
+    for (const Index c : figure.objects[object].contours) {
+      SidedOutline outline{{}, figure.contours[c].side};
+      for (const Index v : figure.contours[c].vertices) outline.points.push_back(figure.points[v]);
+      outlines.push_back(std::move(outline));
+    }
+  }
+  return outlines;
+}
+
+class ShellMaker {
+ public:
+  ShellMaker(const LabelledFigure& figure, const std::vector<CheckedSurface>& surfaces, const Attachments& attachments)
+      : figure_(figure), surfaces_(surfaces), attachments_(attachments) {}
+
+  FigureShells make(Progress& progress) {
+    if (!attachments_.empty()) join(progress);
+    if (!result_.failed.empty()) return std::move(result_);
+    for (const CheckedSurface& surface : surfaces_) {
+      if (!attachments_.involves(surface.surface->object)) add_single(surface);
+    }
+    std::sort(result_.shells.begin(), result_.shells.end(),
+              [](const FigureShell& a, const FigureShell& b) { return a.objects.front() < b.objects.front(); });
+    if (!attachments_.empty()) check_apart(progress);
+    return std::move(result_);
+  }
+
+ private:
+  void join(Progress& progress) {
+    std::vector<UnionPart> parts;
+    for (const CheckedSurface& surface : surfaces_) {
+      const Index object = surface.surface->object;
+      if (!attachments_.involves(object)) continue;
+      if (surface.fault.empty()) {
+        parts.push_back({&surface.surface->mesh, object});
+      } else {
+        fail_pairs_of(object);
+      }
+    }
+    if (!result_.failed.empty()) return;
+    std::vector<ObjectPair> pairs;
+    for (const auto& [pair, kappa] : attachments_.pairs()) pairs.push_back(pair);
+    PartJoining joining = join_parts(parts, pairs, sliver * figure_.unit, progress);
+    result_.failed = std::move(joining.failed);
+    for (JoinedParts& joined : joining.groups) add_joined(std::move(joined), progress);
+  }
+
+  /// A surface that shows less than was drawn, or isn't closed, was spoilt by a part: by the last one for all we know.
+  void add_joined(JoinedParts joined, Progress& progress) {
+    const PolyMesh& mesh = joined.surface.mesh;
+    const CertificateInput input{&mesh, std::nullopt};
+    if (!certify_topology({&input, 1}, progress).front().empty() ||
+        silhouette_overlap(mesh, outlines_of(figure_, joined.objects)).ratio() < least_kept_silhouette) {
+      fail_pairs_of(joined.objects.back());
+      return;
+    }
+    // A closed surface of triangles has three edges for every two faces.
+    const int euler = static_cast<int>(mesh.vertex_count()) - static_cast<int>(mesh.face_count() / 2);
+    std::sort(joined.objects.begin(), joined.objects.end());
+    result_.shells.push_back(
+        {std::move(joined.surface.mesh), std::move(joined.objects), std::move(joined.surface.face_objects), euler});
+  }
+
+  void add_single(const CheckedSurface& checked) {
+    const Index object = checked.surface->object;
+    if (checked.fault.empty()) {
+      // certify_topology has counted the mesh's Euler number and found it to be this.
+      result_.shells.push_back({checked.surface->mesh, {object}, {}, 2 * figure_.objects[object].euler_region});
+    } else {
+      result_.refused.emplace_back(object, checked.fault);
+    }
+  }
+
+  void fail_pairs_of(Index object) {
+    for (const auto& [pair, kappa] : attachments_.pairs()) {
+      if (pair.first == object || pair.second == object) result_.failed.push_back({pair, JoinFault::Unsound});
+    }
+  }
+
+  /// Nothing is proven about joined surfaces: they are tested on the numbers as they are and as files may round them.
+  void check_apart(Progress& progress) {
+    std::vector<CertificateInput> inputs;
+    for (const FigureShell& shell : result_.shells) inputs.push_back({&shell.mesh, std::nullopt});
+    std::set<ObjectPair> spoilt;
+    std::set<std::size_t> refused;
+    for (const Rounding rounding : {Rounding::None, Rounding::Grid}) {
+      for (const auto& meeting : meeting_faces(inputs, rounding, figure_.unit, progress)) {
+        for (const MeshFace& place : meeting) {
+          if (const std::optional<ObjectPair> pair = nearest_pair(place)) {
+            spoilt.insert(*pair);
+          } else {
+            refused.insert(place.mesh);
+          }
+        }
+      }
+    }
+    for (const ObjectPair& pair : spoilt) result_.failed.push_back({pair, JoinFault::Unsound});
+    if (!spoilt.empty()) return;
+    for (auto mesh = refused.rbegin(); mesh != refused.rend(); ++mesh) {
+      result_.refused.emplace_back(result_.shells[*mesh].objects.front(), "intersects another one");
+      result_.shells.erase(result_.shells.begin() + static_cast<std::ptrdiff_t>(*mesh));
+    }
+  }
+
+  /// The attachment of the face's object whose seam is nearest; none in a shell of one object.
+  std::optional<ObjectPair> nearest_pair(const MeshFace& place) const {
+    const FigureShell& shell = result_.shells[place.mesh];
+    if (shell.face_objects.empty()) return std::nullopt;
+    const Index own = shell.face_objects[place.face];
+    const Vec3 centre = centre_of(shell.mesh, place.face);
+    std::optional<ObjectPair> nearest;
+    double least = std::numeric_limits<double>::infinity();
+    for (Index f = 0; f < shell.mesh.face_count(); ++f) {
+      const ObjectPair pair = std::minmax(own, shell.face_objects[f]);
+      if (pair.first == pair.second || !attachments_.pairs().contains(pair)) continue;
+      const double distance = (centre_of(shell.mesh, f) - centre).squaredNorm();
+      if (distance >= least) continue;
+      least = distance;
+      nearest = pair;
+    }
+    return nearest;
+  }
+
+  const LabelledFigure& figure_;
+  const std::vector<CheckedSurface>& surfaces_;
+  const Attachments& attachments_;
+  FigureShells result_;
+};
+
+}  // namespace
+
+FigureShells make_shells(const LabelledFigure& figure, const std::vector<CheckedSurface>& surfaces,
+                         const Attachments& attachments, Progress& progress) {
+  return ShellMaker(figure, surfaces, attachments).make(progress);
+}
+
+}  // namespace croquis::silhouette
