@@ -142,7 +142,7 @@ TEST_CASE("pairs are joined or resting, whatever was said last; only joined ones
   attachments.add(4, 2, 0.75);
   CHECK(!attachments.resting(4, 2));
   CHECK(attachments.kappa(2, 4) == 0.75);
-  attachments.remove(4, 2);
+  attachments.release(4, 2);
   CHECK(attachments.groups() == std::vector<std::vector<Index>>{{5, 6}});
   CHECK(attachments.resting(0, 2));
 }
@@ -214,6 +214,40 @@ TEST_CASE("larger kappa never brings a limb nearer to the body's middle") {
     CHECK(depth >= last - 1e-6);
     last = depth;
   }
+}
+
+TEST_CASE("what looks attached is held as suggested unless the pair is named") {
+  const Drawing duck = test::duck_sketch().drawing;
+  Options options;
+  options.attach_suggested = true;
+  const Solid all = solid_of(duck, options);
+  std::map<Hold, std::size_t> wanted;
+  for (const LabelledFigure& figure : labelled(duck).figures) {
+    for (const AttachSuggestion& suggestion : attach_suggestions(figure)) ++wanted[suggestion.hold];
+  }
+  std::map<Hold, std::size_t> held;
+  for (const SolidAttachment& attachment : all.attached) {
+    ++held[attachment.hold];
+    CHECK(attachment.at != Vec2::Zero());
+    if (attachment.hold == Hold::Joined) CHECK(attachment.blend > 0);
+  }
+  CHECK(held == wanted);
+
+  const SolidAttachment first = all.attached.front();
+  options.attach = {{first.a, first.b, 0.55, Hold::Apart}};
+  const Solid rest = solid_of(duck, options);
+  CHECK(rest.findings.empty());
+  CHECK(rest.attached.size() + 1 == all.attached.size());
+  for (const SolidAttachment& attachment : rest.attached) {
+    CHECK(std::pair(attachment.a, attachment.b) != std::pair(first.a, first.b));
+  }
+  options.attach.push_back({first.b, first.a, 0.3, Hold::Joined, 0.5});
+  const Solid again = solid_of(duck, options);
+  REQUIRE(again.attached.size() == all.attached.size());
+  CHECK(again.attached.front().kappa == 0.3);
+  CHECK(again.attached.front().blend == 0.5);
+  options.attach.back().hold = Hold::Resting;
+  CHECK(solid_of(duck, options).attached.front().hold == Hold::Resting);
 }
 
 TEST_CASE("attached solids turn and grow with their drawing") {
@@ -311,8 +345,9 @@ TEST_CASE("pairs that can't be attached are refused by name") {
   const Drawing drawing = test::dog_sketch().drawing;
   const AttachedPair good = suggested(drawing).front();
   CHECK(refused(drawing, {good}).empty());
-  for (const AttachedPair& wrong : {AttachedPair{"nobody", good.b}, AttachedPair{good.a, good.a},
-                                    AttachedPair{good.a, good.b, 1.5}, AttachedPair{good.a, good.b, std::nan("")}}) {
+  for (const AttachedPair& wrong :
+       {AttachedPair{"nobody", good.b}, AttachedPair{good.a, good.a}, AttachedPair{good.a, good.b, 1.5},
+        AttachedPair{good.a, good.b, 0.5, Hold::Joined, 2}, AttachedPair{good.a, good.b, std::nan("")}}) {
     const Findings findings = refused(drawing, {good, wrong});
     REQUIRE(findings.size() == 1);
     CHECK(findings.front().code == "E_ATTACH");

@@ -4,12 +4,17 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "croquis/base/error.h"
+#include "croquis/silhouette/attachment.h"
 
 namespace croquis::silhouette {
 namespace {
+
+/// Of the seams of pairs that nobody named: a limb grows out of its body rather than stuck to it.
+constexpr double suggested_blend = 0.35;
 
 struct ObjectPlace {
   std::size_t figure = 0;
@@ -74,7 +79,8 @@ bool overlap(const LabelledFigure& figure, Index a, Index b) {
 
 class Resolver {
  public:
-  Resolver(const LabelledDrawing& labelled, const Drawing& drawing) : labelled_(labelled), names_(labelled, drawing) {
+  Resolver(const LabelledDrawing& labelled, const Drawing& drawing)
+      : labelled_(labelled), names_(labelled, drawing), named_(labelled.figures.size()) {
     result_.figures.resize(labelled.figures.size());
   }
 
@@ -82,17 +88,34 @@ class Resolver {
     if (!(pair.kappa >= 0 && pair.kappa <= 1)) {
       errors_.push_back(refusal("The attached objects " + pair_text(pair) + " need a depth from 0 to 1"));
     }
+    if (!(pair.blend >= 0 && pair.blend <= 1)) {
+      errors_.push_back(refusal("The seam of " + pair_text(pair) + " needs a radius from 0 to 1"));
+    }
     if (!known(pair)) return;
     const std::optional<ObjectPlace> a = names_.find(pair.a);
     const std::optional<ObjectPlace> b = names_.find(pair.b);
     if (a && a == b) {
       errors_.push_back(refusal(pair_text(pair) + " are one object: attach two different ones"));
     } else if (!a || !b) {
-      result_.warnings.push_back(apart(pair, "the lines of \"" + (a ? pair.b : pair.a) + "\" make no solid yet"));
+      leave(pair, "the lines of \"" + (a ? pair.b : pair.a) + "\" make no solid yet");
     } else if (a->figure != b->figure || !overlap(labelled_.figures[a->figure], a->object, b->object)) {
-      result_.warnings.push_back(apart(pair, "they don't overlap in the drawing"));
+      leave(pair, "they don't overlap in the drawing");
     } else {
-      result_.figures[a->figure].add(a->object, b->object, pair.kappa);
+      named_[a->figure].insert(std::minmax(a->object, b->object));
+      hold(result_.figures[a->figure], a->object, b->object, pair);
+    }
+  }
+
+  /// What looks attached, and isn't named.
+  void suggest() {
+    for (std::size_t f = 0; f < labelled_.figures.size(); ++f) {
+      for (const AttachSuggestion& suggestion : attach_suggestions(labelled_.figures[f])) {
+        if (named_[f].contains({suggestion.a, suggestion.b})) continue;
+        AttachedPair pair;
+        pair.hold = suggestion.hold;
+        pair.blend = suggested_blend;
+        hold(result_.figures[f], suggestion.a, suggestion.b, pair);
+      }
     }
   }
 
@@ -102,6 +125,20 @@ class Resolver {
   }
 
  private:
+  /// Of two entries for one pair the later counts.
+  static void hold(HeldObjects& held, Index a, Index b, const AttachedPair& pair) {
+    held.attachments.release(a, b);
+    held.blends.erase(std::minmax(a, b));
+    if (pair.hold == Hold::Resting) held.attachments.rest(a, b);
+    if (pair.hold != Hold::Joined) return;
+    held.attachments.add(a, b, pair.kappa);
+    if (pair.blend > 0) held.blends[std::minmax(a, b)] = pair.blend;
+  }
+
+  void leave(const AttachedPair& pair, const std::string& reason) {
+    if (pair.hold != Hold::Apart) result_.warnings.push_back(apart(pair, reason));
+  }
+
   bool known(const AttachedPair& pair) {
     bool both = true;
     for (const std::string& name : {pair.a, pair.b}) {
@@ -114,6 +151,7 @@ class Resolver {
 
   const LabelledDrawing& labelled_;
   ObjectNames names_;
+  std::vector<std::set<Attachments::Pair>> named_;  ///< per figure
   AttachedFigures result_;
   Findings errors_;
 };
@@ -123,6 +161,7 @@ class Resolver {
 AttachedFigures attached_figures(const LabelledDrawing& labelled, const Drawing& drawing, const Options& options) {
   Resolver resolver(labelled, drawing);
   for (const AttachedPair& pair : options.attach) resolver.resolve(pair);
+  if (options.attach_suggested) resolver.suggest();
   return resolver.take();
 }
 

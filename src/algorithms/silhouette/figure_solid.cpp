@@ -56,6 +56,7 @@ class Attempt {
       : figure_(figure),
         drawing_(drawing),
         settings_(settings.depth),
+        blends_(settings.blends),
         quality_(settings.quality),
         cache_(settings.cache) {}
 
@@ -89,7 +90,7 @@ class Attempt {
 
   FigureSolid take() {
     FigureSolid solid;
-    solid.attachments = settings_.attachments;
+    solid.held = {settings_.attachments, blends_};
     add_findings(solid);
     add_diagnostics(solid.diagnostics);
     append_skeleton(skeleton_, solid.skeleton);
@@ -219,6 +220,7 @@ class Attempt {
   const LabelledFigure& figure_;
   const Drawing& drawing_;
   const DepthSettings& settings_;
+  const std::map<Attachments::Pair, double>& blends_;
   Quality quality_;
   StageCache* cache_;
   Skeleton skeleton_;
@@ -277,7 +279,7 @@ FigureSolid solidify(const LabelledFigure& figure, const Drawing& drawing, Figur
     if (round >= max_joining_rounds) failed = whole_groups(settings.depth.attachments, failed);
     for (const FailedJoin& join : failed) {
       warnings.push_back(not_joined(figure, drawing, join));
-      settings.depth.attachments.remove(join.pair.first, join.pair.second);
+      settings.depth.attachments.release(join.pair.first, join.pair.second);
     }
   }
 }
@@ -307,7 +309,7 @@ std::shared_ptr<const FigureSolid> make_figure_solid(const LabelledFigure& figur
   if (settings.cache != nullptr) {
     add_shape(figure, key);
     add_names(figure, drawing, key);
-    key.add(settings.depth).add(settings.quality);
+    key.add(settings.depth).add(settings.quality).add(settings.blends);
   }
   return cached<FigureSolid>(
       settings.cache, "silhouette solid", key, [&] { return solidify(figure, drawing, settings, progress); },

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <memory>
 #include <vector>
 
+#include "algorithms/silhouette/attached_pairs.h"
 #include "algorithms/silhouette/figure_shells.h"
 #include "algorithms/silhouette/skeleton/depth.h"
 #include "algorithms/silhouette/surface/silhouette_overlap.h"
@@ -20,7 +22,7 @@ namespace croquis::silhouette {
 /// What one figure of a drawing becomes.
 struct FigureSolid {
   std::vector<FigureShell> shells;  ///< the sound ones, by their first objects
-  Attachments attachments;          ///< those that could be made
+  HeldObjects held;                 ///< joined ones only where they could be
   PolyMesh skeleton;
   SolidDiagnostics diagnostics;  ///< without silhouette_iou
   Overlap overlap;               ///< of the shells with the drawing
@@ -29,6 +31,7 @@ struct FigureSolid {
 
 struct FigureSettings {
   DepthSettings depth;
+  std::map<Attachments::Pair, double> blends;  ///< see HeldObjects
   Quality quality = Quality::Final;
   StageCache* cache = nullptr;
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "algorithms/silhouette/attached_pairs.h"
@@ -54,14 +55,36 @@ class SolidBuilder {
  private:
   void add_figure(const LabelledFigure& figure, const FigureSolid& part) {
     for (const FigureShell& shell : part.shells) add_shell(figure, shell);
-    for (const auto& [pair, kappa] : part.attachments.pairs()) {
-      solid_.attached.push_back({figure.objects[pair.first].name, figure.objects[pair.second].name, kappa});
-    }
+    add_attachments(figure, part.held);
     overlap_.both += part.overlap.both;
     overlap_.either += part.overlap.either;
     add_findings(part.findings);
     add_diagnostics(part.diagnostics);
     append_curves(part.skeleton, solid_.skeleton);
+  }
+
+  void add_attachments(const LabelledFigure& figure, const HeldObjects& held) {
+    std::map<Attachments::Pair, SolidAttachment> attached;
+    const auto attach = [&](const Attachments::Pair& pair, Hold hold) -> SolidAttachment& {
+      const auto place =
+          std::find_if(figure.overlaps.begin(), figure.overlaps.end(), [&](const FigureOverlap& overlap) {
+            return pair == Attachments::Pair(std::minmax(overlap.upper, overlap.lower));
+          });
+      SolidAttachment& made = attached[pair];
+      made.a = figure.objects[pair.first].name;
+      made.b = figure.objects[pair.second].name;
+      made.hold = hold;
+      if (place != figure.overlaps.end()) made.at = place->at;
+      return made;
+    };
+    for (const Attachments::Pair& pair : held.attachments.resting_pairs()) attach(pair, Hold::Resting);
+    for (const auto& [pair, kappa] : held.attachments.pairs()) {
+      SolidAttachment& joined = attach(pair, Hold::Joined);
+      joined.kappa = kappa;
+      const auto blend = held.blends.find(pair);
+      if (blend != held.blends.end()) joined.blend = blend->second;
+    }
+    for (auto& [pair, made] : attached) solid_.attached.push_back(std::move(made));
   }
 
   void add_shell(const LabelledFigure& figure, const FigureShell& shell) {
@@ -141,7 +164,8 @@ Solid inflate(const LabelledDrawing& labelled, const Drawing& drawing, const Opt
     FigureSettings settings;
     settings.depth.options = options.depth;
     settings.depth.object_weights = std::move(weights[f]);
-    settings.depth.attachments = std::move(attached.figures[f]);
+    settings.depth.attachments = std::move(attached.figures[f].attachments);
+    settings.blends = std::move(attached.figures[f].blends);
     settings.quality = options.quality;
     settings.cache = options.cache;
     builder.add(figure, settings, part);

@@ -42,6 +42,11 @@ void Attachments::rest(Index a, Index b) {
   if (place == resting_.end() || *place != pair) resting_.insert(place, pair);
 }
 
+void Attachments::release(Index a, Index b) {
+  kappa_.erase(std::minmax(a, b));
+  std::erase(resting_, Pair(std::minmax(a, b)));
+}
+
 bool Attachments::resting(Index a, Index b) const {
   return std::binary_search(resting_.begin(), resting_.end(), Pair(std::minmax(a, b)));
 }

@@ -38,8 +38,8 @@ class Attachments {
   /// Objects that are joined, each group ascending, in the order of their first objects.
   std::vector<std::vector<Index>> groups() const;
 
-  /// Joined ones then keep apart.
-  void remove(Index a, Index b) { kappa_.erase(std::minmax(a, b)); }
+  /// The two then keep apart.
+  void release(Index a, Index b);
 
   /// Joined ones, with their kappa.
   const std::map<Pair, double>& pairs() const { return kappa_; }
