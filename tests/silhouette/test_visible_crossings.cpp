@@ -214,8 +214,8 @@ TEST_CASE("a trembling line crosses another once") {
     NoiseOptions noise;
     noise.amplitude = 2;
     noise.gap = 0;
-    const LabelledCounts counts = counts_of(
-        label_quietly(noisy(drawing, static_cast<std::uint64_t>(seed), noise), Options::of(silhouette::Preset::Tablet)));
+    const LabelledCounts counts = counts_of(label_quietly(noisy(drawing, static_cast<std::uint64_t>(seed), noise),
+                                                          Options::of(silhouette::Preset::Tablet)));
     CHECK(counts.objects == 2);
     CHECK(counts.euler_region == 2);
   }
@@ -276,6 +276,27 @@ TEST_CASE("lines whose order nothing tells are still refused") {
   findings = findings_of(twisted, front_options());
   REQUIRE(!findings.empty());
   CHECK(findings.front().code == "E_CROSS");
+}
+
+TEST_CASE("a bar behind a ring is seen in its hole, one before the ring covers both outlines") {
+  const std::vector<Vec2> bar{{-300, -20}, {300, -20}, {300, 20}, {-300, 20}};
+  const std::vector<Stroke> ring{stroke_of("ring", circle_outline({0, 0}, 150), true),
+                                 stroke_of("hole", circle_outline({0, 0}, 100), true)};
+  Drawing behind;
+  behind.strokes = {stroke_of("bar", bar, true), ring[0], ring[1]};
+  const LabelledDrawing threaded = label_in_view(behind);
+  CHECK(overlaps_of(threaded) == Overlaps{{"ring", "bar"}, {"ring", "bar"}});
+  CHECK(counts_of(threaded).objects == 2);
+  CHECK(counts_of(threaded).euler_region == 1);
+  Drawing before;
+  before.strokes = {ring[0], ring[1], stroke_of("bar", bar, true)};
+  const LabelledDrawing laid = label_in_view(before);
+  CHECK(overlaps_of(laid) == Overlaps{{"bar", "ring"}, {"bar", "ring"}});
+  CHECK(counts_of(laid).euler_region == 1);
+  // A hub on a wheel is no hole: what passes behind the wheel passes behind the hub.
+  Drawing wheel = behind;
+  wheel.strokes[2] = stroke_of("hub", circle_outline({0, 0}, 40), true);
+  CHECK(counts_of(label_in_view(wheel)).objects == 3);
 }
 
 TEST_CASE("a shape that others cover completely is not lost without a word") {

@@ -2,64 +2,20 @@
 #include "algorithms/silhouette/figure/nested_outlines.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "algorithms/silhouette/strokes/drawing_findings.h"
+#include "algorithms/silhouette/strokes/ring_shape.h"
 #include "croquis/geometry/polyline.h"
 #include "croquis/silhouette/stroke_data.h"
 
 namespace croquis::silhouette {
 namespace {
 
-/// A ring is as wide as at this quantile of its width, and even where it is no wider than that by this factor.
-constexpr double width_quantile = 0.2;
-constexpr double even_factor = 1.6;
-
-/// Share of an outline along which its ring must be even.
-constexpr double even_share = 0.6;
-
-/// Largest width of a ring for the radius of its hole, by how much speaks for a part: nothing, one, two, more things.
-constexpr std::array<double, 4> widest_ring{1.2, 0.8, 0.62, 0.5};
-
-/// A ring that nothing speaks against may be this wide where it is even all round: a doughnut.
-constexpr double widest_round_ring = 2.2;
-constexpr double round_factor = 1.5;
-
-/// Samples of an outline that are measured: enough for its shape.
-constexpr std::size_t measured_samples = 64;
-
 int filled_side(const ContourPath& path) { return signed_area(path.points) >= 0 ? 1 : -1; }
-
-/// About as many samples as are measured, evenly taken.
-Points thinned_outline(const Points& points) {
-  const std::size_t step = std::max<std::size_t>(1, points.size() / measured_samples);
-  Points some;
-  for (std::size_t i = 0; i < points.size(); i += step) some.push_back(points[i]);
-  return some;
-}
-
-double distance_to_loop(const Vec2& place, const Points& loop) {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Vec2& a = loop[i];
-    const Vec2& b = loop[(i + 1) % loop.size()];
-    least = std::min(least, (a + nearest_parameter(place, a, b) * (b - a) - place).squaredNorm());
-  }
-  return std::sqrt(least);
-}
-
-/// Widths of the ring between an outline and the one around it, ascending.
-std::vector<double> ring_widths(const Points& inner, const Points& outer) {
-  std::vector<double> widths;
-  for (const Vec2& place : thinned_outline(inner)) widths.push_back(distance_to_loop(place, outer));
-  std::sort(widths.begin(), widths.end());
-  return widths;
-}
 
 class NestingReader {
  public:
@@ -88,7 +44,8 @@ class NestingReader {
       if (bounds_hole(around_[c], is_hole)) continue;
       NestedContour reading{c, around_[c], false, false};
       reading.chosen = told(c, reading.hole);
-      if (!reading.chosen) reading.hole = looks_like_hole(c);
+      if (!reading.chosen)
+        reading.hole = is_hole_of_ring(paths_[c].points, paths_[around_[c]].points, things_beside(c));
       is_hole[c] = reading.hole ? 1 : 0;
       nested.push_back(reading);
     }
@@ -156,19 +113,6 @@ class NestingReader {
     }
     if (around_[outer] != no_index && paths_[outer].side == 0) things += 2;
     return things;
-  }
-
-  bool looks_like_hole(Index contour) const {
-    const Points& inner = paths_[contour].points;
-    const std::vector<double> widths = ring_widths(inner, paths_[around_[contour]].points);
-    const double width = widths[static_cast<std::size_t>(width_quantile * static_cast<double>(widths.size()))];
-    const auto even = std::upper_bound(widths.begin(), widths.end(), even_factor * width) - widths.begin();
-    const double radius = 2 * std::abs(signed_area(inner)) / length(inner, true);
-    const std::size_t things = things_beside(contour);
-    if (things == 0 && widths.back() <= round_factor * widths.front() && width <= widest_round_ring * radius)
-      return true;
-    const double widest = widest_ring[std::min(things, widest_ring.size() - 1)];
-    return static_cast<double>(even) >= even_share * static_cast<double>(widths.size()) && width <= widest * radius;
   }
 
   const Drawing& drawing_;

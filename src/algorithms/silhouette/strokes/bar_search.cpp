@@ -87,8 +87,8 @@ std::vector<BarHit> BarSearch::hits(const Probe& probe) const {
       const double along = probe.along[k] + f * (probe.along[k + 1] - probe.along[k]);
       if (std::abs(along) > reach(probe.line, segment.line)) return;
       const double fraction = std::clamp(g, 0.0, 1.0);
-      found.push_back({along, segment.line,
-                       segment.position + fraction, segment.a + fraction * (segment.b - segment.a)});
+      found.push_back(
+          {along, segment.line, segment.position + fraction, segment.a + fraction * (segment.b - segment.a)});
     });
   }
   std::sort(found.begin(), found.end(), [](const BarHit& a, const BarHit& b) { return a.along < b.along; });

@@ -25,7 +25,8 @@ constexpr double closing_ratio = 4;
 // Chords are no longer than this share of their stroke: that of a small circle would cut across it.
 constexpr double chord_share = 0.1;
 
-// The gap and the distance aside are measured along a direction that is uncertain, and both may be as large as they may.
+// The gap and the distance aside are measured along a direction that is uncertain, and both may be as large as they
+// may.
 constexpr double closing_slack = 1.5;
 
 struct End {
@@ -141,7 +142,8 @@ class Joiner {
 
   bool continues(const End& a, const End& b, double distance) const {
     if (a.stroke == b.stroke && stroke_length(a.stroke) < closing_ratio * distance) return false;
-    if (distance >= std::max(scale_.gap, scale_.reach_share * (strokes_[a.stroke].size + strokes_[b.stroke].size) / 2)) {
+    if (distance >=
+        std::max(scale_.gap, scale_.reach_share * (strokes_[a.stroke].size + strokes_[b.stroke].size) / 2)) {
       return false;
     }
     return continues(a, b, distance, 0) || continues(a, b, distance, 1);
@@ -244,8 +246,7 @@ class Joiner {
   bool is_loose_end(const GridSegment& segment, const End& a, const End& b) const {
     const double reach = std::max({scale_.reach(strokes_[segment.line].size), a.reach, b.reach});
     return !strokes_[segment.line].closed &&
-           std::min(distance_to_end(segment, true), distance_to_end(segment, false)) <
-               reach;
+           std::min(distance_to_end(segment, true), distance_to_end(segment, false)) < reach;
   }
 
   std::vector<StrokeChain> chains() const {

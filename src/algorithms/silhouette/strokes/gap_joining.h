@@ -45,8 +45,8 @@ struct GapJoining {
 /// Finds the ends that were meant to meet, nearest pair first.
 ///
 /// Two ends belong together when they are near, run in the same direction, and nothing lies between them: a line across
-/// the bridge means that the strokes pass behind it. The two ends of one stroke that are very near close it, and those that miss
-/// each other by no more than a hand does (DrawingScale::close_share, aside_share).
+/// the bridge means that the strokes pass behind it. The two ends of one stroke that are very near close it, and those
+/// that miss each other by no more than a hand does (DrawingScale::close_share, aside_share).
 /// @param spacing distance of the samples. O(n log n).
 GapJoining join_gaps(const std::vector<SampledStroke>& strokes, const DrawingScale& scale, double spacing);
 

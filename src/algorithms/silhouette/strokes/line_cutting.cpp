@@ -97,7 +97,8 @@ class Cutter {
     const double length = raw_arcs_.back();
     Points points{place(run.begin)};
     const auto count = static_cast<std::ptrdiff_t>(line_.raw.size());
-    for (const double turn : line_.closed ? std::vector<double>{-length, 0, length, 2 * length} : std::vector<double>{0}) {
+    for (const double turn :
+         line_.closed ? std::vector<double>{-length, 0, length, 2 * length} : std::vector<double>{0}) {
       for (std::ptrdiff_t i = 0; i < count; ++i) {
         const double arc = raw_arcs_[static_cast<std::size_t>(i)] + turn;
         if (arc > begin && arc < end) points.push_back(line_.raw[static_cast<std::size_t>(i)]);

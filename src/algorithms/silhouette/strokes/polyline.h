@@ -35,8 +35,8 @@ inline double crossing_fraction(const Vec2& a, const Vec2& b, const Vec2& c, con
   return cross(c - a, d - c) / cross(b - a, d - c);
 }
 
-/// How large a line is, however it is turned and sampled: the length of the straight line that is spread as widely about
-/// its middle (has the same radius of gyration). A circle's is 1.2 times the diagonal of its bounding box.
+/// How large a line is, however it is turned and sampled: the length of the straight line that is spread as widely
+/// about its middle (has the same radius of gyration). A circle's is 1.2 times the diagonal of its bounding box.
 double size_of(std::span<const Vec2> points, bool closed);
 
 /// Over how much of a line's end its direction is taken, in steps of the resampled line.

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "algorithms/silhouette/strokes/covered_runs.h"
+#include "algorithms/silhouette/strokes/crossed_rings.h"
 #include "algorithms/silhouette/strokes/cubic_join.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
 #include "algorithms/silhouette/strokes/line_cutting.h"
@@ -47,6 +48,7 @@ class CrossingReader {
     for (Index line = 0; line < lines_.size(); ++line) close_limb(line, pairs);
     pairs = crossing_pairs();
     covers_.resize(lines_.size());
+    ring_of_ = holes_of_rings(drawing_, lines_, pairs);
     for (const auto& [a, b] : pairs) read_pair(a, b);
     VisibleCrossings result;
     std::vector<CleanLine> cut;
@@ -116,10 +118,9 @@ class CrossingReader {
 
   void close_round(CleanLine& line) const {
     const double reach = tangent_steps * scale_.step;
-    const Points cap =
-        bezier_points(completion_curve(line.points.back(), end_tangent(line.points, false, reach), line.points.front(),
-                                       end_tangent(line.points, true, reach)),
-                      scale_.step);
+    const Points cap = bezier_points(completion_curve(line.points.back(), end_tangent(line.points, false, reach),
+                                                      line.points.front(), end_tangent(line.points, true, reach)),
+                                     scale_.step);
     line.closed = true;
     line.raw.insert(line.raw.end(), cap.begin() + 1, cap.end() - 1);
     line.stroke.insert(line.stroke.end(), cap.size() - 2, line.stroke.back());
@@ -133,16 +134,24 @@ class CrossingReader {
       covers_[open].push_back({open == a ? b : a, false});
       return;
     }
+    const Index front = front_of(ring_of(a), ring_of(b)) == ring_of(a) ? a : b;
+    const Index behind = front == a ? b : a;
+    // What lies in the hole of the ring in front is seen.
+    if (ring_of(front) == front) covers_[behind].push_back({front, told_apart(front, ring_of(behind))});
+  }
+
+  /// The line itself, or the one around it that it is a hole of.
+  Index ring_of(Index line) const { return ring_of_[line] == no_index ? line : ring_of_[line]; }
+
+  bool told_apart(Index a, Index b) const { return told_behind_line(a, b) || told_behind_line(b, a); }
+
+  Index front_of(Index a, Index b) const {
     const Index later = last_stroke(a) > last_stroke(b) ? a : b;
     const Index earlier = later == a ? b : a;
     // A limb whose ends lie inside a body is in front of it, whichever was drawn first.
-    if (is_limb_[earlier] && !is_limb_[later] && encloses(lines_[later], lines_[earlier].points.front())) {
-      covers_[later].push_back({earlier, false});
-    } else if (told_behind_line(later, earlier)) {
-      covers_[later].push_back({earlier, true});
-    } else {
-      covers_[earlier].push_back({later, false});
-    }
+    if (is_limb_[earlier] && !is_limb_[later] && encloses(lines_[later], lines_[earlier].points.front()))
+      return earlier;
+    return told_behind_line(later, earlier) ? earlier : later;
   }
 
   /// What is covered of every line. Lines are moved where they nearly touch, those in front first.
@@ -155,12 +164,11 @@ class CrossingReader {
       progress.check();
       std::vector<CutRun> runs;
       for (const Cover& cover : covers_[line]) {
-        const std::vector<LineRun> covered =
-            covered_runs(lines_[line], lines_[cover.front], crossing_tremble * scale_.unit, scale_.step);
-        const int side = signed_area(lines_[cover.front].points) > 0 ? 1 : -1;
-        for (const LineRun& run : covered) runs.push_back({run, side, side});
+        const std::vector<CutRun> covered = covered_by(line, cover.front);
+        runs.insert(runs.end(), covered.begin(), covered.end());
         if (covered.empty()) continue;
-        const double at = covered.front().begin > 0 || lines_[line].closed ? covered.front().begin : covered.front().end;
+        const double at =
+            covered.front().run.begin > 0 || lines_[line].closed ? covered.front().run.begin : covered.front().run.end;
         tell(line, cover, at);
       }
       cuts_[line] = joined(line, std::move(runs));
@@ -169,6 +177,34 @@ class CrossingReader {
       return std::pair(a.front, a.behind) < std::pair(b.front, b.behind);
     });
     return cuts_;
+  }
+
+  /// The stretches of a line that one in front covers, holes of it left out.
+  std::vector<CutRun> covered_by(Index line, Index front) {
+    const double tremble = crossing_tremble * scale_.unit;
+    const int side = signed_area(lines_[front].points) > 0 ? 1 : -1;
+    std::vector<CutRun> covered;
+    for (const LineRun& run : covered_runs(lines_[line], lines_[front], tremble, scale_.step)) {
+      covered.push_back({run, side, side});
+    }
+    for (Index hole = 0; hole < lines_.size(); ++hole) {
+      if (ring_of_[hole] != front) continue;
+      const std::vector<LineRun> seen =
+          repeated(covered_runs(lines_[line], lines_[hole], tremble, scale_.step), lines_[line]);
+      covered = covered_by_ring(covered, seen, signed_area(lines_[hole].points) > 0 ? -1 : 1);
+    }
+    return covered;
+  }
+
+  /// Stretches of a closed line once more a turn before and after: others may run past its first point.
+  static std::vector<LineRun> repeated(std::vector<LineRun> runs, const CleanLine& line) {
+    const std::size_t once = runs.size();
+    const double count = line.segment_count();
+    for (std::size_t i = 0; line.closed && i < once; ++i) {
+      runs.push_back({runs[i].begin - count, runs[i].end - count});
+      runs.push_back({runs[i].begin + count, runs[i].end + count});
+    }
+    return runs;
   }
 
   void tell(Index line, const Cover& cover, double parameter) {
@@ -225,11 +261,11 @@ class CrossingReader {
     const std::string front = in_quotes(drawing_, pair.front);
     const std::string behind = in_quotes(drawing_, pair.behind);
     const std::string why = pair.chosen ? "as it is told" : "if it lies behind, let it stop at the other one";
-    return make_warning(Category::Geometry, "W_CROSS",
-                        front + " and " + behind + " cross in full view: " + front +
-                            " is read as the one in front; " + why,
-                        {stroke_subject(drawing_, pair.front, pair.at), stroke_subject(drawing_, pair.behind, pair.at),
-                         crossing_subject(drawing_, pair.at)});
+    return make_warning(
+        Category::Geometry, "W_CROSS",
+        front + " and " + behind + " cross in full view: " + front + " is read as the one in front; " + why,
+        {stroke_subject(drawing_, pair.front, pair.at), stroke_subject(drawing_, pair.behind, pair.at),
+         crossing_subject(drawing_, pair.at)});
   }
 
   const Drawing& drawing_;
@@ -239,6 +275,7 @@ class CrossingReader {
   std::vector<char> is_limb_;               ///< per line: open as drawn, closed here
   std::vector<std::vector<Cover>> covers_;  ///< per line
   std::vector<std::vector<CutRun>> cuts_;   ///< per line
+  std::vector<Index> ring_of_;              ///< per line, see holes_of_rings
   std::vector<CrossingInView> told_;
 };
 

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "algorithms/silhouette/strokes/line_cutting.h"
+#include "croquis/geometry/drawing.h"
+
+namespace croquis::silhouette {
+
+/// Of every line that others cross in full view: the closed line that it is a hole of, or no_index. The stroke's own
+/// "kind" decides, else the shape of the ring between the two.
+/// @param crossing pairs of lines, the lower index first
+std::vector<Index> holes_of_rings(const Drawing& drawing, const std::vector<CleanLine>& lines,
+                                  const std::set<std::pair<Index, Index>>& crossing);
+
+/// What is left of stretches that a ring covers where they don't lie in its hole: there they are seen.
+/// @param covered in the ring's outline, ascending
+/// @param seen    in its hole
+/// @param side    on which side of the hole's line the ring's surface lies
+std::vector<CutRun> covered_by_ring(const std::vector<CutRun>& covered, const std::vector<LineRun>& seen, int side);
+
+}  // namespace croquis::silhouette
