@@ -25,9 +25,9 @@ struct Found {
 };
 
 Found find(const Drawing& drawing) {
-  Found found{clean_strokes(drawing, {}, Progress()), {}};
-  meet_bars(found.clean.lines, found.clean.scale, Progress());
-  found.junctions = find_junctions(drawing, found.clean.lines, {}, found.clean.scale, Progress());
+  Found found{clean_strokes(drawing, {}, {}, Progress()), {}};
+  meet_bars(found.clean.lines, {}, found.clean.scale, Progress());
+  found.junctions = find_junctions(drawing, found.clean.lines, {}, {}, found.clean.scale, Progress());
   return found;
 }
 

@@ -25,7 +25,7 @@ std::vector<Vec2> arc(double radius, double from, double to) {
 }
 
 CleanDrawing clean(const Drawing& drawing, const StrokeOptions& options = {}) {
-  return clean_strokes(drawing, options, Progress());
+  return clean_strokes(drawing, options, {}, Progress());
 }
 
 int count_code(const Findings& findings, const std::string& code) {

@@ -20,6 +20,7 @@ constexpr double fraction_slack = 1e-9;
 struct BarSearch::Probe {
   Index line = 0;
   bool at_start = false;
+  double factor = 1;  ///< of the reach
   Vec2 end = Vec2::Zero();
   Points path;                ///< from the line's inside through its end to the tip of the ray
   std::vector<double> along;  ///< per point of the path: arc length from the end
@@ -35,15 +36,13 @@ double BarSearch::reach(Index line, Index bar) const {
   return scale_.reach(std::max(lines_[line].size, lines_[bar].size));
 }
 
-double BarSearch::reach(Index line) const { return scale_.reach(std::max(lines_[line].size, largest_)); }
-
-BarSearch::Probe BarSearch::probe(Index line, bool at_start, double back) const {
+BarSearch::Probe BarSearch::probe(Index line, bool at_start, const EndReach& wanted) const {
   const Points& points = lines_[line].points;
-  Probe probe{line, at_start, lines_[line].end(at_start), {}, {}};
+  Probe probe{line, at_start, wanted.factor, lines_[line].end(at_start), {}, {}};
+  const double ahead = wanted.factor * scale_.reach(std::max(lines_[line].size, largest_));
   // An overshoot longer than nearly half the line is no overshoot.
-  back = std::min(back, 0.45 * croquis::length(points, false));
+  const double back = std::min({wanted.most_back, ahead, 0.45 * croquis::length(points, false)});
   const Vec2 tangent = end_tangent(points, at_start, tangent_steps * scale_.step);
-  const double ahead = reach(line);
   probe.path = {probe.end + ahead * tangent, probe.end};
   probe.along = {ahead, 0};
   const std::size_t count = points.size();
@@ -85,7 +84,7 @@ std::vector<BarHit> BarSearch::hits(const Probe& probe) const {
       // Written so that the undefined fractions of parallel segments are refused.
       if (!(std::min(f, g) >= -fraction_slack && std::max(f, g) <= 1 + fraction_slack)) return;
       const double along = probe.along[k] + f * (probe.along[k + 1] - probe.along[k]);
-      if (std::abs(along) > reach(probe.line, segment.line)) return;
+      if (std::abs(along) > probe.factor * reach(probe.line, segment.line)) return;
       const double fraction = std::clamp(g, 0.0, 1.0);
       found.push_back(
           {along, segment.line, segment.position + fraction, segment.a + fraction * (segment.b - segment.a)});
@@ -97,7 +96,7 @@ std::vector<BarHit> BarSearch::hits(const Probe& probe) const {
 
 std::optional<BarHit> BarSearch::nearest(const Probe& probe) const {
   std::optional<BarHit> best;
-  const Vec2 reach = Vec2::Constant(this->reach(probe.line));
+  const Vec2 reach = Vec2::Constant(probe.along.back());
   grid_.near_box(probe.end - reach, probe.end + reach, [&](Index i) {
     const GridSegment& segment = grid_.segments()[i];
     if (is_own_end(probe, segment)) return;
@@ -105,7 +104,7 @@ std::optional<BarHit> BarSearch::nearest(const Probe& probe) const {
     const double parameter = segment.position + fraction;
     const Vec2 at = segment.a + fraction * (segment.b - segment.a);
     const double distance = (at - probe.end).norm();
-    if (distance > this->reach(probe.line, segment.line) || (best && distance >= best->along)) return;
+    if (distance > probe.factor * this->reach(probe.line, segment.line) || (best && distance >= best->along)) return;
     // Two loose ends that lie near one another are no junction.
     if (distance_to_open_end(segment.line, parameter) <= 0) return;
     best = BarHit{distance, segment.line, parameter, at};
@@ -113,8 +112,8 @@ std::optional<BarHit> BarSearch::nearest(const Probe& probe) const {
   return best;
 }
 
-std::optional<BarHit> BarSearch::find(Index line, bool at_start, double back) const {
-  const Probe searching = probe(line, at_start, back);
+std::optional<BarHit> BarSearch::find(Index line, bool at_start, const EndReach& wanted) const {
+  const Probe searching = probe(line, at_start, wanted);
   const std::vector<BarHit> found = hits(searching);
   // Where two lines overshoot each other, the one that goes on for less is the stem.
   const auto is_the_stem = [&](const BarHit& hit) {

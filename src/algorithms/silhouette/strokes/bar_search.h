@@ -16,24 +16,27 @@ struct BarHit {
   Vec2 at = Vec2::Zero();
 };
 
+/// How far to look from an end.
+struct EndReach {
+  double most_back = 0;  ///< along the line at most; less where hands don't miss by so much
+  double factor = 1;     ///< of what hands miss by
+};
+
 /// Looks for the bar that a line's end stops at.
 class BarSearch {
  public:
   /// @param lines must outlive the search and stay as they are
   BarSearch(const std::vector<CleanLine>& lines, const DrawingScale& scale);
 
-  /// The bar of an end: what the last `back` of the line crosses, else what a ray along the end's tangent
+  /// The bar of an end: what the last bit of the line crosses, else what a ray along the end's tangent
   /// meets within reach, else the nearest line within reach (an end that meets its bar almost tangentially).
-  std::optional<BarHit> find(Index line, bool at_start, double back) const;
-
-  /// How far an end of a line may miss any other one.
-  double reach(Index line) const;
+  std::optional<BarHit> find(Index line, bool at_start, const EndReach& wanted) const;
 
  private:
   struct Probe;
 
   double reach(Index line, Index bar) const;
-  Probe probe(Index line, bool at_start, double back) const;
+  Probe probe(Index line, bool at_start, const EndReach& wanted) const;
   std::vector<BarHit> hits(const Probe& probe) const;
   std::optional<BarHit> nearest(const Probe& probe) const;
   bool is_own_end(const Probe& probe, const GridSegment& segment) const;

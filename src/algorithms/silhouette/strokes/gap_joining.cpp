@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include "algorithms/silhouette/strokes/segment_grid.h"
@@ -37,8 +38,12 @@ struct End {
   double reach = 0;             ///< how far it may miss a line
 };
 
+/// How much speaks for a pair of ends: what is told, then a stroke that all but closes, then what continues.
+enum class Claim { Told, Closing, Continuing, None };
+
 struct Pair {
-  bool closing = false;  ///< the ends of one stroke
+  Claim claim = Claim::None;
+  bool wanted = true;
   double distance = 0;
   Index a = 0;  ///< ends, a < b
   Index b = 0;
@@ -46,8 +51,9 @@ struct Pair {
 
 class Joiner {
  public:
-  Joiner(const std::vector<SampledStroke>& strokes, const DrawingScale& scale, double spacing)
-      : strokes_(strokes), scale_(scale), spacing_(spacing), grid_(segments(strokes), 2 * spacing) {
+  Joiner(const std::vector<SampledStroke>& strokes, const StrokeReading& reading, const DrawingScale& scale,
+         double spacing)
+      : strokes_(strokes), reading_(reading), scale_(scale), spacing_(spacing), grid_(segments(strokes), 2 * spacing) {
     for (Index s = 0; s < strokes_.size(); ++s) {
       if (strokes_[s].closed) continue;
       for (const bool at_start : {true, false}) {
@@ -61,7 +67,11 @@ class Joiner {
   GapJoining join() {
     GapJoining result;
     for (const Pair& pair : candidates()) {
-      if (partner_[pair.a] != no_index || partner_[pair.b] != no_index) continue;
+      if (!pair.wanted || partner_[pair.a] != no_index || partner_[pair.b] != no_index) {
+        result.possible.push_back(ends_of(pair));
+        continue;
+      }
+      result.joined.push_back(ends_of(pair));
       partner_[pair.a] = pair.b;
       partner_[pair.b] = pair.a;
       const End& a = ends_[pair.a];
@@ -121,7 +131,7 @@ class Joiner {
       }
     }
     std::sort(pairs.begin(), pairs.end(), [](const Pair& p, const Pair& q) {
-      return std::tuple(!p.closing, p.distance, p.a, p.b) < std::tuple(!q.closing, q.distance, q.a, q.b);
+      return std::tuple(p.claim, p.distance, p.a, p.b) < std::tuple(q.claim, q.distance, q.a, q.b);
     });
     return pairs;
   }
@@ -129,9 +139,43 @@ class Joiner {
   void consider(Index a, Index b, std::vector<Pair>& pairs) const {
     const double distance = (ends_[a].place - ends_[b].place).norm();
     if (distance >= widest_ || !compatible(ends_[a], ends_[b])) return;
-    const bool closing = misses_itself(ends_[a], ends_[b]);
-    if (!closing && !continues(ends_[a], ends_[b], distance) && !closes(ends_[a], ends_[b], distance)) return;
-    if (!blocked(ends_[a], ends_[b])) pairs.push_back({closing, distance, a, b});
+    Pair pair{claim(ends_[a], ends_[b], distance), true, distance, a, b};
+    const EndPair ends = ends_of(pair);
+    const auto named = [&ends](const EndPair& other) { return other.same_ends(ends); };
+    if (std::any_of(reading_.together.begin(), reading_.together.end(), named)) {
+      pair.claim = Claim::Told;
+    } else if (std::any_of(reading_.apart.begin(), reading_.apart.end(), named)) {
+      return;
+    }
+    pair.wanted = pair.claim != Claim::None;
+    if (pair.wanted || (by_size() && near_enough(ends_[a], ends_[b], distance))) pairs.push_back(pair);
+  }
+
+  Claim claim(const End& a, const End& b, double distance) const {
+    Claim found = Claim::None;
+    if (misses_itself(a, b)) {
+      found = Claim::Closing;
+    } else if (continues(a, b, distance) || closes(a, b, distance)) {
+      found = Claim::Continuing;
+    }
+    return found != Claim::None && blocked(a, b) ? Claim::None : found;
+  }
+
+  /// Whether hands miss by so much.
+  bool near_enough(const End& a, const End& b, double distance) const {
+    const double length = strokes_[a.stroke].length;
+    if (a.stroke == b.stroke) return distance <= closing_slack * scale_.close_share * (length + distance);
+    return distance <= farthest_join(a, b);
+  }
+
+  double farthest_join(const End& a, const End& b) const {
+    return std::max(scale_.gap, scale_.reach_share * (strokes_[a.stroke].size + strokes_[b.stroke].size) / 2);
+  }
+
+  EndPair ends_of(const Pair& pair) const {
+    const StrokeEnd a{strokes_[ends_[pair.a].stroke].stroke, ends_[pair.a].at_start};
+    const StrokeEnd b{strokes_[ends_[pair.b].stroke].stroke, ends_[pair.b].at_start};
+    return {std::min(a, b), std::max(a, b), pair.distance};
   }
 
   bool compatible(const End& a, const End& b) const {
@@ -142,10 +186,7 @@ class Joiner {
 
   bool continues(const End& a, const End& b, double distance) const {
     if (a.stroke == b.stroke && stroke_length(a.stroke) < closing_ratio * distance) return false;
-    if (distance >=
-        std::max(scale_.gap, scale_.reach_share * (strokes_[a.stroke].size + strokes_[b.stroke].size) / 2)) {
-      return false;
-    }
+    if (distance >= farthest_join(a, b)) return false;
     return continues(a, b, distance, 0) || continues(a, b, distance, 1);
   }
 
@@ -183,17 +224,23 @@ class Joiner {
     return spacing_ * static_cast<double>(strokes_[stroke].points.size() - 1);
   }
 
-  /// True when another line is near enough that the end may be passing behind it.
+  /// True when another line, or the rest of the own one, is near enough that the end may be passing behind it.
   bool reaches_line(const End& end) const {
     bool reached = false;
     const Vec2 reach = Vec2::Constant(end.reach);
     grid_.near_box(end.place - reach, end.place + reach, [&](Index i) {
       const GridSegment& segment = grid_.segments()[i];
-      if (segment.line == end.stroke || reached) return;
+      if (reached || is_near_own_ends(segment, end.stroke)) return;
       const Vec2 nearest = segment.a + nearest_parameter(end.place, segment.a, segment.b) * (segment.b - segment.a);
       reached = (nearest - end.place).norm() <= end.reach;
     });
     return reached;
+  }
+
+  bool is_near_own_ends(const GridSegment& segment, Index stroke) const {
+    if (segment.line != stroke) return false;
+    const double near = by_size() ? widest_miss(stroke) : std::numeric_limits<double>::infinity();
+    return std::min(distance_to_end(segment, true), distance_to_end(segment, false)) < near;
   }
 
   /// True when a line crosses the bridge or the last bit of either stroke.
@@ -286,6 +333,7 @@ class Joiner {
   }
 
   const std::vector<SampledStroke>& strokes_;
+  const StrokeReading& reading_;
   const DrawingScale& scale_;
   double spacing_;
   SegmentGrid grid_;
@@ -296,8 +344,9 @@ class Joiner {
 
 }  // namespace
 
-GapJoining join_gaps(const std::vector<SampledStroke>& strokes, const DrawingScale& scale, double spacing) {
-  return Joiner(strokes, scale, spacing).join();
+GapJoining join_gaps(const std::vector<SampledStroke>& strokes, const StrokeReading& reading, const DrawingScale& scale,
+                     double spacing) {
+  return Joiner(strokes, reading, scale, spacing).join();
 }
 
 }  // namespace croquis::silhouette

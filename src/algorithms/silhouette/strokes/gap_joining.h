@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "algorithms/silhouette/strokes/clean_line.h"
+#include "algorithms/silhouette/strokes/stroke_reading.h"
 
 namespace croquis::silhouette {
 
@@ -39,6 +40,8 @@ struct GapJoin {
 
 struct GapJoining {
   std::vector<StrokeChain> chains;  ///< by the lowest stroke in them
+  std::vector<EndPair> joined;      ///< all joined ends
+  std::vector<EndPair> possible;    ///< other pairs of ends that are near enough, only with tolerances by size
   std::vector<GapJoin> joins;       ///< strokes whose own ends met within DrawingScale::close are not listed
 };
 
@@ -48,6 +51,7 @@ struct GapJoining {
 /// the bridge means that the strokes pass behind it. The two ends of one stroke that are very near close it, and those
 /// that miss each other by no more than a hand does (DrawingScale::close_share, aside_share).
 /// @param spacing distance of the samples. O(n log n).
-GapJoining join_gaps(const std::vector<SampledStroke>& strokes, const DrawingScale& scale, double spacing);
+GapJoining join_gaps(const std::vector<SampledStroke>& strokes, const StrokeReading& reading, const DrawingScale& scale,
+                     double spacing);
 
 }  // namespace croquis::silhouette

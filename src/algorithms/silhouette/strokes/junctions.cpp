@@ -24,19 +24,36 @@ constexpr double extension = 1.5;
 // No sample lies nearer to the end of a trimmed line than this share of a step.
 constexpr double least_junction_spacing = 0.3;
 
+// Ends that touch nothing within reach are tried with so many times it.
+constexpr std::array<double, 3> farther_reach{1, 1.5, 2.25};
+
 /// What was found for the start and the end of a line.
 using EndHits = std::vector<std::array<std::optional<BarHit>, 2>>;
 
+/// What an end meets that may miss it by more than usual: nothing farther than needed, unless it crosses something
+/// farther back.
+std::optional<BarHit> find_farther(const BarSearch& bars, Index line, bool at_start, double most_back) {
+  std::optional<BarHit> hit;
+  for (const double factor : farther_reach) {
+    if (!hit) hit = bars.find(line, at_start, {most_back, factor});
+  }
+  const std::optional<BarHit> deep = bars.find(line, at_start, {most_back, farther_reach.back()});
+  return deep && deep->along < 0 && (!hit || deep->along < hit->along) ? deep : hit;
+}
+
 /// @param most_back how far from its end a line is searched for what it crosses
-EndHits search(const std::vector<CleanLine>& lines, const DrawingScale& scale, double most_back,
-               const Progress& progress) {
+EndHits search(const std::vector<CleanLine>& lines, const StrokeReading& reading, const DrawingScale& scale,
+               double most_back, const Progress& progress) {
   const BarSearch bars(lines, scale);
   EndHits hits(lines.size());
+  const auto find = [&](Index line, bool at_start) {
+    const Index stroke = lines[line].end_stroke(at_start);
+    const bool farther = std::find(reading.farther.begin(), reading.farther.end(), stroke) != reading.farther.end();
+    return farther ? find_farther(bars, line, at_start, most_back) : bars.find(line, at_start, {most_back, 1});
+  };
   for (Index line = 0; line < lines.size(); ++line) {
     progress.check();
-    if (lines[line].closed) continue;
-    const double back = std::min(most_back, bars.reach(line));
-    hits[line] = {bars.find(line, true, back), bars.find(line, false, back)};
+    if (!lines[line].closed) hits[line] = {find(line, true), find(line, false)};
   }
   return hits;
 }
@@ -234,9 +251,9 @@ void decide_sides(const Drawing& drawing, const std::vector<CleanLine>& lines, J
 
 }  // namespace
 
-std::vector<std::array<bool, 2>> meet_bars(std::vector<CleanLine>& lines, const DrawingScale& scale,
-                                           const Progress& progress) {
-  const EndHits hits = search(lines, scale, std::numeric_limits<double>::infinity(), progress);
+std::vector<std::array<bool, 2>> meet_bars(std::vector<CleanLine>& lines, const StrokeReading& reading,
+                                           const DrawingScale& scale, const Progress& progress) {
+  const EndHits hits = search(lines, reading, scale, std::numeric_limits<double>::infinity(), progress);
   move_ends(lines, hits, scale);
   std::vector<std::array<bool, 2>> loose(lines.size(), {false, false});
   for (Index line = 0; line < lines.size(); ++line) {
@@ -245,10 +262,10 @@ std::vector<std::array<bool, 2>> meet_bars(std::vector<CleanLine>& lines, const 
   return loose;
 }
 
-Junctions find_junctions(const Drawing& drawing, std::vector<CleanLine>& lines, std::vector<HiddenPiece> pieces,
-                         const DrawingScale& scale, const Progress& progress) {
+Junctions find_junctions(const Drawing& drawing, std::vector<CleanLine>& lines, const StrokeReading& reading,
+                         std::vector<HiddenPiece> pieces, const DrawingScale& scale, const Progress& progress) {
   // Once more on the trimmed lines: a bar may have lost the bit that a stem ended on.
-  const EndHits hits = search(lines, scale, least_junction_spacing * scale.step, progress);
+  const EndHits hits = search(lines, reading, scale, least_junction_spacing * scale.step, progress);
   move_ends(lines, hits, scale);
 
   Junctions junctions;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "algorithms/silhouette/strokes/clean_line.h"
+#include "algorithms/silhouette/strokes/stroke_reading.h"
 #include "croquis/base/progress.h"
 #include "croquis/geometry/drawing.h"
 
@@ -38,16 +39,16 @@ struct Junctions {
 
 /// Trims or extends the lines to what their ends pass behind, however far they miss it.
 /// @returns per line, whether its start and its end found nothing; both false for closed lines
-std::vector<std::array<bool, 2>> meet_bars(std::vector<CleanLine>& lines, const DrawingScale& scale,
-                                           const Progress& progress);
+std::vector<std::array<bool, 2>> meet_bars(std::vector<CleanLine>& lines, const StrokeReading& reading,
+                                           const DrawingScale& scale, const Progress& progress);
 
 /// Finds what every open end passes behind, exactly where the line ends (Cordier, Seo, Cho 2006, section 3; the side
 /// rule is Williams 1994).
 ///
 /// Lines have met their bars and end on them; `extend_behind_bars` carries them on. O(n) for evenly spread samples.
 /// @param pieces between ends of the lines
-Junctions find_junctions(const Drawing& drawing, std::vector<CleanLine>& lines, std::vector<HiddenPiece> pieces,
-                         const DrawingScale& scale, const Progress& progress);
+Junctions find_junctions(const Drawing& drawing, std::vector<CleanLine>& lines, const StrokeReading& reading,
+                         std::vector<HiddenPiece> pieces, const DrawingScale& scale, const Progress& progress);
 
 /// Carries each stem a little past its bar, so that the two cross instead of touching.
 void extend_behind_bars(std::vector<CleanLine>& lines, const std::vector<HiddenEnd>& ends, const DrawingScale& scale);

@@ -20,6 +20,11 @@ constexpr double maximum_samples = 500'000;
 // Bends sharper than 60 degrees within this many steps are corners.
 constexpr double corner_reach = 3;
 
+// Where tolerances go by size, strokes of a typical size measure at least so many u: a sheet of many small things is
+// read as one of them is. At most so many times finer than the sheet's own u, which bounds the number of samples.
+constexpr double least_typical_size = 150;
+constexpr double finest_unit = 8;
+
 struct UsableStroke {
   Index stroke = 0;
   Points points;  ///< as drawn, repeated points dropped
@@ -52,8 +57,38 @@ double bounding_diagonal(const Drawing& drawing) {
   return low.x() <= high.x() ? (high - low).norm() : 0;
 }
 
+Points distinct_points(const Stroke& stroke) {
+  Points points;
+  for (const StrokeSample& sample : stroke.samples) {
+    if (points.empty() || sample.position != points.back()) points.push_back(sample.position);
+  }
+  while (stroke.closed && points.size() > 1 && points.back() == points.front()) points.pop_back();
+  return points;
+}
+
+/// The size that half of what is drawn doesn't exceed, by length.
+double typical_size(const Drawing& drawing) {
+  std::vector<std::pair<double, double>> sizes;  // and lengths
+  double length = 0;
+  for (const Stroke& stroke : drawing.strokes) {
+    if (!all_finite(stroke)) continue;
+    const Points points = distinct_points(stroke);
+    sizes.emplace_back(size_of(points, stroke.closed), croquis::length(points, stroke.closed));
+    length += sizes.back().second;
+  }
+  std::sort(sizes.begin(), sizes.end());
+  double below = 0;
+  for (const auto& [size, part] : sizes) {
+    below += part;
+    if (2 * below >= length) return size;
+  }
+  return 0;
+}
+
 DrawingScale scale_of(const Drawing& drawing, const StrokeOptions& options) {
-  const double unit = bounding_diagonal(drawing) / 1000;
+  double unit = bounding_diagonal(drawing) / 1000;
+  const double typical = options.reach_share > 0 ? typical_size(drawing) : 0;
+  if (typical > 0) unit = std::min(unit, std::max(typical / least_typical_size, unit / finest_unit));
   return {unit,
           options.step * unit,
           options.tiny * unit,
@@ -65,18 +100,11 @@ DrawingScale scale_of(const Drawing& drawing, const StrokeOptions& options) {
           options.reach_share};
 }
 
-Points distinct_points(const Stroke& stroke) {
-  Points points;
-  for (const StrokeSample& sample : stroke.samples) {
-    if (points.empty() || sample.position != points.back()) points.push_back(sample.position);
-  }
-  while (stroke.closed && points.size() > 1 && points.back() == points.front()) points.pop_back();
-  return points;
-}
-
-std::vector<UsableStroke> usable_strokes(const Drawing& drawing, const DrawingScale& scale, Findings& findings) {
+std::vector<UsableStroke> usable_strokes(const Drawing& drawing, const DrawingScale& scale,
+                                         const StrokeReading& reading, Findings& findings) {
   std::vector<UsableStroke> usable;
   for (Index s = 0; s < drawing.strokes.size(); ++s) {
+    if (!reading.includes(s)) continue;
     const Stroke& stroke = drawing.strokes[s];
     const std::optional<StrokeKind> kind = stroke_kind(stroke);
     if (!kind || kind == StrokeKind::Hidden) {
@@ -176,16 +204,19 @@ Finding gap_warning(const Drawing& drawing, const std::vector<SampledStroke>& sa
 
 }  // namespace
 
-CleanDrawing clean_strokes(const Drawing& drawing, const StrokeOptions& options, const Progress& progress) {
+CleanDrawing clean_strokes(const Drawing& drawing, const StrokeOptions& options, const StrokeReading& reading,
+                           const Progress& progress) {
   CleanDrawing result;
   result.scale = scale_of(drawing, options);
-  const std::vector<UsableStroke> usable = usable_strokes(drawing, result.scale, result.findings);
+  const std::vector<UsableStroke> usable = usable_strokes(drawing, result.scale, reading, result.findings);
   check_extent(drawing, usable, result.scale.step, result.findings);
 
   const double spacing = result.scale.step / 2;
   const std::vector<SampledStroke> sampled = sample(drawing, usable, spacing);
   progress.check();
-  const GapJoining joining = join_gaps(sampled, result.scale, spacing);
+  const GapJoining joining = join_gaps(sampled, reading, result.scale, spacing);
+  result.joined = joining.joined;
+  result.possible = joining.possible;
   for (const GapJoin& join : joining.joins) result.findings.push_back(gap_warning(drawing, sampled, join));
   progress.check();
   for (const StrokeChain& chain : joining.chains) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "algorithms/silhouette/strokes/clean_line.h"
+#include "algorithms/silhouette/strokes/stroke_reading.h"
 #include "croquis/base/progress.h"
 #include "croquis/geometry/drawing.h"
 #include "croquis/silhouette/options.h"
@@ -10,13 +11,16 @@ namespace croquis::silhouette {
 
 struct CleanDrawing {
   DrawingScale scale;
-  std::vector<CleanLine> lines;  ///< by the lowest stroke in them
-  Findings findings;             ///< strokes left out, gaps closed, doubled lines
+  std::vector<CleanLine> lines;   ///< by the lowest stroke in them
+  std::vector<EndPair> joined;    ///< ends of strokes, see GapJoining
+  std::vector<EndPair> possible;  ///< ends that might be joined too
+  Findings findings;              ///< strokes left out, gaps closed, doubled lines
 };
 
 /// Step 1, stroke cleaning (Cordier, Seo, Cho 2006, section 3): strokes too short are left out, gaps joined, the rest
 /// smoothed (Taubin 1995) and sampled evenly. No stroke is changed or deleted; the lines are copies.
 /// @throws Error when nothing usable is left or the drawing is too long to sample; Cancelled
-CleanDrawing clean_strokes(const Drawing& drawing, const StrokeOptions& options, const Progress& progress);
+CleanDrawing clean_strokes(const Drawing& drawing, const StrokeOptions& options, const StrokeReading& reading,
+                           const Progress& progress);
 
 }  // namespace croquis::silhouette
