@@ -218,9 +218,9 @@ class PerspectiveSvgReader : public SvgVisitor {
       return;
     }
     const SvgAttributes attributes = [&](const char* name) { return std::string_view(root.attribute(name).value()); };
-    std::optional<SvgTextError> error;
-    const Vec2 size(svg_length(attributes, "width", 0, error), svg_length(attributes, "height", 0, error));
-    if (!error && size.allFinite() && size.minCoeff() > 0) {
+    SvgLengths lengths(attributes, {});
+    const Vec2 size(lengths.at("width"), lengths.at("height"));
+    if (!lengths.error() && size.allFinite() && size.minCoeff() > 0) {
       drawing_.image_size = size;
       return;
     }

@@ -9,6 +9,8 @@
 namespace croquis {
 namespace {
 
+constexpr int deepest_sheet = 4;  // levels of groups around a style sheet
+
 /// Cuts off the text before the next separator, and the separator.
 std::string_view cut(std::string_view& text, char separator) {
   const std::string_view part = text.substr(0, text.find(separator));
@@ -32,14 +34,14 @@ std::string without_comments(std::string_view text) {
 
 }  // namespace
 
-void SvgClasses::read(const pugi::xml_node& root) {
-  const auto is_style = [](const pugi::xml_node& node) { return svg_local_name(node) == "style"; };
+void SvgClasses::read(const pugi::xml_node& root) { read(root, 0); }
+
+void SvgClasses::read(const pugi::xml_node& root, int level) {
   for (const pugi::xml_node& child : root.children()) {
-    if (is_style(child)) read_sheet(without_comments(child.text().get()));
-    if (svg_local_name(child) != "defs") continue;
-    for (const pugi::xml_node& inner : child.children()) {
-      if (is_style(inner)) read_sheet(without_comments(inner.text().get()));
-    }
+    const std::string_view name = svg_local_name(child);
+    if (name == "style") read_sheet(without_comments(child.text().get()));
+    // Where drawing programs put style sheets; deeper there are too many elements to search.
+    if (level < deepest_sheet && (name == "defs" || name == "switch" || name == "g")) read(child, level + 1);
   }
 }
 

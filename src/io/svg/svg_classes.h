@@ -12,7 +12,7 @@ namespace croquis {
 /// Declarations of a file's style sheets by class: rules whose selector is a class alone (".a, .b { stroke: red }").
 class SvgClasses {
  public:
-  /// All `style` elements below the root.
+  /// All `style` elements below the root that stand among definitions or in few groups.
   void read(const pugi::xml_node& root);
 
   /// A property of an element: its style attribute, then its classes, then its own attribute; empty when it has none.
@@ -22,6 +22,7 @@ class SvgClasses {
   std::string inherited(pugi::xml_node node, std::string_view name) const;
 
  private:
+  void read(const pugi::xml_node& root, int level);
   void read_sheet(std::string_view text);
 
   std::map<std::string, std::string, std::less<>> declarations_;

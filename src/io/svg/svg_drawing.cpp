@@ -22,10 +22,22 @@ std::map<std::string, std::string> data_attributes(const pugi::xml_node& node) {
   return data;
 }
 
-/// The object that a shape belongs to: its own or that of the nearest group with one.
-std::string object_of(pugi::xml_node node) {
-  while (node && *node.attribute("data-object").value() == '\0') node = node.parent();
-  return node.attribute("data-object").value();
+// A background is no smaller than the page by more than this share.
+constexpr double background_slack = 0.01;
+
+/// A closed outline of straight sides along its bounding box.
+bool is_upright_box(const SvgSubpath& outline) {
+  if (outline.segments.size() < 3 || outline.segments.size() > 4) return false;
+  Eigen::AlignedBox2d box;
+  extend(box, outline);
+  const double slack = 1e-6 * box.diagonal().norm();
+  Vec2 from = outline.start;
+  for (const SvgSegment& segment : outline.segments) {
+    const Vec2 step = (segment.end - from).cwiseAbs();
+    if (segment.kind != SvgSegment::Kind::Line || step.minCoeff() > slack) return false;
+    from = segment.end;
+  }
+  return (from - outline.start).cwiseAbs().minCoeff() <= slack;
 }
 
 class SketchReader : public SvgVisitor {
@@ -44,6 +56,7 @@ class SketchReader : public SvgVisitor {
           Category::Malformed, "E_NO_STROKES",
           "The drawing has no visible path, line or other shape: there is nothing to make a solid of");
     }
+    leave_out_background();
     walk_.findings().stop_on_errors();
     flatten();
     result_.warnings = walk_.findings().take();
@@ -58,14 +71,15 @@ class SketchReader : public SvgVisitor {
   void add(SvgShownShape shape) override {
     Stroke stroke;
     stroke.line = shape.line;
-    stroke.object = object_of(shape.node);
+    stroke.object = object();
     stroke.data = data_attributes(shape.node);
+    const bool filled_only = !has_line() && walk_.inherited_property("fill") != "none";
     std::size_t number = 0;
     for (SvgSubpath& subpath : shape.subpaths) {
       if (subpath.segments.empty() && !subpath.closed) continue;  // a moveto alone draws nothing
       ++number;
       stroke.id = number == 1 ? shape.id : walk_.unique_name(shape.id + '/' + std::to_string(number), *stroke.line);
-      if (!add(stroke, std::move(subpath), shape.map)) return;
+      if (!add(stroke, std::move(subpath), shape.map, filled_only)) return;
     }
   }
 
@@ -96,8 +110,23 @@ class SketchReader : public SvgVisitor {
         walk_.line_of(root));
   }
 
+  /// The object that a shape belongs to: its own or that of the nearest group with one.
+  std::string object() const {
+    const std::vector<pugi::xml_node>& path = walk_.path();
+    for (auto node = path.rbegin(); node != path.rend(); ++node) {
+      const std::string name = node->attribute("data-object").value();
+      if (!name.empty()) return name;
+    }
+    return {};
+  }
+
+  bool has_line() const {
+    const std::string stroke = walk_.inherited_property("stroke");
+    return !stroke.empty() && stroke != "none" && stroke != "transparent";
+  }
+
   /// False when the rest of the element must not be read.
-  bool add(const Stroke& stroke, SvgSubpath subpath, const Eigen::Affine2d& map) {
+  bool add(const Stroke& stroke, SvgSubpath subpath, const Eigen::Affine2d& map, bool filled_only) {
     if (subpath.segments.empty()) {
       walk_.findings().stroke_warning("W_TINY", "Stroke " + in_quotes(stroke.id) + " is a single point and was ignored",
                                       stroke.id, *stroke.line);
@@ -114,8 +143,40 @@ class SketchReader : public SvgVisitor {
     std::size_t bytes = stroke.id.size() + stroke.object.size();
     for (const auto& [name, value] : stroke.data) bytes += name.size() + value.size();
     if (!walk_.count_pieces(subpath.segments.size(), bytes, *stroke.line)) return false;
-    shapes_.push_back({stroke, std::move(subpath)});
+    shapes_.push_back({stroke, std::move(subpath), filled_only});
     return true;
+  }
+
+  /// Drawing programs lay a filled rectangle under the drawing: as large as the page, or around everything else.
+  void leave_out_background() {
+    Eigen::AlignedBox2d page = walk_.page();
+    if (!page.isEmpty())
+      page = Eigen::AlignedBox2d(Vec2(page.min().x(), -page.max().y()), Vec2(page.max().x(), -page.min().y()));
+    const auto is_background = [&](std::size_t i) {
+      if (!shapes_[i].filled_only || !is_upright_box(shapes_[i].outline)) return false;
+      Eigen::AlignedBox2d box;
+      extend(box, shapes_[i].outline);
+      const Vec2 slack = background_slack * box.sizes();
+      box = Eigen::AlignedBox2d(box.min() - slack, box.max() + slack);
+      if (!page.isEmpty() && box.contains(page)) return true;
+      Eigen::AlignedBox2d others;
+      for (std::size_t k = 0; k < shapes_.size(); ++k) {
+        if (k != i) extend(others, shapes_[k].outline);
+      }
+      return i == 0 && !others.isEmpty() && box.contains(others);
+    };
+    for (std::size_t i = 0; i < shapes_.size() && shapes_.size() > 1;) {
+      if (!is_background(i)) {
+        ++i;
+        continue;
+      }
+      const Stroke& stroke = shapes_[i].stroke;
+      walk_.findings().stroke_warning(
+          "W_IGNORED",
+          "The filled rectangle " + in_quotes(stroke.id) + " behind the drawing has no line and was ignored", stroke.id,
+          *stroke.line);
+      shapes_.erase(shapes_.begin() + static_cast<std::ptrdiff_t>(i));
+    }
   }
 
   void flatten() {
@@ -135,6 +196,7 @@ class SketchReader : public SvgVisitor {
   struct SvgShape {
     Stroke stroke;  ///< without samples yet
     SvgSubpath outline;
+    bool filled_only = false;
   };
 
   SvgWalk walk_;

@@ -27,9 +27,10 @@ bool is_svg_group(std::string_view name) {
 }
 
 bool is_svg_definition(std::string_view name) {
-  constexpr std::array<std::string_view, 18> names{
-      "defs",  "clipPath", "symbol", "marker", "pattern",        "mask",           "title", "desc", "metadata",
-      "style", "script",   "filter", "cursor", "linearGradient", "radialGradient", "set",   "view", "font"};
+  constexpr std::array<std::string_view, 19> names{"defs",   "clipPath", "symbol", "marker",         "pattern",
+                                                   "mask",   "title",    "desc",   "metadata",       "style",
+                                                   "script", "filter",   "cursor", "linearGradient", "radialGradient",
+                                                   "set",    "view",     "font",   "foreignObject"};
   return is_one_of(name, names) || name.substr(0, 7) == "animate" || name.find(':') != std::string_view::npos;
 }
 

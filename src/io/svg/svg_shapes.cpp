@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -22,25 +23,21 @@ SvgOutline failed(SvgTextError error) {
   return outline;
 }
 
-SvgOutline line_shape(const SvgAttributes& attributes) {
-  std::optional<SvgTextError> error;
-  const auto at = [&](const char* name) { return svg_length(attributes, name, 0, error); };
+SvgOutline line_shape(SvgLengths& lengths) {
   SvgOutline outline;
   SvgSubpath subpath;
-  subpath.start = Vec2(at("x1"), at("y1"));
-  subpath.segments.push_back(svg_line({at("x2"), at("y2")}));
+  subpath.start = Vec2(lengths.at("x1"), lengths.at("y1"));
+  subpath.segments.push_back(svg_line({lengths.at("x2"), lengths.at("y2")}));
   outline.subpaths.push_back(std::move(subpath));
-  return error ? failed(*error) : outline;
+  return lengths.error() ? failed(*lengths.error()) : outline;
 }
 
-SvgOutline ellipse_shape(const SvgAttributes& attributes, bool circle) {
-  std::optional<SvgTextError> error;
-  const auto at = [&](const char* name) { return svg_length(attributes, name, 0, error); };
-  const double radius_x = at(circle ? "r" : "rx");
-  const double radius_y = circle ? radius_x : at("ry");
-  const Vec2 centre(at("cx"), at("cy"));
-  if (!error && (radius_x < 0 || radius_y < 0)) error = SvgTextError{"has a negative radius", 0};
-  if (error) return failed(*error);
+SvgOutline ellipse_shape(SvgLengths& lengths, bool circle) {
+  const double radius_x = lengths.at(circle ? "r" : "rx");
+  const double radius_y = circle ? radius_x : lengths.at("ry");
+  const Vec2 centre(lengths.at("cx"), lengths.at("cy"));
+  if (lengths.error()) return failed(*lengths.error());
+  if (radius_x < 0 || radius_y < 0) return failed({"has a negative radius", 0});
   SvgOutline outline;
   if (radius_x != 0 && radius_y != 0) outline.subpaths.push_back(svg_ellipse(centre, radius_x, radius_y));
   return outline;
@@ -63,14 +60,12 @@ SvgSubpath rounded_box(const Vec2& low, const Vec2& high, const Vec2& radius) {
   return box;
 }
 
-SvgOutline rect_shape(const SvgAttributes& attributes) {
-  std::optional<SvgTextError> error;
-  const auto at = [&](const char* name, double fallback) { return svg_length(attributes, name, fallback, error); };
-  const Vec2 low(at("x", 0), at("y", 0));
-  const Vec2 size(at("width", 0), at("height", 0));
-  Vec2 radius(at("rx", not_given), at("ry", not_given));
-  if (!error && size.minCoeff() < 0) error = SvgTextError{"has a negative width or height", 0};
-  if (error) return failed(*error);
+SvgOutline rect_shape(SvgLengths& lengths) {
+  const Vec2 low(lengths.at("x"), lengths.at("y"));
+  const Vec2 size(lengths.at("width"), lengths.at("height"));
+  Vec2 radius(lengths.at("rx", not_given), lengths.at("ry", not_given));
+  if (lengths.error()) return failed(*lengths.error());
+  if (size.minCoeff() < 0) return failed({"has a negative width or height", 0});
   // One missing radius is the other one; with neither there are corners.
   if (radius.x() < 0) radius.x() = std::max(0.0, radius.y());
   if (radius.y() < 0) radius.y() = radius.x();
@@ -83,17 +78,26 @@ SvgOutline rect_shape(const SvgAttributes& attributes) {
 
 }  // namespace
 
-double svg_length(const SvgAttributes& attributes, const char* name, double fallback,
-                  std::optional<SvgTextError>& error) {
-  const std::string_view text = trimmed(attributes(name));
+/// User units per unit; nothing for units that aren't known, and percents of nothing.
+std::optional<double> SvgLengths::factor_of(std::string_view unit, std::string_view name) const {
+  const auto known = std::find_if(pixels_per_unit.begin(), pixels_per_unit.end(),
+                                  [&](const auto& entry) { return entry.first == unit; });
+  if (known != pixels_per_unit.end()) return known->second;
+  const Vec2& size = viewport_.size;
+  if (unit != "%" || size.minCoeff() <= 0) return std::nullopt;
+  if (name == "r") return size.norm() / std::numbers::sqrt2 / 100;
+  const bool across = name == "width" || name.find('x') != std::string_view::npos;
+  return (across ? size.x() : size.y()) / 100;
+}
+
+double SvgLengths::at(const char* name, double fallback) {
+  const std::string_view text = trimmed(attributes_(name));
   if (text.empty() || text == "auto") return fallback;
   SvgScanner scanner(text);
   const std::optional<double> value = scanner.number();
-  const std::string_view unit = scanner.word();
-  const auto known = std::find_if(pixels_per_unit.begin(), pixels_per_unit.end(),
-                                  [&](const auto& entry) { return entry.first == unit; });
-  if (value && scanner.at_end() && known != pixels_per_unit.end()) return *value * known->second;
-  if (!error) error = SvgTextError{std::string("has ") + name + "=" + in_quotes(text) + ", which is no length", 0};
+  const std::optional<double> factor = factor_of(text.substr(scanner.position()), name);
+  if (value && factor) return *value * *factor;
+  if (!error_) error_ = SvgTextError{std::string("has ") + name + "=" + in_quotes(text) + ", which is no length", 0};
   return fallback;
 }
 
@@ -102,13 +106,14 @@ bool is_svg_shape(std::string_view element) {
   return std::find(shapes.begin(), shapes.end(), element) != shapes.end();
 }
 
-SvgOutline svg_shape(std::string_view element, const SvgAttributes& attributes) {
+SvgOutline svg_shape(std::string_view element, const SvgAttributes& attributes, const SvgViewport& viewport) {
+  SvgLengths lengths(attributes, viewport);
   if (element == "polyline" || element == "polygon") {
     return parse_svg_points(attributes("points"), element == "polygon");
   }
-  if (element == "line") return line_shape(attributes);
-  if (element == "rect") return rect_shape(attributes);
-  if (element == "circle" || element == "ellipse") return ellipse_shape(attributes, element == "circle");
+  if (element == "line") return line_shape(lengths);
+  if (element == "rect") return rect_shape(lengths);
+  if (element == "circle" || element == "ellipse") return ellipse_shape(lengths, element == "circle");
   const std::string_view data = attributes("d");
   return trimmed(data) == "none" ? SvgOutline{} : parse_svg_path(data);
 }

@@ -15,7 +15,8 @@ struct SvgTransform {
   std::optional<SvgTextError> error;
 };
 
-/// A list of matrix, translate, scale, rotate, skewX and skewY, the last one applied first (SVG 1.1, 7.6).
+/// A list of matrix, translate, scale, rotate, skewX and skewY, the last one applied first (SVG 1.1, 7.6); also as
+/// style sheets write it, with units and for one axis (CSS Transforms 1, section 12).
 SvgTransform parse_svg_transform(std::string_view text);
 
 }  // namespace croquis

@@ -2,6 +2,8 @@
 #include "io/svg/svg_walk.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "croquis/base/error.h"
 #include "io/svg/svg_elements.h"
@@ -14,6 +16,7 @@ namespace {
 
 constexpr int deepest_level = 256;                          // of nesting; drawing programs stay below 30
 constexpr std::size_t most_copied = std::size_t{64} << 20;  // bytes of ids and data attributes, kept per subpath
+constexpr std::size_t most_uses = 100'000;                  // a few nested uses can show billions of shapes
 constexpr std::size_t elements_per_check = 256;
 
 }  // namespace
@@ -57,6 +60,7 @@ void SvgWalk::limit(const std::string& message, std::int64_t line) {
 }
 
 void SvgWalk::visit(const pugi::xml_node& root, SvgVisitor& visitor) {
+  classes_.read(root);
   visit(root, {}, visitor);
   warn_of_ignored();
 }
@@ -66,14 +70,87 @@ void SvgWalk::visit(const pugi::xml_node& node, Surroundings around, SvgVisitor&
   if (++elements_ % elements_per_check == 0) progress_.check();
   const std::string_view name = svg_local_name(node);
   if (is_svg_definition(name)) return;
-  if (!is_svg_group(name) && !is_svg_shape(name)) return ignore(node, name);
-  if (!enter(node, around, visitor)) return;
-  if (is_svg_shape(name)) return read_shape(node, name, around, visitor);
+  const bool shows_another = name == "use";
+  if (!is_svg_group(name) && !is_svg_shape(name) && !shows_another) return ignore(node, name);
   if (++around.level > deepest_level) {
     return limit("The drawing is nested deeper than 256 groups: ungroup it", line_of(node));
   }
-  if (name == "svg" && around.level > 1) enter_inner_svg(node, around);
+  path_.push_back(node);
+  if (enter(node, around, visitor)) {
+    if (shows_another) {
+      visit_use(node, std::move(around), visitor);
+    } else if (is_svg_shape(name)) {
+      read_shape(node, name, around, visitor);
+    } else {
+      if (name == "svg" && path_.size() == 1) enter_page(node, around);
+      if (name == "svg" && path_.size() > 1) enter_viewport(node, node, around);
+      visit_children(node, std::move(around), visitor);
+    }
+  }
+  path_.pop_back();
+}
+
+void SvgWalk::visit_children(const pugi::xml_node& node, Surroundings around, SvgVisitor& visitor) {
   for (const pugi::xml_node& child : node.children()) visit(child, around, visitor);
+}
+
+/// Shows the element that a `use` names, at the place of the use (SVG 1.1, 5.6).
+void SvgWalk::visit_use(const pugi::xml_node& node, Surroundings around, SvgVisitor& visitor) {
+  std::string_view target = node.attribute("href").value();
+  if (target.empty()) target = node.attribute("xlink:href").value();
+  const pugi::xml_node used = target.starts_with('#') ? element_named(target.substr(1)) : pugi::xml_node();
+  if (!used) {
+    findings_.file_warning(
+        "W_IGNORED", "A use element was ignored, for the drawing has no element " + in_quotes(target), line_of(node));
+    return;
+  }
+  if (std::find(path_.begin(), path_.end(), used) != path_.end()) {
+    return findings_.file_error(Category::Malformed, "E_SYNTAX",
+                                "The use element on line " + std::to_string(line_of(node)) + " shows " +
+                                    in_quotes(target) + ", which it is a part of itself",
+                                line_of(node));
+  }
+  if (++uses_ > most_uses) return limit("The drawing shows elements by use more than 100,000 times", line_of(node));
+  const SvgAttributes attributes = [&](const char* name) { return std::string_view(node.attribute(name).value()); };
+  SvgLengths lengths(attributes, around.viewport);
+  const Vec2 origin(lengths.at("x"), lengths.at("y"));
+  if (lengths.error()) return report(node, *lengths.error(), "x or y");
+  around.map.translate(origin);
+  const std::string own = node.attribute("id").value();
+  around.prefix = around.prefix.empty() || own.empty() ? around.prefix + own : around.prefix + "/" + own;
+  if (svg_local_name(used) != "symbol") return visit(used, std::move(around), visitor);
+  path_.push_back(used);
+  if (enter(used, around, visitor)) {
+    enter_viewport(used, node, around);
+    visit_children(used, std::move(around), visitor);
+  }
+  path_.pop_back();
+}
+
+pugi::xml_node SvgWalk::element_named(std::string_view id) {
+  if (!ids_known_) {
+    ids_known_ = true;
+    std::vector<pugi::xml_node> waiting{document_.document_element()};
+    while (!waiting.empty()) {
+      const pugi::xml_node node = waiting.back();
+      waiting.pop_back();
+      const std::string_view name = node.attribute("id").value();
+      if (!name.empty()) by_id_.try_emplace(std::string(name), node);
+      for (const pugi::xml_node& child : node.children()) {
+        if (child.type() == pugi::node_element) waiting.push_back(child);
+      }
+    }
+  }
+  const auto found = by_id_.find(id);
+  return found == by_id_.end() ? pugi::xml_node() : found->second;
+}
+
+std::string SvgWalk::inherited_property(std::string_view name) const {
+  for (auto node = path_.rbegin(); node != path_.rend(); ++node) {
+    std::string value = property(*node, name);
+    if (!value.empty() && value != "inherit") return value;
+  }
+  return {};
 }
 
 void SvgWalk::ignore(const pugi::xml_node& node, std::string_view name) {
@@ -83,27 +160,93 @@ void SvgWalk::ignore(const pugi::xml_node& node, std::string_view name) {
 
 /// Takes over the settings of an element for itself and its children. False when it is not to be shown.
 bool SvgWalk::enter(const pugi::xml_node& node, Surroundings& around, SvgVisitor& visitor) {
-  if (svg_property(node, "display") == "none") return false;
-  const std::string visibility = svg_property(node, "visibility");
+  if (property(node, "display") == "none") return false;
+  const std::string visibility = property(node, "visibility");
   if (!visibility.empty() && visibility != "inherit") around.visible = visibility == "visible";
-  if (const pugi::xml_attribute attribute = node.attribute("transform")) {
-    const SvgTransform transform = parse_svg_transform(attribute.value());
-    if (transform.error) return report(node, *transform.error, "transform"), false;
-    around.map = around.map * transform.map;
-  }
+  if (!transform(node, around)) return false;
   if (is_svg_group(svg_local_name(node))) visitor.enter(node);
   return true;
 }
 
-void SvgWalk::enter_inner_svg(const pugi::xml_node& node, Surroundings& around) {
-  std::optional<SvgTextError> error;
-  const SvgAttributes attributes = [&](const char* name) { return std::string_view(node.attribute(name).value()); };
-  const Vec2 origin(svg_length(attributes, "x", 0, error), svg_length(attributes, "y", 0, error));
-  if (error) report(node, *error, "x or y");
-  around.map.translate(origin);
-  if (node.attribute("viewBox")) {
-    findings_.file_warning("W_IGNORED", "The viewBox of an svg element within the drawing was ignored", line_of(node));
+/// A transform in the style or in a class counts instead of the attribute (CSS Transforms 1, section 12).
+bool SvgWalk::transform(const pugi::xml_node& node, Surroundings& around) {
+  const std::string text = property(node, "transform");
+  if (text.empty()) return true;
+  const SvgTransform transform = parse_svg_transform(text);
+  if (transform.error) return report(node, *transform.error, "transform"), false;
+  around.map = around.map * transform.map;
+  return true;
+}
+
+namespace {
+
+/// "x y width height"; empty when it is not there, or not to be understood.
+std::optional<Eigen::AlignedBox2d> view_box(const pugi::xml_node& node) {
+  SvgScanner scanner(node.attribute("viewBox").value());
+  std::array<double, 4> values{};
+  for (double& value : values) {
+    scanner.skip_separators();
+    const std::optional<double> number = scanner.number();
+    if (!number || !std::isfinite(*number)) return std::nullopt;
+    value = *number;
   }
+  const Vec2 low(values[0], values[1]);
+  const Vec2 size(values[2], values[3]);
+  if (size.minCoeff() <= 0) return std::nullopt;
+  return Eigen::AlignedBox2d(low, low + size);
+}
+
+}  // namespace
+
+/// The page's own scaling isn't applied: lengths of the drawing are those that its shapes have.
+void SvgWalk::enter_page(const pugi::xml_node& root, Surroundings& around) {
+  if (const auto box = view_box(root)) {
+    page_ = *box;
+  } else {
+    const SvgAttributes attributes = [&](const char* name) { return std::string_view(root.attribute(name).value()); };
+    SvgLengths lengths(attributes, {});
+    const Vec2 size(lengths.at("width"), lengths.at("height"));
+    if (!lengths.error() && size.minCoeff() > 0) page_ = Eigen::AlignedBox2d(Vec2(Vec2::Zero()), size);
+  }
+  if (!page_.isEmpty()) around.viewport.size = page_.sizes();
+}
+
+/// An svg element within the drawing, or a symbol: its viewBox is fitted into its place (SVG 1.1, 7.7 and 7.8).
+/// @param placed_by the svg element itself, or the `use` that shows the symbol
+void SvgWalk::enter_viewport(const pugi::xml_node& node, const pugi::xml_node& placed_by, Surroundings& around) {
+  const bool own_place = placed_by == node;
+  const SvgAttributes attributes = [&](const char* name) {
+    return std::string_view(placed_by.attribute(name).value());
+  };
+  SvgLengths lengths(attributes, around.viewport);
+  const Vec2 origin = own_place ? Vec2(lengths.at("x"), lengths.at("y")) : Vec2(Vec2::Zero());
+  const std::optional<Eigen::AlignedBox2d> box = view_box(node);
+  const Vec2 natural = box ? Vec2(box->sizes()) : around.viewport.size;
+  const Vec2 whole = around.viewport.size.minCoeff() > 0 ? around.viewport.size : natural;
+  const Vec2 size(lengths.at("width", whole.x()), lengths.at("height", whole.y()));
+  if (lengths.error()) report(placed_by, *lengths.error(), "x, y, width or height");
+  around.map.translate(origin);
+  if (!box) {
+    around.viewport.size = size;
+    return;
+  }
+  around.viewport.size = box->sizes();
+  if (!(size.minCoeff() > 0)) return;
+  const Vec2 factors = size.cwiseQuotient(natural);
+  const std::string_view aspect = trimmed(node.attribute("preserveAspectRatio").value());
+  if (aspect == "none") {
+    around.map.scale(factors);
+  } else {
+    const double factor = aspect.find("slice") == std::string_view::npos ? factors.minCoeff() : factors.maxCoeff();
+    const Vec2 spare = size - factor * natural;
+    const auto share = [&](std::string_view low, std::string_view high) {
+      if (aspect.find(low) != std::string_view::npos) return 0.0;
+      return aspect.find(high) != std::string_view::npos ? 1.0 : 0.5;
+    };
+    around.map.translate(Vec2(share("xMin", "xMax") * spare.x(), share("YMin", "YMax") * spare.y()));
+    around.map.scale(factor);
+  }
+  around.map.translate(Vec2(-box->min()));
 }
 
 void SvgWalk::report(const pugi::xml_node& node, const SvgTextError& error, const char* attribute) {
@@ -129,7 +272,7 @@ void SvgWalk::read_shape(const pugi::xml_node& node, std::string_view element, c
   ++shape_count_;
   if (!around.visible) return;
   const SvgAttributes attributes = [&](const char* name) { return std::string_view(node.attribute(name).value()); };
-  SvgOutline outline = svg_shape(element, attributes);
+  SvgOutline outline = svg_shape(element, attributes, around.viewport);
   if (outline.error) {
     const bool points = element == "polyline" || element == "polygon";
     return report(node, *outline.error, element == "path" ? "d" : points ? "points" : "attributes");
@@ -137,11 +280,19 @@ void SvgWalk::read_shape(const pugi::xml_node& node, std::string_view element, c
   SvgShownShape shape;
   shape.node = node;
   shape.line = line_of(node);
-  const std::string id = node.attribute("id").value();
-  shape.id = unique_name(id.empty() ? "stroke-" + std::to_string(shape_count_) : id, shape.line);
+  shape.id = unique_name(name_of(node, around), shape.line);
   shape.subpaths = std::move(outline.subpaths);
   shape.map = around.map;
   visitor.add(std::move(shape));
+}
+
+/// The shape's own id; of one shown by a `use` that of the use, and its own where the use shows several.
+std::string SvgWalk::name_of(const pugi::xml_node& node, const Surroundings& around) const {
+  const std::string id = node.attribute("id").value();
+  const std::string own = id.empty() ? "stroke-" + std::to_string(shape_count_) : id;
+  if (around.prefix.empty()) return own;
+  const bool alone = path_.size() > 1 && svg_local_name(path_[path_.size() - 2]) == "use";
+  return alone ? around.prefix : around.prefix + "/" + own;
 }
 
 std::string SvgWalk::unique_name(const std::string& wanted, std::int64_t line) {
@@ -166,9 +317,7 @@ bool SvgWalk::count_pieces(std::size_t pieces, std::size_t bytes, std::int64_t l
 
 void SvgWalk::warn_of_ignored() {
   for (const auto& [name, entry] : ignored_) {
-    const std::string advice = name == "use"    ? ": unlink the clones to make them strokes"
-                               : name == "text" ? ": turn text into paths to make it strokes"
-                                                : ": only lines are read";
+    const std::string advice = name == "text" ? ": turn text into paths to make it strokes" : ": only lines are read";
     findings_.file_warning("W_IGNORED",
                            std::to_string(entry.first) + ' ' + in_quotes(name) +
                                (entry.first == 1 ? " element was" : " elements were") + " ignored" + advice,

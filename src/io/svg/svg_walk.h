@@ -14,9 +14,11 @@
 #include <pugixml.hpp>
 
 #include "croquis/base/progress.h"
+#include "io/svg/svg_classes.h"
 #include "io/svg/svg_findings.h"
 #include "io/svg/svg_outline.h"
 #include "io/svg/svg_scanner.h"
+#include "io/svg/svg_shapes.h"
 
 namespace croquis {
 
@@ -49,6 +51,21 @@ class SvgWalk {
   /// Shows all shapes to the visitor, in the order of the file. What is wrong goes into the findings.
   void visit(const pugi::xml_node& root, SvgVisitor& visitor);
 
+  /// The elements around the one that is being shown, the outermost first, it itself last. What a `use` shows is within
+  /// that use.
+  const std::vector<pugi::xml_node>& path() const { return path_; }
+
+  /// A property of an element from its style, its classes or its own attribute; empty when it has none.
+  std::string property(const pugi::xml_node& node, std::string_view name) const {
+    return classes_.property(node, name);
+  }
+
+  /// The same of the element being shown or of the nearest one around it that has one.
+  std::string inherited_property(std::string_view name) const;
+
+  /// The part of the plane that the file's page shows; empty when it doesn't say.
+  const Eigen::AlignedBox2d& page() const { return page_; }
+
   /// To be called for each subpath that is kept: no more pieces and bytes than fit. False when they don't.
   bool count_pieces(std::size_t pieces, std::size_t bytes, std::int64_t line);
 
@@ -73,12 +90,20 @@ class SvgWalk {
     Eigen::Affine2d map = Eigen::Affine2d::Identity();
     bool visible = true;
     int level = 0;
+    SvgViewport viewport;
+    std::string prefix;  ///< of the names of what is shown by a `use`
   };
 
   void visit(const pugi::xml_node& node, Surroundings around, SvgVisitor& visitor);
   void ignore(const pugi::xml_node& node, std::string_view name);
   bool enter(const pugi::xml_node& node, Surroundings& around, SvgVisitor& visitor);
-  void enter_inner_svg(const pugi::xml_node& node, Surroundings& around);
+  bool transform(const pugi::xml_node& node, Surroundings& around);
+  void enter_page(const pugi::xml_node& root, Surroundings& around);
+  void enter_viewport(const pugi::xml_node& node, const pugi::xml_node& placed_by, Surroundings& around);
+  void visit_children(const pugi::xml_node& node, Surroundings around, SvgVisitor& visitor);
+  void visit_use(const pugi::xml_node& node, Surroundings around, SvgVisitor& visitor);
+  pugi::xml_node element_named(std::string_view id);
+  std::string name_of(const pugi::xml_node& node, const Surroundings& around) const;
   void read_shape(const pugi::xml_node& node, std::string_view element, const Surroundings& around,
                   SvgVisitor& visitor);
   void warn_of_ignored();
@@ -89,11 +114,17 @@ class SvgWalk {
   LineCounter lines_;
   SvgFindings findings_;
   Progress& progress_;
+  SvgClasses classes_;
+  std::vector<pugi::xml_node> path_;
+  Eigen::AlignedBox2d page_;
+  std::map<std::string, pugi::xml_node, std::less<>> by_id_;  ///< filled by the first `use`
+  bool ids_known_ = false;
   std::set<std::string> names_;
   std::map<std::string, int> copies_;
   std::map<std::string, std::pair<int, std::int64_t>> ignored_;  ///< element name: how many, line of the first
   std::size_t shape_count_ = 0;
   std::size_t elements_ = 0;
+  std::size_t uses_ = 0;
   std::size_t copied_ = 0;
   std::size_t segments_ = 0;
   bool limit_reached_ = false;
