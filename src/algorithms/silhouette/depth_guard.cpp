@@ -3,93 +3,31 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+
+#include "algorithms/silhouette/skeleton/overlap_cycles.h"
 
 namespace croquis::silhouette {
 namespace {
 
-/// Objects and what lies directly below them, cut into cycles (strongly connected components, Tarjan 1972).
-class OverlapChains {
- public:
-  OverlapChains(const LabelledFigure& figure, std::vector<double> depths)
-      : depths_(std::move(depths)),
-        below_(depths_.size()),
-        number_(depths_.size(), no_index),
-        lowest_(depths_.size(), no_index),
-        circle_(depths_.size(), no_index) {
-    for (const FigureOverlap& overlap : figure.overlaps) {
-      if (overlap.upper != overlap.lower) below_[overlap.upper].push_back(overlap.lower);
-    }
-  }
-
-  /// The most that the depths along one chain add up to.
-  double longest() {
-    for (Index object = 0; object < depths_.size(); ++object) {
-      if (number_[object] == no_index) visit(object);
-    }
-    return chains_.empty() ? 0 : *std::max_element(chains_.begin(), chains_.end());
-  }
-
- private:
-  struct Visit {
-    Index object = 0;
-    std::size_t next = 0;  ///< of what lies below it
-  };
-
-  void visit(Index first) {
-    std::vector<Visit> path{enter(first)};
-    while (!path.empty()) {
-      Visit& here = path.back();
-      if (here.next < below_[here.object].size()) {
-        const Index lower = below_[here.object][here.next++];
-        if (number_[lower] == no_index) {
-          path.push_back(enter(lower));
-        } else if (circle_[lower] == no_index) {
-          lowest_[here.object] = std::min(lowest_[here.object], number_[lower]);
-        }
-        continue;
-      }
-      const Index done = here.object;
-      path.pop_back();
-      if (!path.empty()) lowest_[path.back().object] = std::min(lowest_[path.back().object], lowest_[done]);
-      if (lowest_[done] == number_[done]) close_circle(done);
-    }
-  }
-
-  Visit enter(Index object) {
-    number_[object] = lowest_[object] = entered_++;
-    open_.push_back(object);
-    return {object, 0};
-  }
-
-  /// All that lies below a cycle has been closed before.
-  void close_circle(Index first) {
-    std::vector<Index> members;
-    do {
-      members.push_back(open_.back());
-      open_.pop_back();
-      circle_[members.back()] = static_cast<Index>(chains_.size());
-    } while (members.back() != first);
+/// The most that the depths along one chain of objects, each over the next, add up to.
+double longest_chain(const std::vector<std::vector<Index>>& below, const std::vector<double>& depths) {
+  const OverlapCycles cycles = overlap_cycles(below);
+  std::vector<std::vector<Index>> members(cycles.count);
+  for (Index object = 0; object < depths.size(); ++object) members[cycles.cycle[object]].push_back(object);
+  std::vector<double> chains;  // per cycle the longest one from it downwards
+  for (Index cycle = 0; cycle < cycles.count; ++cycle) {
     double own = 0;
     double most_below = 0;
-    for (const Index member : members) {
-      own += depths_[member];
-      for (const Index lower : below_[member]) {
-        if (circle_[lower] < chains_.size()) most_below = std::max(most_below, chains_[circle_[lower]]);
+    for (const Index member : members[cycle]) {
+      own += depths[member];
+      for (const Index lower : below[member]) {
+        if (cycles.cycle[lower] != cycle) most_below = std::max(most_below, chains[cycles.cycle[lower]]);
       }
     }
-    chains_.push_back(own + most_below);
+    chains.push_back(own + most_below);
   }
-
-  std::vector<double> depths_;
-  std::vector<std::vector<Index>> below_;
-  std::vector<Index> number_;
-  std::vector<Index> lowest_;
-  std::vector<Index> circle_;   ///< per object, once closed
-  std::vector<Index> open_;     ///< entered, in no cycle yet
-  std::vector<double> chains_;  ///< per cycle the longest chain from it downwards
-  Index entered_ = 0;
-};
+  return chains.empty() ? 0 : *std::max_element(chains.begin(), chains.end());
+}
 
 }  // namespace
 
@@ -98,10 +36,15 @@ double explained_depth(const LabelledFigure& figure, const Skeleton& skeleton, d
   for (const SkeletonNode& node : skeleton.nodes) widths[node.object] = std::max(widths[node.object], 2 * node.radius);
   std::vector<double> depths(figure.objects.size());
   for (Index object = 0; object < depths.size(); ++object) depths[object] = widths[object] + gap;
+  std::vector<std::vector<Index>> below(depths.size());
   for (const FigureOverlap& overlap : figure.overlaps) {
-    if (overlap.upper == overlap.lower) depths[overlap.upper] += widths[overlap.upper] + gap;
+    if (overlap.upper == overlap.lower) {
+      depths[overlap.upper] += widths[overlap.upper] + gap;
+    } else {
+      below[overlap.upper].push_back(overlap.lower);
+    }
   }
-  return OverlapChains(figure, std::move(depths)).longest();
+  return longest_chain(below, depths);
 }
 
 std::vector<Index> objects_too_deep(std::vector<DepthRange> ranges, double most) {

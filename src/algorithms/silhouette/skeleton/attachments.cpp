@@ -2,7 +2,9 @@
 #include "algorithms/silhouette/skeleton/attachments.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "algorithms/silhouette/skeleton/median.h"
 #include "croquis/geometry/disjoint_sets.h"
 
 namespace croquis::silhouette {
@@ -12,19 +14,6 @@ std::size_t object_count(const Attachments& attachments) {
   std::size_t count = 0;
   for (const auto& [pair, kappa] : attachments.pairs()) count = std::max<std::size_t>(count, pair.second + 1);
   return count;
-}
-
-/// Per object; 0 for one without nodes.
-std::vector<double> mean_radii(const Skeleton& skeleton, std::size_t count) {
-  std::vector<double> sum(count, 0);
-  std::vector<double> nodes(count, 0);
-  for (const SkeletonNode& node : skeleton.nodes) {
-    if (node.object >= count) continue;
-    sum[node.object] += node.radius;
-    ++nodes[node.object];
-  }
-  for (std::size_t object = 0; object < count; ++object) sum[object] /= std::max(nodes[object], 1.0);
-  return sum;
 }
 
 }  // namespace
@@ -77,17 +66,15 @@ double attached_distance(double kappa, double a, double b) {
   return std::min(kappa * (a + b), a + b - least_sinking * std::min(a, b));
 }
 
-std::vector<RowStiffness> row_stiffness(const Skeleton& skeleton, const Attachments& attachments) {
-  const std::vector<double> radius = mean_radii(skeleton, object_count(attachments));
-  std::vector<RowStiffness> stiffness(radius.size());
-  for (const std::vector<Index>& group : attachments.groups()) {
-    double largest = 0;
-    for (const Index object : group) largest = std::max(largest, radius[object]);
-    for (const Index object : group) {
-      if (radius[object] <= 0) continue;
-      const double share = radius[object] / largest;
-      stiffness[object] = {radius[object] / skeleton.scale, share * share};
-    }
+std::vector<double> row_stiffness(const Skeleton& skeleton) {
+  std::vector<std::vector<double>> radii;
+  for (const SkeletonNode& node : skeleton.nodes) {
+    if (node.object >= radii.size()) radii.resize(node.object + 1);
+    radii[node.object].push_back(node.radius);
+  }
+  std::vector<double> stiffness(radii.size(), 1);
+  for (std::size_t object = 0; object < radii.size(); ++object) {
+    if (!radii[object].empty()) stiffness[object] = median(std::move(radii[object])) / skeleton.scale;
   }
   return stiffness;
 }

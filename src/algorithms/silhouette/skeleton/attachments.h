@@ -60,16 +60,8 @@ inline auto members(const Attachments& attachments) {
 /// by at least two fifths of the thinner one. Surfaces that only touch have no sound union.
 double attached_distance(double kappa, double a, double b);
 
-/// How hard an object is to move; the factors are those of its rows, the roots of its energies'.
-struct RowStiffness {
-  /// Of all its rows: mean radius / L, so that the limb moves and not the body.
-  double all = 1;
-  /// Besides that, of its rows that pull it to the sketch plane: (mean radius / the largest of its group)^2. The
-  /// body holds its limb in depth; else legs would swing back to the plane below the body and cross.
-  double distance = 1;
-};
-
-/// @return per object up to the last one joined, 1 for those that aren't; none without joined ones
-std::vector<RowStiffness> row_stiffness(const Skeleton& skeleton, const Attachments& attachments);
+/// Per object, how hard it is to move: its median radius / L, the factor of its rows and thus the root of its
+/// energies'. Where parts press on one another, the thin one gives way and the wide one keeps its shape.
+std::vector<double> row_stiffness(const Skeleton& skeleton);
 
 }  // namespace croquis::silhouette

@@ -6,6 +6,7 @@
 #include "algorithms/silhouette/skeleton/axis_decimation.h"
 #include "algorithms/silhouette/skeleton/axis_graph.h"
 #include "algorithms/silhouette/skeleton/axis_pruning.h"
+#include "algorithms/silhouette/skeleton/median.h"
 #include "algorithms/silhouette/skeleton/sheet_walk.h"
 
 namespace croquis::silhouette {
@@ -13,14 +14,6 @@ namespace {
 
 /// Nodes nearer than this, in sketch units u, add nothing: the samples aren't denser.
 constexpr double least_axis_spacing = 4;
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return (*middle + *std::max_element(values.begin(), middle)) / 2;
-}
 
 /// Gives every node its chord and what lies along it.
 class NodeMaker {

@@ -8,6 +8,7 @@
 #include "algorithms/silhouette/skeleton/chord_split.h"
 #include "algorithms/silhouette/skeleton/collision_rows.h"
 #include "algorithms/silhouette/skeleton/depth_problem.h"
+#include "algorithms/silhouette/skeleton/rest_depths.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -31,7 +32,7 @@ class PartSolver {
       : skeleton_(skeleton),
         rows_(rows),
         part_(part),
-        problem_(depth_problem(skeleton, part, settings)),
+        problem_(depth_problem(skeleton, part, settings, skeleton.rest)),
         active_(part.rows.size(), part.rows.size() <= settings.lazy_rows) {
     if (part.rows.size() > settings.lazy_rows) activate_most_demanding();
   }
@@ -122,6 +123,7 @@ void solve_all(Skeleton& skeleton, const LabelledFigure& figure, const DepthSett
                DepthResult& result) {
   const double gap = settings.options.minimum_gap * skeleton.scale;
   const std::vector<CollisionRow> rows = collision_rows(skeleton, figure, gap, settings.attachments);
+  skeleton.rest = rest_depths(skeleton, object_bounds(skeleton, rows), settings, progress);
   const std::vector<DepthPart> parts = depth_parts(skeleton, rows);
   result.rows = rows.size();
   result.rows_used = 0;
@@ -143,6 +145,17 @@ std::vector<Index> nodes_of(const std::vector<DepthCollision>& collisions) {
 }
 
 }  // namespace
+
+DepthWeights depth_weights(const DepthSettings& settings, Index object) {
+  constexpr double least = 1e-3;  // less, and an object could float away
+  const DepthOptions& options = settings.options;
+  DepthWeights weights{options.weight_curvature, options.weight_orientation, options.weight_distance};
+  if (object < settings.object_weights.size()) weights = settings.object_weights[object];
+  for (double* weight : {&weights.curvature, &weights.orientation, &weights.distance}) {
+    *weight = std::clamp(*weight, least, 1.0);
+  }
+  return weights;
+}
 
 DepthResult solve_depth(Skeleton& skeleton, const LabelledFigure& figure, const DepthSettings& settings,
                         Progress& progress) {

@@ -37,6 +37,9 @@ constexpr auto members(const DepthSettings& options) {
 }
 static_assert(lists_every_member<DepthSettings>);
 
+/// An object's own weights or the options', within their range.
+DepthWeights depth_weights(const DepthSettings& settings, Index object);
+
 /// A pair of nodes that couldn't be kept apart.
 struct DepthCollision {
   Index upper = 0;

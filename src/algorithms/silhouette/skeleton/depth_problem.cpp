@@ -16,6 +16,7 @@ using Triplet = Eigen::Triplet<double>;
 /// A sparse matrix that grows row by row.
 class RowWriter {
  public:
+  int rows() const { return rows_; }
   void begin_row() { ++rows_; }
   void add(Index column, double value) { entries_.emplace_back(rows_ - 1, static_cast<int>(column), value); }
 
@@ -39,32 +40,25 @@ class RowWriter {
   std::vector<Triplet> entries_;
 };
 
-constexpr double least_weight = 1e-3;  // less, and an object could float away
-
 /// What an object's rows are multiplied by.
 class RowWeights {
  public:
   RowWeights(const Skeleton& skeleton, const DepthSettings& settings)
-      : settings_(settings), stiffness_(row_stiffness(skeleton, settings.attachments)) {}
+      : settings_(settings), stiffness_(row_stiffness(skeleton)) {}
 
   DepthWeights of(Index object) const {
-    const DepthOptions& options = settings_.options;
-    DepthWeights weights{options.weight_curvature, options.weight_orientation, options.weight_distance};
-    if (object < settings_.object_weights.size()) weights = settings_.object_weights[object];
-    for (double* weight : {&weights.curvature, &weights.orientation, &weights.distance}) {
-      *weight = std::clamp(*weight, least_weight, 1.0);
-    }
+    DepthWeights weights = depth_weights(settings_, object);
     if (object < stiffness_.size()) {
-      const auto& [all, distance] = stiffness_[object];
-      weights = {all * weights.curvature, all * weights.orientation,
-                 all * std::max(distance * weights.distance, least_weight)};
+      for (double* weight : {&weights.curvature, &weights.orientation, &weights.distance}) {
+        *weight *= stiffness_[object];
+      }
     }
     return weights;
   }
 
  private:
   const DepthSettings& settings_;
-  std::vector<RowStiffness> stiffness_;  ///< per object
+  std::vector<double> stiffness_;  ///< per object
 };
 
 Index local(const DepthPart& part, Index node) {
@@ -110,7 +104,8 @@ std::vector<DepthPart> depth_parts(const Skeleton& skeleton, std::span<const Col
   return parts;
 }
 
-LeastSquaresProblem depth_problem(const Skeleton& skeleton, const DepthPart& part, const DepthSettings& settings) {
+LeastSquaresProblem depth_problem(const Skeleton& skeleton, const DepthPart& part, const DepthSettings& settings,
+                                  std::span<const double> rest) {
   const RowWeights row_weights(skeleton, settings);
   RowWriter objective;
   RowWriter equalities;
@@ -124,9 +119,13 @@ LeastSquaresProblem depth_problem(const Skeleton& skeleton, const DepthPart& par
     for (const EdgeRow& row : curvature_rows(along, 1)) objective.add_edge(from, to, row, weight);
   }
   const std::vector<double> lengths = node_lengths(skeleton, part);
+  std::vector<double> target(static_cast<std::size_t>(objective.rows()), 0);
   for (Index n = 0; n < part.nodes.size(); ++n) {
-    const DepthWeights weights = row_weights.of(skeleton.nodes[part.nodes[n]].object);
+    const Index object = skeleton.nodes[part.nodes[n]].object;
+    const DepthWeights weights = row_weights.of(object);
     const double root = std::sqrt(lengths[n]);
+    const double height = object < rest.size() ? rest[object] / skeleton.scale : 0;
+    target.insert(target.end(), {weights.distance * root * height, 0, 0});
     for (const auto& [unknown, weight] :
          {std::pair{Index{0}, weights.distance}, std::pair{Index{1}, weights.orientation},
           std::pair{Index{2}, weights.orientation}}) {
@@ -136,6 +135,7 @@ LeastSquaresProblem depth_problem(const Skeleton& skeleton, const DepthPart& par
   }
   LeastSquaresProblem problem;
   problem.objective = objective.matrix(part.nodes.size());
+  problem.target = Eigen::Map<const Eigen::VectorXd>(target.data(), static_cast<Eigen::Index>(target.size()));
   problem.equalities = equalities.matrix(part.nodes.size());
   return problem;
 }

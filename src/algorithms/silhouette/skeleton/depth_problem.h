@@ -23,7 +23,9 @@ std::vector<DepthPart> depth_parts(const Skeleton& skeleton, std::span<const Col
 
 /// Everything of a part's least-squares problem but its collision rows. Unknowns (z/L, gx, gy) per node of the part:
 /// all lengths are measured in L, so that a drawing and its enlargement give the same numbers.
-LeastSquaresProblem depth_problem(const Skeleton& skeleton, const DepthPart& part, const DepthSettings& settings);
+/// @param rest per object the height that it is pulled to, sketch units; empty: the sketch plane
+LeastSquaresProblem depth_problem(const Skeleton& skeleton, const DepthPart& part, const DepthSettings& settings,
+                                  std::span<const double> rest = {});
 
 /// Puts those collision rows into a part's problem, in their order.
 void set_collision_rows(const Skeleton& skeleton, const DepthPart& part, std::span<const CollisionRow> rows,

@@ -42,6 +42,8 @@ struct Skeleton {
   std::vector<SkeletonNode> nodes;
   std::vector<std::array<Index, 2>> edges;
   double scale = 0;  ///< L: median radius of the nodes
+  /// Per object the height that it was pulled to, see rest_depths; set by the depth solve, empty before it.
+  std::vector<double> rest;
   /// Radius along the contours, from all chords before decimation: per contour and position the radius of the chord
   /// (or cap) that the contour vertex belongs to. NaN where no chord ends.
   std::vector<std::vector<double>> contour_radius;

@@ -22,7 +22,7 @@ constexpr Index own_segments = 8;
 // A stem is near its bar over this many segments before it ends there.
 constexpr double junction_segments = 2;
 
-struct Meeting {
+struct LineMeeting {
   Vec2 at = Vec2::Zero();
   bool crossing = false;
   Index line_a = 0;
@@ -36,7 +36,7 @@ class ConflictSearch {
     for (const HiddenEnd& end : ends) ends_of_[end.line].push_back(&end);
   }
 
-  std::optional<Meeting> meeting(const GridSegment& a, const GridSegment& b) const {
+  std::optional<LineMeeting> meeting(const GridSegment& a, const GridSegment& b) const {
     const bool same = a.line == b.line;
     const Index apart = same ? separation(a, b) : own_segments + 1;
     if (apart <= 1 || joined(a, b) || joined(b, a)) return std::nullopt;
@@ -44,10 +44,10 @@ class ConflictSearch {
       const Vec2 u = a.b - a.a;
       const Vec2 v = b.b - b.a;
       const bool steep = std::abs(cross(u, v)) > touch_sine * u.norm() * v.norm();
-      return Meeting{a.a + crossing_fraction(a.a, a.b, b.a, b.b) * u, steep, a.line, b.line};
+      return LineMeeting{a.a + crossing_fraction(a.a, a.b, b.a, b.b) * u, steep, a.line, b.line};
     }
     if (apart <= own_segments) return std::nullopt;
-    if (const std::optional<Vec2> at = touch(a, b)) return Meeting{*at, false, a.line, b.line};
+    if (const std::optional<Vec2> at = touch(a, b)) return LineMeeting{*at, false, a.line, b.line};
     return std::nullopt;
   }
 
@@ -87,7 +87,7 @@ class ConflictSearch {
   double reach_;
 };
 
-LineFinding describe(const Drawing& drawing, Index s1, Index s2, const Meeting& meeting) {
+LineFinding describe(const Drawing& drawing, Index s1, Index s2, const LineMeeting& meeting) {
   LineFinding result;
   const std::string both = in_quotes(drawing, s1) + " and " + in_quotes(drawing, s2);
   std::string sentence;
@@ -118,14 +118,14 @@ LineFindings find_line_conflicts(const Drawing& drawing, const std::vector<Clean
                                  const Progress& progress) {
   const SegmentGrid grid(line_segments(lines), scale.step, touch_distance * scale.unit);
   const ConflictSearch search(lines, ends, scale);
-  std::map<std::pair<Index, Index>, Meeting> worst;  // by strokes; a crossing counts as worse than a touch
+  std::map<std::pair<Index, Index>, LineMeeting> worst;  // by strokes; a crossing counts as worse than a touch
   std::size_t visited = 0;
   grid.pairs([&](Index i, Index j) {
     constexpr std::size_t pairs_between_checks = 1U << 18U;
     if (++visited % pairs_between_checks == 0) progress.check();
     const GridSegment& a = grid.segments()[i];
     const GridSegment& b = grid.segments()[j];
-    const std::optional<Meeting> meeting = search.meeting(a, b);
+    const std::optional<LineMeeting> meeting = search.meeting(a, b);
     if (!meeting) return;
     const auto strokes = std::minmax(lines[a.line].stroke[a.position], lines[b.line].stroke[b.position]);
     const auto [place, fresh] = worst.try_emplace({strokes.first, strokes.second}, *meeting);

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "algorithms/silhouette/skeleton/rest_depths.h"
 #include "algorithms/silhouette/surface/swept_limbs.h"
 
 namespace croquis::silhouette {
@@ -36,35 +38,59 @@ Eigen::VectorXd node_lengths(const Skeleton& skeleton) {
   return lengths;
 }
 
-MidSurfaceData mid_surface_data(const Skeleton& skeleton, std::vector<LiftedPlace> nodes, const DepthOptions& options) {
-  MidSurfaceData data;
-  data.nodes = std::move(nodes);
-  data.node_z = node_depths(skeleton);
-  data.node_length = node_lengths(skeleton);
-  data.scale = skeleton.scale;
-  data.gap = options.minimum_gap * skeleton.scale;
-  return data;
+std::vector<Index> objects_of_vertices(const SheetBasis& basis) {
+  std::vector<Index> objects(basis.sampling.lifted.planar_vertex.size(), 0);
+  for (std::size_t m = 0; m < basis.objects.size(); ++m) {
+    for (const Index v : basis.sampling.lifted.triangles[m]) objects[v] = basis.objects[m];
+  }
+  return objects;
 }
 
-/// Per lifted vertex.
-Eigen::VectorXd vertex_stiffness(const LiftedTriangulation& lifted, const std::vector<Index>& objects,
-                                 const std::vector<RowStiffness>& object_stiffness) {
-  Eigen::VectorXd stiffness = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(lifted.planar_vertex.size()));
-  for (std::size_t m = 0; m < objects.size(); ++m) {
-    if (objects[m] >= object_stiffness.size()) continue;
-    for (const Index v : lifted.triangles[m]) stiffness[v] = object_stiffness[objects[m]].all;
+Eigen::VectorXd vertex_stiffness(const Skeleton& skeleton, const std::vector<Index>& objects) {
+  const std::vector<double> by_object = row_stiffness(skeleton);
+  Eigen::VectorXd stiffness = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(objects.size()));
+  for (std::size_t v = 0; v < objects.size(); ++v) {
+    if (objects[v] < by_object.size()) stiffness[static_cast<Eigen::Index>(v)] = by_object[objects[v]];
   }
   return stiffness;
 }
 
-/// What may sink into what, and how hard each object is to move.
-void add_attachments(const Skeleton& skeleton, const SheetBasis& basis, const Attachments& attachments,
-                     MidSurfaceData& data) {
-  data.pairs = stacked_pairs(basis.sampling, basis.objects, attachments);
-  data.stiffness = vertex_stiffness(basis.sampling.lifted, basis.objects, row_stiffness(skeleton, attachments));
-  // Limbs press on rims: a wide body keeps its shape over its own radius rather than over L.
+/// The surface between nodes may be thicker than the balls at them, and reach beyond the last one: how much farther
+/// each object rests from the sketch plane for that, at every node.
+Eigen::VectorXd node_shifts(const Skeleton& skeleton, const MidSurfaceData& data, const std::vector<Index>& objects,
+                            const Eigen::VectorXd& thickness, const DepthSettings& settings, Progress& progress) {
+  ObjectBounds bounds;
+  for (const StackedPair& pair : data.pairs) {
+    const std::pair ends(objects[pair.upper], objects[pair.lower]);
+    if (ends.first == ends.second) continue;
+    double& bound = bounds[ends];
+    bound = std::max(bound, least_distance(data, pair, thickness));
+  }
+  const std::vector<double> rest = rest_depths(skeleton, bounds, settings, progress);
+  Eigen::VectorXd shifts(data.node_z.size());
+  for (Eigen::Index n = 0; n < shifts.size(); ++n) {
+    const Index object = skeleton.nodes[static_cast<std::size_t>(n)].object;
+    shifts[n] = rest[object] - (object < skeleton.rest.size() ? skeleton.rest[object] : 0);
+  }
+  return shifts;
+}
+
+MidSurfaceData mid_surface_data(const Skeleton& skeleton, const SheetBasis& basis, const std::vector<Index>& objects,
+                                const DepthSettings& settings) {
+  MidSurfaceData data;
+  data.nodes = basis.nodes;
+  data.node_z = node_depths(skeleton);
+  data.node_length = node_lengths(skeleton);
+  data.scale = skeleton.scale;
+  data.gap = settings.options.minimum_gap * skeleton.scale;
+  data.stiffness = vertex_stiffness(skeleton, objects);
+  // Thin parts press on rims: a wide one keeps its shape over its own radius rather than over L.
   data.bending = data.stiffness.cwiseMax(1);
-  data.front_margin = front_margin * std::max(skeleton.scale, basis.unit);
+  const bool joined = !settings.attachments.empty();
+  data.pairs =
+      joined ? stacked_pairs(basis.sampling, basis.objects, settings.attachments) : stacked_pairs(basis.sampling);
+  if (joined) data.front_margin = front_margin * std::max(skeleton.scale, basis.unit);
+  return data;
 }
 
 /// Moves the backs of attached sheets until no point of one lies closer than this below or above another's front or
@@ -104,18 +130,17 @@ InflatedSheets raise_sheets(const Skeleton& skeleton, const SheetBasis& basis, c
   InflatedSheets sheets;
   sheets.sampling = basis.sampling;
   Progress raising = progress.step("mid-surface", 0.6);
-  MidSurfaceData data = mid_surface_data(skeleton, basis.nodes, settings.options);
-  data.pairs = stacked_pairs(sheets.sampling);
-  if (!settings.attachments.empty()) {
-    add_attachments(skeleton, basis, settings.attachments, data);
-  }
+  const std::vector<Index> objects = objects_of_vertices(basis);
+  MidSurfaceData data = mid_surface_data(skeleton, basis, objects, settings);
   sheets.pairs = data.pairs;
-  MidSurface mid_surface(basis.op, std::move(data));
   const auto tilted = [&](const SweptLimbs& limbs) -> Eigen::VectorXd {
     return basis.upright.cwiseProduct(basis.extension.extend(limbs.tilt).cwiseMax(1));
   };
-  const Eigen::VectorXd depths = node_depths(skeleton);
-  const MidSurfaceResult first = mid_surface.solve(tilted(swept_limbs(skeleton, depths)), raising);
+  const Eigen::VectorXd unmoved = tilted(swept_limbs(skeleton, data.node_z));
+  const Eigen::VectorXd depths = data.node_z + node_shifts(skeleton, data, objects, unmoved, settings, raising);
+  data.node_z = depths;
+  MidSurface mid_surface(basis.op, std::move(data));
+  const MidSurfaceResult first = mid_surface.solve(unmoved, raising);
 
   Progress tilting = progress.step("tilt", 0.4);
   const SweptLimbs limbs = swept_limbs(skeleton, values_at(basis.nodes, first.z));

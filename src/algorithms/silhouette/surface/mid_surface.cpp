@@ -39,14 +39,6 @@ double pull_of(const MidSurfaceData& data, Eigen::Index n) {
   return std::sqrt(data.node_length[n] / data.scale) * stiffness_at(data, place.vertices[0]);
 }
 
-/// Least z_a - z_b.
-double least_distance(const MidSurfaceData& data, const StackedPair& pair, const Eigen::VectorXd& thickness) {
-  const double upper = thickness[pair.upper];
-  const double lower = thickness[pair.lower];
-  if (!pair.attached()) return upper + lower + data.gap + gap_margin * data.scale;
-  return std::max(attached_distance(pair.kappa, upper, lower), lower - upper + data.front_margin);
-}
-
 LeastSquaresProblem make_problem(const SheetOperator& op, const MidSurfaceData& data) {
   const Eigen::Index count = op.stiffness.cols();
   Triplets rows;
@@ -115,6 +107,13 @@ std::vector<StackedPair> stacked_pairs(const SheetSampling& sheets) {
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
+}
+
+double least_distance(const MidSurfaceData& data, const StackedPair& pair, const Eigen::VectorXd& thickness) {
+  const double upper = thickness[pair.upper];
+  const double lower = thickness[pair.lower];
+  if (!pair.attached()) return upper + lower + data.gap + gap_margin * data.scale;
+  return std::max(attached_distance(pair.kappa, upper, lower), lower - upper + data.front_margin);
 }
 
 struct MidSurface::State {

@@ -47,6 +47,10 @@ struct MidSurfaceData {
   Eigen::VectorXd bending;    ///< and, besides, of its bending
 };
 
+/// Least z_a - z_b of a pair.
+/// @param thickness per lifted vertex, h
+double least_distance(const MidSurfaceData& data, const StackedPair& pair, const Eigen::VectorXd& thickness);
+
 struct MidSurfaceResult {
   Eigen::VectorXd z;  ///< per lifted vertex
   int iterations = 0;

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/skeleton/rest_depths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <tuple>
+#include <utility>
+
+#include "algorithms/silhouette/skeleton/overlap_cycles.h"
+#include "croquis/solver/least_squares.h"
+
+namespace croquis::silhouette {
+namespace {
+
+/// In L: so much more than rows demand that none of them presses on a flat object.
+constexpr double clearance = 1e-4;
+
+/// Weights against that of two objects' difference.
+constexpr double plane_weight = 1;  // of the whole figure, times the weight of distance; settles where all of it lies
+constexpr double like_weight = 10;
+
+// How unlike parts may be that count as alike: radius and area of the larger one by the smaller one's.
+constexpr double like_radius = 1.4;
+constexpr double like_area = 2;
+
+/// In the thinner one's radius: joined parts that are farther apart than they need are no longer taken to meet.
+constexpr double pushed_away = 0.1;
+
+struct ObjectSize {
+  double radius = 0;  ///< mean
+  double area = 0;
+};
+
+std::vector<ObjectSize> object_sizes(const Skeleton& skeleton) {
+  std::vector<ObjectSize> sizes;
+  std::vector<double> nodes;
+  for (const SkeletonNode& node : skeleton.nodes) {
+    if (node.object >= sizes.size()) sizes.resize(node.object + 1);
+    nodes.resize(sizes.size());
+    sizes[node.object].radius += node.radius;
+    ++nodes[node.object];
+  }
+  for (std::size_t object = 0; object < sizes.size(); ++object) {
+    ObjectSize& size = sizes[object];
+    size.radius /= std::max(nodes[object], 1.0);
+    size.area = std::numbers::pi * size.radius * size.radius;
+  }
+  for (const auto& [i, k] : skeleton.edges) {
+    const SkeletonNode& a = skeleton.nodes[i];
+    const SkeletonNode& b = skeleton.nodes[k];
+    sizes[a.object].area += (a.position - b.position).norm() * (a.radius + b.radius);
+  }
+  return sizes;
+}
+
+/// A part that lies before or behind a body.
+struct BodyPart {
+  Index part = 0;
+  int side = 1;      ///< 1 before, -1 behind
+  double bound = 0;  ///< least distance from the body
+};
+
+using BodyParts = std::vector<BodyPart>;
+
+/// Parts of one body that are about as wide and as large as each other; groups of one part are left out.
+std::vector<BodyParts> like_groups(BodyParts parts, const std::vector<ObjectSize>& sizes) {
+  std::sort(parts.begin(), parts.end(), [&](const BodyPart& a, const BodyPart& b) {
+    const auto key = [&](const BodyPart& one) {
+      return std::tuple(sizes[one.part].radius, sizes[one.part].area, one.part);
+    };
+    return key(a) < key(b);
+  });
+  const auto alike = [&](const BodyPart& a, const BodyPart& b) {
+    const auto [small, large] = std::minmax(sizes[a.part].area, sizes[b.part].area);
+    return sizes[b.part].radius <= like_radius * sizes[a.part].radius && large <= like_area * small;
+  };
+  std::vector<BodyParts> groups;
+  for (const BodyPart& part : parts) {
+    const auto group = std::find_if(groups.begin(), groups.end(),
+                                    [&](const BodyParts& members) { return alike(members.front(), part); });
+    if (group == groups.end()) {
+      groups.push_back({part});
+    } else {
+      group->push_back(part);
+    }
+  }
+  std::erase_if(groups, [](const BodyParts& group) { return group.size() < 2; });
+  return groups;
+}
+
+/// One height per cycle, in L.
+class RestProblem {
+ public:
+  RestProblem(const Skeleton& skeleton, const ObjectBounds& bounds, const DepthSettings& settings)
+      : scale_(skeleton.scale), sizes_(object_sizes(skeleton)), bounds_(bounds), settings_(settings) {
+    below_.resize(sizes_.size());
+    for (const auto& [pair, bound] : bounds_) below_[pair.first].push_back(pair.second);
+  }
+
+  std::vector<double> solve(Progress& progress) {
+    std::vector<double> heights(sizes_.size(), 0);
+    // Every repetition has fewer cycles.
+    do {
+      cycles_ = overlap_cycles(below_);
+      if (cycles_.count < 2) return std::vector<double>(sizes_.size(), 0);
+      find_heights(heights, progress);
+    } while (hold_joined(heights));
+    return heights;
+  }
+
+ private:
+  void find_heights(std::vector<double>& heights, Progress& progress) {
+    objective_.clear();
+    targets_.clear();
+    distances_.clear();
+    add_plane_rows();
+    add_pair_rows();
+    add_like_rows();
+    const LeastSquaresSolution solution = solve_least_squares(problem(), {}, progress);
+    for (Index object = 0; object < heights.size(); ++object) {
+      heights[object] = solution.x[cycles_.cycle[object]] * scale_;
+    }
+  }
+
+  /// A limb that something pushes away from its body has to bend: it shares the body's height.
+  /// @return whether there was one
+  bool hold_joined(const std::vector<double>& heights) {
+    bool found = false;
+    for (const auto& [pair, bound] : bounds_) {
+      const auto& [upper, lower] = pair;
+      if (cycles_.cycle[upper] == cycles_.cycle[lower] || !settings_.attachments.kappa(upper, lower)) continue;
+      const double excess = heights[upper] - heights[lower] - bound;
+      if (excess <= pushed_away * std::min(sizes_[upper].radius, sizes_[lower].radius)) continue;
+      below_[lower].push_back(upper);
+      found = true;
+    }
+    return found;
+  }
+
+  using Entries = std::vector<std::pair<Index, double>>;
+
+  void add_row(const Entries& entries, double target = 0) {
+    const auto row = static_cast<int>(targets_.size());
+    for (const auto& [unknown, value] : entries) objective_.emplace_back(row, static_cast<int>(unknown), value);
+    targets_.push_back(target);
+  }
+
+  void add_plane_rows() {
+    double total = 0;
+    for (const ObjectSize& size : sizes_) total += size.area;
+    for (Index object = 0; object < sizes_.size(); ++object) {
+      const double hold = plane_weight * depth_weights(settings_, object).distance;
+      add_row({{cycles_.cycle[object], hold * std::sqrt(sizes_[object].area / total)}});
+    }
+  }
+
+  void add_pair_rows() {
+    for (const auto& [pair, bound] : bounds_) {
+      const Index upper = cycles_.cycle[pair.first];
+      const Index lower = cycles_.cycle[pair.second];
+      if (upper == lower) continue;
+      add_row({{upper, 1}, {lower, -1}});
+      double& most = distances_[{upper, lower}];
+      most = std::max(most, bound / scale_ + clearance);
+    }
+  }
+
+  void add_like_rows() {
+    std::map<Index, BodyParts> bodies;
+    const auto add = [&](Index body, const BodyPart& part) {
+      // Limbs that grow out of a body have to reach it, each by itself.
+      const bool joined = settings_.attachments.kappa(body, part.part).has_value();
+      const bool flat = cycles_.cycle[body] != cycles_.cycle[part.part];
+      if (flat && !joined && sizes_[body].area > sizes_[part.part].area) bodies[body].push_back(part);
+    };
+    for (const auto& [pair, bound] : bounds_) {
+      add(pair.second, {pair.first, 1, bound});
+      add(pair.first, {pair.second, -1, bound});
+    }
+    for (const auto& [body, parts] : bodies) {
+      for (const BodyParts& group : like_groups(parts, sizes_)) add_like_rows(body, group);
+    }
+  }
+
+  void add_like_rows(Index body, const BodyParts& group) {
+    double distance = 0;
+    for (const BodyPart& part : group) distance = std::max(distance, part.bound / scale_ + clearance);
+    for (const BodyPart& part : group) {
+      add_row({{cycles_.cycle[part.part], part.side * like_weight}, {cycles_.cycle[body], -part.side * like_weight}},
+              like_weight * distance);
+    }
+  }
+
+  LeastSquaresProblem problem() const {
+    LeastSquaresProblem problem;
+    problem.objective.resize(static_cast<Eigen::Index>(targets_.size()), cycles_.count);
+    problem.objective.setFromTriplets(objective_.begin(), objective_.end());
+    problem.target = Eigen::Map<const Eigen::VectorXd>(targets_.data(), problem.objective.rows());
+    std::vector<Eigen::Triplet<double>> gaps;
+    problem.inequality_bounds.resize(static_cast<Eigen::Index>(distances_.size()));
+    int row = 0;
+    for (const auto& [pair, distance] : distances_) {
+      gaps.emplace_back(row, static_cast<int>(pair.first), 1);
+      gaps.emplace_back(row, static_cast<int>(pair.second), -1);
+      problem.inequality_bounds[row++] = distance;
+    }
+    problem.inequalities.resize(row, cycles_.count);
+    problem.inequalities.setFromTriplets(gaps.begin(), gaps.end());
+    return problem;
+  }
+
+  double scale_;
+  std::vector<ObjectSize> sizes_;
+  const ObjectBounds& bounds_;
+  const DepthSettings& settings_;
+  ObjectBounds distances_;                 ///< by cycles, in L
+  std::vector<std::vector<Index>> below_;  ///< per object
+  OverlapCycles cycles_;
+  std::vector<Eigen::Triplet<double>> objective_;
+  std::vector<double> targets_;
+};
+
+}  // namespace
+
+ObjectBounds object_bounds(const Skeleton& skeleton, std::span<const CollisionRow> rows) {
+  ObjectBounds bounds;
+  for (const CollisionRow& row : rows) {
+    const std::pair pair(skeleton.nodes[row.upper].object, skeleton.nodes[row.lower].object);
+    if (pair.first != pair.second) bounds[pair] = std::max(bounds[pair], row.bound);
+  }
+  return bounds;
+}
+
+std::vector<double> rest_depths(const Skeleton& skeleton, const ObjectBounds& bounds, const DepthSettings& settings,
+                                Progress& progress) {
+  return RestProblem(skeleton, bounds, settings).solve(progress);
+}
+
+}  // namespace croquis::silhouette
