@@ -26,6 +26,7 @@ inline constexpr const char* thickness_key = "thickness";
 /// "behind": ids of strokes, separated by commas, that this one passes behind where they cross in full view, though it
 /// was drawn later; "all" for all drawn before it.
 inline constexpr const char* behind_key = "behind";
+inline constexpr const char* behind_all = "all";
 
 /// None for a word that is no kind.
 std::optional<StrokeKind> stroke_kind(const Stroke& stroke);

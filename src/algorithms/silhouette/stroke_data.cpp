@@ -44,7 +44,7 @@ bool told_behind(const Stroke& later, const Stroke& earlier) {
   if (found == later.data.end()) return false;
   const std::vector<std::string_view> ids = text_parts(found->second, ",");
   return std::any_of(ids.begin(), ids.end(), [&](std::string_view id) {
-    return without_spaces(id) == "all" || without_spaces(id) == earlier.id;
+    return without_spaces(id) == behind_all || without_spaces(id) == earlier.id;
   });
 }
 

@@ -103,6 +103,11 @@ SketchToolOptions Studio::tool_options() const {
   return options_for<SketchToolOptions>(*first_operation_on(ValueType::Drawing));
 }
 
+ParameterValues Studio::first_parameters(const std::string& operation) const {
+  const SketchToolOptions sketches = tool_options();
+  return operation == sketches.operation ? sketches.parameters : ParameterValues();
+}
+
 PerspectiveToolOptions Studio::sheet_options() const {
   return options_for<PerspectiveToolOptions>(*first_operation_on(ValueType::PerspectiveDrawing));
 }

@@ -52,6 +52,9 @@ class Studio : public QObject, public Workspace {
   PerspectiveToolOptions sheet_options() const;  ///< the same for drawings in perspective
   SurfaceToolOptions network_options() const;    ///< the same for networks of curves
 
+  /// The parameters that a new step of an operation starts with; those not named have the operation's own defaults.
+  ParameterValues first_parameters(const std::string& operation) const;
+
   /// The document with a network and its surfaces. Networks have z upwards; what is made of them stands upright.
   Document with_network(const Document& document, AttributeNetwork network, const SurfaceToolOptions& options) const;
 

@@ -32,6 +32,7 @@ inline const QString first_mode = QStringLiteral("draw");
 struct Ink {
   int view = 0;
   const std::vector<StrokeSample>* samples = nullptr;
+  bool pale = false;  ///< it will lie behind what is drawn
 };
 
 /// What a view is to show of what is selected.

@@ -19,7 +19,7 @@ bool same_camera(const render::Camera& a, const render::Camera& b) {
 
 }  // namespace
 
-render::LineItemPtr ink_item(const std::vector<StrokeSample>& ink) {
+render::LineItemPtr ink_item(const std::vector<StrokeSample>& ink, bool pale) {
   if (ink.empty()) return nullptr;
   render::LinePath path;
   path.points.reserve(ink.size());
@@ -27,7 +27,8 @@ render::LineItemPtr ink_item(const std::vector<StrokeSample>& ink) {
     const glm::dvec3 place(sample.position.x(), sample.position.y(), 0);
     path.points.push_back({place, static_cast<float>(0.5 + 0.8 * sample.pressure), {}});
   }
-  return render::make_line_item(path, {ink_width, to_color(colors::ink), {}, render::LineDepth::OnTop});
+  const render::Color color = pale ? to_color(colors::behind) : to_color(colors::ink);
+  return render::make_line_item(path, {ink_width, color, {}, render::LineDepth::OnTop});
 }
 
 void InkSheet::keep(const render::Scene& scene, const render::RenderOptions& options, const ViewPane& pane,
@@ -66,14 +67,14 @@ render::Viewport InkSheet::part_of(const std::vector<StrokeSample>& ink, const r
   return part;
 }
 
-void InkSheet::draw_new_ink(render::Renderer& renderer, const std::vector<StrokeSample>& ink,
+void InkSheet::draw_new_ink(render::Renderer& renderer, const std::vector<StrokeSample>& ink, bool pale,
                             const render::Viewport& whole) {
   if (ink.size() <= inked_) return;
   const render::Viewport part = part_of(ink, whole);
   inked_ = ink.size();
   if (part.width <= 0 || part.height <= 0) return;  // drawn outside of the view
   render::Scene scene = drawn_->scene;
-  scene.lines.emplace_back(ink_item(ink));
+  scene.lines.emplace_back(ink_item(ink, pale));
   renderer.draw(scene, drawn_->pane.camera, drawn_->options, part);
 }
 

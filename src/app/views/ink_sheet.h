@@ -15,7 +15,8 @@ namespace croquis::app {
 inline constexpr double ink_width = 2.2;
 
 /// The ink of a stroke under way, or null before its first sample.
-render::LineItemPtr ink_item(const std::vector<StrokeSample>& ink);
+/// @param pale for strokes that will lie behind others
+render::LineItemPtr ink_item(const std::vector<StrokeSample>& ink, bool pale);
 
 /// A view that is drawn on, as it was last drawn whole. While a stroke is under way only the rectangle of its newest
 /// piece is drawn again: ink follows the pen without delay, however long a whole view takes.
@@ -32,7 +33,8 @@ class InkSheet {
 
   /// Draws the part of the ink that isn't there yet. Only after `keep`, with the renderer that drew it.
   /// @param whole the pane's place in the framebuffer
-  void draw_new_ink(render::Renderer& renderer, const std::vector<StrokeSample>& ink, const render::Viewport& whole);
+  void draw_new_ink(render::Renderer& renderer, const std::vector<StrokeSample>& ink, bool pale,
+                    const render::Viewport& whole);
 
   /// Samples of the ink that have been drawn.
   std::size_t inked() const { return inked_; }

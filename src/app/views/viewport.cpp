@@ -316,7 +316,7 @@ bool Viewport::draw_ink() {
   const auto inked = ink();
   if (!inked || clear_ || inked->view != sheet_view_ || !sheet_.fits(layout_.pane(inked->view))) return false;
   const bool begins = sheet_.inked() == 0;
-  sheet_.draw_new_ink(*renderer_, *inked->samples, place_of(layout_.pane(inked->view)));
+  sheet_.draw_new_ink(*renderer_, *inked->samples, inked->pale, place_of(layout_.pane(inked->view)));
   if (begins) place_chips();
   return true;
 }
@@ -406,7 +406,7 @@ void Viewport::draw_view(int view) {
     sheet_.keep(scene, options, pane, inked && inked->view == view ? inked->samples->size() : 0);
     sheet_view_ = view;
   }
-  if (inked && inked->view == view) scene.lines.emplace_back(ink_item(*inked->samples));
+  if (inked && inked->view == view) scene.lines.emplace_back(ink_item(*inked->samples, inked->pale));
   renderer_->draw(scene, pane.camera, options, place_of(pane));
 }
 

@@ -63,7 +63,7 @@ void StepActions::add_operations(ActionList& actions, QMenu* menu) {
     if (output == nullptr || output->type != ValueType::Mesh) continue;  // what it gives has no place in a chain
     const QString name = "add-step-" + QString::fromStdString(description.id);
     add(actions, added_, name, QString::fromStdString(description.title), {},
-        [id = description.id](Studio& studio, NodeId step) { studio.add_step(step, id); });
+        [id = description.id](Studio& studio, NodeId step) { studio.add_step(step, id, studio.first_parameters(id)); });
     operations_[description.id] = actions.find(name);
     operations_[description.id]->setToolTip(QString::fromStdString(description.sentence));
   }

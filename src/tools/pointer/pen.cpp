@@ -32,8 +32,6 @@ bool touches(const PointerEvent& event) {
   return event.buttons.left || event.pressure > 0 || bare_press;
 }
 
-bool is_left_alone(const Buttons& buttons) { return buttons.left && !buttons.middle && !buttons.right; }
-
 }  // namespace
 
 std::vector<PenStep> PenInput::handle(const PointerEvent& event) {
@@ -144,12 +142,16 @@ void PenInput::pen_lifted(const PointerEvent& event, Steps& steps) {
 
 // ---- Mouse
 
+bool PenInput::draws_alone(const Buttons& buttons) const {
+  return buttons.left ? !buttons.middle && !buttons.right : options_.right_draws && buttons.right && !buttons.middle;
+}
+
 void PenInput::mouse_event(const PointerEvent& event, Steps& steps) {
   if (event.action == Action::Press) {
     mouse_press(event, steps);
     return;
   }
-  const bool lifted = !event.buttons.left;
+  const bool lifted = mouse_draws() && owner_.right ? !event.buttons.right : !event.buttons.left;
   if (mouse_muted_) {
     mouse_muted_ = !lifted;
   } else if (!suspects_.empty()) {
@@ -162,13 +164,13 @@ void PenInput::mouse_event(const PointerEvent& event, Steps& steps) {
 }
 
 void PenInput::mouse_press(const PointerEvent& event, Steps& steps) {
-  if (!is_left_alone(event.buttons)) return;
+  if (!draws_alone(event.buttons)) return;
   if (mouse_draws() && is_repeated_press(event)) return;
   mouse_muted_ = is_copy_of_pen(event) && (pen_touches_ || pen_draws());
   if (mouse_muted_) return;
   suspects_.clear();
   if (down()) finish(PenStep::Kind::End, event.time, steps);
-  if (is_copy_of_pen(event)) {
+  if (is_copy_of_pen(event) && event.buttons.left) {
     suspects_.push_back(event);
   } else {
     begin(event, steps);
@@ -198,7 +200,8 @@ PenSample PenInput::sample_of(const PointerEvent& event) const {
 
 void PenInput::begin(const PointerEvent& event, Steps& steps) {
   const bool erases = event.device == PointerEvent::Device::Eraser && options_.eraser_erases;
-  owner_ = {PenStep::Kind::Begin, {}, event.device, erases, event.view, event.modifiers};
+  const bool right = !is_pen(event.device) && event.buttons.right;
+  owner_ = {PenStep::Kind::Begin, {}, event.device, erases, right, event.view, event.modifiers};
   samples_ = {sample_of(event)};
   lost_since_.reset();
   if (is_pen(event.device)) pen_touches_ = true;

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include <Eigen/Geometry>
-
 #include "croquis/geometry/polyline.h"
 #include "croquis/geometry/predicates.h"
 
@@ -36,21 +34,6 @@ const Vec2& segment_begin(const Stroke& stroke, std::size_t segment) { return st
 
 const Vec2& segment_end(const Stroke& stroke, std::size_t segment) {
   return stroke.samples[segment + 1 == stroke.samples.size() ? 0 : segment + 1].position;
-}
-
-bool touches_path(const Stroke& stroke, const std::vector<Vec2>& path, double radius) {
-  Eigen::AlignedBox2d around;
-  for (const StrokeSample& sample : stroke.samples) around.extend(sample.position);
-  for (std::size_t k = 0; k < path.size(); ++k) {
-    const Vec2& from = path[k == 0 ? 0 : k - 1];
-    Eigen::AlignedBox2d step(from);
-    step.extend(path[k]);
-    if (around.isEmpty() || step.exteriorDistance(around) > radius) continue;
-    for (std::size_t i = 0; i < segment_count(stroke); ++i) {
-      if (segment_distance(from, path[k], segment_begin(stroke, i), segment_end(stroke, i)) <= radius) return true;
-    }
-  }
-  return false;
 }
 
 /// Whether a segment and an upright box have a place in common: the parameters at which the segment is between both

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
 #include "croquis/geometry/drawing.h"
 #include "croquis/tools/pointer/pick_box.h"
@@ -22,8 +21,5 @@ bool meets_box(const Vec2& a, const Vec2& b, const PickBox& box);
 std::size_t segment_count(const Stroke& stroke);
 const Vec2& segment_begin(const Stroke& stroke, std::size_t segment);
 const Vec2& segment_end(const Stroke& stroke, std::size_t segment);
-
-/// Whether a path (#P by 2) comes within `radius` of a stroke. O(segments × those of the path near it).
-bool touches_path(const Stroke& stroke, const std::vector<Vec2>& path, double radius);
 
 }  // namespace croquis

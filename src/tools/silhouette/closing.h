@@ -20,4 +20,9 @@ struct Closing {
 /// O(samples); the search at the seam is bounded by a count.
 std::optional<Closing> find_closing(std::span<const StrokeSample> samples, const CloseOptions& options);
 
+/// Whether an outline stops and goes on where other strokes pass before it: then it stays open, however near its ends
+/// are. Something passes between them, or both rest on other strokes, farther from each other than ends that close by
+/// themselves. O(samples of the drawing).
+bool passes_behind(const Drawing& drawing, std::span<const StrokeSample> samples, const CloseOptions& options);
+
 }  // namespace croquis

@@ -9,6 +9,8 @@
 
 #include "croquis/geometry/polyline.h"
 #include "tools/pointer/segment_distance.h"
+#include "tools/silhouette/end_bending.h"
+#include "tools/silhouette/stroke_places.h"
 
 namespace croquis {
 namespace {
@@ -34,9 +36,7 @@ struct Foot {
 class OldStroke {
  public:
   explicit OldStroke(const Stroke& stroke) : stroke_(stroke) {
-    std::vector<Vec2> places;
-    for (const StrokeSample& sample : stroke.samples) places.push_back(sample.position);
-    lengths_ = arc_lengths(places, stroke.closed);
+    lengths_ = arc_lengths(places_of(stroke.samples), stroke.closed);
   }
 
   double total() const { return lengths_.back(); }
@@ -77,12 +77,6 @@ class OldStroke {
   std::vector<double> lengths_;
 };
 
-std::vector<Vec2> places_of(const std::vector<StrokeSample>& samples) {
-  std::vector<Vec2> places;
-  for (const StrokeSample& sample : samples) places.push_back(sample.position);
-  return places;
-}
-
 Vec2 at_length(const std::vector<Vec2>& places, double length) {
   for (std::size_t i = 1; i < places.size(); ++i) {
     const double step = (places[i] - places[i - 1]).norm();
@@ -114,22 +108,6 @@ int sense_at_begin(const OldStroke& old, const std::vector<Vec2>& line, double r
     sense = sign;
   }
   return sense;
-}
-
-/// Moves the samples near the first one so that it lies on `place`; the movement fades out over `run`.
-template <typename Iterator>
-void attach(Iterator first, Iterator last, const Vec2& place, double run) {
-  const Vec2 shift = place - first->position;
-  Vec2 before = first->position;
-  double length = 0;
-  for (Iterator sample = first; sample != last; ++sample) {
-    const Vec2 drawn = sample->position;
-    length += (drawn - before).norm();
-    before = drawn;
-    const double t = length / run;
-    if (t >= 1) return;
-    sample->position += (1 - t * t * (3 - 2 * t)) * shift;
-  }
 }
 
 /// The new samples in the old stroke's sense, their times counted from 0.
@@ -182,8 +160,8 @@ std::optional<Redrawn> redraw(const Stroke& old, const Stroke& drawn, const Redr
   const double replaced = before.way_forward(from, to);
   if (replaced <= 0 || replaced > longest_shortcut * drawn_length) return std::nullopt;
 
-  attach(samples.begin(), samples.end(), from.place, run);
-  attach(samples.rbegin(), samples.rend(), to.place, run);
+  bend_end(samples.begin(), samples.end(), from.place, run);
+  bend_end(samples.rbegin(), samples.rend(), to.place, run);
   return Redrawn{spliced(old, std::move(samples), from, to), from.distance + to.distance};
 }
 

@@ -27,6 +27,7 @@ StrokeDrawn read_stroke(Fields& fields) {
     step.scale = fields.number("scale");
     if (!(step.scale > 0)) throw Mistake{"\"scale\" must be a number above 0"};
   }
+  if (fields.has("behind")) step.behind = fields.flag("behind");
   return step;
 }
 
@@ -38,6 +39,7 @@ void write_stroke(const StrokeDrawn& step, FieldWriter& writer) {
   writer.number_lists("points", points);
   writer.text("device", step.device);
   if (step.scale > 0) writer.number("scale", step.scale);
+  if (step.behind) writer.flag("behind", true);
 }
 
 Drag read_drag(Fields& fields) {
@@ -54,6 +56,30 @@ void write_drag(const Drag& step, FieldWriter& writer) {
   writer.pair("by", step.by);
 }
 
+StrokeReading read_setting(Fields& fields) {
+  StrokeReading step;
+  step.stroke = fields.text("stroke");
+  if (fields.has("kind")) {
+    const std::string kind = fields.one_of("kind", {"part", "hole"});
+    step.kind = kind == "part" ? silhouette::StrokeKind::Part : silhouette::StrokeKind::Hole;
+  }
+  if (fields.has("in-front-of")) step.in_front_of = fields.text("in-front-of");
+  if (fields.has("thickness")) {
+    step.thickness = fields.number("thickness");
+    if (!(*step.thickness > 0)) throw Mistake{"\"thickness\" must be a number above 0"};
+  }
+  const int settings = step.kind.has_value() + step.in_front_of.has_value() + step.thickness.has_value();
+  if (settings != 1) throw Mistake{"one of \"kind\", \"in-front-of\" and \"thickness\" is set"};
+  return step;
+}
+
+void write_setting(const StrokeReading& step, FieldWriter& writer) {
+  writer.text("stroke", step.stroke);
+  if (step.kind) writer.text("kind", silhouette::to_string(*step.kind));
+  if (step.in_front_of) writer.text("in-front-of", *step.in_front_of);
+  if (step.thickness) writer.number("thickness", *step.thickness);
+}
+
 }  // namespace
 
 const StepKind& StrokeDrawn::step_kind() {
@@ -66,11 +92,17 @@ const StepKind& Drag::step_kind() {
   return kind;
 }
 
+const StepKind& StrokeReading::step_kind() {
+  static const StepKind kind = make_step_kind({"stroke-set"}, read_setting, write_setting);
+  return kind;
+}
+
 const Vocabulary& sketch_steps() {
   static const Vocabulary vocabulary = [] {
     Vocabulary made;
     made.add(StrokeDrawn::step_kind());
     made.add(Drag::step_kind());
+    made.add(StrokeReading::step_kind());
     made.add_count("strokes");
     return made;
   }();

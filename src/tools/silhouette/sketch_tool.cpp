@@ -7,6 +7,8 @@
 #include "croquis/base/error.h"
 #include "croquis/tools/recording/general_steps.h"
 #include "croquis/tools/silhouette/sketch_steps.h"
+#include "croquis/tools/silhouette/stroke_erasing.h"
+#include "croquis/tools/silhouette/stroke_setting.h"
 #include "croquis/tools/strokes/stroke_source.h"
 #include "tools/silhouette/sketch_labels.h"
 #include "tools/silhouette/stroke_ids.h"
@@ -68,6 +70,7 @@ Verdict SketchTool::begin(const SketchEvent& event) {
   } else if (mode_ == SketchMode::Draw) {
     gesture_ = Gesture::Draw;
     preview_.ink = {event.sample};
+    preview_.behind = event.right || event.modifiers.shift;
   } else {
     press(event);
   }
@@ -79,12 +82,10 @@ Verdict SketchTool::go_on(const SketchEvent& event) {
   if (gesture_ == Gesture::Draw) preview_.ink.push_back(event.sample);
   if (gesture_ == Gesture::Erase) {
     // Only the newest step of the path is tried: the rest was when it came.
-    const double radius = options_.eraser_pixels * start_.units_per_pixel;
     const auto now = drawing();
-    if (now) {
-      for (std::string& id : strokes_touched(*now, {last_, place}, radius))
-        if (!contains(preview_.erased, id)) preview_.erased.push_back(std::move(id));
-    }
+    const std::vector<Vec2> step{last_, place};
+    for (auto& piece : now ? erased_pieces(*now, step, eraser_radius()) : std::vector<std::vector<Vec2>>())
+      preview_.erased.push_back(std::move(piece));
     preview_.eraser.push_back(place);
   }
   last_ = place;
@@ -103,6 +104,7 @@ Verdict SketchTool::finish(const SketchEvent&) {
     case Gesture::Box: return finish_box();
     case Gesture::Anchor:
     case Gesture::Strokes: return finish_drag();
+    case Gesture::Setting:
     case Gesture::None: break;
   }
   return Verdict::Continue;
@@ -125,6 +127,7 @@ void SketchTool::end_gesture() {
 
 Verdict SketchTool::finish_drawing() {
   const std::vector<StrokeSample> ink = std::move(preview_.ink);
+  const bool behind = preview_.behind;
   end_gesture();
   // A tap is no stroke: it would only be reported as too short.
   if (extent(ink) <= options_.drag_pixels * start_.units_per_pixel) return Verdict::Revert;
@@ -132,10 +135,11 @@ Verdict SketchTool::finish_drawing() {
   DrawOptions options;
   options.units_per_pixel = start_.units_per_pixel;
   options.redraws = !start_.modifiers.ctrl;
+  options.behind = behind;
   DrawingEdit edit = draw_stroke(before ? *before : Drawing{}, ink, options);
   const std::string label =
       edit.added.empty() ? strokes_label("Redraw", edit.changed) : strokes_label("Draw", edit.added);
-  recorded::StrokeDrawn drawn{"sketch", ink, device_name(start_), start_.units_per_pixel};
+  recorded::StrokeDrawn drawn{"sketch", ink, device_name(start_), start_.units_per_pixel, behind};
   for (StrokeSample& sample : drawn.points) sample.time -= ink.front().time;
   done_ = std::move(drawn);
   session_.edit(label, with_drawing(std::move(edit.drawing)));
@@ -143,16 +147,19 @@ Verdict SketchTool::finish_drawing() {
 }
 
 Verdict SketchTool::finish_erasing() {
-  const std::vector<std::string> ids = preview_.erased;
-  recorded::StrokeDrawn drawn{"sketch", {}, device_name(start_), start_.units_per_pixel};
-  for (const Vec2& place : preview_.eraser) drawn.points.push_back({place, 1, Vec2::Zero(), 0});
+  const std::vector<Vec2> path = std::move(preview_.eraser);
+  const bool touched = !preview_.erased.empty();
   end_gesture();
   const auto before = drawing();
-  if (!before || ids.empty()) return Verdict::Revert;
-  DrawingEdit edit = remove_strokes(*before, ids);
+  if (!before || !touched) return Verdict::Revert;
+  DrawingEdit edit = erase_along(*before, path, eraser_radius());
   if (!edit.any()) return Verdict::Revert;
+  recorded::StrokeDrawn drawn{"sketch", {}, device_name(start_), start_.units_per_pixel};
+  for (const Vec2& place : path) drawn.points.push_back({place, 1, Vec2::Zero(), 0});
   done_ = std::move(drawn);
-  session_.edit(strokes_label("Erase", edit.removed), with_drawing(std::move(edit.drawing)));
+  const std::string label =
+      edit.changed.empty() ? strokes_label("Erase", edit.removed) : strokes_label("Erase part of", edit.changed);
+  session_.edit(label, with_drawing(std::move(edit.drawing)));
   return Verdict::Commit;
 }
 
@@ -270,6 +277,29 @@ Verdict SketchTool::drag(const std::string& stroke, std::optional<std::size_t> a
   DrawingEdit edit = anchor ? drag_anchor(*before, stroke, *stroke_fit, *anchor, by) : move_strokes(*before, ids, by);
   done_ = recorded::Drag{stroke, anchor, by};
   session_.edit(anchor ? point_label(stroke) : strokes_label("Move", ids), with_drawing(std::move(edit.drawing)));
+  return Verdict::Commit;
+}
+
+Verdict SketchTool::set(const recorded::StrokeReading& setting, bool dragging) {
+  const bool goes_on = gesture_ == Gesture::Setting;
+  if (!goes_on) give_up();
+  if (goes_on && drag_.interrupted()) return give_up();
+  const auto before = drawing();
+  const Drawing none;
+  const Drawing& now = before ? *before : none;
+  const std::string& id = setting.stroke;
+  DrawingEdit edit = setting.kind          ? set_kind(now, id, *setting.kind)
+                     : setting.in_front_of ? set_in_front(now, id, *setting.in_front_of)
+                                           : set_thickness(now, id, setting.thickness.value_or(1));
+  if (dragging && !goes_on) drag_.begin(setting_label(setting));
+  if (dragging || goes_on)
+    drag_.to(with_drawing(std::move(edit.drawing)));
+  else
+    session_.edit(setting_label(setting), with_drawing(std::move(edit.drawing)));
+  gesture_ = dragging ? Gesture::Setting : Gesture::None;
+  if (dragging) return Verdict::Continue;
+  if (goes_on) drag_.end();
+  done_ = setting;
   return Verdict::Commit;
 }
 

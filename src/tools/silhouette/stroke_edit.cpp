@@ -13,10 +13,12 @@
 #include "croquis/base/parameter.h"
 #include "croquis/base/text.h"
 #include "croquis/geometry/polyline.h"
-#include "tools/pointer/segment_distance.h"
+#include "croquis/silhouette/stroke_data.h"
 #include "tools/silhouette/closing.h"
 #include "tools/silhouette/redraw.h"
+#include "tools/silhouette/resting_ends.h"
 #include "tools/silhouette/stroke_ids.h"
+#include "tools/silhouette/stroke_places.h"
 
 namespace croquis {
 namespace {
@@ -62,7 +64,8 @@ Stroke drawn_stroke(const Drawing& drawing, std::vector<StrokeSample> samples, c
   stroke.id = new_stroke_id(drawing);
   CloseOptions close_options = options.closing;
   close_options.units_per_pixel = options.units_per_pixel;
-  if (const std::optional<Closing> closing = find_closing(samples, close_options)) {
+  const bool stays_open = passes_behind(drawing, samples, close_options);
+  if (const auto closing = stays_open ? std::nullopt : find_closing(samples, close_options)) {
     stroke.closed = true;
     samples = {samples.begin() + static_cast<std::ptrdiff_t>(closing->first),
                samples.begin() + static_cast<std::ptrdiff_t>(closing->last) + 1};
@@ -72,6 +75,7 @@ Stroke drawn_stroke(const Drawing& drawing, std::vector<StrokeSample> samples, c
   stroke.samples = std::move(samples);
   while (stroke.closed && stroke.samples.back().position == stroke.samples.front().position) stroke.samples.pop_back();
   stroke.data[scale_key] = to_text(options.units_per_pixel);
+  if (options.behind) stroke.data[silhouette::behind_key] = silhouette::behind_all;
   return stroke;
 }
 
@@ -109,8 +113,10 @@ double weight(double distance, double reach) {
 class AnchorDrag {
  public:
   AnchorDrag(Stroke& stroke, const StrokeFit& fit, std::size_t anchor)
-      : stroke_(stroke), centre_(fit.anchors[anchor].sample), closed_(fit.closed && stroke.closed) {
-    for (const StrokeSample& sample : stroke.samples) places_.push_back(sample.position);
+      : stroke_(stroke),
+        centre_(fit.anchors[anchor].sample),
+        closed_(fit.closed && stroke.closed),
+        places_(places_of(stroke.samples)) {
     lengths_ = arc_lengths(places_, closed_);
     const std::size_t count = fit.anchors.size();
     falloff_.before = reach_to(fit, anchor > 0 || closed_, (anchor + count - 1) % count, false);
@@ -198,7 +204,7 @@ DrawingEdit draw_stroke(const Drawing& drawing, std::vector<StrokeSample> sample
   require_samples(samples);
   DrawingEdit edit{drawing, {}, {}, {}};
   Stroke stroke = drawn_stroke(drawing, std::move(samples), options);
-  if (options.redraws && redraw_best(edit.drawing, stroke, options)) {
+  if (options.redraws && !options.behind && redraw_best(edit.drawing, stroke, options)) {
     edit.changed.push_back(stroke.id);
     return edit;
   }
@@ -214,6 +220,7 @@ DrawingEdit move_strokes(const Drawing& drawing, const std::vector<std::string>&
     for (StrokeSample& sample : stroke.samples) sample.position += by;
     edit.changed.push_back(stroke.id);
   }
+  let_ends_follow(drawing, edit);
   return edit;
 }
 
@@ -231,6 +238,7 @@ DrawingEdit drag_anchor(const Drawing& drawing, std::string_view id, const Strok
   }
   AnchorDrag(*stroke, fit, anchor).apply(by);
   edit.changed.push_back(stroke->id);
+  let_ends_follow(drawing, edit);
   return edit;
 }
 
@@ -242,14 +250,6 @@ DrawingEdit remove_strokes(const Drawing& drawing, const std::vector<std::string
     return gone;
   });
   return edit;
-}
-
-std::vector<std::string> strokes_touched(const Drawing& drawing, const std::vector<Vec2>& path, double radius) {
-  std::vector<std::string> touched;
-  for (const Stroke& stroke : drawing.strokes) {
-    if (touches_path(stroke, path, radius)) touched.push_back(stroke.id);
-  }
-  return touched;
 }
 
 }  // namespace croquis

@@ -2,6 +2,7 @@
 #include "croquis/tools/silhouette/stroke_pick.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "croquis/geometry/polyline.h"
 #include "tools/pointer/segment_distance.h"
@@ -18,22 +19,27 @@ bool meets_box(const Stroke& stroke, const PickBox& box) {
 
 }  // namespace
 
-std::optional<PickedStroke> nearest_stroke(const Drawing& drawing, const Vec2& place, const PickReach& reach) {
+std::optional<PickedStroke> nearest_place(const Stroke& stroke, const Vec2& place, const PickReach& reach) {
   std::optional<PickedStroke> best;
   double limit = reach.units();
+  for (std::size_t i = 0; i < segment_count(stroke); ++i) {
+    const Vec2& begin = segment_begin(stroke, i);
+    const Vec2& end = segment_end(stroke, i);
+    const double t = nearest_parameter(place, begin, end);
+    const Vec2 foot = begin + t * (end - begin);
+    const double distance = (foot - place).norm();
+    if (distance > limit || (best && distance == limit)) continue;
+    best = {stroke.id, i, t, foot, distance};
+    limit = distance;
+  }
+  return best;
+}
+
+std::optional<PickedStroke> nearest_stroke(const Drawing& drawing, const Vec2& place, const PickReach& reach) {
+  std::optional<PickedStroke> best;
   for (const Stroke& stroke : drawing.strokes) {
-    for (std::size_t i = 0; i < segment_count(stroke); ++i) {
-      const Vec2& begin = segment_begin(stroke, i);
-      const Vec2& end = segment_end(stroke, i);
-      const double t = nearest_parameter(place, begin, end);
-      const Vec2 foot = begin + t * (end - begin);
-      const double distance = (foot - place).norm();
-      const bool same = best && best->id == stroke.id;
-      if (same ? distance < limit : distance <= limit) {
-        best = {stroke.id, i, t, foot, distance};
-        limit = distance;
-      }
-    }
+    std::optional<PickedStroke> picked = nearest_place(stroke, place, reach);
+    if (picked && (!best || picked->distance <= best->distance)) best = std::move(picked);
   }
   return best;
 }

@@ -313,5 +313,32 @@ TEST_CASE("random nonsense never breaks the order of steps, and a clean stroke s
   }
 }
 
+TEST_CASE("the right button of a mouse draws where that is wanted, from its press to its release") {
+  for (const bool wanted : {false, true}) {
+    PenOptions options;
+    options.right_draws = wanted;
+    Feed feed(options);
+    for (int i = 0; i < 10; ++i) {
+      PointerEvent event = pointer(Device::Mouse, i == 0 ? Action::Press : Action::Move, {10.0 * i, 0}, 0.01 * i);
+      event.buttons = {};
+      event.buttons.right = true;
+      feed(event);
+    }
+    PointerEvent release = pointer(Device::Mouse, Action::Release, {90, 0}, 0.1);
+    release.buttons = {};
+    feed(release);
+    REQUIRE(feed.finished.size() == (wanted ? 1 : 0));
+    if (wanted) {
+      CHECK(feed.finished[0].first.right);
+      CHECK(feed.finished[0].samples.size() == 10);
+    }
+    feed(Device::Mouse, Action::Press, {0, 50}, 1);
+    feed(Device::Mouse, Action::Move, {50, 50}, 1.1);
+    feed(Device::Mouse, Action::Release, {50, 50}, 1.2);
+    REQUIRE(feed.finished.size() == (wanted ? 2 : 1));
+    CHECK(!feed.finished.back().first.right);
+  }
+}
+
 }  // namespace
 }  // namespace croquis

@@ -79,6 +79,7 @@ TEST_CASE("the first stroke makes a drawing and the operation on it in one undo 
   CHECK(nodes[1]->operation == "inflate");
   CHECK(nodes[1]->inputs.at("drawing") == Link{nodes[0]->id, "value"});
   CHECK(nodes[1]->parameters.at("preset") == ParameterValue(std::string("tablet")));
+  CHECK(nodes[1]->parameters.at("attach") == ParameterValue(std::string("auto")));
   CHECK(desk.session.undo_labels() == Ids{"Draw stroke 1"});
   CHECK(desk.stroke("stroke 1").samples.size() == 41);
   CHECK(desk.stroke("stroke 1").samples.back().time == Approx(0.4));
@@ -246,25 +247,73 @@ TEST_CASE("a cancelled drag gives everything back; one interrupted by undo ends"
   CHECK(desk.stroke("stroke 1").samples[0].position == Vec2(0, 0));
 }
 
-TEST_CASE("the eraser deletes what it touches in one step, in any mode") {
+TEST_CASE("the eraser cuts what it covers out of lines in one step, in any mode") {
   Desk desk;
   draw_three(desk);
-  for (const std::vector<Vec2>& place : {Desk::line({50, 50}, {60, 60})})
-    CHECK(desk.gesture(place, {}, true) == Verdict::Revert);
+  CHECK(desk.gesture(Desk::line({50, 50}, {60, 60}), {}, true) == Verdict::Revert);
   desk.feed(Kind::Begin, {50, -30}, {}, true);
   desk.feed(Kind::Sample, {50, 30}, {}, true);
-  CHECK(desk.tool.preview().erased == Ids{"stroke 1"});
+  REQUIRE(desk.tool.preview().erased.size() == 1);
+  CHECK((desk.tool.preview().erased[0].front() - Vec2(44, 0)).norm() < 1e-9);
+  CHECK((desk.tool.preview().erased[0].back() - Vec2(56, 0)).norm() < 1e-9);
   CHECK(desk.strokes().size() == 3);
   desk.feed(Kind::Sample, {50, 130}, {}, true);
   CHECK(desk.feed(Kind::End, {50, 130}, {}, true) == Verdict::Commit);
-  CHECK(desk.strokes() == Ids{"stroke 3"});
-  CHECK(desk.session.undo_labels().back() == "Erase 2 strokes");
+  CHECK(desk.strokes() == Ids{"stroke 1", "stroke 4", "stroke 2", "stroke 5", "stroke 3"});
+  CHECK(desk.session.undo_labels().back() == "Erase part of 2 strokes");
   CHECK(desk.tool.done()->as<recorded::StrokeDrawn>()->device == "eraser");
   desk.session.undo();
   CHECK(desk.strokes().size() == 3);
   desk.tool.set_mode(SketchMode::Erase);
-  CHECK(desk.gesture({{150, 203}}) == Verdict::Commit);
+  CHECK(desk.gesture(Desk::line({-10, 203}, {310, 203})) == Verdict::Commit);
+  CHECK(desk.strokes() == Ids{"stroke 1", "stroke 2"});
   CHECK(desk.session.undo_labels().back() == "Erase stroke 3");
+}
+
+TEST_CASE("with the right button or Shift a stroke is drawn behind what is there, and redraws nothing") {
+  Desk desk;
+  desk.draw_line({0, 0}, {400, 0});
+  SketchEvent event;
+  event.right = true;
+  const std::vector<Vec2> over = Desk::line({100, 2}, {300, 2});
+  for (std::size_t i = 0; i < over.size(); ++i) {
+    event.kind = i == 0 ? Kind::Begin : Kind::Sample;
+    event.sample.position = over[i];
+    desk.tool.handle(event);
+    CHECK(desk.tool.preview().behind);
+  }
+  event.kind = Kind::End;
+  CHECK(desk.tool.handle(event) == Verdict::Commit);
+  CHECK(desk.stroke("stroke 2").data.at("behind") == "all");
+  CHECK(desk.tool.done()->as<recorded::StrokeDrawn>()->behind);
+  desk.gesture(Desk::line({100, 50}, {300, 50}), shift);
+  CHECK(desk.stroke("stroke 3").data.at("behind") == "all");
+  desk.draw_line({0, 90}, {300, 90});
+  CHECK(!desk.stroke("stroke 4").data.contains("behind"));
+  CHECK(!desk.tool.preview().behind);
+}
+
+TEST_CASE("what is said of a stroke is one undo step, also when it is dragged") {
+  Desk desk;
+  draw_three(desk);
+  CHECK(desk.tool.set({"stroke 2", silhouette::StrokeKind::Hole}) == Verdict::Commit);
+  CHECK(desk.stroke("stroke 2").data.at("kind") == "hole");
+  CHECK(desk.session.undo_labels().back() == "Make stroke 2 a hole");
+  CHECK(desk.tool.set({"stroke 1", {}, "stroke 3"}) == Verdict::Commit);
+  CHECK(desk.stroke("stroke 3").data.at("behind") == "stroke 1");
+  CHECK(desk.session.undo_labels().back() == "Bring stroke 1 in front of stroke 3");
+  for (const double factor : {0.9, 0.6, 0.4})
+    CHECK(desk.tool.set({"stroke 1", {}, {}, factor}, true) == Verdict::Continue);
+  CHECK(desk.stroke("stroke 1").data.at("thickness") == "0.4");
+  CHECK(desk.tool.set({"stroke 1", {}, {}, 0.3}) == Verdict::Commit);
+  CHECK(*desk.tool.done()->as<recorded::StrokeReading>()->thickness == 0.3);
+  CHECK(desk.session.undo_labels().size() == 6);
+  desk.session.undo();
+  CHECK(!desk.stroke("stroke 1").data.contains("thickness"));
+  CHECK_THROWS_AS(desk.tool.set({"none", {}, {}, 0.3}), Error);
+  desk.tool.set({"stroke 1", {}, {}, 0.9}, true);
+  CHECK(desk.feed(Kind::Cancel, {0, 0}) == Verdict::Revert);
+  CHECK(!desk.stroke("stroke 1").data.contains("thickness"));
 }
 
 TEST_CASE("Delete removes what is selected, and does nothing otherwise") {
@@ -353,17 +402,33 @@ TEST_CASE("what was recorded gives the same drawing again") {
   keep();
   desk.tool.drag("stroke 1", std::nullopt, {-3, 4});
   keep();
+  desk.gesture(Desk::line({20, 200}, {300, 220}), shift);
+  keep();
+  desk.tool.set({"stroke 3", {}, {}, 0.25});
+  keep();
+  desk.tool.set({"stroke 2", silhouette::StrokeKind::Part});
+  keep();
+  desk.tool.set({"stroke 3", {}, "stroke 1"});
+  keep();
   Desk again;
   for (const recorded::Line& line : lines) {
     if (const auto* drag = line.step.as<recorded::Drag>()) again.tool.drag(drag->stroke, drag->anchor, drag->by);
     if (const auto* stroke = line.step.as<recorded::StrokeDrawn>()) {
-      for (std::size_t i = 0; i < stroke->points.size(); ++i)
-        again.tool.handle({i == 0 ? Kind::Begin : Kind::Sample, stroke->points[i], false, {}, stroke->scale});
-      again.tool.handle({Kind::End, stroke->points.back(), false, {}, stroke->scale});
+      SketchEvent event{Kind::Begin, {}, false, {}, stroke->scale};
+      event.right = stroke->behind;
+      for (const StrokeSample& point : stroke->points) {
+        event.sample = point;
+        again.tool.handle(event);
+        event.kind = Kind::Sample;
+      }
+      event.kind = Kind::End;
+      again.tool.handle(event);
     }
+    if (const auto* setting = line.step.as<recorded::StrokeReading>()) again.tool.set(*setting);
   }
   REQUIRE(again.strokes() == desk.strokes());
   for (const std::string& id : desk.strokes()) {
+    CHECK(again.stroke(id).data == desk.stroke(id).data);
     REQUIRE(again.stroke(id).samples.size() == desk.stroke(id).samples.size());
     for (std::size_t i = 0; i < desk.stroke(id).samples.size(); ++i)
       CHECK(again.stroke(id).samples[i].position == desk.stroke(id).samples[i].position);

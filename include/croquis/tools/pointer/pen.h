@@ -29,12 +29,14 @@ struct PenStep {
   PenSample sample;
   PointerEvent::Device device = PointerEvent::Device::Mouse;  ///< the owner
   bool erases = false;                                        ///< drawn with the eraser end
+  bool right = false;                                         ///< drawn with the right button of a mouse
   int view = 0;                                               ///< where the stroke began
   Modifiers modifiers;                                        ///< as they were at the beginning
 };
 
 struct PenOptions {
   bool eraser_erases = true;  ///< false: the eraser end draws, for tablets that report it falsely
+  bool right_draws = false;   ///< strokes are drawn with the right button of a mouse as well
   double twin_seconds = 0.2;  ///< mouse events this near in time to the pen's may be the driver's copies of them …
   double twin_pixels = 24;    ///< … when they are this near to where the pen has been; copies are rounded and late
   double rebound_seconds = 0.02;   ///< contact without a press this soon after a release is a late event, no stroke
@@ -99,6 +101,7 @@ class PenInput {
   void release_suspects(Steps& steps);
   void note_pen(const PointerEvent& event);
   PenSample sample_of(const PointerEvent& event) const;
+  bool draws_alone(const Buttons& buttons) const;
   bool is_repeated_press(const PointerEvent& event) const;
   bool is_copy_of_pen(const PointerEvent& event) const;
   bool is_twin_of_mouse_stroke(const PointerEvent& event) const;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "croquis/geometry/drawing.h"
+#include "croquis/silhouette/stroke_data.h"
 #include "croquis/tools/recording/vocabulary.h"
 
 /// Steps of the sketch tool.
@@ -18,6 +19,7 @@ struct StrokeDrawn {
   std::vector<StrokeSample> points;  ///< at least one; tilt isn't recorded
   std::string device = "mouse";      ///< "mouse", "pen" or "eraser"
   double scale = 0;                  ///< units per pixel of the view drawn in; 0 for the replaying view's own
+  bool behind = false;               ///< drawn with the right button, or with Shift: behind what is there
 
   static const StepKind& step_kind();
 };
@@ -26,6 +28,16 @@ struct Drag {
   std::string stroke;
   std::optional<std::size_t> anchor;  ///< 0-based
   Vec2 by = Vec2::Zero();
+
+  static const StepKind& step_kind();
+};
+
+/// How a stroke that is drawn already is to be read; one of these.
+struct StrokeReading {
+  std::string stroke;
+  std::optional<silhouette::StrokeKind> kind = {};  ///< Part or Hole
+  std::optional<std::string> in_front_of = {};      ///< id of the stroke that it crosses
+  std::optional<double> thickness = {};             ///< factor of the depth of the part that it bounds, above 0
 
   static const StepKind& step_kind();
 };

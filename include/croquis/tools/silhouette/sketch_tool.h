@@ -12,6 +12,7 @@
 #include "croquis/tools/pointer/session_drag.h"
 #include "croquis/tools/pointer/verdict.h"
 #include "croquis/tools/recording/step.h"
+#include "croquis/tools/silhouette/sketch_steps.h"
 #include "croquis/tools/silhouette/stroke_edit.h"
 #include "croquis/tools/silhouette/stroke_pick.h"
 #include "croquis/tools/strokes/sketch_event.h"
@@ -21,14 +22,15 @@ namespace croquis {
 enum class SketchMode { Draw, Select, Erase };
 
 struct SketchToolOptions {
-  std::string name = "Sketch";                                       ///< of the drawing
-  std::string operation = "inflate";                                 ///< made together with the first drawing …
-  int version = 1;                                                   ///< … of this version …
-  std::string port = "drawing";                                      ///< … its input that the drawing goes to …
-  ParameterValues parameters = {{"preset", std::string("tablet")}};  ///< … and those parameters that it starts with
-  PickReach reach;                                                   ///< its units_per_pixel is taken from each event
-  double eraser_pixels = 6;                                          ///< radius of the eraser
-  double drag_pixels = 4;                                            ///< a press that moves less is a click
+  std::string name = "Sketch";        ///< of the drawing
+  std::string operation = "inflate";  ///< made together with the first drawing …
+  int version = 1;                    ///< … of this version …
+  std::string port = "drawing";       ///< … its input that the drawing goes to …
+  ParameterValues parameters = {{"preset", std::string("tablet")},
+                                {"attach", std::string("auto")}};  ///< … and those parameters that it starts with
+  PickReach reach;                                                 ///< its units_per_pixel is taken from each event
+  double eraser_pixels = 6;                                        ///< radius of the eraser
+  double drag_pixels = 4;                                          ///< a press that moves less is a click
 };
 
 /// The document with a new source and the operation that it goes to.
@@ -38,8 +40,9 @@ Document add_drawing(const Document& document, Value drawing, const SketchToolOp
 /// What to draw over the view while a gesture is under way, sketch units.
 struct SketchPreview {
   std::vector<StrokeSample> ink;           ///< Draw: the samples so far, as they came
+  bool behind = false;                     ///< Draw: the stroke will lie behind the others
   std::vector<Vec2> eraser;                ///< Erase: the path so far
-  std::vector<std::string> erased;         ///< Erase: ids of the strokes it has touched
+  std::vector<std::vector<Vec2>> erased;   ///< Erase: what it has covered of the strokes, open polylines
   std::optional<PickBox> box;              ///< Select: the box spanned
   std::optional<std::size_t> held_anchor;  ///< Select: of `held_stroke`, the anchor under way
   std::string held_stroke;
@@ -47,9 +50,10 @@ struct SketchPreview {
 
 /// The silhouette pen: draws, selects, bends and erases strokes of one drawing node of a session.
 ///
-/// Draw: a stroke per gesture. Select: a click picks a stroke (Shift adds or takes away), a drag on an anchor of a
-/// selected stroke bends it, on a stroke moves what is selected, elsewhere spans a box. Erase, or the pen's eraser end
-/// in any mode: deletes the strokes touched. Every gesture is one undo step.
+/// Draw: a stroke per gesture; with the right button or Shift it lies behind what is drawn. Select: a click picks a
+/// stroke (Shift adds or takes away), a drag on an anchor of a selected stroke bends it, on a stroke moves what is
+/// selected, elsewhere spans a box. Erase, or the pen's eraser end in any mode: cuts what it covers out of the strokes.
+/// Every gesture is one undo step.
 /// The session outlives the tool. Everything on the session's thread.
 class SketchTool {
  public:
@@ -71,6 +75,10 @@ class SketchTool {
   /// @throws Error (E_INPUT) when there is no such stroke or anchor
   Verdict drag(const std::string& stroke, std::optional<std::size_t> anchor, const Vec2& by);
 
+  /// Says something about a stroke. While it is dragged, many calls are one undo step, which the last one ends.
+  /// @throws Error (E_INPUT) when there is no such stroke
+  Verdict set(const recorded::StrokeReading& setting, bool dragging = false);
+
   /// The drawing node worked on: the one set, else the document's first drawing; 0 when there is none yet.
   NodeId node() const;
   void set_node(NodeId node) { node_ = node; }
@@ -84,7 +92,7 @@ class SketchTool {
   const StrokeFit* fit(const std::string& stroke);
 
  private:
-  enum class Gesture { None, Draw, Erase, Press, Box, Anchor, Strokes };
+  enum class Gesture { None, Draw, Erase, Press, Box, Anchor, Strokes, Setting };
   struct KeptFit {
     std::vector<StrokeSample> samples;  ///< that it was made of
     StrokeFit fit;
@@ -104,6 +112,7 @@ class SketchTool {
   Verdict finish_box();
   Verdict finish_drag();
 
+  double eraser_radius() const { return options_.eraser_pixels * start_.units_per_pixel; }
   Document with_drawing(Drawing drawing) const;
   void select_strokes(const std::vector<std::string>& ids);
   void end_gesture();

@@ -42,6 +42,7 @@ struct DrawOptions {
   bool redraws = true;          ///< a stroke that follows an old one replaces that part of it
   double redraw_distance = 10;  ///< pixels, how near the new stroke's ends must run to the old one …
   double redraw_degrees = 35;   ///< … and how much they may differ in direction
+  bool behind = false;          ///< the stroke lies behind all that is drawn where they cross; it redraws nothing
 };
 
 /// Adds a drawn stroke, closed when its ends meet; what then overshoots the seam is left out. When both its ends run
@@ -51,11 +52,13 @@ struct DrawOptions {
 /// @param samples at least one, finite. @throws Error (E_NO_STROKES, E_NOT_FINITE)
 DrawingEdit draw_stroke(const Drawing& drawing, std::vector<StrokeSample> samples, const DrawOptions& options = {});
 
-/// Shifts whole strokes; unknown ids are left out.
+/// Shifts whole strokes; unknown ids are left out. Ends of other strokes that rest on them follow, within 12 pixels of
+/// the view that these were drawn in, and bend their strokes; these are `changed` as well.
 DrawingEdit move_strokes(const Drawing& drawing, const std::vector<std::string>& ids, const Vec2& by);
 
 /// Moves an anchor and bends the samples to both sides, up to but without the neighbouring anchors, which stay with
-/// all that lies beyond. The falloff is smooth over the arc length; closed strokes wrap.
+/// all that lies beyond. The falloff is smooth over the arc length; closed strokes wrap. Ends that rest on the stroke
+/// follow it, as with move_strokes.
 /// @param fit of that stroke (fit_in_drawing); @param anchor 0-based
 /// @throws Error (E_INPUT) when there is no such stroke or anchor
 DrawingEdit drag_anchor(const Drawing& drawing, std::string_view id, const StrokeFit& fit, std::size_t anchor,
@@ -63,9 +66,5 @@ DrawingEdit drag_anchor(const Drawing& drawing, std::string_view id, const Strok
 
 /// Deletes strokes; unknown ids are left out.
 DrawingEdit remove_strokes(const Drawing& drawing, const std::vector<std::string>& ids);
-
-/// Ids of the strokes that a path with a round tip touches, in the drawing's order.
-/// @param path #P by 2, sketch units; @param radius of the tip, sketch units, >= 0
-std::vector<std::string> strokes_touched(const Drawing& drawing, const std::vector<Vec2>& path, double radius);
 
 }  // namespace croquis

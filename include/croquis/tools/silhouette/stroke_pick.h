@@ -29,6 +29,9 @@ struct PickedStroke {
   double distance = 0;        ///< sketch units
 };
 
+/// The place of one stroke nearest to a place, within reach; of equally near ones the first. Linear.
+std::optional<PickedStroke> nearest_place(const Stroke& stroke, const Vec2& place, const PickReach& reach = {});
+
 /// The stroke nearest to a place, within reach; of equally near ones the one drawn last, which lies on top.
 /// Linear in the drawing's samples.
 std::optional<PickedStroke> nearest_stroke(const Drawing& drawing, const Vec2& place, const PickReach& reach = {});

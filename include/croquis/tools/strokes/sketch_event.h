@@ -26,13 +26,14 @@ struct SketchEvent {
   Modifiers modifiers;         ///< as they were at the beginning of the stroke
   double units_per_pixel = 1;  ///< of the view, > 0: scales every radius that is meant in pixels
   PointerEvent::Device device = PointerEvent::Device::Mouse;  ///< for recordings
+  bool right = false;                                         ///< drawn with the right button
 };
 
 /// The step as it falls on the sketch plane.
 inline SketchEvent to_sketch(const PenStep& step, const SketchFrame& frame) {
   const PenSample& at = step.sample;
   const StrokeSample sample{frame.to_sketch(at.position), at.pressure, at.tilt, at.time};
-  return {step.kind, sample, step.erases, step.modifiers, frame.units_per_pixel, step.device};
+  return {step.kind, sample, step.erases, step.modifiers, frame.units_per_pixel, step.device, step.right};
 }
 
 }  // namespace croquis

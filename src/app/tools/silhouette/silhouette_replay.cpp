@@ -19,13 +19,16 @@ StrokeSample sample_at(const Vec2& place) {
 
 std::vector<const recorded::StepKind*> SilhouetteTool::steps() const {
   return {&recorded::StrokeDrawn::step_kind(), &recorded::Drag::step_kind(), &recorded::Click::step_kind(),
-          &recorded::Box::step_kind()};
+          &recorded::Box::step_kind(), &recorded::StrokeReading::step_kind()};
 }
 
 bool SilhouetteTool::replay(const recorded::Step& step) {
   if (const auto* stroke = step.as<recorded::StrokeDrawn>()) {
     if (!host().shows_views()) host().start_sketch();
-    sketch_.replay_gesture(stroke->points, stroke->device == "eraser", {}, stroke->scale);
+    const Modifiers modifiers{.shift = stroke->behind};
+    sketch_.replay_gesture(stroke->points, stroke->device == "eraser", modifiers, stroke->scale);
+  } else if (const auto* setting = step.as<recorded::StrokeReading>()) {
+    sketch_.tool().set(*setting);
   } else if (const auto* drag = step.as<recorded::Drag>()) {
     sketch_.tool().drag(drag->stroke, drag->anchor, drag->by);
   } else if (const auto* click = step.as<recorded::Click>(); click != nullptr && !click->place) {

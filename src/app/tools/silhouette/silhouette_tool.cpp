@@ -28,7 +28,7 @@ SketchMode sketch_mode(const QString& mode) {
 SilhouetteTool::SilhouetteTool(ToolHost& host)
     : Tool(host),
       sketch_(host.studio(), host.viewport().pane(SketchView), nullptr),
-      joints_(host.studio(), &host.viewport()),
+      chips_(host.studio(), sketch_.tool(), &host.viewport()),
       hint_(make_chip_label(host.viewport(), hint_style)) {
   host.viewport().objects().set_painter(paint_of_bodies);
   hint_->setObjectName("hint");
@@ -36,12 +36,13 @@ SilhouetteTool::SilhouetteTool(ToolHost& host)
   connect(&sketch_, &SketchInteraction::changed, this, [this] { emit changed_in(SketchView); });
   connect(&sketch_, &SketchInteraction::inked, this, &Tool::inked);
   connect(&sketch_, &SketchInteraction::committed, this, &Tool::committed);
+  connect(&chips_, &SketchChips::committed, this, &Tool::committed);
 }
 
 void SilhouetteTool::make_actions(ActionList& actions) {
   QMenu* edit = actions.menu(tr("&Edit"));
   QAction* join =
-      actions.add(edit, "join-limbs", tr("&Join limbs"), {QKeySequence("J")}, [this] { joints_.join_all(); });
+      actions.add(edit, "join-limbs", tr("&Join limbs"), {QKeySequence("J")}, [this] { chips_.join_all(); });
   edit->insertAction(actions.find("delete"), join);
   actions.menu(tr("&Object"))->addSeparator();
   QMenu* added = actions.menu(tr("&Object"))->addMenu(tr("Add s&ketch"));
@@ -130,12 +131,12 @@ QString SilhouetteTool::help() const {
   switch (sketch_.mode()) {
     case SketchMode::Select:
       return tr("Drag a square to reshape the line, drag a line to move it, Shift adds · Delete removes · D draws");
-    case SketchMode::Erase: return tr("Drag over lines to erase them · D draws");
+    case SketchMode::Erase: return tr("Drag over lines to cut pieces out of them · D draws");
     case SketchMode::Draw: break;
   }
   if (!sketch_.scene().has_strokes()) return tr("Draw a closed outline with the pen or the mouse");
   return tr(
-      "Draw: a line stops where it passes behind another · Q selects · Alt+drag rotates the solid · Ctrl+Z undoes");
+      "Draw: a line stops where it passes behind another · the right button draws behind · Q selects · Ctrl+Z undoes");
 }
 
 void SilhouetteTool::adjust(ObjectScenes::Wanted& wanted, int view) const {
@@ -153,7 +154,7 @@ void SilhouetteTool::add_to(render::Scene& scene, int view) {
 
 std::optional<Ink> SilhouetteTool::ink() const {
   if (!sketch_.inking()) return std::nullopt;
-  return Ink{SketchView, &sketch_.ink()};
+  return Ink{SketchView, &sketch_.ink(), sketch_.inks_behind()};
 }
 
 render::Bounds SilhouetteTool::bounds_in(int view) const {
@@ -177,12 +178,17 @@ void SilhouetteTool::place_chips(ChipPlaces& places) {
   } else {
     hint_->hide();
   }
-  joints_.place(places, has_view(SketchView) && !sketch_.down());
+  chips_.place(places, has_view(SketchView) && !sketch_.down());
+}
+
+void SilhouetteTool::follow_document() {
+  sketch_.follow_document();
+  chips_.follow();
 }
 
 void SilhouetteTool::follow_result() {
   sketch_.follow_result();
-  joints_.follow_result();
+  chips_.follow();
 }
 
 bool SilhouetteTool::show_finding(const NodeFinding& found) {

@@ -3,7 +3,7 @@
 
 #include <QLabel>
 
-#include "app/tools/silhouette/joint_chips.h"
+#include "app/tools/silhouette/sketch_chips.h"
 #include "app/tools/silhouette/sketch_interaction.h"
 #include "app/tools/tool.h"
 
@@ -44,7 +44,7 @@ class SilhouetteTool final : public Tool {
   QString view_title(int view) const override;
   void place_chips(ChipPlaces& places) override;
 
-  void follow_document() override { sketch_.follow_document(); }
+  void follow_document() override;
   void follow_result() override;
   bool show_finding(const NodeFinding& found) override;
 
@@ -63,7 +63,7 @@ class SilhouetteTool final : public Tool {
   bool draws() const { return mode() == "draw" || mode() == "erase"; }
 
   SketchInteraction sketch_;
-  JointChips joints_;
+  SketchChips chips_;
   QLabel* hint_;
 };
 

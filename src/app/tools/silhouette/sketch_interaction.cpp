@@ -16,11 +16,14 @@ SketchInteraction::SketchInteraction(Studio& studio, const ViewPane& pane, QObje
     : QObject(parent), studio_(studio), pane_(pane), tool_(studio.session(), studio.tool_options()) {
   connect(&pen_watch_, &QTimer::timeout, this,
           [this] { take_pen(pen_.settle(last_time_ + static_cast<double>(since_event_.nsecsElapsed()) * 1e-9)); });
-  scene_.show_drawing(studio_, tool_);
+  set_mode(tool_.mode());
 }
 
 void SketchInteraction::set_mode(SketchMode mode) {
   tool_.set_mode(mode);
+  PenOptions options = pen_.options();
+  options.right_draws = mode == SketchMode::Draw;
+  pen_.set_options(options);
   follow_ink();
   scene_.show_hovered(std::nullopt, studio_.drawing());
   scene_.show_drawing(studio_, tool_);
@@ -62,7 +65,7 @@ void SketchInteraction::show_gesture() {
     return;
   }
   scene_.show_hovered(std::nullopt, studio_.drawing());
-  scene_.show_preview(tool_.preview(), studio_.drawing());
+  scene_.show_preview(tool_.preview());
   emit changed();
 }
 
@@ -88,7 +91,7 @@ void SketchInteraction::hover(const PointerEvent& event) {
 void SketchInteraction::follow_document() {
   if (!pen_.down()) tool_.set_node(studio_.drawing_node());
   scene_.show_drawing(studio_, tool_);
-  scene_.show_preview(tool_.preview(), studio_.drawing());
+  scene_.show_preview(tool_.preview());
   emit changed();
 }
 

@@ -37,6 +37,7 @@ class SketchInteraction : public QObject {
   /// The stroke under way as drawn so far; empty while none is.
   const std::vector<StrokeSample>& ink() const { return tool_.preview().ink; }
   bool inking() const { return !ink().empty(); }
+  bool inks_behind() const { return tool_.preview().behind; }  ///< that stroke will lie behind others
 
   bool abandon();  ///< gives up the gesture under way. @return false when there was none
 

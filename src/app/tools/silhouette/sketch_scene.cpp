@@ -199,12 +199,9 @@ void SketchScene::show_result(const Studio& studio) {
   marks_ = marks.empty() ? nullptr : render::make_mark_item(marks);
 }
 
-void SketchScene::show_preview(const SketchPreview& preview, const Drawing& drawing) {
+void SketchScene::show_preview(const SketchPreview& preview) {
   std::vector<render::LinePath> paths;
-  for (const std::string& erased : preview.erased) {
-    const Stroke* stroke = find_stroke(drawing, erased);
-    if (stroke != nullptr) paths.push_back(path_of(*stroke));
-  }
+  for (const std::vector<Vec2>& piece : preview.erased) paths.push_back(path_of(piece, false));
   render::LineStyle style{ink_width + 1, to_color(colors::error), {}, render::LineDepth::OnTop};
   if (preview.box) {
     const auto& [low, high] = *preview.box;

@@ -31,7 +31,7 @@ class SketchScene {
   void show_result(const Studio& studio);
 
   /// What the pen is about to do, but for its ink; cheap enough for every event.
-  void show_preview(const SketchPreview& preview, const Drawing& drawing);
+  void show_preview(const SketchPreview& preview);
 
   /// The stroke under the pointer, or none.
   void show_hovered(const std::optional<std::string>& stroke, const Drawing& drawing);

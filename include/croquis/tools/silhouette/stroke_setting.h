@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "croquis/silhouette/stroke_data.h"
+#include "croquis/tools/silhouette/stroke_edit.h"
+
+/// What people say about strokes that are drawn already; it is kept as the strokes' data (silhouette/stroke_data.h).
+namespace croquis {
+
+inline constexpr double least_thickness = 0.05;  ///< factors of a part's depth
+inline constexpr double most_thickness = 4;
+
+/// Says whether an outline within another one is a hole or a part in front.
+/// @param kind Part or Hole; @throws Error (E_INPUT) when there is no such stroke
+DrawingEdit set_kind(const Drawing& drawing, const std::string& id, silhouette::StrokeKind kind);
+
+/// Says which of two strokes that cross in full view lies in front. Without being told it is the one drawn later.
+/// @throws Error (E_INPUT) when there is no such stroke
+DrawingEdit set_in_front(const Drawing& drawing, const std::string& front, const std::string& behind);
+
+/// Makes the part that a stroke bounds thicker or thinner. Where the drawing names the part, its group has the factor.
+/// @param factor limited to least_thickness .. most_thickness; 1 is as drawn
+/// @throws Error (E_INPUT) when there is no such stroke
+DrawingEdit set_thickness(const Drawing& drawing, const std::string& id, double factor);
+
+/// What was set; 1 where nothing or nonsense was. 1 for an unknown stroke.
+double thickness_of(const Drawing& drawing, const std::string& id);
+
+}  // namespace croquis

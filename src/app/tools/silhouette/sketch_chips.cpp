@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tools/silhouette/sketch_chips.h"
+
+#include <QToolTip>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "croquis/base/error.h"
+#include "croquis/tools/recording/general_steps.h"
+#include "croquis/tools/silhouette/stroke_setting.h"
+
+namespace croquis::app {
+namespace {
+
+using silhouette::Hold;
+using silhouette::StrokeKind;
+using Strength = SketchChip::Look::Strength;
+
+constexpr double pixels_per_blend = 120;      // a drag so far to the right or up makes the seam as wide as it can be
+constexpr double pixels_per_thickness = 100;  // a drag so far up makes a part e times as thick
+
+double rounded(double value) { return std::round(value * 100) / 100; }
+
+QString number_of(double value) { return QString::number(rounded(value)); }
+
+double blend_after(double from, const QPointF& by) {
+  return std::clamp(rounded(from + (by.x() - by.y()) / pixels_per_blend), 0.0, 1.0);
+}
+
+double thickness_after(double from, const QPointF& by) {
+  return std::clamp(rounded(from * std::exp(-by.y() / pixels_per_thickness)), least_thickness, most_thickness);
+}
+constexpr double thickness_above = 20;  // logical pixels above the part
+
+}  // namespace
+
+SketchChips::SketchChips(Studio& studio, SketchTool& tool, QWidget* views)
+    : QObject(views),
+      studio_(studio),
+      tool_(tool),
+      joint_row_(views, "joint", true),
+      nested_row_(views, "nested", false),
+      crossing_row_(views, "crossing", false),
+      thickness_row_(views, "thickness", true) {
+  connect_rows();
+}
+
+void SketchChips::connect_rows() {
+  connect(&joint_row_, &ChipRow::clicked, this, [this](std::size_t number) {
+    const Joint& joint = joints_.at(number);
+    set_attach(with_hold(attach(), joint, next_hold(joint.hold)), false);
+  });
+  connect(&joint_row_, &ChipRow::dragged, this, [this](std::size_t number, const QPointF& by) {
+    const Joint& joint = joints_.at(number);
+    if (joint.hold != Hold::Joined) return;
+    if (!dragged_from_) dragged_from_ = joint.blend;
+    const double blend = blend_after(*dragged_from_, by);
+    set_attach(with_blend(attach(), joint, blend), true);
+    QToolTip::showText(QCursor::pos(), tr("Seam radius %1").arg(number_of(blend)));
+  });
+  connect(&joint_row_, &ChipRow::dropped, this, [this] {
+    if (std::exchange(dragged_from_, std::nullopt)) set_attach(attach(), false);
+  });
+  connect(&joint_row_, &ChipRow::asked, this, [this](std::size_t number) {
+    const Joint joint = joints_.at(number);
+    if (joint.hold != Hold::Joined) return;
+    ask_number(*joint_row_.chip(number), "seam-radius", joint.blend, 0, 1,
+               [this, joint](double blend) { set_attach(with_blend(attach(), joint, blend), false); });
+  });
+  connect(&nested_row_, &ChipRow::clicked, this, [this](std::size_t number) {
+    const NestedStroke& nested = nested_.at(number);
+    set({nested.stroke, nested.hole ? StrokeKind::Part : StrokeKind::Hole}, false);
+  });
+  connect(&crossing_row_, &ChipRow::clicked, this, [this](std::size_t number) {
+    const StrokesInView& crossing = crossings_.at(number);
+    set({crossing.behind, {}, crossing.front}, false);
+  });
+  connect(&thickness_row_, &ChipRow::dragged, this, [this](std::size_t, const QPointF& by) {
+    if (!dragged_from_) dragged_from_ = thickness_of(studio_.drawing(), part_.stroke);
+    set({part_.stroke, {}, {}, thickness_after(*dragged_from_, by)}, true);
+  });
+  connect(&thickness_row_, &ChipRow::dropped, this, [this] {
+    if (std::exchange(dragged_from_, std::nullopt))
+      set({part_.stroke, {}, {}, thickness_of(studio_.drawing(), part_.stroke)}, false);
+  });
+  const auto ask_thickness = [this](std::size_t number) {
+    ask_number(*thickness_row_.chip(number), "part-thickness", thickness_of(studio_.drawing(), part_.stroke),
+               least_thickness, most_thickness, [this, stroke = part_.stroke](double factor) {
+                 set({stroke, {}, {}, factor}, false);
+               });
+  };
+  connect(&thickness_row_, &ChipRow::clicked, this, ask_thickness);
+  connect(&thickness_row_, &ChipRow::asked, this, ask_thickness);
+}
+
+// ---- What they show
+
+QString SketchChips::name_of(const std::string& object_or_stroke) const {
+  const Body* body = body_with(bodies_, {object_or_stroke});
+  return body == nullptr ? QString::fromStdString(object_or_stroke) : body->name;
+}
+
+QString SketchChips::pair_name(const Joint& joint) const {
+  return tr("%1 and %2").arg(name_of(joint.a), name_of(joint.b));
+}
+
+ChipRow::Chip SketchChips::chip_of(const Joint& joint) const {
+  const QString names = pair_name(joint);
+  if (joint.hold == Hold::Apart)
+    return {joint.at, {"joint-apart", {}, tr("Apart: %1 keep a gap. Click to rest one on the other").arg(names)}};
+  if (joint.hold == Hold::Resting)
+    return {joint.at, {"joint-resting", {}, tr("Resting: %1 touch. Click to join them").arg(names), Strength::Half}};
+  if (!joint.held)
+    return {joint.at,
+            {"joint-joined",
+             {},
+             tr("%1 couldn't be joined, see Findings. Click to keep them apart").arg(names),
+             Strength::Warning}};
+  return {joint.at,
+          {"joint-joined",
+           {},
+           tr("Joined: %1 are one body, seam radius %2. Click to keep them apart; drag, or right click, for the radius")
+               .arg(names, number_of(joint.blend)),
+           Strength::Full}};
+}
+
+ChipRow::Chip SketchChips::chip_of(const NestedStroke& nested) const {
+  const QString around = name_of(nested.around);
+  const QString sentence = nested.hole ? tr("Hole in %1. Click to make it a part in front")
+                                       : tr("Part in front of %1. Click to make it a hole");
+  const QString how = nested.chosen ? QString() : " " + tr("(read from the drawing)");
+  return {nested.at,
+          {nested.hole ? "nested-hole" : "nested-part",
+           {},
+           sentence.arg(around) + how,
+           nested.chosen ? Strength::Half : Strength::Plain}};
+}
+
+ChipRow::Chip SketchChips::chip_of(const StrokesInView& crossing) const {
+  const QString sentence = tr("In front: %1. Behind: %2. Click to swap them");
+  return {crossing.at,
+          {"crossing-in-view",
+           {},
+           sentence.arg(name_of(crossing.front), name_of(crossing.behind)),
+           crossing.chosen ? Strength::Half : Strength::Plain}};
+}
+
+ChipRow::Chip SketchChips::thickness_chip() const {
+  const double factor = thickness_of(studio_.drawing(), part_.stroke);
+  return {part_.at,
+          {"thickness", QString("× ") + number_of(factor),
+           tr("Thickness of %1. Drag up or down; click to type it").arg(name_of(part_.stroke)),
+           factor == 1 ? Strength::Plain : Strength::Half},
+          thickness_above};
+}
+
+void SketchChips::follow() {
+  const auto result = studio_.result();
+  const InflateResult* inflated = result_of<InflateResult>(result.get());
+  const Drawing& drawing = studio_.drawing();
+  const InflateResult none;
+  const InflateResult& known = inflated == nullptr ? none : *inflated;
+  bodies_ = bodies_of(drawing, result.get());
+  const bool is_final = result && !result->failed && !result->stale && result->quality == Quality::Final;
+  joints_ = joints_of(known, attach(), is_final);
+  nested_ = nested_outlines(known, drawing);
+  crossings_ = crossings_in_view(known, drawing);
+  part_ = chosen_part(known, drawing, tool_.selected());
+  const auto chips_of = [this](const auto& items) {
+    std::vector<ChipRow::Chip> chips;
+    for (const auto& item : items) chips.push_back(chip_of(item));
+    return chips;
+  };
+  joint_row_.show(chips_of(joints_));
+  nested_row_.show(chips_of(nested_));
+  crossing_row_.show(chips_of(crossings_));
+  thickness_row_.show(part_.stroke.empty() ? std::vector<ChipRow::Chip>() : std::vector{thickness_chip()});
+}
+
+void SketchChips::place(ChipPlaces& places, bool shown) {
+  thickness_row_.place(places, shown);
+  crossing_row_.place(places, shown);
+  nested_row_.place(places, shown);
+  joint_row_.place(places, shown);
+}
+
+// ---- What they do
+
+void SketchChips::join_all() {
+  AttachText text = attach();
+  for (const Joint& joint : joints_) {
+    if (joint.hold != Hold::Joined) text = with_hold(std::move(text), joint, Hold::Joined);
+  }
+  if (!joints_.empty()) studio_.set_parameter(studio_.solid_node(), "attach", to_text(text), false);
+}
+
+/// Of the solid; nothing while the text has mistakes, which its findings tell of.
+AttachText SketchChips::attach() const {
+  const Node* operation = studio_.solid_operation();
+  const auto result = studio_.result();
+  const InflateResult* inflated = result_of<InflateResult>(result.get());
+  if (operation == nullptr || inflated == nullptr) return {};
+  const auto text = operation->parameters.find("attach");
+  if (text == operation->parameters.end()) return {};
+  try {
+    return with_object_names(read_attach_text(std::get<std::string>(text->second)), *inflated);
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+void SketchChips::set_attach(const AttachText& attach, bool dragging) {
+  const Node* operation = studio_.solid_operation();
+  if (operation == nullptr) return;
+  const std::string name = operation->name;
+  const std::string text = to_text(attach);
+  studio_.set_parameter(studio_.solid_node(), "attach", text, dragging);
+  if (!dragging) emit committed(recorded::Set{name, "attach", text});
+}
+
+void SketchChips::set(const recorded::StrokeReading& setting, bool dragging) {
+  if (find_stroke(studio_.drawing(), setting.stroke) == nullptr) return;
+  if (tool_.set(setting, dragging) == Verdict::Commit) emit committed(*tool_.done());
+}
+
+}  // namespace croquis::app

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/tools/silhouette/stroke_setting.h"
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "croquis/base/error.h"
+#include "croquis/base/parameter.h"
+#include "croquis/base/text.h"
+
+namespace croquis {
+namespace {
+
+using Data = std::map<std::string, std::string>;
+
+Stroke& stroke_of(Drawing& drawing, const std::string& id) {
+  const auto found = std::find_if(drawing.strokes.begin(), drawing.strokes.end(),
+                                  [&](const Stroke& stroke) { return stroke.id == id; });
+  if (found != drawing.strokes.end()) return *found;
+  throw Error(make_error(Category::Usage, "E_INPUT",
+                         "The drawing has no stroke \"" + id + "\"; choose one of those it has.",
+                         {{SubjectKind::Stroke, id, {}, {}, {}}}));
+}
+
+/// Sets an entry; an empty value takes it away.
+void set_entry(Data& data, const std::string& key, const std::string& value) {
+  if (value.empty())
+    data.erase(key);
+  else
+    data[key] = value;
+}
+
+/// The strokes that one is told to lie behind: those of `drawing` drawn before it where that is all of them.
+std::vector<std::string> told_behind(const Drawing& drawing, const Stroke& stroke) {
+  std::vector<std::string> names;
+  for (const Stroke& other : drawing.strokes) {
+    if (other.id != stroke.id && silhouette::told_behind(stroke, other)) names.push_back(other.id);
+  }
+  return names;
+}
+
+void set_behind(Stroke& stroke, const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ",") + name;
+  set_entry(stroke.data, silhouette::behind_key, text);
+}
+
+/// Where the factor of the part that a stroke bounds is kept.
+Data& thickness_data(Drawing& drawing, Stroke& stroke) {
+  return stroke.object.empty() ? stroke.data : drawing.object_data[stroke.object];
+}
+
+}  // namespace
+
+DrawingEdit set_kind(const Drawing& drawing, const std::string& id, silhouette::StrokeKind kind) {
+  DrawingEdit edit{drawing, {}, {id}, {}};
+  stroke_of(edit.drawing, id).data[silhouette::kind_key] = silhouette::to_string(kind);
+  return edit;
+}
+
+DrawingEdit set_in_front(const Drawing& drawing, const std::string& front, const std::string& behind) {
+  DrawingEdit edit{drawing, {}, {front, behind}, {}};
+  Stroke& upper = stroke_of(edit.drawing, front);
+  Stroke& lower = stroke_of(edit.drawing, behind);
+  if (silhouette::told_behind(upper, lower)) {
+    std::vector<std::string> others = told_behind(drawing, upper);
+    std::erase(others, behind);
+    set_behind(upper, others);
+  }
+  // What was drawn first lies behind by itself, unless it is open: then it may be read as a limb in front.
+  const bool needs_telling = &lower > &upper || !lower.closed;
+  if (needs_telling && !silhouette::told_behind(lower, upper)) {
+    std::vector<std::string> others = told_behind(drawing, lower);
+    others.push_back(front);
+    set_behind(lower, others);
+  }
+  return edit;
+}
+
+DrawingEdit set_thickness(const Drawing& drawing, const std::string& id, double factor) {
+  DrawingEdit edit{drawing, {}, {id}, {}};
+  const double limited = std::clamp(factor, least_thickness, most_thickness);
+  Data& data = thickness_data(edit.drawing, stroke_of(edit.drawing, id));
+  set_entry(data, silhouette::thickness_key, limited == 1 ? "" : to_text(limited));
+  return edit;
+}
+
+double thickness_of(const Drawing& drawing, const std::string& id) {
+  const Stroke* stroke = find_stroke(drawing, id);
+  if (stroke == nullptr) return 1;
+  const auto group = drawing.object_data.find(stroke->object);
+  if (!stroke->object.empty() && group == drawing.object_data.end()) return 1;
+  const Data& data = stroke->object.empty() ? stroke->data : group->second;
+  const auto found = data.find(silhouette::thickness_key);
+  double factor = 1;
+  const bool read = found != data.end() && read_number(found->second, factor);
+  return read && factor > 0 ? std::clamp(factor, least_thickness, most_thickness) : 1;
+}
+
+}  // namespace croquis
