@@ -24,8 +24,8 @@ const std::map<std::string, Bench>& benches() {
                                                    {"readers", plain(bench_readers)},
                                                    {"remesh", plain(bench_remesh)},
                                                    {"silhouette", plain(bench_silhouette)},
-                                                   {"silhouette-hand", bench_silhouette_hand},
                                                    {"silhouette-finish", plain(bench_silhouette_finish)},
+                                                   {"silhouette-hand", bench_silhouette_hand},
                                                    {"solver", plain(bench_solver)},
                                                    {"subdivision", plain(bench_subdivision)},
                                                    {"surface", plain(bench_surface)}};
@@ -47,11 +47,8 @@ bool read_choices(const std::vector<std::string>& words, std::vector<Choice>& ch
       choices.back().second.push_back(word);
     } else {
       std::cerr << "There is no benchmark '" << word
-                << "': use holes, implicit, perspective, readers, remesh, silhouette, silhouette-hand, solver, "
-                   "subdivision or "
-                   "surface.\n";
-                << "': use holes, implicit, perspective, readers, remesh, silhouette, silhouette-finish, solver, "
-                   "subdivision or surface.\n";
+                << "': use holes, implicit, perspective, readers, remesh, silhouette, silhouette-finish, "
+                   "silhouette-hand, solver, subdivision or surface.\n";
       return false;
     }
   }

@@ -19,8 +19,8 @@ namespace {
 
 // Bounds per independent part: readings, those that get as far as being labelled, changes of one reading that are
 // tried.
-constexpr int most_readings = 40;
-constexpr int most_labellings = 8;
+constexpr int most_readings = 24;
+constexpr int most_labellings = 6;
 // A reading that is right can nearly always be labelled by its first matchings; one that is wrong tries them all.
 constexpr int most_matchings = 12;
 constexpr std::size_t most_changes = 12;

@@ -63,7 +63,7 @@ ErrorSketch gap() {
 ErrorSketch double_line() {
   ErrorSketch sketch{"W_DOUBLE", {"s0", "s1"}, {}, {}};
   add_circle(sketch.drawing, {450, 350}, 250);
-  add_circle(sketch.drawing, {450, 350}, 252.5);
+  add_circle(sketch.drawing, {450, 350}, 251.2);
   return sketch;
 }
 

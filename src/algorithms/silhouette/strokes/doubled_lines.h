@@ -7,7 +7,8 @@
 namespace croquis::silhouette {
 
 /// Warns (W_DOUBLE) of lines that run beside one another so closely and so long that one was drawn twice.
-/// Nothing is merged: two sides of a thin tube look the same. O(n) for evenly spread samples.
+/// Lines that keep to one side of one another at a steady distance are two outlines, such as the sides of a thin tube.
+/// Nothing is merged. O(n) for evenly spread samples.
 Findings find_doubled_lines(const Drawing& drawing, const std::vector<CleanLine>& lines, const DrawingScale& scale);
 
 }  // namespace croquis::silhouette

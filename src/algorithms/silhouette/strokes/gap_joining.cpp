@@ -165,7 +165,8 @@ class Joiner {
   bool near_enough(const End& a, const End& b, double distance) const {
     const double length = strokes_[a.stroke].length;
     if (a.stroke == b.stroke) return distance <= closing_slack * scale_.close_share * (length + distance);
-    return distance <= farthest_join(a, b);
+    // Ends that run side by side are those of two outlines, or of one drawn twice.
+    return distance <= farthest_join(a, b) && a.outward.back().dot(b.outward.back()) < agreeing_cosine;
   }
 
   double farthest_join(const End& a, const End& b) const {

@@ -12,6 +12,8 @@ namespace {
 // strokes are long enough.
 constexpr double bending_ratio = 6;
 constexpr double longest_bend = 0.3;
+// A line runs on beyond its start by no more than so many times what closes it.
+constexpr double longest_overlap = 1.5;
 // Directions at joined ends are taken over so many times the distance between the ends.
 constexpr double direction_ratio = 2;
 // Two directions that differ by more than 60 degrees make a corner, which isn't bent.
@@ -103,17 +105,14 @@ bool close_at_crossing(Growing& line, double reach, double spacing) {
 }
 
 /// Makes the end of a line run into its start.
-void close_line(Growing& line, const StrokeChain& chain, const std::vector<SampledStroke>& strokes,
-                const DrawingScale& scale) {
+void close_line(Growing& line, const DrawingScale& scale) {
   const double length = croquis::length(line.points, false);
   const bool by_size = scale.aside_share > 0;
   if (by_size) {
     const double spacing = length / static_cast<double>(line.points.size() - 1);
     if (close_at_crossing(line, scale.close_share * length, spacing)) return;
   }
-  (void)chain;
-  (void)strokes;
-  const double reach = std::max(scale.gap, 1.5 * scale.close_share * length);
+  const double reach = std::max(scale.gap, longest_overlap * scale.close_share * length);
   trim_overlap(line, line.points.front(), by_size ? reach : scale.gap);
   if (!by_size) return;
   const std::size_t half = line.points.size() / 2;
@@ -149,7 +148,7 @@ CleanLine join_chain(const StrokeChain& chain, const std::vector<SampledStroke>&
     if (line.object.empty()) line.object = stroke.object;
   }
   const bool drawn_closed = chain.links.size() == 1 && strokes[chain.links.front().index].closed;
-  if (line.closed && !drawn_closed && growing.points.size() > 3) close_line(growing, chain, strokes, scale);
+  if (line.closed && !drawn_closed && growing.points.size() > 3) close_line(growing, scale);
   line.points = std::move(growing.points);
   line.stroke = std::move(growing.stroke);
   return line;

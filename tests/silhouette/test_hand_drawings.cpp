@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <catch2/catch.hpp>
+
+#include "croquis/base/error.h"
+#include "silhouette/labelled_counts.h"
+#include "support/sample_count.h"
+#include "support/sketches/sketch_generator.h"
+
+namespace croquis::silhouette {
+namespace {
+
+using namespace croquis::test;
+
+/// Objects, contours, panels and Euler numbers as in the sketch, and no error.
+bool read_as_meant(const Drawing& drawing, const SketchTruth& truth) {
+  try {
+    const LabelledDrawing labelled = label_quietly(drawing, Options::of(Preset::Tablet));
+    const LabelledCounts found = counts_of(labelled);
+    const LabelledCounts meant = counts_of(truth);
+    return !has_errors(labelled.findings) && found.objects == meant.objects && found.contours == meant.contours &&
+           found.panels == meant.panels && found.euler_region == meant.euler_region;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+/// Percent of the sketches of `scripts/bench silhouette-hand` that are read as meant, a few seeds each.
+int percent_read(const HandOptions& hand, std::uint64_t first_seed) {
+  int right = 0;
+  int drawings = 0;
+  for (const NamedSketch& sketch : hand_sketches()) {
+    for (int i = 0; i < sample_count(4, 40); ++i, ++drawings) {
+      const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
+      right += read_as_meant(drawn_by_hand(sketch.sketch, seed, hand), sketch.sketch.truth);
+    }
+  }
+  return 100 * right / drawings;
+}
+
+std::vector<std::string> codes_of(const Findings& findings) {
+  std::vector<std::string> codes;
+  for (const Finding& finding : findings) codes.push_back(finding.code);
+  return codes;
+}
+
+bool tells(const Drawing& drawing, const std::string& code) {
+  const std::vector<std::string> codes = codes_of(findings_of(drawing, Options::of(Preset::Tablet)));
+  return std::find(codes.begin(), codes.end(), code) != codes.end();
+}
+
+/// A circle drawn from an angle on over a share of its circumference, its end aside by a share of it.
+Stroke loop(const Vec2& centre, double radius, double share, double aside) {
+  std::vector<Vec2> points;
+  const int count = 240;
+  for (int i = 0; i <= count; ++i) {
+    const double t = static_cast<double>(i) / count;
+    const double angle = 0.7 + 2 * std::numbers::pi * share * t;
+    const double out = radius + aside * 2 * std::numbers::pi * radius * std::pow(std::max(0.0, 3 * t - 2), 2);
+    points.emplace_back(centre + out * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  return stroke_of("loop", points);
+}
+
+Drawing of(const std::vector<Stroke>& strokes) {
+  Drawing drawing;
+  drawing.strokes = strokes;
+  return drawing;
+}
+
+/// A line with the samples moved aside by a function of the way along it.
+template <typename Aside>
+Stroke beside(const std::string& id, Aside aside) {
+  std::vector<Vec2> points;
+  for (int i = 0; i <= 300; ++i) points.emplace_back(100 + 2.5 * i, 300 + 40 * std::sin(0.02 * i) + aside(i));
+  return stroke_of(id, points);
+}
+
+}  // namespace
+
+TEST_CASE("outlines are closed that miss themselves by up to 5 % of their length or 3 % aside") {
+  for (const double share : {0.95, 0.97, 1.0, 1.03, 1.05}) {
+    for (const double aside : {-0.03, -0.015, 0.0, 0.015, 0.03}) {
+      for (const double radius : {300.0, 3.0}) {
+        INFO("drawn over " << share << ", aside by " << aside << ", radius " << radius);
+        CHECK(read_as_meant(of({loop({0, 0}, radius, share, aside)}), circle_sketch().truth));
+      }
+    }
+  }
+  CHECK_FALSE(read_as_meant(of({loop({0, 0}, 300, 0.85, 0)}), circle_sketch().truth));
+}
+
+TEST_CASE("drawings whose ends miss, whose loops stay open, or that are in pieces, are read as they were meant") {
+  HandOptions ends;
+  ends.end_miss = 0.03;
+  CHECK(percent_read(ends, 9001) >= 95);
+  HandOptions loops;
+  loops.closing = 0.05;
+  loops.aside = 0.03;
+  CHECK(percent_read(loops, 9101) >= 95);
+  HandOptions pieces;
+  pieces.pieces = 4;
+  pieces.piece_gap = 0.015;
+  CHECK(percent_read(pieces, 9201) >= 90);
+}
+
+TEST_CASE("drawings with a jitter of one percent are read as they were meant") {
+  HandOptions jitter;
+  jitter.jitter = 0.01;
+  jitter.closing = 0.02;
+  jitter.aside = 0.01;
+  CHECK(percent_read(jitter, 9301) >= 90);
+}
+
+TEST_CASE("many small things on one sheet are read like one of them") {
+  const HandOptions hand{0.004, 0.2, 0.02, 0, 0, 1, 0, false};
+  for (const int rings : {2, 12, 24}) {
+    INFO(rings << " rings");
+    const Sketch chain = chain_sketch(rings);
+    CHECK(read_as_meant(chain.drawing, chain.truth));
+    CHECK(read_as_meant(drawn_by_hand(chain, 5, hand), chain.truth));
+  }
+  Sketch sheet;
+  for (int i = 0; i < 24; ++i) {
+    const Sketch pair = translated(linked_rings_sketch(), Vec2(1000.0 * (i % 6), 700.0 * (i / 6)));
+    const Drawing drawn = drawn_by_hand(pair, static_cast<std::uint64_t>(i), hand);
+    for (Stroke stroke : drawn.strokes) {
+      stroke.id += "-" + std::to_string(i);
+      sheet.drawing.strokes.push_back(std::move(stroke));
+    }
+  }
+  const LabelledDrawing labelled = label_quietly(sheet.drawing, Options::of(Preset::Tablet));
+  CHECK_FALSE(has_errors(labelled.findings));
+  CHECK(counts_of(labelled).objects == 48);
+  CHECK(counts_of(labelled).euler_region == 0);
+}
+
+TEST_CASE("an end near its own start, where the stroke passes behind itself, isn't joined to it") {
+  HandOptions hand;
+  hand.jitter = 0.01;
+  for (int seed = 1; seed <= sample_count(8, 60); ++seed) {
+    INFO("seed " << seed);
+    const Sketch snake = snake_sketch();
+    CHECK(read_as_meant(drawn_by_hand(snake, static_cast<std::uint64_t>(seed), hand), snake.truth));
+  }
+}
+
+TEST_CASE("lines drawn over again are told, parallel strands are not") {
+  const auto straight = [](int) { return 0.0; };
+  const Stroke frame = stroke_of("frame", circle_outline({450, 300}, 440), true);
+  for (const double wobble : {0.0, 1.0, 2.5}) {
+    INFO("over-traced with " << wobble);
+    const auto over = [&](int i) { return wobble * std::sin(0.11 * i + 1); };
+    CHECK(tells(of({frame, beside("first", straight), beside("again", over)}), "W_DOUBLE"));
+  }
+  for (const double apart : {3.0, 4.0, 5.0}) {
+    for (const double wobble : {0.0, 0.5, 1.0}) {
+      INFO("strands " << apart << " apart, with " << wobble);
+      const auto strand = [&](int i) { return apart + wobble * std::sin(0.11 * i + 1); };
+      CHECK_FALSE(tells(of({frame, beside("first", straight), beside("second", strand)}), "W_DOUBLE"));
+    }
+  }
+}
+
+}  // namespace croquis::silhouette
