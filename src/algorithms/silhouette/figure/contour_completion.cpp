@@ -5,6 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "algorithms/silhouette/figure/drawn_cover.h"
+#include "algorithms/silhouette/figure/hidden_strips.h"
+#include "croquis/geometry/polyline.h"
+
 namespace croquis::silhouette {
 namespace {
 
@@ -12,6 +16,14 @@ namespace {
 constexpr int integration_pieces = 24;
 // Bending away from the surface costs this much more than bending round it.
 constexpr double concave_factor = 5;
+
+// What is missing in front of a piece, in terms of cost: a covered piece is preferred to one that lies in the open
+// unless that is very much shorter.
+constexpr double bare_cost = 3;
+// Joining two lines that go round something on opposite sides costs so much more.
+constexpr double disagreement_cost = 15;
+// A piece is judged by so many chords.
+constexpr int judged_pieces = 20;
 
 struct Derivatives {
   Vec2 first;
@@ -33,18 +45,19 @@ bool may_join(const std::vector<CleanLine>& lines, const Junctions& junctions, c
   return side_a == 0 || side_b == 0 || side_a == side_b;
 }
 
-/// Side of the surface when a line is walked outward through an end. Without a stem it is guessed: a line that goes
-/// round something most likely bounds it.
+/// Side of the surface when a line is walked outward through an end.
 int likely_outward_side(const std::vector<CleanLine>& lines, const Junctions& junctions, const HiddenEnd& end) {
   const int known = outward_side(junctions, end);
   if (known != 0) return known;
-  const Points& points = lines[end.line].points;
-  double area = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    area += cross(points[i] - points.front(), points[(i + 1) % points.size()] - points.front());
-  }
-  const int round = area >= 0 ? 1 : -1;
+  const int round = likely_side(lines[end.line]);
   return end.at_start ? -round : round;
+}
+
+/// How sure it is that the surface lies on the side that a line bends round: 1 for one that nearly closes, 0 for one
+/// whose ends are farther apart than half its length.
+double roundness(const CleanLine& line) {
+  const double chord = (line.points.back() - line.points.front()).norm();
+  return std::max(0.0, 1 - 2 * chord / croquis::length(line.points, false));
 }
 
 /// Per end: the known piece that it belongs to.
@@ -57,7 +70,29 @@ std::vector<Index> given_pieces_of(const Junctions& junctions) {
   return piece;
 }
 
+/// Brings the shapes that keep a candidate covered to the front, and makes it dearer when there is none.
+void prefer_covered(const DrawnCover& cover, CompletionCandidate& candidate) {
+  std::array<double, CompletionCandidate::handles.size()> price{};
+  for (Index shape = 0; shape < price.size(); ++shape) {
+    const std::array<Vec2, 4> curve = shaped(candidate.bezier, shape);
+    Points points;
+    for (int i = 0; i <= judged_pieces; ++i) {
+      points.push_back(bezier_at(curve, static_cast<double>(i) / judged_pieces));
+    }
+    price[shape] = bare_cost * cover.missing(points);
+    if (shape == 0 && price[shape] <= 0) return;
+  }
+  std::stable_sort(candidate.shapes.begin(), candidate.shapes.end(),
+                   [&](std::uint8_t a, std::uint8_t b) { return price[a] < price[b]; });
+  candidate.cost += price[candidate.shapes.front()];
+}
+
 }  // namespace
+
+std::array<Vec2, 4> shaped(const std::array<Vec2, 4>& curve, Index shape) {
+  const double share = CompletionCandidate::handles[shape];
+  return {curve[0], curve[0] + share * (curve[1] - curve[0]), curve[3] + share * (curve[2] - curve[3]), curve[3]};
+}
 
 double completion_cost(const std::array<Vec2, 4>& curve, int side, double reference, const CompletionOptions& options) {
   double length = 0;
@@ -100,8 +135,11 @@ std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLi
                                                        const CompletionOptions& options) {
   std::vector<CompletionCandidate> candidates;
   const std::vector<Index> given = given_pieces_of(junctions);
+  const DrawnCover cover(lines, junctions);
   std::vector<int> side;
   for (const Index end : ends) side.push_back(likely_outward_side(lines, junctions, junctions.ends[end]));
+  std::vector<double> round;
+  for (const CleanLine& line : lines) round.push_back(roundness(line));
   for (Index i = 0; i < ends.size(); ++i) {
     for (Index k = i + 1; k < ends.size(); ++k) {
       const HiddenEnd& a = junctions.ends[ends[i]];
@@ -120,12 +158,19 @@ std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLi
       const Vec2& to = lines[b.line].end(b.at_start);
       // No curve is shorter than its chord.
       if (options.length_weight * (to - from).norm() > options.maximum_cost * reference) continue;
-      CompletionCandidate candidate{i, k, completion_curve(from, a.tangent, to, b.tangent), 0, no_index};
+      CompletionCandidate candidate;
+      candidate.a = i;
+      candidate.b = k;
+      candidate.bezier = completion_curve(from, a.tangent, to, b.tangent);
       const int agreed = side[i] == -side[k] ? side[i] : 0;
       candidate.cost = completion_cost(candidate.bezier, agreed, reference, options);
-      if (candidate.cost <= options.maximum_cost) candidates.push_back(candidate);
+      if (agreed == 0) candidate.cost += disagreement_cost * std::min(round[a.line], round[b.line]);
+      if (candidate.cost > options.maximum_cost) continue;
+      prefer_covered(cover, candidate);
+      candidates.push_back(candidate);
     }
   }
+  favour_strips(lines, junctions, ends, side, candidates);
   return candidates;
 }
 

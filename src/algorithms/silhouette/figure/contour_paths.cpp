@@ -148,7 +148,7 @@ class Closer {
   };
 
   HiddenCurve completed_curve(const CompletionCandidate& candidate, Index choice, Index leaving) const {
-    std::array<Vec2, 4> curve = candidate.bezier;
+    std::array<Vec2, 4> curve = shaped(candidate.bezier, candidate.shapes[0]);
     if (candidate.b == leaving) std::reverse(curve.begin(), curve.end());
     const double factor = shape_.handles * (1 + (choice % 2 == 0 ? shape_.stretch : -shape_.stretch));
     curve[1] = curve[0] + factor * (curve[1] - curve[0]);

@@ -11,11 +11,6 @@ constexpr int dense_points = 64;
 // Ends that turn away from each other further than this are given no longer handles.
 constexpr double least_facing = -0.3;
 
-Vec2 bezier_at(const std::array<Vec2, 4>& p, double t) {
-  const double s = 1 - t;
-  return s * s * s * p[0] + 3 * s * s * t * p[1] + 3 * s * t * t * p[2] + t * t * t * p[3];
-}
-
 }  // namespace
 
 std::array<Vec2, 4> completion_curve(const Vec2& a, const Vec2& tangent_a, const Vec2& b, const Vec2& tangent_b) {
@@ -24,6 +19,11 @@ std::array<Vec2, 4> completion_curve(const Vec2& a, const Vec2& tangent_a, const
   const double facing = 0.5 * (tangent_a.dot(across) - tangent_b.dot(across));
   const double handle = 2.0 / 3.0 * distance / (1 + std::max(facing, least_facing));
   return {a, a + handle * tangent_a, b + handle * tangent_b, b};
+}
+
+Vec2 bezier_at(const std::array<Vec2, 4>& p, double t) {
+  const double s = 1 - t;
+  return s * s * s * p[0] + 3 * s * s * t * p[1] + 3 * s * t * t * p[2] + t * t * t * p[3];
 }
 
 Points bezier_points(const std::array<Vec2, 4>& curve, double spacing) {

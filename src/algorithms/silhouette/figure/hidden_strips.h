@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "algorithms/silhouette/figure/contour_completion.h"
+
+namespace croquis::silhouette {
+
+/// Makes candidates cheap that carry both sides of a strip straight on behind something, at the same width: an arrow
+/// through a heart, a stick behind a disc. Such a strip is one part, however far it is hidden.
+///
+/// Strips of which three or more would cross one another stay as they are: they are petals or arms all round.
+/// @param side per end: where the surface lies, walking outward, +1 left, -1 right
+/// O(s²) for s straight candidates.
+void favour_strips(const std::vector<CleanLine>& lines, const Junctions& junctions, const std::vector<Index>& ends,
+                   const std::vector<int>& side, std::vector<CompletionCandidate>& candidates);
+
+}  // namespace croquis::silhouette

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "algorithms/silhouette/figure/drawn_cover.h"
+#include "croquis/silhouette/labelled_figure.h"
+#include "silhouette/labelled_counts.h"
+#include "support/sketches/sketch_generator.h"
+
+using namespace croquis;
+using namespace croquis::test;
+
+namespace {
+
+std::vector<Vec2> stick(const Vec2& from, const Vec2& to, double radius) {
+  return tube_outline(bar(from, to, radius, [](double) { return 0.0; }));
+}
+
+std::vector<Vec2> oval(double a, double b) {
+  std::vector<Vec2> points = circle_outline({0, 0}, a);
+  for (Vec2& point : points) point.y() *= b / a;
+  return points;
+}
+
+/// Outlines over one another, the last in front.
+Sketch stacked(const std::vector<std::vector<Vec2>>& outlines) {
+  std::vector<LayeredPart> parts;
+  for (const std::vector<Vec2>& outline : outlines) parts.push_back({outline, static_cast<int>(parts.size())});
+  return layered_sketch(parts);
+}
+
+}  // namespace
+
+TEST_CASE("a strip that goes straight on behind something is one part") {
+  const std::vector<std::pair<const char*, Sketch>> sketches{
+      {"an arrow through a heart", stacked({stick({-320, -60}, {320, 60}, 14), oval(140, 120)})},
+      {"a long arrow", stacked({stick({-500, -60}, {500, 60}, 10), oval(220, 180)})},
+      {"crossed arms behind a body",
+       stacked({stick({-200, -120}, {200, 120}, 25), stick({-200, 120}, {200, -120}, 25), oval(110, 160)})},
+      {"thin crossed sticks behind a disc",
+       stacked({stick({-300, -150}, {300, 150}, 8), stick({-300, 150}, {300, -150}, 8), oval(180, 180)})},
+      {"a bar behind something wide", stacked({stick({-400, 0}, {400, 0}, 12), oval(250, 150)})},
+      {"a bar behind several things",
+       stacked({stick({-400, 0}, {400, 0}, 20), circle_outline({-220, 0}, 70), circle_outline({0, 0}, 70),
+                circle_outline({220, 0}, 70)})}};
+  for (const auto& [name, sketch] : sketches) {
+    for (const double turn : {0.0, 0.7}) {
+      INFO(name << " turned by " << turn);
+      const Sketch turned = rotated(sketch, turn);
+      CHECK(counts_of(label_quietly(turned.drawing)) == counts_of(turned.truth));
+      CHECK(counts_of(label_quietly(reversed_strokes(turned.drawing))) == counts_of(turned.truth));
+      CHECK(counts_of(label_quietly(mirrored(turned).drawing)) == counts_of(turned.truth));
+    }
+  }
+}
+
+TEST_CASE("ears behind a head are parts of their own") {
+  for (const double height : {90.0, 105.0, 120.0}) {
+    for (const double size : {35.0, 50.0}) {
+      INFO(height << ", " << size);
+      const Sketch sketch = stacked({circle_outline({-0.7 * height, 0.75 * height}, size),
+                                     circle_outline({0.7 * height, 0.75 * height}, size), oval(100, 100)});
+      CHECK(counts_of(label_quietly(sketch.drawing)) == counts_of(sketch.truth));
+    }
+  }
+}
+
+TEST_CASE("what is drawn tells where a hidden piece would lie in the open") {
+  silhouette::CleanLine disc;
+  disc.points = circle_outline({0, 0}, 100);
+  disc.closed = true;
+  silhouette::Junctions junctions;
+  junctions.sides = {1};
+  const silhouette::DrawnCover cover({disc}, junctions);
+  CHECK(cover.missing({{-50, 0}, {0, 30}, {50, 0}}) == 0);
+  CHECK(cover.missing({{-50, 0}, {0, 150}, {50, 0}}) == 1);
+  // Of a line whose side nothing tells, nothing is said.
+  silhouette::CleanLine open = disc;
+  open.closed = false;
+  junctions.sides = {0};
+  CHECK(silhouette::DrawnCover({open}, junctions).missing({{-50, 0}, {0, 150}, {50, 0}}) == 0);
+}
