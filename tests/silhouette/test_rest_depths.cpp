@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "algorithms/silhouette/skeleton/overlap_cycles.h"
+#include "algorithms/silhouette/skeleton/rest_depths.h"
+#include "croquis/silhouette/solid.h"
+#include "support/random.h"
+#include "support/sample_count.h"
+#include "support/sketches/characters/character.h"
+#include "support/sketches/sketch_generator.h"
+
+using namespace croquis;
+using namespace croquis::silhouette;
+
+namespace {
+
+struct Reach {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void add(double z) {
+    low = std::min(low, z);
+    high = std::max(high, z);
+  }
+  double depth() const { return high - low; }
+  double middle() const { return (low + high) / 2; }
+};
+
+Solid solid_of(const Drawing& drawing) {
+  Progress progress;
+  const Options options;
+  return inflate(label(drawing, options, progress), drawing, options, progress);
+}
+
+/// By the names of objects.
+std::map<std::string, Reach> reaches(const Solid& solid) {
+  std::map<std::string, Reach> result;
+  const AttributeChannel& channel = *solid.mesh.channel("object", Domain::Face);
+  const auto& objects = std::get<std::vector<std::int32_t>>(channel.data);
+  for (std::size_t f = 0; f < solid.mesh.face_count(); ++f) {
+    Reach& reach = result[channel.labels[static_cast<std::size_t>(objects[f])]];
+    for (const Index v : solid.mesh.face(f)) reach.add(solid.mesh.positions[v].z());
+  }
+  return result;
+}
+
+std::map<std::string, Reach> reaches(const std::string& character) {
+  for (const test::Character& one : test::all_characters()) {
+    if (one.name == character) return reaches(solid_of(test::character_sketch(one).drawing));
+  }
+  FAIL("no character " << character);
+  return {};
+}
+
+/// Objects with one node each.
+Skeleton nodes_of(const std::vector<double>& radii) {
+  Skeleton skeleton;
+  skeleton.scale = 1;
+  for (Index object = 0; object < radii.size(); ++object) {
+    SkeletonNode node;
+    node.object = object;
+    node.radius = radii[object];
+    skeleton.nodes.push_back(node);
+  }
+  return skeleton;
+}
+
+std::vector<double> rest(const std::vector<double>& radii, const ObjectBounds& bounds,
+                         const DepthSettings& settings = {}) {
+  Progress progress;
+  return rest_depths(nodes_of(radii), bounds, settings, progress);
+}
+
+}  // namespace
+
+TEST_CASE("objects that lie over one another all round are one cycle, numbered from below") {
+  const OverlapCycles cycles = overlap_cycles({{1}, {2}, {0, 3}, {}, {0, 0, 4}});
+  CHECK(cycles.count == 3);
+  CHECK(cycles.cycle == std::vector<Index>{1, 1, 1, 0, 2});
+  CHECK(overlap_cycles({}).count == 0);
+}
+
+TEST_CASE("flat objects lie as near to each other as their bounds allow, the larger one nearer to the plane") {
+  const std::vector<double> pair = rest({10, 1}, {{{1, 0}, 11}});
+  CHECK(pair[1] - pair[0] == Approx(11).margin(1e-3));
+  CHECK(std::abs(pair[0]) < 0.02 * pair[1]);
+  CHECK(rest({10, 1}, {}) == std::vector<double>{0, 0});
+  const std::vector<double> chain = rest({1, 1, 1}, {{{2, 1}, 2}, {{1, 0}, 3}});
+  CHECK(chain[2] - chain[1] == Approx(2).margin(1e-3));
+  CHECK(chain[1] - chain[0] == Approx(3).margin(1e-3));
+  // Each over the next: none of them can be flat.
+  CHECK(rest({1, 2, 3}, {{{0, 1}, 3}, {{1, 2}, 5}, {{2, 0}, 4}}) == std::vector<double>{0, 0, 0});
+}
+
+TEST_CASE("like parts of a body lie equally far before and behind it, unlike ones as near as they can") {
+  // Four legs and a thin tail.
+  const std::vector<double> heights =
+      rest({10, 3, 3.1, 2.9, 3, 0.5}, {{{1, 0}, 9}, {{2, 0}, 11}, {{0, 3}, 8}, {{0, 4}, 10}, {{0, 5}, 4}});
+  for (const std::size_t leg : {1U, 2U, 3U, 4U}) CHECK(std::abs(heights[leg] - heights[0]) == Approx(11).epsilon(0.01));
+  CHECK(heights[0] - heights[5] == Approx(4).margin(1e-2));
+}
+
+TEST_CASE("an object's weight of distance holds it near the plane") {
+  DepthSettings settings;
+  settings.object_weights = {{1, 0.1, 0.1}, {1, 0.1, 1}};
+  const std::vector<double> heights = rest({3, 3}, {{{1, 0}, 6}}, settings);
+  CHECK(std::abs(heights[1]) < 0.1 * std::abs(heights[0]));
+}
+
+TEST_CASE("a small thing before, behind or beside a body leaves it as deep as it is wide") {
+  const int count = test::sample_count(12, 200);
+  for (int seed = 0; seed < count; ++seed) {
+    INFO(seed);
+    test::Random random(static_cast<std::uint64_t>(seed));
+    const double width = seed % 3 == 0 ? random.between(1.2, 3) : 1;
+    const double radius = 200 / random.between(3, 40);
+    const double angle = random.between(0, 6.28);
+    const Vec2 rim(200 * width * std::cos(angle), 200 * std::sin(angle));
+    const std::vector<Vec2> worm = test::limb_outline({0.6 * rim, 1.3 * rim}, {radius, radius});
+    const std::vector<Vec2> body = test::ellipse({0, 0}, 200 * width, 200);
+    const std::map<std::string, Reach> parts =
+        reaches(solid_of(test::layered_sketch({{body, 1}, {worm, seed % 2 == 0 ? 2 : 0}}).drawing));
+    REQUIRE(parts.size() == 2);
+    double deepest = 0;
+    for (const auto& [name, reach] : parts) deepest = std::max(deepest, reach.depth());
+    CHECK(deepest / 400 > 0.9);
+    CHECK(deepest / 400 < 1.1);
+  }
+}
+
+TEST_CASE("parts that can be flat are flat, and legs don't splay") {
+  const auto elephant = reaches("elephant");
+  for (const char* leg : {"near fore leg", "near hind leg", "far fore leg", "far hind leg"}) {
+    INFO(leg);
+    const double thickness = elephant.at(leg).depth();
+    CHECK(thickness < 135);  // its width is at most 120
+  }
+  const double body = elephant.at("body").middle();
+  const double before = elephant.at("near fore leg").middle() - body;
+  CHECK(elephant.at("near hind leg").middle() - body == Approx(before).epsilon(0.05));
+  CHECK(body - elephant.at("far fore leg").middle() == Approx(before).epsilon(0.2));
+  CHECK(body - elephant.at("far hind leg").middle() == Approx(before).epsilon(0.2));
+  CHECK(elephant.at("body").depth() == Approx(306).epsilon(0.05));
+}
+
+TEST_CASE("parts of characters lie no further apart than their thicknesses") {
+  for (const char* name : {"elephant", "pancakes", "snowman", "flower"}) {
+    INFO(name);
+    const std::map<std::string, Reach> parts = reaches(name);
+    Reach all;
+    double thicknesses = 0;
+    for (const auto& [part, reach] : parts) {
+      all.add(reach.low);
+      all.add(reach.high);
+      thicknesses += reach.depth();
+    }
+    CHECK(all.depth() <= 1.05 * thicknesses);
+  }
+}
