@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -10,6 +11,8 @@
 
 #include "algorithms/silhouette/skeleton/overlap_cycles.h"
 #include "algorithms/silhouette/skeleton/rest_depths.h"
+#include "croquis/base/error.h"
+#include "croquis/geometry/mesh_report.h"
 #include "croquis/silhouette/solid.h"
 #include "support/random.h"
 #include "support/sample_count.h"
@@ -162,5 +165,52 @@ TEST_CASE("parts of characters lie no further apart than their thicknesses") {
       thicknesses += reach.depth();
     }
     CHECK(all.depth() <= 1.05 * thicknesses);
+  }
+}
+
+TEST_CASE("parts are as thick as they are told, and nothing else of them changes") {
+  const auto level = [](double) { return 0.0; };
+  const Drawing plain = test::layered_sketch({{test::disc({0, 0}, 150), 1},
+                                              {test::tube_outline(test::bar({60, -60}, {260, -260}, 40, level)), 2}})
+                            .drawing;
+  for (const std::array<double, 2>& factors : {std::array{0.1, 0.1}, {0.5, 1.0}, {2.0, 2.0}, {4.0, 0.05}}) {
+    INFO(factors[0] << " " << factors[1]);
+    Drawing drawing = plain;
+    const std::map<std::string, Reach> before = reaches(solid_of(plain));
+    REQUIRE(before.size() == 2);
+    std::map<std::string, double> factor_of;
+    for (const auto& [name, reach] : before) factor_of[name] = factors[factor_of.size()];
+    for (Stroke& stroke : drawing.strokes) {
+      const auto told = factor_of.find(stroke.id);
+      if (told != factor_of.end()) stroke.data["thickness"] = std::to_string(told->second);
+    }
+    const Solid solid = solid_of(drawing);
+    CHECK(solid.findings.empty());
+    CHECK(solid.diagnostics.silhouette_iou >= 0.98);
+    CHECK(solid.diagnostics.depth_ratio <= 1.2);
+    CHECK(solid.diagnostics.minimum_gap >= 0.1 * solid.diagnostics.scale - 1e-6);
+    Progress progress;
+    const MeshReport report = inspect(solid.mesh, true, progress);
+    CHECK(report.closed);
+    CHECK(report.self_intersections == std::size_t{0});
+    for (const auto& [name, reach] : reaches(solid)) {
+      CHECK(reach.depth() == Approx(factor_of[name] * before.at(name).depth()).epsilon(0.02));
+    }
+  }
+}
+
+TEST_CASE("a thickness that is no number from 0.05 to 4 is refused by name") {
+  for (const char* text : {"0.04", "4.1", "-1", "thin", ""}) {
+    INFO(text);
+    Drawing drawing = test::circle_sketch().drawing;
+    drawing.strokes[0].data["thickness"] = text;
+    try {
+      solid_of(drawing);
+      FAIL("it became a solid");
+    } catch (const Error& error) {
+      REQUIRE(error.findings().size() == 1);
+      CHECK(error.findings()[0].code == "E_PARAMETER");
+      CHECK(error.findings()[0].message.find(drawing.strokes[0].id) != std::string::npos);
+    }
   }
 }

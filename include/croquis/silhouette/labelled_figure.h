@@ -55,7 +55,6 @@ struct FigureObject {
   std::vector<Index> strokes;  ///< indices into Drawing::strokes
   std::vector<Index> contours;
   int euler_region = 0;  ///< Euler number of its immersed region, from the turning numbers of its contours
-  double thickness = 1;  ///< factor of its depth: 1 is as deep as it is wide
 };
 
 /// One place where an object passes in front of another, or of itself: the region of a pair of layers.

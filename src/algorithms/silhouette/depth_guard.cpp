@@ -31,9 +31,13 @@ double longest_chain(const std::vector<std::vector<Index>>& below, const std::ve
 
 }  // namespace
 
-double explained_depth(const LabelledFigure& figure, const Skeleton& skeleton, double gap) {
+double explained_depth(const LabelledFigure& figure, const Skeleton& skeleton, double gap,
+                       const std::vector<double>& thickness) {
   std::vector<double> widths(figure.objects.size(), 0);
   for (const SkeletonNode& node : skeleton.nodes) widths[node.object] = std::max(widths[node.object], 2 * node.radius);
+  for (std::size_t object = 0; object < std::min(widths.size(), thickness.size()); ++object) {
+    widths[object] *= thickness[object];
+  }
   std::vector<double> depths(figure.objects.size());
   for (Index object = 0; object < depths.size(); ++object) depths[object] = widths[object] + gap;
   std::vector<std::vector<Index>> below(depths.size());

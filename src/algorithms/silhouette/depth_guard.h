@@ -12,8 +12,10 @@ namespace croquis::silhouette {
 /// to the next, summed along the chain of such objects where that is most. An object that passes over itself counts
 /// once more for every place where it does; objects that lie over one another in a cycle count all.
 /// @param gap least distance between sheets, sketch units
+/// @param thickness per object, see DepthSettings; empty: 1
 /// @return sketch units; linear in objects and overlaps
-double explained_depth(const LabelledFigure& figure, const Skeleton& skeleton, double gap);
+double explained_depth(const LabelledFigure& figure, const Skeleton& skeleton, double gap,
+                       const std::vector<double>& thickness = {});
 
 /// Where an object lies along z.
 struct DepthRange {

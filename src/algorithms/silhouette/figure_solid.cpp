@@ -118,12 +118,14 @@ class Attempt {
     std::vector<DepthRange> ranges;
     for (const ObjectSurface& surface : surfaces) ranges.push_back(depth_range(surface));
     const double gap = settings_.options.minimum_gap * skeleton_.scale;
-    const double most = settings_.options.depth_allowance * explained_depth(figure_, skeleton_, gap);
+    const double explained = explained_depth(figure_, skeleton_, gap, settings_.thickness);
+    const double most = settings_.options.depth_allowance * explained;
     const std::vector<Index> deep = objects_too_deep(std::move(ranges), solved ? most : -1);
     for (const Index object : deep) refuse_depth(object, solved);
     std::erase_if(surfaces, [&](const ObjectSurface& surface) {
       return std::binary_search(deep.begin(), deep.end(), surface.object);
     });
+    depth_ratio_ = explained > 0 ? depth_of(surfaces) / explained : 0;
     return deep;
   }
 
@@ -139,6 +141,18 @@ class Attempt {
       }
     }
     return own.empty() ? all : own;
+  }
+
+  /// Of all of them together.
+  static double depth_of(const std::vector<ObjectSurface>& surfaces) {
+    if (surfaces.empty()) return 0;
+    DepthRange all = depth_range(surfaces.front());
+    for (const ObjectSurface& surface : surfaces) {
+      const DepthRange own = depth_range(surface);
+      all.low = std::min(all.low, own.low);
+      all.high = std::max(all.high, own.high);
+    }
+    return all.high - all.low;
   }
 
   static DepthRange depth_range(const ObjectSurface& surface) {
@@ -215,6 +229,7 @@ class Attempt {
     diagnostics.minimum_gap = least_gap(sheets_);
     diagnostics.solver_iterations = std::max(depth_.iterations, sheets_.iterations);
     diagnostics.solver_residual = std::max(depth_.residual, sheets_.residual);
+    diagnostics.depth_ratio = depth_ratio_;
   }
 
   const LabelledFigure& figure_;
@@ -226,6 +241,7 @@ class Attempt {
   Skeleton skeleton_;
   DepthResult depth_;
   InflatedSheets sheets_;
+  double depth_ratio_ = 0;
   std::vector<FigureShell> shells_;
   Findings refusals_;
 };

@@ -26,7 +26,7 @@ class SolidBuilder {
   /// One bad figure doesn't stop the others: its errors are kept.
   void add(const LabelledFigure& figure, const FigureSettings& settings, Progress& progress) {
     try {
-      add_figure(figure, *make_figure_solid(figure, drawing_, settings, progress));
+      add_figure(figure, settings.depth, *make_figure_solid(figure, drawing_, settings, progress));
     } catch (const Error& error) {
       for (Finding finding : error.findings()) {
         if (finding.subjects.empty()) finding.subjects = figure_subjects(figure);
@@ -53,8 +53,8 @@ class SolidBuilder {
   }
 
  private:
-  void add_figure(const LabelledFigure& figure, const FigureSolid& part) {
-    for (const FigureShell& shell : part.shells) add_shell(figure, shell);
+  void add_figure(const LabelledFigure& figure, const DepthSettings& settings, const FigureSolid& part) {
+    for (const FigureShell& shell : part.shells) add_shell(figure, settings, shell);
     add_attachments(figure, part.held);
     overlap_.both += part.overlap.both;
     overlap_.either += part.overlap.either;
@@ -87,7 +87,7 @@ class SolidBuilder {
     for (auto& [pair, made] : attached) solid_.attached.push_back(std::move(made));
   }
 
-  void add_shell(const LabelledFigure& figure, const FigureShell& shell) {
+  void add_shell(const LabelledFigure& figure, const DepthSettings& settings, const FigureShell& shell) {
     AttributeChannel& channel = *solid_.mesh.channel("object", Domain::Face);
     SolidShell made{{}, shell.euler};
     std::vector<std::int32_t> number(figure.objects.size(), 0);
@@ -98,7 +98,7 @@ class SolidBuilder {
       made.objects.push_back(static_cast<Index>(solid_.objects.size()));
       // Counted and found to be this, see certify_topology.
       solid_.objects.push_back(
-          {object.name, object.strokes, object.euler_region, 2 * object.euler_region, object.thickness});
+          {object.name, object.strokes, object.euler_region, 2 * object.euler_region, settings.thickness_of(o)});
     }
     auto& values = std::get<std::vector<std::int32_t>>(channel.data);
     for (std::size_t f = 0; f < shell.mesh.face_count(); ++f) {
@@ -116,6 +116,7 @@ class SolidBuilder {
     total.minimum_gap = std::min(total.minimum_gap, part.minimum_gap);
     total.solver_iterations = std::max(total.solver_iterations, part.solver_iterations);
     total.solver_residual = std::max(total.solver_residual, part.solver_residual);
+    total.depth_ratio = std::max(total.depth_ratio, part.depth_ratio);
   }
 
   std::vector<Subject> figure_subjects(const LabelledFigure& figure) const {
@@ -132,27 +133,38 @@ class SolidBuilder {
   Overlap overlap_;
 };
 
-/// Of all figures before any work: mistyped weights are reported at once, all of them together.
-std::vector<std::vector<DepthWeights>> weights_of_figures(const LabelledDrawing& labelled, const Drawing& drawing,
-                                                          const Options& options) {
-  std::vector<std::vector<DepthWeights>> weights;
+/// The settings of every figure, before any work: mistyped weights and thicknesses are reported at once.
+std::vector<FigureSettings> settings_of_figures(const LabelledDrawing& labelled, const Drawing& drawing,
+                                                const Options& options, AttachedFigures& attached) {
+  std::vector<FigureSettings> all(labelled.figures.size());
   Findings findings;
-  for (const LabelledFigure& figure : labelled.figures) {
+  const auto collect = [&](const auto& read) {
     try {
-      weights.push_back(object_weights(figure, drawing, options.depth));
+      read();
     } catch (const Error& error) {
       findings.insert(findings.end(), error.findings().begin(), error.findings().end());
     }
+  };
+  for (std::size_t f = 0; f < all.size(); ++f) {
+    const LabelledFigure& figure = labelled.figures[f];
+    FigureSettings& settings = all[f];
+    settings.depth.options = options.depth;
+    settings.depth.attachments = std::move(attached.figures[f].attachments);
+    settings.blends = std::move(attached.figures[f].blends);
+    collect([&] { settings.depth.object_weights = object_weights(figure, drawing, options.depth); });
+    collect([&] { settings.depth.thickness = object_thickness(figure, drawing, settings.depth.attachments); });
+    settings.quality = options.quality;
+    settings.cache = options.cache;
   }
   if (!findings.empty()) throw Error(std::move(findings));
-  return weights;
+  return all;
 }
 
 }  // namespace
 
 Solid inflate(const LabelledDrawing& labelled, const Drawing& drawing, const Options& options, Progress& progress) {
-  std::vector<std::vector<DepthWeights>> weights = weights_of_figures(labelled, drawing, options);
   AttachedFigures attached = attached_figures(labelled, drawing, options);
+  const std::vector<FigureSettings> settings = settings_of_figures(labelled, drawing, options, attached);
   double total = 0;
   for (const LabelledFigure& figure : labelled.figures) total += static_cast<double>(figure.points.size());
 
@@ -161,14 +173,7 @@ Solid inflate(const LabelledDrawing& labelled, const Drawing& drawing, const Opt
   for (std::size_t f = 0; f < labelled.figures.size(); ++f) {
     const LabelledFigure& figure = labelled.figures[f];
     Progress part = progress.step("inflate part", static_cast<double>(figure.points.size()) / total);
-    FigureSettings settings;
-    settings.depth.options = options.depth;
-    settings.depth.object_weights = std::move(weights[f]);
-    settings.depth.attachments = std::move(attached.figures[f].attachments);
-    settings.blends = std::move(attached.figures[f].blends);
-    settings.quality = options.quality;
-    settings.cache = options.cache;
-    builder.add(figure, settings, part);
+    builder.add(figure, settings[f], part);
   }
   Solid solid = builder.take();
   progress.report(1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -55,6 +56,11 @@ class Attachments {
 inline auto members(const Attachments& attachments) {
   return std::tie(attachments.pairs(), attachments.resting_pairs());
 }
+
+/// Gap between an object and one that rests on it: too small to be seen, kept by files that round to u / 100.
+/// @param scale L
+/// @param unit u
+inline double resting_gap(double scale, double unit) { return std::max(0.01 * scale, 0.1 * unit); }
 
 /// Distance of the middles of two attached parts of these half thicknesses: kappa times that of touching ones, but sunk
 /// by at least two fifths of the thinner one. Surfaces that only touch have no sound union.

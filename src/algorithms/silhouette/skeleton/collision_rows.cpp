@@ -55,10 +55,53 @@ std::vector<std::vector<Vec2>> rim_places(const Skeleton& skeleton) {
   return places;
 }
 
+/// A section of a limb.
+struct Section {
+  double half_width = 0;
+  double half_depth = 0;
+
+  double height(double offset) const {
+    const double part = offset / half_width;
+    return half_depth * std::sqrt(std::max(0.0, 1 - part * part));
+  }
+};
+
+/// How far apart in depth two sections touch whose middles are so far apart in the plane; 0 where they never do.
+double touching_distance(const Section& a, const Section& b, double offset) {
+  const double width = a.half_width + b.half_width;
+  if (offset >= width) return 0;
+  const double depth = a.half_depth + b.half_depth;
+  // Ellipses of one shape touch as circles do.
+  if (a.half_depth * b.half_width == b.half_depth * a.half_width) {
+    return depth / width * std::sqrt(width * width - offset * offset);
+  }
+  // The sum of their heights over one place is concave: halving by the golden section, to a millionth.
+  constexpr int steps = 30;
+  constexpr double golden = 0.618033988749895;
+  double low = std::max(-a.half_width, offset - b.half_width);
+  double high = std::min(a.half_width, offset + b.half_width);
+  const auto sum = [&](double x) { return a.height(x) + b.height(offset - x); };
+  for (int step = 0; step < steps; ++step) {
+    const double left = high - golden * (high - low);
+    const double right = low + golden * (high - low);
+    if (sum(left) < sum(right)) {
+      low = left;
+    } else {
+      high = right;
+    }
+  }
+  return sum((low + high) / 2);
+}
+
 class RowMaker {
  public:
-  RowMaker(const Skeleton& skeleton, double gap, const Attachments& attachments)
-      : skeleton_(skeleton), gap_(gap), attachments_(attachments) {
+  RowMaker(const Skeleton& skeleton, double gap, double unit, const Attachments& attachments,
+           const std::vector<double>& thickness)
+      : skeleton_(skeleton),
+        gap_(gap),
+        resting_gap_(std::min(gap, resting_gap(skeleton.scale, unit))),
+        attachments_(attachments),
+        thickness_(thickness) {
     if (!attachments.empty()) rims_ = rim_places(skeleton);
   }
 
@@ -77,12 +120,25 @@ class RowMaker {
   double least_distance(Index upper, Index lower) const {
     const SkeletonNode& a = skeleton_.nodes[upper];
     const SkeletonNode& b = skeleton_.nodes[lower];
+    const double thick_a = thickness_of(a.object);
+    const double thick_b = thickness_of(b.object);
+    const Vec2 offset = a.position - b.position;
     const auto kappa = attachments_.kappa(a.object, b.object);
-    if (!kappa) return height(a.radius + b.radius + gap_, a.position - b.position);
-    double bound = height(attached_distance(*kappa, a.radius, b.radius), a.position - b.position);
-    for (const Vec2& place : rims_[upper]) bound = std::max(bound, height(b.radius, place - b.position));
+    if (!kappa) {
+      const double half_gap = (attachments_.resting(a.object, b.object) ? resting_gap_ : gap_) / 2;
+      return touching_distance({a.radius + half_gap, thick_a * a.radius + half_gap},
+                               {b.radius + half_gap, thick_b * b.radius + half_gap}, offset.norm());
+    }
+    const double reach = attached_distance(*kappa, a.radius, b.radius);
+    const double deep = attached_distance(*kappa, thick_a * a.radius, thick_b * b.radius);
+    double bound = deep / reach * height(reach, offset);
+    for (const Vec2& place : rims_[upper]) {
+      bound = std::max(bound, thick_b * height(b.radius, place - b.position));
+    }
     return bound;
   }
+
+  double thickness_of(Index object) const { return object < thickness_.size() ? thickness_[object] : 1; }
 
   /// Of a ball of that radius, away from its centre; 0 outside it.
   static double height(double radius, const Vec2& offset) {
@@ -91,16 +147,18 @@ class RowMaker {
 
   const Skeleton& skeleton_;
   double gap_;
+  double resting_gap_;
   const Attachments& attachments_;
+  const std::vector<double>& thickness_;
   std::vector<std::vector<Vec2>> rims_;  ///< per node; empty without attachments
 };
 
 }  // namespace
 
 std::vector<CollisionRow> collision_rows(const Skeleton& skeleton, const LabelledFigure& figure, double gap,
-                                         const Attachments& attachments) {
+                                         const Attachments& attachments, const std::vector<double>& thickness) {
   const std::vector<PanelNode> entries = nodes_by_panel(skeleton, figure);
-  RowMaker maker(skeleton, gap, attachments);
+  RowMaker maker(skeleton, gap, figure.unit, attachments, thickness);
   std::vector<CollisionRow> rows;
   std::vector<std::span<const PanelNode>> stack;  // panels of this face that lie above
   for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {

@@ -23,8 +23,11 @@ struct CollisionRow {
 /// For attached objects R = kappa (r_a + r_b), and the upper one's rim, which is about as high as its axis, lies no
 /// deeper than the lower one's front: there it is seen. Sinking into one another isn't transitive: in a figure with
 /// attachments all panels of a stack get rows against one another, not only neighbours.
+/// Where objects aren't as deep as they are wide, the two circles are ellipses.
 /// @param gap sketch units
+/// @param thickness per object, see DepthSettings; empty: 1
 std::vector<CollisionRow> collision_rows(const Skeleton& skeleton, const LabelledFigure& figure, double gap,
-                                         const Attachments& attachments = {});
+                                         const Attachments& attachments = {},
+                                         const std::vector<double>& thickness = {});
 
 }  // namespace croquis::silhouette

@@ -122,7 +122,8 @@ std::vector<DepthCollision> collisions_of(const Skeleton& skeleton, const std::v
 void solve_all(Skeleton& skeleton, const LabelledFigure& figure, const DepthSettings& settings, Progress& progress,
                DepthResult& result) {
   const double gap = settings.options.minimum_gap * skeleton.scale;
-  const std::vector<CollisionRow> rows = collision_rows(skeleton, figure, gap, settings.attachments);
+  const std::vector<CollisionRow> rows =
+      collision_rows(skeleton, figure, gap, settings.attachments, settings.thickness);
   skeleton.rest = rest_depths(skeleton, object_bounds(skeleton, rows), settings, progress);
   const std::vector<DepthPart> parts = depth_parts(skeleton, rows);
   result.rows = rows.size();

@@ -31,9 +31,13 @@ struct DepthSettings {
   /// Above so many collision rows, rows are added as they are needed. The result is the same.
   std::size_t lazy_rows = 20000;
   Attachments attachments;  ///< pairs of objects that may sink into one another
+  /// Per object of the figure how deep it is against its width, 0.05..4; empty: 1 for all.
+  std::vector<double> thickness;
+
+  double thickness_of(Index object) const { return object < thickness.size() ? thickness[object] : 1; }
 };
 constexpr auto members(const DepthSettings& options) {
-  return std::tie(options.options, options.object_weights, options.lazy_rows, options.attachments);
+  return std::tie(options.options, options.object_weights, options.lazy_rows, options.attachments, options.thickness);
 }
 static_assert(lists_every_member<DepthSettings>);
 

@@ -6,30 +6,42 @@
 
 #include "croquis/base/error.h"
 #include "croquis/base/parameter.h"
+#include "croquis/silhouette/stroke_data.h"
 
 namespace croquis::silhouette {
 namespace {
 
 using Attributes = std::map<std::string, std::string>;
 
-void read_weight(const std::string& object, const Attributes& attributes, const std::string& name, double& weight,
-                 Findings& findings) {
+struct Range {
+  double least;
+  double most;
+  std::string text;
+};
+
+const Range weight_range{1e-3, 1, "from 0.001 to 1"};
+const Range thickness_range{0.05, 4, "from 0.05 to 4"};
+
+/// @return whether the attributes have it
+bool read_number(const std::string& object, const Attributes& attributes, const std::string& name, const Range& range,
+                 double& number, Findings& findings) {
   const auto found = attributes.find(name);
-  if (found == attributes.end()) return;
+  if (found == attributes.end()) return false;
   ParameterDescription description;
   description.name = name;
-  description.default_value = weight;
-  description.minimum = 1e-3;
-  description.maximum = 1;
+  description.default_value = number;
+  description.minimum = range.least;
+  description.maximum = range.most;
   try {
     ParameterValues values{{name, parse_parameter(description, found->second)}};
-    weight = std::get<double>(complete({description}, values).at(name));
+    number = std::get<double>(complete({description}, values).at(name));
   } catch (const Error&) {
     findings.push_back(make_error(
         Category::Usage, "E_PARAMETER",
-        "The object \"" + object + "\" has " + name + " \"" + found->second + "\": give a number from 0.001 to 1",
+        "The object \"" + object + "\" has " + name + " \"" + found->second + "\": give a number " + range.text,
         {Subject{SubjectKind::Parameter, name, {}, {}, {}}}));
   }
+  return true;
 }
 
 }  // namespace
@@ -42,14 +54,37 @@ std::vector<DepthWeights> object_weights(const LabelledFigure& figure, const Dra
     DepthWeights own{options.weight_curvature, options.weight_orientation, options.weight_distance};
     const auto attributes = drawing.object_data.find(object.name);
     if (attributes != drawing.object_data.end()) {
-      read_weight(object.name, attributes->second, "weight-curvature", own.curvature, findings);
-      read_weight(object.name, attributes->second, "weight-orientation", own.orientation, findings);
-      read_weight(object.name, attributes->second, "weight-distance", own.distance, findings);
+      read_number(object.name, attributes->second, "weight-curvature", weight_range, own.curvature, findings);
+      read_number(object.name, attributes->second, "weight-orientation", weight_range, own.orientation, findings);
+      read_number(object.name, attributes->second, "weight-distance", weight_range, own.distance, findings);
     }
     weights.push_back(own);
   }
   if (!findings.empty()) throw Error(std::move(findings));
   return weights;
+}
+
+std::vector<double> object_thickness(const LabelledFigure& figure, const Drawing& drawing,
+                                     const Attachments& attachments) {
+  constexpr double resting_thickness = 0.5;  // wings, eyes and buttons look like that rather than like balls
+  std::vector<double> thickness(figure.objects.size(), 1);
+  for (const FigureOverlap& overlap : figure.overlaps) {
+    if (attachments.resting(overlap.upper, overlap.lower)) thickness[overlap.upper] = resting_thickness;
+  }
+  Findings findings;
+  for (Index o = 0; o < figure.objects.size(); ++o) {
+    const FigureObject& object = figure.objects[o];
+    double& factor = thickness[o];
+    const auto group = drawing.object_data.find(object.name);
+    bool told = group != drawing.object_data.end() &&
+                read_number(object.name, group->second, thickness_key, thickness_range, factor, findings);
+    for (std::size_t s = 0; s < object.strokes.size() && !told; ++s) {
+      told = read_number(object.name, drawing.strokes[object.strokes[s]].data, thickness_key, thickness_range, factor,
+                         findings);
+    }
+  }
+  if (!findings.empty()) throw Error(std::move(findings));
+  return thickness;
 }
 
 }  // namespace croquis::silhouette

@@ -55,6 +55,13 @@ Eigen::VectorXd vertex_stiffness(const Skeleton& skeleton, const std::vector<Ind
   return stiffness;
 }
 
+Eigen::VectorXd thickness_factors(const DepthSettings& settings, const std::vector<Index>& objects) {
+  Eigen::VectorXd factors(static_cast<Eigen::Index>(objects.size()));
+  for (std::size_t v = 0; v < objects.size(); ++v)
+    factors[static_cast<Eigen::Index>(v)] = settings.thickness_of(objects[v]);
+  return factors;
+}
+
 /// The surface between nodes may be thicker than the balls at them, and reach beyond the last one: how much farther
 /// each object rests from the sketch plane for that, at every node.
 Eigen::VectorXd node_shifts(const Skeleton& skeleton, const MidSurfaceData& data, const std::vector<Index>& objects,
@@ -89,6 +96,10 @@ MidSurfaceData mid_surface_data(const Skeleton& skeleton, const SheetBasis& basi
   const bool joined = !settings.attachments.empty();
   data.pairs =
       joined ? stacked_pairs(basis.sampling, basis.objects, settings.attachments) : stacked_pairs(basis.sampling);
+  for (StackedPair& pair : data.pairs) {
+    pair.resting = settings.attachments.resting(objects[pair.upper], objects[pair.lower]);
+  }
+  data.resting_gap = std::min(data.gap, resting_gap(skeleton.scale, basis.unit));
   if (joined) data.front_margin = front_margin * std::max(skeleton.scale, basis.unit);
   return data;
 }
@@ -134,7 +145,8 @@ InflatedSheets raise_sheets(const Skeleton& skeleton, const SheetBasis& basis, c
   MidSurfaceData data = mid_surface_data(skeleton, basis, objects, settings);
   sheets.pairs = data.pairs;
   const auto tilted = [&](const SweptLimbs& limbs) -> Eigen::VectorXd {
-    return basis.upright.cwiseProduct(basis.extension.extend(limbs.tilt).cwiseMax(1));
+    return thickness_factors(settings, objects)
+        .cwiseProduct(basis.upright.cwiseProduct(basis.extension.extend(limbs.tilt).cwiseMax(1)));
   };
   const Eigen::VectorXd unmoved = tilted(swept_limbs(skeleton, data.node_z));
   const Eigen::VectorXd depths = data.node_z + node_shifts(skeleton, data, objects, unmoved, settings, raising);

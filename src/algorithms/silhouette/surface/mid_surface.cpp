@@ -84,7 +84,7 @@ std::vector<StackedPair> stacked_pairs(const SheetSampling& sheets, const std::v
       for (Index lower = upper + 1; lower < lifted.first_copy[t + 1]; ++lower) {
         const double kappa = attachments.kappa(objects[upper], objects[lower]).value_or(StackedPair::apart);
         for (std::size_t corner = 0; corner < 3; ++corner) {
-          pairs.push_back({lifted.triangles[upper][corner], lifted.triangles[lower][corner], kappa});
+          pairs.push_back({lifted.triangles[upper][corner], lifted.triangles[lower][corner], kappa, false});
         }
       }
     }
@@ -112,7 +112,7 @@ std::vector<StackedPair> stacked_pairs(const SheetSampling& sheets) {
 double least_distance(const MidSurfaceData& data, const StackedPair& pair, const Eigen::VectorXd& thickness) {
   const double upper = thickness[pair.upper];
   const double lower = thickness[pair.lower];
-  if (!pair.attached()) return upper + lower + data.gap + gap_margin * data.scale;
+  if (!pair.attached()) return upper + lower + (pair.resting ? data.resting_gap : data.gap) + gap_margin * data.scale;
   return std::max(attached_distance(pair.kappa, upper, lower), lower - upper + data.front_margin);
 }
 

@@ -20,6 +20,7 @@ struct StackedPair {
   Index upper = 0;
   Index lower = 0;
   double kappa = apart;  ///< of attached objects: how far they may sink into one another
+  bool resting = false;  ///< of an object that lies on the other
 
   bool attached() const { return kappa >= 0; }
   friend auto operator<=>(const StackedPair&, const StackedPair&) = default;
@@ -42,6 +43,7 @@ struct MidSurfaceData {
   std::vector<StackedPair> pairs;
   double scale = 1;           ///< L
   double gap = 0;             ///< least distance of sheets, along z
+  double resting_gap = 0;     ///< of one that rests on the other
   double front_margin = 0;    ///< how far the front of an attached object lies before that of the one below
   Eigen::VectorXd stiffness;  ///< per lifted vertex, how hard it is to move: factor of its rows; empty: 1
   Eigen::VectorXd bending;    ///< and, besides, of its bending
