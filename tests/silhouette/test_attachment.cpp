@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
 #include "algorithms/silhouette/skeleton/attachments.h"
@@ -94,6 +96,29 @@ Seen seen_at(const Solid& solid, const Vec2& place) {
     if (height > seen.height) seen = {channel.labels[static_cast<std::size_t>(objects[f])], height};
   }
   return seen;
+}
+
+Vec3 normal_of(const PolyMesh& mesh, std::size_t face) {
+  const auto c = mesh.face(face);
+  const Vec3 a = mesh.positions[c[0]];
+  return (mesh.positions[c[1]] - a).cross(mesh.positions[c[2]] - a).normalized();
+}
+
+/// Degrees by which the surface turns at the edges between faces of two objects, the most.
+double sharpest_seam(const PolyMesh& mesh) {
+  const auto& objects = std::get<std::vector<std::int32_t>>(mesh.channel("object", Domain::Face)->data);
+  std::map<std::pair<Index, Index>, std::size_t> first;
+  double sharpest = 0;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto corners = mesh.face(f);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [other, fresh] = first.try_emplace(std::minmax(corners[k], corners[(k + 1) % 3]), f);
+      if (fresh || objects[other->second] == objects[f]) continue;
+      const double cosine = std::clamp(normal_of(mesh, f).dot(normal_of(mesh, other->second)), -1.0, 1.0);
+      sharpest = std::max(sharpest, std::acos(cosine) * 180 / std::numbers::pi);
+    }
+  }
+  return sharpest;
 }
 
 std::vector<test::NamedSketch> animals() {
@@ -248,6 +273,32 @@ TEST_CASE("what looks attached is held as suggested unless the pair is named") {
   CHECK(again.attached.front().blend == 0.5);
   options.attach.back().hold = Hold::Resting;
   CHECK(solid_of(duck, options).attached.front().hold == Hold::Resting);
+}
+
+TEST_CASE("a blended seam is smooth, and what was drawn stays") {
+  for (const bool in_front : {true, false}) {
+    INFO(in_front);
+    const Drawing drawing = test::limb_on_blob_sketch(in_front).drawing;
+    Options options;
+    options.attach = suggested(drawing);
+    const Solid sharp = solid_of(drawing, options);
+    for (AttachedPair& pair : options.attach) pair.blend = 0.5;
+    const Solid blended = solid_of(drawing, options);
+    CHECK(blended.findings.empty());
+    REQUIRE(blended.attached.size() == 1);
+    CHECK(blended.attached.front().blend == 0.5);
+    check_sound(blended.mesh);
+    check_sound(test::rounded_to_grid(blended.mesh, 1e-5 * test::diagonal(drawing)));
+    CHECK(report_of(blended.mesh).euler_characteristic == 2);
+    CHECK(blended.diagnostics.silhouette_iou >= 0.99);
+    CHECK(sharpest_seam(sharp.mesh) > 90);
+    CHECK(sharpest_seam(blended.mesh) < 25);
+    // Far from the seam nothing moved.
+    const auto before = *report_of(sharp.mesh).bounds;
+    const auto after = *report_of(blended.mesh).bounds;
+    CHECK((after[0].head<2>() - before[0].head<2>()).norm() < 1e-9);
+    CHECK((after[1].head<2>() - before[1].head<2>()).norm() < 1e-9);
+  }
 }
 
 TEST_CASE("attached solids turn and grow with their drawing") {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "algorithms/silhouette/surface/certificate.h"
+#include "algorithms/silhouette/surface/seam_blending.h"
 #include "algorithms/silhouette/surface/silhouette_overlap.h"
 
 namespace croquis::silhouette {
@@ -14,6 +15,11 @@ namespace {
 
 /// Joined surfaces show what their parts show, but for rounding; a union that lost a part of them is no union.
 constexpr double least_kept_silhouette = 0.99;
+
+/// Rounded seams may fill the corners of the outline a little.
+constexpr double least_blended_silhouette = 0.97;
+constexpr double finest_share = 0.6;  // of a contour step: edges of rounded seams
+constexpr int max_blends = 3;         // each with half the radius of the last
 
 /// u: seams' edges shorter than that may go.
 constexpr double sliver = 0.25;
@@ -40,7 +46,7 @@ class ShellMaker {
   ShellMaker(const LabelledFigure& figure, const std::vector<CheckedSurface>& surfaces, const Attachments& attachments)
       : figure_(figure), surfaces_(surfaces), attachments_(attachments) {}
 
-  FigureShells make(Progress& progress) {
+  FigureShells make(const std::map<ObjectPair, double>& seams, Progress& progress) {
     if (!attachments_.empty()) join(progress);
     if (!result_.failed.empty()) return std::move(result_);
     for (const CheckedSurface& surface : surfaces_) {
@@ -49,6 +55,7 @@ class ShellMaker {
     std::sort(result_.shells.begin(), result_.shells.end(),
               [](const FigureShell& a, const FigureShell& b) { return a.objects.front() < b.objects.front(); });
     if (!attachments_.empty()) check_apart(progress);
+    if (result_.failed.empty() && !seams.empty()) blend(seams, progress);
     return std::move(result_);
   }
 
@@ -85,14 +92,14 @@ class ShellMaker {
     const int euler = static_cast<int>(mesh.vertex_count()) - static_cast<int>(mesh.face_count() / 2);
     std::sort(joined.objects.begin(), joined.objects.end());
     result_.shells.push_back(
-        {std::move(joined.surface.mesh), std::move(joined.objects), std::move(joined.surface.face_objects), euler});
+        {std::move(joined.surface.mesh), std::move(joined.objects), std::move(joined.surface.face_objects), euler, 0});
   }
 
   void add_single(const CheckedSurface& checked) {
     const Index object = checked.surface->object;
     if (checked.fault.empty()) {
       // certify_topology has counted the mesh's Euler number and found it to be this.
-      result_.shells.push_back({checked.surface->mesh, {object}, {}, 2 * figure_.objects[object].euler_region});
+      result_.shells.push_back({checked.surface->mesh, {object}, {}, 2 * figure_.objects[object].euler_region, 0});
     } else {
       result_.refused.emplace_back(object, checked.fault);
     }
@@ -129,6 +136,42 @@ class ShellMaker {
     }
   }
 
+  void blend(const std::map<ObjectPair, double>& seams, Progress& progress) {
+    for (FigureShell& shell : result_.shells) {
+      if (shell.face_objects.empty()) continue;
+      SurfaceUnion sharp{std::move(shell.mesh), std::move(shell.face_objects)};
+      double scale = 1;
+      for (int k = 0; k < max_blends && shell.blend == 0; ++k, scale /= 2) {
+        progress.check();
+        std::map<ObjectPair, double> radii = seams;
+        for (auto& [pair, radius] : radii) radius *= scale;
+        std::optional<SurfaceUnion> blended = blend_seams(sharp, radii, finest_share * figure_.step);
+        if (!blended) continue;
+        shell.mesh = std::move(blended->mesh);
+        shell.face_objects = std::move(blended->face_objects);
+        if (is_sound(shell, progress)) shell.blend = scale;
+      }
+      if (shell.blend > 0) continue;
+      shell.mesh = std::move(sharp.mesh);
+      shell.face_objects = std::move(sharp.face_objects);
+    }
+  }
+
+  /// Also beside all others.
+  bool is_sound(const FigureShell& shell, Progress& progress) const {
+    const CertificateInput own{&shell.mesh, std::nullopt};
+    if (!certify_topology({&own, 1}, progress).front().empty()) return false;
+    if (silhouette_overlap(shell.mesh, outlines_of(figure_, shell.objects)).ratio() < least_blended_silhouette) {
+      return false;
+    }
+    std::vector<CertificateInput> inputs;
+    for (const FigureShell& other : result_.shells) inputs.push_back({&other.mesh, std::nullopt});
+    for (const Rounding rounding : {Rounding::None, Rounding::Grid}) {
+      if (!meeting_faces(inputs, rounding, figure_.unit, progress).empty()) return false;
+    }
+    return true;
+  }
+
   /// The attachment of the face's object whose seam is nearest; none in a shell of one object.
   std::optional<ObjectPair> nearest_pair(const MeshFace& place) const {
     const FigureShell& shell = result_.shells[place.mesh];
@@ -157,8 +200,9 @@ class ShellMaker {
 }  // namespace
 
 FigureShells make_shells(const LabelledFigure& figure, const std::vector<CheckedSurface>& surfaces,
-                         const Attachments& attachments, Progress& progress) {
-  return ShellMaker(figure, surfaces, attachments).make(progress);
+                         const Attachments& attachments, const std::map<ObjectPair, double>& seams,
+                         Progress& progress) {
+  return ShellMaker(figure, surfaces, attachments).make(seams, progress);
 }
 
 }  // namespace croquis::silhouette

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,7 @@ struct FigureShell {
   std::vector<Index> objects;       ///< of the figure, ascending
   std::vector<Index> face_objects;  ///< per face; empty: all are the only object's
   int euler = 0;                    ///< counted
+  double blend = 0;                 ///< radius of its seams, in parts of what was asked for
 };
 
 struct FigureShells {
@@ -37,9 +39,11 @@ struct CheckedSurface {
 /// Joins the surfaces of attached objects and checks what comes of them: closed, manifold, showing what was drawn,
 /// apart from all others on the numbers as they are and as files may round them. Without attachments nothing is checked
 /// here.
+/// Seams are rounded where that leaves everything sound, else with half the radius and so on, else not at all.
 /// @param surfaces per object that has one, in the figure's order
+/// @param seams    radii of seams by pairs, sketch units; those of other pairs stay sharp
 /// @throws Cancelled
 FigureShells make_shells(const LabelledFigure& figure, const std::vector<CheckedSurface>& surfaces,
-                         const Attachments& attachments, Progress& progress);
+                         const Attachments& attachments, const std::map<ObjectPair, double>& seams, Progress& progress);
 
 }  // namespace croquis::silhouette

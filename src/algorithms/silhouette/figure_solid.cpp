@@ -82,7 +82,8 @@ class Attempt {
     std::vector<CheckedSurface> checked;
     for (std::size_t s = 0; s < surfaces.size(); ++s) checked.push_back({&surfaces[s], std::move(faults[s])});
     const bool joins = quality_ == Quality::Final;
-    FigureShells made = make_shells(figure_, checked, joins ? settings_.attachments : Attachments{}, progress);
+    FigureShells made =
+        make_shells(figure_, checked, joins ? settings_.attachments : Attachments{}, seam_radii(), progress);
     for (const auto& [object, fault] : made.refused) refuse(object, fault);
     shells_ = std::move(made.shells);
     return std::move(made.failed);
@@ -90,7 +91,7 @@ class Attempt {
 
   FigureSolid take() {
     FigureSolid solid;
-    solid.held = {settings_.attachments, blends_};
+    solid.held = {settings_.attachments, made_blends()};
     add_findings(solid);
     add_diagnostics(solid.diagnostics);
     append_skeleton(skeleton_, solid.skeleton);
@@ -153,6 +154,30 @@ class Attempt {
       all.high = std::max(all.high, own.high);
     }
     return all.high - all.low;
+  }
+
+  /// Per pair with a rounded seam, sketch units.
+  std::map<ObjectPair, double> seam_radii() const {
+    const std::vector<double> radius = object_radii(skeleton_);
+    std::map<ObjectPair, double> radii;
+    for (const auto& [pair, blend] : blends_) {
+      if (settings_.attachments.kappa(pair.first, pair.second)) {
+        radii[pair] = blend * std::min(radius[pair.first], radius[pair.second]);
+      }
+    }
+    return radii;
+  }
+
+  /// What became of the seams that were to be rounded.
+  std::map<ObjectPair, double> made_blends() const {
+    std::map<ObjectPair, double> blends;
+    for (const FigureShell& shell : shells_) {
+      for (const auto& [pair, blend] : blends_) {
+        const bool own = std::binary_search(shell.objects.begin(), shell.objects.end(), pair.first);
+        if (own && shell.blend > 0) blends[pair] = blend * shell.blend;
+      }
+    }
+    return blends;
   }
 
   static DepthRange depth_range(const ObjectSurface& surface) {

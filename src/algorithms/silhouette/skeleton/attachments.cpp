@@ -66,16 +66,22 @@ double attached_distance(double kappa, double a, double b) {
   return std::min(kappa * (a + b), a + b - least_sinking * std::min(a, b));
 }
 
-std::vector<double> row_stiffness(const Skeleton& skeleton) {
+std::vector<double> object_radii(const Skeleton& skeleton) {
   std::vector<std::vector<double>> radii;
   for (const SkeletonNode& node : skeleton.nodes) {
     if (node.object >= radii.size()) radii.resize(node.object + 1);
     radii[node.object].push_back(node.radius);
   }
-  std::vector<double> stiffness(radii.size(), 1);
+  std::vector<double> medians(radii.size(), 0);
   for (std::size_t object = 0; object < radii.size(); ++object) {
-    if (!radii[object].empty()) stiffness[object] = median(std::move(radii[object])) / skeleton.scale;
+    if (!radii[object].empty()) medians[object] = median(std::move(radii[object]));
   }
+  return medians;
+}
+
+std::vector<double> row_stiffness(const Skeleton& skeleton) {
+  std::vector<double> stiffness = object_radii(skeleton);
+  for (double& factor : stiffness) factor = factor > 0 ? factor / skeleton.scale : 1;
   return stiffness;
 }
 

@@ -66,6 +66,9 @@ inline double resting_gap(double scale, double unit) { return std::max(0.01 * sc
 /// by at least two fifths of the thinner one. Surfaces that only touch have no sound union.
 double attached_distance(double kappa, double a, double b);
 
+/// Per object the median radius of its skeleton's nodes, up to the last one that has nodes; 0 for one without.
+std::vector<double> object_radii(const Skeleton& skeleton);
+
 /// Per object, how hard it is to move: its median radius / L, the factor of its rows and thus the root of its
 /// energies'. Where parts press on one another, the thin one gives way and the wide one keeps its shape.
 std::vector<double> row_stiffness(const Skeleton& skeleton);
