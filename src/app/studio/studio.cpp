@@ -2,10 +2,13 @@
 #include "app/studio/studio.h"
 
 #include <QMetaObject>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "croquis/base/error.h"
 #include "croquis/operators/all_operations.h"
+#include "croquis/operators/attach_text.h"
 #include "croquis/tools/backdrop/backdrop_area.h"
 #include "croquis/workspace/chain.h"
 
@@ -23,6 +26,25 @@ Options options_for(const OperationDescription& operation) {
   options.version = operation.version;
   options.port = operation.inputs.front().name;
   return options;
+}
+
+/// How objects are held is kept for those that are still drawn.
+ParameterValues without_lost_pairs(ParameterValues parameters, const Drawing& drawing) {
+  const auto text = parameters.find("attach");
+  if (text == parameters.end()) return parameters;
+  const auto is_lost = [&](const std::string& name) {
+    return std::ranges::none_of(drawing.strokes,
+                                [&](const Stroke& stroke) { return stroke.id == name || stroke.object == name; });
+  };
+  try {
+    AttachText attach = read_attach_text(std::get<std::string>(text->second));
+    const auto lost = std::erase_if(
+        attach.pairs, [&](const silhouette::AttachedPair& pair) { return is_lost(pair.a) || is_lost(pair.b); });
+    if (lost > 0) text->second = to_text(attach);
+  } catch (const Error&) {
+    // What somebody typed and isn't read yet stays.
+  }
+  return parameters;
 }
 
 LiveEvaluation::Post post_to(QObject* receiver) {
@@ -100,7 +122,9 @@ std::shared_ptr<const Evaluation> Studio::result() const { return solid_node() =
 std::shared_ptr<const PolyMesh> Studio::solid() const { return mesh_at(solid_node()); }
 
 SketchToolOptions Studio::tool_options() const {
-  return options_for<SketchToolOptions>(*first_operation_on(ValueType::Drawing));
+  SketchToolOptions options = options_for<SketchToolOptions>(*first_operation_on(ValueType::Drawing));
+  options.follow_removal = without_lost_pairs;
+  return options;
 }
 
 ParameterValues Studio::first_parameters(const std::string& operation) const {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "croquis/geometry/polyline.h"
 #include "croquis/tools/silhouette/stroke_pick.h"
 #include "tools/pointer/segment_distance.h"
@@ -20,6 +22,9 @@ constexpr double reach_in_overlaps = 1.2;
 
 /// Ends of loops too small for that distance close within this part of their length.
 constexpr double small_loop_share = 0.12;
+
+/// A stroke that winds or wriggles counts as no longer than this many diagonals of its box; a circle has 2.2.
+constexpr double most_lengths = 4;
 
 /// At the seam, directions are taken over half the distance at which ends close by themselves to both sides, of large
 /// loops over this part of their length. Where an end heads for is told by more of it, but never by more than the
@@ -54,8 +59,9 @@ class Seam {
     const bool is_small = total() <= options.times_longer * distance;
     near_ = is_small ? 0 : distance;
     const double least = is_small ? small_loop_share * total() : distance;
-    along_ = std::max(least, options.share * total());
-    aside_ = std::max(least, options.aside_share * total());
+    const double size = std::min(total(), most_lengths * diagonal());
+    along_ = std::max(least, options.share * size);
+    aside_ = std::max(least, options.aside_share * size);
     seam_ = std::max(least / 2, seam_share * total());
     reach_ = std::min(std::max(reach_in_distances * least, reach_in_overlaps * along_), total() / 4);
   }
@@ -126,6 +132,12 @@ class Seam {
   }
 
  private:
+  double diagonal() const {
+    Eigen::AlignedBox2d box;
+    for (const Vec2& place : places_) box.extend(place);
+    return box.diagonal().norm();
+  }
+
   Vec2 gap() const { return places_.front() - places_.back(); }  ///< from the end to the beginning
 
   std::vector<std::size_t> thinned(std::vector<std::size_t> all) const {

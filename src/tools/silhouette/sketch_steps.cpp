@@ -103,7 +103,9 @@ const Vocabulary& sketch_steps() {
     made.add(StrokeDrawn::step_kind());
     made.add(Drag::step_kind());
     made.add(StrokeReading::step_kind());
-    made.add_count("strokes");
+    for (const char* name : {"strokes", "strokes-behind", "inner-holes", "inner-parts", "crossings-in-view",
+                             "joined-pairs", "resting-pairs"})
+      made.add_count(name);
     return made;
   }();
   return vocabulary;

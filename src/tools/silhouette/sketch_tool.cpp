@@ -159,7 +159,7 @@ Verdict SketchTool::finish_erasing() {
   done_ = std::move(drawn);
   const std::string label =
       edit.changed.empty() ? strokes_label("Erase", edit.removed) : strokes_label("Erase part of", edit.changed);
-  session_.edit(label, with_drawing(std::move(edit.drawing)));
+  session_.edit(label, without_strokes(std::move(edit)));
   return Verdict::Commit;
 }
 
@@ -170,7 +170,8 @@ Verdict SketchTool::delete_selected() {
   DrawingEdit edit = remove_strokes(*before, selected());
   if (!edit.any()) return Verdict::Continue;
   done_ = recorded::Action{"delete"};
-  session_.edit(strokes_label("Delete", edit.removed), with_drawing(std::move(edit.drawing)));
+  const std::string label = strokes_label("Delete", edit.removed);
+  session_.edit(label, without_strokes(std::move(edit)));
   return Verdict::Commit;
 }
 
@@ -326,6 +327,20 @@ Document SketchTool::with_drawing(Drawing drawing) const {
     return document.with(std::move(edited));
   }
   return add_drawing(document, value, options_);
+}
+
+Document SketchTool::without_strokes(DrawingEdit edit) const {
+  const auto drawing = std::make_shared<const Drawing>(edit.drawing);
+  Document document = with_drawing(std::move(edit.drawing));
+  if (!options_.follow_removal || edit.removed.empty()) return document;
+  for (const auto& made : session_.document().nodes()) {
+    const auto input = made->inputs.find(options_.port);
+    if (made->operation != options_.operation || input == made->inputs.end() || input->second.node != node()) continue;
+    Node following = *made;
+    following.parameters = options_.follow_removal(std::move(following.parameters), *drawing);
+    document = document.with(std::move(following));
+  }
+  return document;
 }
 
 Document add_drawing(const Document& document, Value drawing, const SketchToolOptions& options) {

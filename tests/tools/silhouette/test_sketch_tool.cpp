@@ -328,6 +328,28 @@ TEST_CASE("Delete removes what is selected, and does nothing otherwise") {
   CHECK(desk.session.undo_labels().back() == "Delete stroke 2");
 }
 
+TEST_CASE("when strokes are taken away the operation follows in the same undo step") {
+  SketchToolOptions options;
+  options.follow_removal = [](ParameterValues parameters, const Drawing& drawing) {
+    parameters["attach"] = std::to_string(drawing.strokes.size());
+    return parameters;
+  };
+  Session session;
+  SketchTool tool(session, options);
+  for (int line = 0; line < 2; ++line) {
+    for (int i = 0; i <= 10; ++i)
+      tool.handle({i == 0 ? Kind::Begin : Kind::Sample, {{10.0 * i, 50.0 * line}, 1, Vec2::Zero(), 0}, false, {}, 1});
+    tool.handle({Kind::End, {{100, 50.0 * line}, 1, Vec2::Zero(), 0}, false, {}, 1});
+  }
+  const auto attach = [&] { return session.document().nodes().at(1)->parameters.at("attach"); };
+  CHECK(attach() == ParameterValue(std::string("auto")));
+  session.select({{tool.node(), "stroke 1"}});
+  tool.delete_selected();
+  CHECK(attach() == ParameterValue(std::string("1")));
+  session.undo();
+  CHECK(attach() == ParameterValue(std::string("auto")));
+}
+
 TEST_CASE("reach and click distance follow the zoom") {
   Desk desk;
   draw_three(desk);

@@ -77,6 +77,19 @@ TEST_CASE("loops close with a gap or an overlap up to five percent of their leng
   }
 }
 
+TEST_CASE("spirals stay open, however long they are") {
+  for (const double turns : {2.0, 3.3, 5.0, 9.5}) {
+    std::vector<Vec2> spiral;
+    const int count = static_cast<int>(turns * 120);
+    for (int k = 0; k <= count; ++k) {
+      const double angle = 2 * 3.14159265358979 * turns * k / count;
+      spiral.emplace_back((40 + 180.0 * k / count) * Vec2(std::cos(angle), std::sin(angle)));
+    }
+    INFO(turns);
+    CHECK(!ends_meet(test::stroke_through(spiral, "s").samples));
+  }
+}
+
 TEST_CASE("outlines that begin at a corner close where their ends head for it or run across each other") {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     test::Random random(seed);

@@ -42,7 +42,7 @@ struct StrokeReading {
   static const StepKind& step_kind();
 };
 
-/// All of them, and the count of strokes.
+/// All of them, and what can be counted: strokes, and how they are read.
 const Vocabulary& sketch_steps();
 
 }  // namespace croquis::recorded

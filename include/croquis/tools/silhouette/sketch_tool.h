@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -28,9 +29,11 @@ struct SketchToolOptions {
   std::string port = "drawing";       ///< … its input that the drawing goes to …
   ParameterValues parameters = {{"preset", std::string("tablet")},
                                 {"attach", std::string("auto")}};  ///< … and those parameters that it starts with
-  PickReach reach;                                                 ///< its units_per_pixel is taken from each event
-  double eraser_pixels = 6;                                        ///< radius of the eraser
-  double drag_pixels = 4;                                          ///< a press that moves less is a click
+  /// The parameters of an operation on a drawing of which strokes were taken away; without it they stay.
+  std::function<ParameterValues(ParameterValues, const Drawing&)> follow_removal;
+  PickReach reach;           ///< its units_per_pixel is taken from each event
+  double eraser_pixels = 6;  ///< radius of the eraser
+  double drag_pixels = 4;    ///< a press that moves less is a click
 };
 
 /// The document with a new source and the operation that it goes to.
@@ -114,6 +117,7 @@ class SketchTool {
 
   double eraser_radius() const { return options_.eraser_pixels * start_.units_per_pixel; }
   Document with_drawing(Drawing drawing) const;
+  Document without_strokes(DrawingEdit edit) const;
   void select_strokes(const std::vector<std::string>& ids);
   void end_gesture();
 

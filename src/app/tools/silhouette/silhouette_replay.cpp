@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Recorded steps of sketches, and what replays can expect of them.
+#include <algorithm>
+
 #include "app/replay/replay_lookup.h"
 #include "app/tools/silhouette/silhouette_tool.h"
 #include "croquis/operators/inflate_result.h"
+#include "croquis/silhouette/stroke_data.h"
 #include "croquis/tools/recording/general_steps.h"
 #include "croquis/tools/silhouette/sketch_steps.h"
 
@@ -13,6 +16,15 @@ StrokeSample sample_at(const Vec2& place) {
   StrokeSample sample;
   sample.position = place;
   return sample;
+}
+
+template <class Item, class Test>
+std::size_t count_of(const std::vector<Item>& items, const Test& test) {
+  return static_cast<std::size_t>(std::ranges::count_if(items, test));
+}
+
+std::size_t held_pairs(const InflateResult& inflated, silhouette::Hold hold) {
+  return count_of(inflated.attached, [hold](const silhouette::SolidAttachment& pair) { return pair.hold == hold; });
 }
 
 }  // namespace
@@ -51,6 +63,26 @@ std::optional<std::size_t> SilhouetteTool::parts_of(const WorkObject& object) co
 Expectations SilhouetteTool::expectations() {
   Expectations own;
   own.counts["strokes"] = [this](const std::string&) { return studio().drawing().strokes.size(); };
+  own.counts["strokes-behind"] = [this](const std::string&) {
+    return count_of(studio().drawing().strokes,
+                    [](const Stroke& stroke) { return stroke.data.contains(silhouette::behind_key); });
+  };
+  const auto add = [&](const char* name, const auto& count) {
+    own.counts[name] = [this, count](const std::string&) {
+      const auto result = studio().result();
+      const InflateResult* inflated = result_of<InflateResult>(result.get());
+      return inflated == nullptr || result->failed ? 0 : count(*inflated);
+    };
+  };
+  add("inner-holes", [](const InflateResult& inflated) {
+    return count_of(inflated.nested, [](const NestedStroke& nested) { return nested.hole; });
+  });
+  add("inner-parts", [](const InflateResult& inflated) {
+    return count_of(inflated.nested, [](const NestedStroke& nested) { return !nested.hole; });
+  });
+  add("crossings-in-view", [](const InflateResult& inflated) { return inflated.crossings_in_view.size(); });
+  add("joined-pairs", [](const InflateResult& inflated) { return held_pairs(inflated, silhouette::Hold::Joined); });
+  add("resting-pairs", [](const InflateResult& inflated) { return held_pairs(inflated, silhouette::Hold::Resting); });
   return own;
 }
 

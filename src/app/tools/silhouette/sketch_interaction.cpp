@@ -97,6 +97,7 @@ void SketchInteraction::follow_document() {
 
 void SketchInteraction::follow_result() {
   scene_.show_result(studio_);
+  scene_.show_drawing(studio_, tool_);
   emit changed();
 }
 

@@ -11,7 +11,8 @@
 namespace croquis::app {
 namespace {
 
-constexpr double other_width = 1.4;  // logical pixels
+constexpr double other_width = 1.4;   // logical pixels
+constexpr int covered_strength = 70;  // of 255
 
 glm::dvec3 on_plane(const Vec2& place) { return {place.x(), place.y(), 0}; }
 
@@ -28,6 +29,13 @@ render::LinePath path_of(const std::vector<Vec2>& places, bool closed) {
   path.closed = closed;
   for (const Vec2& place : places) path.points.push_back({on_plane(place), 1, {}});
   return path;
+}
+
+/// What others cover of the path drawn last is pale.
+void fade_covered(std::vector<render::LinePath>& paths, const std::vector<bool>& covered) {
+  for (std::size_t i = 0; i < covered.size(); ++i) {
+    if (covered[i]) paths.back().points[i].color = to_color(colors::guide, covered_strength);
+  }
 }
 
 /// Of all drawings that are shown, but for the one worked on.
@@ -155,6 +163,7 @@ void SketchScene::show_drawing(const Studio& studio, SketchTool& tool) {
   for (const Stroke& stroke : drawing.strokes) {
     const bool is_selected = contains(chosen, stroke.id);
     (is_selected ? selected : plain).push_back(path_of(stroke));
+    fade_covered(plain, is_selected ? std::vector<bool>() : covered_samples(stroke, covered_));
     const StrokeFit* fit = is_selected && tool.mode() == SketchMode::Select ? tool.fit(stroke.id) : nullptr;
     if (fit == nullptr) continue;
     for (const StrokeAnchor& anchor : fit->anchors) {
@@ -179,6 +188,7 @@ void SketchScene::show_drawing(const Studio& studio, SketchTool& tool) {
 
 void SketchScene::show_result(const Studio& studio) {
   const std::shared_ptr<const Evaluation> result = studio.result();
+  covered_ = covered_strokes(result.get());
   hidden_.reset();
   finding_marks_.clear();
   std::vector<render::Mark> marks;

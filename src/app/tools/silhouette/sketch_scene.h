@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/studio/studio.h"
+#include "app/tools/silhouette/covered_pieces.h"
 #include "app/views/ink_sheet.h"
 #include "croquis/render/scene.h"
 #include "croquis/tools/silhouette/sketch_tool.h"
@@ -27,7 +28,7 @@ class SketchScene {
   /// Strokes, selection, anchors.
   void show_drawing(const Studio& studio, SketchTool& tool);
 
-  /// Hidden contours and marks.
+  /// Hidden contours and marks. What is covered of strokes is seen when the drawing is shown the next time.
   void show_result(const Studio& studio);
 
   /// What the pen is about to do, but for its ink; cheap enough for every event.
@@ -55,6 +56,7 @@ class SketchScene {
   render::LineItemPtr hidden_;
   render::MarkItemPtr marks_;
   render::LineItemPtr preview_lines_;
+  CoveredStrokes covered_;
   std::vector<FindingMark> finding_marks_;
 };
 

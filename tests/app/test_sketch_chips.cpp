@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What people change about how a sketch is read: chips over the sketch, strokes drawn behind, pieces cut out.
+#include <QDoubleSpinBox>
+#include <QTest>
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "app/studio_fixture.h"
+#include "app/tools/silhouette/joints.h"
+#include "app/tools/silhouette/outline_choices.h"
+#include "app/tools/silhouette/sketch_chip.h"
+#include "croquis/operators/inflate_result.h"
+#include "croquis/silhouette/stroke_data.h"
+#include "croquis/tools/silhouette/stroke_setting.h"
+
+namespace croquis::test {
+namespace {
+
+using app::Joint;
+using silhouette::Hold;
+
+std::vector<Vec2> round_line(const Vec2& centre, double radius, double turns = 1.01) {
+  std::vector<Vec2> places;
+  for (int k = 0; k <= 80; ++k) {
+    const double angle = 0.7 + 2 * 3.14159265358979 * turns * k / 80;
+    places.push_back(centre + radius * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  return places;
+}
+
+app::SketchChip* chip(StudioFixture& hand, const char* name) {
+  return hand.viewport().findChild<app::SketchChip*>(name);
+}
+
+/// Presses the mouse on a chip and drags it by logical pixels.
+void drag_chip(app::SketchChip& chip, const QPoint& by) {
+  const QPoint from = chip.rect().center();
+  QTest::mousePress(&chip, Qt::LeftButton, Qt::NoModifier, from);
+  for (int k = 1; k <= 4; ++k) {
+    const QPoint at = from + by * k / 4;
+    QMouseEvent move(QEvent::MouseMove, at, chip.mapToGlobal(at), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&chip, &move);
+  }
+  QTest::mouseRelease(&chip, Qt::LeftButton, Qt::NoModifier, from + by);
+}
+
+std::string attach_of(StudioFixture& hand) {
+  return std::get<std::string>(hand.studio().solid_operation()->parameters.at("attach"));
+}
+
+/// Two parts, of which one has two strokes.
+InflateResult two_parts() {
+  InflateResult result;
+  result.objects.resize(2);
+  result.objects[0] = {"body", {"body", "belly"}};
+  result.objects[1] = {"ear", {"ear"}};
+  result.suggested = {{"body", "ear", {10, 20}, Hold::Resting}};
+  return result;
+}
+
+TEST_CASE("a pair is held as the drawing suggests it, until it has an entry of its own", "[sketch-chips]") {
+  const InflateResult result = two_parts();
+  const auto only = [&](const AttachText& text) { return app::joints_of(result, text, false).at(0); };
+  CHECK(only(read_attach_text("")).hold == Hold::Apart);
+  AttachText text = read_attach_text("auto");
+  CHECK(only(text).hold == Hold::Resting);
+  text = app::with_hold(text, only(text), app::next_hold(Hold::Resting));
+  CHECK(to_text(text) == "auto;body,ear");
+  CHECK(only(text).hold == Hold::Joined);
+  text = app::with_blend(text, only(text), 0.3);
+  CHECK(to_text(text) == "auto;body,ear=join:0.3");
+  CHECK(only(text).blend == 0.3);
+  CHECK(only(app::with_blend(text, only(text), 7)).blend == 1);
+  text = app::with_hold(text, only(text), app::next_hold(Hold::Joined));
+  CHECK(to_text(text) == "auto;body,ear=apart");
+  text = app::with_hold(text, only(text), app::next_hold(Hold::Apart));
+  CHECK(to_text(text) == "auto");  // as by itself: nothing has to be said
+}
+
+TEST_CASE("entries name parts by any of their strokes, and keep what they say besides", "[sketch-chips]") {
+  const InflateResult result = two_parts();
+  AttachText text = app::with_object_names(read_attach_text("leg,foot;ear,belly=0.4"), result);
+  const Joint joint = app::joints_of(result, text, false).at(0);
+  CHECK(joint.hold == Hold::Joined);
+  CHECK(to_text(app::with_blend(text, joint, 0.5)) == "leg,foot;body,ear=0.4:0.5");
+  CHECK(to_text(app::with_hold(text, joint, Hold::Apart)) == "leg,foot");
+}
+
+TEST_CASE("a pair that the solid couldn't join is told, of finished solids alone", "[sketch-chips]") {
+  InflateResult result = two_parts();
+  const AttachText text = read_attach_text("body,ear");
+  CHECK(app::joints_of(result, text, false).at(0).held);
+  CHECK(!app::joints_of(result, text, true).at(0).held);
+  result.attached = {{"ear", "body", 0.55, Hold::Joined, 0.2, {10, 20}}};
+  CHECK(app::joints_of(result, text, true).at(0).held);
+  result.suggested.clear();  // what is attached can be taken apart, suggested or not
+  CHECK(app::joints_of(result, text, true).size() == 1);
+}
+
+TEST_CASE("readings of outlines follow the drawing before its solid does", "[sketch-chips]") {
+  Drawing drawing;
+  for (const char* id : {"face", "eye", "patch"}) {
+    Stroke stroke;
+    stroke.id = id;
+    stroke.closed = true;
+    stroke.samples.resize(1);
+    drawing.strokes.push_back(stroke);
+  }
+  InflateResult result;
+  result.nested = {{"eye", "face", false, false, {1, 2}}, {"gone", "face", true, false, {3, 4}}};
+  result.crossings_in_view = {{"patch", "face", {5, 6}, false}, {"patch", "face", {7, 8}, false}};
+  CHECK(app::nested_outlines(result, drawing).size() == 1);
+  CHECK(!app::nested_outlines(result, drawing)[0].hole);
+  drawing = set_kind(drawing, "eye", silhouette::StrokeKind::Hole).drawing;
+  CHECK(app::nested_outlines(result, drawing)[0].hole);
+  CHECK(app::nested_outlines(result, drawing)[0].chosen);
+
+  REQUIRE(app::crossings_in_view(result, drawing).size() == 1);
+  CHECK(app::crossings_in_view(result, drawing)[0].front == "patch");
+  const Drawing swapped = set_in_front(drawing, "face", "patch").drawing;
+  CHECK(app::crossings_in_view(result, swapped)[0].front == "face");
+  InflateResult after = result;
+  after.crossings_in_view = {{"face", "patch", {5, 6}, true}};
+  CHECK(app::crossings_in_view(after, swapped)[0].front == "face");
+  CHECK(app::crossings_in_view(after, drawing)[0].front == "patch");  // undone
+}
+
+TEST_CASE("the part with all that is selected has a thickness, several parts have none", "[sketch-chips]") {
+  Drawing drawing;
+  for (const char* id : {"belly", "ear", "body"}) {
+    Stroke stroke;
+    stroke.id = id;
+    stroke.samples.resize(2);
+    stroke.samples[1].position = {40, 30};
+    drawing.strokes.push_back(stroke);
+  }
+  const InflateResult result = two_parts();
+  CHECK(app::chosen_part(result, drawing, {"body"}).stroke == "belly");  // the first of its strokes
+  CHECK((app::chosen_part(result, drawing, {"body"}).at - Vec2(20, 30)).norm() < 1e-12);
+  CHECK(app::chosen_part(result, drawing, {"body", "ear"}).stroke.empty());
+  CHECK(app::chosen_part(result, drawing, {}).stroke.empty());
+}
+
+TEST_CASE("two circles that cross become two bodies, and a click on the chip swaps them", "[sketch-chips]") {
+  StudioFixture hand;
+  hand.look_at({-260, -200}, {260, 200});
+  hand.draw(round_line({-60, 0}, 110));
+  hand.draw(round_line({80, 10}, 110));
+  hand.settle();
+  const auto inflated = [&] { return *hand.studio().result()->result<InflateResult>(); };
+  REQUIRE(inflated().objects.size() == 2);
+  REQUIRE(!inflated().crossings_in_view.empty());
+  CHECK(inflated().crossings_in_view[0].front == "stroke 2");
+  app::SketchChip* swap = chip(hand, "crossing-0");
+  REQUIRE(swap != nullptr);
+  REQUIRE(swap->isVisible());
+  const QString before = swap->toolTip();
+  swap->click();
+  hand.settle();
+  CHECK(inflated().crossings_in_view[0].front == "stroke 1");
+  CHECK(inflated().objects.size() == 2);
+  CHECK(swap->toolTip() != before);
+  hand.act("undo");
+  hand.settle();
+  CHECK(inflated().crossings_in_view[0].front == "stroke 2");
+  CHECK(swap->toolTip() == before);
+}
+
+TEST_CASE("an outline within another is a part or a hole by a click on its chip", "[sketch-chips]") {
+  StudioFixture hand;
+  hand.look_at({-260, -200}, {260, 200});
+  hand.draw(round_line({0, 0}, 150));
+  hand.draw(round_line({-60, 40}, 25));
+  hand.settle();
+  const auto parts = [&] { return hand.studio().result()->result<InflateResult>()->objects.size(); };
+  REQUIRE(parts() == 2);  // small and aside: an eye
+  app::SketchChip* nested = chip(hand, "nested-0");
+  REQUIRE(nested != nullptr);
+  REQUIRE(nested->isVisible());
+  CHECK(nested->toolTip().startsWith("Part"));
+  CHECK(nested->toolTip().contains("read from the drawing"));
+  nested->click();
+  hand.settle();
+  CHECK(parts() == 1);
+  CHECK(hand.studio().drawing().strokes[1].data.at("kind") == "hole");
+  CHECK(nested->toolTip().startsWith("Hole"));
+  CHECK(hand.studio().session().undo_labels().back() == "Make stroke 2 a hole");
+  nested->click();
+  hand.settle();
+  CHECK(parts() == 2);
+  hand.act("undo");
+  hand.act("undo");
+  hand.settle();
+  CHECK(!hand.studio().drawing().strokes[1].data.contains("kind"));
+}
+
+TEST_CASE("new sketches hold their parts as drawn; a seam's radius is dragged and typed", "[sketch-chips]") {
+  StudioFixture hand;
+  hand.look_at({-260, -200}, {260, 200});
+  hand.draw(round_line({0, 0}, 110));
+  hand.draw({{108, 25}, {150, 34}, {190, 30}, {205, 0}, {190, -28}, {150, -32}, {108, -22}});
+  hand.settle();
+  CHECK(attach_of(hand) == "auto");
+  app::SketchChip* joint = chip(hand, "joint-0");
+  REQUIRE(joint != nullptr);
+  REQUIRE(joint->isVisible());
+  for (int clicks = 0; clicks < 3 && attach_of(hand).find("=apart") == std::string::npos; ++clicks) joint->click();
+  CHECK(joint->toolTip().startsWith("Apart"));
+  joint->click();
+  CHECK(joint->toolTip().startsWith("Resting"));
+  const auto steps = hand.studio().session().undo_labels().size();
+  joint->click();
+  hand.settle();
+  CHECK(hand.studio().session().undo_labels().size() == steps + 1);
+  drag_chip(*joint, {60, 0});
+  hand.settle();
+  CHECK(hand.studio().session().undo_labels().size() == steps + 2);
+  CHECK(attach_of(hand).ends_with(":0.5"));
+  QTest::mouseClick(joint, Qt::RightButton);
+  auto* number = joint->findChild<QDoubleSpinBox*>("seam-radius");
+  REQUIRE(number != nullptr);
+  CHECK(number->value() == 0.5);
+  number->setValue(0.25);
+  CHECK(attach_of(hand).ends_with(":0.25"));
+}
+
+TEST_CASE("how a part is held is forgotten when it is deleted, and comes back with it", "[sketch-chips]") {
+  StudioFixture hand;
+  hand.look_at({-260, -200}, {260, 200});
+  hand.draw(round_line({0, 0}, 110));
+  hand.draw({{108, 25}, {150, 34}, {190, 30}, {205, 0}, {190, -28}, {150, -32}, {108, -22}});
+  hand.settle();
+  const NodeId solid = hand.studio().solid_node();
+  hand.studio().set_parameter(solid, "attach", std::string("auto;stroke 1,stroke 2=apart"), false);
+  hand.studio().session().select({{hand.studio().drawing_node(), "stroke 2"}});
+  hand.act("delete");
+  CHECK(attach_of(hand) == "auto");
+  hand.settle();
+  CHECK(!hand.studio().result()->failed);
+  hand.act("undo");
+  CHECK(attach_of(hand) == "auto;stroke 1,stroke 2=apart");
+}
+
+TEST_CASE("the thickness of the selected part is dragged and typed at its chip", "[sketch-chips]") {
+  StudioFixture hand;
+  hand.look_at({-260, -200}, {260, 200});
+  hand.draw(round_line({0, 0}, 110));
+  hand.settle();
+  hand.studio().session().select({{hand.studio().drawing_node(), "stroke 1"}});
+  hand.settle();
+  app::SketchChip* thickness = chip(hand, "thickness-0");
+  REQUIRE(thickness != nullptr);
+  REQUIRE(thickness->isVisible());
+  const auto steps = hand.studio().session().undo_labels().size();
+  drag_chip(*thickness, {0, 70});
+  const auto factor = [&] { return thickness_of(hand.studio().drawing(), "stroke 1"); };
+  CHECK(factor() == Approx(std::exp(-0.7)).margin(0.006));
+  CHECK(hand.studio().session().undo_labels().size() == steps + 1);
+  CHECK(thickness->text().contains("0.5"));
+  QTest::mouseClick(thickness, Qt::LeftButton);
+  auto* number = thickness->findChild<QDoubleSpinBox*>("part-thickness");
+  REQUIRE(number != nullptr);
+  number->setValue(2);
+  CHECK(factor() == 2);
+  hand.act("undo");
+  hand.act("undo");
+  CHECK(factor() == 1);
+  hand.studio().session().select({});
+  hand.settle();
+  CHECK(!thickness->isVisible());
+}
+
+TEST_CASE("the right button draws behind what is there; with the select tool it draws nothing", "[sketch-strokes]") {
+  StudioFixture hand;
+  hand.look_at({-260, -200}, {260, 200});
+  hand.draw(round_line({-60, 0}, 110));
+  QTest::qWait(250);
+  const auto draw_with = [&](Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
+    const auto places = round_line({80, 0}, 110);
+    const auto at = [&](const Vec2& place) { return hand.viewport().sketch_to_widget(place); };
+    hand.send_mouse(QEvent::MouseButtonPress, at(places.front()), button, modifiers);
+    for (const Vec2& place : places) hand.send_mouse(QEvent::MouseMove, at(place), button, modifiers);
+    if (hand.sketch().inking()) CHECK(hand.sketch().inks_behind());
+    hand.send_mouse(QEvent::MouseButtonRelease, at(places.back()), button, modifiers);
+  };
+  draw_with(Qt::RightButton, Qt::NoModifier);
+  REQUIRE(hand.studio().drawing().strokes.size() == 2);
+  CHECK(hand.studio().drawing().strokes[1].data.at("behind") == "all");
+  CHECK(hand.studio().drawing().strokes[1].closed);
+  hand.settle();
+  const InflateResult* inflated = hand.studio().result()->result<InflateResult>();
+  REQUIRE(inflated != nullptr);
+  REQUIRE(!inflated->crossings_in_view.empty());
+  CHECK(inflated->crossings_in_view[0].front == "stroke 1");
+  hand.act("undo");
+  draw_with(Qt::LeftButton, Qt::ShiftModifier);
+  REQUIRE(hand.studio().drawing().strokes.size() == 2);
+  CHECK(hand.studio().drawing().strokes[1].data.at("behind") == "all");
+  hand.act("undo");
+  hand.act("select");
+  draw_with(Qt::RightButton, Qt::NoModifier);
+  CHECK(hand.studio().drawing().strokes.size() == 1);
+}
+
+TEST_CASE("ends that rest on a body follow it when it is dragged in the view", "[sketch-strokes]") {
+  StudioFixture hand;
+  hand.look_at({-260, -200}, {260, 200});
+  hand.draw(round_line({0, 0}, 110));
+  hand.draw({{108, 25}, {150, 34}, {190, 30}, {205, 0}, {190, -28}, {150, -32}, {108, -22}});
+  hand.act("select");
+  const Vec2 before = hand.studio().drawing().strokes[1].samples.front().position;
+  hand.drag({-110, 0}, {-130, 30});
+  const Vec2 moved = hand.studio().drawing().strokes[1].samples.front().position - before;
+  CHECK((moved - Vec2(-20, 30)).norm() < 3);
+  hand.act("undo");
+  CHECK(hand.studio().drawing().strokes[1].samples.front().position == before);
+}
+
+TEST_CASE("the eraser cuts a piece out of a line in the view, as one undo step", "[sketch-strokes]") {
+  StudioFixture hand;
+  hand.look_at({-260, -200}, {260, 200});
+  hand.draw(round_line({0, 0}, 110));
+  hand.act("erase");
+  const auto steps = hand.studio().session().undo_labels().size();
+  hand.drag({-150, 0}, {150, 0});
+  CHECK(hand.studio().drawing().strokes.size() == 2);
+  CHECK(!hand.studio().drawing().strokes[0].closed);
+  CHECK(hand.studio().session().undo_labels().size() == steps + 1);
+  hand.act("undo");
+  REQUIRE(hand.studio().drawing().strokes.size() == 1);
+  CHECK(hand.studio().drawing().strokes[0].closed);
+}
+
+}  // namespace
+}  // namespace croquis::test
