@@ -33,16 +33,17 @@ app::SketchChip* chip(StudioFixture& hand, const char* name) {
   return hand.viewport().findChild<app::SketchChip*>(name);
 }
 
-/// Presses the mouse on a chip and drags it by logical pixels.
+/// Presses the mouse on a chip and drags it by logical pixels. The chip may be placed anew meanwhile.
 void drag_chip(app::SketchChip& chip, const QPoint& by) {
   const QPoint from = chip.rect().center();
-  QTest::mousePress(&chip, Qt::LeftButton, Qt::NoModifier, from);
-  for (int k = 1; k <= 4; ++k) {
-    const QPoint at = from + by * k / 4;
-    QMouseEvent move(QEvent::MouseMove, at, chip.mapToGlobal(at), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&chip, &move);
-  }
-  QTest::mouseRelease(&chip, Qt::LeftButton, Qt::NoModifier, from + by);
+  const QPoint on_screen = chip.mapToGlobal(from);
+  const auto send = [&](QEvent::Type type, Qt::MouseButton button, Qt::MouseButtons held, const QPoint& moved) {
+    QMouseEvent event(type, from + moved, on_screen + moved, button, held, Qt::NoModifier);
+    QApplication::sendEvent(&chip, &event);
+  };
+  send(QEvent::MouseButtonPress, Qt::LeftButton, Qt::LeftButton, {});
+  for (int k = 1; k <= 4; ++k) send(QEvent::MouseMove, Qt::NoButton, Qt::LeftButton, by * k / 4);
+  send(QEvent::MouseButtonRelease, Qt::LeftButton, Qt::NoButton, by);
 }
 
 std::string attach_of(StudioFixture& hand) {
@@ -213,14 +214,19 @@ TEST_CASE("new sketches hold their parts as drawn; a seam's radius is dragged an
   joint->click();
   hand.settle();
   CHECK(hand.studio().session().undo_labels().size() == steps + 1);
-  drag_chip(*joint, {60, 0});
+  const auto blend = [&] {
+    const InflateResult* result = hand.studio().result()->result<InflateResult>();
+    return app::joints_of(*result, read_attach_text(attach_of(hand)), true).at(0).blend;
+  };
+  const double before = blend();
+  drag_chip(*joint, {24, 0});
   hand.settle();
   CHECK(hand.studio().session().undo_labels().size() == steps + 2);
-  CHECK(attach_of(hand).ends_with(":0.5"));
+  CHECK(blend() == Approx(before + 0.2));
   QTest::mouseClick(joint, Qt::RightButton);
   auto* number = joint->findChild<QDoubleSpinBox*>("seam-radius");
   REQUIRE(number != nullptr);
-  CHECK(number->value() == 0.5);
+  CHECK(number->value() == Approx(before + 0.2));
   number->setValue(0.25);
   CHECK(attach_of(hand).ends_with(":0.25"));
 }

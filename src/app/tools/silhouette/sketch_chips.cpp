@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "croquis/base/error.h"
 #include "croquis/tools/recording/general_steps.h"
 #include "croquis/tools/silhouette/stroke_setting.h"
@@ -17,12 +19,23 @@ using silhouette::Hold;
 using silhouette::StrokeKind;
 using Strength = SketchChip::Look::Strength;
 
+constexpr double beside_part = 14;            // logical pixels above or below an inner outline
+constexpr double thickness_above = 20;        // logical pixels above the selected part
 constexpr double pixels_per_blend = 120;      // a drag so far to the right or up makes the seam as wide as it can be
 constexpr double pixels_per_thickness = 100;  // a drag so far up makes a part e times as thick
 
 double rounded(double value) { return std::round(value * 100) / 100; }
 
 QString number_of(double value) { return QString::number(rounded(value)); }
+
+/// Chips of inner outlines, which may be smaller than a chip, stand beside these: above them, or below.
+ChipRow::Chip beside(ChipRow::Chip chip, const Stroke& outline, bool above) {
+  Eigen::AlignedBox2d box;
+  for (const StrokeSample& sample : outline.samples) box.extend(sample.position);
+  chip.at = {box.center().x(), above ? box.max().y() : box.min().y()};
+  chip.above = above ? beside_part : -beside_part;
+  return chip;
+}
 
 double blend_after(double from, const QPointF& by) {
   return std::clamp(rounded(from + (by.x() - by.y()) / pixels_per_blend), 0.0, 1.0);
@@ -31,7 +44,6 @@ double blend_after(double from, const QPointF& by) {
 double thickness_after(double from, const QPointF& by) {
   return std::clamp(rounded(from * std::exp(-by.y() / pixels_per_thickness)), least_thickness, most_thickness);
 }
-constexpr double thickness_above = 20;  // logical pixels above the part
 
 }  // namespace
 
@@ -130,11 +142,13 @@ ChipRow::Chip SketchChips::chip_of(const NestedStroke& nested) const {
   const QString sentence = nested.hole ? tr("Hole in %1. Click to make it a part in front")
                                        : tr("Part in front of %1. Click to make it a hole");
   const QString how = nested.chosen ? QString() : " " + tr("(read from the drawing)");
-  return {nested.at,
-          {nested.hole ? "nested-hole" : "nested-part",
-           {},
-           sentence.arg(around) + how,
-           nested.chosen ? Strength::Half : Strength::Plain}};
+  ChipRow::Chip chip{nested.at,
+                     {nested.hole ? "nested-hole" : "nested-part",
+                      {},
+                      sentence.arg(around) + how,
+                      nested.chosen ? Strength::Half : Strength::Plain}};
+  const Stroke* outline = find_stroke(studio_.drawing(), nested.stroke);
+  return outline == nullptr ? chip : beside(std::move(chip), *outline, true);
 }
 
 ChipRow::Chip SketchChips::chip_of(const StrokesInView& crossing) const {
@@ -172,7 +186,16 @@ void SketchChips::follow() {
     for (const auto& item : items) chips.push_back(chip_of(item));
     return chips;
   };
-  joint_row_.show(chips_of(joints_));
+  std::vector<ChipRow::Chip> joint_chips;
+  for (const Joint& joint : joints_) {
+    joint_chips.push_back(chip_of(joint));
+    for (const NestedStroke& nested : nested_) {
+      const Stroke* outline = find_stroke(drawing, nested.stroke);
+      const bool is_inner = joint.a == nested.stroke || joint.b == nested.stroke;
+      if (is_inner && outline != nullptr) joint_chips.back() = beside(joint_chips.back(), *outline, false);
+    }
+  }
+  joint_row_.show(std::move(joint_chips));
   nested_row_.show(chips_of(nested_));
   crossing_row_.show(chips_of(crossings_));
   thickness_row_.show(part_.stroke.empty() ? std::vector<ChipRow::Chip>() : std::vector{thickness_chip()});
