@@ -12,7 +12,7 @@ namespace croquis::silhouette {
 
 /// A drawing's lines and what their ends pass behind, before anything is completed.
 struct ReadStrokes {
-  CleanDrawing clean;  ///< lines carried on behind their bars
+  CleanDrawing clean;        ///< lines carried on behind their bars
   VisibleCrossings crossed;  ///< its pieces are in the junctions
   Junctions junctions;
 };

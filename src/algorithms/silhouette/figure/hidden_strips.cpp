@@ -2,6 +2,7 @@
 #include "algorithms/silhouette/figure/hidden_strips.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -13,6 +14,8 @@ constexpr double straight_cosine = 0.985;
 // The two sides of a strip run in one direction within 6 degrees, and are as far apart at both ends but for a fifth.
 constexpr double parallel_cosine = 0.9945;
 constexpr double most_taper = 0.2;
+// What is seen of them next to their ends keeps the direction within 8 degrees.
+constexpr double drawn_cosine = 0.99;
 // What a side of a strip costs, as a share of what it would cost by itself.
 constexpr double strip_share = 0.15;
 // A strip is crossed by at most so many others.
@@ -24,7 +27,8 @@ struct Side {
   Vec2 from = Vec2::Zero();
   Vec2 to = Vec2::Zero();
   Vec2 direction = Vec2::Zero();
-  int surface = 0;  ///< on its left (+1) or right (-1)
+  int surface = 0;              ///< on its left (+1) or right (-1)
+  std::array<Index, 2> ends{};  ///< of the junctions
 };
 
 struct Strip {
@@ -44,7 +48,9 @@ class StripSearch {
     std::vector<Strip> strips;
     for (std::size_t i = 0; i < sides.size(); ++i) {
       for (std::size_t k = i + 1; k < sides.size(); ++k) {
-        if (even(sides[i], sides[k])) strips.push_back({sides[i], sides[k]});
+        const double width = even_width(sides[i], sides[k]);
+        if (width > 0 && drawn_straight(sides[i], width) && drawn_straight(sides[k], width))
+          strips.push_back({sides[i], sides[k]});
       }
     }
     std::vector<char> favoured(candidates.size(), 0);
@@ -65,26 +71,40 @@ class StripSearch {
     if (candidate.given != no_index || side_[candidate.a] != -side_[candidate.b]) return;
     const HiddenEnd& a = junctions_.ends[ends_[candidate.a]];
     const HiddenEnd& b = junctions_.ends[ends_[candidate.b]];
-    Side side{index, lines_[a.line].end(a.at_start), lines_[b.line].end(b.at_start), Vec2::Zero(), side_[candidate.a]};
+    Side side{index,
+              lines_[a.line].end(a.at_start),
+              lines_[b.line].end(b.at_start),
+              Vec2::Zero(),
+              side_[candidate.a],
+              {ends_[candidate.a], ends_[candidate.b]}};
     side.direction = (side.to - side.from).normalized();
     if (a.tangent.dot(side.direction) < straight_cosine || -b.tangent.dot(side.direction) < straight_cosine) return;
     sides.push_back(side);
   }
 
-  /// Whether two sides bound a strip between them whose width is even, and narrower than long.
-  static bool even(const Side& one, Side other) {
+  /// The width of the strip that two sides bound, 0 when that isn't even or wider than long.
+  static double even_width(const Side& one, Side other) {
     if (one.direction.dot(other.direction) < 0) {
       std::swap(other.from, other.to);
       other.direction = -other.direction;
       other.surface = -other.surface;
     }
-    if (one.direction.dot(other.direction) < parallel_cosine || other.surface != -one.surface) return false;
+    if (one.direction.dot(other.direction) < parallel_cosine || other.surface != -one.surface) return 0;
     const double begin = one.surface * cross(one.direction, other.from - one.from);
     const double end = one.surface * cross(one.direction, other.to - one.to);
     const double width = std::max(begin, end);
     const double length = (one.to - one.from).norm();
     const bool beside = std::abs(one.direction.dot(other.from - one.from)) < width + 0.5 * length;
-    return std::min(begin, end) > (1 - most_taper) * width && width < length && beside;
+    const bool even = std::min(begin, end) > (1 - most_taper) * width && width < length && beside;
+    return even ? width : 0;
+  }
+
+  /// Whether what is seen of a side is straight for as long as the strip is wide: the arms of a character are not.
+  bool drawn_straight(const Side& side, double width) const {
+    const HiddenEnd& a = junctions_.ends[side.ends[0]];
+    const HiddenEnd& b = junctions_.ends[side.ends[1]];
+    return end_chord(lines_[a.line].points, a.at_start, width).dot(side.direction) > drawn_cosine &&
+           -end_chord(lines_[b.line].points, b.at_start, width).dot(side.direction) > drawn_cosine;
   }
 
   const std::vector<CleanLine>& lines_;
