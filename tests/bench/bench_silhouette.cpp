@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <functional>
 #include <iomanip>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +20,7 @@
 #include "bench/bench.h"
 #include "bench/cpu_time.h"
 #include "bench/factorisation_peer.h"
+#include "croquis/base/error.h"
 #include "croquis/base/stage_cache.h"
 #include "croquis/silhouette/labelled_figure.h"
 #include "croquis/silhouette/solid.h"
@@ -252,6 +255,44 @@ void print_drag(std::ostream& out) {
   print_drag_of(out, {"weave 4x4", test::weave_sketch()});
 }
 
+/// Limbs all round something that covers their inner ends: every pair of ends is a choice.
+test::Sketch rosette(int limbs, double reach, double width, double turns) {
+  std::vector<test::LayeredPart> parts;
+  for (int i = 0; i < limbs; ++i) {
+    const double angle = 2 * std::numbers::pi * turns * (i + 0.37) / limbs;
+    const Vec2 outward(std::cos(angle), std::sin(angle));
+    const auto level = [](double) { return 0.0; };
+    parts.push_back({test::tube_outline(test::bar(60 * outward, reach * outward, width / 2, level)), i});
+  }
+  parts.push_back({test::circle_outline({0, 0}, 130), limbs});
+  return test::layered_sketch(std::move(parts));
+}
+
+void print_hidden_ends(std::ostream& out) {
+  out << "\nHidden ends all round a disc. Right: as many objects as were drawn.\n\n"
+      << "| sketch | strokes | labelled ms | right |\n|---|---|---|---|\n"
+      << std::setprecision(1);
+  const std::vector<test::NamedSketch> sketches{{"flower of 8 petals", rosette(8, 240, 60, 1)},
+                                                {"flower of 20 petals", rosette(20, 240, 26, 1)},
+                                                {"octopus of 8 arms", rosette(8, 420, 30, 0.5)},
+                                                {"octopus of 16 arms", rosette(16, 420, 16, 0.5)}};
+  for (const test::NamedSketch& sketch : sketches) {
+    std::size_t objects = 0;
+    const double ms = cpu_ms([&] {
+      try {
+        Progress progress;
+        for (const LabelledFigure& figure : silhouette::label(sketch.sketch.drawing, {}, progress).figures) {
+          objects += figure.objects.size();
+        }
+      } catch (const Error&) {
+      }
+    });
+    const bool right = objects == static_cast<std::size_t>(sketch.sketch.truth.components);
+    out << "| " << sketch.name << " | " << sketch.sketch.drawing.strokes.size() << " | " << ms << " | "
+        << (right ? "yes" : "no") << " |\n";
+  }
+}
+
 }  // namespace
 
 void bench_silhouette(std::ostream& out) {
@@ -266,6 +307,7 @@ void bench_silhouette(std::ostream& out) {
   print_totals(out, all);
   print_depth(out, sketches);
   print_drag(out);
+  print_hidden_ends(out);
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   out << "\nPeak memory of all of them: " << usage.ru_maxrss / 1024 << " MiB.\n";

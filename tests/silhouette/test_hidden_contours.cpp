@@ -43,9 +43,8 @@ TEST_CASE("a strip that goes straight on behind something is one part") {
       {"thin crossed sticks behind a disc",
        stacked({stick({-300, -150}, {300, 150}, 8), stick({-300, 150}, {300, -150}, 8), oval(180, 180)})},
       {"a bar behind something wide", stacked({stick({-400, 0}, {400, 0}, 12), oval(250, 150)})},
-      {"a bar behind several things",
-       stacked({stick({-400, 0}, {400, 0}, 20), circle_outline({-220, 0}, 70), circle_outline({0, 0}, 70),
-                circle_outline({220, 0}, 70)})}};
+      {"a bar behind several things", stacked({stick({-400, 0}, {400, 0}, 20), circle_outline({-220, 0}, 70),
+                                               circle_outline({0, 0}, 70), circle_outline({220, 0}, 70)})}};
   for (const auto& [name, sketch] : sketches) {
     for (const double turn : {0.0, 0.7}) {
       INFO(name << " turned by " << turn);
