@@ -10,6 +10,8 @@ namespace {
 
 // So many samples next to an end can't be its own bar: a line doesn't turn back on itself that fast.
 constexpr double own_samples = 8;
+// Nor can what lies within so many times the reach along it.
+constexpr double own_reach = 2;
 // A line that ends exactly on its bar must be found to meet it: fractions of a segment, far above rounding.
 constexpr double fraction_slack = 1e-9;
 // The tangent of an end is fitted to so many steps: enough against noise, short against the bends of a limb.
@@ -63,7 +65,8 @@ BarSearch::Probe BarSearch::probe(Index line, bool at_start, const EndReach& wan
 bool BarSearch::is_own_end(const Probe& probe, const GridSegment& segment) const {
   if (segment.line != probe.line) return false;
   const double last = lines_[probe.line].segment_count() - 1.0;
-  return (probe.at_start ? segment.position : last - segment.position) < own_samples;
+  return (probe.at_start ? segment.position : last - segment.position) <
+         std::max(own_samples, own_reach * probe.along.back() / scale_.step);
 }
 
 double BarSearch::distance_to_open_end(Index line, double parameter) const {

@@ -207,6 +207,22 @@ LineFinding free_end(const Drawing& drawing, const CleanLine& line, Index index,
           {index}};
 }
 
+/// Whether a line whose ends touch nothing was meant to be closed: its ends are nearer than this share of its length.
+bool almost_closed(const CleanLine& line) {
+  constexpr double open_share = 0.25;
+  return (line.end(true) - line.end(false)).norm() < open_share * croquis::length(line.points, false);
+}
+
+LineFinding not_closed(const Drawing& drawing, const CleanLine& line, Index index) {
+  const Index stroke = line.end_stroke(true);
+  return {make_error(Category::Geometry, "E_FREE_END",
+                     "The outline " + in_quotes(drawing, stroke) +
+                         " isn't closed here: let its ends meet, or extend them to the line they pass behind",
+                     {stroke_subject(drawing, stroke, line.end(true)),
+                      stroke_subject(drawing, line.end_stroke(false), line.end(false))}),
+          {index}};
+}
+
 LineFinding two_sided(const Drawing& drawing, const std::vector<CleanLine>& lines, Index bar,
                       const std::vector<HiddenEnd>& stems) {
   const auto at = static_cast<std::size_t>(stems.front().bar_parameter);
@@ -271,6 +287,10 @@ Junctions find_junctions(const Drawing& drawing, std::vector<CleanLine>& lines, 
   Junctions junctions;
   for (Index line = 0; line < lines.size(); ++line) {
     if (lines[line].closed) continue;
+    if (!hits[line][0] && !hits[line][1] && almost_closed(lines[line])) {
+      junctions.findings.push_back(not_closed(drawing, lines[line], line));
+      continue;
+    }
     for (const bool at_start : {true, false}) {
       const std::optional<BarHit>& hit = hits[line][at_start ? 0 : 1];
       if (hit) {
