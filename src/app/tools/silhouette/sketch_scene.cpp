@@ -201,7 +201,7 @@ void SketchScene::show_result(const Studio& studio) {
     }
     for (const Finding& finding : result->findings) {
       const auto at = place_of(finding, studio.drawing());
-      if (at)
+      if (at && finding.severity != Severity::Info)  // chips tell how the drawing is read
         finding_marks_.push_back({*at, QString::fromStdString(finding.message), finding.severity == Severity::Error});
     }
   }
