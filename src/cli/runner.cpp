@@ -144,7 +144,8 @@ Outcome execute(const Command& command, const Invocation& invocation, ProgressDi
   } catch (const std::exception& exception) {
     fail(outcome, {internal_finding(exception.what())}, exit_internal);
   }
-  if (outcome.code == exit_done && invocation.strict && has_warnings(outcome.result.warnings)) outcome.code = exit_warnings;
+  if (outcome.code == exit_done && invocation.strict && has_warnings(outcome.result.warnings))
+    outcome.code = exit_warnings;
   return outcome;
 }
 
