@@ -144,8 +144,8 @@ Outcome execute(const Command& command, const Invocation& invocation, ProgressDi
   } catch (const std::exception& exception) {
     fail(outcome, {internal_finding(exception.what())}, exit_internal);
   }
-  if (outcome.code == exit_done && invocation.strict && has_warnings(outcome.result.warnings))
-    outcome.code = exit_warnings;
+  // Notes count too: what was only guessed is to be told by an input that is read strictly.
+  if (outcome.code == exit_done && invocation.strict && !outcome.result.warnings.empty()) outcome.code = exit_warnings;
   return outcome;
 }
 
