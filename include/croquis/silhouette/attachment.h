@@ -20,7 +20,8 @@ struct AttachSuggestion {
 
 /// The pairs of which one ends within the other's outline: their overlap has two corners, or none where one lies wholly
 /// before the other. Where a strand passes right across another, the overlap has four corners: links, knots and weaves
-/// get no suggestions. Each pair once, in the order of the figure's overlaps. O(#overlaps log #overlaps).
+/// get no suggestions, nor do parts with another one between them. Each pair once, in the order of the figure's
+/// overlaps. O(#overlaps log #overlaps).
 std::vector<AttachSuggestion> attach_suggestions(const LabelledFigure& figure);
 
 }  // namespace croquis::silhouette

@@ -7,11 +7,52 @@
 
 namespace croquis::silhouette {
 
+namespace {
+
+using Pairs = std::set<std::pair<Index, Index>>;
+
+/// How often a contour goes round a place, counterclockwise positive.
+int winding_round(const LabelledFigure& figure, const FigureContour& contour, const Vec2& place) {
+  int winding = 0;
+  const std::size_t count = contour.vertices.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec2 a = figure.points[contour.vertices[i]] - place;
+    const Vec2 b = figure.points[contour.vertices[(i + 1) % count]] - place;
+    if ((a.y() > 0) == (b.y() > 0)) continue;
+    const bool upwards = b.y() > a.y();
+    if ((cross(a, b) > 0) == upwards) winding += upwards ? 1 : -1;
+  }
+  return winding;
+}
+
+bool covers(const LabelledFigure& figure, Index object, const Vec2& place) {
+  int layers = 0;
+  for (const Index c : figure.objects[object].contours) {
+    layers += figure.contours[c].side * winding_round(figure, figure.contours[c], place);
+  }
+  return layers > 0;
+}
+
+/// Whether another object lies between the two there: an eye doesn't touch the ear behind the head.
+bool kept_apart(const LabelledFigure& figure, const Pairs& over, const FigureOverlap& overlap) {
+  for (Index between = 0; between < figure.objects.size(); ++between) {
+    if (between == overlap.upper || between == overlap.lower) continue;
+    const bool ordered = over.contains({overlap.upper, between}) && over.contains({between, overlap.lower});
+    if (ordered && covers(figure, between, overlap.at)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 std::vector<AttachSuggestion> attach_suggestions(const LabelledFigure& figure) {
   std::vector<AttachSuggestion> suggestions;
   std::set<std::pair<Index, Index>> known;
+  Pairs over;
+  for (const FigureOverlap& overlap : figure.overlaps) over.emplace(overlap.upper, overlap.lower);
   for (const FigureOverlap& overlap : figure.overlaps) {
     if (overlap.upper == overlap.lower || overlap.crossings.size() > 2) continue;
+    if (kept_apart(figure, over, overlap)) continue;
     const auto [a, b] = std::minmax(overlap.upper, overlap.lower);
     const Hold hold = overlap.crossings.empty() ? Hold::Resting : Hold::Joined;
     if (known.emplace(a, b).second) suggestions.push_back({a, b, overlap.at, hold});

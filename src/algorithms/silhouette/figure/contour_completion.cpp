@@ -22,6 +22,9 @@ constexpr double concave_factor = 5;
 constexpr double bare_cost = 3;
 // Joining two lines that go round something on opposite sides costs so much more.
 constexpr double disagreement_cost = 15;
+// The two ends of a line that goes round a limb are joined behind what it ends at for no more than this, the surer the
+// less, however wide the limb is beside the gaps between limbs.
+constexpr double cap_cost = 1.5;
 // A piece is judged by so many chords.
 constexpr int judged_pieces = 20;
 
@@ -165,10 +168,18 @@ std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLi
       const int agreed = side[i] == -side[k] ? side[i] : 0;
       candidate.cost = completion_cost(candidate.bezier, agreed, reference, options);
       if (agreed == 0) candidate.cost += disagreement_cost * std::min(round[a.line], round[b.line]);
+      // A line that passes behind itself goes on there.
+      const bool limb = a.line == b.line && a.bar != a.line && b.bar != b.line;
+      if (limb) candidate.cost = std::min(candidate.cost, cap_cost / round[a.line]);
       if (candidate.cost > options.maximum_cost) continue;
       prefer_covered(cover, candidate);
       candidates.push_back(candidate);
     }
+  }
+  // A straight line goes round neither of its sides.
+  for (Index i = 0; i < ends.size(); ++i) {
+    const HiddenEnd& end = junctions.ends[ends[i]];
+    if (outward_side(junctions, end) == 0 && round[end.line] <= 0) side[i] = 0;
   }
   favour_strips(lines, junctions, ends, side, candidates);
   return candidates;

@@ -18,6 +18,8 @@ constexpr double most_taper = 0.2;
 constexpr double drawn_cosine = 0.99;
 // What a side of a strip costs, as a share of what it would cost by itself.
 constexpr double strip_share = 0.15;
+// And at most so much, however far it is hidden: less than two caps.
+constexpr double strip_cost = 0.6;
 // A strip is crossed by at most so many others.
 constexpr int most_crossings = 1;
 
@@ -27,7 +29,7 @@ struct Side {
   Vec2 from = Vec2::Zero();
   Vec2 to = Vec2::Zero();
   Vec2 direction = Vec2::Zero();
-  int surface = 0;              ///< on its left (+1) or right (-1)
+  int surface = 0;              ///< on its left (+1) or right (-1), 0 not known
   std::array<Index, 2> ends{};  ///< of the junctions
 };
 
@@ -62,21 +64,18 @@ class StripSearch {
       favoured[strip.first.candidate] = favoured[strip.second.candidate] = 1;
     }
     for (std::size_t c = 0; c < candidates.size(); ++c) {
-      if (favoured[c]) candidates[c].cost *= strip_share;
+      if (favoured[c]) candidates[c].cost = std::min(strip_share * candidates[c].cost, strip_cost);
     }
   }
 
  private:
   void add_side(const CompletionCandidate& candidate, Index index, std::vector<Side>& sides) const {
-    if (candidate.given != no_index || side_[candidate.a] != -side_[candidate.b]) return;
+    const int surface = side_[candidate.a] != 0 ? side_[candidate.a] : -side_[candidate.b];
+    if (candidate.given != no_index || side_[candidate.a] * side_[candidate.b] > 0) return;
     const HiddenEnd& a = junctions_.ends[ends_[candidate.a]];
     const HiddenEnd& b = junctions_.ends[ends_[candidate.b]];
-    Side side{index,
-              lines_[a.line].end(a.at_start),
-              lines_[b.line].end(b.at_start),
-              Vec2::Zero(),
-              side_[candidate.a],
-              {ends_[candidate.a], ends_[candidate.b]}};
+    Side side{index,   lines_[a.line].end(a.at_start),          lines_[b.line].end(b.at_start), Vec2::Zero(),
+              surface, {ends_[candidate.a], ends_[candidate.b]}};
     side.direction = (side.to - side.from).normalized();
     if (a.tangent.dot(side.direction) < straight_cosine || -b.tangent.dot(side.direction) < straight_cosine) return;
     sides.push_back(side);
@@ -89,9 +88,11 @@ class StripSearch {
       other.direction = -other.direction;
       other.surface = -other.surface;
     }
-    if (one.direction.dot(other.direction) < parallel_cosine || other.surface != -one.surface) return 0;
-    const double begin = one.surface * cross(one.direction, other.from - one.from);
-    const double end = one.surface * cross(one.direction, other.to - one.to);
+    if (one.direction.dot(other.direction) < parallel_cosine || one.surface * other.surface > 0) return 0;
+    int between = one.surface != 0 ? one.surface : -other.surface;
+    if (between == 0) between = cross(one.direction, other.from - one.from) > 0 ? 1 : -1;
+    const double begin = between * cross(one.direction, other.from - one.from);
+    const double end = between * cross(one.direction, other.to - one.to);
     const double width = std::max(begin, end);
     const double length = (one.to - one.from).norm();
     const bool beside = std::abs(one.direction.dot(other.from - one.from)) < width + 0.5 * length;

@@ -11,7 +11,7 @@ namespace croquis::silhouette {
 /// through a heart, a stick behind a disc. Such a strip is one part, however far it is hidden.
 ///
 /// Strips of which three or more would cross one another stay as they are: they are petals or arms all round.
-/// @param side per end: where the surface lies, walking outward, +1 left, -1 right
+/// @param side per end: where the surface lies, walking outward, +1 left, -1 right, 0 not known
 /// O(s²) for s straight candidates.
 void favour_strips(const std::vector<CleanLine>& lines, const Junctions& junctions, const std::vector<Index>& ends,
                    const std::vector<int>& side, std::vector<CompletionCandidate>& candidates);

@@ -33,7 +33,7 @@ Character key() {
 
 Character heart_with_arrow() {
   return {"heart with arrow",
-          {{"arrow", limb_outline({{90, 200}, {450, 350}, {810, 500}}, {15, 15, 15}), {}},
+          {{"arrow", limb_outline({{90, 200}, {450, 350}, {785, 489.5}}, {15, 15, 15}), {}},
            {"heart",
             smooth({{450, 520},
                     {540, 610},
@@ -143,8 +143,7 @@ Character crossed_sticks() {
 
 Character sword() {
   return {"sword",
-          {{"blade", limb_outline({{450, 480}, {450, 250}, {450, 40}}, {30, 26, 9}), {}},
-           {"grip", limb_outline({{450, 500}, {450, 620}}, {17, 17}), {}},
+          {{"blade", limb_outline({{450, 620}, {450, 500}, {450, 250}, {450, 40}}, {20, 24, 26, 9}), {}},
            {"guard", limb_outline({{310, 490}, {590, 490}}, {20, 20}), {}},
            {"pommel", disc({450, 640}, 32), {}}}};
 }
@@ -201,11 +200,9 @@ Character scissors() {
 
 Character chair() {
   return {"chair",
-          {{"left back post", limb_outline({{320, 330}, {310, 620}}, {18, 16}), {}},
-           {"right back post", limb_outline({{580, 330}, {590, 620}}, {18, 16}), {}},
+          {{"left post", limb_outline({{310, 620}, {310, 330}, {310, 80}}, {18, 18, 18}), {}},
+           {"right post", limb_outline({{590, 620}, {590, 330}, {590, 80}}, {18, 18, 18}), {}},
            {"back rest", limb_outline({{300, 560}, {450, 580}, {600, 560}}, {34, 36, 34}), {}},
-           {"left leg", limb_outline({{330, 330}, {310, 80}}, {20, 16}), {}},
-           {"right leg", limb_outline({{570, 330}, {590, 80}}, {20, 16}), {}},
            {"seat", ellipse({450, 330}, 190, 48), {}}}};
 }
 

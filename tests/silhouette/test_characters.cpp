@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <set>
+
+#include <catch2/catch.hpp>
+
+#include "croquis/base/error.h"
+#include "croquis/silhouette/labelled_figure.h"
+#include "support/sketches/characters/character.h"
+#include "support/sketches/sketch_modifiers.h"
+
+namespace croquis::silhouette {
+namespace {
+
+/// Whether the solids found are those that were meant: as many, each with its Euler number, nothing refused.
+bool read_as_meant(const Drawing& drawing, const test::SketchTruth& truth, const Options& options) {
+  LabelledDrawing labelled;
+  try {
+    Progress progress;
+    labelled = label(drawing, options, progress);
+  } catch (const Error&) {
+    return false;
+  }
+  std::vector<int> found;
+  for (const LabelledFigure& figure : labelled.figures) {
+    for (const FigureObject& object : figure.objects) found.push_back(object.euler_region);
+  }
+  std::vector<int> meant = truth.euler_region;
+  std::sort(found.begin(), found.end());
+  std::sort(meant.begin(), meant.end());
+  return !has_errors(labelled.findings) && found == meant;
+}
+
+using Names = std::set<std::string>;
+
+/// The characters whose drawing, made by `draw`, isn't read as meant.
+template <typename Draw>
+Names misread(const Options& options, Draw draw) {
+  Names names;
+  for (const test::Character& character : test::all_characters()) {
+    const test::Sketch sketch = character_sketch(character);
+    if (!read_as_meant(draw(character, sketch), sketch.truth, options)) names.insert(character.name);
+  }
+  return names;
+}
+
+/// What isn't among the known ones.
+Names unexpected(Names misread, const Names& known) {
+  for (const std::string& name : known) misread.erase(name);
+  return misread;
+}
+
+// Hidden contours that are paired otherwise than they were meant.
+const Names hard{"beads on a string", "buttercup", "giraffe", "heart with arrow", "teddy", "tree"};
+const Names hard_by_hand{"flower", "spider"};
+
+TEST_CASE("characters drawn with exact lines are read as they were made") {
+  const auto exact = [](const test::Character&, const test::Sketch& sketch) { return sketch.drawing; };
+  CHECK(unexpected(misread({}, exact), hard) == Names{});
+  CHECK(unexpected(misread(Options::of(Preset::Tablet), exact), hard) == Names{});
+}
+
+TEST_CASE("characters drawn by hand are read as they were made") {
+  std::uint64_t seed = 100;
+  const auto by_hand = [&](const test::Character&, const test::Sketch& sketch) {
+    return test::noisy(sketch.drawing, seed++);
+  };
+  Names known = hard;
+  known.insert(hard_by_hand.begin(), hard_by_hand.end());
+  CHECK(unexpected(misread(Options::of(Preset::Tablet), by_hand), known) == Names{});
+}
+
+TEST_CASE("characters of whole outlines that cross are read by the order of drawing") {
+  const auto whole = [](const test::Character& character, const test::Sketch&) { return whole_outlines(character); };
+  CHECK(misread(Options::of(Preset::Tablet), whole) == Names{});
+}
+
+}  // namespace
+}  // namespace croquis::silhouette
