@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "algorithms/silhouette/figure/drawn_cover.h"
 #include "algorithms/silhouette/figure/hidden_strips.h"
@@ -25,6 +26,8 @@ constexpr double disagreement_cost = 15;
 // The two ends of a line that goes round a limb are joined behind what it ends at for no more than this, the surer the
 // less, however wide the limb is beside the gaps between limbs.
 constexpr double cap_cost = 1.5;
+// So many candidates of an end are judged by what covers them.
+constexpr std::size_t judged_candidates = 8;
 // A piece is judged by so many chords.
 constexpr int judged_pieces = 20;
 
@@ -88,6 +91,27 @@ void prefer_covered(const DrawnCover& cover, CompletionCandidate& candidate) {
   std::stable_sort(candidate.shapes.begin(), candidate.shapes.end(),
                    [&](std::uint8_t a, std::uint8_t b) { return price[a] < price[b]; });
   candidate.cost += price[candidate.shapes.front()];
+}
+
+/// The few cheapest candidates of every end; dearer ones aren't worth judging.
+std::vector<Index> likely_candidates(std::size_t ends, const std::vector<CompletionCandidate>& candidates) {
+  std::vector<std::vector<Index>> of_end(ends);
+  for (Index c = 0; c < candidates.size(); ++c) {
+    if (candidates[c].given != no_index) continue;
+    of_end[candidates[c].a].push_back(c);
+    of_end[candidates[c].b].push_back(c);
+  }
+  std::vector<Index> likely;
+  for (std::vector<Index>& own : of_end) {
+    const auto last = own.begin() + static_cast<std::ptrdiff_t>(std::min(own.size(), judged_candidates));
+    std::partial_sort(own.begin(), last, own.end(), [&](Index a, Index b) {
+      return std::pair(candidates[a].cost, a) < std::pair(candidates[b].cost, b);
+    });
+    likely.insert(likely.end(), own.begin(), last);
+  }
+  std::sort(likely.begin(), likely.end());
+  likely.erase(std::unique(likely.begin(), likely.end()), likely.end());
+  return likely;
 }
 
 }  // namespace
@@ -172,10 +196,10 @@ std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLi
       const bool limb = a.line == b.line && a.bar != a.line && b.bar != b.line;
       if (limb) candidate.cost = std::min(candidate.cost, cap_cost / round[a.line]);
       if (candidate.cost > options.maximum_cost) continue;
-      prefer_covered(cover, candidate);
       candidates.push_back(candidate);
     }
   }
+  for (const Index c : likely_candidates(ends.size(), candidates)) prefer_covered(cover, candidates[c]);
   // A straight line goes round neither of its sides.
   for (Index i = 0; i < ends.size(); ++i) {
     const HiddenEnd& end = junctions.ends[ends[i]];
