@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <set>
 #include <utility>
+#include <vector>
+
+#include "croquis/geometry/polyline.h"
 
 namespace croquis::silhouette {
 
@@ -33,12 +36,25 @@ bool covers(const LabelledFigure& figure, Index object, const Vec2& place) {
   return layers > 0;
 }
 
-/// Whether another object lies between the two there: an eye doesn't touch the ear behind the head.
+double area_of(const LabelledFigure& figure, Index object) {
+  double area = 0;
+  for (const Index c : figure.objects[object].contours) {
+    std::vector<Vec2> points;
+    for (const Index v : figure.contours[c].vertices) points.push_back(figure.points[v]);
+    area += figure.contours[c].side * signed_area(points);
+  }
+  return area;
+}
+
+/// Whether another object lies between the two there: an eye doesn't touch the ear behind the head. Two limbs before
+/// and behind a larger body are apart where it ends, too.
 bool kept_apart(const LabelledFigure& figure, const Pairs& over, const FigureOverlap& overlap) {
   for (Index between = 0; between < figure.objects.size(); ++between) {
     if (between == overlap.upper || between == overlap.lower) continue;
     const bool ordered = over.contains({overlap.upper, between}) && over.contains({between, overlap.lower});
-    if (ordered && covers(figure, between, overlap.at)) return true;
+    if (!ordered) continue;
+    const double larger = std::max(area_of(figure, overlap.upper), area_of(figure, overlap.lower));
+    if (covers(figure, between, overlap.at) || area_of(figure, between) > larger) return true;
   }
   return false;
 }
