@@ -59,26 +59,11 @@ Drawing eye() { return pair_of(test::disc({0, 0}, 200), test::disc({60, 70}, 25)
 TEST_CASE("eyes, bellies and buttons are parts in front; rings of even width go round holes") {
   const std::vector<std::string> holes{"doughnut", "mug in one line", "glasses",
                                        "key",      "scissors",        "bone through a ring"};
-  for (const char* name : {"cat",
-                           "fish",
-                           "duck",
-                           "car",
-                           "owl",
-                           "pig",
-                           "penguin",
-                           "mushroom",
-                           "robot",
-                           "rocket",
-                           "boat",
-                           "person",
-                           "snowman",
-                           "whale",
-                           "doughnut",
-                           "mug in one line",
-                           "glasses",
-                           "key",
-                           "scissors",
-                           "bone through a ring"}) {
+  for (const char* name : {"cat",     "fish",   "duck",     "car",
+                           "owl",     "pig",    "penguin",  "mushroom",
+                           "robot",   "rocket", "boat",     "person",
+                           "snowman", "whale",  "doughnut", "mug in one line",
+                           "glasses", "key",    "scissors", "bone through a ring"}) {
     INFO(name);
     const test::Sketch sketch = character_sketch(character_of(name));
     std::vector<int> expected = sketch.truth.euler_region;
