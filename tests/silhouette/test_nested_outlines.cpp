@@ -7,6 +7,7 @@
 #include "croquis/base/error.h"
 #include "croquis/silhouette/labelled_figure.h"
 #include "support/sketches/characters/character.h"
+#include "support/sketches/sketch_layers.h"
 #include "support/sketches/sketch_modifiers.h"
 
 namespace croquis::silhouette {
@@ -53,8 +54,8 @@ Drawing pair_of(const std::vector<Vec2>& outer, const std::vector<Vec2>& inner) 
   return drawing;
 }
 
-Drawing ring() { return pair_of(test::disc({0, 0}, 200), test::disc({0, 0}, 120)); }
-Drawing eye() { return pair_of(test::disc({0, 0}, 200), test::disc({60, 70}, 25)); }
+Drawing ring() { return pair_of(test::circle_outline({0, 0}, 200), test::circle_outline({0, 0}, 120)); }
+Drawing eye() { return pair_of(test::circle_outline({0, 0}, 200), test::circle_outline({60, 70}, 25)); }
 
 TEST_CASE("eyes, bellies and buttons are parts in front; rings of even width go round holes") {
   const std::vector<std::string> holes{"doughnut", "mug in one line", "glasses",
@@ -92,11 +93,13 @@ TEST_CASE("how a nested outline is read doesn't depend on place, size, view or o
 TEST_CASE("a ring is a ring at any width, until it is a small thing on a big one") {
   for (const double radius : {90.0, 100.0, 130.0, 160.0, 190.0}) {
     INFO(radius);
-    CHECK(readings(pair_of(test::disc({0, 0}, 200), test::disc({0, 0}, radius)))["inner"] == "hole");
+    CHECK(readings(pair_of(test::circle_outline({0, 0}, 200), test::circle_outline({0, 0}, radius)))["inner"] ==
+          "hole");
   }
   for (const double radius : {5.0, 20.0, 40.0}) {
     INFO(radius);
-    CHECK(readings(pair_of(test::disc({0, 0}, 200), test::disc({0, 0}, radius)))["inner"] == "part");
+    CHECK(readings(pair_of(test::circle_outline({0, 0}, 200), test::circle_outline({0, 0}, radius)))["inner"] ==
+          "part");
   }
 }
 
@@ -126,8 +129,8 @@ TEST_CASE("outlines of different objects are no holes of each other, those of on
 
 TEST_CASE("what lies in a hole is a part of its own, and what lies on that is judged anew") {
   Drawing target = ring();
-  target.strokes.push_back(test::stroke_of("ball", test::disc({10, 0}, 70), true));
-  target.strokes.push_back(test::stroke_of("spot", test::disc({30, 20}, 12), true));
+  target.strokes.push_back(test::stroke_of("ball", test::circle_outline({10, 0}, 70), true));
+  target.strokes.push_back(test::stroke_of("spot", test::circle_outline({30, 20}, 12), true));
   const auto read_as = readings(target);
   CHECK(read_as.at("inner") == "hole");
   CHECK_FALSE(read_as.contains("ball"));

@@ -170,7 +170,7 @@ TEST_CASE("parts of characters lie no further apart than their thicknesses") {
 
 TEST_CASE("parts are as thick as they are told, and nothing else of them changes") {
   const auto level = [](double) { return 0.0; };
-  const Drawing plain = test::layered_sketch({{test::disc({0, 0}, 150), 1},
+  const Drawing plain = test::layered_sketch({{test::circle_outline({0, 0}, 150), 1},
                                               {test::tube_outline(test::bar({60, -60}, {260, -260}, 40, level)), 2}})
                             .drawing;
   for (const std::array<double, 2>& factors : {std::array{0.1, 0.1}, {0.5, 1.0}, {2.0, 2.0}, {4.0, 0.05}}) {

@@ -6,14 +6,10 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "croquis/geometry/polyline.h"
+
 namespace croquis::test {
 namespace {
-
-double signed_area(const std::vector<Vec2>& loop) {
-  double area = 0;
-  for (std::size_t i = 0; i < loop.size(); ++i) area += cross(loop[i], loop[(i + 1) % loop.size()]) / 2;
-  return area;
-}
 
 bool shows(const LayeredPart& part, const std::vector<LayeredPart>& parts) {
   return std::any_of(part.outline.begin(), part.outline.end(), [&](const Vec2& place) {

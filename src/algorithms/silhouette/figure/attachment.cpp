@@ -48,13 +48,15 @@ double area_of(const LabelledFigure& figure, Index object) {
 
 /// Whether another object lies between the two there: an eye doesn't touch the ear behind the head. Two limbs before
 /// and behind a larger body are apart where it ends, too.
-bool kept_apart(const LabelledFigure& figure, const Pairs& over, const FigureOverlap& overlap) {
+/// @param areas per object
+bool kept_apart(const LabelledFigure& figure, const Pairs& over, const std::vector<double>& areas,
+                const FigureOverlap& overlap) {
+  const double larger = std::max(areas[overlap.upper], areas[overlap.lower]);
   for (Index between = 0; between < figure.objects.size(); ++between) {
     if (between == overlap.upper || between == overlap.lower) continue;
     const bool ordered = over.contains({overlap.upper, between}) && over.contains({between, overlap.lower});
     if (!ordered) continue;
-    const double larger = std::max(area_of(figure, overlap.upper), area_of(figure, overlap.lower));
-    if (covers(figure, between, overlap.at) || area_of(figure, between) > larger) return true;
+    if (areas[between] > larger || covers(figure, between, overlap.at)) return true;
   }
   return false;
 }
@@ -66,9 +68,11 @@ std::vector<AttachSuggestion> attach_suggestions(const LabelledFigure& figure) {
   std::set<std::pair<Index, Index>> known;
   Pairs over;
   for (const FigureOverlap& overlap : figure.overlaps) over.emplace(overlap.upper, overlap.lower);
+  std::vector<double> areas;
+  for (Index object = 0; object < figure.objects.size(); ++object) areas.push_back(area_of(figure, object));
   for (const FigureOverlap& overlap : figure.overlaps) {
     if (overlap.upper == overlap.lower || overlap.crossings.size() > 2) continue;
-    if (kept_apart(figure, over, overlap)) continue;
+    if (kept_apart(figure, over, areas, overlap)) continue;
     const auto [a, b] = std::minmax(overlap.upper, overlap.lower);
     const Hold hold = overlap.crossings.empty() ? Hold::Resting : Hold::Joined;
     if (known.emplace(a, b).second) suggestions.push_back({a, b, overlap.at, hold});

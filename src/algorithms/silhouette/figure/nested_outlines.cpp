@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -10,7 +11,6 @@
 #include "algorithms/silhouette/strokes/drawing_findings.h"
 #include "algorithms/silhouette/strokes/ring_shape.h"
 #include "croquis/geometry/polyline.h"
-#include "croquis/silhouette/stroke_data.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -92,10 +92,8 @@ class NestingReader {
   }
 
   bool told(Index contour, bool& hole) const {
-    for (const Index stroke : paths_[contour].strokes) {
-      const StrokeKind kind = stroke_kind(drawing_.strokes[stroke]).value_or(StrokeKind::Visible);
-      if (kind != StrokeKind::Part && kind != StrokeKind::Hole) continue;
-      hole = kind == StrokeKind::Hole;
+    if (const std::optional<bool> by_kind = told_hole(drawing_, paths_[contour].strokes)) {
+      hole = *by_kind;
       return true;
     }
     const std::string own = object_of(contour);

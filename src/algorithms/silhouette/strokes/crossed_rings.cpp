@@ -6,7 +6,6 @@
 
 #include "algorithms/silhouette/strokes/ring_shape.h"
 #include "croquis/geometry/polyline.h"
-#include "croquis/silhouette/stroke_data.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -39,10 +38,7 @@ std::size_t things_over(const LinePairs& crossing, Index ring) {
 
 bool bounds_hole_of(const Drawing& drawing, const std::vector<CleanLine>& lines, const LinePairs& crossing, Index hole,
                     Index around) {
-  for (const Index stroke : lines[hole].strokes) {
-    const StrokeKind kind = stroke_kind(drawing.strokes[stroke]).value_or(StrokeKind::Visible);
-    if (kind == StrokeKind::Hole || kind == StrokeKind::Part) return kind == StrokeKind::Hole;
-  }
+  if (const std::optional<bool> told = told_hole(drawing, lines[hole].strokes)) return *told;
   return is_hole_of_ring(lines[hole].points, lines[around].points, things_over(crossing, around));
 }
 

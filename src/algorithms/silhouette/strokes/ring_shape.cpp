@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "croquis/silhouette/stroke_data.h"
+
 namespace croquis::silhouette {
 namespace {
 
@@ -63,6 +65,14 @@ bool is_hole_of_ring(const Points& inner, const Points& outer, std::size_t thing
   if (things == 0 && round) return true;
   const double widest = widest_ring[std::min(things, widest_ring.size() - 1)];
   return static_cast<double>(even) >= even_share * static_cast<double>(widths.size()) && width <= widest * radius;
+}
+
+std::optional<bool> told_hole(const Drawing& drawing, const std::vector<Index>& strokes) {
+  for (const Index stroke : strokes) {
+    const StrokeKind kind = stroke_kind(drawing.strokes[stroke]).value_or(StrokeKind::Visible);
+    if (kind == StrokeKind::Hole || kind == StrokeKind::Part) return kind == StrokeKind::Hole;
+  }
+  return std::nullopt;
 }
 
 }  // namespace croquis::silhouette

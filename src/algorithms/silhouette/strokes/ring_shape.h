@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <vector>
 
 #include "algorithms/silhouette/strokes/polyline.h"
+#include "croquis/geometry/drawing.h"
 
 namespace croquis::silhouette {
 
@@ -14,5 +17,9 @@ namespace croquis::silhouette {
 /// O(#inner + 64 #outer).
 /// @param things what covers the outer outline or is covered by it, and what else lies within it
 bool is_hole_of_ring(const Points& inner, const Points& outer, std::size_t things);
+
+/// Whether the "kind" of an outline's strokes says that it bounds a hole; none where it says nothing of it.
+/// @param strokes indices into Drawing::strokes
+std::optional<bool> told_hole(const Drawing& drawing, const std::vector<Index>& strokes);
 
 }  // namespace croquis::silhouette

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/sketches/characters/character.h"
+#include "support/sketches/sketch_layers.h"
 
 namespace croquis::test {
 namespace {
@@ -23,8 +24,8 @@ Character cat() {
 
 Character teddy() {
   return {"teddy",
-          {{"left ear", disc({340, 620}, 50), {}},
-           {"right ear", disc({560, 620}, 50), {}},
+          {{"left ear", circle_outline({340, 620}, 50), {}},
+           {"right ear", circle_outline({560, 620}, 50), {}},
            {"left arm", limb_outline({{370, 360}, {300, 300}, {240, 230}}, {46, 44, 44}), {}},
            {"right arm", limb_outline({{530, 360}, {600, 300}, {660, 230}}, {46, 44, 44}), {}},
            {"body", ellipse({450, 270}, 150, 160), {}},
@@ -33,8 +34,8 @@ Character teddy() {
            {"right leg", limb_outline({{530, 150}, {590, 90}}, {58, 62}), {}},
            {"belly", ellipse({450, 275}, 85, 90), {}},
            {"muzzle", ellipse({450, 485}, 56, 42), {}},
-           {"left eye", disc({400, 555}, 15), {}},
-           {"right eye", disc({500, 555}, 15), {}},
+           {"left eye", circle_outline({400, 555}, 15), {}},
+           {"right eye", circle_outline({500, 555}, 15), {}},
            {"nose", ellipse({450, 500}, 19, 13), {}}}};
 }
 
@@ -51,7 +52,7 @@ Character elephant() {
            {"trunk", limb_outline({{230, 420}, {140, 340}, {120, 220}, {70, 180}}, {52, 40, 30, 22}), {}},
            {"head", ellipse({280, 460}, 125, 130), {}},
            {"ear", smooth({{300, 570}, {390, 590}, {430, 500}, {400, 400}, {340, 360}, {300, 420}, {290, 500}}), {}},
-           {"eye", disc({220, 490}, 14), {}}}};
+           {"eye", circle_outline({220, 490}, 14), {}}}};
 }
 
 Character fish() {
@@ -62,7 +63,7 @@ Character fish() {
             smooth({{120, 350}, {220, 450}, {380, 480}, {560, 430}, {690, 350}, {560, 270}, {380, 220}, {220, 250}}),
             {}},
            {"side fin", smooth({{420, 350}, {500, 370}, {540, 320}, {480, 290}, {430, 310}}), {}},
-           {"eye", disc({215, 380}, 24), {}}}};
+           {"eye", circle_outline({215, 380}, 24), {}}}};
 }
 
 Character duck() {
@@ -83,20 +84,20 @@ Character duck() {
            {"beak", smooth({{210, 560}, {120, 570}, {70, 540}, {120, 510}, {220, 520}}), {}},
            {"head", ellipse({290, 520}, 110, 115), {}},
            {"wing", smooth({{380, 340}, {480, 350}, {600, 330}, {560, 260}, {440, 240}, {380, 280}}), {}},
-           {"eye", disc({265, 555}, 17), {}}}};
+           {"eye", circle_outline({265, 555}, 17), {}}}};
 }
 
 Character bunny() {
   return {"bunny",
           {{"far ear", limb_outline({{300, 560}, {260, 690}}, {30, 20}), {}},
-           {"tail", disc({745, 250}, 52), {}},
+           {"tail", circle_outline({745, 250}, 52), {}},
            {"body", ellipse({560, 260}, 200, 150), {}},
            {"fore leg", limb_outline({{410, 200}, {380, 110}, {340, 85}}, {36, 30, 26}), {}},
            {"head", ellipse({320, 460}, 115, 105), {}},
            {"near ear", limb_outline({{350, 540}, {380, 630}, {430, 690}}, {34, 36, 22}), {}},
-           {"thigh", disc({640, 210}, 105), {}},
+           {"thigh", circle_outline({640, 210}, 105), {}},
            {"hind foot", limb_outline({{600, 100}, {710, 95}}, {30, 32}), {}},
-           {"eye", disc({290, 490}, 16), {}}}};
+           {"eye", circle_outline({290, 490}, 16), {}}}};
 }
 
 Character octopus() {
@@ -110,8 +111,8 @@ Character octopus() {
     octopus.parts.push_back({"arm " + std::to_string(i + 1), limb_outline(arms[i], {34, 30, 22, 13}), {}});
   }
   octopus.parts.push_back({"head", ellipse({455, 460}, 140, 165), {}});
-  octopus.parts.push_back({"left eye", disc({405, 440}, 24), {}});
-  octopus.parts.push_back({"right eye", disc({505, 440}, 24), {}});
+  octopus.parts.push_back({"left eye", circle_outline({405, 440}, 24), {}});
+  octopus.parts.push_back({"right eye", circle_outline({505, 440}, 24), {}});
   return octopus;
 }
 
@@ -131,8 +132,8 @@ Character snail() {
                     {700, 130},
                     {400, 105}}),
             {}},
-           {"shell", disc({390, 340}, 185), {}},
-           {"eye", disc({735, 385}, 13), {}}}};
+           {"shell", circle_outline({390, 340}, 185), {}},
+           {"eye", circle_outline({735, 385}, 13), {}}}};
 }
 
 Character butterfly() {
@@ -142,7 +143,7 @@ Character butterfly() {
            {"left hind wing", smooth({{440, 340}, {330, 330}, {210, 270}, {230, 150}, {340, 140}, {420, 240}}), {}},
            {"right hind wing", smooth({{460, 340}, {570, 330}, {690, 270}, {670, 150}, {560, 140}, {480, 240}}), {}},
            {"body", limb_outline({{450, 500}, {450, 340}, {450, 160}}, {26, 34, 18}), {}},
-           {"head", disc({450, 555}, 45), {}}}};
+           {"head", circle_outline({450, 555}, 45), {}}}};
 }
 
 Character spider() {
@@ -159,7 +160,7 @@ Character spider() {
          {}});
   }
   spider.parts.push_back({"abdomen", ellipse({450, 400}, 120, 140), {}});
-  spider.parts.push_back({"head", disc({450, 230}, 70), {}});
+  spider.parts.push_back({"head", circle_outline({450, 230}, 70), {}});
   return spider;
 }
 
@@ -170,7 +171,7 @@ Character turtle() {
            {"hind leg", limb_outline({{620, 220}, {650, 130}}, {44, 42}), {}},
            {"head", limb_outline({{300, 300}, {200, 380}, {130, 400}}, {46, 44, 54}), {}},
            {"shell", smooth({{230, 250}, {300, 400}, {470, 470}, {640, 400}, {720, 250}, {600, 195}, {350, 195}}), {}},
-           {"eye", disc({110, 420}, 11), {}}}};
+           {"eye", circle_outline({110, 420}, 11), {}}}};
 }
 
 Character whale() {
@@ -188,7 +189,7 @@ Character whale() {
                     {110, 190}}),
             {}},
            {"fin", smooth({{350, 260}, {420, 240}, {480, 130}, {400, 110}, {320, 190}}), {}},
-           {"eye", disc({180, 330}, 13), {}}}};
+           {"eye", circle_outline({180, 330}, 13), {}}}};
 }
 
 Character penguin() {
@@ -200,11 +201,11 @@ Character penguin() {
            {"body",
             smooth({{450, 520}, {560, 450}, {600, 290}, {560, 120}, {450, 80}, {340, 120}, {300, 290}, {340, 450}}),
             {}},
-           {"head", disc({450, 570}, 95), {}},
+           {"head", circle_outline({450, 570}, 95), {}},
            {"belly", ellipse({450, 270}, 85, 140), {}},
            {"beak", smooth({{420, 560}, {450, 575}, {480, 560}, {450, 515}}), {}},
-           {"left eye", disc({415, 600}, 12), {}},
-           {"right eye", disc({485, 600}, 12), {}}}};
+           {"left eye", circle_outline({415, 600}, 12), {}},
+           {"right eye", circle_outline({485, 600}, 12), {}}}};
 }
 
 Character giraffe() {
@@ -218,7 +219,7 @@ Character giraffe() {
            {"near fore leg", limb_outline({{460, 270}, {465, 60}}, {30, 24}), {}},
            {"near hind leg", limb_outline({{660, 270}, {670, 60}}, {32, 24}), {}},
            {"head", smooth({{330, 640}, {350, 590}, {310, 550}, {220, 520}, {180, 550}, {250, 600}, {290, 640}}), {}},
-           {"eye", disc({295, 600}, 9), {}}}};
+           {"eye", circle_outline({295, 600}, 9), {}}}};
 }
 
 Character mouse() {
@@ -227,9 +228,9 @@ Character mouse() {
            {"body",
             smooth({{160, 230}, {280, 350}, {450, 400}, {620, 340}, {680, 220}, {600, 140}, {400, 120}, {220, 160}}),
             {}},
-           {"ear", disc({340, 390}, 72), {}},
-           {"eye", disc({240, 265}, 13), {}},
-           {"nose", disc({150, 222}, 20), {}}}};
+           {"ear", circle_outline({340, 390}, 72), {}},
+           {"eye", circle_outline({240, 265}, 13), {}},
+           {"nose", circle_outline({150, 222}, 20), {}}}};
 }
 
 Character owl() {
@@ -237,10 +238,10 @@ Character owl() {
           {{"body",
             smooth({{450, 620}, {590, 600}, {630, 420}, {590, 180}, {450, 90}, {310, 180}, {270, 420}, {310, 600}}),
             {}},
-           {"left eye", disc({385, 500}, 58), {}},
-           {"left pupil", disc({390, 500}, 24), {}},
-           {"right eye", disc({515, 500}, 58), {}},
-           {"right pupil", disc({510, 500}, 24), {}},
+           {"left eye", circle_outline({385, 500}, 58), {}},
+           {"left pupil", circle_outline({390, 500}, 24), {}},
+           {"right eye", circle_outline({515, 500}, 58), {}},
+           {"right pupil", circle_outline({510, 500}, 24), {}},
            {"beak", smooth({{430, 440}, {450, 455}, {470, 440}, {450, 395}}), {}},
            {"left wing", smooth({{300, 400}, {350, 330}, {340, 200}, {285, 220}, {255, 320}}), {}},
            {"right wing", smooth({{600, 400}, {550, 330}, {560, 200}, {615, 220}, {645, 320}}), {}}}};
@@ -254,11 +255,11 @@ Character pig() {
            {"near fore leg", limb_outline({{450, 220}, {450, 90}}, {42, 36}), {}},
            {"near hind leg", limb_outline({{660, 230}, {670, 90}}, {42, 36}), {}},
            {"ear", smooth({{300, 470}, {330, 560}, {390, 530}, {370, 450}}), {}},
-           {"head", disc({290, 380}, 115), {}},
+           {"head", circle_outline({290, 380}, 115), {}},
            {"snout", ellipse({220, 360}, 50, 42), {}},
            {"left nostril", ellipse({203, 362}, 8, 12), {}},
            {"right nostril", ellipse({233, 362}, 8, 12), {}},
-           {"eye", disc({300, 425}, 12), {}}}};
+           {"eye", circle_outline({300, 425}, 12), {}}}};
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "croquis/geometry/polyline.h"
 #include "support/sketches/sketch_spline.h"
 #include "support/sketches/sketch_tubes.h"
 
@@ -16,15 +17,9 @@ namespace {
 
 constexpr double spacing = 3;
 
-double area_of(const std::vector<Vec2>& loop) {
-  double area = 0;
-  for (std::size_t i = 0; i < loop.size(); ++i) area += cross(loop[i], loop[(i + 1) % loop.size()]) / 2;
-  return area;
-}
-
 /// Counterclockwise when `positive`, so that the surface lies on the left.
 std::vector<Vec2> turned(std::vector<Vec2> loop, bool positive) {
-  if ((area_of(loop) > 0) != positive) std::reverse(loop.begin(), loop.end());
+  if ((signed_area(loop) > 0) != positive) std::reverse(loop.begin(), loop.end());
   return loop;
 }
 
@@ -118,8 +113,6 @@ std::vector<Vec2> ellipse(const Vec2& centre, double rx, double ry, double degre
   }
   return loop;
 }
-
-std::vector<Vec2> disc(const Vec2& centre, double radius) { return ellipse(centre, radius, radius); }
 
 std::vector<Vec2> smooth(const std::vector<Vec2>& through) { return smooth_loop(through, spacing); }
 

@@ -38,7 +38,6 @@ std::vector<Character> all_characters();
 
 // Shapes that parts are made of.
 std::vector<Vec2> ellipse(const Vec2& centre, double rx, double ry, double degrees = 0);
-std::vector<Vec2> disc(const Vec2& centre, double radius);
 std::vector<Vec2> smooth(const std::vector<Vec2>& through);  ///< a loop through points
 std::vector<Vec2> limb_outline(const std::vector<Vec2>& through, const std::vector<double>& radii);  ///< round ends
 std::vector<Vec2> rounded_polygon(const std::vector<Vec2>& corners, double radius);

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "support/sketches/characters/character.h"
+#include "support/sketches/sketch_layers.h"
 
 namespace croquis::test {
 namespace {
@@ -48,7 +49,7 @@ Character flower(int petals, const std::string& name) {
     flower.parts.push_back(
         {"petal " + std::to_string(i + 1), ellipse(polar(centre, 150, degrees), 85, half, degrees), {}});
   }
-  flower.parts.push_back({"middle", disc(centre, 92), {}});
+  flower.parts.push_back({"middle", circle_outline(centre, 92), {}});
   return flower;
 }
 
@@ -93,7 +94,7 @@ Character apple_with_worm() {
 Character cherries() {
   return {"cherries",
           {{"left stalk", limb_outline({{300, 260}, {350, 420}, {450, 580}}, {9, 9, 11}), {}},
-           {"left cherry", disc({290, 210}, 100), {}},
+           {"left cherry", circle_outline({290, 210}, 100), {}},
            {"right cherry", ellipse({560, 180}, 115, 100), {}},
            {"right stalk", limb_outline({{560, 240}, {530, 420}, {455, 585}}, {9, 9, 11}), {}},
            {"leaf", smooth({{440, 590}, {540, 660}, {680, 640}, {760, 570}, {620, 550}}), {}}}};
@@ -103,16 +104,16 @@ Character snowman() {
   return {"snowman",
           {{"left arm", limb_outline({{370, 390}, {250, 450}}, {12, 9}), {}},
            {"right arm", limb_outline({{530, 390}, {650, 440}}, {12, 9}), {}},
-           {"bottom", disc({450, 170}, 135), {}},
-           {"middle", disc({450, 370}, 105), {}},
-           {"head", disc({450, 525}, 78), {}},
+           {"bottom", circle_outline({450, 170}, 135), {}},
+           {"middle", circle_outline({450, 370}, 105), {}},
+           {"head", circle_outline({450, 525}, 78), {}},
            {"brim", ellipse({450, 590}, 110, 20), {}},
            {"hat", rounded_polygon({{385, 592}, {515, 592}, {510, 690}, {390, 690}}, 14), {}},
-           {"left eye", disc({422, 545}, 9), {}},
-           {"right eye", disc({478, 545}, 9), {}},
+           {"left eye", circle_outline({422, 545}, 9), {}},
+           {"right eye", circle_outline({478, 545}, 9), {}},
            {"nose", limb_outline({{450, 522}, {510, 510}}, {11, 5}), {}},
-           {"upper button", disc({450, 410}, 11), {}},
-           {"lower button", disc({450, 345}, 11), {}}}};
+           {"upper button", circle_outline({450, 410}, 11), {}},
+           {"lower button", circle_outline({450, 345}, 11), {}}}};
 }
 
 Character person() {
@@ -125,8 +126,8 @@ Character person() {
             smooth({{380, 500}, {450, 515}, {520, 500}, {550, 400}, {540, 250}, {450, 225}, {360, 250}, {350, 400}}),
             {}},
            {"head", ellipse({450, 590}, 80, 92), {}},
-           {"left eye", disc({422, 605}, 10), {}},
-           {"right eye", disc({478, 605}, 10), {}},
+           {"left eye", circle_outline({422, 605}, 10), {}},
+           {"right eye", circle_outline({478, 605}, 10), {}},
            {"mouth", ellipse({450, 555}, 26, 9), {}}}};
 }
 
@@ -135,7 +136,7 @@ Character crossed_arms() {
           {{"body",
             smooth({{330, 520}, {450, 560}, {570, 520}, {610, 380}, {570, 150}, {450, 90}, {330, 150}, {290, 380}}),
             {}},
-           {"head", disc({450, 620}, 75), {}},
+           {"head", circle_outline({450, 620}, 75), {}},
            {"left arm", limb_outline({{310, 480}, {260, 360}, {360, 300}, {520, 350}}, {38, 36, 32, 30}), {}},
            {"right arm", limb_outline({{590, 480}, {640, 360}, {540, 295}, {380, 350}}, {38, 36, 32, 30}), {}}}};
 }
@@ -149,8 +150,8 @@ Character robot() {
            {"right leg", rounded_polygon({{480, 60}, {540, 60}, {540, 230}, {480, 230}}, 14), {}},
            {"body", rounded_polygon({{310, 190}, {590, 190}, {590, 440}, {310, 440}}, 30), {}},
            {"head", rounded_polygon({{350, 430}, {550, 430}, {550, 610}, {350, 610}}, 30), {}},
-           {"left eye", disc({410, 540}, 26), {}},
-           {"right eye", disc({490, 540}, 26), {}},
+           {"left eye", circle_outline({410, 540}, 26), {}},
+           {"right eye", circle_outline({490, 540}, 26), {}},
            {"mouth", rounded_polygon({{400, 460}, {500, 460}, {500, 485}, {400, 485}}, 10), {}},
            {"panel", rounded_polygon({{380, 250}, {520, 250}, {520, 360}, {380, 360}}, 12), {}}}};
 }

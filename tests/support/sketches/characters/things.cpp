@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/sketches/characters/character.h"
+#include "support/sketches/sketch_layers.h"
 
 namespace croquis::test {
 namespace {
@@ -9,7 +10,7 @@ Character teapot() {
       "teapot",
       {{"spout", limb_outline({{600, 260}, {690, 330}, {750, 440}}, {46, 34, 26}), {}},
        {"handle", limb_outline({{330, 400}, {200, 410}, {150, 300}, {210, 200}, {330, 200}}, {22, 22, 22, 22, 22}), {}},
-       {"knob", disc({450, 560}, 30), {}},
+       {"knob", circle_outline({450, 560}, 30), {}},
        {"lid", ellipse({450, 490}, 130, 46), {}},
        {"body", ellipse({450, 300}, 200, 185), {}}}};
 }
@@ -19,8 +20,8 @@ Character glasses() {
           {{"left temple", limb_outline({{200, 380}, {120, 420}, {90, 330}}, {14, 13, 12}), {}},
            {"right temple", limb_outline({{700, 380}, {780, 420}, {810, 330}}, {14, 13, 12}), {}},
            {"bridge", limb_outline({{390, 360}, {450, 390}, {510, 360}}, {15, 14, 15}), {}},
-           {"left rim", disc({290, 340}, 130), {disc({290, 340}, 98)}},
-           {"right rim", disc({610, 340}, 130), {disc({610, 340}, 98)}}}};
+           {"left rim", circle_outline({290, 340}, 130), {circle_outline({290, 340}, 98)}},
+           {"right rim", circle_outline({610, 340}, 130), {circle_outline({610, 340}, 98)}}}};
 }
 
 Character key() {
@@ -28,7 +29,7 @@ Character key() {
           {{"first tooth", limb_outline({{640, 340}, {640, 250}}, {18, 18}), {}},
            {"second tooth", limb_outline({{720, 340}, {720, 230}}, {18, 18}), {}},
            {"shaft", limb_outline({{280, 350}, {500, 350}, {770, 350}}, {24, 24, 24}), {}},
-           {"bow", disc({210, 350}, 120), {disc({210, 350}, 72)}}}};
+           {"bow", circle_outline({210, 350}, 120), {circle_outline({210, 350}, 72)}}}};
 }
 
 Character heart_with_arrow() {
@@ -66,10 +67,10 @@ Character car() {
                     {200, 170}}),
             {}},
            {"window", smooth({{300, 330}, {360, 400}, {500, 400}, {570, 340}, {440, 315}}), {}},
-           {"left wheel", disc({230, 180}, 85), {}},
-           {"left hub", disc({230, 180}, 32), {}},
-           {"right wheel", disc({660, 180}, 85), {}},
-           {"right hub", disc({660, 180}, 32), {}},
+           {"left wheel", circle_outline({230, 180}, 85), {}},
+           {"left hub", circle_outline({230, 180}, 32), {}},
+           {"right wheel", circle_outline({660, 180}, 85), {}},
+           {"right hub", circle_outline({660, 180}, 32), {}},
            {"lamp", ellipse({775, 255}, 20, 26), {}}}};
 }
 
@@ -130,7 +131,7 @@ Character umbrella() {
 Character ring_round_finger() {
   // The ring passes behind the finger and in front of it: two layers of one ring, drawn as its front half.
   return {"bone through a ring",
-          {{"ring", disc({450, 350}, 190), {disc({450, 350}, 130)}},
+          {{"ring", circle_outline({450, 350}, 190), {circle_outline({450, 350}, 130)}},
            {"bone", limb_outline({{450, 60}, {450, 640}}, {52, 46}), {}}}};
 }
 
@@ -138,23 +139,23 @@ Character crossed_sticks() {
   return {"crossed sticks behind a disc",
           {{"first stick", limb_outline({{150, 130}, {750, 570}}, {26, 26}), {}},
            {"second stick", limb_outline({{750, 130}, {150, 570}}, {26, 26}), {}},
-           {"disc", disc({450, 350}, 150), {}}}};
+           {"disc", circle_outline({450, 350}, 150), {}}}};
 }
 
 Character sword() {
   return {"sword",
           {{"blade", limb_outline({{450, 620}, {450, 500}, {450, 250}, {450, 40}}, {20, 24, 26, 9}), {}},
            {"guard", limb_outline({{310, 490}, {590, 490}}, {20, 20}), {}},
-           {"pommel", disc({450, 640}, 32), {}}}};
+           {"pommel", circle_outline({450, 640}, 32), {}}}};
 }
 
 Character ice_cream() {
   return {"ice cream",
           {{"cone", smooth({{340, 360}, {450, 380}, {560, 360}, {520, 220}, {450, 50}, {380, 220}}), {}},
-           {"left scoop", disc({385, 430}, 95), {}},
-           {"right scoop", disc({525, 430}, 95), {}},
-           {"top scoop", disc({455, 545}, 90), {}},
-           {"cherry", disc({470, 640}, 32), {}}}};
+           {"left scoop", circle_outline({385, 430}, 95), {}},
+           {"right scoop", circle_outline({525, 430}, 95), {}},
+           {"top scoop", circle_outline({455, 545}, 90), {}},
+           {"cherry", circle_outline({470, 640}, 32), {}}}};
 }
 
 Character rocket() {
@@ -165,8 +166,8 @@ Character rocket() {
            {"body",
             smooth({{450, 680}, {540, 540}, {560, 380}, {520, 160}, {450, 140}, {380, 160}, {340, 380}, {360, 540}}),
             {}},
-           {"window", disc({450, 470}, 48), {}},
-           {"pane", disc({450, 470}, 26), {}}}};
+           {"window", circle_outline({450, 470}, 48), {}},
+           {"pane", circle_outline({450, 470}, 26), {}}}};
 }
 
 Character boat() {
@@ -174,9 +175,9 @@ Character boat() {
           {{"mast", limb_outline({{450, 220}, {450, 640}}, {12, 9}), {}},
            {"sail", smooth({{470, 600}, {600, 440}, {660, 290}, {560, 280}, {470, 290}, {465, 440}}), {}},
            {"hull", smooth({{130, 260}, {300, 240}, {600, 240}, {790, 280}, {690, 130}, {450, 90}, {240, 120}}), {}},
-           {"porthole 1", disc({350, 180}, 22), {}},
-           {"porthole 2", disc({450, 175}, 22), {}},
-           {"porthole 3", disc({550, 180}, 22), {}}}};
+           {"porthole 1", circle_outline({350, 180}, 22), {}},
+           {"porthole 2", circle_outline({450, 175}, 22), {}},
+           {"porthole 3", circle_outline({550, 180}, 22), {}}}};
 }
 
 Character star() { return {"star of 12 points", {{"star", star_outline({450, 350}, 12, 280, 170), {}}}}; }
@@ -186,7 +187,8 @@ Character doughnut() {
 }
 
 Character two_circles() {
-  return {"two circles", {{"first", disc({370, 350}, 170), {}}, {"second", disc({560, 380}, 150), {}}}};
+  return {"two circles",
+          {{"first", circle_outline({370, 350}, 170), {}}, {"second", circle_outline({560, 380}, 150), {}}}};
 }
 
 Character scissors() {
@@ -195,7 +197,7 @@ Character scissors() {
            {"first bow", ellipse({640, 180}, 95, 75, -45), {ellipse({640, 180}, 62, 43, -45)}},
            {"second blade", limb_outline({{380, 300}, {520, 430}, {700, 610}}, {24, 30, 8}), {}},
            {"second bow", ellipse({260, 180}, 95, 75, 45), {ellipse({260, 180}, 62, 43, 45)}},
-           {"rivet", disc({450, 365}, 13), {}}}};
+           {"rivet", circle_outline({450, 365}, 13), {}}}};
 }
 
 Character chair() {
@@ -209,7 +211,8 @@ Character chair() {
 Character bead_string() {
   Character beads{"beads on a string", {{"string", limb_outline({{80, 330}, {450, 300}, {820, 330}}, {9, 9, 9}), {}}}};
   for (int i = 0; i < 5; ++i) {
-    beads.parts.push_back({"bead " + std::to_string(i + 1), disc({190 + 130.0 * i, 315 + (i % 2) * 4.0}, 48), {}});
+    beads.parts.push_back(
+        {"bead " + std::to_string(i + 1), circle_outline({190 + 130.0 * i, 315 + (i % 2) * 4.0}, 48), {}});
   }
   return beads;
 }
