@@ -10,6 +10,7 @@
 #include "app/tools/silhouette/joints.h"
 #include "app/tools/silhouette/outline_choices.h"
 #include "app/tools/silhouette/sketch_chip.h"
+#include "app/tools/silhouette/thickness_handle.h"
 #include "croquis/operators/inflate_result.h"
 #include "croquis/silhouette/stroke_data.h"
 #include "croquis/tools/silhouette/stroke_setting.h"
@@ -275,6 +276,81 @@ TEST_CASE("the thickness of the selected part is dragged and typed at its chip",
   hand.studio().session().select({});
   hand.settle();
   CHECK(!thickness->isVisible());
+}
+
+TEST_CASE("a part reaches as far as its own faces do", "[sketch-chips]") {
+  PolyMesh mesh;
+  mesh.positions = {{0, 0, -2}, {1, 0, 0}, {0, 1, 4}, {0, 0, 9}};
+  mesh.add_triangle(0, 1, 2);
+  mesh.add_triangle(1, 2, 3);
+  mesh.channels.push_back({"object", Domain::Face, 1, std::vector<std::int32_t>{0, 1}, {"ear", "head"}});
+  const auto ear = app::part_reach(mesh, "ear", Vec3::UnitZ());
+  REQUIRE(ear);
+  CHECK(ear->front == Vec3(0, 1, 4));
+  CHECK(ear->depth == 6);
+  CHECK(app::part_reach(mesh, "head", -Vec3::UnitZ())->front == Vec3(1, 0, 0));
+  CHECK(!app::part_reach(mesh, "tail", Vec3::UnitZ()));
+}
+
+TEST_CASE("the front of a part follows the pointer wherever depth points in the view", "[sketch-chips]") {
+  for (const Vec2& depth : {Vec2(40, 0), Vec2(-30, 20), Vec2(5, -60)}) {
+    CHECK(app::thickness_after(0.8, Vec2(0.5 * depth), depth) == Approx(1.2));
+    CHECK(app::thickness_after(0.8, Vec2(-0.5 * depth), depth) == Approx(0.4));
+    CHECK(app::thickness_after(1, Vec2(depth.y(), -depth.x()), depth) == 1);  // across it
+    CHECK(app::thickness_after(1, Vec2(-3 * depth), depth) == least_thickness);
+    CHECK(app::thickness_after(1, Vec2(30 * depth), depth) == most_thickness);
+  }
+  CHECK(app::thickness_after(1, {50, -70}, {1, 0}) == Approx(std::exp(0.7)).margin(0.006));  // seen from the front
+}
+
+TEST_CASE("the thickness of the selected part is dragged at its front in the view of the solid", "[sketch-chips]") {
+  StudioFixture hand;
+  hand.look_at({-260, -200}, {260, 200});
+  hand.draw(round_line({0, 0}, 110));
+  hand.settle();
+  app::SketchChip* handle = chip(hand, "thickness-in-solid");
+  REQUIRE(handle != nullptr);
+  CHECK(!handle->isVisible());
+  hand.studio().session().select({{hand.studio().drawing_node(), "stroke 1"}});
+  hand.settle();
+  REQUIRE(handle->isVisible());
+  const auto depth = [&] {
+    const auto& mesh = hand.studio().result()->outputs.at("mesh").get<PolyMesh>();
+    const auto [low, high] = std::ranges::minmax(mesh.positions, {}, [](const Vec3& p) { return p.z(); });
+    return high.z() - low.z();
+  };
+  const double before = depth();
+  const QPoint front = handle->geometry().center();
+  const auto frame = hand.viewport().frame_of(app::PerspectiveView);
+  const Vec3 pole(0, 0, before / 2);
+  const Vec2 further = frame.project(pole * 1.5)->pixel - frame.project(pole)->pixel;
+  drag_chip(*handle, QPoint(qRound(further.x()), qRound(further.y())));
+  hand.settle();
+  CHECK(depth() == Approx(1.5 * before).epsilon(0.06));  // whole pixels
+  const QPoint moved = handle->geometry().center() - front;
+  CHECK((Vec2(moved.x(), moved.y()) - further).norm() < 6);
+  hand.act("undo");
+  hand.settle();
+  CHECK(depth() == Approx(before));
+}
+
+TEST_CASE("the parts of a sketch that is opened hold together as they look", "[sketch-chips]") {
+  StudioFixture hand;
+  Drawing drawing;
+  for (const auto& [id, radius] : {std::pair{"head", 100.0}, {"eye", 20.0}}) {
+    Stroke stroke;
+    stroke.id = id;
+    stroke.closed = true;
+    for (const Vec2& place : round_line({radius / 2, 0}, radius, 0.99)) stroke.samples.push_back({place});
+    drawing.strokes.push_back(std::move(stroke));
+  }
+  hand.studio().start_with(drawing);
+  hand.settle();
+  const InflateResult* inflated = hand.studio().result()->result<InflateResult>();
+  REQUIRE(inflated != nullptr);
+  REQUIRE(inflated->attached.size() == 1);
+  CHECK(inflated->attached[0].hold == Hold::Resting);
+  CHECK(!hand.studio().solid_operation()->parameters.contains("preset"));  // exact lines
 }
 
 TEST_CASE("the right button draws behind what is there; with the select tool it draws nothing", "[sketch-strokes]") {

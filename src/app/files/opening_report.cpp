@@ -54,7 +54,7 @@ OpeningReport::OpeningReport(const QString& path, const Findings& findings, QWid
   for (qsizetype i = 0; i < lines.size(); ++i) {
     auto* row = new QListWidgetItem(lines[i], list);
     const Finding& finding = findings[static_cast<std::size_t>(i)];
-    row->setForeground(finding.severity == Severity::Error ? colors::error.lighter(140) : colors::warning.lighter(120));
+    row->setForeground(sentence_color(finding.severity));
     row->setToolTip(QString::fromStdString(finding.code));
   }
   column->addWidget(list, 1);

@@ -23,11 +23,10 @@ void FindingsList::show_findings(const std::vector<NodeFinding>& findings,
   clear();
   findings_ = findings;
   for (const NodeFinding& found : findings) {
-    const bool error = found.finding.severity == Severity::Error;
     const QString sentence = QString::fromStdString(found.finding.message);
     const QString name = owner(found);
     auto* row = new QListWidgetItem(name.isEmpty() ? sentence : tr("%1: %2").arg(name, sentence), this);
-    row->setForeground(error ? colors::error.lighter(140) : colors::warning.lighter(120));
+    row->setForeground(sentence_color(found.finding.severity));
     row->setToolTip(QString::fromStdString(found.finding.code));
   }
 }

@@ -156,7 +156,7 @@ void Studio::follow_sketch() { sketch_ = drawing_node(); }
 
 void Studio::start_with(Drawing drawing) {
   SketchToolOptions options = tool_options();
-  options.parameters.clear();  // files hold exact lines
+  options.parameters.erase("preset");  // files hold exact lines
   load(add_drawing(Document(), std::make_shared<const Drawing>(std::move(drawing)), options));
 }
 

@@ -59,7 +59,7 @@ class Studio : public QObject, public Workspace {
   Document with_network(const Document& document, AttributeNetwork network, const SurfaceToolOptions& options) const;
 
   /// Replaces the document by one drawing and the solid made of it; forgets the history.
-  void start_with(Drawing drawing);
+  void start_with(Drawing drawing);  ///< of exact lines; its parts are held as it suggests
   void start_with(PerspectiveDrawing drawing, const std::string& name = {});
   void start_with(AttributeNetwork network, const std::string& name = {});
   void start_empty();

@@ -84,4 +84,13 @@ QColor depth_color(int depth) {
   return shades[static_cast<std::size_t>(std::clamp(depth - 1, 0, 3))];
 }
 
+QColor sentence_color(Severity severity) {
+  switch (severity) {
+    case Severity::Error: return colors::error.lighter(140);
+    case Severity::Warning: return colors::warning.lighter(120);
+    case Severity::Info: break;
+  }
+  return text;
+}
+
 }  // namespace croquis::app

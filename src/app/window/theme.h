@@ -3,6 +3,8 @@
 
 #include <QColor>
 
+#include "croquis/base/finding.h"
+
 class QApplication;
 
 /// The studio's colours, in one place: dark panels around paper and clay.
@@ -30,5 +32,8 @@ void apply_theme(QApplication& application);
 /// Hidden contours: the first colour lies behind one surface, the next behind two … distinct for any
 /// colour vision, each readable on paper.
 QColor depth_color(int depth);
+
+/// A finding's sentence on a dark panel. Notes have the colour of text.
+QColor sentence_color(Severity severity);
 
 }  // namespace croquis::app

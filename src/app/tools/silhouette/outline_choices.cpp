@@ -61,6 +61,7 @@ ChosenPart chosen_part(const InflateResult& inflated, const Drawing& drawing,
   }
   ChosenPart part;
   if (chosen == nullptr) return part;
+  part.object = chosen->name;
   Eigen::AlignedBox2d box;
   for (const Stroke& stroke : drawing.strokes) {
     if (!is_in(chosen->strokes, stroke.id)) continue;

@@ -20,6 +20,7 @@ std::vector<StrokesInView> crossings_in_view(const InflateResult& inflated, cons
 /// The part that the selected strokes belong to; its thickness is set at the first of its strokes.
 struct ChosenPart {
   std::string stroke;
+  std::string object;      ///< its name in the result
   Vec2 at = Vec2::Zero();  ///< the middle of its upper border, sketch units
 };
 

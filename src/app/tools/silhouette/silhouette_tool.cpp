@@ -28,7 +28,7 @@ SketchMode sketch_mode(const QString& mode) {
 SilhouetteTool::SilhouetteTool(ToolHost& host)
     : Tool(host),
       sketch_(host.studio(), host.viewport().pane(SketchView), nullptr),
-      chips_(host.studio(), sketch_.tool(), &host.viewport()),
+      chips_(host.studio(), sketch_.tool(), host.viewport()),
       hint_(make_chip_label(host.viewport(), hint_style)) {
   host.viewport().objects().set_painter(paint_of_bodies);
   hint_->setObjectName("hint");

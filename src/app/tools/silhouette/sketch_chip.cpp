@@ -6,6 +6,7 @@
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QMouseEvent>
+#include <cmath>
 #include <utility>
 
 #include "app/panels/number_box.h"
@@ -112,6 +113,13 @@ void ChipRow::place(ChipPlaces& places, bool shown) {
       button.hide();
   }
 }
+
+double chip_number(double value) {
+  const double steps = std::pow(10, number_decimals);
+  return std::round(value * steps) / steps;
+}
+
+QString chip_text(double value) { return QString::number(chip_number(value)); }
 
 void ask_number(SketchChip& chip, const QString& name, double value, double low, double high,
                 const std::function<void(double)>& take) {

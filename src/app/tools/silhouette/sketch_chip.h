@@ -87,6 +87,10 @@ class ChipRow : public QObject {
   std::vector<SketchChip*> buttons_;
 };
 
+/// Numbers of chips have two decimals.
+double chip_number(double value);
+QString chip_text(double value);
+
 /// Asks for a number in a small window below a chip. It takes every change, and goes with Enter, Escape or a click
 /// elsewhere.
 /// @param name of the field, by which tests find it

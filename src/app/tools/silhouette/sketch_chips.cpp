@@ -10,7 +10,6 @@
 
 #include "croquis/base/error.h"
 #include "croquis/tools/recording/general_steps.h"
-#include "croquis/tools/silhouette/stroke_setting.h"
 
 namespace croquis::app {
 namespace {
@@ -19,14 +18,8 @@ using silhouette::Hold;
 using silhouette::StrokeKind;
 using Strength = SketchChip::Look::Strength;
 
-constexpr double beside_part = 14;            // logical pixels above or below an inner outline
-constexpr double thickness_above = 20;        // logical pixels above the selected part
-constexpr double pixels_per_blend = 120;      // a drag so far to the right or up makes the seam as wide as it can be
-constexpr double pixels_per_thickness = 100;  // a drag so far up makes a part e times as thick
-
-double rounded(double value) { return std::round(value * 100) / 100; }
-
-QString number_of(double value) { return QString::number(rounded(value)); }
+constexpr double beside_part = 14;        // logical pixels above or below an inner outline
+constexpr double pixels_per_blend = 120;  // a drag so far to the right or up makes the seam as wide as it can be
 
 /// Chips of inner outlines, which may be smaller than a chip, stand beside these: above them, or below.
 ChipRow::Chip beside(ChipRow::Chip chip, const Stroke& outline, bool above) {
@@ -38,23 +31,19 @@ ChipRow::Chip beside(ChipRow::Chip chip, const Stroke& outline, bool above) {
 }
 
 double blend_after(double from, const QPointF& by) {
-  return std::clamp(rounded(from + (by.x() - by.y()) / pixels_per_blend), 0.0, 1.0);
-}
-
-double thickness_after(double from, const QPointF& by) {
-  return std::clamp(rounded(from * std::exp(-by.y() / pixels_per_thickness)), least_thickness, most_thickness);
+  return std::clamp(chip_number(from + (by.x() - by.y()) / pixels_per_blend), 0.0, 1.0);
 }
 
 }  // namespace
 
-SketchChips::SketchChips(Studio& studio, SketchTool& tool, QWidget* views)
-    : QObject(views),
+SketchChips::SketchChips(Studio& studio, SketchTool& tool, Viewport& views)
+    : QObject(&views),
       studio_(studio),
       tool_(tool),
-      joint_row_(views, "joint", true),
-      nested_row_(views, "nested", false),
-      crossing_row_(views, "crossing", false),
-      thickness_row_(views, "thickness", true) {
+      joint_row_(&views, "joint", true),
+      nested_row_(&views, "nested", false),
+      crossing_row_(&views, "crossing", false),
+      thickness_(studio, views) {
   connect_rows();
 }
 
@@ -69,7 +58,7 @@ void SketchChips::connect_rows() {
     if (!dragged_from_) dragged_from_ = joint.blend;
     const double blend = blend_after(*dragged_from_, by);
     set_attach(with_blend(attach(), joint, blend), true);
-    QToolTip::showText(QCursor::pos(), tr("Seam radius %1").arg(number_of(blend)));
+    QToolTip::showText(QCursor::pos(), tr("Seam radius %1").arg(chip_text(blend)));
   });
   connect(&joint_row_, &ChipRow::dropped, this, [this] {
     if (std::exchange(dragged_from_, std::nullopt)) set_attach(attach(), false);
@@ -88,22 +77,7 @@ void SketchChips::connect_rows() {
     const StrokesInView& crossing = crossings_.at(number);
     set({crossing.behind, {}, crossing.front}, false);
   });
-  connect(&thickness_row_, &ChipRow::dragged, this, [this](std::size_t, const QPointF& by) {
-    if (!dragged_from_) dragged_from_ = thickness_of(studio_.drawing(), part_.stroke);
-    set({part_.stroke, {}, {}, thickness_after(*dragged_from_, by)}, true);
-  });
-  connect(&thickness_row_, &ChipRow::dropped, this, [this] {
-    if (std::exchange(dragged_from_, std::nullopt))
-      set({part_.stroke, {}, {}, thickness_of(studio_.drawing(), part_.stroke)}, false);
-  });
-  const auto ask_thickness = [this](std::size_t number) {
-    ask_number(*thickness_row_.chip(number), "part-thickness", thickness_of(studio_.drawing(), part_.stroke),
-               least_thickness, most_thickness, [this, stroke = part_.stroke](double factor) {
-                 set({stroke, {}, {}, factor}, false);
-               });
-  };
-  connect(&thickness_row_, &ChipRow::clicked, this, ask_thickness);
-  connect(&thickness_row_, &ChipRow::asked, this, ask_thickness);
+  connect(&thickness_, &ThicknessHandle::wanted, this, &SketchChips::set);
 }
 
 // ---- What they show
@@ -133,7 +107,7 @@ ChipRow::Chip SketchChips::chip_of(const Joint& joint) const {
           {"joint-joined",
            {},
            tr("Joined: %1 are one body, seam radius %2. Click to keep them apart; drag, or right click, for the radius")
-               .arg(names, number_of(joint.blend)),
+               .arg(names, chip_text(joint.blend)),
            Strength::Full}};
 }
 
@@ -160,15 +134,6 @@ ChipRow::Chip SketchChips::chip_of(const StrokesInView& crossing) const {
            crossing.chosen ? Strength::Half : Strength::Plain}};
 }
 
-ChipRow::Chip SketchChips::thickness_chip() const {
-  const double factor = thickness_of(studio_.drawing(), part_.stroke);
-  return {part_.at,
-          {"thickness", QString("× ") + number_of(factor),
-           tr("Thickness of %1. Drag up or down; click to type it").arg(name_of(part_.stroke)),
-           factor == 1 ? Strength::Plain : Strength::Half},
-          thickness_above};
-}
-
 void SketchChips::follow() {
   const auto result = studio_.result();
   const InflateResult* inflated = result_of<InflateResult>(result.get());
@@ -180,7 +145,7 @@ void SketchChips::follow() {
   joints_ = joints_of(known, attach(), is_final);
   nested_ = nested_outlines(known, drawing);
   crossings_ = crossings_in_view(known, drawing);
-  part_ = chosen_part(known, drawing, tool_.selected());
+  const ChosenPart part = chosen_part(known, drawing, tool_.selected());
   const auto chips_of = [this](const auto& items) {
     std::vector<ChipRow::Chip> chips;
     for (const auto& item : items) chips.push_back(chip_of(item));
@@ -198,11 +163,11 @@ void SketchChips::follow() {
   joint_row_.show(std::move(joint_chips));
   nested_row_.show(chips_of(nested_));
   crossing_row_.show(chips_of(crossings_));
-  thickness_row_.show(part_.stroke.empty() ? std::vector<ChipRow::Chip>() : std::vector{thickness_chip()});
+  thickness_.follow(part, name_of(part.stroke));
 }
 
 void SketchChips::place(ChipPlaces& places, bool shown) {
-  thickness_row_.place(places, shown);
+  thickness_.place(places, shown);
   crossing_row_.place(places, shown);
   nested_row_.place(places, shown);
   joint_row_.place(places, shown);

@@ -9,19 +9,20 @@
 #include "app/tools/silhouette/joints.h"
 #include "app/tools/silhouette/outline_choices.h"
 #include "app/tools/silhouette/sketch_chip.h"
+#include "app/tools/silhouette/thickness_handle.h"
 #include "croquis/tools/recording/step.h"
 #include "croquis/tools/silhouette/sketch_tool.h"
 
 namespace croquis::app {
 
-/// Buttons in the sketch view for how the drawing is read: how two parts are held, whether an inner outline is a hole
-/// or a part, which of two outlines that cross lies in front, and how thick the selected part is.
+/// Buttons over the views for how the drawing is read: how two parts are held, whether an inner outline is a hole or a
+/// part, which of two outlines that cross lies in front, and how thick the selected part is.
 class SketchChips : public QObject {
   Q_OBJECT
 
  public:
   /// @param views that they stand on; @param tool outlives this
-  SketchChips(Studio& studio, SketchTool& tool, QWidget* views);
+  SketchChips(Studio& studio, SketchTool& tool, Viewport& views);
 
   /// What the newest result and the drawing as it is now offer.
   void follow();
@@ -41,7 +42,6 @@ class SketchChips : public QObject {
   ChipRow::Chip chip_of(const Joint& joint) const;
   ChipRow::Chip chip_of(const NestedStroke& nested) const;
   ChipRow::Chip chip_of(const StrokesInView& crossing) const;
-  ChipRow::Chip thickness_chip() const;
 
   AttachText attach() const;
   void set_attach(const AttachText& attach, bool dragging);
@@ -49,12 +49,12 @@ class SketchChips : public QObject {
 
   Studio& studio_;
   SketchTool& tool_;
-  ChipRow joint_row_, nested_row_, crossing_row_, thickness_row_;
+  ChipRow joint_row_, nested_row_, crossing_row_;
+  ThicknessHandle thickness_;
   std::vector<Body> bodies_;
   std::vector<Joint> joints_;
   std::vector<NestedStroke> nested_;
   std::vector<StrokesInView> crossings_;
-  ChosenPart part_;
   std::optional<double> dragged_from_;  ///< the number that the chip under way began with
 };
 
