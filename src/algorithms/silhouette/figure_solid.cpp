@@ -68,6 +68,7 @@ class Attempt {
     const std::shared_ptr<const SheetBasis> basis = sheet_basis(inflating);
     Progress raising = progress.step("inflate", 0.4);
     sheets_ = raise_sheets(skeleton_, *basis, settings_, raising);
+    for (const auto& [node, z] : sheets_.lowered_nodes) skeleton_.nodes[node].z = z;
   }
 
   /// Makes the shells and checks them.

@@ -66,7 +66,7 @@ std::vector<DepthWeights> object_weights(const LabelledFigure& figure, const Dra
 
 std::vector<double> object_thickness(const LabelledFigure& figure, const Drawing& drawing,
                                      const Attachments& attachments) {
-  constexpr double resting_thickness = 0.5;  // wings, eyes and buttons look like that rather than like balls
+  constexpr double resting_thickness = 0.25;  // bellies, eyes and buttons look like that rather than like half balls
   std::vector<double> thickness(figure.objects.size(), 1);
   for (const FigureOverlap& overlap : figure.overlaps) {
     if (attachments.resting(overlap.upper, overlap.lower)) thickness[overlap.upper] = resting_thickness;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "algorithms/silhouette/skeleton/rest_depths.h"
+#include "algorithms/silhouette/surface/draping.h"
 #include "algorithms/silhouette/surface/swept_limbs.h"
 
 namespace croquis::silhouette {
@@ -36,14 +37,6 @@ Eigen::VectorXd node_lengths(const Skeleton& skeleton) {
     if (lengths[n] <= 0) lengths[n] = skeleton.nodes[static_cast<std::size_t>(n)].radius;
   }
   return lengths;
-}
-
-std::vector<Index> objects_of_vertices(const SheetBasis& basis) {
-  std::vector<Index> objects(basis.sampling.lifted.planar_vertex.size(), 0);
-  for (std::size_t m = 0; m < basis.objects.size(); ++m) {
-    for (const Index v : basis.sampling.lifted.triangles[m]) objects[v] = basis.objects[m];
-  }
-  return objects;
 }
 
 Eigen::VectorXd vertex_stiffness(const Skeleton& skeleton, const std::vector<Index>& objects) {
@@ -134,38 +127,79 @@ Eigen::VectorXd values_at(const std::vector<LiftedPlace>& places, const Eigen::V
   return result;
 }
 
+/// Raises the sheets of one figure: flat parts first, then with the thickness of their tilt, then what rests laid down.
+class SheetRaiser {
+ public:
+  SheetRaiser(const Skeleton& skeleton, const SheetBasis& basis, const DepthSettings& settings)
+      : skeleton_(skeleton),
+        basis_(basis),
+        settings_(settings),
+        objects_(objects_of_vertices(basis)),
+        data_(mid_surface_data(skeleton, basis, objects_, settings)) {
+    sheets_.sampling = basis.sampling;
+    sheets_.pairs = data_.pairs;
+  }
+
+  InflatedSheets raise(Progress& progress) {
+    Progress raising = progress.step("mid-surface", 0.6);
+    sheets_.thickness = tilted(swept_limbs(skeleton_, data_.node_z));
+    data_.node_z += node_shifts(skeleton_, data_, objects_, sheets_.thickness, settings_, raising);
+    MidSurface mid_surface(basis_.op, data_);
+    solve(mid_surface, raising);
+
+    Progress tilting = progress.step("tilt", 0.4);
+    const SweptLimbs limbs = swept_limbs(skeleton_, values_at(basis_.nodes, sheets_.z));
+    data_.node_z += limbs.lift;
+    mid_surface.move_nodes(data_.node_z);
+    sheets_.thickness = tilted(limbs);
+    solve(mid_surface, tilting);
+    if (!settings_.attachments.resting_pairs().empty()) drape(mid_surface, tilting);
+    if (!settings_.attachments.empty()) clear_coincidences(coincidence * basis_.unit, sheets_);
+    return std::move(sheets_);
+  }
+
+ private:
+  Eigen::VectorXd tilted(const SweptLimbs& limbs) const {
+    return thickness_factors(settings_, objects_)
+        .cwiseProduct(basis_.upright.cwiseProduct(basis_.extension.extend(limbs.tilt).cwiseMax(1)));
+  }
+
+  void solve(MidSurface& mid_surface, Progress& progress) {
+    const MidSurfaceResult result = mid_surface.solve(sheets_.thickness, progress);
+    sheets_.z = result.z;
+    sheets_.iterations = std::max(sheets_.iterations, result.iterations);
+    sheets_.residual = std::max(sheets_.residual, result.residual);
+    sheets_.uncertainty = std::max(sheets_.uncertainty, result.uncertainty);
+  }
+
+  void drape(MidSurface& mid_surface, Progress& progress) {
+    const Draping draping = drape_sheets(skeleton_, basis_, settings_, data_, sheets_, progress);
+    if (draping.objects.empty()) return;
+    std::vector<Index> nodes;
+    for (Index n = 0; n < skeleton_.nodes.size(); ++n) {
+      if (std::binary_search(draping.objects.begin(), draping.objects.end(), skeleton_.nodes[n].object))
+        nodes.push_back(n);
+    }
+    for (const Index n : nodes) data_.node_z[n] = 0;
+    mid_surface.move_nodes(data_.node_z);
+    mid_surface.set_shape(draping.z);
+    solve(mid_surface, progress);
+    for (const Index n : nodes) sheets_.lowered_nodes.emplace_back(n, value_at(basis_.nodes[n], sheets_.z));
+  }
+
+  const Skeleton& skeleton_;
+  const SheetBasis& basis_;
+  const DepthSettings& settings_;
+  std::vector<Index> objects_;  ///< per lifted vertex
+  MidSurfaceData data_;
+  InflatedSheets sheets_;
+};
+
 }  // namespace
 
 InflatedSheets raise_sheets(const Skeleton& skeleton, const SheetBasis& basis, const DepthSettings& settings,
                             Progress& progress) {
-  InflatedSheets sheets;
-  sheets.sampling = basis.sampling;
-  Progress raising = progress.step("mid-surface", 0.6);
-  const std::vector<Index> objects = objects_of_vertices(basis);
-  MidSurfaceData data = mid_surface_data(skeleton, basis, objects, settings);
-  sheets.pairs = data.pairs;
-  const auto tilted = [&](const SweptLimbs& limbs) -> Eigen::VectorXd {
-    return thickness_factors(settings, objects)
-        .cwiseProduct(basis.upright.cwiseProduct(basis.extension.extend(limbs.tilt).cwiseMax(1)));
-  };
-  const Eigen::VectorXd unmoved = tilted(swept_limbs(skeleton, data.node_z));
-  const Eigen::VectorXd depths = data.node_z + node_shifts(skeleton, data, objects, unmoved, settings, raising);
-  data.node_z = depths;
-  MidSurface mid_surface(basis.op, std::move(data));
-  const MidSurfaceResult first = mid_surface.solve(unmoved, raising);
-
-  Progress tilting = progress.step("tilt", 0.4);
-  const SweptLimbs limbs = swept_limbs(skeleton, values_at(basis.nodes, first.z));
-  mid_surface.move_nodes(depths + limbs.lift);
-  sheets.thickness = tilted(limbs);
-  const MidSurfaceResult second = mid_surface.solve(sheets.thickness, tilting);
-
-  sheets.z = second.z;
-  if (!settings.attachments.empty()) clear_coincidences(coincidence * basis.unit, sheets);
-  sheets.iterations = std::max(first.iterations, second.iterations);
-  sheets.residual = std::max(first.residual, second.residual);
-  sheets.uncertainty = std::max(first.uncertainty, second.uncertainty);
-  return sheets;
+  return SheetRaiser(skeleton, basis, settings).raise(progress);
 }
 
 InflatedSheets inflate_sheets(const LabelledFigure& figure, const Skeleton& skeleton, const DepthSettings& settings,

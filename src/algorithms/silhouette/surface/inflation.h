@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -24,6 +25,8 @@ struct InflatedSheets {
   Eigen::VectorXd thickness;  ///< per lifted vertex, h: 0 exactly on the boundary
   Eigen::VectorXd z;          ///< per lifted vertex
   std::vector<StackedPair> pairs;
+  /// Nodes of objects that were laid down on what they rest on, and their heights there.
+  std::vector<std::pair<Index, double>> lowered_nodes;
   int iterations = 0;  ///< of the mid-surface's solver, the larger of both solves
   double residual = 0;
   double uncertainty = 0;  ///< L, of both solves: how far a height may still be from the optimum's

@@ -120,9 +120,13 @@ struct MidSurface::State {
   const SheetOperator& op;
   MidSurfaceData data;
   LeastSquaresSolver solver;
+  Eigen::VectorXd shape;  ///< unknowns are heights over it
 
   State(const SheetOperator& sheet_operator, MidSurfaceData d)
-      : op(sheet_operator), data(std::move(d)), solver(make_problem(op, data)) {
+      : op(sheet_operator),
+        data(std::move(d)),
+        solver(make_problem(op, data)),
+        shape(Eigen::VectorXd::Zero(op.stiffness.cols())) {
     solver.set_target(target());
   }
 
@@ -138,7 +142,9 @@ struct MidSurface::State {
   Eigen::VectorXd bounds(const Eigen::VectorXd& thickness) const {
     Eigen::VectorXd result(static_cast<Eigen::Index>(data.pairs.size()));
     Eigen::Index row = 0;
-    for (const StackedPair& pair : data.pairs) result[row++] = least_distance(data, pair, thickness);
+    for (const StackedPair& pair : data.pairs) {
+      result[row++] = least_distance(data, pair, thickness) - (shape[pair.upper] - shape[pair.lower]);
+    }
     return result;
   }
 };
@@ -153,13 +159,16 @@ void MidSurface::move_nodes(const Eigen::VectorXd& node_z) {
   state_->solver.set_target(state_->target());
 }
 
+void MidSurface::set_shape(const Eigen::VectorXd& shape) { state_->shape = shape; }
+
 MidSurfaceResult MidSurface::solve(const Eigen::VectorXd& thickness, Progress& progress) {
   state_->solver.set_inequality_bounds(state_->bounds(thickness));
   const LeastSquaresSolution solution = state_->solver.solve(progress);
   const bool found = solution.converged && !solution.singular_objective;
   const double uncertainty = found ? solution.remaining_step.lpNorm<Eigen::Infinity>() / state_->data.scale
                                    : std::numeric_limits<double>::infinity();
-  return {solution.x, solution.iterations, std::max(solution.primal_residual, solution.dual_residual), uncertainty};
+  return {solution.x + state_->shape, solution.iterations, std::max(solution.primal_residual, solution.dual_residual),
+          uncertainty};
 }
 
 }  // namespace croquis::silhouette

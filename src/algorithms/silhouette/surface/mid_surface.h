@@ -77,6 +77,11 @@ class MidSurface {
   /// Gives the nodes other depths, one per node.
   void move_nodes(const Eigen::VectorXd& node_z);
 
+  /// From then on heights are bent, and nodes pull, against that shape: it is what sheets look like that nothing
+  /// presses on.
+  /// @param shape per lifted vertex
+  void set_shape(const Eigen::VectorXd& shape);
+
   /// @param thickness per lifted vertex, h; a second call reuses the first one's factorisation
   /// @throws Cancelled
   MidSurfaceResult solve(const Eigen::VectorXd& thickness, Progress& progress);

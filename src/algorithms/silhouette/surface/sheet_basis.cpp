@@ -37,6 +37,14 @@ SheetBasis make_sheet_basis(const LabelledFigure& figure, const Skeleton& skelet
           std::move(upright), std::move(objects), figure.unit};
 }
 
+std::vector<Index> objects_of_vertices(const SheetBasis& basis) {
+  std::vector<Index> objects(basis.sampling.lifted.planar_vertex.size(), 0);
+  for (std::size_t m = 0; m < basis.objects.size(); ++m) {
+    for (const Index v : basis.sampling.lifted.triangles[m]) objects[v] = basis.objects[m];
+  }
+  return objects;
+}
+
 std::size_t bytes_of(const SheetBasis& basis) {
   return bytes_of(basis.sampling) + bytes_per_vertex * basis.op.position.size() +
          basis.nodes.size() * sizeof(LiftedPlace);

@@ -30,6 +30,9 @@ struct SheetBasis {
 SheetBasis make_sheet_basis(const LabelledFigure& figure, const Skeleton& skeleton, Quality quality,
                             Progress& progress);
 
+/// The object of every lifted vertex.
+std::vector<Index> objects_of_vertices(const SheetBasis& basis);
+
 std::size_t bytes_of(const SheetBasis& basis);
 
 }  // namespace croquis::silhouette

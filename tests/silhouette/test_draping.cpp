@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "croquis/geometry/mesh_report.h"
+#include "croquis/silhouette/solid.h"
+#include "silhouette/surface_quality.h"
+#include "support/random.h"
+#include "support/sample_count.h"
+#include "support/sketches/characters/character.h"
+#include "support/sketches/sketch_generator.h"
+
+using namespace croquis;
+using namespace croquis::silhouette;
+
+namespace {
+
+using Outline = std::vector<Vec2>;
+
+/// Each outline lies on all those before it.
+struct Stack {
+  Solid solid;
+  std::vector<PolyMesh> parts;  ///< by outline
+
+  explicit Stack(const std::vector<Outline>& outlines) {
+    test::Character character{"stack", {}};
+    Options options;
+    for (std::size_t k = 0; k < outlines.size(); ++k) {
+      character.parts.push_back({"part " + std::to_string(k), outlines[k], {}});
+      if (k > 0) options.attach.push_back({"part " + std::to_string(k), "part " + std::to_string(k - 1)});
+    }
+    for (AttachedPair& pair : options.attach) pair.hold = Hold::Resting;
+    Drawing drawing = test::character_sketch(character).drawing;
+    for (Stroke& stroke : drawing.strokes) stroke.data["kind"] = "part";
+    Progress progress;
+    solid = inflate(label(drawing, options, progress), drawing, options, progress);
+    const AttributeChannel& channel = *solid.mesh.channel("object", Domain::Face);
+    for (const test::CharacterPart& part : character.parts) {
+      const auto place = std::find(channel.labels.begin(), channel.labels.end(), part.name);
+      REQUIRE(place != channel.labels.end());
+      parts.push_back(test::part_of(solid.mesh, static_cast<int>(place - channel.labels.begin())));
+    }
+  }
+
+  /// From the front of one to the back of the next over a place; a huge number where one of them isn't there.
+  double distance(std::size_t lower, const Vec2& place) const {
+    const std::vector<double> below = test::vertical_hits(parts[lower], place);
+    const std::vector<double> above = test::vertical_hits(parts[lower + 1], place);
+    return below.empty() || above.empty() ? 1e300 : above.front() - below.back();
+  }
+
+  void check_sound() const {
+    CHECK(solid.findings.empty());
+    CHECK(solid.diagnostics.silhouette_iou >= 0.98);
+    Progress progress;
+    const MeshReport report = inspect(solid.mesh, true, progress);
+    CHECK(report.closed);
+    CHECK(report.self_intersections == std::size_t{0});
+  }
+};
+
+Vec2 on_circle(double radius, double angle) { return radius * Vec2(std::cos(angle), std::sin(angle)); }
+
+/// Places within a circle.
+std::vector<Vec2> places_in(const Vec2& centre, double radius) {
+  std::vector<Vec2> places;
+  for (const double part : {0.15, 0.5, 0.85}) {
+    for (int k = 0; k < 8; ++k) places.push_back(centre + on_circle(part * radius, k * 0.785 + part));
+  }
+  return places;
+}
+
+double depth_of(const PolyMesh& mesh) {
+  const auto by_height = [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); };
+  const auto [low, high] = std::minmax_element(mesh.positions.begin(), mesh.positions.end(), by_height);
+  return high->z() - low->z();
+}
+
+}  // namespace
+
+TEST_CASE("a button anywhere on a ball lies on it all over, and the ball stays round") {
+  const int count = test::sample_count(10, 200);
+  for (int seed = 0; seed < count; ++seed) {
+    INFO(seed);
+    test::Random random(static_cast<std::uint64_t>(seed));
+    const double radius = random.between(15, 90);
+    const Vec2 centre = on_circle(random.between(0, 185 - radius), random.between(0, 6.28));
+    const Stack stack({test::ellipse({0, 0}, 200, 200), test::ellipse(centre, radius, radius)});
+    stack.check_sound();
+    CHECK(depth_of(stack.parts[0]) == Approx(400).epsilon(0.02));
+    for (const Vec2& place : places_in(centre, radius)) {
+      const double distance = stack.distance(0, place);
+      CHECK(distance > 0);
+      CHECK(distance < 0.05 * radius + 0.02 * stack.solid.diagnostics.scale);
+    }
+  }
+}
+
+TEST_CASE("buttons on bellies on bodies lie on one another") {
+  const Stack stack({test::ellipse({0, 0}, 200, 300), test::ellipse({30, -60}, 110, 150),
+                     test::ellipse({60, -20}, 40, 30), test::ellipse({65, -20}, 12, 12)});
+  stack.check_sound();
+  for (const auto& [lower, centre, radius] :
+       {std::tuple(0U, Vec2(30, -60), 110.0), {1U, Vec2(60, -20), 30.0}, {2U, Vec2(65, -20), 12.0}}) {
+    for (const Vec2& place : places_in(centre, radius)) {
+      if (stack.distance(lower, place) > 1e299) continue;
+      CHECK(stack.distance(lower, place) > 0);
+      CHECK(stack.distance(lower, place) < 0.1 * radius + 0.02 * stack.solid.diagnostics.scale);
+    }
+  }
+}
+
+TEST_CASE("a wing that reaches beyond its body goes on without a sharp bend and levels out") {
+  for (const double reach : {0.2, 0.6, 1.2, 2.5}) {
+    INFO(reach);
+    const Outline wing = test::limb_outline({{120, 0}, {200 * (1 + reach), -40}}, {45, 45});
+    const Stack stack({test::ellipse({0, 0}, 200, 200), wing});
+    stack.check_sound();
+    const auto back = [&](double x) {
+      const double y = -40 * (x - 120) / (200 * (1 + reach) - 120);
+      const std::vector<double> hits = test::vertical_hits(stack.parts[1], {x, y});
+      REQUIRE(hits.size() == 2);
+      return hits[0];
+    };
+    // Up to where its round end begins.
+    double last = back(120);
+    double before = 0;
+    for (double x = 130; x <= 200 * (1 + reach); x += 10) {
+      const double slope = (back(x) - last) / 10;
+      CHECK(std::abs(slope) < 2);
+      if (x > 130) CHECK(std::abs(slope - before) < 0.35);
+      before = slope;
+      last = back(x);
+    }
+    const double rim = test::vertical_hits(stack.parts[0], {0, 0}).front() + depth_of(stack.parts[0]) / 2;
+    double lowest = rim;
+    for (const Vec3& position : stack.parts[1].positions) lowest = std::min(lowest, position.z());
+    CHECK(lowest > rim - 1);
+  }
+}
+
+TEST_CASE("what rests turns, is mirrored and grows with its drawing") {
+  const test::Character plain{
+      "penguin",
+      {{"body", test::ellipse({0, 0}, 150, 220), {}}, {"belly", test::ellipse({20, -50}, 80, 120), {}}}};
+  const auto depth = [](const test::Sketch& sketch) {
+    Options options;
+    options.attach_suggested = true;
+    Progress progress;
+    return depth_of(inflate(label(sketch.drawing, options, progress), sketch.drawing, options, progress).mesh);
+  };
+  const test::Sketch sketch = test::character_sketch(plain);
+  const double drawn = depth(sketch);
+  CHECK(depth(test::mirrored(sketch)) == Approx(drawn).epsilon(0.005));
+  CHECK(depth(test::scaled(sketch, 5)) == Approx(5 * drawn).epsilon(1e-4));
+  CHECK(depth(test::rotated(sketch, 0.7)) == Approx(drawn).epsilon(0.01));
+}
+
+TEST_CASE("characters' eyes, windows and bellies lie on what they rest on") {
+  for (const test::Character& character : test::all_characters()) {
+    if (character.name != "penguin" && character.name != "owl" && character.name != "car") continue;
+    INFO(character.name);
+    const Drawing drawing = test::character_sketch(character).drawing;
+    Options options;
+    options.attach_suggested = true;
+    Progress progress;
+    const Solid solid = inflate(label(drawing, options, progress), drawing, options, progress);
+    CHECK(inspect(solid.mesh, true, progress).self_intersections == std::size_t{0});
+    const AttributeChannel& channel = *solid.mesh.channel("object", Domain::Face);
+    const auto part = [&](const std::string& name) {
+      const auto place = std::find(channel.labels.begin(), channel.labels.end(), name);
+      return test::part_of(solid.mesh, static_cast<int>(place - channel.labels.begin()));
+    };
+    int resting = 0;
+    for (const SolidAttachment& held : solid.attached) {
+      if (held.hold != Hold::Resting) continue;
+      ++resting;
+      INFO(held.a << " " << held.b);
+      PolyMesh upper = part(held.a);
+      PolyMesh lower = part(held.b);
+      const auto reach = [](const PolyMesh& mesh) {
+        Vec3 low = mesh.positions.front(), high = low;
+        for (const Vec3& position : mesh.positions) {
+          low = low.cwiseMin(position);
+          high = high.cwiseMax(position);
+        }
+        return std::pair(low, high);
+      };
+      if (reach(upper).second.x() - reach(upper).first.x() > reach(lower).second.x() - reach(lower).first.x()) {
+        std::swap(upper, lower);
+      }
+      const auto [low, high] = reach(upper);
+      const double radius = std::min(high.x() - low.x(), high.y() - low.y()) / 2;
+      for (const Vec2& place : places_in((low + high).head<2>() / 2, radius)) {
+        const std::vector<double> below = test::vertical_hits(lower, place);
+        const std::vector<double> above = test::vertical_hits(upper, place);
+        if (below.empty() || above.empty()) continue;
+        CHECK(above.front() > below.back());
+        CHECK(above.front() - below.back() < 0.1 * radius + 0.02 * solid.diagnostics.scale);
+      }
+    }
+    CHECK(resting >= 2);
+  }
+}
