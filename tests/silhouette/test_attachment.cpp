@@ -19,6 +19,7 @@
 #include "silhouette/surface_quality.h"
 #include "support/random.h"
 #include "support/sample_count.h"
+#include "support/sketches/characters/character.h"
 #include "support/sketches/sketch_generator.h"
 
 using namespace croquis;
@@ -419,4 +420,27 @@ TEST_CASE("a pair that doesn't overlap is told and left as it is") {
   CHECK(codes(solid.findings) == std::set<std::string>{"W_ATTACH_APART"});
   CHECK(solid.attached.empty());
   CHECK(solid.mesh.positions == solid_of(both, {}).mesh.positions);
+}
+
+TEST_CASE("a seam that has no room to be rounded leaves the others round") {
+  // A patch that rests on the body right beside one of two limbs.
+  test::Character character{"two limbs", {}};
+  character.parts.push_back({"body", test::ellipse({0, 0}, 200, 150), {}});
+  character.parts.push_back({"right", test::limb_outline({{140, -60}, {330, -200}}, {40, 40}), {}});
+  character.parts.push_back({"left", test::limb_outline({{-140, -60}, {-330, -200}}, {40, 40}), {}});
+  character.parts.push_back({"patch", test::ellipse({-140, -2}, 18, 18), {}});
+  const Drawing drawing = test::character_sketch(character).drawing;
+  Options options;
+  options.attach = {{"body", "right", 0.55, Hold::Joined, 0.5},
+                    {"body", "left", 0.55, Hold::Joined, 0.5},
+                    {"patch", "body", 0.55, Hold::Resting}};
+  const Solid solid = solid_of(drawing, options);
+  CHECK(!has_errors(solid.findings));
+  check_sound(solid.mesh);
+  std::map<std::string, double> blends;
+  for (const SolidAttachment& held : solid.attached) {
+    if (held.hold == Hold::Joined) blends[held.a == "body" ? held.b : held.a] = held.blend;
+  }
+  CHECK(blends["right"] == 0.5);
+  CHECK(blends["left"] < 0.5);
 }

@@ -147,8 +147,7 @@ TEST_CASE("a wing that reaches beyond its body goes on without a sharp bend and 
 
 TEST_CASE("what rests turns, is mirrored and grows with its drawing") {
   const test::Character plain{
-      "penguin",
-      {{"body", test::ellipse({0, 0}, 150, 220), {}}, {"belly", test::ellipse({20, -50}, 80, 120), {}}}};
+      "penguin", {{"body", test::ellipse({0, 0}, 150, 220), {}}, {"belly", test::ellipse({20, -50}, 80, 120), {}}}};
   const auto depth = [](const test::Sketch& sketch) {
     Options options;
     options.attach_suggested = true;

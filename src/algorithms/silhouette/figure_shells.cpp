@@ -19,7 +19,8 @@ constexpr double least_kept_silhouette = 0.99;
 /// Rounded seams may fill the corners of the outline a little.
 constexpr double least_blended_silhouette = 0.97;
 constexpr double finest_share = 0.6;  // of a contour step: edges of rounded seams
-constexpr int max_blends = 3;         // each with half the radius of the last
+constexpr int max_blends = 6;         // each with smaller radii than the last
+constexpr double least_share = 0.25;  // of the radius asked for; a smaller seam looks sharp
 
 /// u: seams' edges shorter than that may go.
 constexpr double sliver = 0.25;
@@ -92,14 +93,14 @@ class ShellMaker {
     const int euler = static_cast<int>(mesh.vertex_count()) - static_cast<int>(mesh.face_count() / 2);
     std::sort(joined.objects.begin(), joined.objects.end());
     result_.shells.push_back(
-        {std::move(joined.surface.mesh), std::move(joined.objects), std::move(joined.surface.face_objects), euler, 0});
+        {std::move(joined.surface.mesh), std::move(joined.objects), std::move(joined.surface.face_objects), euler, {}});
   }
 
   void add_single(const CheckedSurface& checked) {
     const Index object = checked.surface->object;
     if (checked.fault.empty()) {
       // certify_topology has counted the mesh's Euler number and found it to be this.
-      result_.shells.push_back({checked.surface->mesh, {object}, {}, 2 * figure_.objects[object].euler_region, 0});
+      result_.shells.push_back({checked.surface->mesh, {object}, {}, 2 * figure_.objects[object].euler_region, {}});
     } else {
       result_.refused.emplace_back(object, checked.fault);
     }
@@ -139,37 +140,71 @@ class ShellMaker {
   void blend(const std::map<ObjectPair, double>& seams, Progress& progress) {
     for (FigureShell& shell : result_.shells) {
       if (shell.face_objects.empty()) continue;
-      SurfaceUnion sharp{std::move(shell.mesh), std::move(shell.face_objects)};
-      double scale = 1;
-      for (int k = 0; k < max_blends && shell.blend == 0; ++k, scale /= 2) {
-        progress.check();
-        std::map<ObjectPair, double> radii = seams;
-        for (auto& [pair, radius] : radii) radius *= scale;
-        std::optional<SurfaceUnion> blended = blend_seams(sharp, radii, finest_share * figure_.step);
-        if (!blended) continue;
-        shell.mesh = std::move(blended->mesh);
-        shell.face_objects = std::move(blended->face_objects);
-        if (is_sound(shell, progress)) shell.blend = scale;
+      std::map<ObjectPair, double> own;
+      for (const auto& seam : seams) {
+        if (std::binary_search(shell.objects.begin(), shell.objects.end(), seam.first.first)) own.insert(seam);
       }
-      if (shell.blend > 0) continue;
-      shell.mesh = std::move(sharp.mesh);
-      shell.face_objects = std::move(sharp.face_objects);
+      if (!own.empty()) blend(shell, std::move(own), progress);
     }
   }
 
-  /// Also beside all others.
-  bool is_sound(const FigureShell& shell, Progress& progress) const {
+  /// @param radii of the shell's own seams
+  void blend(FigureShell& shell, std::map<ObjectPair, double> radii, Progress& progress) {
+    SurfaceUnion sharp{std::move(shell.mesh), std::move(shell.face_objects)};
+    std::map<ObjectPair, double> shares;
+    for (const auto& [pair, radius] : radii) shares[pair] = 1;
+    for (int k = 0; k < max_blends && !shares.empty(); ++k) {
+      progress.check();
+      std::map<ObjectPair, double> tried;
+      for (const auto& [pair, share] : shares) tried[pair] = share * radii[pair];
+      std::optional<SurfaceUnion> blended = blend_seams(sharp, tried, finest_share * figure_.step);
+      if (blended) {
+        shell.mesh = std::move(blended->mesh);
+        shell.face_objects = std::move(blended->face_objects);
+        const std::optional<std::set<ObjectPair>> fault = blend_fault(shell, progress);
+        if (!fault) {
+          shell.blends = std::move(shares);
+          return;
+        }
+        lessen(*fault, shares);
+      } else {
+        lessen({}, shares);
+      }
+    }
+    shell.mesh = std::move(sharp.mesh);
+    shell.face_objects = std::move(sharp.face_objects);
+  }
+
+  /// Halves the radii of these seams, of all where there are none of them; below a quarter a seam stays sharp.
+  static void lessen(const std::set<ObjectPair>& fault, std::map<ObjectPair, double>& shares) {
+    const bool all = std::none_of(fault.begin(), fault.end(), [&](const auto& pair) { return shares.contains(pair); });
+    for (auto& [pair, share] : shares) {
+      if (all || fault.contains(pair)) share /= 2;
+    }
+    std::erase_if(shares, [](const auto& entry) { return entry.second < least_share; });
+  }
+
+  /// What is wrong with a shell whose seams were rounded, also beside all others: none for nothing, else the seams next
+  /// to the places where surfaces meet; empty where it isn't known which.
+  std::optional<std::set<ObjectPair>> blend_fault(const FigureShell& shell, Progress& progress) const {
     const CertificateInput own{&shell.mesh, std::nullopt};
-    if (!certify_topology({&own, 1}, progress).front().empty()) return false;
+    if (!certify_topology({&own, 1}, progress).front().empty()) return std::set<ObjectPair>{};
     if (silhouette_overlap(shell.mesh, outlines_of(figure_, shell.objects)).ratio() < least_blended_silhouette) {
-      return false;
+      return std::set<ObjectPair>{};
     }
     std::vector<CertificateInput> inputs;
     for (const FigureShell& other : result_.shells) inputs.push_back({&other.mesh, std::nullopt});
+    std::optional<std::set<ObjectPair>> fault;
     for (const Rounding rounding : {Rounding::None, Rounding::Grid}) {
-      if (!meeting_faces(inputs, rounding, figure_.unit, progress).empty()) return false;
+      for (const auto& meeting : meeting_faces(inputs, rounding, figure_.unit, progress)) {
+        if (!fault) fault.emplace();
+        for (const MeshFace& place : meeting) {
+          if (&result_.shells[place.mesh] != &shell) continue;
+          if (const std::optional<ObjectPair> pair = nearest_pair(place)) fault->insert(*pair);
+        }
+      }
     }
-    return true;
+    return fault;
   }
 
   /// The attachment of the face's object whose seam is nearest; none in a shell of one object.

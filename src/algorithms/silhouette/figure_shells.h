@@ -18,10 +18,10 @@ namespace croquis::silhouette {
 /// A closed surface: of one object, or of several joined.
 struct FigureShell {
   PolyMesh mesh;
-  std::vector<Index> objects;       ///< of the figure, ascending
-  std::vector<Index> face_objects;  ///< per face; empty: all are the only object's
-  int euler = 0;                    ///< counted
-  double blend = 0;                 ///< radius of its seams, in parts of what was asked for
+  std::vector<Index> objects;           ///< of the figure, ascending
+  std::vector<Index> face_objects;      ///< per face; empty: all are the only object's
+  int euler = 0;                        ///< counted
+  std::map<ObjectPair, double> blends;  ///< radii of its rounded seams, in parts of what was asked for
 };
 
 struct FigureShells {
@@ -39,7 +39,8 @@ struct CheckedSurface {
 /// Joins the surfaces of attached objects and checks what comes of them: closed, manifold, showing what was drawn,
 /// apart from all others on the numbers as they are and as files may round them. Without attachments nothing is checked
 /// here.
-/// Seams are rounded where that leaves everything sound, else with half the radius and so on, else not at all.
+/// Seams are rounded where that leaves everything sound, else those at fault with half the radius and so on, else not
+/// at all.
 /// @param surfaces per object that has one, in the figure's order
 /// @param seams    radii of seams by pairs, sketch units; those of other pairs stay sharp
 /// @throws Cancelled

@@ -173,10 +173,7 @@ class Attempt {
   std::map<ObjectPair, double> made_blends() const {
     std::map<ObjectPair, double> blends;
     for (const FigureShell& shell : shells_) {
-      for (const auto& [pair, blend] : blends_) {
-        const bool own = std::binary_search(shell.objects.begin(), shell.objects.end(), pair.first);
-        if (own && shell.blend > 0) blends[pair] = blend * shell.blend;
-      }
+      for (const auto& [pair, share] : shell.blends) blends[pair] = share * blends_.at(pair);
     }
     return blends;
   }

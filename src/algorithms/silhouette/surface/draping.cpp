@@ -161,7 +161,8 @@ class Layer {
     SparseMatrix matrix(sheet_.size(), sheet_.size());
     matrix.setFromTriplets(entries.begin(), entries.end());
     matrix += bending();
-    Eigen::VectorXd result = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::AMDOrdering<int>>(matrix).solve(right);
+    Eigen::VectorXd result =
+        Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::AMDOrdering<int>>(matrix).solve(right);
     for (Eigen::Index row = 0; row < sheet_.size(); ++row) {
       result[row] = std::max(result[row], covered(row) ? floor_at(row) : least);
     }
@@ -197,9 +198,8 @@ class Layer {
       const Index v = vertex(row);
       if (sheet_.op().on_boundary[v] && pull_[row] > firm_pull) continue;
       const double scale = 1 / std::sqrt(sheet_.op().area[static_cast<Eigen::Index>(v)]);
-      sheet_.for_neighbours(v, [&](Index near, double value) {
-        entries.emplace_back(row, sheet_.local(near), scale * value);
-      });
+      sheet_.for_neighbours(
+          v, [&](Index near, double value) { entries.emplace_back(row, sheet_.local(near), scale * value); });
     }
     SparseMatrix laplacian(sheet_.size(), sheet_.size());
     laplacian.setFromTriplets(entries.begin(), entries.end());

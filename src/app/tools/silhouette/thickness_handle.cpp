@@ -80,9 +80,10 @@ void ThicknessHandle::drag(const QPointF& by, bool in_solid) {
 }
 
 void ThicknessHandle::ask(SketchChip& chip) {
-  ask_number(
-      chip, "part-thickness", factor(), least_thickness, most_thickness,
-      [this, stroke = part_.stroke](double factor) { emit wanted({stroke, {}, {}, factor}, false); });
+  ask_number(chip, "part-thickness", factor(), least_thickness, most_thickness,
+             [this, stroke = part_.stroke](double factor) {
+               emit wanted({stroke, {}, {}, factor}, false);
+             });
 }
 
 double ThicknessHandle::factor() const { return thickness_of(studio_.drawing(), part_.stroke); }
