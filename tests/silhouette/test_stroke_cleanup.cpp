@@ -100,6 +100,20 @@ TEST_CASE("the two pieces of a line that passes behind a thin one are not joined
   CHECK(clean(drawing).lines.size() == 3);
 }
 
+TEST_CASE("an end that stops at a line near that line's own end is not joined to it") {
+  // A tail begins on a body's outline 14 above the place where the outline passes behind a leg.
+  Drawing drawing;
+  drawing.strokes.push_back(stroke_of("body", arc(400, 5, 330)));
+  const Vec2 start = 400 * Vec2(std::cos(0.122), std::sin(0.122));
+  std::vector<Vec2> tail;
+  for (int i = 0; i <= 100; ++i) tail.emplace_back(start + Vec2(2.0 * i, -1.7 * i - 0.005 * i * i));
+  drawing.strokes.push_back(stroke_of("tail", tail));
+  for (const bool reversed : {false, true}) {
+    const CleanDrawing cleaned = clean(reversed ? test::reversed_strokes(drawing) : drawing);
+    CHECK(cleaned.lines.size() == 2);
+  }
+}
+
 TEST_CASE("joined strokes keep their names along the line, whichever way they were drawn") {
   Drawing drawing;
   drawing.strokes.push_back(stroke_of("a", {{400, 0}, {0, 0}}));

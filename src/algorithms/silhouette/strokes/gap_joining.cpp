@@ -14,6 +14,8 @@ namespace {
 
 // Directions of strokes that continue one another agree within 60 degrees; people don't draw more exactly.
 constexpr double agreeing_cosine = 0.5;
+// Those that overshoot one another run side by side: the end of one that crosses the other passes behind it.
+constexpr double beside_cosine = 0.8;
 // Outward directions are taken over this length (u), for the last samples alone are mostly noise; and over a shorter
 // one, for around a tight bend, such as the tip of a limb, the long chord points elsewhere.
 constexpr double chord_reach = 40;
@@ -197,9 +199,10 @@ class Joiner {
     const Vec2 across = (b.place - a.place) / distance;
     const double from_a = across.dot(a.outward[reach]);
     const double from_b = -across.dot(b.outward[reach]);
-    // Both point across the hole, or both overshoot the other's end and run side by side.
-    return (from_a > agreeing_cosine && from_b > agreeing_cosine) ||
-           (from_a < -agreeing_cosine && from_b < -agreeing_cosine);
+    if (from_a > agreeing_cosine && from_b > agreeing_cosine) return true;  // both point across the hole
+    // Both overshoot the other's end and run side by side.
+    return from_a < -agreeing_cosine && from_b < -agreeing_cosine &&
+           a.outward[reach].dot(-b.outward[reach]) > beside_cosine;
   }
 
   bool closes(const End& a, const End& b, double distance) const {
