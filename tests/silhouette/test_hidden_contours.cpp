@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -8,6 +10,7 @@
 #include "algorithms/silhouette/figure/drawn_cover.h"
 #include "croquis/silhouette/labelled_figure.h"
 #include "silhouette/labelled_counts.h"
+#include "support/sketches/characters/character.h"
 #include "support/sketches/sketch_generator.h"
 
 using namespace croquis;
@@ -23,6 +26,24 @@ std::vector<Vec2> oval(double a, double b) {
   std::vector<Vec2> points = circle_outline({0, 0}, a);
   for (Vec2& point : points) point.y() *= b / a;
   return points;
+}
+
+/// Limbs all round a disc of radius 130 that covers their inner ends, each over the one before.
+/// @param share of the limbs' width in the room that they have on the disc's rim
+Sketch rosette(int limbs, double share, double turns, double bend) {
+  std::vector<LayeredPart> parts;
+  const double width = share * turns * 2 * std::numbers::pi * 130 / limbs;
+  for (int i = 0; i < limbs; ++i) {
+    const double angle = 2 * std::numbers::pi * turns * (i + 0.37) / limbs;
+    const Vec2 outward(std::cos(angle), std::sin(angle));
+    std::vector<Vec2> through;
+    for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+      through.emplace_back((60 + 260 * t) * outward + bend * std::sin(5.6 * t) * t * left_of(outward));
+    }
+    parts.push_back({limb_outline(through, std::vector<double>(5, width / 2)), i});
+  }
+  parts.push_back({circle_outline({0, 0}, 130), limbs});
+  return layered_sketch(std::move(parts));
 }
 
 /// Outlines over one another, the last in front.
@@ -67,6 +88,35 @@ TEST_CASE("ears behind a head are parts of their own") {
   }
 }
 
+TEST_CASE("petals and arms all round a disc are parts of their own, whether or not they overlap") {
+  for (const int limbs : {8, 16, 40}) {
+    for (const double share : {0.5, 1.2, 1.5}) {
+      INFO(limbs << " petals of width " << share);
+      const Sketch flower = rosette(limbs, share, 1, 0);
+      CHECK(counts_of(label_quietly(flower.drawing)).objects == counts_of(flower.truth).objects);
+    }
+    for (const double bend : {0.0, 15.0}) {
+      INFO(limbs << " arms bent by " << bend);
+      const Sketch octopus = rosette(limbs, 0.6, 0.5, bend);
+      CHECK(counts_of(label_quietly(octopus.drawing)).objects == counts_of(octopus.truth).objects);
+    }
+  }
+}
+
+TEST_CASE("the two sides of a handle are joined, and those of a neck") {
+  const auto bent = [](double out) {
+    return limb_outline({{60, -60}, {120, -55}, {60 + out, 0}, {120, 55}, {60, 60}}, std::vector<double>(5, 14));
+  };
+  for (const double out : {110.0, 150.0}) {
+    INFO("a handle that reaches out by " << out);
+    const Sketch mug = stacked({bent(out), oval(100, 110)});
+    CHECK(counts_of(label_quietly(mug.drawing)) == counts_of(mug.truth));
+  }
+  const Sketch giraffe = stacked(
+      {limb_outline({{0, 0}, {-30, 130}, {-70, 260}}, {50, 38, 30}), oval(140, 70), circle_outline({-80, 290}, 60)});
+  CHECK(counts_of(label_quietly(giraffe.drawing)) == counts_of(giraffe.truth));
+}
+
 TEST_CASE("what is drawn tells where a hidden piece would lie in the open") {
   silhouette::CleanLine disc;
   disc.points = circle_outline({0, 0}, 100);
@@ -76,6 +126,9 @@ TEST_CASE("what is drawn tells where a hidden piece would lie in the open") {
   const silhouette::DrawnCover cover({disc}, junctions);
   CHECK(cover.missing({{-50, 0}, {0, 30}, {50, 0}}) == 0);
   CHECK(cover.missing({{-50, 0}, {0, 150}, {50, 0}}) == 1);
+  // Behind the disc the piece went behind something else that is hidden there itself.
+  CHECK(cover.missing({{-50, 0}, {0, 150}}) == 0);
+  CHECK(cover.missing({{0, 150}, {-50, 0}, {0, -150}}) == 0);
   // Of a line whose side nothing tells, nothing is said.
   silhouette::CleanLine open = disc;
   open.closed = false;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "algorithms/silhouette/figure/drawn_cover.h"
+#include "algorithms/silhouette/figure/hidden_caps.h"
 #include "algorithms/silhouette/figure/hidden_strips.h"
 #include "croquis/geometry/polyline.h"
 
@@ -23,9 +24,6 @@ constexpr double concave_factor = 5;
 constexpr double bare_cost = 3;
 // Joining two lines that go round something on opposite sides costs so much more.
 constexpr double disagreement_cost = 15;
-// The two ends of a line that goes round a limb are joined behind what it ends at for no more than this, the surer the
-// less, however wide the limb is beside the gaps between limbs.
-constexpr double cap_cost = 1.5;
 // So many candidates of an end are judged by what covers them.
 constexpr std::size_t judged_candidates = 8;
 // A piece is judged by so many chords.
@@ -51,21 +49,6 @@ bool may_join(const std::vector<CleanLine>& lines, const Junctions& junctions, c
   return side_a == 0 || side_b == 0 || side_a == side_b;
 }
 
-/// Side of the surface when a line is walked outward through an end.
-int likely_outward_side(const std::vector<CleanLine>& lines, const Junctions& junctions, const HiddenEnd& end) {
-  const int known = outward_side(junctions, end);
-  if (known != 0) return known;
-  const int round = likely_side(lines[end.line]);
-  return end.at_start ? -round : round;
-}
-
-/// How sure it is that the surface lies on the side that a line bends round: 1 for one that nearly closes, 0 for one
-/// whose ends are farther apart than half its length.
-double roundness(const CleanLine& line) {
-  const double chord = (line.points.back() - line.points.front()).norm();
-  return std::max(0.0, 1 - 2 * chord / croquis::length(line.points, false));
-}
-
 /// Per end: the known piece that it belongs to.
 std::vector<Index> given_pieces_of(const Junctions& junctions) {
   std::vector<Index> piece(junctions.ends.size(), no_index);
@@ -78,14 +61,10 @@ std::vector<Index> given_pieces_of(const Junctions& junctions) {
 
 /// Brings the shapes that keep a candidate covered to the front, and makes it dearer when there is none.
 void prefer_covered(const DrawnCover& cover, CompletionCandidate& candidate) {
-  std::array<double, CompletionCandidate::handles.size()> price{};
+  std::array<double, completion_shapes.size()> price{};
+  const double spacing = (candidate.bezier[3] - candidate.bezier[0]).norm() / judged_pieces;
   for (Index shape = 0; shape < price.size(); ++shape) {
-    const std::array<Vec2, 4> curve = shaped(candidate.bezier, shape);
-    Points points;
-    for (int i = 0; i <= judged_pieces; ++i) {
-      points.push_back(bezier_at(curve, static_cast<double>(i) / judged_pieces));
-    }
-    price[shape] = bare_cost * cover.missing(points);
+    price[shape] = bare_cost * cover.missing(shaped_points(candidate.bezier, completion_shapes[shape], spacing));
     if (shape == 0 && price[shape] <= 0) return;
   }
   std::stable_sort(candidate.shapes.begin(), candidate.shapes.end(),
@@ -115,11 +94,6 @@ std::vector<Index> likely_candidates(std::size_t ends, const std::vector<Complet
 }
 
 }  // namespace
-
-std::array<Vec2, 4> shaped(const std::array<Vec2, 4>& curve, Index shape) {
-  const double share = CompletionCandidate::handles[shape];
-  return {curve[0], curve[0] + share * (curve[1] - curve[0]), curve[3] + share * (curve[2] - curve[3]), curve[3]};
-}
 
 double completion_cost(const std::array<Vec2, 4>& curve, int side, double reference, const CompletionOptions& options) {
   double length = 0;
@@ -163,10 +137,9 @@ std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLi
   std::vector<CompletionCandidate> candidates;
   const std::vector<Index> given = given_pieces_of(junctions);
   const DrawnCover cover(lines, junctions);
+  const HiddenCaps caps(lines, junctions);
   std::vector<int> side;
-  for (const Index end : ends) side.push_back(likely_outward_side(lines, junctions, junctions.ends[end]));
-  std::vector<double> round;
-  for (const CleanLine& line : lines) round.push_back(roundness(line));
+  for (const Index end : ends) side.push_back(caps.outward_side(junctions.ends[end]));
   for (Index i = 0; i < ends.size(); ++i) {
     for (Index k = i + 1; k < ends.size(); ++k) {
       const HiddenEnd& a = junctions.ends[ends[i]];
@@ -191,10 +164,8 @@ std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLi
       candidate.bezier = completion_curve(from, a.tangent, to, b.tangent);
       const int agreed = side[i] == -side[k] ? side[i] : 0;
       candidate.cost = completion_cost(candidate.bezier, agreed, reference, options);
-      if (agreed == 0) candidate.cost += disagreement_cost * std::min(round[a.line], round[b.line]);
-      // A line that passes behind itself goes on there.
-      const bool limb = a.line == b.line && a.bar != a.line && b.bar != b.line;
-      if (limb) candidate.cost = std::min(candidate.cost, cap_cost / round[a.line]);
+      if (agreed == 0) candidate.cost += disagreement_cost * std::min(caps.roundness(a.line), caps.roundness(b.line));
+      candidate.cost = std::min(candidate.cost, caps.highest_cost(a, b, candidate.bezier));
       if (candidate.cost > options.maximum_cost) continue;
       candidates.push_back(candidate);
     }
@@ -203,7 +174,7 @@ std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLi
   // A straight line goes round neither of its sides.
   for (Index i = 0; i < ends.size(); ++i) {
     const HiddenEnd& end = junctions.ends[ends[i]];
-    if (outward_side(junctions, end) == 0 && round[end.line] <= 0) side[i] = 0;
+    if (outward_side(junctions, end) == 0 && caps.roundness(end.line) <= 0) side[i] = 0;
   }
   favour_strips(lines, junctions, ends, side, candidates);
   return candidates;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "algorithms/silhouette/figure/completion_shapes.h"
 #include "algorithms/silhouette/strokes/cubic_join.h"
 #include "algorithms/silhouette/strokes/junctions.h"
 #include "croquis/silhouette/options.h"
@@ -13,16 +14,13 @@ namespace croquis::silhouette {
 
 /// A hidden piece of contour that might join two ends.
 struct CompletionCandidate {
-  /// Handles of the shapes that are tried, as factors of those of the plain curve: round, flatter, wider.
-  static constexpr std::array<double, 4> handles{1, 0.7, 0.4, 1.4};
-
   Index a = 0;  ///< indices of ends, a < b
   Index b = 0;
   /// From a to b, leaving both along their tangents.
   std::array<Vec2, 4> bezier{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
   double cost = 0;  ///< dimensionless
-  /// Indices of handles; those that keep the piece covered by what is drawn come first.
-  std::array<std::uint8_t, 4> shapes{0, 1, 2, 3};
+  /// Indices into completion_shapes; those that keep the piece covered by what is drawn come first.
+  std::array<std::uint8_t, completion_shapes.size()> shapes{0, 1, 2, 3, 4, 5, 6, 7};
   Index given = no_index;  ///< index into Junctions::given: then that piece counts instead of the curve
 };
 
@@ -36,10 +34,6 @@ double completion_cost(const std::array<Vec2, 4>& curve, int side, double refere
 /// The length that completions are measured by: the median over the hidden ends that have to be joined of the distance
 /// to the nearest other. O(n²) for n ends.
 double completion_reference(const std::vector<CleanLine>& lines, const Junctions& junctions);
-
-/// The curve of a candidate with other handles.
-/// @param shape index into CompletionCandidate::handles
-std::array<Vec2, 4> shaped(const std::array<Vec2, 4>& curve, Index shape);
 
 /// All pairs of the given ends that may be joined: the surface lies on the same side of both lines as far as that is
 /// known, neither is forced into another object, and the cost stays below the maximum. Ends that a known piece joins

@@ -17,12 +17,12 @@ constexpr double clearance = 1.5;
 class Closer {
  public:
   Closer(const std::vector<CleanLine>& lines, const Junctions& junctions, const PartLines& part,
-         const std::vector<Index>& chosen, double spacing, const CompletionShape& shape)
-      : lines_(lines), junctions_(junctions), part_(part), chosen_(chosen), spacing_(spacing), shape_(shape) {
+         const std::vector<ChosenCompletion>& chosen, double spacing, double stretch)
+      : lines_(lines), junctions_(junctions), part_(part), chosen_(chosen), spacing_(spacing), stretch_(stretch) {
     choice_of_.assign(part.ends.size(), no_index);
     for (Index k = 0; k < chosen.size(); ++k) {
-      choice_of_[part.candidates[chosen[k]].a] = k;
-      choice_of_[part.candidates[chosen[k]].b] = k;
+      choice_of_[part.candidates[chosen[k].candidate].a] = k;
+      choice_of_[part.candidates[chosen[k].candidate].b] = k;
     }
     for (Index e = 0; e < part.ends.size(); ++e) {
       const HiddenEnd& end = junctions.ends[part.ends[e]];
@@ -125,7 +125,7 @@ class Closer {
   /// Appends the completion from an end, without its last point. Returns the end it leads to.
   Index append_completion(Index leaving, ContourPath& path, Points& raw) {
     const Index choice = choice_of_[leaving];
-    const CompletionCandidate& candidate = part_.candidates[chosen_[choice]];
+    const CompletionCandidate& candidate = part_.candidates[chosen_[choice].candidate];
     const Index arriving = candidate.a == leaving ? candidate.b : candidate.a;
     HiddenCurve curve = candidate.given != no_index ? given_curve(candidate.given, leaving, arriving)
                                                     : completed_curve(candidate, choice, leaving);
@@ -138,6 +138,7 @@ class Closer {
     if (candidate.given != no_index) {
       path.strokes.insert(path.strokes.end(), curve.stroke.begin(), curve.stroke.end());
     }
+    result_.choices.push_back(choice);
     result_.completions.push_back({std::move(curve.points), static_cast<Index>(result_.paths.size()), candidate.cost});
     return arriving;
   }
@@ -148,13 +149,11 @@ class Closer {
   };
 
   HiddenCurve completed_curve(const CompletionCandidate& candidate, Index choice, Index leaving) const {
-    std::array<Vec2, 4> curve = shaped(candidate.bezier, candidate.shapes[0]);
+    std::array<Vec2, 4> curve = candidate.bezier;
     if (candidate.b == leaving) std::reverse(curve.begin(), curve.end());
-    const double factor = shape_.handles * (1 + (choice % 2 == 0 ? shape_.stretch : -shape_.stretch));
-    curve[1] = curve[0] + factor * (curve[1] - curve[0]);
-    curve[2] = curve[3] + factor * (curve[2] - curve[3]);
+    const CompletionShape& shape = completion_shapes[candidate.shapes[chosen_[choice].shape]];
     const HiddenEnd& end = junctions_.ends[part_.ends[leaving]];
-    HiddenCurve result{bezier_points(curve, spacing_), {}};
+    HiddenCurve result{shaped_points(curve, shape, spacing_, choice % 2 == 0 ? stretch_ : -stretch_), {}};
     result.stroke.assign(result.points.size(), lines_[end.line].end_stroke(end.at_start));
     return result;
   }
@@ -191,9 +190,9 @@ class Closer {
   const std::vector<CleanLine>& lines_;
   const Junctions& junctions_;
   const PartLines& part_;
-  const std::vector<Index>& chosen_;
+  const std::vector<ChosenCompletion>& chosen_;
   double spacing_;
-  CompletionShape shape_;
+  double stretch_;
   std::vector<Index> choice_of_;                      ///< per end: index into chosen_
   std::map<std::pair<Index, bool>, Index> position_;  ///< of an end in part_.ends
   std::map<Index, bool> done_;
@@ -203,9 +202,9 @@ class Closer {
 }  // namespace
 
 std::optional<ClosedContours> close_contours(const std::vector<CleanLine>& lines, const Junctions& junctions,
-                                             const PartLines& part, const std::vector<Index>& chosen, double spacing,
-                                             const CompletionShape& shape) {
-  return Closer(lines, junctions, part, chosen, spacing, shape).close();
+                                             const PartLines& part, const std::vector<ChosenCompletion>& chosen,
+                                             double spacing, double stretch) {
+  return Closer(lines, junctions, part, chosen, spacing, stretch).close();
 }
 
 }  // namespace croquis::silhouette

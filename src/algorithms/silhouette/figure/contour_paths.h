@@ -20,19 +20,21 @@ struct PartLines {
 struct ClosedContours {
   std::vector<ContourPath> paths;             ///< by the lowest line in them
   std::vector<FigureCompletion> completions;  ///< one per candidate chosen
+  std::vector<Index> choices;                 ///< per completion: position among the chosen ones
   std::vector<Points> raw;                    ///< per contour: strokes as drawn, completions between
 };
 
-/// How completions differ from the candidates' curves.
-struct CompletionShape {
-  double handles = 1;  ///< all handles are longer or shorter by this factor
-  double stretch = 0;  ///< and in turn longer and shorter by this share
+/// A completion that is taken.
+struct ChosenCompletion {
+  Index candidate = 0;
+  Index shape = 0;  ///< position in the candidate's shapes
 };
 
 /// Joins lines and completions. None when they would put the surface on both sides of a contour.
-/// @param chosen  candidates, every end in exactly one
+/// @param chosen  every end in exactly one
+/// @param stretch completions have in turn longer and shorter handles by this share
 std::optional<ClosedContours> close_contours(const std::vector<CleanLine>& lines, const Junctions& junctions,
-                                             const PartLines& part, const std::vector<Index>& chosen, double spacing,
-                                             const CompletionShape& shape);
+                                             const PartLines& part, const std::vector<ChosenCompletion>& chosen,
+                                             double spacing, double stretch);
 
 }  // namespace croquis::silhouette

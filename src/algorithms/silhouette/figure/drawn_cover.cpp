@@ -31,8 +31,8 @@ int DrawnCover::missing(const Points& curve) const {
     double fraction;
     int change;
   };
-  int missing = 0;
-  int depth = 1;
+  int lowest = 0;
+  int change = 0;
   std::vector<Step> steps;
   for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
     const Vec2& a = curve[i];
@@ -46,11 +46,13 @@ int DrawnCover::missing(const Points& curve) const {
     });
     std::sort(steps.begin(), steps.end(), [](const Step& x, const Step& y) { return x.fraction < y.fraction; });
     for (const Step& step : steps) {
-      depth += step.change;
-      missing = std::max(missing, 1 - depth);
+      change += step.change;
+      lowest = std::min(lowest, change);
     }
   }
-  return missing;
+  // What has fewer surfaces in front at its last end than at its first one went in between behind an edge that is
+  // hidden itself, before it came to where it would lie in the open.
+  return std::max(0, std::min(0, change) - lowest);
 }
 
 }  // namespace croquis::silhouette

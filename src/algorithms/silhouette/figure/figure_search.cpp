@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/silhouette/figure/figure_search.h"
 
-#include <array>
 #include <limits>
 #include <utility>
 
@@ -26,9 +25,9 @@ constexpr double least_merging = 1e-4;
 // Handles of completions are changed by this share when three contours meet in a point.
 constexpr double perturbation = 0.01;
 constexpr int maximum_perturbations = 3;
-// When no matching can be labelled the likeliest ones get flatter completions.
-constexpr std::array<double, 2> flatter_handles{0.7, 0.4};
-constexpr int maximum_flatter = 25;
+// What lies in the open in one of so many likeliest matchings gets other shapes, so many times.
+constexpr int reshaped_matchings = 12;
+constexpr int maximum_reshapings = 4;
 
 /// Contours, crossings and faces of one matching.
 struct Trial {
@@ -89,56 +88,85 @@ class Search {
       const std::optional<std::vector<Index>> chosen = matchings.next();
       if (!chosen) break;
       if (tried++ == 0) cheapest = *chosen;
-      if (std::optional<LabelledFigure> figure = try_matching(*chosen)) {
-        result.figure = std::move(figure);
-        return result;
-      }
+      result.figure = try_matching(*chosen, tried <= reshaped_matchings ? maximum_reshapings : 0);
+      if (result.figure) return result;
     }
     result.findings = explain(tried, cheapest, tried < most && !matchings.limit_reached());
-    if (tried > 0) result.figure = try_flatter(edges);
-    if (result.figure) result.findings.clear();
     return result;
   }
 
-  /// A round cap may reach out from under the surface that hides it where a flatter one doesn't.
-  std::optional<LabelledFigure> try_flatter(const std::vector<MatchingEdge>& edges) {
-    for (const double handles : flatter_handles) {
-      handles_ = handles;
-      MatchingSearch matchings(static_cast<Index>(part_.ends.size()), edges, maximum_states);
-      for (int tried = 0; tried < maximum_flatter; ++tried) {
-        progress_.check();
-        const std::optional<std::vector<Index>> chosen = matchings.next();
-        if (!chosen) break;
-        if (std::optional<LabelledFigure> figure = try_matching(*chosen)) return figure;
+  /// The matching with its likeliest shapes, then with others for what would lie in the open.
+  std::optional<LabelledFigure> try_matching(const std::vector<Index>& matching, int reshapings) {
+    std::vector<ChosenCompletion> chosen = in_likeliest_shapes(matching);
+    for (int round = 0;; ++round) {
+      Trial trial = arrange(chosen, true);
+      if (!trial.usable) return std::nullopt;
+      const std::vector<NestedContour> nested =
+          nested_contours(context_.drawing, trial.contours.paths, trial.arrangement, trial.faces);
+      const std::vector<int> sides = sides_with(nested, trial.contours.paths);
+      const Labelling labelling = label_arrangement(trial.arrangement, sides, trial.faces, LabellingRules::Full);
+      if (labelling.status == IntegerProgram::Status::Limit) limit_reached_ = true;
+      if (labelling.status == IntegerProgram::Status::Optimal) {
+        LabelledFigure figure =
+            build_figure(context_, trial.contours, trial.arrangement, std::move(trial.faces), labelling);
+        figure.nested = nested_outlines(nested, trial.contours.paths);
+        return figure;
       }
+      if (round == reshapings || !reshape(trial, sides, chosen)) return std::nullopt;
     }
-    handles_ = 1;
-    return std::nullopt;
   }
 
-  std::optional<LabelledFigure> try_matching(const std::vector<Index>& chosen) {
-    Trial trial = arrange(chosen, true);
-    if (!trial.usable) return std::nullopt;
-    const std::vector<NestedContour> nested =
-        nested_contours(context_.drawing, trial.contours.paths, trial.arrangement, trial.faces);
-    const std::vector<int> sides = sides_with(nested, trial.contours.paths);
-    const Labelling labelling = label_arrangement(trial.arrangement, sides, trial.faces, LabellingRules::Full);
-    if (labelling.status == IntegerProgram::Status::Limit) limit_reached_ = true;
-    if (labelling.status != IntegerProgram::Status::Optimal) return std::nullopt;
-    LabelledFigure figure =
-        build_figure(context_, trial.contours, trial.arrangement, std::move(trial.faces), labelling);
-    figure.nested = nested_outlines(nested, trial.contours.paths);
-    return figure;
+  static std::vector<ChosenCompletion> in_likeliest_shapes(const std::vector<Index>& matching) {
+    std::vector<ChosenCompletion> chosen;
+    for (const Index candidate : matching) chosen.push_back({candidate, 0});
+    return chosen;
+  }
+
+  /// Gives their next shapes to completions that would lie in the open; false when there are none.
+  bool reshape(const Trial& trial, const std::vector<int>& sides, std::vector<ChosenCompletion>& chosen) const {
+    const Labelling relaxed = label_arrangement(trial.arrangement, sides, trial.faces, LabellingRules::Slack);
+    std::vector<char> changed(chosen.size(), 0);
+    bool any = false;
+    for (const Index wrong : relaxed.wrong_arcs) {
+      const Index k = completion_of(trial, trial.arrangement.arcs[wrong]);
+      if (k == no_index || changed[k] || chosen[k].shape + 1 >= completion_shapes.size()) continue;
+      if (part_.candidates[chosen[k].candidate].given != no_index) continue;
+      changed[k] = 1;
+      ++chosen[k].shape;
+      any = true;
+    }
+    return any;
+  }
+
+  /// Position among the chosen ones of the completion that an arc is part of.
+  static Index completion_of(const Trial& trial, const FigureArc& arc) {
+    if (arc.visible) return no_index;
+    const CrossedContour& contour = trial.arrangement.contours[arc.contour];
+    const auto count = static_cast<Index>(contour.vertices.size());
+    const Vec2& middle = trial.arrangement.points[contour.vertices[(arc.begin + arc.count / 2) % count]];
+    Index found = no_index;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < trial.contours.completions.size(); ++k) {
+      const FigureCompletion& completion = trial.contours.completions[k];
+      if (completion.contour != arc.contour) continue;
+      for (const Vec2& point : completion.points) {
+        const double distance = (point - middle).norm();
+        if (distance >= least) continue;
+        least = distance;
+        found = trial.contours.choices[k];
+      }
+    }
+    return found;
   }
 
   /// Crosses the contours of a matching and finds the faces; if contours meet in one point, once more with finer
   /// merging, then with changed completions. The strokes stay as they are.
-  Trial arrange(const std::vector<Index>& chosen, bool quick_check) {
+  Trial arrange(const std::vector<ChosenCompletion>& chosen, bool quick_check) {
     Trial trial;
     for (int attempt = 0; attempt < 2 * (1 + maximum_perturbations); ++attempt) {
-      const CompletionShape shape{handles_, perturbation * (attempt / 2)};
+      const double stretch = perturbation * (attempt / 2);
       std::optional<ClosedContours> contours =
-          close_contours(context_.lines, context_.junctions, part_, chosen, context_.scale.step, shape);
+          close_contours(context_.lines, context_.junctions, part_, chosen, context_.scale.step, stretch);
       if (!contours) return trial;
       trial.contours = std::move(*contours);
       trial.arrangement =
@@ -168,7 +196,7 @@ class Search {
       findings.push_back(complete ? no_pairing(context_, part_) : search_limit(context_, part_, tried));
       return findings;
     }
-    const Trial trial = arrange(cheapest, false);
+    const Trial trial = arrange(in_likeliest_shapes(cheapest), false);
     if (!trial.usable) {
       findings.push_back(trial.conflicts.empty() ? no_pairing(context_, part_)
                                                  : contours_touch(context_, part_, trial.conflicts.front()));
@@ -184,7 +212,6 @@ class Search {
   const FigureContext& context_;
   const Progress& progress_;
   PartLines part_;
-  double handles_ = 1;
   bool first_done_ = false;
   bool limit_reached_ = false;
 };

@@ -9,19 +9,25 @@
 namespace croquis::silhouette {
 namespace {
 
-// Straight: both ends point at one another within 10 degrees.
-constexpr double straight_cosine = 0.985;
-// The two sides of a strip run in one direction within 6 degrees, and are as far apart at both ends but for a fifth.
-constexpr double parallel_cosine = 0.9945;
-constexpr double most_taper = 0.2;
-// What is seen of them next to their ends keeps the direction within 8 degrees.
-constexpr double drawn_cosine = 0.99;
+// Both ends of a side point at one another within 30 degrees: a hand's last samples are uncertain.
+constexpr double side_cosine = 0.866;
+// The strip's two ends, whose directions are those of the middle between its sides, do so within 12 degrees.
+constexpr double strip_cosine = 0.978;
+// The two sides of a strip run in one direction within 8 degrees, and are as far apart at both ends but for a fourth.
+constexpr double parallel_cosine = 0.99;
+constexpr double most_taper = 0.25;
 // What a side of a strip costs, as a share of what it would cost by itself.
 constexpr double strip_share = 0.15;
 // And at most so much, however far it is hidden: less than two caps.
 constexpr double strip_cost = 0.6;
-// A strip is crossed by at most so many others.
+// A strip is crossed by at most so many others; one that is crossed by more costs this much more.
+constexpr double crossing_sine = 0.25;
 constexpr int most_crossings = 1;
+constexpr double crossed_factor = 1.5;
+// With so many others like its two ends behind the same line, that go on nowhere, it is two limbs among limbs.
+constexpr int most_limbs_alike = 2;
+// Limbs are alike whose outlines are as long but for this factor.
+constexpr double alike_length = 1.6;
 
 /// One side of what may be a strip.
 struct Side {
@@ -31,44 +37,67 @@ struct Side {
   Vec2 direction = Vec2::Zero();
   int surface = 0;              ///< on its left (+1) or right (-1), 0 not known
   std::array<Index, 2> ends{};  ///< of the junctions
+
+  void turn_over() {
+    std::swap(from, to);
+    std::swap(ends[0], ends[1]);
+    direction = -direction;
+    surface = -surface;
+  }
 };
 
 struct Strip {
   Side first;
-  Side second;
+  Side second;  ///< in the same direction
 };
 
 class StripSearch {
  public:
   StripSearch(const std::vector<CleanLine>& lines, const Junctions& junctions, const std::vector<Index>& ends,
               const std::vector<int>& side)
-      : lines_(lines), junctions_(junctions), ends_(ends), side_(side) {}
+      : lines_(lines), junctions_(junctions), ends_(ends), side_(side), limb_bars_(lines.size(), no_index) {
+    std::vector<Index> first(lines.size(), no_index);
+    for (const HiddenEnd& end : junctions.ends) {
+      if (first[end.line] == end.bar) limb_bars_[end.line] = end.bar;
+      if (first[end.line] == no_index) first[end.line] = end.bar;
+    }
+  }
 
   void favour(std::vector<CompletionCandidate>& candidates) const {
+    const std::vector<Strip> strips = find_strips(candidates);
+    std::vector<double> factor(candidates.size(), 1);
+    for (const Strip& strip : strips) {
+      const auto crossed = std::count_if(strips.begin(), strips.end(), [&](const Strip& other) {
+        return std::abs(cross(strip.first.direction, other.first.direction)) > crossing_sine &&
+               cross_properly(strip.first.from, strip.first.to, other.first.from, other.first.to);
+      });
+      const bool among = crossed > most_crossings || limbs_alike(strip, strips) >= most_limbs_alike;
+      for (const Index side : {strip.first.candidate, strip.second.candidate}) {
+        factor[side] = among ? std::max(factor[side], crossed_factor) : strip_share;
+      }
+    }
+    for (std::size_t c = 0; c < candidates.size(); ++c) {
+      double& cost = candidates[c].cost;
+      cost = factor[c] < 1 ? std::min(factor[c] * cost, strip_cost) : factor[c] * cost;
+    }
+  }
+
+ private:
+  std::vector<Strip> find_strips(const std::vector<CompletionCandidate>& candidates) const {
     std::vector<Side> sides;
     for (Index c = 0; c < candidates.size(); ++c) add_side(candidates[c], c, sides);
     std::vector<Strip> strips;
     for (std::size_t i = 0; i < sides.size(); ++i) {
       for (std::size_t k = i + 1; k < sides.size(); ++k) {
-        const double width = even_width(sides[i], sides[k]);
-        if (width > 0 && drawn_straight(sides[i], width) && drawn_straight(sides[k], width))
-          strips.push_back({sides[i], sides[k]});
+        Strip strip{sides[i], sides[k]};
+        if (strip.first.direction.dot(strip.second.direction) < 0) strip.second.turn_over();
+        const double width = even_width(strip);
+        if (width > 0 && goes_on(strip, width)) strips.push_back(strip);
       }
     }
-    std::vector<char> favoured(candidates.size(), 0);
-    for (const Strip& strip : strips) {
-      const auto crossed = std::count_if(strips.begin(), strips.end(), [&](const Strip& other) {
-        return cross_properly(strip.first.from, strip.first.to, other.first.from, other.first.to);
-      });
-      if (crossed > most_crossings) continue;
-      favoured[strip.first.candidate] = favoured[strip.second.candidate] = 1;
-    }
-    for (std::size_t c = 0; c < candidates.size(); ++c) {
-      if (favoured[c]) candidates[c].cost = std::min(strip_share * candidates[c].cost, strip_cost);
-    }
+    return strips;
   }
 
- private:
   void add_side(const CompletionCandidate& candidate, Index index, std::vector<Side>& sides) const {
     const int surface = side_[candidate.a] != 0 ? side_[candidate.a] : -side_[candidate.b];
     if (candidate.given != no_index || side_[candidate.a] * side_[candidate.b] > 0) return;
@@ -77,17 +106,14 @@ class StripSearch {
     Side side{index,   lines_[a.line].end(a.at_start),          lines_[b.line].end(b.at_start), Vec2::Zero(),
               surface, {ends_[candidate.a], ends_[candidate.b]}};
     side.direction = (side.to - side.from).normalized();
-    if (a.tangent.dot(side.direction) < straight_cosine || -b.tangent.dot(side.direction) < straight_cosine) return;
+    if (a.tangent.dot(side.direction) < side_cosine || -b.tangent.dot(side.direction) < side_cosine) return;
     sides.push_back(side);
   }
 
-  /// The width of the strip that two sides bound, 0 when that isn't even or wider than long.
-  static double even_width(const Side& one, Side other) {
-    if (one.direction.dot(other.direction) < 0) {
-      std::swap(other.from, other.to);
-      other.direction = -other.direction;
-      other.surface = -other.surface;
-    }
+  /// The width of a strip, 0 when that isn't even or wider than long.
+  static double even_width(const Strip& strip) {
+    const Side& one = strip.first;
+    const Side& other = strip.second;
     if (one.direction.dot(other.direction) < parallel_cosine || one.surface * other.surface > 0) return 0;
     int between = one.surface != 0 ? one.surface : -other.surface;
     if (between == 0) between = cross(one.direction, other.from - one.from) > 0 ? 1 : -1;
@@ -100,18 +126,54 @@ class StripSearch {
     return even ? width : 0;
   }
 
-  /// Whether what is seen of a side is straight for as long as the strip is wide: the arms of a character are not.
-  bool drawn_straight(const Side& side, double width) const {
-    const HiddenEnd& a = junctions_.ends[side.ends[0]];
-    const HiddenEnd& b = junctions_.ends[side.ends[1]];
-    return end_chord(lines_[a.line].points, a.at_start, width).dot(side.direction) > drawn_cosine &&
-           -end_chord(lines_[b.line].points, b.at_start, width).dot(side.direction) > drawn_cosine;
+  /// Whether what is seen of it goes straight on, for as long as the strip is wide: the arms of a character don't.
+  bool goes_on(const Strip& strip, double width) const {
+    const Vec2 along =
+        (0.5 * (strip.first.to + strip.second.to) - 0.5 * (strip.first.from + strip.second.from)).normalized();
+    for (const std::size_t at : {0U, 1U}) {
+      const Vec2 outward = (chord(strip.first.ends[at], width) + chord(strip.second.ends[at], width)).normalized();
+      if ((at == 0 ? 1 : -1) * outward.dot(along) < strip_cosine) return false;
+    }
+    return true;
+  }
+
+  Vec2 chord(Index end, double reach) const {
+    const HiddenEnd& hidden = junctions_.ends[end];
+    return end_chord(lines_[hidden.line].points, hidden.at_start, reach);
+  }
+
+  /// The outline of a limb that both sides end in; no_index where they end in two lines.
+  Index limb_at(const Strip& strip, std::size_t at) const {
+    const Index line = junctions_.ends[strip.first.ends[at]].line;
+    return line == junctions_.ends[strip.second.ends[at]].line ? line : no_index;
+  }
+
+  /// How many outlines like those of the strip's ends pass behind the same line without being part of a strip.
+  int limbs_alike(const Strip& strip, const std::vector<Strip>& strips) const {
+    const Index one = limb_at(strip, 0);
+    const Index other = limb_at(strip, 1);
+    if (one == no_index || other == no_index || !alike(one, other)) return 0;
+    int count = 0;
+    for (Index line = 0; line < lines_.size(); ++line) {
+      if (line == one || line == other || !alike(one, line) || limb_bars_[line] == no_index) continue;
+      if (limb_bars_[line] != limb_bars_[one] || limb_bars_[line] != limb_bars_[other]) continue;
+      const bool in_strip = std::any_of(strips.begin(), strips.end(), [&](const Strip& some) {
+        return limb_at(some, 0) == line || limb_at(some, 1) == line;
+      });
+      count += in_strip ? 0 : 1;
+    }
+    return count;
+  }
+
+  bool alike(Index a, Index b) const {
+    return std::max(lines_[a].size, lines_[b].size) < alike_length * std::min(lines_[a].size, lines_[b].size);
   }
 
   const std::vector<CleanLine>& lines_;
   const Junctions& junctions_;
   const std::vector<Index>& ends_;
   const std::vector<int>& side_;
+  std::vector<Index> limb_bars_;  ///< per line: what it ends at with both ends, no_index for others
 };
 
 }  // namespace
