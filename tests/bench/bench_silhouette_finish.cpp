@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <iomanip>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -64,7 +62,7 @@ struct JoinedShare {
 
 void print_joined(std::ostream& out) {
   constexpr std::uint64_t count = 40;
-  out << "Pairs that look like limb and body, all attached.\n\n"
+  out << "\nPairs that look like limb and body, all attached.\n\n"
       << "| family | drawings | all joined | pairs | joined | % | ms each |\n|---|---|---|---|---|---|---|\n";
   JoinedShare animals;
   for (const test::Sketch& sketch : {test::dog_sketch(), test::duck_sketch(), test::octopus_sketch()}) {
@@ -81,48 +79,30 @@ void print_joined(std::ostream& out) {
   layers.print(out, "layers, random");
 }
 
-/// Smallest angle of each triangle, degrees, ascending.
-std::vector<double> smallest_angles(const PolyMesh& mesh) {
-  std::vector<double> angles;
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const auto corners = mesh.face(f);
-    double largest_cosine = -1;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3& at = mesh.positions[corners[k]];
-      const Vec3 a = (mesh.positions[corners[(k + 1) % 3]] - at).normalized();
-      const Vec3 b = (mesh.positions[corners[(k + 2) % 3]] - at).normalized();
-      largest_cosine = std::max(largest_cosine, a.dot(b));
-    }
-    angles.push_back(std::acos(std::min(largest_cosine, 1.0)) * 180 / std::numbers::pi);
-  }
-  std::sort(angles.begin(), angles.end());
-  return angles;
-}
-
 /// The triangles of every sketch of the gallery.
 void print_triangles(std::ostream& out) {
   constexpr double slender = 15;
-  out << "\nTriangles of the gallery.\n\n"
+  out << "Triangles of the gallery.\n\n"
       << "| sketch | triangles | below 15 degrees % | smallest angle | rim serration, p95 |\n|---|---|---|---|---|\n"
-      << std::setprecision(1);
+      << std::fixed << std::setprecision(1);
   for (const test::NamedSketch& sketch : test::all_sketches()) {
     Progress progress;
     const Options options;
     const Drawing& drawing = sketch.sketch.drawing;
     const PolyMesh mesh = inflate(label(drawing, options, progress), drawing, options, progress).mesh;
-    const std::vector<double> angles = smallest_angles(mesh);
+    const std::vector<double> angles = test::smallest_angles(mesh);
     const auto below = std::lower_bound(angles.begin(), angles.end(), slender) - angles.begin();
     out << "| " << sketch.name << " | " << angles.size() << " | "
         << 100.0 * static_cast<double>(below) / static_cast<double>(angles.size()) << " | " << angles.front() << " | "
-        << test::rim_serration(mesh).p95 << " |\n";
+        << test::rim_serration(mesh).p95 << " |" << std::endl;
   }
 }
 
 }  // namespace
 
 void bench_silhouette_finish(std::ostream& out) {
-  print_joined(out);
   print_triangles(out);
+  print_joined(out);
 }
 
 }  // namespace croquis::bench

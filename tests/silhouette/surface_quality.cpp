@@ -116,6 +116,23 @@ Spread spread_of(std::vector<double> values) {
   return {sum / static_cast<double>(values.size()), values[values.size() * 95 / 100], values.back()};
 }
 
+std::vector<double> smallest_angles(const PolyMesh& mesh) {
+  std::vector<double> angles;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto corners = mesh.face(f);
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& at = mesh.positions[corners[k]];
+      const Vec3 a = mesh.positions[corners[(k + 1) % 3]] - at;
+      const Vec3 b = mesh.positions[corners[(k + 2) % 3]] - at;
+      smallest = std::min(smallest, angle_between(a, b) * degrees);
+    }
+    angles.push_back(smallest);
+  }
+  std::sort(angles.begin(), angles.end());
+  return angles;
+}
+
 Spread rim_serration(const PolyMesh& mesh) {
   const std::map<Index, RimStep> steps = rim_steps(mesh);
   std::vector<double> excess;

@@ -17,6 +17,9 @@ struct Spread {
 /// Sorts the values. Empty: all zero.
 Spread spread_of(std::vector<double> values);
 
+/// Smallest angle of each triangle, degrees, ascending.
+std::vector<double> smallest_angles(const PolyMesh& mesh);
+
 /// Degrees by which successive front faces along the rim (the outline's edges) differ in direction beyond what the
 /// outline itself turns there: a smooth rim has nearly none.
 Spread rim_serration(const PolyMesh& mesh);

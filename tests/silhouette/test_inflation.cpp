@@ -114,7 +114,9 @@ TEST_CASE("sheets keep their order and gap, and the proof of it notices when the
 
 TEST_CASE("each object's surface is apart from the others") {
   const test::FigureFixture fixture = test::linked_rings_figure();
-  const std::vector<ObjectSurface> surfaces = object_surfaces(fixture.figure, inflated(fixture.figure));
+  const InflatedSheets sheets = inflated(fixture.figure);
+  const SheetMesh mesh = make_sheet_mesh(sheets, objects_of_triangles(fixture.figure, sheets.sampling));
+  const std::vector<ObjectSurface> surfaces = object_surfaces(fixture.figure, mesh);
   REQUIRE(surfaces.size() == 2);
   for (const ObjectSurface& surface : surfaces) {
     CHECK(surface.euler_region == 0);

@@ -45,6 +45,16 @@ TEST_CASE("rims are smooth and have no notches where others cross them") {
   }
 }
 
+TEST_CASE("of a hundred triangles hardly one has an angle below 15 degrees") {
+  for (const test::NamedSketch& named : test::all_sketches()) {
+    INFO(named.name);
+    const std::vector<double> angles = test::smallest_angles(solid_of(named.sketch).mesh);
+    const auto slender = std::lower_bound(angles.begin(), angles.end(), 15.0) - angles.begin();
+    CHECK(static_cast<double>(slender) <= 0.01 * static_cast<double>(angles.size()));
+    CHECK(angles.front() > 1);
+  }
+}
+
 TEST_CASE("sections normal to inclined tubes are circles") {
   for (const test::Sketch& sketch :
        {test::trefoil_sketch(), test::figure_eight_sketch(), test::snake_sketch(), test::weave_sketch(),

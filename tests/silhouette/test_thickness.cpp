@@ -96,6 +96,7 @@ TEST_CASE("rims are circles to a hundredth of their radius, on bent tubes too") 
                                              test::trefoil_figure(), test::linked_rings_figure()}) {
     const std::vector<double> deviations = rim_deviations(fixture.figure);
     REQUIRE(deviations.size() > 100);
+    INFO(fixture.figure.objects[0].name << " " << deviations.size());
     CHECK(test::spread_of(deviations).mean <= 0.009);
   }
   // Without an end, where a tube goes over into half a ball, they are so everywhere.

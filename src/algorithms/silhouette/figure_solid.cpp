@@ -14,6 +14,7 @@
 #include "algorithms/silhouette/stage.h"
 #include "algorithms/silhouette/surface/certificate.h"
 #include "algorithms/silhouette/surface/inflation.h"
+#include "algorithms/silhouette/surface/sheet_improvement.h"
 #include "algorithms/silhouette/surface/sheet_surface.h"
 #include "algorithms/silhouette/surface/skeleton_curves.h"
 
@@ -65,29 +66,26 @@ class Attempt {
     Progress solving = progress.step("depth", 0.15);
     depth_ = solve_depth(skeleton_, figure_, settings_, solving);
     Progress inflating = progress.step("inflate", 0.45);
-    const std::shared_ptr<const SheetBasis> basis = sheet_basis(inflating);
+    basis_ = sheet_basis(inflating);
     Progress raising = progress.step("inflate", 0.4);
-    sheets_ = raise_sheets(skeleton_, *basis, settings_, raising);
+    sheets_ = raise_sheets(skeleton_, *basis_, settings_, raising);
     for (const auto& [node, z] : sheets_.lowered_nodes) skeleton_.nodes[node].z = z;
+    mesh_ = make_sheet_mesh(sheets_, basis_->objects);
   }
 
-  /// Makes the shells and checks them.
+  /// Makes the shells and checks them. Where even triangles spoil something, the sheets keep their own.
   /// @return attached pairs that have no sound surface; then nothing else counts
   std::vector<FailedJoin> finish(Progress& progress) {
-    std::vector<ObjectSurface> surfaces = object_surfaces(figure_, sheets_);
-    const std::vector<Index> unsolved = refuse_unsolved(surfaces);
-    // Attached parts may be held too weakly: apart, each part is pulled to the sketch plane by itself.
-    if (!unsolved.empty() && !settings_.attachments.empty()) return pairs_of(unsolved);
-    std::vector<std::string> faults(surfaces.size());
-    if (quality_ == Quality::Final) faults = check_surfaces(surfaces, progress);
-    std::vector<CheckedSurface> checked;
-    for (std::size_t s = 0; s < surfaces.size(); ++s) checked.push_back({&surfaces[s], std::move(faults[s])});
-    const bool joins = quality_ == Quality::Final;
-    FigureShells made =
-        make_shells(figure_, checked, joins ? settings_.attachments : Attachments{}, seam_radii(), progress);
-    for (const auto& [object, fault] : made.refused) refuse(object, fault);
-    shells_ = std::move(made.shells);
-    return std::move(made.failed);
+    if (quality_ == Quality::Draft) return make_shells_of(mesh_, progress);
+    SheetMesh even = mesh_;
+    Progress improving = progress.step("triangles", 0.2);
+    improve_triangles(even, improving);
+    Progress checking = progress.step("check", 0.7);
+    std::vector<FailedJoin> failed = make_shells_of(even, checking);
+    if (!unsound_) return failed;
+    refusals_.clear();
+    Progress again = progress.step("check", 0.1);
+    return make_shells_of(mesh_, again);
   }
 
   FigureSolid take() {
@@ -102,6 +100,24 @@ class Attempt {
   }
 
  private:
+  std::vector<FailedJoin> make_shells_of(const SheetMesh& mesh, Progress& progress) {
+    std::vector<ObjectSurface> surfaces = object_surfaces(figure_, mesh);
+    const std::vector<Index> unsolved = refuse_unsolved(surfaces);
+    // Attached parts may be held too weakly: apart, each part is pulled to the sketch plane by itself.
+    if (!unsolved.empty() && !settings_.attachments.empty()) return pairs_of(unsolved);
+    std::vector<std::string> faults(surfaces.size());
+    if (quality_ == Quality::Final) faults = check_surfaces(surfaces, mesh, progress);
+    std::vector<CheckedSurface> checked;
+    for (std::size_t s = 0; s < surfaces.size(); ++s) checked.push_back({&surfaces[s], std::move(faults[s])});
+    const bool joins = quality_ == Quality::Final;
+    FigureShells made =
+        make_shells(figure_, checked, joins ? settings_.attachments : Attachments{}, seam_radii(), progress);
+    for (const auto& [object, fault] : made.refused) refuse(object, fault);
+    unsound_ = !made.refused.empty() || !made.failed.empty();
+    shells_ = std::move(made.shells);
+    return std::move(made.failed);
+  }
+
   std::shared_ptr<const SheetBasis> sheet_basis(Progress& progress) const {
     StageKey key;
     if (cache_ != nullptr) {
@@ -202,16 +218,18 @@ class Attempt {
   }
 
   /// Per object what is wrong with its surface. Attached objects are checked together once they are joined.
-  std::vector<std::string> check_surfaces(const std::vector<ObjectSurface>& surfaces, Progress& progress) const {
+  std::vector<std::string> check_surfaces(const std::vector<ObjectSurface>& surfaces, const SheetMesh& mesh,
+                                          Progress& progress) const {
     std::vector<CertificateInput> inputs;
     for (const ObjectSurface& surface : surfaces) {
       inputs.push_back({&surface.mesh, figure_.objects[surface.object].euler_region});
     }
     std::vector<std::string> faults = certify_topology(inputs, progress);
     if (!settings_.attachments.empty()) return faults;
+    const bool in_order = sheets_in_order(sheets_, Rounding::None, figure_.unit);
     for (const Rounding rounding : {Rounding::None, Rounding::Grid}) {
       progress.check();
-      if (!sheets_in_order(sheets_, rounding, figure_.unit)) {
+      if (!in_order || !mesh_in_order(mesh, rounding, figure_.unit)) {
         certify_apart(inputs, rounding, figure_.unit, faults, progress);
       }
     }
@@ -263,10 +281,13 @@ class Attempt {
   StageCache* cache_;
   Skeleton skeleton_;
   DepthResult depth_;
+  std::shared_ptr<const SheetBasis> basis_;
   InflatedSheets sheets_;
+  SheetMesh mesh_;
   double depth_ratio_ = 0;
   std::vector<FigureShell> shells_;
   Findings refusals_;
+  bool unsound_ = false;  ///< a surface, or a pair of attached ones, failed the checks
 };
 
 std::shared_ptr<const Skeleton> make_axis(const LabelledFigure& figure, const FigureSettings& settings,
@@ -308,7 +329,7 @@ FigureSolid solidify(const LabelledFigure& figure, const Drawing& drawing, Figur
     Progress solving = progress.step("solve", share);
     Attempt attempt(figure, drawing, settings);
     attempt.solve(*axis, solving);
-    Progress checking = progress.step("check", share / 4);
+    Progress checking = progress.step("finish", share / 4);
     std::vector<FailedJoin> failed = attempt.finish(checking);
     if (failed.empty()) {
       FigureSolid solid = attempt.take();

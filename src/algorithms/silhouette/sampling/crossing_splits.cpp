@@ -31,9 +31,8 @@ class CrossingSplitter {
       const Vec2 along = (point(foreign, direction) - point(foreign, 0)).normalized();
       if (along.dot(inward) <= 0) continue;
       const double slope = std::max(along.dot(inward), least_cut_sine);
-      for (const double angle : row_angles) {
-        cut(foreign, direction, row_depth(radii_[rim.contour][rim.position], angle) / slope);
-      }
+      const RimRows rows(radii_[rim.contour][rim.position], figure_.step);
+      for (std::size_t row = 0; row < rows.count(); ++row) cut(foreign, direction, rows.depth(row) / slope);
     }
   }
 

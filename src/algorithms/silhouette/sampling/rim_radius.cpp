@@ -3,11 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace croquis::silhouette {
 namespace {
 
 constexpr int smoothing_passes = 3;  // with weights 1/4, 1/2, 1/4: chords of neighbouring samples differ by their noise
+
+// Between the rows of a tube, radians: 15, 20 and 25 degrees.
+constexpr double tube_turns[] = {0.2617993877991494, 0.3490658503988659, 0.4363323129985824};
+constexpr double last_angle = 1.12;  // beyond, the plane's own points are even on the surface
+
+// Contour steps.
+constexpr double first_arc = 2.2;  // from the rim to the first row
+constexpr double widest_gap = 2;   // in the plane: wider ones hold points of their own
+constexpr double arc_growth = 1.12;
 
 /// Linear between the values that there are, periodic. At least one value must be there.
 void fill_gaps(std::vector<double>& values) {
@@ -37,7 +47,23 @@ void smooth_cycle(std::vector<double>& values) {
 
 }  // namespace
 
-double row_depth(double radius, double angle) { return radius * (1 - std::cos(angle)); }
+RimRows::RimRows(double radius, double step) {
+  double angle = 0;
+  double arc = first_arc * step;
+  double before = 0;
+  while (count_ < most) {
+    const double turn = count_ < std::size(tube_turns) ? tube_turns[count_] : tube_turns[std::size(tube_turns) - 1];
+    angle += std::min(turn, arc / radius);
+    const double depth = radius * (1 - std::cos(angle));
+    if (angle > last_angle || (count_ >= std::size(tube_turns) && depth - before > widest_gap * step)) break;
+    arc *= arc_growth;
+    depth_[count_++] = before = depth;
+  }
+}
+
+double first_row_depth(double radius, double step) { return RimRows(radius, step).depth(0); }
+
+double greatest_first_row() { return 1 - std::cos(tube_turns[0]); }
 
 std::vector<std::vector<double>> rim_radii(const LabelledFigure& figure, const Skeleton& skeleton) {
   std::vector<std::vector<double>> radii;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "algorithms/silhouette/skeleton/skeleton.h"
@@ -8,12 +10,32 @@
 
 namespace croquis::silhouette {
 
-/// Angles from the rim, seen from the axis, at which rows of points run along every contour, in radians. Thickness
-/// grows like a square root at the rim: without close rows the silhouette would be serrated; more of them gain nothing.
-inline constexpr double row_angles[] = {0.2617993877991494, 0.6108652381980153, 1.0471975511965976};  // 15, 35, 60 deg
+/// Rows of points that run along every contour: without close ones the silhouette would be serrated, since thickness
+/// grows like a square root at the rim.
+///
+/// On a tube they lie at 15, 35 and 60 degrees from the rim, seen from the axis; more of them gain nothing. On wider
+/// bodies at distances along the surface that grow from two steps, where the plane's own points lie too far apart on
+/// the steep surface.
+class RimRows {
+ public:
+  static constexpr std::size_t most = 6;
 
-/// Distance of a row from the rim of a round tube of that radius.
-double row_depth(double radius, double angle);
+  /// @param radius of the surface at the rim, @param step of the contour's points; sketch units
+  RimRows(double radius, double step);
+
+  std::size_t count() const { return count_; }
+
+  /// Distance from the rim in the plane; ascending.
+  double depth(std::size_t row) const { return depth_[row]; }
+
+ private:
+  std::size_t count_ = 0;
+  std::array<double, most> depth_{};
+};
+
+/// Of the first row, and the most that it can be of the radius.
+double first_row_depth(double radius, double step);
+double greatest_first_row();
 
 /// Per contour and position the radius of the surface there: that of the chords, filled in along the contour where none
 /// ends and smoothed. A contour without any chord takes the skeleton's scale.

@@ -43,16 +43,18 @@ class SheetPointCollector {
     }
   }
 
-  void add_row(Index contour, const std::vector<double>& radii, double angle, double previous_angle) {
+  void add_row(Index contour, const std::vector<double>& radii, std::size_t row) {
     Vec2 last(1e300, 1e300);
     const std::vector<Index>& vertices = figure_.contours[contour].vertices;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-      const Vec2 place = figure_.points[vertices[i]] + row_depth(radii[i], angle) * inward(contour, i);
+      const RimRows rows(radii[i], step_);
+      if (row >= rows.count()) continue;
+      const Vec2 place = figure_.points[vertices[i]] + rows.depth(row) * inward(contour, i);
       const double gap = (place - last).norm();
-      if (gap < row_spacing * step_ || !fits_row(place, radii[i], angle, previous_angle)) continue;
+      if (gap < row_spacing * step_ || !fits_row(place, rows, row)) continue;
       // Beside the middle of a row's edge, a point of another row would make a sliver of any slope.
       const bool passes_point =
-          previous_angle > 0 && gap < 2 * step_ &&
+          row > 0 && gap < 2 * step_ &&
           rows_.any_within((last + place) / 2, std::min(passing_clearance * gap, row_row_clearance * step_));
       last = place;
       if (!passes_point) keep(place);
@@ -60,10 +62,12 @@ class SheetPointCollector {
   }
 
   /// Rim points that were cut in need row points of their own: else edges run from there past the row.
-  void add_row_at_cut(const RimPiece& piece, double radius, double angle, double previous_angle) {
+  void add_row_at_cut(const RimPiece& piece, double radius, std::size_t row) {
+    const RimRows rows(radius, step_);
+    if (row >= rows.count()) return;
     const Vec2 inside = figure_.contours[piece.contour].side * left_of((piece.end - piece.begin).normalized());
-    const Vec2 place = piece.begin + row_depth(radius, angle) * inside;
-    if (fits_row(place, radius, angle, previous_angle)) keep(place);
+    const Vec2 place = piece.begin + rows.depth(row) * inside;
+    if (fits_row(place, rows, row)) keep(place);
   }
 
   /// Where the first two rows of two contours cross, inside both: each rim is steep there, and the rows' own points
@@ -73,10 +77,12 @@ class SheetPointCollector {
     const Vec2 b = inward(crossing.under_contour, crossing.under_position);
     const double sine = cross(a, b);
     if (std::abs(sine) < least_crossing_sine) return;
-    for (const double over_angle : {row_angles[0], row_angles[1]}) {
-      for (const double under_angle : {row_angles[0], row_angles[1]}) {
-        const double over = row_depth(radii[crossing.over_contour][crossing.over_position], over_angle);
-        const double under = row_depth(radii[crossing.under_contour][crossing.under_position], under_angle);
+    const RimRows over_rows(radii[crossing.over_contour][crossing.over_position], step_);
+    const RimRows under_rows(radii[crossing.under_contour][crossing.under_position], step_);
+    for (std::size_t i = 0; i < std::min<std::size_t>(2, over_rows.count()); ++i) {
+      for (std::size_t j = 0; j < std::min<std::size_t>(2, under_rows.count()); ++j) {
+        const double over = over_rows.depth(i);
+        const double under = under_rows.depth(j);
         const Vec2 offset = (over * Vec2(b.y(), -b.x()) + under * Vec2(-a.y(), a.x())) / sine;
         const Vec2 place = figure_.points[crossing.vertex] + offset;
         const double depth = std::min(over, under);
@@ -126,10 +132,10 @@ class SheetPointCollector {
     return figure_.contours[contour].side * left_of(tangent.normalized());
   }
 
-  bool fits_row(const Vec2& place, double radius, double angle, double previous_angle) {
-    const double depth = row_depth(radius, angle);
-    const double gap = depth - row_depth(radius, previous_angle);
-    const double clearance = previous_angle > 0 ? deep_row_clearance : first_row_clearance;
+  bool fits_row(const Vec2& place, const RimRows& rows, std::size_t row) {
+    const double depth = rows.depth(row);
+    const double gap = row > 0 ? depth - rows.depth(row - 1) : depth;
+    const double clearance = row > 0 ? deep_row_clearance : first_row_clearance;
     return !segments_.any_within(place, std::min(0.9 * depth, clearance * step_)) &&
            !rows_.any_within(place, std::min(0.6 * gap, row_row_clearance * step_)) && layers_at(place) > 0;
   }
@@ -162,14 +168,11 @@ std::vector<Vec2> sheet_points(const LabelledFigure& figure, const Skeleton& ske
                                const SheetDensity& density) {
   SheetPointCollector collector(figure, rims.pieces, density.hexagon_spacing);
   for (const FigureCrossing& crossing : figure.crossings) collector.add_crossing(crossing, rims.radii);
-  double previous_angle = 0;
-  for (std::size_t row = 0; row < std::min(density.rows, std::size(row_angles)); ++row) {
-    const double angle = row_angles[row];
+  for (std::size_t row = 0; row < std::min(density.rows, RimRows::most); ++row) {
     for (const RimPiece& piece : rims.pieces) {
-      if (piece.cut) collector.add_row_at_cut(piece, rims.radii[piece.contour][piece.position], angle, previous_angle);
+      if (piece.cut) collector.add_row_at_cut(piece, rims.radii[piece.contour][piece.position], row);
     }
-    for (Index c = 0; c < figure.contours.size(); ++c) collector.add_row(c, rims.radii[c], angle, previous_angle);
-    previous_angle = angle;
+    for (Index c = 0; c < figure.contours.size(); ++c) collector.add_row(c, rims.radii[c], row);
   }
   for (const SkeletonNode& node : skeleton.nodes) collector.add_node(node.position);
   collector.add_hexagons();

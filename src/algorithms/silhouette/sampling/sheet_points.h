@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "algorithms/silhouette/sampling/rim_radius.h"
 #include "algorithms/silhouette/skeleton/skeleton.h"
 #include "croquis/silhouette/labelled_figure.h"
 
@@ -23,8 +24,8 @@ struct SheetRims {
 };
 
 struct SheetDensity {
-  std::size_t rows = 3;          ///< along every contour
-  double hexagon_spacing = 1.5;  ///< contour steps
+  std::size_t rows = RimRows::most;  ///< along every contour, at most
+  double hexagon_spacing = 1.5;      ///< contour steps
 };
 
 /// Points inside the drawn region at which the sheets are to be sampled: rows along every contour, the skeleton's

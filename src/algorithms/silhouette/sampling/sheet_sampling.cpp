@@ -26,11 +26,12 @@ constexpr double shallow = 0.5;
 constexpr double past_row = 1.3;
 constexpr SheetDensity draft_density{1, 3};
 
-constexpr int max_row_rounds = 1;  // later ones find only splinters between contours that nearly touch
+constexpr int max_row_rounds = 2;  // later ones find only splinters between contours that nearly touch
 
 void cut_segments(const LabelledFigure& figure, const std::vector<DirectedSegment>& segments,
                   const std::vector<std::vector<double>>& cuts, SheetSampling& sheets) {
   sheets.points = figure.points;
+  sheets.step = figure.step;
   for (Index s = 0; s < segments.size(); ++s) {
     const DirectedSegment& segment = segments[s];
     const Vec2 begin = figure.points[segment.begin];
@@ -96,7 +97,7 @@ std::vector<PlanarEdge> edges_between_rims(const SheetSampling& sheets) {
 /// out as notches.
 void add_edges_past_rows(const SheetSampling& sheets, std::vector<PlanarEdge>& edges) {
   const LiftedTriangulation& lifted = sheets.lifted;
-  const RimDistances rim = rim_distances(sheets, row_depth(1, row_angles[0]));
+  const RimDistances rim = rim_distances(sheets, greatest_first_row());
   for (Index m = 0; m < lifted.triangles.size(); ++m) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
       Index a = lifted.triangles[m][(corner + 1) % 3];
@@ -105,7 +106,7 @@ void add_edges_past_rows(const SheetSampling& sheets, std::vector<PlanarEdge>& e
       if (rim.distance[a] > rim.distance[b]) std::swap(a, b);
       if (rim.nearest[a] == no_index || lifted.on_boundary[b]) continue;
       const RimEdge& edge = rim.edges[rim.nearest[a]];
-      const double row = row_depth(edge.radius, row_angles[0]);
+      const double row = first_row_depth(edge.radius, sheets.step);
       const double depth = depth_below(sheets, edge, b);
       if (rim.distance[a] > shallow * row || depth < past_row * row) continue;
       const double fraction = (row - rim.distance[a]) / (depth - rim.distance[a]);

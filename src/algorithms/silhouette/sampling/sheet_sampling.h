@@ -18,6 +18,7 @@ struct SheetSampling {
   std::vector<std::array<Index, 2>> segments;  ///< pieces of the contours, in the direction of their contour
   std::vector<Index> parents;                  ///< per piece, the segment of the figure
   std::vector<double> piece_radii;             ///< per piece, that of the surface there, see rim_radii
+  double step = 0;                             ///< of the contours' points
   PlanarTriangulation planar;                  ///< of the points, constrained to the pieces
   std::vector<int> layers;                     ///< per planar triangle
   LiftedTriangulation lifted;

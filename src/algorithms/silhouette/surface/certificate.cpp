@@ -38,6 +38,19 @@ bool triangles_keep_sense(const SheetSampling& sampling, Rounding rounding, doub
   return std::all_of(sampling.planar.triangles.begin(), sampling.planar.triangles.end(), keeps);
 }
 
+/// A place that is rounded may come under a neighbour, which is steeper.
+constexpr double slope_spread = 2;
+
+/// Of a plane over a triangle, as a tangent.
+template <typename Height>
+double slope_of(const SheetMesh& mesh, std::size_t triangle, const Height& height) {
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  const Vec2 p = mesh.place[b] - mesh.place[a];
+  const Vec2 q = mesh.place[c] - mesh.place[a];
+  const Vec2 rise = (height(b) - height(a)) * q - (height(c) - height(a)) * p;
+  return rise.norm() / std::abs(cross(p, q));
+}
+
 }  // namespace
 
 double rounded(double value, Rounding rounding, double unit) {
@@ -62,6 +75,29 @@ bool sheets_in_order(const InflatedSheets& sheets, Rounding rounding, double uni
   };
   return std::all_of(sheets.pairs.begin(), sheets.pairs.end(), in_order) &&
          triangles_keep_sense(sheets.sampling, rounding, unit);
+}
+
+bool mesh_in_order(const SheetMesh& mesh, Rounding rounding, double unit) {
+  const auto moved = [&](double value) { return rounded(value, rounding, unit); };
+  std::vector<Vec2> places;
+  for (const Vec2& p : mesh.place) places.emplace_back(moved(p.x()), moved(p.y()));
+  const auto front = [&](Index v) { return mesh.z[v] + mesh.thickness[v]; };
+  const auto back = [&](Index v) { return mesh.z[v] - mesh.thickness[v]; };
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    if (orientation(places[a], places[b], places[c]) <= 0) return false;
+    double aside = 0;
+    double along = 0;
+    for (const Index v : mesh.triangles[t]) {
+      if (mesh.on_boundary[v] ? mesh.thickness[v] != 0 : !(moved(front(v)) > moved(back(v)))) return false;
+      aside = std::max(aside, (places[v] - mesh.place[v]).norm());
+      along = std::max({along, std::abs(moved(front(v)) - front(v)), std::abs(moved(back(v)) - back(v))});
+    }
+    if (!std::isfinite(mesh.room[t])) continue;
+    const double slope = std::max(slope_of(mesh, t, front), slope_of(mesh, t, back));
+    if (mesh.room[t] < 0 || along + slope_spread * slope * aside >= mesh.gap / 2) return false;
+  }
+  return true;
 }
 
 double least_gap(const InflatedSheets& sheets) {

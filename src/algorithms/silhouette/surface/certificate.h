@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "algorithms/silhouette/surface/inflation.h"
+#include "algorithms/silhouette/surface/sheet_mesh.h"
 #include "croquis/base/progress.h"
 #include "croquis/geometry/poly_mesh.h"
 
@@ -27,6 +28,10 @@ double rounded(double value, Rounding rounding, double unit);
 /// Attached objects are left out: what comes of them is another surface.
 /// Sufficient, not necessary: a rounding that turns an empty sliver of the convex hull over fails it. O(M).
 bool sheets_in_order(const InflatedSheets& sheets, Rounding rounding, double unit);
+
+/// The same of sheets with triangles of their own, when the sheets that they were made of are in order: all of their
+/// triangles keep their sense, every front stays before its back, and rounding moves none by half of the gap.
+bool mesh_in_order(const SheetMesh& mesh, Rounding rounding, double unit);
 
 /// Least distance along z of successive sheets that aren't attached, taken at all points of the common triangulation
 /// and so over all of it; infinity when none overlap.

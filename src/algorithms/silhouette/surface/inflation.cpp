@@ -16,6 +16,9 @@ namespace {
 /// other's. Without it the two would meet in whole faces.
 constexpr double front_margin = 0.02;
 
+/// Of a gap, and added to it: room for triangles of their own for every sheet, see SheetMesh.
+constexpr double spare_gap = 0.1;
+
 /// u: ten steps of the grid that a file may round to.
 constexpr double coincidence = 0.1;
 
@@ -82,7 +85,7 @@ MidSurfaceData mid_surface_data(const Skeleton& skeleton, const SheetBasis& basi
   data.node_z = node_depths(skeleton);
   data.node_length = node_lengths(skeleton);
   data.scale = skeleton.scale;
-  data.gap = settings.options.minimum_gap * skeleton.scale;
+  data.gap = (1 + spare_gap) * settings.options.minimum_gap * skeleton.scale;
   data.stiffness = vertex_stiffness(skeleton, objects);
   // Thin parts press on rims: a wide one keeps its shape over its own radius rather than over L.
   data.bending = data.stiffness.cwiseMax(1);
@@ -92,7 +95,7 @@ MidSurfaceData mid_surface_data(const Skeleton& skeleton, const SheetBasis& basi
   for (StackedPair& pair : data.pairs) {
     pair.resting = settings.attachments.resting(objects[pair.upper], objects[pair.lower]);
   }
-  data.resting_gap = std::min(data.gap, resting_gap(skeleton.scale, basis.unit));
+  data.resting_gap = (1 + spare_gap) * std::min(data.gap, resting_gap(skeleton.scale, basis.unit));
   if (joined) data.front_margin = front_margin * std::max(skeleton.scale, basis.unit);
   return data;
 }
@@ -138,6 +141,8 @@ class SheetRaiser {
         data_(mid_surface_data(skeleton, basis, objects_, settings)) {
     sheets_.sampling = basis.sampling;
     sheets_.pairs = data_.pairs;
+    sheets_.gap = data_.gap / (1 + spare_gap);
+    sheets_.resting_gap = data_.resting_gap / (1 + spare_gap);
   }
 
   InflatedSheets raise(Progress& progress) {

@@ -27,7 +27,9 @@ struct InflatedSheets {
   std::vector<StackedPair> pairs;
   /// Nodes of objects that were laid down on what they rest on, and their heights there.
   std::vector<std::pair<Index, double>> lowered_nodes;
-  int iterations = 0;  ///< of the mid-surface's solver, the larger of both solves
+  double gap = 0;          ///< that they keep
+  double resting_gap = 0;  ///< that one keeps which rests on another
+  int iterations = 0;      ///< of the mid-surface's solver, the larger of both solves
   double residual = 0;
   double uncertainty = 0;  ///< L, of both solves: how far a height may still be from the optimum's
 };

@@ -16,11 +16,11 @@ constexpr double least_part_of_row = 0.05;
 }  // namespace
 
 void flatten_to_rim_chords(const SheetSampling& sheets, Eigen::VectorXd& thickness) {
-  const RimDistances rim = rim_distances(sheets, row_depth(1, row_angles[0]));
+  const RimDistances rim = rim_distances(sheets, greatest_first_row());
   for (Index v = 0; v < rim.nearest.size(); ++v) {
     if (rim.nearest[v] == no_index || rim.distance[v] <= 0) continue;
     // Near the rim the section rises like the root of the depth, the chord in proportion to it.
-    const double row = row_depth(rim.edges[rim.nearest[v]].radius, row_angles[0]);
+    const double row = first_row_depth(rim.edges[rim.nearest[v]].radius, sheets.step);
     thickness[v] *= std::sqrt(std::clamp(rim.distance[v] / row, least_part_of_row, 1.0));
   }
 }

@@ -42,8 +42,8 @@ Index flood_component(const LabelledFigure& figure, const SheetSampling& sheets,
 /// Front and back copies of lifted vertices in one object's mesh; the same where the vertex is on the boundary.
 class VertexCopies {
  public:
-  VertexCopies(const InflatedSheets& sheets, PolyMesh& mesh)
-      : sheets_(sheets), mesh_(mesh), front_(sheets.sampling.lifted.planar_vertex.size(), no_index), back_(front_) {}
+  VertexCopies(const SheetMesh& sheets, PolyMesh& mesh)
+      : sheets_(sheets), mesh_(mesh), front_(sheets.place.size(), no_index), back_(front_) {}
 
   Index front(Index v) {
     if (front_[v] == no_index) front_[v] = add(v, sheets_.z[v] + sheets_.thickness[v]);
@@ -51,31 +51,30 @@ class VertexCopies {
   }
 
   Index back(Index v) {
-    if (sheets_.sampling.lifted.on_boundary[v]) return front(v);
+    if (sheets_.on_boundary[v]) return front(v);
     if (back_[v] == no_index) back_[v] = add(v, sheets_.z[v] - sheets_.thickness[v]);
     return back_[v];
   }
 
  private:
   Index add(Index v, double height) {
-    const Vec2& place = sheets_.sampling.points[sheets_.sampling.lifted.planar_vertex[v]];
-    mesh_.positions.emplace_back(place.x(), place.y(), height);
+    mesh_.positions.emplace_back(sheets_.place[v].x(), sheets_.place[v].y(), height);
     return static_cast<Index>(mesh_.positions.size()) - 1;
   }
 
-  const InflatedSheets& sheets_;
+  const SheetMesh& sheets_;
   PolyMesh& mesh_;
   std::vector<Index> front_;
   std::vector<Index> back_;
 };
 
-int count_euler_number(const LiftedTriangulation& lifted, const std::vector<Index>& triangles) {
+int count_euler_number(const SheetMesh& sheets, const std::vector<Index>& triangles) {
   std::vector<Index> vertices;
   int half_edges = 0;
   int boundary_edges = 0;
   for (const Index m : triangles) {
-    vertices.insert(vertices.end(), lifted.triangles[m].begin(), lifted.triangles[m].end());
-    for (const Index next : lifted.neighbours[m]) ++(next == no_index ? boundary_edges : half_edges);
+    vertices.insert(vertices.end(), sheets.triangles[m].begin(), sheets.triangles[m].end());
+    for (const Index next : sheets.neighbours[m]) ++(next == no_index ? boundary_edges : half_edges);
   }
   std::sort(vertices.begin(), vertices.end());
   const auto used = std::unique(vertices.begin(), vertices.end()) - vertices.begin();
@@ -97,24 +96,22 @@ std::vector<Index> objects_of_triangles(const LabelledFigure& figure, const Shee
   return objects;
 }
 
-std::vector<ObjectSurface> object_surfaces(const LabelledFigure& figure, const InflatedSheets& sheets) {
-  const LiftedTriangulation& lifted = sheets.sampling.lifted;
-  const std::vector<Index> objects = objects_of_triangles(figure, sheets.sampling);
+std::vector<ObjectSurface> object_surfaces(const LabelledFigure& figure, const SheetMesh& sheets) {
   std::vector<std::vector<Index>> triangles(figure.objects.size());
-  for (Index m = 0; m < objects.size(); ++m) triangles[objects[m]].push_back(m);
+  for (Index m = 0; m < sheets.objects.size(); ++m) triangles[sheets.objects[m]].push_back(m);
 
   std::vector<ObjectSurface> surfaces;
   for (Index object = 0; object < figure.objects.size(); ++object) {
     ObjectSurface surface;
     surface.object = object;
-    surface.euler_region = count_euler_number(lifted, triangles[object]);
+    surface.euler_region = count_euler_number(sheets, triangles[object]);
     VertexCopies copies(sheets, surface.mesh);
     for (const Index m : triangles[object]) {
-      const auto& [a, b, c] = lifted.triangles[m];
+      const auto& [a, b, c] = sheets.triangles[m];
       surface.mesh.add_triangle(copies.front(a), copies.front(b), copies.front(c));
     }
     for (const Index m : triangles[object]) {
-      const auto& [a, b, c] = lifted.triangles[m];
+      const auto& [a, b, c] = sheets.triangles[m];
       surface.mesh.add_triangle(copies.back(a), copies.back(c), copies.back(b));
     }
     surfaces.push_back(std::move(surface));

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "algorithms/silhouette/surface/inflation.h"
+#include "algorithms/silhouette/surface/sheet_mesh.h"
 #include "croquis/geometry/poly_mesh.h"
 #include "croquis/silhouette/labelled_figure.h"
 
@@ -17,8 +17,8 @@ struct ObjectSurface {
 };
 
 /// Doubles the region: front and back share the boundary vertices. One surface per object, in the figure's order; an
-/// object may have several components. Vertices in the order of the lifted ones, fronts first.
-std::vector<ObjectSurface> object_surfaces(const LabelledFigure& figure, const InflatedSheets& sheets);
+/// object may have several components. Vertices in the order of the triangles, fronts first.
+std::vector<ObjectSurface> object_surfaces(const LabelledFigure& figure, const SheetMesh& sheets);
 
 /// The object that each lifted triangle belongs to.
 /// @throws Error (E_INTERNAL) when a component of the region is bounded by contours of two objects

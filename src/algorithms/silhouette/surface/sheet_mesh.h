@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "algorithms/silhouette/surface/inflation.h"
+
+namespace croquis::silhouette {
+
+/// All sheets of a figure as a mesh of the immersed region, each sheet with triangles of its own: a front z + h and a
+/// back z - h over every vertex.
+struct SheetMesh {
+  std::vector<Vec2> place;                       ///< #V
+  std::vector<double> z;                         ///< #V
+  std::vector<double> thickness;                 ///< #V, h: 0 exactly on the boundary
+  std::vector<std::uint8_t> on_boundary;         ///< #V
+  std::vector<std::array<Index, 3>> triangles;   ///< #M by 3, counter-clockwise in the plane
+  std::vector<std::array<Index, 3>> neighbours;  ///< #M by 3, across the edge opposite to corner i, or no_index
+  std::vector<Index> objects;                    ///< #M
+  std::vector<double> room;                      ///< #M, see below
+  double gap = 0;                                ///< least distance that sheets keep, those of attached objects aside
+};
+
+/// The sheets with the triangles that they were solved with.
+///
+/// Over a triangle, its sheet may be moved up or down by its room and still keep the gap from the next one: half of
+/// what lies between the two beyond that; infinity where there is none. Fronts of attached objects keep their order.
+/// @param objects per lifted triangle
+SheetMesh make_sheet_mesh(const InflatedSheets& sheets, const std::vector<Index>& objects);
+
+}  // namespace croquis::silhouette
