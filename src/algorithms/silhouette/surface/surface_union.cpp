@@ -134,21 +134,35 @@ void remove_slivers(Surface& surface, double longest) {
                                                     pmp::parameters::vertex_is_constrained_map(fixed));
 }
 
-/// The same vertices and faces in the same order, half-edges numbered by them alone: the library numbers new ones by
-/// addresses in memory, and which slivers are removed first depends on these numbers. @return false where faces can't
-/// be added in this order
-bool renumber_halfedges(Surface& surface) {
+/// The same surface, all its elements numbered by where they are: the library numbers new ones by addresses in memory,
+/// and which slivers are removed first depends on these numbers. @return false where faces can't be added in this order
+bool renumber(Surface& surface) {
   surface.collect_garbage();
   const auto place = places(surface);
   const FaceObjects objects = face_objects(surface);
   Surface copy;
   auto copied_place = places(copy);
   FaceObjects copied_objects = face_objects(copy);
-  for (const Vertex v : surface.vertices()) copied_place[copy.add_vertex(surface.point(v))] = place[v];
+  std::vector<Vertex> renumbered(surface.number_of_vertices());
+  std::vector<Vertex> order(surface.vertices().begin(), surface.vertices().end());
+  std::sort(order.begin(), order.end(), [&](Vertex a, Vertex b) { return surface.point(a) < surface.point(b); });
+  for (const Vertex v : order) {
+    renumbered[v.idx()] = copy.add_vertex(surface.point(v));
+    copied_place[renumbered[v.idx()]] = place[v];
+  }
+  std::vector<std::pair<std::array<Vertex, 3>, Index>> faces;
   for (const Face face : surface.faces()) {
-    const Face copied = copy.add_face(surface.vertices_around_face(surface.halfedge(face)));
+    std::array<Vertex, 3> corners;
+    std::size_t i = 0;
+    for (const Vertex v : surface.vertices_around_face(surface.halfedge(face))) corners[i++] = renumbered[v.idx()];
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    faces.emplace_back(corners, objects[face]);
+  }
+  std::sort(faces.begin(), faces.end());
+  for (const auto& [corners, object] : faces) {
+    const Face copied = copy.add_face(corners);
     if (copied == Surface::null_face()) return false;
-    copied_objects[copied] = objects[face];
+    copied_objects[copied] = object;
   }
   surface = std::move(copy);
   return true;
@@ -180,7 +194,7 @@ Meeting join(UnionPair& surfaces) {
 
 /// @return false where the library can't
 bool clean_seams(Surface& surface, double sliver) {
-  if (!renumber_halfedges(surface)) return false;
+  if (!renumber(surface)) return false;
   try {
     remove_slivers(surface, sliver);
   } catch (const std::exception&) {  // a failed precondition of the library
