@@ -36,9 +36,12 @@ struct Reach {
   double middle() const { return (low + high) / 2; }
 };
 
-Solid solid_of(const Drawing& drawing) {
+/// @param held as suggested; parts aren't united then, so that each can be measured
+Solid solid_of(const Drawing& drawing, bool held = false) {
   Progress progress;
-  const Options options;
+  Options options;
+  options.attach_suggested = held;
+  if (held) options.quality = Quality::Draft;
   return inflate(label(drawing, options, progress), drawing, options, progress);
 }
 
@@ -54,12 +57,16 @@ std::map<std::string, Reach> reaches(const Solid& solid) {
   return result;
 }
 
-std::map<std::string, Reach> reaches(const std::string& character) {
+test::Sketch sketch_of(const std::string& character) {
   for (const test::Character& one : test::all_characters()) {
-    if (one.name == character) return reaches(solid_of(test::character_sketch(one).drawing));
+    if (one.name == character) return test::character_sketch(one);
   }
   FAIL("no character " << character);
   return {};
+}
+
+std::map<std::string, Reach> reaches(const std::string& character, bool held = false) {
+  return reaches(solid_of(sketch_of(character).drawing, held));
 }
 
 /// Objects with one node each.
@@ -151,6 +158,53 @@ TEST_CASE("parts that can be flat are flat, and legs don't splay") {
   CHECK(body - elephant.at("far fore leg").middle() == Approx(before).epsilon(0.2));
   CHECK(body - elephant.at("far hind leg").middle() == Approx(before).epsilon(0.2));
   CHECK(elephant.at("body").depth() == Approx(306).epsilon(0.05));
+}
+
+TEST_CASE("legs that grow out of a body mirror each other, too, as far as they reach it") {
+  const auto elephant = reaches("elephant", true);
+  const double body = elephant.at("body").middle();
+  const double before = elephant.at("near fore leg").middle() - body;
+  CHECK(before > 40);
+  CHECK(elephant.at("near hind leg").middle() - body == Approx(before).epsilon(0.05));
+  CHECK(body - elephant.at("far fore leg").middle() == Approx(before).epsilon(0.15));
+  CHECK(body - elephant.at("far hind leg").middle() == Approx(before).epsilon(0.15));
+}
+
+TEST_CASE("limbs that like ones draw out of their body go no farther than they reach") {
+  DepthSettings settings;
+  settings.attachments.add(0, 1, 0.5);
+  settings.attachments.add(0, 2, 0.5);
+  settings.attachments.add(0, 3, 0.5);
+  const ObjectBounds bounds{{{1, 0}, {9, 12}}, {{0, 2}, {3, 8}}, {{0, 3}, {4, 20}}};
+  const std::vector<double> heights = rest({10, 3, 3, 3}, bounds, settings);
+  CHECK(heights[1] - heights[0] == Approx(9).epsilon(0.01));
+  CHECK(heights[0] - heights[2] == Approx(8).epsilon(0.01));
+  CHECK(heights[0] - heights[3] == Approx(9).epsilon(0.01));
+}
+
+TEST_CASE("depths turn, are mirrored and grow with the drawing") {
+  for (const char* name : {"elephant", "pancakes", "flower"}) {
+    const test::Sketch sketch = sketch_of(name);
+    const std::map<std::string, Reach> drawn = reaches(solid_of(sketch.drawing));
+    Reach all;
+    for (const auto& [part, reach] : drawn) {
+      all.add(reach.low);
+      all.add(reach.high);
+    }
+    const auto check = [&](const test::Sketch& other, double factor) {
+      const std::map<std::string, Reach> parts = reaches(solid_of(other.drawing));
+      REQUIRE(parts.size() == drawn.size());
+      for (const auto& [part, reach] : drawn) {
+        INFO(name << " " << part);
+        const double tolerance = 0.01 * factor * all.depth();
+        CHECK(parts.at(part).middle() == Approx(factor * reach.middle()).margin(tolerance));
+        CHECK(parts.at(part).depth() == Approx(factor * reach.depth()).margin(tolerance));
+      }
+    };
+    check(test::mirrored(sketch), 1);
+    check(test::scaled(sketch, 0.2), 0.2);
+    check(test::rotated(sketch, 2), 1);
+  }
 }
 
 TEST_CASE("parts of characters lie no further apart than their thicknesses") {

@@ -110,7 +110,7 @@ class RowMaker {
       for (const PanelNode& lower : below) {
         if (upper.node == lower.node) continue;
         const double bound = least_distance(upper.node, lower.node);
-        if (bound > 0) rows.push_back({upper.node, lower.node, bound});
+        if (bound > 0) rows.push_back({upper.node, lower.node, bound, reach(upper.node, lower.node)});
       }
     }
   }
@@ -129,13 +129,24 @@ class RowMaker {
       return touching_distance({a.radius + half_gap, thick_a * a.radius + half_gap},
                                {b.radius + half_gap, thick_b * b.radius + half_gap}, offset.norm());
     }
-    const double reach = attached_distance(*kappa, a.radius, b.radius);
-    const double deep = attached_distance(*kappa, thick_a * a.radius, thick_b * b.radius);
-    double bound = deep / reach * height(reach, offset);
+    double bound = attached_height(*kappa, a, b);
     for (const Vec2& place : rims_[upper]) {
       bound = std::max(bound, thick_b * height(b.radius, place - b.position));
     }
     return bound;
+  }
+
+  double reach(Index upper, Index lower) const {
+    const SkeletonNode& a = skeleton_.nodes[upper];
+    const SkeletonNode& b = skeleton_.nodes[lower];
+    return attachments_.kappa(a.object, b.object) ? attached_height(1, a, b) : 0;
+  }
+
+  /// Of the middles of joined parts where the nodes lie over one another.
+  double attached_height(double kappa, const SkeletonNode& a, const SkeletonNode& b) const {
+    const double wide = attached_distance(kappa, a.radius, b.radius);
+    const double deep = attached_distance(kappa, thickness_of(a.object) * a.radius, thickness_of(b.object) * b.radius);
+    return deep / wide * height(wide, a.position - b.position);
   }
 
   double thickness_of(Index object) const { return object < thickness_.size() ? thickness_[object] : 1; }

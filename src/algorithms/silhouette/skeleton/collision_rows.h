@@ -14,6 +14,7 @@ struct CollisionRow {
   Index upper = 0;
   Index lower = 0;
   double bound = 0;
+  double reach = 0;  ///< of joined objects: so far apart along z the two still sink into one another
 };
 
 /// For panels directly above one another, every node whose chord passes through the upper one against every node of the

@@ -25,28 +25,18 @@ constexpr double like_weight = 10;
 constexpr double like_radius = 1.4;
 constexpr double like_area = 2;
 
-/// In the thinner one's radius: joined parts that are farther apart than they need are no longer taken to meet.
+/// In the thinner one's radius: joined parts that are farther apart than they need, or reach, are no longer taken to
+/// meet.
 constexpr double pushed_away = 0.1;
 
 struct ObjectSize {
-  double radius = 0;  ///< mean
+  double radius = 0;
   double area = 0;
 };
 
 std::vector<ObjectSize> object_sizes(const Skeleton& skeleton) {
   std::vector<ObjectSize> sizes;
-  std::vector<double> nodes;
-  for (const SkeletonNode& node : skeleton.nodes) {
-    if (node.object >= sizes.size()) sizes.resize(node.object + 1);
-    nodes.resize(sizes.size());
-    sizes[node.object].radius += node.radius;
-    ++nodes[node.object];
-  }
-  for (std::size_t object = 0; object < sizes.size(); ++object) {
-    ObjectSize& size = sizes[object];
-    size.radius /= std::max(nodes[object], 1.0);
-    size.area = std::numbers::pi * size.radius * size.radius;
-  }
+  for (const double radius : object_radii(skeleton)) sizes.push_back({radius, std::numbers::pi * radius * radius});
   for (const auto& [i, k] : skeleton.edges) {
     const SkeletonNode& a = skeleton.nodes[i];
     const SkeletonNode& b = skeleton.nodes[k];
@@ -58,13 +48,15 @@ std::vector<ObjectSize> object_sizes(const Skeleton& skeleton) {
 /// A part that lies before or behind a body.
 struct BodyPart {
   Index part = 0;
-  int side = 1;      ///< 1 before, -1 behind
-  double bound = 0;  ///< least distance from the body
+  int side = 1;       ///< 1 before, -1 behind
+  ObjectBound bound;  ///< distance from the body
+  bool joined = false;
 };
 
 using BodyParts = std::vector<BodyPart>;
 
-/// Parts of one body that are about as wide and as large as each other; groups of one part are left out.
+/// Parts of one body that are about as wide and as large as each other, and held in the same way; groups of one part
+/// are left out.
 std::vector<BodyParts> like_groups(BodyParts parts, const std::vector<ObjectSize>& sizes) {
   std::sort(parts.begin(), parts.end(), [&](const BodyPart& a, const BodyPart& b) {
     const auto key = [&](const BodyPart& one) {
@@ -74,7 +66,8 @@ std::vector<BodyParts> like_groups(BodyParts parts, const std::vector<ObjectSize
   });
   const auto alike = [&](const BodyPart& a, const BodyPart& b) {
     const auto [small, large] = std::minmax(sizes[a.part].area, sizes[b.part].area);
-    return sizes[b.part].radius <= like_radius * sizes[a.part].radius && large <= like_area * small;
+    return a.joined == b.joined && sizes[b.part].radius <= like_radius * sizes[a.part].radius &&
+           large <= like_area * small;
   };
   std::vector<BodyParts> groups;
   for (const BodyPart& part : parts) {
@@ -131,7 +124,8 @@ class RestProblem {
     for (const auto& [pair, bound] : bounds_) {
       const auto& [upper, lower] = pair;
       if (cycles_.cycle[upper] == cycles_.cycle[lower] || !settings_.attachments.kappa(upper, lower)) continue;
-      const double excess = heights[upper] - heights[lower] - bound;
+      const double allowed = std::max(bound.least, bound.reach);
+      const double excess = heights[upper] - heights[lower] - allowed;
       if (excess <= pushed_away * std::min(sizes_[upper].radius, sizes_[lower].radius)) continue;
       below_[lower].push_back(upper);
       found = true;
@@ -163,17 +157,16 @@ class RestProblem {
       if (upper == lower) continue;
       add_row({{upper, 1}, {lower, -1}});
       double& most = distances_[{upper, lower}];
-      most = std::max(most, bound / scale_ + clearance);
+      most = std::max(most, bound.least / scale_ + clearance);
     }
   }
 
   void add_like_rows() {
     std::map<Index, BodyParts> bodies;
-    const auto add = [&](Index body, const BodyPart& part) {
-      // Limbs that grow out of a body have to reach it, each by itself.
-      const bool joined = settings_.attachments.kappa(body, part.part).has_value();
+    const auto add = [&](Index body, BodyPart part) {
+      part.joined = settings_.attachments.kappa(body, part.part).has_value();
       const bool flat = cycles_.cycle[body] != cycles_.cycle[part.part];
-      if (flat && !joined && sizes_[body].area > sizes_[part.part].area) bodies[body].push_back(part);
+      if (flat && sizes_[body].area > sizes_[part.part].area) bodies[body].push_back(part);
     };
     for (const auto& [pair, bound] : bounds_) {
       add(pair.second, {pair.first, 1, bound});
@@ -186,10 +179,13 @@ class RestProblem {
 
   void add_like_rows(Index body, const BodyParts& group) {
     double distance = 0;
-    for (const BodyPart& part : group) distance = std::max(distance, part.bound / scale_ + clearance);
+    for (const BodyPart& part : group) distance = std::max(distance, part.bound.least / scale_ + clearance);
     for (const BodyPart& part : group) {
+      double own = distance;
+      // Limbs that grow out of a body have to reach it, each by itself.
+      if (part.joined) own = std::min(own, std::max(part.bound.least, part.bound.reach) / scale_);
       add_row({{cycles_.cycle[part.part], part.side * like_weight}, {cycles_.cycle[body], -part.side * like_weight}},
-              like_weight * distance);
+              like_weight * own);
     }
   }
 
@@ -215,8 +211,8 @@ class RestProblem {
   std::vector<ObjectSize> sizes_;
   const ObjectBounds& bounds_;
   const DepthSettings& settings_;
-  ObjectBounds distances_;                 ///< by cycles, in L
-  std::vector<std::vector<Index>> below_;  ///< per object
+  std::map<std::pair<Index, Index>, double> distances_;  ///< by cycles, in L
+  std::vector<std::vector<Index>> below_;                ///< per object
   OverlapCycles cycles_;
   std::vector<Eigen::Triplet<double>> objective_;
   std::vector<double> targets_;
@@ -228,7 +224,7 @@ ObjectBounds object_bounds(const Skeleton& skeleton, std::span<const CollisionRo
   ObjectBounds bounds;
   for (const CollisionRow& row : rows) {
     const std::pair pair(skeleton.nodes[row.upper].object, skeleton.nodes[row.lower].object);
-    if (pair.first != pair.second) bounds[pair] = std::max(bounds[pair], row.bound);
+    if (pair.first != pair.second) bounds[pair].widen({row.bound, row.reach});
   }
   return bounds;
 }

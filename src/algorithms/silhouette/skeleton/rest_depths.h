@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <span>
 #include <utility>
@@ -13,16 +14,29 @@
 
 namespace croquis::silhouette {
 
-/// How far the upper one of two different objects must at least lie before the lower one where both are flat; by
-/// (upper, lower), sketch units.
-using ObjectBounds = std::map<std::pair<Index, Index>, double>;
+/// How far the upper one of two different objects lies before the lower one where both are flat, sketch units.
+struct ObjectBound {
+  double least = 0;
+  double reach = 0;  ///< of joined ones: farther apart they don't meet
+
+  ObjectBound() = default;
+  ObjectBound(double least_distance, double farthest = 0) : least(least_distance), reach(farthest) {}
+
+  void widen(const ObjectBound& other) {
+    least = std::max(least, other.least);
+    reach = std::max(reach, other.reach);
+  }
+};
+
+/// By (upper, lower).
+using ObjectBounds = std::map<std::pair<Index, Index>, ObjectBound>;
 
 /// The largest bound of the rows between each two objects.
 ObjectBounds object_bounds(const Skeleton& skeleton, std::span<const CollisionRow> rows);
 
 /// Per object the height at which it would rest if it were flat and rigid: no nearer to what it lies over than the
 /// bounds say, the objects that lie over one another as near to the same height as that allows, and like parts of one
-/// body (legs, petals) equally far before or behind it.
+/// body (legs, petals) equally far before or behind it, joined ones as far as they reach.
 ///
 /// Objects that lie over one another all round, as links do, share one height: none of them can be flat.
 /// A larger object stays nearer to the sketch plane, and so does one with a larger weight of distance. The heights

@@ -66,8 +66,8 @@ Eigen::VectorXd node_shifts(const Skeleton& skeleton, const MidSurfaceData& data
   for (const StackedPair& pair : data.pairs) {
     const std::pair ends(objects[pair.upper], objects[pair.lower]);
     if (ends.first == ends.second) continue;
-    double& bound = bounds[ends];
-    bound = std::max(bound, least_distance(data, pair, thickness));
+    const double reach = pair.attached() ? attached_distance(1, thickness[pair.upper], thickness[pair.lower]) : 0;
+    bounds[ends].widen({least_distance(data, pair, thickness), reach});
   }
   const std::vector<double> rest = rest_depths(skeleton, bounds, settings, progress);
   Eigen::VectorXd shifts(data.node_z.size());
