@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "algorithms/silhouette/strokes/stroke_cleanup.h"
+#include "algorithms/silhouette/strokes/tremble.h"
 #include "croquis/base/error.h"
 #include "silhouette/labelled_counts.h"
 #include "support/sample_count.h"
@@ -111,12 +113,51 @@ TEST_CASE("drawings whose ends miss, whose loops stay open, or that are in piece
   CHECK(percent_read(pieces, 9201) >= 90);
 }
 
-TEST_CASE("drawings with a jitter of one percent are read as they were meant") {
+TEST_CASE("drawings of a trembling hand are read as they were meant") {
   HandOptions jitter;
   jitter.jitter = 0.01;
   jitter.closing = 0.02;
   jitter.aside = 0.01;
-  CHECK(percent_read(jitter, 9301) >= 90);
+  CHECK(percent_read(jitter, 9301) >= 95);
+  jitter.jitter = 0.02;
+  CHECK(percent_read(jitter, 9401) >= 80);
+}
+
+TEST_CASE("an unsteady hand is told from a steady one, whatever the size") {
+  const StrokeOptions options = Options::of(Preset::Tablet).strokes;
+  const auto tremble = [&](const Drawing& drawing) { return clean_strokes(drawing, options, {}, {}).scale.tremble; };
+  for (const NamedSketch& sketch : {NamedSketch{"rings", linked_rings_sketch()}, {"octopus", octopus_sketch()}}) {
+    INFO(sketch.name);
+    CHECK(tremble(sketch.sketch.drawing) == 0);
+    HandOptions hand;
+    hand.jitter = 0.02;
+    const Drawing drawn = drawn_by_hand(sketch.sketch, 9501, hand);
+    CHECK(tremble(drawn) > 0.6);
+    const Sketch small = scaled({drawn, sketch.sketch.truth}, 0.01);
+    CHECK(tremble(small.drawing) == Approx(tremble(drawn)).margin(1e-6));
+  }
+}
+
+TEST_CASE("where a trembling line ends, its direction is that of a longer piece") {
+  DrawingScale scale;
+  const double wave = 60;
+  CleanLine line;
+  for (int i = 0; i <= 96; ++i) {
+    const double x = 5.0 * i;
+    line.points.emplace_back(x, 8 * std::sin(2 * std::numbers::pi * x / wave));
+  }
+  line.size = size_of(line.points, false);
+  const auto misdirected = [&] { return std::acos(std::min(1.0, end_direction(line, false, scale).x())); };
+  scale.tremble = 0;
+  CHECK(misdirected() > 0.5);
+  scale.tremble = 1;
+  CHECK(misdirected() < 0.2);
+  // Drawn exactly, a bend is followed.
+  for (Vec2& point : line.points) point.y() = 200 - std::sqrt(200 * 200 - std::pow(point.x() / 3, 2));
+  scale.tremble = 0;
+  const Vec2 end = line.points.back();
+  const Vec2 along = Vec2(200 - end.y(), end.x() / 3 / 3).normalized();
+  CHECK(cross(along, end_direction(line, false, scale)) == Approx(0).margin(0.01));
 }
 
 TEST_CASE("many small things on one sheet are read like one of them") {

@@ -17,7 +17,7 @@ LabelledDrawing label_anew(const Drawing& drawing, const Options& options, Progr
   LabelledDrawing result = label_strokes(drawing, options, read, labelling);
   if (has_errors(result.findings) && reads_again(options.strokes)) {
     const Progress again = progress.step("reading strokes again", 0.1);
-    result = read_again(drawing, options, std::move(result), again);
+    result = read_again(drawing, options, std::move(result), read.clean.scale.tremble, again);
   }
   if (result.figures.empty()) throw Error(result.findings);
   return result;

@@ -239,10 +239,27 @@ std::set<Index> faulty_strokes(const Drawing& drawing, const Findings& findings)
   return strokes;
 }
 
+/// Read as a steady hand would have drawn it; none when that has errors too.
+std::optional<LabelledDrawing> read_as_steady(const Drawing& drawing, const Options& options,
+                                              const Progress& progress) {
+  StrokeReading reading;
+  reading.steady = true;
+  Progress silent = progress.silent();
+  try {
+    LabelledDrawing found = label_strokes(drawing, options, read_strokes(drawing, options, reading, silent), silent);
+    if (!has_errors(found.findings)) return found;
+  } catch (const Error&) {
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
-LabelledDrawing read_again(const Drawing& drawing, const Options& options, LabelledDrawing first,
+LabelledDrawing read_again(const Drawing& drawing, const Options& options, LabelledDrawing first, double tremble,
                            const Progress& progress) {
+  if (tremble > 0) {
+    if (std::optional<LabelledDrawing> steady = read_as_steady(drawing, options, progress)) return *std::move(steady);
+  }
   const std::set<Index> faulty = faulty_strokes(drawing, first.findings);
   const double margin = std::max(options.strokes.close_share, options.strokes.reach_share);
   StrokeReading reading;

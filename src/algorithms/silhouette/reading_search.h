@@ -14,8 +14,9 @@ inline bool reads_again(const StrokeOptions& options) { return options.close_sha
 /// Best first: the reading with the fewest faults is changed further, one change at a time, near its faults. Bounded by
 /// counts of readings and of labellings per independent part; a part that can't be read keeps the reading with the
 /// fewest faults, so that what is told is what is left.
-/// @param first what came of the first reading
-LabelledDrawing read_again(const Drawing& drawing, const Options& options, LabelledDrawing first,
+/// @param first   what came of the first reading
+/// @param tremble of that reading, see `tremble_of`: an unsteady hand's drawing is read as a steady one's first
+LabelledDrawing read_again(const Drawing& drawing, const Options& options, LabelledDrawing first, double tremble,
                            const Progress& progress);
 
 }  // namespace croquis::silhouette

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "algorithms/silhouette/figure/drawn_cover.h"
+#include "algorithms/silhouette/figure/end_freedom.h"
 #include "algorithms/silhouette/figure/hidden_caps.h"
 #include "algorithms/silhouette/figure/hidden_strips.h"
 #include "croquis/geometry/polyline.h"
@@ -138,6 +139,7 @@ std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLi
   const std::vector<Index> given = given_pieces_of(junctions);
   const DrawnCover cover(lines, junctions);
   const HiddenCaps caps(lines, junctions);
+  const EndFreedom freedom(junctions, lines.size());
   std::vector<int> side;
   for (const Index end : ends) side.push_back(caps.outward_side(junctions.ends[end]));
   for (Index i = 0; i < ends.size(); ++i) {
@@ -161,7 +163,9 @@ std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLi
       CompletionCandidate candidate;
       candidate.a = i;
       candidate.b = k;
-      candidate.bezier = completion_curve(from, a.tangent, to, b.tangent);
+      const double free = freedom.between(a, b);
+      candidate.bezier = completion_curve(from, EndFreedom::turned(a.tangent, to - from, free), to,
+                                          EndFreedom::turned(b.tangent, from - to, free));
       const int agreed = side[i] == -side[k] ? side[i] : 0;
       candidate.cost = completion_cost(candidate.bezier, agreed, reference, options);
       if (agreed == 0) candidate.cost += disagreement_cost * std::min(caps.roundness(a.line), caps.roundness(b.line));

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "algorithms/silhouette/strokes/tremble.h"
+
 namespace croquis::silhouette {
 namespace {
 
@@ -44,7 +46,7 @@ BarSearch::Probe BarSearch::probe(Index line, bool at_start, const EndReach& wan
   const double ahead = wanted.factor * scale_.reach(std::max(lines_[line].size, largest_));
   // An overshoot longer than nearly half the line is no overshoot.
   const double back = std::min({wanted.most_back, ahead, 0.45 * croquis::length(points, false)});
-  const Vec2 tangent = end_tangent(points, at_start, tangent_steps * scale_.step);
+  const Vec2 tangent = end_direction(lines_[line], at_start, scale_);
   probe.path = {probe.end + ahead * tangent, probe.end};
   probe.along = {ahead, 0};
   const std::size_t count = points.size();

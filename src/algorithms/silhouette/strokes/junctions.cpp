@@ -13,6 +13,7 @@
 #include "algorithms/silhouette/strokes/bar_search.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
 #include "algorithms/silhouette/strokes/line_conflicts.h"
+#include "algorithms/silhouette/strokes/tremble.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -137,19 +138,20 @@ double current_parameter(const CleanLine& bar, double parameter, const Vec2& at)
 }
 
 /// The junction of a line that ends on its bar.
-HiddenEnd junction(const std::vector<CleanLine>& lines, Index line, bool at_start, const BarHit& hit, double step) {
+HiddenEnd junction(const std::vector<CleanLine>& lines, Index line, bool at_start, const BarHit& hit,
+                   const DrawingScale& scale) {
   const double parameter = current_parameter(lines[hit.bar], hit.parameter, hit.at);
   HiddenEnd end{line, at_start, hit.bar, parameter, hit.at, Vec2::Zero(), 1};
   const Points& points = lines[line].points;
   const Points& bar = lines[hit.bar].points;
   const auto segment = static_cast<std::size_t>(parameter);
   const Vec2 direction = (bar[(segment + 1) % bar.size()] - bar[segment]).normalized();
-  end.tangent = end_tangent(points, at_start, tangent_steps * step);
+  end.tangent = end_direction(lines[line], at_start, scale);
   const double sine = cross(direction, end.tangent);
   end.bar_side = sine >= 0 ? 1 : -1;
   if (std::abs(sine) >= least_junction_sine) return end;
   // Too flat for the tangent to decide: the stem comes from the side where its last samples lie.
-  const Vec2 inward = -end_chord(points, at_start, 3 * step);
+  const Vec2 inward = -end_chord(points, at_start, 3 * scale.step);
   const double from = cross(direction, inward);
   if (std::abs(from) > std::abs(sine)) end.bar_side = from > 0 ? -1 : 1;
   const double ahead = end.tangent.dot(direction) >= 0 ? 1 : -1;
@@ -285,6 +287,7 @@ Junctions find_junctions(const Drawing& drawing, std::vector<CleanLine>& lines, 
   move_ends(lines, hits, scale);
 
   Junctions junctions;
+  junctions.tremble = scale.tremble;
   for (Index line = 0; line < lines.size(); ++line) {
     if (lines[line].closed) continue;
     if (!hits[line][0] && !hits[line][1] && almost_closed(lines[line])) {
@@ -294,7 +297,7 @@ Junctions find_junctions(const Drawing& drawing, std::vector<CleanLine>& lines, 
     for (const bool at_start : {true, false}) {
       const std::optional<BarHit>& hit = hits[line][at_start ? 0 : 1];
       if (hit) {
-        junctions.ends.push_back(junction(lines, line, at_start, *hit, scale.step));
+        junctions.ends.push_back(junction(lines, line, at_start, *hit, scale));
       } else {
         junctions.findings.push_back(free_end(drawing, lines[line], line, at_start));
       }

@@ -34,6 +34,7 @@ struct Junctions {
   std::vector<HiddenEnd> ends;  ///< by line, its start first
   std::vector<int> sides;       ///< per line: surface on its left (+1), right (-1), or not given by any stem (0)
   std::vector<GivenPiece> given;
+  double tremble = 0;     ///< of the hand, see `tremble_of`
   LineFindings findings;  ///< E_FREE_END, E_TWO_SIDED, E_CROSS, E_TOUCH
 };
 

@@ -9,6 +9,7 @@
 #include "algorithms/silhouette/strokes/drawing_findings.h"
 #include "algorithms/silhouette/strokes/gap_joining.h"
 #include "algorithms/silhouette/strokes/stroke_chains.h"
+#include "algorithms/silhouette/strokes/tremble.h"
 #include "croquis/base/error.h"
 #include "croquis/silhouette/stroke_data.h"
 
@@ -97,7 +98,8 @@ DrawingScale scale_of(const Drawing& drawing, const StrokeOptions& options) {
           options.snap * unit,
           options.close_share,
           options.aside_share,
-          options.reach_share};
+          options.reach_share,
+          0};
 }
 
 std::vector<UsableStroke> usable_strokes(const Drawing& drawing, const DrawingScale& scale,
@@ -224,6 +226,7 @@ CleanDrawing clean_strokes(const Drawing& drawing, const StrokeOptions& options,
     finish(result.lines.back(), result.scale.step, options.smoothing_passes);
     progress.check();
   }
+  if (options.reach_share > 0 && !reading.steady) result.scale.tremble = tremble_of(result.lines, result.scale.step);
   const Findings doubled = find_doubled_lines(drawing, result.lines, result.scale);
   result.findings.insert(result.findings.end(), doubled.begin(), doubled.end());
   return result;

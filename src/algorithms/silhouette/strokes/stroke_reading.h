@@ -33,6 +33,8 @@ struct StrokeReading {
   std::vector<EndPair> apart;     ///< not joined, though the rules would
   std::vector<Index> farther;     ///< strokes whose ends may miss the line they pass behind by more than usual
 
+  bool steady = false;  ///< directions of ends are taken as drawn, however much the hand trembled
+
   std::size_t changes() const { return together.size() + apart.size() + farther.size(); }
   bool includes(Index stroke) const { return included.empty() || included[stroke] != 0; }
 };

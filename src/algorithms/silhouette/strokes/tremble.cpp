@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/strokes/tremble.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace croquis::silhouette {
+namespace {
+
+// Waves of the hand are a tenth to a third of what it draws; the differences see those of four times this share best.
+constexpr double difference_share = 0.08;
+// Smooth drawings have a median of less than the first; a jitter of 2 % of the object's diagonal has about the second.
+constexpr double steady = 0.0012;
+constexpr double unsteady = 0.0024;
+// The piece whose direction is taken then, as a share of the line's size.
+constexpr double direction_share = 0.2;
+
+/// Median size of the fourth differences, as a share of the line's size.
+double unevenness(const CleanLine& line, double step) {
+  const auto count = static_cast<Index>(line.points.size());
+  const auto wanted = static_cast<Index>(std::max(2L, std::lround(difference_share * line.size / step)));
+  const Index apart = std::min(wanted, (count - 1) / 5);
+  if (apart == 0 || !(line.size > 0)) return 0;
+  std::vector<double> sizes;
+  const auto place = [&](Index i, Index steps) -> const Vec2& { return line.points[(i + steps * apart) % count]; };
+  for (Index i = 0; i < (line.closed ? count : count - 4 * apart); ++i) {
+    const Vec2 outer = place(i, 0) + place(i, 4);
+    const Vec2 inner = place(i, 1) + place(i, 3);
+    sizes.push_back((outer - 4 * inner + 6 * place(i, 2)).norm() / 16);
+  }
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  return *middle / line.size;
+}
+
+/// Outward direction of the straight line through the last `reach` of a line, places near the end counting most.
+Vec2 straight_direction(const Points& points, bool at_start, double reach) {
+  double weights = 0;
+  double first = 0;
+  double second = 0;
+  Vec2 places = Vec2::Zero();
+  Vec2 moments = Vec2::Zero();
+  double distance = 0;
+  for (std::size_t i = 0; i < points.size() && distance <= reach; ++i) {
+    const Vec2& point = points[at_start ? i : points.size() - 1 - i];
+    if (i > 0) distance += (point - points[at_start ? i - 1 : points.size() - i]).norm();
+    const double share = std::max(0.0, 1 - distance / reach);
+    const double weight = share * share;
+    weights += weight;
+    first += weight * distance;
+    second += weight * distance * distance;
+    places += weight * point;
+    moments += weight * distance * point;
+  }
+  const Vec2 inward = weights * moments - first * places;
+  const bool usable = weights * second > first * first && inward.norm() > 0;
+  return usable ? Vec2(-inward.normalized()) : end_chord(points, at_start, reach);
+}
+
+}  // namespace
+
+double tremble_of(const std::vector<CleanLine>& lines, double step) {
+  std::vector<std::pair<double, double>> all;  // unevenness and length
+  double length = 0;
+  for (const CleanLine& line : lines) {
+    all.emplace_back(unevenness(line, step), croquis::length(line.points, line.closed));
+    length += all.back().second;
+  }
+  std::sort(all.begin(), all.end());
+  double below = 0;
+  for (const auto& [uneven, part] : all) {
+    below += part;
+    if (2 * below < length) continue;
+    const double share = std::clamp((uneven - steady) / (unsteady - steady), 0.0, 1.0);
+    return share * share * (3 - 2 * share);
+  }
+  return 0;
+}
+
+Vec2 end_direction(const CleanLine& line, bool at_start, const DrawingScale& scale) {
+  const double reach = tangent_steps * scale.step;
+  const Vec2 tangent = end_tangent(line.points, at_start, reach);
+  if (scale.tremble <= 0) return tangent;
+  const double longest = std::min(direction_share * line.size, croquis::length(line.points, false) / 2);
+  const Vec2 straight = straight_direction(line.points, at_start, std::max(reach, longest));
+  const Vec2 mixed = (1 - scale.tremble) * tangent + scale.tremble * straight;
+  return mixed.norm() > 0 ? Vec2(mixed.normalized()) : straight;
+}
+
+}  // namespace croquis::silhouette
