@@ -58,8 +58,9 @@ void add_solid(const Drawing& drawing, const LabelledDrawing& labelled, const So
     for (const Index object : shell.objects) inflated.objects.push_back(solid.objects[object].name);
     result.shells.push_back(std::move(inflated));
   }
-  for (const auto& [front, behind, at, chosen] : labelled.crossings) {
-    result.crossings_in_view.push_back({drawing.strokes[front].id, drawing.strokes[behind].id, at, chosen});
+  for (const silhouette::CrossingInView& pair : labelled.crossings) {
+    result.crossings_in_view.push_back(
+        {drawing.strokes[pair.front].id, drawing.strokes[pair.behind].id, pair.at, pair.chosen});
   }
   result.attached = solid.attached;
   result.diagnostics = solid.diagnostics;

@@ -9,7 +9,9 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
+#include "croquis/silhouette/attachment.h"
 #include "croquis/silhouette/labelled_figure.h"
+#include "croquis/silhouette/stroke_data.h"
 #include "silhouette/labelled_counts.h"
 #include "support/random.h"
 #include "support/sample_count.h"
@@ -122,6 +124,55 @@ TEST_CASE("shapes drawn in full over one another lie in the order of drawing") {
     CHECK(labelled.findings.size() == labelled.crossings.size());
     for (const Finding& finding : labelled.findings) CHECK(finding.code == "W_CROSS");
   }
+}
+
+TEST_CASE("of two closed outlines that cross, the one in front is suggested to rest on the other") {
+  Drawing drawing;
+  drawing.strokes = {stroke_of("far", ellipse({300, 300}, 120, 120, 0), true),
+                     stroke_of("near", ellipse({440, 320}, 120, 120, 0), true)};
+  LabelledDrawing labelled = label_in_view(drawing);
+  REQUIRE(labelled.crossings.size() == 1);
+  CHECK(labelled.crossings.front().whole);
+  std::vector<silhouette::AttachSuggestion> pairs = attach_suggestions(labelled.figures.front());
+  REQUIRE(pairs.size() == 1);
+  CHECK(pairs.front().hold == silhouette::Hold::Resting);
+
+  // A line that ends within the other is the outline of a limb.
+  std::vector<Vec2> limb;
+  for (int degrees = -155; degrees <= 155; ++degrees) {
+    const double angle = degrees * std::numbers::pi / 180;
+    limb.emplace_back(440 + 120 * std::cos(angle), 320 + 120 * std::sin(angle));
+  }
+  drawing.strokes[1] = stroke_of("near", limb, false);
+  labelled = label_in_view(drawing);
+  REQUIRE(labelled.crossings.size() == 1);
+  CHECK_FALSE(labelled.crossings.front().whole);
+  pairs = attach_suggestions(labelled.figures.front());
+  REQUIRE(pairs.size() == 1);
+  CHECK(pairs.front().hold == silhouette::Hold::Joined);
+}
+
+TEST_CASE("strokes told to lie behind what isn't there, or behind themselves, are named") {
+  Drawing drawing;
+  drawing.strokes = {stroke_of("far", ellipse({300, 300}, 120, 120, 0), true),
+                     stroke_of("near", ellipse({440, 320}, 120, 120, 0), true)};
+  const auto told = [&](const std::string& behind) {
+    drawing.strokes[1].data[silhouette::behind_key] = behind;
+    std::vector<std::string> sentences;
+    for (const Finding& finding : label_in_view(drawing).findings) {
+      if (finding.code != "W_BEHIND") continue;
+      sentences.push_back(finding.message);
+      CHECK(finding.subjects.front().id == "near");
+    }
+    return sentences;
+  };
+  CHECK(told("far").empty());
+  CHECK(told("all").empty());
+  CHECK(told("").empty());
+  REQUIRE(told("far, wing").size() == 1);
+  CHECK(told("far, wing").front().find("\"wing\"") != std::string::npos);
+  REQUIRE(told("near").size() == 1);
+  CHECK(told("near").front().find("itself") != std::string::npos);
 }
 
 TEST_CASE("a character of full ellipses is read part by part") {

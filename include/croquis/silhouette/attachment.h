@@ -14,8 +14,9 @@ struct AttachSuggestion {
   Index a = 0;  ///< objects of the figure, a < b
   Index b = 0;
   Vec2 at = Vec2::Zero();  ///< where they overlap, sketch units
-  Hold hold =
-      Hold::Joined;  ///< Joined for a limb whose outline ends at the other's, Resting for a part wholly before it
+  /// Joined for a limb whose outline ends at the other's, Resting for a part wholly before it, and where two closed
+  /// outlines cross in full view.
+  Hold hold = Hold::Joined;
 };
 
 /// The pairs of which one ends within the other's outline: their overlap has two corners, or none where one lies wholly

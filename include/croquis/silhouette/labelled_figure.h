@@ -65,6 +65,7 @@ struct FigureOverlap {
   /// Corners of the region, indices into LabelledFigure::crossings, ascending: four where a tube crosses a tube, two
   /// where one's end lies over or under the other, none where the upper one lies wholly before the lower one.
   std::vector<Index> crossings;
+  bool whole_outlines = false;  ///< both are closed outlines that cross in full view
 };
 
 /// A closed outline drawn within another one's surface, and how it is read.
@@ -105,6 +106,7 @@ struct CrossingInView {
   Index behind = 0;
   Vec2 at = Vec2::Zero();  ///< one of the places where they cross, sketch units
   bool chosen = false;     ///< by the stroke's "behind", see stroke_data.h; else by the order of drawing
+  bool whole = false;      ///< both are closed outlines; else one ends within the other
 };
 
 struct LabelledDrawing {

@@ -3,6 +3,8 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "croquis/geometry/drawing.h"
 
@@ -33,6 +35,9 @@ std::optional<StrokeKind> stroke_kind(const Stroke& stroke);
 
 /// The text of a kind, as files have it.
 std::string to_string(StrokeKind kind);
+
+/// The ids that a stroke is told to lie behind, `behind_all` among them; views of its data. None when nothing is told.
+std::vector<std::string_view> behind_ids(const Stroke& stroke);
 
 /// Whether `later`, drawn after `earlier`, is told to lie behind it.
 bool told_behind(const Stroke& later, const Stroke& earlier);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/silhouette/drawing_reading.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -49,6 +50,22 @@ void bring_into_general_position(std::vector<CleanLine>& lines, double step) {
   }
 }
 
+/// Marks the overlaps of objects whose outlines cross in full view.
+void mark_whole_outlines(LabelledDrawing& labelled) {
+  for (LabelledFigure& figure : labelled.figures) {
+    for (FigureOverlap& overlap : figure.overlaps) {
+      const auto bounds = [&](Index object, Index stroke) {
+        const std::vector<Index>& strokes = figure.objects[object].strokes;
+        return std::find(strokes.begin(), strokes.end(), stroke) != strokes.end();
+      };
+      overlap.whole_outlines =
+          std::any_of(labelled.crossings.begin(), labelled.crossings.end(), [&](const CrossingInView& pair) {
+            return pair.whole && bounds(overlap.upper, pair.front) && bounds(overlap.lower, pair.behind);
+          });
+    }
+  }
+}
+
 }  // namespace
 
 ReadStrokes read_strokes(const Drawing& drawing, const Options& options, const StrokeReading& reading,
@@ -75,6 +92,7 @@ LabelledDrawing label_strokes(const Drawing& drawing, const Options& options, co
                               lines,   read.junctions, completion_reference(lines, read.junctions)};
   LabelledDrawing result = label_parts(context, read.junctions.findings, progress);
   result.crossings = read.crossed.pairs;
+  mark_whole_outlines(result);
   Findings findings = read.clean.findings;
   findings.insert(findings.end(), read.crossed.findings.begin(), read.crossed.findings.end());
   for (const LineFinding& found : read.junctions.findings) findings.push_back(found.finding);

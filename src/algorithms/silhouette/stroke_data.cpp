@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
 #include <utility>
 
 #include "croquis/base/text.h"
@@ -39,13 +38,20 @@ std::string to_string(StrokeKind kind) {
   return std::string(found->second);
 }
 
+std::vector<std::string_view> behind_ids(const Stroke& stroke) {
+  std::vector<std::string_view> ids;
+  const auto found = stroke.data.find(behind_key);
+  if (found == stroke.data.end()) return ids;
+  for (const std::string_view part : text_parts(found->second, ",")) {
+    const std::string_view id = without_spaces(part);
+    if (!id.empty()) ids.push_back(id);
+  }
+  return ids;
+}
+
 bool told_behind(const Stroke& later, const Stroke& earlier) {
-  const auto found = later.data.find(behind_key);
-  if (found == later.data.end()) return false;
-  const std::vector<std::string_view> ids = text_parts(found->second, ",");
-  return std::any_of(ids.begin(), ids.end(), [&](std::string_view id) {
-    return without_spaces(id) == behind_all || without_spaces(id) == earlier.id;
-  });
+  const std::vector<std::string_view> ids = behind_ids(later);
+  return std::any_of(ids.begin(), ids.end(), [&](std::string_view id) { return id == behind_all || id == earlier.id; });
 }
 
 }  // namespace croquis::silhouette

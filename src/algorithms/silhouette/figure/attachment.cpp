@@ -74,7 +74,7 @@ std::vector<AttachSuggestion> attach_suggestions(const LabelledFigure& figure) {
     if (overlap.upper == overlap.lower || overlap.crossings.size() > 2) continue;
     if (kept_apart(figure, over, areas, overlap)) continue;
     const auto [a, b] = std::minmax(overlap.upper, overlap.lower);
-    const Hold hold = overlap.crossings.empty() ? Hold::Resting : Hold::Joined;
+    const Hold hold = overlap.crossings.empty() || overlap.whole_outlines ? Hold::Resting : Hold::Joined;
     if (known.emplace(a, b).second) suggestions.push_back({a, b, overlap.at, hold});
   }
   return suggestions;

@@ -34,10 +34,31 @@ struct UsableStroke {
 };
 
 Finding unsupported_kind(const Drawing& drawing, Index stroke, const std::string& kind) {
+  const bool planned = kind == "hidden" || kind == "tube";
   return make_error(Category::Geometry, "E_NOT_SUPPORTED",
-                    "The stroke " + in_quotes(drawing, stroke) + " is marked as \"" + kind +
-                        "\", which is not understood yet: draw the visible contours instead",
+                    "The stroke " + in_quotes(drawing, stroke) + " is marked as \"" + kind + "\", which is " +
+                        (planned ? "not understood yet: draw the visible contours instead"
+                                 : R"(no kind of stroke: write "part", "hole" or "visible")"),
                     {stroke_subject(drawing, stroke)});
+}
+
+/// W_BEHIND for every id that a stroke is told to lie behind though it can't.
+Findings wrong_behind(const Drawing& drawing) {
+  Findings findings;
+  for (Index s = 0; s < drawing.strokes.size(); ++s) {
+    const Stroke& stroke = drawing.strokes[s];
+    for (const std::string_view id : behind_ids(stroke)) {
+      const bool known = std::any_of(drawing.strokes.begin(), drawing.strokes.end(),
+                                     [id](const Stroke& other) { return other.id == id; });
+      if (id == behind_all || (known && id != stroke.id)) continue;
+      const std::string why = known ? "itself" : "\"" + std::string(id) + "\", which isn't in the drawing";
+      findings.push_back(make_warning(
+          Category::Geometry, "W_BEHIND",
+          "The stroke " + in_quotes(drawing, s) + " is told to lie behind " + why + ": write the id of another stroke",
+          {stroke_subject(drawing, s)}));
+    }
+  }
+  return findings;
 }
 
 bool all_finite(const Stroke& stroke) {
@@ -209,6 +230,7 @@ Finding gap_warning(const Drawing& drawing, const std::vector<SampledStroke>& sa
 CleanDrawing clean_strokes(const Drawing& drawing, const StrokeOptions& options, const StrokeReading& reading,
                            const Progress& progress) {
   CleanDrawing result;
+  result.findings = wrong_behind(drawing);
   result.scale = scale_of(drawing, options);
   const std::vector<UsableStroke> usable = usable_strokes(drawing, result.scale, reading, result.findings);
   check_extent(drawing, usable, result.scale.step, result.findings);

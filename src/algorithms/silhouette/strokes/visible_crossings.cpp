@@ -211,8 +211,11 @@ class CrossingReader {
     const double count = lines_[line].segment_count();
     const double turned = lines_[line].closed ? parameter - count * std::floor(parameter / count) : parameter;
     told_.push_back({last_stroke(cover.front), last_stroke(line),
-                     point_at(lines_[line].points, std::min(turned, count)), cover.chosen});
+                     point_at(lines_[line].points, std::min(turned, count)), cover.chosen,
+                     drawn_closed(line) && drawn_closed(cover.front)});
   }
+
+  bool drawn_closed(Index line) const { return lines_[line].closed && is_limb_[line] == 0; }
 
   /// The union of covered runs. None for a line that is covered completely.
   std::vector<CutRun> joined(Index line, std::vector<CutRun> runs) const {
