@@ -153,12 +153,30 @@ TEST_CASE("uses that show themselves are refused, those of nothing told, floods 
   CHECK(std::find(codes.begin(), codes.end(), "E_LIMIT") != codes.end());
 }
 
-TEST_CASE("a filled rectangle behind the drawing is no stroke, and that is told") {
+TEST_CASE("style sheets speak of ids and elements too; the more special rule counts") {
+  const std::string sheet =
+      "<style>#off{display:none} line , polyline{visibility:hidden} .on{visibility:visible} g path{display:none} "
+      "@media print{path{display:none}}</style>";
+  const Drawing drawing = read(svg(sheet + "<path id=\"off\" d=\"M0 0h5\"/><line id=\"no\" x2=\"5\"/>"
+                                           "<line id=\"yes\" class=\"on\" x2=\"5\"/><path id=\"seen\" d=\"M0 0h5\"/>"))
+                              .drawing;
+  CHECK(ids(drawing) == std::vector<std::string>{"yes", "seen"});
+}
+
+TEST_CASE("what is wholly transparent is no stroke") {
+  const Drawing drawing = read(svg("<g opacity=\"0\"><path d=\"M0 0h5\"/></g><path style=\"opacity:0.0\" d=\"M0 0h5\"/>"
+                                   "<path id=\"faint\" opacity=\".05\" d=\"M0 0h5\"/>"))
+                              .drawing;
+  CHECK(ids(drawing) == std::vector<std::string>{"faint"});
+}
+
+TEST_CASE("a rectangle without a line behind the drawing is no stroke, and that is told") {
   const std::string circle = "<circle cx=\"50\" cy=\"50\" r=\"20\" fill=\"none\" stroke=\"black\"/>";
   const std::vector<std::string> backgrounds{
       "<rect id=\"bg\" width=\"100%\" height=\"100%\" fill=\"white\"/>",
       "<rect id=\"bg\" width=\"200\" height=\"100\" style=\"fill:#fff;stroke:none\"/>",
       "<path id=\"bg\" d=\"M0 0h200v100H0z\" fill=\"#eee\"/>",
+      "<rect id=\"bg\" width=\"100%\" height=\"100%\" fill=\"none\"/>",
       "<g fill=\"white\" stroke=\"none\"><rect id=\"bg\" x=\"-5\" y=\"-5\" width=\"300\" height=\"300\"/></g>",
       "<rect id=\"bg\" x=\"20\" y=\"20\" width=\"70\" height=\"70\" fill=\"white\"/>"};
   for (const std::string& background : backgrounds) {
@@ -170,7 +188,6 @@ TEST_CASE("a filled rectangle behind the drawing is no stroke, and that is told"
     CHECK(result.warnings.front().subjects.front().id == "bg");
   }
   const std::vector<std::string> strokes{"<rect id=\"frame\" width=\"100%\" height=\"100%\" stroke=\"black\"/>",
-                                         "<rect id=\"frame\" width=\"100%\" height=\"100%\" fill=\"none\"/>",
                                          "<rect id=\"frame\" x=\"40\" y=\"40\" width=\"20\" height=\"20\"/>",
                                          "<rect id=\"frame\" width=\"200\" height=\"100\" transform=\"rotate(3)\"/>",
                                          "<ellipse id=\"frame\" cx=\"100\" cy=\"50\" rx=\"300\" ry=\"300\"/>"};
@@ -179,6 +196,8 @@ TEST_CASE("a filled rectangle behind the drawing is no stroke, and that is told"
     CHECK(read(svg(stroke + circle)).drawing.strokes.size() == 2);
   }
   CHECK(read(svg(backgrounds.front())).drawing.strokes.size() == 1);
+  const std::string unpainted = "<rect width=\"100%\" height=\"100%\" fill=\"none\"/><circle r=\"9\" fill=\"none\"/>";
+  CHECK(read(svg(unpainted)).drawing.strokes.size() == 2);
 }
 
 TEST_CASE("a drawing as Illustrator exports it is read without a word") {

@@ -51,8 +51,9 @@ void SvgClasses::read_sheet(std::string_view text) {
     const std::string_view declarations = cut(text, '}');
     while (!selectors.empty()) {
       const std::string_view selector = trimmed(cut(selectors, ','));
-      if (!selector.starts_with('.')) continue;
-      declarations_[std::string(selector.substr(1))].append(declarations).append(";");
+      const bool simple = selector.find_first_of(" .#>+~:[*@", 1) == std::string_view::npos;
+      if (selector.empty() || !simple || selector.front() == '@') continue;
+      declarations_[std::string(selector)].append(declarations).append(";");
     }
   }
 }
@@ -60,14 +61,21 @@ void SvgClasses::read_sheet(std::string_view text) {
 std::string SvgClasses::property(const pugi::xml_node& node, std::string_view name) const {
   const std::string_view declared = svg_declared(node.attribute("style").value(), name);
   if (!declared.empty()) return std::string(declared);
+  if (declarations_.empty()) return svg_property(node, name);
+  const std::string_view by_id = of_rule("#" + std::string(node.attribute("id").value()), name);
+  if (!by_id.empty()) return std::string(by_id);
   std::string_view classes = node.attribute("class").value();
   while (!classes.empty()) {
-    const auto found = declarations_.find(trimmed(cut(classes, ' ')));
-    if (found == declarations_.end()) continue;
-    const std::string_view value = svg_declared(found->second, name);
+    const std::string_view value = of_rule("." + std::string(trimmed(cut(classes, ' '))), name);
     if (!value.empty()) return std::string(value);
   }
-  return svg_property(node, name);
+  const std::string_view by_name = of_rule(svg_local_name(node), name);
+  return by_name.empty() ? svg_property(node, name) : std::string(by_name);
+}
+
+std::string_view SvgClasses::of_rule(std::string_view selector, std::string_view name) const {
+  const auto found = declarations_.find(selector);
+  return found == declarations_.end() ? std::string_view() : svg_declared(found->second, name);
 }
 
 std::string SvgClasses::inherited(pugi::xml_node node, std::string_view name) const {

@@ -73,13 +73,15 @@ class SketchReader : public SvgVisitor {
     stroke.line = shape.line;
     stroke.object = object();
     stroke.data = data_attributes(shape.node);
-    const bool filled_only = !has_line() && walk_.inherited_property("fill") != "none";
+    const Paint paint = has_line()                                   ? Paint::Line
+                        : walk_.inherited_property("fill") == "none" ? Paint::Nothing
+                                                                     : Paint::Filling;
     std::size_t number = 0;
     for (SvgSubpath& subpath : shape.subpaths) {
       if (subpath.segments.empty() && !subpath.closed) continue;  // a moveto alone draws nothing
       ++number;
       stroke.id = number == 1 ? shape.id : walk_.unique_name(shape.id + '/' + std::to_string(number), *stroke.line);
-      if (!add(stroke, std::move(subpath), shape.map, filled_only)) return;
+      if (!add(stroke, std::move(subpath), shape.map, paint)) return;
     }
   }
 
@@ -120,13 +122,16 @@ class SketchReader : public SvgVisitor {
     return {};
   }
 
+  /// How a shape is painted.
+  enum class Paint { Line, Filling, Nothing };
+
   bool has_line() const {
     const std::string stroke = walk_.inherited_property("stroke");
     return !stroke.empty() && stroke != "none" && stroke != "transparent";
   }
 
   /// False when the rest of the element must not be read.
-  bool add(const Stroke& stroke, SvgSubpath subpath, const Eigen::Affine2d& map, bool filled_only) {
+  bool add(const Stroke& stroke, SvgSubpath subpath, const Eigen::Affine2d& map, Paint paint) {
     if (subpath.segments.empty()) {
       walk_.findings().stroke_warning("W_TINY", "Stroke " + in_quotes(stroke.id) + " is a single point and was ignored",
                                       stroke.id, *stroke.line);
@@ -143,17 +148,23 @@ class SketchReader : public SvgVisitor {
     std::size_t bytes = stroke.id.size() + stroke.object.size();
     for (const auto& [name, value] : stroke.data) bytes += name.size() + value.size();
     if (!walk_.count_pieces(subpath.segments.size(), bytes, *stroke.line)) return false;
-    shapes_.push_back({stroke, std::move(subpath), filled_only});
+    shapes_.push_back({stroke, std::move(subpath), paint});
     return true;
   }
 
-  /// Drawing programs lay a filled rectangle under the drawing: as large as the page, or around everything else.
+  /// Drawing programs lay a rectangle without a line under the drawing: as large as the page, or around everything
+  /// else.
   void leave_out_background() {
     Eigen::AlignedBox2d page = walk_.page();
     if (!page.isEmpty())
       page = Eigen::AlignedBox2d(Vec2(page.min().x(), -page.max().y()), Vec2(page.max().x(), -page.min().y()));
+    // Where nothing has a line, files simply don't say how to paint it.
+    const bool lines_are_painted =
+        std::any_of(shapes_.begin(), shapes_.end(), [](const SvgShape& shape) { return shape.paint == Paint::Line; });
     const auto is_background = [&](std::size_t i) {
-      if (!shapes_[i].filled_only || !is_upright_box(shapes_[i].outline)) return false;
+      const Paint paint = shapes_[i].paint;
+      if (paint == Paint::Line || !is_upright_box(shapes_[i].outline)) return false;
+      if (paint == Paint::Nothing && !lines_are_painted) return false;
       Eigen::AlignedBox2d box;
       extend(box, shapes_[i].outline);
       const Vec2 slack = background_slack * box.sizes();
@@ -172,9 +183,8 @@ class SketchReader : public SvgVisitor {
       }
       const Stroke& stroke = shapes_[i].stroke;
       walk_.findings().stroke_warning(
-          "W_IGNORED",
-          "The filled rectangle " + in_quotes(stroke.id) + " behind the drawing has no line and was ignored", stroke.id,
-          *stroke.line);
+          "W_IGNORED", "The rectangle " + in_quotes(stroke.id) + " behind the drawing has no line and was ignored",
+          stroke.id, *stroke.line);
       shapes_.erase(shapes_.begin() + static_cast<std::ptrdiff_t>(i));
     }
   }
@@ -196,7 +206,7 @@ class SketchReader : public SvgVisitor {
   struct SvgShape {
     Stroke stroke;  ///< without samples yet
     SvgSubpath outline;
-    bool filled_only = false;
+    Paint paint = Paint::Line;
   };
 
   SvgWalk walk_;

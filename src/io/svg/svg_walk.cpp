@@ -19,6 +19,11 @@ constexpr std::size_t most_copied = std::size_t{64} << 20;  // bytes of ids and 
 constexpr std::size_t most_uses = 100'000;                  // a few nested uses can show billions of shapes
 constexpr std::size_t elements_per_check = 256;
 
+/// Whether an opacity is written as 0: "0", "0.0", "0%".
+bool is_nothing(const std::string& opacity) {
+  return opacity.find('0') != std::string::npos && opacity.find_first_not_of("0.% ") == std::string::npos;
+}
+
 }  // namespace
 
 void SvgWalk::refuse(const char* code, const std::string& message, std::optional<std::int64_t> line) {
@@ -160,7 +165,7 @@ void SvgWalk::ignore(const pugi::xml_node& node, std::string_view name) {
 
 /// Takes over the settings of an element for itself and its children. False when it is not to be shown.
 bool SvgWalk::enter(const pugi::xml_node& node, Surroundings& around, SvgVisitor& visitor) {
-  if (property(node, "display") == "none") return false;
+  if (property(node, "display") == "none" || is_nothing(property(node, "opacity"))) return false;
   const std::string visibility = property(node, "visibility");
   if (!visibility.empty() && visibility != "inherit") around.visible = visibility == "visible";
   if (!transform(node, around)) return false;
