@@ -55,10 +55,7 @@ bool is_cap(double turning, double whole) {
 }  // namespace
 
 HiddenCaps::HiddenCaps(const std::vector<CleanLine>& lines, const Junctions& junctions)
-    : lines_(lines),
-      junctions_(junctions),
-      ends_(lines.size(), {nullptr, nullptr}),
-      roles_(lines.size(), Role::Any) {
+    : lines_(lines), junctions_(junctions), ends_(lines.size(), {nullptr, nullptr}), roles_(lines.size(), Role::Any) {
   for (const HiddenEnd& end : junctions.ends) ends_[end.line][end.at_start ? 0 : 1] = &end;
   for (const CleanLine& line : lines) {
     const double chord = (line.points.back() - line.points.front()).norm();
@@ -94,11 +91,12 @@ const HiddenEnd* HiddenCaps::other_end(const HiddenEnd& end) const { return ends
 
 double HiddenCaps::highest_cost(const HiddenEnd& a, const HiddenEnd& b, const std::array<Vec2, 4>& curve) const {
   if (a.line == b.line) return highest_cost_of_one(a, b, curve);
-  return close_a_limb(a, b, curve) ? wide_cap_cost : no_limit;
+  // How far curves turn says little of an unsteady hand's lines: strands of knots would be closed as necks.
+  const double certain = 1 - junctions_.tremble;
+  return certain > 0 && close_a_limb(a, b, curve) ? wide_cap_cost / certain : no_limit;
 }
 
-double HiddenCaps::highest_cost_of_one(const HiddenEnd& a, const HiddenEnd& b,
-                                       const std::array<Vec2, 4>& curve) const {
+double HiddenCaps::highest_cost_of_one(const HiddenEnd& a, const HiddenEnd& b, const std::array<Vec2, 4>& curve) const {
   // A line that passes behind itself goes on there.
   if (a.bar == a.line || b.bar == b.line || roles_[a.line] != Role::Any) return no_limit;
   const double round = roundness_[a.line];
