@@ -23,4 +23,8 @@ inline constexpr std::array<CompletionShape, 8> completion_shapes{
 Points shaped_points(const std::array<Vec2, 4>& curve, const CompletionShape& shape, double spacing,
                      double stretch = 0);
 
+/// The same in few points, as cheap as can be.
+/// @param pieces of its bent part
+Points shaped_chords(const std::array<Vec2, 4>& curve, const CompletionShape& shape, int pieces);
+
 }  // namespace croquis::silhouette

@@ -6,7 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "algorithms/silhouette/figure/drawn_cover.h"
 #include "algorithms/silhouette/figure/end_freedom.h"
 #include "algorithms/silhouette/figure/hidden_caps.h"
 #include "algorithms/silhouette/figure/hidden_strips.h"
@@ -60,20 +59,23 @@ std::vector<Index> given_pieces_of(const Junctions& junctions) {
   return piece;
 }
 
-/// Brings the shapes that keep a candidate covered to the front, and makes it dearer when there is none.
-void prefer_covered(const DrawnCover& cover, CompletionCandidate& candidate) {
+}  // namespace
+
+bool CompletionJudge::judge(CompletionCandidate& candidate) const {
+  if (candidate.judged || candidate.given != no_index) return false;
+  candidate.judged = true;
   std::array<double, completion_shapes.size()> price{};
-  const double spacing = (candidate.bezier[3] - candidate.bezier[0]).norm() / judged_pieces;
   for (Index shape = 0; shape < price.size(); ++shape) {
-    price[shape] = bare_cost * cover.missing(shaped_points(candidate.bezier, completion_shapes[shape], spacing));
-    if (shape == 0 && price[shape] <= 0) return;
+    price[shape] = bare_cost * cover_.missing(shaped_chords(candidate.bezier, completion_shapes[shape], judged_pieces));
+    if (shape == 0 && price[shape] <= 0) return false;
   }
   std::stable_sort(candidate.shapes.begin(), candidate.shapes.end(),
                    [&](std::uint8_t a, std::uint8_t b) { return price[a] < price[b]; });
-  candidate.cost += price[candidate.shapes.front()];
+  const double before = candidate.cost;
+  candidate.cost = strip_cost(candidate.plain_cost + price[candidate.shapes.front()], candidate.strip_factor);
+  return candidate.cost > before;
 }
 
-/// The few cheapest candidates of every end; dearer ones aren't worth judging.
 std::vector<Index> likely_candidates(std::size_t ends, const std::vector<CompletionCandidate>& candidates) {
   std::vector<std::vector<Index>> of_end(ends);
   for (Index c = 0; c < candidates.size(); ++c) {
@@ -94,8 +96,6 @@ std::vector<Index> likely_candidates(std::size_t ends, const std::vector<Complet
   return likely;
 }
 
-}  // namespace
-
 double completion_cost(const std::array<Vec2, 4>& curve, int side, double reference, const CompletionOptions& options) {
   double length = 0;
   double bending = 0;
@@ -106,7 +106,7 @@ double completion_cost(const std::array<Vec2, 4>& curve, int side, double refere
     length += speed / integration_pieces;
     const double turn = cross(d.first, d.second);
     const double factor = turn * side < 0 ? concave_factor : 1;
-    bending += factor * turn * turn / std::pow(speed, 5) / integration_pieces;
+    bending += factor * turn * turn / (speed * speed * speed * speed * speed) / integration_pieces;
   }
   return options.length_weight * length / reference + options.curvature_weight * (curve[3] - curve[0]).norm() * bending;
 }
@@ -137,7 +137,6 @@ std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLi
                                                        const CompletionOptions& options) {
   std::vector<CompletionCandidate> candidates;
   const std::vector<Index> given = given_pieces_of(junctions);
-  const DrawnCover cover(lines, junctions);
   const HiddenCaps caps(lines, junctions);
   const EndFreedom freedom(junctions, lines.size());
   std::vector<int> side;
@@ -167,20 +166,23 @@ std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLi
       candidate.bezier = completion_curve(from, EndFreedom::turned(a.tangent, to - from, free), to,
                                           EndFreedom::turned(b.tangent, from - to, free));
       const int agreed = side[i] == -side[k] ? side[i] : 0;
-      candidate.cost = completion_cost(candidate.bezier, agreed, reference, options);
-      if (agreed == 0) candidate.cost += disagreement_cost * std::min(caps.roundness(a.line), caps.roundness(b.line));
-      candidate.cost = std::min(candidate.cost, caps.highest_cost(a, b, candidate.bezier));
-      if (candidate.cost > options.maximum_cost) continue;
+      candidate.plain_cost = completion_cost(candidate.bezier, agreed, reference, options);
+      if (agreed == 0)
+        candidate.plain_cost += disagreement_cost * std::min(caps.roundness(a.line), caps.roundness(b.line));
+      candidate.plain_cost = std::min(candidate.plain_cost, caps.highest_cost(a, b, candidate.bezier));
+      if (candidate.plain_cost > options.maximum_cost) continue;
       candidates.push_back(candidate);
     }
   }
-  for (const Index c : likely_candidates(ends.size(), candidates)) prefer_covered(cover, candidates[c]);
   // A straight line goes round neither of its sides.
   for (Index i = 0; i < ends.size(); ++i) {
     const HiddenEnd& end = junctions.ends[ends[i]];
     if (outward_side(junctions, end) == 0 && caps.roundness(end.line) <= 0) side[i] = 0;
   }
   favour_strips(lines, junctions, ends, side, candidates);
+  for (CompletionCandidate& candidate : candidates) {
+    candidate.cost = strip_cost(candidate.plain_cost, candidate.strip_factor);
+  }
   return candidates;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algorithms/silhouette/figure/completion_shapes.h"
+#include "algorithms/silhouette/figure/drawn_cover.h"
 #include "algorithms/silhouette/strokes/cubic_join.h"
 #include "algorithms/silhouette/strokes/junctions.h"
 #include "croquis/silhouette/options.h"
@@ -18,9 +19,12 @@ struct CompletionCandidate {
   Index b = 0;
   /// From a to b, leaving both along their tangents.
   std::array<Vec2, 4> bezier{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
-  double cost = 0;  ///< dimensionless
-  /// Indices into completion_shapes; those that keep the piece covered by what is drawn come first.
+  double plain_cost = 0;    ///< of its curve, dimensionless
+  double strip_factor = 1;  ///< see hidden_strips.h
+  double cost = 0;          ///< what it costs after all; until it is judged no more than that
+  /// Indices into completion_shapes; once judged those that keep the piece covered by what is drawn come first.
   std::array<std::uint8_t, completion_shapes.size()> shapes{0, 1, 2, 3, 4, 5, 6, 7};
+  bool judged = false;     ///< by what covers it
   Index given = no_index;  ///< index into Junctions::given: then that piece counts instead of the curve
 };
 
@@ -37,13 +41,32 @@ double completion_reference(const std::vector<CleanLine>& lines, const Junctions
 
 /// All pairs of the given ends that may be joined: the surface lies on the same side of both lines as far as that is
 /// known, neither is forced into another object, and the cost stays below the maximum. Ends that a known piece joins
-/// have that one candidate. A piece that would lie in the open, by what is drawn, in every shape costs more;
-/// those that carry a strip straight on behind something cost less (hidden_strips.h).
+/// have that one candidate. Caps of limbs (hidden_caps.h) and pieces that carry a strip straight on behind something
+/// (hidden_strips.h) cost less.
 /// @param ends subset of junctions.ends, as indices; candidates hold positions in this list
 /// O(n²) for n ends.
 std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLine>& lines, const Junctions& junctions,
                                                        const std::vector<Index>& ends, double reference_length,
                                                        const CompletionOptions& options);
+
+/// Judges candidates by what is drawn in front of them. That takes longer than to find them, so that only those are
+/// judged that may be chosen.
+class CompletionJudge {
+ public:
+  /// @param lines carried on behind their bars; must outlive this
+  CompletionJudge(const std::vector<CleanLine>& lines, const Junctions& junctions) : cover_(lines, junctions) {}
+
+  /// Brings the shapes that keep a candidate covered to the front, and makes it dearer when there is none.
+  /// @returns whether it costs more than before; a candidate that was judged stays as it is
+  bool judge(CompletionCandidate& candidate) const;
+
+ private:
+  DrawnCover cover_;
+};
+
+/// The few cheapest candidates of every end, ascending; dearer ones aren't worth judging.
+/// @param ends how many there are
+std::vector<Index> likely_candidates(std::size_t ends, const std::vector<CompletionCandidate>& candidates);
 
 /// Side of the surface when a line is walked outward through one of its ends: +1 left, -1 right, 0 unknown.
 inline int outward_side(const Junctions& junctions, const HiddenEnd& end) {

@@ -37,10 +37,14 @@ int DrawnCover::missing(const Points& curve) const {
   for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
     const Vec2& a = curve[i];
     const Vec2& b = curve[i + 1];
+    const Vec2 low = a.cwiseMin(b);
+    const Vec2 high = a.cwiseMax(b);
     steps.clear();
-    grid_.near_box(a.cwiseMin(b), a.cwiseMax(b), [&](Index k) {
+    grid_.near_box(low, high, [&](Index k) {
       const GridSegment& s = grid_.segments()[k];
-      if (!cross_properly(a, b, s.a, s.b)) return;
+      const bool apart =
+          (s.a.cwiseMax(s.b).array() < low.array()).any() || (s.a.cwiseMin(s.b).array() > high.array()).any();
+      if (apart || !cross_properly(a, b, s.a, s.b)) return;
       const int to_left = cross(s.b - s.a, b - a) > 0 ? 1 : -1;
       steps.push_back({crossing_fraction(a, b, s.a, s.b), to_left * sides_[s.line]});
     });

@@ -55,7 +55,10 @@ PartLines part_of(const FigureContext& context, const std::vector<Index>& lines,
 class Search {
  public:
   Search(const FigureContext& context, const std::vector<Index>& lines, const Progress& progress)
-      : context_(context), progress_(progress), part_(part_of(context, lines, context.options.completion)) {}
+      : context_(context),
+        progress_(progress),
+        part_(part_of(context, lines, context.options.completion)),
+        judge_(context.lines, context.junctions) {}
 
   FigureSearch run() {
     FigureSearch result;
@@ -73,14 +76,37 @@ class Search {
   }
 
  private:
-  FigureSearch try_matchings() {
-    FigureSearch result;
+  MatchingSearch matchings() const {
     std::vector<MatchingEdge> edges;
     for (const CompletionCandidate& candidate : part_.candidates) {
       edges.push_back({candidate.a, candidate.b, candidate.cost});
     }
-    MatchingSearch matchings(static_cast<Index>(part_.ends.size()), edges, maximum_states);
+    return {static_cast<Index>(part_.ends.size()), std::move(edges), maximum_states};
+  }
+
+  /// The cheapest matching when all in it are judged: what isn't costs no less than it seems to.
+  std::optional<std::vector<Index>> likeliest_matching() {
+    for (;;) {
+      std::optional<std::vector<Index>> chosen = matchings().next();
+      if (!chosen) return std::nullopt;
+      bool dearer = false;
+      for (const Index candidate : *chosen) dearer = judge_.judge(part_.candidates[candidate]) || dearer;
+      if (!dearer) return chosen;
+    }
+  }
+
+  FigureSearch try_matchings() {
+    FigureSearch result;
     const int most = context_.options.completion.maximum_matchings;
+    if (const std::optional<std::vector<Index>> likeliest = most > 0 ? likeliest_matching() : std::nullopt) {
+      result.figure = try_matching(*likeliest, maximum_reshapings);
+      if (result.figure) return result;
+    }
+    // It can't be labelled: others may be right, and the search among them needs all costs.
+    for (const Index candidate : likely_candidates(part_.ends.size(), part_.candidates)) {
+      judge_.judge(part_.candidates[candidate]);
+    }
+    MatchingSearch matchings = this->matchings();
     int tried = 0;
     std::vector<Index> cheapest;
     while (tried < most) {
@@ -212,6 +238,7 @@ class Search {
   const FigureContext& context_;
   const Progress& progress_;
   PartLines part_;
+  CompletionJudge judge_;
   bool first_done_ = false;
   bool limit_reached_ = false;
 };

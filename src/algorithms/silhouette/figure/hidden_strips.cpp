@@ -19,7 +19,7 @@ constexpr double most_taper = 0.25;
 // What a side of a strip costs, as a share of what it would cost by itself.
 constexpr double strip_share = 0.15;
 // And at most so much, however far it is hidden: less than two caps.
-constexpr double strip_cost = 0.6;
+constexpr double most_strip_cost = 0.6;
 // A strip is crossed by at most so many others; one that is crossed by more costs this much more.
 constexpr double crossing_sine = 0.25;
 constexpr int most_crossings = 1;
@@ -65,7 +65,6 @@ class StripSearch {
 
   void favour(std::vector<CompletionCandidate>& candidates) const {
     const std::vector<Strip> strips = find_strips(candidates);
-    std::vector<double> factor(candidates.size(), 1);
     for (const Strip& strip : strips) {
       const auto crossed = std::count_if(strips.begin(), strips.end(), [&](const Strip& other) {
         return std::abs(cross(strip.first.direction, other.first.direction)) > crossing_sine &&
@@ -73,12 +72,9 @@ class StripSearch {
       });
       const bool among = crossed > most_crossings || limbs_alike(strip, strips) >= most_limbs_alike;
       for (const Index side : {strip.first.candidate, strip.second.candidate}) {
-        factor[side] = among ? std::max(factor[side], crossed_factor) : strip_share;
+        double& factor = candidates[side].strip_factor;
+        factor = among ? std::max(factor, crossed_factor) : strip_share;
       }
-    }
-    for (std::size_t c = 0; c < candidates.size(); ++c) {
-      double& cost = candidates[c].cost;
-      cost = factor[c] < 1 ? std::min(factor[c] * cost, strip_cost) : factor[c] * cost;
     }
   }
 
@@ -177,6 +173,10 @@ class StripSearch {
 };
 
 }  // namespace
+
+double strip_cost(double plain, double factor) {
+  return factor < 1 ? std::min(factor * plain, most_strip_cost) : factor * plain;
+}
 
 void favour_strips(const std::vector<CleanLine>& lines, const Junctions& junctions, const std::vector<Index>& ends,
                    const std::vector<int>& side, std::vector<CompletionCandidate>& candidates) {

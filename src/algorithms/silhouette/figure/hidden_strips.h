@@ -7,13 +7,20 @@
 
 namespace croquis::silhouette {
 
-/// Makes candidates cheap that carry both sides of a strip straight on behind something, at the same width: an arrow
-/// through a heart, a stick behind a disc. Such a strip is one part, however far it is hidden.
+/// Finds candidates that carry both sides of a strip straight on behind something, at the same width: an arrow
+/// through a heart, a stick behind a disc. Such a strip is one part, however far it is hidden: its sides get
+/// a factor below 1.
 ///
-/// Strips of which three or more would cross one another stay as they are: they are petals or arms all round.
+/// Strips of which three or more would cross one another, and those that lie among limbs like their two ends, get one
+/// above 1: they are petals or arms all round.
 /// @param side per end: where the surface lies, walking outward, +1 left, -1 right, 0 not known
 /// O(s²) for s straight candidates.
 void favour_strips(const std::vector<CleanLine>& lines, const Junctions& junctions, const std::vector<Index>& ends,
                    const std::vector<int>& side, std::vector<CompletionCandidate>& candidates);
+
+/// What a side of a strip costs.
+/// @param plain  by itself
+/// @param factor see favour_strips
+double strip_cost(double plain, double factor);
 
 }  // namespace croquis::silhouette
