@@ -200,7 +200,7 @@ TEST_CASE("one bad object doesn't stop the others") {
 
 TEST_CASE("strokes of a kind that isn't understood yet are refused by name") {
   const ScratchFolder folder;
-  for (const char* kind : {"hidden", "tube"}) {
+  for (const char* kind : {"blob", "tube"}) {
     const std::string sketch = folder.write(
         "kind.svg", svg(std::string("<path id=\"odd\" data-kind=\"") + kind + "\" d=\"M 0 0 L 100 0 L 100 100 Z\"/>"));
     const ProcessResult result = run_cli({"inflate", sketch, "-o", folder / "a.obj", "--json"});

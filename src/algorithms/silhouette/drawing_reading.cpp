@@ -11,6 +11,7 @@
 #include "algorithms/silhouette/figure/contour_completion.h"
 #include "algorithms/silhouette/figure/drawing_parts.h"
 #include "algorithms/silhouette/figure/nested_outlines.h"
+#include "algorithms/silhouette/strokes/told_hidden.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -79,7 +80,11 @@ ReadStrokes read_strokes(const Drawing& drawing, const Options& options, const S
   if (options.strokes.crossings == Crossings::Front) {
     read.crossed = cut_visible_crossings(drawing, lines, loose, scale, finding);
   }
-  read.junctions = find_junctions(drawing, lines, reading, std::move(read.crossed.pieces), scale, finding);
+  ToldHidden told = told_hidden(drawing, read.clean.hidden, lines, scale);
+  std::vector<HiddenPiece>& pieces = read.crossed.pieces;
+  pieces.insert(pieces.end(), told.pieces.begin(), told.pieces.end());
+  read.junctions = find_junctions(drawing, lines, reading, std::move(pieces), scale, finding);
+  std::move(told.findings.begin(), told.findings.end(), std::back_inserter(read.junctions.findings));
   extend_behind_bars(lines, read.junctions.ends, scale);
   bring_into_general_position(lines, scale.step);
   return read;

@@ -25,6 +25,13 @@ struct CleanLine {
   Index end_stroke(bool at_start) const { return at_start ? stroke.front() : stroke.back(); }
 };
 
+/// A stroke that is told to be hidden, as drawn.
+struct HiddenStroke {
+  Index stroke = 0;  ///< index into Drawing::strokes
+  Points points;     ///< no two following ones alike
+  bool closed = false;
+};
+
 /// A piece of contour that is known though it is hidden: it joins two ends of lines.
 struct HiddenPiece {
   struct End {

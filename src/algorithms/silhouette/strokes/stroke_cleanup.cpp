@@ -31,6 +31,7 @@ struct UsableStroke {
   Points points;  ///< as drawn, repeated points dropped
   double length = 0;
   bool closed = false;
+  bool hidden = false;
 };
 
 Finding unsupported_kind(const Drawing& drawing, Index stroke, const std::string& kind) {
@@ -130,7 +131,7 @@ std::vector<UsableStroke> usable_strokes(const Drawing& drawing, const DrawingSc
     if (!reading.includes(s)) continue;
     const Stroke& stroke = drawing.strokes[s];
     const std::optional<StrokeKind> kind = stroke_kind(stroke);
-    if (!kind || kind == StrokeKind::Hidden) {
+    if (!kind) {
       findings.push_back(unsupported_kind(drawing, s, stroke.data.at(kind_key)));
       continue;
     }
@@ -142,7 +143,7 @@ std::vector<UsableStroke> usable_strokes(const Drawing& drawing, const DrawingSc
                      {stroke_subject(drawing, s)}));
       continue;
     }
-    UsableStroke candidate{s, distinct_points(stroke), 0, stroke.closed};
+    UsableStroke candidate{s, distinct_points(stroke), 0, stroke.closed, kind == StrokeKind::Hidden};
     candidate.length = croquis::length(candidate.points, candidate.closed);
     if (candidate.points.size() < 2 || candidate.length < scale.tiny) {
       findings.push_back(make_warning(Category::Geometry, "W_TINY",
@@ -153,6 +154,16 @@ std::vector<UsableStroke> usable_strokes(const Drawing& drawing, const DrawingSc
     usable.push_back(std::move(candidate));
   }
   return usable;
+}
+
+/// Takes the strokes that are told to be hidden out of all.
+std::vector<HiddenStroke> take_hidden(std::vector<UsableStroke>& usable) {
+  std::vector<HiddenStroke> hidden;
+  for (UsableStroke& stroke : usable) {
+    if (stroke.hidden) hidden.push_back({stroke.stroke, std::move(stroke.points), stroke.closed});
+  }
+  std::erase_if(usable, [](const UsableStroke& stroke) { return stroke.hidden; });
+  return hidden;
 }
 
 void check_extent(const Drawing& drawing, const std::vector<UsableStroke>& usable, double step, Findings& findings) {
@@ -232,7 +243,8 @@ CleanDrawing clean_strokes(const Drawing& drawing, const StrokeOptions& options,
   CleanDrawing result;
   result.findings = wrong_behind(drawing);
   result.scale = scale_of(drawing, options);
-  const std::vector<UsableStroke> usable = usable_strokes(drawing, result.scale, reading, result.findings);
+  std::vector<UsableStroke> usable = usable_strokes(drawing, result.scale, reading, result.findings);
+  result.hidden = take_hidden(usable);
   check_extent(drawing, usable, result.scale.step, result.findings);
 
   const double spacing = result.scale.step / 2;

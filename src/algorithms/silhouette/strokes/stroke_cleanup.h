@@ -11,7 +11,8 @@ namespace croquis::silhouette {
 
 struct CleanDrawing {
   DrawingScale scale;
-  std::vector<CleanLine> lines;   ///< by the lowest stroke in them
+  std::vector<CleanLine> lines;  ///< by the lowest stroke in them
+  std::vector<HiddenStroke> hidden;
   std::vector<EndPair> joined;    ///< ends of strokes, see GapJoining
   std::vector<EndPair> possible;  ///< ends that might be joined too
   Findings findings;              ///< strokes left out, gaps closed, doubled lines
