@@ -52,8 +52,8 @@ TEST_CASE("a hidden stroke is the contour between the two ends that are nearest"
   REQUIRE(left.size() == 2);
   // The left piece is a limb of its own, as long as its cap says; drawn a little carelessly.
   const Vec2 tip(-60, 0.5 * (left[0].y() + left[1].y()) + 12);
-  told.strokes.push_back(hidden("cap", {left[0] + Vec2(3, 2), tip + Vec2(-10, -13), tip, tip + Vec2(-10, 13),
-                                        left[1] + Vec2(-2, 3)}));
+  told.strokes.push_back(
+      hidden("cap", {left[0] + Vec2(3, 2), tip + Vec2(-10, -13), tip, tip + Vec2(-10, 13), left[1] + Vec2(-2, 3)}));
   for (const bool reversed : {false, true}) {
     const silhouette::LabelledDrawing labelled = label_quietly(reversed ? reversed_strokes(told) : told);
     CHECK_FALSE(has_errors(labelled.findings));

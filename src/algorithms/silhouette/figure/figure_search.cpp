@@ -18,6 +18,9 @@ namespace {
 
 // A bound of the search among partial matchings; drawings of 64 hidden ends need some hundred.
 constexpr std::size_t maximum_states = 200'000;
+// A bound of the arcs of all matchings that are crossed, some ten thousandths of a second each: many hidden ends in a
+// part that can't be labelled would otherwise take a minute.
+constexpr std::size_t maximum_arcs = 10'000;
 // Samples nearer to a crossing than this share of their segment give way to it: no slivers beside crossings.
 constexpr double merging = 0.15;
 // The same when the first is too coarse for two lines that run close to one another.
@@ -109,7 +112,7 @@ class Search {
     MatchingSearch matchings = this->matchings();
     int tried = 0;
     std::vector<Index> cheapest;
-    while (tried < most) {
+    while (tried < most && arcs_ < maximum_arcs) {
       progress_.check();
       const std::optional<std::vector<Index>> chosen = matchings.next();
       if (!chosen) break;
@@ -117,7 +120,7 @@ class Search {
       result.figure = try_matching(*chosen, tried <= reshaped_matchings ? maximum_reshapings : 0);
       if (result.figure) return result;
     }
-    result.findings = explain(tried, cheapest, tried < most && !matchings.limit_reached());
+    result.findings = explain(tried, cheapest, tried < most && arcs_ < maximum_arcs && !matchings.limit_reached());
     return result;
   }
 
@@ -197,6 +200,7 @@ class Search {
       trial.contours = std::move(*contours);
       trial.arrangement =
           cross_contours(trial.contours.paths, context_.scale.step, attempt % 2 == 0 ? merging : least_merging);
+      arcs_ += trial.arrangement.arcs.size();
       trial.sides.clear();
       for (const ContourPath& path : trial.contours.paths) trial.sides.push_back(path.side);
       // The first matching is nearly always right; only later ones are worth refusing early.
@@ -239,6 +243,7 @@ class Search {
   const Progress& progress_;
   PartLines part_;
   CompletionJudge judge_;
+  std::size_t arcs_ = 0;  ///< of all matchings so far
   bool first_done_ = false;
   bool limit_reached_ = false;
 };
