@@ -18,6 +18,7 @@ void bench_readers(std::ostream& out);
 void bench_solver(std::ostream& out);
 void bench_remesh(std::ostream& out);
 void bench_silhouette(std::ostream& out);
+void bench_silhouette_depth(std::ostream& out);  ///< how parts lie behind one another, and which are refused for it
 
 /// How often drawings with random errors of the hand are read as they were meant.
 /// @param words "tuning" for the seeds that rules were tuned on; a folder for the drawings that aren't read

@@ -24,6 +24,7 @@ const std::map<std::string, Bench>& benches() {
                                                    {"readers", plain(bench_readers)},
                                                    {"remesh", plain(bench_remesh)},
                                                    {"silhouette", plain(bench_silhouette)},
+                                                   {"silhouette-depth", plain(bench_silhouette_depth)},
                                                    {"silhouette-finish", plain(bench_silhouette_finish)},
                                                    {"silhouette-hand", bench_silhouette_hand},
                                                    {"solver", plain(bench_solver)},
@@ -46,9 +47,10 @@ bool read_choices(const std::vector<std::string>& words, std::vector<Choice>& ch
     } else if (!choices.empty() && takes_words(choices.back().first)) {
       choices.back().second.push_back(word);
     } else {
-      std::cerr << "There is no benchmark '" << word
-                << "': use holes, implicit, perspective, readers, remesh, silhouette, silhouette-finish, "
-                   "silhouette-hand, solver, subdivision or surface.\n";
+      std::cerr
+          << "There is no benchmark '" << word
+          << "': use holes, implicit, perspective, readers, remesh, silhouette, silhouette-depth, silhouette-finish, "
+             "silhouette-hand, solver, subdivision or surface.\n";
       return false;
     }
   }

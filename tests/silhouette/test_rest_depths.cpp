@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "croquis/base/error.h"
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/silhouette/solid.h"
+#include "silhouette/part_depths.h"
 #include "support/random.h"
 #include "support/sample_count.h"
 #include "support/sketches/characters/character.h"
@@ -145,6 +147,48 @@ TEST_CASE("a small thing before, behind or beside a body leaves it as deep as it
   }
 }
 
+TEST_CASE("a ball with a ring round it, a needle behind it or an eye on it stays a ball") {
+  const auto level = [](double height) { return [height](double) { return height; }; };
+  const test::TubeStrand ball = test::bar({-1, 0}, {1, 0}, 200, level(0));
+  const auto check = [](const Solid& solid) {
+    double deepest = 0;
+    for (const auto& [name, reach] : reaches(solid)) deepest = std::max(deepest, reach.depth());
+    CHECK(deepest / 401 > 0.9);
+    CHECK(deepest / 401 < 1.1);
+  };
+  const int count = test::sample_count(4, 60);
+  for (int seed = 0; seed < count; ++seed) {
+    INFO(seed);
+    test::Random random(static_cast<std::uint64_t>(seed));
+    const double radius = random.between(4, 20);
+    const double y = random.between(-120, 120);
+    const double slant = random.between(-60, 60);
+    check(
+        solid_of(test::tube_sketch({ball, test::bar({-320, y - slant}, {320, y + slant}, radius, level(-1))}).drawing));
+
+    // As Saturn has one: its lower half before the ball.
+    const Vec2 axes(random.between(260, 330), random.between(80, 140));
+    const auto turn = [](double t) { return 2 * std::numbers::pi * t; };
+    const test::TubeStrand ring{
+        [=](double t) { return Vec2(axes.x() * std::cos(turn(t)), axes.y() * std::sin(turn(t))); },
+        [=](double) { return std::min(radius, 15.0); }, [=](double t) { return -std::sin(turn(t)); }};
+    const Solid saturn = solid_of(test::tube_sketch({ball, ring}).drawing);
+    // The ring is bent round the ball, and deeper.
+    const std::map<std::string, Reach> parts = reaches(saturn);
+    REQUIRE(parts.size() == 2);
+    const bool found = std::any_of(parts.begin(), parts.end(), [](const auto& part) {
+      return part.second.depth() > 0.9 * 401 && part.second.depth() < 1.1 * 401;
+    });
+    CHECK(found);
+
+    const Vec2 eye(random.between(-100, 100), random.between(-100, 100));
+    check(solid_of(
+        test::layered_sketch({{test::ellipse({0, 0}, 200.5, 200.5), 1}, {test::circle_outline(eye, 2 * radius), 2}})
+            .drawing,
+        true));
+  }
+}
+
 TEST_CASE("parts that can be flat are flat, and legs don't splay") {
   const auto elephant = reaches("elephant");
   for (const char* leg : {"near fore leg", "near hind leg", "far fore leg", "far hind leg"}) {
@@ -219,6 +263,25 @@ TEST_CASE("parts of characters lie no further apart than their thicknesses") {
       thicknesses += reach.depth();
     }
     CHECK(all.depth() <= 1.05 * thicknesses);
+  }
+}
+
+TEST_CASE("characters are flat parts near to one another, as deep as their drawings explain") {
+  for (const test::Character& character : test::all_characters()) {
+    for (const bool held : {false, true}) {
+      INFO(character.name << " " << held);
+      Progress progress;
+      Options options;
+      options.quality = Quality::Draft;
+      options.attach_suggested = held;
+      const Drawing drawing = test::character_sketch(character).drawing;
+      const Solid solid = inflate(label(drawing, options, progress), drawing, options, progress);
+      const std::vector<test::PartDepth> parts = test::part_depths(solid);
+      // The worst are a stack of pancakes, and the arms of an octopus that lean because their body pulls them.
+      CHECK(test::middle_spread(parts) < (held ? 0.65 : 0.85));
+      CHECK(test::steepest(parts) < (held ? 1.0 : 0.03));
+      CHECK(solid.diagnostics.depth_ratio < 1.1);
+    }
   }
 }
 
