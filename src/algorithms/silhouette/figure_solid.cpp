@@ -61,14 +61,20 @@ class Attempt {
         quality_(settings.quality),
         cache_(settings.cache) {}
 
-  void solve(Skeleton axis, Progress& progress) {
-    skeleton_ = std::move(axis);
-    Progress solving = progress.step("depth", 0.15);
-    depth_ = solve_depth(skeleton_, figure_, settings_, solving);
-    Progress inflating = progress.step("inflate", 0.45);
-    basis_ = sheet_basis(inflating);
-    Progress raising = progress.step("inflate", 0.4);
-    sheets_ = raise_sheets(skeleton_, *basis_, settings_, raising);
+  /// Where the depths of an object aren't found exactly enough, they are sought again: with parts that are equally hard
+  /// to move, and then with parts that are held as near to their places as can be.
+  void solve(const Skeleton& axis, Progress& progress) {
+    DepthSettings settings = settings_;
+    Progress first = progress.step("depth", 0.8);
+    solve(axis, settings, first);
+    for (int firmness = 1; firmness <= 2 && !unsolved().empty(); ++firmness) {
+      settings.equally_stiff = true;
+      if (firmness == 2) {
+        settings.object_weights.assign(figure_.objects.size(), {settings_.options.weight_curvature, 1, 1});
+      }
+      Progress again = progress.step("depth", 0.1);
+      solve(axis, settings, again);
+    }
     for (const auto& [node, z] : sheets_.lowered_nodes) skeleton_.nodes[node].z = z;
     mesh_ = make_sheet_mesh(sheets_, basis_->objects);
   }
@@ -100,6 +106,28 @@ class Attempt {
   }
 
  private:
+  void solve(const Skeleton& axis, const DepthSettings& settings, Progress& progress) {
+    skeleton_ = axis;
+    Progress solving = progress.step("depth", 0.15);
+    depth_ = solve_depth(skeleton_, figure_, settings, solving);
+    Progress inflating = progress.step("inflate", 0.45);
+    basis_ = sheet_basis(inflating);
+    Progress raising = progress.step("inflate", 0.4);
+    sheets_ = raise_sheets(skeleton_, *basis_, settings, raising);
+  }
+
+  /// Objects whose depths aren't exact enough, ascending.
+  std::vector<Index> unsolved() const {
+    std::vector<Index> objects;
+    for (Index object = 0; object < figure_.objects.size(); ++object) {
+      const auto exact = [&](const std::vector<double>& uncertainty) {
+        return object >= uncertainty.size() || uncertainty[object] <= settings_.options.accuracy;
+      };
+      if (!exact(depth_.uncertainty) || !exact(sheets_.uncertainty)) objects.push_back(object);
+    }
+    return objects;
+  }
+
   std::vector<FailedJoin> make_shells_of(const SheetMesh& mesh, Progress& progress) {
     std::vector<ObjectSurface> surfaces = object_surfaces(figure_, mesh);
     const std::vector<Index> unsolved = refuse_unsolved(surfaces);
@@ -130,21 +158,26 @@ class Attempt {
         [](const SheetBasis& basis) { return bytes_of(basis); });
   }
 
-  /// Takes out the surfaces whose depths aren't exact enough. @return their objects, ascending
+  /// Takes out the surfaces whose depths aren't exact enough, or more than explained. @return their objects, ascending
   std::vector<Index> refuse_unsolved(std::vector<ObjectSurface>& surfaces) {
-    const bool solved = std::max(depth_.uncertainty, sheets_.uncertainty) <= settings_.options.accuracy;
+    std::vector<Index> refused = unsolved();
+    const auto is_refused = [&](const ObjectSurface& surface) {
+      return std::binary_search(refused.begin(), refused.end(), surface.object);
+    };
+    for (const Index object : refused) refuse_depth(object, false);
+    std::erase_if(surfaces, is_refused);
     std::vector<DepthRange> ranges;
     for (const ObjectSurface& surface : surfaces) ranges.push_back(depth_range(surface));
     const double gap = settings_.options.minimum_gap * skeleton_.scale;
     const double explained = explained_depth(figure_, skeleton_, gap, settings_.thickness);
-    const double most = settings_.options.depth_allowance * explained;
-    const std::vector<Index> deep = objects_too_deep(std::move(ranges), solved ? most : -1);
-    for (const Index object : deep) refuse_depth(object, solved);
-    std::erase_if(surfaces, [&](const ObjectSurface& surface) {
-      return std::binary_search(deep.begin(), deep.end(), surface.object);
-    });
+    for (const Index object : objects_too_deep(std::move(ranges), settings_.options.depth_allowance * explained)) {
+      refuse_depth(object, true);
+      refused.push_back(object);
+    }
+    std::sort(refused.begin(), refused.end());
+    std::erase_if(surfaces, is_refused);
     depth_ratio_ = explained > 0 ? depth_of(surfaces) / explained : 0;
-    return deep;
+    return refused;
   }
 
   /// Attachments of these objects, or else all: what held them wrongly is among them.

@@ -19,9 +19,18 @@ constexpr double noticeable = 0.01;
 /// A row left out of a lazy solve holds if it falls short by no more than this part of L: the solver's own accuracy.
 constexpr double holds = 1e-7;
 
-double uncertainty_of(const LeastSquaresSolution& solution) {
+/// Adds what a part's solve left open to that of its objects.
+void add_uncertainty(const LeastSquaresSolution& solution, const DepthPart& part, const Skeleton& skeleton,
+                     std::vector<double>& uncertainty) {
   const bool found = solution.converged && !solution.singular_objective;
-  return found ? solution.remaining_step.lpNorm<Eigen::Infinity>() : std::numeric_limits<double>::infinity();
+  for (std::size_t n = 0; n < part.nodes.size(); ++n) {
+    const Index object = skeleton.nodes[part.nodes[n]].object;
+    if (object >= uncertainty.size()) uncertainty.resize(object + 1, 0);
+    const double own =
+        found ? solution.remaining_step.segment<3>(static_cast<Eigen::Index>(3 * n)).lpNorm<Eigen::Infinity>()
+              : std::numeric_limits<double>::infinity();
+    uncertainty[object] = std::max(uncertainty[object], own);
+  }
 }
 
 /// One part with the rows that its solver has been given so far.
@@ -55,7 +64,7 @@ class PartSolver {
     result.rounds = std::max(result.rounds, rounds);
     result.rows_used += static_cast<std::size_t>(std::count(active_.begin(), active_.end(), true));
     result.residual = std::max({result.residual, solution.primal_residual, solution.dual_residual});
-    result.uncertainty = std::max(result.uncertainty, uncertainty_of(solution));
+    add_uncertainty(solution, part_, skeleton_, result.uncertainty);
     return solution;
   }
 
@@ -128,6 +137,7 @@ void solve_all(Skeleton& skeleton, const LabelledFigure& figure, const DepthSett
   const std::vector<DepthPart> parts = depth_parts(skeleton, rows);
   result.rows = rows.size();
   result.rows_used = 0;
+  result.uncertainty.clear();
   for (const DepthPart& part : parts) {
     Progress step = progress.step("depth", 1 / static_cast<double>(parts.size()));
     PartSolver solver(skeleton, rows, part, settings);

@@ -34,10 +34,14 @@ struct DepthSettings {
   /// Per object of the figure how deep it is against its width, 0.05..4; empty: 1 for all.
   std::vector<double> thickness;
 
+  /// Every object is as hard to move as any other, instead of by its width: where that makes the problem too unequal.
+  bool equally_stiff = false;
+
   double thickness_of(Index object) const { return object < thickness.size() ? thickness[object] : 1; }
 };
 constexpr auto members(const DepthSettings& options) {
-  return std::tie(options.options, options.object_weights, options.lazy_rows, options.attachments, options.thickness);
+  return std::tie(options.options, options.object_weights, options.lazy_rows, options.attachments, options.thickness,
+                  options.equally_stiff);
 }
 static_assert(lists_every_member<DepthSettings>);
 
@@ -58,7 +62,9 @@ struct DepthResult {
   int iterations = 0;         ///< the most that one solve took
   int factorisations = 0;     ///< of all solves
   double residual = 0;        ///< largest primal or dual one, relative
-  double uncertainty = 0;     ///< L: how far a height may still be from the optimum's; infinity where a solve gave up
+  /// Per object, up to the last one with nodes, L: how far a height may still be from the optimum's; infinity where a
+  /// solve gave up.
+  std::vector<double> uncertainty;
   std::size_t split_chords = 0;  ///< chords that spanned places of opposite order and were split
   std::vector<DepthCollision> collisions;
 };

@@ -44,7 +44,7 @@ class RowWriter {
 class RowWeights {
  public:
   RowWeights(const Skeleton& skeleton, const DepthSettings& settings)
-      : settings_(settings), stiffness_(row_stiffness(skeleton)) {}
+      : settings_(settings), stiffness_(settings.equally_stiff ? std::vector<double>{} : row_stiffness(skeleton)) {}
 
   DepthWeights of(Index object) const {
     DepthWeights weights = depth_weights(settings_, object);

@@ -42,8 +42,9 @@ Eigen::VectorXd node_lengths(const Skeleton& skeleton) {
   return lengths;
 }
 
-Eigen::VectorXd vertex_stiffness(const Skeleton& skeleton, const std::vector<Index>& objects) {
-  const std::vector<double> by_object = row_stiffness(skeleton);
+Eigen::VectorXd vertex_stiffness(const Skeleton& skeleton, const std::vector<Index>& objects,
+                                 const DepthSettings& settings) {
+  const std::vector<double> by_object = settings.equally_stiff ? std::vector<double>{} : row_stiffness(skeleton);
   Eigen::VectorXd stiffness = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(objects.size()));
   for (std::size_t v = 0; v < objects.size(); ++v) {
     if (objects[v] < by_object.size()) stiffness[static_cast<Eigen::Index>(v)] = by_object[objects[v]];
@@ -86,7 +87,7 @@ MidSurfaceData mid_surface_data(const Skeleton& skeleton, const SheetBasis& basi
   data.node_length = node_lengths(skeleton);
   data.scale = skeleton.scale;
   data.gap = (1 + spare_gap) * settings.options.minimum_gap * skeleton.scale;
-  data.stiffness = vertex_stiffness(skeleton, objects);
+  data.stiffness = vertex_stiffness(skeleton, objects, settings);
   // Thin parts press on rims: a wide one keeps its shape over its own radius rather than over L.
   data.bending = data.stiffness.cwiseMax(1);
   const bool joined = !settings.attachments.empty();
@@ -174,7 +175,11 @@ class SheetRaiser {
     sheets_.z = result.z;
     sheets_.iterations = std::max(sheets_.iterations, result.iterations);
     sheets_.residual = std::max(sheets_.residual, result.residual);
-    sheets_.uncertainty = std::max(sheets_.uncertainty, result.uncertainty);
+    for (std::size_t v = 0; v < objects_.size(); ++v) {
+      if (objects_[v] >= sheets_.uncertainty.size()) sheets_.uncertainty.resize(objects_[v] + 1, 0);
+      double& most = sheets_.uncertainty[objects_[v]];
+      most = std::max(most, result.uncertainty[static_cast<Eigen::Index>(v)]);
+    }
   }
 
   void drape(MidSurface& mid_surface, Progress& progress) {

@@ -31,7 +31,7 @@ struct InflatedSheets {
   double resting_gap = 0;  ///< that one keeps which rests on another
   int iterations = 0;      ///< of the mid-surface's solver, the larger of both solves
   double residual = 0;
-  double uncertainty = 0;  ///< L, of both solves: how far a height may still be from the optimum's
+  std::vector<double> uncertainty;  ///< per object, L, of all solves: how far a height may still be from the optimum's
 };
 
 /// From a skeleton with depths to sheets with thickness. The thickness is meant along the surface's normal: where the

@@ -165,10 +165,9 @@ MidSurfaceResult MidSurface::solve(const Eigen::VectorXd& thickness, Progress& p
   state_->solver.set_inequality_bounds(state_->bounds(thickness));
   const LeastSquaresSolution solution = state_->solver.solve(progress);
   const bool found = solution.converged && !solution.singular_objective;
-  const double uncertainty = found ? solution.remaining_step.lpNorm<Eigen::Infinity>() / state_->data.scale
-                                   : std::numeric_limits<double>::infinity();
+  const Eigen::VectorXd open = solution.remaining_step.cwiseAbs() / state_->data.scale;
   return {solution.x + state_->shape, solution.iterations, std::max(solution.primal_residual, solution.dual_residual),
-          uncertainty};
+          found ? open : Eigen::VectorXd::Constant(solution.x.size(), std::numeric_limits<double>::infinity())};
 }
 
 }  // namespace croquis::silhouette

@@ -57,7 +57,8 @@ struct MidSurfaceResult {
   Eigen::VectorXd z;  ///< per lifted vertex
   int iterations = 0;
   double residual = 0;
-  double uncertainty = 0;  ///< L: how far a height may still be from the optimum's; infinity where the solve gave up
+  Eigen::VectorXd
+      uncertainty;  ///< per vertex, L: how far it may still be from the optimum's; infinity where it gave up
 };
 
 /// The surface half way between front and back: as smooth as the skeleton's depths allow, level across every rim, and
