@@ -30,9 +30,7 @@ Thickened thicken(const LabelledFigure& figure) {
   const SheetSampling& sheets = result.sheets = sample_sheets(figure, skeleton, progress);
   const std::vector<LiftedPlace> nodes = locate_nodes(figure, skeleton, sheets);
   result.op = make_sheet_operator(sheets);
-  Eigen::VectorXd radii(static_cast<Eigen::Index>(nodes.size()));
-  for (std::size_t n = 0; n < nodes.size(); ++n) radii[static_cast<Eigen::Index>(n)] = skeleton.nodes[n].radius;
-  const NodeExtension extension(result.op, nodes, radii);
+  const NodeExtension extension(result.op, nodes, skeleton);
   result.thickness = sheet_thickness(result.sheets, result.op, skeleton, nodes, extension, progress);
   return result;
 }
@@ -53,6 +51,43 @@ std::vector<double> rim_deviations(const LabelledFigure& figure) {
     deviations.push_back(std::abs(reach - radius) / radius);
   }
   return deviations;
+}
+
+/// A circle of radius 120 with waves, in parts of the radius: a flower, cloud or star.
+LabelledFigure waved_figure(int points, double waves) {
+  std::vector<Vec2> outline;
+  for (int k = 0; k < 400; ++k) {
+    const double angle = 2 * 3.14159265358979 * k / 400;
+    outline.push_back(120 * (1 + waves * std::cos(points * angle)) * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  const std::vector<test::FixtureContour> contours{{outline, 1, 0}};
+  const std::vector<std::string> names{"waves"};
+  test::FigureFixture fixture = test::figure_of_contours(contours, names, 3, [](Index, double) { return 0; });
+  fixture.figure.objects[0].euler_region = 1;
+  return fixture.figure;
+}
+
+/// Vertices near the middle that are higher than all others around them.
+int summits(const Thickened& result, double within) {
+  constexpr double around = 20;
+  int count = 0;
+  for (Index v = 0; v < result.op.position.size(); ++v) {
+    bool highest = result.op.position[v].norm() < within;
+    for (Index w = 0; highest && w < result.op.position.size(); ++w) {
+      highest = v == w || (result.op.position[v] - result.op.position[w]).norm() > around ||
+                result.thickness[w] < result.thickness[v];
+    }
+    count += highest ? 1 : 0;
+  }
+  return count;
+}
+
+double height_near(const Thickened& result, const Vec2& place) {
+  Index nearest = 0;
+  for (Index v = 0; v < result.op.position.size(); ++v) {
+    if ((result.op.position[v] - place).norm() < (result.op.position[nearest] - place).norm()) nearest = v;
+  }
+  return result.thickness[nearest];
 }
 
 }  // namespace
@@ -151,6 +186,25 @@ TEST_CASE("where three limbs meet the surface is neither pinched nor blown up") 
   CHECK(highest < 1.25 * centre);
 }
 
+TEST_CASE("stars and clouds have one summit, and all of their points are alike") {
+  for (const int points : {5, 8, 12, 17}) {
+    for (const double waves : {0.15, 0.35}) {
+      INFO(points << " points, " << waves);
+      const Thickened result = thicken(waved_figure(points, waves));
+      CHECK(summits(result, 120 * (1 - waves)) == 1);
+      double low = 1e300;
+      double high = 0;
+      for (int k = 0; k < points; ++k) {
+        const double angle = 2 * 3.14159265358979 * k / points;
+        const double height = height_near(result, 72 * (1 - waves) * Vec2(std::cos(angle), std::sin(angle)));
+        low = std::min(low, height);
+        high = std::max(high, height);
+      }
+      CHECK(low > 0.83 * high);
+    }
+  }
+}
+
 TEST_CASE("a drawn star is highest in the middle and falls evenly into its points") {
   std::vector<Vec2> outline;
   for (int k = 0; k < 10; ++k) {
@@ -187,7 +241,7 @@ TEST_CASE("equal node values extend to a constant, and differing ones stay betwe
   const SheetSampling sheets = sample_sheets(fixture.figure, skeleton, progress);
   const std::vector<LiftedPlace> nodes = locate_nodes(fixture.figure, skeleton, sheets);
   const auto count = static_cast<Eigen::Index>(nodes.size());
-  const NodeExtension extension(make_sheet_operator(sheets), nodes, Eigen::VectorXd::Constant(count, 28));
+  const NodeExtension extension(make_sheet_operator(sheets), nodes, skeleton);
   const Eigen::VectorXd same = extension.extend(Eigen::VectorXd::Constant(count, 3));
   CHECK((same.array() - 3).abs().maxCoeff() < 1e-6);
   const Eigen::VectorXd rising = extension.extend(Eigen::VectorXd::LinSpaced(count, 1, 2));

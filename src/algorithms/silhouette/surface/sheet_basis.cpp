@@ -13,12 +13,6 @@ namespace {
 /// A vertex' rows in the operator, the factorisation and the vectors: seven neighbours, five times that of fill.
 constexpr std::size_t bytes_per_vertex = 1000;
 
-Eigen::VectorXd node_radii(const Skeleton& skeleton) {
-  Eigen::VectorXd radii(static_cast<Eigen::Index>(skeleton.nodes.size()));
-  for (Eigen::Index n = 0; n < radii.size(); ++n) radii[n] = skeleton.nodes[static_cast<std::size_t>(n)].radius;
-  return radii;
-}
-
 }  // namespace
 
 SheetBasis make_sheet_basis(const LabelledFigure& figure, const Skeleton& skeleton, Quality quality,
@@ -29,7 +23,7 @@ SheetBasis make_sheet_basis(const LabelledFigure& figure, const Skeleton& skelet
 
   Progress thickening = progress.step("thickness", 0.4);
   SheetOperator op = make_sheet_operator(sheets);
-  NodeExtension extension(op, nodes, node_radii(skeleton));
+  NodeExtension extension(op, nodes, skeleton);
   Eigen::VectorXd upright = sheet_thickness(sheets, op, skeleton, nodes, extension, thickening);
   flatten_to_rim_chords(sheets, upright);
   std::vector<Index> objects = objects_of_triangles(figure, sheets);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <Eigen/SparseCholesky>
 
@@ -32,8 +33,13 @@ constexpr double least_load = 0.25;
 /// Of a rim's curvature times radius. At 1, where a tube ends in a half disk, the weight would vanish.
 constexpr double greatest_turn = 0.8;
 
+/// A chord whose half and distance make no more than that of the square of a larger ball's radius is a section of that
+/// ball. Drawn balls aren't exact.
+constexpr double covered_chord = 1.1;
+constexpr double smaller = 0.95;  // of the radius: along a tube each node speaks for itself
+
 // Between these, beta is sqrt(1/2) on a tube, less where a limb flares, and 1 on a disk.
-constexpr double least_beta = 0.5;
+constexpr double least_beta = 0.6;
 constexpr double greatest_beta = 1.2;
 
 /// Rows and columns of inner vertices.
@@ -136,11 +142,13 @@ struct NodeExtension::Factors {
   Eigen::VectorXd background;
 };
 
-NodeExtension::NodeExtension(const SheetOperator& op, const std::vector<LiftedPlace>& nodes,
-                             const Eigen::VectorXd& radii)
+NodeExtension::NodeExtension(const SheetOperator& op, const std::vector<LiftedPlace>& nodes, const Skeleton& skeleton)
     : factors_(std::make_unique<Factors>()) {
   NodeSpreader spreader(op);
-  for (Index n = 0; n < nodes.size(); ++n) spreader.spread(n, nodes[n], node_reach * radii[n], factors_->shares);
+  const std::vector<std::uint8_t> speaks = speaking_nodes(skeleton);
+  for (Index n = 0; n < nodes.size(); ++n) {
+    if (speaks[n] != 0) spreader.spread(n, nodes[n], node_reach * skeleton.nodes[n].radius, factors_->shares);
+  }
   factors_->background = background_stiffness / op.area.sum() * op.area;
   Matrix matrix = op.stiffness;
   for (Eigen::Index v = 0; v < matrix.cols(); ++v) matrix.coeffRef(v, v) += factors_->background[v];
@@ -175,20 +183,39 @@ double value_at(const LiftedPlace& place, const Eigen::VectorXd& values) {
   return sum;
 }
 
-std::vector<Index> representatives(const Skeleton& skeleton) {
-  std::vector<Index> spokesman(skeleton.nodes.size());
-  for (Index n = 0; n < spokesman.size(); ++n) spokesman[n] = n;
-  const auto offer = [&](Index inner, Index outer) {
-    const SkeletonNode& small = skeleton.nodes[inner];
-    const SkeletonNode& large = skeleton.nodes[outer];
-    const bool inside = (small.position - large.position).norm() + small.radius <= large.radius;
-    if (inside && large.radius > skeleton.nodes[spokesman[inner]].radius) spokesman[inner] = outer;
-  };
+std::vector<std::uint8_t> speaking_nodes(const Skeleton& skeleton) {
+  const auto count = static_cast<Index>(skeleton.nodes.size());
+  std::vector<std::vector<Index>> around(count);
   for (const auto& [a, b] : skeleton.edges) {
-    offer(a, b);
-    offer(b, a);
+    around[a].push_back(b);
+    around[b].push_back(a);
   }
-  return spokesman;
+  std::vector<Index> by_radius(count);
+  std::iota(by_radius.begin(), by_radius.end(), 0);
+  const auto radius = [&](Index n) { return skeleton.nodes[n].radius; };
+  std::stable_sort(by_radius.begin(), by_radius.end(), [&](Index a, Index b) { return radius(a) > radius(b); });
+  const auto covers = [&](Index outer, Index inner) {
+    const double across = (skeleton.nodes[inner].position - skeleton.nodes[outer].position).squaredNorm();
+    const double reach = radius(outer) * radius(outer);
+    return across < reach && across + radius(inner) * radius(inner) < covered_chord * reach &&
+           radius(inner) < smaller * radius(outer);
+  };
+  std::vector<std::uint8_t> met(count, 0);
+  std::vector<std::uint8_t> speaks(count, 0);
+  std::vector<Index> queue;
+  for (const Index outer : by_radius) {
+    if (met[outer] != 0) continue;
+    met[outer] = speaks[outer] = 1;
+    queue.assign(1, outer);
+    for (std::size_t head = 0; head < queue.size(); ++head) {
+      for (const Index inner : around[queue[head]]) {
+        if (met[inner] != 0 || !covers(outer, inner)) continue;
+        met[inner] = 1;
+        queue.push_back(inner);
+      }
+    }
+  }
+  return speaks;
 }
 
 Eigen::VectorXd sheet_thickness(const SheetSampling& sheets, const SheetOperator& op, const Skeleton& skeleton,
@@ -209,8 +236,7 @@ Eigen::VectorXd sheet_thickness(const SheetSampling& sheets, const SheetOperator
     beta[n] = std::clamp(skeleton.nodes[n].radius / std::sqrt(std::max(value_at(nodes[n], u), 1e-300)), least_beta,
                          greatest_beta);
   }
-  const std::vector<Index> spokesman = representatives(skeleton);
-  return extension.extend(beta(spokesman)).cwiseProduct(u.cwiseSqrt());
+  return extension.extend(beta).cwiseProduct(u.cwiseSqrt());
 }
 
 }  // namespace croquis::silhouette

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -16,11 +17,12 @@ namespace croquis::silhouette {
 ///
 /// Each node pulls like a spring, spread over the vertices around it in its sheet: a value held at a point of the plane
 /// would stand out as a spike.
+/// Nodes whose ball a larger one covers don't pull, see speaking_nodes.
 /// Keeps its factorisation.
 class NodeExtension {
  public:
-  /// @param radii per node
-  NodeExtension(const SheetOperator& op, const std::vector<LiftedPlace>& nodes, const Eigen::VectorXd& radii);
+  /// @param nodes where the skeleton's nodes lie
+  NodeExtension(const SheetOperator& op, const std::vector<LiftedPlace>& nodes, const Skeleton& skeleton);
   ~NodeExtension();
   NodeExtension(NodeExtension&&) noexcept;
 
@@ -32,9 +34,10 @@ class NodeExtension {
   std::unique_ptr<Factors> factors_;
 };
 
-/// Per node of the skeleton the node that represents it: itself, or where its disk lies inside a neighbour's, that one.
-/// Where limbs meet in a wide body, triangles between them get nodes beside the axis, whose disks don't count.
-std::vector<Index> representatives(const Skeleton& skeleton);
+/// Per node of the skeleton whether it tells the thickness: not where its chord is one of a larger ball along the
+/// skeleton. Where limbs or points meet in a wide body, how it is triangulated is left to chance, and so is where its
+/// chords lie.
+std::vector<std::uint8_t> speaking_nodes(const Skeleton& skeleton);
 
 /// Half thickness of the surface over every lifted vertex: 0 exactly on the boundary, positive inside.
 ///
