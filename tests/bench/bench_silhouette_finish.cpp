@@ -11,6 +11,7 @@
 #include "croquis/silhouette/attachment.h"
 #include "croquis/silhouette/solid.h"
 #include "silhouette/surface_quality.h"
+#include "support/sketches/characters/character.h"
 #include "support/sketches/sketch_generator.h"
 
 namespace croquis::bench {
@@ -79,29 +80,77 @@ void print_joined(std::ostream& out) {
   layers.print(out, "layers, random");
 }
 
+/// How slender the triangles of a family of solids are.
+struct Slenderness {
+  double sum = 0;  ///< of the shares, %
+  double worst = 0;
+  std::string worst_name;
+  std::size_t solids = 0;
+
+  /// @return the share of triangles with an angle below 15 degrees, %
+  double add(const std::string& name, const std::vector<double>& angles) {
+    constexpr double slender = 15;
+    const auto below = std::lower_bound(angles.begin(), angles.end(), slender) - angles.begin();
+    const double share = 100.0 * static_cast<double>(below) / static_cast<double>(angles.size());
+    sum += share;
+    ++solids;
+    if (share > worst) {
+      worst = share;
+      worst_name = name;
+    }
+    return share;
+  }
+
+  void print(std::ostream& out, const std::string& family) const {
+    out << "| " << family << " | " << solids << " | " << sum / static_cast<double>(solids) << " | " << worst << " | "
+        << worst_name << " |\n";
+  }
+};
+
+PolyMesh solid_of(const Drawing& drawing, const Options& options) {
+  Progress progress;
+  return inflate(label(drawing, options, progress), drawing, options, progress).mesh;
+}
+
 /// The triangles of every sketch of the gallery.
-void print_triangles(std::ostream& out) {
-  constexpr double slender = 15;
+Slenderness print_triangles(std::ostream& out) {
   out << "Triangles of the gallery.\n\n"
       << "| sketch | triangles | below 15 degrees % | smallest angle | rim serration, p95 |\n|---|---|---|---|---|\n"
       << std::fixed << std::setprecision(1);
+  Slenderness gallery;
   for (const test::NamedSketch& sketch : test::all_sketches()) {
-    Progress progress;
-    const Options options;
-    const Drawing& drawing = sketch.sketch.drawing;
-    const PolyMesh mesh = inflate(label(drawing, options, progress), drawing, options, progress).mesh;
+    const PolyMesh mesh = solid_of(sketch.sketch.drawing, {});
     const std::vector<double> angles = test::smallest_angles(mesh);
-    const auto below = std::lower_bound(angles.begin(), angles.end(), slender) - angles.begin();
-    out << "| " << sketch.name << " | " << angles.size() << " | "
-        << 100.0 * static_cast<double>(below) / static_cast<double>(angles.size()) << " | " << angles.front() << " | "
-        << test::rim_serration(mesh).p95 << " |" << std::endl;
+    out << "| " << sketch.name << " | " << angles.size() << " | " << gallery.add(sketch.name, angles) << " | "
+        << angles.front() << " | " << test::rim_serration(mesh).p95 << " |" << std::endl;
   }
+  return gallery;
+}
+
+/// Characters apart, and held as they suggest.
+void print_families(std::ostream& out, const Slenderness& gallery) {
+  Slenderness apart;
+  Slenderness held;
+  Options options = Options::of(silhouette::Preset::Clean);
+  options.strokes.crossings = silhouette::Crossings::Front;
+  for (const test::Character& character : test::all_characters()) {
+    const Drawing drawing = test::character_sketch(character).drawing;
+    for (const bool attached : {false, true}) {
+      options.attach_suggested = attached;
+      const PolyMesh mesh = solid_of(drawing, options);
+      if (mesh.face_count() > 0) (attached ? held : apart).add(character.name, test::smallest_angles(mesh));
+    }
+  }
+  out << "\nTriangles below 15 degrees, %.\n\n| family | solids | mean | worst | of |\n|---|---|---|---|---|\n";
+  gallery.print(out, "gallery");
+  apart.print(out, "characters, apart");
+  held.print(out, "characters, held as suggested");
 }
 
 }  // namespace
 
 void bench_silhouette_finish(std::ostream& out) {
-  print_triangles(out);
+  print_families(out, print_triangles(out));
   print_joined(out);
 }
 
