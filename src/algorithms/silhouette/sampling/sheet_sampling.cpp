@@ -26,7 +26,7 @@ constexpr double shallow = 0.5;
 constexpr double past_row = 1.3;
 constexpr SheetDensity draft_density{1, 3};
 
-constexpr int max_row_rounds = 2;  // later ones find only splinters between contours that nearly touch
+constexpr int max_row_rounds = 1;  // later ones find only splinters between contours that nearly touch
 
 void cut_segments(const LabelledFigure& figure, const std::vector<DirectedSegment>& segments,
                   const std::vector<std::vector<double>>& cuts, SheetSampling& sheets) {

@@ -19,7 +19,7 @@ constexpr std::size_t max_rounds = 6;  // changes, in parts of the triangles; ne
 constexpr std::size_t changes_per_check = 1024;
 
 /// How far the surface may move along its normal, in parts of the edges there.
-constexpr double most_deviation = 0.02;
+constexpr double most_deviation = 0.025;
 
 /// Of the height of a triangle in the plane over its longest side: thinner ones might turn over by rounding.
 constexpr double least_flatness = 1e-3;
@@ -49,14 +49,17 @@ class SheetImprover {
   }
 
  private:
-  /// A change and how much sharper the sharpest triangle was before.
+  enum class Kind { None, Flip, Collapse };
+
+  /// What would mend a triangle.
   struct Change {
-    double gain = least_gain;
-    int kind = -1;  ///< 0: flip, 1: collapse
-    Index triangle = 0;
+    double gain = least_gain;  ///< by how much the sharpest triangle there is sharper before
+    Kind kind = Kind::None;
+    Index triangle = 0;  ///< of a flip: its edge is opposite to the corner
     std::size_t corner = 0;
-    Index from = no_index, to = no_index;
-    double moved = 0;
+    Index from = no_index;  ///< of a collapse: the vertex that goes
+    Index to = no_index;    ///< and the one that it goes to
+    double moved = 0;       ///< how far the surface moves along z
   };
 
   bool is_dead(Index t) const { return mesh_.triangles[t][0] == no_index; }
@@ -64,6 +67,7 @@ class SheetImprover {
   Vec3 front(Index v) const { return {mesh_.place[v].x(), mesh_.place[v].y(), mesh_.z[v] + mesh_.thickness[v]}; }
   Vec3 back(Index v) const { return {mesh_.place[v].x(), mesh_.place[v].y(), mesh_.z[v] - mesh_.thickness[v]}; }
 
+  /// Of the smallest angle: it lies opposite to the shortest side.
   static double sharpest_cosine(const Vec3& a, const Vec3& b, const Vec3& c) {
     std::array<double, 3> square{(b - c).squaredNorm(), (c - a).squaredNorm(), (a - b).squaredNorm()};
     std::sort(square.begin(), square.end());
@@ -120,8 +124,8 @@ class SheetImprover {
       consider_collapse(a, b, best);
       consider_collapse(b, a, best);
     }
-    if (best.kind == 0) flip(best);
-    if (best.kind == 1) collapse(best);
+    if (best.kind == Kind::Flip) flip(best);
+    if (best.kind == Kind::Collapse) collapse(best);
   }
 
   void consider_flip(Index t, std::size_t k, Change& best) const {
@@ -152,7 +156,7 @@ class SheetImprover {
     if (down * levelness(own, false) > most_deviation * (back(b) - back(c)).norm()) return;
     if (!face_alike(std::array{own, mesh_.triangles[o]}, std::array{first, second})) return;
     if ((mesh_.on_boundary[a] || mesh_.on_boundary[d]) && is_notch(first, second)) return;
-    best = {gain, 0, t, k, no_index, no_index, moved};
+    best = {gain, Kind::Flip, t, k, no_index, no_index, moved};
   }
 
   /// As long as twice the area.
@@ -272,7 +276,7 @@ class SheetImprover {
     const std::optional<double> moved = moved_by_collapse(from, to, std::isfinite(room));
     if (!moved || *moved > room) return;
     if (!faces_alike_after(from, to)) return;
-    best = {before - after, 1, 0, 0, from, to, *moved};
+    best = {before - after, Kind::Collapse, 0, 0, from, to, *moved};
   }
 
   /// Whether the surface is bent inwards along the edge from the first's corner 0 to its corner 2.
