@@ -43,7 +43,8 @@ void print_drawing(std::ostream& out, const std::string& name, const Drawing& dr
 }
 
 void print_gallery(std::ostream& out) {
-  out << "Spread of the parts' middles over the sum of their depths, the steepest part's slope, and the whole depth over "
+  out << "Spread of the parts' middles over the sum of their depths, the steepest part's slope, and the whole depth "
+         "over "
          "what the drawing explains.\n\n"
       << "| drawing | parts | apart: spread | slope | ratio | held as suggested: spread | slope | ratio |\n"
       << "|---|---|---|---|---|---|---|---|\n"

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -163,7 +163,9 @@ TEST_CASE("what rests turns, is mirrored and grows with its drawing") {
 
 TEST_CASE("characters' eyes, windows and bellies lie on what they rest on") {
   for (const test::Character& character : test::all_characters()) {
-    if (character.name != "penguin" && character.name != "owl" && character.name != "car") continue;
+    // The snowman's nose is thin, with points of other parts right beside its rim.
+    const std::set<std::string> chosen{"penguin", "owl", "car", "snowman"};
+    if (!chosen.contains(character.name)) continue;
     INFO(character.name);
     const Drawing drawing = test::character_sketch(character).drawing;
     Options options;
@@ -171,6 +173,7 @@ TEST_CASE("characters' eyes, windows and bellies lie on what they rest on") {
     Progress progress;
     const Solid solid = inflate(label(drawing, options, progress), drawing, options, progress);
     CHECK(inspect(solid.mesh, true, progress).self_intersections == std::size_t{0});
+    CHECK(!has_errors(solid.findings));
     const AttributeChannel& channel = *solid.mesh.channel("object", Domain::Face);
     const auto part = [&](const std::string& name) {
       const auto place = std::find(channel.labels.begin(), channel.labels.end(), name);

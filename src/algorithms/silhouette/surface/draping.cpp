@@ -262,8 +262,10 @@ Draping drape_sheets(const Skeleton& skeleton, const SheetBasis& basis, const De
     for (Eigen::Index row = 0; row < sheet.size(); ++row) {
       const auto v = static_cast<Eigen::Index>(sheet.vertices()[static_cast<std::size_t>(row)]);
       const double tilt = std::min(std::sqrt(1 + slope[row] * slope[row]), greatest_tilt);
-      sheets.thickness[v] = settings.thickness_of(object) * basis.upright[v] * tilt;
-      sheets.z[v] = draping.z[v] = back[v] + sheets.thickness[v];
+      sheets.thickness[v] = factored_thickness(basis, v, settings.thickness_of(object) * tilt);
+      // The rim lies between front and back also where a file's rounding moves it beneath a vertex next to it.
+      const double above = std::max(sheets.thickness[v], least_half_thickness * basis.unit);
+      sheets.z[v] = draping.z[v] = back[v] + above;
     }
     draping.objects.push_back(object);
   }

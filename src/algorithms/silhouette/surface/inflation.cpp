@@ -52,13 +52,6 @@ Eigen::VectorXd vertex_stiffness(const Skeleton& skeleton, const std::vector<Ind
   return stiffness;
 }
 
-Eigen::VectorXd thickness_factors(const DepthSettings& settings, const std::vector<Index>& objects) {
-  Eigen::VectorXd factors(static_cast<Eigen::Index>(objects.size()));
-  for (std::size_t v = 0; v < objects.size(); ++v)
-    factors[static_cast<Eigen::Index>(v)] = settings.thickness_of(objects[v]);
-  return factors;
-}
-
 /// The surface between nodes may be thicker than the balls at them, and reach beyond the last one: how much farther
 /// each object rests from the sketch plane for that, at every node.
 Eigen::VectorXd node_shifts(const Skeleton& skeleton, const MidSurfaceData& data, const std::vector<Index>& objects,
@@ -166,8 +159,12 @@ class SheetRaiser {
 
  private:
   Eigen::VectorXd tilted(const SweptLimbs& limbs) const {
-    return thickness_factors(settings_, objects_)
-        .cwiseProduct(basis_.upright.cwiseProduct(basis_.extension.extend(limbs.tilt).cwiseMax(1)));
+    Eigen::VectorXd thickness = basis_.extension.extend(limbs.tilt).cwiseMax(1);
+    for (Eigen::Index v = 0; v < thickness.size(); ++v) {
+      const double factor = settings_.thickness_of(objects_[static_cast<std::size_t>(v)]);
+      thickness[v] = factored_thickness(basis_, v, factor * thickness[v]);
+    }
+    return thickness;
   }
 
   void solve(MidSurface& mid_surface, Progress& progress) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/silhouette/surface/sheet_basis.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "algorithms/silhouette/stage.h"
@@ -37,6 +38,11 @@ std::vector<Index> objects_of_vertices(const SheetBasis& basis) {
     for (const Index v : basis.sampling.lifted.triangles[m]) objects[v] = basis.objects[m];
   }
   return objects;
+}
+
+double factored_thickness(const SheetBasis& basis, Eigen::Index vertex, double factor) {
+  const double upright = basis.upright[vertex];
+  return std::max(factor * upright, std::min(upright, least_half_thickness * basis.unit));
 }
 
 std::size_t bytes_of(const SheetBasis& basis) {

@@ -30,6 +30,12 @@ struct SheetBasis {
 SheetBasis make_sheet_basis(const LabelledFigure& figure, const Skeleton& skeleton, Quality quality,
                             Progress& progress);
 
+/// u: what is left of a part's half thickness inside its rim, since files round to u / 100.
+constexpr double least_half_thickness = 0.03;
+
+/// Half thickness at a vertex of a part whose depth is multiplied by a factor.
+double factored_thickness(const SheetBasis& basis, Eigen::Index vertex, double factor);
+
 /// The object of every lifted vertex.
 std::vector<Index> objects_of_vertices(const SheetBasis& basis);
 
