@@ -155,7 +155,7 @@ TEST_CASE("a draft shows the same objects with fewer vertices, and shares its la
   const Solid final = solid_of(drawing, options);
   CHECK(cache.made() == std::map<std::string, int>{{"silhouette sheets", 2}, {"silhouette solid", 2}});
   CHECK(draft.objects.size() == final.objects.size());
-  CHECK(draft.mesh.vertex_count() < final.mesh.vertex_count() * 6 / 10);
+  CHECK(draft.mesh.vertex_count() < final.mesh.vertex_count() * 7 / 10);
   Progress progress;
   const MeshReport figures = inspect(draft.mesh, false, progress);
   CHECK(figures.closed);
