@@ -111,6 +111,8 @@ double HiddenCaps::highest_cost_of_one(const HiddenEnd& a, const HiddenEnd& b, c
 
 /// Whether two lines between the same two things and the caps at both ends go round once.
 bool HiddenCaps::close_a_limb(const HiddenEnd& a, const HiddenEnd& b, const std::array<Vec2, 4>& curve) const {
+  // What other lines end at is more likely a strand that goes on than a limb.
+  if (junctions_.sides[a.line] != 0 || junctions_.sides[b.line] != 0) return false;
   const HiddenEnd* far_a = other_end(a);
   const HiddenEnd* far_b = other_end(b);
   if (far_a == nullptr || far_b == nullptr || a.bar != b.bar || far_a->bar != far_b->bar || a.bar == far_a->bar) {
