@@ -35,11 +35,11 @@ struct UsableStroke {
 };
 
 Finding unsupported_kind(const Drawing& drawing, Index stroke, const std::string& kind) {
-  const bool planned = kind == "hidden" || kind == "tube";
+  const bool planned = kind == "tube";
   return make_error(Category::Geometry, "E_NOT_SUPPORTED",
                     "The stroke " + in_quotes(drawing, stroke) + " is marked as \"" + kind + "\", which is " +
                         (planned ? "not understood yet: draw the visible contours instead"
-                                 : R"(no kind of stroke: write "part", "hole" or "visible")"),
+                                 : R"(no kind of stroke: write "part", "hole", "hidden" or "visible")"),
                     {stroke_subject(drawing, stroke)});
 }
 
