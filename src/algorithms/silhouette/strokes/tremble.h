@@ -9,7 +9,7 @@ namespace croquis::silhouette {
 
 /// How unsteady the hand was that drew some lines, from 0 (not more than bends explain) to 1 (the direction of a short
 /// piece means nothing). Judged by the fourth differences of places a twelfth of a line's size apart, which cubic
-/// curves don't have: the median over a line, as a share of its size, and of the lines by length.
+/// curves don't have: the median over a line, as a share of its size, and the lower quartile of the lines by length.
 double tremble_of(const std::vector<CleanLine>& lines, double step);
 
 /// Outward unit direction in which an open line ends. Of lines drawn by an unsteady hand a longer piece is taken, and
