@@ -294,6 +294,9 @@ TEST_CASE("a blended seam is smooth, and what was drawn stays") {
     CHECK(blended.diagnostics.silhouette_iou >= 0.99);
     CHECK(sharpest_seam(sharp.mesh) > 90);
     CHECK(sharpest_seam(blended.mesh) < 25);
+    const std::vector<double> angles = test::smallest_angles(blended.mesh);
+    const auto slender = std::lower_bound(angles.begin(), angles.end(), 15.0) - angles.begin();
+    CHECK(static_cast<double>(slender) < 0.01 * static_cast<double>(angles.size()));
     // Far from the seam nothing moved.
     const auto before = *report_of(sharp.mesh).bounds;
     const auto after = *report_of(blended.mesh).bounds;

@@ -82,6 +82,13 @@ double depth_of(const PolyMesh& mesh) {
   return high->z() - low->z();
 }
 
+/// Percent of the triangles with an angle below 15 degrees.
+double slender_percent(const PolyMesh& mesh) {
+  const std::vector<double> angles = test::smallest_angles(mesh);
+  const auto slender = std::lower_bound(angles.begin(), angles.end(), 15.0) - angles.begin();
+  return 100.0 * static_cast<double>(slender) / static_cast<double>(angles.size());
+}
+
 }  // namespace
 
 TEST_CASE("a button anywhere on a ball lies on it all over, and the ball stays round") {
@@ -94,6 +101,7 @@ TEST_CASE("a button anywhere on a ball lies on it all over, and the ball stays r
     const Stack stack({test::ellipse({0, 0}, 200, 200), test::ellipse(centre, radius, radius)});
     stack.check_sound();
     CHECK(depth_of(stack.parts[0]) == Approx(400).epsilon(0.02));
+    CHECK(slender_percent(stack.parts[1]) < 2);  // though its back is flat and its front is round
     for (const Vec2& place : places_in(centre, radius)) {
       const double distance = stack.distance(0, place);
       CHECK(distance > 0);

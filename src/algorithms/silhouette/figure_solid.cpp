@@ -151,10 +151,11 @@ class Attempt {
     if (cache_ != nullptr) {
       add_shape(figure_, key);
       add_shape(skeleton_, key);
-      key.add(quality_);
+      key.add(quality_).add(settings_.thickness);
     }
     return cached<SheetBasis>(
-        cache_, "silhouette sheets", key, [&] { return make_sheet_basis(figure_, skeleton_, quality_, progress); },
+        cache_, "silhouette sheets", key,
+        [&] { return make_sheet_basis(figure_, skeleton_, quality_, settings_.thickness, progress); },
         [](const SheetBasis& basis) { return bytes_of(basis); });
   }
 

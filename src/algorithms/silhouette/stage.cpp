@@ -140,10 +140,10 @@ std::size_t bytes_of(const Skeleton& skeleton) {
 std::size_t bytes_of(const SheetSampling& sheets) {
   const LiftedTriangulation& lifted = sheets.lifted;
   return bytes_of_list(sheets.points) + bytes_of_list(sheets.segments) + bytes_of_list(sheets.parents) +
-         bytes_of_list(sheets.piece_radii) + bytes_of(sheets.planar) + bytes_of_list(sheets.layers) +
-         bytes_of_list(lifted.first_copy) + bytes_of_list(lifted.triangles) + bytes_of_list(lifted.neighbours) +
-         bytes_of_list(lifted.planar_triangle) + bytes_of_list(lifted.planar_vertex) +
-         bytes_of_list(lifted.on_boundary);
+         bytes_of_list(sheets.piece_radii) + bytes_of_list(sheets.row_radii) + bytes_of(sheets.planar) +
+         bytes_of_list(sheets.layers) + bytes_of_list(lifted.first_copy) + bytes_of_list(lifted.triangles) +
+         bytes_of_list(lifted.neighbours) + bytes_of_list(lifted.planar_triangle) +
+         bytes_of_list(lifted.planar_vertex) + bytes_of_list(lifted.on_boundary);
 }
 
 }  // namespace croquis::silhouette

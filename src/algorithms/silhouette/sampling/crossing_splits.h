@@ -12,7 +12,7 @@ namespace croquis::silhouette {
 ///
 /// A contour that meets the rim of another sheet is an edge of that sheet's triangulation too, and where thickness
 /// grows steeply its chord would cut a notch: it is cut where the rows along the rim would cut it.
-/// @param radii per contour and position, see rim_radii
+/// @param radii per contour and position, see row_radii
 std::vector<std::vector<double>> crossing_splits(const LabelledFigure& figure,
                                                  const std::vector<DirectedSegment>& segments,
                                                  const std::vector<std::vector<double>>& radii);

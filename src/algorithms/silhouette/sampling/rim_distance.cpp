@@ -48,7 +48,7 @@ class RimWalk {
     const std::array<Index, 3>& corners = sheets_.lifted.triangles[triangle];
     const Index piece = sheets_.planar.constraints[sheets_.lifted.planar_triangle[triangle]][corner];
     const auto edge = static_cast<Index>(result_.edges.size());
-    result_.edges.push_back({corners[(corner + 1) % 3], corners[(corner + 2) % 3], sheets_.piece_radii[piece]});
+    result_.edges.push_back({corners[(corner + 1) % 3], corners[(corner + 2) % 3], sheets_.row_radii[piece]});
     leaving_[result_.edges[edge].begin] = edge;
     entering_[result_.edges[edge].end] = edge;
     for (const Index vertex : {result_.edges[edge].begin, result_.edges[edge].end}) {

@@ -18,6 +18,9 @@ constexpr double last_angle = 1.12;  // beyond, the plane's own points are even 
 constexpr double first_arc = 2.2;  // from the rim to the first row
 constexpr double widest_gap = 2;   // in the plane: wider ones hold points of their own
 constexpr double arc_growth = 1.12;
+constexpr double widest_tube = first_arc / tube_turns[0];  // radius; the first row lies nowhere deeper
+
+constexpr double most_widening = 4;  // of the radius of a thin part
 
 /// Linear between the values that there are, periodic. At least one value must be there.
 void fill_gaps(std::vector<double>& values) {
@@ -78,6 +81,19 @@ std::vector<std::vector<double>> rim_radii(const LabelledFigure& figure, const S
     fill_gaps(values);
     for (int pass = 0; pass < smoothing_passes; ++pass) smooth_cycle(values);
     radii.push_back(std::move(values));
+  }
+  return radii;
+}
+
+std::vector<std::vector<double>> row_radii(const LabelledFigure& figure, std::vector<std::vector<double>> radii,
+                                           std::span<const double> thickness) {
+  for (std::size_t object = 0; object < std::min(thickness.size(), figure.objects.size()); ++object) {
+    if (thickness[object] >= 1) continue;
+    for (const Index contour : figure.objects[object].contours) {
+      for (double& radius : radii[contour]) {
+        radius = std::min(widest_tube * figure.step, most_widening * radius);
+      }
+    }
   }
   return radii;
 }

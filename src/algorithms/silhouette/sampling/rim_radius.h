@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "algorithms/silhouette/skeleton/skeleton.h"
@@ -40,5 +41,13 @@ double greatest_first_row();
 /// Per contour and position the radius of the surface there: that of the chords, filled in along the contour where none
 /// ends and smoothed. A contour without any chord takes the skeleton's scale.
 std::vector<std::vector<double>> rim_radii(const LabelledFigure& figure, const Skeleton& skeleton);
+
+/// The radii by which rows are laid out: those of the surface, but for parts that are thinner than wide, whose back may
+/// be flat. There rows as close to the rim as a round side needs them would make slender triangles on the back, so that
+/// rows lie as far apart as they ever do.
+/// @param radii     per contour and position, see rim_radii
+/// @param thickness per object the factor of its depth; empty: 1 for all
+std::vector<std::vector<double>> row_radii(const LabelledFigure& figure, std::vector<std::vector<double>> radii,
+                                           std::span<const double> thickness);
 
 }  // namespace croquis::silhouette

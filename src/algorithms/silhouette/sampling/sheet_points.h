@@ -20,7 +20,7 @@ struct RimPiece {
 
 struct SheetRims {
   std::vector<RimPiece> pieces;                   ///< of the contours, already cut
-  const std::vector<std::vector<double>>& radii;  ///< per contour and position, see rim_radii
+  const std::vector<std::vector<double>>& radii;  ///< per contour and position, see row_radii
 };
 
 struct SheetDensity {

@@ -158,12 +158,13 @@ LiftedPlace place_in(const SheetSampling& sheets, Index planar_triangle, Index l
 
 }  // namespace
 
-SheetSampling sample_sheets(const LabelledFigure& figure, const Skeleton& skeleton, Progress& progress,
-                            Quality quality) {
+SheetSampling sample_sheets(const LabelledFigure& figure, const Skeleton& skeleton, Progress& progress, Quality quality,
+                            std::span<const double> thickness) {
   SheetSampling sheets;
   const std::vector<DirectedSegment> segments = directed_segments(figure);
   const std::vector<std::vector<double>> radii = rim_radii(figure, skeleton);
-  cut_segments(figure, segments, crossing_splits(figure, segments, radii), sheets);
+  const std::vector<std::vector<double>> laid_out = row_radii(figure, radii, thickness);
+  cut_segments(figure, segments, crossing_splits(figure, segments, laid_out), sheets);
 
   std::vector<RimPiece> boundary;
   for (std::size_t k = 0; k < sheets.segments.size(); ++k) {
@@ -173,14 +174,17 @@ SheetSampling sample_sheets(const LabelledFigure& figure, const Skeleton& skelet
         {sheets.points[begin], sheets.points[end], parent.contour, parent.position, begin >= figure.points.size()});
   }
   const SheetDensity density = quality == Quality::Draft ? draft_density : SheetDensity{};
-  const std::vector<Vec2> inner = sheet_points(figure, skeleton, {std::move(boundary), radii}, density);
+  const std::vector<Vec2> inner = sheet_points(figure, skeleton, {std::move(boundary), laid_out}, density);
   sheets.points.insert(sheets.points.end(), inner.begin(), inner.end());
 
   for (int round = 0; round < max_split_rounds; ++round) {
     progress.check();
     sheets.piece_radii.clear();
+    sheets.row_radii.clear();
     for (const Index parent : sheets.parents) {
-      sheets.piece_radii.push_back(radii[segments[parent].contour][segments[parent].position]);
+      const DirectedSegment& segment = segments[parent];
+      sheets.piece_radii.push_back(radii[segment.contour][segment.position]);
+      sheets.row_radii.push_back(laid_out[segment.contour][segment.position]);
     }
     triangulate_and_lift(segments, sheets);
     const std::size_t count = sheets.points.size();

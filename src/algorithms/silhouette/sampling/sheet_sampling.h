@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "algorithms/silhouette/skeleton/immersion.h"
@@ -18,6 +19,7 @@ struct SheetSampling {
   std::vector<std::array<Index, 2>> segments;  ///< pieces of the contours, in the direction of their contour
   std::vector<Index> parents;                  ///< per piece, the segment of the figure
   std::vector<double> piece_radii;             ///< per piece, that of the surface there, see rim_radii
+  std::vector<double> row_radii;               ///< per piece, that of its rows, see row_radii
   double step = 0;                             ///< of the contours' points
   PlanarTriangulation planar;                  ///< of the points, constrained to the pieces
   std::vector<int> layers;                     ///< per planar triangle
@@ -27,9 +29,10 @@ struct SheetSampling {
 /// Rows along the rims, cuts where contours cross, points between, all triangulated once and lifted. Every inner edge
 /// of the region has an end inside: else the front and the back of the surface would share that edge.
 /// A draft has one row along the rims and wider spaces between.
+/// @param thickness per object the factor of its depth; empty: 1 for all
 /// @throws Error (E_INTERNAL) when the figure's contours can't be triangulated, Cancelled
 SheetSampling sample_sheets(const LabelledFigure& figure, const Skeleton& skeleton, Progress& progress,
-                            Quality quality = Quality::Final);
+                            Quality quality = Quality::Final, std::span<const double> thickness = {});
 
 /// A place in the region as a weighted mean of lifted vertices.
 struct LiftedPlace {

@@ -10,10 +10,12 @@ namespace {
 
 // Waves of the hand are a tenth to a third of what it draws; the differences see those of four times this share best.
 constexpr double difference_share = 0.08;
-// Smooth drawings have a quartile of less than the first; a jitter of 2 % of the object's diagonal has about the second.
+// Smooth drawings have a quartile of less than the first; a jitter of 2 % of the object's diagonal has about the
+// second.
 constexpr double steady = 0.001;
 constexpr double unsteady = 0.002;
-// An unsteady hand draws all lines so; the edge of a cloud or of a leaf is uneven by itself. So the steadier lines count.
+// An unsteady hand draws all lines so; the edge of a cloud or of a leaf is uneven by itself. So the steadier lines
+// count.
 constexpr double steadiest_share = 0.25;
 // The piece whose direction is taken then, as a share of the line's size.
 constexpr double direction_share = 0.2;

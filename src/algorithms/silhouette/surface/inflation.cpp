@@ -212,7 +212,7 @@ InflatedSheets raise_sheets(const Skeleton& skeleton, const SheetBasis& basis, c
 InflatedSheets inflate_sheets(const LabelledFigure& figure, const Skeleton& skeleton, const DepthSettings& settings,
                               Progress& progress) {
   Progress preparing = progress.step("sample sheets", 0.5);
-  const SheetBasis basis = make_sheet_basis(figure, skeleton, Quality::Final, preparing);
+  const SheetBasis basis = make_sheet_basis(figure, skeleton, Quality::Final, settings.thickness, preparing);
   Progress raising = progress.step("mid-surface", 0.5);
   return raise_sheets(skeleton, basis, settings, raising);
 }

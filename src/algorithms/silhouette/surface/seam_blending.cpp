@@ -28,8 +28,10 @@ using BandVertex = Band::Vertex_index;
 using Radii = std::map<std::pair<Index, Index>, double>;
 
 // Of a band's half width.
-constexpr double edge_share = 0.2;      // length of its edges
-constexpr double remeshed_share = 1.3;  // how far it is triangulated anew: what moves has even triangles around it
+constexpr double edge_share = 0.2;        // length of its edges
+constexpr double remeshed_share = 1.3;    // how far it is triangulated anew: what moves has even triangles around it
+constexpr double transition_share = 2.2;  // how far with longer edges first, so that their lengths grow evenly
+constexpr double transition_factor = 2.2;
 constexpr int remeshing_rounds = 3;
 constexpr int fairing_rounds = 3;  // weights follow the shape; later rounds change little
 constexpr double least_weight = 0.02;
@@ -147,7 +149,7 @@ class SeamBand {
       share_[v] = at;
       for (const Index next : neighbours_[v]) {
         const double there = at + (mesh_.positions[next] - mesh_.positions[v]).norm() / own;
-        if (there < share_[next] && there <= remeshed_share) queue.emplace(there, next, own);
+        if (there < share_[next] && there <= transition_share) queue.emplace(there, next, own);
       }
     }
   }
@@ -159,8 +161,8 @@ class SeamBand {
   std::vector<double> share_;
 };
 
-/// The band of even triangles; seams and outlines stay lines of edges.
-std::optional<SurfaceUnion> remeshed(const SurfaceUnion& joined, const SeamBand& seams, double finest) {
+/// Even triangles up to a share of the radii; seams and outlines stay lines of edges.
+std::optional<SurfaceUnion> remeshed(const SurfaceUnion& joined, const SeamBand& seams, double share, double edge) {
   Band band = to_band(joined);
   if (band.number_of_faces() != joined.mesh.face_count()) return std::nullopt;
   auto fixed = band.add_property_map<Band::Edge_index, bool>("e:fixed", false).first;
@@ -170,14 +172,13 @@ std::optional<SurfaceUnion> remeshed(const SurfaceUnion& joined, const SeamBand&
   std::vector<BandFace> faces;
   for (const BandFace face : band.faces()) {
     bool near = false;
-    for (const BandVertex v : band.vertices_around_face(band.halfedge(face)))
-      near |= seams.share()[v] < SeamBand::infinity;
+    for (const BandVertex v : band.vertices_around_face(band.halfedge(face))) near |= seams.share()[v] <= share;
     if (near) faces.push_back(face);
   }
   const auto objects = band.property_map<BandFace, Index>("f:object").first;
   try {
     pmp::isotropic_remeshing(
-        faces, std::max(edge_share * seams.least_radius(), finest), band,
+        faces, edge, band,
         pmp::parameters::number_of_iterations(remeshing_rounds).edge_is_constrained_map(fixed).face_patch_map(objects));
   } catch (const std::exception&) {  // a failed precondition of the library
     return std::nullopt;
@@ -270,7 +271,10 @@ std::optional<SurfaceUnion> blend_seams(const SurfaceUnion& joined,
                                         const std::map<std::pair<Index, Index>, double>& radii, double finest) {
   const SeamBand sharp(joined, radii);
   if (sharp.empty()) return std::nullopt;
-  std::optional<SurfaceUnion> blended = remeshed(joined, sharp, finest);
+  const double edge = std::max(edge_share * sharp.least_radius(), finest);
+  const std::optional<SurfaceUnion> coarse = remeshed(joined, sharp, transition_share, transition_factor * edge);
+  if (!coarse) return std::nullopt;
+  std::optional<SurfaceUnion> blended = remeshed(*coarse, SeamBand(*coarse, radii), remeshed_share, edge);
   if (!blended) return std::nullopt;
   const SeamBand seams(*blended, radii);
   if (!fair(seams, blended->mesh)) return std::nullopt;

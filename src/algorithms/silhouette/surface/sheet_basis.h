@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -26,9 +27,10 @@ struct SheetBasis {
   double unit = 1;             ///< u
 };
 
+/// @param thickness per object the factor of its depth; empty: 1 for all
 /// @throws Error (E_INTERNAL) when the figure contradicts itself, Cancelled
 SheetBasis make_sheet_basis(const LabelledFigure& figure, const Skeleton& skeleton, Quality quality,
-                            Progress& progress);
+                            std::span<const double> thickness, Progress& progress);
 
 /// u: what is left of a part's half thickness inside its rim, since files round to u / 100.
 constexpr double least_half_thickness = 0.03;

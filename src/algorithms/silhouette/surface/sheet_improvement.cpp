@@ -28,6 +28,21 @@ constexpr double straight = 1e-6;        // of a rim edge: what is nearer to a l
 constexpr double least_rim_bend = 0.98;  // cosine: edges to the rim are bent inwards no further
 constexpr double least_alike = 0.93;     // cosine: no triangle turns further from what was there
 
+/// How far a change moves the front and the back of a sheet, at most.
+struct Moved {
+  double front = 0;
+  double back = 0;
+
+  void add(double distance, bool in_front) {
+    double& most = in_front ? front : back;
+    most = std::max(most, distance);
+  }
+
+  bool fits(const SheetRoom& room) const { return front <= room.front && back <= room.back; }
+
+  SheetRoom left_of(const SheetRoom& room) const { return {room.front - front, room.back - back}; }
+};
+
 class SheetImprover {
  public:
   explicit SheetImprover(SheetMesh& mesh)
@@ -59,7 +74,7 @@ class SheetImprover {
     std::size_t corner = 0;
     Index from = no_index;  ///< of a collapse: the vertex that goes
     Index to = no_index;    ///< and the one that it goes to
-    double moved = 0;       ///< how far the surface moves along z
+    Moved moved{};          ///< along z
   };
 
   bool is_dead(Index t) const { return mesh_.triangles[t][0] == no_index; }
@@ -150,8 +165,8 @@ class SheetImprover {
     const double r = cross(offset, along) / cross(along, across);
     const double up = std::abs((1 - s) * front(a).z() + s * front(d).z() - (1 - r) * front(b).z() - r * front(c).z());
     const double down = std::abs((1 - s) * back(a).z() + s * back(d).z() - (1 - r) * back(b).z() - r * back(c).z());
-    const double moved = std::max(up, down);
-    if (moved > std::min(mesh_.room[t], mesh_.room[o])) return;
+    const Moved moved{up, down};
+    if (!moved.fits(common_room(mesh_.room[t], mesh_.room[o]))) return;
     if (up * levelness(own, true) > most_deviation * (front(b) - front(c)).norm()) return;
     if (down * levelness(own, false) > most_deviation * (back(b) - back(c)).norm()) return;
     if (!face_alike(std::array{own, mesh_.triangles[o]}, std::array{first, second})) return;
@@ -210,7 +225,7 @@ class SheetImprover {
     replace_neighbour(ca, t, o);
     at_[a] = at_[b] = at_[d] = t;
     at_[c] = o;
-    mesh_.room[t] = mesh_.room[o] = std::min(mesh_.room[t], mesh_.room[o]) - change.moved;
+    mesh_.room[t] = mesh_.room[o] = change.moved.left_of(common_room(mesh_.room[t], mesh_.room[o]));
     rate(t);
     rate(o);
     wake_around(t);
@@ -254,12 +269,12 @@ class SheetImprover {
     collect_star(from);
     if (on_rim && !is_straight_rim(from, to)) return;
     double before = -1, after = -1;
-    double room = std::numeric_limits<double>::infinity();
+    SheetRoom room;
     for (const Index t : star_) before = std::max(before, sharpness_[t]);
     int shared = 0;
     for (const Index t : star_) {
       Corners corners = mesh_.triangles[t];
-      room = std::min(room, mesh_.room[t]);
+      room = common_room(room, mesh_.room[t]);
       const std::size_t k = corner_of(corners, from);
       const Index b = corners[(k + 1) % 3], c = corners[(k + 2) % 3];
       if (b == to || c == to) {
@@ -273,8 +288,8 @@ class SheetImprover {
       if (before - after <= best.gain) return;
     }
     if (shared != (on_rim ? 1 : 2) || star_.size() < (on_rim ? 2 : 4) || before - after <= best.gain) return;
-    const std::optional<double> moved = moved_by_collapse(from, to, std::isfinite(room));
-    if (!moved || *moved > room) return;
+    const std::optional<Moved> moved = moved_by_collapse(from, to, std::isfinite(room.least()));
+    if (!moved || !moved->fits(room)) return;
     if (!faces_alike_after(from, to)) return;
     best = {before - after, Kind::Collapse, 0, 0, from, to, *moved};
   }
@@ -305,8 +320,8 @@ class SheetImprover {
   }
 
   /// How far the surface moves up or down; none if that is too far along its normal. @pre collect_star(from)
-  std::optional<double> moved_by_collapse(Index from, Index to, bool everywhere) const {
-    double moved = 0;
+  std::optional<Moved> moved_by_collapse(Index from, Index to, bool everywhere) const {
+    Moved moved;
     for (const Index t : star_) {
       Corners corners = mesh_.triangles[t];
       if (corners[0] == to || corners[1] == to || corners[2] == to) continue;
@@ -323,16 +338,16 @@ class SheetImprover {
         double height = 0;
         for (std::size_t k = 0; k < 3; ++k) height += w[k] * (in_front ? front(corners[k]) : back(corners[k])).z();
         const double off = std::abs(height - (in_front ? front(from) : back(from)).z());
-        moved = std::max(moved, off);
+        moved.add(off, in_front);
         if (off * levelness(corners, in_front) > most_deviation * longest_edge(corners, in_front)) return std::nullopt;
       }
     }
-    return everywhere ? std::max(moved, moved_on_spokes(from, to)) : moved;
+    if (everywhere) add_moved_on_spokes(from, to, moved);
+    return moved;
   }
 
-  /// The greatest distance along z where edges from the vertex that goes cross those from the one that stays.
-  double moved_on_spokes(Index from, Index to) const {
-    double moved = 0;
+  /// Adds the distances along z where edges from the vertex that goes cross those from the one that stays.
+  void add_moved_on_spokes(Index from, Index to, Moved& moved) const {
     for (const Index t : star_) {
       const Corners& own = mesh_.triangles[t];
       const Index spoke = own[(corner_of(own, from) + 1) % 3];
@@ -351,25 +366,24 @@ class SheetImprover {
         if (s < 0 || s > 1 || r < 0 || r > 1) continue;
         for (const bool in_front : {true, false}) {
           const auto height = [&](Index v) { return (in_front ? front(v) : back(v)).z(); };
-          moved = std::max(
-              moved, std::abs((1 - s) * height(to) + s * height(far) - (1 - r) * height(from) - r * height(spoke)));
+          moved.add(std::abs((1 - s) * height(to) + s * height(far) - (1 - r) * height(from) - r * height(spoke)),
+                    in_front);
         }
       }
     }
-    return moved;
   }
 
   void collapse(const Change& change) {
     collect_star(change.from);
-    double room = std::numeric_limits<double>::infinity();
-    for (const Index t : star_) room = std::min(room, mesh_.room[t]);
+    SheetRoom room;
+    for (const Index t : star_) room = common_room(room, mesh_.room[t]);
     for (const Index t : star_) {
       Corners& corners = mesh_.triangles[t];
       const std::size_t k = corner_of(corners, change.from);
       const bool dies = corners[(k + 1) % 3] == change.to || corners[(k + 2) % 3] == change.to;
       if (!dies) {
         corners[k] = change.to;
-        mesh_.room[t] = room - change.moved;
+        mesh_.room[t] = change.moved.left_of(room);
         continue;
       }
       // The two triangles beside it become neighbours.

@@ -1,13 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "algorithms/silhouette/surface/inflation.h"
 
 namespace croquis::silhouette {
+
+/// How far the front and the back of a sheet may each be moved up or down, sketch units.
+struct SheetRoom {
+  double front = std::numeric_limits<double>::infinity();
+  double back = std::numeric_limits<double>::infinity();
+
+  double least() const { return std::min(front, back); }
+};
+
+/// The less of both, for the front and for the back.
+inline SheetRoom common_room(const SheetRoom& a, const SheetRoom& b) {
+  return {std::min(a.front, b.front), std::min(a.back, b.back)};
+}
 
 /// All sheets of a figure as a mesh of the immersed region, each sheet with triangles of its own: a front z + h and a
 /// back z - h over every vertex.
@@ -19,14 +34,15 @@ struct SheetMesh {
   std::vector<std::array<Index, 3>> triangles;   ///< #M by 3, counter-clockwise in the plane
   std::vector<std::array<Index, 3>> neighbours;  ///< #M by 3, across the edge opposite to corner i, or no_index
   std::vector<Index> objects;                    ///< #M
-  std::vector<double> room;                      ///< #M, see below
+  std::vector<SheetRoom> room;                   ///< #M, see below
   double gap = 0;                                ///< least distance that sheets keep, those of attached objects aside
 };
 
 /// The sheets with the triangles that they were solved with.
 ///
-/// Over a triangle, its sheet may be moved up or down by its room and still keep the gap from the next one: half of
-/// what lies between the two beyond that; infinity where there is none. Fronts of attached objects keep their order.
+/// Over a triangle, the front and the back may be moved by their room and still keep the gap from the sheet next to
+/// them: half of what lies between the two beyond that; infinity where there is none. Fronts of attached objects keep
+/// their order.
 /// @param objects per lifted triangle
 SheetMesh make_sheet_mesh(const InflatedSheets& sheets, const std::vector<Index>& objects);
 
