@@ -6,7 +6,6 @@
 #include <iomanip>
 #include <map>
 #include <memory>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,7 +23,7 @@
 #include "croquis/base/stage_cache.h"
 #include "croquis/silhouette/labelled_figure.h"
 #include "croquis/silhouette/solid.h"
-#include "support/sketches/characters/character.h"
+#include "support/sketches/characters/rosette.h"
 #include "support/sketches/sketch_generator.h"
 
 namespace croquis::bench {
@@ -256,26 +255,6 @@ void print_drag(std::ostream& out) {
   print_drag_of(out, {"weave 4x4", test::weave_sketch()});
 }
 
-/// Limbs all round a disc of radius 130 that covers their inner ends, each over the one before: every pair of ends is
-/// a choice.
-/// @param share of the limbs' width in the room that they have on the disc's rim
-/// @param turns of the disc's rim that they take up
-test::Sketch rosette(int limbs, double share, double turns, double reach, double bend) {
-  std::vector<test::LayeredPart> parts;
-  const double width = share * turns * 2 * std::numbers::pi * 130 / limbs;
-  for (int i = 0; i < limbs; ++i) {
-    const double angle = 2 * std::numbers::pi * turns * (i + 0.37) / limbs;
-    const Vec2 outward(std::cos(angle), std::sin(angle));
-    std::vector<Vec2> through;
-    for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-      through.emplace_back((60 + (reach - 60) * t) * outward + bend * std::sin(5.6 * t) * t * left_of(outward));
-    }
-    parts.push_back({test::limb_outline(through, std::vector<double>(5, width / 2)), i});
-  }
-  parts.push_back({test::circle_outline({0, 0}, 130), limbs});
-  return test::layered_sketch(std::move(parts));
-}
-
 void print_hidden_ends(std::ostream& out) {
   out << "\nHidden ends all round a disc. Right: as many objects as were drawn.\n\n"
       << "| sketch | strokes | labelled ms | right |\n|---|---|---|---|\n"
@@ -283,14 +262,14 @@ void print_hidden_ends(std::ostream& out) {
   std::vector<test::NamedSketch> sketches;
   for (const int petals : {8, 16, 20, 40}) {
     const std::string name = "flower of " + std::to_string(petals);
-    sketches.push_back({name + " slim petals", rosette(petals, 0.5, 1, 300, 0)});
-    sketches.push_back({name + " petals side by side", rosette(petals, 0.9, 1, 300, 0)});
-    sketches.push_back({name + " petals that overlap", rosette(petals, 1.5, 1, 300, 0)});
+    sketches.push_back({name + " slim petals", test::rosette_sketch(petals, 0.5, 1, 300, 0)});
+    sketches.push_back({name + " petals side by side", test::rosette_sketch(petals, 0.9, 1, 300, 0)});
+    sketches.push_back({name + " petals that overlap", test::rosette_sketch(petals, 1.5, 1, 300, 0)});
   }
   for (const int arms : {8, 16, 40}) {
     const std::string name = "octopus of " + std::to_string(arms);
-    sketches.push_back({name + " straight arms", rosette(arms, 0.5, 0.5, 420, 0)});
-    sketches.push_back({name + " bent arms", rosette(arms, 0.5, 0.5, 420, 30)});
+    sketches.push_back({name + " straight arms", test::rosette_sketch(arms, 0.5, 0.5, 420, 0)});
+    sketches.push_back({name + " bent arms", test::rosette_sketch(arms, 0.5, 0.5, 420, 30)});
   }
   for (const test::NamedSketch& sketch : sketches) {
     std::size_t objects = 0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "croquis/silhouette/labelled_figure.h"
 #include "silhouette/labelled_counts.h"
 #include "support/sketches/characters/character.h"
+#include "support/sketches/characters/rosette.h"
 #include "support/sketches/sketch_generator.h"
 
 using namespace croquis;
@@ -26,24 +26,6 @@ std::vector<Vec2> oval(double a, double b) {
   std::vector<Vec2> points = circle_outline({0, 0}, a);
   for (Vec2& point : points) point.y() *= b / a;
   return points;
-}
-
-/// Limbs all round a disc of radius 130 that covers their inner ends, each over the one before.
-/// @param share of the limbs' width in the room that they have on the disc's rim
-Sketch rosette(int limbs, double share, double turns, double bend) {
-  std::vector<LayeredPart> parts;
-  const double width = share * turns * 2 * std::numbers::pi * 130 / limbs;
-  for (int i = 0; i < limbs; ++i) {
-    const double angle = 2 * std::numbers::pi * turns * (i + 0.37) / limbs;
-    const Vec2 outward(std::cos(angle), std::sin(angle));
-    std::vector<Vec2> through;
-    for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-      through.emplace_back((60 + 260 * t) * outward + bend * std::sin(5.6 * t) * t * left_of(outward));
-    }
-    parts.push_back({limb_outline(through, std::vector<double>(5, width / 2)), i});
-  }
-  parts.push_back({circle_outline({0, 0}, 130), limbs});
-  return layered_sketch(std::move(parts));
 }
 
 /// Outlines over one another, the last in front.
@@ -92,12 +74,12 @@ TEST_CASE("petals and arms all round a disc are parts of their own, whether or n
   for (const int limbs : {8, 16, 40}) {
     for (const double share : {0.5, 1.2, 1.5}) {
       INFO(limbs << " petals of width " << share);
-      const Sketch flower = rosette(limbs, share, 1, 0);
+      const Sketch flower = rosette_sketch(limbs, share, 1, 320, 0);
       CHECK(counts_of(label_quietly(flower.drawing)).objects == counts_of(flower.truth).objects);
     }
     for (const double bend : {0.0, 15.0}) {
       INFO(limbs << " arms bent by " << bend);
-      const Sketch octopus = rosette(limbs, 0.6, 0.5, bend);
+      const Sketch octopus = rosette_sketch(limbs, 0.6, 0.5, 320, bend);
       CHECK(counts_of(label_quietly(octopus.drawing)).objects == counts_of(octopus.truth).objects);
     }
   }

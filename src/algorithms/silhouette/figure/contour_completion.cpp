@@ -140,6 +140,7 @@ std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLi
   const HiddenCaps caps(lines, junctions);
   const EndFreedom freedom(junctions, lines.size());
   std::vector<int> side;
+  side.reserve(ends.size());
   for (const Index end : ends) side.push_back(caps.outward_side(junctions.ends[end]));
   for (Index i = 0; i < ends.size(); ++i) {
     for (Index k = i + 1; k < ends.size(); ++k) {

@@ -147,6 +147,7 @@ class Search {
 
   static std::vector<ChosenCompletion> in_likeliest_shapes(const std::vector<Index>& matching) {
     std::vector<ChosenCompletion> chosen;
+    chosen.reserve(matching.size());
     for (const Index candidate : matching) chosen.push_back({candidate, 0});
     return chosen;
   }
@@ -193,7 +194,7 @@ class Search {
   Trial arrange(const std::vector<ChosenCompletion>& chosen, bool quick_check) {
     Trial trial;
     for (int attempt = 0; attempt < 2 * (1 + maximum_perturbations); ++attempt) {
-      const double stretch = perturbation * (attempt / 2);
+      const double stretch = perturbation * static_cast<double>(attempt / 2);
       std::optional<ClosedContours> contours =
           close_contours(context_.lines, context_.junctions, part_, chosen, context_.scale.step, stretch);
       if (!contours) return trial;
