@@ -16,19 +16,11 @@ constexpr double most_misdirected = 25 * std::numbers::pi / 180;
 }  // namespace
 
 EndFreedom::EndFreedom(const Junctions& junctions, std::size_t line_count)
-    : junctions_(junctions), limb_of_(line_count, no_index) {
-  // Ends are sorted by line: those of one line are neighbours.
-  for (std::size_t e = 0; e + 1 < junctions.ends.size(); ++e) {
-    const HiddenEnd& start = junctions.ends[e];
-    const HiddenEnd& end = junctions.ends[e + 1];
-    const bool itself = start.bar == start.line;
-    if (start.line == end.line && start.bar == end.bar && !itself) limb_of_[start.line] = start.bar;
-  }
-}
+    : junctions_(junctions), bodies_(bodies_of_limbs(junctions, line_count)) {}
 
 double EndFreedom::between(const HiddenEnd& a, const HiddenEnd& b) const {
-  const Index body = limb_of_[a.line];
-  return a.line != b.line && body != no_index && limb_of_[b.line] == body ? 0 : junctions_.tremble;
+  const Index body = bodies_[a.line];
+  return a.line != b.line && body != no_index && bodies_[b.line] == body ? 0 : junctions_.tremble;
 }
 
 Vec2 EndFreedom::turned(const Vec2& tangent, const Vec2& towards, double freedom) {

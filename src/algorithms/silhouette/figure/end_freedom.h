@@ -23,7 +23,7 @@ class EndFreedom {
 
  private:
   const Junctions& junctions_;
-  std::vector<Index> limb_of_;  ///< per line: what both of its ends lie on, else none
+  std::vector<Index> bodies_;  ///< per line, see bodies_of_limbs
 };
 
 }  // namespace croquis::silhouette

@@ -55,13 +55,11 @@ class StripSearch {
  public:
   StripSearch(const std::vector<CleanLine>& lines, const Junctions& junctions, const std::vector<Index>& ends,
               const std::vector<int>& side)
-      : lines_(lines), junctions_(junctions), ends_(ends), side_(side), limb_bars_(lines.size(), no_index) {
-    std::vector<Index> first(lines.size(), no_index);
-    for (const HiddenEnd& end : junctions.ends) {
-      if (first[end.line] == end.bar) limb_bars_[end.line] = end.bar;
-      if (first[end.line] == no_index) first[end.line] = end.bar;
-    }
-  }
+      : lines_(lines),
+        junctions_(junctions),
+        ends_(ends),
+        side_(side),
+        bodies_(bodies_of_limbs(junctions, lines.size())) {}
 
   void favour(std::vector<CompletionCandidate>& candidates) const {
     const std::vector<Strip> strips = find_strips(candidates);
@@ -151,8 +149,8 @@ class StripSearch {
     if (one == no_index || other == no_index || !alike(one, other)) return 0;
     int count = 0;
     for (Index line = 0; line < lines_.size(); ++line) {
-      if (line == one || line == other || !alike(one, line) || limb_bars_[line] == no_index) continue;
-      if (limb_bars_[line] != limb_bars_[one] || limb_bars_[line] != limb_bars_[other]) continue;
+      if (line == one || line == other || !alike(one, line) || bodies_[line] == no_index) continue;
+      if (bodies_[line] != bodies_[one] || bodies_[line] != bodies_[other]) continue;
       const bool in_strip = std::any_of(strips.begin(), strips.end(), [&](const Strip& some) {
         return limb_at(some, 0) == line || limb_at(some, 1) == line;
       });
@@ -169,7 +167,7 @@ class StripSearch {
   const Junctions& junctions_;
   const std::vector<Index>& ends_;
   const std::vector<int>& side_;
-  std::vector<Index> limb_bars_;  ///< per line: what it ends at with both ends, no_index for others
+  std::vector<Index> bodies_;  ///< per line, see bodies_of_limbs
 };
 
 }  // namespace
