@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <limits>
 
 #include <catch2/catch.hpp>
 
@@ -117,6 +118,82 @@ TEST_CASE("triangle strips of scans are expanded with alternating orientation") 
       mesh_of(header("element vertex 5\n" + xyz + "element tristrips 1\nproperty list int int vertex_indices\n") +
               "0 0 0\n0 1 0\n1 0 0\n1 1 0\n2 0 0\n9 0 2 1 3 -1 2 4 3 3\n");
   CHECK(mesh.corners == std::vector<Index>{0, 2, 1, 1, 2, 3, 2, 4, 3});
+}
+
+namespace {
+
+// A view of rows × columns places over z = height(x, y), looked at from above; height NaN: nothing seen there.
+template <typename Height>
+std::string range_view(int rows, int columns, const Height& height, const std::string& info) {
+  std::string vertices, places;
+  int count = 0;
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const double z = height(column, row);
+      places += std::isnan(z) ? "0\n" : "1 " + std::to_string(count) + "\n";
+      if (std::isnan(z)) continue;
+      ++count;
+      // Stanford's first row is the topmost.
+      vertices += std::to_string(column) + " " + std::to_string(-row) + " " + std::to_string(z) + "\n";
+    }
+  }
+  return header(info + "element vertex " + std::to_string(count) + "\n" + xyz + "element range_grid " +
+                std::to_string(rows * columns) + "\nproperty list uchar int vertex_indices\n") +
+         vertices + places;
+}
+
+std::string grid_size(int rows, int columns) {
+  return "obj_info num_cols " + std::to_string(columns) + "\nobj_info num_rows " + std::to_string(rows) + "\n";
+}
+
+constexpr double unseen = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+TEST_CASE("a range view's grid becomes triangles that look at the scanner") {
+  const auto bowl = [](int x, int y) { return 0.05 * (x * x + y * y); };
+  const std::string bytes = range_view(5, 7, bowl, grid_size(5, 7));
+  const MeshReadResult result = read(bytes, MeshFormat::Ply);
+  CHECK(result.warnings.empty());
+  REQUIRE(result.mesh.face_count() == 2 * 4 * 6);
+  for (std::size_t f = 0; f < result.mesh.face_count(); ++f) {
+    const auto face = result.mesh.face(f);
+    const Vec3 &a = result.mesh.positions[face[0]], &b = result.mesh.positions[face[1]];
+    CHECK((b - a).cross(result.mesh.positions[face[2]] - a).z() > 0);
+  }
+}
+
+TEST_CASE("places of a range view that saw nothing leave holes, with one triangle where three saw something") {
+  // One place in the middle of 4 × 4: each of the four cells around it keeps three corners.
+  const auto dent = [](int x, int y) { return x == 1 && y == 1 ? unseen : 0.0; };
+  CHECK(mesh_of(range_view(4, 4, dent, grid_size(4, 4))).face_count() == 2 * 5 + 4);
+  // A whole row away: two strips.
+  const auto gap = [](int, int y) { return y == 2 ? unseen : 0.0; };
+  CHECK(mesh_of(range_view(5, 4, gap, grid_size(5, 4))).face_count() == 2 * 2 * 3);
+}
+
+TEST_CASE("steps in depth of a range view are left open, and told") {
+  const auto step = [](int x, int) { return x < 4 ? 0.0 : 10.0; };
+  const MeshReadResult result = read(range_view(6, 8, step, grid_size(6, 8)), MeshFormat::Ply);
+  CHECK(result.mesh.face_count() == 2 * 5 * 6);
+  REQUIRE(result.warnings.size() == 1);
+  CHECK(result.warnings[0].code == "W_RANGE_STEPS");
+  CHECK_THAT(result.warnings[0].message, Catch::Contains("10 triangles"));
+}
+
+TEST_CASE("a range grid that doesn't fit its header or its vertices is refused") {
+  const auto flat = [](int, int) { return 0.0; };
+  const auto refused_with = [](const std::string& bytes) { return refusal(bytes, MeshFormat::Ply).front(); };
+  CHECK(refused_with(range_view(3, 4, flat, "")).code == "E_COUNT");
+  CHECK(refused_with(range_view(3, 4, flat, grid_size(3, 5))).code == "E_COUNT");
+  CHECK(refused_with(range_view(3, 4, flat, grid_size(4, 4))).code == "E_COUNT");
+  std::string two = range_view(3, 4, flat, grid_size(3, 4));
+  const std::size_t last = two.rfind("1 11");
+  CHECK_THAT(refused_with(two.replace(last, 4, "2 10 11")).message, Catch::Contains("place 11"));
+  std::string far = range_view(3, 4, flat, grid_size(3, 4));
+  const Finding beyond = refused_with(far.replace(far.rfind("1 11"), 4, "1 12"));
+  CHECK(beyond.code == "E_INDEX");
+  CHECK_THAT(beyond.message, Catch::Contains("12 vertices"));
 }
 
 TEST_CASE("PLY edges are polylines of two vertices with their attributes") {

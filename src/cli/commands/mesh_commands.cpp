@@ -85,8 +85,10 @@ void ConvertCommand::run(const Invocation& invocation, CommandResult& result, Pr
   options.ascii = flag_of(invocation.parameters, "ascii");
   Progress writing = progress.step("write", 0.4);
   stage_mesh(invocation.output, mesh, options, format, result, writing);
-  Progress inspecting;
-  result.mesh = inspect(as_written(mesh, format, options), false, inspecting);
+  if (invocation.json) {  // counting a large mesh takes longer than converting it
+    Progress inspecting;
+    result.mesh = inspect(as_written(mesh, format, options), false, inspecting);
+  }
   progress.report(1);
 }
 

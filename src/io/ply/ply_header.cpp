@@ -72,6 +72,7 @@ class HeaderReader {
   void read_format(WordReader& words);
   void read_element(WordReader& words);
   void read_property(WordReader& words);
+  void read_object_info(WordReader& words);
   PlyType read_type(WordReader& words);
   void check_sizes();
   std::size_t least_size(const PlyElement& element) const;
@@ -88,7 +89,8 @@ void HeaderReader::handle(std::string_view keyword, WordReader& words) {
   if (keyword == "format") return read_format(words);
   if (keyword == "element") return read_element(words);
   if (keyword == "property") return read_property(words);
-  if (keyword == "comment" || keyword == "obj_info" || keyword.empty()) return;
+  if (keyword == "obj_info") return read_object_info(words);
+  if (keyword == "comment" || keyword.empty()) return;
   fail_syntax(in_quotes(keyword) + " does not belong in a PLY header");
 }
 
@@ -119,6 +121,14 @@ void HeaderReader::read_element(WordReader& words) {
     fail_syntax("the element " + in_quotes(element.name) + " comes twice");
   property_names_.clear();
   header_.elements.push_back(std::move(element));
+}
+
+// Programs write anything behind obj_info; only a scan's grid is asked for.
+void HeaderReader::read_object_info(WordReader& words) {
+  const std::string_view name = words.next();
+  std::size_t number = 0;
+  if ((name != "num_cols" && name != "num_rows") || !parse_number(words.next(), number)) return;
+  (name == "num_cols" ? header_.grid.columns : header_.grid.rows) = number;
 }
 
 PlyType HeaderReader::read_type(WordReader& words) {

@@ -29,8 +29,14 @@ struct PlyElement {
 
 enum class PlyEncoding { Ascii, LittleEndian, BigEndian };
 
+/// Size of a range scan's grid, as `obj_info num_cols` and `obj_info num_rows` tell it; 0 where they don't.
+struct PlyGrid {
+  std::size_t columns = 0, rows = 0;
+};
+
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::Ascii;
+  PlyGrid grid;
   std::vector<PlyElement> elements;
   std::size_t body = 0;        ///< the first byte after the header
   std::int64_t body_line = 0;  ///< and its line

@@ -7,6 +7,7 @@
 
 #include "io/ply/ply_channels.h"
 #include "io/ply/ply_columns.h"
+#include "io/ply/ply_range_grid.h"
 #include "io/text.h"
 
 namespace croquis {
@@ -26,6 +27,7 @@ class PlyReader {
     make_positions();
     if (faces_) make_faces();
     if (strips_) make_strips();
+    if (grid_) make_grid();
     if (edges_) make_lines();
     return std::move(mesh_);
   }
@@ -39,6 +41,7 @@ class PlyReader {
   void make_faces();
   void make_strips();
   void expand_strip(std::span<const std::int64_t> strip, std::size_t row);
+  void make_grid();
   void make_lines();
   bool check_index(std::int64_t index, const PlyTable& table, std::size_t row);
 
@@ -46,13 +49,14 @@ class PlyReader {
   ReadContext& context_;
   PlyHeader header_;
   PlyCursor cursor_;
-  std::optional<PlyTable> vertices_, faces_, strips_, edges_;
+  std::optional<PlyTable> vertices_, faces_, strips_, grid_, edges_;
   PolyMesh mesh_;
 };
 
 void PlyReader::read_table(const PlyElement& element) {
   const std::array kept = {std::pair{"vertex", &vertices_}, std::pair{"face", &faces_},
-                           std::pair{"tristrips", &strips_}, std::pair{"edge", &edges_}};
+                           std::pair{"tristrips", &strips_}, std::pair{"range_grid", &grid_},
+                           std::pair{"edge", &edges_}};
   const auto target =
       std::find_if(kept.begin(), kept.end(), [&](const auto& entry) { return element.name == entry.first; });
   const bool keep = target != kept.end();
@@ -197,6 +201,13 @@ void PlyReader::expand_strip(std::span<const std::int64_t> strip, std::size_t ro
     if (a == b || b == c || c == a) continue;
     (i - begin) % 2 == 0 ? mesh_.add_triangle(a, b, c) : mesh_.add_triangle(b, a, c);
   }
+}
+
+void PlyReader::make_grid() {
+  if (mesh_.face_count() > 0) {
+    return context_.warn("W_IGNORED", "the range grid was passed over: the file has faces of its own", {});
+  }
+  triangulate_range_grid(header_.grid, *grid_, index_list(*grid_), mesh_, context_);
 }
 
 void PlyReader::make_lines() {
