@@ -13,11 +13,11 @@
 namespace croquis {
 namespace {
 
+using hole_filling::DomainPointCounts;
 using hole_filling::FillAction;
 using hole_filling::Hole;
 using hole_filling::HoleChoice;
 using hole_filling::HoleOutcome;
-using remeshing::DomainPointCounts;
 using remeshing::RemeshChecks;
 using remeshing::RemeshResult;
 
@@ -145,6 +145,8 @@ FillResult result_of_filling(std::shared_ptr<const PolyMesh> scan, const hole_fi
   result.new_faces = filled.new_faces;
   result.untouched_vertices = scan->vertex_count() - filled.removed_vertices;
   result.removed_faces = filled.removed_faces;
+  result.domains = filled.domains;
+  result.points_per_domain = filled.points_per_domain;
   result.outside_unchanged = filled.outside_unchanged;
   result.scan = std::move(scan);
   return result;
@@ -156,7 +158,9 @@ FillResult result_of_remeshing(std::shared_ptr<const PolyMesh> scan, const Remes
   result.holes = rows_of(made.analysis.holes, made.outcomes);
   result.new_vertices = made.mesh.vertex_count();
   result.new_faces = made.mesh.face_count();
-  result.remeshed = RemeshFigures{made.domains, made.points_per_domain, made.predicted_bytes, made.checks};
+  result.domains = made.domains;
+  result.points_per_domain = made.points_per_domain;
+  result.remeshed = RemeshFigures{made.predicted_bytes, made.checks};
   return result;
 }
 
@@ -180,11 +184,10 @@ Report to_report(const FillResult& result) {
   Report list = Report::array();
   for (const HoleRow& hole : result.holes) list.push(hole_entry(hole));
   Report details;
-  // Domains are those of one field for the whole model; patches have fits of their own.
   details.set("summary", sentence(result))
       .set("holes", std::move(list))
-      .set("domains", remeshed ? Report(remeshed->domains) : Report())
-      .set("points_per_domain", remeshed ? points_entry(remeshed->points_per_domain) : Report())
+      .set("domains", result.listed ? Report() : Report(result.domains))
+      .set("points_per_domain", result.domains > 0 ? points_entry(result.points_per_domain) : Report())
       .set("new_vertices", result.new_vertices)
       .set("new_faces", result.new_faces)
       .set("untouched_vertices", result.untouched_vertices)

@@ -54,6 +54,9 @@ std::vector<ParameterDescription> hole_parameters() {
              "names."),
       list("only", "Numbers of the holes to fill instead, as the list shows them: 0,3-5."),
       number_parameter("max-diameter", 0, 0, unlimited, "model units", "Wider holes stay open; 0 for no limit."),
+      number_parameter("weld", hole_filling::usual_weld_tolerance, 0, 0.01, "× diagonal",
+                       "Vertices of rims so near to each other count as one, if the edges there are longer; the scan "
+                       "keeps them as they are. 0: only those at one place."),
       list("holes",
            "Wishes for single holes: '3: leave; 5-7: flat, bulge 0.4; 4: through 1 2 3; 2+9: bridge'. Words: fill, "
            "leave, bridge, rbf, smooth, flat, kernel NAME, bulge -1..1, trim 0..3, through X Y Z.")};
@@ -227,6 +230,7 @@ FillSettings read_fill_settings(const ParameterValues& parameters) {
   options.only = std::move(choice.only);
   if (const double limit = number_of(parameters, "max-diameter"); limit > 0) options.max_diameter = limit;
   for (const HoleWish& wish : choice.wishes) options.requests.push_back(request_of(wish));
+  options.analysis.weld_tolerance = number_of(parameters, "weld");
   read_shape(parameters, options);
   if (settings.remesh)
     options.flat_caps = true;  // fairness is of patches

@@ -54,6 +54,11 @@ TEST_CASE("warnings about holes speak of one thing and of many as people do") {
   CHECK(sentence(with_doubled_vertices(ball, 2), "W_WELDED") ==
         "2 vertices lie exactly on another one and count as the same; they are written as they were, so weld the "
         "source to get a closed file.");
+  PolyMesh shaken = with_doubled_vertices(ball, 2);
+  for (const Index copy : {0U, 1U}) shaken.positions[ball.vertex_count() + copy] *= 1 + 1e-9;
+  CHECK(sentence(shaken, "W_WELDED") ==
+        "2 vertices of rims lie nearly on another one (within 3e-10 of the diagonal) and count as the same; they are "
+        "written as before: weld the source, or keep them apart with --weld 0.");
   CHECK(sentence(flipped_face(ball, 3), "W_ORIENTATION") ==
         "1 face runs against the neighbours: taken the other way round, and written as it was; flip it in the source.");
   CHECK(sentence(flipped_face(flipped_face(ball, 3), 90), "W_ORIENTATION") ==

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <set>
@@ -20,9 +21,31 @@ using namespace croquis::hole_filling;
 
 namespace {
 
-SurfaceView view_of(const PolyMesh& mesh) {
+SurfaceView view_of(const PolyMesh& mesh, double weld_tolerance = usual_weld_tolerance) {
   Progress progress;
-  return view_surface(mesh, progress);
+  return view_surface(mesh, progress, weld_tolerance);
+}
+
+/// The mesh with a seam where it crosses x = 0.1, whose right side is off by up to `noise`.
+PolyMesh with_noisy_seam(const PolyMesh& mesh, std::uint64_t seed, double noise) {
+  Random random(seed);
+  PolyMesh cut = mesh;
+  std::map<Index, Index> copies;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    double middle = 0;
+    for (const Index v : mesh.face(static_cast<Index>(f))) middle += mesh.positions[v].x() / 3;
+    if (middle < 0.1) continue;
+    for (std::size_t i = 3 * f; i < 3 * f + 3; ++i) {
+      const auto [copy, is_new] = copies.emplace(mesh.corners[i], static_cast<Index>(cut.positions.size()));
+      if (is_new) {
+        const double x = random.unit(), y = random.unit();
+        const Vec3 shift = Vec3(x, y, random.unit()) * 2 - Vec3::Ones();
+        cut.positions.push_back(mesh.positions[mesh.corners[i]] + noise / 2 * shift);
+      }
+      cut.corners[i] = copy->second;
+    }
+  }
+  return cut;
 }
 
 std::vector<std::string> codes_of(const PolyMesh& mesh) {
@@ -199,4 +222,45 @@ TEST_CASE("meshes that can't be viewed are refused by what is wrong with them") 
   broken.corners[0] = 77;
   const auto codes = codes_of(broken);
   CHECK(std::set<std::string>(codes.begin(), codes.end()) == std::set<std::string>{"E_INDEX", "E_NOT_FINITE"});
+}
+
+TEST_CASE("seams that differ by rounding are none, at any scale, unless they are to be kept apart") {
+  const PolyMesh ball = round_sphere(3);
+  for (const double scale : {1e-3, 1.0, 1e4}) {
+    for (const double noise : {1e-16, 1e-12, 5e-7}) {
+      const PolyMesh seamed = scaled(rotated(with_noisy_seam(ball, 5, noise), 0.7, Vec3(1, 2, 3)), scale);
+      const SurfaceView joined = view_of(seamed);
+      CHECK(joined.rim_corners.empty());
+      CHECK(joined.component_count == 1);
+      CHECK(joined.dropped_triangles == 0);
+      CHECK(joined.widest_weld <= 2 * (noise + 1e-15) * scale);
+      const SurfaceView apart = view_of(seamed, 0);
+      if (noise > 1e-13) CHECK(apart.nearly_welded_vertices == 0);
+      if (noise > 1e-13) CHECK_FALSE(apart.rim_corners.empty());
+    }
+  }
+}
+
+TEST_CASE("wider seams are joined by as wide a tolerance, and no edge loses its length") {
+  const PolyMesh ball = round_sphere(3);  // edges of 0.14
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const double noise = 0.001 * static_cast<double>(seed);
+    const PolyMesh seamed = with_noisy_seam(ball, seed, noise);
+    CHECK_FALSE(view_of(seamed).rim_corners.empty());
+    const SurfaceView joined = view_of(seamed, noise);
+    CHECK(joined.rim_corners.empty());
+    CHECK(joined.dropped_triangles == 0);
+    // Wider than its edges: what is nearer than half an edge is joined, and no triangle disappears.
+    CHECK(view_of(scaled(seamed, 1), 1).dropped_triangles == 0);
+  }
+}
+
+TEST_CASE("a soup whose corners differ by rounding is joined as the mesh that it was") {
+  const PolyMesh mesh = random_cuts(round_sphere(3), 1, 3, 0.2, 0.4).mesh;
+  PolyMesh soup = as_soup(mesh);
+  Random random(7);
+  for (Vec3& place : soup.positions) place *= 1 + 1e-15 * random.below(4);
+  const SurfaceView joined = view_of(mesh), view = view_of(soup);
+  CHECK(view.opposite == joined.opposite);
+  CHECK(view.nearly_welded_vertices > 0);
 }

@@ -130,8 +130,11 @@ TEST_CASE("a filled scan begins with the scan, and its report counts the rest") 
   CHECK(details.at("new_vertices").as_integer() ==
         static_cast<std::int64_t>(mesh.vertex_count() - given.vertex_count()));
   CHECK(details.at("new_faces").as_integer() == static_cast<std::int64_t>(mesh.face_count() - given.face_count()));
-  CHECK(details.at("domains").is_null());
-  CHECK(details.at("points_per_domain").is_null());
+  CHECK(details.at("domains").as_integer() == 6);  // one function for each patch
+  const Report& points = details.at("points_per_domain");
+  CHECK(points.at("min").as_integer() > 10);
+  CHECK(points.at("min").as_integer() <= points.at("median").as_integer());
+  CHECK(points.at("median").as_integer() <= points.at("max").as_integer());
   for (const Report& hole : details.at("holes").as_array()) {
     CHECK(hole.at("reason").is_null());
     CHECK(hole.at("confidence").as_number() > 0);

@@ -66,6 +66,11 @@ struct HoleOutcome {
   double expected_error = std::numeric_limits<double>::quiet_NaN();  ///< as HolePatch has it
 };
 
+/// Least, middle and greatest number of points that the functions of a surface are fitted to.
+struct DomainPointCounts {
+  std::size_t min = 0, median = 0, max = 0;
+};
+
 struct FillResult {
   PolyMesh mesh;          ///< vertices and faces given, unchanged, without those that trimming removes; then
                           ///< those of the patches
@@ -73,6 +78,8 @@ struct FillResult {
   std::vector<HoleOutcome> outcomes;  ///< per hole of the analysis
   std::size_t new_vertices = 0, new_faces = 0;
   std::size_t removed_vertices = 0, removed_faces = 0;  ///< by trimming
+  std::size_t domains = 0;                              ///< functions that were fitted for the patches taken
+  DomainPointCounts points_per_domain;
   bool outside_unchanged = false;  ///< looked at again at the end: what wasn't removed comes first, bit by bit
   Findings warnings;               ///< those of the analysis, W_OUTER_LEFT, W_FALLBACK, W_LOW_CONFIDENCE, W_HOLE_FAILED
 };

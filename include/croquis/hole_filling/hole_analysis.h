@@ -56,11 +56,12 @@ struct Hole {
 };
 
 struct HoleAnalysisOptions {
-  std::size_t small_edges = 10;        ///< a rim of so many edges is "small"
-  std::size_t exact_area_edges = 100;  ///< longer rims' areas are estimated; cost grows with the third power
+  std::size_t small_edges = 10;                  ///< a rim of so many edges is "small"
+  std::size_t exact_area_edges = 100;            ///< longer rims' areas are estimated; cost grows with the third power
+  double weld_tolerance = usual_weld_tolerance;  ///< × diagonal; see view_surface
 };
 constexpr auto members(const HoleAnalysisOptions& options) {
-  return std::tie(options.small_edges, options.exact_area_edges);
+  return std::tie(options.small_edges, options.exact_area_edges, options.weld_tolerance);
 }
 static_assert(lists_every_member<HoleAnalysisOptions>);
 

@@ -22,6 +22,7 @@ struct HolePatch {
                                                                      ///< guessed by cross-validation; model units
   std::vector<Index> arrives_at = {};  ///< further holes that the surface continued from these arrives at, ascending:
                                        ///< those belong to them, and there are no triangles
+  std::vector<std::size_t> domain_points = {};  ///< of each function that it lies on: the points it was fitted to
 };
 
 /// Beyond this angle across the rim a wedge of less than 60 degrees is left between patch and surface, which scans of

@@ -27,20 +27,23 @@ struct SurfaceView {
 
   std::vector<std::array<Index, 3>> triangles;  ///< #T by 3, vertices of the mesh by their representatives
   std::vector<Index> face;                      ///< #T, the face of the mesh that it is part of
-  std::vector<Index> opposite;        ///< #3T, the corner across the edge, no_index on a rim, or nonmanifold_edge
-  std::vector<Index> component;       ///< #T, numbered by the lowest triangle; joined across any edge
-  std::vector<std::uint8_t> flags;    ///< #T, of Flag
-  std::vector<Index> representative;  ///< #V, the lowest used vertex at the same place; empty when nothing is welded
-  std::vector<Index> rim_corners;     ///< those of edges with one triangle, ascending
+  std::vector<Index> opposite;      ///< #3T, the corner across the edge, no_index on a rim, or nonmanifold_edge
+  std::vector<Index> component;     ///< #T, numbered by the lowest triangle; joined across any edge
+  std::vector<std::uint8_t> flags;  ///< #T, of Flag
+  std::vector<Index>
+      representative;              ///< #V, the lowest used vertex that counts as the same; empty when nothing is welded
+  std::vector<Index> rim_corners;  ///< those of edges with one triangle, ascending
 
   double diagonal = 0;  ///< of the box of all used vertices
   std::size_t component_count = 0;
-  std::size_t welded_vertices = 0;       ///< used vertices that another one represents
-  std::size_t dropped_triangles = 0;     ///< with two corners at one place: not in `triangles`
-  std::size_t nonmanifold_edges = 0;     ///< edges of more than two triangles
-  std::size_t turned_faces = 0;          ///< faces of a minority that disagrees with its neighbours
-  std::size_t one_sided_components = 0;  ///< that can't be turned to agree (a Moebius band)
-  std::size_t unsound_triangles = 0;     ///< with NoArea or Sliver
+  std::size_t welded_vertices = 0;         ///< used vertices that another one at exactly their place represents
+  std::size_t nearly_welded_vertices = 0;  ///< of rims, that another one near them represents
+  double widest_weld = 0;                  ///< the greatest distance to such a one, model units
+  std::size_t dropped_triangles = 0;       ///< with two corners at one place: not in `triangles`
+  std::size_t nonmanifold_edges = 0;       ///< edges of more than two triangles
+  std::size_t turned_faces = 0;            ///< faces of a minority that disagrees with its neighbours
+  std::size_t one_sided_components = 0;    ///< that can't be turned to agree (a Moebius band)
+  std::size_t unsound_triangles = 0;       ///< with NoArea or Sliver
 
   static Index next(Index corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
   static Index previous(Index corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }
@@ -57,14 +60,20 @@ struct SurfaceView {
   }
 };
 
-/// Makes the view: vertices at exactly equal places count as one, polygons as the fan from their first corner, and of
-/// each part that edges of two triangles join the minority that runs the other way is turned.
+/// How near vertices of rims must be to count as one, × the diagonal: what single precision leaves of a seam.
+inline constexpr double usual_weld_tolerance = 1e-6;
+
+/// Makes the view: vertices at exactly equal places count as one, and those of rims that are within the tolerance of
+/// each other and nearer than half the edges beside them, so that seams that differ by rounding are none; polygons as
+/// the fan from their first corner, and of each part that edges of two triangles join the minority that runs the other
+/// way is turned.
 ///
 /// Edges are matched by sorting (low end, high end, corner), the low end by lists or by counting: n log n in the worst
 /// case, linear for bounded valences; at most about 75 bytes per triangle at the peak, 35 after.
 /// @throws Error (E_INDEX, E_NOT_FINITE, E_NO_FACES, E_DEGENERATE) with all findings
 /// @throws Cancelled
-SurfaceView view_surface(const PolyMesh& mesh, Progress& progress);
+/// @param weld_tolerance × the diagonal; 0: only what is at exactly one place
+SurfaceView view_surface(const PolyMesh& mesh, Progress& progress, double weld_tolerance = usual_weld_tolerance);
 
 /// The vertex of the mesh that a corner of the view stands for.
 Index mesh_vertex(const SurfaceView& view, const PolyMesh& mesh, Index corner);

@@ -41,8 +41,6 @@ struct HoleRow {
 
 /// What only a remeshed model has.
 struct RemeshFigures {
-  std::size_t domains = 0;
-  remeshing::DomainPointCounts points_per_domain;
   std::size_t predicted_bytes = 0;
   remeshing::RemeshChecks checks;
 };
@@ -52,6 +50,8 @@ struct FillResult {
   std::vector<HoleRow> holes;            ///< by id
   bool listed = false;                   ///< nothing was filled, and the output is the scan
   std::size_t new_vertices = 0, new_faces = 0;
+  std::size_t domains = 0;  ///< functions that were fitted: of patches one or several each
+  hole_filling::DomainPointCounts points_per_domain;
   std::size_t untouched_vertices = 0;     ///< of the scan's
   std::size_t removed_faces = 0;          ///< of the scan's, by trimming
   bool outside_unchanged = false;         ///< of a scan with patches: checked after filling

@@ -35,11 +35,6 @@ struct RemeshOptions {
 /// 0.3 of one move onto those given, so that edges that were drawn stay; edges inside holes come out round.
 RemeshOptions remesh_preset(hole_filling::Preset preset);
 
-/// Least, middle and greatest number of points of a domain.
-struct DomainPointCounts {
-  std::size_t min = 0, median = 0, max = 0;
-};
-
 /// What the result was proven to be.
 struct RemeshChecks {
   std::size_t components = 0;          ///< pieces that came out
@@ -59,7 +54,7 @@ struct RemeshResult {
   hole_filling::HoleAnalysis analysis;              ///< of the mesh given
   std::vector<hole_filling::HoleOutcome> outcomes;  ///< per hole of the analysis
   std::size_t domains = 0;                          ///< with points, those of holes included
-  DomainPointCounts points_per_domain;
+  hole_filling::DomainPointCounts points_per_domain;
   RemeshChecks checks;
   std::size_t slabs = 0;            ///< that the piece with most of them was made in
   std::size_t predicted_bytes = 0;  ///< see predicted_remesh_bytes

@@ -112,6 +112,19 @@ class Filling {
       if (!choice.is_chosen[i]) outcomes[i].reason = choice.reason[i];
     }
     result_.outcomes = std::move(outcomes);
+    count_domains();
+  }
+
+  /// Of the patches that were taken.
+  void count_domains() {
+    std::vector<std::size_t> points;
+    for (const ClimbedJob& job : climbed_) {
+      if (job.patch) points.insert(points.end(), job.patch->domain_points.begin(), job.patch->domain_points.end());
+    }
+    if (points.empty()) return;
+    std::ranges::sort(points);
+    result_.domains = points.size();
+    result_.points_per_domain = {points.front(), points[points.size() / 2], points.back()};
   }
 
   HoleOutcome outcome_of(const ClimbedJob& job, Index patch_number) const {

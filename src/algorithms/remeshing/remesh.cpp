@@ -146,7 +146,7 @@ class Remeshing {
   /// Counts add up over pieces; the median is that of the piece with most domains.
   void count_domains(const implicit::DomainReport& report) {
     const std::size_t domains = report.data_domains + report.extra_domains;
-    DomainPointCounts& counts = result_.points_per_domain;
+    hole_filling::DomainPointCounts& counts = result_.points_per_domain;
     counts.min = result_.domains == 0 ? report.min_centres : std::min(counts.min, report.min_centres);
     counts.max = std::max(counts.max, report.max_centres);
     if (domains >= most_domains_) counts.median = report.median_centres;

@@ -2,6 +2,7 @@
 #include "algorithms/hole_filling/analysis/analysis_findings.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <string>
 #include <utility>
 
@@ -38,6 +39,17 @@ std::vector<Subject> nonmanifold_edge_subjects(const SurfaceView& view) {
   std::vector<Subject> subjects;
   for (const auto& [low, high] : edges) subjects.push_back(edge_subject(low, high));
   return subjects;
+}
+
+void tell_near_welds(const SurfaceView& view, Findings& findings) {
+  const std::size_t count = view.nearly_welded_vertices;
+  if (count == 0) return;
+  char share[16];
+  std::snprintf(share, sizeof share, "%.1g", view.widest_weld / view.diagonal);
+  findings.push_back(warn("W_WELDED", counted(count, "vertex of a rim lies", "vertices of rims lie") +
+                                          " nearly on another one (within " + share + " of the diagonal) and " +
+                                          (count == 1 ? "counts as the same; it is" : "count as the same; they are") +
+                                          " written as before: weld the source, or keep them apart with --weld 0."));
 }
 
 void tell_orientation(const SurfaceView& view, Findings& findings) {
@@ -93,6 +105,7 @@ Findings analysis_findings(const HoleAnalysis& analysis) {
                                                                        : "count as the same; they are written as they "
                                                                          "were") +
                                             ", so weld the source to get a closed file."));
+  tell_near_welds(view, findings);
   tell_orientation(view, findings);
   report_nonmanifold_edges(analysis, findings);
   if (view.unsound_triangles + view.dropped_triangles > 0)

@@ -84,7 +84,7 @@ const char* to_string(HoleClass kind) {
 HoleAnalysis analyse_holes(const PolyMesh& mesh, Progress& progress, const HoleAnalysisOptions& options) {
   HoleAnalysis analysis;
   Progress viewing = progress.step("join faces", 0.7);
-  analysis.view = view_surface(mesh, viewing);
+  analysis.view = view_surface(mesh, viewing, options.weld_tolerance);
   Progress walking = progress.step("find rims", 0.1);
   analysis.holes = find_holes(mesh, analysis, walking);
   measure_components(mesh, analysis);

@@ -114,30 +114,45 @@ void count_turned_faces(SurfaceView& view) {
   }
 }
 
-}  // namespace
-
-SurfaceView view_surface(const PolyMesh& mesh, Progress& progress) {
-  require_fillable(mesh);
-  progress.report(0.1);
+/// The view in which vertices count as one as told.
+SurfaceView join_faces(const PolyMesh& mesh, std::vector<Index> representative, Progress& progress) {
   SurfaceView view;
-  Welding welding = weld_identical(mesh, progress);
-  view.representative = std::move(welding.representative);
-  view.welded_vertices = welding.welded;
-  progress.report(0.25);
+  view.representative = std::move(representative);
   triangulate_faces(mesh, view, progress);
   view.diagonal = diagonal_of(mesh, view);
   if (!(view.diagonal > 0)) throw_degenerate();
   if (!(flag_unsound(mesh, view, progress) > 0)) throw_degenerate();
-  progress.report(0.5);
+  progress.report(0.3);
   {
     EdgePairing pairing = pair_edges(view.triangles, mesh.vertex_count(), progress);
-    progress.report(0.8);
+    progress.report(0.7);
     view.opposite = std::move(pairing.opposite);
     view.nonmanifold_edges = pairing.nonmanifold_edges;
     orient_and_number(view, pairing.nonmanifold_corners, progress);
   }
   list_rim_corners(view);
   count_turned_faces(view);
+  progress.report(1);
+  return view;
+}
+
+}  // namespace
+
+SurfaceView view_surface(const PolyMesh& mesh, Progress& progress, double weld_tolerance) {
+  require_fillable(mesh);
+  progress.report(0.1);
+  Welding identical = weld_identical(mesh, progress);
+  progress.report(0.2);
+  Progress joining = progress.step("join faces", 0.6);
+  SurfaceView view = join_faces(mesh, std::move(identical.representative), joining);
+  Welding near = weld_rims(mesh, view, weld_tolerance * view.diagonal, progress);
+  if (near.welded > 0) {
+    Progress again = progress.step("join faces", 0.2);
+    view = join_faces(mesh, std::move(near.representative), again);
+  }
+  view.welded_vertices = identical.welded;
+  view.nearly_welded_vertices = near.welded;
+  view.widest_weld = near.widest_gap;
   progress.report(1);
   return view;
 }

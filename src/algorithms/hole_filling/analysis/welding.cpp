@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numeric>
+#include <tuple>
+#include <utility>
 
 #include "algorithms/hole_filling/triangulation/cancel_check.h"
 
@@ -93,7 +97,119 @@ Candidates find_candidates(const PolyMesh& mesh, CancelCheck& cancel) {
   return found;
 }
 
+/// The vertices of rims; their places here are their numbers in what follows.
+struct RimVertices {
+  std::vector<Index> vertices;  ///< ascending
+  std::vector<double> reach;    ///< half of the shortest rim edge at each
+  const PolyMesh& mesh;
+
+  const Vec3& place(Index number) const { return mesh.positions[vertices[number]]; }
+};
+
+RimVertices rim_vertices(const PolyMesh& mesh, const SurfaceView& view) {
+  RimVertices rims{{}, {}, mesh};
+  for (const Index corner : view.rim_corners)
+    rims.vertices.insert(rims.vertices.end(), {view.origin(corner), view.target(corner)});
+  std::ranges::sort(rims.vertices);
+  rims.vertices.erase(std::unique(rims.vertices.begin(), rims.vertices.end()), rims.vertices.end());
+  rims.reach.assign(rims.vertices.size(), std::numeric_limits<double>::infinity());
+  for (const Index corner : view.rim_corners) {
+    const double half = (mesh.positions[view.origin(corner)] - mesh.positions[view.target(corner)]).norm() / 2;
+    for (const Index end : {view.origin(corner), view.target(corner)}) {
+      double& reach =
+          rims.reach[static_cast<std::size_t>(std::ranges::lower_bound(rims.vertices, end) - rims.vertices.begin())];
+      reach = std::min(reach, half);
+    }
+  }
+  return rims;
+}
+
+struct NearPair {
+  double distance = 0;
+  Index low = 0, high = 0;  ///< numbers among the rims' vertices
+};
+
+/// All that may become one, the nearest first.
+std::vector<NearPair> near_pairs(const RimVertices& rims, double tolerance, CancelCheck& cancel) {
+  std::vector<Index> along(rims.vertices.size());
+  std::iota(along.begin(), along.end(), Index{0});
+  std::ranges::sort(along, {}, [&](Index number) { return std::pair(rims.place(number).x(), number); });
+  std::vector<NearPair> pairs;
+  for (std::size_t i = 0; i < along.size(); ++i) {
+    for (std::size_t j = i + 1; j < along.size(); ++j) {
+      cancel.step();
+      const Index a = along[i], b = along[j];
+      if (rims.place(b).x() - rims.place(a).x() > tolerance) break;
+      const double distance = (rims.place(a) - rims.place(b)).norm();
+      if (distance <= tolerance && distance < std::min(rims.reach[a], rims.reach[b]))
+        pairs.push_back({distance, std::min(a, b), std::max(a, b)});
+    }
+  }
+  std::ranges::sort(pairs, {}, [](const NearPair& pair) { return std::tuple(pair.distance, pair.low, pair.high); });
+  return pairs;
+}
+
+/// Vertices of rims that count as one, each group known by its lowest. All of a group are nearer to that one than the
+/// reach of any: so two ends of an edge never are in one group.
+class RimGroups {
+ public:
+  explicit RimGroups(const RimVertices& rims) : rims_(rims), reach_(rims.reach), lowest_(reach_.size()) {
+    std::iota(lowest_.begin(), lowest_.end(), Index{0});
+    last_ = lowest_;
+    next_.assign(lowest_.size(), no_index);
+  }
+
+  Index lowest(Index number) const { return lowest_[number]; }
+
+  /// @return whether two groups became one
+  bool join(Index a, Index b) {
+    const auto [low, high] = std::minmax({lowest_[a], lowest_[b]});
+    const double reach = std::min(reach_[low], reach_[high]);
+    if (low == high || radius(low, low) >= reach || radius(high, low) >= reach) return false;
+    for (Index member = high; member != no_index; member = next_[member]) lowest_[member] = low;
+    next_[last_[low]] = high;
+    last_[low] = last_[high];
+    reach_[low] = reach;
+    return true;
+  }
+
+ private:
+  /// The greatest distance of a group to a place.
+  double radius(Index group, Index from) const {
+    double greatest = 0;
+    for (Index member = group; member != no_index; member = next_[member])
+      greatest = std::max(greatest, (rims_.place(member) - rims_.place(from)).norm());
+    return greatest;
+  }
+
+  const RimVertices& rims_;
+  std::vector<double> reach_;                ///< of a group, at its lowest
+  std::vector<Index> lowest_, last_, next_;  ///< a group is a list from its lowest on
+};
+
 }  // namespace
+
+Welding weld_rims(const PolyMesh& mesh, const SurfaceView& view, double tolerance, Progress& progress) {
+  Welding result;
+  if (!(tolerance > 0) || view.rim_corners.empty()) return result;
+  CancelCheck cancel(progress);
+  const RimVertices rims = rim_vertices(mesh, view);
+  RimGroups groups(rims);
+  for (const auto& [distance, low, high] : near_pairs(rims, tolerance, cancel)) {
+    if (!groups.join(low, high)) continue;
+    ++result.welded;
+    result.widest_gap = std::max(result.widest_gap, distance);
+  }
+  if (result.welded == 0) return result;
+  std::vector<Index> becomes(mesh.vertex_count());
+  std::iota(becomes.begin(), becomes.end(), Index{0});
+  for (Index number = 0; number < rims.vertices.size(); ++number)
+    becomes[rims.vertices[number]] = rims.vertices[groups.lowest(number)];
+  result.representative.resize(mesh.vertex_count());
+  for (Index vertex = 0; vertex < mesh.vertex_count(); ++vertex)
+    result.representative[vertex] = becomes[view.representative_of(vertex)];
+  return result;
+}
 
 Welding weld_identical(const PolyMesh& mesh, Progress& progress) {
   CancelCheck cancel(progress);

@@ -119,7 +119,10 @@ class RimFitting {
   std::optional<RimField> on_kernel(double stiffness) const {
     for (const double factor : {stiffness, stiffness * smoother}) {
       auto fit = fitted(factor);
-      if (fit && residual(*fit) <= worst_residual * resolution_) return RimField{std::move(fit), edge_, size_};
+      if (fit && residual(*fit) <= worst_residual * resolution_) {
+        const std::size_t points = fit->report().centres;
+        return RimField{std::move(fit), edge_, size_, {}, {points}};
+      }
     }
     return std::nullopt;
   }

@@ -18,7 +18,8 @@ struct RimField {
   double edge = 0;  ///< mean length of the rims' edges, model units
   double size = 0;  ///< diameter of the largest rim
 
-  implicit::Field other = {};  ///< instead of `fit`, where one fit isn't enough
+  implicit::Field other = {};                   ///< instead of `fit`, where one fit isn't enough
+  std::vector<std::size_t> domain_points = {};  ///< of each fit
 
   implicit::Field field() const { return other ? other : fit->field(); }
 };

@@ -140,6 +140,8 @@ class CreasedPatcher : public Patcher {
     surface.other = field->field();
     surface.size = widest_diameter(site);
     surface.edge = mean_rim_edge(site);
+    for (std::size_t side = 0; side < field->side_count(); ++side)
+      surface.domain_points.push_back(field->fit(side).report().centres);
     auto patch = lay_onto(site, surface, *start, most_triangles_, progress);
     if (!patch) return std::nullopt;
     HolePatch aligned = *patch;

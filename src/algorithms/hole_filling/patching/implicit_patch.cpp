@@ -172,6 +172,7 @@ class ImplicitPatcher : public Patcher {
     HolePatch patch = loosening.fasten(loose);
     meet_rim(site, surface, patch);
     for (std::size_t i = 0; i < pins.size(); ++i) patch.points[pins[i] - loose.rim_points] = site.wish.through[i];
+    patch.domain_points = surface.domain_points;
     return patch;
   }
 
