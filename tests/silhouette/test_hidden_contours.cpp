@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "support/sketches/characters/character.h"
 #include "support/sketches/characters/rosette.h"
 #include "support/sketches/sketch_generator.h"
+#include "support/sketches/sketch_spline.h"
 
 using namespace croquis;
 using namespace croquis::test;
@@ -57,6 +59,58 @@ TEST_CASE("a strip that goes straight on behind something is one part") {
       CHECK(counts_of(label_quietly(mirrored(turned).drawing)) == counts_of(turned.truth));
     }
   }
+}
+
+TEST_CASE("a strand goes on behind a strand, though a hand bent both of its sides there") {
+  // Half a strand that is cut at x = 40, where both of its sides are bent up by so much.
+  const auto half = [](const std::string& id, double side, double bend) {
+    std::vector<Vec2> points;
+    const auto add = [&](double x, double y) {
+      const double near_end = std::max(0.0, 1 - (x - 40) / 60);
+      points.emplace_back(side * x, y + bend * near_end * near_end);
+    };
+    for (int i = 0; i < 52; ++i) add(40 + 5 * i, 30);
+    for (int i = 0; i <= 20; ++i) {
+      const double angle = std::numbers::pi * (0.5 - i / 20.0);
+      add(300 + 30 * std::cos(angle), 30 * std::sin(angle));
+    }
+    for (int i = 51; i >= 0; --i) add(40 + 5 * i, -30);
+    return stroke_of(id, points);
+  };
+  const Stroke front = stroke_of("front", stick({0, -300}, {0, 300}, 40), true);
+  for (const double left : {-24.0, 0.0, 24.0}) {
+    for (const double right : {-24.0, 0.0, 24.0}) {
+      INFO("bends of " << left << " and " << right);
+      Drawing drawing;
+      drawing.strokes = {front, half("left", -1, left), half("right", 1, right)};
+      CHECK(counts_of(label_quietly(drawing)).objects == 2);
+    }
+  }
+}
+
+TEST_CASE("what is hidden behind a bent part stays behind it") {
+  const std::vector<Vec2> bent = smooth_loop({{-10, 80},
+                                              {10, 115},
+                                              {80, 118},
+                                              {135, 90},
+                                              {150, 0},
+                                              {140, -90},
+                                              {110, -100},
+                                              {95, -80},
+                                              {100, 0},
+                                              {70, 60},
+                                              {30, 60}});
+  // Its ends lie at the bent part's two arms: what joins them straight lies in the open.
+  const Spline round({{10, 115}, {0, 150}, {-80, 170}, {-180, 60}, {-150, -90}, {0, -120}, {70, -70}, {97, -50}},
+                     false);
+  std::vector<Vec2> behind;
+  for (int i = 0; i <= 200; ++i) behind.push_back(round.at(i / 200.0));
+  Drawing drawing;
+  drawing.strokes = {stroke_of("front", bent, true), stroke_of("behind", behind)};
+  const silhouette::LabelledDrawing labelled =
+      label_quietly(drawing, silhouette::Options::of(silhouette::Preset::Tablet));
+  CHECK_FALSE(has_errors(labelled.findings));
+  CHECK(counts_of(labelled).objects == 2);
 }
 
 TEST_CASE("ears behind a head are parts of their own") {

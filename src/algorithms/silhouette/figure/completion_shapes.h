@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "algorithms/silhouette/strokes/polyline.h"
 
@@ -16,6 +17,9 @@ struct CompletionShape {
 /// In the order in which they are tried: round, flatter, wider, deeper, nearly straight.
 inline constexpr std::array<CompletionShape, 8> completion_shapes{
     {{1, 0}, {0.7, 0}, {0.4, 0}, {1.4, 0}, {1, 0.75}, {1, 1.5}, {1, 2.5}, {0.15, 0}}};
+
+/// Follows after those: the plain curve, but kept behind the line that both of its ends pass behind.
+inline constexpr std::uint8_t kept_behind_shape = completion_shapes.size();
 
 /// The curve in a shape, evenly sampled, both ends included.
 /// @param curve   plain, see completion_curve

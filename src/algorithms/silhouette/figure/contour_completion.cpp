@@ -72,7 +72,9 @@ bool CompletionJudge::judge(CompletionCandidate& candidate) const {
   std::stable_sort(candidate.shapes.begin(), candidate.shapes.end(),
                    [&](std::uint8_t a, std::uint8_t b) { return price[a] < price[b]; });
   const double before = candidate.cost;
-  candidate.cost = strip_cost(candidate.plain_cost + price[candidate.shapes.front()], candidate.strip_factor);
+  const double least = price[candidate.shapes.front()];
+  candidate.cost = strip_cost(candidate.plain_cost + least, candidate.strip_factor);
+  if (least > 0 && candidate.one_bar) candidate.shapes.insert(candidate.shapes.begin(), kept_behind_shape);
   return candidate.cost > before;
 }
 
@@ -163,6 +165,7 @@ std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLi
       CompletionCandidate candidate;
       candidate.a = i;
       candidate.b = k;
+      candidate.one_bar = a.bar == b.bar && a.bar_side == b.bar_side;
       const double free = freedom.between(a, b);
       candidate.bezier = completion_curve(from, EndFreedom::turned(a.tangent, to - from, free), to,
                                           EndFreedom::turned(b.tangent, from - to, free));

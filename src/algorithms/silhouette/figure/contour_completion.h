@@ -22,8 +22,10 @@ struct CompletionCandidate {
   double plain_cost = 0;    ///< of its curve, dimensionless
   double strip_factor = 1;  ///< see hidden_strips.h
   double cost = 0;          ///< what it costs after all; until it is judged no more than that
-  /// Indices into completion_shapes; once judged those that keep the piece covered by what is drawn come first.
-  std::array<std::uint8_t, completion_shapes.size()> shapes{0, 1, 2, 3, 4, 5, 6, 7};
+  /// Indices into completion_shapes, or kept_behind_shape; once judged those that keep the piece covered by what is
+  /// drawn come first.
+  std::vector<std::uint8_t> shapes{0, 1, 2, 3, 4, 5, 6, 7};
+  bool one_bar = false;    ///< both ends pass behind the same side of the same line
   bool judged = false;     ///< by what covers it
   Index given = no_index;  ///< index into Junctions::given: then that piece counts instead of the curve
 };

@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "algorithms/silhouette/figure/kept_behind.h"
+
 namespace croquis::silhouette {
 namespace {
 
@@ -151,9 +153,12 @@ class Closer {
   HiddenCurve completed_curve(const CompletionCandidate& candidate, Index choice, Index leaving) const {
     std::array<Vec2, 4> curve = candidate.bezier;
     if (candidate.b == leaving) std::reverse(curve.begin(), curve.end());
-    const CompletionShape& shape = completion_shapes[candidate.shapes[chosen_[choice].shape]];
+    const std::uint8_t shape = candidate.shapes[chosen_[choice].shape];
     const HiddenEnd& end = junctions_.ends[part_.ends[leaving]];
-    HiddenCurve result{shaped_points(curve, shape, spacing_, choice % 2 == 0 ? stretch_ : -stretch_), {}};
+    const bool kept = shape == kept_behind_shape;
+    const double stretch = choice % 2 == 0 ? stretch_ : -stretch_;
+    HiddenCurve result{shaped_points(curve, completion_shapes[kept ? 0 : shape], spacing_, stretch), {}};
+    if (kept) result.points = kept_behind(std::move(result.points), lines_[end.bar], end.bar_side, spacing_);
     result.stroke.assign(result.points.size(), lines_[end.line].end_stroke(end.at_start));
     return result;
   }

@@ -159,7 +159,8 @@ class Search {
     bool any = false;
     for (const Index wrong : relaxed.wrong_arcs) {
       const Index k = completion_of(trial, trial.arrangement.arcs[wrong]);
-      if (k == no_index || changed[k] || chosen[k].shape + 1 >= completion_shapes.size()) continue;
+      if (k == no_index || changed[k] || chosen[k].shape + 1 >= part_.candidates[chosen[k].candidate].shapes.size())
+        continue;
       if (part_.candidates[chosen[k].candidate].given != no_index) continue;
       changed[k] = 1;
       ++chosen[k].shape;

@@ -9,13 +9,27 @@
 namespace croquis::silhouette {
 namespace {
 
-// Both ends of a side point at one another within 30 degrees: a hand's last samples are uncertain.
-constexpr double side_cosine = 0.866;
-// The strip's two ends, whose directions are those of the middle between its sides, do so within 12 degrees.
-constexpr double strip_cosine = 0.978;
-// The two sides of a strip run in one direction within 8 degrees, and are as far apart at both ends but for a fourth.
-constexpr double parallel_cosine = 0.99;
-constexpr double most_taper = 0.25;
+/// How exactly the ends of a strip must fit.
+struct StripFit {
+  double side_cosine = 1;      ///< both ends of a side point at one another at least so well
+  double strip_cosine = 1;     ///< the strip's two ends do, whose directions are those of the middle between its sides
+  double parallel_cosine = 1;  ///< the two sides run in one direction
+  double most_taper = 0;       ///< share by which it is narrower at one end
+  double least_length = 1;     ///< in widths
+};
+
+// Within 30, 12 and 8 degrees: a hand's last samples are uncertain.
+constexpr StripFit strip_fit{0.866, 0.978, 0.99, 0.25, 1};
+// Behind a strand a strip is hidden for a short piece only, and a hand's tremble may turn its ends and make it
+// narrower: within 75, 60 and 40 degrees.
+constexpr StripFit strand_fit{0.25, 0.5, 0.77, 0.6, 0.5};
+// So long at most, in widths of the strip.
+constexpr double most_length_behind_strand = 2.5;
+// A strand is narrow: no wider than this share of the size of its outlines, and those run in opposite directions.
+constexpr double most_share_of_bar = 0.25;
+constexpr double opposite_cosine = -0.3;
+// Their directions are taken over so many steps to either side.
+constexpr double bar_steps = 4;
 // What a side of a strip costs, as a share of what it would cost by itself.
 constexpr double strip_share = 0.15;
 // And at most so much, however far it is hidden: less than two caps.
@@ -35,6 +49,7 @@ struct Side {
   Vec2 from = Vec2::Zero();
   Vec2 to = Vec2::Zero();
   Vec2 direction = Vec2::Zero();
+  double facing = 1;            ///< cosine between it and the worse of its two ends
   int surface = 0;              ///< on its left (+1) or right (-1), 0 not known
   std::array<Index, 2> ends{};  ///< of the junctions
 
@@ -85,8 +100,7 @@ class StripSearch {
       for (std::size_t k = i + 1; k < sides.size(); ++k) {
         Strip strip{sides[i], sides[k]};
         if (strip.first.direction.dot(strip.second.direction) < 0) strip.second.turn_over();
-        const double width = even_width(strip);
-        if (width > 0 && goes_on(strip, width)) strips.push_back(strip);
+        if (fits(strip)) strips.push_back(strip);
       }
     }
     return strips;
@@ -97,36 +111,83 @@ class StripSearch {
     if (candidate.given != no_index || side_[candidate.a] * side_[candidate.b] > 0) return;
     const HiddenEnd& a = junctions_.ends[ends_[candidate.a]];
     const HiddenEnd& b = junctions_.ends[ends_[candidate.b]];
-    Side side{index,   lines_[a.line].end(a.at_start),          lines_[b.line].end(b.at_start), Vec2::Zero(),
+    Side side{index,   lines_[a.line].end(a.at_start),          lines_[b.line].end(b.at_start), Vec2::Zero(), 1,
               surface, {ends_[candidate.a], ends_[candidate.b]}};
     side.direction = (side.to - side.from).normalized();
-    if (a.tangent.dot(side.direction) < side_cosine || -b.tangent.dot(side.direction) < side_cosine) return;
-    sides.push_back(side);
+    side.facing = std::min(a.tangent.dot(side.direction), -b.tangent.dot(side.direction));
+    if (side.facing >= strand_fit.side_cosine) sides.push_back(side);
   }
 
-  /// The width of a strip, 0 when that isn't even or wider than long.
-  static double even_width(const Strip& strip) {
+  /// Of a strip at its narrower and at its wider end.
+  struct Widths {
+    double least = 0;
+    double most = 0;
+  };
+
+  /// Not positive when the two sides don't bound a strip.
+  static Widths widths(const Strip& strip) {
     const Side& one = strip.first;
     const Side& other = strip.second;
-    if (one.direction.dot(other.direction) < parallel_cosine || one.surface * other.surface > 0) return 0;
+    if (one.surface * other.surface > 0) return {};
     int between = one.surface != 0 ? one.surface : -other.surface;
     if (between == 0) between = cross(one.direction, other.from - one.from) > 0 ? 1 : -1;
     const double begin = between * cross(one.direction, other.from - one.from);
     const double end = between * cross(one.direction, other.to - one.to);
-    const double width = std::max(begin, end);
-    const double length = (one.to - one.from).norm();
-    const bool beside = std::abs(one.direction.dot(other.from - one.from)) < width + 0.5 * length;
-    const bool even = std::min(begin, end) > (1 - most_taper) * width && width < length && beside;
-    return even ? width : 0;
+    return {std::min(begin, end), std::max(begin, end)};
+  }
+
+  bool fits(const Strip& strip) const {
+    const Widths width = widths(strip);
+    if (width.least <= 0) return false;
+    const double length = (strip.first.to - strip.first.from).norm();
+    if (fits(strip, width, length, strip_fit)) return true;
+    return length < most_length_behind_strand * width.most && is_strand(strip, length) &&
+           fits(strip, width, length, strand_fit);
+  }
+
+  bool fits(const Strip& strip, const Widths& width, double length, const StripFit& fit) const {
+    const Side& one = strip.first;
+    const Side& other = strip.second;
+    const bool beside = std::abs(one.direction.dot(other.from - one.from)) < width.most + 0.5 * length;
+    return std::min(one.facing, other.facing) >= fit.side_cosine &&
+           one.direction.dot(other.direction) >= fit.parallel_cosine &&
+           width.least > (1 - fit.most_taper) * width.most && length > fit.least_length * width.most && beside &&
+           goes_on(strip, width.most, fit.strip_cosine);
+  }
+
+  /// Whether it may be a strand behind a strand: both sides go in behind one line, come out behind one line that runs
+  /// the other way, and what lies between is narrow beside them. A limb, which ends twice at its body, has both of its
+  /// own sides.
+  bool is_strand(const Strip& strip, double length) const {
+    std::array<Vec2, 2> along;  // of what covers it, with its surface on the left
+    for (const std::size_t at : {0U, 1U}) {
+      const HiddenEnd& one = junctions_.ends[strip.first.ends[at]];
+      const HiddenEnd& other = junctions_.ends[strip.second.ends[at]];
+      if (one.bar != other.bar || length > most_share_of_bar * lines_[one.bar].size) return false;
+      if (one.line != other.line && (bodies_[one.line] != no_index || bodies_[other.line] != no_index)) return false;
+      along[at] = (bar_direction(one) + bar_direction(other)).normalized();
+    }
+    return along[0].dot(along[1]) < opposite_cosine;
+  }
+
+  Vec2 bar_direction(const HiddenEnd& end) const {
+    const CleanLine& bar = lines_[end.bar];
+    const Index last = bar.segment_count();
+    const double reach = std::min(bar_steps, last / 4.0);
+    const auto place = [&](double parameter) {
+      return point_at(bar.points,
+                      bar.closed ? std::fmod(parameter + last, last) : std::clamp<double>(parameter, 0, last));
+    };
+    return end.bar_side * (place(end.bar_parameter + reach) - place(end.bar_parameter - reach)).normalized();
   }
 
   /// Whether what is seen of it goes straight on, for as long as the strip is wide: the arms of a character don't.
-  bool goes_on(const Strip& strip, double width) const {
+  bool goes_on(const Strip& strip, double width, double least_cosine) const {
     const Vec2 along =
         (0.5 * (strip.first.to + strip.second.to) - 0.5 * (strip.first.from + strip.second.from)).normalized();
     for (const std::size_t at : {0U, 1U}) {
       const Vec2 outward = (chord(strip.first.ends[at], width) + chord(strip.second.ends[at], width)).normalized();
-      if ((at == 0 ? 1 : -1) * outward.dot(along) < strip_cosine) return false;
+      if ((at == 0 ? 1 : -1) * outward.dot(along) < least_cosine) return false;
     }
     return true;
   }

@@ -13,6 +13,9 @@ namespace croquis::silhouette {
 ///
 /// Strips of which three or more would cross one another, and those that lie among limbs like their two ends, get one
 /// above 1: they are petals or arms all round.
+///
+/// Behind something as narrow as another strip, the two sides may be bent aside and less even: there a hand's tremble
+/// turns the ends of strands of knots and chains.
 /// @param side per end: where the surface lies, walking outward, +1 left, -1 right, 0 not known
 /// O(s²) for s straight candidates.
 void favour_strips(const std::vector<CleanLine>& lines, const Junctions& junctions, const std::vector<Index>& ends,
