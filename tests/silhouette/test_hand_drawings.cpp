@@ -123,6 +123,40 @@ TEST_CASE("drawings of a trembling hand are read as they were meant") {
   CHECK(percent_read(jitter, 9401) >= 80);
 }
 
+TEST_CASE("outlines that a trembling hand lets overlap a little lie beside one another") {
+  HandOptions hand;
+  hand.jitter = 0.02;
+  for (const double overlap : {0.0, 8.0}) {
+    const std::vector<Vec2> left = circle_outline({-150 + overlap / 2, 0}, 150);
+    const std::vector<Vec2> right = circle_outline({150 - overlap / 2, 0}, 150);
+    Sketch sketch;
+    sketch.truth.outlines = {{left, {}, 0}, {right, {}, 1}};
+    sketch.drawing.strokes = {stroke_of("left", left, true), stroke_of("right", right, true)};
+    for (std::uint64_t seed = 9601; seed < 9613; ++seed) {
+      INFO("overlap " << overlap << ", seed " << seed);
+      const LabelledDrawing labelled = label_quietly(drawn_by_hand(sketch, seed, hand), Options::of(Preset::Tablet));
+      CHECK_FALSE(has_errors(labelled.findings));
+      CHECK(labelled.crossings.empty());
+    }
+    // Drawn exactly, an overlap is meant.
+    if (overlap > 0) CHECK(label_quietly(sketch.drawing, Options::of(Preset::Tablet)).crossings.size() == 1);
+  }
+}
+
+TEST_CASE("ends that run side by side are those of a strand, not of an outline that misses itself") {
+  std::vector<Vec2> points;
+  for (int i = 0; i <= 140; ++i) points.emplace_back(700 - 5 * i, 20);
+  for (int i = 1; i < 20; ++i) {
+    const double angle = std::numbers::pi * (0.5 + i / 20.0);
+    points.emplace_back(20 * std::cos(angle), 20 * std::sin(angle));
+  }
+  for (int i = 0; i <= 140; ++i) points.emplace_back(5 * i, -20);
+  // What it passes behind is missed by 4 %.
+  const Stroke strand = stroke_of("strand", points);
+  const Stroke front = stroke_of("front", circle_outline({860, 0}, 130), true);
+  CHECK_FALSE(tells(of({strand, front}), "W_GAP"));
+}
+
 TEST_CASE("an unsteady hand is told from a steady one, whatever the size") {
   const StrokeOptions options = Options::of(Preset::Tablet).strokes;
   const auto tremble = [&](const Drawing& drawing) { return clean_strokes(drawing, options, {}, {}).scale.tremble; };

@@ -68,14 +68,33 @@ struct Faults {
   friend auto operator<=>(const Faults&, const Faults&) = default;
 };
 
+/// What an end of a line was found to pass behind.
+struct Meeting {
+  EndElsewhere end;
+  Vec2 at = Vec2::Zero();
+  int side = 0;
+};
+
 /// A reading and what came of it.
 struct Node {
   StrokeReading reading;
   std::vector<EndPair> joined;
   std::vector<EndPair> possible;
+  std::vector<Meeting> meetings;
   Findings errors;
   Faults faults;
 };
+
+std::vector<Meeting> meetings_of(const ReadStrokes& read) {
+  std::vector<Meeting> meetings;
+  for (const HiddenEnd& end : read.junctions.ends) {
+    const CleanLine& line = read.clean.lines[end.line];
+    const std::vector<Index>& bar = read.clean.lines[end.bar].stroke;
+    const auto at = std::min(static_cast<std::size_t>(end.bar_parameter), bar.size() - 1);
+    meetings.push_back({{{line.end_stroke(end.at_start), end.at_start}, bar[at]}, end.at, end.bar_side});
+  }
+  return meetings;
+}
 
 class PartSearch {
  public:
@@ -91,11 +110,22 @@ class PartSearch {
 
   /// The best reading found; its faults are none when everything in it can be labelled.
   Node run() {
-    std::vector<Node> open;
-    if (std::optional<Node> first = evaluate(best_.reading)) {
-      best_ = *first;
-      open.push_back(std::move(*first));
-    }
+    const std::optional<Node> first = evaluate(best_.reading);
+    if (!first) return best_;
+    best_ = *first;
+    search({*first}, [this](const Node& node) { return joined_otherwise(node); });
+    // What passes behind what is doubted last: lines that agree by chance hide what was joined wrongly.
+    readings_ = 0;
+    labellings_ = 0;
+    if (!best_.faults.none()) search({*first, best_}, [this](const Node& node) { return passing_elsewhere(node); });
+    return best_;
+  }
+
+ private:
+  /// Best first: changes the reading with the fewest faults until one has none.
+  /// @param changed the readings that differ from a node's in one thing that may have caused its errors
+  template <typename Changed>
+  void search(std::vector<Node> open, Changed changed) {
     while (!open.empty() && !best_.faults.none() && readings_ < most_readings) {
       const auto next = std::min_element(open.begin(), open.end(), [](const Node& a, const Node& b) {
         return std::tuple(a.faults, a.reading.changes()) < std::tuple(b.faults, b.reading.changes());
@@ -111,10 +141,8 @@ class PartSearch {
         open.push_back(std::move(*found));
       }
     }
-    return best_;
   }
 
- private:
   std::optional<Node> evaluate(const StrokeReading& reading) {
     if (!seen_.insert(signature(reading)).second) return std::nullopt;
     ++readings_;
@@ -122,7 +150,7 @@ class PartSearch {
     try {
       Progress silent = progress_.silent();
       ReadStrokes read = read_strokes(drawing_, options_, reading, silent);
-      Node node{reading, read.clean.joined, read.clean.possible, {}, {}};
+      Node node{reading, read.clean.joined, read.clean.possible, meetings_of(read), {}, {}};
       for (const LineFinding& fault : read.junctions.findings) node.errors.push_back(fault.finding);
       node.faults.of_lines = node.errors.size();
       if (node.faults.of_lines > 0) return node;
@@ -148,6 +176,9 @@ class PartSearch {
       all.emplace_back(1, pair.a.stroke, pair.a.at_start, pair.b.stroke, pair.b.at_start);
     }
     for (const Index stroke : reading.farther) all.emplace_back(2, stroke, false, 0, false);
+    for (const EndElsewhere& told : reading.elsewhere) {
+      all.emplace_back(3, told.end.stroke, told.end.at_start, told.bar, false);
+    }
     std::sort(all.begin(), all.end());
     return all;
   }
@@ -156,13 +187,18 @@ class PartSearch {
   struct Suspects {
     std::set<Index> strokes;
     std::vector<Vec2> places;
-    std::set<Index> short_of;  ///< strokes whose ends touch nothing or cross something
+    std::set<Index> short_of;   ///< strokes whose ends touch nothing or cross something
+    std::set<Index> two_sided;  ///< strokes with ends on both sides
   };
 
   Suspects suspects(const Node& node) const {
     Suspects found;
     for (const Finding& error : node.errors) {
       const bool ends = error.code == "E_FREE_END" || error.code == "E_CROSS" || error.code == "E_TOUCH";
+      if (error.code == "E_TWO_SIDED" && !error.subjects.empty()) {
+        const auto bar = index_of_.find(error.subjects.front().id);
+        if (bar != index_of_.end()) found.two_sided.insert(bar->second);
+      }
       for (const Subject& subject : error.subjects) {
         if (!subject.at.empty()) found.places.emplace_back(subject.at[0], -subject.at[1]);
         const auto stroke = index_of_.find(subject.id);
@@ -186,8 +222,8 @@ class PartSearch {
                        [&](const Vec2& place) { return (place - place_of(end)).norm() < near; });
   }
 
-  /// The readings that differ from a node's in one thing that may have caused its errors, likeliest first.
-  std::vector<StrokeReading> changed(const Node& node) const {
+  /// Other ends joined or kept apart, or reaching farther; likeliest first.
+  std::vector<StrokeReading> joined_otherwise(const Node& node) const {
     const Suspects suspect = suspects(node);
     std::vector<StrokeReading> readings;
     StrokeReading farther = node.reading;
@@ -209,6 +245,29 @@ class PartSearch {
       }
       if (!own) continue;
       for (const EndPair& pair : node.joined) add(pair, &StrokeReading::apart);
+    }
+    return readings;
+  }
+
+  /// One of the ends on a stroke that has ends on both sides passes behind something else, those on its less frequent
+  /// side first.
+  std::vector<StrokeReading> passing_elsewhere(const Node& node) const {
+    std::vector<StrokeReading> readings;
+    for (const Index bar : suspects(node).two_sided) {
+      std::vector<const Meeting*> stems;
+      int sum = 0;
+      for (const Meeting& meeting : node.meetings) {
+        if (meeting.end.bar != bar) continue;
+        stems.push_back(&meeting);
+        sum += meeting.side;
+      }
+      std::stable_sort(stems.begin(), stems.end(),
+                       [sum](const Meeting* a, const Meeting* b) { return a->side * sum < b->side * sum; });
+      for (const Meeting* stem : stems) {
+        if (readings.size() >= most_changes) return readings;
+        readings.push_back(node.reading);
+        readings.back().elsewhere.push_back(stem->end);
+      }
     }
     return readings;
   }
@@ -272,6 +331,7 @@ LabelledDrawing read_again(const Drawing& drawing, const Options& options, Label
     append(best.reading.together, reading.together);
     append(best.reading.apart, reading.apart);
     append(best.reading.farther, reading.farther);
+    append(best.reading.elsewhere, reading.elsewhere);
   }
   if (reading.changes() == 0) return first;
   Progress silent = progress.silent();

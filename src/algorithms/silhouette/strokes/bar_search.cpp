@@ -16,7 +16,6 @@ constexpr double own_samples = 8;
 constexpr double own_reach = 2;
 // A line that ends exactly on its bar must be found to meet it: fractions of a segment, far above rounding.
 constexpr double fraction_slack = 1e-9;
-// The tangent of an end is fitted to so many steps: enough against noise, short against the bends of a limb.
 
 }  // namespace
 
@@ -24,7 +23,7 @@ constexpr double fraction_slack = 1e-9;
 struct BarSearch::Probe {
   Index line = 0;
   bool at_start = false;
-  double factor = 1;  ///< of the reach
+  EndReach wanted;
   Vec2 end = Vec2::Zero();
   Points path;                ///< from the line's inside through its end to the tip of the ray
   std::vector<double> along;  ///< per point of the path: arc length from the end
@@ -42,7 +41,7 @@ double BarSearch::reach(Index line, Index bar) const {
 
 BarSearch::Probe BarSearch::probe(Index line, bool at_start, const EndReach& wanted) const {
   const Points& points = lines_[line].points;
-  Probe probe{line, at_start, wanted.factor, lines_[line].end(at_start), {}, {}};
+  Probe probe{line, at_start, wanted, lines_[line].end(at_start), {}, {}};
   const double ahead = wanted.factor * scale_.reach(std::max(lines_[line].size, largest_));
   // An overshoot longer than nearly half the line is no overshoot.
   const double back = std::min({wanted.most_back, ahead, 0.45 * croquis::length(points, false)});
@@ -64,6 +63,12 @@ BarSearch::Probe BarSearch::probe(Index line, bool at_start, const EndReach& wan
   return probe;
 }
 
+bool BarSearch::is_left_out(const Probe& probe, const GridSegment& segment) const {
+  const std::vector<Index>& elsewhere = probe.wanted.elsewhere;
+  const Index stroke = lines_[segment.line].stroke[segment.position];
+  return is_own_end(probe, segment) || std::find(elsewhere.begin(), elsewhere.end(), stroke) != elsewhere.end();
+}
+
 bool BarSearch::is_own_end(const Probe& probe, const GridSegment& segment) const {
   if (segment.line != probe.line) return false;
   const double last = lines_[probe.line].segment_count() - 1.0;
@@ -83,13 +88,13 @@ std::vector<BarHit> BarSearch::hits(const Probe& probe) const {
     const Vec2& b = probe.path[k + 1];
     grid_.near_box(a.cwiseMin(b), a.cwiseMax(b), [&](Index i) {
       const GridSegment& segment = grid_.segments()[i];
-      if (is_own_end(probe, segment)) return;
+      if (is_left_out(probe, segment)) return;
       const double f = crossing_fraction(a, b, segment.a, segment.b);
       const double g = crossing_fraction(segment.a, segment.b, a, b);
       // Written so that the undefined fractions of parallel segments are refused.
       if (!(std::min(f, g) >= -fraction_slack && std::max(f, g) <= 1 + fraction_slack)) return;
       const double along = probe.along[k] + f * (probe.along[k + 1] - probe.along[k]);
-      if (std::abs(along) > probe.factor * reach(probe.line, segment.line)) return;
+      if (std::abs(along) > probe.wanted.factor * reach(probe.line, segment.line)) return;
       const double fraction = std::clamp(g, 0.0, 1.0);
       found.push_back(
           {along, segment.line, segment.position + fraction, segment.a + fraction * (segment.b - segment.a)});
@@ -104,12 +109,13 @@ std::optional<BarHit> BarSearch::nearest(const Probe& probe) const {
   const Vec2 reach = Vec2::Constant(probe.along.back());
   grid_.near_box(probe.end - reach, probe.end + reach, [&](Index i) {
     const GridSegment& segment = grid_.segments()[i];
-    if (is_own_end(probe, segment)) return;
+    if (is_left_out(probe, segment)) return;
     const double fraction = nearest_parameter(probe.end, segment.a, segment.b);
     const double parameter = segment.position + fraction;
     const Vec2 at = segment.a + fraction * (segment.b - segment.a);
     const double distance = (at - probe.end).norm();
-    if (distance > probe.factor * this->reach(probe.line, segment.line) || (best && distance >= best->along)) return;
+    if (distance > probe.wanted.factor * this->reach(probe.line, segment.line) || (best && distance >= best->along))
+      return;
     // Two loose ends that lie near one another are no junction.
     if (distance_to_open_end(segment.line, parameter) <= 0) return;
     best = BarHit{distance, segment.line, parameter, at};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "algorithms/silhouette/strokes/clean_line.h"
 #include "algorithms/silhouette/strokes/segment_grid.h"
@@ -18,8 +19,9 @@ struct BarHit {
 
 /// How far to look from an end.
 struct EndReach {
-  double most_back = 0;  ///< along the line at most; less where hands don't miss by so much
-  double factor = 1;     ///< of what hands miss by
+  double most_back = 0;          ///< along the line at most; less where hands don't miss by so much
+  double factor = 1;             ///< of what hands miss by
+  std::vector<Index> elsewhere;  ///< strokes that the end doesn't pass behind
 };
 
 /// Looks for the bar that a line's end stops at.
@@ -39,6 +41,7 @@ class BarSearch {
   Probe probe(Index line, bool at_start, const EndReach& wanted) const;
   std::vector<BarHit> hits(const Probe& probe) const;
   std::optional<BarHit> nearest(const Probe& probe) const;
+  bool is_left_out(const Probe& probe, const GridSegment& segment) const;
   bool is_own_end(const Probe& probe, const GridSegment& segment) const;
   double distance_to_open_end(Index line, double parameter) const;
 

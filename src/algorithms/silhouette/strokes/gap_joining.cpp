@@ -221,7 +221,8 @@ class Joiner {
       const double share = std::hypot(miss.dot(along) / scale_.close_share, cross(along, miss) / scale_.aside_share);
       if (share <= closing_slack * length) return true;
     }
-    return miss.norm() <= scale_.aside_share * length && !(reaches_line(a) && reaches_line(b));
+    const bool side_by_side = a.outward.back().dot(b.outward.back()) >= agreeing_cosine;
+    return miss.norm() <= scale_.aside_share * length && !side_by_side && !(reaches_line(a) && reaches_line(b));
   }
 
   double stroke_length(Index stroke) const {

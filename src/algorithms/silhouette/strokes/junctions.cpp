@@ -33,12 +33,13 @@ using EndHits = std::vector<std::array<std::optional<BarHit>, 2>>;
 
 /// What an end meets that may miss it by more than usual: nothing farther than needed, unless it crosses something
 /// farther back.
-std::optional<BarHit> find_farther(const BarSearch& bars, Index line, bool at_start, double most_back) {
+std::optional<BarHit> find_farther(const BarSearch& bars, Index line, bool at_start, EndReach reach) {
   std::optional<BarHit> hit;
   for (const double factor : farther_reach) {
-    if (!hit) hit = bars.find(line, at_start, {most_back, factor});
+    reach.factor = factor;
+    if (!hit) hit = bars.find(line, at_start, reach);
   }
-  const std::optional<BarHit> deep = bars.find(line, at_start, {most_back, farther_reach.back()});
+  const std::optional<BarHit> deep = bars.find(line, at_start, reach);
   return deep && deep->along < 0 && (!hit || deep->along < hit->along) ? deep : hit;
 }
 
@@ -50,7 +51,11 @@ EndHits search(const std::vector<CleanLine>& lines, const StrokeReading& reading
   const auto find = [&](Index line, bool at_start) {
     const Index stroke = lines[line].end_stroke(at_start);
     const bool farther = std::find(reading.farther.begin(), reading.farther.end(), stroke) != reading.farther.end();
-    return farther ? find_farther(bars, line, at_start, most_back) : bars.find(line, at_start, {most_back, 1});
+    EndReach reach{most_back, 1, {}};
+    for (const EndElsewhere& told : reading.elsewhere) {
+      if (told.end == StrokeEnd{stroke, at_start}) reach.elsewhere.push_back(told.bar);
+    }
+    return farther ? find_farther(bars, line, at_start, reach) : bars.find(line, at_start, reach);
   };
   for (Index line = 0; line < lines.size(); ++line) {
     progress.check();

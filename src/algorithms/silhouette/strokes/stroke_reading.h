@@ -26,16 +26,25 @@ struct EndPair {
   bool same_ends(const EndPair& other) const { return a == other.a && b == other.b; }
 };
 
+/// An end of a line and a stroke that it doesn't pass behind, however near that is.
+struct EndElsewhere {
+  StrokeEnd end;  ///< the stroke in which the line begins or ends
+  Index bar = 0;  ///< index into Drawing::strokes
+
+  friend auto operator<=>(const EndElsewhere&, const EndElsewhere&) = default;
+};
+
 /// What a drawing's strokes are taken to mean where the plain rules led to a contradiction.
 struct StrokeReading {
   std::vector<char> included;     ///< per stroke; empty: all are read
   std::vector<EndPair> together;  ///< joined, though the rules would not
   std::vector<EndPair> apart;     ///< not joined, though the rules would
   std::vector<Index> farther;     ///< strokes whose ends may miss the line they pass behind by more than usual
+  std::vector<EndElsewhere> elsewhere;
 
   bool steady = false;  ///< directions of ends are taken as drawn, however much the hand trembled
 
-  std::size_t changes() const { return together.size() + apart.size() + farther.size(); }
+  std::size_t changes() const { return together.size() + apart.size() + farther.size() + elsewhere.size(); }
   bool includes(Index stroke) const { return included.empty() || included[stroke] != 0; }
 };
 

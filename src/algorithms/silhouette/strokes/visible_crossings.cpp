@@ -23,6 +23,8 @@ namespace {
 
 // Lines that come no further than this (u) beyond one another touch: crossings as shallow as that are a hand's tremble.
 constexpr double crossing_tremble = 2;
+// And as deep as this share of the smaller one's size where the hand was as unsteady as can be.
+constexpr double unsteady_share = 0.05;
 // Closed lines that come nearer than this (u) are moved apart.
 constexpr double touching = 0.2;
 // Ends that lie inside a closed line by less than this share of the width between them were drawn too far.
@@ -179,9 +181,14 @@ class CrossingReader {
     return cuts_;
   }
 
+  /// How far two lines may come beyond one another without being meant to cross.
+  double tremble_between(const CleanLine& a, const CleanLine& b) const {
+    return std::max(crossing_tremble * scale_.unit, unsteady_share * scale_.tremble * std::min(a.size, b.size));
+  }
+
   /// The stretches of a line that one in front covers, holes of it left out.
   std::vector<CutRun> covered_by(Index line, Index front) {
-    const double tremble = crossing_tremble * scale_.unit;
+    const double tremble = tremble_between(lines_[line], lines_[front]);
     const int side = signed_area(lines_[front].points) > 0 ? 1 : -1;
     std::vector<CutRun> covered;
     for (const LineRun& run : covered_runs(lines_[line], lines_[front], tremble, scale_.step)) {
@@ -189,8 +196,9 @@ class CrossingReader {
     }
     for (Index hole = 0; hole < lines_.size(); ++hole) {
       if (ring_of_[hole] != front) continue;
+      const double beside = tremble_between(lines_[line], lines_[hole]);
       const std::vector<LineRun> seen =
-          repeated(covered_runs(lines_[line], lines_[hole], tremble, scale_.step), lines_[line]);
+          repeated(covered_runs(lines_[line], lines_[hole], beside, scale_.step), lines_[line]);
       covered = covered_by_ring(covered, seen, signed_area(lines_[hole].points) > 0 ? -1 : 1);
     }
     return covered;
