@@ -305,6 +305,28 @@ TEST_CASE("a blended seam is smooth, and what was drawn stays") {
   }
 }
 
+TEST_CASE("of a hundred triangles of a joined solid hardly one is slender") {
+  Options options = Options::of(Preset::Clean);
+  options.strokes.crossings = Crossings::Front;
+  options.attach_suggested = true;
+  const std::vector<test::Character> characters = test::all_characters();
+  const auto step = characters.size() / static_cast<std::size_t>(test::sample_count(8, 50));
+  double sum = 0;
+  std::size_t solids = 0;
+  for (std::size_t k = step / 2; k < characters.size(); k += step) {
+    INFO(characters[k].name);
+    const Solid solid = solid_of(test::character_sketch(characters[k]).drawing, options);
+    check_sound(solid.mesh);
+    const std::vector<double> angles = test::smallest_angles(solid.mesh);
+    const auto slender = std::lower_bound(angles.begin(), angles.end(), 15.0) - angles.begin();
+    const double share = static_cast<double>(slender) / static_cast<double>(angles.size());
+    CHECK(share <= 0.02);
+    sum += share;
+    ++solids;
+  }
+  CHECK(sum <= 0.01 * static_cast<double>(solids));
+}
+
 TEST_CASE("attached solids turn and grow with their drawing") {
   const test::Sketch dog = test::dog_sketch();
   const double depth = depth_of(attached(dog.drawing));

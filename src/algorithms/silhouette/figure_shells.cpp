@@ -9,6 +9,7 @@
 #include "algorithms/silhouette/surface/certificate.h"
 #include "algorithms/silhouette/surface/seam_blending.h"
 #include "algorithms/silhouette/surface/silhouette_overlap.h"
+#include "algorithms/silhouette/surface/union_improvement.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -21,6 +22,9 @@ constexpr double least_blended_silhouette = 0.97;
 constexpr double finest_share = 0.6;  // of a contour step: edges of rounded seams
 constexpr int max_blends = 6;         // each with smaller radii than the last
 constexpr double least_share = 0.25;  // of the radius asked for; a smaller seam looks sharp
+
+/// How often triangles are made even, each time with fewer of them.
+constexpr int max_improvements = 4;
 
 /// u: seams' edges shorter than that may go.
 constexpr double sliver = 0.25;
@@ -42,6 +46,44 @@ std::vector<SidedOutline> outlines_of(const LabelledFigure& figure, const std::v
   return outlines;
 }
 
+/// Tells which seams are next to places of a shell.
+class NearestSeams {
+ public:
+  NearestSeams(const FigureShell& shell, const Attachments& attachments) : shell_(shell) {
+    std::vector<std::set<Index>> objects(shell.mesh.vertex_count());
+    for (Index f = 0; f < shell.face_objects.size(); ++f) {
+      for (const Index v : shell.mesh.face(f)) objects[v].insert(shell.face_objects[f]);
+    }
+    for (Index v = 0; v < objects.size(); ++v) {
+      for (const Index a : objects[v]) {
+        for (const Index b : objects[v]) {
+          if (a < b && attachments.pairs().contains({a, b})) seams_.push_back({{a, b}, v});
+        }
+      }
+    }
+  }
+
+  /// The attachment of the face's object whose seam is nearest; none in a shell of one object.
+  std::optional<ObjectPair> of(Index face) const {
+    if (shell_.face_objects.empty()) return std::nullopt;
+    const Index own = shell_.face_objects[face];
+    const Vec3 centre = centre_of(shell_.mesh, face);
+    std::optional<ObjectPair> nearest;
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [pair, v] : seams_) {
+      const double distance = (shell_.mesh.positions[v] - centre).squaredNorm();
+      if ((pair.first != own && pair.second != own) || distance >= least) continue;
+      least = distance;
+      nearest = pair;
+    }
+    return nearest;
+  }
+
+ private:
+  const FigureShell& shell_;
+  std::vector<std::pair<ObjectPair, Index>> seams_;  ///< vertices of seams
+};
+
 class ShellMaker {
  public:
   ShellMaker(const LabelledFigure& figure, const std::vector<CheckedSurface>& surfaces, const Attachments& attachments)
@@ -57,6 +99,7 @@ class ShellMaker {
               [](const FigureShell& a, const FigureShell& b) { return a.objects.front() < b.objects.front(); });
     if (!attachments_.empty()) check_apart(progress);
     if (result_.failed.empty() && !seams.empty()) blend(seams, progress);
+    for (std::size_t shell = 0; shell < result_.shells.size(); ++shell) improve(shell, progress);
     return std::move(result_);
   }
 
@@ -118,14 +161,13 @@ class ShellMaker {
     for (const FigureShell& shell : result_.shells) inputs.push_back({&shell.mesh, std::nullopt});
     std::set<ObjectPair> spoilt;
     std::set<std::size_t> refused;
-    for (const Rounding rounding : {Rounding::None, Rounding::Grid}) {
-      for (const auto& meeting : meeting_faces(inputs, rounding, figure_.unit, progress)) {
-        for (const MeshFace& place : meeting) {
-          if (const std::optional<ObjectPair> pair = nearest_pair(place)) {
-            spoilt.insert(*pair);
-          } else {
-            refused.insert(place.mesh);
-          }
+    for (const auto& [shell, faces] : meeting_by_shell(inputs, progress)) {
+      const NearestSeams seams(result_.shells[shell], attachments_);
+      for (const Index face : faces) {
+        if (const std::optional<ObjectPair> pair = seams.of(face)) {
+          spoilt.insert(*pair);
+        } else {
+          refused.insert(shell);
         }
       }
     }
@@ -194,36 +236,63 @@ class ShellMaker {
     }
     std::vector<CertificateInput> inputs;
     for (const FigureShell& other : result_.shells) inputs.push_back({&other.mesh, std::nullopt});
-    std::optional<std::set<ObjectPair>> fault;
-    for (const Rounding rounding : {Rounding::None, Rounding::Grid}) {
-      for (const auto& meeting : meeting_faces(inputs, rounding, figure_.unit, progress)) {
-        if (!fault) fault.emplace();
-        for (const MeshFace& place : meeting) {
-          if (&result_.shells[place.mesh] != &shell) continue;
-          if (const std::optional<ObjectPair> pair = nearest_pair(place)) fault->insert(*pair);
-        }
-      }
+    const std::map<std::size_t, std::set<Index>> meeting = meeting_by_shell(inputs, progress);
+    if (meeting.empty()) return std::nullopt;
+    std::set<ObjectPair> fault;
+    const auto own_faces = meeting.find(static_cast<std::size_t>(&shell - result_.shells.data()));
+    if (own_faces == meeting.end()) return fault;
+    const NearestSeams nearest(shell, attachments_);
+    for (const Index face : own_faces->second) {
+      if (const std::optional<ObjectPair> pair = nearest.of(face)) fault.insert(*pair);
     }
     return fault;
   }
 
-  /// The attachment of the face's object whose seam is nearest; none in a shell of one object.
-  std::optional<ObjectPair> nearest_pair(const MeshFace& place) const {
-    const FigureShell& shell = result_.shells[place.mesh];
-    if (shell.face_objects.empty()) return std::nullopt;
-    const Index own = shell.face_objects[place.face];
-    const Vec3 centre = centre_of(shell.mesh, place.face);
-    std::optional<ObjectPair> nearest;
-    double least = std::numeric_limits<double>::infinity();
-    for (Index f = 0; f < shell.mesh.face_count(); ++f) {
-      const ObjectPair pair = std::minmax(own, shell.face_objects[f]);
-      if (pair.first == pair.second || !attachments_.pairs().contains(pair)) continue;
-      const double distance = (centre_of(shell.mesh, f) - centre).squaredNorm();
-      if (distance >= least) continue;
-      least = distance;
-      nearest = pair;
+  /// Faces that meet others, as they are or rounded, by their shells.
+  std::map<std::size_t, std::set<Index>> meeting_by_shell(const std::vector<CertificateInput>& inputs,
+                                                          Progress& progress) const {
+    std::map<std::size_t, std::set<Index>> meeting;
+    for (const Rounding rounding : {Rounding::None, Rounding::Grid}) {
+      for (const auto& pair : meeting_faces(inputs, rounding, figure_.unit, progress)) {
+        for (const MeshFace& place : pair) meeting[place.mesh].insert(place.face);
+      }
     }
-    return nearest;
+    return meeting;
+  }
+
+  /// Wider triangles where shells are joined. Where surfaces would meet their triangles stay as they were, or else all.
+  void improve(std::size_t number, Progress& progress) {
+    FigureShell& shell = result_.shells[number];
+    if (shell.face_objects.empty()) return;
+    const SurfaceUnion joined{std::move(shell.mesh), std::move(shell.face_objects)};
+    std::vector<std::uint8_t> kept(joined.mesh.vertex_count(), 0);
+    for (int k = 0; k < max_improvements; ++k) {
+      ImprovedUnion improved = improve_union(joined, kept, progress);
+      shell.mesh = std::move(improved.surface.mesh);
+      shell.face_objects = std::move(improved.surface.face_objects);
+      const std::vector<Index> meeting = meeting_vertices(number, improved.changed, progress);
+      if (meeting.empty()) return;
+      for (const Index v : meeting) kept[improved.vertices[v]] = 1;
+    }
+    shell.mesh = joined.mesh;
+    shell.face_objects = joined.face_objects;
+  }
+
+  /// Of the shell's faces that meet others, one of them among those given.
+  std::vector<Index> meeting_vertices(std::size_t shell, const std::vector<Index>& faces, Progress& progress) const {
+    std::vector<CertificateInput> inputs;
+    for (const FigureShell& other : result_.shells) inputs.push_back({&other.mesh, std::nullopt});
+    std::vector<Index> vertices;
+    for (const Rounding rounding : {Rounding::None, Rounding::Grid}) {
+      for (const auto& meeting : meeting_faces_of(inputs, shell, faces, rounding, figure_.unit, progress)) {
+        for (const MeshFace& place : meeting) {
+          if (place.mesh != shell) continue;
+          const auto corners = result_.shells[shell].mesh.face(place.face);
+          vertices.insert(vertices.end(), corners.begin(), corners.end());
+        }
+      }
+    }
+    return vertices;
   }
 
   const LabelledFigure& figure_;

@@ -51,6 +51,34 @@ double slope_of(const SheetMesh& mesh, std::size_t triangle, const Height& heigh
   return rise.norm() / std::abs(cross(p, q));
 }
 
+/// Several meshes as one, rounded.
+struct RoundedMeshes {
+  RoundedMeshes(std::span<const CertificateInput> meshes, Rounding rounding, double unit) {
+    for (std::size_t m = 0; m < meshes.size(); ++m) {
+      const PolyMesh& mesh = *meshes[m].mesh;
+      const auto first = static_cast<Index>(all.positions.size());
+      for (const Vec3& p : mesh.positions) {
+        all.positions.push_back(p.unaryExpr([&](double value) { return rounded(value, rounding, unit); }));
+      }
+      const auto first_corner = static_cast<Index>(all.corners.size());
+      for (const Index corner : mesh.corners) all.corners.push_back(first + corner);
+      for (Index f = 0; f < mesh.face_count(); ++f) {
+        all.face_offsets.push_back(first_corner + mesh.face_offsets[f + 1]);
+        origin.push_back({m, f});
+      }
+    }
+  }
+
+  std::vector<std::array<MeshFace, 2>> pairs(const SelfIntersections& found) const {
+    std::vector<std::array<MeshFace, 2>> meeting;
+    for (const auto& [a, b] : found.pairs) meeting.push_back({origin[a], origin[b]});
+    return meeting;
+  }
+
+  PolyMesh all;
+  std::vector<MeshFace> origin;  ///< per face of all
+};
+
 }  // namespace
 
 double rounded(double value, Rounding rounding, double unit) {
@@ -120,24 +148,19 @@ std::vector<std::string> certify_topology(std::span<const CertificateInput> mesh
 
 std::vector<std::array<MeshFace, 2>> meeting_faces(std::span<const CertificateInput> meshes, Rounding rounding,
                                                    double unit, Progress& progress) {
-  PolyMesh all;
-  std::vector<MeshFace> origin;
-  for (std::size_t m = 0; m < meshes.size(); ++m) {
-    const PolyMesh& mesh = *meshes[m].mesh;
-    const auto first = static_cast<Index>(all.positions.size());
-    for (const Vec3& p : mesh.positions) {
-      all.positions.push_back(p.unaryExpr([&](double value) { return rounded(value, rounding, unit); }));
-    }
-    for (Index f = 0; f < mesh.face_count(); ++f) {
-      std::vector<Index> corners(mesh.face(f).begin(), mesh.face(f).end());
-      for (Index& corner : corners) corner += first;
-      all.add_face(corners);
-      origin.push_back({m, f});
-    }
-  }
-  std::vector<std::array<MeshFace, 2>> meeting;
-  for (const auto& [a, b] : find_self_intersections(all, progress).pairs) meeting.push_back({origin[a], origin[b]});
-  return meeting;
+  const RoundedMeshes rounded(meshes, rounding, unit);
+  return rounded.pairs(find_self_intersections(rounded.all, progress));
+}
+
+std::vector<std::array<MeshFace, 2>> meeting_faces_of(std::span<const CertificateInput> meshes, std::size_t mesh,
+                                                      std::span<const Index> faces, Rounding rounding, double unit,
+                                                      Progress& progress) {
+  const RoundedMeshes rounded(meshes, rounding, unit);
+  Index first = 0;
+  for (std::size_t m = 0; m < mesh; ++m) first += static_cast<Index>(meshes[m].mesh->face_count());
+  std::vector<Index> chosen(faces.begin(), faces.end());
+  for (Index& face : chosen) face += first;
+  return rounded.pairs(find_intersections_of(rounded.all, chosen, progress));
 }
 
 void certify_apart(std::span<const CertificateInput> meshes, Rounding rounding, double unit,

@@ -57,6 +57,12 @@ struct MeshFace {
 std::vector<std::array<MeshFace, 2>> meeting_faces(std::span<const CertificateInput> meshes, Rounding rounding,
                                                    double unit, Progress& progress);
 
+/// The same, but only of pairs with at least one of these faces of one of the meshes.
+/// @param faces ascending
+std::vector<std::array<MeshFace, 2>> meeting_faces_of(std::span<const CertificateInput> meshes, std::size_t mesh,
+                                                      std::span<const Index> faces, Rounding rounding, double unit,
+                                                      Progress& progress);
+
 /// Adds to `faults` the meshes that intersect themselves or each other after rounding.
 void certify_apart(std::span<const CertificateInput> meshes, Rounding rounding, double unit,
                    std::vector<std::string>& faults, Progress& progress);

@@ -32,7 +32,8 @@ constexpr double edge_share = 0.2;        // length of its edges
 constexpr double remeshed_share = 1.3;    // how far it is triangulated anew: what moves has even triangles around it
 constexpr double transition_share = 2.2;  // how far with longer edges first, so that their lengths grow evenly
 constexpr double transition_factor = 2.2;
-constexpr int remeshing_rounds = 3;
+constexpr int transition_rounds = 1;
+constexpr int remeshing_rounds = 2;
 constexpr int fairing_rounds = 3;  // weights follow the shape; later rounds change little
 constexpr double least_weight = 0.02;
 
@@ -161,8 +162,15 @@ class SeamBand {
   std::vector<double> share_;
 };
 
-/// Even triangles up to a share of the radii; seams and outlines stay lines of edges.
-std::optional<SurfaceUnion> remeshed(const SurfaceUnion& joined, const SeamBand& seams, double share, double edge) {
+/// How far and how finely a band is triangulated anew.
+struct Remeshing {
+  double share = 0;  ///< of the radii
+  double edge = 0;   ///< length, sketch units
+  int rounds = 0;
+};
+
+/// Even triangles beside seams; seams and outlines stay lines of edges.
+std::optional<SurfaceUnion> remeshed(const SurfaceUnion& joined, const SeamBand& seams, const Remeshing& wanted) {
   Band band = to_band(joined);
   if (band.number_of_faces() != joined.mesh.face_count()) return std::nullopt;
   auto fixed = band.add_property_map<Band::Edge_index, bool>("e:fixed", false).first;
@@ -172,14 +180,14 @@ std::optional<SurfaceUnion> remeshed(const SurfaceUnion& joined, const SeamBand&
   std::vector<BandFace> faces;
   for (const BandFace face : band.faces()) {
     bool near = false;
-    for (const BandVertex v : band.vertices_around_face(band.halfedge(face))) near |= seams.share()[v] <= share;
+    for (const BandVertex v : band.vertices_around_face(band.halfedge(face))) near |= seams.share()[v] <= wanted.share;
     if (near) faces.push_back(face);
   }
   const auto objects = band.property_map<BandFace, Index>("f:object").first;
   try {
     pmp::isotropic_remeshing(
-        faces, edge, band,
-        pmp::parameters::number_of_iterations(remeshing_rounds).edge_is_constrained_map(fixed).face_patch_map(objects));
+        faces, wanted.edge, band,
+        pmp::parameters::number_of_iterations(wanted.rounds).edge_is_constrained_map(fixed).face_patch_map(objects));
   } catch (const std::exception&) {  // a failed precondition of the library
     return std::nullopt;
   }
@@ -222,45 +230,67 @@ Sparse laplacian_rows(const PolyMesh& mesh, const std::vector<std::uint8_t>& mov
   return scale.asDiagonal() * rows;
 }
 
-/// Moves free vertices to where the rows' squares are least. @return false if that isn't unique
-bool minimise(const Sparse& rows, const std::vector<std::uint8_t>& moves, PolyMesh& mesh) {
-  std::vector<Index> free;
-  std::vector<Eigen::Index> number(moves.size(), -1);
-  for (Index v = 0; v < moves.size(); ++v) {
-    if (!moves[v]) continue;
-    number[v] = static_cast<Eigen::Index>(free.size());
-    free.push_back(v);
-  }
-  if (free.empty()) return true;
-  std::vector<Eigen::Triplet<double>> entries;
-  for (const Index v : free) {
-    for (Sparse::InnerIterator entry(rows, v); entry; ++entry) {
-      entries.emplace_back(entry.row(), number[v], entry.value());
-    }
-  }
-  Sparse own(rows.rows(), static_cast<Eigen::Index>(free.size()));
-  own.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<Sparse> factors(own.transpose() * own);
-  if (factors.info() != Eigen::Success) return false;
-  for (const int coordinate : {0, 1, 2}) {
-    Eigen::VectorXd held = Eigen::VectorXd::Zero(rows.cols());
+/// Moves free vertices to where the squares of rows are least; the pattern of the rows stays the same.
+class Fairing {
+ public:
+  /// @param moves per vertex
+  explicit Fairing(const std::vector<std::uint8_t>& moves) : number_(moves.size(), -1) {
     for (Index v = 0; v < moves.size(); ++v) {
-      if (!moves[v]) held[v] = mesh.positions[v][coordinate];
-    }
-    const Eigen::VectorXd found = factors.solve(-(own.transpose() * (rows * held)));
-    if (!found.allFinite()) return false;
-    for (std::size_t i = 0; i < free.size(); ++i) {
-      mesh.positions[free[i]][coordinate] = found[static_cast<Eigen::Index>(i)];
+      if (!moves[v]) continue;
+      number_[v] = static_cast<Eigen::Index>(free_.size());
+      free_.push_back(v);
     }
   }
-  return true;
-}
+
+  /// @return false if the least isn't unique
+  bool minimise(const Sparse& rows, PolyMesh& mesh) {
+    if (free_.empty()) return true;
+    const Sparse own = own_columns(rows);
+    const Sparse normal = own.transpose() * own;
+    if (!analysed_) factors_.analyzePattern(normal);
+    analysed_ = true;
+    factors_.factorize(normal);
+    if (factors_.info() != Eigen::Success) return false;
+    for (const int coordinate : {0, 1, 2}) {
+      Eigen::VectorXd held = Eigen::VectorXd::Zero(rows.cols());
+      for (Index v = 0; v < number_.size(); ++v) {
+        if (number_[v] < 0) held[v] = mesh.positions[v][coordinate];
+      }
+      const Eigen::VectorXd found = factors_.solve(-(own.transpose() * (rows * held)));
+      if (!found.allFinite()) return false;
+      for (std::size_t i = 0; i < free_.size(); ++i) {
+        mesh.positions[free_[i]][coordinate] = found[static_cast<Eigen::Index>(i)];
+      }
+    }
+    return true;
+  }
+
+ private:
+  /// Those of free vertices.
+  Sparse own_columns(const Sparse& rows) const {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (const Index v : free_) {
+      for (Sparse::InnerIterator entry(rows, v); entry; ++entry) {
+        entries.emplace_back(entry.row(), number_[v], entry.value());
+      }
+    }
+    Sparse own(rows.rows(), static_cast<Eigen::Index>(free_.size()));
+    own.setFromTriplets(entries.begin(), entries.end());
+    return own;
+  }
+
+  std::vector<Index> free_;
+  std::vector<Eigen::Index> number_;  ///< per vertex, of the free ones
+  Eigen::SimplicialLDLT<Sparse> factors_;
+  bool analysed_ = false;
+};
 
 bool fair(const SeamBand& seams, PolyMesh& mesh) {
   std::vector<std::uint8_t> moves(mesh.vertex_count(), 0);
   for (Index v = 0; v < mesh.vertex_count(); ++v) moves[v] = seams.share()[v] < 1 ? 1 : 0;
+  Fairing fairing(moves);
   for (int round = 0; round < fairing_rounds; ++round) {
-    if (!minimise(laplacian_rows(mesh, moves), moves, mesh)) return false;
+    if (!fairing.minimise(laplacian_rows(mesh, moves), mesh)) return false;
   }
   return true;
 }
@@ -272,9 +302,11 @@ std::optional<SurfaceUnion> blend_seams(const SurfaceUnion& joined,
   const SeamBand sharp(joined, radii);
   if (sharp.empty()) return std::nullopt;
   const double edge = std::max(edge_share * sharp.least_radius(), finest);
-  const std::optional<SurfaceUnion> coarse = remeshed(joined, sharp, transition_share, transition_factor * edge);
+  const std::optional<SurfaceUnion> coarse =
+      remeshed(joined, sharp, {transition_share, transition_factor * edge, transition_rounds});
   if (!coarse) return std::nullopt;
-  std::optional<SurfaceUnion> blended = remeshed(*coarse, SeamBand(*coarse, radii), remeshed_share, edge);
+  std::optional<SurfaceUnion> blended =
+      remeshed(*coarse, SeamBand(*coarse, radii), {remeshed_share, edge, remeshing_rounds});
   if (!blended) return std::nullopt;
   const SeamBand seams(*blended, radii);
   if (!fair(seams, blended->mesh)) return std::nullopt;

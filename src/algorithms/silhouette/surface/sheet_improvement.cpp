@@ -8,6 +8,8 @@
 
 #include <Eigen/Geometry>
 
+#include "algorithms/silhouette/surface/triangle_shape.h"
+
 namespace croquis::silhouette {
 namespace {
 
@@ -81,13 +83,6 @@ class SheetImprover {
 
   Vec3 front(Index v) const { return {mesh_.place[v].x(), mesh_.place[v].y(), mesh_.z[v] + mesh_.thickness[v]}; }
   Vec3 back(Index v) const { return {mesh_.place[v].x(), mesh_.place[v].y(), mesh_.z[v] - mesh_.thickness[v]}; }
-
-  /// Of the smallest angle: it lies opposite to the shortest side.
-  static double sharpest_cosine(const Vec3& a, const Vec3& b, const Vec3& c) {
-    std::array<double, 3> square{(b - c).squaredNorm(), (c - a).squaredNorm(), (a - b).squaredNorm()};
-    std::sort(square.begin(), square.end());
-    return (square[1] + square[2] - square[0]) / (2 * std::sqrt(square[1] * square[2]));
-  }
 
   /// Cosine of the smallest angle, on the front and on the back.
   double sharpness(const Corners& t) const {

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/surface/union_improvement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "algorithms/silhouette/surface/triangle_shape.h"
+#include "algorithms/silhouette/surface/union_triangles.h"
+#include "croquis/geometry/triangle_tree.h"
+
+namespace croquis::silhouette {
+namespace {
+
+using Corners = std::array<Index, 3>;
+using Triangles = std::vector<std::array<Vec3, 3>>;
+
+constexpr double sharp_corner = 0.9397;      // cosine of 20 degrees: triangles with a smaller angle are mended
+constexpr double least_widening = 0.004;     // of the cosine
+constexpr std::size_t most_looks = 12;  // triangles looked at, in parts of all; never met, a bound against endless ones
+constexpr std::size_t triangles_per_check = 512;
+
+/// How far a change may move the surface, and how far all of them, in parts of the longest edge there.
+constexpr double most_moved = 0.025;
+constexpr double most_off_surface = 0.06;
+
+/// How far outlines may, likewise.
+constexpr double most_off_outline = 0.004;
+
+constexpr double least_turned = 0.93;  // cosine: no triangle turns further from what was there
+
+/// The point of a segment that is nearest to a place.
+Vec3 foot_on_segment(const Vec3& a, const Vec3& b, const Vec3& place) {
+  const Vec3 along = b - a;
+  const double length = along.squaredNorm();
+  return length > 0 ? Vec3(a + std::clamp((place - a).dot(along) / length, 0.0, 1.0) * along) : a;
+}
+
+class UnionImprover {
+ public:
+  UnionImprover(const SurfaceUnion& joined, const std::vector<std::uint8_t>& kept) : mesh_(joined), kept_(kept), waits_(mesh_.size(), 0) {}
+
+  ImprovedUnion run(Progress& progress) {
+    for (Index t = 0; t < mesh_.size(); ++t) wait_if_slender(t);
+    const std::size_t most = most_looks * mesh_.size();
+    for (std::size_t head = 0; head < std::min(waiting_.size(), most); ++head) {
+      if (head % triangles_per_check == 0) progress.check();
+      const Index t = waiting_[head];
+      waits_[t] = 0;
+      if (!mesh_.is_dead(t) && sharpness(mesh_.corners(t)) >= sharp_corner) mend(t);
+    }
+    ImprovedUnion improved;
+    improved.changed = mesh_.write(improved.surface);
+    improved.vertices = mesh_.written_vertices();
+    return improved;
+  }
+
+ private:
+  double sharpness(const Corners& c) const {
+    return sharpest_cosine(mesh_.position(c[0]), mesh_.position(c[1]), mesh_.position(c[2]));
+  }
+
+  void wait_if_slender(Index t) {
+    if (waits_[t] || sharpness(mesh_.corners(t)) < sharp_corner) return;
+    waits_[t] = 1;
+    waiting_.push_back(t);
+  }
+
+  void mend(Index t) {
+    best_ = {};
+    best_gain_ = least_widening;
+    best_sharpness_ = 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index a = mesh_.corners(t)[k];
+      const Index b = mesh_.corners(t)[(k + 1) % 3];
+      consider_flip(t, k);
+      consider_collapse(a, b);
+      consider_collapse(b, a);
+    }
+    for (std::size_t k = 0; k < 3 && best_sharpness_ >= sharp_corner; ++k) {
+      consider_moves(mesh_.corners(t)[k]);
+      consider_move_onto_edge(t, k);
+    }
+    if (best_.removed.empty()) return;
+    for (const Index added : mesh_.apply(best_)) {
+      for (const Index v : mesh_.corners(added)) {
+        for (const Index near : mesh_.star(v)) wait_if_slender(near);
+      }
+    }
+  }
+
+  void consider_flip(Index t, std::size_t k) {
+    const Index other = mesh_.beyond(t, k);
+    if (mesh_.side(other) != mesh_.side(t)) return;
+    const auto [a, b, c, d] = quad(t, other, k);
+    if (mesh_.joins(a, d)) return;
+    const Index side = mesh_.side(t);
+    consider({{t, other}, {{{a, b, d}, side}, {{a, d, c}, side}}, no_index, {}});
+  }
+
+  /// The corners of two triangles beside an edge from b to c: a and d lie opposite to it.
+  std::array<Index, 4> quad(Index t, Index other, std::size_t k) const {
+    const Corners& own = mesh_.corners(t);
+    const Index b = own[(k + 1) % 3];
+    return {own[k], b, own[(k + 2) % 3], mesh_.corners(other)[(corner_of(mesh_.corners(other), b) + 1) % 3]};
+  }
+
+  /// Ends of the outlines and seams that run through a vertex.
+  std::vector<Index> feature_ends(Index v) const {
+    std::vector<Index> ends;
+    for (const Spoke& spoke : mesh_.spokes(v)) {
+      if (mesh_.is_feature(spoke)) ends.push_back(spoke.to);
+    }
+    return ends;
+  }
+
+  void consider_collapse(Index from, Index to) {
+    const std::vector<Index> ends = feature_ends(from);
+    if (!ends.empty() && (ends.size() != 2 || (ends[0] != to && ends[1] != to))) return;
+    if (!ends.empty() && leaves_line(mesh_.position(from), mesh_.position(ends[0]), mesh_.position(ends[1]))) return;
+    if (common_neighbours(from, to) != 2) return;
+    Exchange exchange;
+    exchange.removed = mesh_.star(from);
+    for (const Index t : exchange.removed) {
+      Corners corners = mesh_.corners(t);
+      if (corners[0] == to || corners[1] == to || corners[2] == to) continue;
+      corners[corner_of(corners, from)] = to;
+      exchange.added.push_back({corners, mesh_.side(t)});
+    }
+    consider(std::move(exchange));
+  }
+
+  /// Whether a place is off the line that outlines may take instead.
+  static bool leaves_line(const Vec3& place, const Vec3& a, const Vec3& b) {
+    return (place - foot_on_segment(a, b, place)).norm() > most_off_outline * (b - a).norm();
+  }
+
+  std::size_t common_neighbours(Index a, Index b) const {
+    std::size_t count = 0;
+    for (const Spoke& spoke : mesh_.spokes(a)) count += spoke.to != b && mesh_.joins(spoke.to, b) ? 1U : 0U;
+    return count;
+  }
+
+  /// Towards the middle of its neighbours, or along the outline or seam that it lies on.
+  void consider_moves(Index v) {
+    const Vec3 place = mesh_.position(v);
+    const std::vector<Index> ends = feature_ends(v);
+    if (ends.empty()) {
+      const Vec3 middle = middle_of_neighbours(v);
+      for (const double share : {1.0, 0.5, 0.25}) consider_move(v, foot_on_star(v, place + share * (middle - place)));
+    } else if (ends.size() == 2) {
+      for (const std::size_t end : {0U, 1U}) {
+        const Vec3 there = mesh_.position(ends[end]);
+        const Vec3 behind = mesh_.position(ends[1 - end]);
+        for (const double share : {0.5, 0.25}) {
+          const Vec3 moved = place + share * (there - place);
+          if (!leaves_line(place, moved, behind)) consider_move(v, moved);
+        }
+      }
+    }
+  }
+
+  Vec3 middle_of_neighbours(Index v) const {
+    Vec3 sum = Vec3::Zero();
+    for (const Index t : mesh_.star(v)) {
+      sum += mesh_.position(mesh_.corners(t)[(corner_of(mesh_.corners(t), v) + 1) % 3]);
+    }
+    return sum / static_cast<double>(mesh_.star(v).size());
+  }
+
+  Vec3 foot_on_star(Index v, const Vec3& place) const {
+    TriangleFoot best;
+    for (const Index t : mesh_.star(v)) {
+      const TriangleFoot foot = foot_on_triangle(points_of(mesh_.corners(t)), place);
+      if (foot.distance < best.distance) best = foot;
+    }
+    return best.point;
+  }
+
+  std::array<Vec3, 3> points_of(const Corners& c) const {
+    return {mesh_.position(c[0]), mesh_.position(c[1]), mesh_.position(c[2])};
+  }
+
+  void consider_move(Index v, const Vec3& place) {
+    Exchange exchange{mesh_.star(v), {}, v, place};
+    for (const Index t : exchange.removed) exchange.added.push_back({mesh_.corners(t), mesh_.side(t)});
+    consider(std::move(exchange));
+  }
+
+  /// Moves a corner of a flat triangle onto its opposite edge, which may be of an outline or a seam: the triangle goes,
+  /// the one beyond the edge is cut in two.
+  void consider_move_onto_edge(Index t, std::size_t k) {
+    const Index other = mesh_.beyond(t, k);
+    const auto [a, b, c, d] = quad(t, other, k);
+    if (!feature_ends(a).empty() || mesh_.joins(a, d)) return;
+    Exchange exchange{mesh_.star(a), {}, a, foot_on_segment(mesh_.position(b), mesh_.position(c), mesh_.position(a))};
+    for (const Index near : exchange.removed) {
+      if (near != t) exchange.added.push_back({mesh_.corners(near), mesh_.side(near)});
+    }
+    exchange.removed.push_back(other);
+    exchange.added.push_back({{a, b, d}, mesh_.side(other)});
+    exchange.added.push_back({{a, d, c}, mesh_.side(other)});
+    consider(std::move(exchange));
+  }
+
+  void consider(Exchange exchange) {
+    double before = -1;
+    for (const Index t : exchange.removed) before = std::max(before, sharpness(mesh_.corners(t)));
+    double after = -1;
+    for (const SidedTriangle& triangle : exchange.added) {
+      const auto [a, b, c] = points_after(exchange, triangle.corners);
+      after = std::max(after, sharpest_cosine(a, b, c));
+      if (before - after <= best_gain_) return;
+    }
+    if (touches_kept(exchange) || !faces_alike(exchange) || !stays_near(exchange)) return;
+    best_gain_ = before - after;
+    best_sharpness_ = after;
+    best_ = std::move(exchange);
+  }
+
+  std::array<Vec3, 3> points_after(const Exchange& exchange, const Corners& corners) const {
+    std::array<Vec3, 3> points = points_of(corners);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (corners[k] == exchange.moved) points[k] = exchange.place;
+    }
+    return points;
+  }
+
+  bool touches_kept(const Exchange& exchange) const {
+    return std::any_of(exchange.removed.begin(), exchange.removed.end(), [&](Index t) {
+      const Corners& c = mesh_.corners(t);
+      return kept_[c[0]] || kept_[c[1]] || kept_[c[2]];
+    });
+  }
+
+  /// As long as twice the area.
+  static Vec3 normal(const std::array<Vec3, 3>& points) { return (points[1] - points[0]).cross(points[2] - points[0]); }
+
+  /// Whether triangles face the way that those of the same piece did, and fronts the viewer.
+  bool faces_alike(const Exchange& exchange) const {
+    std::map<Index, Vec3> before;
+    for (const Index t : exchange.removed) {
+      before.try_emplace(mesh_.side(t), Vec3::Zero()).first->second += normal(points_of(mesh_.corners(t)));
+    }
+    for (auto& [side, sum] : before) sum.normalize();
+    for (const SidedTriangle& triangle : exchange.added) {
+      const Vec3 own = normal(points_after(exchange, triangle.corners));
+      if (own.dot(before.at(triangle.side)) < least_turned * own.norm()) return false;
+      if ((own.z() > 0) != (triangle.side % 2 == 1)) return false;
+    }
+    return true;
+  }
+
+  /// Whether what is added lies near enough to the surface given; tells how near.
+  bool stays_near(Exchange& exchange) const {
+    Triangles before;
+    Triangles after;
+    double off = 0;
+    for (const Index t : exchange.removed) {
+      before.push_back(points_of(mesh_.corners(t)));
+      off = std::max(off, mesh_.off(t));
+    }
+    for (const SidedTriangle& triangle : exchange.added) after.push_back(points_after(exchange, triangle.corners));
+    double longest = 0;
+    for (const auto& [a, b, c] : before) longest = std::max({longest, (b - a).norm(), (c - b).norm(), (a - c).norm()});
+    const double room = std::min(most_moved * longest, most_off_surface * longest - off);
+    const double moved = farthest(before, after, farthest(after, before, 0, room), room);
+    for (SidedTriangle& triangle : exchange.added) triangle.off = off + moved;
+    return moved <= room;
+  }
+
+  /// How far corners and middles of edges lie from other triangles, the most, and at least as far as told; it ends where
+  /// that is beyond the room.
+  static double farthest(const Triangles& from, const Triangles& to, double most, double room) {
+    for (const auto& [a, b, c] : from) {
+      for (const Vec3& place : {a, b, c, Vec3((a + b) / 2), Vec3((b + c) / 2), Vec3((c + a) / 2)}) {
+        if (most > room) return most;
+        most = std::max(most, distance_to(to, place, most));
+      }
+    }
+    return most;
+  }
+
+  /// Ends at what is nearer than told.
+  static double distance_to(const Triangles& triangles, const Vec3& place, double near) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t t = 0; t < triangles.size() && least > near; ++t) {
+      least = std::min(least, foot_on_triangle(triangles[t], place).distance);
+    }
+    return least;
+  }
+
+  UnionTriangles mesh_;
+  const std::vector<std::uint8_t>& kept_;
+  std::vector<Index> waiting_;  ///< slender triangles, in the order in which they became so
+  std::vector<std::uint8_t> waits_;  ///< per triangle
+  Exchange best_;               ///< what mends the triangle under consideration best
+  double best_sharpness_ = 1;   ///< what the sharpest triangle there has then
+  double best_gain_ = 0;        ///< by how much the sharpest triangle there is sharper before
+};
+
+}  // namespace
+
+ImprovedUnion improve_union(const SurfaceUnion& joined, const std::vector<std::uint8_t>& kept, Progress& progress) {
+  return UnionImprover(joined, kept).run(progress);
+}
+
+}  // namespace croquis::silhouette
