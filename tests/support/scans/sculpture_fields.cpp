@@ -9,49 +9,12 @@
 #include <Eigen/Geometry>
 
 #include "support/scans/sculptures.h"
+#include "support/scans/solid_shapes.h"
 
 namespace croquis::test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-/// The union of two solids, blended where both are nearer than `k`.
-double blend(double a, double b, double k) {
-  const double h = std::max(k - std::abs(a - b), 0.0) / k;
-  return std::min(a, b) - h * h * k / 4;
-}
-
-double carve(double solid, double tool, double k) { return -blend(-solid, tool, k); }
-
-double ball(const Vec3& p, const Vec3& centre, double radius) { return (p - centre).norm() - radius; }
-
-/// Not the distance, but with a gradient near 1 at the surface.
-double ellipsoid(const Vec3& p, const Vec3& centre, const Vec3& radii) {
-  const Vec3 scaled = (p - centre).cwiseQuotient(radii);
-  const double slope = scaled.cwiseQuotient(radii).norm();
-  return slope > 0 ? scaled.norm() * (scaled.norm() - 1) / slope : -radii.minCoeff();
-}
-
-/// A limb: a ball that moves from a to b while its radius changes.
-double limb(const Vec3& p, const Vec3& a, const Vec3& b, double radius_a, double radius_b) {
-  const Vec3 along = b - a;
-  const double t = std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (p - a - t * along).norm() - radius_a - t * (radius_b - radius_a);
-}
-
-double box(const Vec3& p, const Vec3& centre, const Vec3& half_size) {
-  const Vec3 q = (p - centre).cwiseAbs() - half_size;
-  return q.cwiseMax(0).norm() + std::min(q.maxCoeff(), 0.0);
-}
-
-/// Along `axis`, with flat ends.
-double cylinder(const Vec3& p, const Vec3& centre, int axis, double radius, double half_length) {
-  Vec3 q = p - centre;
-  const double end = std::abs(q[axis]) - half_length;
-  q[axis] = 0;
-  const double side = q.norm() - radius;
-  return std::min(std::max(side, end), 0.0) + std::hypot(std::max(side, 0.0), std::max(end, 0.0));
-}
 
 double ripple(const Vec3& p, double frequency) {
   return std::sin(frequency * p.x()) * std::sin(frequency * p.y() + 1) * std::sin(frequency * p.z() + 2);

@@ -158,24 +158,29 @@ const char* name_of(Sculpture sculpture) {
 bool is_machined(Sculpture sculpture) { return sculpture == Sculpture::Bracket || sculpture == Sculpture::Housing; }
 
 PolyMesh sculpt(Sculpture sculpture, std::size_t triangles) {
-  PolyMesh mesh = sculpt(solid_of(sculpture), triangles);
-  if (!is_machined(sculpture)) return mesh;
-  const implicit::Field field = field_of(solid_of(sculpture), gradient_step);
+  return sculpt(solid_of(sculpture), triangles, is_machined(sculpture));
+}
+
+PolyMesh sculpt(const Solid& solid, std::size_t triangles, bool is_sharp) {
+  const implicit::Field field = field_of(solid, gradient_step);
+  const Vec3 seed = place_on(solid);
+  const auto trial = static_cast<double>(cubes(seed, field, trial_cell).face_count());
+  implicit::ProjectionOptions projection;
+  projection.cell = trial_cell * std::sqrt(trial / static_cast<double>(triangles));
+  projection.accuracy = 1e-4;
+  PolyMesh mesh = cubes(seed, field, projection.cell);
+  smooth_on_surface(mesh, field, 2, projection);
+  if (!is_sharp) return mesh;
   const double cell = mean_edge(mesh);
   for (int round = 0; round < 3; ++round) sharpen(mesh, field, cell);
   return mesh;
 }
 
-PolyMesh sculpt(const Solid& solid, std::size_t triangles) {
-  const implicit::Field field = field_of(solid, gradient_step);
-  const Vec3 seed = place_on(solid);
-  const auto trial = static_cast<double>(cubes(seed, field, trial_cell).face_count());
+void bring_onto(const Solid& solid, std::vector<Vec3>& points, double cell) {
   implicit::ProjectionOptions options;
-  options.cell = trial_cell * std::sqrt(trial / static_cast<double>(triangles));
+  options.cell = cell;
   options.accuracy = 1e-4;
-  PolyMesh mesh = cubes(seed, field, options.cell);
-  smooth_on_surface(mesh, field, 2, options);
-  return mesh;
+  implicit::project(points, {}, field_of(solid, gradient_step), options);
 }
 
 }  // namespace croquis::test

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 #include "croquis/geometry/poly_mesh.h"
 
@@ -41,7 +42,12 @@ double field_value(Sculpture sculpture, const Vec3& point);
 PolyMesh sculpt(Sculpture sculpture, std::size_t triangles);
 
 /// The same for a solid of one's own: about the signed distance, within 3 units of the origin, met by one of the lines
-/// along x through (0, ±0.25 i, ±0.3 k), i and k up to 2. Sharp edges come out cut.
-PolyMesh sculpt(const std::function<double(const Vec3&)>& solid, std::size_t triangles);
+/// along x through (0, ±0.25 i, ±0.3 k), i and k up to 2.
+/// @param is_sharp whether edges of the solid run along edges of the mesh, else they come out cut
+PolyMesh sculpt(const std::function<double(const Vec3&)>& solid, std::size_t triangles, bool is_sharp = false);
+
+/// Brings points onto the surface of a solid that they are near to.
+/// @param cell about how far they may be off
+void bring_onto(const std::function<double(const Vec3&)>& solid, std::vector<Vec3>& points, double cell);
 
 }  // namespace croquis::test

@@ -2,10 +2,8 @@
 #include "support/scans/virtual_scans.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -13,8 +11,8 @@
 
 #include "croquis/geometry/mesh_topology.h"
 #include "support/meshes/mesh_shapes.h"
-#include "support/random.h"
 #include "support/scans/depth_image.h"
+#include "support/scans/piece_cutter.h"
 
 namespace croquis::test {
 namespace {
@@ -26,109 +24,6 @@ Vec3 normal_of(const PolyMesh& mesh, Index face) {
   const Vec3& a = mesh.positions[t[0]];
   return (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
 }
-
-/// A radius that differs from place to place: three waves of random directions, as long as the radius.
-class RaggedRadius {
- public:
-  RaggedRadius(Random& random, double radius, double raggedness) : radius_(radius), raggedness_(raggedness) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3 direction(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
-      waves_[i] = direction.normalized() * (2 + 2 * static_cast<double>(i)) / radius;
-      phases_[i] = random.between(0, 2 * pi);
-    }
-  }
-
-  double at(const Vec3& offset) const {
-    double sum = 0;
-    for (std::size_t i = 0; i < 3; ++i) sum += std::sin(waves_[i].dot(offset) + phases_[i]);
-    return radius_ * (1 + raggedness_ * sum / 2);
-  }
-
- private:
-  double radius_, raggedness_;
-  std::array<Vec3, 3> waves_;
-  std::array<double, 3> phases_{};
-};
-
-/// Grows pieces of a mesh from a face, across edges.
-class PieceCutter {
- public:
-  explicit PieceCutter(const PolyMesh& mesh) : mesh_(mesh), topology_(mesh), taken_(mesh.vertex_count(), false) {
-    for (const Index v : topology_.boundary_loops().values) taken_[v] = true;
-  }
-
-  /// Faces joined to `first` whose vertices all lie within the radius, and out of the island; ascending.
-  template <typename Inside>
-  std::vector<Index> grow(Index first, const Inside& is_inside) const {
-    std::set<Index> found;
-    std::vector<Index> pending = {first};
-    while (!pending.empty()) {
-      const Index face = pending.back();
-      pending.pop_back();
-      const auto corners = mesh_.face(face);
-      if (!std::all_of(corners.begin(), corners.end(), [&](Index v) { return is_inside(mesh_.positions[v]); }))
-        continue;
-      if (!found.insert(face).second) continue;
-      for (Index corner = mesh_.face_offsets[face]; corner < mesh_.face_offsets[face + 1]; ++corner) {
-        const Index other = topology_.opposite(corner);
-        if (other != no_index && !found.contains(topology_.face(other))) pending.push_back(topology_.face(other));
-      }
-    }
-    return {found.begin(), found.end()};
-  }
-
-  /// Whether the faces are a piece with so many rims that share no vertex, without handles, apart from other pieces.
-  bool is_free(const std::vector<Index>& faces, std::ptrdiff_t rims) const {
-    std::vector<std::array<Index, 2>> edges;
-    std::set<Index> vertices;
-    for (const Index f : faces) {
-      const auto t = mesh_.face(f);
-      for (std::size_t i = 0; i < 3; ++i) {
-        if (taken_[t[i]]) return false;
-        vertices.insert(t[i]);
-        edges.push_back({std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])});
-      }
-    }
-    std::sort(edges.begin(), edges.end());
-    std::vector<Index> rim_ends;
-    std::ptrdiff_t edge_count = 0;
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      ++edge_count;
-      if (i + 1 < edges.size() && edges[i] == edges[i + 1]) {
-        ++i;
-        continue;
-      }
-      rim_ends.insert(rim_ends.end(), edges[i].begin(), edges[i].end());
-    }
-    std::sort(rim_ends.begin(), rim_ends.end());
-    for (std::size_t i = 2; i < rim_ends.size(); ++i) {
-      if (rim_ends[i - 2] == rim_ends[i]) return false;
-    }
-    const auto count = static_cast<std::ptrdiff_t>(vertices.size()) + static_cast<std::ptrdiff_t>(faces.size());
-    return !faces.empty() && count - edge_count == 2 - rims;
-  }
-
-  /// Vertices of the faces, and those up to two edges away, are free no more.
-  void take(const std::vector<Index>& faces) {
-    std::set<Index> used;
-    for (const Index f : faces) used.insert(mesh_.face(f).begin(), mesh_.face(f).end());
-    for (int ring = 0; ring < 2; ++ring) {
-      const std::set<Index> inner = used;
-      for (const Index v : inner) {
-        for (const Index corner : topology_.vertex_corners(v)) {
-          const auto face = mesh_.face(topology_.face(corner));
-          used.insert(face.begin(), face.end());
-        }
-      }
-    }
-    for (const Index v : used) taken_[v] = true;
-  }
-
- private:
-  const PolyMesh& mesh_;
-  MeshTopology topology_;
-  std::vector<bool> taken_;
-};
 
 std::vector<Index> difference(const std::vector<Index>& faces, const std::vector<Index>& less) {
   std::vector<Index> rest;
@@ -173,20 +68,6 @@ std::vector<std::vector<Index>> pieces(const PolyMesh& mesh, const MeshTopology&
   return all;
 }
 
-double mean_edge(const PolyMesh& mesh) {
-  double sum = 0;
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const auto t = mesh.face(f);
-    for (std::size_t i = 0; i < 3; ++i) sum += (mesh.positions[t[i]] - mesh.positions[t[(i + 1) % 3]]).norm();
-  }
-  return sum / (3 * static_cast<double>(mesh.face_count()));
-}
-
-/// Box and Muller.
-double normal_deviate(Random& random) {
-  return std::sqrt(-2 * std::log(1 - random.unit())) * std::cos(2 * pi * random.unit());
-}
-
 }  // namespace
 
 double diagonal_of(const PolyMesh& mesh) {
@@ -197,6 +78,20 @@ double diagonal_of(const PolyMesh& mesh) {
     high = high.cwiseMax(mesh.positions[v]);
   }
   return (high - low).norm();
+}
+
+double normal_deviate(Random& random) {
+  const double radius = std::sqrt(-2 * std::log(1 - random.unit()));
+  return radius * std::cos(2 * pi * random.unit());
+}
+
+double mean_edge_of(const PolyMesh& mesh) {
+  double sum = 0;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto t = mesh.face(f);
+    for (std::size_t i = 0; i < 3; ++i) sum += (mesh.positions[t[i]] - mesh.positions[t[(i + 1) % 3]]).norm();
+  }
+  return sum / (3 * static_cast<double>(mesh.face_count()));
 }
 
 CutScan ragged_cuts(const PolyMesh& complete, const RaggedCuts& cuts) {
@@ -231,7 +126,7 @@ PolyMesh cut_ragged(const PolyMesh& mesh, const Vec3& centre, double radius, dou
 }
 
 PolyMesh with_noise(PolyMesh mesh, std::uint64_t seed, double amount) {
-  const double deviation = amount * mean_edge(mesh);
+  const double deviation = amount * mean_edge_of(mesh);
   std::vector<Vec3> normals(mesh.vertex_count(), Vec3::Zero());
   for (Index f = 0; f < mesh.face_count(); ++f) {
     for (const Index v : mesh.face(f)) normals[v] += normal_of(mesh, f);
@@ -248,7 +143,7 @@ PolyMesh with_noise(PolyMesh mesh, std::uint64_t seed, double amount) {
 CutScan seen_from(const PolyMesh& complete, std::span<const Vec3> directions, double greatest_angle) {
   constexpr std::size_t least_missing = 6, least_kept = 50;
   std::vector<bool> is_seen(complete.face_count(), false);
-  const double cell = mean_edge(complete) / 2;
+  const double cell = mean_edge_of(complete) / 2;
   for (const Vec3& direction : directions) {
     const DepthImage image(complete, direction, cell);
     for (Index f = 0; f < complete.face_count(); ++f) {

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "croquis/geometry/poly_mesh.h"
+#include "support/random.h"
 #include "support/scans/scans.h"
 #include "support/scans/sculptures.h"
 
@@ -14,6 +15,12 @@ namespace croquis::test {
 
 /// The diagonal of the box of all vertices with a face.
 double diagonal_of(const PolyMesh& mesh);
+
+/// Of triangles.
+double mean_edge_of(const PolyMesh& mesh);
+
+/// Of a normal distribution around 0 with a standard deviation of 1 (Box and Muller).
+double normal_deviate(Random& random);
 
 struct RaggedCuts {
   std::uint64_t seed = 1;

@@ -15,48 +15,16 @@
 #include "support/random.h"
 #include "support/scans/scans.h"
 #include "support/scans/virtual_scans.h"
+#include "support/scans/waves.h"
 
 namespace croquis::test {
 namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
 
-/// A smooth number of a place: waves of random directions, the shorter the lower.
-class Waves {
- public:
-  Waves(Random& random, double length, int count, double roughness = 0.55) {
-    for (int i = 0; i < count; ++i) {
-      const Vec3 direction(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
-      const double frequency = std::pow(1.7, i);
-      waves_.push_back(full_turn * frequency / length * direction.normalized());
-      heights_.push_back(std::pow(roughness, i));
-      phases_.push_back(random.between(0, full_turn));
-    }
-  }
-
-  double at(const Vec3& p) const {
-    double sum = 0;
-    for (std::size_t i = 0; i < waves_.size(); ++i) sum += heights_[i] * std::sin(waves_[i].dot(p) + phases_[i]);
-    return sum;
-  }
-
- private:
-  std::vector<Vec3> waves_;
-  std::vector<double> heights_, phases_;
-};
-
 Vec3 wild_centre(const PolyMesh& mesh, std::size_t face) {
   const auto t = mesh.face(face);
   return (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3;
-}
-
-double wild_edge(const PolyMesh& mesh) {
-  double sum = 0;
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const auto t = mesh.face(f);
-    for (std::size_t i = 0; i < 3; ++i) sum += (mesh.positions[t[i]] - mesh.positions[t[(i + 1) % 3]]).norm();
-  }
-  return sum / (3 * static_cast<double>(mesh.face_count()));
 }
 
 /// A grid over [-1,1]^2, moved by a function. Denser towards -x by the power.
@@ -146,7 +114,7 @@ PolyMesh monument(Random& random, std::size_t triangles) {
 PolyMesh layers(Random& random, std::size_t triangles) {
   const PolyMesh whole = sculpt(blob(random), triangles);
   const std::size_t views = 3 + random.below(4);
-  const double spacing = wild_edge(whole) * std::sqrt(0.12 * static_cast<double>(views));
+  const double spacing = mean_edge_of(whole) * std::sqrt(0.12 * static_cast<double>(views));
   PolyMesh sheets;
   for (const Vec3& direction : directions_above(random, views, -0.6)) {
     const Vec3 shift(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
@@ -244,7 +212,7 @@ PolyMesh with_pinholes(const PolyMesh& mesh, Random& random, double share) {
 }
 
 PolyMesh dirtied(PolyMesh mesh, Random& random) {
-  const double edge = wild_edge(mesh);
+  const double edge = mean_edge_of(mesh);
   const auto is_so = [&](double share) { return random.unit() < share; };
   if (is_so(0.6)) mesh = with_noise(std::move(mesh), random.bits(), random.between(0.05, 0.4));
   if (is_so(0.4)) mesh = with_pinholes(mesh, random, random.between(0.002, 0.03));
