@@ -19,8 +19,7 @@ class RangeGrid {
   RangeGrid(const PlyGrid& size, const PlyTable& grid, const PlyColumn& indices, const PolyMesh& mesh,
             ReadContext& context)
       : size_(size), mesh_(mesh), context_(context) {
-    if (size.columns == 0 || size.rows != grid.element.count / size.columns ||
-        grid.element.count % size.columns != 0) {
+    if (size.columns == 0 || size.rows != grid.element.count / size.columns || grid.element.count % size.columns != 0) {
       context.fail("E_COUNT",
                    "the range grid has " + std::to_string(grid.element.count) +
                        " places; that needs the header's lines 'obj_info num_cols' and 'obj_info num_rows' with two "

@@ -20,8 +20,8 @@ namespace {
 using Corners = std::array<Index, 3>;
 using Triangles = std::vector<std::array<Vec3, 3>>;
 
-constexpr double sharp_corner = 0.9397;      // cosine of 20 degrees: triangles with a smaller angle are mended
-constexpr double least_widening = 0.004;     // of the cosine
+constexpr double sharp_corner = 0.9397;   // cosine of 20 degrees: triangles with a smaller angle are mended
+constexpr double least_widening = 0.004;  // of the cosine
 constexpr std::size_t most_looks = 12;  // triangles looked at, in parts of all; never met, a bound against endless ones
 constexpr std::size_t triangles_per_check = 512;
 
@@ -43,7 +43,8 @@ Vec3 foot_on_segment(const Vec3& a, const Vec3& b, const Vec3& place) {
 
 class UnionImprover {
  public:
-  UnionImprover(const SurfaceUnion& joined, const std::vector<std::uint8_t>& kept) : mesh_(joined), kept_(kept), waits_(mesh_.size(), 0) {}
+  UnionImprover(const SurfaceUnion& joined, const std::vector<std::uint8_t>& kept)
+      : mesh_(joined), kept_(kept), waits_(mesh_.size(), 0) {}
 
   ImprovedUnion run(Progress& progress) {
     for (Index t = 0; t < mesh_.size(); ++t) wait_if_slender(t);
@@ -274,8 +275,8 @@ class UnionImprover {
     return moved <= room;
   }
 
-  /// How far corners and middles of edges lie from other triangles, the most, and at least as far as told; it ends where
-  /// that is beyond the room.
+  /// How far corners and middles of edges lie from other triangles, the most, and at least as far as told; it ends
+  /// where that is beyond the room.
   static double farthest(const Triangles& from, const Triangles& to, double most, double room) {
     for (const auto& [a, b, c] : from) {
       for (const Vec3& place : {a, b, c, Vec3((a + b) / 2), Vec3((b + c) / 2), Vec3((c + a) / 2)}) {
@@ -297,11 +298,11 @@ class UnionImprover {
 
   UnionTriangles mesh_;
   const std::vector<std::uint8_t>& kept_;
-  std::vector<Index> waiting_;  ///< slender triangles, in the order in which they became so
+  std::vector<Index> waiting_;       ///< slender triangles, in the order in which they became so
   std::vector<std::uint8_t> waits_;  ///< per triangle
-  Exchange best_;               ///< what mends the triangle under consideration best
-  double best_sharpness_ = 1;   ///< what the sharpest triangle there has then
-  double best_gain_ = 0;        ///< by how much the sharpest triangle there is sharper before
+  Exchange best_;                    ///< what mends the triangle under consideration best
+  double best_sharpness_ = 1;        ///< what the sharpest triangle there has then
+  double best_gain_ = 0;             ///< by how much the sharpest triangle there is sharper before
 };
 
 }  // namespace

@@ -35,9 +35,8 @@ std::vector<Spoke> UnionTriangles::spokes(Index v) const {
 }
 
 bool UnionTriangles::joins(Index a, Index b) const {
-  return std::any_of(stars_[a].begin(), stars_[a].end(), [&](Index t) {
-    return corners(t)[0] == b || corners(t)[1] == b || corners(t)[2] == b;
-  });
+  return std::any_of(stars_[a].begin(), stars_[a].end(),
+                     [&](Index t) { return corners(t)[0] == b || corners(t)[1] == b || corners(t)[2] == b; });
 }
 
 Index UnionTriangles::beyond(Index t, std::size_t corner) const {
