@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/equality_optimum.h"
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -42,7 +43,9 @@ EqualityOptimum find_equality_optimum(const ScaledProblem& problem, const KktSys
     if (!(size < 0.5 * last_change)) break;
     optimum.y += change.head(system.unknowns());
     optimum.equality -= change.tail(equality_values.size());
-    if (size <= std::numeric_limits<double>::epsilon() * optimum.y.lpNorm<Eigen::Infinity>()) break;
+    // Each round gains as many digits as the last: what the next one could change is below rounding.
+    const double next_change = std::isfinite(last_change) ? size * (size / last_change) : size;
+    if (next_change <= std::numeric_limits<double>::epsilon() * optimum.y.lpNorm<Eigen::Infinity>()) break;
     last_change = size;
   }
   return optimum;

@@ -16,41 +16,67 @@ constexpr double worthwhile_gain = 0.5;
 /// A residual this small, relative to the right side, needs no refinement.
 constexpr double good_residual = 1e-12;
 
+/// The lower triangle of U^T U, column by column.
 Matrix lower_hessian(const Matrix& objective) {
-  const Matrix square = objective.transpose() * objective;
-  Matrix hessian = square.triangularView<Eigen::Lower>();
-  hessian.makeCompressed();
+  const RowMatrix rows = objective;
+  Matrix hessian(objective.cols(), objective.cols());
+  VectorXd sums = VectorXd::Zero(objective.cols());
+  std::vector<int> met;
+  std::vector<char> is_met(static_cast<std::size_t>(objective.cols()), 0);
+  hessian.reserve(2 * objective.nonZeros());
+  for (Eigen::Index column = 0; column < objective.cols(); ++column) {
+    met.clear();
+    for (Matrix::InnerIterator down(objective, column); down; ++down) {
+      for (RowMatrix::InnerIterator along(rows, down.row()); along; ++along) {
+        if (along.col() < column) continue;
+        if (is_met[static_cast<std::size_t>(along.col())] == 0) met.push_back(static_cast<int>(along.col()));
+        is_met[static_cast<std::size_t>(along.col())] = 1;
+        sums[along.col()] += down.value() * along.value();
+      }
+    }
+    std::sort(met.begin(), met.end());
+    hessian.startVec(column);
+    for (const int row : met) {
+      hessian.insertBack(row, column) = sums[row];
+      sums[row] = 0;
+      is_met[static_cast<std::size_t>(row)] = 0;
+    }
+  }
+  hessian.finalize();
   return hessian;
 }
 
 }  // namespace
 
 KktSystem::KktSystem(const ScaledProblem& problem, Rows rows) : problem_(&problem), rows_(rows) {
-  const Matrix hessian = lower_hessian(problem.objective);
-  build_pattern(hessian);
-  fill_constant_part(hessian);
+  fill_constant_part(lower_hessian(problem.objective));
   map_inequalities();
   if (size() > 0) factors_.analyzePattern(matrix_);
 }
 
-void KktSystem::build_pattern(const Matrix& hessian) {
+/// With a place, 0, for every number that row weights can change.
+void KktSystem::fill_constant_part(Matrix hessian) {
   const Eigen::Index unknowns = problem_->objective.cols();
   const Eigen::Index equalities = problem_->equalities.rows();
   std::vector<Triplet> entries;
-  const auto add = [&entries](Eigen::Index row, Eigen::Index column) {
-    entries.emplace_back(static_cast<int>(row), static_cast<int>(column), 0.0);
+  const auto add = [&entries](Eigen::Index row, Eigen::Index column, double value) {
+    entries.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
   };
-  for (Eigen::Index i = 0; i < unknowns + equalities; ++i) add(i, i);
-  for (Eigen::Index column = 0; column < unknowns; ++column)
-    for (Matrix::InnerIterator entry(hessian, column); entry; ++entry) add(entry.row(), column);
+  for (Eigen::Index i = 0; i < unknowns + equalities; ++i)
+    add(i, i, i < unknowns ? regularisation : -equality_regularisation);
   for (Eigen::Index row = 0; row < equalities; ++row)
-    for (RowMatrix::InnerIterator entry(problem_->equalities, row); entry; ++entry) add(unknowns + row, entry.col());
+    for (RowMatrix::InnerIterator entry(problem_->equalities, row); entry; ++entry)
+      add(unknowns + row, entry.col(), entry.value());
   const Eigen::Index weighted = rows_ == Rows::Weighted ? problem_->inequalities.rows() : 0;
   for (Eigen::Index row = 0; row < weighted; ++row)
     for (RowMatrix::InnerIterator a(problem_->inequalities, row); a; ++a)
-      for (RowMatrix::InnerIterator b(problem_->inequalities, row); b && b.col() <= a.col(); ++b) add(a.col(), b.col());
-  matrix_.resize(unknowns + equalities, unknowns + equalities);
-  matrix_.setFromTriplets(entries.begin(), entries.end());
+      for (RowMatrix::InnerIterator b(problem_->inequalities, row); b && b.col() <= a.col(); ++b)
+        add(a.col(), b.col(), 0);
+  Matrix rest(unknowns + equalities, unknowns + equalities);
+  rest.setFromTriplets(entries.begin(), entries.end());
+  hessian.conservativeResize(unknowns + equalities, unknowns + equalities);
+  matrix_ = hessian + rest;
+  constant_part_ = Eigen::Map<const VectorXd>(matrix_.valuePtr(), matrix_.nonZeros());
 }
 
 int KktSystem::position_of(Eigen::Index row, Eigen::Index column) const {
@@ -58,19 +84,6 @@ int KktSystem::position_of(Eigen::Index row, Eigen::Index column) const {
   const int* end = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column + 1];
   const int* found = std::lower_bound(begin, end, static_cast<int>(row));
   return found != end && *found == row ? static_cast<int>(found - matrix_.innerIndexPtr()) : -1;
-}
-
-void KktSystem::fill_constant_part(const Matrix& hessian) {
-  const Eigen::Index unknowns = problem_->objective.cols();
-  constant_part_ = VectorXd::Zero(matrix_.nonZeros());
-  for (Eigen::Index i = 0; i < size(); ++i)
-    constant_part_[position_of(i, i)] = i < unknowns ? regularisation : -equality_regularisation;
-  for (Eigen::Index column = 0; column < unknowns; ++column)
-    for (Matrix::InnerIterator entry(hessian, column); entry; ++entry)
-      constant_part_[position_of(entry.row(), column)] += entry.value();
-  for (Eigen::Index row = 0; row < problem_->equalities.rows(); ++row)
-    for (RowMatrix::InnerIterator entry(problem_->equalities, row); entry; ++entry)
-      constant_part_[position_of(unknowns + row, entry.col())] = entry.value();
 }
 
 void KktSystem::map_inequalities() {

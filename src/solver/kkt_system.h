@@ -4,9 +4,9 @@
 #include <vector>
 
 #include <Eigen/Core>
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
+#include "croquis/solver/symmetric_factors.h"
 #include "solver/scaled_problem.h"
 
 namespace croquis {
@@ -50,8 +50,7 @@ class KktSystem {
 
   Eigen::VectorXd multiply(const Eigen::VectorXd& vector) const;
 
-  using Factors = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::AMDOrdering<int>>;
-  const Factors& factors() const { return factors_; }
+  const SymmetricFactors& factors() const { return factors_; }
 
   int factorisations() const { return factorisations_; }
   Eigen::Index unknowns() const { return problem_->objective.cols(); }
@@ -64,8 +63,7 @@ class KktSystem {
     double product;
   };
 
-  void build_pattern(const Eigen::SparseMatrix<double>& hessian);
-  void fill_constant_part(const Eigen::SparseMatrix<double>& hessian);
+  void fill_constant_part(Eigen::SparseMatrix<double> hessian);
   void map_inequalities();
   int position_of(Eigen::Index row, Eigen::Index column) const;
 
@@ -75,7 +73,7 @@ class KktSystem {
   Eigen::VectorXd constant_part_;            ///< its values for D = 0
   std::vector<Contribution> contributions_;  ///< of row q: from contribution_begin_[q] to [q + 1]
   std::vector<std::size_t> contribution_begin_;
-  Factors factors_;
+  SymmetricFactors factors_;
   int factorisations_ = 0;
 };
 

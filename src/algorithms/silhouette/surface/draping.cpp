@@ -7,9 +7,8 @@
 #include <limits>
 #include <utility>
 
-#include <Eigen/SparseCholesky>
-
 #include "algorithms/silhouette/skeleton/overlap_cycles.h"
+#include "croquis/solver/symmetric_factors.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -161,8 +160,7 @@ class Layer {
     SparseMatrix matrix(sheet_.size(), sheet_.size());
     matrix.setFromTriplets(entries.begin(), entries.end());
     matrix += bending();
-    Eigen::VectorXd result =
-        Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::AMDOrdering<int>>(matrix).solve(right);
+    Eigen::VectorXd result = SymmetricFactors(matrix).solve(right);
     for (Eigen::Index row = 0; row < sheet_.size(); ++row) {
       result[row] = std::max(result[row], covered(row) ? floor_at(row) : least);
     }

@@ -1,24 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/silhouette/surface/sheet_operator.h"
 
+#include <array>
+
 namespace croquis::silhouette {
 namespace {
 
-void add_triangle(const std::array<Index, 3>& corners, const std::vector<Vec2>& position, double weight,
-                  std::vector<Eigen::Triplet<double>>& entries, Eigen::VectorXd& area) {
-  const double twice_area =
-      cross(position[corners[1]] - position[corners[0]], position[corners[2]] - position[corners[0]]);
+/// Per corner half the cotangent of its angle.
+std::array<double, 3> half_cotangents(const std::array<Index, 3>& corners, const std::vector<Vec2>& position,
+                                      double twice_area) {
+  std::array<double, 3> result{};
   for (std::size_t k = 0; k < 3; ++k) {
-    const Index apex = corners[k];
-    const Index a = corners[(k + 1) % 3];
-    const Index b = corners[(k + 2) % 3];
-    const double stiffness = weight / 2 * (position[a] - position[apex]).dot(position[b] - position[apex]) / twice_area;
-    entries.emplace_back(a, b, -stiffness);
-    entries.emplace_back(b, a, -stiffness);
-    entries.emplace_back(a, a, stiffness);
-    entries.emplace_back(b, b, stiffness);
-    area[apex] += weight * twice_area / 6;
+    const Vec2& apex = position[corners[k]];
+    const Vec2& a = position[corners[(k + 1) % 3]];
+    const Vec2& b = position[corners[(k + 2) % 3]];
+    result[k] = (a - apex).dot(b - apex) / (2 * twice_area);
   }
+  return result;
+}
+
+/// A symmetric matrix of the edges' weights, negative, with the diagonal that makes every row's sum 0.
+Eigen::SparseMatrix<double> stiffness_of(const LiftedTriangulation& lifted,
+                                         const std::vector<std::array<double, 3>>& weights) {
+  const auto count = static_cast<Eigen::Index>(lifted.planar_vertex.size());
+  Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(count);
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(3 * lifted.triangles.size() + 3 * lifted.planar_vertex.size());
+  for (Index t = 0; t < lifted.triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index other = lifted.neighbours[t][k];
+      if (other < t) continue;  // each edge once; no_index is the largest number
+      const Index a = lifted.triangles[t][(k + 1) % 3];
+      const Index b = lifted.triangles[t][(k + 2) % 3];
+      double weight = weights[t][k];
+      if (other != no_index) {
+        const std::array<Index, 3>& beyond = lifted.neighbours[other];
+        weight += weights[other][beyond[0] == t ? 0 : beyond[1] == t ? 1 : 2];
+      }
+      entries.emplace_back(a, b, -weight);
+      entries.emplace_back(b, a, -weight);
+      diagonal[a] += weight;
+      diagonal[b] += weight;
+    }
+  }
+  for (Eigen::Index v = 0; v < count; ++v) entries.emplace_back(v, v, diagonal[v]);
+  Eigen::SparseMatrix<double> stiffness(count, count);
+  stiffness.setFromTriplets(entries.begin(), entries.end());
+  return stiffness;
 }
 
 }  // namespace
@@ -31,19 +59,21 @@ SheetOperator make_sheet_operator(const SheetSampling& sheets) {
 SheetOperator make_sheet_operator(const SheetSampling& sheets, const Eigen::VectorXd& weight) {
   const LiftedTriangulation& lifted = sheets.lifted;
   SheetOperator op;
-  const auto count = static_cast<Eigen::Index>(lifted.planar_vertex.size());
   op.on_boundary = lifted.on_boundary;
   op.position.reserve(lifted.planar_vertex.size());
   for (const Index point : lifted.planar_vertex) op.position.push_back(sheets.points[point]);
-  op.area = Eigen::VectorXd::Zero(count);
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(12 * lifted.triangles.size());
+  op.area = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(lifted.planar_vertex.size()));
+  std::vector<std::array<double, 3>> weights;
+  weights.reserve(lifted.triangles.size());
   for (const auto& corners : lifted.triangles) {
-    const double mean = (weight[corners[0]] + weight[corners[1]] + weight[corners[2]]) / 3;
-    add_triangle(corners, op.position, mean, entries, op.area);
+    const auto& [a, b, c] = corners;
+    const double mean = (weight[a] + weight[b] + weight[c]) / 3;
+    const double twice_area = cross(op.position[b] - op.position[a], op.position[c] - op.position[a]);
+    weights.push_back(half_cotangents(corners, op.position, twice_area));
+    for (double& own : weights.back()) own *= mean;
+    for (const Index v : corners) op.area[v] += mean * twice_area / 6;
   }
-  op.stiffness.resize(count, count);
-  op.stiffness.setFromTriplets(entries.begin(), entries.end());
+  op.stiffness = stiffness_of(lifted, weights);
   return op;
 }
 

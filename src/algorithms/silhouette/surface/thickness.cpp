@@ -5,15 +5,13 @@
 #include <cmath>
 #include <numeric>
 
-#include <Eigen/SparseCholesky>
-
 #include "algorithms/silhouette/surface/rim_turn.h"
+#include "croquis/solver/symmetric_factors.h"
 
 namespace croquis::silhouette {
 namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
-using Factorisation = Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::AMDOrdering<int>>;
 
 /// Against the stiffness matrix, which has no unit: on a tube values settle within a quarter of the radius.
 constexpr double node_stiffness = 10;
@@ -42,44 +40,58 @@ constexpr double smaller = 0.95;  // of the radius: along a tube each node speak
 constexpr double least_beta = 0.6;
 constexpr double greatest_beta = 1.2;
 
-/// Rows and columns of inner vertices.
-struct InnerSystem {
-  std::vector<int> row_of;  ///< per vertex; -1 on the boundary
-  std::vector<int> vertex;  ///< per row
-  Matrix matrix;
-};
-
-InnerSystem inner_system(const SheetOperator& op) {
-  InnerSystem system;
-  for (int v = 0; v < op.stiffness.cols(); ++v) {
-    const bool inner = !op.on_boundary[static_cast<std::size_t>(v)];
-    system.row_of.push_back(inner ? static_cast<int>(system.vertex.size()) : -1);
-    if (inner) system.vertex.push_back(v);
-  }
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(static_cast<std::size_t>(op.stiffness.nonZeros()));
-  for (const int v : system.vertex) {
-    for (Matrix::InnerIterator near(op.stiffness, v); near; ++near) {
-      const int row = system.row_of[static_cast<std::size_t>(near.row())];
-      if (row >= 0) entries.emplace_back(row, system.row_of[static_cast<std::size_t>(v)], near.value());
+/// Solves systems of one region's inner vertices: what vanishes on the boundary. All weights have the same pattern, so
+/// that the order of elimination is found once.
+class InnerSolver {
+ public:
+  explicit InnerSolver(const SheetOperator& op) : row_of_(op.on_boundary.size(), -1) {
+    for (std::size_t v = 0; v < row_of_.size(); ++v) {
+      if (op.on_boundary[v]) continue;
+      row_of_[v] = static_cast<int>(vertex_.size());
+      vertex_.push_back(static_cast<Eigen::Index>(v));
     }
+    matrix_.resize(static_cast<Eigen::Index>(vertex_.size()), static_cast<Eigen::Index>(vertex_.size()));
+    fill(op.stiffness);
+    factorisation_.compute(matrix_);
   }
-  const auto count = static_cast<Eigen::Index>(system.vertex.size());
-  system.matrix.resize(count, count);
-  system.matrix.setFromTriplets(entries.begin(), entries.end());
-  return system;
-}
 
-/// The solution of the load that vanishes on the boundary.
-Eigen::VectorXd solve_inner(const InnerSystem& system, const Eigen::VectorXd& load) {
-  Eigen::VectorXd right(system.matrix.cols());
-  for (Eigen::Index row = 0; row < right.size(); ++row) right[row] = load[system.vertex[static_cast<std::size_t>(row)]];
-  const Eigen::VectorXd inner = Factorisation(system.matrix).solve(right);
-  Eigen::VectorXd values = Eigen::VectorXd::Zero(load.size());
-  for (Eigen::Index row = 0; row < inner.size(); ++row)
-    values[system.vertex[static_cast<std::size_t>(row)]] = inner[row];
-  return values;
-}
+  /// From then on for another weight of the same region.
+  void set_operator(const SheetOperator& op) {
+    fill(op.stiffness);
+    factorisation_.factorize(matrix_);
+  }
+
+  /// Inner vertices, ascending.
+  const std::vector<Eigen::Index>& vertices() const { return vertex_; }
+
+  /// The solution of the load that vanishes on the boundary.
+  Eigen::VectorXd solve(const Eigen::VectorXd& load) const {
+    const Eigen::VectorXd right = load(vertex_);
+    Eigen::VectorXd values = Eigen::VectorXd::Zero(load.size());
+    values(vertex_) = factorisation_.solve(right).eval();
+    return values;
+  }
+
+ private:
+  /// The lower triangle.
+  void fill(const Matrix& stiffness) {
+    matrix_.setZero();
+    matrix_.reserve(stiffness.nonZeros() / 2 + matrix_.cols());
+    for (Eigen::Index column = 0; column < matrix_.cols(); ++column) {
+      matrix_.startVec(column);
+      for (Matrix::InnerIterator near(stiffness, vertex_[static_cast<std::size_t>(column)]); near; ++near) {
+        const int row = row_of_[static_cast<std::size_t>(near.row())];
+        if (row >= column) matrix_.insertBack(row, column) = near.value();
+      }
+    }
+    matrix_.finalize();
+  }
+
+  std::vector<int> row_of_;           ///< per vertex; -1 on the boundary
+  std::vector<Eigen::Index> vertex_;  ///< per row
+  Matrix matrix_;
+  SymmetricFactors factorisation_;
+};
 
 /// The values of ln w on the rim: the length of the axis per length of the rim.
 Eigen::VectorXd rim_log_weights(const SheetSampling& sheets) {
@@ -87,8 +99,8 @@ Eigen::VectorXd rim_log_weights(const SheetSampling& sheets) {
 }
 
 /// Extends values on the boundary, 0 inside.
-Eigen::VectorXd harmonic(const SheetOperator& op, const InnerSystem& system, const Eigen::VectorXd& boundary) {
-  return boundary + solve_inner(system, -(op.stiffness * boundary));
+Eigen::VectorXd harmonic(const SheetOperator& op, const InnerSolver& inner, const Eigen::VectorXd& boundary) {
+  return boundary + inner.solve(-(op.stiffness * boundary));
 }
 
 /// A node's share of a vertex.
@@ -137,7 +149,7 @@ class NodeSpreader {
 }  // namespace
 
 struct NodeExtension::Factors {
-  Factorisation factorisation;
+  SymmetricFactors factorisation;
   std::vector<NodeShare> shares;
   Eigen::VectorXd background;
 };
@@ -221,13 +233,13 @@ std::vector<std::uint8_t> speaking_nodes(const Skeleton& skeleton) {
 Eigen::VectorXd sheet_thickness(const SheetSampling& sheets, const SheetOperator& op, const Skeleton& skeleton,
                                 const std::vector<LiftedPlace>& nodes, const NodeExtension& extension,
                                 Progress& progress) {
-  InnerSystem system = inner_system(op);
-  const Eigen::VectorXd log_weight = harmonic(op, system, rim_log_weights(sheets));
+  InnerSolver inner(op);
+  const Eigen::VectorXd log_weight = harmonic(op, inner, rim_log_weights(sheets));
   progress.check();
   const SheetOperator unbent = make_sheet_operator(sheets, log_weight.array().exp());
-  system = inner_system(unbent);
-  Eigen::VectorXd u = solve_inner(system, 4 * unbent.area);
-  for (const int v : system.vertex) u[v] = std::max(u[v], least_load * op.area[v]);
+  inner.set_operator(unbent);
+  Eigen::VectorXd u = inner.solve(4 * unbent.area);
+  for (const Eigen::Index v : inner.vertices()) u[v] = std::max(u[v], least_load * op.area[v]);
   progress.check();
 
   Eigen::VectorXd beta(static_cast<Eigen::Index>(nodes.size()));
