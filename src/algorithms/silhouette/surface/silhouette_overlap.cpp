@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace croquis::silhouette {
 namespace {
@@ -46,13 +48,10 @@ class ScanLines {
     }
   }
 
-  void add_triangle(const std::array<Vec2, 3>& corners) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vec2& a = corners[i];
-      const Vec2& b = corners[(i + 1) % 3];
-      const int change = b.y() < a.y() ? 1 : -1;
-      cross(a, b, [&](std::size_t line, double x) { events_[line].push_back({x, change, false}); });
-    }
+  /// An edge with the mesh on its left so many times more than on its right.
+  void add_edge(const Vec2& a, const Vec2& b, int times) {
+    const int change = b.y() < a.y() ? times : -times;
+    cross(a, b, [&](std::size_t line, double x) { events_[line].push_back({x, change, false}); });
   }
 
   Overlap measure() {
@@ -77,6 +76,54 @@ class ScanLines {
   std::vector<std::vector<Event>> events_;
 };
 
+/// The edges at which faces that are turned to the viewer end, each with how many more of them lie on its left than on
+/// its right: edges between two such faces would change nothing.
+class FrontRims {
+ public:
+  explicit FrontRims(const PolyMesh& mesh) : first_(mesh.vertex_count() + 1, 0) {
+    // Backs cover what their fronts cover.
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+      const auto face = mesh.face(f);
+      const Vec2 a = mesh.positions[face[0]].head<2>();
+      if (cross(mesh.positions[face[1]].head<2>() - a, mesh.positions[face[2]].head<2>() - a) <= 0) continue;
+      for (std::size_t i = 0; i < 3; ++i) edges_.push_back({face[i], face[(i + 1) % 3]});
+    }
+    sort_by_lower_ends();
+  }
+
+  /// Calls visit(a, b, times) with every edge that counts.
+  template <typename Visit>
+  void for_each(Visit visit) {
+    for (std::size_t low = 0; low + 1 < first_.size(); ++low) {
+      for (Index e = first_[low]; e < first_[low + 1]; ++e) {
+        HighEnd& edge = high_ends_[e];
+        for (Index other = e + 1; other < first_[low + 1]; ++other) {
+          if (high_ends_[other].vertex == edge.vertex) edge.times += std::exchange(high_ends_[other].times, 0);
+        }
+        if (edge.times != 0) visit(static_cast<Index>(low), edge.vertex, edge.times);
+      }
+    }
+  }
+
+ private:
+  struct HighEnd {
+    Index vertex = 0;
+    int times = 0;  ///< 1 where the edge leads to this end, else -1
+  };
+
+  void sort_by_lower_ends() {
+    for (const auto& [a, b] : edges_) ++first_[std::min(a, b) + std::size_t{1}];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    std::vector<Index> next(first_.begin(), first_.end() - 1);
+    high_ends_.resize(edges_.size());
+    for (const auto& [a, b] : edges_) high_ends_[next[std::min(a, b)]++] = {std::max(a, b), a < b ? 1 : -1};
+  }
+
+  std::vector<std::array<Index, 2>> edges_;  ///< of the faces, in their direction
+  std::vector<Index> first_;                 ///< per vertex the first of the edges whose lower end it is
+  std::vector<HighEnd> high_ends_;
+};
+
 }  // namespace
 
 Overlap silhouette_overlap(const PolyMesh& mesh, const std::vector<SidedOutline>& outlines) {
@@ -96,13 +143,9 @@ Overlap silhouette_overlap(const PolyMesh& mesh, const std::vector<SidedOutline>
 
   ScanLines lines(low.y(), high.y(), (high - low).norm() / line_count);
   for (const SidedOutline& outline : outlines) lines.add_outline(outline);
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const auto face = mesh.face(f);
-    std::array<Vec2, 3> corners;
-    for (std::size_t i = 0; i < 3; ++i) corners[i] = mesh.positions[face[i]].head<2>();
-    // Backs cover what their fronts cover.
-    if (cross(corners[1] - corners[0], corners[2] - corners[0]) > 0) lines.add_triangle(corners);
-  }
+  FrontRims(mesh).for_each([&](Index a, Index b, int times) {
+    lines.add_edge(mesh.positions[a].head<2>(), mesh.positions[b].head<2>(), times);
+  });
   return lines.measure();
 }
 

@@ -27,7 +27,7 @@ struct Overlap {
 ///
 /// Exact along about 1500 lines y = constant over the outlines' diagonal, at an irrational offset. Between lines the
 /// outlines count as straight: the ratio's error is below perimeter * spacing^2 / (area * radius of curvature), in
-/// practice under 1e-4. O(faces * lines per face).
+/// practice under 1e-4. O(faces + rims * lines per rim edge).
 Overlap silhouette_overlap(const PolyMesh& mesh, const std::vector<SidedOutline>& outlines);
 
 }  // namespace croquis::silhouette
