@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "algorithms/silhouette/sampling/rim_radius.h"
+
 namespace croquis::silhouette {
 namespace {
 
@@ -48,7 +50,9 @@ class RimWalk {
     const std::array<Index, 3>& corners = sheets_.lifted.triangles[triangle];
     const Index piece = sheets_.planar.constraints[sheets_.lifted.planar_triangle[triangle]][corner];
     const auto edge = static_cast<Index>(result_.edges.size());
-    result_.edges.push_back({corners[(corner + 1) % 3], corners[(corner + 2) % 3], sheets_.row_radii[piece]});
+    const double radius = sheets_.row_radii[piece];
+    result_.edges.push_back(
+        {corners[(corner + 1) % 3], corners[(corner + 2) % 3], radius, first_row_depth(radius, sheets_.step)});
     leaving_[result_.edges[edge].begin] = edge;
     entering_[result_.edges[edge].end] = edge;
     for (const Index vertex : {result_.edges[edge].begin, result_.edges[edge].end}) {

@@ -11,7 +11,8 @@ namespace croquis::silhouette {
 struct RimEdge {
   Index begin = 0;  ///< lifted vertices
   Index end = 0;
-  double radius = 0;  ///< of its rows, see row_radii
+  double radius = 0;     ///< of its rows, see row_radii
+  double first_row = 0;  ///< depth of the first of them
 };
 
 /// How far every sampled place is from the rim of its own sheet; rims of other sheets above the same place don't count.

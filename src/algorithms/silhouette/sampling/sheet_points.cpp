@@ -28,7 +28,7 @@ constexpr double least_crossing_sine = 0.3;  // flatter crossings have no corner
 
 class SheetPointCollector {
  public:
-  SheetPointCollector(const LabelledFigure& figure, const std::vector<RimPiece>& boundary, double hexagon_spacing)
+  SheetPointCollector(const LabelledFigure& figure, const SheetRims& rims, double hexagon_spacing)
       : figure_(figure),
         step_(figure.step),
         spacing_(hexagon_spacing * figure.step),
@@ -37,17 +37,22 @@ class SheetPointCollector {
         segments_(bounds_[0], bounds_[1], deep_row_clearance * step_),
         spaced_(bounds_[0], bounds_[1], hexagon_point_clearance * spacing_),
         rows_(bounds_[0], bounds_[1], row_row_clearance * step_) {
-    for (const RimPiece& piece : boundary) {
+    for (const RimPiece& piece : rims.pieces) {
       segments_.add(piece.begin, piece.end);
       spaced_.add(piece.begin);
     }
+    for (const std::vector<double>& radii : rims.radii) {
+      std::vector<RimRows>& rows = rim_rows_.emplace_back();
+      rows.reserve(radii.size());
+      for (const double radius : radii) rows.emplace_back(radius, step_);
+    }
   }
 
-  void add_row(Index contour, const std::vector<double>& radii, std::size_t row) {
+  void add_row(Index contour, std::size_t row) {
     Vec2 last(1e300, 1e300);
     const std::vector<Index>& vertices = figure_.contours[contour].vertices;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-      const RimRows rows(radii[i], step_);
+      const RimRows& rows = rim_rows_[contour][i];
       if (row >= rows.count()) continue;
       const Vec2 place = figure_.points[vertices[i]] + rows.depth(row) * inward(contour, i);
       const double gap = (place - last).norm();
@@ -62,8 +67,8 @@ class SheetPointCollector {
   }
 
   /// Rim points that were cut in need row points of their own: else edges run from there past the row.
-  void add_row_at_cut(const RimPiece& piece, double radius, std::size_t row) {
-    const RimRows rows(radius, step_);
+  void add_row_at_cut(const RimPiece& piece, std::size_t row) {
+    const RimRows& rows = rim_rows_[piece.contour][piece.position];
     if (row >= rows.count()) return;
     const Vec2 inside = figure_.contours[piece.contour].side * left_of((piece.end - piece.begin).normalized());
     const Vec2 place = piece.begin + rows.depth(row) * inside;
@@ -72,13 +77,13 @@ class SheetPointCollector {
 
   /// Where the first two rows of two contours cross, inside both: each rim is steep there, and the rows' own points
   /// meet the other rim at any depth.
-  void add_crossing(const FigureCrossing& crossing, const std::vector<std::vector<double>>& radii) {
+  void add_crossing(const FigureCrossing& crossing) {
     const Vec2 a = inward(crossing.over_contour, crossing.over_position);
     const Vec2 b = inward(crossing.under_contour, crossing.under_position);
     const double sine = cross(a, b);
     if (std::abs(sine) < least_crossing_sine) return;
-    const RimRows over_rows(radii[crossing.over_contour][crossing.over_position], step_);
-    const RimRows under_rows(radii[crossing.under_contour][crossing.under_position], step_);
+    const RimRows& over_rows = rim_rows_[crossing.over_contour][crossing.over_position];
+    const RimRows& under_rows = rim_rows_[crossing.under_contour][crossing.under_position];
     for (std::size_t i = 0; i < std::min<std::size_t>(2, over_rows.count()); ++i) {
       for (std::size_t j = 0; j < std::min<std::size_t>(2, under_rows.count()); ++j) {
         const double over = over_rows.depth(i);
@@ -159,6 +164,7 @@ class SheetPointCollector {
   ProximityGrid segments_;
   ProximityGrid spaced_;  ///< all points so far
   ProximityGrid rows_;
+  std::vector<std::vector<RimRows>> rim_rows_;  ///< per contour and position
   std::vector<Vec2> points_;
 };
 
@@ -166,13 +172,13 @@ class SheetPointCollector {
 
 std::vector<Vec2> sheet_points(const LabelledFigure& figure, const Skeleton& skeleton, const SheetRims& rims,
                                const SheetDensity& density) {
-  SheetPointCollector collector(figure, rims.pieces, density.hexagon_spacing);
-  for (const FigureCrossing& crossing : figure.crossings) collector.add_crossing(crossing, rims.radii);
+  SheetPointCollector collector(figure, rims, density.hexagon_spacing);
+  for (const FigureCrossing& crossing : figure.crossings) collector.add_crossing(crossing);
   for (std::size_t row = 0; row < std::min(density.rows, RimRows::most); ++row) {
     for (const RimPiece& piece : rims.pieces) {
-      if (piece.cut) collector.add_row_at_cut(piece, rims.radii[piece.contour][piece.position], row);
+      if (piece.cut) collector.add_row_at_cut(piece, row);
     }
-    for (Index c = 0; c < figure.contours.size(); ++c) collector.add_row(c, rims.radii[c], row);
+    for (Index c = 0; c < figure.contours.size(); ++c) collector.add_row(c, row);
   }
   for (const SkeletonNode& node : skeleton.nodes) collector.add_node(node.position);
   collector.add_hexagons();

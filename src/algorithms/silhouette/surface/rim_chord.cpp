@@ -20,7 +20,7 @@ void flatten_to_rim_chords(const SheetSampling& sheets, Eigen::VectorXd& thickne
   for (Index v = 0; v < rim.nearest.size(); ++v) {
     if (rim.nearest[v] == no_index || rim.distance[v] <= 0) continue;
     // Near the rim the section rises like the root of the depth, the chord in proportion to it.
-    const double row = first_row_depth(rim.edges[rim.nearest[v]].radius, sheets.step);
+    const double row = rim.edges[rim.nearest[v]].first_row;
     thickness[v] *= std::sqrt(std::clamp(rim.distance[v] / row, least_part_of_row, 1.0));
   }
 }
