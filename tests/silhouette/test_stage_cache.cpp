@@ -143,6 +143,27 @@ TEST_CASE("changed weights and attachments leave labels, axes and sheets as they
   CHECK(cache.made() == std::map<std::string, int>{{"silhouette solid", 1}});
 }
 
+TEST_CASE("sheets are sampled anew where a part becomes thinner than wide, and for no other change of its thickness") {
+  CountingCache cache;
+  Options options;
+  options.cache = &cache;
+  Drawing drawing = test::linked_rings_sketch().drawing;
+  const auto made_with = [&](const std::string& thickness) {
+    for (Stroke& stroke : drawing.strokes) stroke.data["thickness"] = thickness;
+    cache.made();
+    solid_of(drawing, options);
+    return cache.made();
+  };
+  using Made = std::map<std::string, int>;
+  const Made solid_only{{"silhouette labels", 1}, {"silhouette solid", 1}};
+  const Made with_sheets{{"silhouette labels", 1}, {"silhouette sheets", 1}, {"silhouette solid", 1}};
+  solid_of(drawing, options);
+  CHECK(made_with("1.5") == solid_only);
+  CHECK(made_with("0.8") == with_sheets);
+  CHECK(made_with("0.5") == solid_only);
+  CHECK(made_with("2") == solid_only);
+}
+
 TEST_CASE("a draft shows the same objects with fewer vertices, and shares its labels with the final result") {
   CountingCache cache;
   const Drawing drawing = two_parts();

@@ -9,6 +9,7 @@
 
 #include "algorithms/silhouette/depth_guard.h"
 #include "algorithms/silhouette/mesh_append.h"
+#include "algorithms/silhouette/sampling/rim_radius.h"
 #include "algorithms/silhouette/skeleton/chordal_axis.h"
 #include "algorithms/silhouette/skeleton/depth_findings.h"
 #include "algorithms/silhouette/stage.h"
@@ -76,22 +77,23 @@ class Attempt {
       solve(axis, settings, again);
     }
     for (const auto& [node, z] : sheets_.lowered_nodes) skeleton_.nodes[node].z = z;
-    mesh_ = make_sheet_mesh(sheets_, basis_->objects);
   }
 
-  /// Makes the shells and checks them. Where even triangles spoil something, the sheets keep their own.
+  /// Makes the shells and checks them. Where even triangles spoil a surface, the sheets keep their own. Pairs that
+  /// can't be joined are left to the next attempt: triangles of their own hardly ever help these.
   /// @return attached pairs that have no sound surface; then nothing else counts
   std::vector<FailedJoin> finish(Progress& progress) {
-    if (quality_ == Quality::Draft) return make_shells_of(mesh_, progress);
-    SheetMesh even = mesh_;
     Progress improving = progress.step("triangles", 0.2);
+    const SheetMesh own = make_sheet_mesh(sheets_, basis_->objects);
+    if (quality_ == Quality::Draft) return make_shells_of(own, improving);
+    SheetMesh even = own;
     improve_triangles(even, improving);
     Progress checking = progress.step("check", 0.7);
     std::vector<FailedJoin> failed = make_shells_of(even, checking);
-    if (!unsound_) return failed;
+    if (!failed.empty() || !unsound_) return failed;
     refusals_.clear();
     Progress again = progress.step("check", 0.1);
-    return make_shells_of(mesh_, again);
+    return make_shells_of(own, again);
   }
 
   FigureSolid take() {
@@ -136,26 +138,28 @@ class Attempt {
     std::vector<std::string> faults(surfaces.size());
     if (quality_ == Quality::Final) faults = check_surfaces(surfaces, mesh, progress);
     std::vector<CheckedSurface> checked;
+    checked.reserve(surfaces.size());
     for (std::size_t s = 0; s < surfaces.size(); ++s) checked.push_back({&surfaces[s], std::move(faults[s])});
     const bool joins = quality_ == Quality::Final;
     FigureShells made =
         make_shells(figure_, checked, joins ? settings_.attachments : Attachments{}, seam_radii(), progress);
     for (const auto& [object, fault] : made.refused) refuse(object, fault);
-    unsound_ = !made.refused.empty() || !made.failed.empty();
+    unsound_ = !made.refused.empty();
     shells_ = std::move(made.shells);
     return std::move(made.failed);
   }
 
   std::shared_ptr<const SheetBasis> sheet_basis(Progress& progress) const {
+    const std::vector<Index> thin = thin_objects(settings_.thickness);
     StageKey key;
     if (cache_ != nullptr) {
       add_shape(figure_, key);
       add_shape(skeleton_, key);
-      key.add(quality_).add(settings_.thickness);
+      key.add(quality_).add(thin);
     }
     return cached<SheetBasis>(
         cache_, "silhouette sheets", key,
-        [&] { return make_sheet_basis(figure_, skeleton_, quality_, settings_.thickness, progress); },
+        [&] { return make_sheet_basis(figure_, skeleton_, quality_, thin, progress); },
         [](const SheetBasis& basis) { return bytes_of(basis); });
   }
 
@@ -168,6 +172,7 @@ class Attempt {
     for (const Index object : refused) refuse_depth(object, false);
     std::erase_if(surfaces, is_refused);
     std::vector<DepthRange> ranges;
+    ranges.reserve(surfaces.size());
     for (const ObjectSurface& surface : surfaces) ranges.push_back(depth_range(surface));
     const double gap = settings_.options.minimum_gap * skeleton_.scale;
     const double explained = explained_depth(figure_, skeleton_, gap, settings_.thickness);
@@ -255,6 +260,7 @@ class Attempt {
   std::vector<std::string> check_surfaces(const std::vector<ObjectSurface>& surfaces, const SheetMesh& mesh,
                                           Progress& progress) const {
     std::vector<CertificateInput> inputs;
+    inputs.reserve(surfaces.size());
     for (const ObjectSurface& surface : surfaces) {
       inputs.push_back({&surface.mesh, figure_.objects[surface.object].euler_region});
     }
@@ -317,11 +323,10 @@ class Attempt {
   DepthResult depth_;
   std::shared_ptr<const SheetBasis> basis_;
   InflatedSheets sheets_;
-  SheetMesh mesh_;
   double depth_ratio_ = 0;
   std::vector<FigureShell> shells_;
   Findings refusals_;
-  bool unsound_ = false;  ///< a surface, or a pair of attached ones, failed the checks
+  bool unsound_ = false;  ///< a surface failed the checks
 };
 
 std::shared_ptr<const Skeleton> make_axis(const LabelledFigure& figure, const FigureSettings& settings,

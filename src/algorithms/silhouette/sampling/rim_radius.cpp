@@ -64,7 +64,9 @@ RimRows::RimRows(double radius, double step) {
   }
 }
 
-double first_row_depth(double radius, double step) { return RimRows(radius, step).depth(0); }
+double first_row_depth(double radius, double step) {
+  return radius * (1 - std::cos(std::min(tube_turns[0], first_arc * step / radius)));
+}
 
 double greatest_first_row() { return 1 - std::cos(tube_turns[0]); }
 
@@ -85,10 +87,17 @@ std::vector<std::vector<double>> rim_radii(const LabelledFigure& figure, const S
   return radii;
 }
 
+std::vector<Index> thin_objects(std::span<const double> thickness) {
+  std::vector<Index> thin;
+  for (Index object = 0; object < thickness.size(); ++object) {
+    if (thickness[object] < 1) thin.push_back(object);
+  }
+  return thin;
+}
+
 std::vector<std::vector<double>> row_radii(const LabelledFigure& figure, std::vector<std::vector<double>> radii,
-                                           std::span<const double> thickness) {
-  for (std::size_t object = 0; object < std::min(thickness.size(), figure.objects.size()); ++object) {
-    if (thickness[object] >= 1) continue;
+                                           std::span<const Index> thin) {
+  for (const Index object : thin) {
     for (const Index contour : figure.objects[object].contours) {
       for (double& radius : radii[contour]) {
         radius = std::min(widest_tube * figure.step, most_widening * radius);

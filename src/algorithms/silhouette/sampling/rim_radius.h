@@ -42,12 +42,16 @@ double greatest_first_row();
 /// ends and smoothed. A contour without any chord takes the skeleton's scale.
 std::vector<std::vector<double>> rim_radii(const LabelledFigure& figure, const Skeleton& skeleton);
 
+/// Objects that are thinner than wide, ascending.
+/// @param thickness per object the factor of its depth; empty: 1 for all
+std::vector<Index> thin_objects(std::span<const double> thickness);
+
 /// The radii by which rows are laid out: those of the surface, but for parts that are thinner than wide, whose back may
 /// be flat. There rows as close to the rim as a round side needs them would make slender triangles on the back, so that
 /// rows lie as far apart as they ever do.
-/// @param radii     per contour and position, see rim_radii
-/// @param thickness per object the factor of its depth; empty: 1 for all
+/// @param radii per contour and position, see rim_radii
+/// @param thin  objects of the figure, see thin_objects
 std::vector<std::vector<double>> row_radii(const LabelledFigure& figure, std::vector<std::vector<double>> radii,
-                                           std::span<const double> thickness);
+                                           std::span<const Index> thin);
 
 }  // namespace croquis::silhouette

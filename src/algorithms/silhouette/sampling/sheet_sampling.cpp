@@ -106,9 +106,10 @@ void add_edges_past_rows(const SheetSampling& sheets, std::vector<PlanarEdge>& e
       if (rim.distance[a] > rim.distance[b]) std::swap(a, b);
       if (rim.nearest[a] == no_index || lifted.on_boundary[b]) continue;
       const RimEdge& edge = rim.edges[rim.nearest[a]];
-      const double row = first_row_depth(edge.radius, sheets.step);
+      const double row = edge.first_row;
+      if (rim.distance[a] > shallow * row) continue;
       const double depth = depth_below(sheets, edge, b);
-      if (rim.distance[a] > shallow * row || depth < past_row * row) continue;
+      if (depth < past_row * row) continue;
       const double fraction = (row - rim.distance[a]) / (depth - rim.distance[a]);
       const Index from = lifted.planar_vertex[a];
       const Index to = lifted.planar_vertex[b];
@@ -159,11 +160,11 @@ LiftedPlace place_in(const SheetSampling& sheets, Index planar_triangle, Index l
 }  // namespace
 
 SheetSampling sample_sheets(const LabelledFigure& figure, const Skeleton& skeleton, Progress& progress, Quality quality,
-                            std::span<const double> thickness) {
+                            std::span<const Index> thin) {
   SheetSampling sheets;
   const std::vector<DirectedSegment> segments = directed_segments(figure);
   const std::vector<std::vector<double>> radii = rim_radii(figure, skeleton);
-  const std::vector<std::vector<double>> laid_out = row_radii(figure, radii, thickness);
+  const std::vector<std::vector<double>> laid_out = row_radii(figure, radii, thin);
   cut_segments(figure, segments, crossing_splits(figure, segments, laid_out), sheets);
 
   std::vector<RimPiece> boundary;

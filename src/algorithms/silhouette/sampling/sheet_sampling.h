@@ -29,10 +29,10 @@ struct SheetSampling {
 /// Rows along the rims, cuts where contours cross, points between, all triangulated once and lifted. Every inner edge
 /// of the region has an end inside: else the front and the back of the surface would share that edge.
 /// A draft has one row along the rims and wider spaces between.
-/// @param thickness per object the factor of its depth; empty: 1 for all
+/// @param thin objects that are thinner than wide, see row_radii
 /// @throws Error (E_INTERNAL) when the figure's contours can't be triangulated, Cancelled
 SheetSampling sample_sheets(const LabelledFigure& figure, const Skeleton& skeleton, Progress& progress,
-                            Quality quality = Quality::Final, std::span<const double> thickness = {});
+                            Quality quality = Quality::Final, std::span<const Index> thin = {});
 
 /// A place in the region as a weighted mean of lifted vertices.
 struct LiftedPlace {

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
+#include "algorithms/silhouette/sampling/rim_radius.h"
 #include "algorithms/silhouette/skeleton/rest_depths.h"
 #include "algorithms/silhouette/surface/draping.h"
 #include "algorithms/silhouette/surface/swept_limbs.h"
@@ -18,6 +20,9 @@ constexpr double front_margin = 0.02;
 
 /// Of a gap, and added to it: room for triangles of their own for every sheet, see SheetMesh.
 constexpr double spare_gap = 0.1;
+
+/// In L, and in parts of a thickness: less makes no difference that could be seen, or that a file keeps.
+constexpr double negligible = 1e-9;
 
 /// u: ten steps of the grid that a file may round to.
 constexpr double coincidence = 0.1;
@@ -124,6 +129,10 @@ Eigen::VectorXd values_at(const std::vector<LiftedPlace>& places, const Eigen::V
   return result;
 }
 
+bool is_negligible(const Eigen::VectorXd& changes) {
+  return changes.size() == 0 || changes.lpNorm<Eigen::Infinity>() <= negligible;
+}
+
 /// Raises the sheets of one figure: flat parts first, then with the thickness of their tilt, then what rests laid down.
 class SheetRaiser {
  public:
@@ -139,27 +148,52 @@ class SheetRaiser {
     sheets_.resting_gap = data_.resting_gap / (1 + spare_gap);
   }
 
-  InflatedSheets raise(Progress& progress) {
-    Progress raising = progress.step("mid-surface", 0.6);
-    sheets_.thickness = tilted(swept_limbs(skeleton_, data_.node_z));
-    data_.node_z += node_shifts(skeleton_, data_, objects_, sheets_.thickness, settings_, raising);
-    MidSurface mid_surface(basis_.op, data_);
-    solve(mid_surface, raising);
+  /// Sheets as thick as the skeleton's own depths tell.
+  void raise(Progress& progress) {
+    tilt_ = swept_limbs(skeleton_, data_.node_z).tilt;
+    sheets_.thickness = tilted(tilt_);
+    data_.node_z += node_shifts(skeleton_, data_, objects_, sheets_.thickness, settings_, progress);
+    mid_surface_.emplace(basis_.op, data_);
+    solve(progress);
+  }
 
-    Progress tilting = progress.step("tilt", 0.4);
+  /// As thick as the depths tell that came of it. Where these are the same there is nothing to solve again.
+  void tilt(Progress& progress) {
     const SweptLimbs limbs = swept_limbs(skeleton_, values_at(basis_.nodes, sheets_.z));
+    if (is_negligible(limbs.lift / skeleton_.scale) && is_negligible(limbs.tilt - tilt_)) return;
     data_.node_z += limbs.lift;
-    mid_surface.move_nodes(data_.node_z);
-    sheets_.thickness = tilted(limbs);
-    solve(mid_surface, tilting);
-    if (!settings_.attachments.resting_pairs().empty()) drape(mid_surface, tilting);
+    mid_surface_->move_nodes(data_.node_z);
+    sheets_.thickness = tilted(limbs.tilt);
+    solve(progress);
+  }
+
+  /// Lays down what rests on others.
+  void drape(Progress& progress) {
+    if (settings_.attachments.resting_pairs().empty()) return;
+    const Draping draping = drape_sheets(skeleton_, basis_, settings_, data_, sheets_, progress);
+    if (draping.objects.empty()) return;
+    std::vector<Index> nodes;
+    for (Index n = 0; n < skeleton_.nodes.size(); ++n) {
+      if (std::binary_search(draping.objects.begin(), draping.objects.end(), skeleton_.nodes[n].object))
+        nodes.push_back(n);
+    }
+    for (const Index n : nodes) data_.node_z[n] = 0;
+    mid_surface_->move_nodes(data_.node_z);
+    mid_surface_->set_shape(draping.z);
+    solve(progress);
+    for (const Index n : nodes) sheets_.lowered_nodes.emplace_back(n, value_at(basis_.nodes[n], sheets_.z));
+  }
+
+  InflatedSheets take() {
     if (!settings_.attachments.empty()) clear_coincidences(coincidence * basis_.unit, sheets_);
     return std::move(sheets_);
   }
 
  private:
-  Eigen::VectorXd tilted(const SweptLimbs& limbs) const {
-    Eigen::VectorXd thickness = basis_.extension.extend(limbs.tilt).cwiseMax(1);
+  /// Thickness per lifted vertex with the nodes' tilt.
+  Eigen::VectorXd tilted(const Eigen::VectorXd& tilt) const {
+    Eigen::VectorXd thickness = Eigen::VectorXd::Ones(basis_.upright.size());
+    if (!is_negligible(tilt.array() - 1)) thickness = basis_.extension.extend(tilt).cwiseMax(1);
     for (Eigen::Index v = 0; v < thickness.size(); ++v) {
       const double factor = settings_.thickness_of(objects_[static_cast<std::size_t>(v)]);
       thickness[v] = factored_thickness(basis_, v, factor * thickness[v]);
@@ -167,8 +201,8 @@ class SheetRaiser {
     return thickness;
   }
 
-  void solve(MidSurface& mid_surface, Progress& progress) {
-    const MidSurfaceResult result = mid_surface.solve(sheets_.thickness, progress);
+  void solve(Progress& progress) {
+    const MidSurfaceResult result = mid_surface_->solve(sheets_.thickness, progress);
     sheets_.z = result.z;
     sheets_.iterations = std::max(sheets_.iterations, result.iterations);
     sheets_.residual = std::max(sheets_.residual, result.residual);
@@ -179,26 +213,13 @@ class SheetRaiser {
     }
   }
 
-  void drape(MidSurface& mid_surface, Progress& progress) {
-    const Draping draping = drape_sheets(skeleton_, basis_, settings_, data_, sheets_, progress);
-    if (draping.objects.empty()) return;
-    std::vector<Index> nodes;
-    for (Index n = 0; n < skeleton_.nodes.size(); ++n) {
-      if (std::binary_search(draping.objects.begin(), draping.objects.end(), skeleton_.nodes[n].object))
-        nodes.push_back(n);
-    }
-    for (const Index n : nodes) data_.node_z[n] = 0;
-    mid_surface.move_nodes(data_.node_z);
-    mid_surface.set_shape(draping.z);
-    solve(mid_surface, progress);
-    for (const Index n : nodes) sheets_.lowered_nodes.emplace_back(n, value_at(basis_.nodes[n], sheets_.z));
-  }
-
   const Skeleton& skeleton_;
   const SheetBasis& basis_;
   const DepthSettings& settings_;
   std::vector<Index> objects_;  ///< per lifted vertex
   MidSurfaceData data_;
+  Eigen::VectorXd tilt_;  ///< per node, that the sheets were raised with
+  std::optional<MidSurface> mid_surface_;
   InflatedSheets sheets_;
 };
 
@@ -206,13 +227,20 @@ class SheetRaiser {
 
 InflatedSheets raise_sheets(const Skeleton& skeleton, const SheetBasis& basis, const DepthSettings& settings,
                             Progress& progress) {
-  return SheetRaiser(skeleton, basis, settings).raise(progress);
+  Progress raising = progress.step("mid-surface", 0.6);
+  SheetRaiser raiser(skeleton, basis, settings);
+  raiser.raise(raising);
+  Progress tilting = progress.step("tilt", 0.4);
+  raiser.tilt(tilting);
+  raiser.drape(tilting);
+  return raiser.take();
 }
 
 InflatedSheets inflate_sheets(const LabelledFigure& figure, const Skeleton& skeleton, const DepthSettings& settings,
                               Progress& progress) {
   Progress preparing = progress.step("sample sheets", 0.5);
-  const SheetBasis basis = make_sheet_basis(figure, skeleton, Quality::Final, settings.thickness, preparing);
+  const SheetBasis basis =
+      make_sheet_basis(figure, skeleton, Quality::Final, thin_objects(settings.thickness), preparing);
   Progress raising = progress.step("mid-surface", 0.5);
   return raise_sheets(skeleton, basis, settings, raising);
 }

@@ -73,40 +73,57 @@ LeastSquaresProblem make_problem(const SheetOperator& op, const MidSurfaceData& 
   return problem;
 }
 
+/// Pairs of vertices of triangles above one another, each once.
+class PairCollector {
+ public:
+  explicit PairCollector(const LiftedTriangulation& lifted)
+      : lifted_(lifted), last_(lifted.planar_vertex.size(), no_index) {}
+
+  void add(Index upper, Index lower, double kappa) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const StackedPair pair{lifted_.triangles[upper][corner], lifted_.triangles[lower][corner], kappa, false};
+      // Most triangles around a vertex repeat its pair.
+      if (std::exchange(last_[pair.upper], pair.lower) != pair.lower) pairs_.push_back(pair);
+    }
+  }
+
+  std::vector<StackedPair> take() {
+    std::sort(pairs_.begin(), pairs_.end());
+    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+    return std::move(pairs_);
+  }
+
+ private:
+  const LiftedTriangulation& lifted_;
+  std::vector<Index> last_;  ///< per vertex the last one that was found below it
+  std::vector<StackedPair> pairs_;
+};
+
 }  // namespace
 
 std::vector<StackedPair> stacked_pairs(const SheetSampling& sheets, const std::vector<Index>& objects,
                                        const Attachments& attachments) {
-  std::vector<StackedPair> pairs;
+  PairCollector pairs(sheets.lifted);
   const LiftedTriangulation& lifted = sheets.lifted;
   for (Index t = 0; t < sheets.planar.triangles.size(); ++t) {
     for (Index upper = lifted.first_copy[t]; upper < lifted.first_copy[t + 1]; ++upper) {
       for (Index lower = upper + 1; lower < lifted.first_copy[t + 1]; ++lower) {
-        const double kappa = attachments.kappa(objects[upper], objects[lower]).value_or(StackedPair::apart);
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-          pairs.push_back({lifted.triangles[upper][corner], lifted.triangles[lower][corner], kappa, false});
-        }
+        pairs.add(upper, lower, attachments.kappa(objects[upper], objects[lower]).value_or(StackedPair::apart));
       }
     }
   }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  return pairs;
+  return pairs.take();
 }
 
 std::vector<StackedPair> stacked_pairs(const SheetSampling& sheets) {
-  std::vector<StackedPair> pairs;
+  PairCollector pairs(sheets.lifted);
   const LiftedTriangulation& lifted = sheets.lifted;
   for (Index t = 0; t < sheets.planar.triangles.size(); ++t) {
     for (Index m = lifted.first_copy[t]; m + 1 < lifted.first_copy[t + 1]; ++m) {
-      for (std::size_t corner = 0; corner < 3; ++corner) {
-        pairs.push_back({lifted.triangles[m][corner], lifted.triangles[m + 1][corner]});
-      }
+      pairs.add(m, m + 1, StackedPair::apart);
     }
   }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  return pairs;
+  return pairs.take();
 }
 
 double least_distance(const MidSurfaceData& data, const StackedPair& pair, const Eigen::VectorXd& thickness) {

@@ -17,9 +17,9 @@ constexpr std::size_t bytes_per_vertex = 1000;
 }  // namespace
 
 SheetBasis make_sheet_basis(const LabelledFigure& figure, const Skeleton& skeleton, Quality quality,
-                            std::span<const double> thickness, Progress& progress) {
+                            std::span<const Index> thin, Progress& progress) {
   Progress sampling = progress.step("sample sheets", 0.6);
-  SheetSampling sheets = sample_sheets(figure, skeleton, sampling, quality, thickness);
+  SheetSampling sheets = sample_sheets(figure, skeleton, sampling, quality, thin);
   std::vector<LiftedPlace> nodes = locate_nodes(figure, skeleton, sheets);
 
   Progress thickening = progress.step("thickness", 0.4);

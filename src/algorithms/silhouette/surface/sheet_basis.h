@@ -27,10 +27,10 @@ struct SheetBasis {
   double unit = 1;             ///< u
 };
 
-/// @param thickness per object the factor of its depth; empty: 1 for all
+/// @param thin objects that are thinner than wide, see row_radii
 /// @throws Error (E_INTERNAL) when the figure contradicts itself, Cancelled
 SheetBasis make_sheet_basis(const LabelledFigure& figure, const Skeleton& skeleton, Quality quality,
-                            std::span<const double> thickness, Progress& progress);
+                            std::span<const Index> thin, Progress& progress);
 
 /// u: what is left of a part's half thickness inside its rim, since files round to u / 100.
 constexpr double least_half_thickness = 0.03;

@@ -48,9 +48,19 @@ struct Moved {
 class SheetImprover {
  public:
   explicit SheetImprover(SheetMesh& mesh)
-      : mesh_(mesh), at_(mesh.place.size(), no_index), sharpness_(mesh.triangles.size(), 0.0) {
+      : mesh_(mesh),
+        at_(mesh.place.size(), no_index),
+        sharpness_(mesh.triangles.size(), 0.0),
+        waits_(mesh.triangles.size(), 0) {
     for (Index t = 0; t < mesh_.triangles.size(); ++t) {
       for (const Index v : mesh_.triangles[t]) at_[v] = t;
+    }
+    front_.reserve(mesh.place.size());
+    back_.reserve(mesh.place.size());
+    for (std::size_t v = 0; v < mesh.place.size(); ++v) {
+      const Vec2& place = mesh.place[v];
+      front_.emplace_back(place.x(), place.y(), mesh.z[v] + mesh.thickness[v]);
+      back_.emplace_back(place.x(), place.y(), mesh.z[v] - mesh.thickness[v]);
     }
   }
 
@@ -60,6 +70,7 @@ class SheetImprover {
     for (std::size_t head = 0; head < std::min(waiting_.size(), most); ++head) {
       if (head % changes_per_check == 0) progress.check();
       const Index t = waiting_[head];
+      waits_[t] = 0;
       if (!is_dead(t) && sharpness_[t] >= slender) mend(t);
     }
     remove_dead();
@@ -81,8 +92,9 @@ class SheetImprover {
 
   bool is_dead(Index t) const { return mesh_.triangles[t][0] == no_index; }
 
-  Vec3 front(Index v) const { return {mesh_.place[v].x(), mesh_.place[v].y(), mesh_.z[v] + mesh_.thickness[v]}; }
-  Vec3 back(Index v) const { return {mesh_.place[v].x(), mesh_.place[v].y(), mesh_.z[v] - mesh_.thickness[v]}; }
+  const Vec3& front(Index v) const { return front_[v]; }
+  const Vec3& back(Index v) const { return back_[v]; }
+  const Vec3& at(Index v, bool in_front) const { return in_front ? front_[v] : back_[v]; }
 
   /// Cosine of the smallest angle, on the front and on the back.
   double sharpness(const Corners& t) const {
@@ -93,16 +105,20 @@ class SheetImprover {
   /// After every change of a triangle.
   void rate(Index t) {
     sharpness_[t] = sharpness(mesh_.triangles[t]);
-    if (sharpness_[t] >= slender) waiting_.push_back(t);
+    wake(t);
+  }
+
+  void wake(Index t) {
+    if (sharpness_[t] < slender || waits_[t] != 0) return;
+    waits_[t] = 1;
+    waiting_.push_back(t);
   }
 
   /// What couldn't be mended before may be so now.
   void wake_around(Index t) {
     for (const Index v : mesh_.triangles[t]) {
       collect_star(v);
-      for (const Index near : star_) {
-        if (sharpness_[near] >= slender) waiting_.push_back(near);
-      }
+      for (const Index near : star_) wake(near);
     }
   }
 
@@ -127,12 +143,12 @@ class SheetImprover {
 
   void mend(Index t) {
     Change best;
+    for (std::size_t k = 0; k < 3; ++k) consider_flip(t, k, best);
+    const Corners corners = mesh_.triangles[t];
     for (std::size_t k = 0; k < 3; ++k) {
-      consider_flip(t, k, best);
-      const Index a = mesh_.triangles[t][k];
-      const Index b = mesh_.triangles[t][(k + 1) % 3];
-      consider_collapse(a, b, best);
-      consider_collapse(b, a, best);
+      collect_star(corners[k]);
+      consider_collapse(corners[k], corners[(k + 1) % 3], best);
+      consider_collapse(corners[k], corners[(k + 2) % 3], best);
     }
     if (best.kind == Kind::Flip) flip(best);
     if (best.kind == Kind::Collapse) collapse(best);
@@ -171,13 +187,13 @@ class SheetImprover {
 
   /// As long as twice the area.
   Vec3 normal(const Corners& t, bool in_front) const {
-    const auto at = [&](Index v) { return in_front ? front(v) : back(v); };
-    return (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0]));
+    const Vec3& origin = at(t[0], in_front);
+    return (at(t[1], in_front) - origin).cross(at(t[2], in_front) - origin);
   }
 
   double longest_edge(const Corners& t, bool in_front) const {
-    const auto at = [&](Index v) { return in_front ? front(v) : back(v); };
-    return std::max({(at(t[1]) - at(t[0])).norm(), (at(t[2]) - at(t[1])).norm(), (at(t[0]) - at(t[2])).norm()});
+    const Vec3 &a = at(t[0], in_front), &b = at(t[1], in_front), &c = at(t[2], in_front);
+    return std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
   }
 
   /// Cosine of the slope.
@@ -258,10 +274,10 @@ class SheetImprover {
     return std::abs(cross(along, mesh_.place[from] - mesh_.place[previous])) < straight * along.squaredNorm();
   }
 
+  /// @pre collect_star(from)
   void consider_collapse(Index from, Index to, Change& best) {
     const bool on_rim = mesh_.on_boundary[from] != 0;
     if (on_rim && !mesh_.on_boundary[to]) return;
-    collect_star(from);
     if (on_rim && !is_straight_rim(from, to)) return;
     double before = -1, after = -1;
     SheetRoom room;
@@ -331,8 +347,8 @@ class SheetImprover {
       if (std::min({w[0], w[1], w[2]}) < -1e-9) continue;
       for (const bool in_front : {true, false}) {
         double height = 0;
-        for (std::size_t k = 0; k < 3; ++k) height += w[k] * (in_front ? front(corners[k]) : back(corners[k])).z();
-        const double off = std::abs(height - (in_front ? front(from) : back(from)).z());
+        for (std::size_t k = 0; k < 3; ++k) height += w[k] * at(corners[k], in_front).z();
+        const double off = std::abs(height - at(from, in_front).z());
         moved.add(off, in_front);
         if (off * levelness(corners, in_front) > most_deviation * longest_edge(corners, in_front)) return std::nullopt;
       }
@@ -360,7 +376,7 @@ class SheetImprover {
         const double r = cross(offset, along) / turn;
         if (s < 0 || s > 1 || r < 0 || r > 1) continue;
         for (const bool in_front : {true, false}) {
-          const auto height = [&](Index v) { return (in_front ? front(v) : back(v)).z(); };
+          const auto height = [&](Index v) { return at(v, in_front).z(); };
           moved.add(std::abs((1 - s) * height(to) + s * height(far) - (1 - r) * height(from) - r * height(spoke)),
                     in_front);
         }
@@ -419,10 +435,12 @@ class SheetImprover {
   }
 
   SheetMesh& mesh_;
-  std::vector<Index> at_;          ///< per vertex one of its triangles
-  std::vector<double> sharpness_;  ///< per triangle
-  std::vector<Index> waiting_;     ///< slender triangles, in the order in which they became so
-  std::vector<Index> star_;        ///< of the vertex under consideration
+  std::vector<Index> at_;            ///< per vertex one of its triangles
+  std::vector<double> sharpness_;    ///< per triangle
+  std::vector<Index> waiting_;       ///< slender triangles, in the order in which they became so
+  std::vector<std::uint8_t> waits_;  ///< per triangle whether it is among those that weren't looked at yet
+  std::vector<Vec3> front_, back_;   ///< per vertex
+  std::vector<Index> star_;          ///< of the vertex under consideration
   std::vector<Corners> before_, after_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -27,17 +28,20 @@ std::optional<PartReach> part_reach(const PolyMesh& mesh, const std::string& par
   const auto found = std::ranges::find(objects->labels, part);
   if (labels == nullptr || found == objects->labels.end()) return std::nullopt;
   const auto label = static_cast<std::int32_t>(found - objects->labels.begin());
-  std::optional<Vec3> front, back;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double highest = -infinity, lowest = infinity;
+  Index front = no_index;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     if ((*labels)[f] != label) continue;
     for (const Index corner : mesh.face(f)) {
-      const Vec3& place = mesh.positions[static_cast<std::size_t>(corner)];
-      if (!front || place.dot(direction) > front->dot(direction)) front = place;
-      if (!back || place.dot(direction) < back->dot(direction)) back = place;
+      const double height = mesh.positions[corner].dot(direction);
+      if (height > highest) front = corner;
+      highest = std::max(highest, height);
+      lowest = std::min(lowest, height);
     }
   }
-  if (!front) return std::nullopt;
-  return PartReach{*front, (*front - *back).dot(direction)};
+  if (front == no_index) return std::nullopt;
+  return PartReach{mesh.positions[front], highest - lowest};
 }
 
 double thickness_after(double from, const Vec2& by, const Vec2& depth) {
@@ -90,14 +94,9 @@ double ThicknessHandle::factor() const { return thickness_of(studio_.drawing(), 
 
 void ThicknessHandle::follow(const ChosenPart& part, const QString& name) {
   part_ = part;
-  reach_.reset();
   if (part_.stroke.empty()) return in_sketch_.show({});
   const DrawingPlane& plane = studio_.drawing().plane;
   forwards_ = plane.u.cross(plane.v);
-  const auto result = studio_.result();
-  const auto mesh = result ? result->outputs.find("mesh") : Values::const_iterator();
-  if (result && mesh != result->outputs.end())
-    reach_ = part_reach(mesh->second.get<PolyMesh>(), part_.object, forwards_);
   const SketchChip::Look look{"thickness", QString("× ") + chip_text(factor()),
                               tr("Thickness of %1. Drag up or down; click to type it").arg(name),
                               factor() == 1 ? SketchChip::Look::Strength::Plain : SketchChip::Look::Strength::Half};
@@ -106,14 +105,26 @@ void ThicknessHandle::follow(const ChosenPart& part, const QString& name) {
   in_solid_->setToolTip(tr("Thickness of %1. Drag its front; click to type it").arg(name));
 }
 
+const std::optional<PartReach>& ThicknessHandle::reach() {
+  const auto result = studio_.result();
+  const bool known = result && found_.result.lock() == result;
+  if (known && found_.part == part_.object && found_.forwards == forwards_) return found_.reach;
+  found_ = {result, part_.object, forwards_, std::nullopt};
+  const auto mesh = result ? result->outputs.find("mesh") : Values::const_iterator();
+  if (result && mesh != result->outputs.end())
+    found_.reach = part_reach(mesh->second.get<PolyMesh>(), part_.object, forwards_);
+  return found_.reach;
+}
+
 std::optional<Vec2> ThicknessHandle::pixel_of(const Vec3& place) const {
   const auto seen = views_.frame_of(view_).project(place);
   return seen ? std::optional(seen->pixel) : std::nullopt;
 }
 
-Vec2 ThicknessHandle::depth_in_view() const {
-  if (!reach_ || view_ < 0) return Vec2::Zero();
-  const auto front = pixel_of(reach_->front), beyond = pixel_of(reach_->front + forwards_ * reach_->depth / 2);
+Vec2 ThicknessHandle::depth_in_view() {
+  if (view_ < 0 || !reach()) return Vec2::Zero();
+  const PartReach& part = *reach();
+  const auto front = pixel_of(part.front), beyond = pixel_of(part.front + forwards_ * part.depth / 2);
   return front && beyond ? Vec2(*beyond - *front) : Vec2::Zero();
 }
 
@@ -125,8 +136,8 @@ void ThicknessHandle::place(ChipPlaces& places, bool shown) {
 void ThicknessHandle::place_in_solid(ChipPlaces& places, bool shown) {
   view_ = places.layout().alone() >= 0 ? places.layout().alone() : PerspectiveView;
   const ViewPane& pane = places.scene_pane();
-  const bool shows_solid = shown && reach_ && view_ != SketchView && pane.visible();
-  const auto pixel = shows_solid ? pixel_of(reach_->front) : std::nullopt;
+  const bool shows_solid = shown && !part_.stroke.empty() && view_ != SketchView && pane.visible();
+  const auto pixel = shows_solid && reach() ? pixel_of(reach()->front) : std::nullopt;
   const QPointF at = pane.rect.topLeft() + (pixel ? QPointF(pixel->x(), pixel->y()) : QPointF(-1, -1));
   if (pixel && pane.rect.contains(at))
     places.put(*in_solid_, at - QPointF(in_solid_->width(), in_solid_->height()) / 2, pane.rect);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <QObject>
+#include <memory>
 #include <optional>
+#include <string>
 
 #include "app/studio/studio.h"
 #include "app/tools/silhouette/outline_choices.h"
@@ -50,11 +52,21 @@ class ThicknessHandle : public QObject {
     Vec2 depth = Vec2::Zero();  ///< pixels of half the part's depth
   };
 
+  /// How far a part reaches in a result.
+  struct Found {
+    std::weak_ptr<const Evaluation> result;
+    std::string part;
+    Vec3 forwards = Vec3::Zero();
+    std::optional<PartReach> reach;
+  };
+
   void connect_to_chips();
   void drag(const QPointF& by, bool in_solid);
   void ask(SketchChip& chip);
   double factor() const;
-  Vec2 depth_in_view() const;
+  Vec2 depth_in_view();
+  /// Of the part in the present result. The mesh is searched once per result, and not before somebody asks.
+  const std::optional<PartReach>& reach();
   std::optional<Vec2> pixel_of(const Vec3& place) const;
   void place_in_solid(ChipPlaces& places, bool shown);
 
@@ -63,7 +75,7 @@ class ThicknessHandle : public QObject {
   ChipRow in_sketch_;
   SketchChip* in_solid_;
   ChosenPart part_;
-  std::optional<PartReach> reach_;
+  Found found_;
   Vec3 forwards_ = Vec3::UnitZ();  ///< of the sketch's plane, unit
   int view_ = -1;                  ///< that shows the solid
   std::optional<Drag> dragged_from_;
