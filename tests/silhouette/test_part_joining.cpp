@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/surface/part_joining.h"
+#include "algorithms/silhouette/joining/part_joining.h"
 #include "croquis/geometry/mesh_report.h"
 #include "support/meshes/mesh_shapes.h"
 

@@ -8,9 +8,9 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
+#include "algorithms/silhouette/joining/part_joining.h"
+#include "algorithms/silhouette/joining/union_improvement.h"
 #include "algorithms/silhouette/surface/certificate.h"
-#include "algorithms/silhouette/surface/part_joining.h"
-#include "algorithms/silhouette/surface/union_improvement.h"
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/geometry/triangle_tree.h"
 #include "silhouette/surface_quality.h"

@@ -6,10 +6,10 @@
 #include <optional>
 #include <set>
 
+#include "algorithms/silhouette/joining/seam_blending.h"
+#include "algorithms/silhouette/joining/union_improvement.h"
 #include "algorithms/silhouette/surface/certificate.h"
-#include "algorithms/silhouette/surface/seam_blending.h"
 #include "algorithms/silhouette/surface/silhouette_overlap.h"
-#include "algorithms/silhouette/surface/union_improvement.h"
 
 namespace croquis::silhouette {
 namespace {

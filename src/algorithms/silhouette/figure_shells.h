@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "algorithms/silhouette/joining/part_joining.h"
 #include "algorithms/silhouette/skeleton/attachments.h"
-#include "algorithms/silhouette/surface/part_joining.h"
 #include "algorithms/silhouette/surface/sheet_surface.h"
 #include "croquis/base/progress.h"
 #include "croquis/geometry/poly_mesh.h"

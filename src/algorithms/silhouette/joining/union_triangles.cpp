@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/surface/union_triangles.h"
+#include "algorithms/silhouette/joining/union_triangles.h"
 
 #include <algorithm>
 

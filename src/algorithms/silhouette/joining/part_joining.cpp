@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/surface/part_joining.h"
+#include "algorithms/silhouette/joining/part_joining.h"
 
 #include <algorithm>
 #include <map>

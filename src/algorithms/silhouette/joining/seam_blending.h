@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "algorithms/silhouette/surface/surface_union.h"
+#include "algorithms/silhouette/joining/surface_union.h"
 
 namespace croquis::silhouette {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "algorithms/silhouette/surface/surface_union.h"
+#include "algorithms/silhouette/joining/surface_union.h"
 
 namespace croquis::silhouette {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/surface/seam_blending.h"
+#include "algorithms/silhouette/joining/seam_blending.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "algorithms/silhouette/surface/surface_union.h"
+#include "algorithms/silhouette/joining/surface_union.h"
 #include "croquis/base/progress.h"
 
 namespace croquis::silhouette {

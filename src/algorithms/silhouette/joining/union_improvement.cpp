@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/surface/union_improvement.h"
+#include "algorithms/silhouette/joining/union_improvement.h"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,8 @@
 
 #include <Eigen/Geometry>
 
+#include "algorithms/silhouette/joining/union_triangles.h"
 #include "algorithms/silhouette/surface/triangle_shape.h"
-#include "algorithms/silhouette/surface/union_triangles.h"
 #include "croquis/geometry/triangle_tree.h"
 
 namespace croquis::silhouette {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/surface/surface_union.h"
+#include "algorithms/silhouette/joining/surface_union.h"
 
 #include <algorithm>
 #include <array>
