@@ -68,6 +68,13 @@ void check_sound(const PolyMesh& mesh) {
   CHECK(figures.self_intersections == std::size_t{0});
 }
 
+/// Of triangles with an angle below 15 degrees.
+double slender_share(const PolyMesh& mesh) {
+  const std::vector<double> angles = test::smallest_angles(mesh);
+  const auto slender = std::lower_bound(angles.begin(), angles.end(), 15.0) - angles.begin();
+  return static_cast<double>(slender) / static_cast<double>(angles.size());
+}
+
 double depth_of(const Solid& solid) {
   const auto bounds = *report_of(solid.mesh).bounds;
   return bounds[1].z() - bounds[0].z();
@@ -294,9 +301,7 @@ TEST_CASE("a blended seam is smooth, and what was drawn stays") {
     CHECK(blended.diagnostics.silhouette_iou >= 0.99);
     CHECK(sharpest_seam(sharp.mesh) > 90);
     CHECK(sharpest_seam(blended.mesh) < 25);
-    const std::vector<double> angles = test::smallest_angles(blended.mesh);
-    const auto slender = std::lower_bound(angles.begin(), angles.end(), 15.0) - angles.begin();
-    CHECK(static_cast<double>(slender) < 0.01 * static_cast<double>(angles.size()));
+    CHECK(slender_share(blended.mesh) < 0.01);
     // Far from the seam nothing moved.
     const auto before = *report_of(sharp.mesh).bounds;
     const auto after = *report_of(blended.mesh).bounds;
@@ -305,7 +310,11 @@ TEST_CASE("a blended seam is smooth, and what was drawn stays") {
   }
 }
 
-TEST_CASE("of a hundred triangles of a joined solid hardly one is slender") {
+TEST_CASE("of a hundred triangles of a joined solid hardly one is slender, beside sharp and rounded seams") {
+  for (const test::NamedSketch& animal : animals()) {
+    INFO(animal.name);
+    CHECK(slender_share(attached(animal.sketch.drawing).mesh) <= 0.01);
+  }
   Options options = Options::of(Preset::Clean);
   options.strokes.crossings = Crossings::Front;
   options.attach_suggested = true;
@@ -317,9 +326,7 @@ TEST_CASE("of a hundred triangles of a joined solid hardly one is slender") {
     INFO(characters[k].name);
     const Solid solid = solid_of(test::character_sketch(characters[k]).drawing, options);
     check_sound(solid.mesh);
-    const std::vector<double> angles = test::smallest_angles(solid.mesh);
-    const auto slender = std::lower_bound(angles.begin(), angles.end(), 15.0) - angles.begin();
-    const double share = static_cast<double>(slender) / static_cast<double>(angles.size());
+    const double share = slender_share(solid.mesh);
     CHECK(share <= 0.02);
     sum += share;
     ++solids;

@@ -29,8 +29,9 @@ constexpr std::size_t triangles_per_check = 512;
 constexpr double most_moved = 0.025;
 constexpr double most_off_surface = 0.06;
 
-/// How far outlines may, likewise.
+/// How far lines of edges may, in parts of the edge that takes their place: outlines are seen best.
 constexpr double most_off_outline = 0.004;
+constexpr double most_off_seam = 0.025;
 
 constexpr double least_turned = 0.93;  // cosine: no triangle turns further from what was there
 
@@ -40,6 +41,12 @@ Vec3 foot_on_segment(const Vec3& a, const Vec3& b, const Vec3& place) {
   const double length = along.squaredNorm();
   return length > 0 ? Vec3(a + std::clamp((place - a).dot(along) / length, 0.0, 1.0) * along) : a;
 }
+
+/// Outlines and seams at a vertex.
+struct FeatureLine {
+  std::vector<Index> ends;       ///< of the edges there
+  double slack = most_off_seam;  ///< how far the line may be moved, in parts of the edge that takes its place
+};
 
 class UnionImprover {
  public:
@@ -111,19 +118,23 @@ class UnionImprover {
     return {own[k], b, own[(k + 2) % 3], mesh_.corners(other)[(corner_of(mesh_.corners(other), b) + 1) % 3]};
   }
 
-  /// Ends of the outlines and seams that run through a vertex.
-  std::vector<Index> feature_ends(Index v) const {
-    std::vector<Index> ends;
+  /// Outlines and seams that run through a vertex.
+  FeatureLine line_through(Index v) const {
+    FeatureLine line;
     for (const Spoke& spoke : mesh_.spokes(v)) {
-      if (mesh_.is_feature(spoke)) ends.push_back(spoke.to);
+      if (!mesh_.is_feature(spoke)) continue;
+      line.ends.push_back(spoke.to);
+      if (mesh_.side(spoke.left) / 2 == mesh_.side(spoke.right) / 2) line.slack = most_off_outline;
     }
-    return ends;
+    return line;
   }
 
   void consider_collapse(Index from, Index to) {
-    const std::vector<Index> ends = feature_ends(from);
+    const auto [ends, slack] = line_through(from);
     if (!ends.empty() && (ends.size() != 2 || (ends[0] != to && ends[1] != to))) return;
-    if (!ends.empty() && leaves_line(mesh_.position(from), mesh_.position(ends[0]), mesh_.position(ends[1]))) return;
+    if (!ends.empty() && off_segment(mesh_.position(from), mesh_.position(ends[0]), mesh_.position(ends[1])) > slack) {
+      return;
+    }
     if (common_neighbours(from, to) != 2) return;
     Exchange exchange;
     exchange.removed = mesh_.star(from);
@@ -136,9 +147,9 @@ class UnionImprover {
     consider(std::move(exchange));
   }
 
-  /// Whether a place is off the line that outlines may take instead.
-  static bool leaves_line(const Vec3& place, const Vec3& a, const Vec3& b) {
-    return (place - foot_on_segment(a, b, place)).norm() > most_off_outline * (b - a).norm();
+  /// In parts of the segment's length.
+  static double off_segment(const Vec3& place, const Vec3& a, const Vec3& b) {
+    return (place - foot_on_segment(a, b, place)).norm() / (b - a).norm();
   }
 
   std::size_t common_neighbours(Index a, Index b) const {
@@ -150,7 +161,7 @@ class UnionImprover {
   /// Towards the middle of its neighbours, or along the outline or seam that it lies on.
   void consider_moves(Index v) {
     const Vec3 place = mesh_.position(v);
-    const std::vector<Index> ends = feature_ends(v);
+    const auto [ends, slack] = line_through(v);
     if (ends.empty()) {
       const Vec3 middle = middle_of_neighbours(v);
       for (const double share : {1.0, 0.5, 0.25}) consider_move(v, foot_on_star(v, place + share * (middle - place)));
@@ -160,7 +171,7 @@ class UnionImprover {
         const Vec3 behind = mesh_.position(ends[1 - end]);
         for (const double share : {0.5, 0.25}) {
           const Vec3 moved = place + share * (there - place);
-          if (!leaves_line(place, moved, behind)) consider_move(v, moved);
+          if (off_segment(place, moved, behind) <= slack) consider_move(v, moved);
         }
       }
     }
@@ -198,7 +209,7 @@ class UnionImprover {
   void consider_move_onto_edge(Index t, std::size_t k) {
     const Index other = mesh_.beyond(t, k);
     const auto [a, b, c, d] = quad(t, other, k);
-    if (!feature_ends(a).empty() || mesh_.joins(a, d)) return;
+    if (!line_through(a).ends.empty() || mesh_.joins(a, d)) return;
     Exchange exchange{mesh_.star(a), {}, a, foot_on_segment(mesh_.position(b), mesh_.position(c), mesh_.position(a))};
     for (const Index near : exchange.removed) {
       if (near != t) exchange.added.push_back({mesh_.corners(near), mesh_.side(near)});

@@ -16,10 +16,9 @@ struct ImprovedUnion {
 };
 
 /// Makes the slender triangles of a joined surface wider, next to its seams above all: edges are flipped, vertices
-/// moved within the surface, or onto one another. The surface moves by no more than a seventeenth of the edges there,
-/// and what shows its front still does; outlines and seams stay lines of edges, and vertices that go from an outline
-/// lie on the straight line between their neighbours. Only what lies beside a triangle is looked at: that nothing meets
-/// has to be checked.
+/// moved within the surface, or onto one another. The surface moves by no more than a seventeenth of the edges there, a
+/// change moves a seam by no more than a fortieth and an outline by a 250th of the edge that takes its place; what
+/// faces the viewer still does. Only what lies beside a triangle is looked at: that nothing meets has to be checked.
 /// @param kept per vertex, triangles there stay as they are
 /// O(n) in practice.
 ImprovedUnion improve_union(const SurfaceUnion& joined, const std::vector<std::uint8_t>& kept, Progress& progress);
