@@ -12,11 +12,20 @@ namespace croquis::bench {
 /// of one's own, `export FOLDER` writes those that are measured
 void bench_holes(std::ostream& out, const std::vector<std::string>& sections);
 
+/// Scans like the world's, every kind of hole in them: filled by the default options and by peers.
+/// @param words see scan_choice
+void bench_holes_wild(std::ostream& out, const std::vector<std::string>& words);
+
 void bench_implicit(std::ostream& out);
 void bench_perspective(std::ostream& out);
 void bench_readers(std::ostream& out);
 void bench_solver(std::ostream& out);
 void bench_remesh(std::ostream& out);
+
+/// The same scans made anew: what lies where no scan is, and what it costs beside screened Poisson.
+/// @param words see scan_choice
+void bench_remesh_wild(std::ostream& out, const std::vector<std::string>& words);
+
 void bench_silhouette(std::ostream& out);
 void bench_silhouette_depth(std::ostream& out);  ///< how parts lie behind one another, and which are refused for it
 

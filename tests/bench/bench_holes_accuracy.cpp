@@ -9,6 +9,7 @@
 
 #include "bench/bench_holes.h"
 #include "bench/hole_case.h"
+#include "bench/statistics.h"
 #include "support/scans/virtual_scans.h"
 
 namespace croquis::bench {

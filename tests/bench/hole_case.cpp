@@ -10,9 +10,10 @@
 #include <sstream>
 
 #include "bench/cpu_time.h"
+#include "bench/ply_file.h"
+#include "bench/statistics.h"
 #include "croquis/geometry/disjoint_sets.h"
 #include "croquis/geometry/self_intersection.h"
-#include "croquis/io/mesh_file.h"
 #include "support/meshes/surface_distance.h"
 #include "support/scans/virtual_scans.h"
 
@@ -20,13 +21,6 @@ namespace croquis::bench {
 namespace {
 
 constexpr std::size_t samples_per_hole = 400;
-
-std::string bytes_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream bytes;
-  bytes << file.rdbuf();
-  return bytes.str();
-}
 
 std::vector<std::vector<Vec3>> removed_places(const std::filesystem::path& path) {
   std::ifstream file(path);
@@ -123,24 +117,7 @@ std::array<double, 3> angles_of(const PolyMesh& mesh, std::size_t face) {
   return angles;
 }
 
-std::size_t border_edges(const PolyMesh& mesh) {
-  const std::vector<Edge> edges = edges_of(mesh, 0);
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const bool is_joined =
-        (i > 0 && edges[i].joins(edges[i - 1])) || (i + 1 < edges.size() && edges[i].joins(edges[i + 1]));
-    if (!is_joined) ++count;
-  }
-  return count;
-}
-
 }  // namespace
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  return (values[values.size() / 2] + values[(values.size() - 1) / 2]) / 2;
-}
 
 HoleCase case_of(const std::string& name, const test::CutScan& cuts) {
   HoleCase holes;
@@ -164,8 +141,7 @@ std::vector<HoleCase> cases_in(const std::string& folder) {
     const std::string file_name = path.filename().string();
     HoleCase holes;
     holes.name = file_name.substr(0, file_name.size() - ending.size());
-    Progress progress;
-    holes.mesh = test::without_loose_vertices(read_mesh(bytes_of(path), MeshFormat::Ply, file_name, progress).mesh);
+    holes.mesh = test::without_loose_vertices(read_ply(path.string()));
     holes.removed = removed_places(path.parent_path() / (holes.name + "_removed_pts.txt"));
     holes.diagonal = test::diagonal_of(holes.mesh);
     if (!holes.removed.empty()) cases.push_back(std::move(holes));
@@ -176,8 +152,7 @@ std::vector<HoleCase> cases_in(const std::string& folder) {
 void write_case(const HoleCase& holes, const std::string& folder) {
   std::filesystem::create_directories(folder);
   const std::string path = (std::filesystem::path(folder) / holes.name).string();
-  Progress progress;
-  std::ofstream(path + "_cut.ply", std::ios::binary) << write_mesh(holes.mesh, MeshFormat::Ply, {}, progress).bytes;
+  write_ply(holes.mesh, path + "_cut.ply");
   std::ofstream text(path + "_removed_pts.txt");
   for (std::size_t hole = 0; hole < holes.removed.size(); ++hole) {
     text << "hole " << hole << '\n';
@@ -215,6 +190,17 @@ Accuracy accuracy(const HoleCase& holes, const FilledMesh& filled) {
   }
   result.median_hole = median(means);
   return result;
+}
+
+std::size_t border_edges(const PolyMesh& mesh) {
+  const std::vector<Edge> edges = edges_of(mesh, 0);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const bool is_joined =
+        (i > 0 && edges[i].joins(edges[i - 1])) || (i + 1 < edges.size() && edges[i].joins(edges[i + 1]));
+    if (!is_joined) ++count;
+  }
+  return count;
 }
 
 PatchShape patch_shape(const PolyMesh& given, const FilledMesh& filled) {

@@ -44,6 +44,9 @@ struct Accuracy {
 };
 Accuracy accuracy(const HoleCase& holes, const FilledMesh& filled);
 
+/// Edges with one face.
+std::size_t border_edges(const PolyMesh& mesh);
+
 /// Of the new faces. Angles in degrees.
 struct PatchShape {
   double edge_ratio = 0;  ///< median over patches of mean inner edge / mean rim edge, patches of 10 rim edges and more
@@ -54,8 +57,5 @@ struct PatchShape {
   std::ptrdiff_t new_intersections = 0;  ///< pairs of faces, beyond those of the mesh given
 };
 PatchShape patch_shape(const PolyMesh& given, const FilledMesh& filled);
-
-/// The middle value; of an even number the mean of both. 0 for none.
-double median(std::vector<double> values);
 
 }  // namespace croquis::bench

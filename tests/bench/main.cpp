@@ -19,10 +19,12 @@ Bench plain(void (*bench)(std::ostream&)) {
 const std::map<std::string, Bench>& benches() {
   using namespace croquis::bench;
   static const std::map<std::string, Bench> all = {{"holes", bench_holes},
+                                                   {"holes-wild", bench_holes_wild},
                                                    {"implicit", plain(bench_implicit)},
                                                    {"perspective", plain(bench_perspective)},
                                                    {"readers", plain(bench_readers)},
                                                    {"remesh", plain(bench_remesh)},
+                                                   {"remesh-wild", bench_remesh_wild},
                                                    {"silhouette", plain(bench_silhouette)},
                                                    {"silhouette-depth", plain(bench_silhouette_depth)},
                                                    {"silhouette-finish", plain(bench_silhouette_finish)},
@@ -36,7 +38,9 @@ const std::map<std::string, Bench>& benches() {
 /// One benchmark, and the words behind its name.
 using Choice = std::pair<std::string, std::vector<std::string>>;
 
-bool takes_words(const std::string& bench) { return bench == "holes" || bench == "silhouette-hand"; }
+bool takes_words(const std::string& bench) {
+  return bench == "holes" || bench == "holes-wild" || bench == "remesh-wild" || bench == "silhouette-hand";
+}
 
 /// Words that are no benchmark's name belong to the one before them that takes words. @return whether all words mean
 /// something
@@ -47,10 +51,9 @@ bool read_choices(const std::vector<std::string>& words, std::vector<Choice>& ch
     } else if (!choices.empty() && takes_words(choices.back().first)) {
       choices.back().second.push_back(word);
     } else {
-      std::cerr
-          << "There is no benchmark '" << word
-          << "': use holes, implicit, perspective, readers, remesh, silhouette, silhouette-depth, silhouette-finish, "
-             "silhouette-hand, solver, subdivision or surface.\n";
+      std::cerr << "There is no benchmark '" << word
+                << "': use holes, holes-wild, implicit, perspective, readers, remesh, remesh-wild, silhouette, "
+                   "silhouette-depth, silhouette-finish, silhouette-hand, solver, subdivision or surface.\n";
       return false;
     }
   }
