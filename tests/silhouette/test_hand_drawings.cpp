@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "algorithms/silhouette/strokes/ends_beside.h"
 #include "algorithms/silhouette/strokes/stroke_cleanup.h"
 #include "algorithms/silhouette/strokes/tremble.h"
 #include "croquis/base/error.h"
@@ -141,6 +142,107 @@ TEST_CASE("outlines that a trembling hand lets overlap a little lie beside one a
     // Drawn exactly, an overlap is meant.
     if (overlap > 0) CHECK(label_quietly(sketch.drawing, Options::of(Preset::Tablet)).crossings.size() == 1);
   }
+}
+
+TEST_CASE("the end of a limb that trembles to the side of the next one is brought to their body beside it") {
+  const auto line_through = [](const std::vector<Vec2>& through, bool closed) {
+    CleanLine line;
+    for (const double parameter : even_parameters(through, closed, 5)) {
+      line.points.push_back(point_at(through, parameter));
+    }
+    line.closed = closed;
+    line.size = size_of(line.points, closed);
+    return line;
+  };
+  const std::vector<CleanLine> lines{line_through(circle_outline({0, 0}, 200), true),
+                                     line_through({{-60, -190}, {-60, -500}, {0, -500}, {0, -200}}, false),
+                                     line_through({{2, -215}, {20, -240}, {20, -480}, {80, -480}, {80, -183}}, false)};
+  const auto nearest_on = [&](Index bar, const Vec2& place) {
+    BarHit hit{0, bar, 0, lines[bar].points.front()};
+    for (Index i = 0; i < lines[bar].points.size(); ++i) {
+      const Vec2& point = lines[bar].points[i];
+      if ((point - place).norm() < (hit.at - place).norm()) hit = {0, bar, static_cast<double>(i), point};
+    }
+    return hit;
+  };
+  const auto found = [&] {
+    EndHits hits(3);
+    hits[1] = {nearest_on(0, {-60, -190}), nearest_on(0, {0, -200})};
+    hits[2] = {nearest_on(1, {0, -215}), nearest_on(0, {80, -183})};
+    return hits;
+  };
+  DrawingScale scale;
+  scale.step = 5;
+  EndHits steady = found();
+  pass_beside_ends(lines, scale, steady);
+  CHECK(steady[2][0]->bar == 1);
+  scale.tremble = 1;
+  EndHits hits = found();
+  pass_beside_ends(lines, scale, hits);
+  REQUIRE(hits[2][0]->bar == 0);
+  CHECK(hits[2][0]->at.x() > hits[1][1]->at.x());
+  CHECK(hits[2][0]->at.x() < 20);
+  CHECK(hits[1][1]->bar == 0);
+  // Further down it passes behind the other limb, as drawn.
+  hits = found();
+  hits[2][0] = nearest_on(1, {0, -300});
+  pass_beside_ends(lines, scale, hits);
+  CHECK(hits[2][0]->bar == 1);
+}
+
+TEST_CASE("the two sides of something thin that a trembling hand let cross are led beside one another") {
+  DrawingScale scale;
+  scale.step = 5;
+  scale.tremble = 1;
+  // A long shape whose width changes its sign between the places.
+  const auto shape = [](const std::vector<double>& places) {
+    const auto width = [&](double x) {
+      double product = 30 * std::sin(std::numbers::pi * x / 600);
+      for (const double place : places) product *= std::tanh((x - place) / 60);
+      return product;
+    };
+    CleanLine line;
+    line.closed = true;
+    for (int i = 0; i <= 120; ++i) line.points.emplace_back(5 * i, width(5 * i));
+    for (int i = 119; i > 0; --i) line.points.emplace_back(5 * i - 1, -width(5 * i - 1));
+    line.stroke.assign(line.points.size(), 0);
+    line.strokes = {0};
+    line.size = size_of(line.points, true);
+    return line;
+  };
+  const auto crossings = [](const CleanLine& line) {
+    int count = 0;
+    const std::size_t n = line.points.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        count += cross_properly(line.points[i], line.points[(i + 1) % n], line.points[k], line.points[(k + 1) % n]);
+      }
+    }
+    return count;
+  };
+  for (const std::vector<double>& places : {std::vector<double>{151}, {151, 402}, {151, 302, 453}}) {
+    INFO(places.size() << " places");
+    CleanLine line = shape(places);
+    REQUIRE(crossings(line) == static_cast<int>(places.size()));
+    CleanLine steady = line;
+    scale.tremble = 0;
+    CHECK(uncross(steady, scale).empty());
+    scale.tremble = 1;
+    CHECK(uncross(line, scale).size() == places.size());
+    CHECK(crossings(line) == 0);
+    CHECK(line.points.size() == steady.points.size());
+  }
+  // An end that crosses its own line passes behind it.
+  CleanLine open;
+  for (int i = 0; i <= 120; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 110;
+    open.points.emplace_back((100 - 0.3 * i) * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  open.points.emplace_back(110, 40);
+  open.stroke.assign(open.points.size(), 0);
+  open.size = size_of(open.points, false);
+  REQUIRE(crossings(open) > 0);
+  CHECK(uncross(open, scale).empty());
 }
 
 TEST_CASE("ends that run side by side are those of a strand, not of an outline that misses itself") {

@@ -12,6 +12,7 @@
 
 #include "algorithms/silhouette/strokes/bar_search.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
+#include "algorithms/silhouette/strokes/ends_beside.h"
 #include "algorithms/silhouette/strokes/line_conflicts.h"
 #include "algorithms/silhouette/strokes/tremble.h"
 
@@ -27,9 +28,6 @@ constexpr double least_junction_spacing = 0.3;
 
 // Ends that touch nothing within reach are tried with so many times it.
 constexpr std::array<double, 3> farther_reach{1, 1.5, 2.25};
-
-/// What was found for the start and the end of a line.
-using EndHits = std::vector<std::array<std::optional<BarHit>, 2>>;
 
 /// What an end meets that may miss it by more than usual: nothing farther than needed, unless it crosses something
 /// farther back.
@@ -276,7 +274,8 @@ void decide_sides(const Drawing& drawing, const std::vector<CleanLine>& lines, J
 
 std::vector<std::array<bool, 2>> meet_bars(std::vector<CleanLine>& lines, const StrokeReading& reading,
                                            const DrawingScale& scale, const Progress& progress) {
-  const EndHits hits = search(lines, reading, scale, std::numeric_limits<double>::infinity(), progress);
+  EndHits hits = search(lines, reading, scale, std::numeric_limits<double>::infinity(), progress);
+  pass_beside_ends(lines, scale, hits);
   move_ends(lines, hits, scale);
   std::vector<std::array<bool, 2>> loose(lines.size(), {false, false});
   for (Index line = 0; line < lines.size(); ++line) {

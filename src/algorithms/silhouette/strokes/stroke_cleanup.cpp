@@ -236,6 +236,13 @@ Finding gap_warning(const Drawing& drawing, const std::vector<SampledStroke>& sa
                       std::move(subjects));
 }
 
+Finding crosses_itself(const Drawing& drawing, const CleanLine& line, const Vec2& place) {
+  return make_warning(Category::Geometry, "W_CROSS",
+                      in_quotes(drawing, line.strokes.front()) +
+                          " crosses itself: its two sides are read as lying beside one another there",
+                      {stroke_subject(drawing, line.strokes.front(), place), crossing_subject(drawing, place)});
+}
+
 }  // namespace
 
 CleanDrawing clean_strokes(const Drawing& drawing, const StrokeOptions& options, const StrokeReading& reading,
@@ -261,6 +268,11 @@ CleanDrawing clean_strokes(const Drawing& drawing, const StrokeOptions& options,
     progress.check();
   }
   if (options.reach_share > 0 && !reading.steady) result.scale.tremble = tremble_of(result.lines, result.scale.step);
+  for (CleanLine& line : result.lines) {
+    for (const Vec2& place : uncross(line, result.scale)) {
+      result.findings.push_back(crosses_itself(drawing, line, place));
+    }
+  }
   const Findings doubled = find_doubled_lines(drawing, result.lines, result.scale);
   result.findings.insert(result.findings.end(), doubled.begin(), doubled.end());
   return result;

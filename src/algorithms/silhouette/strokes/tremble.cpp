@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
+
+#include "algorithms/silhouette/strokes/segment_grid.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -19,6 +22,11 @@ constexpr double unsteady = 0.002;
 constexpr double steadiest_share = 0.25;
 // The piece whose direction is taken then, as a share of the line's size.
 constexpr double direction_share = 0.2;
+
+// More crossings than this are no tremble.
+constexpr int most_crossings = 6;
+// Nor is one nearer to an end than so many times what an end may miss.
+constexpr double free_reach = 2;
 
 /// Median size of the fourth differences, as a share of the line's size.
 double unevenness(const CleanLine& line, double step) {
@@ -62,6 +70,21 @@ Vec2 straight_direction(const Points& points, bool at_start, double reach) {
   return usable ? Vec2(-inward.normalized()) : end_chord(points, at_start, reach);
 }
 
+/// The first two segments of a line that cross, far enough from its ends.
+std::optional<std::pair<Index, Index>> first_crossing(const CleanLine& line, const DrawingScale& scale) {
+  const SegmentGrid grid(line_segments({line}), scale.step);
+  const double clear = line.closed ? 0 : free_reach * scale.reach(line.size) / scale.step;
+  std::optional<std::pair<Index, Index>> first;
+  grid.pairs([&](Index i, Index k) {
+    const GridSegment& a = grid.segments()[i];
+    const GridSegment& b = grid.segments()[k];
+    const auto [lower, upper] = std::minmax(a.position, b.position);
+    if (lower < clear || line.segment_count() - upper < clear || (first && first->first <= lower)) return;
+    if (cross_properly(a.a, a.b, b.a, b.b)) first = {lower, upper};
+  });
+  return first;
+}
+
 }  // namespace
 
 double tremble_of(const std::vector<CleanLine>& lines, double step) {
@@ -90,6 +113,28 @@ Vec2 end_direction(const CleanLine& line, bool at_start, const DrawingScale& sca
   const Vec2 straight = straight_direction(line.points, at_start, std::max(reach, longest));
   const Vec2 mixed = (1 - scale.tremble) * tangent + scale.tremble * straight;
   return mixed.norm() > 0 ? Vec2(mixed.normalized()) : straight;
+}
+
+std::vector<Vec2> uncross(CleanLine& line, const DrawingScale& scale) {
+  std::vector<Vec2> places;
+  if (scale.tremble <= 0) return places;
+  const CleanLine drawn = line;
+  while (const auto crossing = first_crossing(line, scale)) {
+    const auto [i, k] = *crossing;
+    places.push_back(line.points[i]);
+    if (places.size() > most_crossings) {
+      line = drawn;
+      return {};
+    }
+    // The piece between the two places the other way round: what crossed are now two sides that don't.
+    const auto reverse = [i, k](auto& values) {
+      std::reverse(values.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                   values.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+    };
+    reverse(line.points);
+    reverse(line.stroke);
+  }
+  return places;
 }
 
 }  // namespace croquis::silhouette
