@@ -36,6 +36,21 @@ std::vector<Vec3> vertex_normals(const PolyMesh& mesh) {
   return normals;
 }
 
+/// The mean edge of the triangles around each vertex.
+std::vector<double> mean_edges_at_vertices(const PolyMesh& mesh) {
+  std::vector<double> sums(mesh.vertex_count(), 0), counts(mesh.vertex_count(), 0);
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto t = mesh.face(f);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index a = t[i], b = t[(i + 1) % 3];
+      const double length = (mesh.positions[a] - mesh.positions[b]).norm();
+      sums[a] += length, sums[b] += length, ++counts[a], ++counts[b];
+    }
+  }
+  for (std::size_t v = 0; v < sums.size(); ++v) sums[v] = counts[v] > 0 ? sums[v] / counts[v] : 0;
+  return sums;
+}
+
 PolyMesh floating_piece(Random& random, double edge) {
   const double size = edge * random.between(0.7, 3);
   PolyMesh piece;
@@ -92,14 +107,16 @@ void misplace_last_bits(PolyMesh& mesh, Random& random, const std::vector<bool>&
 }
 
 void add_lumps(PolyMesh& mesh, Random& random, double amount) {
-  const double edge = mean_edge_of(mesh), deviation = amount * edge;
+  const double edge = mean_edge_of(mesh);
   std::vector<Waves> lumps;
   for (int i = 0; i < 6; ++i) lumps.emplace_back(random, edge * random.between(4, 12), 1);
   const std::vector<Vec3> normals = vertex_normals(mesh);
+  const std::vector<double> edges = mean_edges_at_vertices(mesh);
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
     double lump = 0;  // the sum of six sines has a deviation of sqrt(3)
     for (const Waves& waves : lumps) lump += waves.at(mesh.positions[v]) / std::numbers::sqrt3;
-    mesh.positions[v] += deviation * std::numbers::sqrt2 / 2 * (lump + normal_deviate(random)) * normals[v];
+    const double own = edges[v] * normal_deviate(random);
+    mesh.positions[v] += amount * std::numbers::sqrt2 / 2 * (edge * lump + own) * normals[v];
   }
 }
 

@@ -23,7 +23,8 @@ std::vector<Index> split_between(PolyMesh& mesh, std::span<const Index> labels);
 void misplace_last_bits(PolyMesh& mesh, Random& random, const std::vector<bool>& is_moved);
 
 /// Vertices moved along their normals: half of it in lumps as long as 4 to 12 mean edges, half vertex by vertex.
-/// @param amount standard deviation, × mean edge
+/// @param amount standard deviation, × mean edge; of the latter half × the mean edge around the vertex, since what was
+/// seen from nearby was seen better
 void add_lumps(PolyMesh& mesh, Random& random, double amount);
 
 /// Vertices moved along one direction, by steps and by noise, as a scanner's depth is wrong.
