@@ -39,7 +39,7 @@ struct Made {
   std::size_t faces = 0;
   double beyond_cells = 0;   ///< share of vertices outside of holes' zones farther than half a cell from the scan, %
   double beyond = 0;         ///< and farther than 5 % of the diagonal, in zones or not, %
-  double astray = 0;         ///< and farther than that from the thing itself, %
+  double astray = 0;         ///< and as far from the thing itself, %
   double scan_off = 0;       ///< mean distance of the scan's vertices to it, 1e-4 diagonals
   double holes_off = 0;      ///< of the places that are missing, mean over holes
   std::ptrdiff_t euler = 0;  ///< V - E + F
@@ -101,8 +101,9 @@ Made judged(const KnownScan& scan, const PolyMesh& mesh, const std::vector<Zone>
   const std::set<Index> used(mesh.corners.begin(), mesh.corners.end());
   for (const Index v : used) {
     const double distance = to_scan(mesh.positions[v]);
-    if (distance > far_diagonals * scan.diagonal) ++made.beyond;
-    if (to_truth(mesh.positions[v]) > far_diagonals * scan.diagonal) ++made.astray;
+    const bool is_beyond = distance > far_diagonals * scan.diagonal;
+    made.beyond += is_beyond;
+    made.astray += is_beyond && to_truth(mesh.positions[v]) > far_diagonals * scan.diagonal;
     if (distance > far_cells * cell && !is_in_zone(mesh.positions[v], zones)) ++made.beyond_cells;
   }
   const double share = 100 / static_cast<double>(used.size());
@@ -222,7 +223,7 @@ void bench_remesh_wild(std::ostream& out, const std::vector<std::string>& words)
       << (choice.first < 5000 ? ", on which rules are tuned" : "")
       << ", made anew by the default options on one thread, beside MeshLab's screened Poisson of depth "
       << poisson_depth << " (its whole process). A: vertices outside of holes' zones farther than half a cell from the "
-      << "scan, %; B: vertices farther than 5 % of the diagonal from the scan, T: from the thing itself, %; C: the "
+      << "scan, %; B: vertices farther than 5 % of the diagonal from the scan, T: and from the thing itself, %; C: the "
       << "scan's vertices off the result, 1e-4 diagonals; D: the surface that is missing, mean over holes.\n\n"
       << "| scan | faces, Euler number | ours";
   for (const char* peer : {"", "Poisson: "})

@@ -12,8 +12,8 @@ namespace {
 
 /// Runs under a display of its own and writes the processor time of the server alone, which the display's isn't part
 /// of. On one thread: where the machine is busy, others would spend their time waiting for each other.
-constexpr const char* timed =
-    R"(TIMEFORMAT='%U %S'; { time OMP_THREAD_LIMIT=1 meshlabserver -i "$1" -o "$2" -s "$3" >&3 2>&3; } 3>/dev/null 2>"$4")";
+constexpr const char* timed = R"(TIMEFORMAT='%U %S'; { time OMP_THREAD_LIMIT=1 timeout 600 )"
+                              R"(meshlabserver -i "$1" -o "$2" -s "$3" >&3 2>&3; } 3>/dev/null 2>"$4")";
 
 }  // namespace
 
