@@ -112,10 +112,12 @@ std::vector<Index> take_kept_faces(ScanDraft& draft, const std::vector<HoleCut>&
   return number;
 }
 
-void describe_holes(ScanDraft& draft, const std::vector<HoleCut>& cuts, const std::vector<Index>& number) {
+/// Rims as they are before views are taken apart.
+void find_rims(ScanDraft& draft, const std::vector<HoleCut>& cuts, const std::vector<Index>& number) {
   const MeshTopology topology(draft.surface);
   for (const HoleCut& cut : cuts) {
-    KnownHole hole{cut.kind, sample_faces(draft.surface, cut.faces, places_per_hole), {}};
+    KnownHole& hole = draft.scan.holes.emplace_back();
+    hole.kind = cut.kind;
     for (const Index f : cut.faces) {
       for (Index corner = 3 * f; corner < 3 * f + 3; ++corner) {
         const Index other = topology.opposite(corner);
@@ -123,8 +125,13 @@ void describe_holes(ScanDraft& draft, const std::vector<HoleCut>& cuts, const st
         hole.rim.push_back(3 * number[topology.face(other)] + other % 3);
       }
     }
-    if (!hole.rim.empty()) draft.scan.holes.push_back(std::move(hole));  // none between others that are missing, too
   }
+}
+
+void find_places(ScanDraft& draft, const std::vector<HoleCut>& cuts) {
+  for (std::size_t i = 0; i < cuts.size(); ++i)
+    draft.scan.holes[i].places = sample_faces(draft.surface, cuts[i].faces, places_per_hole);
+  std::erase_if(draft.scan.holes, [](const KnownHole& hole) { return hole.rim.empty(); });  // within others
 }
 
 void look_once(ScanDraft& draft, std::size_t triangles) {
@@ -163,9 +170,10 @@ KnownScan known_scan(ScanKind kind, std::uint64_t seed, std::size_t triangles) {
   lose_parts(draft, cutter);
   for (const HoleKind hole : plan_of(kind, random)) cutter.cut(hole);
   const std::vector<Index> number = take_kept_faces(draft, cutter.cuts());
-  describe_holes(draft, cutter.cuts(), number);
-
+  find_rims(draft, cutter.cuts(), number);
   if (kind == ScanKind::RangeViews) misplace_views(draft, number);
+  find_places(draft, cutter.cuts());
+
   scan.has_seams = kind == ScanKind::Part && random.unit() < 0.5;
   make_dirty(draft);
   if (scan.has_seams) split_between(scan.mesh, sides_of(scan.mesh));

@@ -15,6 +15,17 @@
 #include "support/scans/virtual_scans.h"
 
 namespace croquis::test {
+namespace {
+
+/// Takes views apart from each other and moves each.
+void move_views(PolyMesh& mesh, const std::vector<Index>& labels, const std::vector<Eigen::Affine3d>& moves) {
+  const std::vector<Index> view_of = split_between(mesh, labels);
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    if (view_of[v] != no_index) mesh.positions[v] = moves[view_of[v]] * mesh.positions[v];
+  }
+}
+
+}  // namespace
 
 void misplace_views(ScanDraft& draft, const std::vector<Index>& number) {
   PolyMesh& mesh = draft.scan.mesh;
@@ -26,7 +37,7 @@ void misplace_views(ScanDraft& draft, const std::vector<Index>& number) {
   PolyMesh overlaps;
   overlaps.positions = mesh.positions;
   std::vector<Index> all_labels = labels;
-  const Index views = *std::max_element(labels.begin(), labels.end()) + 1;
+  const Index views = *std::max_element(draft.labels.begin(), draft.labels.end()) + 1;
   for (Index view = 0; view < views; ++view) {
     std::vector<bool> is_own(mesh.face_count());
     for (std::size_t f = 0; f < labels.size(); ++f) is_own[f] = labels[f] == view;
@@ -44,7 +55,6 @@ void misplace_views(ScanDraft& draft, const std::vector<Index>& number) {
     }
   }
   for (std::size_t f = 0; f < overlaps.face_count(); ++f) mesh.add_face(overlaps.face(f));
-  const std::vector<Index> view_of = split_between(mesh, all_labels);
   std::vector<Eigen::Affine3d> moves;
   for (Index view = 0; view < views; ++view) {
     const auto vary = [&] { return draft.random.between(-1, 1); };
@@ -52,9 +62,8 @@ void misplace_views(ScanDraft& draft, const std::vector<Index>& number) {
     const Vec3 axis = Vec3(vary(), vary(), vary()).normalized();
     moves.push_back(Eigen::Translation3d(shift) * Eigen::AngleAxisd(0.4 * edge * vary(), axis));
   }
-  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-    if (view_of[v] != no_index) mesh.positions[v] = moves[view_of[v]] * mesh.positions[v];
-  }
+  move_views(mesh, all_labels, moves);
+  move_views(draft.surface, draft.labels, moves);
 }
 
 std::vector<Index> sides_of(const PolyMesh& mesh) {

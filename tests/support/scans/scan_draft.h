@@ -32,6 +32,7 @@ std::vector<Vec3> directions_around(Random& random, std::size_t count, double lo
 void lose_parts(ScanDraft& draft, HoleCutter& cutter);
 
 /// Takes the views apart from each other, each a little out of place, with the rings of faces by which they overlap.
+/// The surface's views are moved alike: what is missing of one lies where that one lies.
 /// @param number per face of the surface its number in the mesh, or none
 void misplace_views(ScanDraft& draft, const std::vector<Index>& number);
 
