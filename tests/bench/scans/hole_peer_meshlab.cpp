@@ -2,8 +2,8 @@
 #include <string>
 #include <utility>
 
-#include "bench/hole_peers.h"
-#include "bench/meshlab_server.h"
+#include "bench/scans/hole_peers.h"
+#include "bench/scans/meshlab_server.h"
 
 namespace croquis::bench {
 namespace {

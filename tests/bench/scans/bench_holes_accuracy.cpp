@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/bench_holes.h"
-#include "bench/hole_case.h"
+#include "bench/scans/bench_holes.h"
+#include "bench/scans/hole_case.h"
 #include "bench/statistics.h"
 #include "support/scans/virtual_scans.h"
 

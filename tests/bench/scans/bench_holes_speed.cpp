@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "bench/bench_holes.h"
 #include "bench/child_process.h"
 #include "bench/cpu_time.h"
-#include "bench/hole_case.h"
+#include "bench/scans/bench_holes.h"
+#include "bench/scans/hole_case.h"
 #include "croquis/hole_filling/fill_holes.h"
 #include "croquis/io/mesh_file.h"
 #include "support/scans/virtual_scans.h"

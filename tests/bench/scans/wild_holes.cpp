@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/wild_holes.h"
+#include "bench/scans/wild_holes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "bench/cpu_time.h"
-#include "bench/hole_case.h"
-#include "bench/hole_peers.h"
-#include "bench/ply_file.h"
+#include "bench/scans/hole_case.h"
+#include "bench/scans/hole_peers.h"
+#include "bench/scans/ply_file.h"
 #include "croquis/geometry/disjoint_sets.h"
 #include "croquis/geometry/self_intersection.h"
 #include "croquis/hole_filling/fill_holes.h"

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "bench/meshlab_server.h"
+#include "bench/scans/meshlab_server.h"
 
 namespace croquis::bench {
 

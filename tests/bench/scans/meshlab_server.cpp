@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/meshlab_server.h"
+#include "bench/scans/meshlab_server.h"
 
 #include <fstream>
 
 #include "bench/child_process.h"
-#include "bench/ply_file.h"
+#include "bench/scans/ply_file.h"
 #include "support/scratch_folder.h"
 
 namespace croquis::bench {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/hole_peers.h"
+#include "bench/scans/hole_peers.h"
 #include "croquis/hole_filling/fill_holes.h"
 #include "support/scans/scans.h"
 

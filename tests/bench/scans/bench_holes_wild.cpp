@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "bench/bench.h"
-#include "bench/scan_choice.h"
+#include "bench/scans/scan_choice.h"
+#include "bench/scans/wild_holes.h"
 #include "bench/statistics.h"
-#include "bench/wild_holes.h"
 
 namespace croquis::bench {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/hole_case.h"
+#include "bench/scans/hole_case.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "bench/cpu_time.h"
-#include "bench/ply_file.h"
+#include "bench/scans/ply_file.h"
 #include "bench/statistics.h"
 #include "croquis/geometry/disjoint_sets.h"
 #include "croquis/geometry/self_intersection.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string>
 
-#include "bench/remesh_peers.h"
+#include "bench/scans/remesh_peers.h"
 
 namespace croquis::bench {
 

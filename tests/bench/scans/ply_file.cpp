@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/ply_file.h"
+#include "bench/scans/ply_file.h"
 
 #include <fstream>
 #include <sstream>

@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include "bench/cpu_time.h"
-#include "bench/hole_peers.h"
+#include "bench/scans/hole_peers.h"
 
 namespace croquis::bench {
 namespace {

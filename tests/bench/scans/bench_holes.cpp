@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/bench_holes.h"
+#include "bench/scans/bench_holes.h"
 
 #include <iomanip>
 #include <map>

@@ -11,9 +11,9 @@
 #include <malloc.h>
 
 #include "algorithms/hole_filling/triangulation/edge_pairing.h"
-#include "bench/bench_holes.h"
 #include "bench/cpu_time.h"
 #include "bench/peak_memory.h"
+#include "bench/scans/bench_holes.h"
 #include "croquis/hole_filling/fill_holes.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/random.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/scan_choice.h"
+#include "bench/scans/scan_choice.h"
 
 #include <algorithm>
 #include <cctype>

@@ -12,9 +12,9 @@
 
 #include "bench/bench.h"
 #include "bench/cpu_time.h"
-#include "bench/ply_file.h"
-#include "bench/remesh_peers.h"
-#include "bench/scan_choice.h"
+#include "bench/scans/ply_file.h"
+#include "bench/scans/remesh_peers.h"
+#include "bench/scans/scan_choice.h"
 #include "bench/statistics.h"
 #include "croquis/base/error.h"
 #include "croquis/geometry/mesh_topology.h"
