@@ -25,7 +25,7 @@ using silhouette::Preset;
 
 // Rules and bounds were tuned on the first seeds; what is reported comes from seeds that nobody looked at.
 constexpr std::uint64_t first_tuning_seed = 1;
-constexpr std::uint64_t first_reported_seed = 13001;
+constexpr std::uint64_t first_reported_seed = 17001;
 constexpr int drawings_per_sketch = 25;
 constexpr int drawings_per_character = 4;
 
