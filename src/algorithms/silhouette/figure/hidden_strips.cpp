@@ -141,7 +141,7 @@ class StripSearch {
     if (width.least <= 0) return false;
     const double length = (strip.first.to - strip.first.from).norm();
     if (fits(strip, width, length, strip_fit)) return true;
-    return length < most_length_behind_strand * width.most && is_strand(strip, length) &&
+    return junctions_.tremble > 0 && length < most_length_behind_strand * width.most && is_strand(strip, length) &&
            fits(strip, width, length, strand_fit);
   }
 
