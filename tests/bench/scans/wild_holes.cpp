@@ -29,21 +29,30 @@ using Edge = std::pair<Index, Index>;  // low, high
 
 Edge edge_between(Index a, Index b) { return std::minmax(a, b); }
 
-std::vector<Edge> rim_edges(const KnownScan& scan, const KnownHole& hole) {
-  std::vector<Edge> edges;
-  for (const Index corner : hole.rim) {
-    const Index next = corner % 3 == 2 ? corner - 2 : corner + 1;
-    edges.push_back(edge_between(scan.mesh.corners[corner], scan.mesh.corners[next]));
-  }
-  return edges;
-}
-
 double diameter_of(const PolyMesh& mesh, const std::vector<Edge>& rim) {
   double square = 0;
   for (const auto& [a, b] : rim) {
     for (const auto& [c, d] : rim) square = std::max(square, (mesh.positions[a] - mesh.positions[c]).squaredNorm());
   }
   return std::sqrt(square);
+}
+
+/// For every vertex the lowest at the same place but for rounding: what seams have twice counts as one.
+std::vector<Index> lowest_at_place(const PolyMesh& mesh, double diagonal) {
+  const double slack = 1e-12 * diagonal;
+  std::vector<Index> order(mesh.vertex_count()), lowest(mesh.vertex_count());
+  for (Index v = 0; v < order.size(); ++v) order[v] = lowest[v] = v;
+  std::ranges::sort(order, {}, [&](Index v) { return mesh.positions[v].x(); });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    for (std::size_t k = i + 1; k < order.size(); ++k) {
+      const Vec3 apart = mesh.positions[order[k]] - mesh.positions[order[i]];
+      if (apart.x() > slack) break;
+      if (apart.norm() > slack) continue;
+      const Index low = std::min(lowest[order[i]], lowest[order[k]]);
+      lowest[order[i]] = lowest[order[k]] = low;
+    }
+  }
+  return lowest;
 }
 
 /// The faces behind those given, in patches: joined across edges.
@@ -97,14 +106,15 @@ std::ptrdiff_t intersections(const PolyMesh& mesh) {
 /// One scan under measurement.
 class Measurement {
  public:
-  Measurement(test::ScanKind kind, std::uint64_t seed) : scan_(known_scan(kind, seed)) {
+  Measurement(test::ScanKind kind, std::uint64_t seed)
+      : scan_(known_scan(kind, seed)), lowest_(lowest_at_place(scan_.mesh, scan_.diagonal)) {
     record_.kind = kind;
     record_.seed = seed;
     record_.triangles = scan_.mesh.face_count();
-    record_.open_edges = border_edges(scan_.mesh);
-    given_intersections_ = intersections(scan_.mesh);
+    record_.open_edges = border_edges(joined(scan_.mesh));
+    given_intersections_ = intersections(joined(scan_.mesh));
     for (const KnownHole& hole : scan_.holes) {
-      rims_.push_back(rim_edges(scan_, hole));
+      rims_.push_back(rim_edges(hole));
       HoleRecord& record = record_.holes.emplace_back();
       record.scan = kind;
       record.seed = seed;
@@ -139,13 +149,31 @@ class Measurement {
     write_ply(mesh, folder_ + "/" + name_of(record_.kind) + "-" + std::to_string(record_.seed) + "_" + what + ".ply");
   }
 
+  /// The number of a vertex once seams are joined. New ones have none in common.
+  Index number(Index vertex) const { return vertex < lowest_.size() ? lowest_[vertex] : vertex; }
+
+  PolyMesh joined(PolyMesh mesh) const {
+    for (Index& v : mesh.corners) v = number(v);
+    return mesh;
+  }
+
+  std::vector<Edge> rim_edges(const KnownHole& hole) const {
+    std::vector<Edge> edges;
+    for (const Index corner : hole.rim) {
+      const Index next = corner % 3 == 2 ? corner - 2 : corner + 1;
+      edges.push_back(edge_between(number(scan_.mesh.corners[corner]), number(scan_.mesh.corners[next])));
+    }
+    return edges;
+  }
+
   bool begins_with_scan(const PolyMesh& mesh) const {
     return mesh.corners.size() >= scan_.mesh.corners.size() &&
            std::equal(scan_.mesh.corners.begin(), scan_.mesh.corners.end(), mesh.corners.begin());
   }
 
-  void judge(Filler filler, const FilledMesh& filled) {
+  void judge(Filler filler, const FilledMesh& made) {
     const auto i = static_cast<std::size_t>(filler);
+    const FilledMesh filled{joined(made.mesh), made.first_new_face, made.cpu_ms};
     record_.cpu_ms[i] = filled.cpu_ms;
     record_.edges_left[i] = static_cast<std::ptrdiff_t>(border_edges(filled.mesh));
     record_.new_intersections[i] = intersections(filled.mesh) - given_intersections_;
@@ -155,7 +183,7 @@ class Measurement {
       hole.fates[i] = patches.fate(scan_.holes[hole.number], rims_[hole.number], scan_.diagonal);
       hole.fates[i].cpu_ms = cpu;
     }
-    save(filled.mesh, name_of(filler));
+    save(made.mesh, name_of(filler));
   }
 
   void fill_by_cgal(Filler filler, unsigned continuity) {
@@ -163,7 +191,8 @@ class Measurement {
     std::map<Edge, std::size_t> rim_at;
     for (std::size_t r = 0; r < made.rims.size(); ++r) {
       const auto& rim = made.rims[r].vertices;
-      for (std::size_t i = 0; i < rim.size(); ++i) rim_at[edge_between(rim[i], rim[(i + 1) % rim.size()])] = r;
+      for (std::size_t i = 0; i < rim.size(); ++i)
+        rim_at[edge_between(number(rim[i]), number(rim[(i + 1) % rim.size()]))] = r;
     }
     for (HoleRecord& hole : record_.holes) {
       std::set<std::size_t> own;
@@ -189,7 +218,6 @@ class Measurement {
   /// The holes of the analysis that have edges of each known one's rim.
   std::vector<std::set<Index>> holes_found(const HoleAnalysis& analysis) const {
     std::map<Edge, Index> hole_at;
-    const auto number = [&](Index v) { return analysis.view.representative_of(v); };
     for (const Hole& hole : analysis.holes) {
       for (std::size_t i = 0; i < hole.vertices.size(); ++i) {
         const Index next = hole.vertices[(i + 1) % hole.vertices.size()];
@@ -199,7 +227,7 @@ class Measurement {
     std::vector<std::set<Index>> found(rims_.size());
     for (std::size_t h = 0; h < rims_.size(); ++h) {
       for (const auto& [a, b] : rims_[h]) {
-        const auto hole = hole_at.find(edge_between(number(a), number(b)));
+        const auto hole = hole_at.find({a, b});
         if (hole != hole_at.end()) found[h].insert(hole->second);
       }
     }
@@ -249,7 +277,8 @@ class Measurement {
       hole.method.clear();
       hole.confidence = unknown;
       tell_outcome(hole, result, {own.begin(), own.end()});
-      Patches patches(filled);
+      const FilledMesh made{joined(filled.mesh), filled.first_new_face, filled.cpu_ms};
+      Patches patches(made);
       fate = patches.fate(scan_.holes[hole.number], rims_[hole.number], scan_.diagonal);
       save(filled.mesh, "asked" + std::to_string(hole.number));
     }
@@ -257,6 +286,7 @@ class Measurement {
   }
 
   KnownScan scan_;
+  std::vector<Index> lowest_;  // see lowest_at_place
   ScanRecord record_;
   std::ptrdiff_t given_intersections_ = 0;
   std::vector<std::vector<Edge>> rims_;
