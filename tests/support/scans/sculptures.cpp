@@ -25,12 +25,22 @@ constexpr double gradient_step = 1e-5;  // units
 
 using Solid = std::function<double(const Vec3&)>;
 
+/// Where the way from a place outside to one inside enters the solid.
+Vec3 entry(Vec3 outside, Vec3 inside, const Solid& solid) {
+  for (int i = 0; i < 30; ++i) {
+    const Vec3 middle = (outside + inside) / 2;
+    (solid(middle) < 0 ? inside : outside) = middle;
+  }
+  return inside;
+}
+
 /// A place on the surface: where a line through the solid enters it.
 Vec3 place_on(const Solid& solid) {
+  constexpr double step = 0.01;
   for (const double z : {0.0, -0.3, 0.3, -0.6, 0.6}) {
     for (const double y : {0.0, -0.25, 0.25, -0.5, 0.5}) {
-      for (double x = -reach; x < reach; x += 0.01) {
-        if (solid({x, y, z}) < 0) return {x, y, z};
+      for (double x = -reach; x < reach; x += step) {
+        if (solid({x, y, z}) < 0) return entry({x - step, y, z}, {x, y, z}, solid);
       }
     }
   }

@@ -52,6 +52,12 @@ TEST_CASE("sculptures are closed, of one piece, of the genus told and of the siz
   }
 }
 
+TEST_CASE("solids come out in triangles finer than the steps in which they are looked for") {
+  const PolyMesh mesh = sculpt([](const Vec3& p) { return p.norm() - 0.309; }, 150000);
+  CHECK(static_cast<double>(mesh.face_count()) == Approx(150000).epsilon(0.2));
+  CHECK(MeshTopology(mesh).boundary_loops().size() == 0);
+}
+
 TEST_CASE("sharp edges of machined pieces run along edges of the mesh") {
   for (const Sculpture sculpture : {Sculpture::Bracket, Sculpture::Housing}) {
     const PolyMesh mesh = sculpt(sculpture, 20000);
