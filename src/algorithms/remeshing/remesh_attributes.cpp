@@ -103,6 +103,8 @@ class Transfer {
       const auto found = std::lower_bound(piece.vertices.begin(), piece.vertices.end(), rims[r].vertex);
       if (rims[r].hole == no_index || found == piece.vertices.end() || *found != rims[r].vertex) continue;
       rim_of_[static_cast<std::size_t>(found - piece.vertices.begin())] = r;
+      const Index hole = rims[r].hole;
+      if (!bend_.contains(hole)) bend_[hole] = rim_bend(mesh, analysis, {&hole, 1});
     }
   }
 
@@ -116,8 +118,8 @@ class Transfer {
   }
 
   float confidence(Index hole, double distance) const {
-    const Hole& known = analysis_.holes[hole];
-    return static_cast<float>(backing(distance, known.diameter, analysis_.component_diagonal[known.component]));
+    const double depth = distance / analysis_.component_diagonal[analysis_.holes[hole].component];
+    return static_cast<float>(confidence_in(predicted_error(depth, bend_.at(hole), 0)));
   }
 
   /// The vertices of the mesh whose values count; three times the same where there is no triangle.
@@ -132,7 +134,8 @@ class Transfer {
   const HoleAnalysis& analysis_;
   const RemeshPiece& piece_;
   double cell_;
-  std::vector<Index> rim_of_;  // of the piece's vertices, into rims_
+  std::vector<Index> rim_of_;     // of the piece's vertices, into rims_
+  std::map<Index, double> bend_;  // of the holes beside the piece
   const std::vector<RimPlace>& rims_;
 };
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include <Eigen/Geometry>
 
@@ -14,24 +13,28 @@
 namespace croquis::hole_filling {
 namespace {
 
-constexpr double doubtful_jump = std::numbers::pi / 4;
 constexpr double jump_accuracy = 1e-3;  // more than a colour shows
 
 /// What distances are measured from, and in what.
 struct Rims {
   std::vector<Vec3> points;
-  double size = 0, diagonal = 0;
+  double diagonal = 0;
 
   Rims(const HolePatch& patch, const PolyMesh& mesh, const HoleAnalysis& analysis) {
     for (const Index id : patch.holes) {
       const Hole& hole = analysis.holes[id];
       for (const Index v : hole.vertices) points.push_back(mesh.positions[v]);
-      size = std::max(size, hole.diameter);
       diagonal = std::max(diagonal, analysis.component_diagonal[hole.component]);
     }
   }
 
-  double backing_at(double distance) const { return backing(distance, size, diagonal); }
+  /// × diagonal, of the places given the farthest from the rims.
+  double depth_of(std::span<const Vec3> places) const {
+    const implicit::PointTree tree(points);
+    double farthest = 0;
+    for (const Vec3& place : places) farthest = std::max(farthest, (place - points[tree.nearest(place)]).norm());
+    return farthest / diagonal;
+  }
 };
 
 /// Places on a patch of rim vertices alone, evenly by area (the additive recurrence of Roberts 2018).
@@ -170,29 +173,46 @@ double turn_of_ways(const HolePatch& patch, const PolyMesh& mesh, const HoleAnal
   return turn;
 }
 
-double trust_in_fold(double angle) {
-  const double doubt = angle / doubtful_jump;
-  return 1 / (1 + doubt * doubt * doubt * doubt);
-}
+/// Continued surface: only wide folds count.
+double continued_fold(double angle) { return 4 * angle * angle * angle; }
+
+double flat_fold(double angle) { return 8 * angle; }
 
 }  // namespace
 
-double backing(double distance, double diameter, double diagonal) {
-  constexpr double doubtful_share = 0.3;  // of the diagonal
-  const double of_hole = 2 * distance / diameter, of_model = diagonal > 0 ? distance / (doubtful_share * diagonal) : 0;
-  return 1 / (1 + of_hole * of_hole * of_hole * of_hole) / (1 + of_model * of_model * of_model * of_model);
+double rim_bend(const PolyMesh& mesh, const HoleAnalysis& analysis, std::span<const Index> holes) {
+  double sum = 0, edges = 0;
+  for (const Index id : holes) {
+    const std::vector<Index>& corners = analysis.holes[id].corners;
+    const auto normal_at = [&](std::size_t i) {
+      const auto& t = analysis.view.triangles[corners[i % corners.size()] / 3];
+      return normal_of(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
+    };
+    for (std::size_t i = 0; i < corners.size(); ++i) sum += angle_between(normal_at(i), normal_at(i + 1));
+    edges += static_cast<double>(corners.size());
+  }
+  return edges > 0 ? sum / edges : 0;
+}
+
+double predicted_error(double depth, double bend, double fold) {
+  constexpr double share = 0.1, growth = 3, least_doubt = 0.02, doubt_growth = 4;
+  const double doubt = least_doubt + doubt_growth * depth * depth;
+  return share * depth * (1 + growth * depth) * (doubt + bend + fold);
+}
+
+double confidence_in(double error) {
+  constexpr double doubtful_error = 0.01;
+  return 1 / (1 + error / doubtful_error);
 }
 
 double confidence_of(const HolePatch& patch, const PolyMesh& mesh, const HoleAnalysis& analysis) {
   Rims rims(patch, mesh, analysis);
-  if (patch.points.empty()) add_edge_points(patch, mesh, analysis, rims);
-  const implicit::PointTree tree(rims.points);
-  double farthest = 0;
-  for (const Vec3& place : patch.points.empty() ? places_on(patch, mesh) : patch.points)
-    farthest = std::max(farthest, (place - rims.points[tree.nearest(place)]).norm());
-  double turn = RimFolds(patch, mesh, analysis.view).mean(analysis);
-  if (patch.points.empty()) turn = std::max(turn, turn_of_ways(patch, mesh, analysis));
-  return rims.backing_at(farthest) * trust_in_fold(turn);
+  const bool is_flat = patch.points.empty();
+  if (is_flat) add_edge_points(patch, mesh, analysis, rims);
+  const double depth = rims.depth_of(is_flat ? places_on(patch, mesh) : patch.points);
+  const double turn = RimFolds(patch, mesh, analysis.view).mean(analysis);
+  const double fold = is_flat ? flat_fold(std::max(turn, turn_of_ways(patch, mesh, analysis))) : continued_fold(turn);
+  return confidence_in(predicted_error(depth, rim_bend(mesh, analysis, patch.holes), fold));
 }
 
 std::vector<float> vertex_confidence(const HolePatch& patch, const PolyMesh& mesh, const HoleAnalysis& analysis) {
@@ -202,11 +222,12 @@ std::vector<float> vertex_confidence(const HolePatch& patch, const PolyMesh& mes
   const PatchGraph graph(patch, static_cast<Index>(mesh.vertex_count()));
   const std::vector<double> jumps = graph.harmonic(
       rim_jumps(patch, RimFolds(patch, mesh, analysis.view), analysis, graph.rim_vertices()), jump_accuracy);
+  const double bend = rim_bend(mesh, analysis, patch.holes);
   std::vector<float> confidence;
   for (std::size_t i = 0; i < patch.points.size(); ++i) {
     const Vec3& place = patch.points[i];
-    const double distance = (place - rims.points[tree.nearest(place)]).norm();
-    confidence.push_back(static_cast<float>(rims.backing_at(distance) * trust_in_fold(jumps[i])));
+    const double depth = (place - rims.points[tree.nearest(place)]).norm() / rims.diagonal;
+    confidence.push_back(static_cast<float>(confidence_in(predicted_error(depth, bend, continued_fold(jumps[i])))));
   }
   return confidence;
 }
