@@ -69,8 +69,10 @@ std::vector<ParameterDescription> patch_parameters() {
              "vertices and has the least area; auto is flat where an open surface ends, and rbf elsewhere."),
       choice("kernel", {kernel_names.begin(), kernel_names.end()},
              "The functions of rbf: hermite takes normals along, the others points beside the surface."),
-      choice("preset", {"standard", "paper", "sharp", "noisy"},
-             "What is scanned: sharp for machined parts, noisy for rough scans; paper for comparison with Yoo 2005."),
+      choice("preset", {"auto", "standard", "paper", "sharp", "noisy"},
+             "What is scanned: auto continues creases that run into a hole, standard rounds them; sharp for machined "
+             "parts, where the best of three methods is taken, noisy for rough scans; paper for comparison with Yoo "
+             "2005."),
       number_parameter("bulge", 0, -1, 1, "", "Turns the surface at the rims outwards, or inwards below 0."),
       integer_parameter("trim-rim", 0, 3, "rings of faces",
                         "Removes so much of the scan along the rims that are filled, where scans are worst.")};
@@ -122,7 +124,8 @@ Kernel kernel_of(std::string_view name) {
 Preset preset_of(const std::string& name) {
   if (name == "paper") return Preset::Paper;
   if (name == "sharp") return Preset::Sharp;
-  return name == "noisy" ? Preset::Noisy : Preset::Standard;
+  if (name == "noisy") return Preset::Noisy;
+  return name == "standard" ? Preset::Standard : Preset::Auto;
 }
 
 HoleRequest request_of(const HoleWish& wish) {

@@ -56,8 +56,9 @@ TEST_CASE("a preset is chosen beside the ways of patches, for all holes, and rec
   hand.window().record_to(recording);
   open_scan(hand, ball_with_holes(2));
   auto& presets = child<QComboBox>(hand, "hole-preset");
-  CHECK(presets.currentData().toString() == "standard");
-  for (const char* preset : {"standard", "sharp", "noisy", "paper"}) CHECK(presets.findData(QString(preset)) >= 0);
+  CHECK(presets.currentData().toString() == "auto");
+  for (const char* preset : {"auto", "standard", "sharp", "noisy", "paper"})
+    CHECK(presets.findData(QString(preset)) >= 0);
   choose(presets, "noisy");
   hand.settle();
   CHECK(last_step(hand) == "Preset noisy of all holes");
@@ -68,7 +69,7 @@ TEST_CASE("a preset is chosen beside the ways of patches, for all holes, and rec
   CHECK(read_file(recording.toStdString()).find(R"("parameter":"preset","value":"noisy")") != std::string::npos);
   hand.act("undo");
   hand.settle();
-  CHECK(presets.currentData().toString() == "standard");
+  CHECK(presets.currentData().toString() == "auto");
 }
 
 TEST_CASE("filling up to a size fills the open holes alone, opens none, and says why it can't", "[hole-panel]") {

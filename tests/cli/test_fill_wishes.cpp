@@ -121,7 +121,7 @@ TEST_CASE("every kernel and preset closes the sphere, each in its way") {
     files.insert(slurp(folder / "out.ply"));
   }
   CHECK(files.size() == 4);
-  for (const char* preset : {"standard", "paper", "sharp", "noisy"}) {
+  for (const char* preset : {"auto", "standard", "paper", "sharp", "noisy"}) {
     const Json report = filled(input, folder / "out.ply", {"--preset", preset});
     CHECK(report["mesh"]["closed"] == true);
     CHECK(report["details"]["holes"][0]["error_estimate"].is_number() == (std::string(preset) == "sharp"));

@@ -98,6 +98,23 @@ TEST_CASE("preset sharp continues edges and corners of a box: errors a tenth of 
   }
 }
 
+TEST_CASE("creases that run into a hole go on in it without being asked for; nothing changes where there are none") {
+  for (const Vec3& centre : {Vec3(0.5, 1, 1), Vec3(1, 1, 1)}) {
+    const PolyMesh mesh = cut(divided_box(20), centre, 0.16).mesh;
+    const FillResult result = fill(mesh, Preset::Auto);
+    CHECK(result.outcomes[0].method == "creased");
+    CHECK(result.outcomes[0].reason.empty());
+    CHECK(mean_error(result, box_value) < 0.4 * mean_error(fill(mesh, Preset::Standard), box_value));
+  }
+  for (const PolyMesh& mesh :
+       {cut(round_sphere(4), Vec3(0, 0, 1), 0.5).mesh, cut_ring(round_sphere(5), Vec3(0, 0.6, 0.8), 0.25, 0.6).mesh,
+        cut(divided_box(20), Vec3(0.5, 0.5, 1), 0.2).mesh}) {
+    const FillResult result = fill(mesh, Preset::Auto), standard = fill(mesh, Preset::Standard);
+    CHECK(result.mesh.positions == standard.mesh.positions);
+    CHECK(result.mesh.corners == standard.mesh.corners);
+  }
+}
+
 TEST_CASE("a hole beside an edge is filled flat: what lies beyond the edge doesn't bend it") {
   const PolyMesh mesh = cut(divided_box(20), Vec3(0.5, 0.8, 1), 0.16).mesh;
   const FillResult result = fill(mesh, Preset::Standard);

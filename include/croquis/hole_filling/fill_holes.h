@@ -29,7 +29,7 @@ struct FillOptions {
   double max_diameter = std::numeric_limits<double>::infinity();  ///< wider holes stay open; model units
   Fairness fairness = Fairness::Implicit;
   ImplicitOptions implicit;  ///< of Fairness::Implicit
-  Preset preset = Preset::Standard;
+  Preset preset = Preset::Auto;
   double bulge = 0;                   ///< -1..1, see PatchWish
   int trim_rim = 0;                   ///< 0..3 rings of faces around chosen holes that are removed first
   std::vector<HoleRequest> requests;  ///< for single holes
@@ -59,8 +59,7 @@ struct HoleOutcome {
   std::string reason;          ///< why it was left, failed, or not filled by the first method
   double max_normal_jump = 0;  ///< greatest angle between the faces on the two sides of a rim edge
   double min_angle = 0;        ///< of the patch's corners
-  double confidence = 0;       ///< 0..1, how well the surface around backs the whole patch: less the farther it goes
-                          ///< from its rims, in diameters and in diagonals of the piece, and the more it turns there
+  double confidence = 0;       ///< 0..1, by the error to be expected of the whole patch, see confidence_of
   std::size_t new_vertices = 0, new_faces = 0;  ///< of a patch for several holes: at its lowest
   Index patch = no_index;  ///< number of the patch, the same for holes that one patch joins; as in "patch_id"
   double expected_error = std::numeric_limits<double>::quiet_NaN();  ///< as HolePatch has it

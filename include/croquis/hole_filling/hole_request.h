@@ -21,6 +21,7 @@ enum class Fairness {
 
 /// What kind of surface is to be continued.
 enum class Preset {
+  Auto,      ///< Standard, but where creases run into a hole these go on in it, as by Sharp
   Standard,  ///< smooth shapes, scanned with little noise
   Paper,     ///< r^2 log r and offset points on one side, as in Yoo 2005: for comparison
   Sharp,     ///< machined parts: per hole the method that repairs known surface beside it best

@@ -49,7 +49,8 @@ std::size_t bytes_of(const Attempt& attempt) {
 /// Methods for the same wish have names that begin alike; any of them is as asked.
 bool is_as_asked(const std::string& method, const FillJob& job) {
   if (job.is_cap || job.wish.fairness == Fairness::Flat) return false;
-  if (job.wish.fairness == Fairness::Implicit || !job.wish.through.empty()) return method.starts_with("implicit");
+  if (job.wish.fairness == Fairness::Implicit || !job.wish.through.empty())
+    return method.starts_with("implicit") || method == "creased";
   return method.starts_with(job.wish.fairness == Fairness::Tangent ? "cgal-c1" : "cgal-c2");
 }
 

@@ -125,6 +125,27 @@ implicit::Field CreaseField::field() const {
   };
 }
 
+bool creases_run_in(const HoleSite& site) {
+  const SurfaceView& view = site.analysis->view;
+  const auto normal_of = [&](Index triangle) {
+    const auto& t = view.triangles[triangle];
+    const Vec3& a = site.mesh->positions[t[0]];
+    return Vec3((site.mesh->positions[t[1]] - a).cross(site.mesh->positions[t[2]] - a));
+  };
+  std::size_t ends = 0;
+  for (const Index id : site.holes) {
+    for (const Index rim_corner : site.analysis->holes[id].corners) {
+      const Index pivot = view.origin(rim_corner);
+      for (Index edge = SurfaceView::previous(rim_corner); view.has_opposite(edge);) {
+        const Index other = view.opposite[edge];
+        if (!is_smooth(normal_of(edge / 3), normal_of(other / 3)) && ++ends == 2) return true;
+        edge = view.other_edge_at(other, pivot);
+      }
+    }
+  }
+  return false;
+}
+
 std::optional<CreaseField> fit_sides(const HoleSite& site, const ImplicitOptions& options) {
   const KnownSurface known = known_surface(site, options.reach, least_side_reach, most_known);
   const std::vector<SmoothSide> sides = smooth_sides(known);

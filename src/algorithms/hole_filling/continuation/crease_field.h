@@ -43,6 +43,10 @@ class CreaseField {
   std::vector<Node> tree_;  ///< the last one counts
 };
 
+/// Whether creases (edges with more than 35 degrees between their faces) end at the rims: twice at least, since each
+/// that runs in runs out again or meets others. Linear in the faces at the rims, and far cheaper than `fit_sides`.
+bool creases_run_in(const HoleSite& site);
+
 /// Splits the surface around a site at its creases (edges with more than 35 degrees between their faces), continues
 /// each side that reaches the rims (Yoo 2005, eq. 1-6), and finds the tree under which all known points come to lie
 /// nearest to the surface: so creases that run into the hole go on in it.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "algorithms/hole_filling/continuation/crease_field.h"
 #include "algorithms/hole_filling/patching/wide_holes.h"
 
 namespace croquis::hole_filling {
@@ -82,6 +83,20 @@ bool is_hard_to_triangulate(const HoleSite& site) {
   return is_wide(*site.analysis, site.holes.front());
 }
 
+/// Whether a piece of its own is in the hole's middle: it may belong to the hole, and is found by cubes alone.
+bool has_piece_inside(const HoleSite& site) {
+  const Hole& own = site.analysis->holes[site.holes.front()];
+  return std::ranges::any_of(site.analysis->holes, [&](const Hole& other) {
+    return other.component != own.component && 2 * (other.centre - own.centre).norm() < own.diameter;
+  });
+}
+
+/// Fits of single sides know neither bulges nor other kernels.
+bool goes_on_with_creases(const HoleSite& site) {
+  return site.wish.bulge == 0 && site.wish.implicit.kernel == implicit::Kernel::Hermite && creases_run_in(site) &&
+         !has_piece_inside(site);
+}
+
 Ladder ladder_between(const HoleSite& site, Preset preset, std::size_t most_triangles) {
   const auto& holes = site.analysis->holes;
   const bool is_flat = site.wish.fairness == Fairness::Flat;
@@ -122,8 +137,11 @@ Ladder ladder_for(const HoleSite& site, Preset preset, bool is_cap, std::size_t 
   if (preset == Preset::Sharp && site.holes.size() > 1) preset = Preset::Standard;  // probes have no islands
   Ladder ladder = ladder_for(site.wish, preset, is_cap, most_triangles);
   const bool is_implicit = !is_cap && site.wish.fairness == Fairness::Implicit && preset != Preset::Sharp;
-  if (is_implicit && is_hard_to_triangulate(site))
+  if (is_implicit && is_hard_to_triangulate(site)) {
     std::rotate(ladder.begin(), ladder.begin() + cubes_rung, ladder.begin() + cubes_rung + 1);
+  } else if (is_implicit && preset == Preset::Auto && goes_on_with_creases(site)) {
+    ladder.insert(ladder.begin(), creased_patcher(site.wish.implicit, most_triangles));
+  }
   if (is_plain_slit(site)) ladder.insert(ladder.begin(), zip_patcher());
   return ladder;
 }

@@ -36,7 +36,8 @@ constexpr std::array<Choice, 4> ways{{{"auto", QT_TRANSLATE_NOOP("HolePanel", "A
                                       {"smooth", QT_TRANSLATE_NOOP("HolePanel", "Continue its slope")},
                                       {"flat", QT_TRANSLATE_NOOP("HolePanel", "Flat")}}};
 
-constexpr std::array<Choice, 4> presets{{{"standard", QT_TRANSLATE_NOOP("HolePanel", "Standard")},
+constexpr std::array<Choice, 5> presets{{{"auto", QT_TRANSLATE_NOOP("HolePanel", "Automatic")},
+                                         {"standard", QT_TRANSLATE_NOOP("HolePanel", "Standard")},
                                          {"sharp", QT_TRANSLATE_NOOP("HolePanel", "Sharp: machined parts")},
                                          {"noisy", QT_TRANSLATE_NOOP("HolePanel", "Noisy: rough scans")},
                                          {"paper", QT_TRANSLATE_NOOP("HolePanel", "Paper: as Yoo 2005 has it")}}};
