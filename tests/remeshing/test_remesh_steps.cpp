@@ -91,12 +91,12 @@ TEST_CASE("openings are told apart from rims that stay open, and closed by patch
   const HoleAnalysis analysis = analyse_holes(mesh, progress);
   REQUIRE(analysis.holes.size() == 2);
   const HoleChoice choice = choose_holes(analysis.holes, {});
-  const RemeshPieces pieces = make_pieces(mesh, analysis, choice, {});
+  const RemeshPieces pieces = make_pieces(mesh, analysis, choice, {}, {});
   REQUIRE(pieces.pieces.size() == 1);
   CHECK(pieces.pieces[0].ends);
   PolyMesh surface = mesh;
   Progress looking;
-  Openings openings = find_openings(surface, mesh, pieces.pieces[0], pieces.rims, 1, looking);
+  Openings openings = find_openings(surface, mesh, pieces.pieces[0], pieces.rims, {}, looking);
   CHECK(openings.meant == 1);
   REQUIRE(openings.loops.size() == 1);
   CHECK(analysis.holes[openings.holes[0]].kind != HoleClass::Outer);

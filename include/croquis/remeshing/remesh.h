@@ -44,6 +44,7 @@ struct RemeshChecks {
   std::size_t self_intersections = 0;  ///< pairs of faces
   std::size_t piece_crossings = 0;     ///< of these, the ones of different pieces, or of solids of several
   std::size_t united_pieces = 0;       ///< pieces given that crossed others and are one solid with these
+  std::size_t joined_views = 0;        ///< sheets given that go on in others and became one surface with these
   std::size_t lost_points = 0;         ///< vertices given that no new one is within 1.25 cells of
   bool manifold = false;               ///< no edge of more than two faces, no vertex of more than one fan
 };
@@ -71,11 +72,12 @@ std::size_t predicted_remesh_bytes(const PolyMesh& mesh, const RemeshOptions& op
 /// smoothed, and verified. Holes that are chosen are closed, the others stay open.
 ///
 /// Pieces that the mesh doesn't join, and no hole that is filled does, get functions of their own: they never grow
-/// together, however near (under Preset::Paper one function has them all). Only where the surfaces made cross each
-/// other, these pieces are polygonised again as one solid: the union of what they enclose, less their cavities.
-/// Openings that the field leaves are distinguished from rims left open, and closed with larger boxes, then by patches;
-/// what stays open all the same is a hole with FillAction::Failed. Vertices have the channels of the nearest place of
-/// the mesh; channels of faces and corners end here.
+/// together, however near (under Preset::Paper one function has them all). Sheets that go on in one another along their
+/// rims, as overlapping views of one thing do, are one piece: these rims are no holes, but what all of them leave open
+/// is. Only where the surfaces made cross each other, these pieces are polygonised again as one solid: the union of
+/// what they enclose, less their cavities. Openings that the field leaves are distinguished from rims left open, and
+/// closed with larger boxes, then by patches; what stays open all the same is a hole with FillAction::Failed. Vertices
+/// have the channels of the nearest place of the mesh; channels of faces and corners end here.
 ///
 /// Near-linear in vertices and in triangles of the result. The same for any number of threads.
 /// @throws Error as fill_holes; E_PARAMETER for options out of range; E_MEMORY (Category::Limit) before anything large

@@ -63,13 +63,24 @@ class Remeshing {
 
   void prepare(Progress& progress) {
     edge_ = typical_edge(mesh_, view());
-    pieces_ = make_pieces(mesh_, result_.analysis, choice_, options_);
+    if (options_.fill.preset != Preset::Paper)
+      seams_ = find_view_seams(mesh_, result_.analysis, options_.fill.requests, edge_);
+    choose_seams();
+    pieces_ = make_pieces(mesh_, result_.analysis, choice_, seams_, options_);
     fans_ = TriangleFans(mesh_.vertex_count(), flat_corners(view().triangles));
     normals_ = vertex_normals(mesh_, result_.analysis, fans_, pieces_, threads(), progress);
     links_ = fans_.links(threads(), progress);
     result_.mesh.channels = channels_like(mesh_);
     number_groups();
     report_choice();
+  }
+
+  /// Borders of views that go on in others aren't what the selection leaves open: what all of them leave open is.
+  void choose_seams() {
+    const FillOptions& fill = options_.fill;
+    if (fill.selection != Selection::Inner || !fill.only.empty()) return;
+    for (const Hole& hole : result_.analysis.holes)
+      if (hole.kind == HoleClass::Outer && seams_.are_along(hole.id)) choice_.is_chosen[hole.id] = true;
   }
 
   void number_groups() {
@@ -81,6 +92,7 @@ class Remeshing {
         ++number;
       }
       for (const Index hole : piece.caps) patch_of_[hole] = number++;
+      for (const Index hole : piece.seams) patch_of_[hole] = number++;
     }
   }
 
@@ -139,6 +151,7 @@ class Remeshing {
     refused_.push_back(refused);
     const RemeshPiece& piece = pieces_.pieces[refused.piece];
     for (const Index hole : piece.caps) fail(hole, piece_left_out);
+    for (const Index hole : piece.seams) fail(hole, piece_left_out);
     for (const std::vector<Index>& group : piece.groups)
       for (const Index hole : group) fail(hole, piece_left_out);
   }
@@ -157,8 +170,8 @@ class Remeshing {
   void tell_patched(const PatchedHole& patched) {
     if (patched.hole == no_index) return;
     HoleOutcome& outcome = result_.outcomes[patched.hole];
-    outcome.method = patched.is_cap ? patched.outcome.method : "remesh-patched";
-    if (!patched.is_cap) outcome.reason = "the field left an opening there";
+    outcome.method = patched.fate == RimFate::Patch ? patched.outcome.method : "remesh-patched";
+    if (patched.fate == RimFate::Field) outcome.reason = "the field left an opening there";
     outcome.confidence = std::min(outcome.confidence, patched.outcome.confidence);
   }
 
@@ -167,6 +180,8 @@ class Remeshing {
     if (shape.refused) return;
     if (shape.mesh.face_count() == 0) ++lost_;
     for (const Index hole : shape.openings.holes) fail(hole, "neither the field nor a patch closes it");
+    for (const Index hole : shape.openings.left) leave_open(hole, FillAction::Leave, "the border of the joined views");
+    result_.checks.joined_views += pieces_.pieces[piece].views;
     for (const PatchedHole& patched : shape.patched.loops) tell_patched(patched);
     for (const Index hole : shape.left_to_patches) {  // small ones are closed by what reaches over their rims
       HoleOutcome& outcome = result_.outcomes[hole];
@@ -176,7 +191,8 @@ class Remeshing {
     if (shape.domains.fitted > 0) count_domains(shape.domains);
     RemeshChecks& checks = result_.checks;
     checks.failed_loops += shape.openings.loops.size();
-    for (const PatchedHole& patched : shape.patched.loops) checks.repaired_loops += patched.is_cap ? 0U : 1U;
+    for (const PatchedHole& patched : shape.patched.loops)
+      checks.repaired_loops += patched.fate == RimFate::Field ? 1U : 0U;
     tell_losses(piece, shape);
   }
 
@@ -216,7 +232,8 @@ class Remeshing {
     for (const std::size_t number : part.pieces) {
       const RemeshPiece& piece = pieces_.pieces[number];
       Progress transferring = progress.step("carry over attributes", share / static_cast<double>(part.pieces.size()));
-      if (result_.mesh.channels.empty() && piece.groups.empty() && piece.caps.empty()) continue;
+      const bool has_holes = !piece.groups.empty() || !piece.caps.empty() || !piece.seams.empty();
+      if (result_.mesh.channels.empty() && !has_holes) continue;
       const RemeshPoints points = points_of(mesh_, result_.analysis, piece, normals_, edge_);
       const NearestSurface nearest(mesh_, view(), fans_, piece, points, threads());
       const NewVertices vertices{part.first_vertex, part.vertex_count, part.piece_at, static_cast<Index>(number)};
@@ -226,9 +243,12 @@ class Remeshing {
   }
 
   void fail(Index hole, const char* reason) {
-    if (hole == no_index) return;
+    if (hole != no_index) leave_open(hole, FillAction::Failed, reason);
+  }
+
+  void leave_open(Index hole, FillAction action, const char* reason) {
     HoleOutcome& outcome = result_.outcomes[hole];
-    outcome.action = FillAction::Failed;
+    outcome.action = action;
     outcome.reason = reason;
     outcome.method.clear();
     outcome.confidence = 0;
@@ -297,6 +317,7 @@ class Remeshing {
   const RemeshOptions& options_;
   RemeshMemory memory_;
   HoleChoice choice_;
+  ViewSeams seams_;
   RemeshPieces pieces_;
   TriangleFans fans_ = TriangleFans(0, {});
   std::vector<Vec3> normals_;  // of the view's vertices

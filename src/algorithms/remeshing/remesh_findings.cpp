@@ -97,6 +97,13 @@ void tell_united(const RemeshChecks& checks, Findings& findings) {
                                  "take them apart before if they should stay pieces."));
 }
 
+void tell_views(const RemeshChecks& checks, Findings& findings) {
+  if (checks.joined_views == 0) return;
+  findings.push_back(warning("W_VIEWS_JOINED", std::to_string(checks.joined_views) +
+                                                   " pieces of the model go on in one another like views of one thing "
+                                                   "and were made one surface: align them better if it is rough."));
+}
+
 void tell_cuts(const RemeshChecks& checks, Findings& findings) {
   if (checks.self_intersections == 0) return;
   std::string text = counted(checks.self_intersections, "pair of faces intersects", "pairs of faces intersect");
@@ -131,6 +138,7 @@ Findings remesh_findings(const PolyMesh& mesh, const RemeshResult& result, const
     findings.push_back(
         warning("W_NOT_CLOSED", counted(result.checks.failed_loops, "opening is", "openings are") +
                                     " left where none was: choose smaller cells, or fill holes by patches."));
+  tell_views(result.checks, findings);
   tell_united(result.checks, findings);
   tell_cuts(result.checks, findings);
   return findings;

@@ -26,6 +26,15 @@ RimName elected(const PolyMesh& surface, const Hole& loop, const implicit::Point
       ->first;
 }
 
+/// Wishes name rims of the mesh given: a loop that views leave is none of them, but where a rim that was named is near.
+bool stays_open(const Hole& loop, const RimName& name, const FillOptions& options) {
+  const auto& [fate, hole] = name;
+  if (fate != RimFate::Seam) return fate == RimFate::Open;
+  if (!options.only.empty()) return hole == no_index;
+  const HoleSize size{loop.kind, loop.diameter};
+  return named_holes({&size, 1}, options.selection, options.max_diameter).front() != Naming::Named;
+}
+
 bool is_open(const PolyMesh& surface, int threads, Progress& progress) {
   const TriangleFans fans(surface.vertex_count(), surface.corners);
   const std::vector<TriangleFans::Link> links = fans.links(threads, progress);
@@ -37,10 +46,10 @@ bool is_open(const PolyMesh& surface, int threads, Progress& progress) {
 }  // namespace
 
 Openings find_openings(const PolyMesh& surface, const PolyMesh& mesh, const RemeshPiece& piece,
-                       const std::vector<RimPlace>& rims, int threads, Progress& progress) {
+                       const std::vector<RimPlace>& rims, const FillOptions& options, Progress& progress) {
   Openings openings;
   Progress looking = progress.step("look for openings", 0.2);
-  if (surface.face_count() == 0 || !is_open(surface, threads, looking)) return openings;
+  if (surface.face_count() == 0 || !is_open(surface, options.threads, looking)) return openings;
   std::vector<Vec3> places;
   std::vector<RimName> names;
   for (const RimPlace& rim : rims) {
@@ -51,14 +60,15 @@ Openings find_openings(const PolyMesh& surface, const PolyMesh& mesh, const Reme
   const implicit::PointTree tree(places);
   Progress analysing = progress.step("measure openings", 0.8);
   for (const Hole& loop : analyse_holes(surface, analysing).holes) {
-    const auto [fate, hole] = places.empty() ? RimName(RimFate::Field, no_index) : elected(surface, loop, tree, names);
-    if (fate == RimFate::Open) {
+    const RimName name = places.empty() ? RimName(RimFate::Field, no_index) : elected(surface, loop, tree, names);
+    if (stays_open(loop, name, options)) {
       ++openings.meant;
+      if (name.second != no_index && name.first == RimFate::Seam) openings.left.push_back(name.second);
       continue;
     }
     openings.loops.push_back(loop.id);
-    openings.holes.push_back(hole);
-    openings.is_cap.push_back(fate == RimFate::Patch ? 1 : 0);
+    openings.holes.push_back(name.second);
+    openings.fates.push_back(name.first);
   }
   return openings;
 }
@@ -74,23 +84,24 @@ PatchedHoles close_by_patches(PolyMesh& surface, Openings& openings, const FillO
   HoleRequest flat;
   flat.fairness = Fairness::Flat;
   for (std::size_t i = 0; i < openings.loops.size(); ++i)
-    if (openings.is_cap[i] != 0) flat.holes.push_back(openings.loops[i]);
+    if (openings.fates[i] == RimFate::Patch) flat.holes.push_back(openings.loops[i]);
   if (!flat.holes.empty()) patching.requests.push_back(flat);
   const std::size_t first_face = surface.face_count();
   FillResult filled = fill_holes(surface, patching, progress);
   PatchedHoles patched;
   Openings left;
   left.meant = openings.meant;
+  left.left = std::move(openings.left);
   std::map<std::int32_t, Index> hole_of_patch;
   for (std::size_t i = 0; i < openings.loops.size(); ++i) {
     const HoleOutcome& outcome = filled.outcomes[openings.loops[i]];
     if (outcome.action == FillAction::Fill) {
-      patched.loops.push_back({openings.holes[i], openings.is_cap[i] != 0, outcome});
+      patched.loops.push_back({openings.holes[i], openings.fates[i], outcome});
       hole_of_patch.emplace(static_cast<std::int32_t>(outcome.patch), openings.holes[i]);
     } else {
       left.loops.push_back(openings.loops[i]);
       left.holes.push_back(openings.holes[i]);
-      left.is_cap.push_back(openings.is_cap[i]);
+      left.fates.push_back(openings.fates[i]);
     }
   }
   if (const AttributeChannel* channel = filled.mesh.channel("patch_id", Domain::Face)) {

@@ -16,18 +16,22 @@ using namespace hole_filling;
 
 class PieceMaker {
  public:
-  PieceMaker(const PolyMesh& mesh, const HoleAnalysis& analysis, const HoleChoice& choice, const RemeshOptions& options)
+  PieceMaker(const PolyMesh& mesh, const HoleAnalysis& analysis, const HoleChoice& choice, const ViewSeams& seams,
+             const RemeshOptions& options)
       : mesh_(mesh),
         view_(analysis.view),
         holes_(analysis.holes),
         choice_(choice),
+        seams_(seams),
         options_(options),
         joined_(view_.component_count) {}
 
   RemeshPieces run() {
     join_at_vertices();
+    for (const auto& [a, b] : seams_.joined) joined_.unite(a, b);
     join_at_holes();
     number_pieces();
+    list_seams();
     list_vertices();
     list_rims();
     return std::move(result_);
@@ -53,12 +57,26 @@ class PieceMaker {
     fates_.assign(holes_.size(), RimFate::Open);
     jobs_ = make_jobs(holes_, options_.fill, choice_.is_chosen);
     for (FillJob& job : jobs_) {
+      std::erase_if(job.holes, [&](Index hole) { return seams_.are_along(hole); });
       job.is_cap = job.is_cap && options_.fill.preset != Preset::Paper;
       for (const Index hole : job.holes) {
         fates_[hole] = job.is_cap ? RimFate::Patch : RimFate::Field;
         for (const Index corner : holes_[hole].corners)
           joined_.unite(component_of_rim(holes_[job.holes.front()]), view_.component[corner / 3]);
       }
+    }
+  }
+
+  void list_seams() {
+    std::vector<std::uint8_t> is_view(view_.component_count, 0);
+    for (const auto& [a, b] : seams_.joined) is_view[a] = is_view[b] = 1;
+    for (Index c = 0; c < view_.component_count; ++c)
+      if (is_view[c] != 0 && piece_of_[c] != no_index) ++result_.pieces[piece_of_[c]].views;
+    for (const Hole& hole : holes_) {
+      if (!choice_.is_chosen[hole.id] || !seams_.are_along(hole.id)) continue;
+      fates_[hole.id] = RimFate::Seam;
+      const Index piece = piece_of_[component_of_rim(hole)];
+      if (piece != no_index) result_.pieces[piece].seams.push_back(hole.id);
     }
   }
 
@@ -82,6 +100,7 @@ class PieceMaker {
       if (piece != no_index) result_.pieces[piece].triangles.push_back(t);
     }
     for (FillJob& job : jobs_) {
+      if (job.holes.empty()) continue;
       const Index number = piece_of_[component_of_rim(holes_[job.holes.front()])];
       if (number == no_index) continue;
       RemeshPiece& piece = result_.pieces[number];
@@ -114,12 +133,16 @@ class PieceMaker {
     for (const Index corner : view_.rim_corners) {
       const auto found = std::ranges::lower_bound(holes_of_corners, std::pair{corner, Index{0}});
       const bool is_hole = found != holes_of_corners.end() && found->first == corner;
-      const RimFate fate = is_hole ? fates_[found->second] : RimFate::Patch;
+      const RimFate fate_of_rim = is_hole ? fates_[found->second] : RimFate::Patch;
+      const bool is_view_rim = !is_hole || seams_.are_along(found->second);
       const Index piece = piece_of_[view_.component[corner / 3]];
-      if (fate != RimFate::Field && piece != no_index) result_.pieces[piece].ends = true;
-      for (const Index vertex : {view_.origin(corner), view_.target(corner)})
+      if (fate_of_rim != RimFate::Field && piece != no_index) result_.pieces[piece].ends = true;
+      for (const Index vertex : {view_.origin(corner), view_.target(corner)}) {
+        const bool is_seam = is_view_rim && seams_.at(vertex);
+        const RimFate fate = is_seam ? RimFate::Seam : fate_of_rim;
         result_.rims.push_back(
-            {vertex, is_hole && fate != RimFate::Open ? found->second : no_index, fate, outwards(corner)});
+            {vertex, is_hole && fate_of_rim != RimFate::Open ? found->second : no_index, fate, outwards(corner)});
+      }
     }
     merge_rims();
   }
@@ -160,6 +183,7 @@ class PieceMaker {
   const SurfaceView& view_;
   const std::vector<Hole>& holes_;
   const HoleChoice& choice_;
+  const ViewSeams& seams_;
   const RemeshOptions& options_;
   DisjointSets joined_;
   std::vector<Index> component_at_;  // of a vertex, no_index where it isn't used
@@ -172,8 +196,8 @@ class PieceMaker {
 }  // namespace
 
 RemeshPieces make_pieces(const PolyMesh& mesh, const HoleAnalysis& analysis, const HoleChoice& choice,
-                         const RemeshOptions& options) {
-  return PieceMaker(mesh, analysis, choice, options).run();
+                         const ViewSeams& seams, const RemeshOptions& options) {
+  return PieceMaker(mesh, analysis, choice, seams, options).run();
 }
 
 void leave_to_patches(RemeshPieces& pieces, std::size_t piece) {

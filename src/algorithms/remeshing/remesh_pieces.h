@@ -4,24 +4,29 @@
 #include <cstddef>
 #include <vector>
 
+#include "algorithms/remeshing/view_seams.h"
 #include "croquis/hole_filling/hole_analysis.h"
 #include "croquis/hole_filling/hole_choice.h"
 #include "croquis/remeshing/remesh.h"
 
 namespace croquis::remeshing {
 
-/// A part of the mesh that gets a function of its own: a component, or several that share vertices or a hole to fill.
+/// A part of the mesh that gets a function of its own: a component, or several that share vertices or a hole to fill,
+/// or that are views of one thing.
 struct RemeshPiece {
   std::vector<Index> vertices;             ///< of the view, ascending
   std::vector<std::vector<Index>> groups;  ///< chosen holes that the field closes, those together that one sheet does
   std::vector<Index> caps;                 ///< chosen holes that patches close, ascending: the field ends at their rims
+  std::vector<Index> seams;                ///< chosen rims at seams of views: what the field leaves open is patched
   std::vector<Index> triangles;            ///< of the view, ascending
   bool ends = false;                       ///< has rims that the field ends at
+  std::size_t views = 0;                   ///< that it was joined of; 0: no seams
 };
 
 /// What becomes of a rim, the stronger later: where several share a vertex the strongest holds there.
 enum class RimFate {
   Field,  ///< the field closes it
+  Seam,   ///< another view goes on there: the field ends only where all data are far
   Patch,  ///< the field ends there, and a patch closes it: a flat cap, or where no hole is but rim edges are
   Open    ///< a hole that wasn't chosen
 };
@@ -40,9 +45,10 @@ struct RemeshPieces {
   std::size_t left_out = 0;         ///< components below the least size
 };
 
-/// @param options whether everything is one piece (Preset::Paper), and the least size of components
+/// @param seams of views, which are joined; @param options whether everything is one piece (Preset::Paper), and the
+/// least size of components
 RemeshPieces make_pieces(const PolyMesh& mesh, const hole_filling::HoleAnalysis& analysis,
-                         const hole_filling::HoleChoice& choice, const RemeshOptions& options);
+                         const hole_filling::HoleChoice& choice, const ViewSeams& seams, const RemeshOptions& options);
 
 /// Leaves all chosen holes of a piece to patches, for where the field leads away.
 void leave_to_patches(RemeshPieces& pieces, std::size_t piece);

@@ -172,7 +172,7 @@ Strays Shaping::strays_of(const PolyMesh& surface, const Trial& trial, Progress&
 
 void Shaping::cut_off(const Strays& strays, PieceShape& shape, Progress& progress) const {
   shape.mesh = trimmed(shape.mesh, strays.vertices);
-  shape.openings = find_openings(shape.mesh, model_.mesh, piece_, model_.pieces.rims, model_.threads(), progress);
+  shape.openings = find_openings(shape.mesh, model_.mesh, piece_, model_.pieces.rims, model_.options.fill, progress);
 }
 
 /// What of the piece is there, and in how many parts.
@@ -204,7 +204,7 @@ PieceShape Shaping::attempt(const Trial& trial, double growth, bool is_last, Pro
   shape.runs_away = runs_away(shape.mesh, trial.points);
   if (shape.runs_away && !is_last) return shape;
   Progress looking = progress.step("look for openings", 0.05);
-  shape.openings = find_openings(shape.mesh, model_.mesh, piece_, model_.pieces.rims, model_.threads(), looking);
+  shape.openings = find_openings(shape.mesh, model_.mesh, piece_, model_.pieces.rims, model_.options.fill, looking);
   if (shape.openings.any_of_field() && !is_last) return shape;
   shape.domains = field.report();
   Progress improving = progress.step("improve", 0.15);

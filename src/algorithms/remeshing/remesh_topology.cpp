@@ -29,6 +29,7 @@ std::size_t difference(const SurfaceTopology& a, const SurfaceTopology& b) {
 
 std::optional<SurfaceTopology> wanted_topology(const HoleAnalysis& analysis, const RemeshPiece& piece,
                                                std::span<const TriangleFans::Link> links) {
+  if (piece.views > 0) return std::nullopt;
   if (std::any_of(piece.vertices.begin(), piece.vertices.end(), [&](Index v) { return links[v] == Link::Broken; }))
     return std::nullopt;
   // At sound vertices there are as many edges of rims as vertices on them.
