@@ -10,6 +10,7 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
+#include "croquis/hole_filling/fill_findings.h"
 #include "croquis/hole_filling/fill_holes.h"
 #include "croquis/hole_filling/hole_choice.h"
 #include "hole_filling/fill_invariants.h"
@@ -338,6 +339,28 @@ TEST_CASE("one hole that can't be filled stays open and keeps no other from it")
   for (const HoleOutcome& outcome : result.outcomes) ++actions[outcome.action];
   CHECK(actions == std::map<FillAction, int>{{FillAction::Fill, 1}, {FillAction::Leave, 1}, {FillAction::Failed, 1}});
   CHECK(codes_of(result) == std::vector<std::string>{"W_OUTER_LEFT", "W_HOLE_FAILED"});
+}
+
+TEST_CASE("holes of which the same is to be told are told in one finding") {
+  const PolyMesh mesh = random_cuts(round_sphere(3), 9, 4, 0.2, 0.3).mesh;
+  FillResult result = fill(mesh);
+  REQUIRE(result.outcomes.size() == 4);
+  for (HoleOutcome& outcome : result.outcomes) {
+    outcome.method = "minimal";
+    outcome.reason = "one reason";
+    outcome.confidence = 1;
+    outcome.max_normal_jump = 0;
+  }
+  result.outcomes[2].reason = "another";
+  result.outcomes[3].action = FillAction::Failed;
+  const Findings findings = fill_findings(mesh, result);
+  REQUIRE(findings.size() == 3);
+  CHECK(findings[0].code == "W_HOLE_FAILED");
+  CHECK(findings[0].message.starts_with("Hole 3 stays open"));
+  CHECK(findings[1].code == "W_FALLBACK");
+  CHECK(findings[1].message.starts_with("Holes 0 and 1 were filled by minimal instead (one reason)"));
+  CHECK(findings[1].subjects.size() == 2);
+  CHECK(findings[2].message.starts_with("Hole 2 was filled"));
 }
 
 TEST_CASE("soups keep their vertices and are closed where their corners lie") {

@@ -16,10 +16,6 @@ Subject hole_subject(const PolyMesh& mesh, const Hole& hole) {
   return numbered_subject(SubjectKind::Hole, hole.id, {at.x(), at.y(), at.z()});
 }
 
-std::string named(const Hole& hole) {
-  return "Hole " + std::to_string(hole.id) + " (" + std::to_string(hole.vertices.size()) + " edges)";
-}
-
 void tell_outer(const PolyMesh& scan, const FillResult& result, Findings& findings) {
   std::vector<Subject> subjects;
   for (const Hole& hole : result.analysis.holes) {
@@ -35,20 +31,6 @@ void tell_outer(const PolyMesh& scan, const FillResult& result, Findings& findin
       make_warning(Category::Geometry, "W_OUTER_LEFT",
                    count + " like the border of an open surface and stayed open: choose all holes, or " + choice,
                    std::move(subjects)));
-}
-
-void tell_hole(const PolyMesh& scan, const FillResult& result, const Hole& hole, Findings& findings) {
-  const HoleOutcome& outcome = result.outcomes[hole.id];
-  if (outcome.action == FillAction::Failed && outcome.reason != piece_left_out)
-    findings.push_back(make_warning(Category::Geometry, "W_HOLE_FAILED",
-                                    named(hole) + " stays open, since no method made a sound patch (" + outcome.reason +
-                                        "): look at the surface around it.",
-                                    {hole_subject(scan, hole)}));
-  else if (outcome.action == FillAction::Fill && !outcome.reason.empty())
-    findings.push_back(make_warning(
-        Category::Geometry, "W_FALLBACK",
-        named(hole) + " was filled by " + outcome.method + " instead (" + outcome.reason + "): look at its shape.",
-        {hole_subject(scan, hole)}));
 }
 
 /// The holes filled for which something holds.
@@ -71,6 +53,43 @@ std::string names_of(const std::vector<Subject>& subjects) {
   for (std::size_t i = 1; i < named; ++i) text += ", " + name_of(subjects[i]);
   const std::size_t left = subjects.size() - named;
   return text + " and " + (left == 1 ? name_of(subjects.back()) : std::to_string(left) + " more");
+}
+
+/// Holes of which the same is told.
+using Alike = std::vector<std::pair<const HoleOutcome*, std::vector<Subject>>>;
+
+void add(const Subject& hole, const HoleOutcome& outcome, Alike& lists) {
+  const auto is_alike = [&](const auto& list) {
+    return list.first->method == outcome.method && list.first->reason == outcome.reason;
+  };
+  const auto found = std::ranges::find_if(lists, is_alike);
+  if (found == lists.end())
+    lists.push_back({&outcome, {hole}});
+  else
+    found->second.push_back(hole);
+}
+
+/// One warning for all holes that stay open, or were filled by another method, for one reason.
+void tell_failed(const PolyMesh& scan, const FillResult& result, Findings& findings) {
+  Alike failed, replaced;
+  for (const Hole& hole : result.analysis.holes) {
+    const HoleOutcome& outcome = result.outcomes[hole.id];
+    if (outcome.action == FillAction::Failed && outcome.reason != piece_left_out)
+      add(hole_subject(scan, hole), outcome, failed);
+    else if (outcome.action == FillAction::Fill && !outcome.reason.empty())
+      add(hole_subject(scan, hole), outcome, replaced);
+  }
+  for (auto& [outcome, holes] : failed) {
+    const std::string sentence = names_of(holes) + (holes.size() == 1 ? " stays" : " stay") +
+                                 " open, since no method made a sound patch (" + outcome->reason +
+                                 "): look at the surface around.";
+    findings.push_back(make_warning(Category::Geometry, "W_HOLE_FAILED", sentence, std::move(holes)));
+  }
+  for (auto& [outcome, holes] : replaced) {
+    const std::string sentence = names_of(holes) + (holes.size() == 1 ? " was" : " were") + " filled by " +
+                                 outcome->method + " instead (" + outcome->reason + "): look at the shape.";
+    findings.push_back(make_warning(Category::Geometry, "W_FALLBACK", sentence, std::move(holes)));
+  }
 }
 
 /// One warning for all of them.
@@ -105,7 +124,7 @@ void tell_low_confidence(const PolyMesh& scan, const FillResult& result, Finding
 Findings fill_findings(const PolyMesh& scan, const FillResult& result) {
   Findings findings = result.analysis.warnings;
   tell_outer(scan, result, findings);
-  for (const Hole& hole : result.analysis.holes) tell_hole(scan, result, hole, findings);
+  tell_failed(scan, result, findings);
   tell_low_confidence(scan, result, findings);
   return findings;
 }

@@ -14,9 +14,9 @@ namespace {
 
 using namespace hole_filling;
 
-constexpr double seam_reach = 3;     // × edge: views between which a row of faces is missing
-constexpr double seam_height = 1;    // × edge, along both normals: what views are misplaced by
-constexpr double agrees = 0.6;       // cosine
+constexpr double seam_reach = 3;   // × edge: views between which a row of faces is missing
+constexpr double seam_height = 1;  // × edge, along both normals: what views are misplaced by
+constexpr double agrees = 0.6;     // cosine
 constexpr std::size_t least_seam = 16;
 constexpr double least_share = 0.1;
 constexpr double rim_share = 0.2;
@@ -97,8 +97,8 @@ class SeamFinder {
   bool are_joined(Index a, Index b) {
     Sheet &first = sheets_[a], &second = sheets_[b];
     const std::size_t count = first.near[b] + second.near[a];
-    return count >= least_seam && static_cast<double>(count) >=
-                                      least_share * static_cast<double>(std::min(first.rim, second.rim));
+    return count >= least_seam &&
+           static_cast<double>(count) >= least_share * static_cast<double>(std::min(first.rim, second.rim));
   }
 
   ViewSeams joined() {
@@ -128,8 +128,9 @@ class SeamFinder {
 };
 
 bool is_wished(const Hole& hole, const std::vector<HoleRequest>& requests) {
-  return std::ranges::any_of(
-      requests, [&](const HoleRequest& request) { return std::ranges::find(request.holes, hole.id) != request.holes.end(); });
+  return std::ranges::any_of(requests, [&](const HoleRequest& request) {
+    return std::ranges::find(request.holes, hole.id) != request.holes.end();
+  });
 }
 
 }  // namespace

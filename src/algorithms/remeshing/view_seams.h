@@ -12,7 +12,8 @@ namespace croquis::remeshing {
 /// Where components go on in one another, as views of one thing do that overlap or don't quite meet.
 struct ViewSeams {
   std::vector<std::pair<Index, Index>> joined;  ///< pairs of components of the view, the lower first
-  std::vector<std::uint8_t> vertices;  ///< per vertex of the mesh: 1 on a rim beside which a joined one goes on; or none
+  std::vector<std::uint8_t>
+      vertices;  ///< per vertex of the mesh: 1 on a rim beside which a joined one goes on; or none
 
   /// Per hole, or none: 1 for views' rims, which more than a fifth of lies at seams. They are no holes by themselves,
   /// unless a request names them.
