@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "croquis/geometry/triangle_fans.h"
+#include "croquis/hole_filling/patch_confidence.h"
 #include "croquis/implicit/point_tree.h"
 
 namespace croquis::remeshing {
@@ -73,6 +74,17 @@ Openings find_openings(const PolyMesh& surface, const PolyMesh& mesh, const Reme
   return openings;
 }
 
+/// Loops that views leave between them, and of which nothing near shows the shape: the best patch is a guess.
+std::vector<Index> doubtful(const Openings& openings, const FillResult& filled) {
+  std::vector<Index> loops;
+  for (std::size_t i = 0; i < openings.loops.size(); ++i) {
+    const HoleOutcome& outcome = filled.outcomes[openings.loops[i]];
+    const bool is_guess = outcome.action == FillAction::Fill && outcome.confidence < low_confidence;
+    if (openings.fates[i] == RimFate::Seam && is_guess) loops.push_back(openings.loops[i]);
+  }
+  return loops;
+}
+
 PatchedHoles close_by_patches(PolyMesh& surface, Openings& openings, const FillOptions& options, Progress& progress) {
   FillOptions patching = options;
   patching.only = openings.loops;
@@ -88,6 +100,11 @@ PatchedHoles close_by_patches(PolyMesh& surface, Openings& openings, const FillO
   if (!flat.holes.empty()) patching.requests.push_back(flat);
   const std::size_t first_face = surface.face_count();
   FillResult filled = fill_holes(surface, patching, progress);
+  if (std::vector<Index> guesses = doubtful(openings, filled); !guesses.empty()) {
+    patching.requests.emplace_back().holes = std::move(guesses);
+    patching.requests.back().fairness = Fairness::Flat;
+    filled = fill_holes(surface, patching, progress);
+  }
   PatchedHoles patched;
   Openings left;
   left.meant = openings.meant;

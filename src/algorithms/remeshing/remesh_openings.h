@@ -46,7 +46,8 @@ struct PatchedHoles {
   std::vector<std::pair<std::size_t, Index>> faces;  ///< of patches, with the hole of the mesh given, ascending
 };
 
-/// Closes the loops by patches, the best that is sound for each, flat where so marked, and takes those that were closed
+/// Closes the loops by patches, the best that is sound for each, flat where so marked, or where views leave open what
+/// nothing near shows, and takes those that were closed
 /// out of the openings.
 /// @throws Cancelled
 PatchedHoles close_by_patches(PolyMesh& surface, Openings& openings, const hole_filling::FillOptions& options,
