@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <atomic>
 #include <string>
 #include <vector>
@@ -155,4 +156,21 @@ TEST_CASE("making anew can be cancelled at every step, and progress only grows t
     CAPTURE(stop_at);
     CHECK_THROWS_AS(run(stop_at), Cancelled);
   }
+}
+
+TEST_CASE("where triangles are of many sizes cells don't make the model many times as large, and that is told") {
+  const PolyMesh dense = scaled(sheet(80, 80), 1.0 / 80), wide = translated(sheet(20, 20), Vec3(2, 0, 0));
+  const PolyMesh mesh = merged(dense, wide);
+  const RemeshResult result = remesh(mesh);
+  const auto told = [&](const char* code) {
+    return std::ranges::find(result.warnings, code, &Finding::code) != result.warnings.end();
+  };
+  CHECK(result.coarsening > 1.2);
+  CHECK(told("W_CELLS_ENLARGED"));
+  CHECK(told("W_MANY_FACES") == (result.mesh.face_count() > 4 * mesh.face_count()));
+  CHECK(result.mesh.face_count() < 8 * mesh.face_count());
+  CHECK(result.mesh.face_count() < result.predicted_faces);
+  const RemeshResult even = remesh(dense);
+  CHECK(even.coarsening == 1);
+  CHECK(even.mesh.face_count() < even.predicted_faces);
 }

@@ -59,6 +59,8 @@ struct RemeshResult {
   RemeshChecks checks;
   std::size_t slabs = 0;            ///< that the piece with most of them was made in
   std::size_t predicted_bytes = 0;  ///< see predicted_remesh_bytes
+  std::size_t predicted_faces = 0;  ///< of cells as asked for, at most about; smaller ones of retries give more
+  double coarsening = 1;            ///< what cells were larger by than asked for, so that faces aren't too many
   Findings warnings;
 };
 

@@ -43,6 +43,8 @@ class Remeshing {
     require_options(options_);
     require_memory(memory_, options_.memory_limit);
     result_.predicted_bytes = whole_bytes(memory_.most());
+    result_.predicted_faces = whole_bytes(memory_.faces());
+    result_.coarsening = memory_.coarsening();
     Progress analysing = progress.step("analyse holes", 0.06);
     result_.analysis = analyse_holes(mesh_, analysing, options_.fill.analysis);
     choice_ = choose_holes(result_.analysis.holes, options_.fill);
@@ -59,7 +61,7 @@ class Remeshing {
  private:
   const SurfaceView& view() const { return result_.analysis.view; }
   int threads() const { return options_.fill.threads; }
-  double cell() const { return options_.cell * edge_; }
+  double cell() const { return options_.cell * edge_ * memory_.coarsening(); }
 
   void prepare(Progress& progress) {
     edge_ = typical_edge(mesh_, view());

@@ -97,6 +97,22 @@ void tell_united(const RemeshChecks& checks, Findings& findings) {
                                  "take them apart before if they should stay pieces."));
 }
 
+/// Cells never make a model many times as large without a word.
+void tell_faces(const RemeshResult& result, Findings& findings) {
+  constexpr double many = 4;  // times the triangles given
+  constexpr std::size_t few = 20'000;
+  const auto given = static_cast<double>(result.analysis.view.triangles.size());
+  const double growth = static_cast<double>(result.mesh.face_count()) / given;
+  if (result.coarsening > 1)
+    findings.push_back(warning("W_CELLS_ENLARGED", "Cells are " + number(result.coarsening) +
+                                                       " times as large as usual, since the scan's triangles are of "
+                                                       "many sizes: choose smaller cells to keep the finest detail."));
+  if (growth > many && result.mesh.face_count() > few)
+    findings.push_back(warning("W_MANY_FACES", "The result has " + number(growth) +
+                                                   " times the faces of the scan, of thin parts or large triangles: "
+                                                   "choose larger cells, or fill holes by patches."));
+}
+
 void tell_views(const RemeshChecks& checks, Findings& findings) {
   if (checks.joined_views == 0) return;
   findings.push_back(warning("W_VIEWS_JOINED", std::to_string(checks.joined_views) +
@@ -138,6 +154,7 @@ Findings remesh_findings(const PolyMesh& mesh, const RemeshResult& result, const
     findings.push_back(
         warning("W_NOT_CLOSED", counted(result.checks.failed_loops, "opening is", "openings are") +
                                     " left where none was: choose smaller cells, or fill holes by patches."));
+  tell_faces(result, findings);
   tell_views(result.checks, findings);
   tell_united(result.checks, findings);
   tell_cuts(result.checks, findings);

@@ -32,6 +32,8 @@ constexpr double usual_slab = 50'000;            // thinner ones save little mor
 constexpr double thinnest_slab = 2'000;          // less than what is held beside it, for all but small meshes
 constexpr double retry_bytes = 1.5e9;            // for what may be tried, when no limit is given
 constexpr int cell_halvings = 2;
+constexpr double most_growth = 8;         // × the triangles given, unless smaller cells are asked for
+constexpr double small_result = 100'000;  // triangles that any model may have
 
 /// Triangles, area and edges, polygons taken as fans.
 struct PieceExtent {
@@ -66,6 +68,15 @@ PieceExtent extent_of(const PolyMesh& mesh) {
   return is_sound ? extent : PieceExtent();  // else the analysis reports it
 }
 
+double most_faces(double triangles) { return std::max(most_growth * triangles, small_result); }
+
+/// What cells of one edge must be larger by: where triangles are of many sizes their mean edge is that of the small.
+double coarsening_of(const PieceExtent& extent, double edge) {
+  if (!(edge > 0)) return 1;
+  const double faces = triangles_per_cube_face * extent.area / (edge * edge);
+  return std::sqrt(std::max(faces / most_faces(extent.triangles), 1.0));
+}
+
 /// Points that large triangles get in their middle, at most.
 double samples(const PolyMesh& mesh, double edge) {
   double count = 0;
@@ -83,7 +94,9 @@ double samples(const PolyMesh& mesh, double edge) {
 
 RemeshMemory::RemeshMemory(const PolyMesh& mesh, const RemeshOptions& options) : options_(options) {
   const PieceExtent extent = extent_of(mesh);
-  const double edge = extent.typical_edge(), cell = options.cell * edge;
+  const double edge = extent.typical_edge();
+  coarsening_ = coarsening_of(extent, edge);
+  const double cell = options.cell * edge * coarsening_;
   triangles_ = extent.triangles;
   vertices_ = static_cast<double>(mesh.vertex_count());
   if (!(cell > 0)) return;
@@ -130,6 +143,7 @@ double RemeshMemory::most() const {
 
 bool RemeshMemory::may_halve(double share, int times) const {
   if (options_.fill.preset == Preset::Paper) return false;
+  if (share * std::pow(4, times) * made_ > most_faces(share * triangles_)) return false;
   const double more = halving(share, times);
   return options_.memory_limit == 0
              ? more <= retry_bytes

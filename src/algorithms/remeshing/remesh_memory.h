@@ -44,6 +44,12 @@ class RemeshMemory {
   /// The usual ones, or thinner ones where these would exceed the limit.
   SlabPoints slabs() const;
 
+  /// What cells are larger by than asked for, so that the faces aren't many times those of the scan; 1: nothing.
+  double coarsening() const { return coarsening_; }
+
+  /// Faces of the result, at most about, unless pieces are tried again.
+  double faces() const { return made_; }
+
   /// The cell, × mean edge, with which the model fits the limit; more than 64 when none is large enough.
   double fitting_cell() const;
 
@@ -54,6 +60,7 @@ class RemeshMemory {
   const RemeshOptions& options_;
   double triangles_ = 0, vertices_ = 0, points_ = 0;
   double made_ = 0;  // triangles
+  double coarsening_ = 1;
 };
 
 }  // namespace croquis::remeshing
