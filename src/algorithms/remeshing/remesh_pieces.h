@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "algorithms/remeshing/view_seams.h"
+#include "algorithms/remeshing/views/view_seams.h"
 #include "croquis/hole_filling/hole_analysis.h"
 #include "croquis/hole_filling/hole_choice.h"
 #include "croquis/remeshing/remesh.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/remeshing/view_seams.h"
+#include "algorithms/remeshing/views/view_seams.h"
 
 #include <algorithm>
 #include <map>
