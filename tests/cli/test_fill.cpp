@@ -270,14 +270,17 @@ TEST_CASE("a project that fills gives the file that fill gives") {
   CHECK(slurp(folder / "run.ply") == slurp(folder / "fill.ply"));
 }
 
-TEST_CASE("the shipped scan comes back closed, without a word") {
+TEST_CASE("the shipped scan comes back closed, without a word but where flat lids over wide holes are guesses") {
   const ScratchFolder folder;
   const std::string shipped = CROQUIS_SOURCE_DIR "/examples/data/pumpkin_scan.ply";
-  for (const char* fairness : {"rbf", "smooth", "flat"}) {
-    const Json report = filled(shipped, folder / "out.ply", {"--fairness", fairness, "--select", "all", "--strict"});
+  const auto fill_all = [&](const std::string& fairness) {
+    const Json report = filled(shipped, folder / "out.ply", {"--fairness", fairness, "--select", "all"});
     CHECK(holes_with(report, "fill").size() == 7);
     CHECK(run_cli({"check", folder / "out.ply"}).code == 0);
-  }
+    return report;
+  };
+  for (const char* fairness : {"rbf", "smooth"}) CHECK(fill_all(fairness)["warnings"].empty());
+  CHECK(tells(fill_all("flat"), "W_LOW_CONFIDENCE"));
 }
 
 }  // namespace
