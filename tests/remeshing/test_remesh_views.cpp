@@ -94,3 +94,16 @@ TEST_CASE("a rim at a seam that was asked for stays a hole of its own") {
   const RemeshResult result = remesh(views, options);
   CHECK(result.outcomes[0].action == FillAction::Leave);
 }
+
+TEST_CASE(
+    "an island and the hole around it are not told as views, and what closes both is trusted by the size of the "
+    "model") {
+  const PolyMesh ball = round_sphere(4);
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const PolyMesh scan = cut_ragged(ball, Vec3(0, 0, 1), 0.3, 0.15, seed);
+    const RemeshResult result = remesh(scan);
+    CHECK_FALSE(is_told(result, "W_VIEWS_JOINED"));
+    CHECK_FALSE(is_told(result, "W_LOW_CONFIDENCE"));
+    CHECK(result.checks.open_loops == 0);
+  }
+}

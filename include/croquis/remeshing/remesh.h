@@ -44,7 +44,8 @@ struct RemeshChecks {
   std::size_t self_intersections = 0;  ///< pairs of faces
   std::size_t piece_crossings = 0;     ///< of these, the ones of different pieces, or of solids of several
   std::size_t united_pieces = 0;       ///< pieces given that crossed others and are one solid with these
-  std::size_t joined_views = 0;        ///< sheets given that go on in others and became one surface with these
+  std::size_t joined_views = 0;        ///< sheets given that go on in others and became one surface with these,
+                                       ///< islands in their holes left out
   std::size_t lost_points = 0;         ///< vertices given that no new one is within 1.25 cells of
   bool manifold = false;               ///< no edge of more than two faces, no vertex of more than one fan
 };

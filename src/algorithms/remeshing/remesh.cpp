@@ -183,7 +183,8 @@ class Remeshing {
     if (shape.mesh.face_count() == 0) ++lost_;
     for (const Index hole : shape.openings.holes) fail(hole, "neither the field nor a patch closes it");
     for (const Index hole : shape.openings.left) leave_open(hole, FillAction::Leave, "the border of the joined views");
-    result_.checks.joined_views += pieces_.pieces[piece].views;
+    const RemeshPiece& joined = pieces_.pieces[piece];
+    if (joined.views > joined.islands + 1) result_.checks.joined_views += joined.views - joined.islands;
     for (const PatchedHole& patched : shape.patched.loops) tell_patched(patched);
     for (const Index hole : shape.left_to_patches) {  // small ones are closed by what reaches over their rims
       HoleOutcome& outcome = result_.outcomes[hole];

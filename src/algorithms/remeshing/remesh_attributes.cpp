@@ -118,8 +118,15 @@ class Transfer {
   }
 
   float confidence(Index hole, double distance) const {
-    const double depth = distance / analysis_.component_diagonal[analysis_.holes[hole].component];
-    return static_cast<float>(confidence_in(predicted_error(depth, bend_.at(hole), 0)));
+    return static_cast<float>(confidence_in(predicted_error(distance / diagonal_around(hole), bend_.at(hole), 0)));
+  }
+
+  /// Of the largest piece that the hole belongs to: an island is small beside what is around it.
+  double diagonal_around(Index hole) const {
+    const auto diagonal_of = [&](Index id) { return analysis_.component_diagonal[analysis_.holes[id].component]; };
+    double largest = diagonal_of(hole);
+    for (const Index companion : analysis_.holes[hole].companions) largest = std::max(largest, diagonal_of(companion));
+    return largest;
   }
 
   /// The vertices of the mesh whose values count; three times the same where there is no triangle.

@@ -70,8 +70,14 @@ class PieceMaker {
   void list_seams() {
     std::vector<std::uint8_t> is_view(view_.component_count, 0);
     for (const auto& [a, b] : seams_.joined) is_view[a] = is_view[b] = 1;
-    for (Index c = 0; c < view_.component_count; ++c)
-      if (is_view[c] != 0 && piece_of_[c] != no_index) ++result_.pieces[piece_of_[c]].views;
+    std::vector<std::uint8_t> is_island(view_.component_count, 1);
+    for (const Hole& hole : holes_)
+      if (hole.kind != HoleClass::Islands) is_island[component_of_rim(hole)] = 0;
+    for (Index c = 0; c < view_.component_count; ++c) {
+      if (is_view[c] == 0 || piece_of_[c] == no_index) continue;
+      ++result_.pieces[piece_of_[c]].views;
+      result_.pieces[piece_of_[c]].islands += is_island[c];
+    }
     for (const Hole& hole : holes_) {
       if (!choice_.is_chosen[hole.id] || !seams_.are_along(hole.id)) continue;
       fates_[hole.id] = RimFate::Seam;

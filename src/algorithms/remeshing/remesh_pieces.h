@@ -21,6 +21,7 @@ struct RemeshPiece {
   std::vector<Index> triangles;            ///< of the view, ascending
   bool ends = false;                       ///< has rims that the field ends at
   std::size_t views = 0;                   ///< that it was joined of; 0: no seams
+  std::size_t islands = 0;                 ///< of these, pieces in holes of others
 };
 
 /// What becomes of a rim, the stronger later: where several share a vertex the strongest holds there.
