@@ -29,15 +29,6 @@ using namespace croquis::remeshing;
 
 namespace {
 
-double mean_edge_of(const PolyMesh& mesh) {
-  double sum = 0;
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const auto t = mesh.face(f);
-    for (std::size_t i = 0; i < 3; ++i) sum += (mesh.positions[t[i]] - mesh.positions[t[(i + 1) % 3]]).norm();
-  }
-  return sum / (3 * static_cast<double>(mesh.face_count()));
-}
-
 bool tells_any(const Findings& findings, std::span<const char* const> codes) {
   return std::ranges::any_of(
       findings, [&](const Finding& finding) { return std::ranges::find(codes, finding.code) != codes.end(); });

@@ -80,7 +80,7 @@ TEST_CASE("a strand goes on behind a strand, though a hand bent both of its side
 }
 
 TEST_CASE("parts of steady drawings aren't taken for one strand that a hand bent") {
-  for (const std::uint64_t seed : {14, 20, 95, 118, 236}) {
+  for (const std::uint64_t seed : {14U, 20U, 95U, 118U, 236U}) {
     INFO("layers " << seed);
     const Sketch layers = random_layered_sketch(seed, 2 + static_cast<int>(seed % 8));
     CHECK(counts_of(label_quietly(layers.drawing)) == counts_of(layers.truth));

@@ -15,6 +15,7 @@
 #include "croquis/implicit/surface_improvement.h"
 #include "support/difference_field.h"
 #include "support/scans/surface_smoothing.h"
+#include "support/scans/virtual_scans.h"
 
 namespace croquis::test {
 namespace {
@@ -148,15 +149,6 @@ void sharpen(PolyMesh& mesh, const implicit::Field& field, double cell) {
   }
 }
 
-double mean_edge(const PolyMesh& mesh) {
-  double sum = 0;
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const auto t = mesh.face(f);
-    for (std::size_t i = 0; i < 3; ++i) sum += (mesh.positions[t[i]] - mesh.positions[t[(i + 1) % 3]]).norm();
-  }
-  return sum / (3 * static_cast<double>(mesh.face_count()));
-}
-
 }  // namespace
 
 const char* name_of(Sculpture sculpture) {
@@ -181,7 +173,7 @@ PolyMesh sculpt(const Solid& solid, std::size_t triangles, bool is_sharp) {
   PolyMesh mesh = cubes(seed, field, projection.cell);
   smooth_on_surface(mesh, field, 2, projection);
   if (!is_sharp) return mesh;
-  const double cell = mean_edge(mesh);
+  const double cell = mean_edge_of(mesh);
   for (int round = 0; round < 3; ++round) sharpen(mesh, field, cell);
   return mesh;
 }
