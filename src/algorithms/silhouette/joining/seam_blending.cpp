@@ -10,19 +10,18 @@
 #include <tuple>
 #include <vector>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
-#include <CGAL/Surface_mesh.h>
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
+
+#include "algorithms/silhouette/joining/union_surface.h"
 
 namespace croquis::silhouette {
 namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Band = CGAL::Surface_mesh<Kernel::Point_3>;
+using Band = UnionSurface;
 using BandFace = Band::Face_index;
 using BandVertex = Band::Vertex_index;
 using Radii = std::map<std::pair<Index, Index>, double>;
@@ -40,7 +39,7 @@ constexpr double least_weight = 0.02;
 Band to_band(const SurfaceUnion& joined) {
   Band band;
   for (const Vec3& p : joined.mesh.positions) band.add_vertex({p.x(), p.y(), p.z()});
-  auto objects = band.add_property_map<BandFace, Index>("f:object", 0).first;
+  FaceObjects objects = face_objects(band);
   for (std::size_t f = 0; f < joined.mesh.face_count(); ++f) {
     const auto corners = joined.mesh.face(f);
     const BandFace face = band.add_face(BandVertex(corners[0]), BandVertex(corners[1]), BandVertex(corners[2]));
@@ -48,24 +47,6 @@ Band to_band(const SurfaceUnion& joined) {
     objects[face] = joined.face_objects[f];
   }
   return band;
-}
-
-SurfaceUnion from_band(Band& band) {
-  band.collect_garbage();
-  const auto objects = band.property_map<BandFace, Index>("f:object").first;
-  SurfaceUnion result;
-  for (const BandVertex v : band.vertices()) {
-    const Kernel::Point_3& p = band.point(v);
-    result.mesh.positions.emplace_back(p.x(), p.y(), p.z());
-  }
-  for (const BandFace face : band.faces()) {
-    std::array<Index, 3> corners{};
-    std::size_t i = 0;
-    for (const BandVertex v : band.vertices_around_face(band.halfedge(face))) corners[i++] = v.idx();
-    result.mesh.add_triangle(corners[0], corners[1], corners[2]);
-    result.face_objects.push_back(objects[face]);
-  }
-  return result;
 }
 
 /// An edge with the faces on both sides.
@@ -191,7 +172,7 @@ std::optional<SurfaceUnion> remeshed(const SurfaceUnion& joined, const SeamBand&
   } catch (const std::exception&) {  // a failed precondition of the library
     return std::nullopt;
   }
-  return from_band(band);
+  return from_surface(band);
 }
 
 using Sparse = Eigen::SparseMatrix<double>;

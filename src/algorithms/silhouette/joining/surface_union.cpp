@@ -5,22 +5,21 @@
 #include <array>
 #include <exception>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/Random.h>
-#include <CGAL/Surface_mesh.h>
+
+#include "algorithms/silhouette/joining/union_surface.h"
 
 namespace croquis::silhouette {
 namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
+using Kernel = UnionKernel;
+using Surface = UnionSurface;
 using Face = Surface::Face_index;
 using Vertex = Surface::Vertex_index;
-using FaceObjects = Surface::Property_map<Face, Index>;
 using Place = std::optional<Kernel::Point_3>;
 
 // Sheets of one drawing have their points above one another. Sheared along x and y by these, no two boxes begin at the
@@ -31,8 +30,6 @@ constexpr double shear_y = 0.0293;
 Surface::Property_map<Vertex, Place> places(Surface& surface) {
   return surface.add_property_map<Vertex, Place>("v:place", Place()).first;
 }
-
-FaceObjects face_objects(Surface& surface) { return surface.add_property_map<Face, Index>("f:object", 0).first; }
 
 /// Lets the pieces of a face, and its copies in the other surface, belong to the object of the face; copied vertices
 /// keep their places.
@@ -72,24 +69,6 @@ Surface to_surface(const UnionPart& part) {
     objects[face] = part.object;
   }
   return surface;
-}
-
-SurfaceUnion from_surface(Surface& surface) {
-  surface.collect_garbage();
-  const FaceObjects objects = face_objects(surface);
-  SurfaceUnion result;
-  for (const auto v : surface.vertices()) {
-    const auto& p = surface.point(v);
-    result.mesh.positions.emplace_back(p.x(), p.y(), p.z());
-  }
-  for (const Face face : surface.faces()) {
-    std::array<Index, 3> corners{};
-    std::size_t i = 0;
-    for (const auto v : surface.vertices_around_face(surface.halfedge(face))) corners[i++] = v.idx();
-    result.mesh.add_triangle(corners[0], corners[1], corners[2]);
-    result.face_objects.push_back(objects[face]);
-  }
-  return result;
 }
 
 // A triangle is a cap beyond this cosine of its largest angle, and a needle beyond this ratio of its edges.
