@@ -267,6 +267,25 @@ void print_times(std::ostream& out, const Groups& groups) {
   out << '\n';
 }
 
+/// What each method is good for: those that no hole needs may go.
+void print_methods(std::ostream& out, const Holes& all) {
+  std::map<std::string, Holes> by_method;
+  for (const HoleRecord* hole : all) by_method[hole->method.empty() ? " none" : hole->method].push_back(hole);
+  out << "| method taken, asked for by number included | holes | median error: ours | better of CGAL's | holes that "
+         "CGAL doesn't close |\n|---|---|---|---|---|\n";
+  for (const auto& [method, holes] : by_method) {
+    std::vector<double> ours, peer;
+    for (const HoleRecord* hole : holes) {
+      const HoleFate& fate = hole->is_left ? hole->asked : hole->of(Filler::Ours);
+      if (fate.is_closed) ours.push_back(fate.error);
+      if (std::isfinite(better_peer(*hole))) peer.push_back(better_peer(*hole));
+    }
+    out << '|' << method << " | " << holes.size() << " | " << median(ours) << " | " << median(peer) << " | "
+        << holes.size() - peer.size() << " |\n";
+  }
+  out << '\n';
+}
+
 void print_fate(std::ostream& out, const HoleFate& fate) {
   if (fate.is_closed) {
     out << ' ' << fate.error << " |";
@@ -337,6 +356,7 @@ void bench_holes_wild(std::ostream& out, const std::vector<std::string>& words) 
   print_confidence(out, by_scan);
   print_times(out, by_hole);
   print_times(out, by_scan);
+  print_methods(out, by_scan.back().second);
   print_worst(out, by_scan.back().second);
 }
 
