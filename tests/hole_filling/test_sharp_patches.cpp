@@ -2,10 +2,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
+#include "algorithms/hole_filling/continuation/crease_angle.h"
 #include "algorithms/hole_filling/continuation/crease_field.h"
 #include "algorithms/hole_filling/continuation/smooth_sides.h"
 #include "algorithms/hole_filling/patching/cross_validation.h"
@@ -113,6 +115,27 @@ TEST_CASE("creases that run into a hole go on in it without being asked for; not
     CHECK(result.mesh.positions == standard.mesh.positions);
     CHECK(result.mesh.corners == standard.mesh.corners);
   }
+}
+
+TEST_CASE("slight bevels of fine flat sides are creases, which go on in holes") {
+  for (const double degrees : {15, 25}) {
+    PolyMesh mesh = cut(divided_box(24), Vec3(0.5, 0.5, 1), 0.15).mesh;
+    const double slope = std::tan(degrees * std::numbers::pi / 180);
+    const auto height = [&](const Vec3& p) { return 1 - slope * std::max(0.0, p.x() - 0.5); };
+    for (Vec3& p : mesh.positions) p.z() *= height(p);
+    const FillResult result = fill(mesh, Preset::Auto);
+    INFO(degrees << " degrees");
+    CHECK(result.outcomes[0].method == "creased");
+    for (std::size_t v = mesh.vertex_count(); v < result.mesh.vertex_count(); ++v)
+      CHECK(std::abs(result.mesh.positions[v].z() - height(result.mesh.positions[v])) < 1e-4);
+  }
+}
+
+TEST_CASE("what is usual on a rough or a round surface is no crease") {
+  const SiteScene flat(cut(divided_box(16), Vec3(0.5, 0.5, 1), 0.22).mesh);
+  const SiteScene coarse(cut(round_sphere(2), Vec3(0, 0, 1), 0.4).mesh);
+  CHECK(crease_cosine(flat.site) == Approx(std::cos(12 * std::numbers::pi / 180)));
+  CHECK(crease_cosine(coarse.site) == Approx(std::cos(35 * std::numbers::pi / 180)));
 }
 
 TEST_CASE("a hole beside an edge is filled flat: what lies beyond the edge doesn't bend it") {

@@ -13,7 +13,7 @@ struct ReachedVertex {
   double distance = 0;         ///< along edges to the nearest rim vertex of the site
   Vec3 normal = Vec3::Zero();  ///< unit, weighted by the angles of its sound triangles; 0 where they give none
   Index corner = 0;            ///< of the view, one there
-  bool on_crease = false;      ///< a crease (see is_smooth) starts, ends or passes there
+  bool on_crease = false;      ///< a crease (see crease_cosine) starts, ends or passes there
 };
 
 /// The vertices that edges join to the site's rims within `reach` (model units): other sheets that merely pass nearby

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "algorithms/hole_filling/continuation/crease_angle.h"
 #include "algorithms/hole_filling/continuation/known_surface.h"
 #include "algorithms/hole_filling/continuation/smooth_sides.h"
 #include "croquis/base/error.h"
@@ -132,13 +133,14 @@ bool creases_run_in(const HoleSite& site) {
     const Vec3& a = site.mesh->positions[t[0]];
     return Vec3((site.mesh->positions[t[1]] - a).cross(site.mesh->positions[t[2]] - a));
   };
+  const double cosine = crease_cosine(site);
   std::size_t ends = 0;
   for (const Index id : site.holes) {
     for (const Index rim_corner : site.analysis->holes[id].corners) {
       const Index pivot = view.origin(rim_corner);
       for (Index edge = SurfaceView::previous(rim_corner); view.has_opposite(edge);) {
         const Index other = view.opposite[edge];
-        if (!is_smooth(normal_of(edge / 3), normal_of(other / 3)) && ++ends == 2) return true;
+        if (!is_smooth(normal_of(edge / 3), normal_of(other / 3), cosine) && ++ends == 2) return true;
         edge = view.other_edge_at(other, pivot);
       }
     }

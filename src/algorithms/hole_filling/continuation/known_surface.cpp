@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "algorithms/hole_filling/continuation/crease_angle.h"
 #include "algorithms/hole_filling/continuation/vertex_numbers.h"
 
 namespace croquis::hole_filling {
@@ -33,6 +34,7 @@ KnownSurface known_surface(const HoleSite& site, const std::vector<ReachedVertex
   KnownSurface known;
   known.edge = mean_rim_edge(site);
   known.size = widest_diameter(site);
+  known.crease_cosine = crease_cosine(site);
   VertexNumbers numbers;
   for (const ReachedVertex& r : reached) {
     numbers.number(r.vertex);

@@ -14,6 +14,7 @@ struct KnownSurface {
   std::vector<double> distance;  ///< per vertex, along edges to the rims
   double edge = 0;               ///< mean length of the rims' edges
   double size = 0;               ///< diameter of the largest rim
+  double crease_cosine = 1;      ///< of the site, see there
 };
 
 /// Triangles all of whose vertices edges join to the rims within max(`reach` × size, `least_reach` × edge), and of

@@ -7,17 +7,18 @@
 
 #include <Eigen/Geometry>
 
+#include "algorithms/hole_filling/continuation/crease_angle.h"
 #include "croquis/geometry/disjoint_sets.h"
 
 namespace croquis::hole_filling {
 namespace {
 
-constexpr double crease_cosine = 0.819;     // 35 degrees
 constexpr std::size_t least_triangles = 4;  // of a side: fewer aren't enough
 
 class SideFinder {
  public:
-  explicit SideFinder(const KnownSurface& known) : mesh_(known.mesh), distance_(known.distance) {}
+  explicit SideFinder(const KnownSurface& known)
+      : mesh_(known.mesh), distance_(known.distance), crease_cosine_(known.crease_cosine) {}
 
   std::vector<SmoothSide> run() {
     for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
@@ -50,7 +51,7 @@ class SideFinder {
     for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
       const auto& [low, high, face] = edges[i];
       if (edges[i + 1][0] != low || edges[i + 1][1] != high) continue;
-      if (is_smooth(normals_[face], normals_[edges[i + 1][2]])) sets_.unite(face, edges[i + 1][2]);
+      if (is_smooth(normals_[face], normals_[edges[i + 1][2]], crease_cosine_)) sets_.unite(face, edges[i + 1][2]);
     }
   }
 
@@ -81,15 +82,12 @@ class SideFinder {
 
   const PolyMesh& mesh_;
   const std::vector<double>& distance_;
+  double crease_cosine_;
   std::vector<Vec3> normals_;  ///< per triangle, as long as twice its area
   DisjointSets sets_{0};
 };
 
 }  // namespace
-
-bool is_smooth(const Vec3& normal, const Vec3& other) {
-  return normal.dot(other) >= crease_cosine * normal.norm() * other.norm();
-}
 
 std::vector<SmoothSide> smooth_sides(const KnownSurface& known) { return SideFinder(known).run(); }
 

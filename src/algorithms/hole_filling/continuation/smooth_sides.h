@@ -7,9 +7,6 @@
 
 namespace croquis::hole_filling {
 
-/// Whether an edge between triangles of these normals, of any length, is no crease: up to 35 degrees.
-bool is_smooth(const Vec3& normal, const Vec3& other);
-
 /// A part of the surface around a hole that is bounded by creases.
 struct SmoothSide {
   std::vector<Index> vertices;  ///< of the known surface, ascending: nearest to the rims first

@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "algorithms/hole_filling/continuation/smooth_sides.h"
+#include "algorithms/hole_filling/continuation/crease_angle.h"
 #include "algorithms/hole_filling/continuation/vertex_numbers.h"
 
 namespace croquis::hole_filling {
@@ -16,7 +16,10 @@ namespace {
 class Reach {
  public:
   Reach(const HoleSite& site, double reach)
-      : view_(site.analysis->view), positions_(site.mesh->positions), reach_(reach) {
+      : view_(site.analysis->view),
+        positions_(site.mesh->positions),
+        reach_(reach),
+        crease_cosine_(crease_cosine(site)) {
     for (const Index id : site.holes) {
       for (const Index corner : site.analysis->holes[id].corners) {
         offer(corner, 0);
@@ -130,14 +133,14 @@ class Reach {
       if (!view_.has_opposite(edge)) continue;
       const Index beyond = view_.opposite[edge] / 3;
       const auto other = std::find_if(fan_.begin(), fan_.end(), [&](const Spoke& s) { return s.triangle == beyond; });
-      if (other != fan_.end() && !is_smooth(spoke.across, other->across)) return true;
+      if (other != fan_.end() && !is_smooth(spoke.across, other->across, crease_cosine_)) return true;
     }
     return false;
   }
 
   const SurfaceView& view_;
   const std::vector<Vec3>& positions_;
-  double reach_;
+  double reach_, crease_cosine_;
   VertexNumbers numbers_;
   std::vector<double> distances_;  ///< per number, the least so far; -1 once it is final
   std::vector<Entry> queue_;       ///< a heap, the nearest first
