@@ -119,7 +119,7 @@ TEST_CASE("creases that run into a hole go on in it without being asked for; not
 
 TEST_CASE("slight bevels of fine flat sides are creases, which go on in holes") {
   for (const double degrees : {15, 25}) {
-    PolyMesh mesh = cut(divided_box(24), Vec3(0.5, 0.5, 1), 0.15).mesh;
+    PolyMesh mesh = cut(divided_box(24), Vec3(0.5, 0.5, 1), 0.2).mesh;
     const double slope = std::tan(degrees * std::numbers::pi / 180);
     const auto height = [&](const Vec3& p) { return 1 - slope * std::max(0.0, p.x() - 0.5); };
     for (Vec3& p : mesh.positions) p.z() *= height(p);
@@ -129,6 +129,11 @@ TEST_CASE("slight bevels of fine flat sides are creases, which go on in holes") 
     for (std::size_t v = mesh.vertex_count(); v < result.mesh.vertex_count(); ++v)
       CHECK(std::abs(result.mesh.positions[v].z() - height(result.mesh.positions[v])) < 1e-4);
   }
+}
+
+TEST_CASE("without being asked for, creases go on only where the sides between them are smooth") {
+  const PolyMesh mesh = with_noise(cut(divided_box(20), Vec3(0.5, 1, 1), 0.16).mesh, 7, 0.1);
+  CHECK(fill(mesh, Preset::Auto).outcomes[0].method == "implicit");
 }
 
 TEST_CASE("what is usual on a rough or a round surface is no crease") {

@@ -37,8 +37,7 @@ double crease_cosine(const HoleSite& site) {
     }
   }
   if (angles.empty()) return std::cos(most_crease);
-  const auto usual =
-      angles.begin() + static_cast<std::ptrdiff_t>(usual_share * static_cast<double>(angles.size() - 1));
+  const auto usual = angles.begin() + static_cast<std::ptrdiff_t>(usual_share * static_cast<double>(angles.size() - 1));
   std::nth_element(angles.begin(), usual, angles.end());
   return std::cos(std::clamp(crease_factor * *usual, least_crease, most_crease));
 }

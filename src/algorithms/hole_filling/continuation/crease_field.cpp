@@ -25,7 +25,6 @@ constexpr std::size_t most_side_centres = 120;  // per side
 constexpr double first_spacing = 0.7;           // of centres, × edge
 constexpr double side_spacing_slope = 0.25;     // by how much it grows per distance from the rim
 constexpr double side_spacing_growth = 1.2;
-constexpr double worst_side_residual = 0.2;  // mean distance of known points to the surface, × edge
 constexpr std::size_t most_samples = 1000;
 
 /// Places in the side's list: none nearer to another than the spacing there.
@@ -148,7 +147,7 @@ bool creases_run_in(const HoleSite& site) {
   return false;
 }
 
-std::optional<CreaseField> fit_sides(const HoleSite& site, const ImplicitOptions& options) {
+std::optional<CreaseField> fit_sides(const HoleSite& site, const ImplicitOptions& options, double most_residual) {
   const KnownSurface known = known_surface(site, options.reach, least_side_reach, most_known);
   const std::vector<SmoothSide> sides = smooth_sides(known);
   if (sides.size() < 2 || sides.size() > most_sides) return std::nullopt;
@@ -167,7 +166,7 @@ std::optional<CreaseField> fit_sides(const HoleSite& site, const ImplicitOptions
     }
   }
   Tree best;
-  double least = worst_side_residual * known.edge * static_cast<double>(samples.size());
+  double least = most_residual * known.edge * static_cast<double>(samples.size());
   for (const Tree& tree : trees_over((1U << sides.size()) - 1)) {
     double sum = 0;
     for (const auto& values : samples) sum += std::abs(value_of(tree, values).value);

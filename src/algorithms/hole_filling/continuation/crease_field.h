@@ -43,14 +43,19 @@ class CreaseField {
   std::vector<Node> tree_;  ///< the last one counts
 };
 
-/// Whether creases (edges with more than 35 degrees between their faces) end at the rims: twice at least, since each
+/// Whether creases (see crease_cosine) end at the rims: twice at least, since each
 /// that runs in runs out again or meets others. Linear in the faces at the rims, and far cheaper than `fit_sides`.
 bool creases_run_in(const HoleSite& site);
 
-/// Splits the surface around a site at its creases (edges with more than 35 degrees between their faces), continues
-/// each side that reaches the rims (Yoo 2005, eq. 1-6), and finds the tree under which all known points come to lie
-/// nearest to the surface: so creases that run into the hole go on in it.
+/// The mean distance of the known points to the continued sides, × mean rim edge, beyond which no sides are seen.
+inline constexpr double usual_side_residual = 0.2;
+
+/// Splits the surface around a site at its creases (see crease_cosine), continues each side that reaches the rims (Yoo
+/// 2005, eq. 1-6), and finds the tree under which all known points come to lie nearest to the surface: so creases that
+/// run into the hole go on in it.
+/// @param most_residual see usual_side_residual
 /// @return nothing when there are fewer than two sides or more than five, or no tree fits
-std::optional<CreaseField> fit_sides(const HoleSite& site, const ImplicitOptions& options);
+std::optional<CreaseField> fit_sides(const HoleSite& site, const ImplicitOptions& options,
+                                     double most_residual = usual_side_residual);
 
 }  // namespace croquis::hole_filling

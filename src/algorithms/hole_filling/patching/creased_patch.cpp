@@ -126,13 +126,16 @@ class CreaseAlignment {
 
 class CreasedPatcher : public Patcher {
  public:
-  CreasedPatcher(const ImplicitOptions& options, std::size_t most_triangles)
-      : options_(options), most_triangles_(most_triangles), start_(faired_patcher(1, most_triangles)) {}
+  CreasedPatcher(const ImplicitOptions& options, std::size_t most_triangles, double most_residual)
+      : options_(options),
+        most_triangles_(most_triangles),
+        most_residual_(most_residual),
+        start_(faired_patcher(1, most_triangles)) {}
 
   const char* method() const override { return "creased"; }
 
   std::optional<HolePatch> attempt(const HoleSite& site, Progress& progress) const override {
-    const auto field = fit_sides(site, options_);
+    const auto field = fit_sides(site, options_, most_residual_);
     if (!field) return std::nullopt;
     const auto start = start_->attempt(site, progress);
     if (!start || start->points.empty()) return start;
@@ -154,13 +157,15 @@ class CreasedPatcher : public Patcher {
  private:
   ImplicitOptions options_;
   std::size_t most_triangles_;
+  double most_residual_;
   std::shared_ptr<const Patcher> start_;
 };
 
 }  // namespace
 
-std::shared_ptr<const Patcher> creased_patcher(const ImplicitOptions& options, std::size_t most_triangles) {
-  return std::make_shared<CreasedPatcher>(options, most_triangles);
+std::shared_ptr<const Patcher> creased_patcher(const ImplicitOptions& options, std::size_t most_triangles,
+                                               double most_residual) {
+  return std::make_shared<CreasedPatcher>(options, most_triangles, most_residual);
 }
 
 }  // namespace croquis::hole_filling

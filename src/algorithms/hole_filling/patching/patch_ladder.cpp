@@ -14,7 +14,12 @@ namespace {
 constexpr double noisy_values = 10;
 constexpr double noisy_gradients = 6;
 
-/// × the diagonal of the component: from here on a third of all patches that project a triangulation cut something.
+/// Without being asked for, creases go on only where the sides between them fit the surface around this well (see
+/// fit_sides): what runs into holes of rough or crumpled surfaces is hardly an edge of the thing.
+constexpr double trusted_residual = 0.03;
+
+/// And in holes up to this, × the diagonal of the component.
+constexpr double widest_creased = 0.35;
 
 ImplicitOptions adapted(ImplicitOptions options, Preset preset) {
   if (preset == Preset::Noisy) {
@@ -93,6 +98,9 @@ bool has_piece_inside(const HoleSite& site) {
 
 /// Fits of single sides know neither bulges nor other kernels.
 bool goes_on_with_creases(const HoleSite& site) {
+  if (site.holes.size() > 1) return false;
+  const Hole& hole = site.analysis->holes[site.holes.front()];
+  if (hole.diameter > widest_creased * site.analysis->component_diagonal[hole.component]) return false;
   return site.wish.bulge == 0 && site.wish.implicit.kernel == implicit::Kernel::Hermite && creases_run_in(site) &&
          !has_piece_inside(site);
 }
@@ -137,11 +145,10 @@ Ladder ladder_for(const HoleSite& site, Preset preset, bool is_cap, std::size_t 
   if (preset == Preset::Sharp && site.holes.size() > 1) preset = Preset::Standard;  // probes have no islands
   Ladder ladder = ladder_for(site.wish, preset, is_cap, most_triangles);
   const bool is_implicit = !is_cap && site.wish.fairness == Fairness::Implicit && preset != Preset::Sharp;
-  if (is_implicit && is_hard_to_triangulate(site)) {
+  if (is_implicit && is_hard_to_triangulate(site))
     std::rotate(ladder.begin(), ladder.begin() + cubes_rung, ladder.begin() + cubes_rung + 1);
-  } else if (is_implicit && preset == Preset::Auto && goes_on_with_creases(site)) {
-    ladder.insert(ladder.begin(), creased_patcher(site.wish.implicit, most_triangles));
-  }
+  if (is_implicit && preset == Preset::Auto && goes_on_with_creases(site))
+    ladder.insert(ladder.begin(), creased_patcher(site.wish.implicit, most_triangles, trusted_residual));
   if (is_plain_slit(site)) ladder.insert(ladder.begin(), zip_patcher());
   return ladder;
 }

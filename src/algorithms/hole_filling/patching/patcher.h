@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/hole_filling/continuation/crease_field.h"
 #include "croquis/base/progress.h"
 #include "croquis/hole_filling/hole_patch.h"
 #include "croquis/hole_filling/hole_site.h"
@@ -60,8 +61,10 @@ std::shared_ptr<const Patcher> zip_patcher();
 std::shared_ptr<const Patcher> band_patcher(bool shortest);
 
 /// "creased": each smooth side of the surface around continued by itself, creases where they meet (see CreaseField);
-/// nothing for a hole that no crease runs into.
-std::shared_ptr<const Patcher> creased_patcher(const ImplicitOptions& options, std::size_t most_triangles);
+/// nothing for a hole that no crease runs into, or where the sides don't fit the surface around to `most_residual` (see
+/// fit_sides).
+std::shared_ptr<const Patcher> creased_patcher(const ImplicitOptions& options, std::size_t most_triangles,
+                                               double most_residual = usual_side_residual);
 
 /// Of several methods for a patch the one that repairs known surface beside the hole best (see CrossValidation), or
 /// the second best, and so on. Its patch carries the name of the method taken and the expected error.
