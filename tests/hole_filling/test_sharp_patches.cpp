@@ -117,6 +117,14 @@ TEST_CASE("creases that run into a hole go on in it without being asked for; not
   }
 }
 
+TEST_CASE("creases go on between a hole's rim and its island") {
+  const PolyMesh mesh = cut_ring(divided_box(30), Vec3(0.5, 1, 1), 0.08, 0.24).mesh;
+  const FillResult result = fill(mesh, Preset::Auto);
+  REQUIRE(result.analysis.holes.size() == 2);
+  for (const HoleOutcome& outcome : result.outcomes) CHECK(outcome.method == "creased");
+  CHECK(mean_error(result, box_value) < 0.1 * mean_error(fill(mesh, Preset::Standard), box_value));
+}
+
 TEST_CASE("slight bevels of fine flat sides are creases, which go on in holes") {
   for (const double degrees : {15, 25}) {
     PolyMesh mesh = cut(divided_box(24), Vec3(0.5, 0.5, 1), 0.2).mesh;

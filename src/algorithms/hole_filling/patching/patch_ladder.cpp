@@ -88,21 +88,21 @@ bool is_hard_to_triangulate(const HoleSite& site) {
   return is_wide(*site.analysis, site.holes.front());
 }
 
-/// Whether a piece of its own is in the hole's middle: it may belong to the hole, and is found by cubes alone.
-bool has_piece_inside(const HoleSite& site) {
-  const Hole& own = site.analysis->holes[site.holes.front()];
+/// Whether a piece that isn't the site's is in its middle: it may belong to the hole, and is found by cubes alone.
+bool has_piece_inside(const HoleSite& site, const Hole& widest) {
   return std::ranges::any_of(site.analysis->holes, [&](const Hole& other) {
-    return other.component != own.component && 2 * (other.centre - own.centre).norm() < own.diameter;
+    return other.component != widest.component && 2 * (other.centre - widest.centre).norm() < widest.diameter &&
+           !std::ranges::binary_search(site.holes, other.id);
   });
 }
 
 /// Fits of single sides know neither bulges nor other kernels.
 bool goes_on_with_creases(const HoleSite& site) {
-  if (site.holes.size() > 1) return false;
-  const Hole& hole = site.analysis->holes[site.holes.front()];
-  if (hole.diameter > widest_creased * site.analysis->component_diagonal[hole.component]) return false;
-  return site.wish.bulge == 0 && site.wish.implicit.kernel == implicit::Kernel::Hermite && creases_run_in(site) &&
-         !has_piece_inside(site);
+  if (site.wish.bulge != 0 || site.wish.implicit.kernel != implicit::Kernel::Hermite) return false;
+  const auto diameter = [&](Index hole) { return site.analysis->holes[hole].diameter; };
+  const Hole& widest = site.analysis->holes[std::ranges::max(site.holes, {}, diameter)];
+  return widest.diameter <= widest_creased * site.analysis->component_diagonal[widest.component] &&
+         creases_run_in(site) && !has_piece_inside(site, widest);
 }
 
 Ladder ladder_between(const HoleSite& site, Preset preset, std::size_t most_triangles) {
