@@ -20,7 +20,7 @@ struct Offsets {
   double x[chunk], y[chunk], z[chunk];
   double square[chunk];   // |d|^2
   double radius[chunk];   // |d|
-  double special[chunk];  // 1/|d| where a kernel needs it, or ln |d|^2 for the thin plate
+  double special[chunk];  // 1/|d| where a kernel needs it for gradients, or ln |d|^2 for the thin plate
 };
 
 struct Sums {
@@ -28,7 +28,7 @@ struct Sums {
   Lanes x = {}, y = {}, z = {};
 };
 
-template <Kernel kernel>
+template <Kernel kernel, bool with_gradients>
 CROQUIS_PART void measure(const double* columns, std::size_t stride, std::size_t begin, std::size_t count,
                           const Vec3& p, Offsets& o) {
   const double px = p[0], py = p[1], pz = p[2];
@@ -46,7 +46,7 @@ CROQUIS_PART void measure(const double* columns, std::size_t stride, std::size_t
     for (std::size_t i = 0; i < count; ++i) o.special[i] = log_of_normal(o.square[i]);
   } else {
     for (std::size_t i = 0; i < count; ++i) o.radius[i] = std::sqrt(o.square[i]);
-    if constexpr (kernel == Kernel::Hermite || kernel == Kernel::Biharmonic) {
+    if constexpr (with_gradients && (kernel == Kernel::Hermite || kernel == Kernel::Biharmonic)) {
       for (std::size_t i = 0; i < count; ++i) o.special[i] = 1 / o.radius[i];
     }
   }
@@ -79,7 +79,8 @@ CROQUIS_PART void add_values(const Offsets& o, std::size_t i, const Lanes& a, Su
   Lanes square, radius = {}, special = {}, t;
   load(square, o.square + i);
   if constexpr (kernel != Kernel::ThinPlate) load(radius, o.radius + i);
-  if constexpr (kernel != Kernel::Triharmonic) load(special, o.special + i);
+  if constexpr (kernel == Kernel::ThinPlate || (kernel == Kernel::Biharmonic && with_gradients))
+    load(special, o.special + i);
   if constexpr (kernel == Kernel::Triharmonic) {
     sums.value += a * (square * radius);
     t = 3 * (a * radius);
@@ -160,7 +161,7 @@ CROQUIS_PART void evaluate_point(const FitColumns& fit, const Vec3& point, doubl
   Sums sums;
   for (std::size_t begin = 0; begin < fit.stride; begin += chunk) {
     const std::size_t count = std::min(chunk, fit.stride - begin);
-    measure<kernel>(fit.columns, fit.stride, begin, count, point, offsets);
+    measure<kernel, with_gradients>(fit.columns, fit.stride, begin, count, point, offsets);
     const double* weights = fit.columns + 3 * fit.stride + begin;
     for (std::size_t i = 0; i < count; i += lane_count) {
       if (takes_gradients(kernel) && begin + i >= fit.directed) {

@@ -119,6 +119,7 @@ bool Sweep::run(std::span<const Vec3> all, Seeds& seeds, const std::vector<Cube>
     Progress slab = progress.step("polygonize", 1 / static_cast<double>(ends.size()));
     const double share = seeds.share_taken();
     search(seeds.take_until(end, all), more, open, begin, end, slab);
+    if (options_.only_complete && !result_.report.complete()) return true;
     if (!missed().empty()) return false;
     result_.most_bytes = std::max(result_.most_bytes, lattice_.bytes() + layers_.bytes());
     if (ends.size() == 1) make_room_for_all();

@@ -98,6 +98,7 @@ void SurfaceSearch::go_on(std::vector<LatticePlace> front, Progress& progress) {
     }
     from_seeds_ = false;
     front = next_front(cubes);
+    if (options_.only_complete && !result_.complete()) return;
   }
 }
 

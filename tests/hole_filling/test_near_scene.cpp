@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -66,6 +68,31 @@ TEST_CASE("triangles near boxes are those that a look at all finds, question aft
       }
       CHECK(search.near(box) == expected);
     }
+  }
+}
+
+TEST_CASE("clashes of a few triangles of a patch are those that a look at all of it finds") {
+  const PolyMesh mesh = without_faces(round_sphere(3), std::vector<Index>{10, 11, 12, 13, 40, 41, 42});
+  const HoleAnalysis analysis = analysis_of(mesh);
+  const HoleSite site = make_site(mesh, analysis, std::vector<Index>{0}, {});
+  const NearScene scene(site, Box(Vec3::Constant(-2), Vec3::Constant(2)));
+  Random random(5);
+  const auto somewhere = [&] { return Vec3(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)); };
+  std::vector<Vec3> points;
+  std::vector<std::array<Index, 3>> triangles;
+  const auto first = static_cast<Index>(mesh.vertex_count());
+  for (Index i = 0; i < 30; ++i) points.push_back(somewhere());
+  for (Index i = 0; i + 2 < 30; ++i) triangles.push_back({first + i, first + i + 1, first + i + 2});
+  triangles.push_back({site.vertices[0], site.vertices[1], first});
+  Progress progress;
+  const std::vector<Clash> all = scene.clashes(points, triangles, progress);
+  REQUIRE(all.size() > 100);
+  for (Index t = 0; t + 1 < triangles.size(); ++t) {
+    const std::array chosen = {t, static_cast<Index>(triangles.size() - 1)};
+    const auto is_chosen = [&](Index triangle) { return triangle == chosen[0] || triangle == chosen[1]; };
+    const auto expected = std::ranges::count_if(
+        all, [&](const Clash& clash) { return is_chosen(clash.triangle) || is_chosen(clash.other); });
+    CHECK(scene.count_clashes_of(chosen, points, triangles, progress) == static_cast<std::size_t>(expected));
   }
 }
 

@@ -18,6 +18,7 @@
 #include "croquis/hole_filling/hole_groups.h"
 #include "croquis/hole_filling/patch_verification.h"
 #include "support/meshes/mesh_shapes.h"
+#include "support/random.h"
 #include "support/sample_count.h"
 #include "support/scans/scans.h"
 #include "support/scans/sculptures.h"
@@ -313,4 +314,23 @@ TEST_CASE("sheets lose what hangs at their borders by one edge or touches them i
   CHECK(border_loops(ring).size() == 2);
   const MeshTopology topology(ring);
   for (Index v = 0; v < ring.vertex_count(); ++v) CHECK(topology.fan_count(v) == 1);
+}
+
+TEST_CASE("whatever is left out of a sheet, simple borders are left") {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const PolyMesh mesh = seed % 2 == 0 ? sheet(15, 15) : round_sphere(3);
+    Random random(seed);
+    std::vector<std::uint8_t> left_out(mesh.vertex_count());
+    for (std::uint8_t& out : left_out) out = random.unit() < 0.02 * static_cast<double>(seed % 8) ? 1 : 0;
+    const PolyMesh open = open_sheet(mesh, left_out);
+    const MeshTopology topology(open);
+    for (Index v = 0; v < open.vertex_count(); ++v) CHECK(topology.fan_count(v) == 1);
+    for (Index f = 0; f < open.face_count(); ++f) {
+      int border_edges = 0;
+      for (Index corner = 3 * f; corner < 3 * f + 3; ++corner)
+        border_edges += topology.opposite(corner) == no_index ? 1 : 0;
+      CHECK(border_edges < 2);
+    }
+    CHECK(open_sheet(open, std::vector<std::uint8_t>(open.vertex_count(), 0)).corners == open.corners);
+  }
 }

@@ -237,6 +237,22 @@ TEST_CASE("an endless surface ends at the box, the limit of cubes, or where the 
   for (const Vec3& p : ended.mesh.positions) CHECK(p.x() <= 0.5);
 }
 
+TEST_CASE("where only a complete surface is wanted the search ends with the first sign that it isn't") {
+  const auto plane = [](const Vec3& p) { return p.z() - 0.003; };
+  const Vec3 near_side(0.75, 0, 0);
+  PolygonizerOptions options = within(1, 0.1);
+  options.only_complete = true;
+  const Polygonized ended = surface_of(plane, {near_side}, options);
+  CHECK(ended.reached_bounds);
+  CHECK(ended.cells < 10 * 20);
+  CHECK(ended.mesh.face_count() == 0);
+  const auto ball = [](const Vec3& p) { return p.norm() - 0.7; };
+  const Polygonized closed = surface_of(ball, {Vec3(0.7, 0, 0)}, options);
+  options.only_complete = false;
+  CHECK(closed.complete());
+  CHECK(closed.mesh.positions == surface_of(ball, {Vec3(0.7, 0, 0)}, options).mesh.positions);
+}
+
 TEST_CASE("the search stops where the surface is covered already") {
   const auto sphere = [](const Vec3& p) { return p.norm() - 1; };
   PolygonizerOptions options = within(2, 0.05);

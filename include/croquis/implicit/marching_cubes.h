@@ -23,6 +23,9 @@ struct PolygonizerOptions {
   Box bounds;                  ///< cubes that stick out of it are never entered; at most 2^22 cubes per axis
   std::size_t max_cells = 50'000'000;  ///< cubes with surface at most; the search ends with the front that exceeds it
 
+  /// The search ends as soon as it is known to be incomplete, for whatever reason, and gives no triangles then.
+  bool only_complete = false;
+
   /// From every seed's cube this many cubes in all directions are looked at: 0 for seeds on the surface.
   int seed_reach = 1;
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/hole_filling/patching/near_scene.h"
 #include "croquis/hole_filling/hole_groups.h"
 
 namespace croquis::hole_filling {
@@ -16,14 +17,9 @@ constexpr double opposite = -0.5;  // cosine between the two skins of a wall
 
 std::vector<Index> triangles_in(const HoleSite& site, const implicit::Box& box) {
   const SurfaceView& view = site.analysis->view;
-  std::vector<Index> near;
-  for (Index t = 0; t < view.triangles.size(); ++t) {
-    if ((view.flags[t] & (SurfaceView::NoArea | SurfaceView::Sliver)) != 0) continue;
-    const auto& [a, b, c] = view.triangles[t];
-    const auto &p = site.mesh->positions[a], &q = site.mesh->positions[b], &r = site.mesh->positions[c];
-    const Vec3 low = p.cwiseMin(q).cwiseMin(r), high = p.cwiseMax(q).cwiseMax(r);
-    if ((low.array() <= box.high.array()).all() && (high.array() >= box.low.array()).all()) near.push_back(t);
-  }
+  const SurfaceSearch own(*site.mesh, view);
+  std::vector<Index> near = (site.search == nullptr ? own : *site.search).near({box.low, box.high});
+  std::erase_if(near, [&](Index t) { return (view.flags[t] & (SurfaceView::NoArea | SurfaceView::Sliver)) != 0; });
   return near;
 }
 

@@ -40,6 +40,27 @@ std::vector<Eigen::AlignedBox3d> level_above(const std::vector<Eigen::AlignedBox
   return above;
 }
 
+/// @param place of a vertex
+template <typename Place>
+Eigen::AlignedBox3d box_around(const std::array<Index, 3>& triangle, Place&& place) {
+  Eigen::AlignedBox3d box;
+  for (const Index vertex : triangle) box.extend(place(vertex));
+  return box;
+}
+
+template <typename Place>
+PolyMesh mesh_of(std::span<const std::array<Index, 3>> triangles, Place&& place) {
+  const std::vector<Index> vertices = vertices_of(triangles);
+  PolyMesh mesh;
+  for (const Index vertex : vertices) mesh.positions.push_back(place(vertex));
+  for (auto t : triangles) {
+    for (Index& vertex : t)
+      vertex = static_cast<Index>(std::lower_bound(vertices.begin(), vertices.end(), vertex) - vertices.begin());
+    mesh.add_face(t);
+  }
+  return mesh;
+}
+
 }  // namespace
 
 SurfaceSearch::Box SurfaceSearch::box_of(Index triangle) const {
@@ -105,33 +126,27 @@ NearScene::NearScene(const HoleSite& site, const Eigen::AlignedBox3d& box)
   const SurfaceSearch own(*site.mesh, view_);
   for (const Index t : (site.search == nullptr ? own : *site.search).near(box)) near.push_back(view_.triangles[t]);
   vertices_ = vertices_of(near);
-  for (const Index vertex : vertices_) scene_.positions.push_back(site.mesh->positions[vertex]);
-  for (auto& t : near) {
-    for (Index& vertex : t) {
-      const auto found = std::lower_bound(vertices_.begin(), vertices_.end(), vertex);
-      vertex = static_cast<Index>(found - vertices_.begin());
+  scene_ = mesh_of(near, [&](Index vertex) -> const Vec3& { return site.mesh->positions[vertex]; });
+}
+
+std::array<Index, 3> NearScene::in_scene(std::array<Index, 3> triangle) const {
+  for (Index& vertex : triangle) {
+    if (vertex >= vertex_count_) {
+      vertex = static_cast<Index>(scene_.vertex_count()) + (vertex - vertex_count_);
+      continue;
     }
-    scene_.add_face(t);
+    const auto found = std::lower_bound(vertices_.begin(), vertices_.end(), view_.representative_of(vertex));
+    vertex = static_cast<Index>(found - vertices_.begin());
   }
+  return triangle;
 }
 
 std::vector<Clash> NearScene::clashes(std::span<const Vec3> points, std::span<const std::array<Index, 3>> triangles,
                                       Progress& progress) const {
   PolyMesh scene = scene_;
-  const auto first_point = static_cast<Index>(scene.vertex_count());
   const auto first = static_cast<Index>(scene.face_count());
   scene.positions.insert(scene.positions.end(), points.begin(), points.end());
-  for (auto t : triangles) {
-    for (Index& vertex : t) {
-      if (vertex >= vertex_count_) {
-        vertex = first_point + (vertex - vertex_count_);
-        continue;
-      }
-      const auto found = std::lower_bound(vertices_.begin(), vertices_.end(), view_.representative_of(vertex));
-      vertex = static_cast<Index>(found - vertices_.begin());
-    }
-    scene.add_face(t);
-  }
+  for (const auto& t : triangles) scene.add_face(in_scene(t));
   std::vector<Index> faces(triangles.size());
   std::iota(faces.begin(), faces.end(), first);
   Progress silent = progress.step("look for cuts", 0);
@@ -139,6 +154,30 @@ std::vector<Clash> NearScene::clashes(std::span<const Vec3> points, std::span<co
   for (const auto& [low, high] : find_intersections_of(scene, faces, silent, {.max_pairs = most_near_pairs}).pairs)
     found.push_back({high - first, low < first ? no_index : low - first});
   return found;
+}
+
+std::size_t NearScene::count_clashes_of(std::span<const Index> chosen, std::span<const Vec3> points,
+                                        std::span<const std::array<Index, 3>> triangles, Progress& progress) const {
+  const auto first_point = static_cast<Index>(scene_.vertex_count());
+  const auto place = [&](Index vertex) -> const Vec3& {
+    return vertex < first_point ? scene_.positions[vertex] : points[vertex - first_point];
+  };
+  std::vector<std::array<Index, 3>> near;
+  for (const Index t : chosen) near.push_back(in_scene(triangles[t]));
+  Eigen::AlignedBox3d box;
+  for (const auto& t : near) box.extend(box_around(t, place));
+  const auto add_if_near = [&](const std::array<Index, 3>& t) {
+    if (box_around(t, place).intersects(box)) near.push_back(t);
+  };
+  for (std::size_t c = 0; c < scene_.corners.size(); c += 3)
+    add_if_near({scene_.corners[c], scene_.corners[c + 1], scene_.corners[c + 2]});
+  for (Index t = 0; t < triangles.size(); ++t) {
+    if (std::ranges::find(chosen, t) == chosen.end()) add_if_near(in_scene(triangles[t]));
+  }
+  std::vector<Index> faces(chosen.size());
+  std::iota(faces.begin(), faces.end(), Index{0});
+  Progress silent = progress.step("look for cuts", 0);
+  return find_intersections_of(mesh_of(near, place), faces, silent, {.max_pairs = 0}).count;
 }
 
 }  // namespace croquis::hole_filling

@@ -2,6 +2,7 @@
 #include "algorithms/hole_filling/patching/open_sheet.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "croquis/geometry/mesh_topology.h"
 
@@ -27,21 +28,65 @@ PolyMesh with_faces(const PolyMesh& mesh, const std::vector<bool>& stays) {
   return kept;
 }
 
-/// Which faces leave the border simple.
-std::vector<bool> faces_that_stay(const PolyMesh& mesh, const MeshTopology& topology) {
-  std::vector<bool> stays(mesh.face_count(), true);
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    int border_edges = 0;
-    for (Index corner = 3 * f; corner < 3 * f + 3; ++corner)
-      border_edges += topology.edge_corners(topology.edge(corner)).size() == 1 ? 1 : 0;
-    stays[f] = border_edges < 2;
+/// Takes triangles away from the border, round by round; a round looks only at what the one before has changed.
+class Peeling {
+ public:
+  Peeling(const PolyMesh& mesh, std::vector<bool>& stays) : topology_(mesh), stays_(stays) {}
+
+  void run() {
+    std::vector<Index> faces(topology_.face_count()), vertices(topology_.vertex_count());
+    std::iota(faces.begin(), faces.end(), Index{0});
+    std::iota(vertices.begin(), vertices.end(), Index{0});
+    for (;;) {
+      find_rough(faces, vertices);
+      if (peeled_.empty()) return;
+      faces.clear();
+      vertices.clear();
+      for (const Index face : peeled_) {
+        for (Index corner = 3 * face; corner < 3 * face + 3; ++corner) {
+          vertices.push_back(topology_.vertex(corner));
+          const Index across = topology_.opposite(corner);
+          if (across != no_index) faces.push_back(topology_.face(across));
+        }
+      }
+    }
   }
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    if (topology.fan_count(v) < 2) continue;
-    for (const Index corner : topology.vertex_corners(v)) stays[topology.face(corner)] = false;
+
+ private:
+  /// Peels those of the faces that have two border edges, and all around those of the vertices where borders touch.
+  void find_rough(const std::vector<Index>& faces, const std::vector<Index>& vertices) {
+    peeled_.clear();
+    for (const Index face : faces) {
+      if (stays_[face] && is_border(3 * face) + is_border(3 * face + 1) + is_border(3 * face + 2) > 1)
+        peeled_.push_back(face);
+    }
+    for (const Index vertex : vertices) {
+      if (borders_at(vertex) < 2) continue;
+      for (const Index corner : topology_.vertex_corners(vertex)) {
+        if (stays_[topology_.face(corner)]) peeled_.push_back(topology_.face(corner));
+      }
+    }
+    for (const Index face : peeled_) stays_[face] = false;
   }
-  return stays;
-}
+
+  /// Whether what stays ends at the edge of a corner whose face stays.
+  int is_border(Index corner) const {
+    const Index across = topology_.opposite(corner);
+    return across == no_index || !stays_[topology_.face(across)] ? 1 : 0;
+  }
+
+  int borders_at(Index vertex) const {
+    int count = 0;
+    for (const Index corner : topology_.vertex_corners(vertex)) {
+      if (stays_[topology_.face(corner)]) count += is_border(corner);
+    }
+    return count;
+  }
+
+  MeshTopology topology_;
+  std::vector<bool>& stays_;
+  std::vector<Index> peeled_;
+};
 
 }  // namespace
 
@@ -49,12 +94,8 @@ PolyMesh open_sheet(const PolyMesh& triangles, std::span<const std::uint8_t> lef
   std::vector<bool> stays(triangles.face_count());
   for (std::size_t f = 0; f < stays.size(); ++f)
     stays[f] = std::ranges::none_of(triangles.face(f), [&](Index v) { return left_out[v] != 0; });
-  PolyMesh sheet = with_faces(triangles, stays);
-  for (;;) {  // each round removes a face at least
-    stays = faces_that_stay(sheet, MeshTopology(sheet));
-    if (std::find(stays.begin(), stays.end(), false) == stays.end()) return sheet;
-    sheet = with_faces(sheet, stays);
-  }
+  Peeling(triangles, stays).run();
+  return with_faces(triangles, stays);
 }
 
 std::vector<BorderLoop> border_loops(const PolyMesh& sheet) {

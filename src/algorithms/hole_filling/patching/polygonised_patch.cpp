@@ -105,6 +105,7 @@ class PolygonisedPatch {
     options.cell = cell;
     options.origin = box_.low;
     options.bounds = box_;
+    options.only_complete = true;
     options.max_cells = static_cast<std::size_t>(most_cells * area_ / (cell * cell)) + 1;
     options.covered = [&](std::span<const Vec3> places, std::span<std::uint8_t> covered) {
       covering.mark(field_, cell, places, covered);

@@ -2,9 +2,11 @@
 #include "algorithms/hole_filling/patching/untangling.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "algorithms/hole_filling/patching/near_scene.h"
@@ -53,10 +55,12 @@ class Untangling {
         for (std::size_t side = 0; side < 3 && triangle != no_index; ++side) {
           if (++trials_ > most_trials) return false;
           const auto before = patch_.triangles;
-          if (!flip(triangle, side)) continue;
-          std::vector<Clash> after = find();
-          if (after.size() < clashes.size()) {
-            clashes = std::move(after);
+          const auto other = flip(triangle, side);
+          if (!other) continue;
+          const std::array flipped = {triangle, *other};
+          if (scene_.count_clashes_of(flipped, patch_.points, patch_.triangles, progress_) <
+              count_of(clashes, flipped)) {
+            clashes = find();
             return true;
           }
           patch_.triangles = before;
@@ -66,20 +70,30 @@ class Untangling {
     return false;
   }
 
-  bool flip(Index triangle, std::size_t side) {
+  /// Of clashes with one of two triangles.
+  static std::size_t count_of(const std::vector<Clash>& clashes, const std::array<Index, 2>& triangles) {
+    return static_cast<std::size_t>(std::ranges::count_if(clashes, [&](const Clash& clash) {
+      return std::ranges::find(triangles, clash.triangle) != triangles.end() ||
+             std::ranges::find(triangles, clash.other) != triangles.end();
+    }));
+  }
+
+  /// @return the triangle on the other side of the edge, which is flipped as well; nothing where it can't be
+  std::optional<Index> flip(Index triangle, std::size_t side) {
     auto& t = patch_.triangles[triangle];
     const Index a = t[side], b = t[(side + 1) % 3], c = t[(side + 2) % 3];
-    for (auto& u : patch_.triangles) {
+    for (Index other = 0; other < patch_.triangles.size(); ++other) {
+      auto& u = patch_.triangles[other];
       for (std::size_t i = 0; i < 3; ++i) {
         if (u[i] != b || u[(i + 1) % 3] != a) continue;
         const Index d = u[(i + 2) % 3];
-        if (c == d || are_joined(c, d) || !has_area(a, d, c) || !has_area(b, c, d)) return false;
+        if (c == d || are_joined(c, d) || !has_area(a, d, c) || !has_area(b, c, d)) return std::nullopt;
         t = {a, d, c};
         u = {b, c, d};
-        return true;
+        return other;
       }
     }
-    return false;  // on the rim
+    return std::nullopt;  // on the rim
   }
 
   bool has_area(Index a, Index b, Index c) const { return std::isfinite(triangle_cost(point(a), point(b), point(c))); }
