@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -30,6 +31,9 @@ constexpr double farthest_wall = 3;         // × edge: beyond, two skins don't 
 constexpr double least_cell = 0.2;          // × edge
 constexpr double finer[] = {1, 0.5, 0.25};  // cells that are tried, × the first
 constexpr int most_runaways = 2;            // of a field: where the second does, too, it doesn't close
+constexpr std::size_t most_cubes = 64000;            // for all tries on one field together, but the first
+constexpr std::size_t most_after_runaway = 20000;    // of the try after one that ran away, which mostly does so again
+constexpr std::size_t growth_when_finer = 4;         // of the number of cubes
 constexpr double calmer = 3;                // factor of the smoothing, by r³, between skins and where r⁵ runs away
 constexpr std::size_t least_rim = 11;       // edges; there is no room for cubes in smaller holes
 
@@ -74,12 +78,17 @@ class PolygonisedPatch {
     if (!surface) return std::nullopt;
     field_ = surface->field();
     int runaways = 0;
+    std::size_t taken = 0, expected = 0;
     for (const double share : finer) {
       progress.check();
-      const auto cubes = continued(covering, share * widest, progress);
-      if (!cubes && ++runaways == most_runaways) return std::nullopt;
-      if (!cubes) continue;
-      const auto start = zipped(*cubes, share * widest, progress);
+      if (taken + expected > most_cubes || (runaways > 0 && expected > most_after_runaway)) return std::nullopt;
+      const std::size_t left = taken == 0 ? std::numeric_limits<std::size_t>::max() : most_cubes - taken;
+      const implicit::Polygonized cubes = continued(covering, share * widest, left, progress);
+      taken += cubes.cells;
+      expected = growth_when_finer * cubes.cells;
+      if (!cubes.complete() && ++runaways == most_runaways) return std::nullopt;
+      if (!cubes.complete()) continue;
+      const auto start = zipped(cubes, share * widest, progress);
       if (!start) continue;
       if (!start->arrives_at.empty()) return start;
       auto patch = lay_onto(site_, *surface, *start, most_triangles_, progress);
@@ -99,22 +108,20 @@ class PolygonisedPatch {
     return arrival;
   }
 
-  /// The zero set of the field as far as it isn't covered; nothing when it doesn't close.
-  std::optional<implicit::Polygonized> continued(const Covering& covering, double cell, Progress& progress) const {
+  /// The zero set of the field as far as it isn't covered, where it closes.
+  implicit::Polygonized continued(const Covering& covering, double cell, std::size_t most, Progress& progress) const {
     implicit::PolygonizerOptions options;
     options.cell = cell;
     options.origin = box_.low;
     options.bounds = box_;
     options.only_complete = true;
-    options.max_cells = static_cast<std::size_t>(most_cells * area_ / (cell * cell)) + 1;
+    options.max_cells = std::min(most, static_cast<std::size_t>(most_cells * area_ / (cell * cell)) + 1);
     options.covered = [&](std::span<const Vec3> places, std::span<std::uint8_t> covered) {
       covering.mark(field_, cell, places, covered);
     };
     options.threads = 1;
     Progress silent = progress.step("polygonise", 0);
-    auto cubes = implicit::polygonize(field_, seeds(cell), options, silent);
-    if (!cubes.complete()) return std::nullopt;
-    return cubes;
+    return implicit::polygonize(field_, seeds(cell), options, silent);
   }
 
   std::vector<Vec3> seeds(double cell) const {
