@@ -11,6 +11,7 @@
 
 namespace croquis::hole_filling {
 
+class SiteMemory;
 class SurfaceSearch;
 
 /// Where a patch is to be made: one hole, or several that one patch joins.
@@ -22,6 +23,7 @@ struct HoleSite {
   std::vector<Index> vertices;  ///< of the mesh, per point of the polygon
   PatchWish wish;
   const SurfaceSearch* search = nullptr;  ///< of the mesh, shared by its sites; null: made where one is needed
+  SiteMemory* memory = nullptr;           ///< of what several methods begin with; null: each makes it anew
   bool bridge = false;                    ///< a band between the rims is wanted, rather than one rim's inside
 };
 

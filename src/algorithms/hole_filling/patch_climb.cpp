@@ -10,6 +10,7 @@
 
 #include "algorithms/hole_filling/patching/near_scene.h"
 #include "algorithms/hole_filling/patching/patch_ladder.h"
+#include "algorithms/hole_filling/patching/site_memory.h"
 #include "croquis/base/parallel.h"
 #include "croquis/base/stage_key.h"
 #include "croquis/geometry/single_precision.h"
@@ -27,6 +28,7 @@ struct Climber {
   std::size_t rung = 0;
   StageKey key;  ///< of the patch under way
   std::optional<HolePatch> candidate;
+  SiteMemory memory;
   PatchVerdict alone;  ///< of the candidate, against the mesh
   ClimbedJob result;
   std::vector<Climber> joined;  ///< those it was made of, each on its next rung: tried alone when this one has no patch
@@ -134,7 +136,8 @@ class Climb {
   }
 
   void attempt(Climber& climber, Progress& progress) const {
-    const HoleSite site = site_of(climber.job);
+    HoleSite site = site_of(climber.job);
+    site.memory = &climber.memory;
     climber.key = key_of(climber, site);
     const auto made = cached<Attempt>(
         options_.cache, patch_stage, climber.key,
@@ -290,6 +293,7 @@ class Climb {
     climber.result.method = patch.method.empty() ? climber.method() : patch.method;
     if (is_as_asked(climber.result.method, climber.job)) climber.result.first_fault.clear();
     climber.result.patch = std::move(patch);
+    climber.memory = {};
   }
 
   const PolyMesh& mesh_;

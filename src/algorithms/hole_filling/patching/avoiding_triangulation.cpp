@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "algorithms/hole_filling/patching/near_scene.h"
+#include "algorithms/hole_filling/patching/site_memory.h"
 #include "algorithms/hole_filling/triangulation/minimal_triangulation.h"
 #include "algorithms/hole_filling/triangulation/triangle_cost.h"
 
@@ -51,9 +52,7 @@ Triangles offenders(const HoleSite& site, const NearScene& scene, const Triangle
   return found;
 }
 
-}  // namespace
-
-std::optional<Triangles> avoiding_triangulation(const HoleSite& site, Progress& progress) {
+std::optional<Triangles> search(const HoleSite& site, Progress& progress) {
   const std::size_t points = site.polygon.points.size();
   if (points <= 3 || points > most_points) return std::nullopt;  // a triangle has no other triangulation
   const NearScene scene(site, reach_of(site.polygon));
@@ -70,6 +69,15 @@ std::optional<Triangles> avoiding_triangulation(const HoleSite& site, Progress& 
     polygon.avoided.erase(std::unique(polygon.avoided.begin(), polygon.avoided.end()), polygon.avoided.end());
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Triangles> avoiding_triangulation(const HoleSite& site, Progress& progress) {
+  SiteMemory* memory = SiteMemory::of(site);
+  if (memory == nullptr) return search(site, progress);
+  if (!memory->avoiding) memory->avoiding = search(site, progress);
+  return *memory->avoiding;
 }
 
 }  // namespace croquis::hole_filling

@@ -193,6 +193,7 @@ class ImplicitPatcher : public Patcher {
   std::optional<HolePatch> pulled(const HoleSite& site, Progress& progress) const {
     HoleSite plain = site;
     plain.wish.through.clear();
+    plain.memory = nullptr;
     auto start = ImplicitPatcher(options_, most_triangles_, care_, draft_rounds).attempt(plain, progress);
     if (!start) start = start_->attempt(plain, progress);
     if (!start || !displace_through(*site.mesh, *start, site.wish.through)) return std::nullopt;

@@ -10,6 +10,7 @@
 #include "algorithms/hole_filling/fairing/even_refinement.h"
 #include "algorithms/hole_filling/patching/avoiding_triangulation.h"
 #include "algorithms/hole_filling/patching/patcher.h"
+#include "algorithms/hole_filling/patching/site_memory.h"
 #include "algorithms/hole_filling/patching/untangling.h"
 #include "algorithms/hole_filling/triangulation/band_triangulation.h"
 #include "algorithms/hole_filling/triangulation/dihedral_triangulation.h"
@@ -206,20 +207,25 @@ class FairedPatcher : public Patcher {
     return continuity_ == 2 ? "cgal-c2" : "cgal-c1";
   }
 
+  /// Other methods begin with this one's patch.
   std::optional<HolePatch> attempt(const HoleSite& site, Progress& progress) const override {
+    return made_once(site, method(), [&] { return faired(site, progress); });
+  }
+
+ private:
+  std::optional<HolePatch> faired(const HoleSite& site, Progress& progress) const {
     const auto triangles = careful_ ? careful_base(site, progress) : base_for_fairing(site, progress);
     if (!triangles) return std::nullopt;
     LocalSite local = make_local_site(site, *triangles, continuity_);
     local.input.density = density_for(site, *triangles, most_triangles_);
     if (continuity_ == 2) local.input.rounds = curved_rounds;
-    const auto faired = cgal_refine_and_fair(local.input, progress);
-    if (!faired) return std::nullopt;
-    HolePatch patch = in_mesh(site, local, *faired);
+    const auto result = cgal_refine_and_fair(local.input, progress);
+    if (!result) return std::nullopt;
+    HolePatch patch = in_mesh(site, local, *result);
     if (careful_ && !untangle(site, patch, progress)) return std::nullopt;
     return patch;
   }
 
- private:
   unsigned continuity_;
   std::size_t most_triangles_;
   bool careful_;
