@@ -12,6 +12,9 @@ namespace {
 /// Triangles; smaller parts of a tree are built in some milliseconds, without checking the cancel flag.
 constexpr std::size_t triangles_per_step = 16384;
 
+/// So that rounding leaves out no foot at the same distance.
+constexpr double slack = 1 + 1e-12;
+
 TriangleFoot foot_on_edge(const Vec3& a, const Vec3& b, int edge, const Vec3& place) {
   const Vec3 along = b - a;
   const double squared = along.squaredNorm();
@@ -83,18 +86,23 @@ TriangleFoot TriangleTree::nearest(const Vec3& place, double farthest, const Fil
   return best;
 }
 
+void TriangleTree::offer(Index t, const Vec3& place, const Filter& counts, TriangleFoot& best) const {
+  const auto& [a, b, c] = triangles_[t];
+  const Eigen::AlignedBox3d box(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c));
+  if (box.squaredExteriorDistance(place) > slack * best.distance * best.distance) return;  // cheaper than the foot
+  TriangleFoot foot = foot_on_triangle(triangles_[t], place);
+  if (foot.distance > best.distance || (foot.distance == best.distance && t >= best.triangle)) return;
+  if (counts && !counts(t)) return;
+  foot.triangle = t;
+  best = foot;
+}
+
 void TriangleTree::descend(std::size_t begin, std::size_t end, const Vec3& place, const Filter& counts,
                            TriangleFoot& best) const {
   if (begin == end) return;
   const std::size_t middle = begin + (end - begin) / 2;
   if (bounds_[middle].squaredExteriorDistance(place) > best.distance * best.distance) return;
-  const Index t = order_[middle];
-  TriangleFoot foot = foot_on_triangle(triangles_[t], place);
-  if ((foot.distance < best.distance || (foot.distance == best.distance && t < best.triangle)) &&
-      (!counts || counts(t))) {
-    foot.triangle = t;
-    best = foot;
-  }
+  offer(order_[middle], place, counts, best);
   const auto distance_to = [&](std::size_t from, std::size_t to) {
     return from == to ? 0 : bounds_[from + (to - from) / 2].squaredExteriorDistance(place);
   };

@@ -40,6 +40,7 @@ class TriangleTree {
 
  private:
   void build(std::size_t begin, std::size_t end, const Progress& progress);
+  void offer(Index t, const Vec3& place, const Filter& counts, TriangleFoot& best) const;
   void descend(std::size_t begin, std::size_t end, const Vec3& place, const Filter& counts, TriangleFoot& best) const;
 
   std::vector<std::array<Vec3, 3>> triangles_;

@@ -11,7 +11,7 @@
 namespace croquis::hole_filling {
 
 /// The triangulation of least area whose triangles meet neither the surface nor one another where they shouldn't:
-/// triangles that do are forbidden and the search is repeated, 40 times for long rims and up to 1000 times for short
+/// triangles that do are forbidden and the search is repeated, 25 times for long rims and up to 300 times for short
 /// ones.
 ///
 /// A triangulation lies within the convex hull of its rim, so the surface is looked at there alone.

@@ -14,6 +14,7 @@
 #include "algorithms/hole_filling/fairing/patch_editing.h"
 #include "algorithms/hole_filling/fairing/patch_relaxation.h"
 #include "algorithms/hole_filling/patching/patcher.h"
+#include "algorithms/hole_filling/patching/site_memory.h"
 #include "algorithms/hole_filling/patching/untangling.h"
 #include "algorithms/hole_filling/patching/wide_holes.h"
 #include "algorithms/hole_filling/triangulation/triangle_cost.h"
@@ -180,7 +181,7 @@ class ImplicitPatcher : public Patcher {
   std::optional<HolePatch> continued(const HoleSite& site, const HolePatch& start, std::vector<PassingPoint> guides,
                                      Progress& progress) const {
     progress.check();
-    const auto surface = fit_rims(
+    const auto surface = fitted_once(
         site, options_, {careful_ ? stiffness : 1, careful_, std::move(guides), care_ != ContinuationCare::Quick});
     if (!surface) return std::nullopt;
     auto patch = laid_onto(site, *surface, start, progress);

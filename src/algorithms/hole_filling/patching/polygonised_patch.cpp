@@ -14,6 +14,7 @@
 #include "algorithms/hole_filling/patching/patcher.h"
 #include "algorithms/hole_filling/patching/rim_loops.h"
 #include "algorithms/hole_filling/patching/rim_zip.h"
+#include "algorithms/hole_filling/patching/site_memory.h"
 #include "algorithms/hole_filling/patching/untangling.h"
 #include "croquis/implicit/marching_cubes.h"
 #include "croquis/implicit/surface_improvement.h"
@@ -74,7 +75,7 @@ class PolygonisedPatch {
   std::optional<HolePatch> on_field(const Covering& covering, const RimFitOptions& how, double widest,
                                     Progress& progress) {
     progress.check();
-    const auto surface = fit_rims(site_, options_, how);
+    const auto surface = fitted_once(site_, options_, how);
     if (!surface) return std::nullopt;
     field_ = surface->field();
     int runaways = 0;

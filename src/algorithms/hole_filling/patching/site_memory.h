@@ -6,8 +6,10 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
+#include "algorithms/hole_filling/continuation/rim_field.h"
 #include "croquis/hole_filling/hole_patch.h"
 #include "croquis/hole_filling/hole_site.h"
 
@@ -24,6 +26,9 @@ class SiteMemory {
   std::map<std::string, std::optional<HolePatch>> patches;  ///< by method
   std::optional<Triangulation> avoiding;                    ///< see avoiding_triangulation
 
+  using Smoothness = std::tuple<double, bool, bool>;  ///< stiffness, with other sheets, with every normal
+  std::map<Smoothness, std::optional<RimField>> fields;
+
  private:
   std::vector<std::array<Index, 2>> blocked_;  ///< when these were made
 };
@@ -31,5 +36,9 @@ class SiteMemory {
 /// What a method made of a site before, or else makes of it now.
 std::optional<HolePatch> made_once(const HoleSite& site, const std::string& method,
                                    const std::function<std::optional<HolePatch>()>& make);
+
+/// The fit of fit_rims, made now or before.
+/// @param options the same for all methods of a site
+std::optional<RimField> fitted_once(const HoleSite& site, const ImplicitOptions& options, const RimFitOptions& how);
 
 }  // namespace croquis::hole_filling
