@@ -18,7 +18,7 @@ double in_ms(const timeval& time) {
 
 }  // namespace
 
-std::optional<double> cpu_ms_of(const std::vector<std::string>& command) {
+std::optional<ChildUse> use_of(const std::vector<std::string>& command) {
   std::vector<char*> arguments;
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
@@ -36,7 +36,12 @@ std::optional<double> cpu_ms_of(const std::vector<std::string>& command) {
     if (errno != EINTR) return std::nullopt;
   }
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return std::nullopt;
-  return in_ms(usage.ru_utime) + in_ms(usage.ru_stime);
+  return ChildUse{in_ms(usage.ru_utime) + in_ms(usage.ru_stime), static_cast<double>(usage.ru_maxrss) / 1024};
+}
+
+std::optional<double> cpu_ms_of(const std::vector<std::string>& command) {
+  const auto use = use_of(command);
+  return use ? std::optional(use->cpu_ms) : std::nullopt;
 }
 
 bool is_installed(const std::string& program) {
