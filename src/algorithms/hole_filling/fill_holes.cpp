@@ -146,7 +146,7 @@ class Filling {
     for (ClimbedJob& job : climbed_) {
       if (job.patch) patches.push_back(std::move(*job.patch));
     }
-    result_.mesh = append_patches(mesh(), analysis(), patches, options_.mark_patches);
+    result_.mesh = append_patches(mesh(), analysis(), patches, options_.mark_patches, options_.threads);
     result_.new_vertices = result_.mesh.vertex_count() - mesh().vertex_count();
     result_.new_faces = result_.mesh.face_count() - mesh().face_count();
     result_.removed_vertices = scan_.vertex_count() - mesh().vertex_count();

@@ -13,6 +13,7 @@
 #include <Eigen/Geometry>
 
 #include "algorithms/hole_filling/fairing/harmonic_values.h"
+#include "croquis/base/parallel.h"
 #include "croquis/hole_filling/channel_names.h"
 #include "croquis/hole_filling/patch_confidence.h"
 
@@ -158,7 +159,7 @@ void number_patches(PolyMesh& mesh, Index first_number, std::span<const Placed> 
 
 /// A scanner's own confidence, where it is a floating number, goes on in ours.
 void tell_confidence(PolyMesh& grown, const PolyMesh& mesh, const HoleAnalysis& analysis,
-                     std::span<const Placed> placed) {
+                     std::span<const Placed> placed, int threads) {
   AttributeChannel* channel = grown.channel(confidence_channel, Domain::Vertex);
   if (channel == nullptr) {
     grown.channels.push_back(
@@ -170,11 +171,12 @@ void tell_confidence(PolyMesh& grown, const PolyMesh& mesh, const HoleAnalysis& 
       [&](auto& values) {
         using T = typename std::remove_reference_t<decltype(values)>::value_type;
         if constexpr (std::is_floating_point_v<T>) {
-          for (const Placed& p : placed) {
+          for_each_part(placed.size(), 1, threads, [&](std::size_t begin, std::size_t) {
+            const Placed& p = placed[begin];
             const std::vector<float> found = vertex_confidence(*p.patch, mesh, analysis);
             std::transform(found.begin(), found.end(), values.begin() + p.first_vertex,
                            [](float value) { return static_cast<T>(value); });
-          }
+          });
         }
       },
       channel->data);
@@ -183,7 +185,7 @@ void tell_confidence(PolyMesh& grown, const PolyMesh& mesh, const HoleAnalysis& 
 }  // namespace
 
 PolyMesh append_patches(const PolyMesh& mesh, const HoleAnalysis& analysis, std::span<const HolePatch> patches,
-                        bool mark_patches) {
+                        bool mark_patches, int threads) {
   PolyMesh grown = mesh;
   std::vector<Placed> placed;
   for (const HolePatch& patch : patches) {
@@ -202,7 +204,7 @@ PolyMesh append_patches(const PolyMesh& mesh, const HoleAnalysis& analysis, std:
   }
   if (!mark_patches) return grown;
   number_patches(grown, next_patch_number(mesh), placed);
-  tell_confidence(grown, mesh, analysis, placed);
+  tell_confidence(grown, mesh, analysis, placed, threads);
   return grown;
 }
 

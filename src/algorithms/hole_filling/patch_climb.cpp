@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <deque>
+#include <functional>
 #include <span>
 #include <thread>
 #include <utility>
@@ -120,15 +121,24 @@ class Climb {
     return false;
   }
 
-  /// Reports the number of patches made, and from the calling thread alone.
+  std::size_t rim_edges(const Climber& climber) const {
+    std::size_t count = 0;
+    for (const Index hole : climber.job.holes) count += analysis_.holes[hole].vertices.size();
+    return count;
+  }
+
+  /// Reports the number of patches made, and from the calling thread alone. Long rims first, so that no thread has a
+  /// long one left when the others have finished.
   void attempt_all(Progress& progress) {
+    std::vector<Climber*> order = pending_;
+    std::ranges::stable_sort(order, std::greater(), [&](const Climber* climber) { return rim_edges(*climber); });
     const auto caller = std::this_thread::get_id();
     std::atomic<std::size_t> done = 0;
     Progress silent = progress.silent();
     progress.report(0, pending_.size());
     for_each_part(pending_.size(), 1, options_.threads, silent, [&](std::size_t begin, std::size_t end) {
       Progress own = progress.silent();
-      for (std::size_t i = begin; i < end; ++i) attempt(*pending_[i], own);
+      for (std::size_t i = begin; i < end; ++i) attempt(*order[i], own);
       done += end - begin;
       if (std::this_thread::get_id() == caller) progress.report(done, pending_.size());
     });
