@@ -40,6 +40,7 @@ struct Climber {
 
   bool is_pending() const { return !is_gone && !result.patch && rung < ladder.size(); }
   bool holds(Index hole) const { return std::binary_search(job.holes.begin(), job.holes.end(), hole); }
+  bool is_back_at_folded() const { return takes_folds && folded_rung == rung; }
   std::string method() const { return ladder[rung]->method(); }
 };
 
@@ -149,6 +150,11 @@ class Climb {
     HoleSite site = site_of(climber.job);
     site.memory = &climber.memory;
     climber.key = key_of(climber, site);
+    SiteMemory* memory = SiteMemory::of(site);
+    if (climber.is_back_at_folded() && memory->folded) {
+      climber.candidate = memory->folded;
+      return;
+    }
     const auto made = cached<Attempt>(
         options_.cache, patch_stage, climber.key,
         [&] { return numbers_.in_scan(climber.ladder[climber.rung]->attempt(site, progress)); },
@@ -271,7 +277,10 @@ class Climb {
   static bool goes_on_for_fold(Climber& climber) {
     const bool is_doubtful = climber.alone.is_sound() && climber.alone.max_normal_jump > doubtful_fold;
     if (!is_doubtful || climber.takes_folds || !is_as_asked(climber.method(), climber.job)) return false;
-    if (!climber.folded_rung) climber.folded_rung = climber.rung;
+    if (!climber.folded_rung) {
+      climber.folded_rung = climber.rung;
+      climber.memory.folded = std::move(climber.candidate);
+    }
     refuse(climber, "");
     return true;
   }

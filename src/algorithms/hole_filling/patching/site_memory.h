@@ -25,6 +25,7 @@ class SiteMemory {
 
   std::map<std::string, std::optional<HolePatch>> patches;  ///< by method
   std::optional<Triangulation> avoiding;                    ///< see avoiding_triangulation
+  std::optional<HolePatch> folded;                          ///< what the site comes back to if nothing is better
 
   using Smoothness = std::tuple<double, bool, bool>;  ///< stiffness, with other sheets, with every normal
   std::map<Smoothness, std::optional<RimField>> fields;
