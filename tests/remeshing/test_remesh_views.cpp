@@ -8,9 +8,13 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
+#include "algorithms/remeshing/remesh_points.h"
+#include "algorithms/remeshing/views/turned_views.h"
+#include "algorithms/remeshing/views/view_seams.h"
 #include "remeshing/remeshed.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/meshes/surface_distance.h"
+#include "support/scans/known_scans.h"
 #include "support/scans/scans.h"
 #include "support/scans/virtual_scans.h"
 
@@ -40,6 +44,15 @@ PolyMesh band_of(const PolyMesh& mesh, double low, double high) {
 PolyMesh ball_in_views(double low, double high, const Vec3& shift) {
   const PolyMesh ball = round_sphere(4);
   return merged(band_of(ball, -2, high), translated(band_of(ball, low, 2), shift));
+}
+
+double volume_of(const PolyMesh& mesh) {
+  double volume = 0;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    volume += mesh.positions[face[0]].dot(mesh.positions[face[1]].cross(mesh.positions[face[2]])) / 6;
+  }
+  return volume;
 }
 
 double farthest_from_ball(const PolyMesh& mesh) {
@@ -83,6 +96,68 @@ TEST_CASE("sheets that face away from each other, or are far apart, are no views
   CHECK(remesh(merged(half, translated(half, Vec3(0, 0, -0.5)))).checks.joined_views == 0);
   const PolyMesh ball = round_sphere(4);
   CHECK(remesh(merged(ball, scaled(ball, 0.97))).checks.joined_views == 0);
+}
+
+TEST_CASE("a view that looks the other way is turned over, and that is told") {
+  const PolyMesh ball = round_sphere(4);
+  for (const double overlap : {0.15, 0.0, -0.06}) {
+    CAPTURE(overlap);
+    const PolyMesh large = band_of(ball, -2, 0.3 + overlap), small = band_of(ball, 0.3 - overlap, 2);
+    const PolyMesh shifted = translated(flipped(small), Vec3(0.02, 0, 0.01));
+    const RemeshResult result = remesh(merged(large, shifted));
+    CHECK(result.checks.turned_views == 1);
+    CHECK(is_told(result, "W_VIEWS_TURNED"));
+    CHECK(result.checks.joined_views == 2);
+    CHECK(result.checks.components == 1);
+    CHECK(result.checks.open_loops == 0);
+    CHECK(farthest_from_ball(result.mesh) < 0.06);
+    CHECK(volume_of(result.mesh) > 3.9);
+  }
+}
+
+TEST_CASE("sides of a wall stay as they are, however thin and open it is") {
+  const PolyMesh half = band_of(round_sphere(4), -2, 0);  // edges of 0.07
+  for (const double scale : {0.98, 0.95, 0.9}) {
+    CAPTURE(scale);
+    const RemeshResult result = remesh(merged(half, flipped(scaled(half, scale))));
+    CHECK(result.checks.turned_views == 0);
+    CHECK_FALSE(is_told(result, "W_VIEWS_TURNED"));
+    CHECK(result.checks.joined_views == 0);
+  }
+}
+
+TEST_CASE("of views of known things those that were turned are found, and no others") {
+  std::size_t tried = 0;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    PolyMesh scan = known_scan(ScanKind::RangeViews, seed, 12000).mesh;
+    Progress progress;
+    const HoleAnalysis analysis = analyse_holes(scan, progress);
+    const double edge = typical_edge(scan, analysis.view);
+    const ViewSeams seams = find_view_seams(scan, analysis, {}, edge);
+    CAPTURE(seed);
+    CHECK(seams.turned.empty());
+    if (seams.joined.empty()) continue;
+    ++tried;
+    // The smaller one of a pair: the larger one would stay, and all others would be turned.
+    const auto [first, second] = seams.joined.front();
+    const std::vector<double>& areas = analysis.component_area;
+    const Index turned = areas[first] < areas[second] ? first : second;
+    for (std::size_t t = 0; t < analysis.view.triangles.size(); ++t)
+      if (analysis.view.component[t] == turned)
+        std::swap(scan.corners[3 * analysis.view.face[t]], scan.corners[3 * analysis.view.face[t] + 1]);
+    const HoleAnalysis again = analyse_holes(scan, progress);
+    CHECK(find_view_seams(scan, again, {}, edge).turned == std::vector<Index>{turned});
+  }
+  CHECK(tried > 1);
+}
+
+TEST_CASE("of views the minority by area is turned, by their strongest pairs") {
+  const std::vector<double> areas = {1, 4, 1, 3, 3};
+  CHECK(minority_of({{0, 1, 20, true}, {1, 2, 20, false}}, areas) == std::vector<Index>{0});
+  CHECK(minority_of({{0, 1, 20, true}, {0, 2, 20, false}}, areas) == std::vector<Index>{0, 2});
+  CHECK(minority_of({{0, 1, 20, true}, {1, 2, 30, false}, {0, 2, 10, false}}, areas) == std::vector<Index>{0});
+  CHECK(minority_of({{3, 4, 20, true}}, areas) == std::vector<Index>{4});
+  CHECK(minority_of({{3, 4, 20, false}}, areas).empty());
 }
 
 TEST_CASE("a rim at a seam that was asked for stays a hole of its own") {

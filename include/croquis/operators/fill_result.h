@@ -41,7 +41,7 @@ struct HoleRow {
 
 /// What only a remeshed model has.
 struct RemeshFigures {
-  std::size_t predicted_bytes = 0;
+  std::size_t predicted_bytes = 0, predicted_faces = 0;
   remeshing::RemeshChecks checks;
 };
 

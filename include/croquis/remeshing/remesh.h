@@ -46,7 +46,9 @@ struct RemeshChecks {
   std::size_t united_pieces = 0;       ///< pieces given that crossed others and are one solid with these
   std::size_t joined_views = 0;        ///< sheets given that go on in others and became one surface with these,
                                        ///< islands in their holes left out
+  std::size_t turned_views = 0;        ///< sheets that faced the other way than those that they lie upon
   std::size_t lost_points = 0;         ///< vertices given that no new one is within 1.25 cells of
+  std::size_t loose_points = 0;        ///< new vertices farther than half a cell off the scan, but in holes
   bool manifold = false;               ///< no edge of more than two faces, no vertex of more than one fan
 };
 

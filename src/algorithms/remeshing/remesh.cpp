@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "algorithms/remeshing/remesh_attributes.h"
@@ -34,10 +35,22 @@ std::span<const Index> flat_corners(const std::vector<std::array<Index, 3>>& tri
   return {reinterpret_cast<const Index*>(triangles.data()), 3 * triangles.size()};
 }
 
+/// The mesh with the faces of some components turned over.
+PolyMesh with_turned(PolyMesh mesh, const SurfaceView& view, const std::vector<Index>& components) {
+  std::vector<std::uint8_t> is_done(mesh.face_count(), 0);
+  for (std::size_t t = 0; t < view.triangles.size(); ++t) {
+    const Index face = view.face[t];
+    if (is_done[face] != 0 || !std::ranges::binary_search(components, view.component[t])) continue;
+    is_done[face] = 1;
+    std::reverse(mesh.corners.begin() + mesh.face_offsets[face], mesh.corners.begin() + mesh.face_offsets[face + 1]);
+  }
+  return mesh;
+}
+
 class Remeshing {
  public:
   Remeshing(const PolyMesh& mesh, const RemeshOptions& options)
-      : mesh_(mesh), options_(options), memory_(mesh, options) {}
+      : given_(mesh), options_(options), memory_(mesh, options) {}
 
   RemeshResult run(Progress& progress) {
     require_options(options_);
@@ -46,11 +59,12 @@ class Remeshing {
     result_.predicted_faces = whole_bytes(memory_.faces());
     result_.coarsening = memory_.coarsening();
     Progress analysing = progress.step("analyse holes", 0.06);
-    result_.analysis = analyse_holes(mesh_, analysing, options_.fill.analysis);
+    result_.analysis = analyse_holes(given_, analysing, options_.fill.analysis);
+    find_seams(analysing);
     choice_ = choose_holes(result_.analysis.holes, options_.fill);
     Progress preparing = progress.step("normals", 0.04);
     prepare(preparing);
-    Progress making = progress.step("make pieces", 0.8);
+    Progress making = progress.step("make about " + std::to_string(result_.predicted_faces) + " faces", 0.8);
     make_pieces_anew(making);
     Progress finishing = progress.step("verify", 0.1);
     finish(finishing);
@@ -63,16 +77,27 @@ class Remeshing {
   int threads() const { return options_.fill.threads; }
   double cell() const { return options_.cell * edge_ * memory_.coarsening(); }
 
+  /// The mesh given, or that with the views turned over that didn't agree with the others.
+  const PolyMesh& mesh() const { return turned_ ? *turned_ : given_; }
+
+  void find_seams(Progress& progress) {
+    edge_ = typical_edge(mesh(), view());
+    if (options_.fill.preset == Preset::Paper) return;
+    seams_ = find_view_seams(mesh(), result_.analysis, options_.fill.requests, edge_);
+    if (seams_.turned.empty()) return;
+    result_.checks.turned_views = seams_.turned.size();
+    turned_ = with_turned(given_, view(), seams_.turned);
+    result_.analysis = analyse_holes(*turned_, progress, options_.fill.analysis);
+    seams_ = find_view_seams(*turned_, result_.analysis, options_.fill.requests, edge_);
+  }
+
   void prepare(Progress& progress) {
-    edge_ = typical_edge(mesh_, view());
-    if (options_.fill.preset != Preset::Paper)
-      seams_ = find_view_seams(mesh_, result_.analysis, options_.fill.requests, edge_);
     choose_seams();
-    pieces_ = make_pieces(mesh_, result_.analysis, choice_, seams_, options_);
-    fans_ = TriangleFans(mesh_.vertex_count(), flat_corners(view().triangles));
-    normals_ = vertex_normals(mesh_, result_.analysis, fans_, pieces_, threads(), progress);
+    pieces_ = make_pieces(mesh(), result_.analysis, choice_, seams_, options_);
+    fans_ = TriangleFans(mesh().vertex_count(), flat_corners(view().triangles));
+    normals_ = vertex_normals(mesh(), result_.analysis, fans_, pieces_, threads(), progress);
     links_ = fans_.links(threads(), progress);
-    result_.mesh.channels = channels_like(mesh_);
+    result_.mesh.channels = channels_like(mesh());
     number_groups();
     report_choice();
   }
@@ -113,8 +138,8 @@ class Remeshing {
   }
 
   void make_pieces_anew(Progress& progress) {
-    const RemeshModel model{mesh_, result_.analysis, options_, pieces_, normals_,
-                            fans_, links_,           edge_,    cell(),  memory_};
+    const RemeshModel model{mesh(), result_.analysis, options_, pieces_, normals_,
+                            fans_,  links_,           edge_,    cell(),  memory_};
     std::vector<PieceShape> shapes;
     for (std::size_t p = 0; p < pieces_.pieces.size(); ++p) {
       Progress part = progress.step("make pieces", 0.9 * model.share_of(pieces_.pieces[p]));
@@ -144,7 +169,7 @@ class Remeshing {
   void refuse(std::size_t piece, PieceShape& shape) {
     const RemeshPiece& given = pieces_.pieces[piece];
     const Index at = given.vertices[shape.lost.empty() ? 0 : shape.lost.front()];
-    refuse({piece, shape.lost_share, RefusedPiece::no_piece, mesh_.positions[at]});
+    refuse({piece, shape.lost_share, RefusedPiece::no_piece, mesh().positions[at]});
     shape = {};
     shape.refused = true;
   }
@@ -204,15 +229,19 @@ class Remeshing {
     if (shape.mesh.face_count() == 0) return;  // reported as lost
     result_.checks.lost_points += shape.lost.size();
     const bool differs = shape.wanted && difference(shape.topology, *shape.wanted) > 0;
-    if (shape.lost.empty() && !differs) return;
+    result_.checks.loose_points += shape.loose.size();
+    if (shape.lost.empty() && !differs && shape.loose.empty() && !shape.room.any()) return;
     PieceLosses losses;
     losses.piece = piece;
     losses.retried = shape.retried;
     losses.lost_points = shape.lost.size();
     if (differs) losses.wanted = shape.wanted;
     losses.made = shape.topology;
+    losses.loose = shape.loose.size();
+    losses.room = shape.room;
+    if (!shape.loose.empty()) losses.loose_at = shape.mesh.positions[shape.loose.front().vertex];
     losses.at = shape.lost.empty() ? place_of_smallest_part(shape.mesh)
-                                   : mesh_.positions[pieces_.pieces[piece].vertices[shape.lost.front()]];
+                                   : mesh().positions[pieces_.pieces[piece].vertices[shape.lost.front()]];
     losses_.push_back(losses);
   }
 
@@ -237,11 +266,11 @@ class Remeshing {
       Progress transferring = progress.step("carry over attributes", share / static_cast<double>(part.pieces.size()));
       const bool has_holes = !piece.groups.empty() || !piece.caps.empty() || !piece.seams.empty();
       if (result_.mesh.channels.empty() && !has_holes) continue;
-      const RemeshPoints points = points_of(mesh_, result_.analysis, piece, normals_, edge_);
-      const NearestSurface nearest(mesh_, view(), fans_, piece, points, threads());
+      const RemeshPoints points = points_of(mesh(), result_.analysis, piece, normals_, edge_);
+      const NearestSurface nearest(mesh(), view(), fans_, piece, points, threads());
       const NewVertices vertices{part.first_vertex, part.vertex_count, part.piece_at, static_cast<Index>(number)};
-      transfer(result_.mesh, vertices, nearest, mesh_, result_.analysis, piece, pieces_.rims, cell(), threads(), marks_,
-               transferring);
+      transfer(result_.mesh, vertices, nearest, mesh(), result_.analysis, piece, pieces_.rims, cell(), threads(),
+               marks_, transferring);
     }
   }
 
@@ -268,7 +297,7 @@ class Remeshing {
     mark();
     Progress checking = progress.step("verify", 0.9);
     check(checking);
-    result_.warnings = remesh_findings(mesh_, result_, losses);
+    result_.warnings = remesh_findings(mesh(), result_, losses);
   }
 
   /// Channels "confidence" and "patch_id", and the patches' values in outcomes.
@@ -316,7 +345,8 @@ class Remeshing {
     checks.open_loops = open_loop_count(fans, links);
   }
 
-  const PolyMesh& mesh_;
+  const PolyMesh& given_;
+  std::optional<PolyMesh> turned_;
   const RemeshOptions& options_;
   RemeshMemory memory_;
   HoleChoice choice_;

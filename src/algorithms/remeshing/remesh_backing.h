@@ -10,15 +10,19 @@
 
 #include "algorithms/remeshing/remesh_attributes.h"
 #include "croquis/hole_filling/hole_request.h"
+#include "croquis/implicit/point_tree.h"
 
 namespace croquis::remeshing {
 
 /// Where a surface that closes a piece's holes may lie: no farther from a hole's rim than 0.75 of its diameter (half a
-/// sphere over its rim reaches 0.71), or from a place that it was asked to go through.
+/// sphere over its rim reaches 0.71), or from a place that it was asked to go through; and between views as far from
+/// their rims as they may be apart.
 class HoleReach {
  public:
+  /// @param rims of the whole mesh; @param edge as typical_edge; @param failed holes that stay open after all
   HoleReach(const PolyMesh& mesh, const hole_filling::HoleAnalysis& analysis, const RemeshPiece& piece,
-            std::span<const hole_filling::HoleRequest> requests);
+            const std::vector<RimPlace>& rims, std::span<const hole_filling::HoleRequest> requests, double edge,
+            std::span<const Index> failed);
 
   /// Thread-safe. Linear in the holes, and in the rims of those that are near.
   bool contains(const Vec3& place) const;
@@ -32,26 +36,46 @@ class HoleReach {
     double reach = 0;
   };
 
-  std::vector<Zone> zones_;  // the largest first
-  double area_ = 0;
+  std::vector<Zone> zones_;        // the largest first
+  std::vector<Vec3> seam_places_;  // vertices on rims of views
+  implicit::PointTree seams_;
+  double seam_reach_ = 0, area_ = 0;
+};
+
+/// A vertex that lies off the mesh given.
+struct LooseVertex {
+  Index vertex = no_index;
+  Vec3 foot = Vec3::Zero();  ///< the nearest place of the mesh
+  double distance = 0;
 };
 
 /// What of a remeshed surface the mesh given doesn't back.
 struct Strays {
   std::vector<std::uint8_t> vertices;  ///< per vertex: 1 where it lies far from the mesh, in no hole's reach
   std::size_t count = 0;               ///< of these
+  std::vector<LooseVertex> loose;      ///< others that aren't near to the mesh, and in no hole's reach, ascending
   double hole_area = 0;                ///< of faces far from the mesh in the reach of holes
   bool overfills = false;              ///< that is more than holes explain
 
   bool any() const { return count > 0 || overfills; }
 };
 
-/// Checks every vertex of a surface, whatever made it: how far from the triangles given it lies. Far is more than two
-/// cells or mean edges, whichever are longer. The distance is to the triangles at the nearest vertex or sample: never
-/// less than the least.
+/// Checks every vertex of a surface, whatever made it: how far it lies from the triangles given.
+/// @param near,far model units, the latter the larger one
 /// @throws Cancelled
-Strays find_strays(const PolyMesh& surface, const NearestSurface& given, const HoleReach& holes, double far,
-                   int threads, Progress& progress);
+Strays find_strays(const PolyMesh& surface, const PolyMesh& mesh, const hole_filling::SurfaceView& view,
+                   const RemeshPiece& piece, const NearestSurface& given, const HoleReach& holes, double near,
+                   double far, int threads, Progress& progress);
+
+/// Takes away what hangs on a border and has no corner that is near. @return whether there was anything
+/// @throws Cancelled
+bool trim_loose(PolyMesh& surface, std::span<const LooseVertex> loose, int threads, Progress& progress);
+
+/// Moves loose vertices towards their feet until they are near, but where the surface would cut through itself.
+/// @param loose of the surface; what is left of them stays
+/// @throws Cancelled
+void bring_near(PolyMesh& surface, std::vector<LooseVertex>& loose, double near, hole_filling::Precision precision,
+                Progress& progress);
 
 /// Share of a piece's area that a surface has nothing near to. @param lost of the points, ascending
 double lost_share(const PolyMesh& mesh, const hole_filling::SurfaceView& view, const RemeshPiece& piece,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <span>
 #include <string>
 #include <utility>
@@ -46,19 +47,59 @@ std::string sentence(const PieceLosses& part, double cell) {
   return text + ": choose cells of " + number(cell / 4) + " mean edges, or fill holes by patches.";
 }
 
-/// The first few one by one.
-void tell_parts(const RemeshLosses& losses, Findings& findings) {
+using Sentence = std::function<std::string(const PieceLosses&)>;
+
+/// Of pieces to which a sentence applies, else it's empty: the first few one by one.
+/// @param more what is said of the others, in one sentence
+void tell_pieces(const RemeshLosses& losses, const std::string& code, const Sentence& sentence_of,
+                 const std::string& more, Findings& findings) {
   constexpr std::size_t most_told = 5;
-  for (std::size_t i = 0; i < std::min(losses.parts.size(), most_told); ++i) {
-    const PieceLosses& part = losses.parts[i];
-    Finding finding = warning("W_DETAIL_LOST", sentence(part, losses.cell));
+  std::size_t count = 0;
+  for (const PieceLosses& part : losses.parts) {
+    std::string text = sentence_of(part);
+    if (text.empty() || ++count > most_told) continue;
+    Finding finding = warning(code, std::move(text));
     finding.subjects = {numbered_subject(SubjectKind::Point, part.piece, {part.at.x(), part.at.y(), part.at.z()})};
     findings.push_back(std::move(finding));
   }
-  if (losses.parts.size() > most_told)
-    findings.push_back(
-        warning("W_DETAIL_LOST", counted(losses.parts.size() - most_told, "more piece has", "more pieces have") +
-                                     " lost detail: choose smaller cells, or fill holes by patches."));
+  if (count <= most_told) return;
+  findings.push_back(warning(code, counted(count - most_told, "more piece has", "more pieces have") + more));
+}
+
+void tell_parts(const RemeshLosses& losses, Findings& findings) {
+  const auto has_lost = [&](const PieceLosses& part) {
+    return part.wanted || part.lost_points > 0 ? sentence(part, losses.cell) : "";
+  };
+  tell_pieces(losses, "W_DETAIL_LOST", has_lost, " lost detail: choose smaller cells, or fill holes by patches.",
+              findings);
+}
+
+std::string room_sentence(const PieceLosses& part) {
+  const RoomChange& room = part.room;
+  if (!room.any()) return "";
+  std::string text;
+  const auto add = [&](const std::string& what) { text += (text.empty() ? "" : " and ") + what; };
+  if (room.shrunk > 0) add("ends " + number(room.shrunk) + " short of the scan's box");
+  if (room.grown > 0) add("leads " + number(room.grown) + " out of the scan's box");
+  if (room.given != room.made) add("encloses " + number(room.made) + " instead of " + number(room.given));
+  return "Piece " + std::to_string(part.piece) + " of the model " + text +
+         ": choose smaller cells, or fill holes by patches, which keep the surface.";
+}
+
+std::string loose_sentence(const PieceLosses& part) {
+  if (part.loose == 0) return "";
+  return "Piece " + std::to_string(part.piece) + " of the model has " + counted(part.loose, "vertex", "vertices") +
+         " farther than half a cell off the scan, where its surface can't be brought nearer without cutting through "
+         "itself: choose smaller cells, or fill holes by patches.";
+}
+
+/// Where what came out isn't what the scan is.
+void tell_shapes(const RemeshLosses& losses, Findings& findings) {
+  tell_pieces(losses, "W_SHAPE_DIFFERS", room_sentence,
+              " other boxes or volumes than the scan's: choose smaller cells, or fill holes by patches.", findings);
+  tell_pieces(losses, "W_OFF_SCAN", loose_sentence,
+              " vertices farther than half a cell off the scan: choose smaller cells, or fill holes by patches.",
+              findings);
 }
 
 std::string sentence(const RefusedPiece& refused) {
@@ -120,6 +161,14 @@ void tell_views(const RemeshChecks& checks, Findings& findings) {
                                                    "and were made one surface: align them better if it is rough."));
 }
 
+void tell_turned(const RemeshChecks& checks, Findings& findings) {
+  if (checks.turned_views == 0) return;
+  findings.push_back(
+      warning("W_VIEWS_TURNED", counted(checks.turned_views, "piece of the model faces", "pieces of the model face") +
+                                    " the other way than those that they lie upon and were turned over: "
+                                    "turn them in the scan if they are sides of a thin wall."));
+}
+
 void tell_cuts(const RemeshChecks& checks, Findings& findings) {
   if (checks.self_intersections == 0) return;
   std::string text = counted(checks.self_intersections, "pair of faces intersects", "pairs of faces intersect");
@@ -150,11 +199,13 @@ Findings remesh_findings(const PolyMesh& mesh, const RemeshResult& result, const
                                                    "cells."));
   tell_refused(losses, warning("W_PIECE_REFUSED", ""), findings);
   tell_parts(losses, findings);
+  tell_shapes(losses, findings);
   if (result.checks.failed_loops > 0)
     findings.push_back(
         warning("W_NOT_CLOSED", counted(result.checks.failed_loops, "opening is", "openings are") +
                                     " left where none was: choose smaller cells, or fill holes by patches."));
   tell_faces(result, findings);
+  tell_turned(result.checks, findings);
   tell_views(result.checks, findings);
   tell_united(result.checks, findings);
   tell_cuts(result.checks, findings);

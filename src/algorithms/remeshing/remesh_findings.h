@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "algorithms/remeshing/remesh_room.h"
 #include "algorithms/remeshing/remesh_topology.h"
 #include "croquis/remeshing/remesh.h"
 
@@ -17,7 +18,10 @@ struct PieceLosses {
   std::size_t lost_points = 0;
   SurfaceTopology made;
   std::optional<SurfaceTopology> wanted;  ///< where it came out otherwise
-  Vec3 at = Vec3::Zero();                 ///< a place where something is wrong
+  std::size_t loose = 0;                  ///< vertices that are left farther than half a cell off the scan
+  Vec3 loose_at = Vec3::Zero();           ///< one of these
+  RoomChange room;
+  Vec3 at = Vec3::Zero();  ///< a place where something is wrong
 };
 
 /// A piece that was left out, since what was made of it doesn't represent it.

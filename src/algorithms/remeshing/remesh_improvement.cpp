@@ -101,11 +101,14 @@ void as_stored(std::vector<Vec3>& positions, Precision precision) {
   if (precision == Precision::Single) round_to_single(positions);
 }
 
-}  // namespace
+using FacePairs = std::vector<std::array<Index, 2>>;
 
-std::size_t undo_where_cut(PolyMesh& mesh, const std::vector<Vec3>& before, int threads, Progress& progress) {
-  Progress first = progress.step("look for cuts", 0.9);
-  std::vector<std::array<Index, 2>> pairs = find_cuts(mesh, threads, first);
+FacePairs cuts_at(const PolyMesh& mesh, const std::vector<std::uint8_t>& marked, Progress& progress) {
+  return find_intersections_of(mesh, faces_at(mesh, marked), progress, {.max_pairs = most_intersecting_pairs}).pairs;
+}
+
+/// @param pairs that intersect
+std::size_t undo(PolyMesh& mesh, const std::vector<Vec3>& before, FacePairs pairs, Progress& progress) {
   for (std::size_t round = 0; round <= undo_rings.size() && !pairs.empty(); ++round) {
     const bool is_last = round == undo_rings.size();
     std::vector<std::uint8_t> marked(mesh.vertex_count(), is_last ? 1 : 0);
@@ -117,9 +120,24 @@ std::size_t undo_where_cut(PolyMesh& mesh, const std::vector<Vec3>& before, int 
     for (std::size_t v = 0; v < marked.size(); ++v)
       if (marked[v] != 0) mesh.positions[v] = before[v];
     Progress again = progress.step("look for cuts", 0.1 / static_cast<double>(undo_rings.size() + 1));
-    pairs = find_intersections_of(mesh, faces_at(mesh, marked), again, {.max_pairs = most_intersecting_pairs}).pairs;
+    pairs = cuts_at(mesh, marked, again);
   }
   return pairs.size();
+}
+
+}  // namespace
+
+std::size_t undo_where_cut(PolyMesh& mesh, const std::vector<Vec3>& before, int threads, Progress& progress) {
+  Progress first = progress.step("look for cuts", 0.9);
+  return undo(mesh, before, find_cuts(mesh, threads, first), progress);
+}
+
+std::size_t undo_where_cut(PolyMesh& mesh, const std::vector<Vec3>& before, std::span<const Index> moved,
+                           Progress& progress) {
+  std::vector<std::uint8_t> marked(mesh.vertex_count(), 0);
+  for (const Index v : moved) marked[v] = 1;
+  Progress first = progress.step("look for cuts", 0.9);
+  return undo(mesh, before, cuts_at(mesh, marked, first), progress);
 }
 
 double onto_surface(std::span<Vec3> points, std::span<const std::uint8_t> fixed, const ImprovedField& field,

@@ -58,4 +58,8 @@ std::size_t improve_smoothed(PolyMesh& mesh, std::vector<Vec3> smooth, const Imp
 /// @return pairs that intersect all the same
 std::size_t undo_where_cut(PolyMesh& mesh, const std::vector<Vec3>& before, int threads, Progress& progress);
 
+/// The same where only some vertices were moved, which makes it faster. @param moved ascending
+std::size_t undo_where_cut(PolyMesh& mesh, const std::vector<Vec3>& before, std::span<const Index> moved,
+                           Progress& progress);
+
 }  // namespace croquis::remeshing

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "algorithms/remeshing/remesh_backing.h"
@@ -28,7 +30,9 @@ constexpr double cells_per_cube_face = 20;  // per cube face of a sphere around 
 constexpr int farthest_seeds = 2;           // cubes around a point that are looked at, when its own has no surface
 constexpr double lost_beyond = 1.25;  // × cell: a surface has vertices at less than one cell of any of its points
 
-constexpr double backed_within = 2;       // × cell or mean edge, whichever is longer: farther from data is invented
+constexpr double backed_within = 2;  // × cell or mean edge, whichever is longer: farther from data is invented
+constexpr double near_within = 0.5;  // × cell as asked for or mean edge: what is farther off the scan is told
+constexpr double beyond_all = std::numeric_limits<double>::infinity();
 constexpr double runs_away_beyond = 0.4;  // × diagonal: no continuation of a surface leads so far out of its box
 constexpr int retries = 2;             // of pieces that come out torn or grown together, each with cells of half size
 constexpr double retry_overlap = 0.6;  // domains of thin walls have to see both sides, and much of them
@@ -69,15 +73,22 @@ void forget_below_last_layer(implicit::PartitionOfUnity& field, const implicit::
 class Shaping {
  public:
   Shaping(const RemeshModel& model, std::size_t number)
-      : model_(model), number_(number), piece_(model.pieces.pieces[number]) {}
+      : model_(model), number_(number), piece_(model.pieces.pieces[number]) {
+    if (model.options.fill.preset == Preset::Paper) return;
+    wanted_ = wanted_topology(model.analysis, piece_, model.links);
+    room_ = room_of_scan(model.mesh, model.analysis, piece_);
+    if (!wanted_ || piece_.views > 0) room_.volume.reset();
+  }
 
   PieceShape run(Progress& progress);
 
  private:
   Trial trial_of(int retry) const;
   PieceShape make_surface(const Trial& trial, Progress& progress);
-  Strays strays_of(const PolyMesh& surface, const Trial& trial, Progress& progress) const;
-  void cut_off(const Strays& strays, PieceShape& shape, Progress& progress) const;
+  Strays strays_of(const PolyMesh& surface, const Trial& trial, std::span<const Index> failed,
+                   Progress& progress) const;
+  void keep_near(Strays strays, const Trial& trial, PieceShape& shape, Progress& progress) const;
+  double near() const { return near_within * std::max(model_.options.cell, 1.0) * model_.edge; }
   void compare(const Trial& trial, PieceShape& shape, Progress& progress) const;
   PieceShape attempt(const Trial& trial, double growth, bool is_last, Progress& progress);
   Cubes polygons(const Trial& trial, const std::vector<implicit::Box>& boxes, implicit::PartitionOfUnity& field,
@@ -90,6 +101,8 @@ class Shaping {
   const RemeshModel& model_;
   std::size_t number_;
   const RemeshPiece& piece_;
+  std::optional<SurfaceTopology> wanted_;
+  PieceRoom room_;
 };
 
 bool runs_away(const PolyMesh& surface, const RemeshPoints& points) {
@@ -100,11 +113,8 @@ bool runs_away(const PolyMesh& surface, const RemeshPoints& points) {
 }
 
 PieceShape Shaping::run(Progress& progress) {
-  const bool is_paper = model_.options.fill.preset == Preset::Paper;
-  const auto wanted = is_paper ? std::nullopt : wanted_topology(model_.analysis, piece_, model_.links);
   Progress first = progress.step("make surface", 0.9);
   PieceShape best = make_surface(trial_of(0), first);
-  best.wanted = wanted;
   bool retried = false;
   for (int retry = 1; retry <= retries; ++retry) {
     if (best.torn() == 0 && are_few(best.lost.size(), piece_.vertices.size())) break;
@@ -112,7 +122,6 @@ PieceShape Shaping::run(Progress& progress) {
     Progress again = progress.step("make surface with smaller cells", 0.08 / retries);
     retried = true;
     PieceShape other = make_surface(trial_of(retry), again);
-    other.wanted = wanted;
     if (other.left_to_patches.empty()) other.left_to_patches = best.left_to_patches;
     if (std::pair(other.torn(), other.lost.size()) >= std::pair(best.torn(), best.lost.size())) break;
     best = std::move(other);
@@ -145,13 +154,13 @@ PieceShape Shaping::make_surface(const Trial& trial, Progress& progress) {
     shape = attempt(trial, growths[std::min(i, growths.size() - 1)], is_last, trying);
     if (!is_last && !shape.runs_away && shape.openings.any_of_field()) continue;
     Progress looking = progress.step("compare with the scan", 0.02);
-    const Strays strays = strays_of(shape.mesh, trial, looking);
+    Strays strays = strays_of(shape.mesh, trial, {}, looking);
     if (has_boxes && (shape.runs_away || strays.any())) {
       for (const std::vector<Index>& group : piece_.groups) left.insert(left.end(), group.begin(), group.end());
       leave_to_patches(model_.pieces, number_);
       continue;
     }
-    if (strays.count > 0) cut_off(strays, shape, looking);
+    keep_near(std::move(strays), trial, shape, looking);
     break;
   }
   shape.left_to_patches = std::move(left);
@@ -159,20 +168,42 @@ PieceShape Shaping::make_surface(const Trial& trial, Progress& progress) {
     Progress patching = progress.step("close openings by patches", 0.02);
     shape.patched = close_by_patches(shape.mesh, shape.openings, model_.options.fill, patching);
   }
+  if (!shape.openings.none()) {  // nothing closes these holes: what leads over their rims is off the scan
+    Progress looking = progress.step("compare with the scan", 0.01);
+    Strays strays = strays_of(shape.mesh, trial, shape.openings.holes, looking);
+    if (!strays.loose.empty()) bring_near(shape.mesh, strays.loose, near(), model_.options.fill.precision, looking);
+    shape.loose = std::move(strays.loose);
+    for (Index v = 0; strays.count > 0 && v < strays.vertices.size(); ++v)
+      if (strays.vertices[v] != 0) shape.loose.push_back({v, shape.mesh.positions[v], beyond_all});
+  }
   compare(trial, shape, progress);
   return shape;
 }
 
-Strays Shaping::strays_of(const PolyMesh& surface, const Trial& trial, Progress& progress) const {
+Strays Shaping::strays_of(const PolyMesh& surface, const Trial& trial, std::span<const Index> failed,
+                          Progress& progress) const {
   const NearestSurface given(model_.mesh, model_.analysis.view, model_.fans, piece_, trial.points, model_.threads());
-  const HoleReach holes(model_.mesh, model_.analysis, piece_, model_.options.fill.requests);
-  return find_strays(surface, given, holes, backed_within * std::max(model_.cell, model_.edge), model_.threads(),
-                     progress);
+  const HoleReach holes(model_.mesh, model_.analysis, piece_, model_.pieces.rims, model_.options.fill.requests,
+                        model_.edge, failed);
+  return find_strays(surface, model_.mesh, model_.analysis.view, piece_, given, holes, near(),
+                     backed_within * std::max(model_.cell, model_.edge), model_.threads(), progress);
 }
 
-void Shaping::cut_off(const Strays& strays, PieceShape& shape, Progress& progress) const {
-  shape.mesh = trimmed(shape.mesh, strays.vertices);
-  shape.openings = find_openings(shape.mesh, model_.mesh, piece_, model_.pieces.rims, model_.options.fill, progress);
+/// What the scan doesn't back goes, what is a little off it is brought near.
+void Shaping::keep_near(Strays strays, const Trial& trial, PieceShape& shape, Progress& progress) const {
+  bool is_cut = strays.count > 0;
+  if (is_cut) {
+    shape.mesh = trimmed(shape.mesh, strays.vertices);
+    strays = strays_of(shape.mesh, trial, {}, progress);
+  }
+  if (piece_.ends && trim_loose(shape.mesh, strays.loose, model_.threads(), progress)) {
+    is_cut = true;
+    strays = strays_of(shape.mesh, trial, {}, progress);
+  }
+  if (!strays.loose.empty()) bring_near(shape.mesh, strays.loose, near(), model_.options.fill.precision, progress);
+  shape.loose = std::move(strays.loose);
+  if (is_cut)
+    shape.openings = find_openings(shape.mesh, model_.mesh, piece_, model_.pieces.rims, model_.options.fill, progress);
 }
 
 /// What of the piece is there, and in how many parts.
@@ -183,6 +214,10 @@ void Shaping::compare(const Trial& trial, PieceShape& shape, Progress& progress)
   std::erase_if(shape.lost, [&](Index point) { return point >= piece_.vertices.size(); });
   Progress counting = progress.step("count parts and handles", 0.01);
   shape.topology = topology_of(shape.mesh, model_.threads(), counting);
+  shape.wanted = wanted_;
+  if (shape.mesh.face_count() == 0 || model_.options.fill.preset == Preset::Paper) return;
+  const bool is_closed = shape.openings.none() && shape.openings.meant == 0;
+  shape.room = change_of(room_, room_of_surface(shape.mesh, is_closed), model_.analysis, piece_, model_.cell);
 }
 
 PieceShape Shaping::attempt(const Trial& trial, double growth, bool is_last, Progress& progress) {

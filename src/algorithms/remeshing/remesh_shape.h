@@ -6,11 +6,13 @@
 #include <span>
 #include <vector>
 
+#include "algorithms/remeshing/remesh_backing.h"
 #include "algorithms/remeshing/remesh_improvement.h"
 #include "algorithms/remeshing/remesh_memory.h"
 #include "algorithms/remeshing/remesh_openings.h"
 #include "algorithms/remeshing/remesh_pieces.h"
 #include "algorithms/remeshing/remesh_points.h"
+#include "algorithms/remeshing/remesh_room.h"
 #include "algorithms/remeshing/remesh_topology.h"
 #include "croquis/implicit/partition_of_unity.h"
 
@@ -43,8 +45,10 @@ struct PieceShape {
   implicit::DomainReport domains;
   SurfaceTopology topology;
   std::optional<SurfaceTopology> wanted;  ///< see wanted_topology
+  RoomChange room;                        ///< what it takes beside what the scan takes
   std::vector<Index> lost;                ///< vertices given without a surface
   double lost_share = 0;                  ///< of the piece's area
+  std::vector<LooseVertex> loose;         ///< vertices that are left farther than half a cell off the scan
   double cell = 0;                        ///< of its cubes, model units
   std::size_t slabs = 1;                  ///< that it was made in
   std::size_t cuts = 0;                   ///< pairs of its faces that intersect
@@ -53,8 +57,10 @@ struct PieceShape {
   bool retried = false;                   ///< with smaller cells
   bool refused = false;                   ///< and emptied, since it didn't represent its piece
 
-  /// Of loops that shouldn't be, components and handles, counted.
-  std::size_t torn() const { return openings.loops.size() + (wanted ? difference(topology, *wanted) : 0); }
+  /// Of loops that shouldn't be, components and handles, counted, and whether it takes other room than the scan.
+  std::size_t torn() const {
+    return openings.loops.size() + (wanted ? difference(topology, *wanted) : 0) + (room.any() ? 1 : 0);
+  }
 };
 
 /// Remeshes one piece: with larger boxes around holes where the field leaves openings, with smaller cells where it

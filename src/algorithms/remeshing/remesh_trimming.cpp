@@ -96,16 +96,20 @@ PolyMesh without(const PolyMesh& mesh, std::span<const std::uint8_t> removed) {
   return kept;
 }
 
-PolyMesh trimmed(const PolyMesh& mesh, std::span<const std::uint8_t> beyond) {
-  std::vector<std::uint8_t> removed(mesh.face_count(), 0);
-  for (std::size_t c = 0; c < mesh.corners.size(); ++c)
-    if (beyond[mesh.corners[c]] != 0) removed[c / 3] = 1;
+PolyMesh sound_without(const PolyMesh& mesh, std::vector<std::uint8_t> removed) {
   PolyMesh kept = without(mesh, removed);
   for (int round = 0;; ++round) {
     removed.assign(kept.face_count(), 0);
     if (!mark_invalid(kept, round < ear_rounds, removed)) return kept;
     kept = without(kept, removed);
   }
+}
+
+PolyMesh trimmed(const PolyMesh& mesh, std::span<const std::uint8_t> beyond) {
+  std::vector<std::uint8_t> removed(mesh.face_count(), 0);
+  for (std::size_t c = 0; c < mesh.corners.size(); ++c)
+    if (beyond[mesh.corners[c]] != 0) removed[c / 3] = 1;
+  return sound_without(mesh, std::move(removed));
 }
 
 std::vector<Index> far_points(const PolyMesh& mesh, std::span<const Vec3> points, double distance, int threads,

@@ -40,8 +40,11 @@ std::size_t part_count(const PolyMesh& mesh);
 /// The mesh without some of its faces, and without the vertices that nothing uses then. Order stays.
 PolyMesh without(const PolyMesh& mesh, std::span<const std::uint8_t> removed);
 
-/// Removes triangles with a marked vertex; then those that hang on a border by one vertex or stick out of it by two
-/// edges, until every vertex is manifold.
+/// Removes faces that are marked; then those that hang on a border by one vertex or stick out of it by two edges, until
+/// every vertex is manifold.
+PolyMesh sound_without(const PolyMesh& mesh, std::vector<std::uint8_t> removed);
+
+/// The same for triangles with a marked vertex.
 PolyMesh trimmed(const PolyMesh& mesh, std::span<const std::uint8_t> beyond);
 
 /// Points that no vertex is within `distance` of, ascending.
