@@ -12,4 +12,7 @@ Findings fill_findings(const PolyMesh& scan, const FillResult& result);
 /// Why a hole failed of which the whole piece was left out; the finding is about the piece.
 inline constexpr const char* piece_left_out = "its piece of the mesh was left out";
 
+/// Why the rim of a few triangles was left that hang in a hole by a vertex: the first of its companions.
+inline constexpr const char* hangs_at_rim = "hangs at the rim of a hole by a corner";
+
 }  // namespace croquis::hole_filling

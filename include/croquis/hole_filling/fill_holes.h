@@ -80,7 +80,8 @@ struct FillResult {
   std::size_t domains = 0;                              ///< functions that were fitted for the patches taken
   DomainPointCounts points_per_domain;
   bool outside_unchanged = false;  ///< looked at again at the end: what wasn't removed comes first, bit by bit
-  Findings warnings;               ///< those of the analysis, W_OUTER_LEFT, W_FALLBACK, W_LOW_CONFIDENCE, W_HOLE_FAILED
+  Findings warnings;               ///< those of the analysis, W_OUTER_LEFT, W_STRAYS, W_FALLBACK, W_LOW_CONFIDENCE,
+                                   ///< W_HOLE_FAILED
 };
 
 /// The most that fill_holes will hold at a time, in bytes, the mesh given not counted. Linear in its channels, and

@@ -12,9 +12,17 @@ namespace croquis::hole_filling {
 struct FillJob {
   std::vector<Index> holes;  ///< ascending
   PatchWish wish;
-  bool bridge = false;  ///< a band between the rims
-  bool is_cap = false;  ///< closes an open section: flat
+  bool bridge = false;             ///< a band between the rims
+  bool is_cap = false;             ///< closes an open section: flat
+  std::vector<Index> strays = {};  ///< of the holes, ascending: islands of a few triangles that hang at another rim by
+                                   ///< a vertex, and are let go where no patch joins them all
 };
+
+/// Those of a group of companions. Linear.
+std::vector<Index> strays_among(std::span<const Hole> all, const std::vector<Index>& group);
+
+/// The job for the other holes alone.
+FillJob without_strays(const FillJob& job);
 
 /// What is to be done, by the lowest holes: companions that are both chosen are one job, and so are rims that a request
 /// bridges. A job follows the requests that name any of its holes, later ones over earlier ones, then the options.

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "croquis/base/text.h"
 #include "croquis/hole_filling/patch_confidence.h"
 
 namespace croquis::hole_filling {
@@ -33,17 +34,6 @@ void tell_outer(const PolyMesh& scan, const FillResult& result, Findings& findin
                    std::move(subjects)));
 }
 
-/// The holes filled for which something holds.
-template <typename Holds>
-std::vector<Subject> filled_where(const PolyMesh& scan, const FillResult& result, Holds&& holds) {
-  std::vector<Subject> subjects;
-  for (const Hole& hole : result.analysis.holes) {
-    const HoleOutcome& outcome = result.outcomes[hole.id];
-    if (outcome.action == FillAction::Fill && holds(outcome)) subjects.push_back(hole_subject(scan, hole));
-  }
-  return subjects;
-}
-
 /// "Holes 3, 7 and 9", or with many the first of them and how many more.
 std::string names_of(const std::vector<Subject>& subjects) {
   constexpr std::size_t most_named = 10;
@@ -53,6 +43,41 @@ std::string names_of(const std::vector<Subject>& subjects) {
   for (std::size_t i = 1; i < named; ++i) text += ", " + name_of(subjects[i]);
   const std::size_t left = subjects.size() - named;
   return text + " and " + (left == 1 ? name_of(subjects.back()) : std::to_string(left) + " more");
+}
+
+/// Triangles that patches were made past: the rims that they hang at, and how many.
+void tell_strays(const PolyMesh& scan, const FillResult& result, Findings& findings) {
+  std::vector<Subject> subjects;
+  std::size_t triangles = 0;
+  for (const Hole& hole : result.analysis.holes) {
+    std::size_t own = 0;
+    for (const Index other : hole.companions) {
+      const HoleOutcome& outcome = result.outcomes[other];
+      if (outcome.action == FillAction::Leave && outcome.reason == hangs_at_rim)
+        own += result.analysis.holes[other].vertices.size() - 2;
+    }
+    if (own == 0 || result.outcomes[hole.id].action != FillAction::Fill) continue;
+    subjects.push_back(hole_subject(scan, hole));
+    triangles += own;
+  }
+  if (subjects.empty()) return;
+  const bool one = triangles == 1;
+  const std::string sentence = names_of(subjects) + (subjects.size() == 1 ? " was" : " were") + " closed past " +
+                               counted(triangles, "triangle that hangs", "triangles that hang") +
+                               " there by a corner and " + (one ? "stays" : "stay") + " as " +
+                               (one ? "it was" : "they were") + ": delete " + (one ? "it" : "them") + " in the source.";
+  findings.push_back(make_warning(Category::Geometry, "W_STRAYS", sentence, std::move(subjects)));
+}
+
+/// The holes filled for which something holds.
+template <typename Holds>
+std::vector<Subject> filled_where(const PolyMesh& scan, const FillResult& result, Holds&& holds) {
+  std::vector<Subject> subjects;
+  for (const Hole& hole : result.analysis.holes) {
+    const HoleOutcome& outcome = result.outcomes[hole.id];
+    if (outcome.action == FillAction::Fill && holds(outcome)) subjects.push_back(hole_subject(scan, hole));
+  }
+  return subjects;
 }
 
 /// Holes of which the same is told.
@@ -124,6 +149,7 @@ void tell_low_confidence(const PolyMesh& scan, const FillResult& result, Finding
 Findings fill_findings(const PolyMesh& scan, const FillResult& result) {
   Findings findings = result.analysis.warnings;
   tell_outer(scan, result, findings);
+  tell_strays(scan, result, findings);
   tell_failed(scan, result, findings);
   tell_low_confidence(scan, result, findings);
   return findings;

@@ -60,13 +60,14 @@ class Filling {
     Progress analysing = progress.step("analyse holes", 0.2);
     result_.analysis = analysed(analysing);
     const HoleChoice choice = choose_holes(result_.analysis.holes, options_);
-    const std::vector<FillJob> jobs = make_jobs(result_.analysis.holes, options_, choice.is_chosen);
+    std::vector<FillJob> jobs = make_jobs(result_.analysis.holes, options_, choice.is_chosen);
     Progress trimming = progress.step("trim rims", 0.1);
     trim(choice, trimming);
     Progress filling = progress.step("fill holes", 0.7);
     const ScanNumbers numbers(scan_, trimmed_.get(), analysis(), key_.bytes());
-    climbed_ = climb(mesh(), analysis(), trimmed_ ? moved_jobs(*trimmed_, jobs) : jobs, options_, numbers, filling);
-    report_outcomes(choice);
+    if (trimmed_) jobs = moved_jobs(*trimmed_, jobs);
+    climbed_ = climb(mesh(), analysis(), jobs, options_, numbers, filling);
+    report_outcomes(choice, jobs);
     assemble();
     result_.warnings = fill_findings(scan_, result_);
     progress.report(1);
@@ -96,8 +97,11 @@ class Filling {
   const PolyMesh& mesh() const { return trimmed_ ? trimmed_->part.mesh : scan_; }
   const HoleAnalysis& analysis() const { return trimmed_ ? trimmed_->analysis : result_.analysis; }
 
-  void report_outcomes(const HoleChoice& choice) {
+  void report_outcomes(const HoleChoice& choice, const std::vector<FillJob>& jobs) {
     std::vector<HoleOutcome> outcomes(analysis().holes.size());
+    for (const FillJob& job : jobs) {
+      for (const Index stray : job.strays) outcomes[stray].reason = hangs_at_rim;  // unless a patch joins it
+    }
     Index number = next_patch_number(scan_);
     for (const ClimbedJob& job : climbed_) {
       const HoleOutcome outcome = outcome_of(job, number);

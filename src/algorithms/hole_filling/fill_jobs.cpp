@@ -2,12 +2,16 @@
 #include "croquis/hole_filling/fill_jobs.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "croquis/hole_filling/hole_groups.h"
 
 namespace croquis::hole_filling {
 namespace {
+
+/// A loose triangle's rim, and that of up to four.
+constexpr std::size_t most_stray_edges = 6;
 
 /// Rims that requests bridge, those that stay open left out; true for each of them.
 std::vector<bool> bridge_rims(const FillOptions& options, const std::vector<bool>& is_chosen, HoleGroups& together) {
@@ -65,9 +69,29 @@ std::vector<FillJob> make_jobs(std::span<const Hole> holes, const FillOptions& o
       apply(request, job.wish);
       if (shapes(request)) job.is_cap = false;
     }
+    if (!job.bridge) job.strays = strays_among(holes, job.holes);
     jobs.push_back(std::move(job));
   }
   return jobs;
+}
+
+std::vector<Index> strays_among(std::span<const Hole> all, const std::vector<Index>& group) {
+  const Index largest = *std::ranges::max_element(group, {}, [&](Index hole) { return all[hole].diameter; });
+  std::vector<Index> strays;
+  for (const Index id : group) {
+    const Hole& hole = all[id];
+    const bool hangs = hole.kind == HoleClass::Islands && hole.shares_vertex;
+    if (hangs && id != largest && hole.vertices.size() <= most_stray_edges) strays.push_back(id);
+  }
+  return strays;
+}
+
+FillJob without_strays(const FillJob& job) {
+  FillJob rest = job;
+  rest.holes.clear();
+  rest.strays.clear();
+  std::ranges::set_difference(job.holes, job.strays, std::back_inserter(rest.holes));
+  return rest;
 }
 
 std::vector<int> rings_to_trim(std::span<const Hole> holes, const FillOptions& options,

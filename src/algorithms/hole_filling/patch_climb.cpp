@@ -11,7 +11,9 @@
 
 #include "algorithms/hole_filling/patching/near_scene.h"
 #include "algorithms/hole_filling/patching/patch_ladder.h"
+#include "algorithms/hole_filling/patching/rim_crossing.h"
 #include "algorithms/hole_filling/patching/site_memory.h"
+#include "algorithms/hole_filling/patching/wide_holes.h"
 #include "croquis/base/parallel.h"
 #include "croquis/base/stage_key.h"
 #include "croquis/geometry/single_precision.h"
@@ -69,13 +71,19 @@ class Climb {
         search_(mesh, analysis.view) {}
 
   std::vector<ClimbedJob> run(std::vector<FillJob> jobs, Progress& progress) {
-    for (FillJob& job : jobs) climbers_.push_back(climber_for(std::move(job)));
+    for (FillJob& job : jobs) {
+      Climber climber = climber_for(std::move(job));
+      if (!climber.job.strays.empty()) climber.joined.push_back(climber_for(without_strays(climber.job)));
+      climbers_.push_back(std::move(climber));
+    }
+    part_failed();
     for (std::size_t round = 0; find_pending(); ++round) {
       // The first round has nearly all the work; the others share the rest of the progress range.
       Progress patching = progress.step("make patches", round == 0 ? 0.7 : 0.02);
       attempt_all(patching);
       Progress verifying = progress.step("verify patches", round == 0 ? 0.2 : 0.01);
       verify(verifying);
+      leave_hopeless();
       part_failed();
       return_to_folded();
     }
@@ -85,10 +93,19 @@ class Climb {
  private:
   Climber climber_for(FillJob job) const {
     Climber climber;
-    climber.ladder = ladder_for(site_of(job), options_.preset, job.is_cap, options_.most_patch_triangles);
+    const HoleSite site = site_of(job);
+    climber.ladder = ladder_for(site, options_.preset, job.is_cap, options_.most_patch_triangles);
     climber.result.holes = job.holes;
     climber.job = std::move(job);
+    if (site.holes.size() > 1 || is_wide(analysis_, site.holes.front())) leave_if_hopeless(climber, site);
     return climber;
+  }
+
+  /// Where a rim itself goes through the surface no method has a sound patch.
+  static void leave_if_hopeless(Climber& climber, const HoleSite& site) {
+    if (!rims_cross_surface(site)) return;
+    climber.result.first_fault = "its rim goes through the surface";
+    climber.rung = climber.ladder.size();
   }
 
   /// By their lowest holes.
@@ -256,6 +273,14 @@ class Climb {
     Climber whole = climber_for(std::move(job));
     whole.joined = std::move(joined);
     climbers_.push_back(std::move(whole));
+  }
+
+  /// Others cost little at first: looked at where the first method failed.
+  void leave_hopeless() {
+    for (Climber* climber : pending_) {
+      if (climber->is_pending() && climber->rung == 1 && !climber->folded_rung)
+        leave_if_hopeless(*climber, site_of(climber->job));
+    }
   }
 
   /// Those that were joined in vain go on alone.

@@ -219,6 +219,7 @@ std::vector<FillJob> moved_jobs(const TrimmedScan& trimmed, const std::vector<Fi
     if (j == no_index) continue;
     moved.push_back(jobs[j]);
     moved.back().bridge = jobs[j].bridge && group.size() > 1;
+    moved.back().strays = moved.back().bridge ? std::vector<Index>{} : strays_among(rims, group);
     moved.back().holes = std::move(group);
   }
   return moved;
