@@ -63,6 +63,22 @@ TEST_CASE("a sphere's hole is no border up to 30 % of the diagonal and more, a h
   CHECK(classes_of(cut(sphere, Vec3(0, 0, 1), std::sqrt(2.0)).mesh) == Counts{{HoleClass::Outer, 1}});
 }
 
+TEST_CASE("a wide opening cut off flat is OUTER where the surface leads out of it, a torn one of that size isn't") {
+  const PolyMesh ball = uv_sphere(60, 40);
+  const auto without_cap = [&](double height) {
+    std::vector<Index> cap;
+    for (Index f = 0; f < ball.face_count(); ++f) {
+      const auto t = ball.face(f);
+      if (std::ranges::any_of(t, [&](Index v) { return ball.positions[v].z() < height; })) cap.push_back(f);
+    }
+    return without_faces(ball, cap);
+  };
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    CHECK(classes_of(moved(without_cap(-0.7), seed)) == Counts{{HoleClass::Outer, 1}});    // 0.43 of the diagonal
+    CHECK(classes_of(moved(without_cap(-0.95), seed)) == Counts{{HoleClass::Simple, 1}});  // 0.2
+  }
+}
+
 TEST_CASE("rims of at most ten edges are small") {
   const PolyMesh squares = grid(10, 10);
   CHECK(classes_of(without_faces(squares, std::vector<Index>{44})) ==

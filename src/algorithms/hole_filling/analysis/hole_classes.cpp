@@ -16,12 +16,15 @@ namespace {
 /// A sheet's border: its longest rim, of a diameter above this share of the sheet's diagonal.
 constexpr double border_diameter = 0.5;
 
-/// An open cross-section: flat within this share of its diameter, …
+/// An open cross-section: flat within this share of its diameter, above this share of the component's diagonal, …
 constexpr double section_planarity = 0.02;
-/// … faces that go straight on within this angle on average, …
-constexpr double section_tilt = 15 * std::numbers::pi / 180;
-/// … and above this share of the component's diagonal.
 constexpr double section_diameter = 0.25;
+/// … and faces that lead straight on out of its plane within this angle on average; …
+constexpr double section_tilt = 42 * std::numbers::pi / 180;
+/// … or within this one, where the rim is so flat as only a cut is: a torn rim goes half an edge to and fro along the
+/// faces. × mean edge × cosine of their angle
+constexpr double cut_tilt = 60 * std::numbers::pi / 180;
+constexpr double cut_planarity = 0.35;
 
 /// A slit's width is this many mean edges at most (its area over its length) …
 constexpr double slit_width = 1.5;
@@ -70,13 +73,19 @@ class Classifier {
   }
 
   bool is_open_section(const Hole& hole) const {
-    return hole.planarity < section_planarity && hole.conormal_tilt < section_tilt &&
-           hole.diameter > section_diameter * analysis_.component_diagonal[hole.component];
+    const bool is_wide = hole.diameter > section_diameter * analysis_.component_diagonal[hole.component];
+    if (!is_wide || !(hole.planarity < section_planarity)) return false;
+    return hole.conormal_tilt < section_tilt || (hole.conormal_tilt < cut_tilt && is_cut_flat(hole));
   }
 
+  static bool is_cut_flat(const Hole& hole) {
+    return hole.planarity * hole.diameter < cut_planarity * std::cos(hole.conormal_tilt) * mean_edge(hole);
+  }
+
+  static double mean_edge(const Hole& hole) { return hole.perimeter / static_cast<double>(hole.vertices.size()); }
+
   bool is_slit(const Hole& hole) const {
-    const double edge = hole.perimeter / static_cast<double>(hole.vertices.size());
-    return hole.diameter > slit_length * hole.perimeter && hole.area < slit_width * edge * hole.diameter;
+    return hole.diameter > slit_length * hole.perimeter && hole.area < slit_width * mean_edge(hole) * hole.diameter;
   }
 
   HoleClass alone(const Hole& hole) const {
