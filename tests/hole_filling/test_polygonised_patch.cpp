@@ -14,12 +14,15 @@
 #include "algorithms/hole_filling/patching/rim_zip.h"
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/geometry/mesh_topology.h"
+#include "croquis/geometry/self_intersection.h"
 #include "croquis/hole_filling/fill_holes.h"
 #include "croquis/hole_filling/hole_groups.h"
 #include "croquis/hole_filling/patch_verification.h"
+#include "hole_filling/fill_invariants.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 #include "support/sample_count.h"
+#include "support/scans/known_scans.h"
 #include "support/scans/scans.h"
 #include "support/scans/sculptures.h"
 #include "support/scans/virtual_scans.h"
@@ -125,6 +128,14 @@ ZipSides sides_of(std::vector<Vec3> left, std::vector<Vec3> right) {
 }
 
 }  // namespace
+
+TEST_CASE("a wide hole in one skin of a wall is closed clear of the other skin, where what goes straight on cuts it") {
+  const KnownScan scan = known_scan(ScanKind::Pot, 35);
+  const FillResult result = fill(scan.mesh);
+  CHECK(filled_by(result, "implicit-cubes-careful") == 1);
+  Progress progress;
+  CHECK(find_self_intersections(result.mesh, progress).count == 0);
+}
 
 TEST_CASE("patches by cubes alone are sound over random cuts") {
   const std::vector<PolyMesh> shapes = {round_sphere(5), ring_torus(120, 60), triangulated(uv_sphere(80, 60)),

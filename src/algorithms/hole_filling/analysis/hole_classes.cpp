@@ -20,7 +20,7 @@ constexpr double border_diameter = 0.5;
 constexpr double section_planarity = 0.02;
 constexpr double section_diameter = 0.25;
 /// … and faces that lead straight on out of its plane within this angle on average; …
-constexpr double section_tilt = 42 * std::numbers::pi / 180;
+constexpr double section_tilt = 25 * std::numbers::pi / 180;
 /// … or within this one, where the rim is so flat as only a cut is: a torn rim goes half an edge to and fro along the
 /// faces. × mean edge × cosine of their angle
 constexpr double cut_tilt = 60 * std::numbers::pi / 180;

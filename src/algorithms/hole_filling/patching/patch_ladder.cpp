@@ -34,6 +34,7 @@ ImplicitOptions adapted(ImplicitOptions options, Preset preset) {
 }
 
 constexpr std::ptrdiff_t cubes_rung = 2;
+constexpr std::ptrdiff_t flat_rungs = 4;
 
 void add_implicit(const ImplicitOptions& options, std::size_t most_triangles, Ladder& ladder) {
   ladder.push_back(implicit_patcher(options, most_triangles));
@@ -145,8 +146,12 @@ Ladder ladder_for(const HoleSite& site, Preset preset, bool is_cap, std::size_t 
   if (preset == Preset::Sharp && site.holes.size() > 1) preset = Preset::Standard;  // probes have no islands
   Ladder ladder = ladder_for(site.wish, preset, is_cap, most_triangles);
   const bool is_implicit = !is_cap && site.wish.fairness == Fairness::Implicit && preset != Preset::Sharp;
-  if (is_implicit && is_hard_to_triangulate(site))
+  if (is_implicit && is_hard_to_triangulate(site)) {
     std::rotate(ladder.begin(), ladder.begin() + cubes_rung, ladder.begin() + cubes_rung + 1);
+    // Walls: what goes straight on may cut through the other skin.
+    ladder.insert(ladder.end() - flat_rungs,
+                  polygonised_patcher(adapted(site.wish.implicit, preset), most_triangles, true));
+  }
   if (is_implicit && preset == Preset::Auto && goes_on_with_creases(site))
     ladder.insert(ladder.begin(), creased_patcher(site.wish.implicit, most_triangles, trusted_residual));
   if (is_plain_slit(site)) ladder.insert(ladder.begin(), zip_patcher());

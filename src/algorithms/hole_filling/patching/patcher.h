@@ -89,6 +89,8 @@ std::shared_ptr<const Patcher> implicit_patcher(const ImplicitOptions& options, 
 /// "implicit-cubes": the zero set of the same function polygonised beside the hole alone, zipped to the rims and
 /// brought to the size of their edges. Needs no triangulation of the rims, so several, huge or crooked rims make no
 /// difference. Where the continuation arrives at further rims, the patch lists those instead of triangles.
-std::shared_ptr<const Patcher> polygonised_patcher(const ImplicitOptions& options, std::size_t most_triangles);
+/// @param careful smoothed more, and clear of other sheets from the beginning ("-careful" in the name)
+std::shared_ptr<const Patcher> polygonised_patcher(const ImplicitOptions& options, std::size_t most_triangles,
+                                                   bool careful = false);
 
 }  // namespace croquis::hole_filling

@@ -59,16 +59,18 @@ class PolygonisedPatch {
     box_ = box_around(site, size_);
   }
 
-  std::optional<HolePatch> run(Progress& progress) {
+  std::optional<HolePatch> run(bool careful, Progress& progress) {
     const Covering covering(site_, box_, progress);
     const double wall = covering.wall(farthest_wall * edge_);
     const double few_enough =
         std::sqrt(triangles_per_square_cell * area_ / static_cast<double>(std::max<std::size_t>(1, most_triangles_)));
     const double widest = std::max({std::min(edge_, wall_share * wall), least_cell * edge_, few_enough});
+    const RimFitOptions clear_of_others = {.stiffness = calmer, .other_sheets = true};
+    if (careful) return on_field(covering, clear_of_others, widest, progress);
     auto patch = on_field(covering, {.every_normal = true}, widest, progress);
     const bool is_thin = wall < farthest_wall * edge_;
     if (patch || !(is_thin || continues_curvature(site_, options_))) return patch;
-    return on_field(covering, {.stiffness = calmer, .other_sheets = true}, widest, progress);
+    return on_field(covering, clear_of_others, widest, progress);
   }
 
  private:
@@ -195,25 +197,27 @@ class PolygonisedPatch {
 
 class PolygonisedPatcher : public Patcher {
  public:
-  PolygonisedPatcher(const ImplicitOptions& options, std::size_t most_triangles)
-      : options_(options), most_triangles_(most_triangles) {}
+  PolygonisedPatcher(const ImplicitOptions& options, std::size_t most_triangles, bool careful)
+      : options_(options), most_triangles_(most_triangles), careful_(careful) {}
 
-  const char* method() const override { return "implicit-cubes"; }
+  const char* method() const override { return careful_ ? "implicit-cubes-careful" : "implicit-cubes"; }
 
   std::optional<HolePatch> attempt(const HoleSite& site, Progress& progress) const override {
     if (site.vertices.size() < least_rim) return std::nullopt;
-    return PolygonisedPatch(site, options_, most_triangles_).run(progress);
+    return PolygonisedPatch(site, options_, most_triangles_).run(careful_, progress);
   }
 
  private:
   ImplicitOptions options_;
   std::size_t most_triangles_;
+  bool careful_;
 };
 
 }  // namespace
 
-std::shared_ptr<const Patcher> polygonised_patcher(const ImplicitOptions& options, std::size_t most_triangles) {
-  return std::make_shared<PolygonisedPatcher>(options, most_triangles);
+std::shared_ptr<const Patcher> polygonised_patcher(const ImplicitOptions& options, std::size_t most_triangles,
+                                                   bool careful) {
+  return std::make_shared<PolygonisedPatcher>(options, most_triangles, careful);
 }
 
 }  // namespace croquis::hole_filling
