@@ -129,6 +129,25 @@ ZipSides sides_of(std::vector<Vec3> left, std::vector<Vec3> right) {
 
 }  // namespace
 
+TEST_CASE("a piece in a hole that looks like a border is closed with it where the surface around arrives there") {
+  const KnownScan scan =
+      known_scan(ScanKind::Face, 5);  // open at the back; a hole with two islands, one beside its rim
+  const auto open_borders = [&](const FillOptions& options) {
+    const FillResult result = fill(scan.mesh, options);
+    CHECK(begins_with(result.mesh, scan.mesh));
+    return std::ranges::count(result.outcomes, FillAction::Leave, &HoleOutcome::action);
+  };
+  CHECK(open_borders({}) == 1);
+  FillOptions island_stays;
+  HoleRequest& stays = island_stays.requests.emplace_back();
+  stays.fill = false;
+  const HoleAnalysis analysis = analysis_of(scan.mesh);
+  const auto border = [&](const Hole& hole) { return hole.kind == HoleClass::Outer && hole.vertices.size() < 20; };
+  REQUIRE(std::ranges::count_if(analysis.holes, border) == 1);
+  stays.holes = {std::ranges::find_if(analysis.holes, border)->id};
+  CHECK(open_borders(island_stays) == 2);
+}
+
 TEST_CASE("a wide hole in one skin of a wall is closed clear of the other skin, where what goes straight on cuts it") {
   const KnownScan scan = known_scan(ScanKind::Pot, 35);
   const FillResult result = fill(scan.mesh);

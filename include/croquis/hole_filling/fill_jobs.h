@@ -14,9 +14,15 @@ struct FillJob {
   PatchWish wish;
   bool bridge = false;             ///< a band between the rims
   bool is_cap = false;             ///< closes an open section: flat
+  bool waits = false;              ///< for another job to join it: nothing is made of it alone
   std::vector<Index> strays = {};  ///< of the holes, ascending: islands of a few triangles that hang at another rim by
                                    ///< a vertex, and are let go where no patch joins them all
 };
+
+/// Jobs that wait, one for each border that the selection leaves open: where the surface around a hole goes on to the
+/// border of a smaller piece, that is an island of the hole. Linear.
+std::vector<FillJob> waiting_jobs(std::span<const Hole> holes, const FillOptions& options,
+                                  const std::vector<bool>& is_border);
 
 /// Those of a group of companions. Linear.
 std::vector<Index> strays_among(std::span<const Hole> all, const std::vector<Index>& group);

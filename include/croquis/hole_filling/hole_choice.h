@@ -33,6 +33,7 @@ std::vector<Naming> named_holes(std::span<const HoleSize> holes, Selection selec
 struct HoleChoice {
   std::vector<bool> is_chosen;      ///< per hole
   std::vector<std::string> reason;  ///< why a hole isn't
+  std::vector<bool> is_border;      ///< it isn't since it looks like a border, and may prove to be an island's
 };
 
 /// By `requests` where they name a hole, else by `only` where that isn't empty, else by the selection. Linear, but for

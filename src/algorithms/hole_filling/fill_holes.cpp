@@ -2,6 +2,7 @@
 #include "croquis/hole_filling/fill_holes.h"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
@@ -65,7 +66,10 @@ class Filling {
     trim(choice, trimming);
     Progress filling = progress.step("fill holes", 0.7);
     const ScanNumbers numbers(scan_, trimmed_.get(), analysis(), key_.bytes());
-    if (trimmed_) jobs = moved_jobs(*trimmed_, jobs);
+    if (trimmed_)
+      jobs = moved_jobs(*trimmed_, jobs);
+    else if (!jobs.empty())
+      std::ranges::copy(waiting_jobs(result_.analysis.holes, options_, choice.is_border), std::back_inserter(jobs));
     climbed_ = climb(mesh(), analysis(), jobs, options_, numbers, filling);
     report_outcomes(choice, jobs);
     assemble();
@@ -113,7 +117,7 @@ class Filling {
     }
     if (trimmed_) outcomes = outcomes_before_trimming(*trimmed_, outcomes, choice.is_chosen);
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
-      if (!choice.is_chosen[i]) outcomes[i].reason = choice.reason[i];
+      if (!choice.is_chosen[i] && outcomes[i].action == FillAction::Leave) outcomes[i].reason = choice.reason[i];
     }
     result_.outcomes = std::move(outcomes);
     count_domains();

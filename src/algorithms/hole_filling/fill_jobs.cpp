@@ -75,6 +75,16 @@ std::vector<FillJob> make_jobs(std::span<const Hole> holes, const FillOptions& o
   return jobs;
 }
 
+std::vector<FillJob> waiting_jobs(std::span<const Hole> holes, const FillOptions& options,
+                                  const std::vector<bool>& is_border) {
+  std::vector<FillJob> jobs;
+  for (const Hole& hole : holes) {
+    if (!is_border[hole.id]) continue;
+    jobs.push_back({{hole.id}, {options.fairness, options.implicit, options.bulge, {}}, false, false, true});
+  }
+  return jobs;
+}
+
 std::vector<Index> strays_among(std::span<const Hole> all, const std::vector<Index>& group) {
   const Index largest = *std::ranges::max_element(group, {}, [&](Index hole) { return all[hole].diameter; });
   std::vector<Index> strays;

@@ -40,7 +40,8 @@ struct Climber {
   bool may_join = true;
   bool is_gone = false;  ///< has become part of another
 
-  bool is_pending() const { return !is_gone && !result.patch && rung < ladder.size(); }
+  bool is_pending() const { return !job.waits && !is_gone && !result.patch && rung < ladder.size(); }
+  bool is_waiting() const { return job.waits && !is_gone; }
   bool holds(Index hole) const { return std::binary_search(job.holes.begin(), job.holes.end(), hole); }
   bool is_back_at_folded() const { return takes_folds && folded_rung == rung; }
   std::string method() const { return ladder[rung]->method(); }
@@ -72,6 +73,10 @@ class Climb {
 
   std::vector<ClimbedJob> run(std::vector<FillJob> jobs, Progress& progress) {
     for (FillJob& job : jobs) {
+      if (job.waits) {
+        climbers_.push_back(waiting(std::move(job)));
+        continue;
+      }
       Climber climber = climber_for(std::move(job));
       if (!climber.job.strays.empty()) climber.joined.push_back(climber_for(without_strays(climber.job)));
       climbers_.push_back(std::move(climber));
@@ -101,6 +106,13 @@ class Climb {
     return climber;
   }
 
+  static Climber waiting(FillJob job) {
+    Climber climber;
+    climber.result.holes = job.holes;
+    climber.job = std::move(job);
+    return climber;
+  }
+
   /// Where a rim itself goes through the surface no method has a sound patch.
   static void leave_if_hopeless(Climber& climber, const HoleSite& site) {
     if (!rims_cross_surface(site)) return;
@@ -112,7 +124,7 @@ class Climb {
   std::vector<ClimbedJob> take_results() {
     std::vector<ClimbedJob> results;
     for (Climber& climber : climbers_) {
-      if (!climber.is_gone) results.push_back(std::move(climber.result));
+      if (!climber.is_gone && !climber.job.waits) results.push_back(std::move(climber.result));
     }
     std::ranges::sort(results, {}, [](const ClimbedJob& job) { return job.holes.front(); });
     return results;
@@ -245,14 +257,31 @@ class Climb {
            });
   }
 
+  /// Whether the border that waits is of a smaller piece than one of the climber's holes, and of none of theirs.
+  bool is_island_of(const Climber& border, const Climber& climber) const {
+    const Index piece = analysis_.holes[border.job.holes.front()].component;
+    double widest = 0;
+    for (const Index id : climber.job.holes) {
+      const Index own = analysis_.holes[id].component;
+      if (own == piece) return false;
+      widest = std::max(widest, analysis_.component_diagonal[own]);
+    }
+    return analysis_.component_diagonal[piece] < widest;
+  }
+
+  bool may_be_joined(const Climber& climber, const Climber& other) const {
+    if (!climber.may_join || !other.may_join || is_own_border(climber, other)) return false;
+    return other.is_pending() || (other.is_waiting() && is_island_of(other, climber));
+  }
+
   /// The surface continued from some rims arrives at others: one patch for all of them, where those are to be filled
-  /// and aren't yet.
+  /// and aren't yet, or are of islands.
   void join_or_fail(Climber& climber) {
     std::vector<Climber*> others;
     for (const Index hole : climber.candidate->arrives_at) {
       const auto found =
-          std::ranges::find_if(climbers_, [&](const Climber& c) { return c.is_pending() && c.holds(hole); });
-      if (found == climbers_.end() || is_own_border(climber, *found) || !climber.may_join || !found->may_join) {
+          std::ranges::find_if(climbers_, [&](const Climber& c) { return c.holds(hole) && may_be_joined(climber, c); });
+      if (found == climbers_.end()) {
         refuse(climber, "the surface around it goes on to hole " + std::to_string(hole));
         return;
       }

@@ -103,13 +103,15 @@ HoleChoice choose_holes(std::span<const Hole> holes, const FillOptions& options)
   require_known(holes, options);
   const auto asked = asked_for(holes.size(), options.requests);
   const std::vector<Naming> named = named_by_options(holes, options);
-  HoleChoice choice{std::vector<bool>(holes.size(), true), std::vector<std::string>(holes.size())};
+  HoleChoice choice{std::vector<bool>(holes.size(), true), std::vector<std::string>(holes.size()),
+                    std::vector<bool>(holes.size(), false)};
   for (const Hole& hole : holes) {
     const auto& told = asked[hole.id];
     const char* reason = told ? (*told ? nullptr : "asked to stay open") : reason_of(named[hole.id]);
     if (reason == nullptr) continue;
     choice.is_chosen[hole.id] = false;
     choice.reason[hole.id] = reason;
+    choice.is_border[hole.id] = !told && named[hole.id] == Naming::Border;
   }
   return choice;
 }
