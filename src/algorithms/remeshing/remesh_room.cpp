@@ -14,10 +14,10 @@ namespace {
 
 using namespace hole_filling;
 
-constexpr double box_differs = 2;         // × cell
-constexpr double volume_differs = 0.05;   // × volume
-constexpr double surface_differs = 0.1;   // × cell, all over
-constexpr double hole_bulge = 0.5;        // × diameter, over a hole
+constexpr double box_differs = 2;        // × cell
+constexpr double volume_differs = 0.05;  // × volume
+constexpr double surface_differs = 0.1;  // × cell, all over
+constexpr double hole_bulge = 0.5;       // × diameter, over a hole
 
 double volume_below(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& middle) {
   return (a - middle).dot((b - middle).cross(c - middle)) / 6;
@@ -80,7 +80,7 @@ PieceRoom room_of_surface(const PolyMesh& surface, bool is_closed) {
 }
 
 RoomChange change_of(const PieceRoom& given, const PieceRoom& made, const HoleAnalysis& analysis,
-                       const RemeshPiece& piece, double cell) {
+                     const RemeshPiece& piece, double cell) {
   RoomChange change;
   double bulge = 0, enclosed = 0;
   for (const Index id : closed_holes(piece)) {

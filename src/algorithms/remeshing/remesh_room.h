@@ -23,8 +23,8 @@ PieceRoom room_of_surface(const PolyMesh& surface, bool is_closed);
 
 /// What the room that a piece takes differs by from the scan's.
 struct RoomChange {
-  double shrunk = 0;  ///< of the box, on the side where it lacks most, model units; 0 where little
-  double grown = 0;   ///< the same for what it has too much
+  double shrunk = 0;           ///< of the box, on the side where it lacks most, model units; 0 where little
+  double grown = 0;            ///< the same for what it has too much
   double given = 0, made = 0;  ///< volumes, where these differ
 
   bool any() const { return shrunk > 0 || grown > 0 || given != made; }
@@ -33,6 +33,6 @@ struct RoomChange {
 /// Boxes may differ by two cells, and be as much larger as surfaces in holes may. Volumes may differ by a twentieth, by
 /// a tenth of a cell all over the surface, and by what surfaces in holes may enclose.
 RoomChange change_of(const PieceRoom& given, const PieceRoom& made, const hole_filling::HoleAnalysis& analysis,
-                       const RemeshPiece& piece, double cell);
+                     const RemeshPiece& piece, double cell);
 
 }  // namespace croquis::remeshing

@@ -16,8 +16,8 @@ using Triangles = std::vector<std::array<Index, 3>>;
 
 constexpr std::size_t most_points = 300;
 
-/// Searches: as many as cost about a fifth of a second, within these bounds. Of 60 that came to something on known scans
-/// none took more than 76.
+/// Searches: as many as cost about a fifth of a second, within these bounds. Of 60 that came to something on known
+/// scans none took more than 76.
 constexpr std::size_t least_searches = 25;
 constexpr std::size_t most_searches = 300;
 constexpr std::size_t search_cost = 40000000;  ///< sum of cubes of points

@@ -143,11 +143,10 @@ bool is_wide(const HoleSite& site) {
 
 class ImplicitPatcher : public Patcher {
  public:
-  ImplicitPatcher(const ImplicitOptions& options, std::size_t most_triangles, ContinuationCare care, int rounds)
+  ImplicitPatcher(const ImplicitOptions& options, std::size_t most_triangles, bool careful, int rounds)
       : options_(options),
         most_triangles_(most_triangles),
-        care_(care),
-        careful_(care == ContinuationCare::Careful),
+        careful_(careful),
         rounds_(rounds),
         start_(faired_patcher(1, most_triangles, careful_)),
         quick_start_(evenly_faired_patcher(most_triangles)) {}
@@ -155,7 +154,6 @@ class ImplicitPatcher : public Patcher {
   const char* method() const override { return careful_ ? "implicit-careful" : "implicit"; }
 
   std::optional<HolePatch> attempt(const HoleSite& site, Progress& progress) const override {
-    if (care_ == ContinuationCare::Steady && !continues_curvature(site, options_)) return std::nullopt;
     if (!site.wish.through.empty()) return pulled(site, progress);
     const bool is_quick = !careful_ && !is_wide(site);
     const auto start = (is_quick ? quick_start_ : start_)->attempt(site, progress);
@@ -181,8 +179,7 @@ class ImplicitPatcher : public Patcher {
   std::optional<HolePatch> continued(const HoleSite& site, const HolePatch& start, std::vector<PassingPoint> guides,
                                      Progress& progress) const {
     progress.check();
-    const auto surface = fitted_once(
-        site, options_, {careful_ ? stiffness : 1, careful_, std::move(guides), care_ != ContinuationCare::Quick});
+    const auto surface = fitted_once(site, options_, {careful_ ? stiffness : 1, careful_, std::move(guides)});
     if (!surface) return std::nullopt;
     auto patch = laid_onto(site, *surface, start, progress);
     if (patch && careful_) untangle(site, *patch, progress);
@@ -195,7 +192,7 @@ class ImplicitPatcher : public Patcher {
     HoleSite plain = site;
     plain.wish.through.clear();
     plain.memory = nullptr;
-    auto start = ImplicitPatcher(options_, most_triangles_, care_, draft_rounds).attempt(plain, progress);
+    auto start = ImplicitPatcher(options_, most_triangles_, careful_, draft_rounds).attempt(plain, progress);
     if (!start) start = start_->attempt(plain, progress);
     if (!start || !displace_through(*site.mesh, *start, site.wish.through)) return std::nullopt;
     const double spacing = 2 * mean_rim_edge(site);
@@ -297,7 +294,6 @@ class ImplicitPatcher : public Patcher {
 
   ImplicitOptions options_;
   std::size_t most_triangles_;
-  ContinuationCare care_;
   bool careful_;
   int rounds_;
   std::shared_ptr<const Patcher> start_, quick_start_;
@@ -306,15 +302,14 @@ class ImplicitPatcher : public Patcher {
 }  // namespace
 
 std::shared_ptr<const Patcher> implicit_patcher(const ImplicitOptions& options, std::size_t most_triangles,
-                                                ContinuationCare care) {
-  const int rounds = care == ContinuationCare::Careful ? careful_rounds : usual_rounds;
-  return std::make_shared<ImplicitPatcher>(options, most_triangles, care, rounds);
+                                                bool careful) {
+  const int rounds = careful ? careful_rounds : usual_rounds;
+  return std::make_shared<ImplicitPatcher>(options, most_triangles, careful, rounds);
 }
 
 std::optional<HolePatch> lay_onto(const HoleSite& site, const RimField& surface, const HolePatch& start,
                                   std::size_t most_triangles, Progress& progress) {
-  return ImplicitPatcher({}, most_triangles, ContinuationCare::Quick, careful_rounds)
-      .laid_onto(site, surface, start, progress);
+  return ImplicitPatcher({}, most_triangles, false, careful_rounds).laid_onto(site, surface, start, progress);
 }
 
 }  // namespace croquis::hole_filling

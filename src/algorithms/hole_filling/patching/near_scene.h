@@ -64,8 +64,8 @@ class NearScene {
   std::vector<Clash> clashes(std::span<const Vec3> points, std::span<const std::array<Index, 3>> triangles,
                              Progress& progress) const;
 
-  /// How many clashes these triangles of the patch have with the surface, each other and the rest of it: for asking what
-  /// a few changed ones do. Visits boxes of all, but compares what is near them alone.
+  /// How many clashes these triangles of the patch have with the surface, each other and the rest of it: for asking
+  /// what a few changed ones do. Visits boxes of all, but compares what is near them alone.
   /// @param chosen numbers of triangles, each once
   /// @throws Cancelled
   std::size_t count_clashes_of(std::span<const Index> chosen, std::span<const Vec3> points,

@@ -33,14 +33,13 @@ ImplicitOptions adapted(ImplicitOptions options, Preset preset) {
   return options;
 }
 
-constexpr std::ptrdiff_t cubes_rung = 2;
+constexpr std::ptrdiff_t cubes_rung = 1;
 constexpr std::ptrdiff_t flat_rungs = 4;
 
 void add_implicit(const ImplicitOptions& options, std::size_t most_triangles, Ladder& ladder) {
   ladder.push_back(implicit_patcher(options, most_triangles));
-  ladder.push_back(implicit_patcher(options, most_triangles, ContinuationCare::Steady));
   ladder.push_back(polygonised_patcher(options, most_triangles));
-  ladder.push_back(implicit_patcher(options, most_triangles, ContinuationCare::Careful));
+  ladder.push_back(implicit_patcher(options, most_triangles, true));
 }
 
 /// A bulge turns the rings around the rim; their curvature, which continuity 2 goes by, is then that of the turn.
@@ -63,7 +62,7 @@ void add_validated(const ImplicitOptions& options, std::size_t most_triangles, L
                        faired_patcher(2, most_triangles)};
   for (std::size_t rank = 0; rank < ways.size(); ++rank) ladder.push_back(validated_patcher(ways, rank));
   ladder.push_back(polygonised_patcher(options, most_triangles));
-  ladder.push_back(implicit_patcher(options, most_triangles, ContinuationCare::Careful));
+  ladder.push_back(implicit_patcher(options, most_triangles, true));
 }
 
 /// Whether the surface at each of two rims goes on towards the other one.

@@ -73,18 +73,12 @@ std::shared_ptr<const Patcher> creased_patcher(const ImplicitOptions& options, s
 /// @param rank 0 for the best
 std::shared_ptr<const Patcher> validated_patcher(std::vector<std::shared_ptr<const Patcher>> ways, std::size_t rank);
 
-/// What a continuation may cost, and how stable it is.
-enum class ContinuationCare {
-  Quick,    ///< few normals count (see RimFitOptions::every_normal)
-  Steady,   ///< all do; nothing where that is the same as Quick
-  Careful,  ///< smoothed more, clear of other sheets, and untangled
-};
-
 /// "implicit", or "implicit-careful": what "even" (large holes: "cgal-c1") or "cgal-c1-careful" makes, moved onto the
 /// zero set of a radial basis function fitted to the surface around (Yoo 2005), with triangles kept at the size of the
 /// rim's edges.
+/// @param careful smoothed more, clear of other sheets, and untangled
 std::shared_ptr<const Patcher> implicit_patcher(const ImplicitOptions& options, std::size_t most_triangles,
-                                                ContinuationCare care = ContinuationCare::Quick);
+                                                bool careful = false);
 
 /// "implicit-cubes": the zero set of the same function polygonised beside the hole alone, zipped to the rims and
 /// brought to the size of their edges. Needs no triangulation of the rims, so several, huge or crooked rims make no

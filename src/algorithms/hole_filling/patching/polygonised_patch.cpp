@@ -27,16 +27,16 @@ using Triangle = std::array<Index, 3>;
 constexpr double seed_distance = 0.9;  // beyond the rim, × cell: the first that isn't covered
 constexpr double most_cells = 40;      // × area to be expected / cell²
 constexpr double triangles_per_square_cell = 3.2;
-constexpr double wall_share = 0.4;          // the greatest cell between two skins, × their distance
-constexpr double farthest_wall = 3;         // × edge: beyond, two skins don't affect each other
-constexpr double least_cell = 0.2;          // × edge
-constexpr double finer[] = {1, 0.5, 0.25};  // cells that are tried, × the first
-constexpr int most_runaways = 2;            // of a field: where the second does, too, it doesn't close
-constexpr std::size_t most_cubes = 64000;            // for all tries on one field together, but the first
-constexpr std::size_t most_after_runaway = 20000;    // of the try after one that ran away, which mostly does so again
-constexpr std::size_t growth_when_finer = 4;         // of the number of cubes
-constexpr double calmer = 3;                // factor of the smoothing, by r³, between skins and where r⁵ runs away
-constexpr std::size_t least_rim = 11;       // edges; there is no room for cubes in smaller holes
+constexpr double wall_share = 0.4;                 // the greatest cell between two skins, × their distance
+constexpr double farthest_wall = 3;                // × edge: beyond, two skins don't affect each other
+constexpr double least_cell = 0.2;                 // × edge
+constexpr double finer[] = {1, 0.5, 0.25};         // cells that are tried, × the first
+constexpr int most_runaways = 2;                   // of a field: where the second does, too, it doesn't close
+constexpr std::size_t most_cubes = 64000;          // for all tries on one field together, but the first
+constexpr std::size_t most_after_runaway = 20000;  // of the try after one that ran away, which mostly does so again
+constexpr std::size_t growth_when_finer = 4;       // of the number of cubes
+constexpr double calmer = 3;           // factor of the smoothing, by r³, between skins and where r⁵ runs away
+constexpr std::size_t least_rim = 11;  // edges; there is no room for cubes in smaller holes
 
 /// A box around rims and places: a patch that leaves it is given up.
 implicit::Box box_around(const HoleSite& site, double size) {
