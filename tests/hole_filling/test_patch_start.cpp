@@ -11,6 +11,7 @@
 #include "algorithms/hole_filling/fairing/even_refinement.h"
 #include "algorithms/hole_filling/fairing/harmonic_values.h"
 #include "algorithms/hole_filling/patching/patcher.h"
+#include "algorithms/hole_filling/patching/site_memory.h"
 #include "algorithms/hole_filling/triangulation/triangle_cost.h"
 #include "hole_filling/site_scene.h"
 #include "support/scans/scans.h"
@@ -113,6 +114,26 @@ TEST_CASE("harmonic values are the mean of their neighbours', and exact where th
     CHECK(found[v] == Approx(sums[given + v] / counts[given + v]).margin(1e-7));
     CHECK((moved[v] - Vec3(found[v], -found[v], 1)).norm() < 1e-6);
   }
+}
+
+TEST_CASE("a site's memory changes no patch, and forgets what was made while other edges were free") {
+  SiteScene scene(cut(round_sphere(4), Vec3(0, 0, 1), 0.4).mesh);
+  Progress progress;
+  const auto method = faired_patcher(1, 40000);
+  const auto plain = method->attempt(scene.site, progress);
+  SiteMemory memory;
+  scene.site.memory = &memory;
+  const auto first = method->attempt(scene.site, progress);
+  REQUIRE(plain);
+  REQUIRE(first);
+  CHECK(first->points == plain->points);
+  CHECK(first->triangles == plain->triangles);
+  REQUIRE(memory.patches.size() == 1);
+  memory.patches.begin()->second->points.pop_back();  // to be seen again
+  CHECK(method->attempt(scene.site, progress)->points.size() + 1 == plain->points.size());
+  CHECK(fitted_once(scene.site, {}, {})->fit == fitted_once(scene.site, {}, {})->fit);
+  scene.site.polygon.blocked = {{0, 2}};
+  CHECK(method->attempt(scene.site, progress)->points.size() == plain->points.size());
 }
 
 TEST_CASE("a patch to begin with lies between its rims' heights, whatever its size") {

@@ -16,8 +16,8 @@ using Triangles = std::vector<std::array<Index, 3>>;
 
 constexpr std::size_t most_points = 300;
 
-/// Searches: as many as cost about half a second, within these bounds. Where they came to something on known scans, rims
-/// of 120 points and more took 8 at most, and no rim more than 100.
+/// Searches: as many as cost about half a second, within these bounds. Where they came to something on known scans,
+/// rims of 120 points and more took 8 at most, and no rim more than 100.
 constexpr std::size_t least_searches = 25;
 constexpr std::size_t most_searches = 300;
 constexpr std::size_t search_cost = 100000000;  ///< sum of cubes of points
