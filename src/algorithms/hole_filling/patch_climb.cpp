@@ -24,6 +24,9 @@ namespace {
 constexpr const char* patch_stage = "fill/patch/2";
 constexpr const char* verdict_stage = "fill/verdict/2";
 
+/// Rims of more edges aren't joined with a border on trial: it takes ten seconds, and fails mostly.
+constexpr std::size_t most_edges_with_border = 500;
+
 /// A job on its ladder.
 struct Climber {
   FillJob job;
@@ -261,12 +264,14 @@ class Climb {
   bool is_island_of(const Climber& border, const Climber& climber) const {
     const Index piece = analysis_.holes[border.job.holes.front()].component;
     double widest = 0;
+    std::size_t edges = analysis_.holes[border.job.holes.front()].vertices.size();
     for (const Index id : climber.job.holes) {
+      edges += analysis_.holes[id].vertices.size();
       const Index own = analysis_.holes[id].component;
       if (own == piece) return false;
       widest = std::max(widest, analysis_.component_diagonal[own]);
     }
-    return analysis_.component_diagonal[piece] < widest;
+    return edges <= most_edges_with_border && analysis_.component_diagonal[piece] < widest;
   }
 
   bool may_be_joined(const Climber& climber, const Climber& other) const {
