@@ -141,7 +141,7 @@ TEST_CASE("a flat cap over a wide section isn't trusted, one over a pinhole is")
 }
 
 TEST_CASE("rough rims don't make a patch doubtful, a fold all round does") {
-  const PolyMesh rough = with_noisy_rims(cut(round_sphere(4), Vec3(0, 0, 1), 0.3).mesh, 1, 0.3);
+  const PolyMesh rough = with_noisy_rims(cut(round_sphere(4), Vec3(0, 0, 1), 0.3).mesh, 2, 0.3);
   const Made made = close_first(rough, *implicit_patcher({}, 40000));
   CHECK(confidence_of(made.patch, made.mesh, made.analysis) > 0.35);
   const PolyMesh tube = open_tube(1, 2, 48, 16);

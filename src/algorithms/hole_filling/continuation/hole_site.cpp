@@ -13,14 +13,28 @@ bool lies_before(const Vec3& a, const Vec3& b) {
   return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
 }
 
-/// From the vertex with the least coordinates on, so that a rim gives the same patch however vertices are numbered.
+/// The vertex that is farthest from the rim's middle: however vertices are numbered, and however the mesh lies in
+/// space, the same. Of several that are about as far, as on a circle, the one with the least coordinates.
+std::vector<Index>::iterator first_of_rim(std::vector<Index>& rim, const std::vector<Vec3>& positions) {
+  constexpr double about_as_far = 1 - 1e-9;  // of the squared distance
+  Vec3 sum = Vec3::Zero();
+  for (const Index v : rim) sum += positions[v] - positions[rim.front()];
+  const Vec3 middle = positions[rim.front()] + sum / static_cast<double>(rim.size());
+  const auto distance = [&](Index v) { return (positions[v] - middle).squaredNorm(); };
+  double farthest = 0;
+  for (const Index v : rim) farthest = std::max(farthest, distance(v));
+  const auto lies_first = [&](Index a, Index b) {
+    const bool a_is_far = distance(a) >= about_as_far * farthest, b_is_far = distance(b) >= about_as_far * farthest;
+    return a_is_far != b_is_far ? a_is_far : a_is_far && lies_before(positions[a], positions[b]);
+  };
+  return std::min_element(rim.begin(), rim.end(), lies_first);
+}
+
+/// From the same vertex on, so that a rim gives the same patch however vertices are numbered.
 void append_rim(const Hole& hole, HoleSite& site) {
   const std::vector<Vec3>& positions = site.mesh->positions;
   std::vector<Index> rim(hole.vertices.rbegin(), hole.vertices.rend());
-  std::rotate(rim.begin(),
-              std::min_element(rim.begin(), rim.end(),
-                               [&](Index a, Index b) { return lies_before(positions[a], positions[b]); }),
-              rim.end());
+  std::rotate(rim.begin(), first_of_rim(rim, positions), rim.end());
   for (const Index vertex : rim) {
     site.vertices.push_back(vertex);
     site.polygon.points.push_back(positions[vertex]);

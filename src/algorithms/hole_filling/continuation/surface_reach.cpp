@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <Eigen/Geometry>
 
@@ -20,10 +21,13 @@ class Reach {
         positions_(site.mesh->positions),
         reach_(reach),
         crease_cosine_(crease_cosine(site)) {
+    const std::map<Index, Index> ranks = ranks_of(site);
     for (const Index id : site.holes) {
-      for (const Index corner : site.analysis->holes[id].corners) {
-        offer(corner, 0);
-        offer(SurfaceView::next(corner), 0);
+      for (const Index start : site.analysis->holes[id].corners) {
+        for (const Index corner : {start, SurfaceView::next(start)}) {
+          const auto rank = ranks.find(view_.origin(corner));
+          offer(corner, 0, rank == ranks.end() ? no_index : rank->second);
+        }
       }
     }
   }
@@ -52,7 +56,15 @@ class Reach {
     double distance;
     Index vertex;
     Index corner;  ///< one at the vertex
+    Index rank;    ///< of rim vertices, along the rims; no_index beside them
   };
+
+  static std::map<Index, Index> ranks_of(const HoleSite& site) {
+    std::map<Index, Index> ranks;
+    for (Index i = 0; i < site.vertices.size(); ++i)
+      ranks.try_emplace(site.analysis->view.representative_of(site.vertices[i]), i);
+    return ranks;
+  }
 
   /// A triangle of the fan around a vertex, with the corners at its other vertices.
   struct Spoke {
@@ -63,13 +75,14 @@ class Reach {
     double angle;  ///< at the vertex
   };
 
-  /// Of places equally far the one with the least coordinates comes first, so that the numbers of vertices don't
-  /// matter.
+  /// Rim vertices come in the order of the rims, so that neither the numbers of vertices matter nor how the mesh lies
+  /// in space. Of other places equally far the one with the least coordinates comes first.
   struct IsLater {
     const std::vector<Vec3>& positions;
 
     bool operator()(const Entry& a, const Entry& b) const {
       if (a.distance != b.distance) return a.distance > b.distance;
+      if (a.rank != b.rank) return a.rank > b.rank;
       const Vec3 &p = positions[a.vertex], &q = positions[b.vertex];
       for (int axis = 0; axis < 3; ++axis) {
         if (p[axis] != q[axis]) return p[axis] > q[axis];
@@ -78,7 +91,7 @@ class Reach {
     }
   };
 
-  void offer(Index corner, double distance) {
+  void offer(Index corner, double distance, Index rank = no_index) {
     if (!(distance <= reach_)) return;
     const Index vertex = view_.origin(corner);
     const auto [number, is_new] = numbers_.number(vertex);
@@ -89,7 +102,7 @@ class Reach {
     } else {
       return;
     }
-    queue_.push_back({distance, vertex, corner});
+    queue_.push_back({distance, vertex, corner, rank});
     std::push_heap(queue_.begin(), queue_.end(), is_later_);
   }
 

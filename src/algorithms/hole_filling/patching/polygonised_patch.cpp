@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "algorithms/hole_filling/continuation/rim_field.h"
+#include "algorithms/hole_filling/continuation/rim_frame.h"
 #include "algorithms/hole_filling/patching/covering.h"
 #include "algorithms/hole_filling/patching/implicit_patch.h"
 #include "algorithms/hole_filling/patching/open_sheet.h"
@@ -38,11 +39,11 @@ constexpr std::size_t growth_when_finer = 4;       // of the number of cubes
 constexpr double calmer = 3;           // factor of the smoothing, by r³, between skins and where r⁵ runs away
 constexpr std::size_t least_rim = 11;  // edges; there is no room for cubes in smaller holes
 
-/// A box around rims and places: a patch that leaves it is given up.
-implicit::Box box_around(const HoleSite& site, double size) {
+/// A box around rims and places, in the rims' frame: a patch that leaves it is given up.
+implicit::Box box_around(const HoleSite& site, const RimFrame& frame, double size) {
   std::vector<Vec3> places = site.polygon.points;
   places.insert(places.end(), site.wish.through.begin(), site.wish.through.end());
-  implicit::Box box = implicit::bounds(places);
+  implicit::Box box = implicit::bounds(frame.into(places));
   box.low -= Vec3::Constant(size);
   box.high += Vec3::Constant(size);
   return box;
@@ -51,16 +52,16 @@ implicit::Box box_around(const HoleSite& site, double size) {
 class PolygonisedPatch {
  public:
   PolygonisedPatch(const HoleSite& site, const ImplicitOptions& options, std::size_t most_triangles)
-      : site_(site), options_(options), most_triangles_(most_triangles) {
+      : site_(site), options_(options), most_triangles_(most_triangles), frame_(site) {
     for (const Index id : site.holes) area_ += site.analysis->holes[id].area;
     size_ = widest_diameter(site);
     edge_ = mean_rim_edge(site);
     area_ = std::max(area_, edge_ * rim_length(site));  // of slits and of bands between rims
-    box_ = box_around(site, size_);
+    box_ = box_around(site, frame_, size_);
   }
 
   std::optional<HolePatch> run(bool careful, Progress& progress) {
-    const Covering covering(site_, box_, progress);
+    const Covering covering(site_, frame_.around(box_), progress);
     const double wall = covering.wall(farthest_wall * edge_);
     const double few_enough =
         std::sqrt(triangles_per_square_cell * area_ / static_cast<double>(std::max<std::size_t>(1, most_triangles_)));
@@ -120,11 +121,13 @@ class PolygonisedPatch {
     options.only_complete = true;
     options.max_cells = std::min(most, static_cast<std::size_t>(most_cells * area_ / (cell * cell)) + 1);
     options.covered = [&](std::span<const Vec3> places, std::span<std::uint8_t> covered) {
-      covering.mark(field_, cell, places, covered);
+      covering.mark(field_, cell, frame_.out_of(places), covered);
     };
     options.threads = 1;
     Progress silent = progress.step("polygonise", 0);
-    return implicit::polygonize(field_, seeds(cell), options, silent);
+    implicit::Polygonized cubes = implicit::polygonize(frame_.seen(field_), frame_.into(seeds(cell)), options, silent);
+    cubes.mesh.positions = frame_.out_of(cubes.mesh.positions);
+    return cubes;
   }
 
   std::vector<Vec3> seeds(double cell) const {
@@ -191,7 +194,8 @@ class PolygonisedPatch {
   const ImplicitOptions& options_;
   std::size_t most_triangles_;
   double edge_ = 0, size_ = 0, area_ = 0;
-  implicit::Box box_;
+  RimFrame frame_;
+  implicit::Box box_;  // in the frame
   implicit::Field field_;
 };
 

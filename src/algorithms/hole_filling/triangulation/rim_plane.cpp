@@ -29,6 +29,8 @@ RimPlane plane_of_rim(std::span<const Vec3> polygon) {
   plane.normal = axes.eigenvectors().col(0);
   plane.u = axes.eigenvectors().col(2);
   if (plane.normal.dot(area_normal(polygon)) < 0) plane.normal = -plane.normal;
+  // Solvers leave the sign open: it would depend on how the rim lies in space.
+  if (plane.u.dot(polygon.front() - plane.centre) < 0) plane.u = -plane.u;
   plane.v = plane.normal.cross(plane.u);
   return plane;
 }
