@@ -248,7 +248,6 @@ TEST_CASE("how a noisy scan lies in space changes none of its patches, whatever 
   }
   CHECK(methods.contains("implicit"));
   CHECK(methods.contains("implicit-cubes"));
-  CHECK(methods.contains("creased"));
 }
 
 TEST_CASE("an even surface that is turned and moved gets patches in the same place, to 2e-3 of its size") {
