@@ -13,7 +13,7 @@
 #include "algorithms/remeshing/remesh_backing.h"
 #include "algorithms/remeshing/remesh_plan.h"
 #include "algorithms/remeshing/remesh_room.h"
-#include "algorithms/remeshing/union_check.h"
+#include "algorithms/remeshing/solids/union_check.h"
 #include "croquis/base/error.h"
 #include "hole_filling/fill_invariants.h"
 #include "remeshing/remeshed.h"
@@ -112,7 +112,7 @@ TEST_CASE("but in holes nothing lies farther than half a cell off a scan, or it 
       const double cell = std::min(mean_edge_of(scan), diagonal_of(scan) / 40);
       CHECK(unexplained(scan, result, 0.5 * cell) <= result.checks.loose_points);
       CHECK(is_told(result, "W_OFF_SCAN") == (result.checks.loose_points > 0));
-      CHECK(500 * result.checks.loose_points < result.mesh.vertex_count());
+      CHECK(200 * result.checks.loose_points < result.mesh.vertex_count());
     }
   }
 }
@@ -171,6 +171,18 @@ TEST_CASE("where the field leads far away the holes are left to patches, and the
   CHECK(unexplained(scan, result, 4 * mean_edge_of(scan)) == 0);
   CHECK(result.mesh.face_count() < 2 * scan.face_count());
   CHECK(diagonal_of(result.mesh) < 1.05 * diagonal_of(scan));
+}
+
+TEST_CASE("wide holes are closed by what lies around each of them alone, however near others are") {
+  const KnownScan known =
+      known_scan(ScanKind::Bones, 201, 12000);  // a limb's end is missing, beside holes bent around it
+  const RemeshResult result = remesh(known.mesh);
+  const SurfaceDistance to_thing(known.truth);
+  const auto astray = std::ranges::count_if(result.mesh.positions,
+                                            [&](const Vec3& place) { return to_thing(place) > 0.05 * known.diagonal; });
+  CHECK(500 * static_cast<std::size_t>(astray) < result.mesh.vertex_count());
+  CHECK(std::ranges::any_of(result.outcomes,
+                            [](const HoleOutcome& outcome) { return outcome.method == "implicit-cubes"; }));
 }
 
 TEST_CASE("of sheets that cross and have no inside the larger one is made anew, and the other one is named") {

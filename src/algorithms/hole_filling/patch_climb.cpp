@@ -13,10 +13,10 @@
 #include "algorithms/hole_filling/patching/patch_ladder.h"
 #include "algorithms/hole_filling/patching/rim_crossing.h"
 #include "algorithms/hole_filling/patching/site_memory.h"
-#include "algorithms/hole_filling/patching/wide_holes.h"
 #include "croquis/base/parallel.h"
 #include "croquis/base/stage_key.h"
 #include "croquis/geometry/single_precision.h"
+#include "croquis/hole_filling/wide_holes.h"
 
 namespace croquis::hole_filling {
 namespace {

@@ -19,8 +19,8 @@
 #include "algorithms/remeshing/remesh_shape.h"
 #include "algorithms/remeshing/remesh_topology.h"
 #include "algorithms/remeshing/remesh_trimming.h"
-#include "algorithms/remeshing/remesh_union.h"
-#include "algorithms/remeshing/union_check.h"
+#include "algorithms/remeshing/solids/remesh_union.h"
+#include "algorithms/remeshing/solids/union_check.h"
 #include "croquis/hole_filling/channel_names.h"
 #include "croquis/hole_filling/fill_findings.h"
 
@@ -197,7 +197,8 @@ class Remeshing {
   void tell_patched(const PatchedHole& patched) {
     if (patched.hole == no_index) return;
     HoleOutcome& outcome = result_.outcomes[patched.hole];
-    outcome.method = patched.fate == RimFate::Patch ? patched.outcome.method : "remesh-patched";
+    const bool is_meant = patched.fate == RimFate::Patch || patched.fate == RimFate::Left;
+    outcome.method = is_meant ? patched.outcome.method : "remesh-patched";
     if (patched.fate == RimFate::Field) outcome.reason = "the field left an opening there";
     outcome.confidence = std::min(outcome.confidence, patched.outcome.confidence);
   }

@@ -206,16 +206,20 @@ RemeshPieces make_pieces(const PolyMesh& mesh, const HoleAnalysis& analysis, con
   return PieceMaker(mesh, analysis, choice, seams, options).run();
 }
 
-void leave_to_patches(RemeshPieces& pieces, std::size_t piece) {
+void leave_to_patches(RemeshPieces& pieces, std::size_t piece,
+                      const std::function<bool(const std::vector<Index>&)>& is_left) {
   RemeshPiece& changed = pieces.pieces[piece];
+  std::vector<Index> left;
   for (const std::vector<Index>& group : changed.groups)
-    changed.caps.insert(changed.caps.end(), group.begin(), group.end());
-  std::sort(changed.caps.begin(), changed.caps.end());
-  changed.groups.clear();
+    if (is_left(group)) left.insert(left.end(), group.begin(), group.end());
+  if (left.empty()) return;
+  std::erase_if(changed.groups, is_left);
+  std::ranges::sort(left);
+  changed.caps.insert(changed.caps.end(), left.begin(), left.end());
+  std::ranges::sort(changed.caps);
   changed.ends = true;
   for (RimPlace& rim : pieces.rims) {
-    if (rim.hole != no_index && std::binary_search(changed.caps.begin(), changed.caps.end(), rim.hole))
-      rim.fate = RimFate::Patch;
+    if (rim.hole != no_index && std::ranges::binary_search(left, rim.hole)) rim.fate = RimFate::Left;
   }
 }
 

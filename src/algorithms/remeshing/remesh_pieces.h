@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "algorithms/remeshing/views/view_seams.h"
@@ -28,6 +29,7 @@ struct RemeshPiece {
 enum class RimFate {
   Field,  ///< the field closes it
   Seam,   ///< another view goes on there: the field ends only where all data are far
+  Left,   ///< the field would lead away: it ends there, and a patch continues the surface
   Patch,  ///< the field ends there, and a patch closes it: a flat cap, or where no hole is but rim edges are
   Open    ///< a hole that wasn't chosen
 };
@@ -51,7 +53,8 @@ struct RemeshPieces {
 RemeshPieces make_pieces(const PolyMesh& mesh, const hole_filling::HoleAnalysis& analysis,
                          const hole_filling::HoleChoice& choice, const ViewSeams& seams, const RemeshOptions& options);
 
-/// Leaves all chosen holes of a piece to patches, for where the field leads away.
-void leave_to_patches(RemeshPieces& pieces, std::size_t piece);
+/// Leaves those of a piece's groups of holes to patches for which that holds: where the field leads away.
+void leave_to_patches(RemeshPieces& pieces, std::size_t piece,
+                      const std::function<bool(const std::vector<Index>&)>& is_left);
 
 }  // namespace croquis::remeshing

@@ -14,6 +14,7 @@
 #include "algorithms/remeshing/remesh_field.h"
 #include "algorithms/remeshing/remesh_smoothing.h"
 #include "algorithms/remeshing/remesh_trimming.h"
+#include "croquis/hole_filling/wide_holes.h"
 #include "croquis/implicit/slab_polygonizer.h"
 
 namespace croquis::remeshing {
@@ -83,6 +84,7 @@ class Shaping {
   PieceShape run(Progress& progress);
 
  private:
+  bool is_wide_alone(const std::vector<Index>& group) const;
   Trial trial_of(int retry) const;
   PieceShape make_surface(const Trial& trial, Progress& progress);
   Strays strays_of(const PolyMesh& surface, const Trial& trial, std::span<const Index> failed,
@@ -113,6 +115,7 @@ bool runs_away(const PolyMesh& surface, const RemeshPoints& points) {
 }
 
 PieceShape Shaping::run(Progress& progress) {
+  leave_to_patches(model_.pieces, number_, [&](const std::vector<Index>& group) { return is_wide_alone(group); });
   Progress first = progress.step("make surface", 0.9);
   PieceShape best = make_surface(trial_of(0), first);
   bool retried = false;
@@ -128,6 +131,17 @@ PieceShape Shaping::run(Progress& progress) {
   }
   best.retried = retried;
   return best;
+}
+
+/// A wide hole of one rim about which nothing was asked. Its domain would have a say as far as other holes, where it
+/// knows nothing; patches follow its own surroundings alone.
+bool Shaping::is_wide_alone(const std::vector<Index>& group) const {
+  const FillOptions& fill = model_.options.fill;
+  const auto is_named = [&](const HoleRequest& request) {
+    return std::ranges::find(request.holes, group.front()) != request.holes.end();
+  };
+  return fill.preset != Preset::Paper && group.size() == 1 && is_wide(model_.analysis, group.front()) &&
+         std::ranges::none_of(fill.requests, is_named);
 }
 
 /// As asked for at first; retries have cells of half the size, and fits that reach farther.
@@ -157,7 +171,7 @@ PieceShape Shaping::make_surface(const Trial& trial, Progress& progress) {
     Strays strays = strays_of(shape.mesh, trial, {}, looking);
     if (has_boxes && (shape.runs_away || strays.any())) {
       for (const std::vector<Index>& group : piece_.groups) left.insert(left.end(), group.begin(), group.end());
-      leave_to_patches(model_.pieces, number_);
+      leave_to_patches(model_.pieces, number_, [](const std::vector<Index>&) { return true; });
       continue;
     }
     keep_near(std::move(strays), trial, shape, looking);

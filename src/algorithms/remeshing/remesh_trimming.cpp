@@ -44,7 +44,7 @@ OpenBorders::OpenBorders(const RemeshPiece& piece, const RemeshPoints& points, c
       over_(reach_over_rim * cell) {
   for (const RimPlace& rim : rims) {
     const auto found = std::lower_bound(piece.vertices.begin(), piece.vertices.end(), rim.vertex);
-    const bool ends = rim.fate == RimFate::Patch || rim.fate == RimFate::Open;
+    const bool ends = rim.fate >= RimFate::Left;
     if (!ends || found == piece.vertices.end() || *found != rim.vertex) continue;
     rim_of_[static_cast<std::size_t>(found - piece.vertices.begin())] = static_cast<Index>(outwards_.size());
     outwards_.push_back(rim.outwards);

@@ -16,8 +16,8 @@
 #include "algorithms/hole_filling/patching/patcher.h"
 #include "algorithms/hole_filling/patching/site_memory.h"
 #include "algorithms/hole_filling/patching/untangling.h"
-#include "algorithms/hole_filling/patching/wide_holes.h"
 #include "algorithms/hole_filling/triangulation/triangle_cost.h"
+#include "croquis/hole_filling/wide_holes.h"
 #include "croquis/implicit/surface_improvement.h"
 
 namespace croquis::hole_filling {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "algorithms/hole_filling/continuation/crease_field.h"
-#include "algorithms/hole_filling/patching/wide_holes.h"
+#include "croquis/hole_filling/wide_holes.h"
 
 namespace croquis::hole_filling {
 namespace {

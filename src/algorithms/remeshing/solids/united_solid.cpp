@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/remeshing/united_solid.h"
+#include "algorithms/remeshing/solids/united_solid.h"
 
 #include <algorithm>
 #include <cmath>

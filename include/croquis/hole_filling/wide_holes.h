@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "croquis/hole_filling/hole_site.h"
+#include "croquis/hole_filling/hole_analysis.h"
 
 namespace croquis::hole_filling {
 

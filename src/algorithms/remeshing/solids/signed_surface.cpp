@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/remeshing/signed_surface.h"
+#include "algorithms/remeshing/solids/signed_surface.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/remeshing/remesh_union.h"
+#include "algorithms/remeshing/solids/remesh_union.h"
 
 #include <algorithm>
 #include <array>
@@ -13,8 +13,8 @@
 
 #include "algorithms/remeshing/remesh_cuts.h"
 #include "algorithms/remeshing/remesh_trimming.h"
-#include "algorithms/remeshing/union_check.h"
-#include "algorithms/remeshing/united_solid.h"
+#include "algorithms/remeshing/solids/union_check.h"
+#include "algorithms/remeshing/solids/united_solid.h"
 #include "croquis/geometry/disjoint_sets.h"
 
 namespace croquis::remeshing {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "algorithms/remeshing/signed_surface.h"
+#include "algorithms/remeshing/solids/signed_surface.h"
 #include "croquis/implicit/field.h"
 #include "croquis/implicit/marching_cubes.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/remeshing/union_check.h"
+#include "algorithms/remeshing/solids/union_check.h"
 
 #include <algorithm>
 #include <atomic>
