@@ -174,8 +174,7 @@ TEST_CASE("where the field leads far away the holes are left to patches, and the
 }
 
 TEST_CASE("wide holes are closed by what lies around each of them alone, however near others are") {
-  const KnownScan known =
-      known_scan(ScanKind::Bones, 201, 12000);  // a limb's end is missing, beside holes bent around it
+  const KnownScan known = known_scan(ScanKind::Bones, 201);  // a limb's end is missing, beside holes bent around it
   const RemeshResult result = remesh(known.mesh);
   const SurfaceDistance to_thing(known.truth);
   const auto astray = std::ranges::count_if(result.mesh.positions,
