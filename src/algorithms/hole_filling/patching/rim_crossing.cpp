@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -28,25 +29,53 @@ bool goes_through(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, co
   return turn != 0 && turn == side_of(p, q, b, c) && turn == side_of(p, q, c, a);
 }
 
-}  // namespace
+struct RimEdge {
+  Index from, to;  ///< of the view
+  Eigen::AlignedBox3d box;
+};
 
-bool rims_cross_surface(const HoleSite& site) {
+/// By their least x, so that those near a triangle are a stretch of them.
+std::vector<RimEdge> edges_of(const HoleSite& site) {
   const SurfaceView& view = site.analysis->view;
-  const std::vector<Vec3>& at = site.mesh->positions;
-  const SurfaceSearch own(*site.mesh, view);
-  const SurfaceSearch& search = site.search == nullptr ? own : *site.search;
+  std::vector<RimEdge> edges;
   for (Index point = 0; point < site.vertices.size(); ++point) {
     const Index from = view.representative_of(site.vertices[point]);
     const Index to = view.representative_of(site.vertices[site.polygon.next(point)]);
-    const Vec3 &p = at[from], &q = at[to];
-    const auto crosses = [&](Index triangle) {
-      const auto& t = view.triangles[triangle];
-      if (std::ranges::any_of(t, [&](Index v) { return v == from || v == to; })) return false;
-      return goes_through(p, q, at[t[0]], at[t[1]], at[t[2]]);
-    };
-    if (std::ranges::any_of(search.near({p.cwiseMin(q), p.cwiseMax(q)}), crosses)) return true;
+    edges.push_back({from, to, Eigen::AlignedBox3d(site.mesh->positions[from])});
+    edges.back().box.extend(site.mesh->positions[to]);
   }
-  return false;
+  std::ranges::sort(edges, {}, [](const RimEdge& edge) { return edge.box.min().x(); });
+  return edges;
+}
+
+}  // namespace
+
+/// The surface is asked once for all rims: each question may look at all of a large mesh.
+bool rims_cross_surface(const HoleSite& site) {
+  const SurfaceView& view = site.analysis->view;
+  const std::vector<Vec3>& at = site.mesh->positions;
+  const std::vector<RimEdge> edges = edges_of(site);
+  Eigen::AlignedBox3d around;
+  double longest = 0;
+  for (const RimEdge& edge : edges) {
+    around.extend(edge.box);
+    longest = std::max(longest, edge.box.sizes().x());
+  }
+  const auto crosses = [&](Index triangle) {
+    const auto& t = view.triangles[triangle];
+    Eigen::AlignedBox3d box;
+    for (const Index v : t) box.extend(at[v]);
+    const auto first = std::ranges::lower_bound(edges, box.min().x() - longest, {},
+                                                [](const RimEdge& edge) { return edge.box.min().x(); });
+    for (auto edge = first; edge != edges.end() && edge->box.min().x() <= box.max().x(); ++edge) {
+      if (!edge->box.intersects(box)) continue;
+      if (std::ranges::any_of(t, [&](Index v) { return v == edge->from || v == edge->to; })) continue;
+      if (goes_through(at[edge->from], at[edge->to], at[t[0]], at[t[1]], at[t[2]])) return true;
+    }
+    return false;
+  };
+  const SurfaceSearch own(*site.mesh, view);
+  return std::ranges::any_of((site.search == nullptr ? own : *site.search).near(around), crosses);
 }
 
 }  // namespace croquis::hole_filling
