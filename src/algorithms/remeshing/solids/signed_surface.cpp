@@ -14,8 +14,6 @@
 namespace croquis::remeshing {
 namespace {
 
-using namespace hole_filling;
-
 // Cosines of a vertex' normal and its triangles': surfaces are smooth above the one, creased below the other.
 constexpr double smooth_cosine = 0.9;
 constexpr double unbent_cosine = 0.75;

@@ -9,8 +9,6 @@
 namespace croquis::remeshing {
 namespace {
 
-using namespace hole_filling;
-
 constexpr double ends_beyond = 2;         // × cell: so far a surface with a border goes on, to be cut off in between
 constexpr double rim_tolerance = 0.5;     // × cell: so far it is there, as where rims are left open
 constexpr double off_the_surface = 0.75;  // × cell: corners of cubes at a surface are nearer to it than this on average
