@@ -34,6 +34,16 @@ std::size_t filled_by(const FillResult& result, const std::string& method) {
                                                 [&](const HoleOutcome& outcome) { return outcome.method == method; }));
 }
 
+std::string sentence_of(const FillResult& result, const std::string& code) {
+  std::string found;
+  for (const Finding& finding : result.warnings) {
+    if (finding.code != code) continue;
+    CHECK(found.empty());
+    found = finding.message;
+  }
+  return found;
+}
+
 double mean_error_of_first_ring(const FillResult& result) {
   const std::size_t given = result.mesh.vertex_count() - result.new_vertices;
   double sum = 0, count = 0;

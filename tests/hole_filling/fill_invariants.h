@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/hole_filling/fill_holes.h"
@@ -16,6 +17,9 @@ MeshReport report_of(const PolyMesh& mesh);
 
 std::size_t filled(const hole_filling::FillResult& result);
 std::size_t filled_by(const hole_filling::FillResult& result, const std::string& method);
+
+/// The sentence of the only warning with that code, or nothing.
+std::string sentence_of(const hole_filling::FillResult& result, const std::string& code);
 
 /// Mean distance from the unit sphere of the new vertices that have a face with one given.
 double mean_error_of_first_ring(const hole_filling::FillResult& result);

@@ -18,16 +18,7 @@ using namespace croquis::hole_filling;
 namespace {
 
 /// The sentence of the only warning with that code.
-std::string sentence(const PolyMesh& mesh, const std::string& code) {
-  const FillResult result = fill(mesh, {});
-  std::string found;
-  for (const Finding& finding : result.warnings) {
-    if (finding.code != code) continue;
-    CHECK(found.empty());
-    found = finding.message;
-  }
-  return found;
-}
+std::string sentence(const PolyMesh& mesh, const std::string& code) { return sentence_of(fill(mesh, {}), code); }
 
 /// The mesh, its first faces with corners of their own where they have the vertex.
 PolyMesh with_doubled_vertices(PolyMesh mesh, Index count) {

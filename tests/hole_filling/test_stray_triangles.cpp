@@ -49,17 +49,6 @@ std::size_t intersections(const PolyMesh& mesh) {
   return find_self_intersections(mesh, progress).count;
 }
 
-/// The sentence of the only warning with that code.
-std::string sentence(const FillResult& result, const std::string& code) {
-  std::string found;
-  for (const Finding& finding : result.warnings) {
-    if (finding.code != code) continue;
-    CHECK(found.empty());
-    found = finding.message;
-  }
-  return found;
-}
-
 }  // namespace
 
 TEST_CASE("triangles that hang in a hole by a corner and that no patch can join are left to hang, and told") {
@@ -79,9 +68,10 @@ TEST_CASE("triangles that hang in a hole by a corner and that no patch can join 
   CHECK(result.outcomes[stray->companions[0]].action == FillAction::Fill);
   CHECK(intersections(result.mesh) == before);
   CHECK(begins_with(result.mesh, scan.mesh));
-  CHECK(sentence(result, "W_STRAYS") == "Hole " + std::to_string(stray->companions[0]) +
-                                            " was closed past 2 triangles that hang there by a corner and stay as they "
-                                            "were: delete them in the source.");
+  CHECK(sentence_of(result, "W_STRAYS") ==
+        "Hole " + std::to_string(stray->companions[0]) +
+            " was closed past 2 triangles that hang there by a corner and stay as they "
+            "were: delete them in the source.");
 }
 
 TEST_CASE("a triangle that hangs in a hole by a corner becomes part of the patch where it can") {
@@ -90,7 +80,7 @@ TEST_CASE("a triangle that hangs in a hole by a corner becomes part of the patch
   scan.mesh.add_triangle(scan.left, a, b);
   const FillResult result = fill(scan.mesh);
   CHECK(filled(result) == 2);
-  CHECK(sentence(result, "W_STRAYS").empty());
+  CHECK(sentence_of(result, "W_STRAYS").empty());
   CHECK(intersections(result.mesh) == 0);
   CHECK(begins_with(result.mesh, scan.mesh));
 }
@@ -103,6 +93,6 @@ TEST_CASE("a rim that goes through the surface is told as the reason why its hol
     scan.mesh.add_triangle(a, scan.beside, b);
     return fill(scan.mesh);
   };
-  CHECK(sentence(with_flap(behind), "W_HOLE_FAILED").find("its rim goes through the surface") != std::string::npos);
-  CHECK(sentence(with_flap(Vec3(20, 12, 2)), "W_HOLE_FAILED").find("goes through") == std::string::npos);
+  CHECK(sentence_of(with_flap(behind), "W_HOLE_FAILED").find("its rim goes through the surface") != std::string::npos);
+  CHECK(sentence_of(with_flap(Vec3(20, 12, 2)), "W_HOLE_FAILED").find("goes through") == std::string::npos);
 }

@@ -44,6 +44,9 @@ double widest_diameter(const HoleSite& site);
 /// without area.
 std::vector<Vec3> normals_beyond(const HoleSite& site);
 
+/// Normal of a triangle of the view, as long as twice its area.
+Vec3 triangle_normal(const HoleSite& site, Index triangle);
+
 /// Appends every triangle at the vertex of a corner that edges join to the corner's own, which isn't appended.
 void add_fan(const SurfaceView& view, Index corner, std::vector<Index>& triangles);
 

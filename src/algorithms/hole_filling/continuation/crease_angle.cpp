@@ -24,16 +24,12 @@ constexpr int looked_rings = 3;
 
 double crease_cosine(const HoleSite& site) {
   const SurfaceView& view = site.analysis->view;
-  const auto normal_of = [&](Index triangle) {
-    const auto& t = view.triangles[triangle];
-    const Vec3& a = site.mesh->positions[t[0]];
-    return Vec3((site.mesh->positions[t[1]] - a).cross(site.mesh->positions[t[2]] - a));
-  };
   std::vector<double> angles;
   for (const Index triangle : surroundings(site, looked_rings)) {
     for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner) {
       if (view.has_opposite(corner) && corner < view.opposite[corner])
-        angles.push_back(angle_between(normal_of(triangle), normal_of(view.opposite[corner] / 3)));
+        angles.push_back(
+            angle_between(triangle_normal(site, triangle), triangle_normal(site, view.opposite[corner] / 3)));
     }
   }
   if (angles.empty()) return std::cos(most_crease);

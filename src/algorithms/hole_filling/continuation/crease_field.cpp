@@ -127,11 +127,6 @@ implicit::Field CreaseField::field() const {
 
 bool creases_run_in(const HoleSite& site) {
   const SurfaceView& view = site.analysis->view;
-  const auto normal_of = [&](Index triangle) {
-    const auto& t = view.triangles[triangle];
-    const Vec3& a = site.mesh->positions[t[0]];
-    return Vec3((site.mesh->positions[t[1]] - a).cross(site.mesh->positions[t[2]] - a));
-  };
   const double cosine = crease_cosine(site);
   std::size_t ends = 0;
   for (const Index id : site.holes) {
@@ -139,7 +134,8 @@ bool creases_run_in(const HoleSite& site) {
       const Index pivot = view.origin(rim_corner);
       for (Index edge = SurfaceView::previous(rim_corner); view.has_opposite(edge);) {
         const Index other = view.opposite[edge];
-        if (!is_smooth(normal_of(edge / 3), normal_of(other / 3), cosine) && ++ends == 2) return true;
+        if (!is_smooth(triangle_normal(site, edge / 3), triangle_normal(site, other / 3), cosine) && ++ends == 2)
+          return true;
         edge = view.other_edge_at(other, pivot);
       }
     }

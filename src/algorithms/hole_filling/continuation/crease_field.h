@@ -43,8 +43,8 @@ class CreaseField {
   std::vector<Node> tree_;  ///< the last one counts
 };
 
-/// Whether creases (see crease_cosine) end at the rims: twice at least, since each
-/// that runs in runs out again or meets others. Linear in the faces at the rims, and far cheaper than `fit_sides`.
+/// Whether creases (see crease_cosine) end at the rims: twice at least, since each that runs in runs out again or meets
+/// others. Linear in the faces around the rims, and far cheaper than `fit_sides`.
 bool creases_run_in(const HoleSite& site);
 
 /// The mean distance of the known points to the continued sides, × mean rim edge, beyond which no sides are seen.

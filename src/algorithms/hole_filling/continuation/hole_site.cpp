@@ -118,6 +118,12 @@ std::vector<Vec3> normals_beyond(const HoleSite& site) {
   return normals;
 }
 
+Vec3 triangle_normal(const HoleSite& site, Index triangle) {
+  const auto& [a, b, c] = site.analysis->view.triangles[triangle];
+  const std::vector<Vec3>& positions = site.mesh->positions;
+  return (positions[b] - positions[a]).cross(positions[c] - positions[a]);
+}
+
 void add_fan(const SurfaceView& view, Index corner, std::vector<Index>& triangles) {
   const Index pivot = view.origin(corner);
   for (Index edge : {corner, SurfaceView::previous(corner)}) {

@@ -17,8 +17,7 @@ constexpr double opposite = -0.5;  // cosine between the two skins of a wall
 
 std::vector<Index> triangles_in(const HoleSite& site, const implicit::Box& box) {
   const SurfaceView& view = site.analysis->view;
-  const SurfaceSearch own(*site.mesh, view);
-  std::vector<Index> near = (site.search == nullptr ? own : *site.search).near({box.low, box.high});
+  std::vector<Index> near = triangles_near(site, {box.low, box.high});
   std::erase_if(near, [&](Index t) { return (view.flags[t] & (SurfaceView::NoArea | SurfaceView::Sliver)) != 0; });
   return near;
 }

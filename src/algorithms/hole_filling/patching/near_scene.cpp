@@ -120,11 +120,15 @@ std::size_t SurfaceSearch::descend(std::size_t level, std::size_t node, const Bo
   return looked_at;
 }
 
+std::vector<Index> triangles_near(const HoleSite& site, const SurfaceSearch::Box& box) {
+  if (site.search != nullptr) return site.search->near(box);
+  return SurfaceSearch(*site.mesh, site.analysis->view).near(box);
+}
+
 NearScene::NearScene(const HoleSite& site, const Eigen::AlignedBox3d& box)
     : view_(site.analysis->view), vertex_count_(static_cast<Index>(site.mesh->vertex_count())) {
   std::vector<std::array<Index, 3>> near;
-  const SurfaceSearch own(*site.mesh, view_);
-  for (const Index t : (site.search == nullptr ? own : *site.search).near(box)) near.push_back(view_.triangles[t]);
+  for (const Index t : triangles_near(site, box)) near.push_back(view_.triangles[t]);
   vertices_ = vertices_of(near);
   scene_ = mesh_of(near, [&](Index vertex) -> const Vec3& { return site.mesh->positions[vertex]; });
 }

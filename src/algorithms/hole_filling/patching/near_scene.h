@@ -46,6 +46,9 @@ class SurfaceSearch {
   mutable std::vector<std::vector<Box>> levels_;  ///< around eights of triangles, of the level before, up to one
 };
 
+/// Of the site's surface, by its search, or where it has none by one of its own.
+std::vector<Index> triangles_near(const HoleSite& site, const SurfaceSearch::Box& box);
+
 /// A triangle of a patch that meets something where it shouldn't.
 struct Clash {
   Index triangle = 0;      ///< of the patch
@@ -55,7 +58,6 @@ struct Clash {
 /// The part of a surface within a box, for asking again and again what patches would cut.
 class NearScene {
  public:
-  /// By the site's search, or where it has none by one of its own.
   NearScene(const HoleSite& site, const Eigen::AlignedBox3d& box);
 
   /// @param points    new vertices, numbered behind those of the mesh

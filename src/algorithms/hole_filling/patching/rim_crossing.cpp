@@ -74,8 +74,7 @@ bool rims_cross_surface(const HoleSite& site) {
     }
     return false;
   };
-  const SurfaceSearch own(*site.mesh, view);
-  return std::ranges::any_of((site.search == nullptr ? own : *site.search).near(around), crosses);
+  return std::ranges::any_of(triangles_near(site, around), crosses);
 }
 
 }  // namespace croquis::hole_filling
