@@ -169,19 +169,19 @@ TEST_CASE("patches bend across their rims little more than the surface beside th
   }
 }
 
-TEST_CASE("half the edge brings a quarter of the error in a patch's first ring") {
+TEST_CASE("half the edge brings less than a quarter of the error in a patch's first ring") {
   const auto error = [](int levels) {
     FillOptions options;
     options.implicit.most_centres = 1000;  // so that edges alone limit what is known
     double sum = 0;
-    for (const double radius : {0.5, 0.52, 0.54})
+    for (const double radius : {0.44, 0.46, 0.48, 0.5, 0.52, 0.54, 0.56})
       sum += mean_error_of_first_ring(fill(cut(round_sphere(levels), Vec3(0, 0, 1), radius).mesh, options));
-    return sum / 3;
+    return sum / 7;
   };
   const double coarse = error(3), fine = error(6);
   CAPTURE(coarse, fine);
   const double per_halving = std::cbrt(coarse / fine);  // single steps vary with where the rim lies
-  CHECK(per_halving > 3);
+  CHECK(per_halving > 4);
   CHECK(per_halving < 6);
 }
 

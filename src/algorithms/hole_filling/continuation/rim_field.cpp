@@ -23,10 +23,11 @@ constexpr double quick_reach = 0.75;    // × the reach asked for, where few nor
 constexpr double rim_spacing = 0.7;     // of centres at the rim, × edge
 constexpr double spacing_slope = 0.25;  // by how much spacing grows per distance from the rim
 constexpr double spacing_growth = 1.15;
-constexpr double normal_spacing = 2;            // of centres whose normals count, × edge, and at least
-constexpr double normal_slope = 1;              // per distance from the rim
-constexpr double most_slope_growth = 2;         // else long rims would take all centres and leave none behind them
-constexpr double worst_residual = 0.5;          // × edge, or for long rims × what the centres resolve
+constexpr double normal_spacing = 2;     // of centres whose normals count, × edge, and at least
+constexpr double normal_slope = 1;       // per distance from the rim
+constexpr double most_slope_growth = 2;  // else long rims would take all centres and leave none behind them
+constexpr double worst_residual = 0.5;   // × edge, or for long rims × what the centres resolve
+constexpr double rough_residual = 3;     // × roughness × that, if it is more: rough rims lie off what is smooth
 constexpr std::size_t most_candidates = 30000;  // beside the rim; thinning looks at all of them, so more are sampled
 constexpr double smoother = 10;
 
@@ -117,9 +118,10 @@ class RimFitting {
   }
 
   std::optional<RimField> on_kernel(double stiffness) const {
+    const double farthest = std::max(worst_residual, rough_residual * roughness_) * resolution_;
     for (const double factor : {stiffness, stiffness * smoother}) {
       auto fit = fitted(factor);
-      if (fit && residual(*fit) <= worst_residual * resolution_) {
+      if (fit && residual(*fit) <= farthest) {
         const std::size_t points = fit->report().centres;
         return RimField{std::move(fit), edge_, size_, {}, {points}};
       }
