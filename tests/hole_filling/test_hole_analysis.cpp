@@ -14,6 +14,7 @@
 #include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 #include "support/sample_count.h"
+#include "support/scans/known_scans.h"
 #include "support/scans/scans.h"
 
 using namespace croquis;
@@ -120,6 +121,30 @@ TEST_CASE("measures follow scale, and lose nothing far from the origin") {
     CHECK(far.holes[i].kind == near.holes[i].kind);
     CHECK(far.holes[i].vertices == near.holes[i].vertices);
   }
+}
+
+TEST_CASE("how a surface lies in space changes neither its size nor the classes of its holes") {
+  Random random(5);
+  for (const ScanKind kind : {ScanKind::Statue, ScanKind::Pot, ScanKind::Face, ScanKind::Part, ScanKind::Bones}) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      const PolyMesh mesh = known_scan(kind, seed, 3000).mesh;
+      const Vec3 axis(random.between(-1, 1), random.between(-1, 1), random.between(0.1, 1));
+      const HoleAnalysis plain = analyse(mesh);
+      const HoleAnalysis turned = analyse(rotated(mesh, random.between(0, 6), axis.normalized()));
+      CAPTURE(name_of(kind), seed);
+      REQUIRE(turned.component_diagonal.size() == plain.component_diagonal.size());
+      for (std::size_t c = 0; c < plain.component_diagonal.size(); ++c)
+        CHECK(turned.component_diagonal[c] == Approx(plain.component_diagonal[c]).epsilon(1e-6));
+      REQUIRE(turned.holes.size() == plain.holes.size());
+      for (std::size_t h = 0; h < plain.holes.size(); ++h) CHECK(turned.holes[h].kind == plain.holes[h].kind);
+    }
+  }
+}
+
+TEST_CASE("the diagonal by the spread of area is that of the box around sheets, rods and spheres") {
+  CHECK(analyse(sheet(60, 20)).component_diagonal.front() == Approx(std::hypot(60, 20)).epsilon(1e-3));
+  CHECK(analyse(round_sphere(5)).component_diagonal.front() == Approx(2 * std::sqrt(3.0)).epsilon(1e-3));
+  CHECK(analyse(open_tube(0.1, 20, 24, 400)).component_diagonal.front() == Approx(20).epsilon(1e-3));
 }
 
 TEST_CASE("the greatest distance is that of all pairs") {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "algorithms/hole_filling/analysis/analysis_findings.h"
+#include "algorithms/hole_filling/analysis/component_measures.h"
 #include "algorithms/hole_filling/analysis/hole_classes.h"
 #include "algorithms/hole_filling/analysis/hole_measures.h"
 #include "algorithms/hole_filling/analysis/rim_walk.h"

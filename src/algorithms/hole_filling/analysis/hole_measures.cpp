@@ -84,15 +84,6 @@ void measure_directions(const PolyMesh& mesh, const SurfaceView& view, Hole& hol
   hole.conormal_tilt = weight > 0 ? sum / weight : std::numbers::pi / 2;
 }
 
-/// Pieces that touch in vertices can have a rim in common: it is that of the largest.
-Index largest_component(const HoleAnalysis& analysis, const Hole& hole) {
-  const auto component = [&](Index corner) { return analysis.view.component[corner / 3]; };
-  const Index corner = *std::max_element(hole.corners.begin(), hole.corners.end(), [&](Index a, Index b) {
-    return analysis.component_area[component(a)] < analysis.component_area[component(b)];
-  });
-  return component(corner);
-}
-
 }  // namespace
 
 void measure_hole(const PolyMesh& mesh, const SurfaceView& view, const HoleAnalysisOptions& options, Hole& hole,
@@ -108,21 +99,6 @@ void measure_hole(const PolyMesh& mesh, const SurfaceView& view, const HoleAnaly
   hole.planarity = hole.diameter > 0 ? deviation / hole.diameter : 0;
   measure_directions(mesh, view, hole);
   measure_area(polygon, options, hole, progress);
-}
-
-void measure_components(const PolyMesh& mesh, HoleAnalysis& analysis) {
-  const SurfaceView& view = analysis.view;
-  analysis.component_area.assign(view.component_count, 0);
-  std::vector<Eigen::AlignedBox3d> boxes(view.component_count);
-  for (std::size_t t = 0; t < view.triangles.size(); ++t) {
-    const auto& [a, b, c] = view.triangles[t];
-    const Index component = view.component[t];
-    analysis.component_area[component] += triangle_area(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
-    for (const Index vertex : view.triangles[t]) boxes[component].extend(mesh.positions[vertex]);
-  }
-  analysis.component_diagonal.clear();
-  for (const Eigen::AlignedBox3d& box : boxes) analysis.component_diagonal.push_back(box.diagonal().norm());
-  for (Hole& hole : analysis.holes) hole.component = largest_component(analysis, hole);
 }
 
 }  // namespace croquis::hole_filling

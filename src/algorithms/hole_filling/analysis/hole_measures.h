@@ -10,7 +10,4 @@ namespace croquis::hole_filling {
 void measure_hole(const PolyMesh& mesh, const SurfaceView& view, const HoleAnalysisOptions& options, Hole& hole,
                   Progress& progress);
 
-/// Area and diagonal of every component, and the component of every hole. Linear.
-void measure_components(const PolyMesh& mesh, HoleAnalysis& analysis);
-
 }  // namespace croquis::hole_filling

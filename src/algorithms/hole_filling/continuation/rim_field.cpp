@@ -27,7 +27,7 @@ constexpr double normal_spacing = 2;     // of centres whose normals count, × e
 constexpr double normal_slope = 1;       // per distance from the rim
 constexpr double most_slope_growth = 2;  // else long rims would take all centres and leave none behind them
 constexpr double worst_residual = 0.5;   // × edge, or for long rims × what the centres resolve
-constexpr double rough_residual = 3;     // × roughness × that, if it is more: rough rims lie off what is smooth
+constexpr double rough_residual = 5;     // × roughness × that, if it is more: rough rims lie off what is smooth
 constexpr std::size_t most_candidates = 30000;  // beside the rim; thinning looks at all of them, so more are sampled
 constexpr double smoother = 10;
 

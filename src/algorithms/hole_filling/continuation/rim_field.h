@@ -41,7 +41,7 @@ bool continues_curvature(const HoleSite& site, const ImplicitOptions& options);
 /// places alone: the other places give the rest, and a fit takes a tenth of the time.
 ///
 /// Fitted again with ten times the smoothing when a rim vertex that isn't a centre lies half an edge off (half of what
-/// the centres resolve, for rims with more edges than centres; on rough surfaces three times the roughness, if that is
+/// the centres resolve, for rims with more edges than centres; on rough surfaces five times the roughness, if that is
 /// more); nothing when that doesn't help either, or there is nothing to fit.
 std::optional<RimField> fit_rims(const HoleSite& site, const ImplicitOptions& options, const RimFitOptions& how);
 
