@@ -12,7 +12,7 @@ namespace croquis::hole_filling {
 /// How Fairness::Implicit continues the surface: a radial basis function is fitted to vertices and normals around the
 /// hole, and the patch lies where it is 0 (after Yoo 2005).
 struct ImplicitOptions {
-  /// Hermite takes r^5 for single holes up to a quarter of the component's diagonal, r^3 for others.
+  /// Hermite takes r^5 for single holes up to a quarter of the component's size, r^3 for others.
   implicit::Kernel kernel = implicit::Kernel::Hermite;
   double reach = 0.4;              ///< how far around the rim the surface counts, × the rim's diameter
   std::size_t most_centres = 200;  ///< of one fit; time grows with the third power

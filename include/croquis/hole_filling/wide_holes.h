@@ -5,9 +5,9 @@
 
 namespace croquis::hole_filling {
 
-/// Of a diameter above a fifth of its piece's diagonal: the place to begin from decides what a patch becomes.
+/// Of a diameter above a fifth of its piece's size: the place to begin from decides what a patch becomes.
 inline bool is_wide(const HoleAnalysis& analysis, Index hole) {
-  return analysis.holes[hole].diameter > 0.2 * analysis.component_diagonal[analysis.holes[hole].component];
+  return analysis.holes[hole].diameter > 0.2 * analysis.component_size[analysis.holes[hole].component];
 }
 
 }  // namespace croquis::hole_filling

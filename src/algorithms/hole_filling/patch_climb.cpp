@@ -269,9 +269,9 @@ class Climb {
       edges += analysis_.holes[id].vertices.size();
       const Index own = analysis_.holes[id].component;
       if (own == piece) return false;
-      widest = std::max(widest, analysis_.component_diagonal[own]);
+      widest = std::max(widest, analysis_.component_size[own]);
     }
-    return edges <= most_edges_with_border && analysis_.component_diagonal[piece] < widest;
+    return edges <= most_edges_with_border && analysis_.component_size[piece] < widest;
   }
 
   bool may_be_joined(const Climber& climber, const Climber& other) const {

@@ -165,7 +165,7 @@ std::vector<std::vector<Index>> rims_of_holes(const HoleAnalysis& before, const 
 }
 
 /// What is small beside its piece of surface shouldn't depend on what was trimmed elsewhere: pieces are measured whole.
-void take_diagonals(std::size_t faces, const HoleAnalysis& before, TrimmedScan& trimmed) {
+void take_measures(std::size_t faces, const HoleAnalysis& before, TrimmedScan& trimmed) {
   std::vector<Index> component_of_face(faces, no_index);
   for (std::size_t t = 0; t < before.view.triangles.size(); ++t)
     component_of_face[before.view.face[t]] = before.view.component[t];
@@ -173,6 +173,7 @@ void take_diagonals(std::size_t faces, const HoleAnalysis& before, TrimmedScan& 
   for (std::size_t t = 0; t < view.triangles.size(); ++t) {
     const Index whole = component_of_face[trimmed.part.faces[view.face[t]]];
     trimmed.analysis.component_diagonal[view.component[t]] = before.component_diagonal[whole];
+    trimmed.analysis.component_size[view.component[t]] = before.component_size[whole];
   }
 }
 
@@ -188,7 +189,7 @@ TrimmedScan trim_rims(const PolyMesh& mesh, const HoleAnalysis& analysis, const 
                            "Trimming the rims would leave no face of the mesh: remove fewer rings.",
                            {{SubjectKind::Parameter, "trim-rim", {}, {}, {}}}));
   trimmed.analysis = analyse_holes(trimmed.part.mesh, progress, options);
-  take_diagonals(mesh.face_count(), analysis, trimmed);
+  take_measures(mesh.face_count(), analysis, trimmed);
   trimmed.rims = rims_of_holes(analysis, trimmed, holes_at_vertices(analysis, hole_of_face));
   return trimmed;
 }

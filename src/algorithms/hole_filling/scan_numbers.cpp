@@ -73,7 +73,10 @@ void ScanNumbers::add_surroundings(const HoleSite& site, StageKey& key) const {
   key.add(std::string_view(scan_key_)).add(site.holes.size());
   for (const Index id : site.holes) {
     const Hole& hole = analysis_.holes[id];
-    key.add(hole.kind).add(analysis_.component_diagonal[hole.component]).add(hole.vertices.size());
+    key.add(hole.kind)
+        .add(analysis_.component_diagonal[hole.component])
+        .add(analysis_.component_size[hole.component])
+        .add(hole.vertices.size());
     for (const Index vertex : hole.vertices) key.add(scan_vertex(vertex));
   }
   const Box box = looked_at(site);

@@ -5,10 +5,16 @@
 #include <cmath>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "algorithms/hole_filling/triangulation/triangle_cost.h"
 
 namespace croquis::hole_filling {
 namespace {
+
+/// Scanned things reach out farther than sheets and spheres of the same spread: by so much in the mean of 877 holes of
+/// known things.
+constexpr double usual_reach = 1.2;
 
 /// Sums over the triangles of a component, by area, about its first corner so that large coordinates cost no digits.
 struct Spread {
@@ -29,9 +35,9 @@ struct Spread {
   }
 
   /// The variance of a length evenly covered is a twelfth of its square.
-  double diagonal() const {
+  double size() const {
     if (!(area > 0)) return 0;
-    return std::sqrt(12 * std::max(0.0, second / area - (first / area).squaredNorm()));
+    return usual_reach * std::sqrt(12 * std::max(0.0, second / area - (first / area).squaredNorm()));
   }
 };
 
@@ -50,15 +56,19 @@ void measure_components(const PolyMesh& mesh, HoleAnalysis& analysis) {
   const SurfaceView& view = analysis.view;
   const std::vector<Vec3>& positions = mesh.positions;
   std::vector<Spread> spreads(view.component_count);
+  std::vector<Eigen::AlignedBox3d> boxes(view.component_count);
   for (std::size_t t = 0; t < view.triangles.size(); ++t) {
     const auto& [a, b, c] = view.triangles[t];
     spreads[view.component[t]].add(positions[a], positions[b], positions[c]);
+    for (const Index vertex : {a, b, c}) boxes[view.component[t]].extend(positions[vertex]);
   }
   analysis.component_area.clear();
   analysis.component_diagonal.clear();
-  for (const Spread& spread : spreads) {
-    analysis.component_area.push_back(spread.area);
-    analysis.component_diagonal.push_back(spread.diagonal());
+  analysis.component_size.clear();
+  for (Index component = 0; component < view.component_count; ++component) {
+    analysis.component_area.push_back(spreads[component].area);
+    analysis.component_diagonal.push_back(boxes[component].diagonal().norm());
+    analysis.component_size.push_back(spreads[component].size());
   }
   for (Hole& hole : analysis.holes) hole.component = largest_component(analysis, hole);
 }

@@ -5,7 +5,7 @@
 
 namespace croquis::hole_filling {
 
-/// Area and diagonal of every component, and the component of every hole. Linear.
+/// Area, diagonal and size of every component, and the component of every hole. Linear.
 void measure_components(const PolyMesh& mesh, HoleAnalysis& analysis);
 
 }  // namespace croquis::hole_filling

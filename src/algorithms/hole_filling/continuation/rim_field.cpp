@@ -31,7 +31,7 @@ constexpr double rough_residual = 5;     // × roughness × that, if it is more:
 constexpr std::size_t most_candidates = 30000;  // beside the rim; thinning looks at all of them, so more are sampled
 constexpr double smoother = 10;
 
-/// In larger holes, × the component's diagonal, quadratic terms lead away from the surface.
+/// In larger holes, × the component's size, quadratic terms lead away from the surface.
 constexpr double widest_quintic = 0.25;
 
 /// The smoothing for the surface's roughness: `smooth` + `rough` × (roughness / 0.1)^power.
@@ -264,7 +264,7 @@ bool continues_curvature(const HoleSite& site, const ImplicitOptions& options) {
   if (options.kernel != implicit::Kernel::Hermite || site.polygon.loop_count() != 1) return false;
   const Hole& hole = site.analysis->holes[site.holes.front()];
   return site.wish.bulge == 0 && site.wish.through.empty() &&
-         hole.diameter <= widest_quintic * site.analysis->component_diagonal[hole.component];
+         hole.diameter <= widest_quintic * site.analysis->component_size[hole.component];
 }
 
 std::optional<RimField> fit_rims(const HoleSite& site, const ImplicitOptions& options, const RimFitOptions& how) {

@@ -18,7 +18,7 @@ constexpr double noisy_gradients = 6;
 /// fit_sides): what runs into holes of rough or crumpled surfaces is hardly an edge of the thing.
 constexpr double trusted_residual = 0.03;
 
-/// And in holes up to this, × the diagonal of the component.
+/// And in holes up to this, × the size of the component.
 constexpr double widest_creased = 0.35;
 
 ImplicitOptions adapted(ImplicitOptions options, Preset preset) {
@@ -101,8 +101,8 @@ bool goes_on_with_creases(const HoleSite& site) {
   if (site.wish.bulge != 0 || site.wish.implicit.kernel != implicit::Kernel::Hermite) return false;
   const auto diameter = [&](Index hole) { return site.analysis->holes[hole].diameter; };
   const Hole& widest = site.analysis->holes[std::ranges::max(site.holes, {}, diameter)];
-  return widest.diameter <= widest_creased * site.analysis->component_diagonal[widest.component] &&
-         creases_run_in(site) && !has_piece_inside(site, widest);
+  return widest.diameter <= widest_creased * site.analysis->component_size[widest.component] && creases_run_in(site) &&
+         !has_piece_inside(site, widest);
 }
 
 Ladder ladder_between(const HoleSite& site, Preset preset, std::size_t most_triangles) {
