@@ -49,6 +49,8 @@ struct RemeshChecks {
   std::size_t turned_views = 0;        ///< sheets that faced the other way than those that they lie upon
   std::size_t lost_points = 0;         ///< vertices given that no new one is within 1.25 cells of
   std::size_t loose_points = 0;        ///< new vertices farther than half a cell off the scan, but in holes
+  std::size_t far_points = 0;          ///< new vertices farther than a twentieth of the model's diagonal off the scan
+  double far_share = 0;                ///< of the area: faces at these, 0..1
   bool manifold = false;               ///< no edge of more than two faces, no vertex of more than one fan
 };
 

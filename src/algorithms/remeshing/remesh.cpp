@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "algorithms/remeshing/remesh_attributes.h"
+#include "algorithms/remeshing/remesh_backing.h"
 #include "algorithms/remeshing/remesh_findings.h"
 #include "algorithms/remeshing/remesh_pieces.h"
 #include "algorithms/remeshing/remesh_plan.h"
@@ -291,13 +292,15 @@ class Remeshing {
     fans_ = TriangleFans(0, {});
     normals_ = {};
     links_ = {};
-    const RemeshLosses losses{lost_, pieces_.left_out, options_.cell, losses_, refused_};
+    RemeshLosses losses{lost_, pieces_.left_out, options_.cell, losses_, refused_, {}, {}};
     require_faces(result_.mesh, losses);
     Progress computing = progress.step("normals", 0.1);
     compute_normals(result_.mesh, threads(), computing);
     mark();
-    Progress checking = progress.step("verify", 0.9);
+    Progress checking = progress.step("verify", 0.8);
     check(checking);
+    Progress comparing = progress.step("compare with the scan", 0.1);
+    find_far(losses, comparing);
     result_.warnings = remesh_findings(mesh(), result_, losses);
   }
 
@@ -344,6 +347,23 @@ class Remeshing {
     checks.manifold = std::none_of(links.begin(), links.end(), [](Link link) { return link == Link::Broken; });
     checks.components = part_count(mesh);
     checks.open_loops = open_loop_count(fans, links);
+  }
+
+  /// What of the result has no scan near to it.
+  void find_far(RemeshLosses& losses, Progress& progress) {
+    constexpr double far_share = 0.05;  // of the model's diagonal
+    const double diagonal = implicit::bounds(mesh().positions).size().norm();
+    const std::vector<Index> far =
+        far_from_scan(result_.mesh, mesh(), view(), far_share * diagonal, threads(), progress);
+    if (far.empty()) return;
+    result_.checks.far_points = far.size();
+    result_.checks.far_share = share_of_faces_at(result_.mesh, far);
+    losses.far_at = result_.mesh.positions[far.front()];
+    for (const Index v : far)
+      if (marks_.hole[v] != no_index) losses.far_holes.push_back(marks_.hole[v]);
+    std::ranges::sort(losses.far_holes);
+    const auto repeated = std::ranges::unique(losses.far_holes);
+    losses.far_holes.erase(repeated.begin(), repeated.end());
   }
 
   const PolyMesh& given_;

@@ -78,12 +78,6 @@ void interpolate(const AttributeChannel& from, const std::array<Index, 3>& corne
       to.data);
 }
 
-Vec3 face_normal(const PolyMesh& mesh, std::size_t face) {
-  const auto corners = mesh.face(face);
-  const Vec3& a = mesh.positions[corners[0]];
-  return (mesh.positions[corners[1]] - a).cross(mesh.positions[corners[2]] - a);
-}
-
 void resize(AttributeChannel& channel, std::size_t count) {
   std::visit([&](auto& values) { values.resize(count * static_cast<std::size_t>(channel.width)); }, channel.data);
 }
@@ -209,6 +203,12 @@ void transfer(PolyMesh& made, const NewVertices& vertices, const NearestSurface&
         if (!is_normal(made.channels[c])) interpolate(*given[c], work.corners(place), place, v, made.channels[c]);
     }
   });
+}
+
+Vec3 face_normal(const PolyMesh& mesh, std::size_t face) {
+  const auto corners = mesh.face(face);
+  const Vec3& a = mesh.positions[corners[0]];
+  return (mesh.positions[corners[1]] - a).cross(mesh.positions[corners[2]] - a);
 }
 
 void measure_patches(const PolyMesh& mesh, const std::vector<std::int32_t>& patches, const std::vector<Index>& patch_of,

@@ -67,6 +67,9 @@ void transfer(PolyMesh& made, const NewVertices& vertices, const NearestSurface&
               const hole_filling::HoleAnalysis& analysis, const RemeshPiece& piece, const std::vector<RimPlace>& rims,
               double cell, int threads, HoleMarks& marks, Progress& progress);
 
+/// Of a triangle, as long as twice its area.
+Vec3 face_normal(const PolyMesh& mesh, std::size_t face);
+
 /// Sets the greatest fold across the rims and the least angle of every patch that has faces, on all its holes; NaN
 /// where it has none.
 /// @param patches per face, -1 for none; @param patch_of per hole

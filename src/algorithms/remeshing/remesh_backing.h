@@ -16,30 +16,36 @@ namespace croquis::remeshing {
 
 /// Where a surface that closes a piece's holes may lie: no farther from a hole's rim than 0.75 of its diameter (half a
 /// sphere over its rim reaches 0.71), or from a place that it was asked to go through; and between views as far from
-/// their rims as they may be apart.
+/// their rims as they may be apart. Each hole, with its islands, is a zone of its own.
 class HoleReach {
  public:
-  /// @param rims of the whole mesh; @param edge as typical_edge; @param failed holes that stay open after all
+  /// @param rims of the whole mesh; @param edge as typical_edge; @param open holes that stay open, or are so far
   HoleReach(const PolyMesh& mesh, const hole_filling::HoleAnalysis& analysis, const RemeshPiece& piece,
             const std::vector<RimPlace>& rims, std::span<const hole_filling::HoleRequest> requests, double edge,
-            std::span<const Index> failed);
+            std::span<const Index> open);
 
   /// Thread-safe. Linear in the holes, and in the rims of those that are near.
   bool contains(const Vec3& place) const;
+  bool contains(const Vec3& place, Index zone) const;
 
-  double area() const { return area_; }  ///< that surfaces in all holes together may have
+  /// The zone whose rim is nearest, no farther than so much and the distance between its points; no_index: none.
+  Index zone_along(const Vec3& place, double distance) const;
+
+  std::size_t zone_count() const { return zones_.size(); }
+  double area(Index zone) const { return zones_[zone].area; }  ///< that a surface in it may have
 
  private:
   struct Zone {
-    std::vector<Vec3> points;  // on the rims
+    std::vector<Vec3> points;  // on the rims, and to go through
+    std::size_t on_rim = 0;    // of these, the first
     Eigen::AlignedBox3d box;   // of these, grown
-    double reach = 0;
+    double reach = 0, spacing = 0, area = 0;
   };
 
   std::vector<Zone> zones_;        // the largest first
   std::vector<Vec3> seam_places_;  // vertices on rims of views
   implicit::PointTree seams_;
-  double seam_reach_ = 0, area_ = 0;
+  double seam_reach_ = 0;
 };
 
 /// A vertex that lies off the mesh given.
@@ -51,16 +57,16 @@ struct LooseVertex {
 
 /// What of a remeshed surface the mesh given doesn't back.
 struct Strays {
-  std::vector<std::uint8_t> vertices;  ///< per vertex: 1 where it lies far from the mesh, in no hole's reach
+  std::vector<std::uint8_t> vertices;  ///< per vertex: 1 where it lies far from the mesh, and closes no hole
   std::size_t count = 0;               ///< of these
   std::vector<LooseVertex> loose;      ///< others that aren't near to the mesh, and in no hole's reach, ascending
-  double hole_area = 0;                ///< of faces far from the mesh in the reach of holes
-  bool overfills = false;              ///< that is more than holes explain
+  bool overfills = false;              ///< a surface in a hole has more area than the hole explains
 
   bool any() const { return count > 0 || overfills; }
 };
 
-/// Checks every vertex of a surface, whatever made it: how far it lies from the triangles given.
+/// Checks every vertex of a surface, whatever made it: how far it lies from the triangles given. What is far and hangs
+/// together has to leave them along the rim of a hole, half of its border at least, and stay within that hole's reach.
 /// @param near,far model units, the latter the larger one
 /// @throws Cancelled
 Strays find_strays(const PolyMesh& surface, const PolyMesh& mesh, const hole_filling::SurfaceView& view,
@@ -76,6 +82,14 @@ bool trim_loose(PolyMesh& surface, std::span<const LooseVertex> loose, int threa
 /// @throws Cancelled
 void bring_near(PolyMesh& surface, std::vector<LooseVertex>& loose, double near, hole_filling::Precision precision,
                 Progress& progress);
+
+/// The vertices of a surface that are farther than so much from all triangles given, ascending.
+/// @throws Cancelled
+std::vector<Index> far_from_scan(const PolyMesh& surface, const PolyMesh& mesh, const hole_filling::SurfaceView& view,
+                                 double distance, int threads, Progress& progress);
+
+/// Of the area of a surface, 0..1. @param vertices ascending
+double share_of_faces_at(const PolyMesh& surface, std::span<const Index> vertices);
 
 /// Share of a piece's area that a surface has nothing near to. @param lost of the points, ascending
 double lost_share(const PolyMesh& mesh, const hole_filling::SurfaceView& view, const RemeshPiece& piece,

@@ -19,6 +19,8 @@ namespace {
 
 using namespace hole_filling;
 
+constexpr std::size_t most_named = 3;  // holes in one sentence
+
 Finding warning(std::string code, std::string message) {
   return make_warning(Category::Geometry, std::move(code), std::move(message));
 }
@@ -100,6 +102,22 @@ void tell_shapes(const RemeshLosses& losses, Findings& findings) {
   tell_pieces(losses, "W_OFF_SCAN", loose_sentence,
               " vertices farther than half a cell off the scan: choose smaller cells, or fill holes by patches.",
               findings);
+}
+
+/// Surface that nothing of the scan is near to is always told, however well its holes seem to be closed.
+void tell_far(const RemeshResult& result, const RemeshLosses& losses, Findings& findings) {
+  if (result.checks.far_points == 0) return;
+  std::string text = number(100 * result.checks.far_share) +
+                     " % of the surface is farther than a twentieth of the model's diagonal from the scan";
+  for (std::size_t i = 0; i < std::min(losses.far_holes.size(), most_named); ++i)
+    text += (i == 0 ? (losses.far_holes.size() > 1 ? ", in holes " : ", in hole ") : ", ") +
+            std::to_string(losses.far_holes[i]);
+  if (losses.far_holes.size() > most_named)
+    text += " and " + std::to_string(losses.far_holes.size() - most_named) + " more";
+  Finding finding = warning("W_FAR_FROM_SCAN", text + ": look at the shape there, or leave those holes open.");
+  const Vec3& at = losses.far_at;
+  finding.subjects = {numbered_subject(SubjectKind::Point, 0, {at.x(), at.y(), at.z()})};
+  findings.push_back(std::move(finding));
 }
 
 std::string sentence(const RefusedPiece& refused) {
@@ -200,6 +218,7 @@ Findings remesh_findings(const PolyMesh& mesh, const RemeshResult& result, const
   tell_refused(losses, warning("W_PIECE_REFUSED", ""), findings);
   tell_parts(losses, findings);
   tell_shapes(losses, findings);
+  tell_far(result, losses, findings);
   if (result.checks.failed_loops > 0)
     findings.push_back(
         warning("W_NOT_CLOSED", counted(result.checks.failed_loops, "opening is", "openings are") +

@@ -41,6 +41,8 @@ struct RemeshLosses {
   double cell = 1;           ///< as RemeshOptions has it
   std::vector<PieceLosses> parts;
   std::vector<RefusedPiece> refused;
+  std::vector<Index> far_holes;  ///< in which the result is far from the scan, ascending
+  Vec3 far_at = Vec3::Zero();    ///< a place where it is, if there is any
 };
 
 /// The analysis' findings; then holes left as OUTER, filled by patches after all, failed, or of low confidence; pieces

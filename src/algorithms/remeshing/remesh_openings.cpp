@@ -4,17 +4,25 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <utility>
 #include <variant>
 
+#include "algorithms/remeshing/remesh_attributes.h"
 #include "croquis/geometry/triangle_fans.h"
+#include "croquis/hole_filling/channel_names.h"
 #include "croquis/hole_filling/patch_confidence.h"
+#include "croquis/hole_filling/wide_holes.h"
 #include "croquis/implicit/point_tree.h"
 
 namespace croquis::remeshing {
 namespace {
 
 using namespace hole_filling;
+
+// Where views end. What closes in on itself has patches that fold less at their rims, whatever the tilt.
+constexpr double end_tilt = 60 * std::numbers::pi / 180;
+constexpr double end_fold = 6 * std::numbers::pi / 180;
 
 using RimName = std::pair<RimFate, Index>;
 
@@ -74,13 +82,47 @@ Openings find_openings(const PolyMesh& surface, const PolyMesh& mesh, const Reme
   return openings;
 }
 
+/// Mean angle between a patch and the surface around, radians, by the rim edges of a loop that the patch closes.
+double mean_fold(const FillResult& filled, Index loop) {
+  const PolyMesh& mesh = filled.mesh;
+  const SurfaceView& view = filled.analysis.view;
+  const auto* channel = mesh.channel(patch_channel, Domain::Face);
+  const auto& patch_of = std::get<std::vector<std::int32_t>>(channel->data);
+  const auto patch = static_cast<std::int32_t>(filled.outcomes[loop].patch);
+  std::map<std::pair<Index, Index>, std::size_t> face_at;
+  for (std::size_t f = 0; f < patch_of.size(); ++f) {
+    if (patch_of[f] != patch) continue;
+    const auto face = mesh.face(f);
+    for (std::size_t k = 0; k < 3; ++k) face_at[{face[k], face[(k + 1) % 3]}] = f;
+  }
+  double sum = 0, length = 0;
+  for (const Index corner : filled.analysis.holes[loop].corners) {
+    const Index a = view.origin(corner), b = view.target(corner);
+    const auto across = face_at.find({b, a});
+    if (across == face_at.end()) continue;
+    const double edge = (mesh.positions[b] - mesh.positions[a]).norm();
+    sum += edge * angle_between(face_normal(mesh, view.face[corner / 3]), face_normal(mesh, across->second));
+    length += edge;
+  }
+  return length > 0 ? sum / length : 0;
+}
+
+/// Wide, and the surface around leads on out of it, where its patch doesn't follow: the end of what views saw of a
+/// limb, or of the inside of a pot, and no hole in what they saw.
+bool is_open_end(const FillResult& filled, Index loop) {
+  return is_wide(filled.analysis, loop) && filled.analysis.holes[loop].conormal_tilt < end_tilt &&
+         mean_fold(filled, loop) > end_fold;
+}
+
 /// Loops that views leave between them, and of which nothing near shows the shape: the best patch is a guess.
 std::vector<Index> doubtful(const Openings& openings, const FillResult& filled) {
   std::vector<Index> loops;
   for (std::size_t i = 0; i < openings.loops.size(); ++i) {
+    if (openings.fates[i] != RimFate::Seam) continue;
     const HoleOutcome& outcome = filled.outcomes[openings.loops[i]];
-    const bool is_guess = outcome.action == FillAction::Fill && outcome.confidence < low_confidence;
-    if (openings.fates[i] == RimFate::Seam && is_guess) loops.push_back(openings.loops[i]);
+    if (outcome.action != FillAction::Fill) continue;
+    if (outcome.confidence < low_confidence || is_open_end(filled, openings.loops[i]))
+      loops.push_back(openings.loops[i]);
   }
   return loops;
 }
@@ -121,7 +163,7 @@ PatchedHoles close_by_patches(PolyMesh& surface, Openings& openings, const FillO
       left.fates.push_back(openings.fates[i]);
     }
   }
-  if (const AttributeChannel* channel = filled.mesh.channel("patch_id", Domain::Face)) {
+  if (const AttributeChannel* channel = filled.mesh.channel(patch_channel, Domain::Face)) {
     const auto& patch_of = std::get<std::vector<std::int32_t>>(channel->data);
     for (std::size_t f = first_face; f < patch_of.size(); ++f)
       patched.faces.emplace_back(f, hole_of_patch[patch_of[f]]);

@@ -87,8 +87,7 @@ class Shaping {
   bool is_wide_alone(const std::vector<Index>& group) const;
   Trial trial_of(int retry) const;
   PieceShape make_surface(const Trial& trial, Progress& progress);
-  Strays strays_of(const PolyMesh& surface, const Trial& trial, std::span<const Index> failed,
-                   Progress& progress) const;
+  Strays strays_of(const PolyMesh& surface, const Trial& trial, std::span<const Index> open, Progress& progress) const;
   void keep_near(Strays strays, const Trial& trial, PieceShape& shape, Progress& progress) const;
   double near() const { return near_within * std::max(model_.options.cell, 1.0) * model_.edge; }
   void compare(const Trial& trial, PieceShape& shape, Progress& progress) const;
@@ -168,7 +167,7 @@ PieceShape Shaping::make_surface(const Trial& trial, Progress& progress) {
     shape = attempt(trial, growths[std::min(i, growths.size() - 1)], is_last, trying);
     if (!is_last && !shape.runs_away && shape.openings.any_of_field()) continue;
     Progress looking = progress.step("compare with the scan", 0.02);
-    Strays strays = strays_of(shape.mesh, trial, {}, looking);
+    Strays strays = strays_of(shape.mesh, trial, piece_.caps, looking);
     if (has_boxes && (shape.runs_away || strays.any())) {
       for (const std::vector<Index>& group : piece_.groups) left.insert(left.end(), group.begin(), group.end());
       leave_to_patches(model_.pieces, number_, [](const std::vector<Index>&) { return true; });
@@ -194,11 +193,11 @@ PieceShape Shaping::make_surface(const Trial& trial, Progress& progress) {
   return shape;
 }
 
-Strays Shaping::strays_of(const PolyMesh& surface, const Trial& trial, std::span<const Index> failed,
+Strays Shaping::strays_of(const PolyMesh& surface, const Trial& trial, std::span<const Index> open,
                           Progress& progress) const {
   const NearestSurface given(model_.mesh, model_.analysis.view, model_.fans, piece_, trial.points, model_.threads());
   const HoleReach holes(model_.mesh, model_.analysis, piece_, model_.pieces.rims, model_.options.fill.requests,
-                        model_.edge, failed);
+                        model_.edge, open);
   return find_strays(surface, model_.mesh, model_.analysis.view, piece_, given, holes, near(),
                      backed_within * std::max(model_.cell, model_.edge), model_.threads(), progress);
 }
@@ -208,11 +207,11 @@ void Shaping::keep_near(Strays strays, const Trial& trial, PieceShape& shape, Pr
   bool is_cut = strays.count > 0;
   if (is_cut) {
     shape.mesh = trimmed(shape.mesh, strays.vertices);
-    strays = strays_of(shape.mesh, trial, {}, progress);
+    strays = strays_of(shape.mesh, trial, piece_.caps, progress);
   }
   if (piece_.ends && trim_loose(shape.mesh, strays.loose, model_.threads(), progress)) {
     is_cut = true;
-    strays = strays_of(shape.mesh, trial, {}, progress);
+    strays = strays_of(shape.mesh, trial, piece_.caps, progress);
   }
   if (!strays.loose.empty()) bring_near(shape.mesh, strays.loose, near(), model_.options.fill.precision, progress);
   shape.loose = std::move(strays.loose);

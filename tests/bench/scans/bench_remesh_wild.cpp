@@ -127,6 +127,24 @@ std::string codes_of(const Findings& findings) {
   return codes;
 }
 
+/// The faces with a corner farther than 5 % of the diagonal from scan and thing.
+PolyMesh astray_of(const KnownScan& scan, const PolyMesh& mesh) {
+  const test::SurfaceDistance to_scan(scan.mesh), to_truth(scan.truth);
+  const double most = far_diagonals * scan.diagonal;
+  PolyMesh astray;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    const auto is_astray = [&](Index v) {
+      return to_scan(mesh.positions[v]) > most && to_truth(mesh.positions[v]) > most;
+    };
+    if (std::ranges::none_of(face, is_astray)) continue;
+    const auto first = static_cast<Index>(astray.positions.size());
+    for (const Index v : face) astray.positions.push_back(mesh.positions[v]);
+    astray.add_triangle(first, first + 1, first + 2);
+  }
+  return astray;
+}
+
 Made made_by_us(const KnownScan& scan, const std::string& path, std::vector<Zone>& zones) {
   RemeshResult result;
   Made made;
@@ -146,7 +164,10 @@ Made made_by_us(const KnownScan& scan, const std::string& path, std::vector<Zone
     made = judged(scan, result.mesh, zones);
     made.state += codes_of(result.warnings);
     result.mesh.channels.clear();
-    if (!path.empty()) write_ply(result.mesh, path + "remeshed.ply");
+    if (!path.empty()) {
+      write_ply(result.mesh, path + "remeshed.ply");
+      write_ply(astray_of(scan, result.mesh), path + "astray.ply");
+    }
   } else {
     made.state = refusal;
   }
@@ -161,6 +182,7 @@ Row row_of(test::ScanKind kind, std::uint64_t seed, const std::string& folder) {
     std::filesystem::create_directories(folder);
     path = folder + "/" + name_of(kind) + "-" + std::to_string(seed) + "_";
     write_ply(scan.mesh, path + "scan.ply");
+    write_ply(scan.truth, path + "truth.ply");
   }
   Row row{kind, seed, scan.mesh.face_count(), euler_of(scan.mesh, MeshTopology(scan.mesh)), {}, {}};
   std::vector<Zone> zones;
