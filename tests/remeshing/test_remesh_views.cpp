@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "algorithms/remeshing/remesh_points.h"
+#include "algorithms/remeshing/remesh_topology.h"
 #include "algorithms/remeshing/views/turned_views.h"
 #include "algorithms/remeshing/views/view_seams.h"
 #include "remeshing/remeshed.h"
@@ -149,6 +150,47 @@ TEST_CASE("of views of known things those that were turned are found, and no oth
     CHECK(find_view_seams(scan, again, {}, edge).turned == std::vector<Index>{turned});
   }
   CHECK(tried > 1);
+}
+
+TEST_CASE("handles that no view has by itself are told, of a scan of several views as it comes") {
+  const auto topology = [](const PolyMesh& mesh) {
+    Progress progress;
+    return topology_of(mesh, 1, progress);
+  };
+  for (const std::uint64_t seed : {1U, 3U, 31U}) {
+    const RemeshResult result = remesh(known_scan(ScanKind::RangeViews, seed).mesh);
+    CAPTURE(seed);
+    CHECK(is_told(result, "W_VIEWS_JOINED"));
+    const bool is_ball =
+        topology(result.mesh) ==
+        SurfaceTopology{result.checks.components, 2 * static_cast<std::int64_t>(result.checks.components)};
+    CHECK(is_ball == (seed != 1));  // the first is closed with two handles that the thing hasn't
+    CHECK(is_told(result, "W_SHAPE_DIFFERS") == !is_ball);
+  }
+}
+
+TEST_CASE("what a piece's sheets imply is known although they share vertices or edges") {
+  const auto implied = [](const PolyMesh& scan) {
+    Progress progress;
+    const HoleAnalysis analysis = analyse_holes(scan, progress);
+    RemeshPiece piece;
+    for (Index v = 0; v < scan.vertex_count(); ++v) piece.vertices.push_back(v);
+    for (Index t = 0; t < analysis.view.triangles.size(); ++t) piece.triangles.push_back(t);
+    return implied_topology(analysis, piece);
+  };
+  const PolyMesh ball = round_sphere(3), ring = torus(24, 12);
+  CHECK(implied(ball) == SurfaceTopology{1, 2});
+  CHECK(implied(ring) == SurfaceTopology{1, 0});
+  CHECK(implied(merged(ball, translated(ball, Vec3(1, 0, 0)))) == SurfaceTopology{1, 2});
+  CHECK(implied(merged(ring, translated(ring, Vec3(9, 0, 0)))) == SurfaceTopology{1, -2});
+  const auto shared = [&](Index f) {
+    return std::ranges::count_if(ring.face(f),
+                                 [&](Index v) { return std::ranges::find(ring.face(0), v) != ring.face(0).end(); });
+  };
+  Index other = 1;
+  while (shared(other) != 1) ++other;
+  const PolyMesh pinched = without_faces(ring, std::vector<Index>{0, other});  // two holes that share a vertex
+  CHECK(implied(pinched) == SurfaceTopology{1, 0});
 }
 
 TEST_CASE("of views the minority by area is turned, by their strongest pairs") {

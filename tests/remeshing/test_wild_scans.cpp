@@ -166,6 +166,24 @@ TEST_CASE("boxes and volumes that differ are found, whatever closes holes is all
   CHECK_FALSE(change(without_loose_vertices(cut(ball, Vec3(0, 0, 1), 0.4).mesh), ball).any());
 }
 
+TEST_CASE("a solid of several pieces encloses no less than one of them and no more than all") {
+  const PolyMesh ball = round_sphere(4);
+  const double volume = *room_of_surface(ball, true).volume;
+  const auto differs = [&](const PolyMesh& solid, const std::vector<std::optional<double>>& volumes) {
+    return change_of_solid(volumes, solid, 0.07).any();
+  };
+  CHECK_FALSE(differs(ball, {volume, volume}));
+  CHECK_FALSE(differs(ball, {volume, 0.1 * volume}));
+  CHECK_FALSE(differs(scaled(ball, 1.2), {volume, volume}));
+  CHECK(differs(scaled(ball, 1.4), {volume, volume}));
+  CHECK(differs(scaled(ball, 0.8), {volume, volume}));
+  CHECK_FALSE(differs(scaled(ball, 0.8), {volume, -0.5 * volume}));  // a cavity
+  CHECK(differs(scaled(ball, 1.2), {volume, -0.5 * volume}));
+  CHECK_FALSE(differs(scaled(ball, 1.4), {volume, std::nullopt}));  // has rims
+  CHECK_FALSE(differs(scaled(ball, 0.9), {volume}));                // crossed itself
+  CHECK(differs(scaled(ball, 0.6), {volume}));
+}
+
 TEST_CASE("in a hole's reach only what leaves the scan along its rim closes it") {
   const PolyMesh ball = round_sphere(4);
   const PolyMesh scan = without_loose_vertices(cut(ball, Vec3(0, 0, 1), 0.4).mesh);  // radius of the hole

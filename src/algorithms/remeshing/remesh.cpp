@@ -149,6 +149,13 @@ class Remeshing {
       result_.slabs = std::max(result_.slabs, shapes.back().slabs);
       tell(p, shapes.back());
     }
+    std::vector<PieceShape> known;  // without their meshes, which joining takes
+    for (const PieceShape& shape : shapes) {
+      PieceShape& kept = known.emplace_back();
+      kept.topology = shape.topology;
+      kept.implied = shape.refused ? std::nullopt : shape.implied;
+      kept.volume = shape.volume;
+    }
     Progress joining = progress.step("join pieces", 0.07);
     JoinedShapes joined = join_shapes(model, shapes, joining);
     for (const CrossingPiece& left : joined.left_out) refuse({left.piece, 0, left.other, left.at});
@@ -162,6 +169,7 @@ class Remeshing {
     Progress transferring = progress.step("carry over attributes", 0.03);
     for (const RemeshPart& part : joined.parts) {
       tell_losses(part);
+      tell_differences(part, known, transferring);
       transfer_to(part, transferring);
     }
   }
@@ -257,6 +265,27 @@ class Remeshing {
     losses.lost_points = part.lost;
     losses.at = part.lost_at;
     losses_.push_back(losses);
+  }
+
+  /// Whether what came out in the end has parts, handles or a volume that its pieces don't explain.
+  void tell_differences(const RemeshPart& part, const std::vector<PieceShape>& known, Progress& progress) {
+    if (part.pieces.empty() || part.vertex_count == 0) return;
+    PieceLosses losses;
+    losses.piece = part.pieces.front();
+    losses.together = part.pieces.size();
+    losses.made = known[losses.piece].topology;
+    losses.at = result_.mesh.positions[part.first_vertex];
+    if (part.is_solid) {
+      const PolyMesh solid = surface_of(part, result_.mesh);
+      Progress counting = progress.step("count parts and handles", 0.01);
+      losses.made = topology_of(solid, threads(), counting);
+      std::vector<std::optional<double>> volumes;
+      for (const std::size_t piece : part.pieces) volumes.push_back(known[piece].volume);
+      losses.room = change_of_solid(volumes, solid, cell());
+    }
+    const std::optional<SurfaceTopology>& implied = known[losses.piece].implied;
+    if (losses.together == 1 && implied && difference(losses.made, *implied) > 0) losses.implied = implied;
+    if (losses.implied || losses.room.any()) losses_.push_back(losses);
   }
 
   /// Values of vertices, and which of them lie in holes.

@@ -78,13 +78,16 @@ void tell_parts(const RemeshLosses& losses, Findings& findings) {
 
 std::string room_sentence(const PieceLosses& part) {
   const RoomChange& room = part.room;
-  if (!room.any()) return "";
+  if (!room.any() && !part.implied) return "";
   std::string text;
   const auto add = [&](const std::string& what) { text += (text.empty() ? "" : " and ") + what; };
   if (room.shrunk > 0) add("ends " + number(room.shrunk) + " short of the scan's box");
   if (room.grown > 0) add("leads " + number(room.grown) + " out of the scan's box");
   if (room.given != room.made) add("encloses " + number(room.made) + " instead of " + number(room.given));
-  return "Piece " + std::to_string(part.piece) + " of the model " + text +
+  if (part.implied)
+    add("came out as " + described(part.made) + " where the scan's own sheets make " + described(*part.implied));
+  const std::string others = part.together > 1 ? " with those that it was made one solid with" : "";
+  return "Piece " + std::to_string(part.piece) + " of the model" + others + " " + text +
          ": choose smaller cells, or fill holes by patches, which keep the surface.";
 }
 

@@ -21,7 +21,9 @@ struct PieceLosses {
   std::size_t loose = 0;                  ///< vertices that are left farther than half a cell off the scan
   Vec3 loose_at = Vec3::Zero();           ///< one of these
   RoomChange room;
-  Vec3 at = Vec3::Zero();  ///< a place where something is wrong
+  std::optional<SurfaceTopology> implied;  ///< where what was made has other parts or handles
+  std::size_t together = 1;                ///< pieces that one solid was made of
+  Vec3 at = Vec3::Zero();                  ///< a place where something is wrong
 };
 
 /// A piece that was left out, since what was made of it doesn't represent it.

@@ -9,6 +9,8 @@
 
 #include <Eigen/Geometry>
 
+#include "algorithms/remeshing/remesh_attributes.h"
+
 namespace croquis::remeshing {
 namespace {
 
@@ -18,6 +20,8 @@ constexpr double box_differs = 2;        // × cell
 constexpr double volume_differs = 0.05;  // × volume
 constexpr double surface_differs = 0.1;  // × cell, all over
 constexpr double hole_bulge = 0.5;       // × diameter, over a hole
+
+constexpr double crossing_volume = 0.5;  // × volume: where a surface crosses itself parts count twice
 
 double volume_below(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& middle) {
   return (a - middle).dot((b - middle).cross(c - middle)) / 6;
@@ -99,6 +103,25 @@ RoomChange change_of(const PieceRoom& given, const PieceRoom& made, const HoleAn
     change.given = *given.volume;
     change.made = *made.volume;
   }
+  return change;
+}
+
+RoomChange change_of_solid(const std::vector<std::optional<double>>& volumes, const PolyMesh& solid, double cell) {
+  RoomChange change;
+  double largest = 0, all = 0, cavities = 0, area = 0;
+  for (const std::optional<double>& volume : volumes) {
+    if (!volume) return change;
+    largest = std::max(largest, *volume);
+    all += std::max(*volume, 0.0);
+    cavities -= std::min(*volume, 0.0);
+  }
+  for (std::size_t f = 0; f < solid.face_count(); ++f) area += 0.5 * face_normal(solid, f).norm();
+  const double made = *room_of_surface(solid, true).volume;
+  const double least = (volumes.size() == 1 ? crossing_volume : 1) * largest - cavities;
+  const double allowed = volume_differs * all + surface_differs * cell * area;
+  if (made >= least - allowed && made <= all + allowed) return change;
+  change.given = made < least ? least : all;
+  change.made = made;
   return change;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "algorithms/remeshing/remesh_pieces.h"
 #include "croquis/implicit/box_weight.h"
@@ -34,5 +35,10 @@ struct RoomChange {
 /// a tenth of a cell all over the surface, and by what surfaces in holes may enclose.
 RoomChange change_of(const PieceRoom& given, const PieceRoom& made, const hole_filling::HoleAnalysis& analysis,
                      const RemeshPiece& piece, double cell);
+
+/// Of a solid made of several closed surfaces, or of one that crosses itself: it encloses no less than the largest of
+/// them less what cavities take, or half of one alone, and no more than all of them. A twentieth and a tenth of a cell
+/// all over are allowed for. Nothing where a surface isn't closed.
+RoomChange change_of_solid(const std::vector<std::optional<double>>& volumes, const PolyMesh& solid, double cell);
 
 }  // namespace croquis::remeshing

@@ -228,9 +228,13 @@ void Shaping::compare(const Trial& trial, PieceShape& shape, Progress& progress)
   Progress counting = progress.step("count parts and handles", 0.01);
   shape.topology = topology_of(shape.mesh, model_.threads(), counting);
   shape.wanted = wanted_;
+  if (!wanted_ && model_.options.fill.preset != Preset::Paper)
+    shape.implied = implied_topology(model_.analysis, piece_);
   if (shape.mesh.face_count() == 0 || model_.options.fill.preset == Preset::Paper) return;
   const bool is_closed = shape.openings.none() && shape.openings.meant == 0;
-  shape.room = change_of(room_, room_of_surface(shape.mesh, is_closed), model_.analysis, piece_, model_.cell);
+  const PieceRoom made = room_of_surface(shape.mesh, is_closed);
+  shape.volume = made.volume;
+  shape.room = change_of(room_, made, model_.analysis, piece_, model_.cell);
 }
 
 PieceShape Shaping::attempt(const Trial& trial, double growth, bool is_last, Progress& progress) {

@@ -44,18 +44,20 @@ struct PieceShape {
   PatchedHoles patched;
   implicit::DomainReport domains;
   SurfaceTopology topology;
-  std::optional<SurfaceTopology> wanted;  ///< see wanted_topology
-  RoomChange room;                        ///< what it takes beside what the scan takes
-  std::vector<Index> lost;                ///< vertices given without a surface
-  double lost_share = 0;                  ///< of the piece's area
-  std::vector<LooseVertex> loose;         ///< vertices that are left farther than half a cell off the scan
-  double cell = 0;                        ///< of its cubes, model units
-  std::size_t slabs = 1;                  ///< that it was made in
-  std::size_t cuts = 0;                   ///< pairs of its faces that intersect
-  bool runs_away = false;                 ///< leads far out of the model
-  std::vector<Index> left_to_patches;     ///< holes where it did, and was ended therefore
-  bool retried = false;                   ///< with smaller cells
-  bool refused = false;                   ///< and emptied, since it didn't represent its piece
+  std::optional<SurfaceTopology> wanted;   ///< see wanted_topology
+  std::optional<SurfaceTopology> implied;  ///< where nothing is wanted: see implied_topology
+  std::optional<double> volume;            ///< of a closed one
+  RoomChange room;                         ///< what it takes beside what the scan takes
+  std::vector<Index> lost;                 ///< vertices given without a surface
+  double lost_share = 0;                   ///< of the piece's area
+  std::vector<LooseVertex> loose;          ///< vertices that are left farther than half a cell off the scan
+  double cell = 0;                         ///< of its cubes, model units
+  std::size_t slabs = 1;                   ///< that it was made in
+  std::size_t cuts = 0;                    ///< pairs of its faces that intersect
+  bool runs_away = false;                  ///< leads far out of the model
+  std::vector<Index> left_to_patches;      ///< holes where it did, and was ended therefore
+  bool retried = false;                    ///< with smaller cells
+  bool refused = false;                    ///< and emptied, since it didn't represent its piece
 
   /// Of loops that shouldn't be, components and handles, counted, and whether it takes other room than the scan.
   std::size_t torn() const {

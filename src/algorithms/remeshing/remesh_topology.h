@@ -29,6 +29,12 @@ std::size_t difference(const SurfaceTopology& a, const SurfaceTopology& b);
 std::optional<SurfaceTopology> wanted_topology(const hole_filling::HoleAnalysis& analysis, const RemeshPiece& piece,
                                                std::span<const TriangleFans::Link> links);
 
+/// What a piece's triangles and closed holes imply where wanted_topology has nothing to say: one part, with the handles
+/// that its sheets have by themselves, fans that share a vertex taken apart and edges of many triangles cut, and those
+/// that holes closed together add. Views that are joined add none: what only several show together is for the user to
+/// judge. Nothing where a sheet has one side. Near-linear.
+std::optional<SurfaceTopology> implied_topology(const hole_filling::HoleAnalysis& analysis, const RemeshPiece& piece);
+
 /// Of triangles; parts that only share a vertex count as they are.
 /// @throws Cancelled
 SurfaceTopology topology_of(const PolyMesh& mesh, int threads, Progress& progress);

@@ -63,7 +63,6 @@ class Joining {
   double area_of(std::size_t number) const;
   void leave_out(std::size_t part, const std::vector<std::size_t>& kept, JoinedShapes& next) const;
   const Crossing* crossing_of(std::size_t part, const std::vector<std::size_t>& kept) const;
-  PolyMesh extracted(const RemeshPart& part) const;
   void put(RemeshPart part, const PolyMesh& mesh, JoinedShapes& joined) const;
   void keep_surface(const RemeshPart& part, Progress& progress);
   std::optional<std::pair<RemeshPart, PolyMesh>> united(std::vector<std::size_t> pieces, Progress& progress);
@@ -171,22 +170,10 @@ bool Joining::group_by_cuts(Progress& progress) {
   return model_.memory.may_unite(share);
 }
 
-PolyMesh Joining::extracted(const RemeshPart& part) const {
-  const PolyMesh& whole = joined_.mesh;
-  PolyMesh mesh;
-  mesh.positions.assign(whole.positions.begin() + static_cast<std::ptrdiff_t>(part.first_vertex),
-                        whole.positions.begin() + static_cast<std::ptrdiff_t>(part.first_vertex + part.vertex_count));
-  const auto first = static_cast<Index>(part.first_vertex);
-  for (std::size_t f = part.first_face; f < part.first_face + part.face_count; ++f) {
-    const auto face = whole.face(f);
-    mesh.add_triangle(face[0] - first, face[1] - first, face[2] - first);
-  }
-  return mesh;
-}
-
 void Joining::keep_surface(const RemeshPart& part, Progress& progress) {
   if (part.is_solid) return;
-  surfaces_[part.pieces.front()] = std::make_unique<const SignedSurface>(extracted(part), model_.threads(), progress);
+  surfaces_[part.pieces.front()] =
+      std::make_unique<const SignedSurface>(surface_of(part, joined_.mesh), model_.threads(), progress);
 }
 
 /// Marked parts that crossings lead to from one, ascending. Those of earlier groups have been moved away.
@@ -233,7 +220,7 @@ void Joining::unite_groups(Progress& progress) {
 void Joining::put_as_it_is(std::size_t number, JoinedShapes& next) {
   RemeshPart& part = joined_.parts[number];
   for (auto& [face, hole] : part.patched) face -= part.first_face;
-  const PolyMesh mesh = extracted(part);
+  const PolyMesh mesh = surface_of(part, joined_.mesh);
   put(std::move(part), mesh, next);
 }
 
@@ -429,6 +416,18 @@ void Joining::name_places(const UnitedSolid& solid, std::span<const std::unique_
 }
 
 }  // namespace
+
+PolyMesh surface_of(const RemeshPart& part, const PolyMesh& whole) {
+  PolyMesh mesh;
+  mesh.positions.assign(whole.positions.begin() + static_cast<std::ptrdiff_t>(part.first_vertex),
+                        whole.positions.begin() + static_cast<std::ptrdiff_t>(part.first_vertex + part.vertex_count));
+  const auto first = static_cast<Index>(part.first_vertex);
+  for (std::size_t f = part.first_face; f < part.first_face + part.face_count; ++f) {
+    const auto face = whole.face(f);
+    mesh.add_triangle(face[0] - first, face[1] - first, face[2] - first);
+  }
+  return mesh;
+}
 
 JoinedShapes join_shapes(const RemeshModel& model, std::vector<PieceShape>& shapes, Progress& progress) {
   return Joining(model, shapes).run(progress);

@@ -23,6 +23,9 @@ struct RemeshPart {
   bool stays = false;           ///< crosses itself, and no solid stands for it
 };
 
+/// The surface of a part.
+PolyMesh surface_of(const RemeshPart& part, const PolyMesh& joined);
+
 /// A piece that was left out of the result.
 struct CrossingPiece {
   std::size_t piece = 0;
