@@ -83,7 +83,8 @@ std::size_t predicted_remesh_bytes(const PolyMesh& mesh, const RemeshOptions& op
 /// rims, as overlapping views of one thing do, are one piece: these rims are no holes, but what all of them leave open
 /// is. Only where the surfaces made cross each other, these pieces are polygonised again as one solid: the union of
 /// what they enclose, less their cavities. Openings that the field leaves are distinguished from rims left open, and
-/// closed with larger boxes, then by patches; what stays open all the same is a hole with FillAction::Failed. Vertices
+/// closed by patches, of a model made once more without those holes (where requests name some, with larger boxes
+/// first); what stays open all the same is a hole with FillAction::Failed. Vertices
 /// have the channels of the nearest place of the mesh; channels of faces and corners end here.
 ///
 /// Near-linear in vertices and in triangles of the result. The same for any number of threads.

@@ -90,6 +90,7 @@ class Shaping {
   Strays strays_of(const PolyMesh& surface, const Trial& trial, std::span<const Index> open, Progress& progress) const;
   void keep_near(Strays strays, const Trial& trial, PieceShape& shape, Progress& progress) const;
   double near() const { return near_within * std::max(model_.options.cell, 1.0) * model_.edge; }
+  void leave_open_ones(const Openings& openings, std::vector<Index>& left);
   void compare(const Trial& trial, PieceShape& shape, Progress& progress) const;
   PieceShape attempt(const Trial& trial, double growth, bool is_last, Progress& progress);
   Cubes polygons(const Trial& trial, const std::vector<implicit::Box>& boxes, implicit::PartitionOfUnity& field,
@@ -161,11 +162,15 @@ PieceShape Shaping::make_surface(const Trial& trial, Progress& progress) {
   std::vector<Index> left;
   for (std::size_t i = 0;; ++i) {
     const bool has_boxes = !piece_.groups.empty() && model_.options.fill.preset != Preset::Paper;
-    const bool is_last = i + 1 >= growths.size() || !has_boxes;
+    const bool is_asked = !model_.options.fill.requests.empty();
+    const bool is_last = !has_boxes || (is_asked && i + 1 >= growths.size());
     Progress trying = progress.step("make surface", i == 0 ? 0.9 : 0.02);
     shape = {};
-    shape = attempt(trial, growths[std::min(i, growths.size() - 1)], is_last, trying);
-    if (!is_last && !shape.runs_away && shape.openings.any_of_field()) continue;
+    shape = attempt(trial, growths[is_asked ? std::min(i, growths.size() - 1) : 0], is_last, trying);
+    if (!is_last && !shape.runs_away && shape.openings.any_of_field()) {
+      if (!is_asked) leave_open_ones(shape.openings, left);
+      continue;
+    }
     Progress looking = progress.step("compare with the scan", 0.02);
     Strays strays = strays_of(shape.mesh, trial, piece_.caps, looking);
     if (has_boxes && (shape.runs_away || strays.any())) {
@@ -235,6 +240,19 @@ void Shaping::compare(const Trial& trial, PieceShape& shape, Progress& progress)
   const PieceRoom made = room_of_surface(shape.mesh, is_closed);
   shape.volume = made.volume;
   shape.room = change_of(room_, made, model_.analysis, piece_, model_.cell);
+}
+
+/// Larger boxes seldom help, and cost all of the model's fits and cubes each time: patches close what the field left
+/// open, but where something was asked about holes, which they know nothing of. The second time all holes are left.
+void Shaping::leave_open_ones(const Openings& openings, std::vector<Index>& left) {
+  const auto is_open = [&](const std::vector<Index>& group) {
+    return std::ranges::find_first_of(group, openings.holes) != group.end();
+  };
+  const bool is_known = left.empty() && std::ranges::any_of(piece_.groups, is_open);
+  const auto is_left = [&](const std::vector<Index>& group) { return !is_known || is_open(group); };
+  for (const std::vector<Index>& group : piece_.groups)
+    if (is_left(group)) left.insert(left.end(), group.begin(), group.end());
+  leave_to_patches(model_.pieces, number_, is_left);
 }
 
 PieceShape Shaping::attempt(const Trial& trial, double growth, bool is_last, Progress& progress) {

@@ -65,7 +65,7 @@ struct PieceShape {
   }
 };
 
-/// Remeshes one piece: with larger boxes around holes where the field leaves openings, with smaller cells where it
+/// Remeshes one piece: without the holes where the field leaves openings, which patches close then, with smaller cells where it
 /// comes out torn, grown together or with points lost, then with patches.
 /// @throws Cancelled
 PieceShape make_shape(const RemeshModel& model, std::size_t piece, Progress& progress);
