@@ -65,8 +65,8 @@ struct PieceShape {
   }
 };
 
-/// Remeshes one piece: without the holes where the field leaves openings, which patches close then, with smaller cells where it
-/// comes out torn, grown together or with points lost, then with patches.
+/// Remeshes one piece: without the holes where the field leaves openings, which patches close then, with smaller cells
+/// where it comes out torn, grown together or with points lost, then with patches.
 /// @throws Cancelled
 PieceShape make_shape(const RemeshModel& model, std::size_t piece, Progress& progress);
 
