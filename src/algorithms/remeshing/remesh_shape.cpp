@@ -22,8 +22,8 @@ namespace {
 
 using namespace hole_filling;
 
-// Around a hole, × its diameter. Each is tried when the one before leaves an opening: the surface may bulge out of its
-// box.
+// Around a hole, × its diameter. The first; the others are tried when the one before leaves an opening and something
+// was asked about holes: the surface may bulge out of its box.
 constexpr std::array growths = {0.35, 0.7, 1.4};
 
 constexpr double room = 0.2;                // around points and holes' boxes, × the longest side; fields reach 0.25
