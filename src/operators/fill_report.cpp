@@ -160,7 +160,7 @@ FillResult result_of_remeshing(std::shared_ptr<const PolyMesh> scan, const Remes
   result.new_faces = made.mesh.face_count();
   result.domains = made.domains;
   result.points_per_domain = made.points_per_domain;
-  result.remeshed = RemeshFigures{made.predicted_bytes, made.predicted_faces, made.checks};
+  result.remeshed = RemeshFigures{made.predicted_bytes, made.predicted_faces, made.full_faces, made.checks};
   return result;
 }
 
@@ -194,7 +194,9 @@ Report to_report(const FillResult& result) {
       .set("removed_faces", result.removed_faces)
       .set("closed_rims", result.listed ? std::size_t{0} : count_of(result.holes, HoleState::Filled));
   if (remeshed)
-    details.set("predicted_bytes", remeshed->predicted_bytes).set("predicted_faces", remeshed->predicted_faces);
+    details.set("predicted_bytes", remeshed->predicted_bytes)
+        .set("predicted_faces", remeshed->predicted_faces)
+        .set("full_faces", remeshed->full_faces);
   if (!result.listed) details.set("checks", checks_of(result));
   return details;
 }

@@ -94,7 +94,10 @@ std::vector<ParameterDescription> remesh_parameters() {
       integer_parameter("refine", 0, 4, "times", "remesh: how often every triangle is cut in four."),
       number_parameter("cell", 1, 0.1, 10, "× mean edge",
                        "remesh: edge of the cubes; small ones keep more detail and take more memory. 0.5 with the "
-                       "preset sharp.")};
+                       "preset sharp."),
+      number_parameter("adaptive", 0, 0, 1, "× cell",
+                       "remesh: fewer faces where the surface is flat: they are merged as long as the surface stays "
+                       "this near to what it was. 0: none are; 0.1 is usual.")};
 }
 
 /// How much memory the result may take, and what is kept in it.
@@ -186,13 +189,15 @@ RemeshOptions mode_options(const ParameterValues& parameters, bool remesh) {
   if (is_changed("smoothing")) options.smoothing = static_cast<int>(integer_of(parameters, "smoothing"));
   if (is_changed("refine")) options.refine = static_cast<int>(integer_of(parameters, "refine"));
   if (is_changed("cell")) options.cell = number_of(parameters, "cell");
+  options.adaptive = number_of(parameters, "adaptive");
   constexpr double mebibyte = 1024 * 1024;
   options.memory_limit = static_cast<std::size_t>(std::min(number_of(parameters, "memory-limit") * mebibyte, 1e18));
   return options;
 }
 
 /// What only one of the modes looks at.
-constexpr std::array<const char*, 5> remesh_alone = {"overlap", "points-per-domain", "smoothing", "refine", "cell"};
+constexpr std::array<const char*, 6> remesh_alone = {"overlap", "points-per-domain", "smoothing", "refine",
+                                                     "cell",    "adaptive"};
 constexpr std::array<const char*, 2> patch_alone = {"bulge", "trim-rim"};
 
 Findings unused_parameters(const ParameterValues& parameters, bool remesh) {

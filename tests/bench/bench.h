@@ -22,6 +22,10 @@ void bench_readers(std::ostream& out);
 void bench_solver(std::ostream& out);
 void bench_remesh(std::ostream& out);
 
+/// The same scans made anew with faces merged where they are flat: how many are left, how far off they are.
+/// @param words see scan_choice
+void bench_remesh_adaptive(std::ostream& out, const std::vector<std::string>& words);
+
 /// The same scans made anew: what lies where no scan is, and what it costs beside screened Poisson.
 /// @param words see scan_choice
 void bench_remesh_wild(std::ostream& out, const std::vector<std::string>& words);

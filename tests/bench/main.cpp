@@ -24,6 +24,7 @@ const std::map<std::string, Bench>& benches() {
                                                    {"perspective", plain(bench_perspective)},
                                                    {"readers", plain(bench_readers)},
                                                    {"remesh", plain(bench_remesh)},
+                                                   {"remesh-adaptive", bench_remesh_adaptive},
                                                    {"remesh-wild", bench_remesh_wild},
                                                    {"silhouette", plain(bench_silhouette)},
                                                    {"silhouette-depth", plain(bench_silhouette_depth)},
@@ -39,7 +40,8 @@ const std::map<std::string, Bench>& benches() {
 using Choice = std::pair<std::string, std::vector<std::string>>;
 
 bool takes_words(const std::string& bench) {
-  return bench == "holes" || bench == "holes-wild" || bench == "remesh-wild" || bench == "silhouette-hand";
+  return bench == "holes" || bench == "holes-wild" || bench == "remesh-adaptive" || bench == "remesh-wild" ||
+         bench == "silhouette-hand";
 }
 
 /// Words that are no benchmark's name belong to the one before them that takes words. @return whether all words mean
@@ -52,7 +54,8 @@ bool read_choices(const std::vector<std::string>& words, std::vector<Choice>& ch
       choices.back().second.push_back(word);
     } else {
       std::cerr << "There is no benchmark '" << word
-                << "': use holes, holes-wild, implicit, perspective, readers, remesh, remesh-wild, silhouette, "
+                << "': use holes, holes-wild, implicit, perspective, readers, remesh, remesh-adaptive, remesh-wild, "
+                   "silhouette, "
                    "silhouette-depth, silhouette-finish, silhouette-hand, solver, subdivision or surface.\n";
       return false;
     }

@@ -231,10 +231,11 @@ TEST_CASE("intersections that a scan has are counted, and stay its own") {
 TEST_CASE("wrong options are answered with exit code 2 and leave nothing behind") {
   const ScratchFolder folder;
   const std::string input = folder.write("scan.ply", ply_of(holed_sphere()));
-  const std::vector<Words> cases = {{"--only", "7"},         {"--only", "a"},          {"--only", "1-"},
-                                    {"--only", "-3"},        {"--max-diameter", "-1"}, {"--max-diameter", "nan"},
-                                    {"--fairness", "bumpy"}, {"--select", "some"},     {"--mode", "melt"},
-                                    {"--precision", "half"}, {"--frobnicate"},         {"--list", "--only", "9"}};
+  const std::vector<Words> cases = {
+      {"--only", "7"},          {"--only", "a"},           {"--only", "1-"},        {"--only", "-3"},
+      {"--max-diameter", "-1"}, {"--max-diameter", "nan"}, {"--fairness", "bumpy"}, {"--select", "some"},
+      {"--mode", "melt"},       {"--precision", "half"},   {"--frobnicate"},        {"--list", "--only", "9"},
+      {"--adaptive", "-0.1"},   {"--adaptive", "1.5"},     {"--adaptive", "nan"},   {"--adaptive", "much"}};
   for (const Words& options : cases) {
     INFO(options.back());
     Words words = {"fill", input, "-o", folder / "out.ply"};

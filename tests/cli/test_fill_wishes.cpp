@@ -183,12 +183,31 @@ TEST_CASE("a model made anew is closed, and tells its domains") {
   }
 }
 
+TEST_CASE("a model made anew has fewer faces where it is flat, if so asked") {
+  const ScratchFolder folder;
+  const PolyMesh box = random_cuts(divided_box(20), 1, 2, 0.1, 0.2).mesh;
+  const std::string input = folder.write("scan.ply", ply_of(box));
+  const Json full = filled(input, folder / "full.ply", {"--mode", "remesh"});
+  filled(input, folder / "none.ply", {"--mode", "remesh", "--adaptive", "0"});
+  CHECK(slurp(folder / "none.ply") == slurp(folder / "full.ply"));
+  const Json report = filled(input, folder / "out.ply", {"--mode", "remesh", "--adaptive", "0.1"});
+  const Json& details = report["details"];
+  CHECK(report["mesh"]["closed"] == true);
+  CHECK(report["mesh"]["self_intersections"] == 0);
+  CHECK(report["mesh"]["euler_characteristic"] == 2);
+  CHECK(details["full_faces"] == full["details"]["new_faces"]);
+  CHECK(details["new_faces"] == report["mesh"]["faces"]);
+  CHECK(4 * details["new_faces"].get<int>() < details["full_faces"].get<int>());
+  CHECK(details["new_faces"].get<int>() < details["predicted_faces"].get<int>());
+  CHECK(mesh_in(folder / "out.ply").channel("patch_id", Domain::Face) != nullptr);
+}
+
 TEST_CASE("parameters that the mode doesn't look at are told") {
   const ScratchFolder folder;
   const std::string input = folder.write("scan.ply", ply_of(holed_sphere()));
-  const Json patched = filled(input, folder / "a.ply", {"--cell", "0.5", "--refine", "1"});
+  const Json patched = filled(input, folder / "a.ply", {"--cell", "0.5", "--refine", "1", "--adaptive", "0.1"});
   CHECK(codes_of(patched["warnings"]) == Words{"W_PARAMETER_UNUSED"});
-  CHECK(patched["warnings"][0]["subject"].size() == 2);
+  CHECK(patched["warnings"][0]["subject"].size() == 3);
   const Json remeshed = filled(input, folder / "b.ply", {"--mode", "remesh", "--bulge", "0.2"});
   CHECK(codes_of(remeshed["warnings"]) == Words{"W_PARAMETER_UNUSED"});
 }

@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/hole_filling/fairing/editable_triangles.h"
+#include "croquis/hole_filling/editable_triangles.h"
 #include "support/random.h"
 #include "support/scans/scans.h"
 

@@ -125,8 +125,9 @@ TEST_CASE("options out of range are all told") {
   options.overlap = 2;
   options.refine = 9;
   options.snap = -1;
+  options.adaptive = 1.1;
   const Findings findings = refusal_of(holed_torus(), options);
-  REQUIRE(findings.size() == 4);
+  REQUIRE(findings.size() == 5);
   for (const Finding& finding : findings) CHECK(finding.code == "E_PARAMETER");
 }
 
@@ -144,7 +145,9 @@ TEST_CASE("making anew can be cancelled at every step, and progress only grows t
           if (fraction >= stop_at) cancel = true;
         },
         &cancel);
-    remesh_surface(mesh, {}, progress);
+    RemeshOptions options;
+    options.adaptive = 0.1;
+    remesh_surface(mesh, options, progress);
   };
   run(2);
   CHECK(std::is_sorted(fractions.begin(), fractions.end()));

@@ -55,6 +55,12 @@ RemeshOptions selecting(Selection selection) {
   return options;
 }
 
+RemeshOptions merging(double adaptive) {
+  RemeshOptions options;
+  options.adaptive = adaptive;
+  return options;
+}
+
 std::vector<Trial> all_trials() {
   return {{"torus with holes", holed_torus(130)},
           {"values of vertices", with_values(holed_torus(90))},
@@ -73,7 +79,9 @@ std::vector<Trial> all_trials() {
           {"few large faces", cube()},
           {"soup", as_soup(holed_torus(90))},
           {"sharp", holed_torus(64), remesh_preset(Preset::Sharp)},
-          {"paper", holed_torus(64), remesh_preset(Preset::Paper)}};
+          {"paper", holed_torus(64), remesh_preset(Preset::Paper)},
+          {"faces merged", holed_torus(130), merging(0.1)},
+          {"faces merged of a plate that tears", plate(36, 0.35 / 36, 0), merging(0.1)}};
 }
 
 /// Every other one from `first` on; with full counts all.

@@ -34,6 +34,8 @@ class TriangleTree {
   /// @throws Cancelled
   explicit TriangleTree(std::vector<std::array<Vec3, 3>> triangles, const Progress& progress = {});
 
+  const std::array<Vec3, 3>& triangle(Index t) const { return triangles_[t]; }
+
   /// The nearest triangle that counts, no farther than `farthest`.
   /// @param counts asked for triangles that might be the nearest; empty: all count
   TriangleFoot nearest(const Vec3& place, double farthest, const Filter& counts = {}) const;

@@ -42,6 +42,7 @@ struct HoleRow {
 /// What only a remeshed model has.
 struct RemeshFigures {
   std::size_t predicted_bytes = 0, predicted_faces = 0;
+  std::size_t full_faces = 0;  ///< before faces were merged where the surface is flat
   remeshing::RemeshChecks checks;
 };
 

@@ -18,12 +18,14 @@ struct RemeshOptions {
   std::size_t leaf_points = 40;  ///< a box with more points of its own is cut in eight
   std::size_t min_points = 30;   ///< a domain with fewer takes so many nearest ones
   std::size_t max_points = 300;  ///< a domain with more is thinned; 2000 at most
-  double cell = 1;           ///< edge of the cubes, × mean edge of the mesh (a 40th of its diagonal, if that is less)
-  int smoothing = 2;         ///< rounds of smoothing with projection (Yoo 2005, eq. 9)
-  int refine = 0;            ///< every triangle is cut in four so often (4 at most), with projection
-  double chord = 0;          ///< refine ends once edges are as near to the surface as this, model units; 0: never
-  double snap = 0;           ///< vertices within this distance of one given move there, × cell; usual 0.3
-  double min_component = 0;  ///< smaller pieces of the mesh are left out, as fraction of its triangles
+  double cell = 1;      ///< edge of the cubes, × mean edge of the mesh (a 40th of its diagonal, if that is less)
+  int smoothing = 2;    ///< rounds of smoothing with projection (Yoo 2005, eq. 9)
+  int refine = 0;       ///< every triangle is cut in four so often (4 at most), with projection
+  double chord = 0;     ///< refine ends once edges are as near to the surface as this, model units; 0: never
+  double snap = 0;      ///< vertices within this distance of one given move there, × cell; usual 0.3
+  double adaptive = 0;  ///< faces are merged where the surface is flat, by so much × cell at most; 0: none are, usual
+                        ///< 0.1, 1 at most
+  double min_component = 0;      ///< smaller pieces of the mesh are left out, as fraction of its triangles
   std::size_t slab_points = 0;   ///< that a slab of the model has, about: no bit of the result depends on it. 0: usual
   std::size_t memory_limit = 0;  ///< bytes; a model that needs more at least is refused. 0: none
 };
@@ -65,6 +67,7 @@ struct RemeshResult {
   std::size_t slabs = 0;            ///< that the piece with most of them was made in
   std::size_t predicted_bytes = 0;  ///< see predicted_remesh_bytes
   std::size_t predicted_faces = 0;  ///< of cells as asked for, at most about; smaller ones of retries give more
+  std::size_t full_faces = 0;       ///< before faces were merged (adaptive)
   double coarsening = 1;            ///< what cells were larger by than asked for, so that faces aren't too many
   Findings warnings;
 };

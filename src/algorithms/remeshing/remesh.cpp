@@ -20,6 +20,7 @@
 #include "algorithms/remeshing/remesh_shape.h"
 #include "algorithms/remeshing/remesh_topology.h"
 #include "algorithms/remeshing/remesh_trimming.h"
+#include "algorithms/remeshing/simplification/flat_faces.h"
 #include "algorithms/remeshing/solids/remesh_union.h"
 #include "algorithms/remeshing/solids/union_check.h"
 #include "croquis/hole_filling/channel_names.h"
@@ -141,9 +142,10 @@ class Remeshing {
   void make_pieces_anew(Progress& progress) {
     const RemeshModel model{mesh(), result_.analysis, options_, pieces_, normals_,
                             fans_,  links_,           edge_,    cell(),  memory_};
+    const double whole = options_.adaptive > 0 ? 0.7 : 1;
     std::vector<PieceShape> shapes;
     for (std::size_t p = 0; p < pieces_.pieces.size(); ++p) {
-      Progress part = progress.step("make pieces", 0.9 * model.share_of(pieces_.pieces[p]));
+      Progress part = progress.step("make pieces", whole * 0.9 * model.share_of(pieces_.pieces[p]));
       shapes.push_back(make_shape(model, p, part));
       if (shapes.back().mesh.face_count() > 0 && shapes.back().lost_share > most_lost) refuse(p, shapes.back());
       result_.slabs = std::max(result_.slabs, shapes.back().slabs);
@@ -156,7 +158,7 @@ class Remeshing {
       kept.implied = shape.refused ? std::nullopt : shape.implied;
       kept.volume = shape.volume;
     }
-    Progress joining = progress.step("join pieces", 0.07);
+    Progress joining = progress.step("join pieces", whole * 0.07);
     JoinedShapes joined = join_shapes(model, shapes, joining);
     for (const CrossingPiece& left : joined.left_out) refuse({left.piece, 0, left.other, left.at});
     std::vector<AttributeChannel> channels = std::move(result_.mesh.channels);
@@ -166,12 +168,26 @@ class Remeshing {
     result_.checks.piece_crossings = joined.crossings;
     result_.checks.united_pieces = joined.united;
     make_room(result_.mesh.vertex_count(), result_.mesh.channels, marks_);
-    Progress transferring = progress.step("carry over attributes", 0.03);
+    Progress transferring = progress.step("carry over attributes", whole * 0.03);
     for (const RemeshPart& part : joined.parts) {
       tell_losses(part);
       tell_differences(part, known, transferring);
       transfer_to(part, transferring);
     }
+    if (result_.mesh.face_count() == 0) return;  // refused in the end
+    compute_normals(result_.mesh, threads(), transferring);
+    label_faces();
+    result_.full_faces = result_.mesh.face_count();
+    if (options_.adaptive > 0) merge(model, joined.parts, shapes, progress);
+  }
+
+  void merge(const RemeshModel& model, const std::vector<RemeshPart>& parts, const std::vector<PieceShape>& shapes,
+             Progress& progress) {
+    Progress merging = progress.step("merge flat faces", 0.3);
+    MergedFaces merged = merge_flat_faces(model, result_.mesh, parts, shapes, labels_, merging);
+    keep_values(merged.vertex_of, merged.face_of, result_.mesh.channels, marks_, labels_);
+    merged.mesh.channels = std::move(result_.mesh.channels);
+    result_.mesh = std::move(merged.mesh);
   }
 
   /// The result for a piece doesn't represent it: the piece is left out.
@@ -323,46 +339,48 @@ class Remeshing {
     links_ = {};
     RemeshLosses losses{lost_, pieces_.left_out, options_.cell, losses_, refused_, {}, {}};
     require_faces(result_.mesh, losses);
-    Progress computing = progress.step("normals", 0.1);
-    compute_normals(result_.mesh, threads(), computing);
     mark();
-    Progress checking = progress.step("verify", 0.8);
+    Progress checking = progress.step("verify", 0.9);
     check(checking);
     Progress comparing = progress.step("compare with the scan", 0.1);
     find_far(losses, comparing);
     result_.warnings = remesh_findings(mesh(), result_, losses);
   }
 
+  /// The patch of every face, and the least confidence of every hole's vertices.
+  void label_faces() {
+    const PolyMesh& mesh = result_.mesh;
+    for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+      if (marks_.hole[v] == no_index) continue;
+      HoleOutcome& outcome = result_.outcomes[marks_.hole[v]];
+      outcome.confidence = std::min(outcome.confidence, static_cast<double>(marks_.confidence[v]));
+    }
+    labels_.assign(mesh.face_count(), -1);
+    const auto put = [&](std::size_t face, Index hole) { labels_[face] = static_cast<std::int32_t>(patch_of_[hole]); };
+    for (const auto& [face, hole] : patched_faces_) put(face, hole);
+    for (std::size_t f = 0; f < labels_.size(); ++f) {
+      const auto face = mesh.face(f);
+      const auto in_hole = std::count_if(face.begin(), face.end(), [&](Index v) { return marks_.hole[v] != no_index; });
+      if (in_hole < 2 || labels_[f] >= 0) continue;
+      put(f, std::min({marks_.hole[face[0]], marks_.hole[face[1]], marks_.hole[face[2]]}));
+    }
+  }
+
   /// Channels "confidence" and "patch_id", and the patches' values in outcomes.
   void mark() {
     PolyMesh& mesh = result_.mesh;
-    for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-      const Index hole = marks_.hole[v];
-      if (hole == no_index) continue;
-      ++first_of_patch(hole).new_vertices;
-      HoleOutcome& outcome = result_.outcomes[hole];
-      outcome.confidence = std::min(outcome.confidence, static_cast<double>(marks_.confidence[v]));
-    }
-    std::vector<std::int32_t> patches(mesh.face_count(), -1);
-    const auto put = [&](std::size_t face, Index hole) {
-      patches[face] = static_cast<std::int32_t>(patch_of_[hole]);
-      ++first_of_patch(hole).new_faces;
-    };
-    for (const auto& [face, hole] : patched_faces_) put(face, hole);
-    for (std::size_t f = 0; f < patches.size(); ++f) {
-      const auto face = mesh.face(f);
-      const auto in_hole = std::count_if(face.begin(), face.end(), [&](Index v) { return marks_.hole[v] != no_index; });
-      if (in_hole < 2 || patches[f] >= 0) continue;
-      put(f, std::min({marks_.hole[face[0]], marks_.hole[face[1]], marks_.hole[face[2]]}));
-    }
-    measure_patches(mesh, patches, patch_of_, result_.outcomes);
+    for (const Index hole : marks_.hole)
+      if (hole != no_index) ++first_of_patch(patch_of_[hole]).new_vertices;
+    for (const std::int32_t label : labels_)
+      if (label >= 0) ++first_of_patch(static_cast<Index>(label)).new_faces;
+    measure_patches(mesh, labels_, patch_of_, result_.outcomes);
     if (!options_.fill.mark_patches) return;
     mesh.channels.push_back({"confidence", Domain::Vertex, 1, std::move(marks_.confidence), {}});
-    mesh.channels.push_back({patch_channel, Domain::Face, 1, std::move(patches), {}});
+    mesh.channels.push_back({patch_channel, Domain::Face, 1, std::move(labels_), {}});
   }
 
-  HoleOutcome& first_of_patch(Index hole) {
-    const auto first = std::find(patch_of_.begin(), patch_of_.end(), patch_of_[hole]);
+  HoleOutcome& first_of_patch(Index patch) {
+    const auto first = std::find(patch_of_.begin(), patch_of_.end(), patch);
     return result_.outcomes[static_cast<std::size_t>(first - patch_of_.begin())];
   }
 
@@ -407,6 +425,7 @@ class Remeshing {
   std::vector<TriangleFans::Link> links_;
   std::vector<Index> patch_of_;                               // per hole
   std::vector<std::pair<std::size_t, Index>> patched_faces_;  // of the result, and their holes
+  std::vector<std::int32_t> labels_;                          // patches of the result's faces, -1: none
   std::vector<PieceLosses> losses_;
   std::vector<RefusedPiece> refused_;
   double edge_ = 0;

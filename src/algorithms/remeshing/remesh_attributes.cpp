@@ -185,6 +185,21 @@ void make_room(std::size_t count, std::vector<AttributeChannel>& channels, HoleM
   marks.confidence.resize(count, 1);
 }
 
+void keep_values(std::span<const Index> vertices, std::span<const Index> faces, std::vector<AttributeChannel>& channels,
+                 HoleMarks& marks, std::vector<std::int32_t>& labels) {
+  const auto keep = [](std::span<const Index> kept, std::size_t width, auto& values) {
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      for (std::size_t k = 0; k < width; ++k) values[i * width + k] = values[kept[i] * width + k];
+    values.resize(kept.size() * width);
+    values.shrink_to_fit();
+  };
+  for (AttributeChannel& channel : channels)
+    std::visit([&](auto& values) { keep(vertices, static_cast<std::size_t>(channel.width), values); }, channel.data);
+  keep(vertices, 1, marks.hole);
+  keep(vertices, 1, marks.confidence);
+  keep(faces, 1, labels);
+}
+
 void transfer(PolyMesh& made, const NewVertices& vertices, const NearestSurface& nearest, const PolyMesh& mesh,
               const HoleAnalysis& analysis, const RemeshPiece& piece, const std::vector<RimPlace>& rims, double cell,
               int threads, HoleMarks& marks, Progress& progress) {

@@ -59,6 +59,10 @@ std::vector<AttributeChannel> channels_like(const PolyMesh& mesh);
 /// Lets channels and marks have values for so many vertices: 0, and of no hole.
 void make_room(std::size_t count, std::vector<AttributeChannel>& channels, HoleMarks& marks);
 
+/// Leaves channels and marks of some vertices, and the labels of some faces. @param vertices,faces ascending
+void keep_values(std::span<const Index> vertices, std::span<const Index> faces, std::vector<AttributeChannel>& channels,
+                 HoleMarks& marks, std::vector<std::int32_t>& labels);
+
 /// Sets the values of one piece's new vertices in the result's channels, interpolated in the nearest triangle
 /// ("normal" is left 0: see compute_normals), and marks the vertices in holes.
 /// @param made the result, whose channels and marks have room @param cell of the cubes, model units

@@ -23,6 +23,8 @@ constexpr double per_made_cubes = 60;     // lattice, and vertices that are smoo
 constexpr double per_made = 90;           // a new triangle, while it is improved and checked
 constexpr double per_joined = 40;         // a new triangle in the joined mesh
 constexpr double per_united = 260;        // the same as part of a solid: tree, sides, and the triangles made of it
+constexpr double per_merged = 220;        // the same while flat faces are merged: sides, edges, trees, what is left
+constexpr double per_given = 130;         // a triangle given meanwhile: a tree of them
 constexpr double fixed_bytes = 64e6;      // of hole boxes' fits and buffers that are there for any mesh
 constexpr double bytes_per_thread = 6e6;  // of fits under way
 constexpr double slabs_at_a_time = 2.5;   // the one searched, the one before, and what is smoothed behind them
@@ -122,19 +124,27 @@ double RemeshMemory::making(double slab_points) const {
 }
 
 double RemeshMemory::least() const {
-  return making(options_.slab_points > 0 ? static_cast<double>(options_.slab_points) : thinnest_slab);
+  return std::max(making(options_.slab_points > 0 ? static_cast<double>(options_.slab_points) : thinnest_slab),
+                  merging());
 }
 
 double RemeshMemory::halving(double share, int times) const {
   const double finer = std::pow(4, times), slabs = under_way(usual_slab / std::max(share, 1e-9));
-  return share * ((finer * per_made - per_made + per_joined) * made_ +
+  const double each = options_.adaptive > 0 ? std::max(per_made, per_joined + per_merged) : per_made;
+  return share * ((finer * each - per_made + per_joined) * made_ +
                   slabs * ((retry_fits - 1) * per_point_fit * points_ + (finer - 1) * per_made_cubes * made_));
 }
 
 double RemeshMemory::uniting(double share) const { return held() + (2 * per_joined + share * per_united) * made_; }
 
+/// While flat faces are merged, if they are.
+double RemeshMemory::merging() const {
+  if (!(options_.adaptive > 0)) return 0;
+  return held() + per_given * triangles_ + per_point * points_ + (per_joined + per_merged) * made_;
+}
+
 double RemeshMemory::most() const {
-  double tried = making(std::numeric_limits<double>::infinity());
+  double tried = std::max(making(std::numeric_limits<double>::infinity()), merging());
   if (options_.fill.preset != Preset::Paper)
     tried = std::max(tried, uniting(1)) + std::min(halving(1, cell_halvings), retry_bytes);
   if (options_.memory_limit == 0) return tried;
@@ -165,7 +175,8 @@ SlabPoints RemeshMemory::slabs() const {
 }
 
 double RemeshMemory::fitting_cell() const {
-  const double of_cells = (per_made + per_made_cubes) * made_;  // at most
+  const double of_cells =  // at most
+      std::max(per_made + per_made_cubes, options_.adaptive > 0 ? per_joined + per_merged : 0) * made_;
   const double room = static_cast<double>(options_.memory_limit) - (least() - of_cells);
   return room > of_cells / (most_cell * most_cell) ? options_.cell * std::sqrt(of_cells / room) : most_cell + 1;
 }

@@ -56,6 +56,7 @@ class RemeshMemory {
  private:
   double held() const;
   double under_way(double slab_points) const;
+  double merging() const;
 
   const RemeshOptions& options_;
   double triangles_ = 0, vertices_ = 0, points_ = 0;

@@ -68,6 +68,7 @@ void require_options(const RemeshOptions& options) {
   require(options.refine >= 0 && options.refine <= 4, "refine", "0 to 4 rounds");
   require(options.chord >= 0, "chord", "0 or a length");
   require(options.snap >= 0 && options.snap <= 0.5, "snap", "0 to 0.5 cells");
+  require(options.adaptive >= 0 && options.adaptive <= 1, "adaptive", "0 to 1 cells");
   require(options.min_component >= 0 && options.min_component < 1, "min-component", "0 to 1");
   if (!findings.empty()) throw Error(std::move(findings));
 }

@@ -87,9 +87,7 @@ class Shaping {
   bool is_wide_alone(const std::vector<Index>& group) const;
   Trial trial_of(int retry) const;
   PieceShape make_surface(const Trial& trial, Progress& progress);
-  Strays strays_of(const PolyMesh& surface, const Trial& trial, std::span<const Index> open, Progress& progress) const;
   void keep_near(Strays strays, const Trial& trial, PieceShape& shape, Progress& progress) const;
-  double near() const { return near_within * std::max(model_.options.cell, 1.0) * model_.edge; }
   void leave_open_ones(const Openings& openings, std::vector<Index>& left);
   void compare(const Trial& trial, PieceShape& shape, Progress& progress) const;
   PieceShape attempt(const Trial& trial, double growth, bool is_last, Progress& progress);
@@ -172,7 +170,7 @@ PieceShape Shaping::make_surface(const Trial& trial, Progress& progress) {
       continue;
     }
     Progress looking = progress.step("compare with the scan", 0.02);
-    Strays strays = strays_of(shape.mesh, trial, piece_.caps, looking);
+    Strays strays = strays_of(model_, piece_, trial.points, shape.mesh, piece_.caps, looking);
     if (has_boxes && (shape.runs_away || strays.any())) {
       for (const std::vector<Index>& group : piece_.groups) left.insert(left.end(), group.begin(), group.end());
       leave_to_patches(model_.pieces, number_, [](const std::vector<Index>&) { return true; });
@@ -188,8 +186,9 @@ PieceShape Shaping::make_surface(const Trial& trial, Progress& progress) {
   }
   if (!shape.openings.none()) {  // nothing closes these holes: what leads over their rims is off the scan
     Progress looking = progress.step("compare with the scan", 0.01);
-    Strays strays = strays_of(shape.mesh, trial, shape.openings.holes, looking);
-    if (!strays.loose.empty()) bring_near(shape.mesh, strays.loose, near(), model_.options.fill.precision, looking);
+    Strays strays = strays_of(model_, piece_, trial.points, shape.mesh, shape.openings.holes, looking);
+    if (!strays.loose.empty())
+      bring_near(shape.mesh, strays.loose, near_of(model_), model_.options.fill.precision, looking);
     shape.loose = std::move(strays.loose);
     for (Index v = 0; strays.count > 0 && v < strays.vertices.size(); ++v)
       if (strays.vertices[v] != 0) shape.loose.push_back({v, shape.mesh.positions[v], beyond_all});
@@ -198,27 +197,19 @@ PieceShape Shaping::make_surface(const Trial& trial, Progress& progress) {
   return shape;
 }
 
-Strays Shaping::strays_of(const PolyMesh& surface, const Trial& trial, std::span<const Index> open,
-                          Progress& progress) const {
-  const NearestSurface given(model_.mesh, model_.analysis.view, model_.fans, piece_, trial.points, model_.threads());
-  const HoleReach holes(model_.mesh, model_.analysis, piece_, model_.pieces.rims, model_.options.fill.requests,
-                        model_.edge, open);
-  return find_strays(surface, model_.mesh, model_.analysis.view, piece_, given, holes, near(),
-                     backed_within * std::max(model_.cell, model_.edge), model_.threads(), progress);
-}
-
 /// What the scan doesn't back goes, what is a little off it is brought near.
 void Shaping::keep_near(Strays strays, const Trial& trial, PieceShape& shape, Progress& progress) const {
   bool is_cut = strays.count > 0;
   if (is_cut) {
     shape.mesh = trimmed(shape.mesh, strays.vertices);
-    strays = strays_of(shape.mesh, trial, piece_.caps, progress);
+    strays = strays_of(model_, piece_, trial.points, shape.mesh, piece_.caps, progress);
   }
   if (piece_.ends && trim_loose(shape.mesh, strays.loose, model_.threads(), progress)) {
     is_cut = true;
-    strays = strays_of(shape.mesh, trial, piece_.caps, progress);
+    strays = strays_of(model_, piece_, trial.points, shape.mesh, piece_.caps, progress);
   }
-  if (!strays.loose.empty()) bring_near(shape.mesh, strays.loose, near(), model_.options.fill.precision, progress);
+  if (!strays.loose.empty())
+    bring_near(shape.mesh, strays.loose, near_of(model_), model_.options.fill.precision, progress);
   shape.loose = std::move(strays.loose);
   if (is_cut)
     shape.openings = find_openings(shape.mesh, model_.mesh, piece_, model_.pieces.rims, model_.options.fill, progress);
@@ -236,9 +227,9 @@ void Shaping::compare(const Trial& trial, PieceShape& shape, Progress& progress)
   if (!wanted_ && model_.options.fill.preset != Preset::Paper)
     shape.implied = implied_topology(model_.analysis, piece_);
   if (shape.mesh.face_count() == 0 || model_.options.fill.preset == Preset::Paper) return;
-  const bool is_closed = shape.openings.none() && shape.openings.meant == 0;
-  const PieceRoom made = room_of_surface(shape.mesh, is_closed);
+  const PieceRoom made = room_of_surface(shape.mesh, shape.is_closed());
   shape.volume = made.volume;
+  shape.given_room = room_;
   shape.room = change_of(room_, made, model_.analysis, piece_, model_.cell);
 }
 
@@ -377,6 +368,17 @@ Cubes Shaping::swept(const Trial& trial, const implicit::PolygonizerOptions& cub
 
 PieceShape make_shape(const RemeshModel& model, std::size_t piece, Progress& progress) {
   return Shaping(model, piece).run(progress);
+}
+
+double near_of(const RemeshModel& model) { return near_within * std::max(model.options.cell, 1.0) * model.edge; }
+
+Strays strays_of(const RemeshModel& model, const RemeshPiece& piece, const RemeshPoints& points,
+                 const PolyMesh& surface, std::span<const Index> open, Progress& progress) {
+  const NearestSurface given(model.mesh, model.analysis.view, model.fans, piece, points, model.threads());
+  const HoleReach holes(model.mesh, model.analysis, piece, model.pieces.rims, model.options.fill.requests, model.edge,
+                        open);
+  return find_strays(surface, model.mesh, model.analysis.view, piece, given, holes, near_of(model),
+                     backed_within * std::max(model.cell, model.edge), model.threads(), progress);
 }
 
 ImprovementOptions improvement_of(const RemeshOptions& options, double cell) {

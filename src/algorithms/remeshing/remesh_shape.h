@@ -47,7 +47,8 @@ struct PieceShape {
   std::optional<SurfaceTopology> wanted;   ///< see wanted_topology
   std::optional<SurfaceTopology> implied;  ///< where nothing is wanted: see implied_topology
   std::optional<double> volume;            ///< of a closed one
-  RoomChange room;                         ///< what it takes beside what the scan takes
+  std::optional<PieceRoom> given_room;     ///< what the scan takes, where that was compared
+  RoomChange room;                         ///< what it takes beside that
   std::vector<Index> lost;                 ///< vertices given without a surface
   double lost_share = 0;                   ///< of the piece's area
   std::vector<LooseVertex> loose;          ///< vertices that are left farther than half a cell off the scan
@@ -59,6 +60,8 @@ struct PieceShape {
   bool retried = false;                    ///< with smaller cells
   bool refused = false;                    ///< and emptied, since it didn't represent its piece
 
+  bool is_closed() const { return openings.none() && openings.meant == 0; }
+
   /// Of loops that shouldn't be, components and handles, counted, and whether it takes other room than the scan.
   std::size_t torn() const {
     return openings.loops.size() + (wanted ? difference(topology, *wanted) : 0) + (room.any() ? 1 : 0);
@@ -69,6 +72,13 @@ struct PieceShape {
 /// where it comes out torn, grown together or with points lost, then with patches.
 /// @throws Cancelled
 PieceShape make_shape(const RemeshModel& model, std::size_t piece, Progress& progress);
+
+/// What lies farther off the scan is told, but in holes; model units.
+double near_of(const RemeshModel& model);
+
+/// What of a surface of a piece isn't backed by the scan. @param open holes that stay open, or are so far
+Strays strays_of(const RemeshModel& model, const RemeshPiece& piece, const RemeshPoints& points,
+                 const PolyMesh& surface, std::span<const Index> open, Progress& progress);
 
 /// How surfaces made of cubes of this size are improved.
 ImprovementOptions improvement_of(const RemeshOptions& options, double cell);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/hole_filling/fairing/editable_triangles.h"
+#include "croquis/hole_filling/editable_triangles.h"
 
 namespace croquis::hole_filling {
 

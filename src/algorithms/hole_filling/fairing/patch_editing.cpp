@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include "algorithms/hole_filling/fairing/editable_triangles.h"
+#include "croquis/hole_filling/editable_triangles.h"
 
 namespace croquis::hole_filling {
 namespace {

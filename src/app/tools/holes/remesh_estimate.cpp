@@ -40,6 +40,7 @@ QString estimate_sentence(const Studio& studio, const Node& node, const PolyMesh
   remeshing::RemeshOptions options;
   options.cell = std::max(number(studio, node, "cell", options.cell), 1e-3);
   options.refine = static_cast<int>(number(studio, node, "refine", options.refine));
+  options.adaptive = number(studio, node, "adaptive", options.adaptive);
   options.overlap = number(studio, node, "overlap", options.overlap);
   const double finer = 1 / (options.cell * options.cell);
   const double time = seconds_per_face * static_cast<double>(scan.face_count()) * std::max(finer, 0.3);

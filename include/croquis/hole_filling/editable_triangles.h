@@ -31,6 +31,7 @@ class EditableTriangles {
   Index from(Side s) const { return from_[s]; }
   Index to(Side s) const { return from_[next(s)]; }
   Index apex(Side s) const { return from_[previous(s)]; }
+  Side out(Index v) const { return out_[v]; }   ///< one that begins at a vertex, which isn't open
   Side twin(Side s) const { return twin_[s]; }  ///< none on a boundary
 
   /// Of the two sides of an edge inside, the lower one.
