@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 
 namespace croquis {
 namespace {
@@ -84,6 +85,60 @@ void add_ranks(const std::vector<RankedPlace>& items, std::size_t axis, std::vec
   }
 }
 
+/// Steps between the bounds of the triangles. Rounding keeps the order of coordinates.
+class EvenSteps {
+ public:
+  EvenSteps(const Vec3& low, const Vec3& high) : low_(low) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double scale = most / (high[axis] - low[axis]);
+      per_length_[axis] = std::isnormal(scale) && std::isfinite(high[axis] - low[axis]) ? scale : 0;
+    }
+  }
+
+  PackedPlace operator()(const Vec3& point) const {
+    PackedPlace place = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto k = static_cast<Eigen::Index>(axis);
+      const double steps = (point[k] - low_[k]) * per_length_[k];  // no number at all where no triangle is
+      place |= packed(static_cast<std::uint64_t>(steps > 0 ? std::min(steps, most) : 0), axis);
+    }
+    return place;
+  }
+
+  /// Along the axis where that is least.
+  double steps_along(const Vec3& size) const { return size.cwiseProduct(per_length_).minCoeff(); }
+
+ private:
+  static constexpr double most = (1 << packed_bits) - 1;
+
+  Vec3 low_, per_length_;
+};
+
+/// Every so many triangles one is measured.
+constexpr std::size_t measured_distance = 32;
+
+/// So many steps long is the box of a usual triangle along each axis at least: then hardly any boxes overlap by
+/// rounding alone.
+constexpr double fewest_steps = 64;
+
+/// None where they would be too coarse.
+std::optional<EvenSteps> even_steps(const std::vector<Vec3>& positions, std::span<const MeetingTriangle> triangles) {
+  if (triangles.empty()) return std::nullopt;
+  Vec3 low = positions[triangles.front().vertices.front()], high = low, sizes = Vec3::Zero();
+  double measured = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const auto [a, b, c] = triangles[t].vertices;
+    const Vec3 least = positions[a].cwiseMin(positions[b]).cwiseMin(positions[c]);
+    const Vec3 greatest = positions[a].cwiseMax(positions[b]).cwiseMax(positions[c]);
+    low = low.cwiseMin(least), high = high.cwiseMax(greatest);
+    if (t % measured_distance != 0) continue;
+    sizes += greatest - least;
+    ++measured;
+  }
+  const EvenSteps steps(low, high);
+  return steps.steps_along(sizes / measured) >= fewest_steps ? std::optional(steps) : std::nullopt;
+}
+
 }  // namespace
 
 std::vector<PackedPlace> ranked_places(std::span<const Vec3> positions) {
@@ -91,6 +146,30 @@ std::vector<PackedPlace> ranked_places(std::span<const Vec3> positions) {
   if (positions.empty()) return places;
   for (std::size_t axis = 0; axis < 3; ++axis)
     add_ranks(sorted_along(positions, static_cast<Eigen::Index>(axis)), axis, places);
+  return places;
+}
+
+std::vector<PackedPlace> places_for_boxes(const std::vector<Vec3>& positions,
+                                          std::span<const MeetingTriangle> triangles) {
+  if (const auto steps = even_steps(positions, triangles)) {
+    std::vector<PackedPlace> places(positions.size());
+    std::transform(positions.begin(), positions.end(), places.begin(), *steps);
+    return places;
+  }
+  std::vector<std::uint8_t> is_used(positions.size(), 0);
+  for (const MeetingTriangle& triangle : triangles) {
+    for (const Index v : triangle.vertices) is_used[v] = 1;
+  }
+  std::vector<Vec3> points;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    if (is_used[v] != 0) points.push_back(positions[v]);
+  }
+  const std::vector<PackedPlace> ranked = ranked_places(points);
+  std::vector<PackedPlace> places(positions.size());
+  std::size_t next = 0;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    if (is_used[v] != 0) places[v] = ranked[next++];
+  }
   return places;
 }
 

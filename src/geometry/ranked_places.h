@@ -6,6 +6,7 @@
 
 #include "croquis/geometry/vector.h"
 #include "geometry/packed_box.h"
+#include "geometry/triangle_meeting.h"
 
 namespace croquis {
 
@@ -15,5 +16,13 @@ namespace croquis {
 /// different coordinates; beyond, neighbours share a rank.
 /// @param positions finite
 std::vector<PackedPlace> ranked_places(std::span<const Vec3> positions);
+
+/// Points as whole numbers for the boxes of triangles: even steps from the least coordinate to the greatest one along
+/// each axis, which are counted faster than ranks. By ranks where such steps aren't much smaller than usual triangles,
+/// as with a vertex far out. Boxes overlap wherever those of points do, and hardly anywhere else.
+/// @param positions finite
+/// @return per position; anything where no triangle uses it
+std::vector<PackedPlace> places_for_boxes(const std::vector<Vec3>& positions,
+                                          std::span<const MeetingTriangle> triangles);
 
 }  // namespace croquis

@@ -2,6 +2,7 @@
 #include "croquis/geometry/self_intersection.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "geometry/box_tree.h"
@@ -18,18 +19,16 @@ namespace {
 /// So many leaves of boxes are done between two reports of progress.
 constexpr std::size_t leaves_per_report = 512;
 
-/// The triangles with an area of the fans of some faces.
+/// The triangles with an area of the fans of all faces.
 class Fans {
  public:
-  /// @param is_wanted which faces to look at, by their index
-  template <typename IsWanted>
-  Fans(const PolyMesh& mesh, IsWanted&& is_wanted) : mesh_(mesh), meet_(mesh.positions) {
+  explicit Fans(const PolyMesh& mesh) : mesh_(mesh), meet_(mesh.positions) {
     triangles_.reserve(mesh.face_count());
     faces_.reserve(mesh.face_count());
     first_triangle_.reserve(mesh.face_count() + 1);
     for (Index f = 0; f < mesh.face_count(); ++f) {
       first_triangle_.push_back(triangle_count());
-      if (is_wanted(f)) add_fan(f);
+      add_fan(f);
     }
     first_triangle_.push_back(triangle_count());
     is_spread_ = spread_stars(mesh.positions, triangles_);
@@ -47,12 +46,7 @@ class Fans {
   }
 
   std::vector<PackedBox> boxes() const {
-    const std::vector<Index> vertices = used_vertices();
-    std::vector<Vec3> points(vertices.size());
-    for (std::size_t i = 0; i < vertices.size(); ++i) points[i] = mesh_.positions[vertices[i]];
-    const std::vector<PackedPlace> ranked = ranked_places(points);
-    std::vector<PackedPlace> places(mesh_.vertex_count());
-    for (std::size_t i = 0; i < vertices.size(); ++i) places[vertices[i]] = ranked[i];
+    const std::vector<PackedPlace> places = places_for_boxes(mesh_.positions, triangles_);
     std::vector<PackedBox> boxes;
     boxes.reserve(triangles_.size());
     for (const auto& [v, longest] : triangles_)
@@ -83,18 +77,6 @@ class Fans {
       triangles_.push_back(triangle);
       faces_.push_back(f);
     }
-  }
-
-  std::vector<Index> used_vertices() const {
-    std::vector<char> is_used(mesh_.vertex_count(), 0);
-    for (const MeetingTriangle& triangle : triangles_) {
-      for (const Index v : triangle.vertices) is_used[v] = 1;
-    }
-    std::vector<Index> vertices;
-    for (Index v = 0; v < is_used.size(); ++v) {
-      if (is_used[v] != 0) vertices.push_back(v);
-    }
-    return vertices;
   }
 
   const PolyMesh& mesh_;
@@ -160,6 +142,34 @@ void report_leaf(std::size_t leaf, const BoxTree& tree, Progress& progress) {
     progress.report(static_cast<double>(leaf) / static_cast<double>(tree.leaf_count()));
 }
 
+/// The faces that may meet some of them, these among them, by themselves: most of a large mesh is far from a few
+/// faces, and costs nothing more.
+struct Neighbourhood {
+  Neighbourhood(const PolyMesh& whole, std::span<const Index> chosen) {
+    const TouchedCells cells(whole, chosen);
+    std::vector<Index> numbers(whole.vertex_count(), no_index);
+    auto next_chosen = chosen.begin();
+    for (Index f = 0; f < whole.face_count(); ++f) {
+      if (!cells.may_be_near(f)) continue;
+      faces.push_back(f);
+      next_chosen = std::lower_bound(next_chosen, chosen.end(), f);
+      is_chosen.push_back(next_chosen != chosen.end() && *next_chosen == f ? 1 : 0);
+      for (const Index v : whole.face(f)) {
+        if (numbers[v] == no_index) {
+          numbers[v] = static_cast<Index>(mesh.positions.size());
+          mesh.positions.push_back(whole.positions[v]);
+        }
+        mesh.corners.push_back(numbers[v]);
+      }
+      mesh.face_offsets.push_back(static_cast<Index>(mesh.corners.size()));
+    }
+  }
+
+  PolyMesh mesh;
+  std::vector<Index> faces;             ///< their numbers in the whole, ascending
+  std::vector<std::uint8_t> is_chosen;  ///< per face
+};
+
 std::vector<PackedBox> picked(const std::vector<PackedBox>& boxes, const std::vector<Index>& which) {
   std::vector<PackedBox> result;
   result.reserve(which.size());
@@ -173,7 +183,7 @@ SelfIntersections find_self_intersections(const PolyMesh& mesh, Progress& progre
                                           const SelfIntersectionOptions& options) {
   require_usable(mesh);
   progress.check();
-  const Fans fans(mesh, [](Index) { return true; });
+  const Fans fans(mesh);
   progress.check();
   const BoxTree tree(fans.boxes());
   PairSearch search(fans, options.max_pairs, progress);
@@ -188,9 +198,9 @@ SelfIntersections find_intersections_of(const PolyMesh& mesh, std::span<const In
                                         const SelfIntersectionOptions& options) {
   require_usable(mesh);
   progress.check();
-  const TouchedCells cells(mesh, faces);
-  const Fans fans(mesh, [&](Index f) { return cells.may_be_near(f); });
-  const auto is_chosen = [&](Index t) { return std::binary_search(faces.begin(), faces.end(), fans.face(t)); };
+  const Neighbourhood near(mesh, faces);
+  const Fans fans(near.mesh);
+  const auto is_chosen = [&](Index t) { return near.is_chosen[fans.face(t)] != 0; };
   std::vector<Index> chosen;
   std::vector<Index> others;
   for (Index t = 0; t < fans.triangle_count(); ++t) (is_chosen(t) ? chosen : others).push_back(t);
@@ -203,7 +213,11 @@ SelfIntersections find_intersections_of(const PolyMesh& mesh, std::span<const In
     chosen_tree.visit_pairs_of_leaf(leaf, [&](Index i, Index j) { search(chosen[i], chosen[j]); });
     chosen_tree.visit_pairs_between(leaf, other_tree, [&](Index i, Index j) { search(chosen[i], others[j]); });
   }
-  return search.finish();
+  SelfIntersections found = search.finish();
+  for (auto& pair : found.pairs) {
+    for (Index& face : pair) face = near.faces[face];
+  }
+  return found;
 }
 
 }  // namespace croquis

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 #include <Eigen/Geometry>
@@ -27,61 +28,67 @@ class Star {
     to_[size_++] = to;
   }
 
-  /// Brings the triangles into an order in which each begins where the one before it ends.
-  /// @return whether they close in one ring
-  bool close_ring() {
-    for (std::size_t i = 0; i + 1 < size_; ++i) {
-      std::size_t j = i + 1;
-      while (j < size_ && from_[j] != to_[i]) ++j;
-      if (j == size_) return false;
-      std::swap(from_[i + 1], from_[j]);
-      std::swap(to_[i + 1], to_[j]);
+  /// Whether one triangle begins, and one ends, at each spoke: then they form closed rings. Without branches, which
+  /// nothing foretells: what is compared beside the spokes is nobody's.
+  bool closes() {
+    const std::size_t end = (size_ + lanes - 1) / lanes * lanes;
+    for (std::size_t i = size_; i < end; ++i) from_[i] = to_[i] = no_index;
+    bool all_match = true;
+    for (std::size_t i = 0; i < size_; ++i) {
+      std::uint32_t beginning = 0, ending = 0;
+      for (std::size_t j = 0; j < end; ++j) {
+        beginning += from_[j] == to_[i] ? 1U : 0U;
+        ending += to_[j] == from_[i] ? 1U : 0U;
+      }
+      all_match &= beginning == 1 && ending == 1;
     }
-    return to_[size_ - 1] == from_[0];
+    return all_match;
   }
 
-  /// Of a closed ring; of fewer than three triangles it isn't.
+  /// Of a star that closes; of fewer than three triangles it isn't. Rings that are seen from one side go round the
+  /// middle at least once each: what goes round once is one ring.
   bool is_clearly_spread(const std::vector<Vec3>& positions, const Vec3& middle) const {
     if (size_ < 3) return false;
-    Spokes spokes;
+    Spokes from, to;
     double longest = 0;
     for (std::size_t i = 0; i < size_; ++i) {
-      spokes[i] = positions[from_[i]] - middle;
-      longest = std::max(longest, spokes[i].squaredNorm());
+      from[i] = positions[from_[i]] - middle;
+      to[i] = positions[to_[i]] - middle;
+      longest = std::max(longest, from[i].squaredNorm());
     }
     if (!(longest < largest_square)) return false;
-    spokes[size_] = spokes[0];
     // Seen along the sum of the normals. Any direction will do: this one is exact, whatever rounding went into it.
     Spokes normals;
     Vec3 direction = Vec3::Zero();
-    for (std::size_t i = 0; i < size_; ++i) direction += normals[i] = spokes[i].cross(spokes[i + 1]);
+    for (std::size_t i = 0; i < size_; ++i) direction += normals[i] = from[i].cross(to[i]);
     const double margin = 4 * sign_margin * longest * direction.norm() + smallest_product;
-    return faces_one_way(normals, direction, margin) && goes_round_once(spokes, direction, margin);
+    return faces_one_way(normals, direction, margin) && goes_round_once(from, to, direction, margin);
   }
 
  private:
-  using Spokes = std::array<Vec3, most_spokes + 1>;
+  static constexpr std::size_t lanes = 8;
+  static_assert(most_spokes % lanes == 0);
+
+  using Spokes = std::array<Vec3, most_spokes>;
 
   bool faces_one_way(const Spokes& normals, const Vec3& direction, double margin) const {
-    for (std::size_t i = 0; i < size_; ++i) {
-      if (!(normals[i].dot(direction) > margin)) return false;
-    }
-    return true;
+    bool do_all = true;
+    for (std::size_t i = 0; i < size_; ++i) do_all &= normals[i].dot(direction) > margin;
+    return do_all;
   }
 
   /// Each triangle turns by less than half a turn, so it crosses a line through the middle once or not at all: that is
   /// two crossings in one turn, four in two.
-  bool goes_round_once(const Spokes& spokes, const Vec3& direction, double margin) const {
-    const Vec3 across = (3 * spokes[0] + spokes[1]).cross(direction);
+  bool goes_round_once(const Spokes& from, const Spokes& to, const Vec3& direction, double margin) const {
+    const Vec3 across = (3 * from[0] + to[0]).cross(direction);
     int crossings = 0;
-    double last = across.dot(spokes[size_ - 1]);
+    bool are_clear = true;
     for (std::size_t i = 0; i < size_; ++i) {
-      const double side = across.dot(spokes[i]);
-      if (!(std::abs(side) > margin)) return false;
-      crossings += (side > 0) != (last > 0) ? 1 : 0;
-      last = side;
+      const double before = across.dot(from[i]), behind = across.dot(to[i]);
+      are_clear &= std::abs(before) > margin;  // each spoke is one triangle's first
+      crossings += (before > 0) != (behind > 0) ? 1 : 0;
     }
-    return crossings == 2;
+    return are_clear && crossings == 2;
   }
 
   std::array<Index, most_spokes> from_, to_;
@@ -128,7 +135,7 @@ std::vector<char> spread_stars(const std::vector<Vec3>& positions, std::span<con
       const auto [next, previous] = others[corner % 3];
       star.add(v[next], v[previous]);
     }
-    if (star.close_ring()) is_spread[vertex] = star.is_clearly_spread(positions, positions[vertex]) ? 1 : 0;
+    if (star.closes()) is_spread[vertex] = star.is_clearly_spread(positions, positions[vertex]) ? 1 : 0;
   }
   return is_spread;
 }

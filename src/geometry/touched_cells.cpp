@@ -82,14 +82,7 @@ TouchedCells::TouchedCells(const PolyMesh& mesh, std::span<const Index> faces)
       touched_(most_cells_per_axis * most_cells_per_axis * cells_per_axis_, false) {
   const Bounds bounds = bounds_of(mesh, faces);
   cells_.assign(mesh.vertex_count(), 0);
-  for (Eigen::Index axis = 0; axis < 3 && !bounds.isEmpty(); ++axis) {
-    const double low = bounds.min()[axis];
-    const double high = bounds.max()[axis];
-    const double scale = cells_per_length(high - low, cells_per_axis_);
-    for (std::size_t v = 0; v < mesh.vertex_count(); ++v)
-      cells_[v] |=
-          packed(cell(mesh.positions[v][axis], low, high, scale, cells_per_axis_), static_cast<std::size_t>(axis));
-  }
+  if (!bounds.isEmpty()) number_cells(bounds.min(), bounds.max());
   for (const Index f : faces) {
     if (mesh.face(f).empty()) continue;
     const PackedBox box = cells_of(f);
@@ -97,6 +90,18 @@ TouchedCells::TouchedCells(const PolyMesh& mesh, std::span<const Index> faces)
       touched_[number] = true;
       return false;
     });
+  }
+}
+
+void TouchedCells::number_cells(const Vec3& low, const Vec3& high) {
+  Vec3 scale;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) scale[axis] = cells_per_length(high[axis] - low[axis], cells_per_axis_);
+  for (std::size_t v = 0; v < cells_.size(); ++v) {
+    const Vec3& place = mesh_.positions[v];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto k = static_cast<Eigen::Index>(axis);
+      cells_[v] |= packed(cell(place[k], low[k], high[k], scale[k], cells_per_axis_), axis);
+    }
   }
 }
 
@@ -111,6 +116,7 @@ bool TouchedCells::may_be_near(Index face) const {
   if (mesh_.face(face).empty()) return false;
   const PackedBox box = cells_of(face);
   const Cell low = unpacked(box.low);
+  if (box.low == box.high) return touched_[number_of(low[0], low[1], low[2])];  // as nearly all
   const Cell high = unpacked(box.high);
   std::size_t count = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {

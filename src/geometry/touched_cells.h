@@ -20,6 +20,7 @@ class TouchedCells {
   bool may_be_near(Index face) const;
 
  private:
+  void number_cells(const Vec3& low, const Vec3& high);  ///< of the faces' bounds
   PackedBox cells_of(Index face) const;
 
   const PolyMesh& mesh_;

@@ -39,8 +39,20 @@ class MeshTopology {
 
   Index vertex(Index corner) const { return corner_vertex_[corner]; }
   Index face(Index corner) const { return corner_face_[corner]; }
-  Index next(Index corner) const;      ///< around its face
-  Index previous(Index corner) const;  ///< around its face
+
+  /// Around its face.
+  Index next(Index corner) const {
+    if (is_of_triangles_) return corner % 3 == 2 ? corner - 2 : corner + 1;
+    const Index face = corner_face_[corner];
+    return corner + 1 == face_offsets_[face + 1] ? face_offsets_[face] : corner + 1;
+  }
+
+  /// Around its face.
+  Index previous(Index corner) const {
+    if (is_of_triangles_) return corner % 3 == 0 ? corner + 2 : corner - 1;
+    const Index face = corner_face_[corner];
+    return corner == face_offsets_[face] ? face_offsets_[face + 1] - 1 : corner - 1;
+  }
 
   /// The edge that a corner starts, or no_index where the next corner repeats the vertex. Edges are numbered by their
   /// lowest corner.
@@ -53,7 +65,12 @@ class MeshTopology {
   std::array<Index, 2> edge_vertices(Index edge) const;
 
   /// The other corner of an edge that has exactly two, else no_index. Both run the same way where faces disagree.
-  Index opposite(Index corner) const;
+  Index opposite(Index corner) const {
+    if (corner_edge_[corner] == no_index) return no_index;
+    const auto corners = edge_corners_[corner_edge_[corner]];
+    if (corners.size() != 2) return no_index;
+    return corners.front() == corner ? corners.back() : corners.front();
+  }
 
   std::span<const Index> vertex_corners(Index vertex) const { return vertex_corners_[vertex]; }  ///< ascending
 
@@ -80,6 +97,7 @@ class MeshTopology {
  private:
   void number_fans();
 
+  bool is_of_triangles_ = false;  ///< and nothing else, as most meshes: corners go round by threes
   std::vector<Index> face_offsets_;
   std::vector<Index> corner_vertex_, corner_face_, corner_edge_, corner_fan_;
   std::vector<Index> fans_of_vertex_, face_component_;

@@ -52,6 +52,7 @@ class PlyWriter {
   MeshWriteResult write() {
     prepare();
     write_header();
+    if (!options_.ascii) sink_.text().reserve(sink_.text().size() + byte_count());
     write_vertices();
     write_faces();
     write_edges();
@@ -71,6 +72,7 @@ class PlyWriter {
   void write_vertices();
   void write_faces();
   void write_edges();
+  std::size_t byte_count() const;
   void put_values(const Channels& channels, std::size_t element);
   void put_corner_list(const AttributeChannel& channel, std::size_t face);
   void put_length(std::size_t length) {
@@ -143,6 +145,17 @@ void PlyWriter::write_header() {
     write_properties(line_channels_);
   }
   text += "end_header\n";
+}
+
+/// Of a binary file's vertices and faces.
+std::size_t PlyWriter::byte_count() const {
+  const std::size_t length = short_lists_ ? 1 : sizeof(std::uint32_t);
+  std::size_t bytes = mesh_.vertex_count() * 3 * (floats_ ? sizeof(float) : sizeof(double)) +
+                      mesh_.face_count() * length * (1 + corner_channels_.size()) +
+                      mesh_.corners.size() * sizeof(std::int32_t);
+  for (const AttributeChannel* channel : written_)
+    bytes += channel->size() * std::visit([](const auto& values) { return sizeof values[0]; }, channel->data);
+  return bytes;
 }
 
 void PlyWriter::write_properties(const Channels& channels) {
