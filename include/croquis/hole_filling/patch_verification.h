@@ -29,7 +29,9 @@ enum class Precision { Double, Single };
 class PatchVerifier {
  public:
   /// Keeps references to both. Linear; copies positions and triangles at the first judgement.
-  PatchVerifier(const PolyMesh& mesh, const HoleAnalysis& analysis, Precision precision = Precision::Double);
+  /// @param threads used at the same time, 0: all of the machine's; they change nothing
+  PatchVerifier(const PolyMesh& mesh, const HoleAnalysis& analysis, Precision precision = Precision::Double,
+                int threads = 1);
 
   /// Judges each candidate by itself and against the mesh, whatever was accepted: the verdict depends on nothing else.
   /// Near-linear in the candidates and what lies near them, beside one look at every triangle of the mesh.
@@ -57,13 +59,14 @@ class PatchVerifier {
                           Progress& progress);
   void judge_against_each_other(std::span<const HolePatch> candidates, std::vector<PatchVerdict>& verdicts,
                                 Progress& progress);
-  void make_scene();
+  void make_scene(std::span<const HolePatch> candidates);
   Eigen::AlignedBox3d append_to_patches(const HolePatch& patch);
   void accept(const HolePatch& patch);
 
   const PolyMesh& mesh_;
   const HoleAnalysis& analysis_;
   Precision precision_;
+  int threads_;
   PolyMesh scene_;    ///< the view's triangles, with coordinates as written; empty before the first judgement
   PolyMesh patches_;  ///< all vertices on rims and the accepted patches, likewise
   std::vector<Eigen::AlignedBox3d> accepted_boxes_;  ///< of the accepted patches

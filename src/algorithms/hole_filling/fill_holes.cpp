@@ -13,6 +13,7 @@
 #include "algorithms/hole_filling/rim_trimming.h"
 #include "algorithms/hole_filling/scan_numbers.h"
 #include "croquis/base/error.h"
+#include "croquis/base/parallel.h"
 #include "croquis/base/stage_key.h"
 #include "croquis/hole_filling/fill_findings.h"
 #include "croquis/hole_filling/fill_jobs.h"
@@ -106,9 +107,14 @@ class Filling {
     for (const FillJob& job : jobs) {
       for (const Index stray : job.strays) outcomes[stray].reason = hangs_at_rim;  // unless a patch joins it
     }
+    std::vector<double> confidences(climbed_.size(), 0);
+    for_each_part(climbed_.size(), 1, options_.threads, [&](std::size_t i, std::size_t) {
+      if (climbed_[i].patch) confidences[i] = confidence_of(*climbed_[i].patch, mesh(), analysis());
+    });
     Index number = next_patch_number(scan_);
-    for (const ClimbedJob& job : climbed_) {
-      const HoleOutcome outcome = outcome_of(job, number);
+    for (std::size_t i = 0; i < climbed_.size(); ++i) {
+      const ClimbedJob& job = climbed_[i];
+      const HoleOutcome outcome = outcome_of(job, number, confidences[i]);
       for (const Index hole : job.holes) outcomes[hole] = outcome;
       if (!job.patch) continue;
       ++number;
@@ -135,7 +141,7 @@ class Filling {
     result_.points_per_domain = {points.front(), points[points.size() / 2], points.back()};
   }
 
-  HoleOutcome outcome_of(const ClimbedJob& job, Index patch_number) const {
+  static HoleOutcome outcome_of(const ClimbedJob& job, Index patch_number, double confidence) {
     HoleOutcome outcome;
     outcome.action = job.patch ? FillAction::Fill : FillAction::Failed;
     outcome.reason = job.first_fault;
@@ -143,7 +149,7 @@ class Filling {
     outcome.method = job.method;
     outcome.max_normal_jump = job.verdict.max_normal_jump;
     outcome.min_angle = job.verdict.min_angle;
-    outcome.confidence = confidence_of(*job.patch, mesh(), analysis());
+    outcome.confidence = confidence;
     outcome.expected_error = job.patch->expected_error;
     outcome.patch = patch_number;
     return outcome;

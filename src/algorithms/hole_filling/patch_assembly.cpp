@@ -26,6 +26,18 @@ struct Placed {
   Index first_vertex, first_face;
 };
 
+/// A copy of the mesh that doesn't move when the patches come.
+PolyMesh with_room_for(std::span<const HolePatch> patches, const PolyMesh& mesh) {
+  std::size_t points = 0, triangles = 0;
+  for (const HolePatch& patch : patches) points += patch.points.size(), triangles += patch.triangles.size();
+  PolyMesh copy;
+  copy.positions.reserve(mesh.positions.size() + points);
+  copy.face_offsets.reserve(mesh.face_offsets.size() + triangles);
+  copy.corners.reserve(mesh.corners.size() + 3 * triangles);
+  copy = mesh;
+  return copy;
+}
+
 void append_elements(PolyMesh& mesh, Index vertices_given, const HolePatch& patch) {
   const auto base = static_cast<Index>(mesh.vertex_count());
   mesh.positions.insert(mesh.positions.end(), patch.points.begin(), patch.points.end());
@@ -186,7 +198,7 @@ void tell_confidence(PolyMesh& grown, const PolyMesh& mesh, const HoleAnalysis& 
 
 PolyMesh append_patches(const PolyMesh& mesh, const HoleAnalysis& analysis, std::span<const HolePatch> patches,
                         bool mark_patches, int threads) {
-  PolyMesh grown = mesh;
+  PolyMesh grown = with_room_for(patches, mesh);
   std::vector<Placed> placed;
   for (const HolePatch& patch : patches) {
     placed.push_back({&patch, static_cast<Index>(grown.vertex_count()), static_cast<Index>(grown.face_count())});

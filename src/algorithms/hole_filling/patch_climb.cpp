@@ -71,19 +71,20 @@ class Climb {
         analysis_(analysis),
         options_(options),
         numbers_(numbers),
-        verifier_(mesh, analysis, options.precision),
+        verifier_(mesh, analysis, options.precision, options.threads),
         search_(mesh, analysis.view) {}
 
   std::vector<ClimbedJob> run(std::vector<FillJob> jobs, Progress& progress) {
-    for (FillJob& job : jobs) {
-      if (job.waits) {
-        climbers_.push_back(waiting(std::move(job)));
-        continue;
+    climbers_.resize(jobs.size());
+    for_each_part(jobs.size(), 1, options_.threads, [&](std::size_t begin, std::size_t) {
+      Climber& climber = climbers_[begin];
+      if (jobs[begin].waits) {
+        climber = waiting(std::move(jobs[begin]));
+        return;
       }
-      Climber climber = climber_for(std::move(job));
+      climber = climber_for(std::move(jobs[begin]));
       if (!climber.job.strays.empty()) climber.joined.push_back(climber_for(without_strays(climber.job)));
-      climbers_.push_back(std::move(climber));
-    }
+    });
     part_failed();
     for (std::size_t round = 0; find_pending(); ++round) {
       // The first round has nearly all the work; the others share the rest of the progress range.
@@ -101,7 +102,8 @@ class Climb {
  private:
   Climber climber_for(FillJob job) const {
     Climber climber;
-    const HoleSite site = site_of(job);
+    HoleSite site = site_of(job);
+    site.memory = &climber.memory;
     climber.ladder = ladder_for(site, options_.preset, job.is_cap, options_.most_patch_triangles);
     climber.result.holes = job.holes;
     climber.job = std::move(job);

@@ -7,7 +7,8 @@ namespace croquis::hole_filling {
 
 /// The cosine of the angle between triangles from which on an edge around the site is a crease: four times the angle
 /// that four of five edges there don't exceed, so that bevels of fine models are creases and the noise of rough ones is
-/// none; 12 degrees at least and 35 at most. Linear in the rims.
+/// none; 12 degrees at least and 35 at most. Linear in the rims, the first
+/// time for a site with a memory.
 double crease_cosine(const HoleSite& site);
 
 /// Whether an edge between triangles of these normals, of any length, is no crease.

@@ -2,6 +2,7 @@
 #include "croquis/hole_filling/hole_site.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -146,12 +147,18 @@ std::vector<Index> surroundings(const HoleSite& site, int rings) {
     }
   }
   sort_unique(triangles);
+  std::vector<Index> outer = triangles;  // what lies further in has its neighbours
   for (int ring = 1; ring < rings; ++ring) {
-    const std::vector<Index> inner = triangles;
-    for (const Index triangle : inner) {
-      for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner) add_fan(view, corner, triangles);
+    std::vector<Index> around, next;
+    for (const Index triangle : outer) {
+      for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner) add_fan(view, corner, around);
     }
-    sort_unique(triangles);
+    sort_unique(around);
+    std::ranges::set_difference(around, triangles, std::back_inserter(next));
+    const auto inner = std::ssize(triangles);
+    triangles.insert(triangles.end(), next.begin(), next.end());
+    std::inplace_merge(triangles.begin(), triangles.begin() + inner, triangles.end());
+    outer = std::move(next);
   }
   return triangles;
 }

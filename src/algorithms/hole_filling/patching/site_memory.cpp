@@ -6,7 +6,9 @@ namespace croquis::hole_filling {
 SiteMemory* SiteMemory::of(const HoleSite& site) {
   SiteMemory* memory = site.memory;
   if (memory != nullptr && memory->blocked_ != site.polygon.blocked) {
+    const std::optional<double> crease_cosine = memory->crease_cosine;
     *memory = {};
+    memory->crease_cosine = crease_cosine;
     memory->blocked_ = site.polygon.blocked;
   }
   return memory;

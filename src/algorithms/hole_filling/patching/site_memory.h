@@ -29,6 +29,7 @@ class SiteMemory {
 
   using Smoothness = std::tuple<double, bool, bool>;  ///< stiffness, with other sheets, with every normal
   std::map<Smoothness, std::optional<RimField>> fields;
+  std::optional<double> crease_cosine;  ///< see there; whatever edges are blocked
 
  private:
   std::vector<std::array<Index, 2>> blocked_;  ///< when these were made

@@ -2,12 +2,14 @@
 #include "croquis/hole_filling/patch_verification.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 #include <string>
 #include <utility>
 
 #include "algorithms/hole_filling/verification/patch_structure.h"
 #include "algorithms/hole_filling/verification/rim_edges.h"
+#include "croquis/base/parallel.h"
 #include "croquis/geometry/self_intersection.h"
 #include "croquis/geometry/single_precision.h"
 
@@ -117,12 +119,30 @@ void condemn_later(std::span<const std::array<Index, 2>> pairs, const AddedFaces
   }
 }
 
+/// Every thread the faces of some candidates.
+template <typename JudgeFaces>
+bool judge_in_parts(const AddedFaces& added, Index count, const JudgeFaces& judge_faces, int threads,
+                    Progress& progress) {
+  const auto parts = static_cast<Index>(std::min<std::size_t>(thread_count(threads), count));
+  if (parts == 1) return judge_faces(added.faces(), progress);
+  std::vector<std::uint8_t> is_complete(parts, 0);
+  Progress silent = progress.silent();
+  for_each_part(parts, 1, threads, silent, [&](std::size_t part, std::size_t) {
+    std::vector<bool> is_wanted(count, false);
+    for (std::size_t i = part; i < count; i += parts) is_wanted[i] = true;
+    Progress own = progress.silent();
+    is_complete[part] = judge_faces(added.faces_of(is_wanted), own) ? 1 : 0;
+  });
+  return std::ranges::count(is_complete, 0) == 0;
+}
+
 }  // namespace
 
-PatchVerifier::PatchVerifier(const PolyMesh& mesh, const HoleAnalysis& analysis, Precision precision)
+PatchVerifier::PatchVerifier(const PolyMesh& mesh, const HoleAnalysis& analysis, Precision precision, int threads)
     : mesh_(mesh),
       analysis_(analysis),
       precision_(precision),
+      threads_(threads),
       mesh_edges_(edges_between_rims(mesh, analysis)),
       rim_edges_(mesh_edges_) {
   for (const Hole& hole : analysis.holes) {
@@ -135,15 +155,15 @@ PatchVerifier::PatchVerifier(const PolyMesh& mesh, const HoleAnalysis& analysis,
   const std::vector<Vec3> as_given = patches_.positions;
   round_to_single(patches_.positions);
   // Where rims are single the rest is taken for single, too.
-  if (patches_.positions != as_given) as_given_ = std::make_unique<PatchVerifier>(mesh, analysis);
+  if (patches_.positions != as_given)
+    as_given_ = std::make_unique<PatchVerifier>(mesh, analysis, Precision::Double, threads);
 }
 
 std::vector<PatchVerdict> PatchVerifier::judge(std::span<const HolePatch> candidates, Progress& progress) {
-  std::vector<PatchVerdict> verdicts;
-  for (const HolePatch& candidate : candidates) {
-    progress.check();
-    verdicts.push_back(judge_structure(candidate));
-  }
+  std::vector<PatchVerdict> verdicts(candidates.size());
+  Progress judging = progress.silent();
+  for_each_part(candidates.size(), 1, threads_, judging,
+                [&](std::size_t i, std::size_t) { verdicts[i] = judge_structure(candidates[i]); });
   judge_against_mesh(candidates, verdicts, progress);
   if (as_given_) {
     Progress silent = progress.silent();
@@ -199,32 +219,45 @@ bool PatchVerifier::joins_any(const HolePatch& patch, const Edges& edges) const 
 
 void PatchVerifier::judge_against_mesh(std::span<const HolePatch> candidates, std::vector<PatchVerdict>& verdicts,
                                        Progress& progress) {
-  make_scene();
-  const SurfaceView& view = analysis_.view;
-  /// Those from `begin` to `end`, together. @return whether all their pairs were seen
-  const auto judge_some = [&](Index begin, Index end) {
-    const Restore restore(scene_);
-    AddedFaces added{static_cast<Index>(scene_.face_count()), {}};
-    for (Index i = begin; i < end; ++i) {
-      if (!verdicts[i].is_sound()) continue;
-      append_patch(scene_, mesh_.vertex_count(), candidates[i], [&](Index v) { return view.representative_of(v); });
-      added.candidate.insert(added.candidate.end(), candidates[i].triangles.size(), i);
-    }
-    if (added.candidate.empty()) return true;
-    const auto found = find_intersections_of(scene_, added.faces(), progress, {.max_pairs = most_pairs});
+  make_scene(candidates);
+  const auto count = static_cast<Index>(candidates.size());
+  AddedFaces added{static_cast<Index>(scene_.face_count()), {}};
+  const auto append = [&](Index i) {
+    if (!verdicts[i].is_sound()) return;
+    append_patch(scene_, mesh_.vertex_count(), candidates[i],
+                 [&](Index v) { return analysis_.view.representative_of(v); });
+    added.candidate.insert(added.candidate.end(), candidates[i].triangles.size(), i);
+  };
+  /// @return whether all pairs of these faces were seen
+  const auto judge_faces = [&](const std::vector<Index>& faces, Progress& searching) {
+    const auto found = find_intersections_of(scene_, faces, searching, {.max_pairs = most_pairs});
     for (const auto& [low, high] : found.pairs) {
       const Index candidate = added.candidate[high - added.first];
       if (low < added.first || added.candidate[low - added.first] == candidate) verdicts[candidate].fault = intersects;
     }
     return found.count <= found.pairs.size();
   };
-  const auto count = static_cast<Index>(candidates.size());
-  if (judge_some(0, count)) return;
-  for (Index i = 0; i < count; ++i) judge_some(i, i + 1);
+  const auto judge_together = [&] {
+    const Restore restore(scene_);
+    for (Index i = 0; i < count; ++i) append(i);
+    return added.candidate.empty() || judge_in_parts(added, count, judge_faces, threads_, progress);
+  };
+  if (judge_together()) return;
+  for (Index i = 0; i < count; ++i) {
+    const Restore restore(scene_);
+    added.candidate.clear();
+    append(i);
+    if (!added.candidate.empty()) judge_faces(added.faces(), progress);
+  }
 }
 
-void PatchVerifier::make_scene() {
+void PatchVerifier::make_scene(std::span<const HolePatch> candidates) {
   if (scene_.face_count() > 0) return;
+  std::size_t points = 0, faces = 0;
+  for (const HolePatch& patch : candidates) points += patch.points.size(), faces += patch.triangles.size();
+  scene_.positions.reserve(mesh_.vertex_count() + points);
+  scene_.face_offsets.reserve(analysis_.view.triangles.size() + faces + 1);
+  scene_.corners.reserve(3 * (analysis_.view.triangles.size() + faces));
   scene_.positions = mesh_.positions;
   if (precision_ == Precision::Single) round_to_single(scene_.positions);
   const auto& triangles = analysis_.view.triangles;
