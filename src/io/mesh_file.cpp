@@ -116,16 +116,20 @@ MeshWriteResult write_mesh(const PolyMesh& mesh, MeshFormat format, const MeshWr
   return {};
 }
 
+bool keeps_positions(const PolyMesh& mesh, MeshFormat format, const MeshWriteOptions& options) {
+  if (format == MeshFormat::Glb || (format == MeshFormat::Stl && !options.ascii)) return positions_are_floats(mesh);
+  const bool as_text = format == MeshFormat::Obj || format == MeshFormat::Off || options.ascii;
+  return !as_text || options.precision <= 0;
+}
+
 PolyMesh as_written(const PolyMesh& mesh, MeshFormat format, const MeshWriteOptions& options) {
   PolyMesh written = mesh;
-  const bool binary_stl = format == MeshFormat::Stl && !options.ascii;
-  if (binary_stl || format == MeshFormat::Glb) {
+  if (keeps_positions(mesh, format, options)) return written;
+  if (format == MeshFormat::Glb || (format == MeshFormat::Stl && !options.ascii)) {
     written.positions = positions_as_floats(mesh, format);
     return written;
   }
-  const bool as_text = format == MeshFormat::Obj || format == MeshFormat::Off || options.ascii;
   const bool as_floats = format == MeshFormat::Ply && positions_are_floats(mesh);
-  if (!as_text || options.precision <= 0) return written;
   for (Vec3& position : written.positions) {
     for (double& x : position) {
       x = as_floats ? rewritten<float>(x, options.precision) : rewritten<double>(x, options.precision);

@@ -87,6 +87,9 @@ struct MeshWriteResult {
 MeshWriteResult write_mesh(const PolyMesh& mesh, MeshFormat format, const MeshWriteOptions& options,
                            Progress& progress);
 
+/// Whether a mesh's positions will read back as they are: then there is no need for as_written.
+bool keeps_positions(const PolyMesh& mesh, MeshFormat format, const MeshWriteOptions& options);
+
 /// The same mesh with its positions exactly as they will read back: for judging the file instead of the model.
 /// @throws Error like write_mesh
 PolyMesh as_written(const PolyMesh& mesh, MeshFormat format, const MeshWriteOptions& options);

@@ -258,6 +258,7 @@ std::optional<MeshReport> report_of_file(const PortDescription& port, const Valu
   if (mesh == nullptr) return std::nullopt;
   if (is_step) return inspect(*mesh, port.counts_self_intersections, progress);
   const MeshFormat format = output_mesh_format(invocation.output, invocation.output_format);
+  if (keeps_positions(*mesh, format, {})) return inspect(*mesh, port.counts_self_intersections, progress);
   return inspect(as_written(*mesh, format, {}), port.counts_self_intersections, progress);
 }
 

@@ -113,12 +113,21 @@ class BinaryRows {
     require(size, row);
     std::visit(
         [&]<typename T>(std::vector<T>& values) {
+          if (row == 0 && keep_) make_room(values, column.list_ends, count);
           const char* from = bytes_.data() + cursor_.byte;
           for (std::size_t i = 0; keep_ && i < count; ++i) values.push_back(load<T>(from + i * sizeof(T), swap_));
           if (column.property.is_list && keep_) column.list_ends.push_back(static_cast<Index>(values.size()));
         },
         column.values);
     cursor_.byte += size;
+  }
+
+  /// For rows that are all as long as the first one, as far as the file has room for them.
+  template <typename T>
+  void make_room(std::vector<T>& values, std::vector<Index>& ends, std::size_t first_count) const {
+    const std::size_t rows = table_.element.count;
+    values.reserve(std::min(rows * std::min(first_count, bytes_.size()), (bytes_.size() - cursor_.byte) / sizeof(T)));
+    ends.reserve(std::min(rows, bytes_.size()));
   }
 
   std::string_view bytes_;
