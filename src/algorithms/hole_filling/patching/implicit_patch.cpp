@@ -206,6 +206,7 @@ class ImplicitPatcher : public Patcher {
     projection.iterations = 20 + static_cast<int>(std::min(200.0, 2 * surface.size / projection.cell));
     projection.accuracy = draft_accuracy;
     projection.threads = 1;
+    const bool is_plain = rounds_ <= usual_rounds;  // no creases, from which smoothing twice would lead too far away
     for (int round = 0; round < rounds_; ++round) {
       progress.check();
       const bool is_last = round + 1 == rounds_;
@@ -214,7 +215,7 @@ class ImplicitPatcher : public Patcher {
       std::size_t not_converged = 0;
       for (int i = 0; i < smoothings_per_round; ++i) {
         relax(loose, fixed);
-        if (!is_last && i + 1 < smoothings_per_round) continue;  // what is smoothed again isn't looked at before
+        if (is_plain && !is_last && i + 1 < smoothings_per_round) continue;
         if (is_last && i + 1 == smoothings_per_round) projection.accuracy = final_accuracy;
         not_converged = implicit::project(loose.points, fixed, surface.field(), projection).not_converged;
       }
