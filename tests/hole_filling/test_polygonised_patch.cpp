@@ -156,10 +156,9 @@ TEST_CASE("a wide hole in one skin of a wall is closed clear of the other skin, 
   CHECK(find_self_intersections(result.mesh, progress).count == 0);
 }
 
-TEST_CASE("patches by cubes alone are sound over random cuts, and hardly any is missing") {
+TEST_CASE("patches by cubes alone are sound over random cuts, and none is missing") {
   const std::vector<PolyMesh> shapes = {round_sphere(5), ring_torus(120, 60), triangulated(uv_sphere(80, 60)),
                                         triangulated(bust(80, 100))};
-  std::size_t asked = 0, missing = 0;
   for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(sample_count(2, 20)); ++seed) {
     for (const PolyMesh& shape : shapes) {
       const CutScan scan = random_cuts(shape, seed, 4, 0.12, 0.4);
@@ -170,13 +169,11 @@ TEST_CASE("patches by cubes alone are sound over random cuts, and hardly any is 
         if (hole.kind == HoleClass::Outer) continue;
         const auto patch = by_cubes(scan.mesh, analysis, {hole.id});
         CAPTURE(seed, shape.vertex_count(), hole.id, hole.vertices.size());
-        ++asked;
-        missing += patch ? 0U : 1U;
-        if (patch) CHECK(verifier.accept_sound(std::vector{*patch}, progress)[0].fault.empty());
+        REQUIRE(patch);
+        CHECK(verifier.accept_sound(std::vector{*patch}, progress)[0].fault.empty());
       }
     }
   }
-  CHECK(30 * missing <= asked);
 }
 
 TEST_CASE("a patch by cubes comes to rest where the field is nearly flat") {

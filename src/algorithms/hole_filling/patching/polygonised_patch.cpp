@@ -33,6 +33,7 @@ constexpr double farthest_wall = 3;                // × edge: beyond, two skins
 constexpr double least_cell = 0.2;                 // × edge
 constexpr double finer[] = {1, 0.5, 0.25};         // cells that are tried, × the first
 constexpr int most_runaways = 2;                   // of a field: where the second does, too, it doesn't close
+constexpr double crossed_strip = 2;                // × cell: what cubes may step over
 constexpr std::size_t most_cubes = 64000;          // for all tries on one field together, but the first
 constexpr std::size_t most_after_runaway = 20000;  // of the try after one that ran away, which mostly does so again
 constexpr std::size_t growth_when_finer = 4;       // of the number of cubes
@@ -90,8 +91,11 @@ class PolygonisedPatch {
       const implicit::Polygonized cubes = continued(covering, share * widest, left, progress);
       taken += cubes.cells;
       expected = growth_when_finer * cubes.cells;
-      if (!cubes.complete() && ++runaways == most_runaways) return std::nullopt;
-      if (!cubes.complete()) continue;
+      if (!cubes.complete()) {
+        const int most = crosses_strip(share * widest) ? most_runaways + 1 : most_runaways;
+        if (++runaways == most) return std::nullopt;
+        continue;
+      }
       const auto start = zipped(cubes, share * widest, progress);
       if (!start) continue;
       if (!start->arrives_at.empty()) return start;
@@ -100,6 +104,21 @@ class PolygonisedPatch {
       return patch;
     }
     return std::nullopt;
+  }
+
+  /// Whether only a strip of surface lies between the site's rims and another one, so that cubes of this size may have
+  /// stepped over it and gone on where nothing is.
+  bool crosses_strip(double cell) const {
+    const std::vector<Vec3>& positions = site_.mesh->positions;
+    const double widest_strip = crossed_strip * cell;
+    return std::ranges::any_of(site_.analysis->holes, [&](const Hole& other) {
+      if (std::ranges::binary_search(site_.holes, other.id)) return false;
+      return std::ranges::any_of(site_.polygon.points, [&](const Vec3& place) {
+        return (place - other.centre).norm() <= other.diameter + widest_strip &&
+               std::ranges::any_of(other.vertices,
+                                   [&](Index v) { return (positions[v] - place).norm() <= widest_strip; });
+      });
+    });
   }
 
   /// The continuation beside the hole, joined to the rims.
