@@ -118,3 +118,45 @@ TEST_CASE("with more different coordinates than ranks no overlap is lost") {
   CHECK(is_sorted);
   CHECK(equal == count / 2);
 }
+
+TEST_CASE("boxes of triangles overlap as places wherever they do as points, at any scale and with a vertex far out") {
+  for (const double scale : {1e-290, 1e-9, 1.0, 1e9, 1e290}) {
+    for (const double outlier : {0.0, 1e3, 1e9}) {
+      Random random(7);
+      std::vector<Vec3> points;
+      for (std::size_t i = 0; i < 240; ++i) {
+        const Vec3 low(random.below(40), random.below(40), random.below(40));
+        points.push_back(scale * (i % 3 == 0 ? low : Vec3(points[i - i % 3] / scale + 0.3 * low)));
+      }
+      points.push_back(outlier * scale * Vec3(1, -1, 0.5));
+      points.push_back(Vec3::Constant(1e308));  // of no triangle
+      std::vector<MeetingTriangle> triangles;
+      for (Index v = 0; v < 240; v += 3) triangles.push_back({{v, v + 1, v + 2}, 0});
+      triangles.push_back({{0, 1, 240}, 0});
+      const std::vector<PackedPlace> places = places_for_boxes(points, triangles);
+      std::size_t lost = 0, overlapping = 0, found = 0;
+      for (std::size_t i = 0; i < triangles.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+          const auto packed_box = [&](std::size_t t) {
+            const auto [a, b, c] = triangles[t].vertices;
+            return extended(extended({places[a], places[a]}, places[b]), places[c]);
+          };
+          const auto exact_box = [&](std::size_t t) {
+            Eigen::AlignedBox3d box;
+            for (const Index v : triangles[t].vertices) box.extend(points[v]);
+            return box;
+          };
+          const bool do_overlap = exact_box(i).intersects(exact_box(j));
+          const bool is_found = overlap(packed_box(i), packed_box(j));
+          overlapping += do_overlap ? 1U : 0U;
+          found += is_found ? 1U : 0U;
+          lost += do_overlap && !is_found ? 1U : 0U;
+        }
+      }
+      INFO(scale << " " << outlier);
+      CHECK(lost == 0);
+      CHECK(overlapping > 10);
+      CHECK(found <= overlapping + overlapping / 20);
+    }
+  }
+}
