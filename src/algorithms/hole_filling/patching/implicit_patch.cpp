@@ -215,7 +215,7 @@ class ImplicitPatcher : public Patcher {
       std::size_t not_converged = 0;
       for (int i = 0; i < smoothings_per_round; ++i) {
         relax(loose, fixed);
-        if (is_plain && !is_last && i + 1 < smoothings_per_round) continue;
+        if (is_plain && i + 1 < smoothings_per_round) continue;
         if (is_last && i + 1 == smoothings_per_round) projection.accuracy = final_accuracy;
         not_converged = implicit::project(loose.points, fixed, surface.field(), projection).not_converged;
       }
