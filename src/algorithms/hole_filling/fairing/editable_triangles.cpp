@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "croquis/hole_filling/editable_triangles.h"
 
+#include <numeric>
+
 namespace croquis::hole_filling {
 
 EditableTriangles::EditableTriangles(std::span<const std::array<Index, 3>> triangles, std::size_t vertex_count)
@@ -11,23 +13,28 @@ EditableTriangles::EditableTriangles(std::span<const std::array<Index, 3>> trian
   find_twins(vertex_count);
 }
 
-/// Sides in the order of where they begin; each looks for its twin among the few that begin where it ends.
+/// Sides in the order of where they begin. Of each vertex those that end there, each behind one that begins there, find
+/// their twins by where those lead.
 void EditableTriangles::find_twins(std::size_t vertex_count) {
-  std::vector<Index> begin(vertex_count + 1, 0);
-  for (const Index v : from_) ++begin[v + 1];
-  for (std::size_t v = 0; v < vertex_count; ++v) begin[v + 1] += begin[v];
+  // Shifted by one, so that placing the sides turns beginnings into ends.
+  std::vector<Index> ends(vertex_count + 1, 0);
+  for (const Index v : from_) ++ends[v + std::size_t{1}];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
   std::vector<Side> sorted(from_.size());
-  std::vector<Index> end(begin.begin(), begin.end() - 1);
-  for (Side s = 0; s < from_.size(); ++s) sorted[end[from_[s]]++] = s;
+  for (Side s = 0; s < from_.size(); ++s) sorted[ends[from_[s]]++] = s;
   twin_.reserve(2 * from_.size());
   twin_.assign(from_.size(), none);
-  for (Side s = 0; s < from_.size(); ++s) {
-    out_[from_[s]] = s;
-    for (Index i = begin[to(s)]; i < begin[to(s) + 1]; ++i) {
-      if (to(sorted[i]) == from_[s]) twin_[s] = sorted[i];
+  std::vector<Side> leading_to(vertex_count, none);
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    const std::size_t begin = v == 0 ? 0 : ends[v - 1];
+    const std::span<const Side> sides(sorted.data() + begin, ends[v] - begin);
+    for (const Side s : sides) {
+      has_doubled_sides_ |= leading_to[to(s)] != none;
+      leading_to[to(s)] = s;
     }
-    for (Index i = begin[from_[s]]; i < begin[from_[s] + 1]; ++i)
-      has_doubled_sides_ |= sorted[i] != s && to(sorted[i]) == to(s);
+    for (const Side s : sides) twin_[previous(s)] = leading_to[apex(s)];
+    for (const Side s : sides) leading_to[to(s)] = none;
+    if (!sides.empty()) out_[v] = sides.back();
   }
 }
 
