@@ -165,7 +165,9 @@ class ImplicitPatcher : public Patcher {
                                      Progress& progress) const {
     const Loosening loosening(site, start);
     LoosePatch loose = loosening.loosen(start);
-    if (!move_onto(surface, loose, site.wish.through, progress)) return std::nullopt;
+    // From creases, and over wide holes, smoothing twice may lead too far away.
+    const int projected = rounds_ > usual_rounds || is_wide(site) ? 1 : smoothings_per_round;
+    if (!move_onto(surface, loose, site.wish.through, projected, progress)) return std::nullopt;
     const std::vector<std::size_t> pins = nearest_free(loose, site.wish.through);
     if (pins.size() < site.wish.through.size()) return std::nullopt;
     HolePatch patch = loosening.fasten(loose);
@@ -199,14 +201,14 @@ class ImplicitPatcher : public Patcher {
     return continued(site, *start, spread_points(*site.mesh, *start, spacing, most_guides), progress);
   }
 
-  bool move_onto(const RimField& surface, LoosePatch& loose, const std::vector<Vec3>& through,
+  /// @param projected after so many smoothings, a divisor of those of a round; in the last round after each
+  bool move_onto(const RimField& surface, LoosePatch& loose, const std::vector<Vec3>& through, int projected,
                  Progress& progress) const {
     implicit::ProjectionOptions projection;
     projection.cell = std::max(surface.edge, mean_edge(loose));
     projection.iterations = 20 + static_cast<int>(std::min(200.0, 2 * surface.size / projection.cell));
     projection.accuracy = draft_accuracy;
     projection.threads = 1;
-    const bool is_plain = rounds_ <= usual_rounds;  // no creases, from which smoothing twice would lead too far away
     for (int round = 0; round < rounds_; ++round) {
       progress.check();
       const bool is_last = round + 1 == rounds_;
@@ -215,7 +217,7 @@ class ImplicitPatcher : public Patcher {
       std::size_t not_converged = 0;
       for (int i = 0; i < smoothings_per_round; ++i) {
         relax(loose, fixed);
-        if (is_plain && i + 1 < smoothings_per_round) continue;
+        if (!is_last && (i + 1) % projected != 0) continue;
         if (is_last && i + 1 == smoothings_per_round) projection.accuracy = final_accuracy;
         not_converged = implicit::project(loose.points, fixed, surface.field(), projection).not_converged;
       }
