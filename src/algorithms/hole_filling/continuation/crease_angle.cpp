@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -11,7 +13,6 @@
 #include <Eigen/Geometry>
 
 #include "algorithms/hole_filling/patching/site_memory.h"
-#include "croquis/geometry/vector.h"
 
 namespace croquis::hole_filling {
 namespace {
@@ -22,20 +23,29 @@ constexpr double crease_factor = 4;  // × the angle of usual edges
 constexpr double usual_share = 0.8;  // of edges: creases that pass are fewer than the others
 constexpr int looked_rings = 3;
 
+/// Falls as the angle grows, and takes a fraction of its time.
+double cotangent_between(const Vec3& a, const Vec3& b) {
+  const double along = a.dot(b), across = a.cross(b).norm();
+  if (across > 0) return along / across;
+  return along < 0 ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
+}
+
 double found_crease_cosine(const HoleSite& site) {
   const SurfaceView& view = site.analysis->view;
-  std::vector<double> angles;
+  std::vector<double> cotangents;
   for (const Index triangle : surroundings(site, looked_rings)) {
     for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner) {
-      if (view.has_opposite(corner) && corner < view.opposite[corner])
-        angles.push_back(
-            angle_between(triangle_normal(site, triangle), triangle_normal(site, view.opposite[corner] / 3)));
+      const Index other = view.opposite[corner];
+      if (view.has_opposite(corner) && corner < other)
+        cotangents.push_back(cotangent_between(triangle_normal(site, triangle), triangle_normal(site, other / 3)));
     }
   }
-  if (angles.empty()) return std::cos(most_crease);
-  const auto usual = angles.begin() + static_cast<std::ptrdiff_t>(usual_share * static_cast<double>(angles.size() - 1));
-  std::nth_element(angles.begin(), usual, angles.end());
-  return std::cos(std::clamp(crease_factor * *usual, least_crease, most_crease));
+  if (cotangents.empty()) return std::cos(most_crease);
+  const auto usual =
+      cotangents.begin() + static_cast<std::ptrdiff_t>(usual_share * static_cast<double>(cotangents.size() - 1));
+  std::nth_element(cotangents.begin(), usual, cotangents.end(), std::greater());
+  const double usual_angle = std::atan2(1.0, *usual);
+  return std::cos(std::clamp(crease_factor * usual_angle, least_crease, most_crease));
 }
 
 }  // namespace
