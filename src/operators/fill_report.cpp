@@ -127,7 +127,8 @@ Report checks_of(const RemeshChecks& made) {
                        .set("open_loops", made.open_loops)
                        .set("failed_loops", made.failed_loops)
                        .set("repaired_loops", made.repaired_loops)
-                       .set("self_intersections", made.self_intersections));
+                       .set("self_intersections", made.self_intersections)
+                       .set("far_from_scan", made.far_share));
 }
 
 Report checks_of(const FillResult& result) {

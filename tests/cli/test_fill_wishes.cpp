@@ -171,6 +171,7 @@ TEST_CASE("a model made anew is closed, and tells its domains") {
   CHECK(details["new_faces"] == report["mesh"]["faces"]);
   CHECK(holes_with(report, "fill") == std::set<int>{0});
   CHECK(details["checks"]["open_loops"] == 0);
+  CHECK(details["checks"]["far_from_scan"].get<double>() < 0.01);
   const Json fine = filled(input, folder / "fine.ply",
                            {"--mode", "remesh", "--cell", "0.7", "--points-per-domain", "20:200", "--overlap", "0.3"});
   CHECK(fine["details"]["new_faces"].get<int>() > details["new_faces"].get<int>());

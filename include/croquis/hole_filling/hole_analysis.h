@@ -72,7 +72,7 @@ struct HoleAnalysis {
   std::vector<double> component_diagonal;
 
   /// By the spread of its area: about the diagonal of scanned things (1.2 times that of sheets, rods and spheres), but
-  /// the same however the scan lies in space, as what is decided by it has to be. 0 without area.
+  /// the same however the scan lies in space, as patches have to be: methods are chosen by it. 0 without area.
   std::vector<double> component_size;
   std::size_t open_rims = 0;  ///< chains of rim edges that end at edges of many faces: no holes
   Findings warnings;          ///< W_WELDED, W_ORIENTATION, W_NONMANIFOLD, W_DEGENERATE, W_BOWTIE

@@ -107,9 +107,12 @@ void tell_shapes(const RemeshLosses& losses, Findings& findings) {
               findings);
 }
 
-/// Surface that nothing of the scan is near to is always told, however well its holes seem to be closed.
+/// Surface that nothing of the scan is near to, however well its holes seem to be closed. The middle of any hole of a
+/// tenth of the diagonal is so far away: a little of that is nothing to tell.
+constexpr double told_share = 0.01;
+
 void tell_far(const RemeshResult& result, const RemeshLosses& losses, Findings& findings) {
-  if (result.checks.far_points == 0) return;
+  if (result.checks.far_share < told_share) return;
   std::string text = number(100 * result.checks.far_share) +
                      " % of the surface is farther than a twentieth of the model's diagonal from the scan";
   for (std::size_t i = 0; i < std::min(losses.far_holes.size(), most_named); ++i)

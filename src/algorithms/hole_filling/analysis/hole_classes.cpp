@@ -13,10 +13,10 @@
 namespace croquis::hole_filling {
 namespace {
 
-/// A sheet's border: its longest rim, of a diameter above this share of the sheet's size.
+/// A sheet's border: its longest rim, of a diameter above this share of the sheet's diagonal.
 constexpr double border_diameter = 0.5;
 
-/// An open cross-section: flat within this share of its diameter, above this share of the component's size, …
+/// An open cross-section: flat within this share of its diameter, above this share of the component's diagonal, …
 constexpr double section_planarity = 0.02;
 constexpr double section_diameter = 0.25;
 /// … and faces that lead straight on out of its plane within this angle on average; …
@@ -68,12 +68,12 @@ class Classifier {
   }
 
   bool is_border(const Hole& hole) const {
-    return hole.diameter > border_diameter * analysis_.component_size[hole.component] ||
+    return hole.diameter > border_diameter * analysis_.component_diagonal[hole.component] ||
            hole.area > analysis_.component_area[hole.component];
   }
 
   bool is_open_section(const Hole& hole) const {
-    const bool is_wide = hole.diameter > section_diameter * analysis_.component_size[hole.component];
+    const bool is_wide = hole.diameter > section_diameter * analysis_.component_diagonal[hole.component];
     if (!is_wide || !(hole.planarity < section_planarity)) return false;
     return hole.conormal_tilt < section_tilt || (hole.conormal_tilt < cut_tilt && is_cut_flat(hole));
   }
