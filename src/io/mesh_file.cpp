@@ -66,6 +66,10 @@ double rewritten(double value, int precision) {
   return static_cast<double>(back);
 }
 
+bool stores_floats(MeshFormat format, const MeshWriteOptions& options) {
+  return format == MeshFormat::Glb || (format == MeshFormat::Stl && !options.ascii);
+}
+
 }  // namespace
 
 const char* to_string(MeshFormat format) { return entry_of(format).name; }
@@ -117,7 +121,7 @@ MeshWriteResult write_mesh(const PolyMesh& mesh, MeshFormat format, const MeshWr
 }
 
 bool keeps_positions(const PolyMesh& mesh, MeshFormat format, const MeshWriteOptions& options) {
-  if (format == MeshFormat::Glb || (format == MeshFormat::Stl && !options.ascii)) return positions_are_floats(mesh);
+  if (stores_floats(format, options)) return positions_are_floats(mesh);
   const bool as_text = format == MeshFormat::Obj || format == MeshFormat::Off || options.ascii;
   return !as_text || options.precision <= 0;
 }
@@ -125,7 +129,7 @@ bool keeps_positions(const PolyMesh& mesh, MeshFormat format, const MeshWriteOpt
 PolyMesh as_written(const PolyMesh& mesh, MeshFormat format, const MeshWriteOptions& options) {
   PolyMesh written = mesh;
   if (keeps_positions(mesh, format, options)) return written;
-  if (format == MeshFormat::Glb || (format == MeshFormat::Stl && !options.ascii)) {
+  if (stores_floats(format, options)) {
     written.positions = positions_as_floats(mesh, format);
     return written;
   }
