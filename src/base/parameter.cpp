@@ -2,22 +2,24 @@
 #include "croquis/base/parameter.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cctype>
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/base/limits.h"
 #include "croquis/base/text.h"
 
 namespace croquis {
 namespace {
 
 std::string range_text(const ParameterDescription& description) {
-  const bool low = std::isfinite(description.minimum);
-  const bool high = std::isfinite(description.maximum);
+  const bool low = is_usable_number(description.minimum);
+  const bool high = is_usable_number(description.maximum);
   if (low && high) return " from " + number_text(description.minimum) + " to " + number_text(description.maximum);
-  if (low) return " of at least " + number_text(description.minimum);
-  if (high) return " of at most " + number_text(description.maximum);
-  return "";
+  const std::string limit = description.type == ParameterType::Number ? ", at most 1e30 in size" : "";
+  if (low) return " of at least " + number_text(description.minimum) + limit;
+  if (high) return " of at most " + number_text(description.maximum) + limit;
+  return limit;
 }
 
 std::string accepted(const ParameterDescription& description) {
@@ -44,7 +46,7 @@ Finding refusal(const ParameterDescription& description, const std::string& give
 }
 
 bool in_range(const ParameterDescription& description, double value) {
-  return std::isfinite(value) && value >= description.minimum && value <= description.maximum;
+  return is_usable_number(value) && value >= description.minimum && value <= description.maximum;
 }
 
 bool acceptable(const ParameterDescription& description, const ParameterValue& value) {
@@ -66,6 +68,12 @@ bool acceptable(const ParameterDescription& description, const ParameterValue& v
   return false;
 }
 
+/// The text of a value, or null for one that is none.
+const std::string* text_in(const ParameterValue& value) {
+  const auto* parsed = std::get_if<ParsedText>(&value);
+  return parsed == nullptr ? std::get_if<std::string>(&value) : &parsed->text();
+}
+
 }  // namespace
 
 const char* to_string(ParameterType type) {
@@ -80,9 +88,92 @@ const char* to_string(ParameterType type) {
   return "text";
 }
 
+ParameterDescription ParameterDescription::titled(std::string words, std::vector<std::string> words_of_choices) const {
+  ParameterDescription described = *this;
+  described.title = std::move(words);
+  described.choice_titles = std::move(words_of_choices);
+  return described;
+}
+
+ParameterDescription ParameterDescription::at(ParameterPlace where) const {
+  ParameterDescription described = *this;
+  described.place = where;
+  return described;
+}
+
+std::string title_of(const ParameterDescription& description) {
+  if (!description.title.empty()) return description.title;
+  std::string title = description.name;
+  std::ranges::replace(title, '-', ' ');
+  if (!title.empty()) title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+  return title;
+}
+
+std::string title_with(const ParameterDescription& description, const ParameterValue& value) {
+  const std::string title = title_of(description);
+  if (description.type == ParameterType::Text || description.type == ParameterType::File) return title;
+  if (const auto* flag = std::get_if<bool>(&value)) return title + (*flag ? " on" : " off");
+  const auto chosen = std::ranges::find(description.choices, to_text(value));
+  const auto place = static_cast<std::size_t>(chosen - description.choices.begin());
+  return title + ' ' + (place < description.choice_titles.size() ? description.choice_titles[place] : to_text(value));
+}
+
+ParameterDescription flag_parameter(const std::string& name, bool value, const std::string& sentence) {
+  return {name, ParameterType::Flag, value, 0, 0, {}, "", sentence};
+}
+
+ParameterDescription integer_parameter(const std::string& name, std::int64_t value, double minimum, double maximum,
+                                       const std::string& unit, const std::string& sentence) {
+  return {name, ParameterType::Integer, value, minimum, maximum, {}, unit, sentence};
+}
+
+ParameterDescription number_parameter(const std::string& name, double value, double minimum, double maximum,
+                                      const std::string& unit, const std::string& sentence) {
+  return {name, ParameterType::Number, value, minimum, maximum, {}, unit, sentence};
+}
+
+ParameterDescription choice_parameter(const std::string& name, const std::vector<std::string>& choices,
+                                      const std::string& sentence) {
+  return {name, ParameterType::Choice, choices.front(), 0, 0, choices, "", sentence};
+}
+
+ParameterDescription text_parameter(const std::string& name, const std::string& value, const std::string& sentence) {
+  return {name, ParameterType::Text, value, 0, 0, {}, "", sentence};
+}
+
+ParameterDescription list_parameter(const std::string& name, const std::string& sentence) {
+  return {name, ParameterType::Text, std::string(), 0, 0, {}, "", sentence, true};
+}
+
 const ParameterDescription* find_parameter(std::span<const ParameterDescription> descriptions, std::string_view name) {
   const auto found = std::ranges::find(descriptions, name, &ParameterDescription::name);
   return found == descriptions.end() ? nullptr : &*found;
+}
+
+bool is_given(const ParameterDescription& description, const ParameterValue& value) {
+  const std::string* text = text_in(value);
+  if (text == nullptr) return true;
+  if (description.type == ParameterType::Choice) return *text != "preset";
+  const std::string* usual = text_in(description.default_value);
+  return !text->empty() || (usual != nullptr && !usual->empty());
+}
+
+ParameterValues with_defaults(const std::vector<ParameterDescription>& descriptions, ParameterValues given) {
+  std::erase_if(given, [&](const auto& entry) {
+    const ParameterDescription* known = find_parameter(descriptions, entry.first);
+    return known != nullptr && !is_given(*known, entry.second);
+  });
+  for (const ParameterDescription& description : descriptions) {
+    if (description.presets.empty()) continue;
+    const auto chosen = given.try_emplace(description.name, description.default_value).first;
+    const auto* name = std::get_if<std::string>(&chosen->second);
+    const auto preset = name == nullptr ? description.presets.end() : description.presets.find(*name);
+    if (preset != description.presets.end()) given.insert(preset->second.begin(), preset->second.end());
+  }
+  for (const ParameterDescription& description : descriptions) {
+    given.try_emplace(description.name, description.default_value);
+  }
+  return given;
 }
 
 ParameterValues complete(const std::vector<ParameterDescription>& descriptions, ParameterValues values) {
@@ -97,10 +188,7 @@ ParameterValues complete(const std::vector<ParameterDescription>& descriptions, 
     }
   }
   if (!findings.empty()) throw Error(std::move(findings));
-  for (const ParameterDescription& description : descriptions) {
-    values.try_emplace(description.name, description.default_value);
-  }
-  return values;
+  return with_defaults(descriptions, std::move(values));
 }
 
 bool flag_of(const ParameterValues& values, const std::string& name) { return std::get<bool>(values.at(name)); }
@@ -113,8 +201,8 @@ double number_of(const ParameterValues& values, const std::string& name) { retur
 
 const std::string& text_of(const ParameterValues& values, const std::string& name) {
   const ParameterValue& value = values.at(name);
-  const auto* parsed = std::get_if<ParsedText>(&value);
-  return parsed == nullptr ? std::get<std::string>(value) : parsed->text();
+  const std::string* text = text_in(value);
+  return text == nullptr ? std::get<std::string>(value) : *text;
 }
 
 ParameterValue parse_parameter(const ParameterDescription& description, const std::string& text) {

@@ -121,6 +121,24 @@ TEST_CASE("completing fills in defaults and keeps what was given") {
   CHECK(complete(all, values) == values);
 }
 
+TEST_CASE("a preset sets what isn't given, and nothing that is, whatever its value") {
+  ParameterDescription preset{"preset", ParameterType::Choice, std::string("plain"), 0, 0, {"plain", "rough"}, "", ""};
+  preset.presets["rough"] = {{"size", 7.0}, {"mode", std::string("best")}};
+  ParameterDescription mode = choice();
+  mode.choices.emplace_back("preset");
+  const std::vector<ParameterDescription> all = {number(0, 10), mode, preset};
+  const ParameterValues defaults = complete(all, {});
+  const ParameterValues rough = complete(all, {{"preset", std::string("rough")}, {"mode", std::string("preset")}});
+  CHECK(number_of(rough, "size") == 7.0);
+  CHECK(text_of(rough, "mode") == "best");
+  CHECK(complete(all, rough) == rough);
+  for (const char* name : {"size", "mode"}) {
+    const ParameterValues told = complete(all, {{"preset", std::string("rough")}, {name, defaults.at(name)}});
+    CHECK(told.at(name) == defaults.at(name));
+  }
+  CHECK(complete(all, {{"mode", std::string("preset")}}) == defaults);
+}
+
 TEST_CASE("completing reports everything that is wrong at once") {
   const std::vector<ParameterDescription> all = {number(0, 10), integer(), choice(), flag()};
   const Findings findings = findings_of([&] {
@@ -132,15 +150,15 @@ TEST_CASE("completing reports everything that is wrong at once") {
   CHECK(findings[3].subjects[0].id == "wier");
 }
 
-TEST_CASE("values that are not finite are refused even without a range") {
-  for (const double value : {infinity, -infinity, std::nan("")}) {
+TEST_CASE("values that are not finite or too large are refused even without a range") {
+  for (const double value : {infinity, -infinity, std::nan(""), 1e31, -1e308}) {
     const Findings findings = findings_of([&] { complete({number()}, {{"size", value}}); });
     CHECK(findings.size() == 1);
   }
 }
 
 TEST_CASE("text turns back into the same value") {
-  for (const double value : {0.0, -0.0, 0.1, 1.0 / 3, 1e-310, 5e-324, -1.7976931348623157e308, 123456789.125}) {
+  for (const double value : {0.0, -0.0, 0.1, 1.0 / 3, 1e-310, 5e-324, -1e30, 123456789.125}) {
     const double again = std::get<double>(parse_parameter(number(), to_text(value)));
     CHECK(again == value);
     CHECK(std::signbit(again) == std::signbit(value));
@@ -191,4 +209,16 @@ TEST_CASE("complete values are read by name and type") {
   CHECK_FALSE(flag_of(values, "wire"));
   CHECK_THROWS_AS(number_of(values, "width"), std::out_of_range);
   CHECK_THROWS_AS(number_of(values, "count"), std::bad_variant_access);
+}
+
+TEST_CASE("titles are words for people, with the value where it says something") {
+  const ParameterDescription level = integer_parameter("levels", 2, 0, 6, "", "How fine.").titled("Level");
+  CHECK(title_of(level) == "Level");
+  CHECK(title_with(level, std::int64_t{3}) == "Level 3");
+  const ParameterDescription scheme = choice_parameter("scheme", {"loop", "doo-sabin"}, "Rules.");
+  CHECK(title_of(scheme) == "Scheme");
+  CHECK(title_with(scheme, std::string("doo-sabin")) == "Scheme doo-sabin");
+  CHECK(title_with(scheme.titled("Smoothing", {"Triangles", "Soft"}), std::string("doo-sabin")) == "Smoothing Soft");
+  CHECK(title_with(flag_parameter("patch-ids", true, "Marks."), false) == "Patch ids off");
+  CHECK(title_with(text_parameter("known-point", "", "Where."), std::string("1,2=3")) == "Known point");
 }

@@ -55,6 +55,15 @@ class ParsedText {
 /// Files and recordings hold a ParsedText as the text that it has.
 using ParameterValue = std::variant<bool, std::int64_t, double, std::string, ParsedText>;
 
+/// Values by parameter name. Holds every parameter of its description once `complete` has run.
+using ParameterValues = std::map<std::string, ParameterValue>;
+/// Where windows show a parameter.
+enum class ParameterPlace {
+  Panel,   ///< with the others
+  Expert,  ///< where people ask for all of them
+  Nowhere  ///< it is shown and changed at the model itself, or is of no use in a window
+};
+
 struct ParameterDescription {
   std::string name;  ///< "weight-curvature": the option is `--weight-curvature`
   ParameterType type = ParameterType::Number;
@@ -65,15 +74,45 @@ struct ParameterDescription {
   std::string unit;                  ///< what one unit of it is ("× median radius"), empty for none
   std::string sentence;              ///< one sentence of help
   bool repeatable = false;           ///< Text only: a list separated by ';'; command lines may give the option often
+  std::string title = {};            ///< what windows call it; empty: its name in words
+  std::vector<std::string> choice_titles = {};  ///< Choice only: what windows call the choices; empty: as they are
+  ParameterPlace place = ParameterPlace::Panel;
+  std::map<std::string, ParameterValues> presets = {};  ///< Choice only: the values of other parameters that go with a
+                                                        ///< choice, where they aren't given
+
+  /// The same with words for windows.
+  ParameterDescription titled(std::string words, std::vector<std::string> words_of_choices = {}) const;
+  ParameterDescription at(ParameterPlace where) const;
 };
 
-/// Values by parameter name. Holds every parameter of its description once `complete` has run.
-using ParameterValues = std::map<std::string, ParameterValue>;
+/// What people read: the title, else the name in words, "Weight curvature".
+std::string title_of(const ParameterDescription& description);
+/// "Level 3", "Quality refined", "Mark patches off"; of a text the title alone.
+std::string title_with(const ParameterDescription& description, const ParameterValue& value);
+
+ParameterDescription flag_parameter(const std::string& name, bool value, const std::string& sentence);
+ParameterDescription integer_parameter(const std::string& name, std::int64_t value, double minimum, double maximum,
+                                       const std::string& unit, const std::string& sentence);
+ParameterDescription number_parameter(const std::string& name, double value, double minimum, double maximum,
+                                      const std::string& unit, const std::string& sentence);
+/// The first choice is the default.
+ParameterDescription choice_parameter(const std::string& name, const std::vector<std::string>& choices,
+                                      const std::string& sentence);
+ParameterDescription text_parameter(const std::string& name, const std::string& value, const std::string& sentence);
+/// A list separated by ';', empty by default.
+ParameterDescription list_parameter(const std::string& name, const std::string& sentence);
+
+/// Whether a value counts as given: not the choice "preset", nor an empty Text or File, where that is the default.
+bool is_given(const ParameterDescription& description, const ParameterValue& value);
+
+/// Fills in what isn't given: by the presets that are chosen, then by the defaults. A value that is given stays, also
+/// where it equals the default. Checks nothing.
+ParameterValues with_defaults(const std::vector<ParameterDescription>& descriptions, ParameterValues given);
 
 /// The description of that name, or null. Linear.
 const ParameterDescription* find_parameter(std::span<const ParameterDescription> descriptions, std::string_view name);
 
-/// Fills in defaults and checks each value against its description.
+/// Checks each value against its description and fills in the others, see with_defaults.
 /// @throws Error with one E_PARAMETER finding for every unknown name, wrong type, and value out of its range
 ParameterValues complete(const std::vector<ParameterDescription>& descriptions, ParameterValues values);
 
