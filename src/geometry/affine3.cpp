@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "croquis/base/limits.h"
 #include "croquis/geometry/edge_channels.h"
 
 namespace croquis {
@@ -72,12 +73,12 @@ void turn_faces(PolyMesh& mesh) {
 }  // namespace
 
 bool DrawingPlane::is_orthonormal() const {
-  return origin.allFinite() && std::abs(u.norm() - 1) <= axis_tolerance && std::abs(v.norm() - 1) <= axis_tolerance &&
-         std::abs(u.dot(v)) <= axis_tolerance;
+  return are_usable_numbers(origin) && std::abs(u.norm() - 1) <= axis_tolerance &&
+         std::abs(v.norm() - 1) <= axis_tolerance && std::abs(u.dot(v)) <= axis_tolerance;
 }
 
 bool Affine3::is_invertible() const {
-  if (!linear.allFinite() || !offset.allFinite()) return false;
+  if (!are_usable_numbers(linear.reshaped()) || !are_usable_numbers(offset)) return false;
   Eigen::Matrix3d axes;
   for (int i = 0; i < 3; ++i) axes.col(i) = linear.col(i).stableNormalized();
   return std::abs(axes.determinant()) > least_volume;

@@ -2,8 +2,8 @@
 #include "croquis/geometry/mesh_report.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -12,35 +12,12 @@
 #include "croquis/geometry/bounds.h"
 #include "croquis/geometry/degenerate_faces.h"
 #include "croquis/geometry/mesh_topology.h"
+#include "croquis/geometry/polygon_cut.h"
 #include "croquis/geometry/self_intersection.h"
 #include "geometry/require_usable.h"
 
 namespace croquis {
 namespace {
-
-/// Twice the area of a triangle and six times the volume of the cone from it to `origin`.
-std::pair<double, double> measure_triangle(const PolyMesh& mesh, std::span<const Index> face, const Vec3& origin) {
-  const Vec3 a = mesh.positions[face[0]] - origin;
-  const Vec3 b = mesh.positions[face[1]] - origin;
-  const Vec3 c = mesh.positions[face[2]] - origin;
-  return {(b - a).cross(c - a).norm(), a.dot(b.cross(c))};
-}
-
-/// The same of the fan of a face from the mean of its corners.
-std::pair<double, double> measure_polygon(const PolyMesh& mesh, std::span<const Index> face, const Vec3& origin) {
-  Vec3 mean = Vec3::Zero();
-  for (const Index vertex : face) mean += mesh.positions[vertex] - origin;
-  mean /= static_cast<double>(face.size());
-  double twice_area = 0;
-  double six_volumes = 0;
-  for (std::size_t i = 0; i < face.size(); ++i) {
-    const Vec3 a = mesh.positions[face[i]] - origin;
-    const Vec3 b = mesh.positions[face[(i + 1) % face.size()]] - origin;
-    twice_area += (a - mean).cross(b - mean).norm();
-    six_volumes += mean.dot(a.cross(b));
-  }
-  return {twice_area, six_volumes};
-}
 
 void measure(const PolyMesh& mesh, MeshReport& figures) {
   figures.bounds = bounds_of(mesh);
@@ -51,10 +28,13 @@ void measure(const PolyMesh& mesh, MeshReport& figures) {
   double six_volumes = 0;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     const auto face = mesh.face(f);
-    const auto [area, volume] =
-        face.size() == 3 ? measure_triangle(mesh, face, origin) : measure_polygon(mesh, face, origin);
-    twice_area += area;
-    six_volumes += volume;
+    visit_triangles(mesh.positions, face, [&](const std::array<Index, 3>& t) {
+      const Vec3 a = mesh.positions[face[t[0]]] - origin;
+      const Vec3 b = mesh.positions[face[t[1]]] - origin;
+      const Vec3 c = mesh.positions[face[t[2]]] - origin;
+      twice_area += (b - a).cross(c - a).norm();
+      six_volumes += a.dot(b.cross(c));
+    });
   }
   figures.area = twice_area / 2;
   if (figures.closed) figures.volume = six_volumes / 6;

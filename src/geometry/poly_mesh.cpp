@@ -8,6 +8,8 @@
 #include <map>
 #include <utility>
 
+#include "croquis/base/limits.h"
+
 namespace croquis {
 namespace {
 
@@ -83,9 +85,9 @@ void check_indices(const IndexLists& lists, std::size_t vertex_count, Collector&
 
 void check_positions(const PolyMesh& mesh, Collector& collector) {
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    if (mesh.positions[v].allFinite()) continue;
+    if (are_usable_numbers(mesh.positions[v])) continue;
     collector.add("E_NOT_FINITE", SubjectKind::Vertex, v,
-                  [&] { return "Vertex " + std::to_string(v) + " has a coordinate that is not finite"; });
+                  [&] { return "Vertex " + std::to_string(v) + " has a coordinate that " + unusable_words; });
   }
 }
 

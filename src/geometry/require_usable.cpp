@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/base/limits.h"
 
 namespace croquis {
 namespace {
@@ -19,7 +20,7 @@ bool are_usable(const std::vector<Index>& offsets, const std::vector<Index>& ver
 bool is_usable(const PolyMesh& mesh) {
   return are_usable(mesh.face_offsets, mesh.corners, mesh.vertex_count()) &&
          are_usable(mesh.line_offsets, mesh.line_vertices, mesh.vertex_count()) &&
-         std::all_of(mesh.positions.begin(), mesh.positions.end(), [](const Vec3& p) { return p.allFinite(); });
+         std::ranges::all_of(mesh.positions, are_usable_numbers<Vec3>);
 }
 
 }  // namespace

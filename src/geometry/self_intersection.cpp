@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "croquis/geometry/polygon_cut.h"
 #include "geometry/box_tree.h"
 #include "geometry/ranked_places.h"
 #include "geometry/require_usable.h"
@@ -19,16 +20,16 @@ namespace {
 /// So many leaves of boxes are done between two reports of progress.
 constexpr std::size_t leaves_per_report = 512;
 
-/// The triangles with an area of the fans of all faces.
-class Fans {
+/// The triangles with an area of all faces' cuts.
+class CutFaces {
  public:
-  explicit Fans(const PolyMesh& mesh) : mesh_(mesh), meet_(mesh.positions) {
+  explicit CutFaces(const PolyMesh& mesh) : mesh_(mesh), meet_(mesh.positions) {
     triangles_.reserve(mesh.face_count());
     faces_.reserve(mesh.face_count());
     first_triangle_.reserve(mesh.face_count() + 1);
     for (Index f = 0; f < mesh.face_count(); ++f) {
       first_triangle_.push_back(triangle_count());
-      add_fan(f);
+      add_face(f);
     }
     first_triangle_.push_back(triangle_count());
     is_spread_ = spread_stars(mesh.positions, triangles_);
@@ -69,14 +70,14 @@ class Fans {
   }
 
  private:
-  void add_fan(Index f) {
+  void add_face(Index f) {
     const auto face = mesh_.face(f);
-    MeetingTriangle triangle;
-    for (std::size_t i = 2; i < face.size(); ++i) {
-      if (!meet_.make({face[0], face[i - 1], face[i]}, triangle)) continue;
+    visit_triangles(mesh_.positions, face, [&](const std::array<Index, 3>& t) {
+      MeetingTriangle triangle;
+      if (!meet_.make({face[t[0]], face[t[1]], face[t[2]]}, triangle)) return;
       triangles_.push_back(triangle);
       faces_.push_back(f);
-    }
+    });
   }
 
   const PolyMesh& mesh_;
@@ -117,13 +118,13 @@ class PairList {
 /// What is done with each pair of triangles whose boxes meet.
 class PairSearch {
  public:
-  PairSearch(const Fans& fans, std::size_t max_pairs, Progress& progress)
-      : fans_(fans), found_(max_pairs), progress_(progress) {}
+  PairSearch(const CutFaces& cut, std::size_t max_pairs, Progress& progress)
+      : cut_(cut), found_(max_pairs), progress_(progress) {}
 
   void operator()(Index first, Index second) {
     progress_.check();
     const auto [a, b] = std::minmax(first, second);
-    if (fans_.meet(a, b) && fans_.first_of_faces(a, b)) found_.add(fans_.face(a), fans_.face(b));
+    if (cut_.meet(a, b) && cut_.first_of_faces(a, b)) found_.add(cut_.face(a), cut_.face(b));
   }
 
   SelfIntersections finish() {
@@ -132,7 +133,7 @@ class PairSearch {
   }
 
  private:
-  const Fans& fans_;
+  const CutFaces& cut_;
   PairList found_;
   Progress& progress_;
 };
@@ -154,13 +155,16 @@ struct Neighbourhood {
       faces.push_back(f);
       next_chosen = std::lower_bound(next_chosen, chosen.end(), f);
       is_chosen.push_back(next_chosen != chosen.end() && *next_chosen == f ? 1 : 0);
-      for (const Index v : whole.face(f)) {
-        if (numbers[v] == no_index) {
-          numbers[v] = static_cast<Index>(mesh.positions.size());
-          mesh.positions.push_back(whole.positions[v]);
-        }
-        mesh.corners.push_back(numbers[v]);
-      }
+      for (const Index v : whole.face(f)) numbers[v] = 0;
+    }
+    // In the whole's order, which the cut of polygons looks at.
+    for (Index v = 0; v < numbers.size(); ++v) {
+      if (numbers[v] == no_index) continue;
+      numbers[v] = static_cast<Index>(mesh.positions.size());
+      mesh.positions.push_back(whole.positions[v]);
+    }
+    for (const Index f : faces) {
+      for (const Index v : whole.face(f)) mesh.corners.push_back(numbers[v]);
       mesh.face_offsets.push_back(static_cast<Index>(mesh.corners.size()));
     }
   }
@@ -183,10 +187,10 @@ SelfIntersections find_self_intersections(const PolyMesh& mesh, Progress& progre
                                           const SelfIntersectionOptions& options) {
   require_usable(mesh);
   progress.check();
-  const Fans fans(mesh);
+  const CutFaces cut(mesh);
   progress.check();
-  const BoxTree tree(fans.boxes());
-  PairSearch search(fans, options.max_pairs, progress);
+  const BoxTree tree(cut.boxes());
+  PairSearch search(cut, options.max_pairs, progress);
   for (std::size_t leaf = 0; leaf < tree.leaf_count(); ++leaf) {
     report_leaf(leaf, tree, progress);
     tree.visit_pairs_of_leaf(leaf, search);
@@ -199,15 +203,15 @@ SelfIntersections find_intersections_of(const PolyMesh& mesh, std::span<const In
   require_usable(mesh);
   progress.check();
   const Neighbourhood near(mesh, faces);
-  const Fans fans(near.mesh);
-  const auto is_chosen = [&](Index t) { return near.is_chosen[fans.face(t)] != 0; };
+  const CutFaces cut(near.mesh);
+  const auto is_chosen = [&](Index t) { return near.is_chosen[cut.face(t)] != 0; };
   std::vector<Index> chosen;
   std::vector<Index> others;
-  for (Index t = 0; t < fans.triangle_count(); ++t) (is_chosen(t) ? chosen : others).push_back(t);
-  const std::vector<PackedBox> boxes = fans.boxes();
+  for (Index t = 0; t < cut.triangle_count(); ++t) (is_chosen(t) ? chosen : others).push_back(t);
+  const std::vector<PackedBox> boxes = cut.boxes();
   const BoxTree chosen_tree(picked(boxes, chosen));
   const BoxTree other_tree(picked(boxes, others));
-  PairSearch search(fans, options.max_pairs, progress);
+  PairSearch search(cut, options.max_pairs, progress);
   for (std::size_t leaf = 0; leaf < chosen_tree.leaf_count(); ++leaf) {
     report_leaf(leaf, chosen_tree, progress);
     chosen_tree.visit_pairs_of_leaf(leaf, [&](Index i, Index j) { search(chosen[i], chosen[j]); });

@@ -34,8 +34,8 @@ struct MeshReport {
   bool oriented = true;
   bool closed = false;                            ///< has faces and no boundary edge
   std::optional<std::size_t> self_intersections;  ///< see find_self_intersections; none if not asked for
-  double area = 0;                                ///< polygons by the fan from their corners' mean
-  std::optional<double> volume;  ///< by the same fan, positive when the faces look outwards; none for an open mesh
+  double area = 0;                                ///< polygons by their cut into triangles, see polygon_cut
+  std::optional<double> volume;  ///< by the same cut, positive when the faces look outwards; none for an open mesh
   std::optional<std::array<Vec3, 2>> bounds;  ///< least and greatest coordinates of all vertices; none without any
 };
 

@@ -22,7 +22,7 @@ struct SelfIntersections {
 
 /// Finds the pairs of faces that meet anywhere but in the vertices and edges they share.
 ///
-/// Polygons count as the fan of triangles from their first corner; (f, f): a polygon's own fan overlaps.
+/// Polygons count as the triangles they are cut into (see polygon_cut); (f, f): those of one polygon overlap.
 /// Shared means the same vertex index: sheets that touch without sharing, even in one point or along a seam with
 /// coordinates that agree, do intersect, as do duplicate faces. Triangles without an area (on one line, exactly) are
 /// left out: `degenerate_faces` lists the faces. All decisions are exact on the coordinates as given. Any soup is

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "croquis/base/limits.h"
 #include "croquis/geometry/attribute_network.h"
 
 namespace croquis {
@@ -45,7 +45,7 @@ class AttributeNetworkCheck {
  private:
   static constexpr std::size_t most_findings = 100;
 
-  static bool is_positive(double number) { return std::isfinite(number) && number > 0; }
+  static bool is_positive(double number) { return is_usable_number(number) && number > 0; }
 
   void complain(const char* code, const std::string& who, const std::string& what, std::vector<Subject> subjects) {
     if (findings_.size() >= most_findings) return;
@@ -54,6 +54,10 @@ class AttributeNetworkCheck {
 
   void complain(const char* code, const ElementName& element, const std::string& what) {
     complain(code, element.text(), what, {{element.kind, element.id, {}, {}, {}}});
+  }
+
+  void refuse_number(const ElementName& element, const std::string& what) {
+    complain("E_NOT_FINITE", element, "has a " + what + " that " + unusable_words);
   }
 
   template <typename Element>
@@ -68,11 +72,11 @@ class AttributeNetworkCheck {
   }
 
   void check_place(const ElementName& element, const Vec3& place) {
-    if (!place.allFinite()) complain("E_NOT_FINITE", element, "has a coordinate that is not finite");
+    if (!are_usable_numbers(place)) refuse_number(element, "coordinate");
   }
 
   void check_direction(const ElementName& element, const Vec3& direction) {
-    if (!direction.allFinite()) return complain("E_NOT_FINITE", element, "has a normal that is not finite");
+    if (!are_usable_numbers(direction)) return refuse_number(element, "normal");
     if (!(direction.norm() > 0)) complain("E_SYNTAX", element, "has a normal without length");
   }
 
@@ -94,8 +98,7 @@ class AttributeNetworkCheck {
     if (curve.control.empty() && !has_nodes)
       complain("E_NO_NODE", name, "has neither control points nor a node at both ends");
     if (curve.control.size() == 1) complain("E_SYNTAX", name, "has one control point: it needs two or more");
-    if (!std::ranges::all_of(curve.control, [](const Vec3& point) { return point.allFinite(); }))
-      complain("E_NOT_FINITE", name, "has a coordinate that is not finite");
+    if (!std::ranges::all_of(curve.control, are_usable_numbers<Vec3>)) refuse_number(name, "coordinate");
   }
 
   void check_face(const AttributeFace& face) {
@@ -120,8 +123,7 @@ class AttributeNetworkCheck {
     if (point.normal) check_direction(name, *point.normal);
     if (point.face >= network_.faces.size()) return complain("E_NO_FACE", name, "lies in a face that isn't there");
     if (!point.fan) return;
-    if (!std::isfinite(point.fan->a) || !std::isfinite(point.fan->b))
-      complain("E_NOT_FINITE", name, "has a fan place that is not finite");
+    if (!is_usable_number(point.fan->a) || !is_usable_number(point.fan->b)) refuse_number(name, "fan place");
     if (point.fan->corner >= domain_corners(network_.faces[point.face]))
       complain("E_SYNTAX", name, "has a fan place at a corner that its face's domain doesn't have");
   }
@@ -138,7 +140,7 @@ class AttributeNetworkCheck {
     if (!in_range || !std::ranges::is_sorted(slope.at))
       complain("E_SYNTAX", name, "has a slope whose places don't ascend from 0 to 1");
     for (const Vec3& normal : slope.normals) check_direction(name, normal);
-    if (!std::isfinite(slope.magnitude)) complain("E_NOT_FINITE", name, "has a slope of a magnitude that isn't finite");
+    if (!is_usable_number(slope.magnitude)) refuse_number(name, "slope of a magnitude");
   }
 
   const AttributeNetwork& network_;

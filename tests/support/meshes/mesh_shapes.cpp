@@ -75,6 +75,14 @@ PolyMesh tetrahedron() {
 
 PolyMesh cube() { return cube_union({{0, 0, 0}}); }
 
+PolyMesh bent_box() {
+  PolyMesh mesh = cube();
+  for (Vec3& position : mesh.positions) {
+    if (position == Vec3(1, 1, 1)) position.z() = 2;
+  }
+  return mesh;
+}
+
 PolyMesh uv_sphere(Index segments, Index rings) {
   PolyMesh mesh;
   mesh.positions.emplace_back(0, 0, -1);

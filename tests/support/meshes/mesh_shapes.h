@@ -13,6 +13,7 @@ namespace croquis::test {
 
 PolyMesh tetrahedron();  ///< corners at the origin and the three axes' unit points: volume 1/6
 PolyMesh cube();         ///< [0,1]^3, six quads
+PolyMesh bent_box();     ///< the cube with its corner (1,1,1) raised to z = 2: volume 7/6, area 6.5 + √3/2
 
 /// Radius 1 about the origin, the poles on z: 2 + n (m - 1) vertices, n m faces (triangles at the poles, else quads).
 /// @param segments n >= 3, around; @param rings m >= 2, from pole to pole
