@@ -32,7 +32,7 @@ void require_version() {
 Bounds bounds_of_surfaces(const Scene& scene) {
   Bounds bounds;
   for (const Shown<MeshItem>& shown : scene.meshes) {
-    if (shown.item && !shown.item->bounds.empty()) bounds.add(shown.item->bounds);
+    if (const Bounds box = bounds_of(shown); !box.empty()) bounds.add(box);
   }
   return bounds;
 }
@@ -53,6 +53,7 @@ class Renderer::Implementation {
   void draw(const Scene& scene, const Camera& camera, const RenderOptions& options, const Viewport& viewport);
   const Uploads& uploads() const { return uploads_; }
   std::size_t triangles_drawn() const { return triangles_drawn_; }
+  std::size_t kept_samples() const { return surfaces_.kept_samples(); }
 
  private:
   void drop_expired();
@@ -169,6 +170,8 @@ void Renderer::draw(const std::vector<MeshItemPtr>& items, const Camera& camera,
 bool Renderer::pending() const { return implementation_->uploads().pending(); }
 
 UploadCount Renderer::uploaded() const { return implementation_->uploads().total(); }
+
+std::size_t Renderer::kept_samples() const { return implementation_->kept_samples(); }
 
 std::size_t Renderer::triangles_drawn() const { return implementation_->triangles_drawn(); }
 

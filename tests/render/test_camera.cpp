@@ -100,3 +100,21 @@ TEST_CASE("an up vector along the line of sight is replaced by one that works") 
     CHECK(glm::length(glm::dvec2(project(camera, 1, bounds, corner))) == Approx(std::sqrt(2.0) * 0.88));
   }
 }
+
+TEST_CASE("the line of sight meets the picture at the principal point, and all else moves with it") {
+  const Bounds bounds{glm::dvec3(-1), glm::dvec3(1)};
+  const double aspect = 1.6;
+  Camera camera = frame(bounds, view_direction(NamedView::Perspective), aspect);
+  const glm::dvec3 points[] = {camera.target, {0.4, -0.3, 0.2}, {-1, 1, 1}};
+  std::vector<glm::dvec3> centred;
+  for (const glm::dvec3& point : points) centred.push_back(project(camera, aspect, bounds, point));
+  CHECK(glm::length(glm::dvec2(centred[0])) < 1e-12);
+  camera.principal_offset = {0.15, -0.25};
+  for (std::size_t i = 0; i < centred.size(); ++i) {
+    const glm::dvec3 moved = project(camera, aspect, bounds, points[i]) - centred[i];
+    // The picture is two units wide and two high; the offset is in its heights.
+    CHECK(moved.x == Approx(2 * 0.15 / aspect));
+    CHECK(moved.y == Approx(2 * -0.25));
+    CHECK(moved.z == Approx(0).margin(1e-12));
+  }
+}

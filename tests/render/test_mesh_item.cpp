@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
+#include "croquis/geometry/mesh_report.h"
 #include "croquis/render/mesh_item.h"
 #include "support/meshes/mesh_shapes.h"
 
@@ -33,6 +34,28 @@ TEST_CASE("a cube keeps its sharp edges: one patch and four vertices per face") 
   for (const SurfaceVertex& vertex : item->vertices) {
     CHECK(std::max({std::abs(vertex.normal.x), std::abs(vertex.normal.y), std::abs(vertex.normal.z)}) == 1.0f);
   }
+}
+
+TEST_CASE("bent polygons are drawn as the triangles that the report measures, while they are moved too") {
+  const auto volume_of = [](const MeshItem& item) {
+    double six_volumes = 0;
+    for (std::size_t i = 0; i < item.triangles.size(); i += 3) {
+      const auto place = [&](std::size_t k) { return glm::dvec3(item.vertices[item.triangles[i + k]].position); };
+      six_volumes += glm::dot(place(0), glm::cross(place(1), place(2)));
+    }
+    return six_volumes / 6 * std::pow(item.scale, 3);
+  };
+  Progress progress;
+  const MeshItemPtr bent = make_mesh_item(test::bent_box());
+  CHECK(volume_of(*bent) == Approx(7.0 / 6).epsilon(1e-6));
+  PolyMesh lowered = test::bent_box();  // now the other diagonal is the shorter one
+  for (Vec3& position : lowered.positions) {
+    if (position == Vec3(1, 0, 1)) position.z() = 3;
+  }
+  const double volume = *inspect(lowered, false, progress).volume;
+  CHECK(volume_of(*make_mesh_item(lowered)) == Approx(volume).epsilon(1e-6));
+  CHECK(volume_of(*update_mesh_item(bent, lowered, {})) == Approx(volume).epsilon(1e-6));
+  CHECK(volume_of(*update_mesh_item(bent, lowered.positions)) == Approx(volume).epsilon(1e-6));
 }
 
 TEST_CASE("a crease angle above its dihedral makes the cube one smooth patch") {

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <epoxy/gl.h>
 
+#include "croquis/geometry/placement.h"
 #include "render/picture_probe.h"
 #include "support/meshes/mesh_shapes.h"
 
@@ -306,6 +307,9 @@ TEST_CASE("the axes in the corner point where the camera sees them") {
     CHECK(color_at(front, 50, 125) == colors[1]);
     CHECK(color_at(side, 50, 125) == colors[1]);
     CHECK(color_at(side, 25, 150) == colors[2]);
+    options.axis_cross.axes = {{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}};  // z upwards
+    CHECK(color_at(front, 75, 150) == colors[0]);
+    CHECK(color_at(front, 50, 125) == colors[2]);
   });
 }
 
@@ -320,5 +324,51 @@ TEST_CASE("a scene's box and points are those of all its items, and null items a
   CHECK(points_of(scene).size() == points);
   with_renderer([&](Renderer& renderer) {
     CHECK(render_picture(renderer, scene, camera_at(0), RenderOptions(), {20, 20}).width == 20);
+  });
+}
+
+TEST_CASE("a placed item is drawn, and framed, as the moved mesh would be: faces, lines, marks and points") {
+  const Affine3 map = Placement{{3, -2, 1}, {20, 40, 10}, {1.5, 1.5, 1.5}}.map();
+  glm::dmat4 placement(1);
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) placement[column][row] = map.linear(row, column);
+    placement[3][column] = map.offset(column);
+  }
+  const auto scene_of = [](const PolyMesh& mesh) {
+    Scene scene;
+    scene.meshes.emplace_back(make_mesh_item(mesh));
+    const Vec3& a = mesh.positions.front();
+    const Vec3& b = mesh.positions.back();
+    const std::vector<glm::dvec3> ends = {{a.x(), a.y(), a.z()}, {b.x(), b.y(), b.z()}};
+    scene.lines.emplace_back(make_line_item(line_through(ends), {5, {200, 30, 30, 255}, {9, 4, 0, 0}, {}}));
+    std::vector<Mark> marks(1);
+    marks[0].position = ends[0];
+    scene.marks.emplace_back(make_mark_item(marks));
+    scene.points.push_back(make_point_item(mesh.positions, {7, {90, 0, 90, 255}, {}, PointShape::Disc}));
+    return scene;
+  };
+  const PolyMesh mesh = test::scaled(test::torus(16, 8), 8);
+  const Scene moved = scene_of(transformed(mesh, map));
+  Scene placed = scene_of(mesh);
+  placed.meshes[0].placement = placed.lines[0].placement = placement;
+  placed.marks[0].placement = placed.points[0].placement = placement;
+  const std::vector<glm::dvec3> there = points_of(moved), here = points_of(placed);
+  REQUIRE(there.size() == here.size());
+  double apart = 0;
+  for (std::size_t i = 0; i < here.size(); ++i) apart = std::max(apart, glm::length(there[i] - here[i]));
+  CHECK(apart < 1e-4);
+  const Bounds box = bounds_of(placed);
+  for (const glm::dvec3& point : there) {
+    CHECK(glm::all(glm::lessThan(box.min - 1e-4, point)));
+    CHECK(glm::all(glm::lessThan(point, box.max + 1e-4)));
+  }
+  with_renderer([&](Renderer& renderer) {
+    const PictureSize size{96, 72};
+    const Camera camera = frame(there, view_direction(NamedView::Perspective), size.aspect());
+    const RenderedPicture a = render_picture(renderer, moved, camera, {}, size);
+    const RenderedPicture b = render_picture(renderer, placed, camera, {}, size);
+    int differing = 0;
+    for (std::size_t i = 0; i < a.rgba.size(); ++i) differing += std::abs(a.rgba[i] - b.rgba[i]) > 24 ? 1 : 0;
+    CHECK(differing < 0.005 * static_cast<double>(a.rgba.size()));
   });
 }

@@ -65,6 +65,27 @@ TEST_CASE("a large mesh goes up in slices within the budget and ends in the same
   });
 }
 
+TEST_CASE("buffers of two sizes stay while they take turns, those of many sizes go") {
+  with_renderer([](Renderer& renderer) {
+    const MeshItemPtr item = make_mesh_item(test::cube());
+    Scene scene;
+    scene.meshes.emplace_back(item);
+    const auto draw = [&](int width) {
+      draw_once(renderer, scene, camera_of(item), RenderOptions::interactive(), {width, 700});
+    };
+    for (int width = 800; width < 1100; width += 20) {
+      draw(width);
+      CHECK(renderer.kept_samples() < 6'000'000 + 700 * 1100);
+    }
+    CHECK(renderer.kept_samples() > 4'000'000);  // 0.6 to 0.8 million each
+    draw(2000);
+    draw(2100);
+    const std::size_t two = renderer.kept_samples();
+    draw(2000);
+    CHECK(renderer.kept_samples() == two);
+  });
+}
+
 TEST_CASE("triangles show as they come, and before them the box") {
   with_renderer([](Renderer& renderer) {
     const MeshItemPtr item = make_mesh_item(large_mesh());

@@ -43,4 +43,12 @@ struct Bounds {
   }
 };
 
+/// The box around what becomes of a box.
+inline Bounds placed(const Bounds& bounds, const glm::dmat4& placement) {
+  Bounds box;
+  if (bounds.empty()) return box;
+  for (const glm::dvec3& corner : bounds.corners()) box.add(glm::dvec3(placement * glm::dvec4(corner, 1)));
+  return box;
+}
+
 }  // namespace croquis::render

@@ -22,6 +22,8 @@ struct Camera {
   /// Perspective only: where the line of sight meets the picture, from its middle, × the picture's height; x to the
   /// right, y up. Pictures that are a part of a larger one are seen off the axis.
   glm::dvec2 principal_offset = {0, 0};
+
+  bool operator==(const Camera&) const = default;
 };
 
 /// How a camera looks at things before it knows how large they are.

@@ -24,6 +24,8 @@ struct DashPattern {
 
   bool solid() const { return !(off > 0) && !(second_off > 0); }
   float length() const { return on + off + second_on + second_off; }
+
+  bool operator==(const DashPattern&) const = default;
 };
 
 /// What covers a line.

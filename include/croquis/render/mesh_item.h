@@ -9,6 +9,7 @@
 #include <glm/glm.hpp>
 
 #include "croquis/geometry/poly_mesh.h"
+#include "croquis/geometry/smooth_surface.h"
 #include "croquis/render/bounds.h"
 #include "croquis/render/color.h"
 #include "croquis/render/shared_array.h"
@@ -44,10 +45,11 @@ enum class FaceShading {
 /// How a mesh is made ready for display.
 struct MeshItemOptions {
   double crease_angle =
-      1.0471975511965976;                ///< radians in [0, pi]: faces that meet at more are shaded apart (60 degrees)
+      usual_crease_angle;                ///< radians in [0, pi]: faces that meet at more are shaded apart (60 degrees)
   Color line_color = {46, 58, 72, 255};  ///< of polylines without colours of their own
   FaceShading shading = FaceShading::Smooth;
-  double split_sharpness = 1;       ///< tagged edges of at least this sharpness are shaded apart at any angle
+  double split_sharpness =
+      usual_split_sharpness;        ///< tagged edges of at least this sharpness are shaded apart at any angle
   bool use_normal_channel = false;  ///< takes the corners' (else vertices') "normal" channel instead, where it has one
 };
 

@@ -42,6 +42,8 @@ struct ShownPicture {
   glm::dvec3 right = glm::dvec3(1, 0, 0);    ///< along its lower border, to the other end
   glm::dvec3 upwards = glm::dvec3(0, 1, 0);  ///< along its left border, to the other end
   double opacity = 1;                        ///< 0..1
+
+  bool operator==(const ShownPicture&) const = default;
 };
 
 }  // namespace croquis::render

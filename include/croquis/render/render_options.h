@@ -25,14 +25,20 @@ struct GridOptions {
   GridKind kind = GridKind::None;
   double spacing = 1;                ///< model units, > 0: the grid's step is this times a power of five
   Color color = {92, 110, 140, 70};  ///< alpha is the strength of the strong lines
+
+  bool operator==(const GridOptions&) const = default;
 };
 
 /// Short axes x, y, z in the lower left corner that turn with the camera; letters and dashes distinguish them, too.
 struct AxisCrossOptions {
   bool shown = false;
   double size = 34;  ///< length of an axis in pixels
+  /// Unit directions of x, y and z in the model: of an object that stands upright in it, its own.
+  std::array<glm::dvec3, 3> axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   std::array<Color, 3> colors = {{{202, 62, 52, 255}, {46, 134, 58, 255}, {44, 92, 200, 255}}};
   std::array<DashPattern, 3> dashes = {{{}, {7, 3, 0, 0}, {2.5F, 2.5F, 0, 0}}};
+
+  bool operator==(const AxisCrossOptions&) const = default;
 };
 
 /// How emphasised items look.
@@ -46,6 +52,8 @@ struct EmphasisOptions {
   double outline_width = 2.4;                ///< pixels, in (0, 16]
   double casing_width = 1.3;                 ///< pixels, in [0, 16]: of lines and outlines that have a border
   double faded = 0.45;                       ///< what is left of stale items' strength, in [0, 1]
+
+  bool operator==(const EmphasisOptions&) const = default;
 };
 
 /// The look of a picture. Widths and lengths are in pixels of the finished picture, times `pixel_ratio`.
@@ -79,6 +87,8 @@ struct RenderOptions {
 
   /// For the sketch view: plain paper with a faint grid.
   static RenderOptions paper();
+
+  bool operator==(const RenderOptions&) const = default;
 };
 
 }  // namespace croquis::render

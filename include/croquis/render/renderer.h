@@ -66,6 +66,9 @@ class Renderer {
 
   UploadCount uploaded() const;
 
+  /// Of all buffers that pictures with surfaces were drawn in and that are kept for the next ones of their sizes.
+  std::size_t kept_samples() const;
+
   /// Of filled or covering surfaces in the last drawing.
   std::size_t triangles_drawn() const;
 

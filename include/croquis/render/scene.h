@@ -30,11 +30,14 @@ template <typename Item>
 struct Shown {
   std::shared_ptr<const Item> item;  ///< null ones are left out
   Emphasis emphasis;
+  glm::dmat4 placement = glm::dmat4(1);  ///< from the item's model coordinates to the scene's; affine, no mirror
 
   Shown() = default;
   /// So that lists can be filled with items alone.
   Shown(std::shared_ptr<const Item> shown_item, Emphasis how = {})  // NOLINT(google-explicit-constructor)
       : item(std::move(shown_item)), emphasis(how) {}
+
+  bool operator==(const Shown&) const = default;
 };
 
 /// What is seen of a mesh's faces.
@@ -80,22 +83,34 @@ struct Shown<MeshItem> {
   MeshItemPtr item;  ///< null ones are left out
   Emphasis emphasis;
   MeshStyle style;
+  glm::dmat4 placement = glm::dmat4(1);  ///< as of the others; its highlights go with it
 
   Shown() = default;
   Shown(MeshItemPtr shown_item, Emphasis how = {}, MeshStyle look = {})  // NOLINT(google-explicit-constructor)
       : item(std::move(shown_item)), emphasis(how), style(look) {}
+
+  bool operator==(const Shown&) const = default;
 };
 
 /// Everything one view shows: pictures, surfaces with their highlighted faces, then lines, points and marks, each in
-/// the order of its list.
+/// the order of its list. Items compare by identity: equal scenes look the same.
 struct Scene {
   std::vector<Shown<MeshItem>> meshes;
   std::vector<Shown<LineItem>> lines;
   std::vector<Shown<MarkItem>> marks;
-  std::vector<PointItemPtr> points = {};
+  std::vector<Shown<PointItem>> points = {};
   std::vector<FaceHighlightPtr> highlights = {};  ///< of meshes that are in the list, later ones over earlier ones
   std::vector<ShownPicture> pictures = {};        ///< behind everything, later ones over earlier ones
+
+  bool operator==(const Scene&) const = default;
 };
+
+/// The box of the item where it is placed; empty without an item.
+template <typename Item>
+Bounds bounds_of(const Shown<Item>& shown) {
+  if (!shown.item) return {};
+  return shown.placement == glm::dmat4(1) ? shown.item->bounds : placed(shown.item->bounds, shown.placement);
+}
 
 /// The box of all items but pictures; empty for none.
 Bounds bounds_of(const Scene& scene);

@@ -28,11 +28,12 @@ Bounds bounds_of_drawn(const PolyMesh& mesh) {
 }
 
 /// Takes the frame that fits the item's bounds, and the positions in it.
-std::vector<glm::dvec3> take_frame(std::span<const Vec3> positions, MeshItem& item) {
+std::vector<Vec3> take_frame(std::span<const Vec3> positions, MeshItem& item) {
   set_own_frame(item);
-  std::vector<glm::dvec3> own;
+  const Vec3 origin(item.origin.x, item.origin.y, item.origin.z);
+  std::vector<Vec3> own;
   own.reserve(positions.size());
-  for (const Vec3& position : positions) own.push_back((to_glm(position) - item.origin) / item.scale);
+  for (const Vec3& position : positions) own.push_back((position - origin) / item.scale);
   return own;
 }
 
@@ -61,7 +62,7 @@ MeshItemPtr place(const std::shared_ptr<const MeshPlan>& plan, std::span<const V
   auto item = std::make_shared<MeshItem>();
   item->plan = plan;
   item->bounds = plan->bounds_of_drawn(positions);
-  plan->fill(take_frame(positions, *item), normals, *item);
+  plan->fill(positions, take_frame(positions, *item), normals, *item);
   return item;
 }
 
@@ -71,9 +72,9 @@ MeshItemPtr make_mesh_item(const PolyMesh& mesh, const MeshItemOptions& options)
   require_drawable(mesh);
   auto item = std::make_shared<MeshItem>();
   item->bounds = bounds_of_drawn(mesh);
-  const std::vector<glm::dvec3> positions = take_frame(mesh.positions, *item);
+  const std::vector<Vec3> positions = take_frame(mesh.positions, *item);
   const auto plan = std::make_shared<MeshPlan>(mesh, positions, options);
-  plan->fill(positions, plan->normals_of(mesh), *item);
+  plan->fill(mesh.positions, positions, plan->normals_of(mesh), *item);
   plan->reduce(*item);
   if (plan->reduced()) item->reduced = plan->reduced()->of(*item);
   item->plan = plan;

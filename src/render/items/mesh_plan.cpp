@@ -8,9 +8,10 @@
 #include <string_view>
 #include <utility>
 
+#include "croquis/geometry/polygon_cut.h"
+#include "croquis/geometry/smooth_surface.h"
 #include "render/items/item_colors.h"
-#include "render/items/polygon_triangulation.h"
-#include "render/items/smooth_surface.h"
+#include "render/items/to_glm.h"
 
 namespace croquis::render {
 namespace {
@@ -121,7 +122,7 @@ class VertexCollector {
 
 }  // namespace
 
-MeshPlan::MeshPlan(const PolyMesh& mesh, std::span<const glm::dvec3> positions, const MeshItemOptions& options)
+MeshPlan::MeshPlan(const PolyMesh& mesh, std::span<const Vec3> positions, const MeshItemOptions& options)
     : options_(options),
       vertex_count_(mesh.vertex_count()),
       face_offsets_(mesh.face_offsets),
@@ -131,7 +132,7 @@ MeshPlan::MeshPlan(const PolyMesh& mesh, std::span<const glm::dvec3> positions, 
       creases_(mesh.tags.creases),
       channels_(channels_of_look(mesh)),
       line_colors_(line_colors(mesh, options.line_color)) {
-  const std::vector<Index> welded = weld(positions);
+  const std::vector<Index> welded = joined_places(positions);
   coincident_ = coincident_pairs(welded);
   const std::vector<Index> parts = face_parts(mesh, welded);
   SmoothSurface surface = find_smooth_surface(
@@ -151,7 +152,13 @@ MeshPlan::MeshPlan(const PolyMesh& mesh, std::span<const glm::dvec3> positions, 
     edges.push_back(corner_vertices_[b]);
   }
   edges_ = std::move(edges);
-  cut_triangles(positions);
+  face_triangles_.reserve(face_offsets_.size());
+  face_triangles_.push_back(0);
+  for (std::size_t f = 0; f < face_count(); ++f) {
+    const Index corners = face_offsets_[f + 1] - face_offsets_[f];
+    face_triangles_.push_back(face_triangles_.back() + (corners < 3 ? 0 : 3 * (corners - 2)));
+  }
+  triangles_ = cut_triangles(mesh.positions);
   index_lines(mesh);
 }
 
@@ -170,24 +177,16 @@ void MeshPlan::collect_vertices(const PolyMesh& mesh, std::span<const Color> col
   paint_ = collector.take_paints();
 }
 
-void MeshPlan::cut_triangles(std::span<const glm::dvec3> positions) {
+std::vector<std::uint32_t> MeshPlan::cut_triangles(std::span<const Vec3> positions) const {
   std::vector<std::uint32_t> triangles;
-  triangles.reserve(3 * (corners_.size() - std::min(corners_.size(), 2 * face_count())));
-  face_triangles_.reserve(face_offsets_.size());
-  face_triangles_.push_back(0);
-  std::vector<glm::dvec3> polygon;
+  triangles.reserve(face_triangles_.back());
   for (std::size_t f = 0; f < face_count(); ++f) {
-    const Index first = face_offsets_[f];
-    polygon.clear();
-    for (Index c = first; c < face_offsets_[f + 1]; ++c) polygon.push_back(positions[corners_[c]]);
-    if (polygon.size() >= 3) {
-      for (const auto& triangle : triangulate_polygon(polygon)) {
-        for (const Index corner : triangle) triangles.push_back(corner_vertices_[first + corner]);
-      }
-    }
-    face_triangles_.push_back(static_cast<Index>(triangles.size()));
+    const std::span corners = std::span(corners_).subspan(face_offsets_[f], face_offsets_[f + 1] - face_offsets_[f]);
+    visit_triangles(positions, corners, [&](const std::array<Index, 3>& triangle) {
+      for (const Index corner : triangle) triangles.push_back(corner_vertices_[face_offsets_[f] + corner]);
+    });
   }
-  triangles_ = std::move(triangles);
+  return triangles;
 }
 
 void MeshPlan::index_lines(const PolyMesh& mesh) {
@@ -224,20 +223,24 @@ const AttributeChannel* MeshPlan::normals_of(const PolyMesh& mesh) const {
   return options_.use_normal_channel ? normal_channel(mesh) : nullptr;
 }
 
-void MeshPlan::fill(std::span<const glm::dvec3> positions, const AttributeChannel* channel, MeshItem& item) const {
-  const std::vector<glm::vec3> normals = group_normals(faces(), positions, corner_groups_, group_count_);
+void MeshPlan::fill(std::span<const Vec3> given, std::span<const Vec3> positions, const AttributeChannel* channel,
+                    MeshItem& item) const {
+  const std::vector<Vec3> normals = group_normals(faces(), positions, corner_groups_, group_count_);
   item.vertices.resize(vertex_corners_.size());
   for (std::size_t v = 0; v < item.vertices.size(); ++v) {
     const Index corner = vertex_corners_[v];
-    item.vertices[v] = {glm::vec3(positions[corners_[corner]]), normals[corner_groups_[corner]]};
+    item.vertices[v] = {glm::vec3(to_glm(positions[corners_[corner]])),
+                        glm::vec3(to_glm(normals[corner_groups_[corner]]))};
   }
   if (channel != nullptr) take_normals(*channel, item.vertices);
   item.line_vertices.resize(line_vertices_.size());
   for (std::size_t i = 0; i < line_vertices_.size(); ++i) {
-    item.line_vertices[i] = {glm::vec3(positions[line_vertices_[i]]), line_colors_[i]};
+    item.line_vertices[i] = {glm::vec3(to_glm(positions[line_vertices_[i]])), line_colors_[i]};
   }
   item.paint = paint_;
-  item.triangles = triangles_;
+  const bool all_triangles = triangles_.size() == corners_.size();
+  const SharedArray<std::uint32_t> triangles = all_triangles ? triangles_ : cut_triangles(given);
+  item.triangles = triangles == triangles_ ? triangles_ : triangles;
   item.edges = edges_;
   item.segments = segments_;
   item.patch_count = patch_count_;

@@ -11,9 +11,9 @@
 #include <glm/glm.hpp>
 
 #include "croquis/geometry/poly_mesh.h"
+#include "croquis/geometry/surface_normals.h"
 #include "croquis/render/mesh_item.h"
 #include "render/items/reduced_surface.h"
-#include "render/items/surface_normals.h"
 
 namespace croquis::render {
 
@@ -22,7 +22,7 @@ namespace croquis::render {
 class MeshPlan {
  public:
   /// @param positions the mesh's vertices in the item's own frame
-  MeshPlan(const PolyMesh& mesh, std::span<const glm::dvec3> positions, const MeshItemOptions& options);
+  MeshPlan(const PolyMesh& mesh, std::span<const Vec3> positions, const MeshItemOptions& options);
 
   /// Whether only positions and, where normals are read from it, the "normal" channel differ; vertices that were at one
   /// place have to be still.
@@ -35,9 +35,11 @@ class MeshPlan {
   const AttributeChannel* normals_of(const PolyMesh& mesh) const;
 
   /// Fills all but frame and bounds of an item.
-  /// @param positions of a mesh that fits, in the item's own frame
-  /// @param normals null: all are computed
-  void fill(std::span<const glm::dvec3> positions, const AttributeChannel* normals, MeshItem& item) const;
+  /// @param given     positions of a mesh that fits; polygons that they bend may be cut another way
+  /// @param positions the same in the item's own frame
+  /// @param normals   null: all are computed
+  void fill(std::span<const Vec3> given, std::span<const Vec3> positions, const AttributeChannel* normals,
+            MeshItem& item) const;
 
   /// Makes the reduced surface of its items, where they have many triangles. @param item filled
   void reduce(const MeshItem& item);
@@ -55,7 +57,7 @@ class MeshPlan {
 
  private:
   void collect_vertices(const PolyMesh& mesh, std::span<const Color> colors, std::span<const Index> patches);
-  void cut_triangles(std::span<const glm::dvec3> positions);
+  std::vector<std::uint32_t> cut_triangles(std::span<const Vec3> positions) const;
   void index_lines(const PolyMesh& mesh);
   void take_normals(const AttributeChannel& channel, std::span<SurfaceVertex> vertices) const;
   FaceArrays faces() const { return {face_offsets_, corners_}; }
@@ -70,7 +72,7 @@ class MeshPlan {
   Index group_count_ = 0;
   std::vector<Index> corner_vertices_;  // #C, of the item
   std::vector<Index> vertex_corners_;   // of the item's vertices: the first corner that uses it
-  std::vector<Index> face_triangles_;   // #F+1, into triangles_
+  std::vector<Index> face_triangles_;   // #F+1, into the triangles' vertices
   SharedArray<SurfacePaint> paint_;
   SharedArray<std::uint32_t> triangles_, edges_, segments_;
   std::vector<Color> line_colors_;

@@ -36,12 +36,12 @@ std::vector<Shown<LineItem>> axis_cross(const RenderOptions& options, const View
   const double letter_height = 4 * options.pixel_ratio;
   const glm::dvec3 middle(size + 4 * letter_height, size + 4 * letter_height, 0);
   std::array<std::size_t, 3> order = {0, 1, 2};
-  const auto away = [&](std::size_t axis) { return view.model_to_view[static_cast<int>(axis)].z; };
+  const auto in_view = [&](std::size_t axis) { return glm::dmat3(view.model_to_view) * cross.axes[axis] * view.unit; };
+  const auto away = [&](std::size_t axis) { return in_view(axis).z; };
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return away(a) < away(b); });
   std::vector<Shown<LineItem>> lines;
   for (const std::size_t axis : order) {
-    const glm::dvec3 in_view = glm::dvec3(view.model_to_view[static_cast<int>(axis)]) * view.unit;
-    const glm::dvec3 direction(in_view.x, in_view.y, 0);
+    const glm::dvec3 direction(in_view(axis).x, in_view(axis).y, 0);
     LineStyle style{2, cross.colors[axis], cross.dashes[axis], LineDepth::OnTop};
     lines.emplace_back(make_line_item(line_through(Places{middle, middle + size * direction}), style));
     style.width = 1.5;

@@ -9,8 +9,8 @@ namespace {
 /// Takes corners to the screen, and segments as far as they are before the eye.
 class Screen {
  public:
-  Screen(const LineItem& item, const OverlayFrame& frame)
-      : to_view_(item_to_view(item, frame.view)),
+  Screen(const Shown<LineItem>& shown, const OverlayFrame& frame)
+      : to_view_(item_to_view(shown, frame.view)),
         to_clip_(frame.view.to_clip),
         half_size_(0.5 * glm::dvec2(frame.size)),
         perspective_(frame.view.perspective) {}
@@ -44,8 +44,9 @@ class Screen {
 
 }  // namespace
 
-std::vector<float> lengths_on_screen(const LineItem& item, const OverlayFrame& frame) {
-  const Screen screen(item, frame);
+std::vector<float> lengths_on_screen(const Shown<LineItem>& shown, const OverlayFrame& frame) {
+  const Screen screen(shown, frame);
+  const LineItem& item = *shown.item;
   std::vector<float> lengths(item.corners.size(), 0);
   double length = 0;
   glm::dvec4 previous(0);

@@ -73,19 +73,21 @@ void LinePainter::draw(const std::vector<Shown<LineItem>>& lines, const RenderOp
     const float strength = shown.emphasis.stale ? static_cast<float>(options.emphasis.faded) : 1;
     const glm::vec4 glow = emphasis_color(options.emphasis, shown.emphasis);
     const float grow = static_cast<float>(options.emphasis.glow) * ratio;
-    if (glow.a > 0) draw_item(shown.item, frame, ratio, {glow, grow, strength});
-    draw_item(shown.item, frame, ratio, {glm::vec4(0), 0, strength});
+    if (glow.a > 0) draw_item(shown, frame, ratio, {glow, grow, strength});
+    draw_item(shown, frame, ratio, {glm::vec4(0), 0, strength});
   }
   glDisable(GL_STENCIL_TEST);
   glDisable(GL_DEPTH_TEST);
 }
 
-void LinePainter::draw_item(const LineItemPtr& item, const OverlayFrame& frame, float pixel_ratio, const Look& look) {
+void LinePainter::draw_item(const Shown<LineItem>& shown, const OverlayFrame& frame, float pixel_ratio,
+                            const Look& look) {
+  const LineItemPtr& item = shown.item;
   const GpuLines& gpu_lines = gpu_lines_.get(item, frame.uploads);
   const DashPattern& dash = item->style.dash;
   const bool dashed = !dash.solid() && look.grow == 0;  // a glow runs through
   program_.use();
-  program_.set("to_view", glm::mat4(item_to_view(*item, frame.view)));
+  program_.set("to_view", glm::mat4(item_to_view(shown, frame.view)));
   program_.set("to_clip", frame.view.to_clip);
   program_.set("perspective", frame.view.perspective);
   program_.set("frame_size", frame.size);
@@ -98,15 +100,15 @@ void LinePainter::draw_item(const LineItemPtr& item, const OverlayFrame& frame, 
   program_.set("dashes", pixel_ratio * glm::vec4(dash.on, dash.off, dash.second_on, dash.second_off));
   set_visibility(program_, frame, item->style.depth != LineDepth::OnTop);
   program_.set("seen_at_middle", item->style.depth == LineDepth::OnSurface);
-  if (dashed) set_lengths(*item, frame);
+  if (dashed) set_lengths(shown, frame);
   for (const LineRun& run : item->runs) {
     bind_run(run, gpu_lines, dashed);
     draw_run(run);
   }
 }
 
-void LinePainter::set_lengths(const LineItem& item, const OverlayFrame& frame) {
-  const std::vector<float> lengths = lengths_on_screen(item, frame);
+void LinePainter::set_lengths(const Shown<LineItem>& shown, const OverlayFrame& frame) {
+  const std::vector<float> lengths = lengths_on_screen(shown, frame);
   glBindBuffer(GL_ARRAY_BUFFER, lengths_.name());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(lengths.size() * sizeof(float)), lengths.data(),
                GL_STREAM_DRAW);

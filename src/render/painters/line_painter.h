@@ -30,8 +30,8 @@ class LinePainter {
     float strength = 1;
   };
 
-  void draw_item(const LineItemPtr& item, const OverlayFrame& frame, float pixel_ratio, const Look& look);
-  void set_lengths(const LineItem& item, const OverlayFrame& frame);
+  void draw_item(const Shown<LineItem>& shown, const OverlayFrame& frame, float pixel_ratio, const Look& look);
+  void set_lengths(const Shown<LineItem>& shown, const OverlayFrame& frame);
   void bind_run(const LineRun& run, const GpuLines& gpu_lines, bool dashed);
   void draw_run(const LineRun& run);
   void begin_layers();

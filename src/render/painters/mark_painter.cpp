@@ -60,7 +60,7 @@ void MarkPainter::draw(const std::vector<Shown<MarkItem>>& marks, const RenderOp
   for (const Shown<MarkItem>& shown : marks) {
     if (!shown.item || shown.item->marks.empty()) continue;
     const GpuMarks& gpu_marks = gpu_marks_.get(shown.item, frame.uploads);
-    program_.set("to_view", glm::mat4(item_to_view(*shown.item, frame.view)));
+    program_.set("to_view", glm::mat4(item_to_view(shown, frame.view)));
     program_.set("glow_color", emphasis_color(options.emphasis, shown.emphasis));
     program_.set("strength", shown.emphasis.stale ? static_cast<float>(options.emphasis.faded) : 1.0F);
     set_visibility(program_, frame, shown.item->depth == MarkDepth::Tested);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <epoxy/gl.h>
 
@@ -50,17 +51,20 @@ glm::vec4 wire_color(const Shown<MeshItem>& shown, const RenderOptions& options)
 }
 
 /// Pixels that an item's mean edge spans where the item is nearest.
-double edge_pixels(const MeshItem& item, const ViewFrame& view) {
-  const double radius = item.bounds.radius() / view.unit;
-  const double middle = -(view.model_to_view * glm::dvec4(item.bounds.center(), 1)).z;
+double edge_pixels(const Shown<MeshItem>& shown, const ViewFrame& view) {
+  const Bounds bounds = bounds_of(shown);
+  const double radius = bounds.radius() / view.unit;
+  const double middle = -(view.model_to_view * glm::dvec4(bounds.center(), 1)).z;
   const double distance = view.perspective ? std::max(middle - radius, 0.01) : 1;
-  return item.edge_length / view.unit * view.crop.picture_height / (view.picture_height * distance);
+  const double edge_length =
+      shown.item->edge_length * std::cbrt(std::abs(glm::determinant(glm::dmat3(shown.placement))));
+  return edge_length / view.unit * view.crop.picture_height / (view.picture_height * distance);
 }
 
 /// Wire too dense to show single lines would cover the shape in grey.
-double strength_of_dense_wire(const MeshItem& item, const Drawing& drawing) {
+double strength_of_dense_wire(const Shown<MeshItem>& shown, const Drawing& drawing) {
   constexpr double gone = 1.5, full = 8;  // pixels between lines
-  const double spacing = edge_pixels(item, drawing.view) / drawing.options.pixel_ratio;
+  const double spacing = edge_pixels(shown, drawing.view) / drawing.options.pixel_ratio;
   return std::clamp((spacing - gone) / (full - gone), 0.0, 1.0);
 }
 
@@ -71,6 +75,15 @@ void set_emphasis(const ShaderProgram& surface, const RenderOptions& options, co
   const double fade = emphasis.stale ? 1 - options.emphasis.faded : 0;
   surface.set("tint", tint);
   surface.set("fade", glm::vec4(glm::vec3(background), fade));
+}
+
+/// Normals go by the inverse transpose, kept near length 1: 0 stands for none.
+void set_place(const ShaderProgram& program, const Shown<MeshItem>& shown, const ViewFrame& view) {
+  program.set("to_view", glm::mat4(item_to_view(shown, view)));
+  const glm::dmat3 linear(shown.placement);
+  const double size = std::cbrt(std::abs(glm::determinant(linear)));
+  const glm::dmat3 normals = glm::transpose(glm::inverse(linear)) * size;
+  program.set("normal_to_view", glm::mat3(glm::dmat3(view.model_to_view * view.unit) * normals));
 }
 
 /// Colours are blended over those of the faces, whose shape stays.
@@ -103,7 +116,7 @@ std::vector<const Shown<MeshItem>*> translucent_from_afar(const Drawing& drawing
     if (is_translucent(shown)) found.push_back(&shown);
   }
   const auto depth = [&](const Shown<MeshItem>* shown) {
-    return (drawing.view.model_to_view * glm::dvec4(shown->item->bounds.center(), 1)).z;
+    return (drawing.view.model_to_view * glm::dvec4(bounds_of(*shown).center(), 1)).z;
   };
   std::stable_sort(found.begin(), found.end(), [&](const auto* a, const auto* b) { return depth(a) < depth(b); });
   return found;
@@ -176,7 +189,6 @@ std::size_t MeshPainter::draw_surfaces(const Drawing& drawing, const FrameBuffer
   surface_.use();
   surface_.set("to_clip", drawing.view.to_clip);
   surface_.set("perspective", drawing.view.perspective);
-  surface_.set("normal_to_view", glm::mat3(drawing.view.model_to_view * drawing.view.unit));
   surface_.set("zebra_stripes", zebra_stripes(drawing.options));
   surface_.set("fixed_color", glm::vec4(0));
   std::size_t triangles = 0;
@@ -187,7 +199,7 @@ std::size_t MeshPainter::draw_surfaces(const Drawing& drawing, const FrameBuffer
     set_emphasis(surface_, drawing.options, shown.emphasis);
     surface_.set("filled", shown.style.surface == SurfaceLook::Filled);
     surface_.set("outlined", shown.emphasis.outlined);
-    surface_.set("to_view", glm::mat4(item_to_view(*item, drawing.view)));
+    set_place(surface_, shown, drawing.view);
     if (!shown.style.goes_on) patch_before = first_patch;
     surface_.set("first_patch", patch_before);
     surface_.set("patch_step", shown.style.goes_on ? 0U : 1U);
@@ -210,7 +222,7 @@ void MeshPainter::draw_highlight(const FaceHighlightPtr& highlight, const Drawin
   const bool over_faces = shown->style.surface == SurfaceLook::Filled;
   set_emphasis(surface_, drawing.options, {});
   surface_.set("fixed_color", to_float(highlight->color));
-  surface_.set("to_view", glm::mat4(item_to_view(*highlight->mesh, drawing.view)));
+  set_place(surface_, *shown, drawing.view);
   surface_.set("first_patch", 0U);
   if (over_faces) blend_colors_alone(true);
   faces->draw();
@@ -230,7 +242,6 @@ void MeshPainter::draw_veil(const Drawing& drawing, const FrameBuffers& frame) {
   veil_.use();
   veil_.set("to_clip", drawing.view.to_clip);
   veil_.set("perspective", drawing.view.perspective);
-  veil_.set("normal_to_view", glm::mat3(drawing.view.model_to_view * drawing.view.unit));
   veil_.set("first_patch", 0U);
   veil_.set("patch_step", 1U);
   veil_.set("lit", drawing.options.shading == Shading::Clay);
@@ -238,7 +249,7 @@ void MeshPainter::draw_veil(const Drawing& drawing, const FrameBuffers& frame) {
   for (const Shown<MeshItem>* shown : translucent_from_afar(drawing)) {
     set_emphasis(veil_, drawing.options, shown->emphasis);
     veil_.set("opacity", static_cast<float>(std::clamp(shown->style.opacity, 0.0, 1.0)));
-    veil_.set("to_view", glm::mat4(item_to_view(*shown->item, drawing.view)));
+    set_place(veil_, *shown, drawing.view);
     // What looks away from the eye is mostly behind what looks to it.
     for (const bool front : {false, true}) {
       veil_.set("front", front);
@@ -280,7 +291,7 @@ void MeshPainter::draw_wire(const Drawing& drawing, WireLayer layer) {
     if (covered) color.a *= static_cast<float>(std::min(shown.style.covered_wire, 1.0));
     // A dense wire would hide the faces.
     if (shown.style.surface == SurfaceLook::Filled || shown.style.fades_where_dense) {
-      color.a *= static_cast<float>(strength_of_dense_wire(*shown.item, drawing));
+      color.a *= static_cast<float>(strength_of_dense_wire(shown, drawing));
     }
     if (!(color.a > 0)) continue;
     const float width = wire_width(shown.style, drawing);
@@ -288,7 +299,7 @@ void MeshPainter::draw_wire(const Drawing& drawing, WireLayer layer) {
     // Thinner than a sample it would be dotted: it fades instead.
     const ShaderProgram& program = width > 1 ? line_ : thin_wire_;
     program.use();
-    program.set("to_view", glm::mat4(item_to_view(*shown.item, drawing.view)));
+    program.set("to_view", glm::mat4(item_to_view(shown, drawing.view)));
     program.set("fixed_color", color);
     program.set("width", width);
     program.set("on_surface", !alone);
@@ -307,7 +318,7 @@ void MeshPainter::draw_polylines(const Drawing& drawing) {
             static_cast<float>(std::clamp(drawing.options.line_width, 0.1, 32.0) * drawing.samples_per_pixel()));
   for (const Shown<MeshItem>& shown : drawing.scene.meshes) {
     if (!shown.item || shown.item->segments.empty()) continue;
-    line_.set("to_view", glm::mat4(item_to_view(*shown.item, drawing.view)));
+    line_.set("to_view", glm::mat4(item_to_view(shown, drawing.view)));
     on_card(shown.item, drawing).draw_segments();
   }
 }
@@ -325,7 +336,7 @@ void MeshPainter::draw_boxes(const Drawing& drawing) {
   line_.set("width", static_cast<float>(drawing.samples_per_pixel()));
   for (const Shown<MeshItem>& shown : drawing.scene.meshes) {
     if (!shown.item || on_card(shown.item, drawing).shows_something()) continue;
-    const Bounds& bounds = shown.item->bounds;
+    const Bounds bounds = bounds_of(shown);
     const glm::dvec3 half = 0.5 * bounds.max - 0.5 * bounds.min;
     const glm::dmat4 to_model = glm::scale(glm::translate(glm::dmat4(1), bounds.center()), half);
     line_.set("to_view", glm::mat4(drawing.view.model_to_view * to_model));

@@ -45,7 +45,7 @@ int PointPainter::GpuPoints::count() const {
   return colors.complete() ? static_cast<int>(places.sent() / sizeof(glm::vec3)) : 0;
 }
 
-void PointPainter::draw(const std::vector<PointItemPtr>& points, const RenderOptions& options,
+void PointPainter::draw(const std::vector<Shown<PointItem>>& points, const RenderOptions& options,
                         const OverlayFrame& frame) {
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -55,18 +55,20 @@ void PointPainter::draw(const std::vector<PointItemPtr>& points, const RenderOpt
   program_.set("perspective", frame.view.perspective);
   program_.set("frame_size", frame.size);
   program_.set("nearest", nearest_overlay);
-  for (const PointItemPtr& item : points) {
+  for (const Shown<PointItem>& shown : points) {
+    const PointItemPtr& item = shown.item;
     if (!item || item->places.empty() || (item->colors.empty() && item->style.color.a == 0)) continue;
-    draw_item(item, options, frame);
+    draw_item(shown, options, frame);
   }
   glDisable(GL_PROGRAM_POINT_SIZE);
 }
 
-void PointPainter::draw_item(const PointItemPtr& item, const RenderOptions& options, const OverlayFrame& frame) {
+void PointPainter::draw_item(const Shown<PointItem>& shown, const RenderOptions& options, const OverlayFrame& frame) {
+  const PointItemPtr& item = shown.item;
   GpuPoints& gpu_points = gpu_points_.get(item);
   gpu_points.send(*item, frame.uploads);
   const PointStyle& style = item->style;
-  program_.set("to_view", glm::mat4(item_to_view(*item, frame.view)));
+  program_.set("to_view", glm::mat4(item_to_view(shown, frame.view)));
   program_.set("size", drawn_size(style.size, options.pixel_ratio));
   program_.set("fixed_color", item->colors.empty() ? to_float(style.color) : glm::vec4(0));
   program_.set("outline", to_float(style.outline));

@@ -14,7 +14,7 @@ namespace croquis::render {
 class PointPainter {
  public:
   /// Blending is left on.
-  void draw(const std::vector<PointItemPtr>& points, const RenderOptions& options, const OverlayFrame& frame);
+  void draw(const std::vector<Shown<PointItem>>& points, const RenderOptions& options, const OverlayFrame& frame);
   void drop_expired() { gpu_points_.drop_expired(); }
 
  private:
@@ -28,7 +28,7 @@ class PointPainter {
     GlHandle vertex_array;
   };
 
-  void draw_item(const PointItemPtr& item, const RenderOptions& options, const OverlayFrame& frame);
+  void draw_item(const Shown<PointItem>& shown, const RenderOptions& options, const OverlayFrame& frame);
 
   ShaderProgram program_ = ShaderProgram({"point.vert", "visibility.glsl", "point.frag"});
   GpuCache<PointItem, GpuPoints> gpu_points_;

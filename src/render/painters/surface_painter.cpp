@@ -11,8 +11,10 @@
 namespace croquis::render {
 namespace {
 
-/// A sample takes 30 bytes on the graphics card: views of up to 0.6 GB are kept beside each other …
-constexpr double most_samples_kept = 20e6;
+/// A sample takes 30 bytes on the graphics card: a view's quick and careful pictures are kept beside each other up to
+/// 0.6 GB, and those of other sizes up to 180 MB …
+constexpr double most_samples_in_turns = 20e6;
+constexpr double most_samples_kept = 6e6;
 /// … and a single one gets no more than 1.2 GB.
 constexpr double most_samples = 40e6;
 
@@ -40,7 +42,7 @@ ScreenRect in_viewport(ScreenRect rect, const Drawing& drawing) {
 Bounds bounds_of_outlined(const Scene& scene) {
   Bounds bounds;
   for (const Shown<MeshItem>& shown : scene.meshes) {
-    if (shown.item && shown.emphasis.outlined && !is_translucent(shown)) bounds.add(shown.item->bounds);
+    if (shown.item && shown.emphasis.outlined && !is_translucent(shown)) bounds.add(bounds_of(shown));
   }
   return bounds;
 }
@@ -65,7 +67,7 @@ void drop_oldest(std::list<FrameBuffers>& kept, const FrameSize& wanted) {
   auto last = kept.begin();
   for (; last != kept.end(); ++last) {
     samples += samples_in(last->size);
-    if (samples > most_samples_kept) break;
+    if (samples > (last == kept.begin() ? most_samples_in_turns : most_samples_kept)) break;
   }
   kept.erase(last, kept.end());
 }
@@ -84,6 +86,12 @@ void SurfacePainter::prepare_buffers(Drawing& drawing) {
   }
   drop_oldest(buffers_, size);  // first free, then allocate as much again
   buffers_.emplace_front(size);
+}
+
+std::size_t SurfacePainter::kept_samples() const {
+  double samples = 0;
+  for (const FrameBuffers& kept : buffers_) samples += samples_in(kept.size);
+  return static_cast<std::size_t>(samples);
 }
 
 void SurfacePainter::fill_screen() const {

@@ -22,6 +22,7 @@ class SurfacePainter {
   void compose(const Drawing& drawing, const glm::ivec2& origin);
 
   const FrameBuffers& buffers() const { return buffers_.front(); }
+  std::size_t kept_samples() const;
   void drop_expired() { meshes_.drop_expired(); }
 
  private:

@@ -9,13 +9,15 @@ namespace {
 template <typename Item>
 void add_bounds(const std::vector<Shown<Item>>& items, Bounds& bounds) {
   for (const Shown<Item>& shown : items) {
-    if (shown.item && !shown.item->bounds.empty()) bounds.add(shown.item->bounds);
+    if (const Bounds box = bounds_of(shown); !box.empty()) bounds.add(box);
   }
 }
 
 template <typename Item, typename Vertex>
-void add_points(const Item& item, const std::vector<Vertex>& vertices, std::vector<glm::dvec3>& points) {
-  for (const Vertex& vertex : vertices) points.push_back(to_model(item, vertex.position));
+void add_points(const Shown<Item>& shown, const std::vector<Vertex>& vertices, std::vector<glm::dvec3>& points) {
+  for (const Vertex& vertex : vertices) {
+    points.push_back(glm::dvec3(shown.placement * glm::dvec4(to_model(*shown.item, vertex.position), 1)));
+  }
 }
 
 }  // namespace
@@ -25,27 +27,27 @@ Bounds bounds_of(const Scene& scene) {
   add_bounds(scene.meshes, bounds);
   add_bounds(scene.lines, bounds);
   add_bounds(scene.marks, bounds);
-  for (const PointItemPtr& points : scene.points) {
-    if (points && !points->bounds.empty()) bounds.add(points->bounds);
-  }
+  add_bounds(scene.points, bounds);
   return bounds;
 }
 
 std::vector<glm::dvec3> points_of(const Scene& scene) {
-  std::vector<MeshItemPtr> meshes;
+  std::vector<glm::dvec3> points;
   for (const Shown<MeshItem>& shown : scene.meshes) {
-    if (shown.item) meshes.push_back(shown.item);
+    if (!shown.item) continue;
+    for (const glm::dvec3& point : points_of(std::vector<MeshItemPtr>{shown.item}))
+      points.push_back(glm::dvec3(shown.placement * glm::dvec4(point, 1)));
   }
-  std::vector<glm::dvec3> points = points_of(meshes);
   for (const Shown<LineItem>& shown : scene.lines) {
-    if (shown.item) add_points(*shown.item, shown.item->corners, points);
+    if (shown.item) add_points(shown, shown.item->corners, points);
   }
   for (const Shown<MarkItem>& shown : scene.marks) {
-    if (shown.item) add_points(*shown.item, shown.item->marks, points);
+    if (shown.item) add_points(shown, shown.item->marks, points);
   }
-  for (const PointItemPtr& item : scene.points) {
-    if (!item) continue;
-    for (const glm::vec3& place : item->places) points.push_back(to_model(*item, place));
+  for (const Shown<PointItem>& shown : scene.points) {
+    if (!shown.item) continue;
+    for (const glm::vec3& place : shown.item->places)
+      points.push_back(glm::dvec3(shown.placement * glm::dvec4(to_model(*shown.item, place), 1)));
   }
   return points;
 }

@@ -23,8 +23,13 @@ struct ViewFrame {
 
 /// From an item's own frame to view space.
 template <typename Item>
-glm::dmat4 item_to_view(const Item& item, const ViewFrame& view) {
-  return glm::scale(glm::translate(view.model_to_view, item.origin), glm::dvec3(item.scale));
+glm::dmat4 item_to_view(const Item& item, const glm::dmat4& placement, const ViewFrame& view) {
+  return glm::scale(glm::translate(view.model_to_view * placement, item.origin), glm::dvec3(item.scale));
+}
+
+template <typename Item>
+glm::dmat4 item_to_view(const Shown<Item>& shown, const ViewFrame& view) {
+  return item_to_view(*shown.item, shown.placement, view);
 }
 
 /// @param border pixels drawn around the viewport
