@@ -171,6 +171,35 @@ TEST_CASE("a capsule in front of another is in front by both radii and the gap")
   CHECK(back < 0);
 }
 
+TEST_CASE("a joined part's rim lies on the front of the part behind it, however thick that is") {
+  Skeleton skeleton;
+  skeleton.scale = 2;
+  skeleton.nodes.resize(2);
+  SkeletonNode& upper = skeleton.nodes[0];
+  upper.radius = 1;
+  upper.chord = {Vec2(0, -1), Vec2(0, 1)};
+  upper.crossed = {{0, 0}};
+  SkeletonNode& lower = skeleton.nodes[1];
+  lower.position = Vec2(0.5, 0);
+  lower.radius = 3;
+  lower.crossed = {{0, 1}};
+  lower.object = 1;
+  LabelledFigure figure;
+  figure.faces = {1};
+  Attachments joined;
+  joined.add(0, 1, 0.1);
+  // The front of the part behind is half an ellipsoid of radius 3; the nearest place of the rim is (0, 1).
+  const double round = std::sqrt(3 * 3 - 0.5 * 0.5 - 1);
+  for (const double thickness : {0.3, 0.5, 1.0}) {
+    for (const double other : {0.6, 1.0}) {
+      const std::vector<CollisionRow> rows = collision_rows(skeleton, figure, 0.1, joined, {other, thickness});
+      REQUIRE(rows.size() == 1);
+      CHECK(rows[0].upper == 0);
+      CHECK(rows[0].bound == Approx(thickness * round));
+    }
+  }
+}
+
 TEST_CASE("heights don't depend on how the drawing is turned and grow with it") {
   const auto fixture = test::trefoil_figure();
   Skeleton skeleton = skeleton_of(fixture.figure);

@@ -59,6 +59,7 @@ struct Solid {
   std::vector<SolidObject> objects;
   std::vector<SolidShell> shells;
   std::vector<SolidAttachment> attached;
+  double used = 1;  ///< 0.5..1, share by length of the strokes that it is made of; those drawn as hidden aren't counted
   SolidDiagnostics diagnostics;
   Findings findings;  ///< warnings, and the errors of parts that could not become solid
 };
@@ -70,7 +71,8 @@ struct Solid {
 ///
 /// Attached objects that overlap are joined to one surface. A pair for which that fails is named and kept apart
 /// (W_ATTACH), the others are joined; a pair that doesn't overlap stays as it is (W_ATTACH_APART).
-/// @throws Error when no part becomes a solid; E_ATTACH for every pair that names an unknown object, or one twice, or
+/// @throws Error when no part becomes a solid, or (E_LEFT_OUT) they use less than half of what is drawn, by length, or
+///         lack the outline that encloses most; E_ATTACH for every pair that names an unknown object, or one twice, or
 ///         has a kappa outside 0..1; Cancelled
 Solid inflate(const LabelledDrawing& labelled, const Drawing& drawing, const Options& options, Progress& progress);
 

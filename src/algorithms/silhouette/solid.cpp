@@ -2,8 +2,11 @@
 #include "croquis/silhouette/solid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
+#include <string>
+#include <tuple>
 #include <utility>
 
 #include "algorithms/silhouette/attached_pairs.h"
@@ -11,9 +14,63 @@
 #include "algorithms/silhouette/mesh_append.h"
 #include "algorithms/silhouette/skeleton/object_weights.h"
 #include "croquis/base/error.h"
+#include "croquis/geometry/polyline.h"
+#include "croquis/silhouette/stroke_data.h"
 
 namespace croquis::silhouette {
 namespace {
+
+std::vector<Vec2> sample_places(const Stroke& stroke) {
+  std::vector<Vec2> points;
+  for (const StrokeSample& sample : stroke.samples) points.push_back(sample.position);
+  return points;
+}
+
+/// A limb without its body isn't what was drawn: a solid of a smaller share of the drawing is none.
+constexpr double least_use = 0.5;
+
+/// How much of a drawing a solid is made of. Lines that are drawn as hidden aren't counted.
+struct DrawnUse {
+  double share = 1;                 ///< by length
+  bool has_largest_outline = true;  ///< the stroke that encloses most
+  Index left_out = no_index;        ///< the largest outline where it is left out, else the longest stroke that is
+};
+
+DrawnUse use_of(const Drawing& drawing, const std::vector<SolidObject>& objects) {
+  constexpr double open_share = 0.5;  // of its length: an outline's ends are no farther apart
+  std::vector<bool> used(drawing.strokes.size(), false);
+  for (const SolidObject& object : objects) {
+    for (const Index stroke : object.strokes) used[stroke] = true;
+  }
+  double whole = 0, used_length = 0, longest = 0, most_area = 0;
+  Index largest = no_index, longest_left = no_index;
+  for (Index s = 0; s < drawing.strokes.size(); ++s) {
+    const Stroke& stroke = drawing.strokes[s];
+    if (stroke_kind(stroke) == StrokeKind::Hidden) continue;
+    const std::vector<Vec2> points = sample_places(stroke);
+    const double own = length(points, stroke.closed), area = std::abs(signed_area(points));
+    const bool encloses = stroke.closed || (points.back() - points.front()).norm() < open_share * own;
+    if (encloses && area > most_area) std::tie(largest, most_area) = std::pair(s, area);
+    whole += own;
+    if (used[s]) used_length += own;
+    if (!used[s] && own > longest) std::tie(longest_left, longest) = std::pair(s, own);
+  }
+  const bool has_largest = largest == no_index || used[largest];
+  return {whole > 0 ? used_length / whole : 1, has_largest, has_largest ? longest_left : largest};
+}
+
+Finding left_out_error(const Drawing& drawing, const DrawnUse& use) {
+  const Stroke& stroke = drawing.strokes[use.left_out];
+  Subject subject{SubjectKind::Stroke, stroke.id, {}, stroke.line, {}};
+  if (!drawing.file.empty()) subject.file = drawing.file;
+  const auto percent = static_cast<int>(100 * use.share);
+  return make_error(Category::Geometry, "E_LEFT_OUT",
+                    "The solid would use only " + std::to_string(percent) + " % of what is drawn and lack \"" +
+                        stroke.id +
+                        "\", the largest line that is left out: close that line, lead its ends to the lines that they "
+                        "pass behind, or delete it",
+                    {std::move(subject)});
+}
 
 /// Puts the drawing's solids together, figure by figure.
 class SolidBuilder {
@@ -39,14 +96,20 @@ class SolidBuilder {
     solid_.findings.insert(solid_.findings.end(), findings.begin(), findings.end());
   }
 
-  Solid take() {
-    if (solid_.objects.empty()) {
-      if (!has_errors(solid_.findings)) {
+  /// @param labelling what was found before; told where there is no solid
+  Solid take(const Findings& labelling) {
+    const DrawnUse use = use_of(drawing_, solid_.objects);
+    if (solid_.objects.empty() || use.share < least_use || !use.has_largest_outline) {
+      solid_.findings.insert(solid_.findings.begin(), labelling.begin(), labelling.end());
+      if (!solid_.objects.empty()) {
+        solid_.findings.insert(solid_.findings.begin(), left_out_error(drawing_, use));
+      } else if (!has_errors(solid_.findings)) {
         solid_.findings.push_back(
             make_error(Category::Geometry, "E_EMPTY", "The drawing has no closed outline: draw at least one"));
       }
       throw Error(std::move(solid_.findings));
     }
+    solid_.used = use.share;
     const bool measured = overlap_.either > 0;
     solid_.diagnostics.silhouette_iou = measured ? overlap_.ratio() : std::numeric_limits<double>::quiet_NaN();
     return std::move(solid_);
@@ -175,7 +238,7 @@ Solid inflate(const LabelledDrawing& labelled, const Drawing& drawing, const Opt
     Progress part = progress.step("inflate part", static_cast<double>(figure.points.size()) / total);
     builder.add(figure, settings[f], part);
   }
-  Solid solid = builder.take();
+  Solid solid = builder.take(labelled.findings);
   progress.report(1);
   return solid;
 }

@@ -66,10 +66,11 @@ std::vector<DepthWeights> object_weights(const LabelledFigure& figure, const Dra
 
 std::vector<double> object_thickness(const LabelledFigure& figure, const Drawing& drawing,
                                      const Attachments& attachments) {
-  constexpr double resting_thickness = 0.25;  // bellies, eyes and buttons look like that rather than like half balls
+  constexpr double resting_thickness = 0.85;  // bellies, eyes and buttons are a little flatter than balls
   std::vector<double> thickness(figure.objects.size(), 1);
   for (const FigureOverlap& overlap : figure.overlaps) {
-    if (attachments.resting(overlap.upper, overlap.lower)) thickness[overlap.upper] = resting_thickness;
+    const bool inside = overlap.crossings.empty();
+    if (inside && attachments.resting(overlap.upper, overlap.lower)) thickness[overlap.upper] = resting_thickness;
   }
   Findings findings;
   for (Index o = 0; o < figure.objects.size(); ++o) {

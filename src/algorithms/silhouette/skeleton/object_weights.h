@@ -17,8 +17,8 @@ namespace croquis::silhouette {
 std::vector<DepthWeights> object_weights(const LabelledFigure& figure, const Drawing& drawing,
                                          const DepthOptions& options);
 
-/// How deep each object of a figure is against its width: 1, or half of that where it rests on another one, unless
-/// "thickness" says otherwise, of a named object's group or of the first of its strokes that says something.
+/// How deep each object of a figure is against its width: 1, or a little less where it rests wholly before another one,
+/// unless "thickness" says otherwise, of a named object's group or of the first of its strokes that says something.
 /// @throws Error with one E_PARAMETER for every value that isn't a number in 0.05..4, naming the object
 std::vector<double> object_thickness(const LabelledFigure& figure, const Drawing& drawing,
                                      const Attachments& attachments);

@@ -11,6 +11,7 @@
 #include "algorithms/silhouette/strokes/stroke_chains.h"
 #include "algorithms/silhouette/strokes/tremble.h"
 #include "croquis/base/error.h"
+#include "croquis/base/limits.h"
 #include "croquis/silhouette/stroke_data.h"
 
 namespace croquis::silhouette {
@@ -62,16 +63,16 @@ Findings wrong_behind(const Drawing& drawing) {
   return findings;
 }
 
-bool all_finite(const Stroke& stroke) {
+bool is_usable(const Stroke& stroke) {
   return std::all_of(stroke.samples.begin(), stroke.samples.end(),
-                     [](const StrokeSample& sample) { return sample.position.allFinite(); });
+                     [](const StrokeSample& sample) { return are_usable_numbers(sample.position); });
 }
 
 double bounding_diagonal(const Drawing& drawing) {
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
   Vec2 high = -low;
   for (const Stroke& stroke : drawing.strokes) {
-    if (!all_finite(stroke)) continue;
+    if (!is_usable(stroke)) continue;
     for (const StrokeSample& sample : stroke.samples) {
       low = low.cwiseMin(sample.position);
       high = high.cwiseMax(sample.position);
@@ -94,7 +95,7 @@ double typical_size(const Drawing& drawing) {
   std::vector<std::pair<double, double>> sizes;  // and lengths
   double length = 0;
   for (const Stroke& stroke : drawing.strokes) {
-    if (!all_finite(stroke)) continue;
+    if (!is_usable(stroke)) continue;
     const Points points = distinct_points(stroke);
     sizes.emplace_back(size_of(points, stroke.closed), croquis::length(points, stroke.closed));
     length += sizes.back().second;
@@ -135,12 +136,11 @@ std::vector<UsableStroke> usable_strokes(const Drawing& drawing, const DrawingSc
       findings.push_back(unsupported_kind(drawing, s, stroke.data.at(kind_key)));
       continue;
     }
-    if (!all_finite(stroke)) {
-      findings.push_back(
-          make_error(Category::Malformed, "E_NOT_FINITE",
-                     "The stroke " + in_quotes(drawing, s) +
-                         " has a coordinate that is not a finite number: correct it or remove the stroke",
-                     {stroke_subject(drawing, s)}));
+    if (!is_usable(stroke)) {
+      findings.push_back(make_error(Category::Malformed, "E_NOT_FINITE",
+                                    "The stroke " + in_quotes(drawing, s) + " has a coordinate that " + unusable_words +
+                                        ": correct it or remove the stroke",
+                                    {stroke_subject(drawing, s)}));
       continue;
     }
     UsableStroke candidate{s, distinct_points(stroke), 0, stroke.closed, kind == StrokeKind::Hidden};

@@ -16,7 +16,7 @@ namespace {
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
 /// In radii of the object that rests: what bends over a shorter length is smoothed.
-constexpr double bending_length = 0.2;
+constexpr double bending_length = 0.3;
 
 /// In radii: over how long it levels out where nothing lies below.
 constexpr double levelling_length = 1;
@@ -110,6 +110,12 @@ Eigen::VectorXd evened(const ObjectSheet& sheet, Eigen::VectorXd values) {
     }
   }
   return values;
+}
+
+/// Only what is much thinner than what it rests on is bent by it: a belly, not a head.
+bool bends_over(const StackedPair& pair, const std::vector<Index>& objects, const std::vector<double>& radii) {
+  constexpr double much_thicker = 1.5;
+  return pair.resting && radii[objects[pair.lower]] >= much_thicker * radii[objects[pair.upper]];
 }
 
 /// Which objects are laid down, in that order.
@@ -228,17 +234,29 @@ class Layer {
   Eigen::VectorXd pull_;  ///< per row
 };
 
-/// Per lifted vertex of the object the highest front, with the gap, of what it rests on.
-Eigen::VectorXd floor_of(Index object, const std::vector<Index>& objects, const MidSurfaceData& data,
-                         const InflatedSheets& sheets) {
+/// Per lifted vertex of the object the height at which its middle lies on what it rests on: on the highest front, or
+/// before it where that is too thin for all of the half that sinks in.
+/// @param counts whether a pair does
+template <class Counts>
+Eigen::VectorXd floor_of(const MidSurfaceData& data, const InflatedSheets& sheets, const Counts& counts) {
   Eigen::VectorXd floor = Eigen::VectorXd::Constant(sheets.z.size(), nothing_below);
   for (const StackedPair& pair : data.pairs) {
-    if (objects[pair.upper] != object || !pair.resting) continue;
-    const double front = sheets.z[pair.lower] + sheets.thickness[pair.lower];
-    const double gap = data.resting_gap + lying_clearance * data.scale;
-    floor[pair.upper] = std::max(floor[pair.upper], front + gap);
+    if (!counts(pair)) continue;
+    const double front = sheets.thickness[pair.lower] + data.resting_gap;
+    const double height = std::max(front, least_distance(data, pair, sheets.thickness)) + lying_clearance * data.scale;
+    floor[pair.upper] = std::max(floor[pair.upper], sheets.z[pair.lower] + height);
   }
   return floor;
+}
+
+/// Heights of the sheet as it is, moved as a whole so that it touches the floor.
+Eigen::VectorXd moved_to(const Eigen::VectorXd& floor, const ObjectSheet& sheet, const Eigen::VectorXd& z) {
+  double move = nothing_below;
+  for (const Index v : sheet.vertices()) move = std::max(move, floor[v] - z[v]);
+  Eigen::VectorXd heights(sheet.size());
+  for (Eigen::Index row = 0; row < sheet.size(); ++row)
+    heights[row] = z[sheet.vertices()[static_cast<std::size_t>(row)]] + move;
+  return heights;
 }
 
 }  // namespace
@@ -248,22 +266,24 @@ Draping drape_sheets(const Skeleton& skeleton, const SheetBasis& basis, const De
   const std::vector<Index> objects = objects_of_vertices(basis);
   const std::vector<double> radii = object_radii(skeleton);
   Draping draping{{}, Eigen::VectorXd::Zero(sheets.z.size())};
-  Eigen::VectorXd back = Eigen::VectorXd::Constant(sheets.z.size(), nothing_below);
+  Eigen::VectorXd middle = Eigen::VectorXd::Constant(sheets.z.size(), nothing_below);
   for (const Index object : draping_order(objects, data.pairs, settings.attachments)) {
     progress.check();
     const ObjectSheet sheet(basis, object);
-    const Eigen::VectorXd heights = Layer(sheet, floor_of(object, objects, data, sheets), radii[object]).heights();
+    const auto rests = [&](const StackedPair& pair) { return pair.resting && objects[pair.upper] == object; };
+    const auto bends = [&](const StackedPair& pair) { return rests(pair) && bends_over(pair, objects, radii); };
+    const Eigen::VectorXd heights = std::ranges::any_of(data.pairs, bends)
+                                        ? Layer(sheet, floor_of(data, sheets, bends), radii[object]).heights()
+                                        : moved_to(floor_of(data, sheets, rests), sheet, sheets.z);
     for (Eigen::Index row = 0; row < sheet.size(); ++row) {
-      back[sheet.vertices()[static_cast<std::size_t>(row)]] = heights[row];
+      middle[sheet.vertices()[static_cast<std::size_t>(row)]] = heights[row];
     }
-    const Eigen::VectorXd slope = evened(sheet, sheet.slopes(back));
+    const Eigen::VectorXd slope = evened(sheet, sheet.slopes(middle));
     for (Eigen::Index row = 0; row < sheet.size(); ++row) {
       const auto v = static_cast<Eigen::Index>(sheet.vertices()[static_cast<std::size_t>(row)]);
       const double tilt = std::min(std::sqrt(1 + slope[row] * slope[row]), greatest_tilt);
       sheets.thickness[v] = factored_thickness(basis, v, settings.thickness_of(object) * tilt);
-      // The rim lies between front and back also where a file's rounding moves it beneath a vertex next to it.
-      const double above = std::max(sheets.thickness[v], least_half_thickness * basis.unit);
-      sheets.z[v] = draping.z[v] = back[v] + above;
+      sheets.z[v] = draping.z[v] = middle[v];
     }
     draping.objects.push_back(object);
   }

@@ -13,15 +13,16 @@
 
 namespace croquis::silhouette {
 
-/// Middles of the sheets whose backs follow the surface that they rest on.
+/// Middles of the sheets, which follow the surface that they rest on.
 struct Draping {
   std::vector<Index> objects;  ///< that were laid down, ascending
   Eigen::VectorXd z;           ///< per lifted vertex; 0 of other objects
 };
 
-/// Lays every object that rests on others down on their fronts, the lower ones first: its back then keeps the resting
-/// gap everywhere, not only at the highest place below it. Where the surface below is steep or ends, the back goes on
-/// from there as little bent as it can, and levels out.
+/// Lays every object that rests on others down on their fronts, the lower ones first: its middle then follows what lies
+/// below everywhere, not only at the highest place. Where the surface below is steep or ends, the middle goes on from
+/// there as little bent as it can, and levels out. What isn't much thinner than all that it rests on is moved as a
+/// whole.
 ///
 /// Objects that are joined to others, pass over themselves, or lie over one another all round stay as they are.
 /// @param data    of the sheets' last solve

@@ -123,6 +123,23 @@ void clear_coincidences(double distance, InflatedSheets& sheets) {
   }
 }
 
+/// What rests sinks into what lies below, which makes room for it: a hollow whose ground follows the upper one's back,
+/// with room for triangles of their own for both.
+void make_hollows(double gap, InflatedSheets& sheets) {
+  constexpr double room = 0.03;  // of the upper one's half thickness
+  for (const StackedPair& pair : sheets.pairs) {
+    if (!pair.resting || sheets.sampling.lifted.on_boundary[pair.lower]) continue;
+    double& z = sheets.z[pair.lower];
+    double& thickness = sheets.thickness[pair.lower];
+    const double back = sheets.z[pair.upper] - sheets.thickness[pair.upper];
+    const double deepest = std::min(back - gap, z + (1 - 2 * deepest_hollow) * thickness);
+    const double ground = std::max(back - 2 * gap - room * sheets.thickness[pair.upper], deepest);
+    const double sunk = std::max(z + thickness - ground, 0.0);
+    z -= sunk / 2;
+    thickness -= sunk / 2;
+  }
+}
+
 Eigen::VectorXd values_at(const std::vector<LiftedPlace>& places, const Eigen::VectorXd& values) {
   Eigen::VectorXd result(static_cast<Eigen::Index>(places.size()));
   for (std::size_t n = 0; n < places.size(); ++n) result[static_cast<Eigen::Index>(n)] = value_at(places[n], values);
@@ -186,6 +203,7 @@ class SheetRaiser {
 
   InflatedSheets take() {
     if (!settings_.attachments.empty()) clear_coincidences(coincidence * basis_.unit, sheets_);
+    make_hollows(data_.resting_gap, sheets_);
     return std::move(sheets_);
   }
 

@@ -129,7 +129,11 @@ std::vector<StackedPair> stacked_pairs(const SheetSampling& sheets) {
 double least_distance(const MidSurfaceData& data, const StackedPair& pair, const Eigen::VectorXd& thickness) {
   const double upper = thickness[pair.upper];
   const double lower = thickness[pair.lower];
-  if (!pair.attached()) return upper + lower + (pair.resting ? data.resting_gap : data.gap) + gap_margin * data.scale;
+  const double margin = gap_margin * data.scale;
+  if (pair.resting) {
+    return std::max(lower - upper, upper + (1 - 2 * deepest_hollow) * lower) + data.resting_gap + margin;
+  }
+  if (!pair.attached()) return upper + lower + data.gap + margin;
   return std::max(attached_distance(pair.kappa, upper, lower), lower - upper + data.front_margin);
 }
 

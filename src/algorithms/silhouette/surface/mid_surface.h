@@ -13,6 +13,9 @@
 
 namespace croquis::silhouette {
 
+/// Of the depth of what another part rests on: so much of it gives way to that part's back at most.
+constexpr double deepest_hollow = 0.2;
+
 /// Two lifted vertices above the same point.
 struct StackedPair {
   static constexpr double apart = -1;
@@ -66,10 +69,11 @@ struct MidSurfaceResult {
 ///
 /// Minimises 0.02 L^2 integral (Lap z)^2 + sum length/L (z(node) - z_node)^2 subject to z_a - z_b >= h_a + h_b + gap at
 /// all stacked vertices. For attached ones z_a - z_b >= max(attached_distance, h_b - h_a + margin): the second keeps
-/// the front of the upper one in front, so that drawn contours stay in sight. The square of the Laplacian is per area,
-/// so that dense rows of points don't make a sheet softer there; its boundary rows make the normal derivative vanish,
-/// which is right: a round tube's rims are as high as its axis. Always feasible, since every lifted vertex has a height
-/// of its own.
+/// the front of the upper one in front, so that drawn contours stay in sight. What rests keeps its front
+/// in front, too, and sinks into the lower one by a fifth of that one's depth at most. The square of the Laplacian is
+/// per area, so that dense rows of points don't make a sheet softer there; its boundary rows make the normal derivative
+/// vanish, which is right: a round tube's rims are as high as its axis. Always feasible, since every lifted vertex has
+/// a height of its own.
 class MidSurface {
  public:
   MidSurface(const SheetOperator& op, MidSurfaceData data);
