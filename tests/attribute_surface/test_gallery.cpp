@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
+#include "attribute_surface/small_networks.h"
 #include "croquis/io/attribute_network_file.h"
 #include "croquis/io/file.h"
 #include "support/attribute_surface/gallery.h"
@@ -54,6 +56,20 @@ TEST_CASE("a strongly concave loop is told of, and evaluated all the same") {
   REQUIRE(surface.findings.size() == 1);
   CHECK(surface.findings[0].code == "W_FOLD");
   CHECK(surface.any());
+}
+
+TEST_CASE("a curve of three faces is told of with their number and names") {
+  AttributeNetwork network = leaf_between_triangles();
+  AttributeFace fin = network.faces[1];
+  fin.id = "fin";
+  network.faces.push_back(fin);
+  std::vector<std::string> sentences;
+  for (const Finding& finding : surface_of(network).findings) {
+    if (finding.code != "W_NONMANIFOLD") continue;
+    sentences.push_back(finding.message.substr(0, finding.message.find(':')));
+    CHECK(finding.subjects.size() == 4);
+  }
+  CHECK(sentences == std::vector<std::string>{"Curve \"c0\" belongs to 3 faces"});
 }
 
 }  // namespace croquis::test

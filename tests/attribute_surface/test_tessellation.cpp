@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <map>
 #include <set>
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
+#include "attribute_surface/network_samples.h"
 #include "attribute_surface/small_networks.h"
 #include "croquis/attribute_surface/surface_tessellation.h"
 #include "croquis/base/error.h"
@@ -15,17 +17,14 @@
 #include "croquis/geometry/triangle_tree.h"
 #include "croquis/io/attribute_network_file.h"
 #include "croquis/io/file.h"
+#include "support/attribute_surface/loops.h"
+#include "support/attribute_surface/surfaces.h"
 #include "support/random.h"
 
 using namespace croquis;
 using namespace croquis::test;
 
 namespace {
-
-AttributeSurface surface_of(const AttributeNetwork& network) {
-  Progress progress;
-  return make_attribute_surface(network, progress);
-}
 
 SurfaceTessellation mesh_of(const AttributeNetwork& network, const AttributeSurface& surface,
                             const SurfaceTessellationOptions& options = {}) {
@@ -101,6 +100,22 @@ void check_parts(const AttributeNetwork& network, const AttributeSurface& surfac
   for (std::size_t c = 0; c < values.size(); c += 3)
     off = std::max(off, std::abs(Vec3(values[c], values[c + 1], values[c + 2]).norm() - 1));
   CHECK(off < 1e-12);
+}
+
+/// Radians, of a part's triangles in its domain.
+double smallest_angle(const SurfaceTessellation& made, const SurfacePart& part) {
+  std::map<Index, Vec2> place_of;
+  for (std::size_t i = 0; i < part.vertices.size(); ++i) place_of[part.vertices[i]] = part.places[i];
+  double smallest = 4;
+  for (std::size_t t = 0; t < part.triangle_count; ++t) {
+    const auto corners = made.mesh.face(part.first_triangle + t);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec2& at = place_of.at(corners[k]);
+      const Vec2 a = place_of.at(corners[(k + 1) % 3]) - at, b = place_of.at(corners[(k + 2) % 3]) - at;
+      smallest = std::min(smallest, std::abs(std::atan2(cross(a, b), a.dot(b))));
+    }
+  }
+  return smallest;
 }
 
 /// The largest distance of many places of the surfaces from the mesh.
@@ -293,6 +308,45 @@ TEST_CASE("what is flat needs no places inside, and a point is a vertex where th
   CHECK(chord_error(surface, mesh_of(network, surface, options)) < 0.012);
   options.insert_points = false;
   CHECK(chord_error(surface, mesh_of(network, surface, options)) < 0.012);
+}
+
+TEST_CASE("points and inner curves have vertices of fans, and sides stay as they are") {
+  std::vector<AttributeNetwork> networks = {rich_sheet(3, 2), shipped_network("car_crashed"),
+                                            shipped_network("pocket5"), with_points(small_leaf(), 4, 0.2, 1)};
+  for (const std::size_t sides : {3U, 5U, 8U, 12U}) networks.push_back(with_points(random_loop(sides, 7), 6, 0.1, 2));
+  for (const AttributeNetwork& network : networks) {
+    const AttributeSurface surface = surface_of(network);
+    for (const std::size_t n : {1U, 2U, 5U, 16U, 31U}) {
+      INFO(network.name << ", " << network.faces[0].loop.size() << " sides, " << n << " samples");
+      SurfaceTessellationOptions options = with_samples(n);
+      const SurfaceTessellation made = mesh_of(network, surface, options);
+      options.insert_points = false;
+      const SurfaceTessellation plain = mesh_of(network, surface, options);
+      check_parts(network, surface, made);
+      CHECK(figures_of(made.mesh).boundary_edges == figures_of(plain.mesh).boundary_edges);
+      CHECK(figures_of(made.mesh).nonmanifold_edges == 0);
+      CHECK(figures_of(made.mesh).oriented == figures_of(plain.mesh).oriented);
+      std::size_t inside = 0;
+      for (std::size_t p = 0; p < made.parts.size(); ++p) {
+        const SurfacePart &part = made.parts[p], &even = plain.parts[p];
+        const FaceSurface& face = *surface.faces[part.face].surface;
+        const auto is_vertex = [&](const Vec3& place) {
+          return std::ranges::any_of(
+              part.vertices, [&](Index v) { return (made.mesh.positions[v] - place).norm() < 1e-9 * face.sigma(); });
+        };
+        CHECK(std::ranges::all_of(face.points(), is_vertex, &PlacedPoint::point));
+        for (const PlacedCurve& curve : face.curves()) {
+          CHECK(std::ranges::count_if(curve.points, is_vertex) >= std::min<std::ptrdiff_t>(static_cast<int>(n) / 3, 8));
+        }
+        inside += part.vertices.size() - even.vertices.size();
+        if (n >= 5) CHECK(smallest_angle(made, part) > 0.3 * smallest_angle(plain, even));
+      }
+      CHECK(inside == made.mesh.vertex_count() - plain.mesh.vertex_count());
+      if (network.faces[0].inner.empty() && n == 16) CHECK(inside == 0);
+      const std::size_t along_curves = made.parts.front().vertices.front();  // those inside faces come last
+      for (std::size_t v = 0; v < along_curves; ++v) CHECK(made.mesh.positions[v] == plain.mesh.positions[v]);
+    }
+  }
 }
 
 TEST_CASE("samples that are given for a curve are vertices as they are") {

@@ -64,7 +64,7 @@ struct AttributeSurface {
 
 /// Evaluates a network. What is wrong with a curve, face or point leaves only that out, and names it (E_GAP,
 /// E_OPEN_LOOP, E_TOO_FEW, E_TOO_MANY, E_ZERO_LENGTH, E_POINT_CONFLICT, E_INNER_OUTSIDE, E_SLOPE; W_SNAP, W_TOO_MANY,
-/// W_DOMAIN_RELAXED, W_SMOOTH_CONFLICT, W_ORIENT, W_NONMANIFOLD, W_FOLD, W_MOVED_INSIDE).
+/// W_DOMAIN_RELAXED, W_SMOOTH_CONFLICT, W_ORIENT, W_NONMANIFOLD, W_FOLD, W_MOVED_INSIDE, W_POINTS_NEAR).
 /// @param network valid (croquis::validate)
 /// @throws Cancelled
 AttributeSurface make_attribute_surface(const AttributeNetwork& network, Progress& progress,

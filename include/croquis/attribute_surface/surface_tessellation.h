@@ -24,7 +24,7 @@ struct CurveSamples {
 struct SurfaceTessellationOptions {
   std::size_t samples = 16;         ///< parts per curve, 1..1024: rings of a fan around each face's middle
   std::optional<double> tolerance;  ///< model units, > 0: instead, as few triangles as keep to it (chord error)
-  bool insert_points = true;        ///< with a tolerance: points and inner curves are vertices
+  bool insert_points = true;        ///< points and inner curves are vertices
   std::size_t most_places = 60000;  ///< with a tolerance: inside a face
   std::vector<CurveSamples> given;  ///< by curve; empty, or an empty element: as above
   int threads = 1;                  ///< that evaluate faces, 0: as many as the machine has; the result is the same
@@ -36,7 +36,7 @@ struct SurfacePart {
   Index face = no_index;
   std::size_t first_triangle = 0;
   std::size_t triangle_count = 0;
-  std::vector<Index> vertices;  ///< of the mesh, the middle of a fan first
+  std::vector<Index> vertices;  ///< of the mesh, those inside the face first
   std::vector<Vec2> places;     ///< in the domain, one for each of the vertices
 };
 
@@ -47,8 +47,9 @@ struct SurfaceTessellation {
 };
 
 /// With even samples a face of N curves has 1 + N n (n + 1) / 2 vertices, those that it shares included, and N n²
-/// triangles. A curve of a face of two has an even number of parts, since its middle is a corner of the domain: such a
-/// face is a fan of four sides with n / 2 parts each.
+/// triangles. Points, and knots of inner curves as far apart as the samples, take the places of the vertices nearest to
+/// them; those that find none left near them are added. A curve of a face of two has an even number of parts, since its
+/// middle is a corner of the domain: such a face is a fan of four sides with n / 2 parts each.
 /// @throws Cancelled
 SurfaceTessellation tessellate(const AttributeNetwork& network, const AttributeSurface& surface, Progress& progress,
                                const SurfaceTessellationOptions& options = {});

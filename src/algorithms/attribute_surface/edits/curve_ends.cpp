@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "croquis/geometry/disjoint_sets.h"
 
@@ -29,6 +30,17 @@ CurveEnds::CurveEnds(const AttributeNetwork& network, const std::vector<Index>& 
     }
   }
   for (Index end = 0; end < count; ++end) places_.push_back(sets.root(end));
+}
+
+std::optional<Index> face_with_loop(const AttributeNetwork& network, const std::vector<Index>& curves) {
+  const std::set<Index> wanted(curves.begin(), curves.end());
+  for (Index face = 0; face < network.faces.size(); ++face) {
+    const auto& loop = network.faces[face].loop;
+    const bool same = loop.size() == wanted.size() &&
+                      std::ranges::all_of(loop, [&](const AttributeSide& side) { return wanted.contains(side.curve); });
+    if (same) return face;
+  }
+  return std::nullopt;
 }
 
 }  // namespace croquis

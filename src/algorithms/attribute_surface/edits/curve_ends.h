@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "croquis/attribute_surface/loop_search.h"
@@ -20,6 +21,9 @@ class CurveEnds {
  private:
   std::vector<Index> places_;
 };
+
+/// The face whose loop has these curves, in any order, or none.
+std::optional<Index> face_with_loop(const AttributeNetwork& network, const std::vector<Index>& curves);
 
 /// The loop walked along the other way, begun with the same curve.
 void turn_loop_round(SortedLoop& loop);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "croquis/base/error.h"
+#include "croquis/base/limits.h"
 #include "croquis/geometry/vector.h"
 
 namespace croquis {
@@ -21,7 +21,8 @@ inline Subject named_curve(const std::string& id) { return {SubjectKind::Curve, 
 inline Subject named_face(const std::string& id) { return {SubjectKind::Face, id, {}, {}, {}}; }
 
 inline void require_finite(const Vec3& place) {
-  if (!place.allFinite()) refuse_edit("A place or way has a coordinate that is not finite.");
+  if (!are_usable_numbers(place))
+    refuse_edit(std::string("A place or way has a coordinate that ") + unusable_words + ".");
 }
 
 inline void require_direction(const Vec3& direction) {
@@ -30,7 +31,7 @@ inline void require_direction(const Vec3& direction) {
 }
 
 inline void require_radius(const std::optional<double>& radius) {
-  if (radius && !(std::isfinite(*radius) && *radius > 0)) refuse_edit("A radius must be above 0.");
+  if (radius && !(is_usable_number(*radius) && *radius > 0)) refuse_edit("A radius must be above 0.");
 }
 
 inline void require_fraction(double at) {

@@ -28,12 +28,14 @@ void take_setting(AttributeFace& face, const FaceSetting& setting) {
 /// A loop of four in place of a curve that is closed in itself.
 std::vector<AttributeSide> divided_in_four(AttributeNetwork& network, const AttributeSide& side) {
   const std::string id = network.curves[side.curve].id;
-  network = tie_ends(std::move(network), id, tolerance_of(network));
+  const double tolerance = tolerance_of(network);
+  network = tie_ends(std::move(network), id, tolerance);
   std::vector<AttributeSide> sides = {side};
   for (int round = 0; round < 2; ++round) {
     std::vector<AttributeSide> halves;
     for (const AttributeSide& whole : sides) {
-      network = split_curve(std::move(network), network.curves[whole.curve].id, 0.5).network;
+      const std::string whole_id = network.curves[whole.curve].id;
+      network = split_curve(std::move(network), whole_id, 0.5).network;
       const AttributeSide second{static_cast<Index>(network.curves.size() - 1), whole.reversed};
       halves.push_back(whole.reversed ? second : whole);
       halves.push_back(whole.reversed ? whole : second);

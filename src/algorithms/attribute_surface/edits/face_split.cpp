@@ -58,7 +58,8 @@ Index node_on_loop(AttributeNetwork& network, Index face, Index cut, bool last, 
                            {named_curve(id), named_face(network.faces[face].id)}));
   }
   if (found.node != no_index) return found.node;
-  SplitCurve split = split_curve(std::move(network), network.curves[found.curve].id, found.at);
+  const std::string found_id = network.curves[found.curve].id;
+  SplitCurve split = split_curve(std::move(network), found_id, found.at);
   network = std::move(split.network);
   return find_element(network, NetworkElement::Node, split.node);
 }

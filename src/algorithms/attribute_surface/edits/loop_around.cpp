@@ -93,7 +93,7 @@ class LoopGraph {
         candidate.length += edges_[one].length;
       }
       if (!known.insert({candidate.curves.begin(), candidate.curves.end()}).second) continue;
-      candidate.face = face_of(candidate.curves);
+      candidate.face = face_with_loop(network_, candidate.curves);
       found.push_back(std::move(candidate));
     }
     return found;
@@ -146,18 +146,6 @@ class LoopGraph {
     }
     walk.push_back(first);
     return walk;
-  }
-
-  std::optional<Index> face_of(const std::vector<Index>& curves) const {
-    const std::set<Index> wanted(curves.begin(), curves.end());
-    for (Index face = 0; face < network_.faces.size(); ++face) {
-      const auto& loop = network_.faces[face].loop;
-      const bool same = loop.size() == wanted.size() && std::ranges::all_of(loop, [&](const AttributeSide& side) {
-                          return wanted.contains(side.curve);
-                        });
-      if (same) return face;
-    }
-    return std::nullopt;
   }
 
   const AttributeNetwork& network_;

@@ -221,7 +221,8 @@ AddedElement close_loop(AttributeNetwork network, const SortedLoop& loop) {
     const Index start = start_node(network, side_of(sides[(i + 1) % sides.size()]));
     if (end == start) continue;
     const auto [first, later] = std::minmax({end, start});
-    network = merge_nodes(std::move(network), network.nodes[later].id, network.nodes[first].id);
+    const std::string later_id = network.nodes[later].id, first_id = network.nodes[first].id;
+    network = merge_nodes(std::move(network), later_id, first_id);
   }
   std::vector<AttributeSide> sorted;
   for (const NamedSide& side : sides) sorted.push_back(side_of(side));

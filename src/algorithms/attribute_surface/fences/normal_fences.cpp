@@ -83,9 +83,10 @@ class FenceMaker {
     for (const Index face : input_.faces_of_curve[curve]) {
       subjects.push_back(subject_of(SubjectKind::Face, network().faces[face].id));
     }
+    const std::size_t faces = input_.faces_of_curve[curve].size();
     findings_.push_back(make_warning(Category::Geometry, "W_NONMANIFOLD",
                                      "Curve " + quoted(network().curves[curve].id) + " belongs to " +
-                                         std::to_string(subjects.size() - 1) +
+                                         std::to_string(faces) +
                                          " faces: it can't be smooth there, and the mesh has a non-manifold edge.",
                                      std::move(subjects)));
   }

@@ -11,6 +11,8 @@ namespace {
 
 /// Footprints nearer than this, in domains of perimeter 1, are one place.
 constexpr double least_distance = 1e-6;
+/// Nearer than this, the triangles between them are slivers.
+constexpr double near_distance = 1e-3;
 /// Knots of inner curves, ends included.
 constexpr int inner_knots = 33;
 
@@ -95,15 +97,26 @@ AttributePlacing::Footprint AttributePlacing::nearest(const PointAttribute& poin
 bool AttributePlacing::conflicts(const std::vector<PlacedPoint>& before, const std::vector<Index>& ids, Index point,
                                  const Vec2& place) {
   for (std::size_t i = 0; i < before.size(); ++i) {
-    if ((before[i].place - place).norm() >= least_distance) continue;
+    const double distance = (before[i].place - place).norm();
+    if (distance >= near_distance) continue;
     const std::string& id = network_.points[point].id;
     const std::string& other = network_.points[ids[i]].id;
-    findings_.push_back(make_error(Category::Geometry, "E_POINT_CONFLICT",
-                                   "Point " + quoted(id) + " is left out, since it lies on the same place of face " +
-                                       quoted(network_.faces[network_.points[point].face].id) + " as point " +
-                                       quoted(other) + ": delete one of them, or place one elsewhere.",
-                                   {subject_of(SubjectKind::Point, id), subject_of(SubjectKind::Point, other)}));
-    return true;
+    const std::string face = quoted(network_.faces[network_.points[point].face].id);
+    std::vector<Subject> both{subject_of(SubjectKind::Point, id), subject_of(SubjectKind::Point, other)};
+    if (distance < least_distance) {
+      findings_.push_back(make_error(Category::Geometry, "E_POINT_CONFLICT",
+                                     "Point " + quoted(id) + " is left out, since it lies on the same place of face " +
+                                         face + " as point " + quoted(other) +
+                                         ": delete one of them, or place one elsewhere.",
+                                     std::move(both)));
+      return true;
+    }
+    findings_.push_back(make_warning(Category::Geometry, "W_POINTS_NEAR",
+                                     "Points " + quoted(id) + " and " + quoted(other) +
+                                         " lie almost on the same place of face " + face +
+                                         ", so that the surface is very steep between them: delete one of them, or "
+                                         "place one elsewhere.",
+                                     std::move(both)));
   }
   return false;
 }

@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "croquis/base/error.h"
 #include "croquis/geometry/planar_triangulation.h"
 
@@ -72,14 +74,37 @@ std::vector<std::array<Index, 3>> ring_triangles(std::size_t sides, std::size_t 
   return triangles;
 }
 
-/// Inside of a convex rim, and not at it.
-bool is_well_inside(const std::vector<Vec2>& rim, const Vec2& place) {
-  constexpr double margin = 1e-6;  // of the perimeter
-  for (std::size_t i = 0; i < rim.size(); ++i) {
-    const Vec2 along = rim[(i + 1) % rim.size()] - rim[i];
-    if (cross(along, place - rim[i]) <= margin * along.norm()) return false;
+/// In domains of perimeter 1: places nearer than that to each other or to the rim are one vertex.
+constexpr double least_vertex_distance = 1e-6;
+
+/// The shortest side of the triangles of rings around a place.
+double ring_spacing(const DomainPolygon& domain, std::size_t rings, const Vec2& place) {
+  const std::size_t k = fan_place_in(domain, place).corner;
+  const Vec2 from = domain.corners[k] - domain.middle;
+  const Vec2 to = domain.corners[(k + 1) % domain.corners.size()] - domain.middle;
+  return std::min({from.norm(), to.norm(), (to - from).norm()}) / static_cast<double>(rings);
+}
+
+/// Puts places among those of rings: each is where the nearest of these was, so that no slivers come of it.
+/// @param must the first so many of them; others are left out where they are denser than rings
+void insert_among(const DomainPolygon& domain, std::size_t rings, const std::vector<Vec2>& inserted, std::size_t must,
+                  std::vector<Vec2>& places) {
+  std::size_t kept = places.size();  // of the rings, the first ones
+  for (std::size_t i = 0; i < inserted.size(); ++i) {
+    const Vec2& place = inserted[i];
+    const double spacing = ring_spacing(domain, rings, place);
+    const auto distance = [&](const Vec2& other) { return (other - place).norm(); };
+    const auto end = places.begin() + static_cast<std::ptrdiff_t>(kept);
+    const auto is_near = [&](const Vec2& other) { return distance(other) < 0.5 * spacing; };
+    if (i >= must && std::any_of(end, places.end(), is_near)) continue;
+    const auto nearest = std::ranges::min_element(places.begin(), end, {}, distance);
+    if (nearest == end || distance(*nearest) > spacing) {
+      places.push_back(place);
+    } else {
+      *nearest = places[--kept];
+      places[kept] = place;
+    }
   }
-  return true;
 }
 
 Vec3 rim_normal(const FaceSurface& surface, const FaceRim& rim, std::size_t side, std::size_t sample) {
@@ -103,19 +128,41 @@ std::vector<Vec2> rim_places(const FaceSurface& surface, const FaceRim& rim) {
   return places;
 }
 
-FacePlaces fan_places(const FaceSurface& surface, const FaceRim& rim) {
+bool is_apart(const Vec2& place, const std::vector<Vec2>& rim, const std::vector<Vec2>& places) {
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    const Vec2 along = rim[(i + 1) % rim.size()] - rim[i];
+    if (cross(along, place - rim[i]) <= least_vertex_distance * along.norm()) return false;
+  }
+  return std::ranges::none_of(places,
+                              [&](const Vec2& other) { return (other - place).norm() < least_vertex_distance; });
+}
+
+std::vector<Vec2> attribute_places(const FaceSurface& surface, const std::vector<Vec2>& rim) {
+  std::vector<Vec2> places;
+  const auto add = [&](const Vec2& place) {
+    if (is_apart(place, rim, places)) places.push_back(place);
+  };
+  for (const PlacedPoint& point : surface.points()) add(point.place);
+  for (const PlacedCurve& curve : surface.curves()) std::ranges::for_each(curve.places, add);
+  return places;
+}
+
+FacePlaces fan_places(const FaceSurface& surface, const FaceRim& rim, bool insert_attributes) {
   const DomainPolygon& domain = surface.domain();
   const std::vector<Vec2> around = rim_places(surface, rim);
+  const std::vector<Vec2> inserted = insert_attributes ? attribute_places(surface, around) : std::vector<Vec2>{};
   const std::size_t sides = domain.corners.size();
-  if (const auto rings = regular_rings(rim)) {
-    FacePlaces made{ring_places(domain, *rings), 0, ring_triangles(sides, *rings)};
+  const auto regular = regular_rings(rim);
+  if (regular && inserted.empty()) {
+    FacePlaces made{ring_places(domain, *regular), 0, ring_triangles(sides, *regular)};
     made.inner_count = made.places.size();
     made.places.insert(made.places.end(), around.begin(), around.end());
     return made;
   }
-  const std::size_t rings = std::max<std::size_t>(1, (around.size() + sides / 2) / sides);
+  const std::size_t rings = regular.value_or(std::max<std::size_t>(1, (around.size() + sides / 2) / sides));
   std::vector<Vec2> inner = ring_places(domain, rings);
-  if (rim.size() == 2) std::erase_if(inner, [&](const Vec2& place) { return !is_well_inside(around, place); });
+  insert_among(domain, rings, inserted, surface.points().size(), inner);
+  if (rim.size() == 2) std::erase_if(inner, [&](const Vec2& place) { return !is_apart(place, around, {}); });
   return joined_places(around, std::move(inner));
 }
 

@@ -34,10 +34,18 @@ struct FaceSamples {
 /// Places along the sides, in the loop's order.
 std::vector<Vec2> rim_places(const FaceSurface& surface, const FaceRim& rim);
 
+/// Whether a place is inside of a convex rim, and at neither it nor any of these places.
+bool is_apart(const Vec2& place, const std::vector<Vec2>& rim, const std::vector<Vec2>& places);
+
+/// The footprints of points and of the knots of inner curves, no two at one place, all of them inside the rim.
+std::vector<Vec2> attribute_places(const FaceSurface& surface, const std::vector<Vec2>& rim);
+
 /// Rings around the middle of the domain. Where all sides have n samples, ring j has j places per side, so there are
 /// 1 + N n (n + 1) / 2 places and N n² triangles; the domain of a face of two curves has N = 4 sides of n / 2 samples.
 /// Otherwise the rings are joined to the rim by a constrained Delaunay triangulation.
-FacePlaces fan_places(const FaceSurface& surface, const FaceRim& rim);
+/// @param insert_attributes points are places, instead of those of the rings nearest to them, and so are knots of inner
+///                          curves, as far apart as rings
+FacePlaces fan_places(const FaceSurface& surface, const FaceRim& rim, bool insert_attributes);
 
 /// A constrained Delaunay triangulation of what the rim encloses.
 /// @param inner places inside the rim, no two of them equal

@@ -12,8 +12,8 @@ namespace {
 
 /// Triangles with no edge longer than that part of the perimeter stay: tips and tight folds are followed that far.
 constexpr double least_edge = 1e-5;
-/// Attributes nearer than that to each other or to the rim are one vertex.
-constexpr double least_vertex_distance = 1e-6;
+/// Triangles flatter than that, height over longest edge, aren't divided.
+constexpr double least_relative_height = 1e-6;
 
 /// Into how many parts the edges of a triangle are divided by the places where it is measured.
 constexpr int probe_parts = 6;
@@ -32,8 +32,11 @@ class Refinement {
   Refinement(const FaceSurface& surface, const FaceRim& rim, const RefinementOptions& options)
       : surface_(surface), options_(options), rim_(rim_places(surface, rim)) {
     for (const Vec2& place : rim_) rim_points_.push_back(surface.at(place));
-    if (options.insert_attributes) insert_attributes();
-    insert_apart(surface.domain().middle);
+    if (options.insert_attributes) {
+      for (const Vec2& place : attribute_places(surface, rim_)) insert(place);
+    }
+    const Vec2& middle = surface.domain().middle;
+    if (is_apart(middle, rim_, inner_)) insert(middle);
   }
 
   RefinedPlaces run(Progress& progress) {
@@ -50,31 +53,9 @@ class Refinement {
   }
 
  private:
-  void insert_attributes() {
-    for (const PlacedPoint& point : surface_.points()) insert_apart(point.place);
-    for (const PlacedCurve& curve : surface_.curves()) {
-      for (const Vec2& place : curve.places) insert_apart(place);
-    }
-  }
-
-  void insert_apart(const Vec2& place) {
-    const auto is_near = [&](const Vec2& other) { return (other - place).norm() < least_vertex_distance; };
-    if (distance_inside(surface_.domain(), place) < least_vertex_distance || is_outside_rim(place)) return;
-    if (std::ranges::none_of(inner_, is_near)) insert(place);
-  }
-
   void insert(const Vec2& place) {
     inner_.push_back(place);
     inner_points_.push_back(surface_.at(place));
-  }
-
-  /// Rims of two curves may cut off a corner of the domain.
-  bool is_outside_rim(const Vec2& place) const {
-    for (std::size_t i = 0; i < rim_.size(); ++i) {
-      const Vec2 along = rim_[(i + 1) % rim_.size()] - rim_[i];
-      if (cross(along, place - rim_[i]) < least_vertex_distance * along.norm()) return true;
-    }
-    return false;
   }
 
   /// The same for the same three places in every round: those of the rim are numbered behind a growing inside.
@@ -154,7 +135,7 @@ class Refinement {
   bool is_stuck(const Triangle& triangle) const {
     const Vec2 &a = made_.places[triangle[0]], &b = made_.places[triangle[1]], &c = made_.places[triangle[2]];
     const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-    return longest < least_edge || cross(b - a, c - a) < least_vertex_distance * longest;
+    return longest < least_edge || cross(b - a, c - a) < least_relative_height * longest;
   }
 
   /// The worst place of a triangle; error 0 where it keeps to what it can be asked for.

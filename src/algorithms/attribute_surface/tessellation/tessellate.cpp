@@ -3,6 +3,8 @@
 #include <numeric>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "algorithms/attribute_surface/tessellation/curve_samples.h"
 #include "algorithms/attribute_surface/tessellation/face_samples.h"
 #include "algorithms/attribute_surface/tessellation/refined_places.h"
@@ -108,7 +110,7 @@ class SurfaceTessellator {
   // ---- Faces
 
   FaceSamples evaluated(const FaceSurface& surface, const FaceRim& rim) const {
-    if (!options_.tolerance) return evaluate_places(surface, rim, fan_places(surface, rim));
+    if (!options_.tolerance) return evaluate_places(surface, rim, fan_places(surface, rim, options_.insert_points));
     Progress silent = progress_.silent();
     RefinedPlaces refined =
         refined_places(surface, rim, silent, {*options_.tolerance, options_.insert_points, options_.most_places});
