@@ -104,6 +104,19 @@ TEST_CASE("a cube whose top is all sharp gets one band and has the known figures
   for (int k = 2; k <= 4; ++k) CHECK_FALSE(result.plan.banded(k));
 }
 
+TEST_CASE("a ring of sharp edges through an icosahedron gets two faces on each side of every vertex") {
+  // Around vertex 0: two faces of each vertex of the ring lie within it, three outside.
+  const std::vector<VertexPair> ring = {{5, 11}, {1, 5}, {1, 7}, {7, 10}, {10, 11}};
+  const Subdivided result = subdivide(tagged(icosahedron(), ring), 3);
+  for (int k = 1; k <= 3; ++k) {
+    const HalfEdges& mesh = result.topology(k);
+    CHECK(fault(mesh) == "");
+    const std::vector<Index> vertices = tagged_vertices(result.plan.level(k));
+    CHECK(vertices.size() == std::size_t{5} << static_cast<unsigned>(k));
+    for (const Index vertex : vertices) CHECK(std::ranges::count(mesh.corner_vertex, vertex) == 4);
+  }
+}
+
 TEST_CASE("without tags counts grow as Doo and Sabin have it") {
   const std::vector<Counts> bolt_counts = {{16, 28, 14},     {56, 112, 58},      {224, 448, 226},
                                            {896, 1792, 898}, {3584, 7168, 3586}, {14336, 28672, 14338}};

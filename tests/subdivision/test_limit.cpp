@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -67,6 +68,105 @@ int sharp_edges_at(const Level& level, Index vertex) {
     if (mesh.corner_vertex[corner] == vertex || mesh.corner_vertex[mesh.twin[corner]] == vertex) ++count;
   }
   return count;
+}
+
+/// With a vertex in the middle of every face: triangles, where a cut along diagonals would be lopsided.
+PolyMesh with_centres(const PolyMesh& mesh) {
+  PolyMesh result;
+  result.positions = mesh.positions;
+  result.tags = mesh.tags;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    Vec3 sum = Vec3::Zero();
+    for (const Index v : face) sum += mesh.positions[v];
+    const auto middle = static_cast<Index>(result.positions.size());
+    result.positions.push_back(sum / static_cast<double>(face.size()));
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      result.add_face(std::array<Index, 3>{face[i], face[(i + 1) % face.size()], middle});
+    }
+  }
+  return result;
+}
+
+/// A level's limit, with what is needed to compare it with another one.
+struct SeenLimit {
+  const HalfEdges* mesh;
+  std::vector<Vec3> level_points;
+  LimitSurface surface;
+  std::vector<std::uint8_t> exact;
+};
+
+/// Alike after turning by a quarter about z and after x and y change places; with and without pins.
+std::vector<NamedCage> symmetric_cages() {
+  std::vector<NamedCage> cages;
+  const auto add = [&](const std::string& name, PolyMesh mesh, std::vector<Index> pins) {
+    for (Vec3& p : mesh.positions) p.z() += 0.1 * p.z() * p.x() * p.y() * p.x() * p.y();
+    cages.push_back({name, mesh});
+    mesh.tags.pins = std::move(pins);
+    cages.push_back({name + ", pinned", mesh});
+  };
+  add("cube", cube_top_loop(), {4, 5, 6, 7});
+  add("bolt", bolt_loop(), {8, 9, 10, 11});
+  PolyMesh rays = cube_top_loop();  // with the upright edges sharp, too: three sharp edges at each corner of the top
+  for (const Index v : {Index{0}, Index{1}, Index{2}, Index{3}})
+    rays.tags.creases.push_back({{v, v + 4}, infinite_sharpness});
+  add("cube with rays", rays, {4, 5, 6, 7});
+  add("smooth cube", centred_cube(), {4, 5, 6, 7});
+  const std::vector<Ring> rings = {{1, 2}, {2, 1}, {1.5, 0}, {2, -1}};
+  std::vector<VertexPair> waist;
+  for (Index i = 0; i < 4; ++i) waist.push_back({8 + i, 8 + (i + 1) % 4});
+  add("vase", tagged(ring_stack(4, rings), waist), {8, 9, 10, 11});
+  return cages;
+}
+
+/// At a corner of the mesh: where its vertex and its face lie, by which corners of a symmetric level are told apart.
+void check_symmetric(const SeenLimit& seen, const Eigen::Matrix3d& symmetry) {
+  const HalfEdges& mesh = *seen.mesh;
+  struct Place {
+    Vec3 vertex, face, normal;
+  };
+  std::vector<Place> places;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    for (Index c = mesh.face_offsets[f]; c < mesh.face_offsets[f + std::size_t{1}]; ++c) {
+      places.push_back({seen.level_points[mesh.corner_vertex[c]], centre(mesh, seen.level_points, f),
+                        seen.surface.corner_normals[c]});
+    }
+  }
+  for (const Place& place : places) {
+    const auto image = std::ranges::find_if(places, [&](const Place& other) {
+      return (other.vertex - symmetry * place.vertex).norm() + (other.face - symmetry * place.face).norm() < 1e-9;
+    });
+    REQUIRE(image != places.end());
+    INFO("vertex " << place.vertex.transpose() << ", normal " << place.normal.transpose() << ", at its image "
+                   << image->normal.transpose());
+    CHECK((image->normal - symmetry * place.normal).norm() < 1e-9);
+  }
+}
+
+/// Every vertex of the coarse level is found again among the vertices of the fine one, with the same normals.
+void check_same_normals(const SeenLimit& coarse, const SeenLimit& fine) {
+  const auto normals_at = [](const SeenLimit& seen, const Vec3& point) {
+    std::vector<Vec3> normals;
+    for (Index c = 0; c < seen.mesh->corner_count(); ++c) {
+      if ((seen.surface.points[seen.mesh->corner_vertex[c]] - point).norm() < 1e-9) {
+        normals.push_back(seen.surface.corner_normals[c]);
+      }
+    }
+    return normals;
+  };
+  const auto all_in = [](const std::vector<Vec3>& some, const std::vector<Vec3>& others) {
+    return std::ranges::all_of(some, [&](const Vec3& normal) {
+      return std::ranges::any_of(others, [&](const Vec3& other) { return (normal - other).norm() < 1e-9; });
+    });
+  };
+  for (Index v = 0; v < coarse.surface.points.size(); ++v) {
+    if (coarse.exact[v] == 0) continue;
+    const std::vector<Vec3> before = normals_at(coarse, coarse.surface.points[v]);
+    const std::vector<Vec3> after = normals_at(fine, coarse.surface.points[v]);
+    INFO("vertex " << v << ", " << before[0].transpose() << ", later " << (after.empty() ? "none" : "other"));
+    CHECK(all_in(before, after));
+    CHECK(all_in(after, before));
+  }
 }
 
 std::vector<PolyMesh> tagged_cages() { return {bolt(), bolt_loop(), bolt_open_chain(), cube_top_loop(), house()}; }
@@ -198,6 +298,56 @@ TEST_CASE("One-sided normals of Catmull-Clark are those of the faces beside the 
     if (angle(place->second, surface.corner_normals[c]) > 1) split.insert(mesh.corner_vertex[c]);
   }
   CHECK(split.size() == result.plan.level(5).sharp.size());
+}
+
+TEST_CASE("Limit normals have the symmetry of the cage, and are the same from every level") {
+  Eigen::Matrix3d turn, mirror;
+  turn << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  mirror << 0, 1, 0, 1, 0, 0, 0, 0, 1;
+  for (const NamedCage& cage : symmetric_cages()) {
+    // Vertices of Doo-Sabin become faces, so none is found again.
+    const auto check = [&](const auto& result, const char* scheme, bool keeps_vertices) {
+      std::vector<SeenLimit> levels;
+      for (int k = 0; k <= 2; ++k) {
+        SeenLimit seen{&result.plan.level(k).topology, result.at(k), {}, {}};
+        seen.surface = limit_of(result, k, &seen.exact);
+        levels.push_back(std::move(seen));
+        INFO(cage.name << ", " << scheme << ", level " << k);
+        if (k < 2) check_symmetric(levels.back(), turn);
+        if (k < 2) check_symmetric(levels.back(), mirror);
+        if (keeps_vertices) check_same_normals(levels.front(), levels.back());
+      }
+    };
+    check(refined(cage.mesh, 3), "Doo-Sabin", false);
+    check(uniformly_refined(cage.mesh, 2), "Catmull-Clark", true);
+    // Loop's masks beside a crease are those of OpenSubdiv, which differ by the level at irregular vertices.
+    const bool pinned = !cage.mesh.tags.pins.empty();
+    check(uniformly_refined(with_centres(cage.mesh), 2, {UniformScheme::Loop, BoundaryCorners::Corner}), "Loop",
+          pinned);
+  }
+}
+
+TEST_CASE("At a pinned kink the normal of a single face between two sharp edges stands on both") {
+  PolyMesh cage = cube_top_loop();
+  cage.positions[7].z() += 0.5;
+  cage.tags.pins = {4, 5, 6, 7};
+  const std::map<Index, std::array<Index, 2>> neighbours = {{4, {5, 6}}, {5, {4, 7}}, {6, {4, 7}}, {7, {5, 6}}};
+  const UniformRefined result = uniformly_refined(cage, 2);
+  for (int k = 0; k <= 2; ++k) {
+    const LimitSurface surface = limit_of(result, k);
+    const HalfEdges& mesh = result.plan.level(k).topology;
+    for (const auto& [pin, ends] : neighbours) {
+      const Vec3 at = cage.positions[pin];
+      const Vec3 upwards = (cage.positions[ends[0]] - at).cross(cage.positions[ends[1]] - at).normalized();
+      std::vector<double> cosines;
+      for (Index c = 0; c < mesh.corner_count(); ++c) {
+        if (surface.points[mesh.corner_vertex[c]] == at)
+          cosines.push_back(std::abs(upwards.dot(surface.corner_normals[c])));
+      }
+      REQUIRE(cosines.size() == 3);
+      CHECK(std::ranges::max(cosines) == Approx(1).margin(1e-12));
+    }
+  }
 }
 
 TEST_CASE("The normal at a chain's end belongs to all its corners") {

@@ -31,7 +31,8 @@ struct LimitSurface {
 /// faces between two sharp edges are those of the faces.
 ///
 /// Catmull-Clark, Loop: the limit masks of OpenSubdiv, one-sided along sharp edges that stay; edges whose sharpness
-/// runs out count as smooth.
+/// runs out count as smooth. A corner with several faces between two sharp edges may have no tangent plane: there the
+/// normal is that of its fan on level 1.
 class LimitPlan {
  public:
   /// @param k < plan.levels(): the limit of a level is read off the level after it

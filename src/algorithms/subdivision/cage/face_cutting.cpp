@@ -11,6 +11,7 @@
 #include "algorithms/subdivision/cage/tag_changes.h"
 #include "croquis/geometry/edge_channels.h"
 #include "croquis/geometry/polygon_area.h"
+#include "croquis/geometry/polygon_cut.h"
 
 namespace croquis::subdivision {
 namespace {
@@ -20,81 +21,6 @@ Vec3 centre(const PolyMesh& mesh, Index face) {
   for (const Index vertex : mesh.face(face)) sum += mesh.positions[vertex];
   return sum / static_cast<double>(mesh.face(face).size());
 }
-
-/// A face laid into the plane across its area normal.
-std::vector<Vec2> flattened(const PolyMesh& mesh, Index face) {
-  const Vec3 normal = area_normal(mesh, face).normalized();
-  const Vec3 u = normal.unitOrthogonal();
-  const Vec3 v = normal.cross(u);
-  const Vec3 origin = centre(mesh, face);
-  std::vector<Vec2> points;
-  for (const Index vertex : mesh.face(face)) {
-    const Vec3 offset = mesh.positions[vertex] - origin;
-    points.emplace_back(offset.dot(u), offset.dot(v));
-  }
-  return points;
-}
-
-bool inside(const Vec2& point, const Vec2& a, const Vec2& b, const Vec2& c) {
-  return cross(b - a, point - a) >= 0 && cross(c - b, point - b) >= 0 && cross(a - c, point - c) >= 0;
-}
-
-/// Takes ears off one polygon; `rest` lists the corners that are left.
-class EarCutter {
- public:
-  EarCutter(const PolyMesh& mesh, const MeshTopology& topology, Index face)
-      : topology_(topology), vertices_(mesh.face(face)), points_(flattened(mesh, face)), rest_(vertices_.size()) {
-    std::iota(rest_.begin(), rest_.end(), Index{0});
-  }
-
-  FaceTriangles cut() {
-    FaceTriangles triangles;
-    while (rest_.size() > 3) {
-      const std::size_t ear = choose();
-      triangles.push_back(triangle(ear));
-      rest_.erase(rest_.begin() + static_cast<std::ptrdiff_t>(ear));
-    }
-    triangles.push_back({rest_[0], rest_[1], rest_[2]});
-    return triangles;
-  }
-
- private:
-  std::array<Index, 3> triangle(std::size_t tip) const {
-    const std::size_t n = rest_.size();
-    return {rest_[(tip + n - 1) % n], rest_[tip], rest_[(tip + 1) % n]};
-  }
-
-  bool is_ear(const std::array<Index, 3>& t) const {
-    if (cross(points_[t[1]] - points_[t[0]], points_[t[2]] - points_[t[1]]) <= 0) return false;
-    return std::none_of(rest_.begin(), rest_.end(), [&](Index corner) {
-      return std::find(t.begin(), t.end(), corner) == t.end() &&
-             inside(points_[corner], points_[t[0]], points_[t[1]], points_[t[2]]);
-    });
-  }
-
-  bool diagonal_is_edge(const std::array<Index, 3>& t) const {
-    return find_edge(topology_, vertices_[t[0]], vertices_[t[2]]) != no_index;
-  }
-
-  /// The ear with the shortest diagonal; where none is left (a face that crosses itself), the shortest diagonal.
-  std::size_t choose() const {
-    std::size_t best = 0;
-    auto best_cost = std::make_tuple(true, true, 0.0);
-    for (std::size_t i = 0; i < rest_.size(); ++i) {
-      const auto t = triangle(i);
-      const auto cost = std::make_tuple(diagonal_is_edge(t), !is_ear(t), (points_[t[0]] - points_[t[2]]).norm());
-      if (i > 0 && best_cost <= cost) continue;
-      best = i;
-      best_cost = cost;
-    }
-    return best;
-  }
-
-  const MeshTopology& topology_;
-  std::span<const Index> vertices_;
-  std::vector<Vec2> points_;
-  std::vector<Index> rest_;
-};
 
 }  // namespace
 
@@ -111,7 +37,8 @@ double relative_deviation(const PolyMesh& mesh, Index face) {
 }
 
 FaceTriangles triangulated_face(const PolyMesh& mesh, const MeshTopology& topology, Index face) {
-  return EarCutter(mesh, topology, face).cut();
+  return polygon_cut(mesh.positions, mesh.face(face),
+                     [&](Index a, Index b) { return find_edge(topology, a, b) != no_index; });
 }
 
 CutMesh with_faces_cut(const PolyMesh& mesh, const std::map<Index, FaceTriangles>& cuts) {

@@ -16,8 +16,7 @@ using FaceTriangles = std::vector<std::array<Index, 3>>;
 /// The greatest distance of a corner from the plane through the face's centre, relative to the face's diameter.
 double relative_deviation(const PolyMesh& mesh, Index face);
 
-/// Cuts a face along diagonals that lie inside it, seen along its area vector. Diagonals that are edges of the mesh
-/// already are avoided where there is another. O(n^3) for n corners.
+/// Cuts a face as polygon_cut does, but avoids diagonals that are edges of the mesh already where there is another.
 FaceTriangles triangulated_face(const PolyMesh& mesh, const MeshTopology& topology, Index face);
 
 struct CutMesh {
