@@ -358,7 +358,7 @@ TEST_CASE("holes of which the same is to be told are told in one finding") {
   CHECK(findings[0].code == "W_HOLE_FAILED");
   CHECK(findings[0].message.starts_with("Hole 3 stays open"));
   CHECK(findings[1].code == "W_FALLBACK");
-  CHECK(findings[1].message.starts_with("Holes 0 and 1 were filled by minimal instead (one reason)"));
+  CHECK(findings[1].message.starts_with("Holes 0 and 1 were filled flat instead (one reason)"));
   CHECK(findings[1].subjects.size() == 2);
   CHECK(findings[2].message.starts_with("Hole 2 was filled"));
 }

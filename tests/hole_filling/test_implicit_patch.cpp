@@ -282,7 +282,12 @@ TEST_CASE("a patch never has more triangles than allowed by far") {
 }
 
 TEST_CASE("rims of thousands of edges are continued too") {
-  const FillResult result = fill(bowl(3000, 40), everything());
+  std::vector<Vec2> profile = {{0, -1}};
+  for (int i = 1; i <= 40; ++i) {  // two thirds of the way from pole to pole
+    const double angle = std::numbers::pi * 2 / 3 * i / 40;
+    profile.emplace_back(std::sin(angle), -std::cos(angle));
+  }
+  const FillResult result = fill(revolved(profile, 3000), everything());
   CHECK(count_of(result, "implicit") == 1);
   CHECK(report_of(result.mesh).closed);
   CHECK(result.new_faces < 2 * 40000);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -147,4 +148,25 @@ TEST_CASE("rough rims don't make a patch doubtful, a fold all round does") {
   const PolyMesh tube = open_tube(1, 2, 48, 16);
   const Made lid = close_first(tube, *minimal_patcher());
   CHECK(confidence_of(lid.patch, lid.mesh, lid.analysis) < 0.05);
+}
+
+TEST_CASE("a fold of more than 90 degrees in a patch or at its rim lowers the confidence, at 120 by a half") {
+  CHECK(trust_in_fold(std::numbers::pi / 2) == 1);
+  CHECK(trust_in_fold(doubtful_fold) == Approx(0.5));
+  CHECK(trust_in_fold(150 * std::numbers::pi / 180) == Approx(0.2));
+  // Four squares of a sheet are missing; the middle of their fan is pulled up, or over the sheet beside them.
+  const PolyMesh mesh = cut(sheet(20, 20), Vec3(10, 10, 0), 1.1).mesh;
+  Progress progress;
+  const HoleAnalysis analysis = analyse_holes(mesh, progress);
+  const Index id = inner_hole(mesh);
+  const auto confidence = [&](const Vec3& offset) {
+    HolePatch fan{{id}, {analysis.holes[id].centre + offset}, {}};
+    const std::vector<Index>& rim = analysis.holes[id].vertices;
+    for (std::size_t i = 0; i < rim.size(); ++i)
+      fan.triangles.push_back({rim[(i + 1) % rim.size()], rim[i], static_cast<Index>(mesh.vertex_count())});
+    return confidence_of(fan, mesh, analysis);
+  };
+  CHECK(confidence({0, 0, 0}) > 0.9);
+  CHECK(confidence({0, 0, 0.5}) < confidence({0, 0, 0}));
+  CHECK(confidence({3, 0, 0.3}) < 0.4 * confidence({0, 0, 2}));
 }

@@ -9,6 +9,7 @@
 
 #include "algorithms/hole_filling/analysis/welding.h"
 #include "croquis/base/error.h"
+#include "croquis/geometry/mesh_report.h"
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/hole_filling/surface_view.h"
 #include "support/meshes/mesh_shapes.h"
@@ -263,4 +264,31 @@ TEST_CASE("a soup whose corners differ by rounding is joined as the mesh that it
   const SurfaceView joined = view_of(mesh), view = view_of(soup);
   CHECK(view.opposite == joined.opposite);
   CHECK(view.nearly_welded_vertices > 0);
+}
+
+TEST_CASE("a joined soup has the figures of the mesh that it was, and all its inner edges are seams") {
+  PolyMesh mesh = random_cuts(round_sphere(3), 1, 3, 0.2, 0.4).mesh;
+  Progress progress;
+  const MeshReport whole = inspect(mesh, true, progress);
+  const PolyMesh soup = as_soup(mesh);
+  const SurfaceView view = view_of(soup);
+  const JoinedMesh joint = joined(soup, view);
+  const MeshReport again = inspect(joint.mesh, true, progress);
+  CHECK(again.edges == whole.edges);
+  CHECK(again.boundary_edges == whole.boundary_edges);
+  CHECK(again.boundary_loops == whole.boundary_loops);
+  CHECK(again.euler_characteristic == whole.euler_characteristic);
+  CHECK(again.self_intersections == 0);
+  CHECK(joint.face.size() == mesh.face_count());
+  CHECK(count_seam_edges(soup, view) == whole.edges - whole.boundary_edges);
+  CHECK(count_seam_edges(mesh, view_of(mesh)) == 0);
+  // A face that shrinks to a line when its corners are joined is left out, and the others keep their numbers.
+  const Index corner = mesh.corners[0];
+  mesh.positions.push_back(mesh.positions[corner]);
+  const std::array<Index, 3> line = {corner, static_cast<Index>(mesh.vertex_count() - 1), mesh.corners[1]};
+  mesh.add_face(line);
+  mesh.add_face(std::array<Index, 3>{corner, mesh.corners[1], mesh.corners[2]});
+  const JoinedMesh shrunk = joined(mesh, view_of(mesh));
+  CHECK(shrunk.face.size() == mesh.face_count() - 1);
+  CHECK(shrunk.face.back() == mesh.face_count() - 1);
 }

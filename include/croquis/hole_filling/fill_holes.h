@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "croquis/base/finding.h"
 #include "croquis/base/progress.h"
 #include "croquis/base/stage_cache.h"
@@ -33,7 +35,8 @@ struct FillOptions {
   double bulge = 0;                   ///< -1..1, see PatchWish
   int trim_rim = 0;                   ///< 0..3 rings of faces around chosen holes that are removed first
   std::vector<HoleRequest> requests;  ///< for single holes
-  bool flat_caps = true;              ///< OUTER holes get flat patches: a smooth one would bulge by about a radius
+  bool flat_caps = true;              ///< OUTER holes that `only` doesn't name get flat patches: smooth ones of an open
+                                      ///< tube would bulge by about a radius
   Precision precision = Precision::Double;   ///< how the result will be stored
   std::size_t most_patch_triangles = 40000;  ///< a patch that would need more is made of larger triangles
   bool mark_patches = true;  ///< mark the patches by a face channel "patch_id" (int32, -1 for the faces given), and
@@ -61,6 +64,7 @@ struct HoleOutcome {
   double min_angle = 0;        ///< of the patch's corners
   double confidence = 0;       ///< 0..1, by the error to be expected of the whole patch, see confidence_of
   std::size_t new_vertices = 0, new_faces = 0;  ///< of a patch for several holes: at its lowest
+  Eigen::AlignedBox3d box;                      ///< of the patch's new vertices
   Index patch = no_index;  ///< number of the patch, the same for holes that one patch joins; as in "patch_id"
   double expected_error = std::numeric_limits<double>::quiet_NaN();  ///< as HolePatch has it
 };
@@ -79,9 +83,10 @@ struct FillResult {
   std::size_t removed_vertices = 0, removed_faces = 0;  ///< by trimming
   std::size_t domains = 0;                              ///< functions that were fitted for the patches taken
   DomainPointCounts points_per_domain;
+  std::size_t open_edges = 0;  ///< of the result, counted in the view of the analysis: those of rims without a patch
   bool outside_unchanged = false;  ///< looked at again at the end: what wasn't removed comes first, bit by bit
   Findings warnings;               ///< those of the analysis, W_OUTER_LEFT, W_STRAYS, W_FALLBACK, W_LOW_CONFIDENCE,
-                                   ///< W_HOLE_FAILED
+                                   ///< W_BOX_GROWN, W_HOLE_FAILED
 };
 
 /// The most that fill_holes will hold at a time, in bytes, the mesh given not counted. Linear in its channels, and

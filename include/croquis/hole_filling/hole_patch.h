@@ -22,6 +22,7 @@ struct HolePatch {
                                                                      ///< guessed by cross-validation; model units
   std::vector<Index> arrives_at = {};  ///< further holes that the surface continued from these arrives at, ascending:
                                        ///< those belong to them, and there are no triangles
+  bool rises_too_far = false;  ///< over its hole, see rises_too_far(): it isn't wanted, and there are no triangles
   std::vector<std::size_t> domain_points = {};  ///< of each function that it lies on: the points it was fitted to
 };
 

@@ -23,7 +23,7 @@ enum class Fairness {
 enum class Preset {
   Auto,      ///< Standard, but where creases run into a hole these go on in it, as by Sharp
   Standard,  ///< smooth shapes, scanned with little noise
-  Paper,     ///< r^2 log r and offset points on one side, as in Yoo 2005: for comparison
+  Paper,     ///< offset points on one side, as in Yoo 2005 with Kernel::ThinPlate: for comparison
   Sharp,     ///< machined parts: per hole the method that repairs known surface beside it best
   Noisy      ///< rough scans: patches follow their rims less closely
 };

@@ -25,12 +25,16 @@ double predicted_error(double depth, double bend, double fold);
 /// 1 / (1 + error / 0.01): a half where an error of one percent of the diagonal is predicted, 0.91 for a thousandth.
 double confidence_in(double error);
 
+/// 1 up to 90 degrees, then 1 / (1 + x^2) with x the excess over them in 30 degrees: a half at 120, a fifth at 150.
+double trust_in_fold(double angle);
+
 /// By the predicted error of a patch as far from its rims as it goes. Its fold: with a the angle between patch and
 /// surface, meant over stretches of the rims so that the roughness of single faces evens out, 4 a^3, as only wide folds
 /// are wrong; but 8 a without new vertices, where a flat patch leaves the surface, and a is the angle of the surface's
 /// mean direction into the hole, if that is more.
 ///
-/// Patches without new vertices are looked at evenly by area.
+/// Times trust_in_fold of the greatest angle between neighbouring faces of the patch, across its rims too. Patches
+/// without new vertices are looked at evenly by area.
 double confidence_of(const HolePatch& patch, const PolyMesh& mesh, const HoleAnalysis& analysis);
 
 /// The same for each of the patch's new vertices, by its own distance from the rims, and with the angle between the

@@ -65,7 +65,7 @@ inline constexpr double usual_weld_tolerance = 1e-6;
 
 /// Makes the view: vertices at exactly equal places count as one, and those of rims that are within the tolerance of
 /// each other and nearer than half the edges beside them, so that seams that differ by rounding are none; polygons as
-/// the fan from their first corner, and of each part that edges of two triangles join the minority that runs the other
+/// their cut (see polygon_cut), and of each part that edges of two triangles join the minority that runs the other
 /// way is turned.
 ///
 /// Edges are matched by sorting (low end, high end, corner), the low end by lists or by counting: n log n in the worst
@@ -74,6 +74,19 @@ inline constexpr double usual_weld_tolerance = 1e-6;
 /// @throws Cancelled
 /// @param weld_tolerance × the diagonal; 0: only what is at exactly one place
 SurfaceView view_surface(const PolyMesh& mesh, Progress& progress, double weld_tolerance = usual_weld_tolerance);
+
+/// A mesh with one vertex where several count as one, so that whatever is counted of it agrees with the view.
+struct JoinedMesh {
+  PolyMesh mesh;            ///< all positions, and the faces that keep three corners; no channels, no tags
+  std::vector<Index> face;  ///< of each of its faces the one of the mesh given, ascending
+};
+
+/// Linear.
+JoinedMesh joined(const PolyMesh& mesh, const SurfaceView& view);
+
+/// Edges of two triangles that the mesh itself has apart, since vertices that count as one are several: seams, as those
+/// of textures. Linear.
+std::size_t count_seam_edges(const PolyMesh& mesh, const SurfaceView& view);
 
 /// The vertex of the mesh that a corner of the view stands for.
 Index mesh_vertex(const SurfaceView& view, const PolyMesh& mesh, Index corner);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <string>
 #include <utility>
 
@@ -69,6 +70,12 @@ void tell_strays(const PolyMesh& scan, const FillResult& result, Findings& findi
   findings.push_back(make_warning(Category::Geometry, "W_STRAYS", sentence, std::move(subjects)));
 }
 
+std::string rounded(double length) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", length);
+  return text;
+}
+
 /// The holes filled for which something holds.
 template <typename Holds>
 std::vector<Subject> filled_where(const PolyMesh& scan, const FillResult& result, Holds&& holds) {
@@ -106,13 +113,13 @@ void tell_failed(const PolyMesh& scan, const FillResult& result, Findings& findi
   }
   for (auto& [outcome, holes] : failed) {
     const std::string sentence = names_of(holes) + (holes.size() == 1 ? " stays" : " stay") +
-                                 " open, since no method made a sound patch (" + outcome->reason +
-                                 "): look at the surface around.";
+                                 " open, since no patch would be sound (" + outcome->reason +
+                                 "): look at the surface around, or trim the rim.";
     findings.push_back(make_warning(Category::Geometry, "W_HOLE_FAILED", sentence, std::move(holes)));
   }
   for (auto& [outcome, holes] : replaced) {
-    const std::string sentence = names_of(holes) + (holes.size() == 1 ? " was" : " were") + " filled by " +
-                                 outcome->method + " instead (" + outcome->reason + "): look at the shape.";
+    const std::string sentence = names_of(holes) + (holes.size() == 1 ? " was" : " were") + " filled " +
+                                 option_of(outcome->method) + " instead (" + outcome->reason + "): look at the shape.";
     findings.push_back(make_warning(Category::Geometry, "W_FALLBACK", sentence, std::move(holes)));
   }
 }
@@ -130,21 +137,60 @@ void tell_low_confidence(const PolyMesh& scan, const FillResult& result, Finding
     constexpr std::array flat = {"minimal", "dihedral", "plane", "avoiding"};
     return std::ranges::find(flat, o.method) != flat.end();
   };
-  const auto tell = [&](bool flat, const char* what) {
-    const auto is_low = [&](const HoleOutcome& o) { return o.confidence < low_confidence && is_flat(o) == flat; };
-    tell_doubtful(filled_where(scan, result, is_low), what, findings);
-  };
-  tell(false, "far from what the surface around them shows: look at the shape, or choose flat patches.");
-  tell(true, "by flat patches, which do not continue the surface around them: look at the shape, or leave them open.");
   // Flat patches meet rims at any angle: they were asked for, or are reported as taken instead.
   const auto is_folded = [](const HoleOutcome& o) {
     return o.max_normal_jump > doubtful_fold && o.method != "minimal";
   };
+  const auto tell = [&](bool flat, const char* what) {
+    const auto is_low = [&](const HoleOutcome& o) {
+      return o.confidence < low_confidence && is_flat(o) == flat && !is_folded(o);
+    };
+    tell_doubtful(filled_where(scan, result, is_low), what, findings);
+  };
+  tell(false, "far from what the surface around them shows: look at the shape, or choose flat patches.");
+  tell(true, "by flat patches, which do not continue the surface around them: look at the shape, or leave them open.");
   tell_doubtful(filled_where(scan, result, is_folded),
                 "with a fold of more than 120 degrees at the rim: look at the rim, or trim it.", findings);
 }
 
+/// Of all places that faces use.
+Eigen::AlignedBox3d box_of(const PolyMesh& scan) {
+  Eigen::AlignedBox3d box;
+  for (const Index vertex : scan.corners) box.extend(scan.positions[vertex]);
+  return box;
+}
+
+/// Patches that lead out of the scan's box, where they make a side of it longer by over a twentieth.
+void tell_growth(const PolyMesh& scan, const FillResult& result, Findings& findings) {
+  constexpr double greatest_growth = 0.05;
+  constexpr double least_told = 0.01;  // × diagonal: flat scans have sides of next to no length
+  const Eigen::AlignedBox3d before = box_of(scan);
+  Eigen::AlignedBox3d after = before;
+  for (const HoleOutcome& outcome : result.outcomes) after.extend(outcome.box);
+  for (const int axis : {0, 1, 2}) {
+    const double side = before.sizes()[axis], grown = after.sizes()[axis];
+    const double growth = grown - side;
+    if (growth <= greatest_growth * side || growth <= least_told * before.diagonal().norm()) continue;
+    const auto leads_out = [&](const HoleOutcome& o) {
+      return !o.box.isEmpty() && (o.box.min()[axis] < before.min()[axis] || o.box.max()[axis] > before.max()[axis]);
+    };
+    std::vector<Subject> holes = filled_where(scan, result, leads_out);
+    const std::string sentence = names_of(holes) + (holes.size() == 1 ? " was" : " were") +
+                                 " filled beyond the box of " + "the scan, which grows along " + "xyz"[axis] +
+                                 " from " + rounded(side) + " to " + rounded(grown) +
+                                 ": look at the shape, or choose flat patches.";
+    findings.push_back(make_warning(Category::Geometry, "W_BOX_GROWN", sentence, std::move(holes)));
+  }
+}
+
 }  // namespace
+
+std::string option_of(std::string_view method) {
+  if (method.starts_with("cgal")) return "smooth";
+  if (method.starts_with("band")) return "bridged";
+  constexpr std::array<std::string_view, 5> flat = {"minimal", "dihedral", "plane", "avoiding", "zip"};
+  return std::ranges::find(flat, method) != flat.end() ? "flat" : "by rbf";
+}
 
 Findings fill_findings(const PolyMesh& scan, const FillResult& result) {
   Findings findings = result.analysis.warnings;
@@ -152,6 +198,7 @@ Findings fill_findings(const PolyMesh& scan, const FillResult& result) {
   tell_strays(scan, result, findings);
   tell_failed(scan, result, findings);
   tell_low_confidence(scan, result, findings);
+  tell_growth(scan, result, findings);
   return findings;
 }
 

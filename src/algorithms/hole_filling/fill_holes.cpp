@@ -150,6 +150,7 @@ class Filling {
     outcome.max_normal_jump = job.verdict.max_normal_jump;
     outcome.min_angle = job.verdict.min_angle;
     outcome.confidence = confidence;
+    for (const Vec3& point : job.patch->points) outcome.box.extend(point);
     outcome.expected_error = job.patch->expected_error;
     outcome.patch = patch_number;
     return outcome;
@@ -157,8 +158,11 @@ class Filling {
 
   void assemble() {
     std::vector<HolePatch> patches;
+    result_.open_edges = analysis().view.rim_corners.size();
     for (ClimbedJob& job : climbed_) {
-      if (job.patch) patches.push_back(std::move(*job.patch));
+      if (!job.patch) continue;
+      for (const Index hole : job.patch->holes) result_.open_edges -= analysis().holes[hole].vertices.size();
+      patches.push_back(std::move(*job.patch));
     }
     result_.mesh = append_patches(mesh(), analysis(), patches, options_.mark_patches, options_.threads);
     result_.new_vertices = result_.mesh.vertex_count() - mesh().vertex_count();

@@ -63,7 +63,8 @@ std::vector<FillJob> make_jobs(std::span<const Hole> holes, const FillOptions& o
     const Index first = group.front();
     if (!is_chosen[first]) continue;
     FillJob job{std::move(group), {options.fairness, options.implicit, options.bulge, {}}, bridged[first], false};
-    job.is_cap = options.flat_caps && holes[first].kind == HoleClass::Outer && !job.bridge;
+    const bool is_named = std::ranges::find(options.only, first) != options.only.end();
+    job.is_cap = options.flat_caps && holes[first].kind == HoleClass::Outer && !job.bridge && !is_named;
     for (const HoleRequest& request : options.requests) {
       if (!names_any(request, job.holes)) continue;
       apply(request, job.wish);

@@ -10,12 +10,14 @@
 #include <utility>
 
 #include "algorithms/hole_filling/patching/near_scene.h"
+#include "algorithms/hole_filling/patching/patch_height.h"
 #include "algorithms/hole_filling/patching/patch_ladder.h"
 #include "algorithms/hole_filling/patching/rim_crossing.h"
 #include "algorithms/hole_filling/patching/site_memory.h"
 #include "croquis/base/parallel.h"
 #include "croquis/base/stage_key.h"
 #include "croquis/geometry/single_precision.h"
+#include "croquis/hole_filling/fill_findings.h"
 #include "croquis/hole_filling/wide_holes.h"
 
 namespace croquis::hole_filling {
@@ -191,10 +193,21 @@ class Climb {
     }
     const auto made = cached<Attempt>(
         options_.cache, patch_stage, climber.key,
-        [&] { return numbers_.in_scan(climber.ladder[climber.rung]->attempt(site, progress)); },
+        [&] {
+          return numbers_.in_scan(kept_low(site, climber.ladder[climber.rung]->attempt(site, progress), progress));
+        },
         [](const Attempt& attempt) { return bytes_of(attempt); });
     climber.candidate = numbers_.in_mesh(*made, climber.job.holes);
     if (climber.candidate && options_.precision == Precision::Single) round_to_single(climber.candidate->points);
+  }
+
+  /// The patch, or only the word that it rises too far.
+  std::optional<HolePatch> kept_low(const HoleSite& site, std::optional<HolePatch> patch, Progress& progress) const {
+    if (patch && rises_too_far(site, *patch, options_.most_patch_triangles, progress)) {
+      patch = HolePatch{site.holes, {}, {}};
+      patch->rises_too_far = true;
+    }
+    return patch;
   }
 
   /// Of all that a method may look at.
@@ -215,10 +228,12 @@ class Climb {
     std::vector<Climber*> tried;
     for (Climber* climber : pending_) {
       if (climber->is_gone) continue;
-      if (climber->candidate)
-        tried.push_back(climber);
+      if (!climber->candidate)
+        refuse(*climber, "no patch was found");
+      else if (climber->candidate->rises_too_far)
+        refuse(*climber, "the patch would lead far away from its hole");
       else
-        refuse(*climber, "the method found no patch");
+        tried.push_back(climber);
     }
     Progress judging = progress.step("verify patches", 0.8);
     judge_alone(tried, judging);
@@ -359,7 +374,7 @@ class Climb {
   /// On to the next method. The first one's fault is reported.
   static void refuse(Climber& climber, const std::string& fault) {
     if (climber.result.first_fault.empty() && !fault.empty())
-      climber.result.first_fault = climber.method() + ": " + fault;
+      climber.result.first_fault = option_of(climber.method()) + ": " + fault;
     climber.candidate.reset();
     ++climber.rung;
   }

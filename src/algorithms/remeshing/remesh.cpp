@@ -224,7 +224,7 @@ class Remeshing {
     HoleOutcome& outcome = result_.outcomes[patched.hole];
     const bool is_meant = patched.fate == RimFate::Patch || patched.fate == RimFate::Left;
     outcome.method = is_meant ? patched.outcome.method : "remesh-patched";
-    if (patched.fate == RimFate::Field) outcome.reason = "the field left an opening there";
+    if (patched.fate == RimFate::Field) outcome.reason = "the new surface left an opening there";
     outcome.confidence = std::min(outcome.confidence, patched.outcome.confidence);
   }
 
@@ -240,7 +240,7 @@ class Remeshing {
     for (const Index hole : shape.left_to_patches) {  // small ones are closed by what reaches over their rims
       HoleOutcome& outcome = result_.outcomes[hole];
       if (outcome.action == FillAction::Fill && outcome.method != "remesh")
-        outcome.reason = "the field leads far from the scan there";
+        outcome.reason = "the new surface leads far from the scan there";
     }
     if (shape.domains.fitted > 0) count_domains(shape.domains);
     RemeshChecks& checks = result_.checks;

@@ -16,14 +16,16 @@ namespace {
 /// A sheet's border: its longest rim, of a diameter above this share of the sheet's diagonal.
 constexpr double border_diameter = 0.5;
 
-/// An open cross-section: flat within this share of its diameter, above this share of the component's diagonal, …
-constexpr double section_planarity = 0.02;
+/// An open cross-section, as the base of a statue: above this share of the component's diagonal, …
 constexpr double section_diameter = 0.25;
-/// … and faces that lead straight on out of its plane within this angle on average; …
+/// … and faces that lead straight on out of its plane within this angle on average, however ragged or bent the rim is,
+/// but for rims that have no plane (× diameter); …
 constexpr double section_tilt = 25 * std::numbers::pi / 180;
-/// … or within this one, where the rim is so flat as only a cut is: a torn rim goes half an edge to and fro along the
-/// faces. × mean edge × cosine of their angle
+constexpr double section_planarity = 0.2;
+/// … or within this angle, where the rim is so flat as only a cut is: a torn rim goes half an edge to and fro along the
+/// faces. × diameter, and × mean edge × cosine of their angle
 constexpr double cut_tilt = 60 * std::numbers::pi / 180;
+constexpr double flat_planarity = 0.02;
 constexpr double cut_planarity = 0.35;
 
 /// A slit's width is this many mean edges at most (its area over its length) …
@@ -74,12 +76,14 @@ class Classifier {
 
   bool is_open_section(const Hole& hole) const {
     const bool is_wide = hole.diameter > section_diameter * analysis_.component_diagonal[hole.component];
-    if (!is_wide || !(hole.planarity < section_planarity)) return false;
-    return hole.conormal_tilt < section_tilt || (hole.conormal_tilt < cut_tilt && is_cut_flat(hole));
+    if (!is_wide) return false;
+    if (hole.conormal_tilt < section_tilt) return hole.planarity < section_planarity;
+    return hole.conormal_tilt < cut_tilt && is_cut_flat(hole);
   }
 
   static bool is_cut_flat(const Hole& hole) {
-    return hole.planarity * hole.diameter < cut_planarity * std::cos(hole.conormal_tilt) * mean_edge(hole);
+    return hole.planarity < flat_planarity &&
+           hole.planarity * hole.diameter < cut_planarity * std::cos(hole.conormal_tilt) * mean_edge(hole);
   }
 
   static double mean_edge(const Hole& hole) { return hole.perimeter / static_cast<double>(hole.vertices.size()); }

@@ -2,7 +2,6 @@
 #include "croquis/hole_filling/surface_view.h"
 
 #include <algorithm>
-#include <span>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -12,6 +11,7 @@
 #include "algorithms/hole_filling/triangulation/cancel_check.h"
 #include "algorithms/hole_filling/triangulation/edge_pairing.h"
 #include "croquis/base/error.h"
+#include "croquis/geometry/polygon_cut.h"
 
 namespace croquis::hole_filling {
 namespace {
@@ -39,17 +39,18 @@ void require_fillable(const PolyMesh& mesh) {
                          "The mesh has no area: all its faces lie on points or lines; check the scale of its export."));
 }
 
-void add_fan(SurfaceView& view, std::span<const Index> corners, Index face) {
-  for (std::size_t i = 2; i < corners.size(); ++i) {
-    const std::array<Index, 3> t = {view.representative_of(corners[0]), view.representative_of(corners[i - 1]),
-                                    view.representative_of(corners[i])};
+void add_triangles(const PolyMesh& mesh, SurfaceView& view, Index face) {
+  const auto corners = mesh.face(face);
+  visit_triangles(mesh.positions, corners, [&](const std::array<Index, 3>& cut) {
+    std::array<Index, 3> t{};
+    for (std::size_t i = 0; i < 3; ++i) t[i] = view.representative_of(corners[cut[i]]);
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
       ++view.dropped_triangles;
-      continue;
+      return;
     }
     view.triangles.push_back(t);
     view.face.push_back(face);
-  }
+  });
 }
 
 void triangulate_faces(const PolyMesh& mesh, SurfaceView& view, Progress& progress) {
@@ -61,7 +62,7 @@ void triangulate_faces(const PolyMesh& mesh, SurfaceView& view, Progress& progre
   CancelCheck cancel(progress);
   for (Index face = 0; face < mesh.face_count(); ++face) {
     cancel.step();
-    add_fan(view, mesh.face(face), face);
+    add_triangles(mesh, view, face);
   }
   view.flags.assign(view.triangles.size(), 0);
 }
@@ -155,6 +156,40 @@ SurfaceView view_surface(const PolyMesh& mesh, Progress& progress, double weld_t
   view.widest_weld = near.widest_gap;
   progress.report(1);
   return view;
+}
+
+JoinedMesh joined(const PolyMesh& mesh, const SurfaceView& view) {
+  JoinedMesh result;
+  result.mesh.positions = mesh.positions;
+  std::vector<Index> corners;
+  for (const Index face : view.face) {
+    if (!result.face.empty() && result.face.back() == face) continue;  // another triangle of it
+    corners.clear();
+    for (const Index vertex : mesh.face(face)) {
+      const Index known = view.representative_of(vertex);
+      if (corners.empty() || corners.back() != known) corners.push_back(known);
+    }
+    if (corners.back() == corners.front()) corners.pop_back();
+    result.mesh.add_face(corners);
+    result.face.push_back(face);
+  }
+  return result;
+}
+
+std::size_t count_seam_edges(const PolyMesh& mesh, const SurfaceView& view) {
+  if (view.representative.empty()) return 0;
+  std::size_t seams = 0;
+  const auto vertex = [&](Index corner) { return mesh_vertex(view, mesh, corner); };
+  for (Index corner = 0; corner < view.opposite.size(); ++corner) {
+    if (!view.has_opposite(corner) || view.opposite[corner] < corner) continue;
+    const Index other = view.opposite[corner];
+    // Two triangles that agree run their edge in opposite directions, others in the same one.
+    const bool is_reversed = view.origin(corner) == view.target(other);
+    const Index from = is_reversed ? SurfaceView::next(other) : other;
+    const Index to = is_reversed ? other : SurfaceView::next(other);
+    if (vertex(corner) != vertex(from) || vertex(SurfaceView::next(corner)) != vertex(to)) ++seams;
+  }
+  return seams;
 }
 
 Index mesh_vertex(const SurfaceView& view, const PolyMesh& mesh, Index corner) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Geometry>
 
@@ -151,6 +152,47 @@ std::vector<double> rim_jumps(const HolePatch& patch, const RimFolds& folds, con
   return jumps;
 }
 
+/// Whether a triangle is so thin that its normal says nothing: its height is below a fiftieth of its longest side.
+bool is_needle(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  return normal_of(a, b, c).norm() < 0.02 * longest;
+}
+
+/// The greatest angle between neighbouring faces of a patch, across its rims too; needles are left out.
+double sharpest_fold(const HolePatch& patch, const PolyMesh& mesh, const HoleAnalysis& analysis,
+                     const RimFolds& folds) {
+  const auto at = [&](Index v) -> const Vec3& {
+    return v < mesh.vertex_count() ? mesh.positions[v] : patch.points[v - mesh.vertex_count()];
+  };
+  std::vector<std::array<Index, 3>> edges;  // low end, high end, triangle
+  for (Index t = 0; t < patch.triangles.size(); ++t) {
+    const auto& [a, b, c] = patch.triangles[t];
+    if (is_needle(at(a), at(b), at(c))) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [low, high] = std::minmax(patch.triangles[t][i], patch.triangles[t][(i + 1) % 3]);
+      edges.push_back({low, high, t});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  const auto normal_at = [&](const std::array<Index, 3>& edge) {
+    const auto& [a, b, c] = patch.triangles[edge[2]];
+    return normal_of(at(a), at(b), at(c));
+  };
+  double sharpest = 0;
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    if (edges[i - 1][0] == edges[i][0] && edges[i - 1][1] == edges[i][1])
+      sharpest = std::max(sharpest, angle_between(normal_at(edges[i - 1]), normal_at(edges[i])));
+  }
+  for (const Index id : patch.holes) {
+    const Hole& hole = analysis.holes[id];
+    for (std::size_t i = 0; i < hole.vertices.size(); ++i) {
+      const Index next = hole.vertices[(i + 1) % hole.vertices.size()];
+      sharpest = std::max(sharpest, std::abs(folds.fold(hole.vertices[i], next, hole.corners[i])));
+    }
+  }
+  return sharpest;
+}
+
 /// How far a patch of rim vertices alone turns away from the surface: teeth of ragged rims are filled along it, and
 /// hide the fold behind them. The mean direction of the surface into the hole leads out of the patch's plane.
 double turn_of_ways(const HolePatch& patch, const PolyMesh& mesh, const HoleAnalysis& analysis) {
@@ -205,14 +247,22 @@ double confidence_in(double error) {
   return 1 / (1 + error / doubtful_error);
 }
 
+double trust_in_fold(double angle) {
+  constexpr double usual = 90 * std::numbers::pi / 180, doubtful = doubtful_fold - usual;
+  const double excess = std::max(0.0, angle - usual) / doubtful;
+  return 1 / (1 + excess * excess);
+}
+
 double confidence_of(const HolePatch& patch, const PolyMesh& mesh, const HoleAnalysis& analysis) {
   Rims rims(patch, mesh, analysis);
   const bool is_flat = patch.points.empty();
   if (is_flat) add_edge_points(patch, mesh, analysis, rims);
   const double depth = rims.depth_of(is_flat ? places_on(patch, mesh) : patch.points);
-  const double turn = RimFolds(patch, mesh, analysis.view).mean(analysis);
+  const RimFolds folds(patch, mesh, analysis.view);
+  const double turn = folds.mean(analysis);
   const double fold = is_flat ? flat_fold(std::max(turn, turn_of_ways(patch, mesh, analysis))) : continued_fold(turn);
-  return confidence_in(predicted_error(depth, rim_bend(mesh, analysis, patch.holes), fold));
+  return trust_in_fold(sharpest_fold(patch, mesh, analysis, folds)) *
+         confidence_in(predicted_error(depth, rim_bend(mesh, analysis, patch.holes), fold));
 }
 
 std::vector<float> vertex_confidence(const HolePatch& patch, const PolyMesh& mesh, const HoleAnalysis& analysis) {

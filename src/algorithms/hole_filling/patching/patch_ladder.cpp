@@ -26,10 +26,7 @@ ImplicitOptions adapted(ImplicitOptions options, Preset preset) {
     options.value_smoothing *= noisy_values;
     options.gradient_smoothing *= noisy_gradients;
   }
-  if (preset == Preset::Paper) {
-    options.kernel = implicit::Kernel::ThinPlate;
-    options.both_sides = false;
-  }
+  if (preset == Preset::Paper) options.both_sides = false;
   return options;
 }
 
