@@ -131,6 +131,17 @@ TEST_CASE("Two-point perspective takes the principal point from the sheet, or fr
   CHECK((stated.camera.rotation - shifted.camera.rotation).norm() < 1e-8);
 }
 
+TEST_CASE("In two-point perspective a stated field of view tells where the principal point is") {
+  View view = level_view();
+  view.principal_offset = Vec2(0.12, -0.2);
+  SolidDrawing truth = drawn(l_block(), view);
+  truth.drawing.field_of_view = view.field_of_view;
+  const CameraEstimate stated = estimated(truth.drawing);
+  CHECK(stated.mode == PerspectiveMode::TwoPoint);
+  CHECK(stated.camera.focal_length == Approx(truth.camera.focal_length).epsilon(1e-3));
+  CHECK((stated.camera.principal_point - truth.camera.principal_point).norm() < 1);
+}
+
 TEST_CASE("One-point perspective needs the field of view, and says so") {
   SolidDrawing truth = drawn(bottle(), frontal_view());
   const CameraEstimate assumed = estimated(truth.drawing);

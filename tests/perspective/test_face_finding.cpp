@@ -135,6 +135,23 @@ TEST_CASE("a shell inside another one bounds a void") {
   CHECK(result.warnings.empty());
 }
 
+TEST_CASE("a shell inside a void is solid again") {
+  const CurveNetwork room = joined(box().network, moved(box().network, 0.6, Vec3(0.8, 0.6, 0.4)), "void");
+  const FaceFindingResult result = faces_of(joined(room, moved(box().network, 0.2, Vec3(1.6, 1.2, 0.8)), "core"));
+  REQUIRE(result.best.shells.size() == 3);
+  for (const NetworkShell& shell : result.best.shells) {
+    REQUIRE(shell.faces.size() == 6);
+    const NetworkFace& face = result.best.faces[shell.faces[0]];
+    // The middle of all three boxes is (2, 1.5, 1); the faces of the middle one look at it.
+    const double outwards = face.normal.dot(face.origin - Vec3(2, 1.5, 1));
+    const double height = std::abs(outwards);
+    const bool middle = height > 0.5 && height < 1.3;
+    INFO("a face " << height << " from the middle");
+    CHECK(shell.is_void == middle);
+    CHECK((outwards < 0) == middle);
+  }
+}
+
 TEST_CASE("solids that touch in one vertex are solved apart") {
   CurveNetwork network = joined(box().network, moved(box().network, 1, Vec3(4, 3, 2)), "b");
   // One vertex for the corner that both have.

@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include "croquis/base/limits.h"
+
 namespace croquis {
 namespace {
 
@@ -27,7 +29,7 @@ Subject stroke_subject(const PerspectiveDrawing& drawing, Index stroke) {
   if (!drawing.file.empty()) subject.file = drawing.file;
   subject.line = drawn.line;
   const Vec2 middle = (drawn.start() + drawn.end()) / 2;
-  if (middle.allFinite()) subject.at = {middle.x(), middle.y()};
+  if (are_usable_numbers(middle)) subject.at = {middle.x(), middle.y()};
   return subject;
 }
 

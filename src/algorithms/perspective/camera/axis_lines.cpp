@@ -9,6 +9,8 @@
 
 #include <Eigen/Geometry>
 
+#include "croquis/base/limits.h"
+
 namespace croquis {
 namespace {
 
@@ -35,11 +37,11 @@ std::vector<AxisLine> axis_lines(const PerspectiveDrawing& drawing, std::span<co
                                  const SheetFrame& frame, double minimum_length) {
   std::vector<AxisLine> lines;
   for (std::size_t s = 0; s < drawing.strokes.size(); ++s) {
-    if (!is_parallel(groups[s])) continue;
     const PerspectiveStroke& stroke = drawing.strokes[s];
+    if (!is_parallel(groups[s]) || !are_usable_numbers(stroke.start()) || !are_usable_numbers(stroke.end())) continue;
     AxisLine line{static_cast<Index>(s), axis_of(groups[s]), frame.to_sheet(stroke.start()),
                   frame.to_sheet(stroke.end())};
-    if (!line.a.allFinite() || !line.b.allFinite() || line.length() < shortest_part * minimum_length) continue;
+    if (line.length() < shortest_part * minimum_length) continue;
     if (left_before_right(line.b, line.a)) std::swap(line.a, line.b);
     lines.push_back(line);
   }

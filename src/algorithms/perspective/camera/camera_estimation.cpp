@@ -14,6 +14,7 @@
 #include "algorithms/perspective/camera/camera_modes.h"
 #include "algorithms/perspective/stroke_words.h"
 #include "croquis/base/error.h"
+#include "croquis/base/limits.h"
 
 namespace croquis {
 namespace {
@@ -199,7 +200,8 @@ class Estimation {
   void add_lines(CameraEstimate& estimate) const {
     for (std::size_t s = 0; s < drawing_.strokes.size(); ++s) {
       const PerspectiveStroke& stroke = drawing_.strokes[s];
-      if (!is_parallel(groups_[s]) || !stroke.start().allFinite() || !stroke.end().allFinite()) continue;
+      if (!is_parallel(groups_[s]) || !are_usable_numbers(stroke.start()) || !are_usable_numbers(stroke.end()))
+        continue;
       VanishingLine line;
       line.stroke = static_cast<Index>(s);
       line.axis = axis_of(groups_[s]);

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "algorithms/perspective/camera/sheet_frame.h"
+#include "croquis/base/limits.h"
 #include "croquis/perspective/vertex_coordinates.h"
 
 namespace croquis {
@@ -17,7 +18,7 @@ std::vector<PromotedStroke> promoted_strokes(const PerspectiveDrawing& drawing, 
   for (std::size_t s = 0; s < drawing.strokes.size(); ++s) {
     const PerspectiveStroke& stroke = drawing.strokes[s];
     if (!stroke.straight || groups[s] == StrokeGroup::Unknown || is_parallel(groups[s])) continue;
-    if (!stroke.start().allFinite() || !stroke.end().allFinite()) continue;
+    if (!are_usable_numbers(stroke.start()) || !are_usable_numbers(stroke.end())) continue;
     PerAxis<double> misses;
     for (int k = 0; k < 3; ++k) {
       misses[k] = vanishing_residual(camera.vanishing_points[k], stroke.start(), stroke.end());

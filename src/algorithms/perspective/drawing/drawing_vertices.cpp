@@ -11,6 +11,7 @@
 #include "algorithms/perspective/drawing/end_linkage.h"
 #include "algorithms/perspective/drawing/stroke_likeness.h"
 #include "algorithms/perspective/stroke_words.h"
+#include "croquis/base/limits.h"
 
 namespace croquis {
 namespace {
@@ -20,10 +21,9 @@ constexpr double duplicate_distance = 8e-4;  // × diagonal; one pixel of an ord
 
 bool has_vertices(const PerspectiveStroke& stroke) { return stroke.role == StrokeRole::Edge || stroke.link; }
 
-bool is_finite(const PerspectiveStroke& stroke) {
-  return std::ranges::all_of(stroke.pieces, [](const PictureCubic& piece) {
-    return std::ranges::all_of(piece, [](const Vec2& point) { return point.allFinite(); });
-  });
+bool is_usable(const PerspectiveStroke& stroke) {
+  return std::ranges::all_of(
+      stroke.pieces, [](const PictureCubic& piece) { return std::ranges::all_of(piece, are_usable_numbers<Vec2>); });
 }
 
 /// How far the stroke gets from where it begins or ends.
@@ -39,17 +39,19 @@ double reach_of(const PerspectiveStroke& stroke) {
 
 struct UseSentence {
   const char* code;
-  const char* text;
+  std::string text;
 };
 
 UseSentence sentence_of(StrokeUse use) {
   switch (use) {
     case StrokeUse::NotFinite:
-      return {"NOT_FINITE", " has a coordinate that is not a finite number and is left out: draw it again."};
+      return {"NOT_FINITE",
+              std::string(" has a coordinate that ") + unusable_words + ", and is left out: draw it again."};
     case StrokeUse::ZeroLength:
       return {"ZERO_LENGTH", " is no longer than a point and is left out: delete it or draw it longer."};
     case StrokeUse::UnknownGroup:
-      return {"UNKNOWN_GROUP", " has a colour that is none of the six groups and is left out: give it a group."};
+      return {"UNKNOWN_GROUP",
+              " is left out, since it isn't clear along which axis or in which plane it runs: give it a group."};
     default: return {"DUPLICATE_STROKE", " joins the same vertices along the same line as "};
   }
 }
@@ -93,7 +95,7 @@ class VertexFinder {
   }
 
   void judge(Index i) {
-    if (!is_finite(stroke(i))) {
+    if (!is_usable(stroke(i))) {
       leave_out(i, StrokeUse::NotFinite);
     } else if (reach_of(stroke(i)) < shortest_stroke * drawing_.diagonal()) {
       leave_out(i, StrokeUse::ZeroLength);
