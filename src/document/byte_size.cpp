@@ -28,7 +28,7 @@ std::size_t byte_size(const Findings& findings) {
 }
 
 std::size_t byte_size(const Node& node) {
-  std::size_t bytes = sizeof(Node) + node.name.capacity() + node.operation.capacity();
+  std::size_t bytes = sizeof(Node) + node.name.capacity() + node.operation.capacity() + node.group.capacity();
   for (const auto& [name, value] : node.parameters) {
     bytes += tree_node + size_of(name) + sizeof(ParameterValue);
     if (const auto* text = std::get_if<std::string>(&value)) bytes += text->capacity();

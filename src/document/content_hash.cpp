@@ -131,9 +131,16 @@ ContentHash content_hash(const Document& document) {
     if (node->source) hasher.add(content_hash(*node->source));
     // One number for what nodes seldom have, so that the hashes of all others stay as they are.
     const bool is_placed = !node->transform.is_identity();
-    hasher.add((node->visible ? 1 : 0) + (node->enabled ? 0 : 2) + (is_placed ? 4 : 0) + (node->backdrop ? 8 : 0));
+    const bool stands = !(node->placement == Placement()) || !node->group.empty();
+    hasher.add((node->visible ? 1 : 0) + (node->enabled ? 0 : 2) + (is_placed ? 4 : 0) + (node->backdrop ? 8 : 0) +
+               (stands ? 16 : 0));
     if (is_placed) add_content(hasher, node->transform);
     if (node->backdrop) add_content(hasher, *node->backdrop);
+    if (!stands) continue;
+    for (const Vec3& numbers : {node->placement.position, node->placement.rotation, node->placement.scale}) {
+      for (const double number : numbers) hasher.add(number);
+    }
+    hasher.add(node->group);
   }
   return hasher.digest();
 }

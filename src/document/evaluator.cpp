@@ -29,6 +29,7 @@ struct Evaluator::State {
 
   /// Where it failed, with the node's last good outputs, as long as they are kept.
   std::shared_ptr<const Evaluation> with_last_good(NodeId id, std::shared_ptr<const Evaluation> evaluation);
+  std::shared_ptr<const Evaluation> find_last_good(NodeId id);
 };
 
 namespace {
@@ -346,18 +347,6 @@ std::map<NodeId, ContentHash> Pull::good_keys() const {
   return keys;
 }
 
-/// A failed evaluation with the last good outputs, where they are still kept.
-std::shared_ptr<const Evaluation> with_stale_outputs(const std::shared_ptr<const Evaluation>& failed, Memo& memo,
-                                                     const ContentHash& last_good) {
-  const auto good = memo.find<Evaluation>(last_good);
-  if (!good) return failed;
-  Evaluation evaluation = *failed;
-  evaluation.outputs = good->outputs;
-  evaluation.details = good->details;
-  evaluation.stale = true;
-  return std::make_shared<const Evaluation>(std::move(evaluation));
-}
-
 }  // namespace
 
 Evaluator::Evaluator(const Registry& registry, std::size_t byte_cap)
@@ -367,12 +356,41 @@ Evaluator::~Evaluator() = default;
 
 std::shared_ptr<const Evaluation> Evaluator::State::with_last_good(NodeId id,
                                                                    std::shared_ptr<const Evaluation> evaluation) {
+  const auto good = evaluation->failed ? find_last_good(id) : nullptr;
+  if (!good) return evaluation;
+  Evaluation stale = *evaluation;
+  stale.outputs = good->outputs;
+  stale.details = good->details;
+  stale.stale = true;
+  return std::make_shared<const Evaluation>(std::move(stale));
+}
+
+std::shared_ptr<const Evaluation> Evaluator::State::find_last_good(NodeId id) {
   std::optional<ContentHash> last;
   {
     const std::lock_guard lock(mutex);
     if (const auto found = last_good.find(id); found != last_good.end()) last = found->second;
   }
-  return evaluation->failed && last ? with_stale_outputs(evaluation, memo, *last) : evaluation;
+  return last ? memo.find<Evaluation>(*last) : nullptr;
+}
+
+std::shared_ptr<const Evaluation> Evaluator::last_good(NodeId id) const { return state_->find_last_good(id); }
+
+void Evaluator::keep_last_good(NodeId id, Values outputs) {
+  ContentHasher hasher;
+  hasher.add("kept");
+  for (const auto& [port, value] : outputs) {
+    hasher.add(port);
+    hasher.add(state_->hashes.of(value));
+  }
+  Evaluation evaluation;
+  evaluation.outputs = std::move(outputs);
+  evaluation.key = hasher.digest();
+  const std::size_t bytes = sizeof evaluation + byte_size(evaluation.outputs);
+  const ContentHash key = evaluation.key;
+  state_->memo.keep<Evaluation>(key, std::make_shared<const Evaluation>(std::move(evaluation)), bytes);
+  const std::lock_guard lock(state_->mutex);
+  state_->last_good[id] = key;
 }
 
 std::shared_ptr<const Evaluation> Evaluator::evaluate(const Document& document, NodeId id, Quality quality,

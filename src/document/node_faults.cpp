@@ -5,11 +5,19 @@
 #include <string>
 #include <utility>
 
+#include "croquis/base/limits.h"
+
 namespace croquis {
 namespace {
 
 std::string in_quotes(const Node& node) {
   return "'" + (node.name.empty() ? "node " + std::to_string(node.id) : node.name) + "'";
+}
+
+/// As lists of steps name it: steps that nobody named have the title of what they do.
+std::string label_of(const NodeState& state) {
+  const bool unnamed = state.description != nullptr && state.node->name.starts_with(state.node->operation);
+  return unnamed ? "'" + state.description->title + "'" : in_quotes(*state.node);
 }
 
 Finding fault(Category category, std::string code, std::string message, NodeId id) {
@@ -26,8 +34,8 @@ Finding off_fault(const Node& node) {
 Findings transform_faults(const Node& node) {
   if (node.transform.is_invertible()) return {};
   return {fault(Category::Geometry, "E_TRANSFORM",
-                "The transform of " + in_quotes(node) +
-                    " flattens space or has a number that is not finite: give it a scale other than 0 along each axis.",
+                "The transform of " + in_quotes(node) + " flattens space or has a number that " + unusable_words +
+                    ": give it a scale other than 0 along each axis.",
                 node.id)};
 }
 
@@ -71,6 +79,14 @@ bool has_port(const OperationDescription& description, const std::string& name) 
                      [&](const PortDescription& port) { return port.name == name; });
 }
 
+/// Why an input failed, told of what waits for it as well: a host that shows this one alone has the reason.
+void add_reasons(const Findings& of_input, Findings& findings) {
+  for (const Finding& reason : of_input) {
+    const bool told = std::ranges::any_of(findings, [&](const Finding& f) { return f.message == reason.message; });
+    if (reason.severity == Severity::Error && reason.code != "E_INPUT_FAILED" && !told) findings.push_back(reason);
+  }
+}
+
 void add_link_faults(const NodeState& state, const std::string& port, const Link& link, const NodeStates& inputs,
                      Findings& findings) {
   const Node& node = *state.node;
@@ -90,10 +106,11 @@ void add_link_faults(const NodeState& state, const std::string& port, const Link
   }
   const NodeState& source = *input->second;
   if (!source.evaluation || source.evaluation->failed) {
-    findings.push_back(fault(Category::Geometry, "E_INPUT_FAILED",
-                             in_quotes(node) + " waits for its input " + in_quotes(*source.node) +
-                                 ", which failed: see what is said of that.",
-                             link.node));
+    if (source.evaluation) add_reasons(source.evaluation->findings, findings);
+    findings.push_back(fault(
+        Category::Geometry, "E_INPUT_FAILED",
+        label_of(state) + " waits for " + label_of(source) + ", which can't be computed: mend that, and this follows.",
+        link.node));
     return;
   }
   if (source.evaluation->outputs.contains(link.output)) return;

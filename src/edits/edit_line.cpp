@@ -125,4 +125,17 @@ std::string to_text(const std::vector<EditLine>& lines) {
   return text;
 }
 
+std::string counted_elements(ComponentKind kind, std::size_t count) {
+  return std::to_string(count) + ' ' + (count == 1 ? singular(kind) : plural(kind));
+}
+
+std::string label_of(const EditLine& line, const std::string& whole) {
+  const Edit* edit = all_edits().find(line.edit);
+  const std::string title = edit == nullptr ? line.edit : edit->describe().title;
+  Elements elements = line.target.elements;
+  std::sort(elements.begin(), elements.end());
+  elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+  return title + ' ' + (line.target.all ? whole : counted_elements(line.target.kind, elements.size()));
+}
+
 }  // namespace croquis

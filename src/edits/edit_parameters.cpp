@@ -2,20 +2,11 @@
 #include "edits/edit_parameters.h"
 
 #include <charconv>
-#include <cmath>
 
 #include "croquis/base/error.h"
+#include "croquis/base/limits.h"
 
 namespace croquis {
-
-ParameterDescription number_parameter(const std::string& name, double value, double minimum, double maximum,
-                                      const std::string& unit, const std::string& sentence) {
-  return {name, ParameterType::Number, value, minimum, maximum, {}, unit, sentence};
-}
-
-ParameterDescription vector_parameter(const std::string& name, const std::string& value, const std::string& sentence) {
-  return {name, ParameterType::Text, value, 0, 0, {}, "", sentence};
-}
 
 bool is_given(const ParameterValues& parameters, const std::string& name) { return !text_of(parameters, name).empty(); }
 
@@ -30,7 +21,7 @@ Vec3 vector_of(const ParameterValues& parameters, const std::string& name, const
     if (axis > 0) sound = at != end && *at++ == ',';
     if (!sound) break;
     const auto [stopped, error] = std::from_chars(at, end, vector[axis]);
-    sound = error == std::errc{} && std::isfinite(vector[axis]);
+    sound = error == std::errc{} && is_usable_number(vector[axis]);
     at = stopped;
   }
   if (!sound || at != end) {

@@ -9,12 +9,7 @@
 /// How edits describe and read their parameters.
 namespace croquis {
 
-ParameterDescription number_parameter(const std::string& name, double value, double minimum, double maximum,
-                                      const std::string& unit, const std::string& sentence);
-
-/// Three numbers, "0,0,1". Empty: not given.
-ParameterDescription vector_parameter(const std::string& name, const std::string& value, const std::string& sentence);
-
+/// Three numbers, "0,0,1", in a text.
 /// @param missing for a parameter that wasn't given
 /// @throws Error (E_PARAMETER) for anything but three finite numbers
 Vec3 vector_of(const ParameterValues& parameters, const std::string& name, const Vec3& missing);

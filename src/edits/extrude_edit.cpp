@@ -13,7 +13,8 @@ class ExtrudeEdit final : public Edit {
             "Extrude",
             "Lifts faces off and joins them to where they were by walls.",
             {ComponentKind::Face},
-            {vector_parameter("by", "", "How far, along x, y and z, in model units; if not given, `distance` counts."),
+            {text_parameter("by", "", "How far, along x, y and z, in model units; if not given, `distance` counts.")
+                 .titled("By x, y, z"),
              number_parameter("distance", 0, -unlimited_value, unlimited_value, "model units",
                               "How far along the mean normal of the faces; not used where `by` is given.")},
             EditStart{"distance", 0.1}};

@@ -13,7 +13,7 @@ class MoveEdit final : public Edit {
             "Move",
             "Moves vertices, or those of edges and faces.",
             {ComponentKind::Vertex, ComponentKind::Edge, ComponentKind::Face},
-            {vector_parameter("by", "0,0,0", "How far, along x, y and z, in model units.")}};
+            {text_parameter("by", "0,0,0", "How far, along x, y and z, in model units.").titled("By x, y, z")}};
   }
 
   MeshEdit apply(const PolyMesh& mesh, const MeshTopology& topology, ComponentKind kind,

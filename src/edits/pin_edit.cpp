@@ -13,7 +13,7 @@ class PinEdit final : public Edit {
             "Pin",
             "Pins vertices, so that subdivision keeps them where they are, or lets them go.",
             {ComponentKind::Vertex},
-            {{"pinned", ParameterType::Flag, true, 0, 0, {}, "", "false lets the vertices go."}}};
+            {flag_parameter("pinned", true, "false lets the vertices go.")}};
   }
 
   MeshEdit apply(const PolyMesh& mesh, const MeshTopology& /*topology*/, ComponentKind /*kind*/,

@@ -17,9 +17,11 @@ class RotateEdit final : public Edit {
         "Rotate",
         "Rotates vertices, or those of edges and faces, about a point.",
         {ComponentKind::Vertex, ComponentKind::Edge, ComponentKind::Face},
-        {vector_parameter("axis", "0,0,1", "The axis; its length doesn't matter."),
-         number_parameter("degrees", 90, -3600, 3600, "degrees", "The angle, counter-clockwise seen against the axis."),
-         vector_parameter("about", "", "A point on the axis; if not given, the mean of the vertices.")}};
+        {text_parameter("axis", "0,0,1", "The axis; its length doesn't matter.").titled("Axis x, y, z"),
+         number_parameter("degrees", 90, -3600, 3600, "degrees", "The angle, counter-clockwise seen against the axis.")
+             .titled("Angle"),
+         text_parameter("about", "", "A point on the axis; if not given, the mean of the vertices.")
+             .titled("About x, y, z")}};
   }
 
   MeshEdit apply(const PolyMesh& mesh, const MeshTopology& topology, ComponentKind kind,

@@ -13,8 +13,9 @@ class ScaleEdit final : public Edit {
             "Scale",
             "Scales vertices, or those of edges and faces, from a point.",
             {ComponentKind::Vertex, ComponentKind::Edge, ComponentKind::Face},
-            {vector_parameter("factors", "1,1,1", "The factors along x, y and z."),
-             vector_parameter("about", "", "The point that stays; if not given, the mean of the vertices.")}};
+            {text_parameter("factors", "1,1,1", "The factors along x, y and z.").titled("Times x, y, z"),
+             text_parameter("about", "", "The point that stays; if not given, the mean of the vertices.")
+                 .titled("About x, y, z")}};
   }
 
   MeshEdit apply(const PolyMesh& mesh, const MeshTopology& topology, ComponentKind kind,

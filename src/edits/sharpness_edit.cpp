@@ -10,13 +10,13 @@ namespace {
 class SharpnessEdit final : public Edit {
  public:
   EditDescription describe() const override {
-    return {
-        "sharpness",
-        "Sharpness",
-        "Tags edges, so that subdivision keeps them sharp.",
-        {ComponentKind::Edge},
-        {number_parameter("value", greatest_sharpness, 0, unlimited_value, "levels",
-                          "For how many levels edges stay sharp; 0 removes their tags, from 10 on they stay sharp.")}};
+    return {"sharpness",
+            "Sharpen",
+            "Tags edges, so that subdivision keeps them sharp.",
+            {ComponentKind::Edge},
+            {number_parameter("value", greatest_sharpness, 0, unlimited_value, "levels",
+                              "For how many levels edges stay sharp; 0 removes their tags, from 10 on they stay sharp.")
+                 .titled("Sharp for")}};
   }
 
   MeshEdit apply(const PolyMesh& mesh, const MeshTopology& topology, ComponentKind /*kind*/,

@@ -25,7 +25,8 @@ bool same_backdrop(const Node& a, const Node& b) {
 bool same_content(const Node& a, const Node& b) {
   return a.id == b.id && a.name == b.name && a.operation == b.operation && a.version == b.version &&
          a.parameters == b.parameters && a.inputs == b.inputs && a.visible == b.visible && a.transform == b.transform &&
-         a.enabled == b.enabled && same_backdrop(a, b) && same_source(a, b);
+         a.enabled == b.enabled && a.placement == b.placement && a.group == b.group && same_backdrop(a, b) &&
+         same_source(a, b);
 }
 
 bool same_content(const Document& a, const Document& b) {
@@ -241,7 +242,7 @@ void Session::mark_saved() {
   tell();
 }
 
-void Session::load(Document document, bool modified) {
+void Session::load(Document document, bool modified, std::vector<PastDocument> past) {
   drag_.reset();
   undo_.clear();
   redo_.clear();
@@ -250,8 +251,22 @@ void Session::load(Document document, bool modified) {
   document_ = std::move(document);
   state_ = ++last_state_;
   saved_state_ = modified ? ++last_state_ : state_;
+  for (std::size_t i = 0; i < past.size(); ++i) {
+    const Document& next = i + 1 < past.size() ? past[i + 1].document : document_;
+    const std::size_t bytes = bytes_beside(past[i].document, next);
+    undo_.push_back({std::move(past[i].label), past[i].document, {}, components_, ++last_state_, bytes});
+  }
+  forget_beyond_cap();
   ++revision_;
   tell();
+}
+
+std::vector<PastDocument> Session::past(std::size_t most) const {
+  std::vector<PastDocument> past;
+  for (std::size_t i = undo_.size() - std::min(most, undo_.size()); i < undo_.size(); ++i) {
+    past.push_back({undo_[i].label, undo_[i].document});
+  }
+  return past;
 }
 
 void Session::on_change(std::function<void()> listener) { listeners_.push_back(std::move(listener)); }

@@ -247,6 +247,10 @@ Document with_step_frozen(const Document& document, const Registry& registry, No
   frozen.version = 1;
   frozen.enabled = true;
   frozen.source = std::move(value);
+  const Node& first = node_of(document, chain_to(document, registry, id).front());
+  frozen.transform = {};  // what it gave has it
+  frozen.placement = first.placement;
+  frozen.group = first.group;
   const std::vector<NodeId> inputs = inputs_of(step);
   Document edited = with_links_moved(document, given, {id, "value"}, id).with(std::move(frozen));
   return without_unused(std::move(edited), inputs);

@@ -29,6 +29,13 @@ std::vector<std::shared_ptr<const Node>> upstream(const Document& document, Node
   return nodes;
 }
 
+/// Whether the same is computed of both: where an object stands and whether it is seen makes no difference.
+bool same_for_computing(const std::shared_ptr<const Node>& a, const std::shared_ptr<const Node>& b) {
+  return a == b || (a->id == b->id && a->name == b->name && a->operation == b->operation && a->version == b->version &&
+                    a->parameters == b->parameters && a->inputs == b->inputs && a->source == b->source &&
+                    a->transform == b->transform && a->enabled == b->enabled);
+}
+
 }  // namespace
 
 LiveNode::LiveNode(Evaluator& evaluator, NodeId node, Host host) : node_(node), host_(std::move(host)) {
@@ -44,8 +51,9 @@ LiveNode::LiveNode(Evaluator& evaluator, NodeId node, Host host) : node_(node), 
 void LiveNode::follow(const Document& document) {
   document_ = document;
   std::vector<std::shared_ptr<const Node>> nodes = upstream(document, node_);
-  if (nodes == made_of_) return;
+  const bool same = std::ranges::equal(nodes, made_of_, same_for_computing);
   made_of_ = std::move(nodes);
+  if (same) return;
   if (drafting_ && Clock::now() - requested_at_ <= draft_patience) {
     // Drags are faster than drafts: the draft under way is shown before the next one begins.
     waiting_ = true;
@@ -58,6 +66,11 @@ void LiveNode::cancel() {
   waiting_ = false;
   drafting_ = false;
   live_->cancel();
+}
+
+void LiveNode::pause() {
+  if (busy()) made_of_.clear();
+  cancel();
 }
 
 void LiveNode::evaluate() {

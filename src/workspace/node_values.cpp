@@ -3,19 +3,18 @@
 
 namespace croquis {
 
-const ParameterValue& value_of(const Node& node, const ParameterDescription& parameter) {
-  const auto given = node.parameters.find(parameter.name);
-  return given == node.parameters.end() ? parameter.default_value : given->second;
+ParameterValues values_of(const Node& node, const OperationDescription& operation) {
+  return with_defaults(operation.parameters, node.parameters);
 }
 
 Node with_values(Node node, const OperationDescription& operation, const ParameterValues& values) {
   for (const auto& [name, value] : values) {
     const ParameterDescription* parameter = find_parameter(operation.parameters, name);
     if (parameter == nullptr) continue;
-    if (parameter->default_value == value)
-      node.parameters.erase(name);
-    else
+    if (is_given(*parameter, value))
       node.parameters[name] = value;
+    else
+      node.parameters.erase(name);
   }
   return node;
 }

@@ -52,6 +52,8 @@ std::vector<WorkObject> objects_of(const Document& document, const Registry& reg
     object.editable = editable_node(document, registry, object.chain);
     const Node& first = *document.find(object.chain.front());
     if (first.source) object.name = first.name;
+    object.group = first.group;
+    object.placement = first.placement;
     object.begins_with_mesh = mesh_in(first) != nullptr;
     const bool edited =
         std::ranges::any_of(object.chain, [&](NodeId step) { return edits_input(*document.find(step), registry); });

@@ -16,6 +16,10 @@ void report(const Callback& callback, Arguments&&... arguments) {
   if (callback) callback(std::forward<Arguments>(arguments)...);
 }
 
+bool is_error(const Finding& finding) { return finding.severity == Severity::Error; }
+
+bool is_waiting(const Finding& finding) { return finding.code == "E_INPUT_FAILED"; }
+
 bool is_in(const std::vector<NodeId>& chain, NodeId node) { return std::ranges::find(chain, node) != chain.end(); }
 
 }  // namespace
@@ -62,7 +66,7 @@ std::vector<const OperationDescription*> Workspace::operations_on(NodeId id) con
 // ---- Objects
 
 Value Workspace::value_along(const WorkObject& object, ValueType type) const {
-  Affine3 later;
+  Affine3 later = object.placement.map();
   for (auto id = object.chain.rbegin(); id != object.chain.rend(); ++id) {
     const Node* node = session_.document().find(*id);
     if (node == nullptr) return {};
@@ -136,14 +140,16 @@ const Node* Workspace::step_with(const WorkObject& object, const std::string& op
 
 void Workspace::set_view(NodeId id, ChainView view) {
   views_[id] = view;
-  list_objects();
-  report(listener_.changed);
-  report(listener_.result_changed);
+  list_again();
 }
 
 void Workspace::set_edits_elements(bool on) {
   if (edits_elements_ == on) return;
   edits_elements_ = on;
+  list_again();
+}
+
+void Workspace::list_again() {
   list_objects();
   report(listener_.changed);
   report(listener_.result_changed);
@@ -190,11 +196,24 @@ std::vector<NodeFinding> Workspace::findings() const {
   std::vector<NodeFinding> findings;
   for (const WorkObject& object : objects_) {
     if (!object.result) continue;
-    for (const Finding& finding : object.result->findings) findings.push_back({object.node, finding});
+    const Findings& of_object = object.result->findings;
+    // Who waits is seen in the list of steps.
+    const bool told = std::ranges::any_of(of_object, [](const Finding& f) { return is_error(f) && !is_waiting(f); });
+    for (const Finding& finding : of_object) {
+      if (told && is_waiting(finding)) continue;
+      findings.push_back({is_error(finding) ? failing_step(object.node) : object.node, finding});
+    }
   }
-  std::stable_partition(findings.begin(), findings.end(),
-                        [](const NodeFinding& f) { return f.finding.severity == Severity::Error; });
+  std::stable_partition(findings.begin(), findings.end(), [](const NodeFinding& f) { return is_error(f.finding); });
   return findings;
+}
+
+/// The step that has to be mended before this one can be computed: maybe itself.
+NodeId Workspace::failing_step(NodeId step) const {
+  const auto kept = evaluator_.find(session_.document(), step);
+  if (!kept) return step;
+  const auto waiting = std::ranges::find_if(kept->findings, is_waiting);
+  return waiting == kept->findings.end() ? step : failing_step(std::stoull(waiting->subjects.front().id));
 }
 
 bool Workspace::busy() const {
@@ -249,6 +268,7 @@ void Workspace::list_objects() {
   objects_ = objects_of(document, registry_);
   for (WorkObject& object : objects_) {
     if (const auto view = views_.find(object.node); view != views_.end()) object.view = view->second;
+    if (!isolated_.empty() && !isolated_.contains(object.chain.front())) object.visible = false;
   }
   choose_cages();
   std::vector<NodeId> evaluated;
@@ -305,7 +325,7 @@ void Workspace::follow_nodes(const Document& document) {
   }
   std::erase_if(live_, [&](auto& entry) {
     if (wanted.contains(entry.first)) return false;
-    entry.second->cancel();
+    entry.second->pause();
     // What is hidden is shown again at once; what lost its drawing can't be shown.
     return document.find(entry.first) == nullptr || empty.contains(entry.first);
   });
@@ -314,10 +334,12 @@ void Workspace::follow_nodes(const Document& document) {
 void Workspace::take_live_results() {
   for (WorkObject& object : objects_) {
     const auto live = live_.find(object.node);
-    if (live == live_.end() || !live->second->result()) continue;
+    const OperationDescription* operation = description(session_.document().find(object.node)->operation);
+    // A step that was frozen is a source now, though its last result is still there.
+    if (live == live_.end() || !live->second->result() || operation == nullptr) continue;
     object.result = live->second->result();
     object.quality = live->second->quality();
-    object.mesh = mesh_of(*object.result, *description(session_.document().find(object.node)->operation));
+    object.mesh = mesh_of(*object.result, *operation);
   }
 }
 

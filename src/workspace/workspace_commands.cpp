@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What people do to objects and to the steps of their chains.
+// What people do to documents and to the steps of chains.
 #include <algorithm>
 #include <utility>
 
@@ -20,16 +20,45 @@ namespace {
 
 }  // namespace
 
-void Workspace::load(Document document, bool modified) {
+void Workspace::load(Document document, bool modified, KeptWork kept) {
   live_.clear();
   views_.clear();
+  isolated_.clear();
+  measured_.clear();
   active_ = 0;
   evaluator_.forget();
+  edited_inputs_.clear();
+  for (const auto& [id, of] : kept.results) {
+    const Node* node = document.find(id);
+    if (node == nullptr || node->source) continue;
+    if (of.result.has_content()) evaluator_.keep_last_good(id, {{main_link(*node, registry_).output, of.result}});
+    if (auto mesh = of.edited.as<PolyMesh>()) edited_inputs_[id] = std::move(mesh);
+  }
   objects_.clear();
   if (listener_.loaded) listener_.loaded();
-  session_.load(std::move(document), modified);
+  session_.load(std::move(document), modified, std::move(kept.past));
   if (listener_.result_changed) listener_.result_changed();
   if (listener_.busy_changed) listener_.busy_changed(busy());
+}
+
+KeptResults Workspace::kept_results() const {
+  KeptResults kept;
+  for (const WorkObject& object : objects_) {
+    bool after_edits = false;
+    for (const NodeId id : object.chain) {
+      const Node& node = step_node(id);
+      after_edits = after_edits || edits_input(node, registry_);
+      const auto now = after_edits ? evaluator_.find(session_.document(), id) : nullptr;
+      if (!after_edits || (now && !now->failed)) continue;
+      KeptResult of;
+      const auto good = evaluator_.last_good(id);
+      const auto output = good ? good->outputs.find(main_link(node, registry_).output) : Values::const_iterator();
+      if (good && output != good->outputs.end()) of.result = output->second;
+      if (const auto noted = edited_inputs_.find(id); noted != edited_inputs_.end()) of.edited = noted->second;
+      kept[id] = std::move(of);
+    }
+  }
+  return kept;
 }
 
 NodeId Workspace::add_source(const std::string& name, Value value) {
@@ -49,52 +78,25 @@ NodeId Workspace::add_source(const std::string& name, Value value) {
   return id;
 }
 
-void Workspace::set_parameter(NodeId id, const std::string& name, const ParameterValue& value, bool dragging) {
+void Workspace::set_parameter(NodeId id, const std::string& name, const ParameterValue& value, bool dragging,
+                              const std::string& label) {
   const Node* node = session_.document().find(id);
   const OperationDescription* operation = node == nullptr ? nullptr : description(node->operation);
   if (operation == nullptr) return;
+  const ParameterDescription* parameter = find_parameter(operation->parameters, name);
+  std::string step = label.empty() ? name : label;
+  if (label.empty() && parameter != nullptr)
+    step = dragging ? croquis::title_of(*parameter) : title_with(*parameter, value);
   Document document = session_.document().with(with_values(*node, *operation, {{name, value}}));
-  const std::string label = "Set " + name;
-  if (dragging && !dragging_parameter_) session_.begin_drag(label);
+  if (dragging && !dragging_parameter_) session_.begin_drag(step);
   const bool in_drag = dragging || dragging_parameter_;
   dragging_parameter_ = dragging;
   if (!in_drag) {
-    session_.edit(label, std::move(document));
+    session_.edit(std::move(step), std::move(document));
     return;
   }
   session_.drag(std::move(document));
   if (!dragging) session_.end_drag();
-}
-
-void Workspace::remove_object(NodeId id) {
-  const WorkObject* removed = object(id);
-  if (removed == nullptr) return;
-  const std::string name = removed->name;
-  session_.edit("Delete " + readable_name(name), without_object(session_.document(), removed->node));
-}
-
-void Workspace::copy_object(NodeId id) {
-  const WorkObject* copied = object(id);
-  if (copied == nullptr) return;
-  const std::string label = "Duplicate " + readable_name(copied->name);
-  AddedNode added = with_object_copied(session_.document(), copied->node);
-  edit_chain(label, std::move(added.document), added.node);
-}
-
-void Workspace::rename_object(NodeId id, const std::string& name) {
-  const WorkObject* renamed = object(id);
-  if (renamed == nullptr || name.empty() || name == renamed->name) return;
-  Node node = *session_.document().find(renamed->chain.front());
-  node.name = free_name(session_.document(), name);
-  session_.edit("Rename " + readable_name(renamed->name), session_.document().with(std::move(node)));
-}
-
-void Workspace::show_object(NodeId id, bool visible) {
-  const WorkObject* shown = object(id);
-  if (shown == nullptr || shown->visible == visible) return;
-  Node node = *session_.document().find(shown->node);
-  node.visible = visible;
-  session_.edit((visible ? "Show " : "Hide ") + readable_name(shown->name), session_.document().with(std::move(node)));
 }
 
 // ---- Steps
@@ -150,12 +152,13 @@ void Workspace::copy_step(NodeId step) {
 void Workspace::freeze_step(NodeId step) {
   const Node& node = step_node(step);
   const auto kept = node.source ? nullptr : evaluator_.find(session_.document(), step);
-  if (!kept || kept->failed || kept->quality != Quality::Final) {
+  const bool old = kept && kept->stale;
+  if (!old && (!kept || kept->failed || kept->quality != Quality::Final)) {
     refuse_step('"' + title_of(node) +
                 "\" can't be frozen before it is computed: wait for it, or mend what it reports");
   }
   const Link given = main_link(node, registry_);
-  edit_chain("Freeze " + title_of(node),
+  edit_chain((old ? "Keep the shape of " : "Freeze ") + title_of(node),
              with_step_frozen(session_.document(), registry_, step, kept->outputs.at(given.output)), step);
 }
 
@@ -176,7 +179,7 @@ void Workspace::apply_edits_again(NodeId step, const std::string& lines) {
   const InputEdits names = *description(node.operation)->edits_input;
   node.parameters[names.lines] = lines;
   node.parameters[names.connectivity] = connectivity_name(*input);
-  const std::string label = "Re-apply " + title_of(node);
+  const std::string label = "Apply " + title_of(node) + " to the new mesh";
   Document document = session_.document().with(std::move(node));
   compute_mesh(document, step);
   edit_chain(label, std::move(document), step);
@@ -195,11 +198,11 @@ void Workspace::reapply_step_by_position(NodeId step) {
   const InputEdits names = *description(node.operation)->edits_input;
   const ParameterValues values = complete(description(node.operation)->parameters, node.parameters);
   const auto noted = edited_inputs_.find(step);
-  const auto before = noted == edited_inputs_.end() ? nullptr : noted->second.lock();
+  const auto before = noted == edited_inputs_.end() ? nullptr : noted->second;
   if (!before || connectivity_name(*before) != text_of(values, names.connectivity)) {
     refuse_step("The mesh that \"" + title_of(node) +
                 "\" was made for isn't kept any more, so the places of its elements aren't known: undo the change "
-                "before it, or re-apply it by number");
+                "before it, apply it by number, or keep the shape");
   }
   const auto lines = parse_edit_lines(text_of(values, names.lines), all_edits());
   Progress progress;
@@ -225,7 +228,7 @@ bool has_other_connectivity(const Findings& findings) {
 
 ChainStep Workspace::step(NodeId id) const {
   const Node& node = step_node(id);
-  ChainStep step{id, node.name, node.source ? std::string() : title_of(node), StepState::Source, {}};
+  ChainStep step{id, node.name, node.source ? std::string() : title_of(node), StepState::Source, {}, {}};
   if (node.source) return step;
   const auto kept = evaluator_.find(session_.document(), id);
   const WorkObject* owner = object(id);
@@ -233,10 +236,15 @@ ChainStep Workspace::step(NodeId id) const {
   step.state = !node.enabled                            ? StepState::Off
                : !kept                                  ? waits ? StepState::Waiting : StepState::Computing
                : !kept->failed                          ? StepState::Fresh
+               : failing_step(id) != id                 ? StepState::Held
                : has_other_connectivity(kept->findings) ? StepState::NeedsAttention
                : kept->stale                            ? StepState::Stale
                                                         : StepState::Failed;
   if (kept && kept->failed) step.problem = first_error(kept->findings);
+  if (step.state == StepState::Held) {
+    step.problem = kept->findings.back().message;  // what it waits for
+    step.waits_for = title_of(step_node(failing_step(id)));
+  }
   return step;
 }
 

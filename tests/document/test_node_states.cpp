@@ -141,7 +141,7 @@ TEST_CASE("a transform without an inverse is a finding of its node, and of no ot
       CHECK(failed->failed);
       CHECK(codes(*failed) == "E_TRANSFORM");
       CHECK(failed->findings[0].message.find(g.document.find(id)->name) != std::string::npos);
-      CHECK(codes(*evaluate(evaluator, g.document, id + 1)) == "E_INPUT_FAILED");
+      CHECK(codes(*evaluate(evaluator, g.document, id + 1)) == "E_TRANSFORM E_INPUT_FAILED");
     }
   }
   CHECK_FALSE(evaluate(evaluator, f.document, 3)->failed);
@@ -231,12 +231,12 @@ TEST_CASE("sources that are off, circles of nodes that are off and failed inputs
   f.turn(1, false);
   CHECK(codes(*evaluate(evaluator, f.document, 1)) == "E_STEP_OFF");
   f.turn(2, false);
-  CHECK(codes(*evaluate(evaluator, f.document, 2)) == "E_INPUT_FAILED");
+  CHECK(codes(*evaluate(evaluator, f.document, 2)) == "E_STEP_OFF E_INPUT_FAILED");
   f.edit(2, [](Node& node) { node.inputs["mesh"] = {3, "mesh"}; });
   f.turn(3, false);
   Document circle = f.document.with(operation_node("scale", {3, "mesh"}, 2));
   for (const NodeId id : {NodeId{2}, NodeId{3}}) CHECK(codes(*evaluate(evaluator, circle, id)) == "E_CYCLE");
-  CHECK(codes(*evaluate(evaluator, circle, 4)) == "E_INPUT_FAILED");
+  CHECK(codes(*evaluate(evaluator, circle, 4)) == "E_CYCLE E_INPUT_FAILED");
 }
 
 TEST_CASE("a chain of many nodes that are off ends at its source") {

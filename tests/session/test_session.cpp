@@ -188,6 +188,31 @@ TEST_CASE("loading forgets history and selection") {
   CHECK_FALSE(session.modified());
 }
 
+TEST_CASE("recovered work comes with the documents that undo leads back to") {
+  Session before(two_nodes());
+  for (const char* name : {"a", "b", "c"}) before.edit(name, renamed(before.document(), 1, name));
+  before.undo();
+  CHECK(before.past(1).size() == 1);
+  CHECK(before.past(1)[0].label == "b");
+  Session session;
+  session.load(before.document(), true, before.past(10));
+  CHECK(session.undo_labels() == Labels{"a", "b"});
+  CHECK(session.modified());
+  CHECK(session.history_bytes() > 0);
+  session.undo();
+  CHECK(name_of(session, 1) == "a");
+  session.undo();
+  CHECK(name_of(session, 1) == "one");
+  CHECK_FALSE(session.can_undo());
+  CHECK(session.modified());
+  session.redo();
+  session.redo();
+  CHECK(name_of(session, 1) == "b");
+  session.mark_saved();
+  session.undo();
+  CHECK(session.modified());
+}
+
 TEST_CASE("undo brings back the selection of then, without what isn't there") {
   Session session(Document().with(test::source_node(drawing_of({"a", "b"}))));
   session.select({{1, "b"}, {1, "a"}});

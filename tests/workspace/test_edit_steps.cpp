@@ -168,6 +168,54 @@ TEST_CASE("edits applied again by position pick the same places of a mesh that w
   }
 }
 
+TEST_CASE("steps after edits that don't fit wait, say for what, and keep their shape or follow on request") {
+  Desk desk;
+  const NodeId box = desk.workspace.add_source("box", value_of(cube()));
+  const NodeId edits = desk.add_edits(box, "extrude faces=3 distance=1");
+  const NodeId smooth = desk.workspace.add_step(edits, "subdivide");
+  desk.settle();
+  const std::size_t faces = desk.workspace.mesh_at(smooth)->face_count();
+  CHECK(desk.workspace.kept_results().empty());
+  desk.replace(box, torus(7, 5));
+  CHECK(desk.step(edits).state == StepState::NeedsAttention);
+  CHECK(desk.step(smooth).state == StepState::Held);
+  CHECK(desk.step(smooth).waits_for == "Edit");
+  CHECK(desk.step(smooth).problem.find("'Subdivide' waits for 'Edit'") == 0);
+  // One sentence, about the step that has to be mended.
+  const std::vector<NodeFinding> findings = desk.workspace.findings();
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].node == edits);
+  CHECK(findings[0].finding.code == connectivity_code);
+
+  // Saved, or recovered, and opened again, all is as it was.
+  const KeptResults kept = desk.workspace.kept_results();
+  REQUIRE(kept.size() == 2);
+  Desk other;
+  other.workspace.load(desk.workspace.session().document(), false, {kept, {}});
+  other.settle();
+  for (const bool keeps : {true, false}) {
+    CHECK(other.step(edits).state == StepState::NeedsAttention);
+    CHECK(other.step(smooth).state == StepState::Held);
+    CHECK(other.workspace.active()->mesh->face_count() == faces);
+    if (keeps) {
+      other.workspace.freeze_step(edits);
+    } else {
+      other.workspace.reapply_step_by_position(edits);
+    }
+    other.settle();
+    CHECK(other.step(smooth).state == StepState::Fresh);
+    CHECK((other.workspace.active()->mesh->face_count() == faces) == keeps);
+    CHECK(other.workspace.kept_results().empty());
+    other.workspace.session().undo();
+    other.settle();
+  }
+  // The end of a chain, too, becomes an object of its own.
+  other.workspace.freeze_step(smooth);
+  other.settle();
+  CHECK(other.workspace.active()->chain == std::vector<NodeId>{smooth});
+  CHECK(other.workspace.active()->mesh->face_count() > 0);
+}
+
 TEST_CASE("without the mesh that edits were made for, they aren't applied by position") {
   Desk desk;
   const NodeId box = desk.workspace.add_source("box", value_of(cube()));

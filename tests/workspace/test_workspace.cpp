@@ -6,6 +6,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/document/content_hash.h"
+#include "croquis/workspace/node_values.h"
 #include "croquis/workspace/workspace.h"
 #include "support/main_loop.h"
 #include "support/trial_operation.h"
@@ -69,6 +70,17 @@ struct Desk {
   }
 };
 
+TEST_CASE("workspace: a value that is given is kept, also where it equals the default") {
+  Desk desk;
+  const NodeId step = desk.workspace.add_step(desk.mesh, "scale", {{"factor", 5.0}});
+  desk.workspace.set_parameter(step, "factor", 2.0, false);
+  const Node& node = *desk.workspace.session().document().find(step);
+  CHECK(node.parameters == ParameterValues{{"factor", 2.0}});
+  CHECK(desk.end(step) == 2);
+  const OperationDescription& operation = *desk.workspace.description("scale");
+  CHECK(values_of(Node(), operation) == ParameterValues{{"factor", 2.0}});
+}
+
 TEST_CASE("workspace: the end of a chain follows its beginning") {
   Desk desk;
   const NodeId first = desk.workspace.add_step(desk.mesh, "scale");
@@ -110,9 +122,11 @@ TEST_CASE("workspace: only what was computed can be frozen") {
   const NodeId first = desk.workspace.add_step(desk.mesh, "scale");
   const NodeId second = desk.workspace.add_step(first, "other", {{"factor", 7.0}});
   desk.move_source(2000);  // too far for both
+  const NodeId third = desk.workspace.add_step(second, "scale");
   desk.settle();
-  CHECK_THROWS_AS(desk.workspace.freeze_step(first), Error);
+  CHECK_THROWS_AS(desk.workspace.freeze_step(third), Error);
   CHECK_THROWS_AS(desk.workspace.freeze_step(desk.mesh), Error);
+  desk.workspace.session().undo();
   desk.workspace.session().undo();
   desk.settle();
   desk.workspace.freeze_step(first);
@@ -139,11 +153,11 @@ TEST_CASE("workspace: undo to the start and redo to the end give the same docume
   note();
   desk.workspace.enable_step(first, false);
   note();
-  desk.workspace.copy_object(first);
+  desk.workspace.copy_objects({first});
   note();
   desk.workspace.remove_step(first);
   note();
-  desk.workspace.remove_object(desk.mesh);
+  desk.workspace.remove_objects({desk.mesh});
   note();
   Session& session = desk.workspace.session();
   REQUIRE(session.undo_labels().size() + 1 == hashes.size());

@@ -10,6 +10,7 @@
 
 #include "croquis/base/parameter.h"
 #include "croquis/document/value.h"
+#include "croquis/geometry/placement.h"
 
 namespace croquis {
 
@@ -46,6 +47,13 @@ struct Node {
 
   /// Of a drawing: the picture behind it; null for none. No computation sees it.
   std::shared_ptr<const Backdrop> backdrop = {};
+
+  /// Of the first node of a chain: where the object stands that the chain makes. No computation sees it, so steps that
+  /// come, go or change work on what they did before.
+  Placement placement = {};
+
+  /// Of the first node of a chain: the name that its object shares with others to be handled as one; empty for none.
+  std::string group = {};
 };
 
 /// What a node is a source of: null where it isn't there, is no source, or holds a value of another type.

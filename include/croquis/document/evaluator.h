@@ -15,7 +15,8 @@ namespace croquis {
 /// results of operations beside them, all under one byte cap (see Memo).
 ///
 /// What is wrong with a node is a finding in its Evaluation and never thrown: an operation's own errors; links that
-/// lead nowhere or to no such output (E_LINK) or in a circle (E_CYCLE); an input that failed (E_INPUT_FAILED); an
+/// lead nowhere or to no such output (E_LINK) or in a circle (E_CYCLE); an input that failed (its errors, and then
+/// E_INPUT_FAILED); an
 /// operation that isn't there (E_OPERATION_UNKNOWN) or older than the node (E_OPERATION_NEWER); a source without a
 /// value (E_NO_VALUE); a transform that isn't invertible (E_TRANSFORM). A failed node keeps its last good outputs as
 /// long as they are kept at all, marked as stale.
@@ -43,6 +44,12 @@ class Evaluator {
   /// What is known of a node of the document without computing anything: a kept result, final before draft, or what is
   /// wrong with it (see above), with the last good outputs. Null when it would have to be computed.
   std::shared_ptr<const Evaluation> find(const Document& document, NodeId id) const;
+
+  /// The last good outputs of a node, as long as they are kept; null where there are none, and for a source.
+  std::shared_ptr<const Evaluation> last_good(NodeId id) const;
+
+  /// What a file kept of a node: these are its last good outputs until it is computed.
+  void keep_last_good(NodeId id, Values outputs);
 
   /// Forgets which outputs were each node's last good ones: for another document, whose ids mean other nodes.
   void forget_last_good();

@@ -20,11 +20,14 @@ struct PortDescription {
   std::string name;
   ValueType type = ValueType::Mesh;
   std::string sentence;
-  bool is_solid = false;  ///< a mesh that promises to be closed, oriented and free of self-intersection, as written
-  bool optional = false;  ///< an input that may be absent
-  bool asks = false;      ///< an optional report of questions that "details" answers: nothing else need be wanted then
-  bool is_raw = false;    ///< an input mesh as devices leave it: hosts offer to drop what isn't finite
-  bool counts_self_intersections = false;  ///< an output mesh of whose file hosts always count them
+  bool is_solid = false;   ///< a mesh that promises to be closed, oriented and free of self-intersection, as written
+  bool optional = false;   ///< an input that may be absent
+  bool asks = false;       ///< an optional report of questions that "details" answers: nothing else need be wanted then
+  bool is_raw = false;     ///< an input mesh as devices leave it: hosts offer to drop what isn't finite
+  bool is_closed = false;  ///< an output mesh that is meant to be closed: hosts warn where it isn't
+  bool joins_seams = false;  ///< an output mesh that begins with the input's faces and then has `new_faces` of the
+                             ///< details: hosts count vertices at one place (parameter `weld`) as one, and tell
+                             ///< self-intersections that were there from those that were added
 };
 
 /// Of an operation whose parameters are edits of its input's elements: people go on editing what it gives.

@@ -30,4 +30,11 @@ std::vector<EditLine> parse_edit_lines(std::string_view text, const EditRegistry
 std::string to_text(const EditLine& line);
 std::string to_text(const std::vector<EditLine>& lines);
 
+/// "1 face", "3 vertices".
+std::string counted_elements(ComponentKind kind, std::size_t count);
+
+/// What people read: "Inset 2 faces".
+/// @param whole stands for the elements of a line that works on all of them
+std::string label_of(const EditLine& line, const std::string& whole);
+
 }  // namespace croquis

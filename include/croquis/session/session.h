@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "croquis/document/document.h"
+#include "croquis/document/kept_work.h"
 #include "croquis/session/selection.h"
 
 namespace croquis {
@@ -72,9 +73,13 @@ class Session {
   bool modified() const { return state_ != saved_state_; }
   void mark_saved();
 
-  /// Another document, without history or selection.
+  /// Another document, without selection.
   /// @param modified for recovered work, which no file holds yet
-  void load(Document document, bool modified = false);
+  /// @param past     that undo leads back to
+  void load(Document document, bool modified = false, std::vector<PastDocument> past = {});
+
+  /// What undo leads back to in that many steps, at most; the oldest first.
+  std::vector<PastDocument> past(std::size_t most) const;
 
   /// Called after every change, on the same thread; several are called in the order they came. They may use the
   /// session.

@@ -34,6 +34,9 @@ class LiveNode {
   /// Stops; what is there stays.
   void cancel();
 
+  /// The same while nobody looks: what was stopped begins again with the next call of follow.
+  void pause();
+
   bool busy() const { return waiting_ || live_->busy(); }
 
   /// The newest there is, older than the document while busy. Null before the first one.

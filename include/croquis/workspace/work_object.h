@@ -26,6 +26,7 @@ enum class StepState {
   Waiting,         ///< nothing is drawn yet
   Stale,           ///< failed, and goes on showing its last good result
   NeedsAttention,  ///< its edits were made for a mesh whose faces were joined in another way
+  Held,            ///< waits for a step before it that can't be computed; goes on showing its last good result
   Failed,
   Off
 };
@@ -36,7 +37,8 @@ struct ChainStep {
   std::string name;
   std::string title;  ///< of its operation; empty for a source
   StepState state = StepState::Source;
-  std::string problem;  ///< the first error's sentence; empty without one
+  std::string problem;    ///< the first error's sentence; empty without one
+  std::string waits_for;  ///< title of the step that has to be mended first; empty unless it is held
 };
 
 /// One thing that people work on: a chain of nodes, of which the last gives what is seen. A source that nothing uses is
@@ -47,8 +49,10 @@ struct WorkObject {
   NodeId editable = 0;        ///< the node whose elements can be edited; see Workspace::set_edits_elements
   NodeId cage = 0;            ///< that node, maybe `node` itself; 0: none, or only in element modes
   std::string name;           ///< of the source that the chain begins with, where there is one
+  std::string group;          ///< the name that it shares with the objects it is handled with; empty for none
+  Placement placement;        ///< from the space that its meshes and results lie in to the model's
   bool begins_with_mesh = false;
-  bool visible = true;
+  bool visible = true;  ///< false as well while others are isolated
   ChainView view = ChainView::Result;
   std::shared_ptr<const PolyMesh> cage_mesh;  ///< null without a cage
   std::shared_ptr<const PolyMesh> mesh;       ///< the newest result's; of a source its own. Null before the first

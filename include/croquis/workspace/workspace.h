@@ -4,11 +4,14 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "croquis/document/evaluator.h"
+#include "croquis/document/kept_work.h"
 #include "croquis/document/registry.h"
+#include "croquis/geometry/bounds.h"
 #include "croquis/session/session.h"
 #include "croquis/workspace/chain_edit.h"
 #include "croquis/workspace/live_node.h"
@@ -16,10 +19,16 @@
 
 namespace croquis {
 
-/// A finding and the node that it is about.
+/// A finding and the node that it is about; an error with the step that has to be mended.
 struct NodeFinding {
   NodeId node = 0;
   Finding finding;
+};
+
+/// An object and where it stands or is to stand.
+struct PlacedObject {
+  NodeId node = 0;
+  Placement placement;
 };
 
 /// What people work on: a session, and the objects that its document makes, each kept evaluated beside the thread that
@@ -90,10 +99,30 @@ class Workspace {
   /// The steps of an object, its first node first.
   std::vector<ChainStep> steps_of(const WorkObject& object) const;
 
-  /// A value of a type that the object's chain gives on its way, nearest to its end, moved with the steps after it:
+  /// A value of a type that the object's chain gives on its way, nearest to its end, moved with the steps after it and
+  /// placed as the object is:
   /// the camera of a drawing in perspective, say. Without content where there is none, or where what gives it isn't
   /// computed to the end.
   Value value_along(const WorkObject& object, ValueType type) const;
+
+  /// The objects that are selected as wholes, or some step of theirs, in the document's order: their nodes.
+  std::vector<NodeId> picked() const;
+  std::vector<NodeId> picked_or_active() const;  ///< where none is selected, the active one
+
+  /// These objects and all that share a group with one of them, in the document's order.
+  std::vector<NodeId> with_groups(const std::vector<NodeId>& objects) const;
+
+  /// Of the shown mesh, in its own space; none without one. Kept until the mesh is another one.
+  BoundingBox own_bounds(const WorkObject& object) const;
+  /// The box around that box where the object stands.
+  BoundingBox bounds(const WorkObject& object) const;
+
+  /// The document with these objects placed so; those that share their first node go together.
+  Document with_objects_placed(Document document, const std::vector<PlacedObject>& objects) const;
+
+  /// Only these objects are seen, until it is called again with none. No step of the history.
+  void isolate(const std::vector<NodeId>& objects);
+  bool is_isolating() const { return !isolated_.empty(); }
 
   void set_view(NodeId object, ChainView view);
 
@@ -116,7 +145,7 @@ class Workspace {
   /// @throws Error what is wrong with the step
   std::shared_ptr<const PolyMesh> compute_mesh(const Document& document, NodeId node);
 
-  /// The findings of the newest results, errors first.
+  /// The findings of the newest results, errors first. Of steps that wait for another one, that one's reasons.
   std::vector<NodeFinding> findings() const;
 
   /// Some newest result isn't final, or doesn't belong to the document as it is now.
@@ -133,18 +162,28 @@ class Workspace {
 
   // ---- What people do; each is one step of the history
 
-  void load(Document document, bool modified = false);
+  void load(Document document, bool modified = false, KeptWork kept = {});
+
+  /// Of steps of edits that don't fit their input now, and of all after them: for files.
+  KeptResults kept_results() const;
 
   /// Adds a value as an object, and selects it. @return its node
   NodeId add_source(const std::string& name, Value value);
 
   /// @param dragging more values follow: they become one step of the history
-  void set_parameter(NodeId node, const std::string& name, const ParameterValue& value, bool dragging);
+  /// @param label    of that step; empty: the parameter's title, with the value where none follow
+  void set_parameter(NodeId node, const std::string& name, const ParameterValue& value, bool dragging,
+                     const std::string& label = {});
 
-  void remove_object(NodeId node);  ///< with everything that it alone is made of
-  void copy_object(NodeId node);
+  void remove_objects(const std::vector<NodeId>& objects);  ///< with everything that they alone are made of
+  /// The copies stand beside them along x, as far as all of them reach and a tenth more, and are selected.
+  void copy_objects(const std::vector<NodeId>& objects);
   void rename_object(NodeId node, const std::string& name);
-  void show_object(NodeId node, bool visible);
+  void show_objects(const std::vector<NodeId>& objects, bool visible);
+  void place_objects(const std::vector<PlacedObject>& objects);  ///< @throws Error (E_PARAMETER) for no valid place
+  void group_objects(const std::vector<NodeId>& objects);        ///< they leave the groups they were in
+  void ungroup_objects(const std::vector<NodeId>& objects);
+  void rename_group(const std::string& group, const std::string& name);
 
   /// On top of an object, or after the step of it that is selected. Selects it. @return its node
   /// @throws Error (E_STEP)
@@ -153,7 +192,7 @@ class Workspace {
   void enable_step(NodeId step, bool enabled);
   void move_step(NodeId step, int by);  ///< 1 later, -1 earlier
   void copy_step(NodeId step);
-  void freeze_step(NodeId step);  ///< what it gave becomes a source; has to be computed
+  void freeze_step(NodeId step);  ///< what it gave, or gave last, becomes a source
 
   /// Makes a step of edits fit the mesh that it is given now. By number: its lines stay as they are.
   /// @throws Error (E_STEP) when the mesh isn't computed yet, and (E_EDIT, E_INPUT …) when it lacks an element
@@ -173,10 +212,13 @@ class Workspace {
  private:
   void follow_session();
   void list_objects();
+  void list_again();
+  std::vector<NodeId> first_nodes(const std::vector<NodeId>& objects) const;
   void choose_cages();
   void fill_cages();
   void note_edited_inputs();
   NodeId chosen_step(const WorkObject& object) const;
+  NodeId failing_step(NodeId step) const;
   std::shared_ptr<const PolyMesh> input_of_edits(NodeId step) const;
   void apply_edits_again(NodeId step, const std::string& lines);
   void follow_nodes(const Document& document);
@@ -188,6 +230,7 @@ class Workspace {
   const Node& step_node(NodeId step) const;
   std::string title_of(const Node& node) const;
   void edit_chain(const std::string& label, Document document, NodeId selected);
+  void edit_objects(const std::string& verb, const std::vector<NodeId>& objects, Document document);
 
   Registry registry_;
   Evaluator evaluator_;
@@ -196,9 +239,15 @@ class Workspace {
   Session session_;
   std::vector<WorkObject> objects_;
   std::map<NodeId, ChainView> views_;
+  std::set<NodeId> isolated_;  ///< the first nodes of the only chains that are seen; empty: all are
+  struct Measured {
+    std::weak_ptr<const PolyMesh> mesh;
+    BoundingBox box;
+  };
+  mutable std::map<NodeId, Measured> measured_;  ///< by the object's node
   NodeId active_ = 0;
   bool edits_elements_ = false;
-  std::map<NodeId, std::weak_ptr<const PolyMesh>> edited_inputs_;  ///< that the edits of each such step fitted last
+  std::map<NodeId, std::shared_ptr<const PolyMesh>> edited_inputs_;  ///< that the edits of each such step fitted last
   bool dragging_parameter_ = false;
   bool held_ = false;
   bool results_wait_ = false;                         ///< for the end of holding

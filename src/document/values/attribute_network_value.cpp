@@ -159,7 +159,7 @@ AttributeCurve read_attribute_curve(ByteReader& reader) {
   curve.from = reader.number<Index>();
   curve.to = reader.number<Index>();
   curve.control.resize(reader.count(place_bytes));
-  for (Vec3& point : curve.control) point = read_finite<Vec3>(reader);
+  for (Vec3& point : curve.control) point = read_usable<Vec3>(reader);
   curve.join = read_attribute_kind(reader, CurveJoin::Smooth);
   return curve;
 }
@@ -188,7 +188,7 @@ PointAttribute read_point_attribute(ByteReader& reader) {
   PointAttribute point;
   point.id = reader.text();
   point.face = reader.number<Index>();
-  point.point = read_finite<Vec3>(reader);
+  point.point = read_usable<Vec3>(reader);
   if (reader.flag()) {
     FanPlace fan;
     fan.corner = reader.number<std::uint64_t>();
@@ -198,7 +198,7 @@ PointAttribute read_point_attribute(ByteReader& reader) {
   }
   point.radius = read_optional_number(reader);
   point.profile = read_attribute_kind(reader, PointProfile::Cone);
-  if (reader.flag()) point.normal = read_finite<Vec3>(reader);
+  if (reader.flag()) point.normal = read_usable<Vec3>(reader);
   return point;
 }
 
@@ -208,7 +208,7 @@ SlopeAttribute read_slope_attribute(ByteReader& reader) {
   slope.face = reader.number<Index>();
   slope.at = reader.numbers<double>();
   slope.normals.resize(reader.count(place_bytes));
-  for (Vec3& normal : slope.normals) normal = read_finite<Vec3>(reader);
+  for (Vec3& normal : slope.normals) normal = read_usable<Vec3>(reader);
   slope.magnitude = reader.number<double>();
   return slope;
 }
@@ -252,7 +252,7 @@ struct AttributeNetworkValue {
     network.nodes.resize(reader.count(least_node_bytes));
     for (AttributeNode& node : network.nodes) {
       node.id = reader.text();
-      node.point = read_finite<Vec3>(reader);
+      node.point = read_usable<Vec3>(reader);
     }
     for (std::size_t left = reader.count(least_attribute_curve_bytes); left > 0; --left)
       network.curves.push_back(read_attribute_curve(reader));

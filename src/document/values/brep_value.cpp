@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
+#include "croquis/base/limits.h"
 #include "croquis/geometry/brep.h"
 #include "document/content_size.h"
 #include "document/values/rational_bytes.h"
@@ -46,7 +47,7 @@ BrepEdge read_brep_edge(ByteReader& reader) {
   edge.straight = reader.flag();
   for (Index& half_edge : edge.half_edges) half_edge = reader.number<Index>();
   edge.smooth = reader.flag();
-  for (Vec3& across : edge.across) across = read_finite<Vec3>(reader);
+  for (Vec3& across : edge.across) across = read_usable<Vec3>(reader);
   return edge;
 }
 
@@ -71,16 +72,16 @@ BrepFace read_brep_face(ByteReader& reader) {
   face.outline = reader.number<Index>();
   face.loops = reader.numbers<Index>();
   face.planar = reader.flag();
-  face.origin = read_finite<Vec3>(reader);
-  face.normal = read_finite<Vec3>(reader);
+  face.origin = read_usable<Vec3>(reader);
+  face.normal = read_usable<Vec3>(reader);
   if (face.planar && std::abs(face.normal.norm() - 1) > largest_normal_error)
     throw BadBytes("a face's normal is not of length 1");
   face.flatness = reader.number<double>();
-  if (!(face.flatness >= 0 && std::isfinite(face.flatness))) throw BadBytes("a face's flatness is not a distance");
+  if (!(face.flatness >= 0 && is_usable_number(face.flatness))) throw BadBytes("a face's flatness is not a distance");
   face.patches.resize(reader.count(patch_bytes));
   for (GregoryPatch& patch : face.patches) {
-    for (Vec3& point : patch.boundary) point = read_finite<Vec3>(reader);
-    for (Vec3& point : patch.inner) point = read_finite<Vec3>(reader);
+    for (Vec3& point : patch.boundary) point = read_usable<Vec3>(reader);
+    for (Vec3& point : patch.inner) point = read_usable<Vec3>(reader);
   }
   return face;
 }
@@ -194,7 +195,7 @@ struct BrepValue {
     Brep brep;
     brep.vertices.resize(reader.count(brep_vertex_bytes));
     for (BrepVertex& vertex : brep.vertices) {
-      vertex.point = read_finite<Vec3>(reader);
+      vertex.point = read_usable<Vec3>(reader);
       vertex.network_vertex = reader.number<Index>();
     }
     for (std::size_t left = reader.count(least_brep_edge_bytes); left > 0; --left)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
 
 #include <Eigen/LU>
 
+#include "croquis/base/limits.h"
 #include "croquis/geometry/camera.h"
 #include "document/values/value_row.h"
 #include "document/values/vector_bytes.h"
@@ -15,7 +15,7 @@ constexpr std::uint32_t placed_camera_layout = 2;  // with the corner of its pic
 constexpr double largest_camera_skew = 1e-9;       // of stored rotations, which are written as they are
 
 void require_camera(const Camera& camera) {
-  if (!(camera.focal_length > 0 && std::isfinite(camera.focal_length)))
+  if (!(camera.focal_length > 0 && is_usable_number(camera.focal_length)))
     throw BadBytes("its focal length is not positive");
   const Eigen::Matrix3d off = camera.rotation * camera.rotation.transpose() - Eigen::Matrix3d::Identity();
   if (off.cwiseAbs().maxCoeff() > largest_camera_skew || camera.rotation.determinant() < 0) {
@@ -57,11 +57,11 @@ struct CameraValue {
     const std::uint32_t layout = read_layout(reader, placed_camera_layout);
     Camera camera;
     camera.focal_length = reader.number<double>();
-    camera.principal_point = read_finite<Vec2>(reader);
-    camera.eye = read_finite<Vec3>(reader);
-    camera.rotation = read_finite<Eigen::Matrix3d>(reader).transpose().eval();
-    camera.image_size = read_finite<Vec2>(reader);
-    if (layout == placed_camera_layout) camera.image_origin = read_finite<Vec2>(reader);
+    camera.principal_point = read_usable<Vec2>(reader);
+    camera.eye = read_usable<Vec3>(reader);
+    camera.rotation = read_usable<Eigen::Matrix3d>(reader).transpose().eval();
+    camera.image_size = read_usable<Vec2>(reader);
+    if (layout == placed_camera_layout) camera.image_origin = read_usable<Vec2>(reader);
     require_camera(camera);
     return camera;
   }

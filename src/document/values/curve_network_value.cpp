@@ -85,7 +85,7 @@ struct CurveNetworkValue {
     read_layout(reader, network_layout);
     CurveNetwork network;
     network.vertices.resize(reader.count(vertex_bytes));
-    for (Vec3& vertex : network.vertices) vertex = read_finite<Vec3>(reader);
+    for (Vec3& vertex : network.vertices) vertex = read_usable<Vec3>(reader);
     std::set<std::string> ids;
     for (std::size_t left = reader.count(least_curve_bytes); left > 0; --left) {
       network.curves.push_back(read_curve(reader, network.vertices));

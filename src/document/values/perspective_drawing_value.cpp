@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <bit>
-#include <cmath>
 #include <numbers>
 #include <set>
 
+#include "croquis/base/limits.h"
 #include "croquis/geometry/perspective_drawing.h"
 #include "document/content_size.h"
 #include "document/values/value_row.h"
@@ -28,7 +28,7 @@ Enum read_kind(ByteReader& reader, Enum last) {
 
 double read_positive(ByteReader& reader) {
   const auto number = reader.number<double>();
-  if (!(number > 0 && std::isfinite(number))) throw BadBytes("a number is not positive");
+  if (!(number > 0 && is_usable_number(number))) throw BadBytes("a number is not positive");
   return number;
 }
 
@@ -112,8 +112,8 @@ void write_knowledge(const PerspectiveDrawing& drawing, ByteWriter& writer) {
 
 void read_knowledge(ByteReader& reader, PerspectiveDrawing& drawing) {
   if (reader.flag()) {
-    const Vec2 at = read_finite<Vec2>(reader);
-    drawing.known_point = KnownPoint{at, read_finite<Vec3>(reader)};
+    const Vec2 at = read_usable<Vec2>(reader);
+    drawing.known_point = KnownPoint{at, read_usable<Vec3>(reader)};
   }
   for (std::size_t left = reader.count(least_length_bytes); left > 0; --left) {
     std::string stroke = reader.text();
@@ -123,7 +123,7 @@ void read_knowledge(ByteReader& reader, PerspectiveDrawing& drawing) {
     drawing.field_of_view = read_positive(reader);
     if (*drawing.field_of_view >= std::numbers::pi) throw BadBytes("its field of view is too wide");
   }
-  if (reader.flag()) drawing.principal_point = read_finite<Vec2>(reader);
+  if (reader.flag()) drawing.principal_point = read_usable<Vec2>(reader);
   drawing.unit = reader.text();
   if (reader.flag()) {
     drawing.shells = reader.number<std::int32_t>();
@@ -212,8 +212,8 @@ struct PerspectiveDrawingValue {
     read_layout(reader, perspective_layout);
     PerspectiveDrawing drawing;
     drawing.file = reader.text();
-    drawing.origin = read_finite<Vec2>(reader);
-    drawing.image_size = read_finite<Vec2>(reader);
+    drawing.origin = read_usable<Vec2>(reader);
+    drawing.image_size = read_usable<Vec2>(reader);
     if (drawing.image_size.minCoeff() < 0) throw BadBytes("its sheet's size is negative");
     read_knowledge(reader, drawing);
     std::set<std::string> ids;

@@ -16,10 +16,10 @@ inline void write_rational(const RationalCubic& cubic, ByteWriter& writer) {
   for (const double weight : cubic.weights) writer.number(weight);
 }
 
-/// @throws BadBytes where a point isn't finite or a weight isn't positive
+/// @throws BadBytes where a point can't be used or a weight isn't positive
 inline RationalCubic read_rational(ByteReader& reader) {
   RationalCubic cubic;
-  for (Vec3& point : cubic.points) point = read_finite<Vec3>(reader);
+  for (Vec3& point : cubic.points) point = read_usable<Vec3>(reader);
   for (double& weight : cubic.weights) {
     weight = reader.number<double>();
     if (!(weight > 0 && weight <= 1e300)) throw BadBytes("a curve's weight is not positive");

@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "croquis/base/error.h"
+#include "croquis/base/limits.h"
 #include "document/content_size.h"
 #include "document/values/value_row.h"
 
@@ -12,7 +13,6 @@ namespace {
 constexpr std::uint32_t report_layout = 1;
 
 /// Deeper trees would need a deep call stack to be read. Ours have fewer than ten levels.
-constexpr int max_depth = 200;
 
 void write_tree(const Report& report, int depth, ByteWriter& writer);
 
@@ -38,9 +38,9 @@ struct TreeWriter {
 };
 
 void write_tree(const Report& report, int depth, ByteWriter& writer) {
-  if (depth > max_depth) {
+  if (depth > deepest_nesting) {
     throw Error(make_error(Category::Limit, "E_LIMIT",
-                           "A report is nested deeper than " + std::to_string(max_depth) +
+                           "A report is nested deeper than " + std::to_string(deepest_nesting) +
                                " levels, more than a project file can hold; remove that node."));
   }
   writer.number(static_cast<std::uint8_t>(report.value().index()));
@@ -66,7 +66,7 @@ Report read_object(ByteReader& reader, int depth) {
 
 // The cases are the alternatives of Report::Value in their order.
 Report read_tree(ByteReader& reader, int depth) {
-  if (depth > max_depth) throw BadBytes("it is nested too deeply");
+  if (depth > deepest_nesting) throw BadBytes("it is nested too deeply");
   switch (reader.number<std::uint8_t>()) {
     case 0: return {};
     case 1: return reader.flag();

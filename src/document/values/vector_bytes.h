@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "croquis/base/limits.h"
 #include "croquis/document/byte_stream.h"
 #include "croquis/document/content_hash.h"
 
@@ -21,11 +22,11 @@ Matrix read_numbers(ByteReader& reader) {
   return numbers;
 }
 
-/// @throws BadBytes where a number isn't finite
+/// @throws BadBytes where a number can't be used (limits.h)
 template <typename Matrix>
-Matrix read_finite(ByteReader& reader) {
+Matrix read_usable(ByteReader& reader) {
   const Matrix numbers = read_numbers<Matrix>(reader);
-  if (!numbers.allFinite()) throw BadBytes("a number is not finite");
+  if (!are_usable_numbers(numbers.reshaped())) throw BadBytes(std::string("a number ") + unusable_words);
   return numbers;
 }
 
