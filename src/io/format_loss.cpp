@@ -2,6 +2,7 @@
 #include "io/format_loss.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "io/text.h"
 
@@ -28,6 +29,14 @@ std::string counted(std::size_t count, const char* what) {
 }  // namespace
 
 void FormatLoss::note_channel(const AttributeChannel& channel) {
+  for (const auto& [name, words] : {std::pair{"normal", "normals"},
+                                    {"color", "colours"},
+                                    {"uv", "places in textures"},
+                                    {"object", "names of objects"},
+                                    {"group", "groups"},
+                                    {"material", "materials"}}) {
+    if (channel.name == name && channel.domain != Domain::Edge) return note(words);
+  }
   note("the attribute " + in_quotes(channel.name) + " of " + name_of(channel.domain));
 }
 
@@ -37,9 +46,13 @@ void FormatLoss::note_others(const PolyMesh& mesh, const std::vector<const Attri
   }
 }
 
+void FormatLoss::note_polygons(const PolyMesh& mesh) {
+  if (mesh.corners.size() > 3 * mesh.face_count()) note("polygons (they are cut into triangles)");
+}
+
 void FormatLoss::note_tags(const MeshTags& tags) {
   if (tags.empty()) return;
-  note("its tags (" + counted(tags.creases.size(), "sharp edge") + " and " + counted(tags.pins.size(), "pin") + ")");
+  note("tags (" + counted(tags.creases.size(), "sharp edge") + " and " + counted(tags.pins.size(), "pin") + ")");
 }
 
 void FormatLoss::note_sets(const MeshTags& tags) {
@@ -54,8 +67,9 @@ void FormatLoss::note_sets(const MeshTags& tags) {
 
 Findings FormatLoss::warnings() const {
   if (parts_.empty()) return {};
-  std::string sentence = format_ + " can't hold all of this mesh: ";
-  for (std::size_t i = 0; i < parts_.size(); ++i) sentence += (i == 0 ? "" : "; ") + parts_[i];
+  std::string sentence = format_ + " can't hold ";
+  for (std::size_t i = 0; i < parts_.size(); ++i)
+    sentence += (i == 0 ? "" : i + 1 < parts_.size() ? ", " : " and ") + parts_[i];
   return {make_warning(Category::Io, "W_FORMAT_LOSS", sentence + ".")};
 }
 

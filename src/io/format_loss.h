@@ -19,6 +19,9 @@ class FormatLoss {
   /// Every channel of the mesh that is not among those written.
   void note_others(const PolyMesh& mesh, const std::vector<const AttributeChannel*>& written);
 
+  /// That polygons are cut into triangles, if some are.
+  void note_polygons(const PolyMesh& mesh);
+
   /// All tags, if there are any.
   void note_tags(const MeshTags& tags);
 

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/glb_writer.h"
 
-#include <algorithm>
+#include <map>
 #include <sstream>
 
 #include <tiny_gltf.h>
 
 #include "croquis/base/error.h"
-#include "io/channel_values.h"
-#include "io/face_triangles.h"
 #include "io/float_positions.h"
 #include "io/format_loss.h"
 #include "io/gltf/glb_camera.h"
+#include "io/gltf/glb_objects.h"
 #include "io/value_sink.h"
 
 namespace croquis {
@@ -21,18 +20,18 @@ class GlbWriter {
  public:
   GlbWriter(const PolyMesh& mesh, const MeshWriteOptions& options, Progress& progress)
       : mesh_(mesh),
-        camera_(options.camera),
-        z_up_(options.z_up),
+        options_(options),
         progress_(progress),
         positions_(positions_as_floats(mesh, MeshFormat::Glb)),
-        cut_(face_triangles(mesh)) {}
+        content_(glb_objects(mesh, positions_, progress)) {}
 
   MeshWriteResult write() {
-    add_attributes();
-    progress_.check();
-    add_triangles();
-    add_lines();
-    progress_.check();
+    model_.asset.version = "2.0";
+    model_.asset.generator = "Croquis";
+    for (const GlbObject& object : content_.objects) {
+      progress_.check();
+      add_object(object);
+    }
     finish_model();
     note_losses();
     return {serialized(), loss_.warnings()};
@@ -40,35 +39,30 @@ class GlbWriter {
 
  private:
   template <typename T>
-  int add_accessor(const std::vector<T>& values, std::size_t per_element, int type, int component_type, int target);
-  void add_positions();
-  void add_attributes();
-  void add_triangles();
-  void add_lines();
-  void add_primitive(const std::vector<std::uint32_t>& indices, int mode);
+  int add_accessor(const std::vector<T>& values, std::size_t per_element, int component_type, int target);
+  std::map<std::string, int> add_attributes(const GlbObject& object);
+  int material(const std::string& name);
+  void add_object(const GlbObject& object);
   void finish_model();
   void turn_upright(tinygltf::Scene& scene);
   void note_losses();
   std::string serialized() const;
 
   const PolyMesh& mesh_;
-  const std::optional<Camera>& camera_;
-  bool z_up_;
+  const MeshWriteOptions& options_;
   Progress& progress_;
   std::vector<Vec3> positions_;
-  FaceTriangles cut_;
+  GlbObjects content_;
   FormatLoss loss_{"GLB"};
-  std::vector<const AttributeChannel*> written_;
   tinygltf::Model model_;
-  tinygltf::Mesh target_;
-  std::map<std::string, int> attributes_;
+  tinygltf::Scene scene_;
+  std::map<std::string, int> materials_;
   std::string data_;
 };
 
 // Every accessor has a view of its own; all component sizes here keep the data aligned to four bytes.
 template <typename T>
-int GlbWriter::add_accessor(const std::vector<T>& values, std::size_t per_element, int type, int component_type,
-                            int target) {
+int GlbWriter::add_accessor(const std::vector<T>& values, std::size_t per_element, int component_type, int target) {
   ValueSink sink(false, 0);
   for (const T value : values) sink.put(value);
   tinygltf::BufferView view;
@@ -81,101 +75,91 @@ int GlbWriter::add_accessor(const std::vector<T>& values, std::size_t per_elemen
   tinygltf::Accessor accessor;
   accessor.bufferView = static_cast<int>(model_.bufferViews.size()) - 1;
   accessor.componentType = component_type;
-  accessor.type = type;
+  // The library's numbers of vectors are those of their components.
+  accessor.type = per_element == 1 ? TINYGLTF_TYPE_SCALAR : static_cast<int>(per_element);
   accessor.count = values.size() / per_element;
   model_.accessors.push_back(accessor);
   return static_cast<int>(model_.accessors.size()) - 1;
 }
 
-void GlbWriter::add_positions() {
-  std::vector<float> values;
-  Vec3 low = positions_.front(), high = positions_.front();
-  for (const Vec3& p : positions_) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-    for (const double x : p) values.push_back(static_cast<float>(x));
-  }
-  const int accessor =
-      add_accessor(values, 3, TINYGLTF_TYPE_VEC3, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TARGET_ARRAY_BUFFER);
-  tinygltf::Accessor& entry = model_.accessors[static_cast<std::size_t>(accessor)];
-  entry.minValues.assign(low.begin(), low.end());
-  entry.maxValues.assign(high.begin(), high.end());
-  attributes_["POSITION"] = accessor;
-}
-
-void GlbWriter::add_attributes() {
-  if (positions_.empty()) return;
-  add_positions();
-  const auto add = [&](const char* name, const char* gltf_name, int width, int or_width) {
-    const AttributeChannel* channel = usable_channel(mesh_, name, Domain::Vertex, width, or_width);
-    if (channel == nullptr || !all_finite(*channel)) return;
-    const bool is_colour = std::string_view(name) == "color";
-    const bool is_uv = std::string_view(name) == "uv";
+std::map<std::string, int> GlbWriter::add_attributes(const GlbObject& object) {
+  std::map<std::string, int> attributes;
+  const auto add = [&](const char* name, std::size_t width, const auto& value) {
     std::vector<float> values;
-    for (std::size_t i = 0; i < channel->size(); ++i) {
-      const double value = is_colour ? colour_of(*channel, i) : value_of(*channel, i);
-      values.push_back(static_cast<float>(is_uv && i % 2 == 1 ? 1 - value : value));  // glTF's v points down
+    values.reserve(width * object.vertices.size());
+    for (const GlbVertex& vertex : object.vertices) {
+      for (std::size_t i = 0; i < width; ++i) values.push_back(value(vertex, i));
     }
-    const int type = channel->width == 2   ? TINYGLTF_TYPE_VEC2
-                     : channel->width == 3 ? TINYGLTF_TYPE_VEC3
-                                           : TINYGLTF_TYPE_VEC4;
-    attributes_[gltf_name] = add_accessor(values, static_cast<std::size_t>(channel->width), type,
-                                          TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TARGET_ARRAY_BUFFER);
-    written_.push_back(channel);
+    attributes[name] = add_accessor(values, width, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TARGET_ARRAY_BUFFER);
   };
-  add("normal", "NORMAL", 3, 3);
-  add("color", "COLOR_0", 3, 4);
-  add("uv", "TEXCOORD_0", 2, 2);
-}
-
-void GlbWriter::add_primitive(const std::vector<std::uint32_t>& indices, int mode) {
-  if (indices.empty()) return;
-  tinygltf::Primitive primitive;
-  primitive.attributes = attributes_;
-  primitive.indices = add_accessor(indices, 1, TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
-                                   TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
-  primitive.material = 0;
-  primitive.mode = mode;
-  target_.primitives.push_back(primitive);
-}
-
-void GlbWriter::add_triangles() {
-  std::vector<std::uint32_t> indices;
-  indices.reserve(3 * cut_.triangles.size());
-  for (const auto& triangle : cut_.triangles) indices.insert(indices.end(), triangle.begin(), triangle.end());
-  add_primitive(indices, TINYGLTF_MODE_TRIANGLES);
-}
-
-void GlbWriter::add_lines() {
-  std::vector<std::uint32_t> indices;
-  for (std::size_t l = 0; l < mesh_.line_count(); ++l) {
-    const auto line = mesh_.line(l);
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) indices.insert(indices.end(), {line[i], line[i + 1]});
+  const auto add_numbers = [&](const char* name, std::size_t width, std::size_t first) {
+    add(name, width, [first](const GlbVertex& vertex, std::size_t i) { return vertex.numbers[first + i]; });
+  };
+  add("POSITION", 3, [&](const GlbVertex& vertex, std::size_t i) {
+    return static_cast<float>(positions_[vertex.vertex][static_cast<Eigen::Index>(i)]);
+  });
+  Vec3 low = positions_[object.vertices.front().vertex], high = low;
+  for (const GlbVertex& vertex : object.vertices) {
+    low = low.cwiseMin(positions_[vertex.vertex]);
+    high = high.cwiseMax(positions_[vertex.vertex]);
   }
-  add_primitive(indices, TINYGLTF_MODE_LINE);
+  tinygltf::Accessor& bounded = model_.accessors.back();
+  bounded.minValues.assign(low.begin(), low.end());
+  bounded.maxValues.assign(high.begin(), high.end());
+  if (content_.has_normals) add_numbers("NORMAL", 3, glb_normal);
+  if (content_.colour_width > 0) add_numbers("COLOR_0", static_cast<std::size_t>(content_.colour_width), glb_colour);
+  if (content_.has_uv) add_numbers("TEXCOORD_0", 2, glb_uv);
+  return attributes;
 }
 
-void GlbWriter::finish_model() {
-  model_.asset.version = "2.0";
-  model_.asset.generator = "Croquis";
+/// The material of that name, which is made when it is first asked for.
+int GlbWriter::material(const std::string& name) {
+  const auto [known, is_new] = materials_.try_emplace(name, static_cast<int>(model_.materials.size()));
+  if (!is_new) return known->second;
   tinygltf::Material material;
+  material.name = name;
   material.doubleSided = true;  // open surfaces are seen from both sides
   material.pbrMetallicRoughness.metallicFactor = 0;
   material.pbrMetallicRoughness.roughnessFactor = 0.8;
   model_.materials.push_back(material);
-  tinygltf::Scene scene;
-  if (!target_.primitives.empty()) {
-    model_.meshes.push_back(target_);
-    tinygltf::Node node;
-    node.mesh = 0;
-    model_.nodes.push_back(node);
-    scene.nodes.push_back(0);
-  } else if (!camera_) {
-    scene.name = "empty";  // the library would write a scene without any member as null
-  }
-  if (camera_) scene.nodes.push_back(add_camera_node(*camera_, positions_, model_));
-  if (z_up_ && !scene.nodes.empty()) turn_upright(scene);
-  model_.scenes.push_back(scene);
+  return known->second;
+}
+
+void GlbWriter::add_object(const GlbObject& object) {
+  tinygltf::Mesh mesh;
+  const std::map<std::string, int> attributes = add_attributes(object);
+  const auto add_primitive = [&](const std::vector<std::uint32_t>& indices, int mode, const std::string& name) {
+    if (indices.empty()) return;
+    tinygltf::Primitive primitive;
+    primitive.attributes = attributes;
+    // Lines without normals are drawn in their own colour, not as if light fell on them.
+    if (mode == TINYGLTF_MODE_LINE && content_.normals_computed) primitive.attributes.erase("NORMAL");
+    primitive.indices =
+        add_accessor(indices, 1, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+    primitive.material = material(name);
+    primitive.mode = mode;
+    mesh.primitives.push_back(primitive);
+  };
+  for (const GlbPart& part : object.parts) add_primitive(part.triangles, TINYGLTF_MODE_TRIANGLES, part.name);
+  add_primitive(object.segments, TINYGLTF_MODE_LINE, object.parts.empty() ? "" : object.parts.front().name);
+  if (mesh.primitives.empty()) return;
+  tinygltf::Node node;
+  node.name = mesh.name = object.name.empty() ? options_.name : object.name;
+  node.mesh = static_cast<int>(model_.meshes.size());
+  tinygltf::Value::Object extras;
+  if (content_.normals_computed) extras[GlbExtras::computed_normals] = tinygltf::Value(true);
+  if (content_.has_groups) extras[GlbExtras::groups] = tinygltf::Value(true);
+  if (!extras.empty()) mesh.extras = tinygltf::Value(extras);
+  model_.meshes.push_back(mesh);
+  scene_.nodes.push_back(static_cast<int>(model_.nodes.size()));
+  model_.nodes.push_back(node);
+}
+
+void GlbWriter::finish_model() {
+  if (options_.camera) scene_.nodes.push_back(add_camera_node(*options_.camera, positions_, model_));
+  if (scene_.nodes.empty()) scene_.name = "empty";  // the library would write a scene without any member as null
+  if (options_.z_up && !scene_.nodes.empty()) turn_upright(scene_);
+  model_.scenes.push_back(scene_);
   model_.defaultScene = 0;
   if (data_.empty()) return;
   tinygltf::Buffer buffer;
@@ -194,10 +178,10 @@ void GlbWriter::turn_upright(tinygltf::Scene& scene) {
 }
 
 void GlbWriter::note_losses() {
-  if (cut_.cut_polygons) loss_.note("polygons are cut into triangles");
-  if (positions_ != mesh_.positions) loss_.note("coordinates are rounded to 32-bit floats");
+  loss_.note_polygons(mesh_);
+  if (!content_.keeps_order) loss_.note("the order of vertices");
   loss_.note_tags(mesh_.tags);
-  loss_.note_others(mesh_, written_);
+  loss_.note_others(mesh_, content_.written);
 }
 
 std::string GlbWriter::serialized() const {

@@ -143,7 +143,7 @@ std::optional<std::array<Index, 2>> TagsReader::read_pair(const Report* report, 
 std::optional<double> TagsReader::read_sharpness(const Report* report, const std::string& place) {
   if (const auto* word = report_as<std::string>(report); word != nullptr && *word == infinite_word)
     return infinite_sharpness;
-  if (report_as<std::int64_t>(report) != nullptr || report_as<double>(report) != nullptr) return report->as_number();
+  if (const auto number = number_of(report)) return number;
   refuse("E_SYNTAX", place, "it is neither a number nor \"inf\"");
   return std::nullopt;
 }

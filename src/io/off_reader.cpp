@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "croquis/base/limits.h"
 #include "io/channel_values.h"
 #include "io/colour_gathering.h"
 #include "io/text.h"
@@ -144,7 +145,7 @@ void OffReader::read_vertex(std::size_t vertex) {
   std::array<double, 3> values{};
   if (!read_numbers(0, values)) return;
   mesh_.positions.back() = Vec3(values[0], values[1], values[2]);
-  if (!mesh_.positions.back().allFinite()) context_.not_finite(vertex, at_line(line_));
+  if (!are_usable_numbers(mesh_.positions.back())) context_.not_finite(vertex, at_line(line_));
   if (has_normals_ && read_numbers(3, values)) normals_.insert(normals_.end(), values.begin(), values.end());
   const std::span<const std::string_view> colour(words_.data() + (has_normals_ ? 6 : 3), colours);
   if (colours > 0 && !vertex_colours_.add(vertex, colour)) {

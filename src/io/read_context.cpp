@@ -2,6 +2,7 @@
 #include "io/read_context.h"
 
 #include "croquis/base/error.h"
+#include "croquis/base/limits.h"
 
 namespace croquis {
 namespace {
@@ -36,7 +37,7 @@ void ReadContext::warn(const char* code, const std::string& message, Place place
 }
 
 void ReadContext::not_finite(std::size_t vertex, Place place) {
-  const std::string what = "vertex " + std::to_string(vertex) + " has a coordinate that is not a finite number";
+  const std::string what = "vertex " + std::to_string(vertex) + " has a coordinate that " + unusable_words;
   if (source_.keep_not_finite) {
     warn("W_NOT_FINITE", what, place, vertex_subject(vertex));
   } else {

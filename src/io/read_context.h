@@ -32,7 +32,7 @@ class ReadContext {
 
   void warn(const char* code, const std::string& message, Place place, std::vector<Subject> elements = {});
 
-  /// A position that is not finite: an error, or a warning where the caller asked for it.
+  /// A position that can't be used (limits.h): an error, or a warning where the caller asked for it.
   void not_finite(std::size_t vertex, Place place);
 
   /// A face that uses a vertex that is not there. @param shown the index as the file has it

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "croquis/base/limits.h"
 #include "io/channel_values.h"
 #include "io/little_endian.h"
 #include "io/obj/category_state.h"
@@ -93,7 +94,7 @@ void BinaryStlReader::read_facet(std::size_t facet) {
       x = load_little_endian<float>(from);
       from += 4;
     }
-    if (!point.allFinite()) context_.not_finite(mesh_.vertex_count(), at_byte(byte));
+    if (!are_usable_numbers(point)) context_.not_finite(mesh_.vertex_count(), at_byte(byte));
     corner = joiner_.add(point, mesh_.positions);
   }
   mesh_.add_face(corners);
@@ -184,7 +185,7 @@ void TextStlReader::read_facet() {
   for (; lower_case(word) == "vertex"; word = next()) {
     Vec3 point;
     for (double& x : point) x = number();
-    if (!point.allFinite()) context_.not_finite(mesh_.vertex_count(), at_line(lines_.line_number()));
+    if (!are_usable_numbers(point)) context_.not_finite(mesh_.vertex_count(), at_line(lines_.line_number()));
     corners_.push_back(joiner_.add(point, mesh_.positions));
   }
   if (lower_case(word) != "endloop") fail_expecting("vertex' or 'endloop", word);

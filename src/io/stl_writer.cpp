@@ -5,8 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include "croquis/geometry/polygon_cut.h"
 #include "io/channel_values.h"
-#include "io/face_triangles.h"
 #include "io/float_positions.h"
 #include "io/format_loss.h"
 #include "io/position_joiner.h"
@@ -27,7 +27,7 @@ class StlWriter {
         tick_(progress),
         positions_(options.ascii ? as_written(mesh, MeshFormat::Stl, options).positions
                                  : positions_as_floats(mesh, MeshFormat::Stl)),
-        cut_(face_triangles(mesh)) {}
+        cut_(mesh_triangles(positions_, mesh)) {}
 
   MeshWriteResult write() {
     names_ = usable_channel(mesh_, "object", Domain::Face, 1, 1);
@@ -41,10 +41,11 @@ class StlWriter {
   }
 
  private:
-  Vec3 normal(const std::array<Index, 3>& triangle) const;
+  const Vec3& place(Index corner) const { return positions_[mesh_.corners[corner]]; }
+  Vec3 normal(const std::array<Index, 3>& corners) const;
   void write_binary();
   void write_text();
-  void write_facet(const std::array<Index, 3>& triangle);
+  void write_facet(const std::array<Index, 3>& corners);
   std::string solid_name(std::size_t face) const;
   bool reads_back_in_order() const;
   void note_losses();
@@ -53,31 +54,31 @@ class StlWriter {
   const MeshWriteOptions& options_;
   WriteTick tick_;
   std::vector<Vec3> positions_;
-  FaceTriangles cut_;
+  MeshTriangles cut_;
   const AttributeChannel* names_ = nullptr;
   const AttributeChannel* attributes_ = nullptr;
   FormatLoss loss_{"STL"};
   std::string text_;
 };
 
-Vec3 StlWriter::normal(const std::array<Index, 3>& triangle) const {
-  const Vec3& a = positions_[triangle[0]];
-  const Vec3 normal = (positions_[triangle[1]] - a).cross(positions_[triangle[2]] - a).normalized();
+Vec3 StlWriter::normal(const std::array<Index, 3>& corners) const {
+  const Vec3& a = place(corners[0]);
+  const Vec3 normal = (place(corners[1]) - a).cross(place(corners[2]) - a).normalized();
   return normal.allFinite() ? normal : Vec3::Zero();
 }
 
 void StlWriter::write_binary() {
   ValueSink sink(false, 0);
-  sink.text().reserve(title_size + 4 + 50 * cut_.triangles.size());
+  sink.text().reserve(title_size + 4 + 50 * cut_.corners.size());
   sink.text().assign("Binary STL, written by Croquis").resize(title_size, ' ');
-  sink.put(static_cast<std::uint32_t>(cut_.triangles.size()));
+  sink.put(static_cast<std::uint32_t>(cut_.corners.size()));
   const auto put_point = [&](const Vec3& point) {
     for (const double x : point) sink.put(static_cast<float>(x));
   };
-  for (std::size_t t = 0; t < cut_.triangles.size(); ++t) {
+  for (std::size_t t = 0; t < cut_.corners.size(); ++t) {
     tick_();
-    put_point(normal(cut_.triangles[t]));
-    for (const Index vertex : cut_.triangles[t]) put_point(positions_[vertex]);
+    put_point(normal(cut_.corners[t]));
+    for (const Index corner : cut_.corners[t]) put_point(place(corner));
     const double attribute = attributes_ == nullptr ? 0 : value_of(*attributes_, cut_.faces[t]);
     sink.put(static_cast<std::uint16_t>(attribute));
   }
@@ -95,7 +96,7 @@ std::string StlWriter::solid_name(std::size_t face) const {
 
 void StlWriter::write_text() {
   std::string open;
-  for (std::size_t t = 0; t < cut_.triangles.size(); ++t) {
+  for (std::size_t t = 0; t < cut_.corners.size(); ++t) {
     tick_();
     const std::string name = solid_name(cut_.faces[t]);
     if (name != open) {
@@ -103,19 +104,19 @@ void StlWriter::write_text() {
       text_ += name + "\n";
       open = name;
     }
-    write_facet(cut_.triangles[t]);
+    write_facet(cut_.corners[t]);
   }
   text_ += open.empty() ? "solid\nendsolid\n" : "end" + open + "\n";
 }
 
-void StlWriter::write_facet(const std::array<Index, 3>& triangle) {
-  const Vec3 direction = normal(triangle);
+void StlWriter::write_facet(const std::array<Index, 3>& corners) {
+  const Vec3 direction = normal(corners);
   text_ += "facet normal";
   for (const double x : direction) append_number(text_ += ' ', static_cast<float>(x), options_.precision);
   text_ += "\n outer loop\n";
-  for (const Index vertex : triangle) {
+  for (const Index corner : corners) {
     text_ += "  vertex";
-    for (const double x : positions_[vertex]) append_number(text_ += ' ', x, options_.precision);
+    for (const double x : place(corner)) append_number(text_ += ' ', x, options_.precision);
     text_ += '\n';
   }
   text_ += " endloop\nendfacet\n";
@@ -125,19 +126,18 @@ void StlWriter::write_facet(const std::array<Index, 3>& triangle) {
 bool StlWriter::reads_back_in_order() const {
   PositionJoiner joiner;
   std::vector<Vec3> read;
-  for (const auto& triangle : cut_.triangles) {
-    for (const Index vertex : triangle) {
-      if (joiner.add(positions_[vertex], read) != vertex) return false;
+  for (const auto& triangle : cut_.corners) {
+    for (const Index corner : triangle) {
+      if (joiner.add(place(corner), read) != mesh_.corners[corner]) return false;
     }
   }
   return read.size() == mesh_.vertex_count();
 }
 
 void StlWriter::note_losses() {
-  if (cut_.cut_polygons) loss_.note("polygons are cut into triangles");
+  loss_.note_polygons(mesh_);
   if (mesh_.line_count() > 0) loss_.note("polylines");
-  if (!options_.ascii && positions_ != mesh_.positions) loss_.note("coordinates are rounded to 32-bit floats");
-  if (!reads_back_in_order()) loss_.note("the vertices' own order, those of no face and those at the same place");
+  if (!reads_back_in_order()) loss_.note("the order of vertices");
   loss_.note_tags(mesh_.tags);
   loss_.note_others(mesh_, {options_.ascii ? names_ : attributes_});
 }

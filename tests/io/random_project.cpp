@@ -164,6 +164,12 @@ Node random_node(Random& random, const Document& document) {
     for (double& coordinate : node.transform.offset) coordinate = random.between(-10, 10);
   }
   node.enabled = random.below(4) != 0;
+  if (random.below(4) == 0) {
+    for (double& number : node.placement.position) number = random.between(-10, 10);
+    for (double& number : node.placement.rotation) number = random.between(-360, 360);
+    for (double& number : node.placement.scale) number = random.between(0.1, 10);
+  }
+  if (random.below(4) == 0) node.group = random_text(random);
   if (document.nodes().empty() || random.below(2) == 0) {
     node.source = random_value(random);
     if (random.below(4) == 0) {
@@ -345,6 +351,7 @@ std::string difference(const Node& a, const Node& b) {
   if (!same_parameters(a.parameters, b.parameters)) return "parameters differ";
   if (a.inputs != b.inputs) return "inputs differ";
   if (a.transform != b.transform || a.enabled != b.enabled) return "transforms differ, or one is off";
+  if (!(a.placement == b.placement) || a.group != b.group) return "they stand elsewhere, or in other groups";
   if (a.source.has_value() != b.source.has_value()) return "one is a source";
   if ((a.backdrop == nullptr) != (b.backdrop == nullptr)) return "one has a backdrop";
   if (a.backdrop && !same(*a.backdrop, *b.backdrop)) return "backdrops differ";

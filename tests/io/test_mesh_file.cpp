@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "croquis/geometry/mesh_report.h"
 #include "croquis/io/mesh_file.h"
 #include "io/mesh_compare.h"
 #include "io/scratch.h"
@@ -73,6 +74,31 @@ TEST_CASE("polygons, vertex order and every bit of a coordinate survive OBJ, PLY
       const MeshWriteResult written = write(mesh, encoding.format, {0, encoding.ascii});
       CHECK(written.warnings.empty());
       CHECK(difference(read(written.bytes, encoding.format).mesh, mesh) == "");
+    }
+  }
+}
+
+TEST_CASE("the report's area and volume are those of the triangles in STL and GLB files, for bent polygons too") {
+  Random random(5);
+  std::vector<PolyMesh> meshes = {bent_box(), scaled(shuffled(bent_box(), 1), 7), cube(), double_torus()};
+  for (const PolyMesh& shape : {torus(7, 5), double_torus(), uv_sphere(9, 7)}) {
+    PolyMesh mesh = shape;
+    for (Vec3& position : mesh.positions) {
+      for (double& x : position) x = static_cast<double>(static_cast<float>(x + random.between(-0.1, 0.1)));
+    }
+    meshes.push_back(std::move(mesh));
+  }
+  for (const PolyMesh& mesh : meshes) {
+    Progress progress;
+    const MeshReport told = inspect(mesh, true, progress);
+    for (const Encoding& encoding :
+         {Encoding{MeshFormat::Stl, false}, {MeshFormat::Stl, true}, {MeshFormat::Glb, false}}) {
+      const MeshReport written =
+          inspect(read(write(mesh, encoding.format, {0, encoding.ascii}).bytes, encoding.format).mesh, true, progress);
+      CHECK(written.closed);
+      CHECK(*written.volume == Approx(*told.volume).epsilon(1e-12));
+      CHECK(written.area == Approx(told.area).epsilon(1e-12));
+      CHECK((*written.self_intersections > 0) == (*told.self_intersections > 0));
     }
   }
 }

@@ -67,6 +67,23 @@ TEST_CASE("both byte orders of PLY give the same mesh") {
   CHECK(difference(mesh_of(little), mesh) == "");
 }
 
+TEST_CASE("lengths of lists that are whole numbers of four bytes are read in both byte orders") {
+  for (const bool big : {false, true}) {
+    std::string bytes = header(
+        "element vertex 3\nproperty int x\nproperty int y\nproperty int z\nelement face 1\n"
+        "property list int int vertex_indices\n",
+        big ? "binary_big_endian" : "binary_little_endian");
+    for (const char number : std::string("\0\0\0\7\0\0\0\7\0\3\0\1\2", 13)) {
+      const std::string zeros(3, '\0');
+      bytes += big ? zeros + number : number + zeros;
+    }
+    const PolyMesh mesh = mesh_of(bytes);
+    CHECK(mesh.positions == std::vector<Vec3>{{0, 0, 0}, {7, 0, 0}, {0, 7, 0}});
+    REQUIRE(mesh.face_count() == 1);
+    CHECK(std::ranges::equal(mesh.face(0), std::vector<Index>{0, 1, 2}));
+  }
+}
+
 TEST_CASE("all of PLY's types and their aliases are read") {
   const std::vector<std::pair<const char*, const char*>> names = {
       {"char", "int8"}, {"uchar", "uint8"}, {"short", "int16"},   {"ushort", "uint16"},

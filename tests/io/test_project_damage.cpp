@@ -183,9 +183,9 @@ TEST_CASE("missing and wrong parts are named one by one") {
       {"UPDATE nodes SET name='x' WHERE id=1", "not those that were saved", 3},
       {"UPDATE parameters SET value=4 WHERE name='count'", "not those that were saved", 3},
       {"DELETE FROM nodes WHERE id=2", "not those that were saved", 2},
-      {"DROP TABLE links", "'links'", 3},
-      {"DROP TABLE parameters", "'parameters'", 3},
-      {"DROP TABLE sources", "'sources'", 1},
+      {"DROP TABLE links", "links between steps", 3},
+      {"DROP TABLE parameters", "its parameters", 3},
+      {"DROP TABLE sources", "drawings and meshes", 1},
       {"DROP TABLE thumbnail", "thumbnail", 3},
   };
   for (const Case& damage : cases) {
@@ -202,11 +202,11 @@ TEST_CASE("missing and wrong parts are named one by one") {
 
 TEST_CASE("a newer schema is followed where it says so, with a word about what is left out") {
   const Document document = small_document();
-  CHECK(refusal(edited(document, "PRAGMA user_version=4")) == "E_PROJECT_VERSION");
-  CHECK(refusal(edited(document, "PRAGMA user_version=9; INSERT INTO meta VALUES('readable_since', '4')")) ==
+  CHECK(refusal(edited(document, "PRAGMA user_version=5")) == "E_PROJECT_VERSION");
+  CHECK(refusal(edited(document, "PRAGMA user_version=9; INSERT INTO meta VALUES('readable_since', '5')")) ==
         "E_PROJECT_VERSION");
   const ProjectFile project = read(edited(document,
-                                          "PRAGMA user_version=4; INSERT INTO meta VALUES('readable_since', '1');"
+                                          "PRAGMA user_version=5; INSERT INTO meta VALUES('readable_since', '1');"
                                           "ALTER TABLE nodes ADD COLUMN colour TEXT; CREATE TABLE layers(name);"));
   CHECK(difference(document, project.document) == "");
   CHECK(has_warning(project, "W_PROJECT_NEWER", "newer"));
@@ -260,4 +260,41 @@ TEST_CASE("inputs that once broke the project reader stay harmless") {
     }
   }
   CHECK(replayed >= 8);
+}
+
+TEST_CASE("damage is told in people's words, with the earlier versions that are there") {
+  const Document document = small_document();
+  const std::string whole = saved(document);
+  Random random(11);
+  int told = 0;
+  const auto check_words = [&](const Findings& findings) {
+    for (const Finding& finding : findings) {
+      INFO(finding.message);
+      for (const char* word : {"sqlite", "table '", "syntax", "malformed", "database", "disk image", "PRAGMA", "Tree "})
+        CHECK(finding.message.find(word) == std::string::npos);
+      if (!finding.code.ends_with("PROJECT_DAMAGED")) continue;
+      CHECK(finding.message.find("no earlier versions lie beside it") != std::string::npos);
+      ++told;
+    }
+  };
+  for (int i = 0; i < 400; ++i) {
+    std::string bytes = whole;
+    // The first half has the tables' own descriptions.
+    for (int k = 0; k < 4; ++k)
+      bytes[100 + random.below(static_cast<std::uint32_t>(bytes.size() - 100))] = static_cast<char>(random.below(256));
+    if (i % 2 == 0) bytes.replace(bytes.find("CREATE"), 6, "CREA?E");
+    try {
+      check_words(read(bytes).warnings);
+    } catch (const Error& error) {
+      check_words(error.findings());
+    }
+  }
+  CHECK(told > 200);
+  const Scratch folder;
+  write_bytes(folder / "a.croq", whole.substr(0, 5000));
+  write_bytes(folder / "a.croq~1", whole);
+  Progress progress;
+  const Findings lost = findings_of([&] { load_project(folder / "a.croq", progress); });
+  REQUIRE(lost.size() == 1);
+  CHECK(lost.front().message.find("open an earlier version beside it: a.croq~1.") != std::string::npos);
 }

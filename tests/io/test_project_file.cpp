@@ -14,6 +14,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/document/backdrop.h"
+#include "croquis/document/byte_stream.h"
 #include "croquis/document/value_bytes.h"
 #include "croquis/io/file.h"
 #include "croquis/io/project_file.h"
@@ -192,7 +193,7 @@ TEST_CASE("only projects with transforms or nodes that are off need the second s
   CHECK(plain.find("readable_since") == std::string::npos);
 
   node.transform.linear(0, 2) = -2.5;
-  node.transform.offset = Vec3(0.1, -0.0, 1e300);
+  node.transform.offset = Vec3(0.1, -0.0, 1e30);
   Node off = node;
   off.id = 0;
   off.transform = {};
@@ -441,6 +442,33 @@ TEST_CASE("a picture behind drawings is stored once, byte by byte, in a table of
   CHECK(static_cast<int>(read_file((folder / "a.croq").string())[63]) == 2);
 }
 
+TEST_CASE("where objects stand and their groups lie in a table of their own; an impossible place is reported") {
+  const Scratch folder;
+  Node node = drawing_node();
+  node.placement = {{1, 2, 3}, {10, 20, 30}, {1, 2, 0.5}};
+  node.group = "wheels";
+  const Document document = Document().with(node);
+  save(folder / "a.croq", document);
+  std::string bytes = read_file((folder / "a.croq").string());
+  CHECK(static_cast<int>(bytes[63]) == 4);
+  CHECK(bytes.find("readable_since1") != std::string::npos);
+  const ProjectFile loaded = load(folder / "a.croq");
+  CHECK(loaded.warnings.empty());
+  CHECK(difference(document, loaded.document) == "");
+
+  const auto half = little_endian(0.5);
+  const auto at = bytes.find(std::string(half.begin(), half.end()) + "wheels");
+  REQUIRE(at != std::string::npos);
+  const auto none = little_endian(-0.5);
+  std::copy(none.begin(), none.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at));
+  Progress progress;
+  const ProjectFile read = read_project(bytes, "a.croq", progress);
+  REQUIRE(read.document.nodes().size() == 1);
+  CHECK(read.document.nodes()[0]->placement == Placement());
+  REQUIRE(!read.warnings.empty());
+  CHECK(read.warnings[0].message.find("has lost its place") != std::string::npos);
+}
+
 TEST_CASE("a drawing whose picture can't be read is kept, and the finding names it") {
   const Scratch folder;
   Node node = drawing_node();
@@ -457,4 +485,46 @@ TEST_CASE("a drawing whose picture can't be read is kept, and the finding names 
   REQUIRE(!read.warnings.empty());
   CHECK(read.warnings[0].code == "W_PROJECT_DAMAGED");
   CHECK(read.warnings[0].message.find("lost the picture behind it") != std::string::npos);
+}
+
+TEST_CASE("what steps gave last is kept in a table of its own, which projects without it don't have") {
+  const Scratch folder;
+  const Document document = one_node("cube");
+  const NodeId id = document.nodes()[0]->id;
+  save(folder / "a.croq", document);
+  const std::string plain = read_file((folder / "a.croq").string());
+  CHECK(plain.find("kept_results") == std::string::npos);
+
+  ProjectFile project{document, {}, {}};
+  project.kept.results[id] = {std::make_shared<const PolyMesh>(torus(5, 4)), std::make_shared<const PolyMesh>(cube())};
+  project.kept.results[7] = {std::make_shared<const PolyMesh>(grid(3, 2)), {}};
+  project.kept.past = {{"Draw", document}};
+  Progress progress;
+  save_project(folder / "a.croq", project, progress);
+  const std::string bytes = read_file((folder / "a.croq").string());
+  CHECK(static_cast<int>(bytes[63]) == 4);
+  CHECK(bytes.find("readable_since1") != std::string::npos);
+  const ProjectFile loaded = load(folder / "a.croq");
+  CHECK(loaded.warnings.empty());
+  CHECK(difference(document, loaded.document) == "");
+  CHECK(loaded.kept.past.empty());
+  REQUIRE(loaded.kept.results.size() == 2);
+  for (const auto& [node, kept] : project.kept.results) {
+    const KeptResult& read = loaded.kept.results.at(node);
+    CHECK(encode(read.result) == encode(kept.result));
+    CHECK(read.edited.has_content() == kept.edited.has_content());
+    if (kept.edited.has_content()) CHECK(encode(read.edited) == encode(kept.edited));
+  }
+  // The cube's bytes are there once, and a change of them is told.
+  const auto at = bytes.find(encode(project.kept.results.at(7).result).substr(40, 60));
+  REQUIRE(at != std::string::npos);
+  std::string spoilt = bytes;
+  spoilt[at + 5] = static_cast<char>(spoilt[at + 5] ^ 0x11);
+  const ProjectFile rest = read_project(spoilt, "a.croq", progress);
+  CHECK(rest.kept.results.size() == 1);
+  REQUIRE(!rest.warnings.empty());
+  CHECK(rest.warnings[0].code == "W_PROJECT_DAMAGED");
+
+  save(folder / "a.croq", document);
+  CHECK(read_file((folder / "a.croq").string()) == plain);
 }

@@ -371,3 +371,40 @@ TEST_CASE("a picture behind a drawing survives a crash, and changing its opacity
   CHECK(written < 3'000'000);
   CHECK(difference(recovered(found[0].file).document, behind(1)) == "");
 }
+
+TEST_CASE("the steps that undo leads back to survive a crash, each state of a node written once") {
+  const Scratch folder;
+  std::vector<PastDocument> past;
+  for (std::int64_t number = 1; number <= 12; ++number) {
+    Document document = numbered(number);
+    Node node = *document.find(2);
+    node.enabled = number % 2 == 0;
+    if (number % 4 == 0) node.transform.offset = Vec3(1, 2, static_cast<double>(number));
+    past.push_back({"Step " + std::to_string(number), document.with(node)});
+  }
+  const KeptWork kept{{{3, {std::make_shared<const PolyMesh>(cube()), {}}}}, past};
+  REQUIRE(in_child([&] {
+            WorkingCopy copy = WorkingCopy::create(folder / "state");
+            for (std::size_t count = 0; count <= past.size(); ++count) {
+              KeptWork so_far{kept.results, {past.begin(), past.begin() + static_cast<std::ptrdiff_t>(count)}};
+              copy.commit(numbered(static_cast<std::int64_t>(count)), "", picture, so_far);
+            }
+            // The oldest are forgotten, as they are where their number is bounded.
+            copy.commit(numbered(20), "", picture, {kept.results, {past.begin() + 4, past.end()}});
+            ::_exit(0);
+            return 0;
+          }) == 0);
+  const auto found = find_recoverable(folder / "state");
+  REQUIRE(found.size() == 1);
+  const fs::path log = found[0].file.string() + "-wal";
+  CHECK(fs::file_size(found[0].file) + (fs::exists(log) ? fs::file_size(log) : 0) < 8'000'000);
+  const ProjectFile work = recovered(found[0].file);
+  CHECK(work.warnings.empty());
+  CHECK(difference(numbered(20), work.document) == "");
+  REQUIRE(work.kept.results.size() == 1);
+  REQUIRE(work.kept.past.size() == past.size() - 4);
+  for (std::size_t i = 0; i < work.kept.past.size(); ++i) {
+    CHECK(work.kept.past[i].label == past[i + 4].label);
+    CHECK(difference(past[i + 4].document, work.kept.past[i].document) == "");
+  }
+}

@@ -9,15 +9,12 @@
 /// Reports as JSON (RFC 8259), and back.
 namespace croquis {
 
-/// How deep lists and objects of a JSON file may be nested: deeper ones would need a deep call stack later on.
-inline constexpr int max_json_depth = 64;
-
 /// Reads a file that may come from anybody. Numbers without fraction and exponent that fit are integers; of members
 /// with the same name the last one counts, in the first one's place. Time and memory are linear in the size of the
 /// file.
 /// @param file_name for findings
 /// @throws Error Malformed: E_EMPTY, E_SYNTAX with the line, also for numbers too large for doubles, for bytes that are
-///         no UTF-8, and for more than max_json_depth levels
+///         no UTF-8, and for more than deepest_nesting levels (limits.h)
 Report read_json(std::string_view bytes, const std::string& file_name);
 
 enum class JsonLayout {

@@ -72,6 +72,7 @@ struct MeshWriteOptions {
   int precision = 0;   ///< significant digits (1..17) of text formats; 0 = the shortest that read back exactly
   bool ascii = false;  ///< PLY and STL as text; else binary, little endian
   std::optional<Camera> camera = {};  ///< that sees the mesh: a camera node in GLB, nothing in the other formats
+  std::string name = {};              ///< in GLB, of what has no "object" name
   bool z_up = false;                  ///< the mesh's z axis points up, not y: GLB, whose y axis does, turns it upright
 };
 

@@ -11,6 +11,7 @@
 #include "croquis/base/finding.h"
 #include "croquis/base/progress.h"
 #include "croquis/document/document.h"
+#include "croquis/document/kept_work.h"
 
 /// Documents as project files (.croq): SQLite databases whose tables docs/project-file.md describes.
 namespace croquis {
@@ -20,6 +21,7 @@ struct ProjectFile {
   Document document;
   std::vector<std::uint8_t> thumbnail_png;  ///< of at most 16 MiB; may be empty
   Findings warnings;                        ///< of loading: W_PROJECT_DAMAGED, W_PROJECT_NEWER, W_IGNORED
+  KeptWork kept = {};                       ///< the past is recovered work's alone: save_project leaves it out
 };
 
 /// How many earlier versions of a project lie beside it: NAME~1 (the newest) to NAME~3.
@@ -44,7 +46,8 @@ std::filesystem::path put_damaged_project_aside(const std::filesystem::path& pat
 /// project gives the same bytes. Linear in the size of the document.
 ///
 /// Nothing of the values is rounded; strokes without samples are dropped.
-/// @throws Error E_WRITE (Io) with the reason: nothing has changed then; E_LIMIT for reports nested over 200 deep
+/// @throws Error E_WRITE (Io) with the reason: nothing has changed then; E_LIMIT for reports nested deeper than
+/// limits.h says
 /// @throws Cancelled nothing has changed then
 void save_project(const std::filesystem::path& path, const ProjectFile& project, Progress& progress);
 

@@ -36,7 +36,7 @@ class WorkingCopy {
   /// @param thumbnail_png empty: the one before stays
   /// @throws Error E_WRITE (Io): the last commit that succeeded is still there, and the next one makes up for this
   void commit(const Document& document, const std::string& project_path,
-              const std::vector<std::uint8_t>& thumbnail_png = {});
+              const std::vector<std::uint8_t>& thumbnail_png = {}, const KeptWork& kept = {});
 
   /// The work is saved or not wanted: removes the database. Nothing may be committed afterwards.
   void close_cleanly();

@@ -13,9 +13,11 @@
 #include <Eigen/Dense>
 
 #include "croquis/base/error.h"
+#include "croquis/base/limits.h"
 #include "io/gltf/glb_channels.h"
 #include "io/gltf/glb_container.h"
 #include "io/gltf/glb_nodes.h"
+#include "io/gltf/glb_objects.h"
 #include "io/gltf/gltf_accessor.h"
 #include "io/obj/category_state.h"
 #include "io/position_joiner.h"
@@ -100,8 +102,9 @@ class GlbReader {
   PositionJoiner joiner_;
   GlbVertices vertices_;
   GlbAttribute normals_, places_, colours_;
-  std::map<VertexKey, std::size_t> first_of_;  ///< of this node: primitives may share their vertices
-  CategoryState objects_{"object"}, materials_{"material"};
+  std::map<VertexKey, std::size_t> first_of_;         ///< of this node: primitives may share their vertices
+  bool has_own_normals_ = true, has_groups_ = false;  ///< of this node, see GlbExtras
+  CategoryState objects_{"object"}, materials_{"material"}, groups_{"group"};
   std::set<std::string> passed_over_;
 };
 
@@ -136,6 +139,13 @@ void GlbReader::read_instance(const GlbInstance& instance) {
   const Report& mesh = document_.element("meshes", instance.mesh, node);
   name_object(instance, mesh);
   first_of_.clear();
+  const Report* extras = mesh.find("extras");
+  const auto is_told = [&](const char* member) {
+    const Report* told = extras == nullptr ? nullptr : extras->find(member);
+    return told != nullptr && std::holds_alternative<bool>(told->value()) && std::get<bool>(told->value());
+  };
+  has_own_normals_ = !is_told(GlbExtras::computed_normals);
+  has_groups_ = is_told(GlbExtras::groups);
   const Report* primitives = mesh.find("primitives");
   const auto* list = primitives == nullptr ? nullptr : std::get_if<Report::Array>(&primitives->value());
   if (list == nullptr) document_.fail("E_SYNTAX", gltf_element("mesh", instance.mesh) + " has no list of primitives");
@@ -158,11 +168,12 @@ void GlbReader::name_object(const GlbInstance& instance, const Report& mesh) {
 
 void GlbReader::name_material(const Report& primitive, const std::string& name) {
   materials_.clear();
+  groups_.clear();
   const std::optional<std::size_t> index = document_.index(primitive, "material", name);
   if (!index || document_.count("materials") <= *index) return;
   std::string label = GltfDocument::text(document_.element("materials", *index, name), "name");
   if (label.empty() && document_.count("materials") > 1) label = "Material " + std::to_string(*index + 1);
-  if (!label.empty()) materials_.set(label);
+  if (!label.empty()) (has_groups_ ? groups_ : materials_).set(label);
 }
 
 void GlbReader::read_primitive(const Placed& placed) {
@@ -194,6 +205,7 @@ std::size_t GlbReader::vertices_of(const Placed& placed, std::size_t& count) {
       passed_over_.insert("further attributes");
   }
   if (key[0] == no_accessor) document_.fail("E_SYNTAX", placed.name + " has no positions");
+  if (!has_own_normals_) key[1] = no_accessor;
   count = accessors_.count(key[0], placed.name);
   const auto [entry, is_new] = first_of_.try_emplace(key, vertices_.joined.size());
   if (!is_new) return entry->second;
@@ -229,7 +241,7 @@ void GlbReader::add_positions(const GltfNumbers& numbers, const Eigen::Matrix4d&
     context_.tick(position_);
     Vec3 point(numbers.values[3 * i], numbers.values[3 * i + 1], numbers.values[3 * i + 2]);
     if (moved) point = (transform * point.homogeneous()).head<3>();
-    if (!point.allFinite()) context_.not_finite(mesh_.vertex_count(), {});
+    if (!are_usable_numbers(point)) context_.not_finite(mesh_.vertex_count(), {});
     vertices_.joined.push_back(joiner_.add(point, mesh_.positions));
   }
 }
@@ -292,6 +304,7 @@ void GlbReader::add_triangle(const std::array<std::size_t, 3>& corners, std::siz
   if (turned) std::swap(own[1], own[2]);
   objects_.face_added(mesh_.face_count());
   materials_.face_added(mesh_.face_count());
+  groups_.face_added(mesh_.face_count());
   std::array<Index, 3> face{};
   for (std::size_t i = 0; i < 3; ++i) {
     vertices_.corners.push_back(static_cast<std::uint32_t>(first + own[i]));
@@ -326,6 +339,7 @@ void GlbReader::finish() {
   add_glb_channel("uv", places_, vertices_, mesh_);
   objects_.finish(mesh_);
   materials_.finish(mesh_);
+  groups_.finish(mesh_);
   note_passed_over();
 }
 

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "croquis/base/error.h"
+#include "croquis/base/limits.h"
 
 namespace croquis {
 namespace {
@@ -72,7 +73,7 @@ class ReportBuilder {
   };
 
   bool open(bool is_object) {
-    too_deep_ = levels_.size() == max_json_depth;
+    too_deep_ = levels_.size() == deepest_nesting;
     if (too_deep_) return false;
     levels_.emplace_back().is_object = is_object;
     return true;
@@ -154,7 +155,7 @@ Report read_json(std::string_view bytes, const std::string& file_name) {
   if (builder.too_deep()) {
     throw refused(
         "E_SYNTAX",
-        "'" + file_name + "': lists and objects are nested deeper than " + std::to_string(max_json_depth) + " levels.",
+        "'" + file_name + "': lists and objects are nested deeper than " + std::to_string(deepest_nesting) + " levels.",
         file_name, {});
   }
   const std::string_view before = bytes.substr(0, std::min(builder.fault().byte, bytes.size()));

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string>
 
 #include "croquis/base/error.h"
+#include "croquis/base/limits.h"
 #include "croquis/base/report.h"
 
 namespace croquis {
@@ -21,13 +21,13 @@ inline bool is_number(const Report* report) {
   return report_as<std::int64_t>(report) != nullptr || report_as<double>(report) != nullptr;
 }
 
-/// A finite number.
+/// A usable number (limits.h).
 inline std::optional<double> number_of(const Report* report) {
-  if (!is_number(report) || !std::isfinite(report->as_number())) return std::nullopt;
+  if (!is_number(report) || !is_usable_number(report->as_number())) return std::nullopt;
   return report->as_number();
 }
 
-/// Exactly so many finite numbers.
+/// Exactly so many usable numbers.
 template <std::size_t N>
 std::optional<std::array<double, N>> numbers_of(const Report* report) {
   const auto* list = report_as<Report::Array>(report);

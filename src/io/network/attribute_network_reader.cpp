@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/base/limits.h"
 #include "croquis/io/attribute_network_file.h"
 #include "croquis/io/json.h"
 #include "io/json/report_reader.h"
@@ -123,7 +124,7 @@ class AttributeNetworkReader {
   double read_value(const Report* report, const std::string& what) {
     if (const auto number = number_of(report)) return *number;
     const bool not_finite = is_number(report) || (report != nullptr && is_not_finite_word(*report));
-    refuse(not_finite ? "E_NOT_FINITE" : "E_SYNTAX", what + (not_finite ? " is not finite" : " is not a number"));
+    refuse(not_finite ? "E_NOT_FINITE" : "E_SYNTAX", what + " " + (not_finite ? unusable_words : "is not a number"));
     return 0;
   }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <initializer_list>
 #include <map>
@@ -12,6 +11,7 @@
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/base/limits.h"
 #include "croquis/base/text.h"
 #include "io/json/report_reader.h"
 #include "io/text.h"
@@ -76,7 +76,7 @@ class SurfacePlacesReader {
     const auto* corner = list == nullptr || list->size() != 3 ? nullptr : report_as<std::int64_t>(&(*list)[0]);
     const bool shaped = corner != nullptr && *corner >= 0;
     if (shaped && (names_no_number((*list)[1]) || names_no_number((*list)[2]))) {
-      refuse("E_NOT_FINITE", place, "a number of its fan is not finite");
+      refuse("E_NOT_FINITE", place, std::string("a number of its fan ") + unusable_words);
       return std::nullopt;
     }
     const auto a = shaped ? number_of(&(*list)[1]) : std::nullopt;
@@ -88,11 +88,12 @@ class SurfacePlacesReader {
     return FanPlace{static_cast<std::size_t>(*corner), *a, *b};
   }
 
-  /// JSON has no NaN and no infinity: some programs write their names.
+  /// A number that can't be used. JSON has no NaN and no infinity: some programs write their names.
   static bool names_no_number(const Report& report) {
+    if (is_number(&report)) return !is_usable_number(report.as_number());
     const auto* text = report_as<std::string>(&report);
     double number = 0;
-    return text != nullptr && croquis::read_number(*text, number) && !std::isfinite(number);
+    return text != nullptr && croquis::read_number(*text, number) && !is_usable_number(number);
   }
 
   SurfacePlacesReadResult result_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "croquis/base/limits.h"
 #include "io/channel_values.h"
 #include "io/obj/category_state.h"
 #include "io/obj/obj_corner_table.h"
@@ -200,7 +201,7 @@ void ObjReader::read_vertex(WordReader& words) {
                           "a vertex has 3 coordinates (and 3 or 4 colour values), not " + std::to_string(count),
                           at_line(line_), vertex_subject(vertex));
   }
-  if (!mesh_.positions.back().allFinite()) context_.not_finite(vertex, at_line(line_));
+  if (!are_usable_numbers(mesh_.positions.back())) context_.not_finite(vertex, at_line(line_));
   if (count == 4 && values[3] != 1) ++weights_;
   if (count >= 6) add_colour(values.data() + 3, count - 3);
 }

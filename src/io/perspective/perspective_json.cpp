@@ -248,10 +248,11 @@ class PerspectiveJsonReader {
     }
   }
 
+  /// Any number: strokes that can't be used are left out by who works with the drawing, one by one.
   static std::optional<double> coordinate_of(const Report& report) {
     const auto* word = report_as<std::string>(&report);
     if (word != nullptr && *word == not_finite_word) return std::numeric_limits<double>::quiet_NaN();
-    return number_of(&report);
+    return is_number(&report) ? std::optional(report.as_number()) : std::nullopt;
   }
 
   static std::optional<Vec2> point_of(const Report& report) {

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "croquis/base/limits.h"
 #include "croquis/io/perspective_drawing_file.h"
 #include "io/perspective/perspective_words.h"
 #include "io/perspective/stroke_geometry.h"
@@ -28,7 +29,7 @@ std::optional<std::array<double, N>> numbers_of(std::string_view text) {
   for (double& value : result) {
     scanner.skip_separators();
     const std::optional<double> number = scanner.number();
-    if (!number || !std::isfinite(*number)) return std::nullopt;
+    if (!number || !is_usable_number(*number)) return std::nullopt;
     value = *number;
   }
   scanner.skip_blanks();
@@ -220,7 +221,7 @@ class PerspectiveSvgReader : public SvgVisitor {
     const SvgAttributes attributes = [&](const char* name) { return std::string_view(root.attribute(name).value()); };
     SvgLengths lengths(attributes, {});
     const Vec2 size(lengths.at("width"), lengths.at("height"));
-    if (!lengths.error() && size.allFinite() && size.minCoeff() > 0) {
+    if (!lengths.error() && are_usable_numbers(size) && size.minCoeff() > 0) {
       drawing_.image_size = size;
       return;
     }
@@ -232,7 +233,7 @@ class PerspectiveSvgReader : public SvgVisitor {
     for (const PerspectiveStroke& stroke : drawing_.strokes) {
       for (const PictureCubic& piece : stroke.pieces) {
         for (const Vec2& point : piece) {
-          if (point.allFinite()) box.extend(point);
+          if (are_usable_numbers(point)) box.extend(point);
         }
       }
     }

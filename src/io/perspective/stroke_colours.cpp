@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <optional>
 #include <utility>
 
+#include "croquis/base/limits.h"
 #include "croquis/io/perspective_drawing_file.h"
 #include "io/svg/svg_scanner.h"
 #include "io/text.h"
@@ -61,7 +61,7 @@ std::optional<Rgb> functional(std::string_view numbers) {
   for (double& part : rgb) {
     scanner.skip_separators();
     const std::optional<double> value = scanner.number();
-    if (!value || !std::isfinite(*value)) return std::nullopt;
+    if (!value || !is_usable_number(*value)) return std::nullopt;
     const bool percent = scanner.peek() == '%';
     if (percent) scanner.take();
     part = percent ? *value * 2.55 : *value;

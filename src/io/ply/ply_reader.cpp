@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "croquis/base/limits.h"
 #include "io/ply/ply_channels.h"
 #include "io/ply/ply_columns.h"
 #include "io/ply/ply_range_grid.h"
@@ -120,7 +121,7 @@ void PlyReader::make_positions() {
     axis->property.name.clear();
   }
   for (std::size_t v = 0; v < mesh_.vertex_count(); ++v) {
-    if (!mesh_.positions[v].allFinite()) context_.not_finite(v, vertices_->place(v));
+    if (!are_usable_numbers(mesh_.positions[v])) context_.not_finite(v, vertices_->place(v));
   }
   if (vertices_->element.count > 0) add_scalar_channels(*vertices_, Domain::Vertex, mesh_);
   for (const PlyColumn& list : vertices_->columns) {

@@ -105,7 +105,7 @@ void PlyWriter::prepare() {
   short_lists_ = longest * static_cast<std::size_t>(widest) <= longest_byte_list;
   for (std::size_t l = 0; l < mesh_.line_count(); ++l) {
     if (mesh_.line(l).size() <= 2) continue;
-    loss_.note("polylines are cut into separate edges");
+    loss_.note("polylines (they are cut into edges)");
     break;
   }
 }

@@ -61,8 +61,11 @@ std::string load_blob(const Database& database, std::string_view hash, const Pro
 }
 
 void remove_unused_blobs(Database& database) {
-  const std::string used =
-      std::string("(SELECT hash FROM sources") + (has_backdrops(database) ? " UNION SELECT hash FROM backdrops)" : ")");
+  std::string used = "(SELECT hash FROM sources";
+  if (has_backdrops(database)) used += " UNION SELECT hash FROM backdrops";
+  if (has_kept_results(database)) used += " UNION SELECT hash FROM kept_results";
+  if (has_past(database)) used += " UNION SELECT source FROM past_nodes UNION SELECT picture FROM past_nodes";
+  used += ")";
   for (const char* table : {"chunks", "blobs"})
     database.execute(std::string("DELETE FROM ") + table + " WHERE hash NOT IN " + used);
 }

@@ -2,7 +2,10 @@
 #include "io/project/damage_log.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <string_view>
+
+#include "croquis/io/project_file.h"
 
 namespace croquis {
 namespace {
@@ -26,6 +29,16 @@ std::size_t utf8_length(std::string_view text) {
   return length;
 }
 
+/// "; earlier versions lie beside it: a.croq~1, a.croq~2."
+std::string earlier_versions(const std::string& file) {
+  std::string names;
+  for (const std::filesystem::path& version : project_backups(project_of_backup(file).value_or(file))) {
+    if (version.filename() == std::filesystem::path(file).filename()) continue;
+    names += (names.empty() ? "" : ", ") + version.filename().string();
+  }
+  return names.empty() ? "; no earlier versions lie beside it." : "; open an earlier version beside it: " + names + ".";
+}
+
 }  // namespace
 
 void DamageLog::lose(const std::string& loss, std::vector<Subject> subjects) {
@@ -34,13 +47,13 @@ void DamageLog::lose(const std::string& loss, std::vector<Subject> subjects) {
 
 Findings DamageLog::warnings() const {
   Findings findings;
+  const std::string versions = losses_.empty() ? "" : earlier_versions(file_);
   for (const Loss& loss : losses_) {
     std::vector<Subject> subjects = loss.subjects;
     subjects.push_back(file_subject(file_));
-    findings.push_back(make_warning(
-        Category::Malformed, "W_PROJECT_DAMAGED",
-        "The project '" + file_ + "' is damaged: " + loss.text + "; a backup in the same folder may be complete.",
-        std::move(subjects)));
+    findings.push_back(make_warning(Category::Malformed, "W_PROJECT_DAMAGED",
+                                    "The project '" + file_ + "' is damaged: " + loss.text + versions,
+                                    std::move(subjects)));
   }
   return findings;
 }
@@ -50,10 +63,10 @@ void DamageLog::refuse() const {
 }
 
 Error damaged_project(const std::string& file, const std::string& reason) {
-  return Error(make_error(Category::Malformed, "E_PROJECT_DAMAGED",
-                          "The project '" + file + "' is damaged and nothing in it can be read: " + reason +
-                              "; open a backup in the same folder (its name with ~1, ~2 or ~3).",
-                          {file_subject(file)}));
+  return Error(
+      make_error(Category::Malformed, "E_PROJECT_DAMAGED",
+                 "The project '" + file + "' is damaged and can't be opened: " + reason + earlier_versions(file),
+                 {file_subject(file)}));
 }
 
 Subject file_subject(const std::string& file) { return {SubjectKind::File, file, file, std::nullopt, {}}; }

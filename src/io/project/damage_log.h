@@ -36,13 +36,16 @@ class DamageLog {
   std::vector<Loss> losses_;
 };
 
-/// E_PROJECT_DAMAGED with that reason.
+/// Why nothing of a file, or of a part of it, can be read: what SQLite says of it means nothing to people.
+inline constexpr const char* changed_bytes = "its bytes aren't those that were saved";
+
+/// E_PROJECT_DAMAGED with that reason, and the earlier versions that lie beside the file.
 Error damaged_project(const std::string& file, const std::string& reason);
 
 /// The file as a finding's subject.
 Subject file_subject(const std::string& file);
 
-/// One line without control characters, valid UTF-8, not too long: SQLite's messages quote the file.
+/// One line without control characters, valid UTF-8, not too long: names in a damaged file may be anything.
 std::string printable(const std::string& text);
 
 }  // namespace croquis

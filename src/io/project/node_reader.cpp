@@ -86,16 +86,11 @@ void read_transform(const Statement& row, RowsById& rows, DamageLog& damage) {
   const auto owner = rows.find(from_row_id(row.integer(0)));
   if (owner == rows.end()) return;
   Node& node = owner->second.node;
-  const std::string_view bytes = row.blob(1);
-  if (!row.is_blob(1) || bytes.size() != transform_bytes(Affine3()).size()) {
+  try {
+    node.transform = transform_of(row.is_blob(1) ? row.blob(1) : std::string_view());
+  } catch (const BadBytes&) {
     damage.lose(title_of(node) + " has lost its transform", {node_subject(node)});
-    return;
   }
-  ByteReader reader(bytes);
-  for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) node.transform.linear(i, k) = reader.number<double>();
-  }
-  for (double& coordinate : node.transform.offset) coordinate = reader.number<double>();
 }
 
 void read_off(const Statement& row, RowsById& rows) {
@@ -106,19 +101,37 @@ void read_off(const Statement& row, RowsById& rows) {
 void read_backdrop(const Statement& row, RowsById& rows, DamageLog& damage) {
   const auto owner = rows.find(from_row_id(row.integer(0)));
   if (owner == rows.end()) return;
-  Node& node = owner->second.node;
-  const std::string_view bytes = row.blob(2);
-  if (!row.is_blob(2) || bytes.size() != 4 * sizeof(double) || !is_bit(row.integer(3))) {
+  const Node& node = owner->second.node;
+  try {
+    if (!is_bit(row.integer(3))) throw BadBytes("a flag is neither 0 nor 1");
+    Backdrop backdrop = backdrop_of(row.is_blob(2) ? row.blob(2) : std::string_view());
+    backdrop.visible = row.integer(3) == 1;
+    owner->second.backdrop = backdrop;
+    owner->second.picture_hash = row.blob(1);
+  } catch (const BadBytes&) {
     damage.lose(title_of(node) + " has lost the picture behind it", {node_subject(node)});
+  }
+}
+
+void read_object(const Statement& row, RowsById& rows, DamageLog& damage) {
+  const auto owner = rows.find(from_row_id(row.integer(0)));
+  if (owner == rows.end()) return;
+  Node& node = owner->second.node;
+  Placement placement;
+  const std::string_view bytes = row.blob(1);
+  const bool whole = row.is_blob(1) && bytes.size() == placement_bytes(placement).size() && row.is_text(2);
+  if (whole) {
+    ByteReader reader(bytes);
+    for (Vec3* numbers : {&placement.position, &placement.rotation, &placement.scale}) {
+      for (double& number : *numbers) number = reader.number<double>();
+    }
+  }
+  if (!whole || !is_valid(placement)) {
+    damage.lose(title_of(node) + " has lost its place", {node_subject(node)});
     return;
   }
-  ByteReader reader(bytes);
-  Backdrop backdrop;
-  for (double* number : {&backdrop.centre.x(), &backdrop.centre.y(), &backdrop.scale, &backdrop.opacity})
-    *number = reader.number<double>();
-  backdrop.visible = row.integer(3) == 1;
-  owner->second.backdrop = backdrop;
-  owner->second.picture_hash = row.blob(1);
+  node.placement = placement;
+  node.group = row.text(2);
 }
 
 std::optional<ValueType> kind_of(std::string_view word, std::span<const ValueType> types) {
@@ -160,23 +173,27 @@ Subject node_subject(const Node& node) { return {SubjectKind::Node, std::to_stri
 std::vector<NodeRow> read_node_rows(const Database& database, std::span<const ValueType> types,
                                     const LaterTables& later, DamageLog& damage) {
   RowsById rows;
-  each_row(database, "SELECT id, position, name, operation, version, visible FROM nodes", "nodes", damage,
+  each_row(database, "SELECT id, position, name, operation, version, visible FROM nodes", "objects and steps", damage,
            [&](const Statement& row) { read_node(row, rows, damage); });
   each_row(database, "SELECT node, name, type, value FROM parameters", "parameters", damage,
            [&](const Statement& row) { read_parameter(row, rows, damage); });
-  each_row(database, "SELECT node, input, source, output FROM links", "links", damage,
+  each_row(database, "SELECT node, input, source, output FROM links", "links between steps", damage,
            [&](const Statement& row) { read_link(row, rows); });
-  each_row(database, "SELECT node, kind, hash FROM sources", "sources", damage,
+  each_row(database, "SELECT node, kind, hash FROM sources", "drawings and meshes", damage,
            [&](const Statement& row) { read_source(row, types, rows, damage); });
   if (later.placements) {
-    each_row(database, "SELECT node, numbers FROM transforms", "transforms", damage,
+    each_row(database, "SELECT node, numbers FROM transforms", "places in space", damage,
              [&](const Statement& row) { read_transform(row, rows, damage); });
-    each_row(database, "SELECT node FROM nodes_off", "nodes_off", damage,
+    each_row(database, "SELECT node FROM nodes_off", "steps that are off", damage,
              [&](const Statement& row) { read_off(row, rows); });
   }
   if (later.backdrops) {
-    each_row(database, "SELECT node, hash, numbers, visible FROM backdrops", "backdrops", damage,
+    each_row(database, "SELECT node, hash, numbers, visible FROM backdrops", "pictures behind drawings", damage,
              [&](const Statement& row) { read_backdrop(row, rows, damage); });
+  }
+  if (later.objects) {
+    each_row(database, "SELECT node, numbers, object_group FROM objects", "objects", damage,
+             [&](const Statement& row) { read_object(row, rows, damage); });
   }
   return in_order(std::move(rows));
 }

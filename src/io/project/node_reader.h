@@ -13,8 +13,11 @@ namespace croquis {
 
 /// Which tables are there that not every project has.
 struct LaterTables {
-  bool placements = false;  ///< of the second schema
-  bool backdrops = false;   ///< of the third
+  bool placements = false;    ///< of the second schema
+  bool backdrops = false;     ///< of the third
+  bool objects = false;       ///< of the fourth
+  bool kept_results = false;  ///< of the fourth
+  bool past = false;          ///< of working databases
 };
 
 /// The rows of all nodes that can be read, in the document's order, without their sources' values and their backdrops'
@@ -27,14 +30,15 @@ std::vector<NodeRow> read_node_rows(const Database& database, std::span<const Va
 std::string title_of(const Node& node);
 Subject node_subject(const Node& node);
 
-/// Runs `use` for every row of a statement; what stops it is noted as damage of that table.
+/// Runs `use` for every row of a statement; what stops it is noted as damage.
+/// @param what the rows are, in people's words
 template <typename Use>
-void each_row(const Database& database, const char* sql, const char* table, DamageLog& damage, const Use& use) {
+void each_row(const Database& database, const char* sql, const char* what, DamageLog& damage, const Use& use) {
   try {
     Statement statement(database, sql);
     while (statement.step()) use(statement);
-  } catch (const DatabaseError& error) {
-    damage.lose(std::string("the table '") + table + "' can't be read to its end (" + printable(error.what()) + ")");
+  } catch (const DatabaseError&) {
+    damage.lose(std::string("not all of its ") + what + " can be read");
   }
 }
 

@@ -2,6 +2,7 @@
 #include "io/project/node_rows.h"
 
 #include <array>
+#include <utility>
 
 #include "croquis/document/byte_stream.h"
 
@@ -56,7 +57,78 @@ std::string row_bytes(const NodeRow& row) {
     writer.text(backdrop_bytes(*row.backdrop));
     writer.flag(row.backdrop->visible);
   }
+  if (has_object_row(row.node)) {
+    writer.text(placement_bytes(row.node.placement));
+    writer.text(row.node.group);
+  }
   return writer.take();
+}
+
+namespace {
+
+ParameterValue parameter_value_from(ByteReader& reader) {
+  const std::string type = reader.text();
+  if (type == "flag") return reader.flag();
+  if (type == "integer") return reader.number<std::int64_t>();
+  if (type == "number") return reader.number<double>();
+  if (type == "text") return reader.text();
+  throw BadBytes("a parameter is of no known type");
+}
+
+std::optional<ValueType> value_type_of(std::string_view word) {
+  if (word.empty()) return std::nullopt;
+  for (const ValueType type : value_types()) {
+    if (word == to_string(type)) return type;
+  }
+  throw BadBytes("a value is of no known type");
+}
+
+}  // namespace
+
+std::string past_row_bytes(const NodeRow& row) {
+  ByteWriter writer;
+  for (const bool has :
+       {!row.node.transform.is_identity(), !row.node.enabled, row.backdrop.has_value(), has_object_row(row.node)}) {
+    writer.flag(has);
+  }
+  return writer.take() + row_bytes(row);
+}
+
+NodeRow past_row_of(std::string_view bytes) {
+  ByteReader reader(bytes);
+  const bool has_transform = reader.flag(), is_off = reader.flag(), has_backdrop = reader.flag(),
+             has_object = reader.flag();
+  NodeRow row;
+  row.node.id = reader.number<NodeId>();
+  row.position = reader.number<std::int64_t>();
+  row.node.name = reader.text();
+  row.node.operation = reader.text();
+  row.node.version = static_cast<int>(reader.number<std::int64_t>());
+  row.node.visible = reader.flag();
+  for (std::size_t left = reader.count(1); left > 0; --left) {
+    std::string name = reader.text();
+    row.node.parameters.insert_or_assign(std::move(name), parameter_value_from(reader));
+  }
+  for (std::size_t left = reader.count(1); left > 0; --left) {
+    std::string input = reader.text();
+    const auto source = reader.number<NodeId>();
+    row.node.inputs.insert_or_assign(std::move(input), Link{source, reader.text()});
+  }
+  row.kind = value_type_of(reader.text());
+  row.hash = reader.text();
+  if (has_transform) row.node.transform = transform_of(reader.text());
+  if (is_off) row.node.enabled = reader.flag();
+  if (has_backdrop) {
+    row.picture_hash = reader.text();
+    row.backdrop = backdrop_of(reader.text());
+    row.backdrop->visible = reader.flag();
+  }
+  if (has_object) {
+    row.node.placement = placement_of(reader.text());
+    row.node.group = reader.text();
+  }
+  reader.finish();
+  return row;
 }
 
 std::string transform_bytes(const Affine3& transform) {
@@ -68,11 +140,49 @@ std::string transform_bytes(const Affine3& transform) {
   return writer.take();
 }
 
+std::string placement_bytes(const Placement& placement) {
+  ByteWriter writer;
+  for (const Vec3& numbers : {placement.position, placement.rotation, placement.scale}) {
+    for (const double number : numbers) writer.number(number);
+  }
+  return writer.take();
+}
+
+Placement placement_of(std::string_view bytes) {
+  ByteReader reader(bytes);
+  Placement placement;
+  for (Vec3* numbers : {&placement.position, &placement.rotation, &placement.scale}) {
+    for (double& number : *numbers) number = reader.number<double>();
+  }
+  reader.finish();
+  return placement;
+}
+
+Affine3 transform_of(std::string_view bytes) {
+  ByteReader reader(bytes);
+  Affine3 transform;
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) transform.linear(i, k) = reader.number<double>();
+  }
+  for (double& coordinate : transform.offset) coordinate = reader.number<double>();
+  reader.finish();
+  return transform;
+}
+
 std::string backdrop_bytes(const Backdrop& backdrop) {
   ByteWriter writer;
   for (const double number : {backdrop.centre.x(), backdrop.centre.y(), backdrop.scale, backdrop.opacity})
     writer.number(number);
   return writer.take();
+}
+
+Backdrop backdrop_of(std::string_view bytes) {
+  ByteReader reader(bytes);
+  Backdrop backdrop;
+  for (double* number : {&backdrop.centre.x(), &backdrop.centre.y(), &backdrop.scale, &backdrop.opacity})
+    *number = reader.number<double>();
+  reader.finish();
+  return backdrop;
 }
 
 }  // namespace croquis

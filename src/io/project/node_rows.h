@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "croquis/document/backdrop.h"
 #include "croquis/document/document.h"
@@ -24,11 +25,26 @@ struct NodeRow {
 /// The canonical bytes of a row: a project's checksum is taken over those of all its nodes.
 std::string row_bytes(const NodeRow& row);
 
+/// The same for a reader: which of its parts that few nodes have follow is said first.
+std::string past_row_bytes(const NodeRow& row);
+
+/// The row of such bytes. @throws BadBytes
+NodeRow past_row_of(std::string_view bytes);
+
 /// A transform's 12 numbers (the rows of the linear part, then the offset) as 96 bytes.
 std::string transform_bytes(const Affine3& transform);
+Affine3 transform_of(std::string_view bytes);  ///< @throws BadBytes
+
+/// A placement's 9 numbers (position, rotation, scale) as 72 bytes.
+std::string placement_bytes(const Placement& placement);
+Placement placement_of(std::string_view bytes);  ///< @throws BadBytes
+
+/// Whether the node has a row in the table of objects.
+inline bool has_object_row(const Node& node) { return !(node.placement == Placement()) || !node.group.empty(); }
 
 /// Where a backdrop lies and how strong it is (its centre's x and y, scale, opacity) as 32 bytes.
 std::string backdrop_bytes(const Backdrop& backdrop);
+Backdrop backdrop_of(std::string_view bytes);  ///< @throws BadBytes
 
 /// Identifiers are unsigned in a document and signed in SQLite: the same bits.
 inline std::int64_t to_row_id(NodeId id) { return static_cast<std::int64_t>(id); }

@@ -20,7 +20,7 @@ void fill(const std::filesystem::path& file, const ProjectFile& project, Progres
   ProjectWriter writer(database);
   writer.write_meta("application", "croquis " CROQUIS_VERSION);
   Progress writing = progress.step("save", 0.9);
-  writer.write(project.document, writing);
+  writer.write(project.document, {project.kept.results, {}}, writing);
   writer.write_thumbnail(project.thumbnail_png);
   database.execute("COMMIT");
 }
@@ -46,8 +46,8 @@ ProjectFile load_project(const std::filesystem::path& path, Progress& progress) 
   try {
     Database database = Database::read(path, head.size, progress);
     return read_project_database(database, name, progress);
-  } catch (const DatabaseError& error) {
-    throw damaged_project(name, printable(error.what()));
+  } catch (const DatabaseError&) {
+    throw damaged_project(name, changed_bytes);
   }
 }
 
@@ -56,8 +56,8 @@ ProjectFile read_project(std::string_view bytes, const std::string& file_name, P
   try {
     Database database = Database::read(bytes, progress);
     return read_project_database(database, file_name, progress);
-  } catch (const DatabaseError& error) {
-    throw damaged_project(file_name, printable(error.what()));
+  } catch (const DatabaseError&) {
+    throw damaged_project(file_name, changed_bytes);
   }
 }
 

@@ -49,6 +49,8 @@ class ProjectReader {
     drop_dead_links(rows);
     ProjectFile project;
     project.document = assemble(std::move(rows), next_id);
+    read_results(project.kept.results);
+    read_past(project.kept.past);
     project.thumbnail_png = thumbnail();
     progress_.report(1);
     project.warnings = std::move(warnings_);
@@ -68,7 +70,8 @@ class ProjectReader {
 
   LaterTables later_tables() {
     try {
-      return {has_later_tables(database_), has_backdrops(database_)};
+      return {has_later_tables(database_), has_backdrops(database_), has_objects(database_),
+              has_kept_results(database_), has_past(database_)};
     } catch (const DatabaseError&) {
       return {};  // check_tables reports it
     }
@@ -77,8 +80,8 @@ class ProjectReader {
   void read_version() {
     try {
       version_ = database_.integer("PRAGMA user_version");
-    } catch (const DatabaseError& error) {
-      damage_.lose(printable(error.what()));
+    } catch (const DatabaseError&) {
+      damage_.lose(changed_bytes);
       damage_.refuse();
     }
   }
@@ -104,7 +107,7 @@ class ProjectReader {
   void check_tables() {
     std::set<std::string> unknown;
     const char* sql = "SELECT name, type, rootpage FROM sqlite_schema";
-    each_row(database_, sql, "sqlite_schema", damage_, [&](const Statement& row) {
+    each_row(database_, sql, "contents", damage_, [&](const Statement& row) {
       const std::string name(row.text(0));
       if (row.text(1) == "table" && row.integer(2) == 0) {
         damage_.lose("its table '" + printable(name) + "' is not a stored one");
@@ -124,9 +127,9 @@ class ProjectReader {
   }
 
   void check_pages() {
-    each_row(database_, "PRAGMA quick_check(1)", "sqlite_schema", damage_, [&](const Statement& row) {
+    each_row(database_, "PRAGMA quick_check(1)", "pages", damage_, [&](const Statement& row) {
       const std::string answer(row.text(0));
-      if (answer != "ok") damage_.lose("some of its pages are broken (" + printable(answer) + ")");
+      if (answer != "ok") damage_.lose("some of " + std::string(changed_bytes));
     });
   }
 
@@ -170,6 +173,63 @@ class ProjectReader {
     }
   }
 
+  // Without one of them a step shows nothing until it is mended.
+  void read_results(KeptResults& kept) {
+    if (!later_tables().kept_results) return;
+    const char* sql = "SELECT node, role, kind, hash FROM kept_results";
+    each_row(database_, sql, "kept_results", damage_, [&](const Statement& row) {
+      const auto kind = std::ranges::find_if(types_, [&](ValueType type) { return row.text(2) == to_string(type); });
+      if (kind == types_.end()) return damage_.lose("a kept result is of a kind that this version doesn't know");
+      const auto& [value, reason] = value_of(*kind, std::string(row.blob(3)));
+      if (!value) return damage_.lose("a kept result can't be read: " + reason);
+      KeptResult& of = kept[from_row_id(row.integer(0))];
+      (row.text(1) == "edited" ? of.edited : of.result) = *value;
+    });
+  }
+
+  // All or nothing: undo can't leave out what is between two documents.
+  void read_past(std::vector<PastDocument>& past) {
+    if (!later_tables().past) return;
+    bool whole = true;
+    std::map<std::string, std::shared_ptr<const Node>> nodes;
+    each_row(database_, "SELECT hash, bytes FROM past_nodes", "past_nodes", damage_,
+             [&](const Statement& row) { nodes[std::string(row.blob(0))] = past_node(row.blob(1)); });
+    each_row(database_, "SELECT label, next_id, nodes FROM past ORDER BY number", "past", damage_,
+             [&](const Statement& row) {
+               const std::string_view hashes = row.blob(2);
+               constexpr std::size_t size = 16;
+               std::vector<std::shared_ptr<const Node>> own;
+               std::set<NodeId> ids;
+               for (std::size_t at = 0; at + size <= hashes.size(); at += size) {
+                 own.push_back(nodes[std::string(hashes.substr(at, size))]);
+                 whole = whole && own.back() != nullptr && own.back()->id != 0 && ids.insert(own.back()->id).second;
+               }
+               if (whole)
+                 past.push_back({std::string(row.text(0)), Document::of(std::move(own), from_row_id(row.integer(1)))});
+             });
+    if (whole) return;
+    past.clear();
+    damage_.lose("the steps that could be undone can't be read");
+  }
+
+  /// Null where it can't be read.
+  std::shared_ptr<const Node> past_node(std::string_view bytes) {
+    try {
+      NodeRow row = past_row_of(bytes);
+      if (row.kind) row.node.source = value_of(*row.kind, row.hash).first;
+      if (row.kind && !row.node.source) return nullptr;
+      if (row.backdrop) {
+        const auto& picture = value_of(ValueType::PictureFile, row.picture_hash).first;
+        row.backdrop->picture = picture ? picture->as<PictureFile>() : nullptr;
+        if (!is_valid(*row.backdrop)) return nullptr;
+        row.node.backdrop = std::make_shared<const Backdrop>(*row.backdrop);
+      }
+      return std::make_shared<const Node>(std::move(row.node));
+    } catch (const BadBytes&) {
+      return nullptr;
+    }
+  }
+
   using Loaded = std::pair<std::optional<Value>, std::string>;
 
   // Nodes that have the same contents share them again, and a broken blob is checked once.
@@ -180,8 +240,8 @@ class ProjectReader {
       place->second.first = decode(kind, load_blob(database_, hash, progress_));
     } catch (const BadBytes& bad) {
       place->second.second = bad.what();
-    } catch (const DatabaseError& error) {
-      place->second.second = printable(error.what());
+    } catch (const DatabaseError&) {
+      place->second.second = changed_bytes;
     }
     return place->second;
   }
@@ -212,8 +272,8 @@ class ProjectReader {
   std::vector<std::uint8_t> thumbnail() {
     try {
       return read_thumbnail(database_);
-    } catch (const DatabaseError& error) {
-      damage_.lose("its thumbnail can't be read (" + printable(error.what()) + ")");
+    } catch (const DatabaseError&) {
+      damage_.lose("its thumbnail can't be read");
       return {};
     }
   }

@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "croquis/document/byte_stream.h"
@@ -51,7 +52,7 @@ void insert_links(const Database& database, const Node& node) {
 }
 
 /// What few nodes have lies in tables of its own, which other projects don't have: these stay what they were.
-void insert_placement(Database& database, const Node& node) {
+void insert_transform(Database& database, const Node& node) {
   if (!node.transform.is_identity()) {
     require_later_tables(database);
     const std::string numbers = transform_bytes(node.transform);
@@ -64,6 +65,17 @@ void insert_placement(Database& database, const Node& node) {
     require_later_tables(database);
     Statement(database, "INSERT INTO nodes_off(node) VALUES(?)").bind(0, to_row_id(node.id)).run();
   }
+}
+
+void insert_object(Database& database, const Node& node) {
+  if (!has_object_row(node)) return;
+  require_objects(database);
+  const std::string numbers = placement_bytes(node.placement);
+  Statement(database, "INSERT INTO objects(node, numbers, object_group) VALUES(?, ?, ?)")
+      .bind(0, to_row_id(node.id))
+      .bind_blob(1, numbers)
+      .bind_text(2, node.group)
+      .run();
 }
 
 void insert_backdrop(Database& database, const NodeRow& row) {
@@ -80,9 +92,10 @@ void insert_backdrop(Database& database, const NodeRow& row) {
 
 }  // namespace
 
-void ProjectWriter::write(const Document& document, Progress& progress) {
+void ProjectWriter::write(const Document& document, const KeptWork& kept, Progress& progress) {
   State next;
   next.document = document;
+  next.kept = kept;
   const auto& nodes = document.nodes();
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Node& node = *nodes[i];
@@ -92,6 +105,8 @@ void ProjectWriter::write(const Document& document, Progress& progress) {
   for (const auto& [id, entry] : confirmed_.entries) {
     if (!next.entries.contains(id)) remove(id);
   }
+  write_results(next, progress);
+  write_past(next, progress);
   remove_unused_blobs(database_);
   write_checksum(next);
   written_ = std::move(next);
@@ -104,7 +119,16 @@ NodeRow ProjectWriter::row_of(const Node& node, std::size_t position, State& nex
   const bool known = old != confirmed_.entries.end();
   const bool unmoved =
       known && old->second.node == &node && old->second.row.position == static_cast<std::int64_t>(position);
-  NodeRow row{node, static_cast<std::int64_t>(position), std::nullopt, {}};
+  NodeRow row = unplaced_row(node, next, progress);
+  row.position = static_cast<std::int64_t>(position);
+  if (unmoved) return row;
+  if (known) remove(node.id);
+  insert(row);
+  return row;
+}
+
+NodeRow ProjectWriter::unplaced_row(const Node& node, State& next, const Progress& progress) {
+  NodeRow row{node, 0, std::nullopt, {}};
   row.node.source.reset();
   row.node.backdrop.reset();
   if (node.source) {
@@ -116,9 +140,6 @@ NodeRow ProjectWriter::row_of(const Node& node, std::size_t position, State& nex
     row.backdrop->picture.reset();
     row.picture_hash = hash_of(node.backdrop->picture, next, progress);
   }
-  if (unmoved) return row;
-  if (known) remove(node.id);
-  insert(row);
   return row;
 }
 
@@ -146,7 +167,8 @@ void ProjectWriter::insert(const NodeRow& row) {
       .run();
   insert_parameters(database_, node);
   insert_links(database_, node);
-  insert_placement(database_, node);
+  insert_transform(database_, node);
+  insert_object(database_, node);
   insert_backdrop(database_, row);
   if (!row.kind) return;
   Statement(database_, "INSERT INTO sources(node, kind, hash) VALUES(?, ?, ?)")
@@ -162,9 +184,68 @@ void ProjectWriter::remove(NodeId id) {
     Statement(database_, sql).bind(0, to_row_id(id)).run();
   }
   if (has_backdrops(database_)) Statement(database_, "DELETE FROM backdrops WHERE node=?").bind(0, to_row_id(id)).run();
+  if (has_objects(database_)) Statement(database_, "DELETE FROM objects WHERE node=?").bind(0, to_row_id(id)).run();
   if (!has_later_tables(database_)) return;
   for (const char* sql : {"DELETE FROM transforms WHERE node=?", "DELETE FROM nodes_off WHERE node=?"}) {
     Statement(database_, sql).bind(0, to_row_id(id)).run();
+  }
+}
+
+void ProjectWriter::write_results(State& next, const Progress& progress) {
+  if (has_kept_results(database_)) database_.execute("DELETE FROM kept_results");
+  for (const auto& [id, kept] : next.kept.results) {
+    for (const auto& [role, value] : {std::pair("result", &kept.result), std::pair("edited", &kept.edited)}) {
+      if (!value->has_content()) continue;
+      require_kept_results(database_);
+      const std::string hash = hash_of(*value, next, progress);
+      Statement(database_, "INSERT INTO kept_results(node, role, kind, hash) VALUES(?, ?, ?, ?)")
+          .bind(0, to_row_id(id))
+          .bind_text(1, role)
+          .bind_text(2, to_string(value->type()))
+          .bind_blob(3, hash)
+          .run();
+    }
+  }
+}
+
+/// Each state of a node is stored once, however many past documents have it.
+void ProjectWriter::write_past(State& next, const Progress& progress) {
+  if (next.kept.past.empty() && !has_past(database_)) return;
+  require_past(database_);
+  database_.execute("DELETE FROM past");
+  std::set<std::string> used;
+  for (std::size_t step = 0; step < next.kept.past.size(); ++step) {
+    const PastDocument& past = next.kept.past[step];
+    std::string hashes;
+    for (const auto& node : past.document.nodes()) {
+      const NodeRow row = unplaced_row(*node, next, progress);
+      std::string& hash = next.past[node.get()];
+      const auto known = confirmed_.past.find(node.get());
+      if (known != confirmed_.past.end()) {
+        hash = known->second;
+      } else if (hash.empty()) {
+        const std::string bytes = past_row_bytes(row);
+        hash = blob_hash(bytes);
+        Statement(database_, "INSERT OR IGNORE INTO past_nodes(hash, bytes, source, picture) VALUES(?, ?, ?, ?)")
+            .bind_blob(0, hash)
+            .bind_blob(1, bytes)
+            .bind_blob(2, row.hash)
+            .bind_blob(3, row.picture_hash)
+            .run();
+      }
+      used.insert(hash);
+      hashes += hash;
+    }
+    Statement(database_, "INSERT INTO past(number, label, next_id, nodes) VALUES(?, ?, ?, ?)")
+        .bind(0, static_cast<std::int64_t>(step))
+        .bind_text(1, past.label)
+        .bind(2, to_row_id(past.document.next_id()))
+        .bind_blob(3, hashes)
+        .run();
+  }
+  for (const auto& [node, hash] : confirmed_.past) {
+    if (used.contains(hash)) continue;
+    Statement(database_, "DELETE FROM past_nodes WHERE hash=?").bind_blob(0, hash).run();
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "croquis/base/progress.h"
 #include "croquis/document/document.h"
+#include "croquis/document/kept_work.h"
 #include "io/project/database.h"
 #include "io/project/node_rows.h"
 
@@ -22,7 +23,7 @@ class ProjectWriter {
   explicit ProjectWriter(Database& database) : database_(database) {}
 
   /// To be called inside a transaction.
-  void write(const Document& document, Progress& progress);
+  void write(const Document& document, const KeptWork& kept, Progress& progress);
 
   /// The transaction of the last `write` is on disk: later ones start from here.
   void confirm();
@@ -36,15 +37,20 @@ class ProjectWriter {
     const Node* node = nullptr;  ///< in the state's document
   };
   struct State {
-    Document document;  ///< keeps alive what the addresses below name
+    Document document;  ///< it and what is kept hold alive what the addresses below name
+    KeptWork kept;
     std::map<NodeId, Entry> entries;
     std::map<const void*, std::string> hashes;  ///< of the sources' bytes, by the address of the value
+    std::map<const Node*, std::string> past;    ///< of the rows of nodes of past documents
   };
 
   NodeRow row_of(const Node& node, std::size_t position, State& next, const Progress& progress);
   std::string hash_of(const Value& value, State& next, const Progress& progress);
   void insert(const NodeRow& row);
   void remove(NodeId id);
+  NodeRow unplaced_row(const Node& node, State& next, const Progress& progress);
+  void write_results(State& next, const Progress& progress);
+  void write_past(State& next, const Progress& progress);
   void write_checksum(const State& state);
 
   Database& database_;

@@ -139,12 +139,12 @@ WorkingCopy WorkingCopy::create(const fs::path& folder) {
 }
 
 void WorkingCopy::commit(const Document& document, const std::string& project_path,
-                         const std::vector<std::uint8_t>& thumbnail_png) {
+                         const std::vector<std::uint8_t>& thumbnail_png, const KeptWork& kept) {
   Database& database = state_->database;
   try {
     database.execute("BEGIN IMMEDIATE");
     Progress progress;
-    state_->writer.write(document, progress);
+    state_->writer.write(document, kept, progress);
     state_->writer.write_meta("project_path", project_path);
     state_->writer.write_meta("time", utc_now());
     state_->writer.write_thumbnail(thumbnail_png);
@@ -185,8 +185,8 @@ ProjectFile recover(const fs::path& file, Progress& progress) {
   try {
     Database database = Database::read_durable(file, size_of(file), progress);
     return read_project_database(database, file.string(), progress);
-  } catch (const DatabaseError& failure) {
-    throw damaged_project(file.string(), printable(failure.what()));
+  } catch (const DatabaseError&) {
+    throw damaged_project(file.string(), changed_bytes);
   }
 }
 

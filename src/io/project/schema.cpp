@@ -59,9 +59,38 @@ void require_backdrops(Database& database) {
   database.execute(
       "CREATE TABLE backdrops(node INTEGER PRIMARY KEY, hash BLOB NOT NULL, numbers BLOB NOT NULL,"
       " visible INTEGER NOT NULL)");
-  raise_version(database, project_schema_version);
+  raise_version(database, third_schema_version);
 }
 
 bool has_backdrops(const Database& database) { return count_tables(database, "'backdrops'") == 1; }
+
+void require_objects(Database& database) {
+  if (has_objects(database)) return;
+  database.execute("CREATE TABLE objects(node INTEGER PRIMARY KEY, numbers BLOB NOT NULL, object_group TEXT NOT NULL)");
+  raise_version(database, project_schema_version);
+}
+
+bool has_objects(const Database& database) { return count_tables(database, "'objects'") == 1; }
+
+void require_kept_results(Database& database) {
+  if (has_kept_results(database)) return;
+  database.execute(
+      "CREATE TABLE kept_results(node INTEGER NOT NULL, role TEXT NOT NULL, kind TEXT NOT NULL, hash BLOB NOT NULL,"
+      " PRIMARY KEY(node, role)) WITHOUT ROWID");
+  raise_version(database, project_schema_version);
+}
+
+void require_past(Database& database) {
+  if (has_past(database)) return;
+  database.execute(
+      "CREATE TABLE past(number INTEGER PRIMARY KEY, label TEXT NOT NULL, next_id INTEGER NOT NULL,"
+      " nodes BLOB NOT NULL);"
+      "CREATE TABLE past_nodes(hash BLOB PRIMARY KEY, bytes BLOB NOT NULL, source BLOB NOT NULL,"
+      " picture BLOB NOT NULL) WITHOUT ROWID");
+}
+
+bool has_past(const Database& database) { return count_tables(database, "'past', 'past_nodes'") == 2; }
+
+bool has_kept_results(const Database& database) { return count_tables(database, "'kept_results'") == 1; }
 
 }  // namespace croquis

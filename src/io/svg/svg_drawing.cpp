@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "croquis/base/limits.h"
 #include "io/svg/svg_elements.h"
 #include "io/svg/svg_flattening.h"
 #include "io/svg/svg_scanner.h"
@@ -138,10 +139,10 @@ class SketchReader : public SvgVisitor {
       return true;
     }
     transform(subpath, Eigen::Affine2d(Eigen::Scaling(1.0, -1.0)) * map);
-    if (!is_finite(subpath)) {
+    if (!is_usable(subpath)) {
       walk_.findings().stroke_error(Category::Malformed, "E_NOT_FINITE",
                                     "Stroke " + in_quotes(stroke.id) + " on line " + std::to_string(*stroke.line) +
-                                        " has a coordinate that is not a finite number",
+                                        " has a coordinate that " + unusable_words,
                                     stroke.id, *stroke.line);
       return true;
     }

@@ -1,26 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/svg/svg_flattening.h"
 
-#include <cmath>
+#include "croquis/base/limits.h"
 
 namespace croquis {
 namespace {
 
-constexpr double largest_coordinate = 1e100;  // squares and their sums stay finite
-constexpr int places_per_curve = 8;           // enough to know a curve's size
-constexpr double same_place = 1e-9;           // × diagonal: what relative commands lose by rounding
-
-bool in_range(const Vec2& p) { return p.allFinite() && p.cwiseAbs().maxCoeff() <= largest_coordinate; }
+constexpr int places_per_curve = 8;  // enough to know a curve's size
+constexpr double same_place = 1e-9;  // × diagonal: what relative commands lose by rounding
 
 }  // namespace
 
-bool is_finite(const SvgSubpath& subpath) {
-  bool finite = in_range(subpath.start);
-  for (const SvgSegment& s : subpath.segments) {
-    finite = finite && in_range(s.end) && in_range(s.a) && in_range(s.b) && in_range(s.centre);
-    finite = finite && std::isfinite(s.angle) && std::isfinite(s.sweep);
-  }
-  return finite;
+bool is_usable(const SvgSubpath& subpath) {
+  return are_usable_numbers(subpath.start) && std::ranges::all_of(subpath.segments, [](const SvgSegment& s) {
+           const std::array points = {s.end, s.a, s.b, s.centre, Vec2(s.angle, s.sweep)};
+           return std::ranges::all_of(points, are_usable_numbers<Vec2>);
+         });
 }
 
 void extend(Eigen::AlignedBox2d& box, const SvgSubpath& subpath) {

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "croquis/base/limits.h"
 #include "croquis/geometry/drawing.h"
 #include "io/svg/svg_outline.h"
 
@@ -13,11 +14,11 @@ namespace croquis {
 struct FlatteningLimits {
   Eigen::AlignedBox2d bounds;  ///< of the whole drawing
   double tolerance = 0;        ///< greatest distance of samples' chords from the curve
-  std::size_t samples_left = svg_most_segments;
+  std::size_t samples_left = most_curve_pieces;
 };
 
-/// No coordinate is infinite or so large that its square would be.
-bool is_finite(const SvgSubpath& subpath);
+/// Whether all its numbers are usable (limits.h).
+bool is_usable(const SvgSubpath& subpath);
 
 /// Makes the box hold the subpath, to within a fraction of each curve's own size.
 void extend(Eigen::AlignedBox2d& box, const SvgSubpath& subpath);

@@ -10,9 +10,6 @@
 
 namespace croquis {
 
-/// More would not fit among the samples that a drawing may have.
-inline constexpr std::size_t svg_most_segments = 4'000'000;
-
 /// A piece of a subpath, from the end of the piece before it. All three kinds stay what they are under an affine map.
 struct SvgSegment {
   enum class Kind { Line, Cubic, Arc };

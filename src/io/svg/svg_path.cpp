@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "croquis/base/limits.h"
 #include "io/text.h"
 
 namespace croquis {
@@ -105,7 +106,7 @@ class PathParser {
   }
 
   void start(const Vec2& at) {
-    if (++segments_ > svg_most_segments) return fail_too_long();
+    if (++segments_ > most_curve_pieces) return fail_too_long();
     outline_.subpaths.emplace_back();
     outline_.subpaths.back().start = at;
     current_ = at;
@@ -116,7 +117,7 @@ class PathParser {
     if (outline_.error) return;
     if (outline_.subpaths.back().closed) start(current_);  // drawing goes on after a Z
     if (outline_.error) return;
-    if (++segments_ > svg_most_segments) return fail_too_long();
+    if (++segments_ > most_curve_pieces) return fail_too_long();
     outline_.subpaths.back().segments.push_back(segment);
     current_ = segment.end;
     handle_ = handle;
@@ -228,7 +229,7 @@ SvgOutline parse_svg_points(std::string_view points, bool closed) {
     scanner.skip_separators();
     if (!x || !y) {
       outline.error = SvgTextError{"needs pairs of numbers", scanner.position()};
-    } else if (count == svg_most_segments) {
+    } else if (count == most_curve_pieces) {
       outline.error = SvgTextError{"has too many points", scanner.position(), true};
     } else if (outline.subpaths.empty()) {
       outline.subpaths.emplace_back();

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "croquis/base/error.h"
+#include "croquis/base/limits.h"
 #include "io/svg/svg_elements.h"
 #include "io/svg/svg_shapes.h"
 #include "io/svg/svg_transform.h"
@@ -14,7 +14,6 @@
 namespace croquis {
 namespace {
 
-constexpr int deepest_level = 256;                          // of nesting; drawing programs stay below 30
 constexpr std::size_t most_copied = std::size_t{64} << 20;  // bytes of ids and data attributes, kept per subpath
 constexpr std::size_t most_uses = 100'000;                  // a few nested uses can show billions of shapes
 constexpr std::size_t elements_per_check = 256;
@@ -77,8 +76,9 @@ void SvgWalk::visit(const pugi::xml_node& node, Surroundings around, SvgVisitor&
   if (is_svg_definition(name)) return;
   const bool shows_another = name == "use";
   if (!is_svg_group(name) && !is_svg_shape(name) && !shows_another) return ignore(node, name);
-  if (++around.level > deepest_level) {
-    return limit("The drawing is nested deeper than 256 groups: ungroup it", line_of(node));
+  if (++around.level > deepest_nesting) {
+    return limit("The drawing is nested deeper than " + std::to_string(deepest_nesting) + " groups: ungroup it",
+                 line_of(node));
   }
   path_.push_back(node);
   if (enter(node, around, visitor)) {
@@ -192,7 +192,7 @@ std::optional<Eigen::AlignedBox2d> view_box(const pugi::xml_node& node) {
   for (double& value : values) {
     scanner.skip_separators();
     const std::optional<double> number = scanner.number();
-    if (!number || !std::isfinite(*number)) return std::nullopt;
+    if (!number || !is_usable_number(*number)) return std::nullopt;
     value = *number;
   }
   const Vec2 low(values[0], values[1]);
@@ -316,7 +316,7 @@ bool SvgWalk::count_pieces(std::size_t pieces, std::size_t bytes, std::int64_t l
   copied_ += bytes;
   segments_ += pieces;
   if (copied_ > most_copied) limit("The strokes' names and data attributes exceed 64 MiB", line);
-  if (segments_ > svg_most_segments) limit("The drawing has more than 4 million samples: simplify it", line);
+  if (segments_ > most_curve_pieces) limit("The drawing has more than 4 million samples: simplify it", line);
   return !limit_reached_;
 }
 
