@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <utility>
 
 #include "cli/finite_part.h"
@@ -123,7 +124,9 @@ MeshFormat output_mesh_format(const std::string& path, const std::string& named)
 
 void stage_mesh(const std::string& path, const PolyMesh& mesh, const MeshWriteOptions& options, MeshFormat format,
                 CommandResult& result, Progress& progress) {
-  MeshWriteResult written = write_mesh(mesh, format, options, progress);
+  MeshWriteOptions named = options;
+  if (named.name.empty() && path != "-") named.name = std::filesystem::path(path).stem().string();
+  MeshWriteResult written = write_mesh(mesh, format, named, progress);
   append(result.warnings, written.warnings);
   stage_file(path, std::move(written.bytes), result);
 }

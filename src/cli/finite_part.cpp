@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "croquis/base/limits.h"
 #include "croquis/geometry/mesh_part.h"
 
 namespace croquis::cli {
@@ -15,7 +16,7 @@ Finding dropped_finding(const PolyMesh& before, const PolyMesh& after) {
   const std::size_t faces = before.face_count() - after.face_count();
   return make_warning(Category::Malformed, "W_BAD_DROPPED",
                       "Dropped " + std::to_string(vertices) + (vertices == 1 ? " vertex" : " vertices") +
-                          " with coordinates that are not finite, and " + std::to_string(faces) +
+                          " with coordinates that aren't finite or are larger than 1e30, and " + std::to_string(faces) +
                           (faces == 1 ? " face that uses it" : " faces that use them") +
                           "; those behind them have lower numbers now.");
 }
@@ -26,7 +27,7 @@ FinitePart finite_part(PolyMesh mesh) {
   std::vector<bool> is_finite(mesh.vertex_count());
   bool all_finite = true;
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-    is_finite[v] = mesh.positions[v].allFinite();
+    is_finite[v] = are_usable_numbers(mesh.positions[v]);
     all_finite = all_finite && is_finite[v];
   }
   if (all_finite) return {std::move(mesh), {}};

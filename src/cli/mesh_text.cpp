@@ -10,7 +10,7 @@ std::string point_text(const Vec3& point) {
   return number_text(point.x()) + " " + number_text(point.y()) + " " + number_text(point.z());
 }
 
-std::string topology_text(const MeshReport& report) {
+std::string topology_text(const MeshReport& report, std::optional<std::size_t> added) {
   std::string text = report.closed ? "closed"
                                    : "open (" + grouped(report.boundary_loops) + " boundary loops, " +
                                          grouped(report.boundary_edges) + " edges)";
@@ -21,6 +21,8 @@ std::string topology_text(const MeshReport& report) {
   }
   if (report.degenerate_faces > 0) text += ", " + grouped(report.degenerate_faces) + " faces without area";
   if (report.self_intersections) text += ", " + grouped(*report.self_intersections) + " self-intersections";
+  if (added && report.self_intersections > 0)
+    text += *added == 0 ? ", which were there before" : ", " + grouped(*added) + " of them added";
   return text;
 }
 
@@ -40,11 +42,11 @@ std::string grouped(std::size_t number) {
   return digits;
 }
 
-std::string mesh_text(const MeshReport& report) {
+std::string mesh_text(const MeshReport& report, std::optional<std::size_t> added) {
   std::string text = grouped(report.vertices) + " vertices, " + grouped(report.edges) + " edges, " +
                      grouped(report.faces) + " faces in " + grouped(report.components) +
                      (report.components == 1 ? " component" : " components");
-  text += "\n" + topology_text(report);
+  text += "\n" + topology_text(report, added);
   text += "\nEuler characteristic " + std::to_string(report.euler_characteristic);
   if (report.genus) text += ", genus " + std::to_string(*report.genus);
   text += "\narea " + number_text(report.area);

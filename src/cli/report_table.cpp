@@ -2,6 +2,7 @@
 #include "cli/report_table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 #include <variant>
@@ -15,6 +16,12 @@ using Column = std::vector<std::string>;
 
 constexpr const char* unknown = "-";
 
+/// Of what isn't a number, NaN.
+double number_in(const Report& part) {
+  const auto* number = std::get_if<double>(&part.value());
+  return number == nullptr ? std::nan("") : *number;
+}
+
 std::string cell_text(const Report* cell) {
   if (cell == nullptr) return unknown;
   struct Visitor {
@@ -27,8 +34,20 @@ std::string cell_text(const Report* cell) {
     std::string operator()(bool value) const { return value ? "yes" : "no"; }
     std::string operator()(const std::string& value) const { return value; }
     std::string operator()(std::monostate) const { return unknown; }
-    std::string operator()(const Report::Array&) const { return "..."; }
-    std::string operator()(const Report::Object&) const { return "..."; }
+    std::string operator()(const Report::Array& array) const {
+      constexpr std::size_t most_shown = 8;
+      if (array.size() > most_shown) return std::to_string(array.size()) + " values";
+      double largest = 0;
+      for (const Report& part : array) largest = std::max(largest, std::abs(number_in(part)));
+      std::string text;
+      for (const Report& part : array) {
+        // What rounding left of a zero.
+        const bool is_zero = std::abs(number_in(part)) <= 1e-9 * largest;
+        text += (text.empty() ? "" : " ") + (is_zero ? "0" : cell_text(&part));
+      }
+      return text.empty() ? unknown : text;
+    }
+    std::string operator()(const Report::Object&) const { return unknown; }
   };
   return std::visit(Visitor{}, cell->value());
 }

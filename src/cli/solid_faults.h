@@ -19,4 +19,8 @@ Findings solid_faults(const MeshReport& report, const std::string& file);
 /// @throws Error (E_ROUNDING)
 void judge_solid(const std::string& path, const PolyMesh& written, CommandResult& result, Progress& progress);
 
+/// Adds to the warnings what the mesh of result.mesh, with self-intersections counted, lacks for a solid:
+/// W_SELF_INTERSECTION and, where it is meant to be closed, W_OPEN. Files for printing always are.
+void warn_of_faults(const std::string& path, bool meant_closed, CommandResult& result);
+
 }  // namespace croquis::cli

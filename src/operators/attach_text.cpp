@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/base/limits.h"
 #include "croquis/base/parameter.h"
 #include "croquis/base/text.h"
 
@@ -36,10 +37,14 @@ bool read_hold(std::string_view text, AttachedPair& pair) {
   }
   const std::size_t colon = text.rfind(':');
   if (colon != std::string_view::npos) {
-    if (!read_number(trimmed(text.substr(colon + 1)), pair.blend)) return false;
+    const auto blend = usable_number(trimmed(text.substr(colon + 1)));
+    if (!blend) return false;
+    pair.blend = *blend;
     text = trimmed(text.substr(0, colon));
   }
-  return text == joined || read_number(text, pair.kappa);
+  const auto kappa = usable_number(text);
+  pair.kappa = kappa.value_or(pair.kappa);
+  return text == joined || kappa;
 }
 
 std::optional<AttachedPair> read_pair(std::string_view entry) {

@@ -13,7 +13,6 @@
 #include "croquis/document/memo.h"
 #include "croquis/edits/apply_edits.h"
 #include "croquis/operators/edit_result.h"
-#include "operators/choice_parameter.h"
 
 namespace croquis {
 namespace {
@@ -21,8 +20,8 @@ namespace {
 void check_connectivity(const PolyMesh& mesh, const std::string& expected) {
   if (expected.empty() || expected == connectivity_name(mesh)) return;
   throw Error(make_error(Category::Geometry, connectivity_code,
-                         "The faces of the mesh are joined in another way than when these edits were made, so their "
-                         "elements can't be found: make the edits again, or freeze the mesh before them.",
+                         "These edits were made for a mesh with other faces: apply them to the new mesh by the "
+                         "nearest places, or keep the shape.",
                          {{SubjectKind::Parameter, "connectivity", {}, {}, {}}}));
 }
 
@@ -99,23 +98,12 @@ OperationDescription EditOperation::describe() const {
           {{"mesh", ValueType::Mesh, "Polygons with their tags and attributes."}},
           {{"mesh", ValueType::Mesh, "The mesh after the last edit."},
            {"details", ValueType::Report, "The edits, and how many elements are new."}},
-          {{"do",
-            ParameterType::Text,
-            std::string(),
-            0,
-            0,
-            {},
-            "",
-            "Edits in their order: 'extrude faces=3,4 by=0,0,1'; see `croquis-cli edits`.",
-            true},
-           {"connectivity",
-            ParameterType::Text,
-            std::string(),
-            0,
-            0,
-            {},
-            "",
-            "Refuses meshes whose faces are joined in another way, by the name in the details; empty: takes any."}},
+          {list_parameter("do", "Edits in their order: 'extrude faces=3,4 by=0,0,1'; see `croquis-cli edits`.")
+               .titled("Edits"),
+           text_parameter(
+               "connectivity", "",
+               "Refuses meshes whose faces are joined in another way, by the name in the details; empty: takes any.")
+               .at(ParameterPlace::Nowhere)},
           "",
           "--do 'extrude faces=0 distance=1'",
           InputEdits{"do", "connectivity"}};

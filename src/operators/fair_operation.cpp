@@ -12,7 +12,6 @@
 #include "croquis/io/mesh_tags_file.h"
 #include "croquis/operators/fair_result.h"
 #include "croquis/subdivision/fairing.h"
-#include "operators/choice_parameter.h"
 #include "operators/subdivide_tags.h"
 
 namespace croquis {
@@ -80,7 +79,7 @@ OperationDescription FairOperation::describe() const {
   return {
       "fair",
       1,
-      "Fair",
+      "Even Out",
       "Moves the points of a cage so that its Doo-Sabin surface bends less and more evenly.",
       {{"cage", ValueType::Mesh, "Polygons with their tags; pins, boundaries and sharp edges hold."},
        {"tags", ValueType::Report,
@@ -88,25 +87,21 @@ OperationDescription FairOperation::describe() const {
         true}},
       {{"mesh", ValueType::Mesh, "The cage with moved points, and its tags."},
        {"details", ValueType::Report, "How far points moved, and how much less the surface bends."}},
-      {{"weight",
-        ParameterType::Number,
-        1.0,
-        1e-4,
-        1e4,
-        {},
-        "x 1 / (median edge length)^2",
-        "How much the points are held back: low values make the surface fairer, high ones leave it."},
-       {"levels",
-        ParameterType::Integer,
-        std::int64_t{defaults.levels},
-        0,
-        4,
-        {},
-        "",
-        "Level of subdivision at which the bending is measured."},
-       choice("chains", {"hold", "fair"}, "The points of sharp edges hold, or are evened out along their chains."),
-       choice("planes", {"keep", "free"}, "Flat faces beside sharp edges and flat chains keep their planes, or not."),
-       choice("preset", {"refined", "paper"}, "Rules of the Doo-Sabin surface.")}};
+      {number_parameter("weight", 1, 1e-4, 1e4, "/ (median edge length)²",
+                        "How much the points are held back: low values make the surface fairer, high ones leave it.")
+           .titled("Hold back"),
+       integer_parameter("levels", defaults.levels, 0, 4, "", "Level of subdivision at which the bending is measured.")
+           .titled("Level that is looked at")
+           .at(ParameterPlace::Expert),
+       choice_parameter("chains", {"hold", "fair"},
+                        "The points of sharp edges hold, or are evened out along their chains.")
+           .titled("Sharp edges", {"stay", "are evened out"}),
+       choice_parameter("planes", {"keep", "free"},
+                        "Flat faces beside sharp edges and flat chains keep their planes, or not.")
+           .titled("Flat faces", {"stay flat", "may bend"}),
+       choice_parameter("preset", {"refined", "paper"}, "Rules of the Doo-Sabin surface.")
+           .titled("Quality", {"refined", "as published in 2002"})
+           .at(ParameterPlace::Expert)}};
 }
 
 OperationResult FairOperation::compute(const Values& inputs, const ParameterValues& parameters,

@@ -36,7 +36,7 @@ OperationResult outputs_of(std::span<const Hole> holes, FillResult details, std:
 OperationResult list_holes(const std::shared_ptr<const PolyMesh>& scan, const FillOptions& options,
                            Progress& progress) {
   HoleAnalysis analysis = hole_filling::analyse_holes(*scan, progress, options.analysis);
-  FillResult details = result_of_listing(scan, analysis.holes, choose_holes(analysis.holes, options));
+  FillResult details = result_of_listing(scan, analysis, choose_holes(analysis.holes, options));
   return outputs_of(analysis.holes, std::move(details), scan, std::move(analysis.warnings));
 }
 
@@ -85,7 +85,7 @@ OperationDescription FillOperation::describe() const {
                        "The scan's vertices and faces, then those of the patches, or the model remeshed: faces tell "
                        "theirs by patch_id, vertices "
                        "how well the surface around backs them by confidence."};
-  mesh.counts_self_intersections = true;
+  mesh.joins_seams = true;
   return {
       "fill",
       1,

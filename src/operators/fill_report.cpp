@@ -10,12 +10,16 @@
 #include <utility>
 #include <vector>
 
+#include "croquis/base/text.h"
+#include "croquis/geometry/mesh_topology.h"
+
 namespace croquis {
 namespace {
 
 using hole_filling::DomainPointCounts;
 using hole_filling::FillAction;
 using hole_filling::Hole;
+using hole_filling::HoleAnalysis;
 using hole_filling::HoleChoice;
 using hole_filling::HoleOutcome;
 using remeshing::RemeshChecks;
@@ -102,17 +106,44 @@ std::size_t count_of(std::span<const HoleRow> holes, HoleState state) {
   return static_cast<std::size_t>(std::ranges::count(holes, state, &HoleRow::state));
 }
 
-std::string counted(std::size_t count, const char* what) { return std::to_string(count) + " " + what; }
+OpenEdges edges_before(const PolyMesh& scan, const HoleAnalysis& analysis) {
+  OpenEdges edges;
+  edges.before = edges.after = edges.loose = analysis.view.rim_corners.size();
+  for (const Hole& hole : analysis.holes) edges.loose -= hole.vertices.size();
+  edges.seams = count_seam_edges(scan, analysis.view);
+  return edges;
+}
 
 /// "7 holes: 5 to be filled, 2 left open."
-std::string sentence(const FillResult& result) {
+std::string hole_sentence(const FillResult& result) {
   if (result.holes.empty()) return "No holes.";
-  const auto count = [&](HoleState state) { return count_of(result.holes, state); };
-  std::string text = result.holes.size() == 1 ? "1 hole: " : counted(result.holes.size(), "holes: ");
-  text += counted(count(HoleState::Filled), result.listed ? "to be filled" : "filled") + ", " +
-          counted(count(HoleState::Open), "left open");
-  if (count(HoleState::Failed) > 0) text += ", " + counted(count(HoleState::Failed), "that can't be filled");
-  return text + ".";
+  const std::size_t filled = count_of(result.holes, HoleState::Filled);
+  const std::size_t failed = count_of(result.holes, HoleState::Failed);
+  return counted(result.holes.size(), "hole: ", "holes: ") + std::to_string(filled) +
+         (result.listed ? " to be filled, " : " filled, ") + std::to_string(result.holes.size() - filled) +
+         " left open" + (failed > 0 ? ", " + std::to_string(failed) + " of them since no patch is sound." : ".");
+}
+
+/// What stays open, whatever it is of, and what only looks open.
+std::string edge_sentences(const FillResult& result) {
+  const OpenEdges& edges = result.open_edges;
+  std::string text;
+  if (edges.after > 0 && !result.listed) text += " " + counted(edges.after, "edge stays open.", "edges stay open.");
+  if (edges.loose > 0 && !result.remeshed)
+    text += " " + counted(edges.loose, "open edge belongs", "open edges belong") +
+            " to no hole: the rims end at edges of more than two faces.";
+  if (edges.seams > 0)
+    text += " " + counted(edges.seams, "edge of a seam counts", "edges of seams count") +
+            " as closed: vertices of both sides lie at one place.";
+  return text;
+}
+
+/// Of a mesh without seams.
+std::size_t open_edges_of(const PolyMesh& mesh) {
+  const MeshTopology topology(mesh);
+  std::size_t open = 0;
+  for (Index edge = 0; edge < topology.edge_count(); ++edge) open += topology.edge_corners(edge).size() == 1 ? 1U : 0U;
+  return open;
 }
 
 Report points_entry(const DomainPointCounts& counts) {
@@ -137,11 +168,19 @@ Report checks_of(const FillResult& result) {
   return std::move(checks.set("outside_unchanged", result.outside_unchanged));
 }
 
+Report to_report(const OpenEdges& edges) {
+  Report report;
+  return std::move(
+      report.set("before", edges.before).set("after", edges.after).set("loose", edges.loose).set("seams", edges.seams));
+}
+
 }  // namespace
 
 FillResult result_of_filling(std::shared_ptr<const PolyMesh> scan, const hole_filling::FillResult& filled) {
   FillResult result;
   result.holes = rows_of(filled.analysis.holes, filled.outcomes);
+  result.open_edges = edges_before(*scan, filled.analysis);
+  result.open_edges.after = filled.open_edges;
   result.new_vertices = filled.new_vertices;
   result.new_faces = filled.new_faces;
   result.untouched_vertices = scan->vertex_count() - filled.removed_vertices;
@@ -155,8 +194,10 @@ FillResult result_of_filling(std::shared_ptr<const PolyMesh> scan, const hole_fi
 
 FillResult result_of_remeshing(std::shared_ptr<const PolyMesh> scan, const RemeshResult& made) {
   FillResult result;
-  result.scan = std::move(scan);
   result.holes = rows_of(made.analysis.holes, made.outcomes);
+  result.open_edges = edges_before(*scan, made.analysis);
+  result.open_edges.after = open_edges_of(made.mesh);
+  result.scan = std::move(scan);
   result.new_vertices = made.mesh.vertex_count();
   result.new_faces = made.mesh.face_count();
   result.domains = made.domains;
@@ -165,13 +206,14 @@ FillResult result_of_remeshing(std::shared_ptr<const PolyMesh> scan, const Remes
   return result;
 }
 
-FillResult result_of_listing(std::shared_ptr<const PolyMesh> scan, std::span<const Hole> holes,
+FillResult result_of_listing(std::shared_ptr<const PolyMesh> scan, const HoleAnalysis& analysis,
                              const HoleChoice& choice) {
   FillResult result;
   result.listed = true;
   result.untouched_vertices = scan->vertex_count();
+  result.open_edges = edges_before(*scan, analysis);
   result.scan = std::move(scan);
-  for (const Hole& hole : holes) {
+  for (const Hole& hole : analysis.holes) {
     HoleOutcome outcome;
     outcome.action = choice.is_chosen[hole.id] ? FillAction::Fill : FillAction::Leave;
     outcome.reason = choice.reason[hole.id];
@@ -185,8 +227,9 @@ Report to_report(const FillResult& result) {
   Report list = Report::array();
   for (const HoleRow& hole : result.holes) list.push(hole_entry(hole));
   Report details;
-  details.set("summary", sentence(result))
+  details.set("summary", hole_sentence(result) + edge_sentences(result))
       .set("holes", std::move(list))
+      .set("open_edges", to_report(result.open_edges))
       .set("domains", result.listed ? Report() : Report(result.domains))
       .set("points_per_domain", result.domains > 0 ? points_entry(result.points_per_domain) : Report())
       .set("new_vertices", result.new_vertices)

@@ -18,7 +18,7 @@ FillResult result_of_filling(std::shared_ptr<const PolyMesh> scan, const hole_fi
 FillResult result_of_remeshing(std::shared_ptr<const PolyMesh> scan, const remeshing::RemeshResult& made);
 
 /// The same before anything is filled: HoleState::Filled for the holes that would be.
-FillResult result_of_listing(std::shared_ptr<const PolyMesh> scan, std::span<const hole_filling::Hole> holes,
+FillResult result_of_listing(std::shared_ptr<const PolyMesh> scan, const hole_filling::HoleAnalysis& analysis,
                              const hole_filling::HoleChoice& choice);
 
 /// Every hole with what became of it, and how much is new. Angles in degrees; null for what isn't known.

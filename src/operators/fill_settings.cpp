@@ -10,7 +10,6 @@
 #include "croquis/base/error.h"
 #include "croquis/base/text.h"
 #include "croquis/operators/hole_wishes.h"
-#include "operators/choice_parameter.h"
 
 namespace croquis {
 namespace {
@@ -25,91 +24,107 @@ using remeshing::RemeshOptions;
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-ParameterDescription list(const std::string& name, const std::string& sentence) {
-  return {name, ParameterType::Text, std::string(), 0, 0, {}, "", sentence, true};
-}
-
-ParameterDescription flag(const std::string& name, bool value, const std::string& sentence) {
-  return {name, ParameterType::Flag, value, 0, 0, {}, "", sentence};
-}
-
-ParameterDescription number_parameter(const std::string& name, double value, double minimum, double maximum,
-                                      const std::string& unit, const std::string& sentence) {
-  return {name, ParameterType::Number, value, minimum, maximum, {}, unit, sentence};
-}
-
-ParameterDescription integer_parameter(const std::string& name, std::int64_t value, int maximum,
-                                       const std::string& unit, const std::string& sentence) {
-  return {name, ParameterType::Integer, value, 0, static_cast<double>(maximum), {}, unit, sentence};
-}
-
 /// Which holes, and what of them.
 std::vector<ParameterDescription> hole_parameters() {
   return {
-      choice(
+      choice_parameter(
           "mode", {"patch", "remesh"},
-          "patch closes holes and changes nothing else; remesh makes all of it of new triangles, from one function."),
-      choice("select", {selection_names.begin(), selection_names.end()},
-             "inner fills all holes that don't look like the border of an open surface; none only those that holes "
-             "names."),
-      list("only", "Numbers of the holes to fill instead, as the list shows them: 0,3-5."),
-      number_parameter("max-diameter", 0, 0, unlimited, "model units", "Wider holes stay open; 0 for no limit."),
+          "patch closes holes and changes nothing else; remesh makes all of it of new triangles, from one function.")
+          .titled("Method", {"patches", "a new mesh"}),
+      choice_parameter(
+          "select", {selection_names.begin(), selection_names.end()},
+          "inner fills all holes that don't look like the border of an open surface; none only those that holes "
+          "names.")
+          .titled("Fill", {"inner holes", "all holes", "all but the largest", "none"}),
+      list_parameter("only", "Numbers of the holes to fill instead, as the list shows them: 0,3-5.")
+          .at(ParameterPlace::Nowhere),
+      number_parameter("max-diameter", 0, 0, unlimited, "model units", "Wider holes stay open; 0 for no limit.")
+          .titled("Widest hole"),
       number_parameter("weld", hole_filling::usual_weld_tolerance, 0, 0.01, "× diagonal",
                        "Vertices of rims so near to each other count as one, if the edges there are longer; the scan "
-                       "keeps them as they are. 0: only those at one place."),
-      list("holes",
-           "Wishes for single holes: '3: leave; 5-7: flat, bulge 0.4; 4: through 1 2 3; 2+9: bridge'. Words: fill, "
-           "leave, bridge, rbf, smooth, flat, kernel NAME, bulge -1..1, trim 0..3, through X Y Z.")};
+                       "keeps them as they are. 0: only those at one place.")
+          .titled("Join edges within"),
+      list_parameter(
+          "holes",
+          "Wishes for single holes: '3: leave; 5-7: flat, bulge 0.4; 4: through 1 2 3; 2+9: bridge'. Words: fill, "
+          "leave, bridge, rbf, smooth, flat, kernel NAME, bulge -1..1, trim 0..3, through X Y Z.")
+          .at(ParameterPlace::Nowhere)};
+}
+
+ParameterDescription fill_preset_choice() {
+  ParameterDescription preset =
+      choice_parameter(
+          "preset", {"auto", "standard", "paper", "sharp", "noisy"},
+          "What is scanned: auto continues creases that run into a hole, standard rounds them; sharp for machined "
+          "parts, where the best of three methods is taken, noisy for rough scans; paper for comparison with Yoo "
+          "2005.")
+          .titled("The scan is", {"usual", "smooth", "as published in 2005", "a machined part", "rough"});
+  preset.presets["paper"] = {{"kernel", std::string("thin-plate")},
+                             {"overlap", remeshing::remesh_preset(Preset::Paper).overlap}};
+  preset.presets["sharp"] = {{"cell", remeshing::remesh_preset(Preset::Sharp).cell}};
+  return preset;
 }
 
 std::vector<ParameterDescription> patch_parameters() {
   return {
-      choice("fairness", {"auto", "rbf", "smooth", "flat"},
-             "rbf continues the surface around by functions fitted to it, smooth its tangents; flat adds no "
-             "vertices and has the least area; auto is flat where an open surface ends, and rbf elsewhere."),
-      choice("kernel", {kernel_names.begin(), kernel_names.end()},
-             "The functions of rbf: hermite takes normals along, the others points beside the surface."),
-      choice("preset", {"auto", "standard", "paper", "sharp", "noisy"},
-             "What is scanned: auto continues creases that run into a hole, standard rounds them; sharp for machined "
-             "parts, where the best of three methods is taken, noisy for rough scans; paper for comparison with Yoo "
-             "2005."),
-      number_parameter("bulge", 0, -1, 1, "", "Turns the surface at the rims outwards, or inwards below 0."),
-      integer_parameter("trim-rim", 0, 3, "rings of faces",
-                        "Removes so much of the scan along the rims that are filled, where scans are worst.")};
+      choice_parameter("fairness", {"auto", "rbf", "smooth", "flat"},
+                       "rbf continues the surface around by functions fitted to it, smooth its tangents; flat adds no "
+                       "vertices and has the least area; auto is flat where an open surface ends, and rbf elsewhere.")
+          .titled("Patches", {"best for each hole", "continue the surface", "smooth", "flat"}),
+      choice_parameter(
+          "kernel", {kernel_names.begin(), kernel_names.end()},
+          "The functions of rbf: hermite takes normals along, the others points beside the surface; thin-plate "
+          "with the preset paper.")
+          .titled("Function", {"with normals", "triharmonic", "biharmonic", "thin plate"})
+          .at(ParameterPlace::Expert),
+      fill_preset_choice(),
+      number_parameter("bulge", 0, -1, 1, "", "Turns the surface at the rims outwards, or inwards below 0.")
+          .titled("Bulge"),
+      integer_parameter("trim-rim", 0, 0, 3, "rings of faces",
+                        "Removes so much of the scan along the rims that are filled, where scans are worst.")
+          .titled("Trim edge")};
 }
 
 std::vector<ParameterDescription> remesh_parameters() {
   return {
       number_parameter("overlap", 0.25, 0, 1, "× domain",
-                       "remesh: how much larger domains are than their boxes; 0.1 with the preset paper."),
-      {"points-per-domain",
-       ParameterType::Text,
-       std::string("30:300"),
-       0,
-       0,
-       {},
-       "",
-       "remesh: least and most points of a domain, MIN:MAX."},
-      integer_parameter("smoothing", 2, 20, "rounds", "remesh: how often the triangles are evened out on the surface."),
-      integer_parameter("refine", 0, 4, "times", "remesh: how often every triangle is cut in four."),
+                       "remesh: how much larger domains are than their boxes; 0.1 with the preset paper.")
+          .titled("New mesh: overlap")
+          .at(ParameterPlace::Expert),
+      text_parameter("points-per-domain", "30:300", "remesh: least and most points of a domain, MIN:MAX.")
+          .at(ParameterPlace::Nowhere),
+      integer_parameter("smoothing", 2, 0, 20, "rounds",
+                        "remesh: how often the triangles are evened out on the surface.")
+          .titled("New mesh: evened out"),
+      integer_parameter("refine", 0, 0, 4, "times", "remesh: how often every triangle is cut in four.")
+          .titled("New mesh: each triangle cut in four"),
       number_parameter("cell", 1, 0.1, 10, "× mean edge",
                        "remesh: edge of the cubes; small ones keep more detail and take more memory. 0.5 with the "
-                       "preset sharp."),
+                       "preset sharp.")
+          .titled("New mesh: edges"),
       number_parameter("adaptive", 0, 0, 1, "× cell",
                        "remesh: fewer faces where the surface is flat: they are merged as long as the surface stays "
-                       "this near to what it was. 0: none are; 0.1 is usual.")};
+                       "this near to what it was. 0: none are; 0.1 is usual.")
+          .titled("New mesh: fewer faces where flat")};
 }
 
 /// How much memory the result may take, and what is kept in it.
 std::vector<ParameterDescription> result_parameters() {
-  return {number_parameter("memory-limit", 0, 0, unlimited, "MiB",
-                           "A mesh that would take more is refused before anything is allocated; 0 for no limit."),
-          choice("precision", {"double", "single"},
-                 "How coordinates will be stored, by which patches are judged; files of single numbers set it."),
-          flag("patch-ids", true,
-               "Mark each face with the number of its patch, -1 for the scan's own, and each vertex with a confidence; "
-               "files other than PLY can't hold them."),
-          flag("list", false, "Only list the holes and which of them would be filled; write nothing.")};
+  return {
+      number_parameter("memory-limit", 0, 0, unlimited, "MiB",
+                       "A mesh that would take more is refused before anything is allocated; 0 for no limit.")
+          .titled("Most memory")
+          .at(ParameterPlace::Expert),
+      choice_parameter("precision", {"double", "single"},
+                       "How coordinates will be stored, by which patches are judged; files of single numbers set it.")
+          .at(ParameterPlace::Nowhere),
+      flag_parameter(
+          "patch-ids", true,
+          "Mark each face with the number of its patch, -1 for the scan's own, and each vertex with a confidence; "
+          "files other than PLY can't hold them.")
+          .titled("Mark patches")
+          .at(ParameterPlace::Expert),
+      flag_parameter("list", false, "Only list the holes and which of them would be filled; write nothing.")};
 }
 
 Fairness fairness_of(std::string_view name) {
@@ -150,8 +165,7 @@ void read_shape(const ParameterValues& parameters, FillOptions& options) {
   options.fairness = fairness_of(text_of(parameters, "fairness"));
   options.flat_caps = text_of(parameters, "fairness") == "auto";
   options.preset = preset_of(text_of(parameters, "preset"));
-  const Kernel kernel = kernel_of(text_of(parameters, "kernel"));
-  if (kernel != Kernel::Hermite) options.implicit.kernel = kernel;
+  options.implicit.kernel = kernel_of(text_of(parameters, "kernel"));
   options.bulge = number_of(parameters, "bulge");
   options.trim_rim = static_cast<int>(integer_of(parameters, "trim-rim"));
 }
@@ -177,18 +191,13 @@ void read_point_range(const std::string& range, RemeshOptions& options) {
   options.max_points = *high;
 }
 
-/// For remeshing as the preset has it, but for what was changed. Methods for patches know the preset themselves.
 RemeshOptions mode_options(const ParameterValues& parameters, bool remesh) {
-  const auto descriptions = fill_parameters();
-  const auto is_changed = [&](const std::string& name) {
-    return parameters.at(name) != find_parameter(descriptions, name)->default_value;
-  };
   RemeshOptions options = remesh ? remeshing::remesh_preset(preset_of(text_of(parameters, "preset"))) : RemeshOptions();
-  if (is_changed("overlap")) options.overlap = number_of(parameters, "overlap");
-  if (is_changed("points-per-domain")) read_point_range(text_of(parameters, "points-per-domain"), options);
-  if (is_changed("smoothing")) options.smoothing = static_cast<int>(integer_of(parameters, "smoothing"));
-  if (is_changed("refine")) options.refine = static_cast<int>(integer_of(parameters, "refine"));
-  if (is_changed("cell")) options.cell = number_of(parameters, "cell");
+  options.overlap = number_of(parameters, "overlap");
+  read_point_range(text_of(parameters, "points-per-domain"), options);
+  options.smoothing = static_cast<int>(integer_of(parameters, "smoothing"));
+  options.refine = static_cast<int>(integer_of(parameters, "refine"));
+  options.cell = number_of(parameters, "cell");
   options.adaptive = number_of(parameters, "adaptive");
   constexpr double mebibyte = 1024 * 1024;
   options.memory_limit = static_cast<std::size_t>(std::min(number_of(parameters, "memory-limit") * mebibyte, 1e18));
@@ -203,9 +212,9 @@ constexpr std::array<const char*, 2> patch_alone = {"bulge", "trim-rim"};
 Findings unused_parameters(const ParameterValues& parameters, bool remesh) {
   std::string names;
   std::vector<Subject> subjects;
-  const auto descriptions = fill_parameters();
+  const ParameterValues plain = complete(fill_parameters(), {{"preset", parameters.at("preset")}});
   const auto look_at = [&](const char* name) {
-    if (parameters.at(name) == find_parameter(descriptions, name)->default_value) return;
+    if (parameters.at(name) == plain.at(name)) return;  // without an effect in either mode
     names += (names.empty() ? "" : ", ") + std::string(name);
     subjects.push_back({SubjectKind::Parameter, name, {}, {}, {}});
   };

@@ -10,6 +10,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/base/index_list.h"
+#include "croquis/base/limits.h"
 #include "croquis/base/text.h"
 #include "operators/fill_settings.h"
 #include "operators/hole_ids.h"
@@ -40,13 +41,8 @@ std::vector<std::string_view> split(std::string_view text, std::string_view sepa
   return pieces;
 }
 
-std::optional<double> number_in(std::string_view word) {
-  double number = 0;
-  return read_number(word, number) && std::isfinite(number) ? std::optional(number) : std::nullopt;
-}
-
 bool read_bulge(std::string_view word, HoleWish& wish) {
-  const auto bulge = number_in(word);
+  const auto bulge = usable_number(word);
   if (!bulge || std::abs(*bulge) > 1) return false;
   wish.bulge = *bulge;
   return true;
@@ -67,7 +63,7 @@ bool read_kernel(std::string_view word, HoleWish& wish) {
 bool read_through(const std::vector<std::string_view>& words, HoleWish& wish) {
   Vec3 place;
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto coordinate = number_in(words[i + 1]);
+    const auto coordinate = usable_number(words[i + 1]);
     if (!coordinate) return false;
     place[static_cast<Eigen::Index>(i)] = *coordinate;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "operators/inflate_operation.h"
 
+#include <array>
 #include <utility>
 
 #include "croquis/geometry/affine3.h"
@@ -17,14 +18,49 @@ namespace {
 using silhouette::Options;
 using silhouette::Preset;
 
-ParameterDescription weight(const std::string& name, double value, const std::string& sentence) {
-  return {"weight-" + name, ParameterType::Number, value, 1e-3, 1.0, {}, "", sentence};
-}
+constexpr std::array<const char*, 2> crossings_names = {"refuse", "front"};  // in the order of silhouette::Crossings
 
 /// What hands draw crosses itself; exact lines that cross are a slip.
-silhouette::Crossings crossings_of(const std::string& choice, const Options& preset) {
-  if (choice == "front") return silhouette::Crossings::Front;
-  return choice == "refuse" ? silhouette::Crossings::Refuse : preset.strokes.crossings;
+ParameterDescription inflate_preset_choice() {
+  ParameterDescription preset =
+      choice_parameter("preset", {"clean", "tablet"}, "clean for exact lines, tablet for lines drawn by hand.")
+          .titled("Lines are", {"exact", "drawn by hand"});
+  const auto crossings = static_cast<std::size_t>(Options::of(Preset::Tablet).strokes.crossings);
+  preset.presets["tablet"] = {{"crossings", std::string(crossings_names[crossings])}};
+  return preset;
+}
+
+std::vector<ParameterDescription> inflate_parameters() {
+  const Options defaults;
+  const auto weight = [](const std::string& name, double value, const std::string& sentence) {
+    return number_parameter("weight-" + name, value, 1e-3, 1.0, "", sentence);
+  };
+  return {
+      inflate_preset_choice(),
+      weight("curvature", defaults.depth.weight_curvature, "How much bending costs: high gives long gentle arcs.")
+          .titled("Smooth arcs"),
+      weight("orientation", defaults.depth.weight_orientation, "How much tilting costs: high keeps parts flat.")
+          .titled("Keep flat"),
+      weight("distance", defaults.depth.weight_distance, "How much depth costs: high keeps parts near the plane.")
+          .titled("Keep near the plane"),
+      number_parameter("min-gap", defaults.depth.minimum_gap, 0.01, 1, "× the parts' median radius",
+                       "Least distance between parts in front of one another.")
+          .titled("Gap between parts"),
+      number_parameter("resolution", defaults.strokes.step, 2, 20, "‰ of the drawing's diagonal",
+                       "Spacing of points along the contours: smaller is finer.")
+          .titled("Smallest detail"),
+      list_parameter(
+          "attach",
+          "Objects that are held together where they overlap: auto for all that look it, else pairs: A,B or A,B=K "
+          "grow together, K from 0 to 1 being the least distance of their middles in parts of that of touching ones, "
+          "0.55 unless said, and A,B=K:R with a seam of radius R, 0 to 1; A,B=rest touch, A,B=apart keep a gap.")
+          .titled("How parts are joined")
+          .at(ParameterPlace::Nowhere),
+      choice_or_preset("crossings", crossings_names,
+                       "Outlines that cross in full view: the closed line drawn later lies in front, or they are "
+                       "refused; tablet takes them, clean refuses them.")
+          .titled("Outlines that cross")
+          .at(ParameterPlace::Nowhere)};
 }
 
 Options read_inflate_options(const ParameterValues& parameters) {
@@ -35,7 +71,7 @@ Options read_inflate_options(const ParameterValues& parameters) {
   options.depth.weight_orientation = number_of(parameters, "weight-orientation");
   options.depth.weight_distance = number_of(parameters, "weight-distance");
   options.depth.minimum_gap = number_of(parameters, "min-gap");
-  options.strokes.crossings = crossings_of(text_of(parameters, "crossings"), options);
+  options.strokes.crossings = named<silhouette::Crossings>(crossings_names, text_of(parameters, "crossings"));
   AttachText attach = read_attach_text(text_of(parameters, "attach"));
   options.attach = std::move(attach.pairs);
   options.attach_suggested = attach.suggested;
@@ -51,57 +87,16 @@ Value on_plane(PolyMesh mesh, const DrawingPlane& plane) {
 }  // namespace
 
 OperationDescription InflateOperation::describe() const {
-  const Options defaults;
   return {"inflate",
           1,
-          "Inflate",
+          "Solid",
           "Turns drawn contours, whose parts may hide each other, into closed solids.",
           {{"drawing", ValueType::Drawing, "The visible contours; a line stops where it passes behind something."}},
           {{"mesh", ValueType::Mesh, "The solids: closed, in the drawn order, free of self-intersection.", true},
            {"labels", ValueType::Drawing, "Every contour, hidden parts included, cut where contours cross."},
            {"skeleton", ValueType::Mesh, "The skeleton in space, as polylines."},
            {"details", ValueType::Report, "Counts and figures of every stage."}},
-          {{"preset",
-            ParameterType::Choice,
-            std::string("clean"),
-            0,
-            0,
-            {"clean", "tablet"},
-            "",
-            "clean for exact lines, tablet for lines drawn by hand."},
-           weight("curvature", defaults.depth.weight_curvature, "How much bending costs: high gives long gentle arcs."),
-           weight("orientation", defaults.depth.weight_orientation, "How much tilting costs: high keeps parts flat."),
-           weight("distance", defaults.depth.weight_distance, "How much depth costs: high keeps parts near the plane."),
-           {"min-gap",
-            ParameterType::Number,
-            defaults.depth.minimum_gap,
-            0.01,
-            1.0,
-            {},
-            "x median radius",
-            "Least distance between parts in front of one another."},
-           {"resolution",
-            ParameterType::Number,
-            defaults.strokes.step,
-            2.0,
-            20.0,
-            {},
-            "x sketch diagonal / 1000",
-            "Spacing of points along the contours: smaller is finer."},
-           {"attach",
-            ParameterType::Text,
-            std::string(),
-            0,
-            0,
-            {},
-            "",
-            "Objects that are held together where they overlap: auto for all that look it, else pairs: A,B or A,B=K "
-            "grow together, K from 0 to 1 being the least distance of their middles in parts of that of touching ones, "
-            "0.55 unless said, and A,B=K:R with a seam of radius R, 0 to 1; A,B=rest touch, A,B=apart keep a gap.",
-            true},
-           choice("crossings", {"preset", "front", "refuse"},
-                  "Outlines that cross in full view: the closed line drawn later lies in front, or they are refused; "
-                  "tablet takes them, clean refuses them.")}};
+          inflate_parameters()};
 }
 
 OperationResult InflateOperation::compute(const Values& inputs, const ParameterValues& parameters,

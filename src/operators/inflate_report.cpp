@@ -63,6 +63,7 @@ void add_solid(const Drawing& drawing, const LabelledDrawing& labelled, const So
         {drawing.strokes[pair.front].id, drawing.strokes[pair.behind].id, pair.at, pair.chosen});
   }
   result.attached = solid.attached;
+  result.used = solid.used;
   result.diagnostics = solid.diagnostics;
 }
 
@@ -198,6 +199,7 @@ Report to_report(const InflateResult& result) {
   solver.set("iterations", result.diagnostics.solver_iterations).set("residual", result.diagnostics.solver_residual);
   Report details;
   details.set("strokes", result.strokes)
+      .set("used", result.used)
       .set("objects", object_list(result))
       .set("contours", result.contours)
       .set("completions", result.completions)

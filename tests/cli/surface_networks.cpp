@@ -194,6 +194,13 @@ std::vector<CodeNetwork> warned_networks() {
              n["points"] = {point("p", {1, -3, 0})};
            }),
            {"p", "bad"}},
+          {"W_POINTS_NEAR",
+           changed([](Json& n) {
+             n["points"] = {point("p", {1, -0.5, 0.2}), point("q", {1, -0.5, 0.4})};
+             n["points"][0]["fan"] = {0, 0.1, 0.1};
+             n["points"][1]["fan"] = {0, 0.1, 0.1001};
+           }),
+           {"p", "q"}},
           {"W_IGNORED", changed([](Json& n) { curve(n, "ef")["colour"] = "red"; }), {"network.json"}}};
 }
 

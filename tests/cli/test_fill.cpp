@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <set>
 
 #include <catch2/catch.hpp>
@@ -35,8 +36,9 @@ TEST_CASE("the JSON report has exactly the keys that scripts rely on") {
                                  "stages", "version", "warnings"});
   CHECK(report["command"] == "fill");
   const Json& details = report["details"];
-  CHECK(keys_of(details) == Words{"checks", "closed_rims", "domains", "holes", "new_faces", "new_vertices",
-                                  "points_per_domain", "removed_faces", "summary", "untouched_vertices"});
+  CHECK(keys_of(details) == Words{"added_self_intersections", "checks", "closed_rims", "domains", "holes", "new_faces",
+                                  "new_vertices", "open_edges", "points_per_domain", "removed_faces", "summary",
+                                  "untouched_vertices"});
   CHECK(details["checks"] == Json{{"outside_unchanged", true}});
   CHECK(details["closed_rims"] == 1);
   REQUIRE(details["holes"].size() == 2);
@@ -282,6 +284,55 @@ TEST_CASE("the shipped scan comes back closed, without a word but where flat lid
   };
   for (const char* fairness : {"rbf", "smooth"}) CHECK(fill_all(fairness)["warnings"].empty());
   CHECK(tells(fill_all("flat"), "W_LOW_CONFIDENCE"));
+}
+
+TEST_CASE("the first line, the report and the file agree on what is open, seams or not") {
+  const ScratchFolder folder;
+  const PolyMesh crossing = merged(as_soup(holed_sphere()), translated(round_sphere(2), Vec3(0, 0, -1)));
+  const std::string input = folder.write("soup.ply", ply_of(crossing));
+  const ProcessResult shown = run_cli({"fill", input, "-o", folder / "out.ply"});
+  CHECK(shown.code == 0);
+  CHECK(shown.out.find("\n1 hole: 1 filled, 0 left open. ") != std::string::npos);
+  CHECK(shown.out.find("edges of seams count as closed") != std::string::npos);
+  CHECK(shown.out.find("\nclosed, oriented, ") != std::string::npos);
+  CHECK(shown.out.find("self-intersections, which were there before\n") != std::string::npos);
+  const Json report = filled(input, folder / "out.ply");
+  const Json& edges = report["details"]["open_edges"];
+  CHECK(edges["before"] == report["details"]["holes"][0]["boundary_edges"]);
+  CHECK(edges["after"] == 0);
+  CHECK(edges["seams"] > 1000);
+  CHECK(report["mesh"]["boundary_edges"] == 0);
+  CHECK(report["mesh"]["self_intersections"] > 0);
+  CHECK(report["details"]["added_self_intersections"] == 0);
+  // The same figures as of the mesh whose vertices are one from the beginning.
+  const PolyMesh whole = merged(holed_sphere(), translated(round_sphere(2), Vec3(0, 0, -1)));
+  const Json plain = filled(folder.write("whole.ply", ply_of(whole)), folder / "plain.ply");
+  for (const char* key : {"faces", "edges", "boundary_edges", "self_intersections", "components", "genus"})
+    CHECK(report["mesh"][key] == plain["mesh"][key]);
+}
+
+TEST_CASE("the list tells places and directions in numbers, and findings in words of options") {
+  const ScratchFolder folder;
+  const PolyMesh sheets = cut(sheet(12, 12), Vec3(6, 6, 0), 2.6).mesh;
+  const std::string input = folder.write("scan.ply", ply_of(sheets));
+  const std::string list = run_cli({"fill", input, "--list"}).out;
+  CHECK(list.find("...") == std::string::npos);
+  const Json holes = Json::parse(run_cli({"fill", input, "--list", "--json"}).out)["details"]["holes"];
+  for (const char* key : {"at", "normal"}) {
+    char text[100];
+    const Json& place = holes[1][key];
+    std::snprintf(text, sizeof text, "  %.6g %.6g %.6g", place[0].get<double>(), place[1].get<double>(),
+                  place[2].get<double>());
+    CHECK(list.find(text) != std::string::npos);
+  }
+  PolyMesh bar = translated(scaled(divided_box(1), 1.0), Vec3(-0.5, -0.5, -0.5));
+  for (Vec3& p : bar.positions) p = Vec3(p.x(), p.y(), 40 * p.z()) + Vec3(6, 6, 0);
+  const Json report = filled(folder.write("barred.ply", ply_of(merged(sheets, bar))), folder / "out.ply");
+  CHECK(tells(report, "W_HOLE_FAILED"));
+  for (const Json& warning : report["warnings"]) {
+    for (const char* inner : {"implicit", "minimal", "cgal", "creased", "dihedral", "avoiding", "method"})
+      CHECK(warning["message"].get<std::string>().find(inner) == std::string::npos);
+  }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <set>
 #include <sstream>
+#include <tuple>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -196,6 +197,38 @@ TEST_CASE("one bad object doesn't stop the others") {
   CHECK(report.at("warnings")[0]["subject"][0]["id"] == "bad");
   CHECK(run_cli({"check", folder / "a.obj"}).code == 0);
   CHECK(run_cli({"inflate", sketch, "-o", folder / "b.obj", "--strict"}).code == 1);
+}
+
+TEST_CASE("the report tells which share of the drawing was used, and a limb without its body is no result") {
+  const std::string ear = "<path id=\"ear\" d=\"M 0 0 H 60 V 60 H 0 Z\"/>";
+  const std::string free_line = "<path id=\"line\" d=\"M 200 0 V 60\"/>";
+  // Its ends miss one another by far more than a hand does.
+  const std::string body = "<path id=\"body\" d=\"M 300 100 H 500 V 300 H 100 V 100 H 200\"/>";
+  // Crosses itself, so that nothing tells what is in front.
+  const std::string eight = "<path id=\"eight\" d=\"M 100 100 H 240 V 240 H 80 V 120 H 120 V 80 H 100 Z\"/>";
+  std::string ears;
+  for (int k = 0; k < 12; ++k) {
+    const std::string x = std::to_string(400 + 90 * k);
+    ears += "<path d=\"M " + x + " 0 h 60 v 60 h -60 Z\"/>";
+  }
+  const ScratchFolder folder;
+  const std::string one_line = folder.write("used.svg", svg(ear + free_line));
+  const Json report = report_of(run_cli({"inflate", one_line, "-o", folder / "a.obj", "--json"}));
+  CHECK(report.at("details").at("used").get<double>() == Approx(240.0 / 300));
+  for (const auto& [drawing, left_out, reason] :
+       {std::tuple(ear + free_line + body, "body", "E_FREE_END"), std::tuple(ears + eight, "eight", "E_CROSS")}) {
+    const std::string sketch = folder.write("left_out.svg", svg(drawing));
+    const ProcessResult result = run_cli({"inflate", sketch, "-o", folder / "b.obj", "--json"});
+    INFO(result.out << result.err);
+    CHECK(result.code == 4);
+    const Json refused = report_of(result);
+    CHECK(refused.at("error").at("code") == "E_LEFT_OUT");
+    CHECK(refused.at("error").at("subject")[0].at("id") == left_out);
+    const std::string code = reason;
+    const auto is_reason = [&](const Json& finding) { return finding.at("code") == code; };
+    CHECK(std::ranges::any_of(refused.at("errors"), is_reason));
+    CHECK(!std::filesystem::exists(folder / "b.obj"));
+  }
 }
 
 TEST_CASE("strokes of a kind that isn't understood yet are refused by name") {

@@ -98,6 +98,62 @@ TEST_CASE("a format that can't hold everything says so, and --strict makes it an
   CHECK(run_cli({"convert", path, "-o", folder / "a.stl", "--strict"}).code == 1);
 }
 
+/// Two crossed tetrahedra, closed and oriented.
+PolyMesh crossed() { return merged(tetrahedron(), translated(tetrahedron(), Vec3(0.1, 0.1, 0.1))); }
+
+TEST_CASE(
+    "a mesh that is made and crosses itself is told, with the number of pairs, and --strict makes it an exit code") {
+  const ScratchFolder folder;
+  const std::string cage = folder.write("cage.obj", bytes_of(crossed(), MeshFormat::Obj));
+  const std::string kettle = std::string(CROQUIS_SOURCE_DIR) + "/examples/data/surface/kettle.json";
+  const std::vector<std::vector<std::string>> commands = {{"edit", cage, "--do", "move vertices=0 by=0,0,0.01"},
+                                                          {"subdivide", cage, "--levels", "1"},
+                                                          {"fill", cage},
+                                                          {"surface", kettle}};
+  for (std::vector<std::string> words : commands) {
+    words.insert(words.end(), {"-o", folder / "out.obj", "--json", "--quiet"});
+    const ProcessResult result = run_cli(words);
+    INFO(words.front() << result.err);
+    REQUIRE(result.code == 0);
+    const Json report = Json::parse(result.out);
+    const auto pairs = report["mesh"]["self_intersections"].get<std::size_t>();
+    CHECK(pairs > 0);
+    std::size_t told = 0;
+    for (const Json& warning : report["warnings"]) {
+      CHECK(warning["code"] != "W_OPEN");
+      if (warning["code"] != "W_SELF_INTERSECTION") continue;
+      ++told;
+      CHECK_THAT(warning["message"].get<std::string>(), Catch::Contains(std::to_string(pairs) + " pairs of faces"));
+    }
+    CHECK(told == 1);
+    words.push_back("--strict");
+    CHECK(run_cli(words).code == 1);
+  }
+}
+
+TEST_CASE("an open mesh in a file for printing is told, in a file of another kind it isn't") {
+  const ScratchFolder folder;
+  const std::string open = folder.write("open.ply", bytes_of(triangulated(grid(2, 2)), MeshFormat::Ply));
+  const std::string box = folder.write("box.ply", bytes_of(triangulated(cube()), MeshFormat::Ply));
+  const auto is_told = [&](const std::string& command, const std::string& input, const std::string& name) {
+    const ProcessResult result = run_cli({command, input, "-o", folder / name});
+    CHECK(result.code == 0);
+    return result.err.find("W_OPEN") != std::string::npos;
+  };
+  for (const char* command : {"convert", "subdivide"}) {
+    CHECK(is_told(command, open, "open.stl"));
+    CHECK_FALSE(is_told(command, open, "open.obj"));
+    CHECK_FALSE(is_told(command, box, "box.stl"));
+  }
+  const std::string bracket = std::string(CROQUIS_SOURCE_DIR) + "/examples/data/perspective/bracket.svg";
+  const auto codes_without = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"perspective", bracket, "-o", folder / "bracket.obj"});
+    return run_cli(words).err;
+  };
+  CHECK_THAT(codes_without({"--ignore", "e02", "--ignore", "e05"}), Catch::Contains("W_OPEN"));
+  CHECK_THAT(codes_without({}), !Catch::Contains("W_OPEN"));
+}
+
 TEST_CASE("malformed files are refused with exit code 3, quickly and in little memory") {
   const ScratchFolder folder;
   const std::string ply =

@@ -98,7 +98,7 @@ TEST_CASE("malformed tags are exit code 3 with their place, wrong ones are left 
            {"{\"format\": \"other\"}", "format"},
            {"{\"format\": \"croquis-tags-1\", \"edges\": [{\"v\": [8]}]}", "edges[0].v"},
            {"{\"format\": \"croquis-tags-1\", \"index_base\": 1, \"pins\": [0]}", "pins[0]"},
-           {std::string(100, '['), "64 levels"}}) {
+           {std::string(300, '['), "200 levels"}}) {
     INFO(tags);
     const ProcessResult result = run_with(tags);
     CHECK(result.code == 3);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <map>
 #include <numbers>
 
 #include <catch2/catch.hpp>
@@ -8,6 +10,7 @@
 #include "croquis/base/error.h"
 #include "croquis/document/content_hash.h"
 #include "croquis/document/memo.h"
+#include "croquis/geometry/mesh_report.h"
 #include "croquis/hole_filling/hole_choice.h"
 #include "croquis/operators/fill_result.h"
 #include "croquis/operators/hole_wishes.h"
@@ -300,6 +303,107 @@ TEST_CASE("programs read of a filling what its mesh shows") {
     CHECK(hole.normal.dot(hole.at.normalized()) > 0.9);  // cut out of a sphere around the origin
   }
   CHECK(fill(given, {{"mode", std::string("remesh")}}).details.get<FillResult>()->remeshed.has_value());
+}
+
+/// Faces on the side of greater x get vertices of their own, as texture charts have.
+PolyMesh in_two_charts(PolyMesh mesh) {
+  std::map<Index, Index> copies;
+  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+    Vec3 sum = Vec3::Zero();
+    for (const Index vertex : mesh.face(face)) sum += mesh.positions[vertex];
+    if (sum.x() < 0) continue;
+    for (Index corner = mesh.face_offsets[face]; corner < mesh.face_offsets[face + 1]; ++corner) {
+      const auto fresh = static_cast<Index>(mesh.positions.size());
+      const auto [copy, is_new] = copies.try_emplace(mesh.corners[corner], fresh);
+      if (is_new) mesh.positions.push_back(Vec3(mesh.positions[mesh.corners[corner]]));
+      mesh.corners[corner] = copy->second;
+    }
+  }
+  return mesh;
+}
+
+/// A sheet with a hole, and another one that stands on an inner row of its edges: these have three faces, and the rim
+/// of the standing one ends there.
+PolyMesh sheet_with_fin() {
+  PolyMesh mesh = test::cut(test::sheet(12, 12), Vec3(9, 9, 0), 1.5).mesh;
+  std::vector<Index> row;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.positions[v].y() == 3 && mesh.positions[v].x() > 2 && mesh.positions[v].x() < 8) row.push_back(v);
+  }
+  const auto top = static_cast<Index>(mesh.vertex_count());
+  for (const Index v : row) mesh.positions.push_back(mesh.positions[v] + Vec3(0, 0, 1));
+  for (Index i = 0; i + 1 < row.size(); ++i) {
+    mesh.add_triangle(row[i], row[i + 1], top + i);
+    mesh.add_triangle(row[i + 1], top + i + 1, top + i);
+  }
+  return mesh;
+}
+
+/// A sheet with two holes, and a bar that sticks through the rim of one: nothing closes that one.
+PolyMesh barred_sheet() {
+  PolyMesh mesh = test::cut(test::cut(test::sheet(24, 12), Vec3(6, 6, 0), 3).mesh, Vec3(18, 6, 0), 3).mesh;
+  return test::merged(mesh, test::translated(test::scaled(test::divided_box(2), 2), Vec3(5, 5, -1)));
+}
+
+/// Edges of one face, by their ends' places: an oracle that knows nothing of views.
+std::size_t open_edges_by_place(const PolyMesh& mesh) {
+  using Place = std::array<double, 3>;
+  std::map<std::array<Place, 2>, int> faces;
+  const auto place = [&](Index v) {
+    return Place{mesh.positions[v].x(), mesh.positions[v].y(), mesh.positions[v].z()};
+  };
+  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+    const auto corners = mesh.face(face);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      std::array<Place, 2> ends = {place(corners[i]), place(corners[(i + 1) % corners.size()])};
+      std::ranges::sort(ends);
+      ++faces[ends];
+    }
+  }
+  return static_cast<std::size_t>(std::ranges::count_if(faces, [](const auto& edge) { return edge.second == 1; }));
+}
+
+/// Edges of one face as the mesh has them, apart where vertices are.
+std::size_t open_edges_as_written(const PolyMesh& mesh) {
+  Progress progress;
+  return inspect(mesh, false, progress).boundary_edges;
+}
+
+TEST_CASE("what is open is counted with seams joined, before and after, and the first line tells all of it") {
+  struct Case {
+    PolyMesh scan;
+    std::string begin;
+    std::size_t loose;
+  };
+  const Case cases[] = {{in_two_charts(scan()), "6 holes: 6 filled, 0 left open.", 0},
+                        {sheet_with_fin(), "2 holes: 1 filled, 1 left open.", 6},
+                        {barred_sheet(), "3 holes: 1 filled, 2 left open, 1 of them since no patch is sound.", 0}};
+  for (const Case& given : cases) {
+    const OperationResult result = fill(given.scan);
+    const Report& details = details_of(result);
+    const std::string& summary = details.at("summary").as_string();
+    CAPTURE(summary);
+    CHECK(summary.starts_with(given.begin));
+    const Report& edges = details.at("open_edges");
+    const auto count = [&](const char* key) { return static_cast<std::size_t>(edges.at(key).as_integer()); };
+    CHECK(count("before") == open_edges_by_place(given.scan));
+    CHECK(count("after") == open_edges_by_place(mesh_of(result)));
+    CHECK(count("loose") == given.loose);
+    CHECK(2 * count("seams") == open_edges_as_written(given.scan) - count("before"));
+    std::size_t of_holes = 0;
+    for (const Report& hole : details.at("holes").as_array()) {
+      if (hole.at("action").as_string() != "fill")
+        of_holes += static_cast<std::size_t>(hole.at("boundary_edges").as_integer());
+    }
+    CHECK(count("after") == of_holes + count("loose"));
+    const auto tells = [&](std::size_t number, const std::string& what) {
+      const std::string words = " " + std::to_string(number) + what;
+      CHECK((summary.find(words) != std::string::npos) == (number > 0));
+    };
+    tells(count("after"), " edges stay open.");
+    tells(count("loose"), " open edges belong to no hole");
+    tells(count("seams"), " edges of seams count as closed");
+  }
 }
 
 }  // namespace

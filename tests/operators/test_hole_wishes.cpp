@@ -89,7 +89,7 @@ TEST_CASE("wishes as text read back as the same wishes") {
       if (random.below(2) == 0) wish.trim_rim = random.below(4);
       for (Index i = random.below(3); i > 0; --i)
         wish.through.emplace_back(random.unit() * 1e6, -random.unit() * 1e-9, random.unit());
-      if (wish.through.empty()) wish.through.emplace_back(0.1, 1e300, -5);
+      if (wish.through.empty()) wish.through.emplace_back(0.1, 1e30, -5);
       if (random.below(4) == 0) {
         wish.holes = {7, 2};
         wish.bridge = true;

@@ -46,10 +46,19 @@ struct RemeshFigures {
   remeshing::RemeshChecks checks;
 };
 
+/// Edges of one face, with vertices that count as one taken as one (see hole_filling::view_surface).
+struct OpenEdges {
+  std::size_t before = 0;  ///< of the scan
+  std::size_t after = 0;   ///< of the mesh made
+  std::size_t loose = 0;   ///< of the scan, and of no hole: their rims end at edges of more than two faces
+  std::size_t seams = 0;   ///< edges of the scan that are closed only since vertices at one place count as one
+};
+
 struct FillResult {
   std::shared_ptr<const PolyMesh> scan;  ///< the mesh given, whose holes these are
   std::vector<HoleRow> holes;            ///< by id
   bool listed = false;                   ///< nothing was filled, and the output is the scan
+  OpenEdges open_edges;
   std::size_t new_vertices = 0, new_faces = 0;
   std::size_t domains = 0;  ///< functions that were fitted: of patches one or several each
   hole_filling::DomainPointCounts points_per_domain;

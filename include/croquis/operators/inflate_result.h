@@ -79,6 +79,7 @@ struct InflateResult {
   std::vector<SuggestedJoint> suggested;
   std::vector<NestedStroke> nested;
   std::vector<StrokesInView> crossings_in_view;
+  double used = 1;  ///< share of the drawing's strokes, by length, that the solid is made of
   silhouette::SolidDiagnostics diagnostics;
 };
 

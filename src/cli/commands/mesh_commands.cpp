@@ -85,9 +85,11 @@ void ConvertCommand::run(const Invocation& invocation, CommandResult& result, Pr
   options.ascii = flag_of(invocation.parameters, "ascii");
   Progress writing = progress.step("write", 0.4);
   stage_mesh(invocation.output, mesh, options, format, result, writing);
-  if (invocation.json) {  // counting a large mesh takes longer than converting it
+  const bool for_printing = format == MeshFormat::Stl && mesh.face_count() > 0;
+  if (invocation.json || for_printing) {  // counting a large mesh takes longer than converting it
     Progress inspecting;
     result.mesh = inspect(as_written(mesh, format, options), false, inspecting);
+    warn_of_faults(invocation.output, for_printing, result);
   }
   progress.report(1);
 }

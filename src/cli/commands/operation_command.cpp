@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -14,6 +15,8 @@
 #include "cli/solid_faults.h"
 #include "cli/solid_files.h"
 #include "croquis/base/error.h"
+#include "croquis/geometry/self_intersection.h"
+#include "croquis/hole_filling/surface_view.h"
 #include "croquis/io/attribute_network_file.h"
 #include "croquis/io/camera_file.h"
 #include "croquis/io/curve_network_file.h"
@@ -36,6 +39,12 @@ constexpr const char* single_precision = "single";
 
 /// The parameter of operations that refuse what would take more memory: --max-memory is a limit for them, too.
 constexpr const char* memory_parameter = "memory-limit";
+
+/// The parameter of operations that take near vertices for one, × the diagonal.
+constexpr const char* weld_parameter = "weld";
+
+/// The key in the details for self-intersections that the input didn't have.
+constexpr const char* added_key = "added_self_intersections";
 
 /// The flag of operations that mark the faces they make: only PLY files can hold the marks.
 constexpr const char* marks_parameter = "patch-ids";
@@ -248,18 +257,29 @@ void check_files(const OperationDescription& description, const std::vector<Foll
   }
 }
 
-/// Counting large meshes takes longer than making them.
-bool is_asked_for(const Invocation& invocation) { return invocation.json || !invocation.quiet; }
+/// The figures of a mesh as hole filling sees it, where vertices at one place count as one; the details get the pairs
+/// that intersect in which faces take part that the input doesn't have.
+MeshReport inspect_joined(const PolyMesh& mesh, const Invocation& invocation, Report& details, Progress& progress) {
+  const double tolerance = number_of(invocation.parameters, weld_parameter);
+  const auto joined = hole_filling::joined(mesh, hole_filling::view_surface(mesh, progress, tolerance));
+  const auto new_faces = static_cast<std::size_t>(details.at("new_faces").as_integer());
+  const auto first = std::ranges::lower_bound(joined.face, static_cast<Index>(mesh.face_count() - new_faces));
+  std::vector<Index> added(static_cast<std::size_t>(joined.face.end() - first));
+  std::iota(added.begin(), added.end(), static_cast<Index>(first - joined.face.begin()));
+  details.set(added_key, find_intersections_of(joined.mesh, added, progress, {.max_pairs = 0}).count);
+  MeshReport figures = inspect(joined.mesh, true, progress);
+  figures.faces = mesh.face_count();
+  return figures;
+}
 
-/// What the main output's file holds, when it is a mesh; beside STEP files the mesh as computed.
-std::optional<MeshReport> report_of_file(const PortDescription& port, const Value& value, bool is_step,
-                                         const Invocation& invocation, Progress& progress) {
-  const auto mesh = value.as<PolyMesh>();
-  if (mesh == nullptr) return std::nullopt;
-  if (is_step) return inspect(*mesh, port.counts_self_intersections, progress);
-  const MeshFormat format = output_mesh_format(invocation.output, invocation.output_format);
-  if (keeps_positions(*mesh, format, {})) return inspect(*mesh, port.counts_self_intersections, progress);
-  return inspect(as_written(*mesh, format, {}), port.counts_self_intersections, progress);
+/// The figures of what the main output's file holds; without a format, beside STEP files, of the mesh as computed.
+MeshReport report_of_file(const PortDescription& port, const PolyMesh& mesh, std::optional<MeshFormat> format,
+                          const Invocation& invocation, Report* details, Progress& progress) {
+  PolyMesh other;
+  const PolyMesh* counted = &mesh;
+  if (format && !keeps_positions(mesh, *format, {})) counted = &(other = as_written(mesh, *format, {}));
+  return port.joins_seams ? inspect_joined(*counted, invocation, *details, progress)
+                          : inspect(*counted, true, progress);
 }
 
 /// A mesh without faces is no valid result; what was found on the way says why. That may be a limit.
@@ -294,8 +314,12 @@ void stage_outputs(const OperationDescription& description, const Invocation& in
     } else {
       stage_value(main_output, value, {invocation.output, invocation.output_format, computed.camera}, result, progress);
     }
-    if (!result.mesh && is_asked_for(invocation)) {
-      result.mesh = report_of_file(main_output, value, is_step, invocation, progress);
+    if (const auto mesh = value.as<PolyMesh>(); mesh != nullptr && !result.mesh) {
+      std::optional<MeshFormat> format;
+      if (!is_step) format = output_mesh_format(invocation.output, invocation.output_format);
+      Report* details = result.details ? &*result.details : nullptr;
+      result.mesh = report_of_file(main_output, *mesh, format, invocation, details, progress);
+      warn_of_faults(invocation.output, main_output.is_closed || format == MeshFormat::Stl, result);
     }
   }
   for (const PortDescription& port : extra_outputs(description)) {
@@ -329,7 +353,11 @@ std::string summary(const CommandResult& result) {
   std::string text;
   const Report* sentence = result.details ? result.details->find("summary") : nullptr;
   if (sentence != nullptr) text += sentence->as_string();
-  if (result.mesh) text += (text.empty() ? "" : "\n") + mesh_text(*result.mesh);
+  const Report* added = result.details ? result.details->find(added_key) : nullptr;
+  if (result.mesh) {
+    const auto count = added == nullptr ? std::nullopt : std::optional(static_cast<std::size_t>(added->as_integer()));
+    text += (text.empty() ? "" : "\n") + mesh_text(*result.mesh, count);
+  }
   return text;
 }
 

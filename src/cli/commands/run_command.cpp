@@ -193,7 +193,8 @@ void RunCommand::run(const Invocation& invocation, CommandResult& result, Progre
   if (project_run.promises_solid()) {
     judge_solid(invocation.output, written, result, writing);
   } else {
-    result.mesh = inspect(written, false, writing);
+    result.mesh = inspect(written, true, writing);
+    warn_of_faults(invocation.output, format == MeshFormat::Stl, result);
   }
   result.text = mesh_text(*result.mesh);
   progress.report(1);

@@ -16,14 +16,15 @@ OperationDescription PatchCageOperation::describe() const {
           "tagged.",
           {{"solid", ValueType::Brep, "Faces, edges and vertices with their curves and patches."}},
           {{"cage", ValueType::Mesh, "Quads and convex polygons, with their tags; as closed as the solid."}},
-          {{"segments",
-            ParameterType::Choice,
-            std::string("4"),
-            0,
-            0,
-            {"2", "4", "8", "16", "32"},
-            "",
-            "Into how many edges a curve is divided, and a straight edge of a curved face."}}};
+          {ParameterDescription{"segments",
+                                ParameterType::Choice,
+                                std::string("4"),
+                                0,
+                                0,
+                                {"2", "4", "8", "16", "32"},
+                                "",
+                                "Into how many edges a curve is divided, and a straight edge of a curved face."}
+               .titled("Edges along a curve")}};
 }
 
 OperationResult PatchCageOperation::compute(const Values& inputs, const ParameterValues& parameters,

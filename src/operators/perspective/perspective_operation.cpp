@@ -53,7 +53,7 @@ OperationDescription PerspectiveOperation::describe() const {
   PortDescription mesh{"mesh", ValueType::Mesh,
                        "The solid as triangles: along planes and smooth patches, watertight where all edges have two "
                        "faces."};
-  mesh.counts_self_intersections = true;
+  mesh.is_closed = true;
   return {"perspective",
           1,
           "Solid from Perspective",

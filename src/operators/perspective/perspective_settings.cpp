@@ -2,13 +2,13 @@
 #include "operators/perspective/perspective_settings.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <optional>
 #include <string_view>
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/base/limits.h"
 #include "croquis/base/text.h"
 
 namespace croquis {
@@ -16,8 +16,9 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
+/// What people set at the strokes themselves.
 ParameterDescription stroke_list(const std::string& name, const std::string& sentence) {
-  return {name, ParameterType::Text, std::string(), 0, 0, {}, "", sentence, true};
+  return list_parameter(name, sentence).at(ParameterPlace::Nowhere);
 }
 
 [[noreturn]] void refuse_value(const std::string& name, std::string_view value, const std::string& instead) {
@@ -30,9 +31,9 @@ ParameterDescription stroke_list(const std::string& name, const std::string& sen
 std::vector<double> numbers_in(std::string_view text, std::string_view separators) {
   std::vector<double> numbers;
   for (const std::string_view part : text_parts(text, separators)) {
-    double number = 0;
-    if (!read_number(part, number) || !std::isfinite(number)) return {};
-    numbers.push_back(number);
+    const auto number = usable_number(part);
+    if (!number) return {};
+    numbers.push_back(*number);
   }
   return numbers;
 }
@@ -56,12 +57,10 @@ KnownPoint read_known_point(const std::string& text) {
 /// "e03=4".
 KnownLength read_known_length(const std::string& text) {
   const std::size_t sign = text.rfind('=');
-  double length = 0;
-  const bool reads = sign != std::string::npos && sign > 0 &&
-                     read_number(std::string_view(text).substr(sign + 1), length) && length > 0 &&
-                     std::isfinite(length);
-  if (!reads) refuse_value("scale", text, "a stroke and its length, such as e03=4");
-  return {text.substr(0, sign), length};
+  const bool is_pair = sign != std::string::npos && sign > 0;
+  const auto length = is_pair ? usable_number(std::string_view(text).substr(sign + 1)) : std::nullopt;
+  if (!length || *length <= 0) refuse_value("scale", text, "a stroke and its length, such as e03=4");
+  return {text.substr(0, sign), *length};
 }
 
 /// Faces by their strokes: "e1+e2+e3".
@@ -80,14 +79,10 @@ std::vector<ParameterDescription> face_parameters() {
   return {stroke_list("faces", "Faces that must be there, each by its strokes: e1+e2+e3."),
           stroke_list("no-faces", "Faces that must not be there, each by its strokes: e1+e2+e3."),
           stroke_list("sharp", "Strokes along which faces stay sharp."),
-          {"search-limit",
-           ParameterType::Integer,
-           std::int64_t{200000},
-           10,
-           100000000,
-           {},
-           "",
-           "Steps of the search for faces, for each part of the drawing."}};
+          integer_parameter("search-limit", 200000, 10, 100000000, "",
+                            "Steps of the search for faces, for each part of the drawing.")
+              .titled("Steps of the search for faces")
+              .at(ParameterPlace::Expert)};
 }
 
 PerspectiveMode mode_of(const std::string& name) {
@@ -105,57 +100,28 @@ void require_stroke(const PerspectiveDrawing& drawing, const std::string& id, co
 
 std::vector<ParameterDescription> perspective_parameters() {
   std::vector<ParameterDescription> parameters = {
-      {"mode",
-       ParameterType::Choice,
-       std::string("auto"),
-       0,
-       0,
-       {"auto", "1", "2", "3"},
-       "",
-       "How many vanishing points aren't at infinity; auto takes the simplest that the lines agree with."},
-      {"smooth-angle",
-       ParameterType::Number,
-       15.0,
-       2.0,
-       30.0,
-       {},
-       "degrees",
-       "Strokes and faces that turn less go on smoothly into each other."},
-      {"tolerance",
-       ParameterType::Number,
-       0.0005,
-       0.00001,
-       0.01,
-       {},
-       "x bounding-box diagonal",
-       "Greatest distance of the mesh from the surfaces: smaller is finer."},
-      {"known-point",
-       ParameterType::Text,
-       std::string(),
-       0,
-       0,
-       {},
-       "",
-       "A place of the drawing and its coordinates in space: U,V=X,Y,Z."},
+      choice_parameter(
+          "mode", {"auto", "1", "2", "3"},
+          "How many vanishing points aren't at infinity; auto takes the simplest that the lines agree with.")
+          .titled("Vanishing points", {"found", "1", "2", "3"}),
+      number_parameter("smooth-angle", 15, 2, 30, "degrees",
+                       "Strokes and faces that turn less go on smoothly into each other.")
+          .titled("Smooth below"),
+      number_parameter("tolerance", 0.0005, 0.00001, 0.01, "× the solid's diagonal",
+                       "Greatest distance of the mesh from the surfaces: smaller is finer.")
+          .titled("Detail"),
+      text_parameter("known-point", "", "A place of the drawing and its coordinates in space: U,V=X,Y,Z.")
+          .at(ParameterPlace::Nowhere),
       stroke_list("scale", "The length of a stroke in space: STROKE=LENGTH."),
-      {"field-of-view",
-       ParameterType::Number,
-       0.0,
-       0.0,
-       170.0,
-       {},
-       "degrees",
-       "Across the width of the sheet, where it is known; 0 where it isn't."},
-      {"flip", ParameterType::Flag, false, 0, 0, {}, "", "x and y point the other way; a drawing doesn't tell which."},
+      number_parameter("field-of-view", 0, 0, 170, "degrees",
+                       "Across the width of the sheet, where it is known; 0 where it isn't.")
+          .at(ParameterPlace::Expert),
+      flag_parameter("flip", false, "x and y point the other way; a drawing doesn't tell which.")
+          .titled("Turn x and y round")
+          .at(ParameterPlace::Expert),
       stroke_list("ignore", "A stroke that is left out."),
-      {"fix",
-       ParameterType::Flag,
-       false,
-       0,
-       0,
-       {},
-       "",
-       "Makes the first proposed change of a stroke that contradicts the others."}};
+      flag_parameter("fix", false, "Makes the first proposed change of a stroke that contradicts the others.")
+          .at(ParameterPlace::Nowhere)};
   for (ParameterDescription& parameter : face_parameters()) parameters.push_back(std::move(parameter));
   return parameters;
 }

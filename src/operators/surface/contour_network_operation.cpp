@@ -22,30 +22,14 @@ OperationDescription ContourNetworkOperation::describe() const {
       "Makes curves of an attribute network of the strokes of a drawing; faces are spanned between them afterwards.",
       {{"drawing", ValueType::Drawing, "Strokes on their plane."}},
       {{"network", ValueType::AttributeNetwork, "Curves that share nodes where strokes meet."}},
-      {{"tolerance",
-        ParameterType::Number,
-        0.002,
-        1e-6,
-        0.1,
-        {},
-        "x sketch diagonal",
-        "How far curves may be from what was drawn: smaller takes more curves."},
-       {"join",
-        ParameterType::Number,
-        0.01,
-        0,
-        0.1,
-        {},
-        "x sketch diagonal",
-        "Ends of strokes that are so near to each other, or to a stroke, meet."},
-       {"corner",
-        ParameterType::Number,
-        40.0,
-        5,
-        180,
-        {},
-        "degrees",
-        "Strokes that turn more have a corner there; 180 for none."}}};
+      {number_parameter("tolerance", 0.002, 1e-6, 0.1, "× the drawing's diagonal",
+                        "How far curves may be from what was drawn: smaller takes more curves.")
+           .titled("Off the strokes by at most"),
+       number_parameter("join", 0.01, 0, 0.1, "× the drawing's diagonal",
+                        "Ends of strokes that are so near to each other, or to a stroke, meet.")
+           .titled("Ends meet within"),
+       number_parameter("corner", 40, 5, 180, "degrees", "Strokes that turn more have a corner there; 180 for none.")
+           .titled("Corner above")}};
 }
 
 OperationResult ContourNetworkOperation::compute(const Values& inputs, const ParameterValues& parameters,

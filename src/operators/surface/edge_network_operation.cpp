@@ -15,7 +15,6 @@
 #include "croquis/geometry/edge_channels.h"
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/mesh_editing/mesh_selection.h"
-#include "operators/choice_parameter.h"
 
 namespace croquis {
 namespace {
@@ -76,41 +75,22 @@ OperationDescription EdgeNetworkOperation::describe() const {
           "Makes curves of an attribute network along edges of a mesh; faces are spanned between them afterwards.",
           {{"mesh", ValueType::Mesh, "Polygons."}},
           {{"network", ValueType::AttributeNetwork, "Curves along the edges, with nodes at vertices."}},
-          {choice("select", {"boundary", "sharp"}, "Edges of one face, or those where faces meet at more than angle."),
-           {"edges",
-            ParameterType::Text,
-            std::string(),
-            0,
-            0,
-            {},
-            "",
-            "Edges instead, each by its vertices, counted from 0: 3-7,7-12.",
-            true},
-           {"angle", ParameterType::Number, 30.0, 0, 180, {}, "degrees", "Faces that meet at more have a sharp edge."},
-           {"tolerance",
-            ParameterType::Number,
-            0.002,
-            1e-6,
-            0.1,
-            {},
-            "x bounding-box diagonal",
-            "How far curves may be from vertices: smaller takes more curves."},
-           {"corner",
-            ParameterType::Number,
-            40.0,
-            0,
-            180,
-            {},
-            "degrees",
-            "Rows of edges that turn more have a corner there; 180 for none."},
-           {"slopes",
-            ParameterType::Flag,
-            false,
-            0,
-            0,
-            {},
-            "",
-            "Give curves the mesh's normals, so that faces spanned between them continue it smoothly."}}};
+          {choice_parameter("select", {"boundary", "sharp"},
+                            "Edges of one face, or those where faces meet at more than angle.")
+               .titled("Edges", {"of the border", "sharp ones"}),
+           list_parameter("edges", "Edges instead, each by its vertices, counted from 0: 3-7,7-12.")
+               .at(ParameterPlace::Nowhere),
+           number_parameter("angle", 30, 0, 180, "degrees", "Faces that meet at more have a sharp edge.")
+               .titled("Sharp above"),
+           number_parameter("tolerance", 0.002, 1e-6, 0.1, "× the model's diagonal",
+                            "How far curves may be from vertices: smaller takes more curves.")
+               .titled("Off the edges by at most"),
+           number_parameter("corner", 40, 0, 180, "degrees",
+                            "Rows of edges that turn more have a corner there; 180 for none.")
+               .titled("Corner above"),
+           flag_parameter("slopes", false,
+                          "Give curves the mesh's normals, so that faces spanned between them continue it smoothly.")
+               .titled("Continue the faces around")}};
 }
 
 OperationResult EdgeNetworkOperation::compute(const Values& inputs, const ParameterValues& parameters,

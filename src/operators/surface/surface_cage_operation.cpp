@@ -17,14 +17,15 @@ OperationDescription SurfaceCageOperation::describe() const {
           "Makes a cage of quads for subdivision of a network of curves, with its creases tagged as sharp.",
           {{"network", ValueType::AttributeNetwork, "Curves, the faces between them, points and slopes."}},
           {{"cage", ValueType::Mesh, "Quads whose vertices lie on the surface; as closed as the network."}},
-          {{"segments",
-            ParameterType::Choice,
-            std::string("4"),
-            0,
-            0,
-            {"2", "4", "8", "16", "32"},
-            "",
-            "Into how many edges a curve is divided."}}};
+          {ParameterDescription{"segments",
+                                ParameterType::Choice,
+                                std::string("4"),
+                                0,
+                                0,
+                                {"2", "4", "8", "16", "32"},
+                                "",
+                                "Into how many edges a curve is divided."}
+               .titled("Edges along a curve")}};
 }
 
 OperationResult SurfaceCageOperation::compute(const Values& inputs, const ParameterValues& parameters,

@@ -14,7 +14,6 @@
 #include "croquis/base/error.h"
 #include "croquis/base/text.h"
 #include "croquis/hole_filling/hole_analysis.h"
-#include "operators/choice_parameter.h"
 #include "operators/hole_ids.h"
 
 namespace croquis {
@@ -23,46 +22,28 @@ namespace {
 using hole_filling::Hole;
 
 std::vector<ParameterDescription> patch_parameters() {
-  const auto number = [](const std::string& name, double value, double low, double high, const std::string& unit,
-                         const std::string& sentence) {
-    return ParameterDescription{name, ParameterType::Number, value, low, high, {}, unit, sentence};
-  };
-  return {{"only",
-           ParameterType::Text,
-           std::string(),
-           0,
-           0,
-           {},
-           "",
-           "Numbers of the holes to close, as the list of fill shows them: 0,3-5; empty for all.",
-           true},
-          {"vertex",
-           ParameterType::Integer,
-           std::int64_t{-1},
-           -1,
-           4e9,
-           {},
-           "",
-           "Closes the holes that have this vertex in their rims, counted from 0; -1 for none."},
-          choice("join", {"smooth", "crease"}, "smooth continues the faces around, crease meets them at an angle."),
-          number("corner", 40, 0, 180, "degrees", "Rims that turn more have a corner between two sides there."),
-          {"sides",
-           ParameterType::Integer,
-           std::int64_t{0},
-           0,
-           12,
-           {},
-           "",
-           "Sides that a rim is divided into, 3 to 12; 0 for as many as it has corners."},
-          {"fullness",
-           ParameterType::Text,
-           std::string("auto"),
-           0,
-           0,
-           {},
-           "",
-           "How far slopes at the rim reach into the patch, -1 to 2; auto finds the height that the rim lets expect."},
-          number("density", 1, 0.1, 10, "x mean edge of the rim", "Edges inside the patch: smaller is finer.")};
+  return {
+      list_parameter("only", "Numbers of the holes to close, as the list of fill shows them: 0,3-5; empty for all.")
+          .titled("Holes, such as 0,3-5")
+          .at(ParameterPlace::Expert),
+      integer_parameter("vertex", -1, -1, 4e9, "",
+                        "Closes the holes that have this vertex in their rims, counted from 0; -1 for none.")
+          .titled("Hole at vertex")
+          .at(ParameterPlace::Expert),
+      choice_parameter("join", {"smooth", "crease"},
+                       "smooth continues the faces around, crease meets them at an angle.")
+          .titled("Meets the faces around", {"smoothly", "at an angle"}),
+      number_parameter("corner", 40, 0, 180, "degrees", "Rims that turn more have a corner between two sides there.")
+          .titled("Corner above"),
+      integer_parameter("sides", 0, 0, 12, "",
+                        "Sides that a rim is divided into, 3 to 12; 0 for as many as it has corners.")
+          .titled("Sides"),
+      text_parameter("fullness", "auto",
+                     "How far slopes at the rim reach into the patch, -1 to 2; auto finds the height that the rim "
+                     "lets expect.")
+          .at(ParameterPlace::Expert),
+      number_parameter("density", 1, 0.1, 10, "× mean edge of the rim", "Edges inside the patch: smaller is finer.")
+          .titled("Edges")};
 }
 
 Finding refused(const std::string& parameter, const std::string& sentence) {
@@ -133,14 +114,13 @@ Report entry_of(const Hole& hole, const RimOutcome& outcome) {
 }  // namespace
 
 OperationDescription SurfacePatchOperation::describe() const {
-  PortDescription closed{"mesh", ValueType::Mesh, "The vertices and faces given, then those of the patches."};
-  closed.counts_self_intersections = true;
   return {"surface_patch",
           1,
           "Patch by Curves",
           "Closes holes of a mesh exactly along their rims by attribute surfaces that continue the faces around.",
           {{"mesh", ValueType::Mesh, "A mesh whose faces agree in direction; it isn't changed."}},
-          {std::move(closed), {"details", ValueType::Report, "Every chosen hole and what became of it."}},
+          {{"mesh", ValueType::Mesh, "The vertices and faces given, then those of the patches."},
+           {"details", ValueType::Report, "Every chosen hole and what became of it."}},
           patch_parameters()};
 }
 

@@ -16,11 +16,6 @@ constexpr const char* as_in_network = "network";
 /// Samples of drafts, which are looked at while something is dragged.
 constexpr std::size_t draft_samples = 16;
 
-ParameterDescription choice_of(const std::string& name, std::vector<std::string> choices, const std::string& sentence) {
-  choices.insert(choices.begin(), as_in_network);
-  return {name, ParameterType::Choice, std::string(as_in_network), 0, 0, std::move(choices), "", sentence};
-}
-
 std::optional<AttributeMode> mode_of(const std::string& name) {
   if (name == "smooth") return AttributeMode::Smooth;
   if (name == "position") return AttributeMode::Position;
@@ -47,36 +42,26 @@ std::optional<double> read_fullness(const std::string& text) {
 
 std::vector<ParameterDescription> surface_parameters() {
   return {
-      choice_of("mode", {"smooth", "position", "paper"},
-                "How faces are blended: with common tangent planes at smooth curves, from positions alone, by the "
-                "paper's formulas, or as the network says of each."),
-      choice_of("domain", {"chordlength", "uniform"},
-                "The polygon that a face is a map of: with its curves' lengths as sides, a regular one, or as the "
-                "network says of each."),
-      {"fullness",
-       ParameterType::Text,
-       std::string(),
-       0,
-       0,
-       {},
-       "",
-       "How full smooth faces are, -1 to 2: 1 follows the slopes at the sides, 0 is flat; empty: as the network says."},
-      {"samples",
-       ParameterType::Integer,
-       std::int64_t{16},
-       1,
-       1024,
-       {},
-       "",
-       "Parts of each curve, and rings of triangles around the middle of each face."},
-      {"tolerance",
-       ParameterType::Number,
-       0.0,
-       0.0,
-       1e9,
-       {},
-       "model units",
-       "Greatest distance of the mesh from the surface: as few triangles as keep to it; 0: rings of triangles."}};
+      choice_parameter("mode", {as_in_network, "smooth", "position", "paper"},
+                       "How faces are blended: with common tangent planes at smooth curves, from positions alone, by "
+                       "the paper's formulas, or as the network says of each.")
+          .titled("Patches are", {"each as chosen", "smooth", "creased", "as published in 2006"}),
+      choice_parameter("domain", {as_in_network, "chordlength", "uniform"},
+                       "The polygon that a face is a map of: with its curves' lengths as sides, a regular one, or as "
+                       "the network says of each.")
+          .titled("Sides of patches", {"each as chosen", "as long as the curves", "all the same"})
+          .at(ParameterPlace::Expert),
+      text_parameter("fullness", "",
+                     "How full smooth faces are, -1 to 2: 1 follows the slopes at the sides, 0 is flat; empty: as the "
+                     "network says.")
+          .at(ParameterPlace::Nowhere),
+      integer_parameter("samples", 16, 1, 1024, "",
+                        "Parts of each curve, and rings of triangles around the middle of each face.")
+          .titled("Edges along a curve"),
+      number_parameter("tolerance", 0, 0, 1e9, "model units",
+                       "Greatest distance of the mesh from the surface: as few triangles as keep to it; 0: rings of "
+                       "triangles.")
+          .titled("Off the surface by at most")};
 }
 
 SurfaceSettings read_surface_settings(const ParameterValues& parameters, Quality quality) {
