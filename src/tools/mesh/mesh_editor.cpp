@@ -30,13 +30,7 @@ std::string vector_text(const Vec3& vector) {
 
 // ---- Any edit
 
-std::string MeshEditor::label_of(const EditLine& line) const {
-  const Edit* edit = all_edits().find(line.edit);
-  const std::string title = edit == nullptr ? line.edit : edit->describe().title;
-  const EditTarget& target = line.target;
-  return title + ' ' +
-         (target.all ? editable_.node_name() : counted_elements(target.kind, sorted_unique(target.elements).size()));
-}
+std::string MeshEditor::label_of(const EditLine& line) const { return croquis::label_of(line, editable_.node_name()); }
 
 Verdict MeshEditor::apply(const EditLine& line) {
   const NodeId from = editable_.node();

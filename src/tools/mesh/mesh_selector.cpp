@@ -6,22 +6,13 @@
 #include <utility>
 
 #include "algorithms/mesh_editing/edge_walk.h"
+#include "croquis/edits/edit_line.h"
 #include "croquis/mesh_editing/tag_edit.h"
 
 namespace croquis {
 namespace {
 
 using How = PickHow;
-
-const char* name_of(ComponentKind kind) {
-  if (kind == ComponentKind::Vertex) return "vertex";
-  return kind == ComponentKind::Edge ? "edge" : "face";
-}
-
-const char* plural_of(ComponentKind kind) {
-  if (kind == ComponentKind::Vertex) return "vertices";
-  return kind == ComponentKind::Edge ? "edges" : "faces";
-}
 
 const char* name_of(How how) {
   switch (how) {
@@ -48,10 +39,6 @@ bool shares_row(std::span<const Index> row, Index element) {
 MeshMode mode_of(ComponentKind kind) {
   if (kind == ComponentKind::Vertex) return MeshMode::Vertex;
   return kind == ComponentKind::Edge ? MeshMode::Edge : MeshMode::Face;
-}
-
-std::string counted_elements(ComponentKind kind, std::size_t count) {
-  return std::to_string(count) + ' ' + (count == 1 ? name_of(kind) : plural_of(kind));
 }
 
 // ---- What is selected
@@ -151,7 +138,7 @@ Verdict MeshSelector::choose(ComponentKind wanted, Elements elements, std::optio
   log_.begin();
   if (editable_.prepared() == nullptr) return Verdict::Continue;
   if (mode_ != mode_of(wanted)) set_mode(mode_of(wanted));
-  if (!step) step = recorded::Pick{editable_.node_name(), name_of(wanted), elements, "replace"};
+  if (!step) step = recorded::Pick{editable_.node_name(), singular(wanted), elements, "replace"};
   Session& session = editable_.session();
   const std::uint64_t before = session.revision();
   session.select_components({editable_.node(), wanted, std::move(elements)});
@@ -167,7 +154,7 @@ Verdict MeshSelector::choose_if_any(ComponentKind wanted, Elements elements) {
 Verdict MeshSelector::pick(ComponentKind wanted, Elements elements, How how) {
   if (editable_.prepared() == nullptr) return Verdict::Continue;
   if (mode_ != mode_of(wanted)) set_mode(mode_of(wanted));
-  recorded::Pick step{editable_.node_name(), name_of(wanted), elements, name_of(how)};
+  recorded::Pick step{editable_.node_name(), singular(wanted), elements, name_of(how)};
   Elements found = found_by(wanted, std::move(elements), how);
   if (how == How::Remove) {
     found = subtracted(selected(), found);

@@ -114,7 +114,7 @@ bool MeshTool::leave() {
 // ---- The manipulator
 
 std::optional<Manipulator> MeshTool::manipulator() {
-  if (!is_manipulating(handles_)) return std::nullopt;
+  if (!is_manipulating(handles_) || selector_.mode() == MeshMode::Object) return std::nullopt;
   if (gesture_ == Gesture::Handle && drag_) return drag_->moved();
   if (!editable_.ready() || selector_.selected_vertices().empty()) return std::nullopt;
   Manipulator now;

@@ -29,7 +29,7 @@ std::vector<EditLine> sharpening_lines(const PolyMesh& mesh, const MeshTopology&
 
 Verdict TagEditor::tag_these(const Elements& edges, double sharpness, std::optional<recorded::Step> step) {
   if (edges.empty()) return Verdict::Continue;
-  const std::string label = selector_.counted(sharpness > 0 ? "Tag" : "Untag", ComponentKind::Edge, edges.size());
+  const std::string label = selector_.counted(sharpness > 0 ? "Sharpen" : "Smooth", ComponentKind::Edge, edges.size());
   // The edit takes finite numbers; from the greatest on all are infinite.
   const double value = std::clamp(sharpness, 0.0, greatest_sharpness);
   const EditLine line = edit_of("sharpness", ComponentKind::Edge, edges, {{"value", value}});

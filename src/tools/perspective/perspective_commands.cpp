@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/base/limits.h"
 #include "croquis/base/text.h"
 #include "croquis/tools/perspective/pen_strokes.h"
 #include "croquis/tools/perspective/perspective_steps.h"
@@ -39,6 +40,19 @@ std::vector<std::string> items_in(const Node* operation, const std::string& list
   if (found == operation->parameters.end()) return {};
   const std::string* text = std::get_if<std::string>(&found->second);
   return text == nullptr ? std::vector<std::string>() : items_of(*text);
+}
+
+/// What a change of strokes is called.
+std::string verb_of(const StrokeSetting& setting) {
+  if (setting.group && *setting.group != StrokeGroup::Unknown) {
+    const std::string axis(1, "xyz"[axis_of(*setting.group)]);
+    return is_parallel(*setting.group) ? "Lay along " + axis + ":" : "Lay across " + axis + ":";
+  }
+  if (setting.role) return *setting.role == StrokeRole::Construction ? "Make construction lines:" : "Make edges:";
+  if (setting.hidden) return *setting.hidden ? "Hide" : "Show";
+  if (setting.link) return *setting.link ? "Link pieces by" : "Unlink";
+  if (setting.start_lock || setting.end_lock) return "Lock the ends of";
+  return "Change";
 }
 
 }  // namespace
@@ -193,7 +207,7 @@ Verdict PerspectiveTool::set(const std::vector<std::string>& ids, const StrokeSe
   if (ids.empty() || !setting.any()) return Verdict::Continue;
   PerspectiveDrawing edited = required();
   set_strokes(edited, ids, setting);
-  return commit(named_label("Change", ids), std::move(edited), recorded::SheetSetting{ids, setting});
+  return commit(named_label(verb_of(setting), ids), std::move(edited), recorded::SheetSetting{ids, setting});
 }
 
 // ---- What is known
@@ -201,7 +215,7 @@ Verdict PerspectiveTool::set(const std::vector<std::string>& ids, const StrokeSe
 Verdict PerspectiveTool::set_known_point(const std::optional<KnownPoint>& known) {
   give_up();
   PerspectiveDrawing edited = required();
-  if (known && !(known->at.allFinite() && known->point.allFinite()))
+  if (known && !(are_usable_numbers(known->at) && are_usable_numbers(known->point)))
     refuse_input("The known point needs finite coordinates; type other ones.");
   edited.known_point = known;
   return commit(known ? "Set the known point" : "Forget the known point", std::move(edited),
@@ -242,7 +256,7 @@ Verdict PerspectiveTool::set_camera(std::optional<double> field_of_view, const s
 
 Verdict PerspectiveTool::set_sheet(const Vec2& size) {
   give_up();
-  if (!(size.allFinite() && size.minCoeff() > 0))
+  if (!(are_usable_numbers(size) && size.minCoeff() > 0))
     refuse_input("The sheet needs a width and a height above 0; type other ones.");
   PerspectiveDrawing edited = required();
   if (edited.image_size == size) return Verdict::Continue;
@@ -269,7 +283,10 @@ Verdict PerspectiveTool::choose(const std::string& list, const std::string& item
   edited.parameters.erase(list);
   if (!items.empty()) edited.parameters[list] = joined(items);
   done_ = recorded::SheetChoice{list, item, on};
-  session_.edit("Change " + list, session_.document().with(std::move(edited)));
+  const std::string step = list == "sharp"    ? "Keep an edge sharp"
+                           : list == "ignore" ? "Leave a stroke out"
+                                              : "Choose a face";
+  session_.edit(on ? step : step + " no longer", session_.document().with(std::move(edited)));
   return Verdict::Commit;
 }
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cmath>
 #include <utility>
 
+#include "croquis/base/limits.h"
 #include "croquis/base/text.h"
 
 namespace croquis {
@@ -31,10 +31,9 @@ std::optional<double> units_in(std::string_view typed, std::string_view unit) {
   return from > 0 && to > 0 ? std::optional(from / to) : std::nullopt;
 }
 
-std::optional<double> read_finite(std::string text) {
+std::optional<double> read_usable(std::string text) {
   std::ranges::replace(text, ',', '.');
-  double number = 0;
-  return read_number(text, number) && std::isfinite(number) ? std::optional(number) : std::nullopt;
+  return usable_number(text);
 }
 
 }  // namespace
@@ -58,7 +57,7 @@ std::optional<double> read_length(std::string_view text, std::string_view unit) 
   const std::vector<std::string_view> parts = text_parts(numbers, " ");
   const auto scale = units_in(typed, unit);
   if (parts.size() != 1 || !scale) return std::nullopt;
-  const auto number = read_finite(std::string(parts[0]));
+  const auto number = read_usable(std::string(parts[0]));
   return number && *number > 0 ? std::optional(*number * *scale) : std::nullopt;
 }
 
@@ -73,7 +72,7 @@ std::optional<Vec3> read_point(std::string_view text, std::string_view unit) {
   for (int i = 0; i < 3; ++i) {
     std::string_view part = parts[static_cast<std::size_t>(i)];
     if (part.ends_with(',')) part.remove_suffix(1);
-    const auto number = read_finite(std::string(part));
+    const auto number = read_usable(std::string(part));
     if (!number) return std::nullopt;
     point[i] = *number * *scale;
   }

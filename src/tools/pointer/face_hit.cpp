@@ -7,16 +7,9 @@
 #include <Eigen/Geometry>
 
 #include "croquis/geometry/polygon_area.h"
+#include "croquis/geometry/polygon_cut.h"
 
 namespace croquis {
-
-bool cut_at_first_corner(const std::array<Vec3, 4>& quad) {
-  const Vec3 diagonal = quad[2] - quad[0];
-  // The two halves face the same way if the other corners lie on different sides of the diagonal.
-  const Vec3 first = (quad[1] - quad[0]).cross(diagonal);
-  const Vec3 second = diagonal.cross(quad[3] - quad[0]);
-  return first.dot(second) >= 0;
-}
 
 FaceHit::FaceHit(const Ray& ray) : ray_(ray), x_(ray.direction.unitOrthogonal()), y_(ray.direction.cross(x_)) {}
 
@@ -37,13 +30,11 @@ std::optional<double> FaceHit::triangle(const Seen& a, const Seen& b, const Seen
 }
 
 std::optional<double> FaceHit::quad(const PolyMesh& mesh, std::span<const Index> corners) const {
-  const std::array<Vec3, 4> places = {mesh.positions[corners[0]], mesh.positions[corners[1]],
-                                      mesh.positions[corners[2]], mesh.positions[corners[3]]};
-  const std::size_t first = cut_at_first_corner(places) ? 0 : 1;
-  const Seen a = seen(places[first]);
-  const Seen b = seen(places[first + 1]);
-  const Seen c = seen(places[first + 2]);
-  const Seen d = seen(places[(first + 3) % 4]);
+  const std::size_t first = quad_cut(mesh.positions, corners);
+  const Seen a = seen(mesh.positions[corners[first]]);
+  const Seen b = seen(mesh.positions[corners[first + 1]]);
+  const Seen c = seen(mesh.positions[corners[first + 2]]);
+  const Seen d = seen(mesh.positions[corners[(first + 3) % 4]]);
   const auto one = triangle(a, b, c);
   const auto two = triangle(a, c, d);
   if (one && two) return std::min(*one, *two);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <limits>
 #include <optional>
 
@@ -9,10 +8,6 @@
 #include "croquis/tools/pointer/view_frame.h"
 
 namespace croquis {
-
-/// Of a quad's two diagonals, whether the one from corner 0 to corner 2 lies inside it; so a quad with a reflex corner
-/// is cut there.
-bool cut_at_first_corner(const std::array<Vec3, 4>& quad);
 
 /// Meets a face seen along one ray: its corners in a frame across the ray, so that faces with a common edge leave no
 /// gap between them.

@@ -9,7 +9,7 @@
 
 #include "croquis/base/parallel.h"
 #include "croquis/geometry/polygon_area.h"
-#include "tools/pointer/face_hit.h"
+#include "croquis/geometry/polygon_cut.h"
 #include "tools/pointer/query_threads.h"
 
 namespace croquis {
@@ -133,9 +133,7 @@ void SeenFaces::draw_face(const PolyMesh& mesh, Index face, const std::vector<Pr
   const auto corners = mesh.face(face);
   if (polygon.size() != corners.size() || polygon.size() > 4) return draw_polygon(polygon, face, rows);
   if (polygon.size() == 3) return draw_triangle(polygon[0], polygon[1], polygon[2], face, rows);
-  const std::array<Vec3, 4> places = {mesh.positions[corners[0]], mesh.positions[corners[1]],
-                                      mesh.positions[corners[2]], mesh.positions[corners[3]]};
-  const std::size_t first = cut_at_first_corner(places) ? 0 : 1;
+  const std::size_t first = quad_cut(mesh.positions, corners);
   draw_triangle(polygon[first], polygon[first + 1], polygon[first + 2], face, rows);
   draw_triangle(polygon[first], polygon[first + 2], polygon[(first + 3) % 4], face, rows);
 }

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <set>
 
 #include <nlohmann/json.hpp>
+
+#include "croquis/base/limits.h"
 
 namespace croquis::recorded {
 namespace {
@@ -18,13 +19,13 @@ constexpr std::array<const char*, 4> modifier_keys{"shift", "ctrl", "alt", "supe
 
 std::string quoted(const std::string& name) { return '"' + name + '"'; }
 
-bool is_finite_number(const FieldJson& value) { return value.is_number() && std::isfinite(value.get<double>()); }
+bool is_usable(const FieldJson& value) { return value.is_number() && is_usable_number(value.get<double>()); }
 
 std::vector<double> number_list(const FieldJson& value, const std::string& name) {
   if (!value.is_array()) throw Mistake{quoted(name) + " must be a list of numbers"};
   std::vector<double> numbers;
   for (const FieldJson& number : value) {
-    if (!is_finite_number(number)) throw Mistake{quoted(name) + " may hold finite numbers only"};
+    if (!is_usable(number)) throw Mistake{quoted(name) + " may hold finite numbers only"};
     numbers.push_back(number.get<double>());
   }
   return numbers;
@@ -91,14 +92,14 @@ bool Fields::flag(const std::string& name) {
 
 double Fields::number(const std::string& name) {
   const FieldJson& value = state_->get(name);
-  if (!is_finite_number(value)) throw Mistake{quoted(name) + " must be a finite number"};
+  if (!is_usable(value)) throw Mistake{quoted(name) + " must be a finite number"};
   return value.get<double>();
 }
 
 double Fields::number_or_infinite(const std::string& name) {
   const FieldJson& value = state_->get(name);
   if (value.is_string() && value.get<std::string>() == "inf") return std::numeric_limits<double>::infinity();
-  if (!is_finite_number(value) || value.get<double>() < 0)
+  if (!is_usable(value) || value.get<double>() < 0)
     throw Mistake{quoted(name) + " must be a number of at least 0, or \"inf\""};
   return value.get<double>();
 }

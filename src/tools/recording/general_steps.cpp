@@ -23,11 +23,21 @@ void write_wait(const Wait& step, FieldWriter& writer) { writer.text("for", step
 Screenshot read_screenshot(Fields& fields) { return {fields.text("file")}; }
 void write_screenshot(const Screenshot& step, FieldWriter& writer) { writer.text("file", step.file); }
 
-File read_file_step(Fields& fields) { return {fields.verb(), fields.text("file")}; }
+File read_file_step(Fields& fields) {
+  File step{fields.verb(), fields.text("file")};
+  if (step.verb == "open" && fields.has("replaces")) step.replaces = fields.flag("replaces");
+  if (step.verb != "export") return step;
+  if (fields.has("objects")) step.objects = fields.one_of("objects", {"picked", "visible", "all"});
+  if (fields.has("unit")) step.unit = fields.one_of("unit", {"mm", "cm", "m", "in"});
+  return step;
+}
 
 void write_file_step(const File& step, FieldWriter& writer) {
   writer.verb(step.verb);
   writer.text("file", step.file);
+  if (step.replaces) writer.flag("replaces", true);
+  if (!step.objects.empty()) writer.text("objects", step.objects);
+  if (!step.unit.empty()) writer.text("unit", step.unit);
 }
 
 Click read_click(Fields& fields) {
@@ -107,6 +117,29 @@ NodeChoice read_nodes(Fields& fields) { return {fields.names("nodes")}; }
 
 void write_nodes(const NodeChoice& step, FieldWriter& writer) { writer.names("nodes", step.nodes); }
 
+Place read_place(Fields& fields) {
+  Place step{fields.names("nodes"), {}};
+  for (const std::vector<double>& numbers : fields.number_lists("places")) {
+    if (numbers.size() != 9) throw Mistake{"a place has 9 numbers: position, rotation and scale"};
+    const Eigen::Map<const Eigen::Matrix3d> columns(numbers.data());
+    step.places.push_back({columns.col(0), columns.col(1), columns.col(2)});
+    if (!is_valid(step.places.back())) throw Mistake{"the scales of a place must be above 0"};
+  }
+  if (step.places.size() != step.nodes.size()) throw Mistake{"there must be as many \"places\" as \"nodes\""};
+  return step;
+}
+
+void write_place(const Place& step, FieldWriter& writer) {
+  writer.names("nodes", step.nodes);
+  std::vector<std::vector<double>> places;
+  for (const Placement& place : step.places) {
+    places.emplace_back();
+    for (const Vec3& numbers : {place.position, place.rotation, place.scale})
+      places.back().insert(places.back().end(), numbers.begin(), numbers.end());
+  }
+  writer.number_lists("places", places);
+}
+
 FaceSetChoice read_face_set(Fields& fields) { return {fields.text("node"), fields.names("names")}; }
 
 void write_face_set(const FaceSetChoice& step, FieldWriter& writer) {
@@ -171,12 +204,18 @@ const StepKind& NodeChoice::step_kind() {
   return kind;
 }
 
+const StepKind& Place::step_kind() {
+  static const StepKind kind = make_step_kind({"place"}, read_place, write_place);
+  return kind;
+}
+
 const Vocabulary& general_steps() {
   static const Vocabulary vocabulary = [] {
     Vocabulary made;
-    for (const StepKind* kind : {&Action::step_kind(), &Set::step_kind(), &Wait::step_kind(), &Screenshot::step_kind(),
-                                 &File::step_kind(), &Click::step_kind(), &Box::step_kind(), &Navigate::step_kind(),
-                                 &Expect::step_kind(), &FaceSetChoice::step_kind(), &NodeChoice::step_kind()}) {
+    for (const StepKind* kind :
+         {&Action::step_kind(), &Set::step_kind(), &Wait::step_kind(), &Screenshot::step_kind(), &File::step_kind(),
+          &Click::step_kind(), &Box::step_kind(), &Navigate::step_kind(), &Expect::step_kind(),
+          &FaceSetChoice::step_kind(), &NodeChoice::step_kind(), &Place::step_kind()}) {
       made.add(*kind);
     }
     for (const char* count : {"objects", "findings", "faces", "vertices", "edges", "selected"}) made.add_count(count);

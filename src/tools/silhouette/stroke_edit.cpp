@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "croquis/base/error.h"
+#include "croquis/base/limits.h"
 #include "croquis/base/parameter.h"
 #include "croquis/base/text.h"
 #include "croquis/geometry/polyline.h"
@@ -52,7 +53,7 @@ void require_samples(const std::vector<StrokeSample>& samples) {
     throw Error(make_error(Category::Malformed, "E_NO_STROKES", "The stroke has no samples; draw it again."));
   }
   for (const StrokeSample& sample : samples) {
-    if (!sample.position.allFinite()) {
+    if (!are_usable_numbers(sample.position)) {
       throw Error(
           make_error(Category::Malformed, "E_NOT_FINITE", "The stroke has a place that is not finite; draw it again."));
     }

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "croquis/base/error.h"
+#include "croquis/base/limits.h"
 #include "croquis/geometry/polyline.h"
 
 namespace croquis {
@@ -32,7 +33,7 @@ void require_usable(const Stroke& stroke) {
   if (stroke.samples.empty())
     refuse_stroke(stroke, "E_NO_STROKES", "Stroke " + stroke.id + " has no samples; remove it.");
   for (const StrokeSample& sample : stroke.samples) {
-    if (!sample.position.allFinite())
+    if (!are_usable_numbers(sample.position))
       refuse_stroke(stroke, "E_NOT_FINITE", "Stroke " + stroke.id + " has a place that is not finite; draw it again.");
   }
 }

@@ -16,7 +16,7 @@
 
 namespace croquis {
 
-/// What clicks and boxes pick. In Object mode they are left to the window: only the manipulator answers.
+/// What clicks and boxes pick. In Object mode they are left to the window.
 enum class MeshMode { Object, Vertex, Edge, Face };
 
 /// What becomes of the selection. Loop, Ring, Connected and Chain start at each element; Path joins the first to the
@@ -25,9 +25,6 @@ enum class PickHow { Replace, Add, Remove, Toggle, Loop, Ring, Path, Connected, 
 
 /// The mode in which elements of a kind are picked.
 MeshMode mode_of(ComponentKind kind);
-
-/// "1 face", "3 vertices".
-std::string counted_elements(ComponentKind kind, std::size_t count);
 
 /// Which elements of a mesh are selected, and how they come to be. Selections come back with undo.
 /// Commands give Continue when nothing changed.

@@ -85,13 +85,13 @@ class MeshTool {
   void set_snap(const ManipulatorSnap& snap) { options_.snap = snap; }
 
   Verdict handle(const MeshEvent& event);
-  /// After a Begin in Object mode off the manipulator it isn't: the gesture is the window's, to pick objects with.
+  /// After a Begin in Object mode it isn't: the gesture is the window's, to pick and move objects with.
   bool active() const { return gesture_ != Gesture::None; }
   /// Pre-highlights. @return whether the preview changed
   bool hover(const Vec2& pixel, const ViewFrame& frame);
   bool leave();
   const MeshPreview& preview() const { return preview_; }
-  /// At the middle of what is selected; nothing when there is nothing to move.
+  /// At the middle of the selected elements; nothing when there is nothing to move.
   std::optional<Manipulator> manipulator();
   ManipulatorPicture manipulator_picture(const ViewFrame& frame);
 

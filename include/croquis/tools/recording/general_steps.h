@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "croquis/base/parameter.h"
+#include "croquis/geometry/placement.h"
 #include "croquis/tools/recording/vocabulary.h"
 
 /// Steps that belong to no tool.
@@ -39,6 +40,9 @@ struct Screenshot {
 struct File {
   std::string verb;  ///< "save", "open" or "export"
   std::string file;
+  bool replaces = false;     ///< "open": a mesh takes the place of what is open
+  std::string objects = {};  ///< "export" of meshes: "picked" (also when empty), "visible" or "all"
+  std::string unit = {};     ///< … and the unit of the file's lengths; empty: the document's
 
   static const StepKind& step_kind();
 };
@@ -78,6 +82,13 @@ struct NodeChoice {
 struct FaceSetChoice {
   std::string node;                ///< the object's name
   std::vector<std::string> names;  ///< "patches", "patch of hole 3" …
+
+  static const StepKind& step_kind();
+};
+/// Objects were moved, rotated or scaled.
+struct Place {
+  std::vector<std::string> nodes;  ///< the objects' names, at least one
+  std::vector<Placement> places;   ///< of each: where it stands now
 
   static const StepKind& step_kind();
 };
