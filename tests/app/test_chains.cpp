@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/hole_scans.h"
+#include "app/panels/lists.h"
 #include "app/panels/object_list.h"
 #include "app/replay/replay_player.h"
 #include "app/studio_fixture.h"
@@ -151,6 +152,62 @@ TEST_CASE("edits of a solid that became another one wait, keep their result, and
   hand.settle();
   CHECK(step_rows(hand, 0)[0]->text(1).isEmpty());
   CHECK(hand.studio().objects().front().mesh->face_count() != shown->face_count());
+}
+
+TEST_CASE("after a crash edits that wait show their last result, what they wait for, and what can be done",
+          "[chains]") {
+  StudioFixture hand;
+  hand.window().start_sketch();
+  hand.look_at({-200, -200}, {200, 200});
+  hand.draw(circle({0, 0}, 80));
+  hand.settle();
+  hand.act("face-mode");
+  hand.settle();
+  app::ReplayPlayer(hand.window())
+      .play(recorded::parse(R"({"do":"edit","node":"inflate","line":"inset faces=100-102 width=0.02"})", "edits.jsonl",
+                            recorded::all_steps()));
+  hand.settle();
+  hand.act("object-mode");
+  hand.act("add-step-subdivide");
+  hand.settle();
+  REQUIRE(step_rows(hand, 0).size() == 4);
+  const std::size_t faces = hand.studio().objects().front().mesh->face_count();
+  bend_first_stroke(hand);
+  const std::vector<std::string> done = hand.studio().session().undo_labels();
+  const auto check_waiting = [&] {
+    CHECK(step_rows(hand, 0)[0]->text(1) == "waits for Edit");
+    CHECK(step_rows(hand, 0)[1]->text(1) == "needs attention");
+    REQUIRE(hand.studio().objects().front().mesh);
+    CHECK(hand.studio().objects().front().mesh->face_count() == faces);
+    CHECK(hand.studio().session().undo_labels() == done);
+  };
+  check_waiting();
+  hand.crash_and_restart();
+  const auto offers = hand.window().files().recoverable();
+  REQUIRE(offers.size() == 1);
+  hand.window().files().recover(offers.front());
+  hand.settle();
+  check_waiting();
+
+  auto* findings = hand.window().findChild<app::FindingsList*>("findings");
+  REQUIRE(findings->count() == 3);  // the reason, and two things to do
+  CHECK(findings->item(0)->text().contains("other faces"));
+  CHECK(findings->item(2)->text().contains("Keep the shape"));
+  emit findings->itemClicked(findings->item(1));
+  hand.settle();
+  for (const QTreeWidgetItem* row : step_rows(hand, 0)) CHECK(row->text(1).isEmpty());
+  CHECK(hand.studio().objects().front().mesh->face_count() != faces);
+  hand.act("undo");
+  hand.settle();
+  REQUIRE(step_rows(hand, 0)[1]->text(1) == "needs attention");
+  REQUIRE(findings->count() == 3);
+  const std::size_t last = hand.studio().objects().front().mesh->face_count();
+  emit findings->itemClicked(findings->item(2));
+  hand.settle();
+  CHECK(hand.studio().objects().front().mesh->face_count() == last);
+  CHECK(step_rows(hand, 0).size() == 2);
+  while (hand.studio().session().can_undo()) hand.act("undo");
+  CHECK(hand.studio().drawing().strokes.empty());
 }
 
 TEST_CASE("sketches side by side have their own solids, and the pen draws in the one worked on", "[chains]") {

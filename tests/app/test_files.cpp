@@ -228,6 +228,20 @@ TEST_CASE("meshes that are only looked at are no unsaved work", "[files]") {
   CHECK(hand.window().files().recoverable().size() == 1);
 }
 
+TEST_CASE("a mesh opened into unsaved work leaves it unsaved, and a crash loses neither", "[files]") {
+  StudioFixture hand;
+  draw_ring(hand, 60);
+  hand.settle();
+  hand.open_cage("bolt");
+  CHECK(hand.studio().session().modified());
+  const ContentHash both = content_hash(hand.studio().session().document());
+  hand.crash_and_restart();
+  const auto offers = hand.window().files().recoverable();
+  REQUIRE(offers.size() == 1);
+  hand.window().files().recover(offers.front());
+  CHECK(content_hash(hand.studio().session().document()) == both);
+}
+
 TEST_CASE("what was saved is nothing to recover, what came after it is", "[files]") {
   StudioFixture hand;
   const QString project = save_versions(hand);

@@ -282,10 +282,8 @@ TEST_CASE("a mesh in a sketch of another size is offered to be scaled, as a step
   REQUIRE(offer != nullptr);
   CHECK(!offer->isVisible());
   const auto size_of_cube = [&] {
-    const Vec3 from = cage(hand).positions.front();
-    double largest = 0;
-    for (const Vec3& place : cage(hand).positions) largest = std::max(largest, (place - from).norm());
-    return largest;
+    const std::array<Vec3, 2> box = *hand.studio().bounds(*hand.studio().active());
+    return (box[1] - box[0]).norm();
   };
   open_mesh(hand, centred_cube(), "cube");
   REQUIRE(offer->isVisible());
@@ -298,7 +296,7 @@ TEST_CASE("a mesh in a sketch of another size is offered to be scaled, as a step
   CHECK(size_of_cube() > 400);
   CHECK(hand.studio().session().undo_labels().back() == "Scale cube to the scene");
   for (const int view : {Viewport::SketchView, Viewport::PerspectiveView}) {
-    for (const Vec3& corner : cage(hand).positions) {
+    for (const Vec3& corner : *hand.studio().bounds(*hand.studio().active())) {
       CHECK(hand.viewport().pane(view).rect.contains(hand.viewport().model_to_widget(corner, view)));
     }
   }

@@ -322,7 +322,8 @@ TEST_CASE("every action works by its name, on meshes and on a sketch", "[actions
   StudioFixture hand;
   hand.window().set_unattended();
   const auto may_run = [](const QString& name) {
-    return !name.startsWith("open") && name != "quit" && !name.startsWith("save") && !name.startsWith("export");
+    return !name.startsWith("open") && name != "import" && name != "quit" && !name.startsWith("save") &&
+           !name.startsWith("export");
   };
   for (const bool meshes : {true, false}) {
     hand.window().start_sketch();
@@ -396,7 +397,7 @@ TEST_CASE("a large mesh is read while the window goes on, and can be given up", 
   CHECK(ticks > 0);
   CHECK(faces_shown(hand) == std::size_t{side} * side);
   CHECK(!hand.viewport().objects().surfaces().empty());
-  hand.window().begin_open({file});
+  hand.window().import({file});
   hand.window().files().reader().cancel();
   CHECK(hand.wait_for([&] { return !hand.window().files().reader().busy(); }));
   CHECK(hand.studio().objects().size() == 1);

@@ -30,14 +30,15 @@ double parameter_of_solid(StudioFixture& hand, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("the panel has a field for every parameter of the operation, named and explained", "[panels]") {
+TEST_CASE("the panel has a field for every parameter that people set there, named and explained", "[panels]") {
   StudioFixture hand;
   hand.draw(test::snake_sketch());
   auto* panel = hand.window().findChild<app::AttributePanel*>("attributes");
   for (const ParameterDescription& parameter : hand.studio().solid_description()->parameters) {
     INFO(parameter.name);
     app::ParameterField* field = panel->field(parameter.name);
-    REQUIRE(field != nullptr);
+    REQUIRE((field == nullptr) == (parameter.place == ParameterPlace::Nowhere));
+    if (field == nullptr) continue;
     CHECK(field->toolTip().toStdString() == parameter.sentence);
   }
 }

@@ -48,6 +48,29 @@ TEST_CASE("both views are drawn and nothing else; selected strokes are orange", 
   CHECK(!test::box_of_solid(hand).isEmpty());
 }
 
+TEST_CASE("a view that would look as before isn't drawn again, ink that was given up goes", "[viewport]") {
+  StudioFixture hand;
+  hand.draw(test::circle_sketch());
+  Viewport& view = hand.viewport();
+  const QImage before = hand.picture();
+  const int sketches = view.pictures_drawn(Viewport::SketchView);
+  const int solids = view.pictures_drawn(Viewport::PerspectiveView);
+  view.redraw_all();
+  hand.settle();
+  CHECK(view.pictures_drawn(Viewport::PerspectiveView) == solids);
+  CHECK(view.pictures_drawn(Viewport::SketchView) == sketches);
+  hand.begin_stroke({{-100, 0}, {-50, 60}, {0, 80}, {60, 40}});
+  hand.settle();
+  hand.act("deselect");
+  CHECK(hand.picture() == before);
+  CHECK(view.pictures_drawn(Viewport::PerspectiveView) == solids);
+  CHECK(view.pictures_drawn(Viewport::SketchView) == sketches + 1);
+  view.move_camera(Viewport::PerspectiveView, CameraMotion{CameraMotion::Kind::Tumble, {40, 10}});
+  view.redraw_all();
+  hand.settle();
+  CHECK(view.pictures_drawn(Viewport::PerspectiveView) > solids);
+}
+
 TEST_CASE("the wheel keeps the place under the pointer, Alt drags turn, shift and near", "[viewport][scale]") {
   StudioFixture hand;
   hand.draw(test::snake_sketch());

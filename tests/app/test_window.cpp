@@ -11,16 +11,20 @@
 #include <QTest>
 #include <QToolBar>
 #include <QToolButton>
+#include <chrono>
 #include <ctime>
+#include <future>
 
 #include <catch2/catch.hpp>
 
 #include "app/dialogs.h"
 #include "app/start/start_page.h"
 #include "app/studio_fixture.h"
+#include "app/views/offscreen_pictures.h"
 #include "app/window/elided_label.h"
 #include "app/window/help_line.h"
 #include "croquis/document/content_hash.h"
+#include "support/meshes/mesh_shapes.h"
 #include "support/sketches/sketch_gallery.h"
 
 using namespace croquis;
@@ -380,6 +384,18 @@ TEST_CASE("disabled entries of menus are fainter than enabled ones", "[window]")
   CHECK(plain > 0);
   CHECK(faint > 0);
   CHECK(faint < 0.6 * plain);
+}
+
+TEST_CASE("pictures without a window are drawn while the window's thread is held up", "[window]") {
+  app::OffscreenPictures pictures;
+  const std::vector<render::Shown<render::MeshItem>> items{render::make_mesh_item(test::cube())};
+  const auto drawn = [&] { return pictures.draw_small(items, render::NamedView::Perspective, {64, 48}); };
+  std::future<QImage> other = std::async(std::launch::async, drawn);
+  REQUIRE(other.wait_for(std::chrono::seconds(10)) == std::future_status::ready);  // no event is handled meanwhile
+  const QImage picture = other.get();
+  CHECK(picture.size() == QSize(64, 48));
+  CHECK(picture.pixelColor(32, 24) != picture.pixelColor(0, 24));
+  CHECK(drawn() == picture);
 }
 
 TEST_CASE("a new sketch frees what the old one took", "[window]") {

@@ -16,6 +16,8 @@
 
 #include "app/studio_fixture.h"
 #include "app/window/theme.h"
+#include "bench/studio_waiting.h"
+#include "bench/wavy_sheet.h"
 #include "croquis/document/memo.h"
 #include "croquis/io/mesh_file.h"
 #include "croquis/operators/all_operations.h"
@@ -25,6 +27,7 @@ namespace {
 
 using namespace croquis;
 using app::Viewport;
+using bench::wavy_sheet;
 
 struct Times {
   double median = 0;
@@ -161,23 +164,6 @@ void event_to_frame() {
   print("pen event to frame, 1440 x 900 (a frame without news)", spread(ms), peer);
 }
 
-/// A wavy sheet of side × side quads.
-PolyMesh sheet(Index side) {
-  PolyMesh mesh;
-  for (Index y = 0; y <= side; ++y) {
-    for (Index x = 0; x <= side; ++x) {
-      mesh.positions.emplace_back(x, y, 0.02 * side * std::sin(0.05 * x) * std::cos(0.05 * y));
-    }
-  }
-  for (Index y = 0; y < side; ++y) {
-    for (Index x = 0; x < side; ++x) {
-      const Index first = y * (side + 1) + x;
-      mesh.add_face(std::vector<Index>{first, first + 1, first + side + 2, first + side + 1});
-    }
-  }
-  return mesh;
-}
-
 /// Peer of the drag: the operation alone, its plan at hand as it is while a point moves.
 Times subdivide_again(const PolyMesh& cage) {
   const Registry registry = all_operations();
@@ -199,7 +185,7 @@ Times subdivide_again(const PolyMesh& cage) {
 
 /// One vertex of a cage of 10,000 faces is dragged at level 2; each move waits for the surface that belongs to it.
 void drag_of_cage() {
-  const PolyMesh cage = sheet(100);
+  const PolyMesh cage = wavy_sheet(100);
   test::StudioFixture hand;
   hand.studio().add_mesh("sheet", std::make_shared<const PolyMesh>(cage));
   hand.act("show-both");
@@ -230,7 +216,7 @@ void drag_of_cage() {
 /// From opening a mesh of a million faces to its first whole picture, and a click on it.
 void million_faces() {
   Progress progress;
-  const PolyMesh mesh = sheet(1000);
+  const PolyMesh mesh = wavy_sheet(1000);
   QTemporaryFile file("XXXXXX.ply");
   file.open();
   const std::string bytes = write_mesh(mesh, MeshFormat::Ply, {}, progress).bytes;
@@ -267,7 +253,7 @@ void million_faces() {
 /// A mesh of 320,000 faces is rotated by the mouse, each move after the picture of the one before.
 void orbit() {
   test::StudioFixture hand;
-  hand.studio().add_mesh("sheet", std::make_shared<const PolyMesh>(sheet(566)));
+  hand.studio().add_mesh("sheet", std::make_shared<const PolyMesh>(wavy_sheet(566)));
   hand.act("show-both");
   hand.act("frame-all");
   hand.settle();
@@ -292,16 +278,7 @@ void orbit() {
         spread(ms), peer);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  QSurfaceFormat format;
-  format.setVersion(3, 3);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setDepthBufferSize(24);
-  QSurfaceFormat::setDefaultFormat(format);
-  QApplication application(argc, argv);
-  app::apply_theme(application);
+void bench_hands() {
   std::printf("## Studio: milliseconds; peers in brackets\n\n| what | median | p95 | peer | ratio |\n");
   std::printf("|---|---|---|---|---|\n");
   QTemporaryFile nothing;
@@ -322,5 +299,34 @@ int main(int argc, char** argv) {
   drag_of_cage();
   orbit();
   million_faces();
+}
+
+/// The same figures by a program built earlier, and by this one: both in processes of their own.
+int compare(const QString& earlier, const QStringList& words) {
+  std::printf("# By %s\n\n", qPrintable(earlier));
+  std::fflush(stdout);
+  const int failed = QProcess::execute(earlier, words);
+  std::printf("# By this program\n\n");
+  std::fflush(stdout);
+  return failed + QProcess::execute(QCoreApplication::applicationFilePath(), words);
+}
+
+}  // namespace
+
+/// [--against PROGRAM] [hands] [waiting] [memory] [SEED …]
+int main(int argc, char** argv) {
+  QSurfaceFormat format;
+  format.setVersion(3, 3);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setDepthBufferSize(24);
+  QSurfaceFormat::setDefaultFormat(format);
+  bench::WatchedApplication application(argc, argv);
+  app::apply_theme(application);
+  QStringList words = QApplication::arguments().mid(1);
+  if (words.size() > 1 && words.front() == "--against") return compare(words[1], words.mid(2));
+  if (words.isEmpty()) words = QStringList{"hands", "waiting", "memory"};
+  if (words.contains("hands")) bench_hands();
+  if (words.contains("waiting")) bench::bench_waiting(application);
+  if (words.contains("memory")) bench::bench_memory(words.back().toULongLong());
   return 0;
 }

@@ -22,7 +22,7 @@ class PeakMemory {
 
   double used() const { return mebibytes("VmHWM:") - before_; }
 
- private:
+  /// A line of the process's status in the kernel's words: "VmRSS:" is what it holds.
   static double mebibytes(const std::string& wanted) {
     std::ifstream status("/proc/self/status");
     for (std::string word; status >> word;) {
@@ -32,6 +32,7 @@ class PeakMemory {
     return 0;
   }
 
+ private:
   double before_ = 0;
 };
 

@@ -13,6 +13,7 @@
 #include "croquis/base/finding.h"
 #include "croquis/base/progress.h"
 #include "croquis/document/document.h"
+#include "croquis/document/kept_work.h"
 #include "croquis/io/camera_file.h"
 
 namespace croquis::app {
@@ -25,6 +26,7 @@ struct ReadFile {
                std::shared_ptr<const PictureFile>, CameraFile>
       content;
   Findings warnings;
+  KeptResults kept = {};  ///< of a project
 };
 
 /// Reads projects, drawings, meshes and pictures on another thread, one after the other in the order asked for.

@@ -90,7 +90,7 @@ QWidget* OpeningReport::make_versions() {
     });
     column->addWidget(button, 0, Qt::AlignLeft);
   }
-  if (shown == 0) column->addWidget(new QLabel(tr("There are no backups of it."), box));
+  if (shown == 0) column->addWidget(new QLabel(tr("No earlier versions lie beside it."), box));
   return box;
 }
 

@@ -25,9 +25,9 @@ namespace croquis::app {
 namespace {
 
 constexpr int autosave_delay_ms = 300;
-constexpr int thumbnail_pause_ms = 10'000;       // pictures cost more than commits
-constexpr std::size_t most_triangles = 300'000;  // a picture of more causes a visible delay
+constexpr int thumbnail_pause_ms = 10'000;  // pictures cost more than commits
 constexpr int recent_count = 8;
+constexpr std::size_t most_kept_steps = 50;  // that undo leads back to after a crash
 constexpr QSize thumbnail_size(320, 240);
 const QString recent_key = QStringLiteral("recent");
 
@@ -71,6 +71,7 @@ ProjectFiles::ProjectFiles(Studio& studio, OffscreenPictures& pictures, const QS
   autosave_timer_.setSingleShot(true);
   connect(&reader_, &FileReader::finished, this, &ProjectFiles::take);
   connect(&reader_, &FileReader::failed, this, [this](const QString& path, const Findings& findings) {
+    replacing_.remove(path);
     note_damage(path, findings);
     emit open_failed(path, findings);
   });
@@ -81,7 +82,7 @@ ProjectFiles::ProjectFiles(Studio& studio, OffscreenPictures& pictures, const QS
   });
   connect(&studio_, &Studio::changed, this, &ProjectFiles::follow_session);
   connect(&studio_, &Studio::busy_changed, this, [this](bool busy) {
-    if (!busy && !has_thumbnail_) autosave_timer_.start(autosave_delay_ms);
+    if (!busy) autosave_timer_.start(autosave_delay_ms);
   });
 }
 
@@ -138,6 +139,7 @@ void ProjectFiles::forget_work() {
   autosave_timer_.stop();
   touched_ = false;
   autosaved_ = Document();
+  autosaved_results_.clear();
   has_thumbnail_ = false;
   disk_.start([this] {
     if (working_copy_) working_copy_->close_cleanly();
@@ -170,12 +172,13 @@ void ProjectFiles::start_sample(const QString& name) {
   set_path({});
 }
 
-void ProjectFiles::begin_open(const QString& path) {
+void ProjectFiles::begin_open(const QString& path, bool replaces) {
+  if (replaces) replacing_.insert(path);
   using Plain = FileReader::PlainDrawing;
   reader_.read(path, studio_.sheet_node() != 0 ? Plain::Perspective : Plain::Sketch);
 }
 
-void ProjectFiles::open(const QString& path) {
+void ProjectFiles::open(const QString& path, bool replaces) {
   QEventLoop waiting;
   bool failed = false;
   Findings findings;
@@ -189,7 +192,7 @@ void ProjectFiles::open(const QString& path) {
         findings = reasons;
         waiting.quit();
       });
-  begin_open(path);
+  begin_open(path, replaces);
   waiting.exec();
   disconnect(done);
   disconnect(stopped);
@@ -199,7 +202,10 @@ void ProjectFiles::open(const QString& path) {
 }
 
 void ProjectFiles::take(const ReadFile& file) {
-  if (const auto* mesh = std::get_if<std::shared_ptr<const PolyMesh>>(&file.content)) {
+  const auto* mesh = std::get_if<std::shared_ptr<const PolyMesh>>(&file.content);
+  has_replaced_ = replacing_.remove(file.path) && mesh != nullptr;
+  if (has_replaced_) start_sketch();
+  if (mesh != nullptr) {
     // Files that were only looked at have no changes to save.
     const bool looked_at = path_.isEmpty() && !touched_;
     studio_.add_mesh(QFileInfo(file.path).completeBaseName().toStdString(), *mesh);
@@ -212,7 +218,7 @@ void ProjectFiles::take(const ReadFile& file) {
   } else if (const auto* camera = std::get_if<CameraFile>(&file.content)) {
     studio_.state_camera(camera->camera);
   } else if (const auto* document = std::get_if<Document>(&file.content)) {
-    take_project(file.path, *document);
+    take_project(file.path, *document, file.kept);
   } else if (const auto* sheet = std::get_if<std::shared_ptr<const PerspectiveDrawing>>(&file.content)) {
     studio_.start_with(**sheet, QFileInfo(file.path).completeBaseName().toStdString());
     earlier_version_.clear();
@@ -235,8 +241,8 @@ void ProjectFiles::take(const ReadFile& file) {
 }
 
 /// An earlier version is looked at, and saved under a name that the user chooses.
-void ProjectFiles::take_project(const QString& path, const Document& document) {
-  studio_.load(document);
+void ProjectFiles::take_project(const QString& path, const Document& document, const KeptResults& kept) {
+  studio_.load(document, false, {kept, {}});
   const bool earlier = project_of_backup(local(path)).has_value();
   earlier_version_ = earlier ? path : QString();
   set_path(earlier ? QString() : path);
@@ -246,7 +252,8 @@ QString ProjectFiles::save(const QString& path) {
   Progress progress;
   ProjectFile project;
   project.document = studio_.session().document();
-  project.thumbnail_png = thumbnail();
+  project.thumbnail_png = thumbnail_of(shown_items());
+  project.kept.results = studio_.kept_results();
   QString aside;
   if (is_damaged(path) && QFileInfo::exists(path)) {
     aside = QString::fromStdString(put_damaged_project_aside(local(path)).string());
@@ -267,22 +274,19 @@ QString ProjectFiles::save(const QString& path) {
   return aside;
 }
 
-Findings ProjectFiles::export_solid(const QString& path) const {
-  const WorkObject* object = studio_.active();
+Findings ProjectFiles::export_solid(const QString& path, const MeshExport& wanted) const {
   const auto format = mesh_format_of(local(path));
   if (!format) {
     throw Error(make_error(Category::Usage, "E_FORMAT",
                            "\"" + local(path) + "\" names no mesh format: use " + writable_endings()));
   }
-  const auto mesh = object == nullptr ? nullptr : object->shown();
-  const bool computed = mesh && object->result && mesh == object->mesh;
-  if (!mesh || (computed && (object->result->failed || object->quality != Quality::Final))) {
-    throw Error(make_error(Category::Geometry, "E_EMPTY", "There is no finished mesh to export yet"));
-  }
+  const std::vector<NamedMesh> meshes = meshes_of(wanted);
   Progress progress;
   MeshWriteOptions options;
-  options.camera = camera_of(*object);
-  MeshWriteResult written = write_mesh(*mesh, *format, options, progress);
+  const WorkObject* object = studio_.active();
+  if (meshes.size() == 1 && object->shown() == meshes.front().mesh) options.camera = camera_of(*object);
+  if (meshes.size() == 1) options.name = meshes.front().name;
+  MeshWriteResult written = write_mesh(joined(meshes), *format, options, progress);
   OutputTransaction files;
   files.add(local(path), std::move(written.bytes));
   files.commit();
@@ -334,7 +338,9 @@ std::shared_ptr<const Brep> ProjectFiles::exact_solid() const {
   if (object == nullptr || !object->result || object->result->failed || object->result->stale) return nullptr;
   if (object->result->quality != Quality::Final) return nullptr;
   for (const auto& [name, value] : object->result->outputs) {
-    if (const auto solid = value.as<Brep>(); solid && !solid->faces.empty()) return solid;
+    const auto solid = value.as<Brep>();
+    if (!solid || solid->faces.empty()) continue;
+    return value.transformed(object->placement.map()).as<Brep>();
   }
   return nullptr;
 }
@@ -385,7 +391,7 @@ std::vector<RecoveryOffer> ProjectFiles::recoverable() const {
 void ProjectFiles::recover(const RecoveryOffer& offer) {
   Progress progress;
   ProjectFile work = croquis::recover(local(offer.file), progress);
-  studio_.load(std::move(work.document), true);
+  studio_.load(std::move(work.document), true, std::move(work.kept));
   earlier_version_.clear();
   set_path(offer.project);
   warnings_.add(work.warnings, studio_.session().document());
@@ -413,32 +419,32 @@ void ProjectFiles::autosave() {
   autosave_timer_.stop();
   if (!touched_) return;
   const Document& document = studio_.session().document();
-  const bool wants_picture = !drawn_slowly() && items_ && studio_.settled() && !items_().empty() &&
-                             (!has_thumbnail_ || since_thumbnail_.hasExpired(thumbnail_pause_ms));
-  if (same_nodes(document, autosaved_) && !(wants_picture && !has_thumbnail_)) return;
+  const auto items = studio_.settled() ? shown_items() : std::vector<render::Shown<render::MeshItem>>();
+  const bool wants_picture = !items.empty() && (!has_thumbnail_ || since_thumbnail_.hasExpired(thumbnail_pause_ms));
+  KeptWork kept{studio_.kept_results(), studio_.session().past(most_kept_steps)};
+  const bool same = same_nodes(document, autosaved_) && kept.results == autosaved_results_;
+  if (same && !(wants_picture && !has_thumbnail_)) return;
   autosaved_ = document;
-  std::vector<std::uint8_t> picture;
+  autosaved_results_ = kept.results;
   if (wants_picture) {
-    picture = thumbnail();
-    has_thumbnail_ = !picture.empty();
+    has_thumbnail_ = true;
     since_thumbnail_.start();
   }
-  disk_.start([this, document, path = local(path_), folder = local(state_folder_), picture = std::move(picture)] {
+  disk_.start([this, document, path = local(path_), folder = local(state_folder_), kept = std::move(kept),
+               items = wants_picture ? items : std::vector<render::Shown<render::MeshItem>>()] {
     try {
       if (!working_copy_) working_copy_ = std::make_unique<WorkingCopy>(WorkingCopy::create(folder));
-      working_copy_->commit(document, path, picture);
+      working_copy_->commit(document, path, {}, kept);
+      if (!items.empty())
+        working_copy_->commit(document, path, thumbnail_of(items), kept);  // later: pictures take longer
     } catch (const Error& error) {
       emit autosave_failed(tr("Your work is not being backed up: %1.").arg(error.what()));
     }
   });
 }
 
-bool ProjectFiles::drawn_slowly() const {
-  std::size_t triangles = 0;
-  for (const render::MeshItemPtr& item : items_ ? items_() : std::vector<render::MeshItemPtr>()) {
-    triangles += item->triangles.size() / 3;
-  }
-  return triangles > most_triangles;
+std::vector<render::Shown<render::MeshItem>> ProjectFiles::shown_items() const {
+  return items_ ? items_() : std::vector<render::Shown<render::MeshItem>>();
 }
 
 void ProjectFiles::set_path(const QString& path) {
@@ -457,11 +463,10 @@ void ProjectFiles::remember(const QString& path) {
   QSettings().setValue(recent_key, QStringList(paths.mid(0, recent_count)));
 }
 
-std::vector<std::uint8_t> ProjectFiles::thumbnail() const {
-  const auto items = items_ ? items_() : std::vector<render::MeshItemPtr>();
+std::vector<std::uint8_t> ProjectFiles::thumbnail_of(const std::vector<render::Shown<render::MeshItem>>& items) const {
   if (items.empty()) return {};
   try {
-    return png_bytes(pictures_.draw(items, render::NamedView::Perspective, thumbnail_size));
+    return png_bytes(pictures_.draw_small(items, render::NamedView::Perspective, thumbnail_size));
   } catch (const Error&) {
     return {};  // a project without a picture is a project
   }

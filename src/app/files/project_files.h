@@ -20,11 +20,20 @@
 #include "app/studio/studio.h"
 #include "app/views/offscreen_pictures.h"
 #include "croquis/geometry/camera.h"
+#include "croquis/geometry/joined_meshes.h"
 #include "croquis/io/project_lock.h"
 #include "croquis/io/recovery.h"
 #include "croquis/workspace/read_findings.h"
 
 namespace croquis::app {
+
+/// Which meshes go into a file.
+struct MeshExport {
+  enum class Objects { Picked, Visible, All };  ///< Picked: the active one where none is
+
+  Objects objects = Objects::Picked;
+  std::string unit = {};  ///< "mm", "cm", "m" or "in" that lengths of the file have; empty: those of the document
+};
 
 /// Everything between the studio and files: projects, sketches, exports, recent files, and the working copy that
 /// survives a crash. Asks nothing and shows nothing; failures are thrown as Error.
@@ -63,27 +72,40 @@ class ProjectFiles : public QObject {
   void start_sample(const QString& name);
 
   /// Begins to open a project (.croq), a sketch (.svg) or a mesh; `opened` or `open_failed` follows. Meshes are added
-  /// to what is open.
+  /// to what is open, or take its place.
   /// SVG files that don't say what they are are read as what is being worked on: a sketch, or a drawing in perspective.
-  void begin_open(const QString& path);
+  void begin_open(const QString& path, bool replaces = false);
 
   /// The same, and waits, keeping the window alive. @throws Error, Cancelled
-  void open(const QString& path);
+  void open(const QString& path, bool replaces = false);
+
+  /// The mesh that was opened last took the place of what was open.
+  bool has_replaced() const { return has_replaced_; }
 
   /// What reads them.
   FileReader& reader() { return reader_; }
   const FileReader& reader() const { return reader_; }
 
   /// Where pictures of what is shown come from: items made ready anyway.
-  void set_items(std::function<std::vector<render::MeshItemPtr>()> items) { items_ = std::move(items); }
+  void set_items(std::function<std::vector<render::Shown<render::MeshItem>>()> items) { items_ = std::move(items); }
 
   /// Keeps up to three older versions beside the file; a damaged one under a name of its own.
   /// @return where the damaged one is now, or nothing
   QString save(const QString& path);
 
-  /// The active object's surface as it is shown, in the format of the name's extension.
+  /// The surfaces of these objects as they are shown, where they stand, by their names.
+  /// @throws Error (E_EMPTY) where one isn't finished, or there is none
+  std::vector<NamedMesh> meshes_of(const MeshExport& wanted) const;
+
+  /// These surfaces as one mesh; a single one that stays as it is is that mesh itself.
+  std::shared_ptr<const PolyMesh> exported_mesh(const MeshExport& wanted) const;
+
+  /// By how much coordinates are multiplied on the way out, for the unit.
+  double export_scale(const MeshExport& wanted) const;
+
+  /// These surfaces as one file, in the format of the name's extension.
   /// @return what the format can't hold
-  Findings export_solid(const QString& path) const;
+  Findings export_solid(const QString& path, const MeshExport& wanted = {}) const;
 
   /// The operations whose results are files of their own and stand in no view.
   std::vector<const OperationDescription*> exports() const;
@@ -135,35 +157,38 @@ class ProjectFiles : public QObject {
  private:
   std::optional<Camera> camera_of(const WorkObject& object) const;
   void take(const ReadFile& file);
-  void take_project(const QString& path, const Document& document);
+  void take_project(const QString& path, const Document& document, const KeptResults& kept);
   void note_damage(const QString& path, const Findings& findings);
   void follow_session();
   void forget_work();
   void autosave();
-  bool drawn_slowly() const;
+  std::vector<render::Shown<render::MeshItem>> shown_items() const;
   void set_path(const QString& path);
   void remember(const QString& path);
-  std::vector<std::uint8_t> thumbnail() const;
+  std::vector<std::uint8_t> thumbnail_of(const std::vector<render::Shown<render::MeshItem>>& items) const;
 
   Studio& studio_;
   FileReader reader_;
   StepExport step_export_;
   OffscreenPictures& pictures_;
-  std::function<std::vector<render::MeshItemPtr>()> items_;
+  std::function<std::vector<render::Shown<render::MeshItem>>()> items_;
   QString state_folder_;
   QString path_;
   std::pair<QDateTime, qint64> known_file_;  ///< time and size of the project's file when it was read or written here
   QString earlier_version_;                  ///< that was opened instead of the project
   std::optional<ProjectLock> lock_;          ///< of the project that is open, unless others have it
   ReadFindings warnings_;
+  QSet<QString> replacing_;  ///< meshes under way that take the place of what is open
+  bool has_replaced_ = false;
   QSet<QString> damaged_;  ///< projects found so, by whole path
   bool touched_ = false;   ///< what is open was worked on since it was opened or saved
   QTimer autosave_timer_;
   QElapsedTimer since_thumbnail_;
+  KeptResults autosaved_results_;
   Document autosaved_;
   bool has_thumbnail_ = false;                 ///< the working copy shows its solid
   std::unique_ptr<WorkingCopy> working_copy_;  ///< the disk's thread's while that one is busy
-  QThreadPool disk_;                           ///< one thread: commits wait for the disk, the window doesn't
+  QThreadPool disk_;  ///< one thread: commits wait for the disk, and pictures; the window doesn't
 };
 
 }  // namespace croquis::app

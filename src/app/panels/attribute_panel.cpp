@@ -1,12 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/attribute_panel.h"
 
+#include <QCheckBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QListWidget>
 
 #include "app/panels/parameter_field.h"
+#include "croquis/base/error.h"
+#include "croquis/edits/edit_line.h"
+#include "croquis/workspace/node_values.h"
 
 namespace croquis::app {
+namespace {
+
+bool lists_edits(const OperationDescription& operation, const ParameterDescription& parameter) {
+  return operation.edits_input && operation.edits_input->lines == parameter.name;
+}
+
+}  // namespace
 
 AttributePanel::AttributePanel(QWidget* parent) : QWidget(parent), layout_(new QFormLayout(this)) {
   setObjectName("attributes");
@@ -23,10 +35,24 @@ void AttributePanel::show_node(const Node* node, const OperationDescription* des
   }
   node_ = node->id;
   if (description->id != operation_) make_fields(*description);
+  const ParameterValues values = values_of(*node, *description);
   for (const ParameterDescription& parameter : description->parameters) {
-    if (!fields_.contains(parameter.name)) continue;
-    const auto given = node->parameters.find(parameter.name);
-    fields_.at(parameter.name)->show_value(given == node->parameters.end() ? parameter.default_value : given->second);
+    const auto shown = fields_.find(parameter.name);
+    if (shown != fields_.end()) shown->second->show_value(values.at(parameter.name));
+    if (lists_edits(*description, parameter)) show_edits(to_text(values.at(parameter.name)));
+  }
+}
+
+/// Lines that can't be read are told of in Findings.
+void AttributePanel::show_edits(const std::string& lines) {
+  if (std::exchange(shown_edits_, lines) == lines) return;
+  edits_->clear();
+  try {
+    for (const EditLine& line : parse_edit_lines(lines, all_edits())) {
+      edits_->addItem(QString::fromStdString(label_of(line, std::string("all ") + plural(line.target.kind))));
+    }
+  } catch (const Error&) {
+    edits_->addItem(tr("The edits can't be read"));
   }
 }
 
@@ -39,13 +65,22 @@ void AttributePanel::clear() {
   while (layout_->rowCount() > 0) layout_->removeRow(0);
   fields_.clear();
   operation_.clear();
+  shown_edits_.clear();
 }
 
 void AttributePanel::make_fields(const OperationDescription& description) {
   clear();
   operation_ = description.id;
+  std::vector<QWidget*> expert;
   for (const ParameterDescription& parameter : description.parameters) {
-    if (parameter.name == description.list_flag) continue;  // for hosts that only want the list
+    if (lists_edits(description, parameter)) {
+      edits_ = new QListWidget(this);
+      edits_->setObjectName("edit-lines");
+      layout_->addRow(edits_);
+      continue;
+    }
+    // The flag is for hosts that only want the list.
+    if (parameter.place == ParameterPlace::Nowhere || parameter.name == description.list_flag) continue;
     ParameterField* field = make_parameter_field(parameter, this);
     connect(field, &ParameterField::edited, this,
             [this, name = parameter.name](const ParameterValue& value, bool drag) {
@@ -56,7 +91,19 @@ void AttributePanel::make_fields(const OperationDescription& description) {
     label->setBuddy(field);
     layout_->addRow(label, field);
     fields_[parameter.name] = field;
+    if (parameter.place == ParameterPlace::Expert) expert.push_back(field);
   }
+  if (expert.empty()) return;
+  auto* all = new QCheckBox(tr("Expert"), this);
+  all->setObjectName("expert");
+  all->setToolTip(tr("Shows everything that can be set"));
+  layout_->addRow(all);
+  connect(all, &QCheckBox::toggled, this, [this, expert](bool on) {
+    shows_all_ = on;
+    for (QWidget* field : expert) layout_->setRowVisible(field, on);
+  });
+  all->setChecked(shows_all_);
+  if (!shows_all_) emit all->toggled(false);
 }
 
 }  // namespace croquis::app

@@ -10,12 +10,14 @@
 #include "croquis/document/operation.h"
 
 class QFormLayout;
+class QListWidget;
 
 namespace croquis::app {
 
 class ParameterField;
 
-/// One field for every parameter of a node, made from its operation's description alone.
+/// Fields for the parameters of a node, made from its operation's description alone; those for experts where people ask
+/// for them.
 class AttributePanel : public QWidget {
   Q_OBJECT
 
@@ -37,11 +39,15 @@ class AttributePanel : public QWidget {
  private:
   void clear();
   void make_fields(const OperationDescription& description);
+  void show_edits(const std::string& lines);
 
   NodeId node_ = 0;
   std::string operation_;
   QFormLayout* layout_;
   std::map<std::string, ParameterField*> fields_;
+  QListWidget* edits_ = nullptr;  ///< what was done, in words
+  std::string shown_edits_;
+  bool shows_all_ = false;  ///< also what is for experts
 };
 
 }  // namespace croquis::app

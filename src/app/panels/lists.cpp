@@ -14,20 +14,31 @@ FindingsList::FindingsList(QWidget* parent) : QListWidget(parent) {
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   connect(this, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) {
     const auto place = static_cast<std::size_t>(row(item));
-    if (place < findings_.size()) emit finding_chosen(findings_[place]);
+    if (place >= rows_.size()) return;
+    const Row chosen = rows_[place];  // receivers show all rows again
+    if (chosen.fix == nullptr) return emit finding_chosen(chosen.finding);
+    emit fix_chosen(chosen.finding, chosen.fix);
   });
 }
 
 void FindingsList::show_findings(const std::vector<NodeFinding>& findings,
-                                 const std::function<QString(const NodeFinding&)>& owner) {
+                                 const std::function<QString(const NodeFinding&)>& owner,
+                                 const std::function<std::vector<QAction*>(const NodeFinding&)>& fixes) {
   clear();
-  findings_ = findings;
+  rows_.clear();
   for (const NodeFinding& found : findings) {
     const QString sentence = QString::fromStdString(found.finding.message);
     const QString name = owner(found);
     auto* row = new QListWidgetItem(name.isEmpty() ? sentence : tr("%1: %2").arg(name, sentence), this);
     row->setForeground(sentence_color(found.finding.severity));
     row->setToolTip(QString::fromStdString(found.finding.code));
+    rows_.push_back({found});
+    for (QAction* fix : fixes(found)) {
+      auto* offer = new QListWidgetItem(QStringLiteral("→ ") + fix->text().remove('&'), this);
+      offer->setForeground(colors::hover);
+      offer->setToolTip(fix->toolTip());
+      rows_.push_back({found, fix});
+    }
   }
 }
 

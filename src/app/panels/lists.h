@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QAction>
 #include <QListWidget>
 #include <functional>
 #include <string>
@@ -18,14 +19,21 @@ class FindingsList : public QListWidget {
   explicit FindingsList(QWidget* parent = nullptr);
 
   /// @param owner names the object that a finding is about, where that isn't clear
-  void show_findings(const std::vector<NodeFinding>& findings, const std::function<QString(const NodeFinding&)>& owner);
+  /// @param fixes what can be done about a finding: rows of their own below it
+  void show_findings(const std::vector<NodeFinding>& findings, const std::function<QString(const NodeFinding&)>& owner,
+                     const std::function<std::vector<QAction*>(const NodeFinding&)>& fixes);
 
  signals:
   /// The user wants to see what this one is about.
   void finding_chosen(const croquis::NodeFinding& finding);
+  void fix_chosen(const croquis::NodeFinding& finding, QAction* fix);
 
  private:
-  std::vector<NodeFinding> findings_;
+  struct Row {
+    NodeFinding finding;
+    QAction* fix = nullptr;  ///< of a row that offers one
+  };
+  std::vector<Row> rows_;
 };
 
 /// The steps that can be undone, the newest at the bottom, and those that can be redone, greyed.

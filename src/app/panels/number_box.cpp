@@ -1,17 +1,80 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/number_box.h"
 
-#include <QDoubleSpinBox>
+#include <algorithm>
+#include <cmath>
 
 namespace croquis::app {
+namespace {
+
+constexpr int kept_decimals = 15;  // of values; what is shown of them is another matter
+constexpr int least_figures = 4;
+constexpr int most_figures = 15;  // beyond these the digits are chance
+
+/// Places before the decimal point; 0 and less for numbers below 1.
+int places_before_point(double value) {
+  return value == 0 ? 1 : static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+}
+
+}  // namespace
+
+QString number_words(double value, int figures) {
+  constexpr int smallest_places = -6;
+  constexpr int most_places = 9;
+  const int places = places_before_point(value);
+  if (!std::isfinite(value) || places < smallest_places || places > most_places)
+    return QString::number(value, 'g', figures);
+  QString text = QString::number(value, 'f', std::max(figures - places, 0));
+  if (!text.contains('.')) return text;
+  while (text.endsWith('0')) text.chop(1);
+  if (text.endsWith('.')) text.chop(1);
+  return text == QStringLiteral("-0") ? QStringLiteral("0") : text;
+}
+
+NumberBox::NumberBox(QWidget* parent, const NumberRange& range)
+    : QDoubleSpinBox(parent), shown_decimals_(range.decimals) {
+  setLocale(QLocale::c());
+  setDecimals(kept_decimals);
+  setRange(range.low, range.high);
+  setKeyboardTracking(false);
+  setMinimumWidth(number_box_width);
+}
+
+QString NumberBox::textFromValue(double value) const {
+  const int figures = std::clamp(places_before_point(value) + shown_decimals_, least_figures, most_figures);
+  return number_words(value, figures);
+}
+
+/// The number that is shown may have fewer digits than the one that is kept.
+double NumberBox::valueFromText(const QString& text) const {
+  QString number = text;
+  if (!suffix().isEmpty() && number.endsWith(suffix())) number.chop(suffix().size());
+  number = number.mid(number.startsWith(prefix()) ? prefix().size() : 0).trimmed();
+  if (number == textFromValue(value())) return value();
+  bool read = false;
+  const double value = number.toDouble(&read);
+  return read ? value : this->value();
+}
+
+QValidator::State NumberBox::validate(QString& text, int& position) const {
+  text.replace(',', '.');
+  if (text.contains('e', Qt::CaseInsensitive)) {
+    bool read = false;
+    const double value = text.toDouble(&read);
+    return read && value >= minimum() && value <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
+  }
+  return QDoubleSpinBox::validate(text, position);
+}
+
+/// From 0 no share of the value is a step.
+void NumberBox::stepBy(int steps) {
+  if (stepType() != AdaptiveDecimalStepType || value() != 0) return QDoubleSpinBox::stepBy(steps);
+  setValue(steps * std::pow(10, -shown_decimals_));
+}
 
 QDoubleSpinBox* make_number_box(QWidget* parent, const QString& name, const NumberRange& range) {
-  auto* box = new QDoubleSpinBox(parent);
+  auto* box = new NumberBox(parent, range);
   box->setObjectName(name);
-  box->setRange(range.low, range.high);
-  box->setDecimals(range.decimals);
-  box->setKeyboardTracking(false);
-  box->setMinimumWidth(number_box_width);
   return box;
 }
 

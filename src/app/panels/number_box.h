@@ -1,20 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QDoubleSpinBox>
 #include <QString>
-
-class QDoubleSpinBox;
-class QWidget;
 
 namespace croquis::app {
 
 constexpr int number_box_width = 62;  ///< logical pixels, the least; not that of the longest number
 
+/// A number with the digits that it needs and no more than these: 0.0005, 164.6, 2, 1e-07.
+/// @param figures that count, at least 1
+QString number_words(double value, int figures = 4);
+
 /// The numbers that people may type.
 struct NumberRange {
   double low = 0;
-  double high = 1;  ///< >= low
-  int decimals = 2;
+  double high = 1;   ///< >= low
+  int decimals = 2;  ///< of numbers of usual size; smaller ones keep four figures
+};
+
+/// A box for numbers of any size, as number_words shows them.
+class NumberBox : public QDoubleSpinBox {
+ public:
+  NumberBox(QWidget* parent, const NumberRange& range);
+
+  QString textFromValue(double value) const override;
+  double valueFromText(const QString& text) const override;
+  QValidator::State validate(QString& text, int& position) const override;
+  void stepBy(int steps) override;
+
+ private:
+  int shown_decimals_;
 };
 
 /// A box for a number in a panel. It tells its value when the typing is done, not with every digit.

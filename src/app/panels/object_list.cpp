@@ -18,12 +18,14 @@ constexpr int node_role = Qt::UserRole + 1;
 constexpr int step_role = Qt::UserRole + 2;
 constexpr int name_role = Qt::UserRole + 3;    // as it is shown
 constexpr int opened_role = Qt::UserRole + 4;  // as it first is
-constexpr int step_in = 14;                    // pixels
+constexpr int group_role = Qt::UserRole + 5;
+constexpr int step_in = 14;  // pixels
 
 bool is_part(const QTreeWidgetItem* row) { return !row->data(0, parts_role).toStringList().isEmpty(); }
 
-QString words_of(StepState state) {
-  switch (state) {
+QString words_of(const ChainStep& step) {
+  switch (step.state) {
+    case StepState::Held: return ObjectList::tr("waits for %1").arg(QString::fromStdString(step.waits_for));
     case StepState::Computing: return ObjectList::tr("computing …");
     case StepState::Stale: return ObjectList::tr("failed, shows its last result");
     case StepState::Failed: return ObjectList::tr("failed");
@@ -84,12 +86,49 @@ void ObjectList::show_objects(const Studio& studio) {
   const QSignalBlocker quiet(this);
   clear();
   for (const WorkObject& object : studio.objects()) add_object(object, studio);
+  for (int i = 0; i < topLevelItemCount(); ++i) {
+    QTreeWidgetItem* row = topLevelItem(i);
+    if (row->data(0, group_role).isNull()) continue;
+    bool all_selected = true, some_shown = false;
+    for (int k = 0; k < row->childCount(); ++k) {
+      all_selected = all_selected && row->child(k)->isSelected();
+      some_shown = some_shown || row->child(k)->checkState(0) == Qt::Checked;
+    }
+    row->setText(1, tr("%1 objects").arg(row->childCount()));
+    row->setCheckState(0, some_shown ? Qt::Checked : Qt::Unchecked);
+    row->setSelected(all_selected);
+    row->setExpanded(!turned_.contains({0, row->text(0)}));
+  }
+}
+
+/// Made with the first object of the group.
+QTreeWidgetItem* ObjectList::group_row(const std::string& group) {
+  const QString name = QString::fromStdString(group);
+  for (int i = 0; i < topLevelItemCount(); ++i) {
+    if (topLevelItem(i)->data(0, group_role).toString() == name) return topLevelItem(i);
+  }
+  auto* row = new QTreeWidgetItem(this, {name, QString()});
+  row->setForeground(1, colors::guide);
+  row->setData(0, group_role, name);
+  row->setFlags(row->flags() | Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
+  row->setToolTip(0, tr("A group: its objects are selected and moved together · Ctrl+Shift+G ungroups"));
+  return row;
+}
+
+/// What a row of a group or an object stands for.
+std::vector<NodeId> ObjectList::objects_of(const QTreeWidgetItem* row) const {
+  if (row->data(0, group_role).isNull()) return {node_of(row)};
+  std::vector<NodeId> nodes;
+  for (int i = 0; i < row->childCount(); ++i) nodes.push_back(node_of(row->child(i)));
+  return nodes;
 }
 
 void ObjectList::add_object(const WorkObject& object, const Studio& studio) {
   const auto& mesh = object.shown();
   const QString info = mesh ? tr("%1 faces").arg(QLocale().toString(qulonglong(mesh->face_count()))) : QString();
-  auto* row = new QTreeWidgetItem(this, {shown_name(object), info});
+  auto* row = object.group.empty() ? new QTreeWidgetItem(this) : new QTreeWidgetItem(group_row(object.group));
+  row->setText(0, shown_name(object));
+  row->setText(1, info);
   row->setForeground(1, colors::guide);
   row->setData(0, name_role, shown_name(object));
   row->setData(0, node_role, qulonglong(object.node));
@@ -111,7 +150,7 @@ void ObjectList::add_steps(QTreeWidgetItem* row, const WorkObject& object, const
   for (const ChainStep& step : steps) {
     const bool computed = step.state != StepState::Source;
     const QString name = QString::fromStdString(readable_name(computed ? step.title : step.name));
-    auto* own = new QTreeWidgetItem(row, {name, words_of(step.state)});
+    auto* own = new QTreeWidgetItem(row, {name, words_of(step)});
     own->setData(0, node_role, qulonglong(step.node));
     own->setData(0, step_role, true);
     own->setForeground(1, color_of(step.state));
@@ -165,14 +204,16 @@ void ObjectList::take_click(QTreeWidgetItem* row) {
   if (is_step(row)) return emit step_chosen(node_of(row));
   std::vector<NodeId> nodes;
   for (const QTreeWidgetItem* selected : selectedItems()) {
-    if (!is_part(selected) && !is_step(selected)) nodes.push_back(node_of(selected));
+    if (is_part(selected) || is_step(selected)) continue;
+    for (const NodeId node : objects_of(selected)) nodes.push_back(node);
   }
   emit objects_chosen(nodes);
 }
 
 void ObjectList::take_change(QTreeWidgetItem* row, int column) {
   const NodeId node = node_of(row);
-  if (node == 0 || column != 0 || is_part(row)) return;
+  const QVariant group = row->data(0, group_role);
+  if ((node == 0 && group.isNull()) || column != 0 || is_part(row)) return;
   const bool checked = row->checkState(0) == Qt::Checked;
   // Receivers show all rows again.
   if (is_step(row)) {
@@ -181,20 +222,22 @@ void ObjectList::take_change(QTreeWidgetItem* row, int column) {
     return;
   }
   // Shown names are not those of the document: only what was typed becomes one.
-  const bool typed = row->text(0) != row->data(0, name_role).toString();
+  const bool typed = row->text(0) != (group.isNull() ? row->data(0, name_role) : group).toString();
   const std::string name = row->text(0).toStdString();
   QMetaObject::invokeMethod(
       this,
-      [this, node, name, typed, checked] {
-        if (typed) emit renamed(node, name);
-        emit shown(node, checked);
+      [this, node, name, typed, checked, group = group.toString().toStdString(), objects = objects_of(row)] {
+        if (typed && group.empty()) emit renamed(node, name);
+        if (typed && !group.empty()) emit group_renamed(group, name);
+        if (!typed) emit shown(objects, checked);
       },
       Qt::QueuedConnection);
 }
 
 void ObjectList::take_opening(QTreeWidgetItem* row, bool opened) {
   const bool first = !is_part(row) || row->data(0, opened_role).toBool();
-  const std::pair<NodeId, QString> key{node_of(row), is_part(row) ? row->text(0) : QString()};
+  const bool named = is_part(row) || !row->data(0, group_role).isNull();
+  const std::pair<NodeId, QString> key{node_of(row), named ? row->text(0) : QString()};
   if (opened == first) {
     turned_.erase(key);
   } else {

@@ -14,7 +14,8 @@
 namespace croquis::app {
 
 /// All objects with their chains: a row for what is seen, with an eye, a name that can be edited and its size; below it
-/// its parts, and its steps from the last one down to what it begins with, each with its state.
+/// its parts, and its steps from the last one down to what it begins with, each with its state. Objects of a group
+/// stand below one row, which is selected, hidden and renamed for all of them.
 class ObjectList : public QTreeWidget {
   Q_OBJECT
 
@@ -41,7 +42,8 @@ class ObjectList : public QTreeWidget {
   void step_chosen(croquis::NodeId step);
   void step_enabled(croquis::NodeId step, bool enabled);
   void renamed(croquis::NodeId node, const std::string& name);
-  void shown(croquis::NodeId node, bool visible);
+  void group_renamed(const std::string& group, const std::string& name);
+  void shown(const std::vector<croquis::NodeId>& objects, bool visible);
 
   /// People want the actions of this object or step, at a place of the screen. It is selected already.
   void menu_wanted(croquis::NodeId node, bool step, const QPoint& at);
@@ -50,7 +52,9 @@ class ObjectList : public QTreeWidget {
   void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
+  QTreeWidgetItem* group_row(const std::string& group);
   void add_object(const WorkObject& object, const Studio& studio);
+  std::vector<NodeId> objects_of(const QTreeWidgetItem* row) const;
   void add_steps(QTreeWidgetItem* row, const WorkObject& object, const Studio& studio);
   void add_parts(QTreeWidgetItem* below, const std::vector<ObjectRow>& rows, NodeId node, const Selection& selection);
   void take_click(QTreeWidgetItem* row);

@@ -11,6 +11,7 @@
 #include <QSpinBox>
 #include <cmath>
 
+#include "app/panels/number_box.h"
 #include "app/panels/number_keys.h"
 
 namespace croquis::app {
@@ -30,16 +31,13 @@ class NumberField : public ParameterField {
         low_(description.minimum),
         high_(description.maximum),
         by_factors_(low_ > 0 && high_ / low_ >= 100),
-        box_(new QDoubleSpinBox(this)) {
+        box_(new NumberBox(this, {low_, high_, 3})) {
     QHBoxLayout* row = tight_row(this);
-    box_->setDecimals(3);
-    box_->setRange(low_, high_);
     if (std::isfinite(high_ - low_)) {
       box_->setSingleStep((high_ - low_) / 100);
     } else {
       box_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);  // no step fits small and large models
     }
-    box_->setKeyboardTracking(false);
     box_->setAccessibleName(parameter_title(description));
     share_keys(box_);
     if (std::isfinite(high_ - low_)) row->addWidget(make_slider(description), 1);
@@ -67,7 +65,7 @@ class NumberField : public ParameterField {
     slider_->setAccessibleName(parameter_title(description));
     slider_->setToolTip(QString::fromStdString(description.sentence));
     connect(slider_, &QSlider::valueChanged, this, [this](int position) {
-      const double value = value_at(position);
+      const double value = number_words(value_at(position), 3).toDouble();
       const QSignalBlocker quiet(box_);
       box_->setValue(value);
       emit edited(box_->value(), slider_->isSliderDown());
@@ -123,16 +121,19 @@ class ChoiceField : public ParameterField {
   ChoiceField(const ParameterDescription& description, QWidget* parent)
       : ParameterField(parent), box_(new QComboBox(this)) {
     tight_row(this)->addWidget(box_);
-    for (const std::string& choice : description.choices) box_->addItem(QString::fromStdString(choice));
+    for (std::size_t i = 0; i < description.choices.size(); ++i) {
+      const auto& words = description.choice_titles.empty() ? description.choices : description.choice_titles;
+      box_->addItem(QString::fromStdString(words[i]), QString::fromStdString(description.choices[i]));
+    }
     box_->setAccessibleName(parameter_title(description));
     setFocusProxy(box_);
-    connect(box_, &QComboBox::currentTextChanged, this,
-            [this](const QString& text) { emit edited(text.toStdString(), false); });
+    connect(box_, &QComboBox::currentIndexChanged, this,
+            [this] { emit edited(box_->currentData().toString().toStdString(), false); });
   }
 
   void show_value(const ParameterValue& value) override {
     const QSignalBlocker quiet(box_);
-    box_->setCurrentText(QString::fromStdString(std::get<std::string>(value)));
+    box_->setCurrentIndex(box_->findData(QString::fromStdString(std::get<std::string>(value))));
   }
 
  private:
@@ -200,8 +201,7 @@ ParameterField* make_parameter_field(const ParameterDescription& description, QW
 }
 
 QString parameter_title(const ParameterDescription& description) {
-  QString title = QString::fromStdString(description.name).replace('-', ' ');
-  if (!title.isEmpty()) title[0] = title[0].toUpper();
+  QString title = QString::fromStdString(title_of(description));
   if (!description.unit.empty()) title += " (" + QString::fromStdString(description.unit) + ")";
   return title;
 }

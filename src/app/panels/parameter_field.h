@@ -26,7 +26,7 @@ class ParameterField : public QWidget {
 /// Its object name is the parameter's name.
 ParameterField* make_parameter_field(const ParameterDescription& description, QWidget* parent);
 
-/// "weight-curvature" → "Weight curvature (unit)".
+/// "Smooth arcs (unit)"; of a parameter without a title "Weight curvature (unit)".
 QString parameter_title(const ParameterDescription& description);
 
 }  // namespace croquis::app

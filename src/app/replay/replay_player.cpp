@@ -54,6 +54,14 @@ void expect_range(MainWindow& window, const recorded::Expect& step) {
                 " degrees, but they are from " + std::to_string(least) + " to " + std::to_string(greatest));
 }
 
+MeshExport mesh_export_of(const recorded::File& step) {
+  using Objects = MeshExport::Objects;
+  const Objects objects = step.objects == "all"       ? Objects::All
+                          : step.objects == "visible" ? Objects::Visible
+                                                      : Objects::Picked;
+  return {objects, step.unit};
+}
+
 }  // namespace
 
 void wait_until_settled(MainWindow& window) {
@@ -101,10 +109,11 @@ bool ReplayPlayer::play_if(const recorded::Step& step) {
 }
 
 void ReplayPlayer::play(const recorded::Step& step) {
-  const bool general =
-      play_if<recorded::Action>(step) || play_if<recorded::Set>(step) || play_if<recorded::Wait>(step) ||
-      play_if<recorded::Screenshot>(step) || play_if<recorded::File>(step) || play_if<recorded::Navigate>(step) ||
-      play_if<recorded::Expect>(step) || play_if<recorded::FaceSetChoice>(step) || play_if<recorded::NodeChoice>(step);
+  const bool general = play_if<recorded::Action>(step) || play_if<recorded::Set>(step) ||
+                       play_if<recorded::Wait>(step) || play_if<recorded::Screenshot>(step) ||
+                       play_if<recorded::File>(step) || play_if<recorded::Navigate>(step) ||
+                       play_if<recorded::Expect>(step) || play_if<recorded::FaceSetChoice>(step) ||
+                       play_if<recorded::NodeChoice>(step) || play_if<recorded::Place>(step);
   if (general) return;
   for (const auto& tool : window_.tools()) {
     const auto kinds = tool->steps();
@@ -117,6 +126,13 @@ void ReplayPlayer::play(const recorded::NodeChoice& step) {
   std::vector<NodeId> nodes;
   for (const std::string& name : step.nodes) nodes.push_back(node_named(window_.studio(), name));
   window_.select_nodes(nodes);
+}
+
+void ReplayPlayer::play(const recorded::Place& step) {
+  std::vector<PlacedObject> placed;
+  for (std::size_t i = 0; i < step.nodes.size(); ++i)
+    placed.push_back({object_named(window_.studio(), step.nodes[i]).node, step.places[i]});
+  window_.studio().place_objects(placed);
 }
 
 void ReplayPlayer::play(const recorded::FaceSetChoice& step) {
@@ -146,7 +162,7 @@ void ReplayPlayer::play(const recorded::Screenshot& step) {
 void ReplayPlayer::play(const recorded::File& step) {
   const QString file = QString::fromStdString(step.file);
   if (step.verb == "open") {
-    window_.files().open(file);
+    window_.files().open(file, step.replaces);
   } else if (step.verb == "save") {
     window_.files().save(file);
   } else if (file.endsWith(".png")) {
@@ -162,7 +178,7 @@ void ReplayPlayer::play(const recorded::File& step) {
     wait_until_settled(window_);
   } else {
     wait_until_settled(window_);
-    window_.files().export_solid(file);
+    window_.files().export_solid(file, mesh_export_of(step));
   }
 }
 

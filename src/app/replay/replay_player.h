@@ -34,6 +34,7 @@ class ReplayPlayer {
   void play(const recorded::Expect& step);
   void play(const recorded::FaceSetChoice& step);
   void play(const recorded::NodeChoice& step);
+  void play(const recorded::Place& step);
 
   MainWindow& window_;
 };

@@ -18,55 +18,58 @@ constexpr QSize picture_size(336, 252);  // twice a tile's, for screens of two p
 GalleryThumbnails::GalleryThumbnails(const Registry& registry, OffscreenPictures& pictures, QObject* parent)
     : QObject(parent), registry_(registry), pictures_(pictures) {}
 
-GalleryThumbnails::~GalleryThumbnails() { stop(); }
+GalleryThumbnails::~GalleryThumbnails() {
+  stop();
+  if (worker_.joinable()) worker_.join();
+}
 
 void GalleryThumbnails::start() {
-  if (worker_.joinable()) return;
+  if (worker_.joinable() && !stopped_) return;
+  if (worker_.joinable()) worker_.join();
   stopped_ = false;
   busy_ = true;
-  worker_ = std::thread([this, first = done_] { make_pictures(first, stopped_); });
+  worker_ = std::thread([this, first = done_] { make_pictures(first); });
 }
 
 void GalleryThumbnails::stop() {
   stopped_ = true;
   busy_ = false;
-  if (worker_.joinable()) worker_.join();
 }
 
-void GalleryThumbnails::make_pictures(std::size_t first, const std::atomic<bool>& stopped) {
+void GalleryThumbnails::make_pictures(std::size_t first) {
   const std::vector<Sample> all = samples();
-  for (std::size_t i = first; i < all.size() && !stopped; ++i) {
-    std::shared_ptr<const PolyMesh> solid;
+  for (std::size_t i = first; i < all.size() && !stopped_; ++i) {
+    QImage picture;
     try {
-      Progress progress(nullptr, &stopped);
-      solid = sample_surface(all[i].name, registry_, progress);
+      picture = picture_of(all[i].name);
     } catch (const Cancelled&) {
       return;
     } catch (const Error&) {
-      continue;  // its tile keeps its name alone; opening it reports the error
+      // Its tile keeps its name alone; opening it reports the error.
     }
-    // Pictures belong to the window's thread, as its contexts do.
-    QMetaObject::invokeMethod(
-        this, [this, i, name = all[i].name, solid] { show(i, name, solid); }, Qt::QueuedConnection);
+    const auto show = [this, i, name = all[i].name, picture] {
+      done_ = i + 1;
+      if (!picture.isNull()) emit finished(name, picture);
+    };
+    QMetaObject::invokeMethod(this, show, Qt::QueuedConnection);
   }
-  QMetaObject::invokeMethod(
-      this, [this] { busy_ = false; }, Qt::QueuedConnection);
+  const auto rest = [this] { busy_ = busy_ && done_ < samples().size(); };
+  QMetaObject::invokeMethod(this, rest, Qt::QueuedConnection);
 }
 
-void GalleryThumbnails::show(std::size_t place, const QString& sketch, const std::shared_ptr<const PolyMesh>& solid) {
-  done_ = std::max(done_, place + 1);
-  try {
-    const std::vector<render::MeshItemPtr> items{render::make_mesh_item(*solid)};
-    // Screws lie along z, their heads in front of the collar that they are about.
-    const bool from_behind = sketch.startsWith("bolt");
-    const double aspect = static_cast<double>(picture_size.width()) / picture_size.height();
-    render::ViewDirection direction = render::view_direction(render::NamedView::Perspective);
-    if (from_behind) direction.direction = {direction.direction.x, direction.direction.y, -direction.direction.z};
-    const render::Camera camera = render::frame(render::points_of(items), direction, aspect);
-    emit finished(sketch, pictures_.draw(items, camera, render::RenderOptions{}, picture_size));
-  } catch (const Error&) {
-    stop();  // no context for pictures: the window reports it when it can't draw either
-  }
+QImage GalleryThumbnails::picture_of(const QString& sample) {
+  Progress progress(nullptr, &stopped_);
+  const std::vector<render::MeshItemPtr> items{render::make_mesh_item(*sample_surface(sample, registry_, progress))};
+  const double aspect = static_cast<double>(picture_size.width()) / picture_size.height();
+  render::ViewDirection direction = render::view_direction(render::NamedView::Perspective);
+  // Screws lie along z, their heads in front of the collar that they are about.
+  if (sample.startsWith("bolt"))
+    direction.direction = {direction.direction.x, direction.direction.y, -direction.direction.z};
+  const render::Camera camera = render::frame(render::points_of(items), direction, aspect);
+  render::RenderOptions options;
+  options.supersampling = 2;  // tiles show it smaller
+  options.reduced = true;
+  return pictures_.draw({items.begin(), items.end()}, camera, options, picture_size);
 }
 
 }  // namespace croquis::app

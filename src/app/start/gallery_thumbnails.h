@@ -14,7 +14,8 @@ namespace croquis::app {
 
 class OffscreenPictures;
 
-/// Makes the samples solid or smooth, one after the other on another thread, and pictures of them.
+/// Makes the samples solid or smooth, one after the other on another thread, and pictures of them. The window's thread
+/// only shows these.
 class GalleryThumbnails : public QObject {
   Q_OBJECT
 
@@ -28,15 +29,15 @@ class GalleryThumbnails : public QObject {
   /// Some samples have no picture yet, and it is being made.
   bool busy() const { return busy_; }
 
-  /// Stops: files that are opened go first.
+  /// Stops soon: files that are opened go first.
   void stop();
 
  signals:
   void finished(const QString& sample, const QImage& picture);
 
  private:
-  void make_pictures(std::size_t first, const std::atomic<bool>& stopped);
-  void show(std::size_t place, const QString& sketch, const std::shared_ptr<const PolyMesh>& solid);
+  void make_pictures(std::size_t first);
+  QImage picture_of(const QString& sample);
 
   const Registry& registry_;
   OffscreenPictures& pictures_;

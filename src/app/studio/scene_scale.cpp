@@ -16,19 +16,16 @@ QString times(double factor) { return QString::number(factor, 'f', factor < 100 
 
 }  // namespace
 
-const SceneScale::Box& SceneScale::box_of(NodeId node, const std::shared_ptr<const PolyMesh>& mesh) {
-  Measured& measured = measured_[node];
-  if (measured.mesh.lock() == mesh) return measured.box;
-  measured = {mesh, Box()};
-  for (const Vec3& place : mesh->positions) measured.box.extend(place);
-  return measured.box;
+SceneScale::Box SceneScale::box_of(const WorkObject& object) const {
+  const BoundingBox box = studio_.bounds(object);
+  return box ? Box((*box)[0], (*box)[1]) : Box();
 }
 
-SceneScale::Box SceneScale::box_of_rest(const WorkObject& object) {
+SceneScale::Box SceneScale::box_of_rest(const WorkObject& object) const {
   Box rest;
   for (const WorkObject& other : studio_.objects()) {
     const bool is_seen = other.node != object.node && other.visible && other.shown();
-    if (is_seen) rest.extend(box_of(other.node, other.shown()));
+    if (is_seen) rest.extend(box_of(other));
   }
   for (const Stroke& stroke : studio_.drawing().strokes) {
     for (const StrokeSample& sample : stroke.samples) rest.extend(Vec3(sample.position.x(), sample.position.y(), 0));
@@ -36,24 +33,23 @@ SceneScale::Box SceneScale::box_of_rest(const WorkObject& object) {
   return rest;
 }
 
-std::optional<double> SceneScale::factor() {
+std::optional<double> SceneScale::factor() const {
   const WorkObject* object = studio_.active();
-  if (object == nullptr || !object->visible || !object->cage_mesh) return std::nullopt;
-  if (!source_mesh(studio_.session().document(), object->cage)) return std::nullopt;
+  if (object == nullptr || !object->visible || !object->begins_with_mesh) return std::nullopt;
   const Box rest = box_of_rest(*object);
-  const Box& own = box_of(object->cage, object->cage_mesh);
+  const Box own = box_of(*object);
   if (rest.isEmpty() || own.isEmpty()) return std::nullopt;
   const double factor = rest.diagonal().norm() / own.diagonal().norm();
   if (!std::isnormal(factor)) return std::nullopt;
   return factor;
 }
 
-bool SceneScale::is_far_off() {
+bool SceneScale::is_far_off() const {
   const auto by = factor();
   return by && (*by >= far_off || *by <= 1 / far_off);
 }
 
-QString SceneScale::sentence() {
+QString SceneScale::sentence() const {
   const auto by = factor();
   if (!by || !is_far_off()) return {};
   const QString name = QString::fromStdString(studio_.active()->name);
@@ -69,13 +65,12 @@ void SceneScale::apply() {
   }
   const WorkObject object = *studio_.active();
   const Box rest = box_of_rest(object);
-  const Vec3 middle = box_of(object.cage, object.cage_mesh).center();
+  const Vec3 middle = box_of(object).center();
   const Vec3 goal = rest.contains(middle) ? middle : Vec3(rest.center());
-  PolyMesh scaled = *object.cage_mesh;
-  for (Vec3& place : scaled.positions) place = goal + *by * (place - middle);
-  Node cage = *studio_.session().document().find(object.cage);
-  cage.source = std::make_shared<const PolyMesh>(std::move(scaled));
-  studio_.session().edit("Scale " + object.name + " to the scene", studio_.session().document().with(std::move(cage)));
+  const Affine3 map{*by * Eigen::Matrix3d::Identity(), goal - *by * middle};
+  studio_.session().edit(
+      "Scale " + object.name + " to the scene",
+      studio_.with_objects_placed(studio_.session().document(), {{object.node, moved(object.placement, map)}}));
 }
 
 }  // namespace croquis::app

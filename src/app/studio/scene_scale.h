@@ -2,8 +2,6 @@
 #pragma once
 
 #include <QString>
-#include <map>
-#include <memory>
 #include <optional>
 
 #include <Eigen/Geometry>
@@ -18,15 +16,15 @@ class SceneScale {
  public:
   explicit SceneScale(Studio& studio) : studio_(studio) {}
 
-  /// The factor that gives the active object the diagonal of all the rest; none where it is alone or is no mesh that
-  /// can be changed.
-  std::optional<double> factor();
+  /// The factor that gives the active object the diagonal of all the rest; none where it is alone or comes from
+  /// a drawing.
+  std::optional<double> factor() const;
 
   /// Whether the sizes differ so much that one is a dot beside the other: ten times and more.
-  bool is_far_off();
+  bool is_far_off() const;
 
   /// "cube is 300 times smaller than the rest", of one that is far off; else empty.
-  QString sentence();
+  QString sentence() const;
 
   /// Scales the active object to the rest, about the rest's middle where it lies outside of that, else about its own.
   /// One step of the history. @throws Error (E_EMPTY) where there is nothing to scale or to compare with
@@ -34,15 +32,10 @@ class SceneScale {
 
  private:
   using Box = Eigen::AlignedBox3d;
-  struct Measured {
-    std::weak_ptr<const PolyMesh> mesh;
-    Box box;
-  };
-  const Box& box_of(NodeId node, const std::shared_ptr<const PolyMesh>& mesh);
-  Box box_of_rest(const WorkObject& object);
+  Box box_of(const WorkObject& object) const;
+  Box box_of_rest(const WorkObject& object) const;
 
   Studio& studio_;
-  std::map<NodeId, Measured> measured_;
 };
 
 }  // namespace croquis::app

@@ -2,9 +2,14 @@
 #include "app/studio/studio.h"
 
 #include <QMetaObject>
+#include <QThreadPool>
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "croquis/base/error.h"
 #include "croquis/operators/all_operations.h"
@@ -47,6 +52,13 @@ ParameterValues without_lost_pairs(ParameterValues parameters, const Drawing& dr
   return parameters;
 }
 
+/// What the threads that compute have freed lies in pieces that the C library keeps for them: it goes to the system.
+void give_memory_back() {
+#ifdef __GLIBC__
+  QThreadPool::globalInstance()->start([] { malloc_trim(0); });
+#endif
+}
+
 LiveEvaluation::Post post_to(QObject* receiver) {
   return [receiver](std::function<void()> task) {
     QMetaObject::invokeMethod(receiver, std::move(task), Qt::QueuedConnection);
@@ -70,7 +82,10 @@ Workspace::Listener Studio::listener_of(Studio* studio) {
   listener.progress = [studio](double fraction, const std::string& step) {
     emit studio->progress_changed(fraction, QString::fromStdString(step));
   };
-  listener.busy_changed = [studio](bool busy) { emit studio->busy_changed(busy); };
+  listener.busy_changed = [studio](bool busy) {
+    emit studio->busy_changed(busy);
+    if (!busy) give_memory_back();
+  };
   return listener;
 }
 
@@ -125,6 +140,16 @@ SketchToolOptions Studio::tool_options() const {
   SketchToolOptions options = options_for<SketchToolOptions>(*first_operation_on(ValueType::Drawing));
   options.follow_removal = without_lost_pairs;
   return options;
+}
+
+std::string Studio::unit() const {
+  for (const auto& node : session().document().nodes()) {
+    const auto sheet = source_of<PerspectiveDrawing>(node.get());
+    const auto network = source_of<AttributeNetwork>(node.get());
+    if (sheet && !sheet->unit.empty()) return sheet->unit;
+    if (network && !network->units.empty()) return network->units;
+  }
+  return {};
 }
 
 ParameterValues Studio::first_parameters(const std::string& operation) const {

@@ -52,6 +52,9 @@ class Studio : public QObject, public Workspace {
   PerspectiveToolOptions sheet_options() const;  ///< the same for drawings in perspective
   SurfaceToolOptions network_options() const;    ///< the same for networks of curves
 
+  /// The unit of lengths that the first drawing or network of the document names that names one: "mm"; else empty.
+  std::string unit() const;
+
   /// The parameters that a new step of an operation starts with; those not named have the operation's own defaults.
   ParameterValues first_parameters(const std::string& operation) const;
 

@@ -77,6 +77,7 @@ class Tool : public QObject {
   virtual bool down() const { return false; }                    ///< a gesture is under way
   virtual bool abandon() { return false; }                       ///< gives it up. @return false when there was none
   virtual QString help() const { return {}; }                    ///< the next action, in words and keys
+  virtual QString help_topic() const { return {}; }              ///< the heading of the manual that is about it
   virtual QString offer(const WorkObject&) const { return {}; }  ///< what it could do with a selected object
   virtual QString tooltip() const { return {}; }                 ///< about what is under the pointer
   virtual Qt::CursorShape cursor(int) const { return Qt::ArrowCursor; }
@@ -88,7 +89,8 @@ class Tool : public QObject {
   virtual bool has_selection() const { return false; }
   virtual void add_all_to(Selection&) const {}  ///< what Select all selects beside meshes
   virtual bool pick(ComponentKind, const std::vector<Index>&) { return false; }  ///< see ToolHost::pick
-  virtual bool accept() { return false; }                                        ///< Enter
+  virtual bool picks_elements() const { return false; }  ///< what the pointer picks are elements of a mesh
+  virtual bool accept() { return false; }                ///< Enter
 
   /// A key over one of its views, before it is a menu's shortcut. @param key Qt::Key, without modifiers
   virtual bool takes_key(int) const { return false; }

@@ -41,6 +41,9 @@ class ToolHost {
   /// Selects elements of the active object's mesh, in the mode for them. @return false where no tool can
   virtual bool pick(ComponentKind kind, const std::vector<Index>& elements) = 0;
 
+  /// What the pointer picks are elements of a mesh, not objects.
+  virtual bool picks_elements() const = 0;
+
   /// Selects faces by the names of their sets. @throws Error (E_INPUT) when the object has no such set
   virtual void select_face_sets(NodeId node, const std::vector<std::string>& names) = 0;
 

@@ -12,11 +12,6 @@ namespace {
 
 constexpr double ink_margin = 6;  // logical pixels around samples: half of the widest ink, and its soft border
 
-bool same_camera(const render::Camera& a, const render::Camera& b) {
-  return a.projection == b.projection && a.eye == b.eye && a.target == b.target && a.up == b.up &&
-         a.height == b.height && a.field_of_view == b.field_of_view && a.principal_offset == b.principal_offset;
-}
-
 }  // namespace
 
 render::LineItemPtr ink_item(const std::vector<StrokeSample>& ink, bool pale) {
@@ -38,7 +33,7 @@ void InkSheet::keep(const render::Scene& scene, const render::RenderOptions& opt
 }
 
 bool InkSheet::fits(const ViewPane& pane) const {
-  return drawn_ && drawn_->pane.rect == pane.rect && same_camera(drawn_->pane.camera, pane.camera);
+  return drawn_ && drawn_->pane.rect == pane.rect && drawn_->pane.camera == pane.camera;
 }
 
 render::Viewport InkSheet::part_of(const std::vector<StrokeSample>& ink, const render::Viewport& whole) const {

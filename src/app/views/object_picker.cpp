@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include "app/studio/own_space.h"
+
 namespace croquis::app {
 
 MeshPicker& ObjectPicker::picker_of(const WorkObject& object) {
@@ -20,10 +22,11 @@ std::optional<Vec3> ObjectPicker::place_at(const std::vector<WorkObject>& object
   double least = std::numeric_limits<double>::infinity();
   for (const WorkObject& object : objects) {
     if (!object.visible || !object.shown() || object.shown()->face_count() == 0) continue;
-    const auto vertex = picker_of(object).at(frame, pixel, ComponentKind::Vertex);
+    const Affine3 to_model = object.placement.map();
+    const auto vertex = picker_of(object).at(seen_from(frame, to_model), pixel, ComponentKind::Vertex);
     if (!vertex || vertex->distance >= least) continue;
     least = vertex->distance;
-    nearest = vertex->place;
+    nearest = to_model(vertex->place);
   }
   if (nearest) return nearest;
   const Hit hit = at(objects, frame, pixel);
@@ -36,10 +39,12 @@ ObjectPicker::Hit ObjectPicker::at(const std::vector<WorkObject>& objects, const
   const Ray ray = frame.ray(pixel);
   for (const WorkObject& object : objects) {
     if (!object.visible || !object.shown() || object.shown()->face_count() == 0) continue;
-    const auto hit = picker_of(object).face_under(ray);
-    if (!hit || hit->distance >= distance) continue;
-    distance = hit->distance;
-    nearest = {object.node, hit->place};
+    const Affine3 to_model = object.placement.map();
+    const auto hit = picker_of(object).face_under(seen_from(frame, to_model).ray(pixel));
+    const Vec3 place = hit ? to_model(hit->place) : Vec3();
+    if (!hit || (place - ray.origin).norm() >= distance) continue;
+    distance = (place - ray.origin).norm();
+    nearest = {object.node, place};
   }
   return nearest;
 }
@@ -51,8 +56,9 @@ std::vector<NodeId> ObjectPicker::in_box(const std::vector<WorkObject>& objects,
     if (!object.visible || !object.shown()) continue;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     PickBox seen{Vec2(infinity, infinity), Vec2(-infinity, -infinity)};
+    const ViewFrame own = seen_from(frame, object.placement.map());
     for (const Vec3& place : object.shown()->positions) {
-      const auto pixel = frame.project(place);
+      const auto pixel = own.project(place);
       if (!pixel) continue;
       seen.low = seen.low.cwiseMin(pixel->pixel);
       seen.high = seen.high.cwiseMax(pixel->pixel);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/studio/own_space.h"
 #include "app/window/theme.h"
 
 namespace croquis::app {
@@ -107,9 +108,10 @@ render::Bounds ObjectScenes::chosen_bounds() const {
   render::Bounds bounds;
   for (const WorkObject& object : studio_.objects()) {
     if (!object.visible) continue;
+    const Affine3 to_model = object.placement.map();
     for (const Index face : studio_.face_sets().selected(object, studio_.session().selection())) {
       for (const Index vertex : object.mesh->face(face)) {
-        const Vec3& place = object.mesh->positions[vertex];
+        const Vec3 place = to_model(object.mesh->positions[vertex]);
         bounds.add({place.x(), place.y(), place.z()});
       }
     }
@@ -157,6 +159,7 @@ render::Scene ObjectScenes::scene(const Wanted& wanted) const {
     const auto items = items_.find(object.node);
     if (!object.visible || items == items_.end()) continue;
     if (wanted.only_with_cage && !object.begins_with_mesh) continue;
+    const PlacedPart part(scene, object.placement.map());
     render::Emphasis emphasis;
     emphasis.stale = wanted.stale && object.result != nullptr;
     emphasis.selected = wanted.edited == 0 && several && is_selected(object);
@@ -176,7 +179,7 @@ render::Scene ObjectScenes::scene(const Wanted& wanted) const {
       highlight_chosen(object, items->second);
       if (items->second.highlight) scene.highlights.push_back(items->second.highlight);
     }
-    if (!cage_alone && (edited || object.view == ChainView::Both)) {
+    if (!cage_alone && ((edited && wanted.edited_cage) || object.view == ChainView::Both)) {
       const QColor& color = colors::cage;
       const render::Color wire(color.red(), color.green(), color.blue(), 230);
       scene.meshes.emplace_back(cage_item(object.cage), render::Emphasis{}, render::MeshStyle::cage(wire));
@@ -185,15 +188,16 @@ render::Scene ObjectScenes::scene(const Wanted& wanted) const {
   return scene;
 }
 
-std::vector<render::MeshItemPtr> ObjectScenes::surfaces() const {
-  std::vector<render::MeshItemPtr> surfaces;
+std::vector<render::Shown<render::MeshItem>> ObjectScenes::surfaces() const {
+  render::Scene scene;
   for (const WorkObject& object : studio_.objects()) {
     const auto items = items_.find(object.node);
     if (!object.visible || items == items_.end()) continue;
-    if (const auto& item = items->second.surface->item()) surfaces.push_back(item);
-    if (const auto& item = items->second.filling->item()) surfaces.push_back(item);
+    const PlacedPart part(scene, object.placement.map());
+    if (const auto& item = items->second.surface->item()) scene.meshes.emplace_back(item);
+    if (const auto& item = items->second.filling->item()) scene.meshes.emplace_back(item);
   }
-  return surfaces;
+  return scene.meshes;
 }
 
 render::MeshItemPtr ObjectScenes::surface_item(NodeId object) const {

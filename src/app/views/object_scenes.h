@@ -52,7 +52,8 @@ class ObjectScenes : public QObject {
     bool outlines = false;  ///< around selected objects
     bool nothing = false;
     bool only_with_cage = false;  ///< without the solid of the sketch
-    NodeId edited = 0;            ///< the cage whose elements are being worked on: its edges are shown
+    NodeId edited = 0;            ///< the cage whose elements are being worked on: its edges are shown …
+    bool edited_cage = true;      ///< … unless the surface alone is wanted
     NodeId replaced = 0;          ///< an object in whose place …
     render::MeshItemPtr by;       ///< … this one is shown
   };
@@ -62,7 +63,7 @@ class ObjectScenes : public QObject {
   render::Bounds chosen_bounds() const;
 
   /// The surfaces alone, as pictures and thumbnails show them.
-  std::vector<render::MeshItemPtr> surfaces() const;
+  std::vector<render::Shown<render::MeshItem>> surfaces() const;
 
   /// Made ready, or null.
   render::MeshItemPtr surface_item(NodeId object) const;

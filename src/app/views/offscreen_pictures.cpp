@@ -4,71 +4,69 @@
 #include <QBuffer>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <exception>
+#include <utility>
 
 #include "croquis/base/error.h"
 #include "croquis/render/picture.h"
 #include "croquis/render/renderer.h"
 
 namespace croquis::app {
-namespace {
-
-/// The window's own context stays current for the caller.
-class CurrentContext {
- public:
-  CurrentContext(QOpenGLContext& context, QSurface& surface)
-      : before_(QOpenGLContext::currentContext()),
-        before_surface_(before_ != nullptr ? before_->surface() : nullptr),
-        context_(context) {
-    context_.makeCurrent(&surface);
-  }
-  CurrentContext(const CurrentContext&) = delete;
-  CurrentContext& operator=(const CurrentContext&) = delete;
-
-  ~CurrentContext() {
-    context_.doneCurrent();
-    if (before_ != nullptr) before_->makeCurrent(before_surface_);
-  }
-
- private:
-  QOpenGLContext* before_;
-  QSurface* before_surface_;
-  QOpenGLContext& context_;
-};
-
-}  // namespace
-
-OffscreenPictures::OffscreenPictures() = default;
+OffscreenPictures::OffscreenPictures() : surface_(std::make_unique<QOffscreenSurface>()) {
+  surface_->create();
+  in_thread_.moveToThread(&thread_);
+  thread_.start();
+}
 
 OffscreenPictures::~OffscreenPictures() {
-  if (!renderer_) return;
-  const CurrentContext current(*context_, *surface_);
-  renderer_.reset();
+  const auto release = [this] {
+    renderer_.reset();
+    context_.reset();
+  };
+  QMetaObject::invokeMethod(&in_thread_, release, Qt::BlockingQueuedConnection);
+  thread_.quit();
+  thread_.wait();
 }
 
-void OffscreenPictures::make_context() {
-  surface_ = std::make_unique<QOffscreenSurface>();
-  surface_->create();
-  context_ = std::make_unique<QOpenGLContext>();
-  if (!context_->create()) {
+void OffscreenPictures::require_renderer() {
+  if (renderer_) return;
+  auto context = std::make_unique<QOpenGLContext>();
+  if (!context->create() || !context->makeCurrent(surface_.get())) {
     throw Error(make_error(Category::Internal, "E_GL", "No OpenGL context can be made: try --software-gl"));
   }
+  context_ = std::move(context);
+  renderer_ = std::make_unique<render::Renderer>();
 }
 
-QImage OffscreenPictures::draw(const std::vector<render::MeshItemPtr>& items, const render::Camera& camera,
+QImage OffscreenPictures::draw(const std::vector<render::Shown<render::MeshItem>>& items, const render::Camera& camera,
                                const render::RenderOptions& options, const QSize& size) {
-  if (!context_) make_context();
-  const CurrentContext current(*context_, *surface_);
-  if (!renderer_) renderer_ = std::make_unique<render::Renderer>();
-  const render::RenderedPicture picture =
-      render::render_picture(*renderer_, items, camera, options, {size.width(), size.height()});
-  return QImage(picture.rgba.data(), picture.width, picture.height, QImage::Format_RGBA8888).copy();
+  QImage image;
+  std::exception_ptr failure;
+  const auto work = [&] {
+    try {
+      require_renderer();
+      render::Scene scene;
+      scene.meshes = items;
+      const render::RenderedPicture picture =
+          render::render_picture(*renderer_, scene, camera, options, {size.width(), size.height()});
+      image = QImage(picture.rgba.data(), picture.width, picture.height, QImage::Format_RGBA8888).copy();
+    } catch (...) {
+      failure = std::current_exception();
+    }
+  };
+  QMetaObject::invokeMethod(&in_thread_, work, Qt::BlockingQueuedConnection);
+  if (failure) std::rethrow_exception(failure);
+  return image;
 }
 
-QImage OffscreenPictures::draw(const std::vector<render::MeshItemPtr>& items, render::NamedView view,
-                               const QSize& size) {
+QImage OffscreenPictures::draw_small(const std::vector<render::Shown<render::MeshItem>>& items, render::NamedView view,
+                                     const QSize& size) {
+  render::RenderOptions options;
+  options.reduced = true;
   const double aspect = static_cast<double>(size.width()) / size.height();
-  return draw(items, render::frame(render::points_of(items), render::view_direction(view), aspect),
-              render::RenderOptions{}, size);
+  render::Scene scene;
+  scene.meshes = items;
+  return draw(items, render::frame(render::points_of(scene), render::view_direction(view), aspect), options, size);
 }
 
 std::vector<std::uint8_t> png_bytes(const QImage& image) {

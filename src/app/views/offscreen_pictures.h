@@ -2,13 +2,15 @@
 #pragma once
 
 #include <QImage>
+#include <QObject>
 #include <QSize>
+#include <QThread>
 #include <memory>
 #include <vector>
 
 #include "croquis/render/camera.h"
-#include "croquis/render/mesh_item.h"
 #include "croquis/render/render_options.h"
+#include "croquis/render/scene.h"
 
 class QOffscreenSurface;
 class QOpenGLContext;
@@ -19,24 +21,30 @@ class Renderer;
 
 namespace croquis::app {
 
-/// Finished pictures without a window: thumbnails and exports. Its context is made when the first one is asked for.
+/// Finished pictures without a window: thumbnails and exports. Drawn on a thread of its own, so that others wait for
+/// them as well as the window's; its context is made there when the first picture is asked for.
 class OffscreenPictures {
  public:
+  /// In the window's thread: surfaces belong there.
   OffscreenPictures();
   ~OffscreenPictures();
 
+  /// Returns when the picture is there. Called from any thread.
   /// @throws Error (E_GL, E_PICTURE_SIZE)
-  QImage draw(const std::vector<render::MeshItemPtr>& items, const render::Camera& camera,
+  QImage draw(const std::vector<render::Shown<render::MeshItem>>& items, const render::Camera& camera,
               const render::RenderOptions& options, const QSize& size);
 
-  /// The whole of the items from a named side.
-  QImage draw(const std::vector<render::MeshItemPtr>& items, render::NamedView view, const QSize& size);
+  /// The whole of the items from a named side, large ones with fewer triangles.
+  QImage draw_small(const std::vector<render::Shown<render::MeshItem>>& items, render::NamedView view,
+                    const QSize& size);
 
  private:
-  void make_context();
+  void require_renderer();
 
   std::unique_ptr<QOffscreenSurface> surface_;
-  std::unique_ptr<QOpenGLContext> context_;
+  QThread thread_;
+  QObject in_thread_;                        ///< lives in that thread, as the following do
+  std::unique_ptr<QOpenGLContext> context_;  ///< current there all the time
   std::unique_ptr<render::Renderer> renderer_;
 };
 

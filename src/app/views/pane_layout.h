@@ -11,6 +11,8 @@
 
 namespace croquis::app {
 
+constexpr double even_share = 0.5;  ///< of the views' width, for each of two
+
 /// Which views stand beside each other.
 enum class Arrangement {
   SketchAndSolid,  ///< the sketch, the perspective view

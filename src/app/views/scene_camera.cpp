@@ -40,10 +40,11 @@ std::optional<SceneCamera> camera_in(const Studio& studio, const WorkObject& obj
     SceneCamera found;
     found.node = object.chain.front();
     found.name = shown_name(object);
-    found.camera = *camera;
+    const Affine3 to_model = object.placement.map();
+    found.camera = Value(camera).transformed(to_model).get<Camera>();
     const auto sheet = source_of<PerspectiveDrawing>(studio.session().document().find(found.node));
     if (sheet) found.origin = sheet->origin;
-    found.depth = depth_in(studio, step, *camera);
+    found.depth = depth_in(studio, step, *camera) * std::cbrt(object.placement.scale.prod());
     return found;
   }
   return std::nullopt;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/studio/own_space.h"
 #include "app/views/offscreen_pictures.h"
 #include "croquis/base/error.h"
 
@@ -95,7 +96,6 @@ Tool* Viewport::tool_in(int view) const {
   return found == tools_.end() ? nullptr : *found;
 }
 
-/// A tool has put something of its own there.
 bool Viewport::is_drawn_on(int view) const {
   return std::ranges::any_of(tools_, [&](const Tool* tool) { return !tool->bounds_in(view).empty(); });
 }
@@ -121,12 +121,20 @@ void Viewport::set_mode(const QString& mode) {
 }
 
 ViewFrame Viewport::frame_of(int view) const {
-  render::Bounds bounds = render::bounds_of(objects_.surfaces());
+  render::Scene scene;
+  scene.meshes = objects_.surfaces();
   if (const WorkObject* object = studio_.active()) {
-    if (const auto cage = objects_.cage_item(object->cage)) bounds.add(cage->bounds);
+    const PlacedPart part(scene, object->placement.map());
+    scene.meshes.emplace_back(objects_.cage_item(object->cage));
   }
+  render::Bounds bounds = render::bounds_of(scene);
   if (bounds.empty()) bounds = {{-1, -1, -1}, {1, 1, 1}};
   return layout_.pane(view).view_frame(bounds);
+}
+
+ViewFrame Viewport::own_frame_of(int view) const {
+  const WorkObject* object = studio_.active();
+  return object == nullptr ? frame_of(view) : seen_from(frame_of(view), object->placement.map());
 }
 
 void Viewport::set_look(MeshLook look) {
@@ -158,7 +166,29 @@ void Viewport::arrange(Arrangement arrangement) {
   after_layout();
 }
 
+QString Viewport::graphics() {
+  makeCurrent();
+  QOpenGLContext* graphics = QOpenGLContext::currentContext();
+  const auto* words = graphics == nullptr ? nullptr : graphics->functions()->glGetString(GL_RENDERER);
+  const QString text = words == nullptr ? tr("unknown") : QString::fromUtf8(reinterpret_cast<const char*>(words));
+  doneCurrent();
+  return text;
+}
+
+/// Those that people chose.
+QPointF Viewport::pane_shares() const {
+  const QPointF shares = layout_.shares();
+  return shares.x() == suggested_share_ ? QPointF(even_share, shares.y()) : shares;
+}
+
+void Viewport::suggest_share(double across) {
+  if (layout_.shares().x() != suggested_share_) return;
+  set_pane_shares({across, layout_.shares().y()});
+  suggested_share_ = across;
+}
+
 void Viewport::set_pane_shares(const QPointF& shares) {
+  suggested_share_ = even_share;
   layout_.set_shares(shares);
   after_layout();
 }
@@ -317,6 +347,7 @@ bool Viewport::draw_ink() {
   if (!inked || clear_ || inked->view != sheet_view_ || !sheet_.fits(layout_.pane(inked->view))) return false;
   const bool begins = sheet_.inked() == 0;
   sheet_.draw_new_ink(*renderer_, *inked->samples, inked->pale, place_of(layout_.pane(inked->view)));
+  states_[static_cast<std::size_t>(inked->view)].picture.reset();
   if (begins) place_chips();
   return true;
 }
@@ -335,6 +366,7 @@ void Viewport::draw_views() {
     QOpenGLFunctions* gl = QOpenGLContext::currentContext()->functions();
     gl->glClearColor(0.22F, 0.23F, 0.25F, 1);
     gl->glClear(GL_COLOR_BUFFER_BIT);
+    for (PaneState& state : states_) state.picture.reset();
   }
   hold_camera();
   layout_.pane(ComparisonView).camera = layout_.pane(PerspectiveView).camera;
@@ -344,13 +376,13 @@ void Viewport::draw_views() {
   for (const int view : layout_.shown()) {
     PaneState& state = states_[static_cast<std::size_t>(view)];
     if (state.drawn || (inked && view != inked->view && !clears)) continue;
-    draw_view(view);
-    state.drawn = !renderer_->pending();
-    state.triangles = renderer_->triangles_drawn();
-    uploading_ = uploading_ || renderer_->pending();
-    fine = fine || state.fine;
+    const bool drew = draw_view(view);
+    uploading_ = uploading_ || !state.drawn;
+    fine = fine || (drew && state.fine);
   }
   if (uploading_) update();
+  // The graphics card, or who does its work, begins long after it was told what to do.
+  if (fine) QOpenGLContext::currentContext()->functions()->glFinish();
   if (fine) affordable_ = static_cast<double>(watch.elapsed()) < affordable_ms;
   place_chips();
 }
@@ -366,15 +398,26 @@ render::Scene Viewport::scene_of(int view) {
   return scene;
 }
 
-render::RenderOptions Viewport::options_of(int view) const {
+/// Drawings in perspective and networks have z upwards: the cross says so while they are worked on.
+static std::array<glm::dvec3, 3> upright_axes() {
+  std::array<glm::dvec3, 3> axes;
+  const Affine3 placement = upright_placement();
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3 way = placement.linear.col(axis);
+    axes[static_cast<std::size_t>(axis)] = {way.x(), way.y(), way.z()};
+  }
+  return axes;
+}
+
+render::RenderOptions Viewport::options_of(int view, bool fine) const {
   const bool paper = is_paper(view);
-  const bool fine = states_[static_cast<std::size_t>(view)].fine;
   auto options = paper  ? render::RenderOptions::paper()
                  : fine ? render::RenderOptions{}
                         : render::RenderOptions::interactive();
   if (!paper) {
     options.supersampling = std::min(options.supersampling, 2);
     options.axis_cross.shown = true;
+    if (studio_.sheet_node() != 0 || studio_.network_node() != 0) options.axis_cross.axes = upright_axes();
     if (layout_.pane(view).flat()) options.grid.kind = render::GridKind::Lines;
   }
   if (zebra_ && !paper) options.shading = render::Shading::Zebra;
@@ -395,19 +438,35 @@ render::Viewport Viewport::place_of(const ViewPane& pane) const {
   return target;
 }
 
-void Viewport::draw_view(int view) {
+/// @return whether it had to be drawn: not where it would look as before
+bool Viewport::draw_view(int view) {
   const ViewPane& pane = layout_.pane(view);
-  if (!pane.visible()) return;
-  render::Scene scene = scene_of(view);
-  const render::RenderOptions options = options_of(view);
+  PaneState& state = states_[static_cast<std::size_t>(view)];
+  state.drawn = !pane.visible();
+  if (state.drawn) return false;
+  // A finer picture of the same stays.
+  const bool fine = state.fine || is_paper(view);
+  const bool finer = fine || (state.picture && state.picture->fine);
+  Picture picture{scene_of(view), options_of(view, finer), pane.camera, pane.rect, finer};
   const auto inked = ink();
   if (is_paper(view)) {
     // What a stroke is drawn over, should one begin.
-    sheet_.keep(scene, options, pane, inked && inked->view == view ? inked->samples->size() : 0);
+    sheet_.keep(picture.scene, picture.options, pane, inked && inked->view == view ? inked->samples->size() : 0);
     sheet_view_ = view;
   }
-  if (inked && inked->view == view) scene.lines.emplace_back(ink_item(*inked->samples, inked->pale));
-  renderer_->draw(scene, pane.camera, options, place_of(pane));
+  if (inked && inked->view == view) picture.scene.lines.emplace_back(ink_item(*inked->samples, inked->pale));
+  state.drawn = state.picture == picture;
+  if (state.drawn) state.fine = finer;
+  if (state.drawn) return false;
+  picture.fine = fine;
+  picture.options = options_of(view, fine);
+  state.picture.reset();  // what only the old one shows needs no room any more
+  renderer_->draw(picture.scene, pane.camera, picture.options, place_of(pane));
+  ++state.drawn_count;
+  state.triangles = renderer_->triangles_drawn();
+  state.drawn = !renderer_->pending();
+  if (state.drawn) state.picture = std::move(picture);
+  return true;
 }
 
 void Viewport::place_chips() {

@@ -55,6 +55,11 @@ class Viewport : public QOpenGLWidget {
 
   /// How tools see the model in a view.
   ViewFrame frame_of(int view) const;
+  /// The same for those that work in the space of the active object.
+  ViewFrame own_frame_of(int view) const;
+
+  /// A tool has put something of its own there.
+  bool is_drawn_on(int view) const;
 
   void set_look(MeshLook look);
   void set_flat(bool flat);
@@ -70,8 +75,10 @@ class Viewport : public QOpenGLWidget {
   void show_alone(int view);
 
   /// Where the borders between the views lie, as shares of the widget.
-  QPointF pane_shares() const { return layout_.shares(); }
+  QPointF pane_shares() const;
   void set_pane_shares(const QPointF& shares);
+  /// The share of the view at the left, as long as nobody has moved the border.
+  void suggest_share(double across);
 
   /// Holds the perspective view at the camera of the object that begins with that node, until somebody rotates, pans or
   /// zooms it; 0: frees it, and it stays where it is.
@@ -91,6 +98,11 @@ class Viewport : public QOpenGLWidget {
 
   /// The next action, in words and keys.
   QString help() const;
+  /// The heading of the manual about the tool that works in the view under the pointer.
+  QString help_topic() const;
+
+  /// What draws: the driver's own words.
+  QString graphics();
 
   /// What is shown as the perspective view shows it, in a large picture. @throws Error
   void export_picture(OffscreenPictures& pictures, const QString& path) const;
@@ -116,6 +128,9 @@ class Viewport : public QOpenGLWidget {
   /// Milliseconds from the last input event to the end of the frame that showed it, and how often frames were drawn.
   double last_latency_ms() const { return latency_ms_; }
   int frames() const { return frames_; }
+
+  /// How often a view was drawn whole: not where it would have looked as before.
+  int pictures_drawn(int view) const { return states_[static_cast<std::size_t>(view)].drawn_count; }
 
   /// Of surfaces, in the picture of a view as it is.
   std::size_t triangles_drawn(int view) const { return states_[static_cast<std::size_t>(view)].triangles; }
@@ -143,11 +158,24 @@ class Viewport : public QOpenGLWidget {
   void leaveEvent(QEvent* event) override;
 
  private:
+  /// All that the pixels of a view depend on.
+  struct Picture {
+    render::Scene scene;
+    render::RenderOptions options;
+    render::Camera camera;
+    QRectF rect;
+    bool fine = false;
+
+    bool operator==(const Picture&) const = default;
+  };
+
   struct PaneState {
-    bool drawn = false;         ///< its pixels are still right: most events change one view alone
-    bool fine = false;          ///< drawn in full quality
-    bool moving = false;        ///< its camera is: large meshes are drawn with fewer triangles
-    std::size_t triangles = 0;  ///< drawn last
+    bool drawn = false;   ///< its pixels are still right: most events change one view alone
+    bool fine = false;    ///< drawn in full quality
+    bool moving = false;  ///< its camera is: large meshes are drawn with fewer triangles
+    int drawn_count = 0;
+    std::size_t triangles = 0;       ///< drawn last
+    std::optional<Picture> picture;  ///< that its pixels show, where it is whole
   };
 
   void connect_parts();
@@ -166,8 +194,8 @@ class Viewport : public QOpenGLWidget {
   void show_tooltip(const QString& sentence, const QPointF& place);
   bool any_down() const;
   bool is_paper(int view) const;
-  bool is_drawn_on(int view) const;
   render::Bounds bounds_in(int view) const;
+  render::Bounds picked_bounds() const;
   std::optional<SelectionFrame> selection_in(int view) const;
   std::optional<Ink> ink() const;
   void connect_tool(Tool& tool);
@@ -193,10 +221,10 @@ class Viewport : public QOpenGLWidget {
 
   bool draw_ink();
   void draw_views();
-  void draw_view(int view);
+  bool draw_view(int view);
   render::Viewport place_of(const ViewPane& pane) const;
   render::Scene scene_of(int view);
-  render::RenderOptions options_of(int view) const;
+  render::RenderOptions options_of(int view, bool fine) const;
   void place_chips();
 
   Studio& studio_;
@@ -215,6 +243,7 @@ class Viewport : public QOpenGLWidget {
   QString mode_ = first_mode;
   MeshLook look_ = MeshLook::Shaded;
   bool zebra_ = false;
+  double suggested_share_ = even_share;
   NodeId through_ = 0;  ///< the first node of the object whose camera holds the perspective view
   int grabbed_ = -1;    ///< the view that the gesture under way began in, or -1
   int under_pointer_ = SketchView;

@@ -48,17 +48,26 @@ void Viewport::frame_selection_in(int view) {
   } else if (const render::Bounds chosen = objects_.chosen_bounds(); !chosen.empty()) {
     pane.frame(chosen);
     turned_ = true;
-  } else if (const WorkObject* active = studio_.active();
-             active != nullptr && !studio_.session().selection().empty() && active->cage != 0) {
-    render::Bounds bounds;
-    for (const Vec3& place : active->shown() ? active->shown()->positions : std::vector<Vec3>()) {
-      bounds.add({place.x(), place.y(), place.z()});
-    }
-    pane.frame(bounds);
+  } else if (const render::Bounds picked = picked_bounds(); !picked.empty()) {
+    pane.frame(picked);
   } else {
     pane.frame(objects_.scene({}));
   }
   redraw_all();
+}
+
+/// Of the objects that are selected as wholes.
+render::Bounds Viewport::picked_bounds() const {
+  render::Bounds bounds;
+  for (const NodeId node : studio_.picked()) {
+    const WorkObject& object = *studio_.object(node);
+    const Affine3 to_model = object.placement.map();
+    for (const Vec3& own : object.shown() ? object.shown()->positions : std::vector<Vec3>()) {
+      const Vec3 place = to_model(own);
+      bounds.add({place.x(), place.y(), place.z()});
+    }
+  }
+  return bounds;
 }
 
 /// What a view is framed to where a tool has drawn in it: that, and the surfaces that are shown with it.

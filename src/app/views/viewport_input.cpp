@@ -31,6 +31,10 @@ bool is_modifier(int key) {
 /// Keys that mean something on what is under the pointer aren't menu shortcuts there.
 bool Viewport::take_key(QKeyEvent& event) {
   Tool* tool = event.modifiers() == Qt::NoModifier ? tool_in(under_pointer_) : nullptr;
+  // While one draws, the sheet's keys mean the same wherever the pointer rests.
+  const bool is_taken = tool != nullptr && tool->takes_key(event.key());
+  if (!is_taken && event.modifiers() == Qt::NoModifier && mode_ == first_mode && layout_.pane(SketchView).visible())
+    tool = tool_in(SketchView);
   if (tool == nullptr || !tool->takes_key(event.key())) return false;
   if (event.type() == QEvent::KeyPress && !event.isAutoRepeat()) tool->press_key(event.key());
   event.accept();
@@ -277,6 +281,11 @@ bool Viewport::drag_border(const PointerEvent& event, const QPointF& place) {
   redraw_all();
   if (event.action == PointerEvent::Action::Release) dragged_border_ = {};
   return true;
+}
+
+QString Viewport::help_topic() const {
+  const Tool* tool = tool_in(under_pointer_);
+  return tool == nullptr ? QString() : tool->help_topic();
 }
 
 QString Viewport::help() const {

@@ -35,6 +35,7 @@ namespace croquis::app {
 namespace {
 
 constexpr QSize first_size(1440, 900);
+constexpr int progress_pause_ms = 200;
 
 bool is_error(const Finding& finding) { return finding.severity == Severity::Error; }
 
@@ -42,6 +43,7 @@ bool is_error(const Finding& finding) { return finding.severity == Severity::Err
 
 MainWindow::MainWindow(const QString& state_folder) : files_(studio_, pictures_, state_folder) {
   setAcceptDrops(true);
+  setAnimated(false);  // each step of it would give the views another size, and draw them
   resize(first_size);
   fit_to_screen(*this);
   pages_ = new QStackedWidget(this);
@@ -56,6 +58,7 @@ MainWindow::MainWindow(const QString& state_folder) : files_(studio_, pictures_,
   make_actions();
   make_tools();
   make_window_actions();
+  make_help_actions();
   gate_document_actions();
   connect_studio();
   connect_files();
@@ -69,7 +72,7 @@ MainWindow::MainWindow(const QString& state_folder) : files_(studio_, pictures_,
 
 MainWindow::~MainWindow() {
   // Both use the studio, on other threads too; children would be destroyed after it.
-  thumbnails_->stop();
+  delete thumbnails_;
   viewport_->set_tools({});
   tools_.clear();
   delete pages_;
@@ -80,6 +83,9 @@ void MainWindow::connect_studio() {
   connect(&studio_, &Studio::result_changed, this, &MainWindow::update_panels);
   connect(&studio_, &Studio::busy_changed, this, &MainWindow::show_progress);
   const auto show_step = [this](double fraction, const QString& step) {
+    // The bar draws itself at once, and the whole window with it.
+    if (since_progress_.isValid() && !since_progress_.hasExpired(progress_pause_ms)) return;
+    since_progress_.start();
     progress_->setValue(static_cast<int>(fraction * progress_->maximum()));
     progress_->setFormat(step);
   };
@@ -100,7 +106,7 @@ void MainWindow::connect_files() {
     show_message(findings);
   });
   connect(&files_, &ProjectFiles::opened, this, [this](const QString& path, const Findings& warnings) {
-    record(recorded::File{"open", QFileInfo(path).absoluteFilePath().toStdString()});
+    record(recorded::File{"open", QFileInfo(path).absoluteFilePath().toStdString(), files_.has_replaced()});
     folder_ = QFileInfo(path).absolutePath();
     hold_usable_tool();
     show_views();
@@ -177,6 +183,10 @@ void MainWindow::add_status_widget(QWidget& widget) { statusBar()->insertPermane
 
 bool MainWindow::pick(ComponentKind kind, const std::vector<Index>& elements) {
   return std::ranges::any_of(tools_, [&](const auto& tool) { return tool->pick(kind, elements); });
+}
+
+bool MainWindow::picks_elements() const {
+  return std::ranges::any_of(tools_, [](const auto& tool) { return tool->picks_elements(); });
 }
 
 QString MainWindow::offer_for(const WorkObject& object) const {
@@ -304,15 +314,6 @@ bool MainWindow::open(const QString& path) {
     return false;
   }
   return true;
-}
-
-void MainWindow::begin_open(const QStringList& paths) {
-  // Meshes are added to what is open, and this must be seen.
-  if (!paths.isEmpty() && !FileReader::replaces_document(paths.front())) leave_start_page();
-  for (const QString& path : paths) {
-    if (FileReader::replaces_document(path) && !may_discard()) return;
-    files_.begin_open(path);
-  }
 }
 
 void MainWindow::record_to(const QString& path) {

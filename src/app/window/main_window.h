@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QElapsedTimer>
 #include <QFile>
 #include <QMainWindow>
 #include <QPointer>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "app/files/export_check.h"
 #include "app/files/project_files.h"
 #include "app/studio/studio.h"
 #include "app/tools/tool.h"
@@ -32,6 +36,7 @@ class HistoryList;
 class ObjectList;
 class OpeningReport;
 class PanelDocks;
+class PlacementFields;
 class StartPage;
 class Viewport;
 
@@ -68,8 +73,12 @@ class MainWindow : public QMainWindow, public ToolHost {
   /// Opens a file, waits for it and leaves the start page; shows in the window why it can't.
   bool open(const QString& path);
 
-  /// Begins to open files, one after the other: the window goes on working. Meshes are added to what is open.
+  /// Begins to open files, one after the other: the window goes on working. Where meshes would be added to what is open
+  /// it asks whether to.
   void begin_open(const QStringList& paths);
+
+  /// Begins to add meshes and pictures to what is open.
+  void import(const QStringList& paths);
 
   /// The action of that name, or null: what menus, keys and replays share.
   QAction* action(const QString& name) const override;
@@ -93,6 +102,7 @@ class MainWindow : public QMainWindow, public ToolHost {
   void set_mode(const QString& mode) override;
   void add_status_widget(QWidget& widget) override;
   bool pick(ComponentKind kind, const std::vector<Index>& elements) override;
+  bool picks_elements() const override;
   void tell(const QString& sentence) override;  ///< below the views
   void show_message(const Findings& findings) override { show_message(findings, {}); }
   void record(const recorded::Step& step) override;
@@ -131,10 +141,13 @@ class MainWindow : public QMainWindow, public ToolHost {
  private:
   void make_actions();
   void make_file_actions();
+  void make_mesh_exports(QMenu* menu);
   void make_edit_actions();
   void make_view_actions();
   void make_tools();
   void make_window_actions();
+  void make_help_actions();
+  QString diagnostics();
   void gate_document_actions();
   void make_docks();
   void connect_files();
@@ -163,18 +176,21 @@ class MainWindow : public QMainWindow, public ToolHost {
   void show_cameras();
   void look_through_camera(int place);
   void ask_open();
+  std::optional<bool> ask_replace(const QStringList& paths);
   bool ask_save();
   bool save_to(const QString& path);
   bool may_discard();
   bool may_replace(const QString& path);
   QString proposed_path(const QString& file) const;  ///< where people last opened or wrote something
-  void ask_export_solid();
+  void ask_export_meshes(MeshExport::Objects objects);
+  std::optional<ExportCheck> checked_for_export(const MeshExport& wanted);
+  void show_doubt(const ExportCheck& check, const MeshExport& wanted);
   static QString export_action(const OperationDescription& operation);
   void ask_export_result(const OperationDescription& operation);
   void ask_export_step();
   void ask_export_picture();
   void ask_export_drawing();
-  void tell_written(const QString& path, const Findings& lost = {});
+  void tell_written(const QString& path, const Findings& lost = {}, const QString& summary = {});
   void select_all();
   void delete_selection();
   void select_none();
@@ -196,6 +212,7 @@ class MainWindow : public QMainWindow, public ToolHost {
   Viewport* viewport_ = nullptr;
   std::vector<std::unique_ptr<Tool>> tools_;
   AttributePanel* attributes_ = nullptr;
+  PlacementFields* placement_ = nullptr;
   ObjectList* objects_ = nullptr;
   FindingsList* findings_ = nullptr;
   HistoryList* history_ = nullptr;
@@ -212,9 +229,11 @@ class MainWindow : public QMainWindow, public ToolHost {
   PanelDocks* panels_ = nullptr;
   QPointer<OpeningReport> report_;
   Findings last_findings_;
-  QString folder_;  ///< that people last opened a file of, or wrote one to
+  std::string export_unit_;  ///< of exported meshes; empty: as in the document
+  QString folder_;           ///< that people last opened a file of, or wrote one to
   HelpLine* help_ = nullptr;
   QProgressBar* progress_ = nullptr;
+  QElapsedTimer since_progress_;  ///< was last shown
   QPushButton* cancel_ = nullptr;
 };
 

@@ -2,14 +2,20 @@
 // Actions, menus, tools and docks of the window, and their questions.
 #include <QAction>
 #include <QActionGroup>
+#include <QApplication>
 #include <QDir>
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QProgressDialog>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QToolBar>
+#include <atomic>
+#include <chrono>
+#include <future>
 #include <utility>
 
 #include "app/panels/object_names.h"
@@ -19,6 +25,7 @@
 #include "app/window/main_window.h"
 #include "croquis/base/error.h"
 #include "croquis/io/mesh_file.h"
+#include "croquis/tools/perspective/sheet_units.h"
 #include "croquis/tools/recording/general_steps.h"
 
 namespace croquis::app {
@@ -35,10 +42,16 @@ QString mesh_filter() {
   return kinds.join(";;");
 }
 
+QString import_filter() {
+  QStringList endings;
+  for (const MeshFormat format : mesh_formats()) endings << '*' + QString::fromStdString(extension_of(format));
+  return QObject::tr("Meshes (%1)").arg(endings.join(' '));
+}
+
 /// What can be done without what is open, or whatever it is; all else belongs to the views.
 bool needs_no_document(const QString& action) {
-  return action == "new" || action.startsWith("new-") || action == "open" || action == "start-page" ||
-         action == "quit" || action == "reset-layout";
+  return action == "new" || action.startsWith("new-") || action == "open" || action == "import" ||
+         action == "start-page" || action == "quit" || action == "reset-layout" || action.startsWith("help");
 }
 
 constexpr int most_cameras = 9;  // in the menu
@@ -46,7 +59,8 @@ constexpr int most_cameras = 9;  // in the menu
 QString camera_action(int place) { return QString("camera-%1").arg(place + 1); }
 
 bool asks_for_file(const QString& action) {
-  return action == "open" || action.startsWith("save") || action.startsWith("export");
+  return action == "open" || action == "import" || action.startsWith("save") ||
+         (action.startsWith("export") && !action.startsWith("export-unit"));
 }
 
 }  // namespace
@@ -85,6 +99,8 @@ void MainWindow::make_file_actions() {
   QMenu* menu = actions_->menu(tr("&File"));
   actions_->add(menu, "new", tr("&New sketch"), {QKeySequence::New}, [this] { start_sketch(); });
   actions_->add(menu, "open", tr("&Open…"), {QKeySequence::Open}, [this] { ask_open(); });
+  actions_->add(menu, "import", tr("&Import…"), {QKeySequence("Ctrl+Shift+O")},
+                [this] { import(QFileDialog::getOpenFileNames(this, tr("Import"), folder_, import_filter())); });
   actions_->add(menu, "start-page", tr("S&tart page"), {QKeySequence("Ctrl+Home")}, [this] { show_start_page(); });
   menu->addSeparator();
   actions_->add(menu, "save", tr("&Save"), {QKeySequence::Save}, [this] { ask_save(); });
@@ -93,7 +109,7 @@ void MainWindow::make_file_actions() {
     if (!path.isEmpty()) save_to(path);
   });
   menu->addSeparator();
-  actions_->add(menu, "export-solid", tr("&Export mesh…"), {QKeySequence("Ctrl+E")}, [this] { ask_export_solid(); });
+  make_mesh_exports(menu);
   actions_->add(menu, "export-step", tr("Export S&TEP…"), {}, [this] { ask_export_step(); });
   actions_->add(menu, "export-picture", tr("Export &picture…"), {QKeySequence("Ctrl+Shift+E")},
                 [this] { ask_export_picture(); });
@@ -106,6 +122,26 @@ void MainWindow::make_file_actions() {
   }
   menu->addSeparator();
   actions_->add(menu, "quit", tr("&Quit"), {QKeySequence::Quit}, [this] { close(); });
+}
+
+void MainWindow::make_mesh_exports(QMenu* menu) {
+  using Objects = MeshExport::Objects;
+  actions_->add(menu, "export-solid", tr("&Export mesh…"), {QKeySequence("Ctrl+E")},
+                [this] { ask_export_meshes(Objects::Picked); });
+  actions_->add(menu, "export-visible", tr("Export &visible…"), {}, [this] { ask_export_meshes(Objects::Visible); });
+  actions_->add(menu, "export-all", tr("Export a&ll…"), {}, [this] { ask_export_meshes(Objects::All); });
+  action("export-solid")->setToolTip(tr("The selected objects as one file"));
+  QMenu* units = menu->addMenu(tr("&Unit of exported meshes"));
+  auto* group = new QActionGroup(this);
+  const auto add = [&](const std::string& unit, const QString& text) {
+    QAction* chosen = actions_->add(units, "export-unit-" + QString::fromStdString(unit.empty() ? "own" : unit), text,
+                                    {}, [this, unit] { export_unit_ = unit; });
+    chosen->setCheckable(true);
+    chosen->setChecked(unit.empty());
+    group->addAction(chosen);
+  };
+  add({}, tr("As in the document"));
+  for (const std::string& unit : length_units()) add(unit, QString::fromStdString(unit));
 }
 
 void MainWindow::make_edit_actions() {
@@ -143,10 +179,7 @@ void MainWindow::delete_selection() {
     if ((*tool)->delete_selection()) return;
   }
   record(recorded::Action{"delete"});
-  const Selection selection = studio_.session().selection();
-  for (const SelectedItem& item : selection) {
-    if (item.part.empty()) studio_.remove_object(item.node);
-  }
+  studio_.remove_objects(studio_.picked());
 }
 
 void MainWindow::select_none() {
@@ -163,7 +196,7 @@ void MainWindow::make_view_actions() {
   actions_->add(menu, "frame-all", tr("Frame &all"), {QKeySequence("A")}, [this] { viewport_->frame_all(); });
   actions_->add(menu, "frame-selection", tr("&Frame selection"), {QKeySequence("F")},
                 [this] { viewport_->frame_selection(); });
-  actions_->add(menu, "layout", tr("One &view / all"), {QKeySequence("Space")}, [this] { viewport_->toggle_layout(); });
+  actions_->add(menu, "layout", tr("&Maximise view"), {QKeySequence("Space")}, [this] { viewport_->toggle_layout(); });
   actions_->add(menu, "two-views", tr("S&ketch and perspective"), {QKeySequence("Ctrl+Space")},
                 [this] { viewport_->arrange(Arrangement::SketchAndSolid); });
   actions_->add(menu, "four-views", tr("&Four views"), {QKeySequence("Shift+Space")},
@@ -191,7 +224,7 @@ void MainWindow::make_view_actions() {
   add_shading("wire", tr("&Wire"), "4", MeshLook::Wire);
   add_shading("shaded", tr("&Shaded"), "5", MeshLook::Shaded);
   add_shading("shaded-wire", tr("Shaded, with w&ire"), "6", MeshLook::ShadedWire);
-  QAction* flat = actions_->add(menu, "flat", tr("&Every face flat"), {QKeySequence("Shift+5")},
+  QAction* flat = actions_->add(menu, "flat", tr("Fl&at shading"), {QKeySequence("Shift+5")},
                                 [this] { viewport_->set_flat(action("flat")->isChecked()); });
   flat->setCheckable(true);
   QAction* zebra = actions_->add(menu, "zebra", tr("&Zebra stripes"), {QKeySequence("Shift+6")},
@@ -223,6 +256,43 @@ void MainWindow::look_through_camera(int place) {
 
 void MainWindow::ask_open() {
   begin_open(QFileDialog::getOpenFileNames(this, tr("Open"), folder_, FileReader::dialog_filter()));
+}
+
+void MainWindow::begin_open(const QStringList& paths) {
+  if (paths.isEmpty()) return;
+  bool replaces = false;
+  const bool is_mesh = mesh_format_of(paths.front().toStdString()).has_value();
+  if (is_mesh && !unattended_ && !studio_.objects().empty()) {
+    const auto answer = ask_replace(paths);
+    if (!answer) return;
+    replaces = *answer;
+  }
+  // What is added to what is open must be seen.
+  if (!replaces && !FileReader::replaces_document(paths.front())) leave_start_page();
+  for (const QString& path : paths) {
+    const bool takes_place = std::exchange(replaces, false);
+    if ((takes_place || FileReader::replaces_document(path)) && !may_discard()) return;
+    files_.begin_open(path, takes_place);
+  }
+}
+
+/// Whether meshes take the place of what is open, or are added; nothing: neither.
+std::optional<bool> MainWindow::ask_replace(const QStringList& paths) {
+  const QString what = paths.size() == 1 ? QFileInfo(paths.front()).fileName() : tr("%1 meshes").arg(paths.size());
+  QMessageBox question(QMessageBox::Question, tr("Croquis"),
+                       tr("Open %1 in place of what is open, or add it?").arg(what), QMessageBox::Cancel, this);
+  question.setObjectName("open-question");
+  const QPushButton* replace = question.addButton(tr("&Replace"), QMessageBox::AcceptRole);
+  QPushButton* add = question.addButton(tr("&Add"), QMessageBox::AcceptRole);
+  question.setDefaultButton(add);
+  question.exec();
+  if (question.clickedButton() == replace) return true;
+  return question.clickedButton() == add ? std::optional(false) : std::nullopt;
+}
+
+void MainWindow::import(const QStringList& paths) {
+  if (!paths.isEmpty()) leave_start_page();
+  for (const QString& path : paths) files_.begin_open(path);
 }
 
 bool MainWindow::ask_save() {
@@ -285,19 +355,71 @@ bool MainWindow::may_discard() {
   }
 }
 
-void MainWindow::ask_export_solid() {
+void MainWindow::ask_export_meshes(MeshExport::Objects objects) {
   // Of the formats, PLY alone keeps which faces are patches, and how far to trust them.
   const WorkObject* object = studio_.active();
+  const bool alone = objects == MeshExport::Objects::Picked && studio_.picked_or_active().size() == 1;
   const bool is_filled =
-      object != nullptr && object->mesh && object->mesh->channel("patch_id", Domain::Face) != nullptr;
-  const QString name = QString::fromStdString(document_name(studio_));
+      alone && object != nullptr && object->mesh && object->mesh->channel("patch_id", Domain::Face) != nullptr;
+  const QString project = QFileInfo(files_.file_name()).completeBaseName();
+  const QString name = alone || project.isEmpty() ? QString::fromStdString(document_name(studio_)) : project;
   QString filter = is_filled ? QStringLiteral("PLY (*.ply)") : QStringLiteral("OBJ (*.obj)");
   const QString proposed = is_filled ? tr("%1 filled.ply").arg(name) : name + ".obj";
   QString path = QFileDialog::getSaveFileName(this, tr("Export mesh"), proposed_path(proposed), mesh_filter(), &filter);
   if (path.isEmpty()) return;
   const QString suffix = filter.section("*", 1).section(")", 0, 0);
   if (QFileInfo(path).suffix().isEmpty() && !QFileInfo::exists(path + suffix)) path += suffix;
-  attempt([&] { tell_written(path, files_.export_solid(path)); });
+  const MeshExport wanted{objects, export_unit_};
+  attempt([&] {
+    const auto check = checked_for_export(wanted);
+    if (!check) return;
+    const QString unit = QString::fromStdString(wanted.unit.empty() ? studio_.unit() : wanted.unit);
+    tell_written(path, files_.export_solid(path, wanted), summary_of(check->figures, unit));
+  });
+}
+
+/// Asks before a mesh is written that isn't closed or crosses itself; none: it isn't to be written.
+std::optional<ExportCheck> MainWindow::checked_for_export(const MeshExport& wanted) {
+  const std::shared_ptr<const PolyMesh> mesh = files_.exported_mesh(wanted);
+  QProgressDialog waiting(tr("Looking at the mesh …"), tr("Cancel"), 0, 0, this);
+  waiting.setWindowModality(Qt::WindowModal);
+  std::atomic<bool> cancelled = false;
+  connect(&waiting, &QProgressDialog::canceled, this, [&] { cancelled = true; });
+  auto checking = std::async(std::launch::async, [&] {
+    Progress progress({}, &cancelled);
+    return check_export(*mesh, progress);
+  });
+  while (checking.wait_for(std::chrono::milliseconds(10)) != std::future_status::ready) {
+    waiting.setValue(0);  // shows the dialog after a while
+    QApplication::processEvents();
+  }
+  waiting.reset();
+  ExportCheck check = checking.get();
+  if (!check.doubt || unattended_) return check;
+  QMessageBox question(QMessageBox::Warning, tr("Export mesh"), QString::fromStdString(check.doubt->message),
+                       QMessageBox::Cancel, this);
+  question.setObjectName("export-question");
+  QPushButton* show = question.addButton(tr("&Show"), QMessageBox::RejectRole);
+  question.setDefaultButton(show);
+  const QPushButton* anyway = question.addButton(tr("&Export anyway"), QMessageBox::AcceptRole);
+  question.exec();
+  if (question.clickedButton() == show) show_doubt(check, wanted);
+  return question.clickedButton() == anyway ? std::optional(check) : std::nullopt;
+}
+
+/// Picks the elements where the mesh can be edited, else shows where they are.
+void MainWindow::show_doubt(const ExportCheck& check, const MeshExport& wanted) {
+  const WorkObject* object = studio_.active();
+  const bool is_editable = object != nullptr && object->cage_mesh != nullptr && object->cage_mesh == object->shown();
+  if (is_editable && object->cage_mesh->corners == files_.exported_mesh(wanted)->corners)
+    return show_finding({object->node, *check.doubt});
+  render::Bounds bounds;
+  for (const Vec3& corner : {check.where.min(), check.where.max()}) {
+    const Vec3 place = corner / files_.export_scale(wanted);
+    bounds.add({place.x(), place.y(), place.z()});
+  }
+  viewport_->pane(PerspectiveView).frame(bounds);
+  viewport_->redraw_all();
 }
 
 void MainWindow::ask_export_result(const OperationDescription& operation) {
@@ -344,10 +466,10 @@ void MainWindow::ask_export_drawing() {
   });
 }
 
-/// Where it went, and what the format can't hold.
-void MainWindow::tell_written(const QString& path, const Findings& lost) {
+/// What was written, and what the format can't hold.
+void MainWindow::tell_written(const QString& path, const Findings& lost, const QString& summary) {
   folder_ = QFileInfo(path).absolutePath();
-  const QString written = tr("Written to %1").arg(QDir::toNativeSeparators(QFileInfo(path).absoluteFilePath()));
+  const QString written = tr("Saved %1").arg(QFileInfo(path).fileName()) + (summary.isEmpty() ? "" : ": " + summary);
   if (lost.empty()) return help_->tell_written(path, written);
   help_->tell_written(path, written + ". " + QString::fromStdString(lost.front().message), HelpLine::Tone::Warning);
 }

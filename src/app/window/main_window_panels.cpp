@@ -5,6 +5,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QScrollArea>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <cstring>
 #include <ranges>
@@ -14,6 +15,7 @@
 #include "app/panels/lists.h"
 #include "app/panels/object_list.h"
 #include "app/panels/object_names.h"
+#include "app/panels/placement_fields.h"
 #include "app/studio/face_sets.h"
 #include "app/views/viewport.h"
 #include "app/window/help_line.h"
@@ -33,7 +35,14 @@ void MainWindow::make_docks() {
   auto* scroll = new QScrollArea(this);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setWidget(attributes_);
+  auto* fields = new QWidget(this);
+  auto* column = new QVBoxLayout(fields);
+  placement_ = new PlacementFields(fields);
+  column->setContentsMargins({});
+  column->setSpacing(0);
+  column->addWidget(placement_);
+  column->addWidget(attributes_, 1);
+  scroll->setWidget(fields);
   docks_ = {panels_->add(tr("Objects"), objects_, "objects"), panels_->add(tr("Attributes"), scroll, "attributes"),
             panels_->add(tr("Findings"), findings_, "findings"), panels_->add(tr("History"), history_, "history")};
 }
@@ -69,7 +78,14 @@ void MainWindow::connect_panels() {
             const Node* edited = studio_.session().document().find(node);
             if (!dragging && edited != nullptr) record(recorded::Set{edited->name, parameter, value});
           });
-  connect(objects_, &ObjectList::objects_chosen, this, &MainWindow::choose_nodes);
+  connect(placement_, &PlacementFields::placed, this, [this](NodeId node, const Placement& placement) {
+    const WorkObject* object = studio_.object(node);
+    if (object == nullptr) return;
+    const recorded::Place step{{object->name}, {placement}};
+    if (attempt([&] { studio_.place_objects({{node, placement}}); })) record(step);
+  });
+  connect(objects_, &ObjectList::objects_chosen, this,
+          [this](const std::vector<NodeId>& nodes) { choose_nodes(studio_.with_groups(nodes)); });
   connect(objects_, &ObjectList::step_chosen, this, &MainWindow::choose_step);
   connect(objects_, &ObjectList::parts_chosen, this, [this](NodeId node, const std::vector<std::string>& parts) {
     attempt([&] { std::ranges::any_of(tools_, [&](const auto& tool) { return tool->choose_parts(node, parts); }); });
@@ -83,8 +99,14 @@ void MainWindow::connect_panels() {
   connect(objects_, &ObjectList::renamed, this,
           [this](NodeId node, const std::string& name) { studio_.rename_object(node, name); });
   connect(objects_, &ObjectList::shown, this,
-          [this](NodeId node, bool visible) { studio_.show_object(node, visible); });
+          [this](const std::vector<NodeId>& objects, bool visible) { studio_.show_objects(objects, visible); });
+  connect(objects_, &ObjectList::group_renamed, this,
+          [this](const std::string& group, const std::string& name) { studio_.rename_group(group, name); });
   connect(findings_, &FindingsList::finding_chosen, this, &MainWindow::show_finding);
+  connect(findings_, &FindingsList::fix_chosen, this, [this](const NodeFinding& found, QAction* fix) {
+    choose_step(found.node);
+    fix->trigger();
+  });
   connect(history_, &HistoryList::step_chosen, this, &MainWindow::go_to_step);
 }
 
@@ -93,6 +115,7 @@ void MainWindow::update_panels() {
   const WorkObject* object = studio_.active();
   const Node* operation = studio_.active_operation();
   attributes_->show_node(operation, operation == nullptr ? nullptr : studio_.description(operation->operation));
+  placement_->follow(studio_);
   objects_->show_objects(studio_);
   step_actions_->refresh();
   show_findings();
@@ -103,7 +126,7 @@ void MainWindow::update_panels() {
   const bool has_selection = std::ranges::any_of(tools_, [](const auto& tool) { return tool->has_selection(); });
   action("delete")->setEnabled(!session.selection().empty() || has_selection);
   const bool shown = object != nullptr && object->shown() != nullptr;
-  action("export-solid")->setEnabled(shown);
+  for (const char* name : {"export-solid", "export-visible", "export-all"}) action(name)->setEnabled(shown);
   action("export-step")->setEnabled(files_.exact_solid() != nullptr);
   action("export-picture")->setEnabled(shown);
   for (const OperationDescription* exported : files_.exports())
@@ -127,7 +150,9 @@ void MainWindow::show_findings() {
   std::vector<NodeFinding> all;
   for (const Finding& finding : files_.warnings()) all.push_back({0, finding});
   for (const NodeFinding& found : studio_.findings()) all.push_back(found);
-  findings_->show_findings(all, [this](const NodeFinding& found) { return owner_of(found); });
+  findings_->show_findings(
+      all, [this](const NodeFinding& found) { return owner_of(found); },
+      [this](const NodeFinding& found) { return step_actions_->fixes_of(found); });
 }
 
 void MainWindow::select_nodes(const std::vector<NodeId>& nodes) {

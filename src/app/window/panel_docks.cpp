@@ -50,11 +50,17 @@ QDockWidget* PanelDocks::find(const QString& name) const {
 }
 
 void PanelDocks::give_room_once(QDockWidget* dock, int width) {
-  if (std::exchange(room_given_, true)) return;
+  if (room_given_ || roomy_.contains(dock)) return;
+  roomy_ << dock;
   constexpr int most = 600, least = 80;
   window_.resizeDocks({dock}, {width}, Qt::Horizontal);
   window_.resizeDocks({find("objects"), dock, find("findings"), find("history")}, {least, most, least, least},
                       Qt::Vertical);
+}
+
+void PanelDocks::set_room_given(bool given) {
+  room_given_ = given;
+  roomy_.clear();
 }
 
 QList<QDockWidget*> PanelDocks::all() const {

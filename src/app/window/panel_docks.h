@@ -36,7 +36,7 @@ class PanelDocks : public QObject {
 
   /// The first time that it appears, a panel gets that much width and most of the height; people's own sizes are kept.
   void give_room_once(QDockWidget* dock, int width);
-  void set_room_given(bool given) { room_given_ = given; }
+  void set_room_given(bool given);
 
   /// In the order they were added.
   QList<QDockWidget*> all() const;
@@ -73,7 +73,8 @@ class PanelDocks : public QObject {
   QMainWindow& window_;
   QList<Panel> panels_;
   bool shown_ = false;
-  bool room_given_ = false;
+  bool room_given_ = false;         ///< to all of them
+  QList<QDockWidget*> roomy_ = {};  ///< those that got theirs
 };
 
 }  // namespace croquis::app

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "croquis/document/connectivity.h"
 #include "croquis/workspace/chain.h"
 #include "croquis/workspace/chain_edit.h"
 
@@ -21,30 +22,44 @@ StepActions::StepActions(ToolHost& host, ActionList& actions) : host_(host) {
   QMenu* menu = actions.menu(QObject::tr("&Object"));
   add_operations(actions, menu);
   menu->addSeparator();
-  add(actions, menu, "step-on", QObject::tr("Step is &on"), {}, [](Studio& studio, NodeId step) {
+  add(actions, menu, "step-on", QObject::tr("&Enable step"), {}, [](Studio& studio, NodeId step) {
     const Node* node = studio.session().document().find(step);
     studio.enable_step(step, node != nullptr && !node->enabled);
   });
   actions.find("step-on")->setCheckable(true);
-  add(actions, menu, "step-earlier", QObject::tr("Step &earlier"), "Ctrl+Shift+Down",
+  add(actions, menu, "step-earlier", QObject::tr("Move step d&own"), "Ctrl+Shift+Down",
       [](Studio& studio, NodeId step) { studio.move_step(step, -1); });
-  add(actions, menu, "step-later", QObject::tr("Step &later"), "Ctrl+Shift+Up",
+  add(actions, menu, "step-later", QObject::tr("&Move step up"), "Ctrl+Shift+Up",
       [](Studio& studio, NodeId step) { studio.move_step(step, 1); });
   add(actions, menu, "duplicate-step", QObject::tr("D&uplicate step"), {},
       [](Studio& studio, NodeId step) { studio.copy_step(step); });
   add(actions, menu, "freeze-step", QObject::tr("Free&ze step"), {},
       [](Studio& studio, NodeId step) { studio.freeze_step(step); });
-  add(actions, menu, "reapply-step", QObject::tr("&Re-apply edits by number"), {},
+  add(actions, menu, "reapply-step", QObject::tr("Apply to the new mesh by &number"), {},
       [](Studio& studio, NodeId step) { studio.reapply_step(step); });
-  add(actions, menu, "reapply-step-by-position", QObject::tr("Re-apply edits by &position"), {},
+  add(actions, menu, "reapply-step-by-position", QObject::tr("&Apply to the new mesh"), {},
       [](Studio& studio, NodeId step) { studio.reapply_step_by_position(step); });
   add(actions, menu, "delete-step", QObject::tr("Delete &step"), "Ctrl+Shift+Backspace",
       [](Studio& studio, NodeId step) { studio.remove_step(step); });
   menu->addSeparator();
   add(actions, menu, "duplicate-object", QObject::tr("&Duplicate object"), "Ctrl+D",
-      [](Studio& studio, NodeId step) { studio.copy_object(step); });
+      [](Studio& studio, NodeId) { studio.copy_objects(studio.picked_or_active()); });
   add(actions, menu, "delete-object", QObject::tr("Delete o&bject"), {},
-      [](Studio& studio, NodeId step) { studio.remove_object(step); });
+      [](Studio& studio, NodeId) { studio.remove_objects(studio.picked_or_active()); });
+  add(actions, menu, "group", QObject::tr("&Group"), {},
+      [](Studio& studio, NodeId) { studio.group_objects(studio.picked()); });
+  add(actions, menu, "ungroup", QObject::tr("U&ngroup"), "Ctrl+Shift+G",
+      [](Studio& studio, NodeId) { studio.ungroup_objects(studio.picked()); });
+  add(actions, menu, "hide", QObject::tr("&Hide"), "Ctrl+H",
+      [](Studio& studio, NodeId) { studio.show_objects(studio.picked(), false); });
+  add(actions, menu, "show-all", QObject::tr("Sho&w all"), "Ctrl+Shift+H", [](Studio& studio, NodeId) {
+    std::vector<NodeId> all;
+    for (const WorkObject& object : studio.objects()) all.push_back(object.node);
+    studio.show_objects(all, true);
+  });
+  add(actions, menu, "isolate", QObject::tr("&Isolate selection"), "Ctrl+1",
+      [](Studio& studio, NodeId) { studio.isolate(studio.is_isolating() ? std::vector<NodeId>() : studio.picked()); });
+  actions.find("isolate")->setCheckable(true);
 }
 
 void StepActions::add(ActionList& actions, QMenu* menu, const QString& name, const QString& text, const QString& key,
@@ -86,7 +101,10 @@ void StepActions::refresh() {
   const bool has_later = in_chain && std::next(place) != chain.end();
   for (const char* name : {"duplicate-step", "freeze-step", "delete-step"}) enable(name, node != nullptr);
   enable("step-on", node != nullptr && can_be_off(studio.session().document(), studio.registry(), step));
-  const bool attention = node != nullptr && studio.step(step).state == StepState::NeedsAttention;
+  const StepState state = node == nullptr ? StepState::Source : studio.step(step).state;
+  const bool attention = state == StepState::NeedsAttention;
+  const bool old = attention || state == StepState::Held || state == StepState::Stale;
+  host_.action("freeze-step")->setText(old ? QObject::tr("&Keep the shape") : QObject::tr("Free&ze step"));
   enable("reapply-step", attention);
   enable("reapply-step-by-position", attention);
   enable("step-earlier", has_earlier);
@@ -94,15 +112,33 @@ void StepActions::refresh() {
   host_.action("step-on")->setChecked(node != nullptr && node->enabled);
   enable("duplicate-object", object != nullptr);
   enable("delete-object", object != nullptr);
+  const std::vector<NodeId> picked = studio.picked();
+  enable("group", picked.size() > 1 && !host_.picks_elements());
+  // Of elements the same key makes a crease set.
+  host_.action("group")->setShortcut(host_.picks_elements() ? QKeySequence() : QKeySequence("Ctrl+G"));
+  enable("ungroup", std::ranges::any_of(picked, [&](NodeId each) { return !studio.object(each)->group.empty(); }));
+  enable("hide", std::ranges::any_of(picked, [&](NodeId each) { return studio.object(each)->visible; }));
+  enable("show-all", std::ranges::any_of(studio.objects(), [](const WorkObject& each) { return !each.visible; }));
+  enable("isolate", studio.is_isolating() || !picked.empty());
+  host_.action("isolate")->setChecked(studio.is_isolating());
+}
+
+std::vector<QAction*> StepActions::fixes_of(const NodeFinding& found) const {
+  if (found.finding.code != connectivity_code) return {};
+  return {host_.action("reapply-step-by-position"), host_.action("freeze-step")};
 }
 
 void StepActions::show_menu(bool step, const QPoint& at) {
   QMenu menu;
   menu.addMenu(added_);
   menu.addSeparator();
-  const QStringList names =
+  QStringList names =
       step ? QStringList{"step-on", "step-earlier", "step-later", "duplicate-step", "freeze-step", "delete-step"}
-           : QStringList{"duplicate-object", "delete-object"};
+           : QStringList{"duplicate-object", "group", "ungroup", "hide", "isolate", "delete-object"};
+  if (step && host_.action("reapply-step")->isEnabled()) {
+    names = QStringList{"reapply-step-by-position", "freeze-step", "reapply-step"} + names;
+    names.removeDuplicates();
+  }
   for (const QString& name : names) menu.addAction(host_.action(name));
   menu.exec(at);
 }

@@ -4,6 +4,7 @@
 #include <QMenu>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "app/tools/tool_host.h"
 #include "app/window/action_list.h"
@@ -18,6 +19,9 @@ class StepActions {
 
   /// What can be done with what is selected now.
   void refresh();
+
+  /// What can be done about a finding, once the step that it is about is selected.
+  std::vector<QAction*> fixes_of(const NodeFinding& found) const;
 
   /// The menu of a row. @param step of a step of a chain
   void show_menu(bool step, const QPoint& at);

@@ -9,6 +9,8 @@
 namespace croquis::app {
 namespace {
 
+constexpr int usual_title_bar = 40;  // logical pixels
+
 const QString geometry_key = QStringLiteral("window/geometry");
 const QString panels_key = QStringLiteral("window/panels");
 const QString closed_key = QStringLiteral("window/closed-panels");
@@ -38,10 +40,12 @@ void fit_to_screen(QWidget& window) {
   const QScreen* screen = window.screen();
   if (screen == nullptr) return;
   const QRect free = screen->availableGeometry();
-  const QSize frame = window.frameGeometry().size() - window.size();  // nothing before it is shown
+  // Nothing before it is shown, and with some desktops for a while after: then a title bar's height is left free.
+  const QSize known = window.frameGeometry().size() - window.size();
+  const QSize frame = known.height() > 0 ? known : QSize(0, usual_title_bar);
   const QSize size = window.size().boundedTo(free.size() - frame);
   if (size != window.size()) window.resize(size);
-  const QRect outer(window.pos(), size + frame);
+  const QRect outer(window.pos(), size + known);
   if (free.contains(outer)) return;
   window.move(std::clamp(outer.left(), free.left(), std::max(free.left(), free.right() + 1 - outer.width())),
               std::clamp(outer.top(), free.top(), std::max(free.top(), free.bottom() + 1 - outer.height())));

@@ -30,6 +30,7 @@ class BackdropTool final : public Tool {
   void take(const PointerEvent& event) override;
   bool down() const override { return pen_.down(); }
   bool abandon() override;
+  QString help_topic() const override { return QStringLiteral("Pictures to trace"); }
   QString help() const override;
   Qt::CursorShape cursor(int) const override { return Qt::SizeAllCursor; }
 

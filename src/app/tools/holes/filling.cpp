@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/geometry/mesh_topology.h"
 #include "croquis/workspace/node_values.h"
+#include "croquis/workspace/object_names.h"
 
 namespace croquis::app {
 const Node* filling_node(const Studio& studio) {
@@ -23,9 +25,15 @@ void start_filling(Studio& studio) {
     throw Error(make_error(Category::Usage, "E_EMPTY", "There is no mesh whose holes could be filled: open one first"));
   }
   const WorkObject& object = *studio.active();
+  if (MeshTopology(*object.shown()).boundary_loops().size() == 0) {
+    throw Error(
+        make_error(Category::Usage, "E_EMPTY",
+                   readable_name(object.name) +
+                       " has no holes: every edge has faces on both sides; to remesh it choose Object > Add step"));
+  }
   AddedNode added = with_step(studio.session().document(), studio.registry(), object.node, filling_operation,
                               {{"select", std::string("none")}});
-  studio.session().edit("Find holes of " + object.name, std::move(added.document));
+  studio.session().edit("Find holes of " + readable_name(object.name), std::move(added.document));
   studio.set_active(added.node);
   studio.session().select({{added.node, ""}});
 }
@@ -33,7 +41,7 @@ void start_filling(Studio& studio) {
 ParameterValue filling_value(const Studio& studio, const Node& node, const std::string& parameter) {
   const OperationDescription* operation = studio.description(node.operation);
   const ParameterDescription* found = operation == nullptr ? nullptr : find_parameter(operation->parameters, parameter);
-  return found == nullptr ? ParameterValue(std::string()) : value_of(node, *found);
+  return found == nullptr ? ParameterValue(std::string()) : values_of(node, *operation).at(parameter);
 }
 
 Document with_values(const Studio& studio, const Node& node, const ParameterValues& values) {

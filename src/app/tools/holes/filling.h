@@ -22,10 +22,10 @@ bool can_fill(const Studio& studio);
 /// @throws Error (E_EMPTY) when there is no mesh
 void start_filling(Studio& studio);
 
-/// The value of a parameter of the node, or its default.
+/// The value of a parameter of the node, else that of its preset, else the default.
 ParameterValue filling_value(const Studio& studio, const Node& node, const std::string& parameter);
 
-/// The document with other values of that node; defaults aren't kept in it.
+/// The document with other values of that node.
 Document with_values(const Studio& studio, const Node& node, const ParameterValues& values);
 
 }  // namespace croquis::app

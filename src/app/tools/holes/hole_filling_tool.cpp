@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/panels/finding_elements.h"
+#include "app/studio/own_space.h"
 #include "app/tools/holes/filling.h"
 #include "app/tools/holes/hole_panel.h"
 #include "app/tools/holes/hole_table.h"
@@ -38,8 +39,8 @@ constexpr int wanted_width = 480;  // of the panel, pixels
 HoleFillingTool::HoleFillingTool(ToolHost& host)
     : Tool(host),
       holes_(
-          host.studio(), host.viewport().objects(), [this](int view) { return this->host().viewport().frame_of(view); },
-          nullptr),
+          host.studio(), host.viewport().objects(),
+          [this](int view) { return this->host().viewport().own_frame_of(view); }, nullptr),
       pins_(&host.viewport()),
       legend_(new ConfidenceLegend(&host.viewport())) {
   host.studio().face_sets().set_holes(holes_of_patches);
@@ -180,7 +181,11 @@ void HoleFillingTool::adjust(ObjectScenes::Wanted& wanted, int) const {
 
 std::optional<SelectionFrame> HoleFillingTool::selection_frame(int) const {
   if (holes_.selection_bounds().empty()) return std::nullopt;
-  return SelectionFrame{holes_.selection_bounds(), holes_.selection_facing(), true};
+  const WorkObject* object = studio().active();
+  const Affine3 to_model = object == nullptr ? Affine3() : object->placement.map();
+  std::optional<Vec3> facing = holes_.selection_facing();
+  if (facing) facing = (to_model.linear * *facing).normalized();
+  return SelectionFrame{render::placed(holes_.selection_bounds(), matrix_of(to_model)), facing, true};
 }
 
 void HoleFillingTool::place_chips(ChipPlaces& places) {

@@ -34,6 +34,7 @@ class HoleFillingTool final : public Tool {
   void take(const PointerEvent& event) override;
   bool down() const override { return holes_.down(); }
   bool abandon() override { return holes_.abandon(); }
+  QString help_topic() const override { return QStringLiteral("Meshes"); }
   QString help() const override { return holes_.help(); }
   QString offer(const WorkObject& object) const override;
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/studio/own_space.h"
 #include "app/tools/holes/filling.h"
 #include "app/views/pick_box.h"
 #include "croquis/base/error.h"
@@ -182,7 +183,9 @@ void HoleInteraction::selection_moved() {
 }
 
 void HoleInteraction::add_to(render::Scene& scene, int view) {
-  if (!active_) return;
+  const WorkObject* object = studio_.active();
+  if (!active_ || object == nullptr) return;
+  const PlacedPart part(scene, object->placement.map());
   if (preview_.item()) {
     scene.meshes.emplace_back(preview_.item(), render::Emphasis{}, render::MeshStyle::translucent());
   }

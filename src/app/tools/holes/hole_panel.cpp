@@ -15,6 +15,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/panels/number_box.h"
 #include "app/panels/number_keys.h"
 #include "app/panels/size_slider.h"
 #include "app/tools/holes/filling.h"
@@ -204,12 +205,11 @@ void HolePanel::make_way(QBoxLayout* column) {
   for (const Choice& choice : ways) fairness_->addItem(tr(choice.text), QString(choice.value));
   kernel_ = new QComboBox(this);
   kernel_->setObjectName("hole-kernel");
-  kernel_->setAccessibleName(tr("Kernel"));
+  kernel_->setAccessibleName(tr("Function"));
   kernel_->setToolTip(tr("Of the functions that continue the surface"));
   if (const ParameterDescription* kernels = parameter(studio_, "kernel")) {
-    for (const std::string& name : kernels->choices) {
-      kernel_->addItem(QString::fromStdString(name), QString::fromStdString(name));
-    }
+    for (std::size_t i = 0; i < kernels->choices.size(); ++i)
+      kernel_->addItem(QString::fromStdString(kernels->choice_titles[i]), QString::fromStdString(kernels->choices[i]));
   }
   row->addWidget(fairness_, 1);
   row->addWidget(kernel_, 1);
@@ -227,18 +227,16 @@ void HolePanel::make_shape(QBoxLayout* column) {
   bulge_slider_->setObjectName("bulge-slider");
   bulge_slider_->setAccessibleName(tr("Bulge"));
   bulge_slider_->setRange(-bulge_steps, bulge_steps);
-  bulge_ = new QDoubleSpinBox(this);
-  bulge_->setObjectName("bulge");
+  bulge_ = make_number_box(this, "bulge", {-1, 1, 2});
   bulge_->setAccessibleName(tr("Bulge"));
-  bulge_->setRange(-1, 1);
   bulge_->setSingleStep(0.05);
-  bulge_->setKeyboardTracking(false);
   trim_ = new QSpinBox(this);
   trim_->setObjectName("trim-rim");
   trim_->setAccessibleName(tr("Rings of faces taken off the rim"));
   trim_->setToolTip(tr("Rings of faces taken off the rim before it is filled: frayed borders of scans"));
   trim_->setRange(0, most_trimmed);
-  trim_->setPrefix(tr("trim "));
+  trim_->setPrefix(tr("Trim "));
+  trim_->setSuffix(tr(" rings"));
   share_keys(bulge_);
   share_keys(trim_);
   row->addWidget(name);

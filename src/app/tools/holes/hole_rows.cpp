@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <algorithm>
 
+#include "app/panels/number_box.h"
 #include "croquis/hole_filling/hole_choice.h"
 
 namespace croquis::app {
@@ -20,7 +21,7 @@ const char* word_of(HoleClass kind) {
     case HoleClass::Simple: return "hole";
     case HoleClass::Islands: return "with island";
     case HoleClass::Tunnel: return "tunnel end";
-    case HoleClass::Outer: return "border, keep?";
+    case HoleClass::Outer: return "open edge";
     case HoleClass::Slit: return "slit";
     case HoleClass::BowTie: return "touches another";
   }
@@ -95,6 +96,6 @@ QString numbers_of(const std::set<Index>& holes) {
   return holes.size() > shown_at_most ? tr("%1 and %2 more").arg(list).arg(holes.size() - shown_at_most) : list;
 }
 
-QString measure(double value) { return QLocale().toString(value, 'g', 4); }
+QString measure(double value) { return number_words(value); }
 
 }  // namespace croquis::app

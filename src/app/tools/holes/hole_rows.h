@@ -23,7 +23,7 @@ std::vector<Index> named_rows(const std::vector<HoleRow>& rows, hole_filling::Se
 /// patch in the way. Ascending.
 std::vector<Index> with_islands(const std::vector<HoleRow>& rows, const std::vector<Index>& holes);
 
-/// "island", "border, keep?" … in people's words.
+/// "island", "open edge" … in people's words.
 QString words_for(const HoleRow& hole);
 
 /// "filled", "open" or "failed".

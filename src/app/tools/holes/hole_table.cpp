@@ -32,6 +32,9 @@ class Cell : public QTableWidgetItem {
   }
 };
 
+constexpr int hole_row_height = 22;
+constexpr int least_hole_rows = 5;  // fewer are no list
+
 QIcon state_icon(const HoleRow& hole) {
   QPixmap picture(32, 32);
   picture.setDevicePixelRatio(2);
@@ -82,12 +85,12 @@ HoleTable::HoleTable(QWidget* parent) : QTableWidget(parent) {
   setObjectName("holes");
   setAccessibleName(tr("Holes"));
   setColumnCount(column_count);
-  setHorizontalHeaderLabels({tr("No."), tr("State"), tr("Class"), tr("Diameter"), tr("Edges"), tr("Confidence"),
-                             tr("Angle"), tr("Method"), tr("Area")});
+  setHorizontalHeaderLabels({tr("No."), tr("State"), tr("Class"), tr("Diameter (units)"), tr("Edges"), tr("Confidence"),
+                             tr("Angle"), tr("Method"), tr("Area (units²)")});
   const QStringList tips{tr("Number, as pins in the views and the command line have it"),
                          tr("Open, filled, or no method gave a valid patch"),
                          tr("What the rim looks like"),
-                         tr("Greatest distance between two places of the rim"),
+                         tr("Greatest distance between two places of the rim, in the model's own units"),
                          tr("Edges of the rim"),
                          tr("Confidence: near 100 % for small gaps, low where the middle is far from anything known"),
                          tr("Greatest angle between patch and scan at the rim"),
@@ -99,7 +102,8 @@ HoleTable::HoleTable(QWidget* parent) : QTableWidget(parent) {
   horizontalHeader()->setSortIndicatorShown(false);
   horizontalHeader()->setHighlightSections(false);
   verticalHeader()->hide();
-  verticalHeader()->setDefaultSectionSize(22);
+  verticalHeader()->setDefaultSectionSize(hole_row_height);
+  setMinimumHeight((least_hole_rows + 2) * hole_row_height);  // with the header and the bar below
   setSelectionBehavior(QAbstractItemView::SelectRows);
   setSelectionMode(QAbstractItemView::ExtendedSelection);
   setEditTriggers(QAbstractItemView::NoEditTriggers);

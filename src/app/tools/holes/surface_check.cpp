@@ -3,30 +3,30 @@
 
 #include <QMetaObject>
 #include <algorithm>
-#include <numeric>
-#include <optional>
-#include <tuple>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "croquis/base/error.h"
 #include "croquis/base/progress.h"
-#include "croquis/geometry/mesh_report.h"
 #include "croquis/geometry/self_intersection.h"
+#include "croquis/hole_filling/surface_view.h"
 
 namespace croquis::app {
 namespace {
 
 constexpr int pause_ms = 400;  // checks take longer than patches: not while values are being tried
 
-std::vector<Index> patch_faces(const PolyMesh& mesh) {
-  std::vector<Index> faces;
+/// Of patches, by their places among those given.
+/// @param faces faces of the mesh, ascending
+std::vector<Index> patch_faces(const PolyMesh& mesh, std::span<const Index> faces) {
+  std::vector<Index> patches;
   const AttributeChannel* channel = mesh.channel("patch_id", Domain::Face);
   const auto* ids = channel == nullptr ? nullptr : std::get_if<std::vector<std::int32_t>>(&channel->data);
-  for (std::size_t face = 0; ids != nullptr && face < ids->size(); ++face) {
-    if ((*ids)[face] >= 0) faces.push_back(static_cast<Index>(face));
+  for (std::size_t i = 0; ids != nullptr && i < faces.size(); ++i) {
+    if ((*ids)[faces[i]] >= 0) patches.push_back(static_cast<Index>(i));
   }
-  return faces;
+  return patches;
 }
 
 bool keeps_vertices(const PolyMesh& filled, const PolyMesh& scan) {
@@ -52,32 +52,6 @@ bool keeps_what_trimming_left(const PolyMesh& filled, const PolyMesh& scan, cons
     if (theirs++ == scan.face_count()) return false;
   }
   return kept < scan.face_count();
-}
-
-/// The mesh with one vertex where several are, or nothing where none is at another one's place.
-std::optional<PolyMesh> with_equal_places_joined(const PolyMesh& mesh) {
-  std::vector<Index> order(mesh.vertex_count());
-  std::iota(order.begin(), order.end(), Index{0});
-  const auto place = [&](Index vertex) {
-    const Vec3& at = mesh.positions[vertex];
-    return std::tuple(at.x(), at.y(), at.z());
-  };
-  std::sort(order.begin(), order.end(),
-            [&](Index a, Index b) { return std::pair(place(a), a) < std::pair(place(b), b); });
-  std::vector<Index> first(order.size());
-  bool joins = false;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool again = i > 0 && place(order[i]) == place(order[i - 1]);
-    first[order[i]] = again ? first[order[i - 1]] : order[i];
-    joins = joins || again;
-  }
-  if (!joins) return std::nullopt;
-  PolyMesh joined;
-  joined.positions = mesh.positions;
-  joined.face_offsets = mesh.face_offsets;
-  joined.corners.reserve(mesh.corners.size());
-  for (const Index vertex : mesh.corners) joined.corners.push_back(first[vertex]);
-  return joined;
 }
 
 QString counted(std::size_t count, const QString& one, const QString& many) {
@@ -120,22 +94,17 @@ QString opening(const CheckedSurface& checked, const LeftOpen& left) {
 
 CheckedSurface check_surface(const PolyMesh& filled, const PolyMesh* scan, Progress& progress) {
   CheckedSurface checked;
-  Progress counting = progress.step("count", 0.3);
-  const MeshReport report = inspect(filled, false, counting);
-  checked.open_edges = report.boundary_edges;
-  checked.nonmanifold_edges = report.nonmanifold_edges;
-  const std::optional<PolyMesh> joined = with_equal_places_joined(filled);
-  if (joined) {
-    Progress again = progress.step("seams", 0.2);
-    checked.open_edges = std::min(inspect(*joined, false, again).boundary_edges, report.boundary_edges);
-    checked.seam_edges = report.boundary_edges - checked.open_edges;
-  }
-  const PolyMesh& surface = joined ? *joined : filled;
-  const std::vector<Index> patches = patch_faces(filled);
+  Progress counting = progress.step("count", 0.5);
+  const hole_filling::SurfaceView view = hole_filling::view_surface(filled, counting);
+  checked.open_edges = view.rim_corners.size();
+  checked.seam_edges = hole_filling::count_seam_edges(filled, view);
+  checked.nonmanifold_edges = view.nonmanifold_edges;
+  const hole_filling::JoinedMesh surface = hole_filling::joined(filled, view);
+  const std::vector<Index> patches = patch_faces(filled, surface.face);
   checked.has_patches = scan != nullptr && !patches.empty();
   Progress meeting = progress.step("intersections", 0.5);
-  checked.intersections = checked.has_patches ? find_intersections_of(surface, patches, meeting, {}).count
-                                              : find_self_intersections(surface, meeting, {}).count;
+  checked.intersections = checked.has_patches ? find_intersections_of(surface.mesh, patches, meeting, {}).count
+                                              : find_self_intersections(surface.mesh, meeting, {}).count;
   if (scan == nullptr) return checked;
   const bool vertices = keeps_vertices(filled, *scan);
   const bool faces = keeps_faces(filled, *scan);

@@ -15,8 +15,7 @@
 
 namespace croquis::app {
 
-/// What a check of a filled mesh finds, with vertices at exactly equal places taken for one, as when holes are found
-/// and filled.
+/// What a check of a filled mesh finds, in the view in which holes are found and filled: vertices at one place are one.
 struct CheckedSurface {
   std::size_t open_edges = 0;         ///< of one face …
   std::size_t seam_edges = 0;         ///< … and those that only vertices at equal places close

@@ -29,6 +29,7 @@ class MeasuringTool final : public Tool {
   void take(const PointerEvent& event) override;
   bool down() const override { return pen_.down(); }
   bool abandon() override;
+  QString help_topic() const override { return QStringLiteral("Measuring"); }
   QString help() const override;
   Qt::CursorShape cursor(int) const override { return Qt::CrossCursor; }
   bool select_none() override;

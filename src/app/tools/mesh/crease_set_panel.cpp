@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "app/panels/number_box.h"
 #include "app/tools/mesh/sharpness_field.h"
 
 namespace croquis::app {
@@ -118,7 +119,7 @@ void CreaseSetPanel::follow() {
     QTreeWidgetItem* row = same ? sets_->topLevelItem(static_cast<int>(i)) : new QTreeWidgetItem(sets_, {name, {}});
     row->setData(0, set_name_role, name);
     row->setFlags(row->flags() | Qt::ItemIsEditable);
-    const QString sharpness = std::isinf(set.sharpness) ? QStringLiteral("∞") : QString::number(set.sharpness);
+    const QString sharpness = std::isinf(set.sharpness) ? QStringLiteral("∞") : number_words(set.sharpness);
     row->setText(1, set.edges.empty() ? tr("%1 pins").arg(set.pins.size())
                                       : tr("%1 edges, %2").arg(set.edges.size()).arg(sharpness));
     if (!same && set.name == before) row->setSelected(true);

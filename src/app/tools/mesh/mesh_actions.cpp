@@ -201,11 +201,10 @@ void MeshEditingTool::make_tag_actions(ActionList& actions, QMenu* menu) {
             [](MeshTool& tool) { return tool.tags().change_sharpness(0.5); });
   this->add(actions, menu, "softer", tr("Softer by a half"), {QKeySequence("Ctrl+Down")},
             [](MeshTool& tool) { return tool.tags().change_sharpness(-0.5); });
-  this->add(actions, menu, "crease-set", tr("Crease &set of the selection"), {QKeySequence("Ctrl+G")},
-            [](MeshTool& tool) {
-              const auto mesh = tool.editable().mesh();
-              return mesh ? tool.tags().make_set(new_set_name(mesh->tags)) : Verdict::Continue;
-            });
+  this->add(actions, menu, "crease-set", tr("Crease &set of the selection"), {}, [](MeshTool& tool) {
+    const auto mesh = tool.editable().mesh();
+    return mesh ? tool.tags().make_set(new_set_name(mesh->tags)) : Verdict::Continue;
+  });
 }
 
 QStringList MeshEditingTool::marking_menu(int) const {

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "app/panels/finding_elements.h"
+#include "app/studio/own_space.h"
 #include "app/tools/mesh/crease_set_panel.h"
 #include "app/tools/mesh/edit_panel.h"
 #include "app/tools/mesh/tag_panel.h"
@@ -49,6 +50,10 @@ MeshEditingTool::MeshEditingTool(ToolHost& host)
 
 void MeshEditingTool::make_panels(PanelDocks& panels) {
   panels_ = &panels;
+  for (const char* name : {"show-cage", "show-both", "show-smooth"}) {
+    const QAction* view = host().action(name);
+    connect(view, &QAction::triggered, this, [this, view] { mesh_.hide_cage(view->objectName() == "show-smooth"); });
+  }
   tags_ = new TagPanel(mesh_, nullptr);
   sets_ = new CreaseSetPanel(mesh_, nullptr);
   edges_dock_ = panels.add_column(tr("Sharp edges"), tags_, "edges");
@@ -61,9 +66,16 @@ void MeshEditingTool::make_panels(PanelDocks& panels) {
   last_edit_dock_ = panels.add_column(tr("Last edit"), last_edit_, "last-edit");
 }
 
-bool MeshEditingTool::works() const { return mesh_modes.contains(mode()) && studio().has_cage(); }
+/// A single object that comes from a drawing needs no picking: a plain drag rotates the view then.
+bool MeshEditingTool::works() const {
+  const std::size_t enough = mode() == select_mode ? 2 : 1;
+  return mesh_modes.contains(mode()) && (studio().has_cage() || studio().objects().size() >= enough);
+}
 
-bool MeshEditingTool::works_in(int) const { return works(); }
+/// Objects aren't moved on the sheets that they are drawn on.
+bool MeshEditingTool::works_in(int view) const {
+  return works() && (studio().has_cage() || !host().viewport().is_drawn_on(view));
+}
 
 void MeshEditingTool::take(const PointerEvent& event) {
   if (event.action == PointerEvent::Action::Leave) return mesh_.leave();
@@ -140,23 +152,24 @@ bool MeshEditingTool::show_finding(const NodeFinding& found) {
 // ---- The eye
 
 void MeshEditingTool::adjust(ObjectScenes::Wanted& wanted, int) const {
-  if (picks_elements()) wanted.edited = mesh_.tool().editable().node();
+  if (!picks_elements()) return;
+  wanted.edited = mesh_.tool().editable().node();
+  wanted.edited_cage = !mesh_.cage_hidden();
 }
 
-void MeshEditingTool::add_to(render::Scene& scene, int view) {
-  mesh_.overlay().add_to(scene, view != ComparisonView);
-  if (works()) mesh_.add_handles_to(scene, view);
-}
+void MeshEditingTool::add_to(render::Scene& scene, int view) { mesh_.add_to(scene, view, works_in(view)); }
 
 std::optional<SelectionFrame> MeshEditingTool::selection_frame(int) const {
   if (mesh_.overlay().selection_bounds().empty()) return std::nullopt;
-  return SelectionFrame{mesh_.overlay().selection_bounds(), std::nullopt, false};
+  if (mesh_.picks_objects()) return std::nullopt;
+  const render::Bounds& bounds = mesh_.overlay().selection_bounds();
+  return SelectionFrame{render::placed(bounds, matrix_of(studio().active()->placement.map())), std::nullopt, false};
 }
 
 void MeshEditingTool::place_chips(ChipPlaces& places) {
   places.put_legend(*legend_, mesh_.overlay().shows_tags());
   const auto& value = mesh_.hovered_value();
-  if (!value || mesh_.down()) return value_->hide();
+  if (!value) return value_->hide();
   value_->setText(value->text);
   value_->adjustSize();
   const QPointF in_view(value->pixel.x(), value->pixel.y());
@@ -172,6 +185,9 @@ void MeshEditingTool::refresh() {
   const WorkObject* object = studio().active();
   const bool mesh = object != nullptr && object->cage != 0;
   for (QAction* action : mesh_actions_) action->setEnabled(mesh);
+  // Objects are grouped by the same key.
+  host().action("crease-set")->setEnabled(mesh && picks_elements());
+  host().action("crease-set")->setShortcut(picks_elements() ? QKeySequence("Ctrl+G") : QKeySequence());
   // Picking elements begins the work on a computed mesh.
   for (const auto& [mode, action] : mode_actions_) action->setEnabled(object != nullptr && object->editable != 0);
   const auto shown = mode_actions_.find(mesh_.tool().selection().mode());
@@ -179,7 +195,8 @@ void MeshEditingTool::refresh() {
   const Tool* at_work = host().viewport().tool_in(PerspectiveView);
   const bool useful = mesh && (at_work == nullptr || at_work == this);
   bar_->setVisible(useful && host().shows_views());
-  for (const char* name : {"move", "rotate", "scale", "sharpen"}) host().action(name)->setEnabled(mesh);
+  for (const char* name : {"move", "rotate", "scale"}) host().action(name)->setEnabled(object != nullptr);
+  host().action("sharpen")->setEnabled(mesh);
   tags_->follow(studio().session().components());
   for (const auto& [action, edit] : edit_actions_)
     action->setEnabled(mesh && mesh_.tool().edits().fits_selection(edit));

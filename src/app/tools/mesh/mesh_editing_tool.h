@@ -40,12 +40,14 @@ class MeshEditingTool final : public Tool {
   void take(const PointerEvent& event) override;
   bool down() const override { return mesh_.down(); }
   bool abandon() override { return mesh_.abandon(); }
+  QString help_topic() const override { return QStringLiteral("Meshes"); }
   QString help() const override;
 
   bool select_all() override;
   bool select_none() override;
   bool delete_selection() override;
   bool has_selection() const override;
+  bool picks_elements() const override { return works() && !mesh_.picks_objects(); }
   bool pick(ComponentKind kind, const std::vector<Index>& elements) override;
 
   void adjust(ObjectScenes::Wanted& wanted, int view) const override;
@@ -65,7 +67,6 @@ class MeshEditingTool final : public Tool {
 
  private:
   bool works() const;  ///< the mode is one of its own, and there is a mesh to work on
-  bool picks_elements() const { return works() && mesh_.tool().selection().mode() != MeshMode::Object; }
   QAction* add(ActionList& actions, QMenu* menu, const QString& name, const QString& text,
                const QList<QKeySequence>& keys, std::function<Verdict(MeshTool&)> work);
   void make_handle_actions(ActionList& actions);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "app/panels/number_box.h"
+#include "app/studio/own_space.h"
 #include "app/views/pick_box.h"
 #include "app/views/viewport.h"
 #include "croquis/base/error.h"
@@ -25,14 +27,27 @@ QString sentence_of(const Findings& findings) {
   return text;
 }
 
+/// What a drag of a handle has done, as it stands at the pointer.
+QString motion_text(const ManipulatorMotion& motion, MeshHandles handles) {
+  const auto all = [](const Vec3& vector) {
+    return MeshInteraction::tr("x %1  y %2  z %3")
+        .arg(number_words(vector.x()), number_words(vector.y()), number_words(vector.z()));
+  };
+  if (handles == MeshHandles::Rotate) return number_words(motion.degrees) + QStringLiteral("°");
+  if (handles == MeshHandles::Move) return number_words(motion.by.norm()) + "   " + all(motion.by);
+  const bool is_even = motion.factors.isApprox(Vec3::Constant(motion.factors.x()));
+  return is_even ? QStringLiteral("× ") + number_words(motion.factors.x())
+                 : QStringLiteral("×   ") + all(motion.factors);
+}
+
 QString sharpness_text(double sharpness) {
-  return std::isinf(sharpness) ? QStringLiteral("∞") : QString::number(sharpness, 'g', 3);
+  return std::isinf(sharpness) ? QStringLiteral("∞") : number_words(sharpness);
 }
 
 }  // namespace
 
 MeshInteraction::MeshInteraction(Studio& studio, Viewport& views, QObject* parent)
-    : QObject(parent), studio_(studio), views_(views), tool_(studio) {}
+    : QObject(parent), studio_(studio), views_(views), tool_(studio), mover_(studio) {}
 
 void MeshInteraction::act(const std::function<Verdict(MeshTool&)>& work) {
   try {
@@ -49,7 +64,13 @@ void MeshInteraction::finish(Verdict verdict) {
   emit told(sentence_of(tool_.notes()));
 }
 
+void MeshInteraction::hide_cage(bool hidden) {
+  cage_hidden_ = hidden && tool_.selection().mode() != MeshMode::Object;
+  follow();
+}
+
 void MeshInteraction::set_mode(MeshMode mode) {
+  cage_hidden_ = false;
   studio_.set_edits_elements(mode != MeshMode::Object);
   tool_.selection().set_mode(mode);
   follow();
@@ -58,6 +79,10 @@ void MeshInteraction::set_mode(MeshMode mode) {
 
 void MeshInteraction::set_handles(MeshHandles handles) {
   tool_.set_handles(handles);
+  mover_.set_kind(handles == MeshHandles::Move     ? ManipulatorKind::Move
+                  : handles == MeshHandles::Rotate ? ManipulatorKind::Rotate
+                  : handles == MeshHandles::Scale  ? ManipulatorKind::Scale
+                                                   : ManipulatorKind::None);
   follow();
   emit mode_changed();
 }
@@ -69,7 +94,8 @@ void MeshInteraction::take(const PointerEvent& event) {
 
 void MeshInteraction::leave() {
   hovered_value_.reset();
-  if (!tool_.leave()) return;
+  const bool left_handle = mover_.leave();
+  if (!tool_.leave() && !left_handle) return;
   overlay_.follow_hover(tool_, views_.objects().cage_item(tool_.editable().node()));
   emit changed();
 }
@@ -85,12 +111,17 @@ bool MeshInteraction::abandon() {
   return true;
 }
 
+/// Elements lie in the space of their object, objects in the model's.
+ViewFrame MeshInteraction::frame_in(int view) const {
+  return picks_objects() && !tool_.loop_cut_armed() ? views_.frame_of(view) : views_.own_frame_of(view);
+}
+
 void MeshInteraction::feed(const PenStep& step) {
   MeshEvent event;
   event.kind = step.kind;
   event.pixel = step.sample.position;
   event.modifiers = step.modifiers;
-  event.frame = views_.frame_of(step.view);
+  event.frame = frame_in(step.view);
   event.time = step.sample.time;
   feed(event, step.view);
 }
@@ -104,29 +135,38 @@ void MeshInteraction::feed(const MeshEvent& event, int view) {
   }
   const bool left_to_us = tool_.selection().mode() == MeshMode::Object && !tool_.active();
   if (object_press_ || (left_to_us && event.kind == PenStep::Kind::Begin)) feed_object(event, view);
+  hovered_value_.reset();
+  if (motion() != nullptr) hovered_value_ = {view, event.pixel, motion_text(*motion(), tool_.handles())};
   overlay_.follow_hover(tool_, views_.objects().cage_item(tool_.editable().node()));
   emit changed();
 }
 
 void MeshInteraction::feed_object(const MeshEvent& event, int view) {
+  if (event.kind == PenStep::Kind::Begin) object_press_ = event.pixel;
+  const bool was_moving = mover_.active();
+  if (was_moving || event.kind == PenStep::Kind::Begin) {
+    if (mover_.handle(event) == Verdict::Commit) emit committed(*mover_.done());
+    if (was_moving && !mover_.active()) object_press_.reset();
+    if (was_moving || mover_.active()) return;
+  }
   switch (event.kind) {
-    case PenStep::Kind::Begin: object_press_ = event.pixel; break;
+    case PenStep::Kind::Begin: break;
     case PenStep::Kind::Sample:
       if ((event.pixel - *object_press_).norm() > drag_pixels || object_box_) {
         object_box_ = PickBox::spanned(*object_press_, event.pixel);
       }
       break;
     case PenStep::Kind::End: {
-      const bool add = event.modifiers.shift;
       if (object_box_) {
-        choose_objects(ObjectPicker::in_box(studio_.objects(), event.frame, *object_box_), add);
+        choose_objects(ObjectPicker::in_box(studio_.objects(), event.frame, *object_box_), event.modifiers);
       } else {
         const ObjectPicker::Hit hit = objects_.at(studio_.objects(), event.frame, event.pixel);
-        choose_objects(hit.node == 0 ? std::vector<NodeId>{} : std::vector<NodeId>{hit.node}, add);
+        choose_objects(hit.node == 0 ? std::vector<NodeId>{} : std::vector<NodeId>{hit.node}, event.modifiers);
         recorded::Click click;
         click.view = view_names.at(static_cast<std::size_t>(view));
         click.place = hit.node == 0 ? event.frame.unproject(event.pixel, 0) : hit.place;
-        if (add) click.modifiers = {"shift"};
+        if (event.modifiers.shift) click.modifiers.emplace_back("shift");
+        if (event.modifiers.ctrl) click.modifiers.emplace_back("ctrl");
         emit committed(click);
       }
       [[fallthrough]];
@@ -138,22 +178,26 @@ void MeshInteraction::feed_object(const MeshEvent& event, int view) {
   }
 }
 
-void MeshInteraction::choose_objects(std::vector<NodeId> nodes, bool add) {
-  Selection selection = add ? studio_.session().selection() : Selection();
+/// As clicks on elements do: plain replaces, Shift toggles, Ctrl takes away, both add.
+void MeshInteraction::choose_objects(std::vector<NodeId> nodes, const Modifiers& modifiers) {
+  nodes = studio_.with_groups(nodes);
+  Selection selection = modifiers.shift || modifiers.ctrl ? studio_.session().selection() : Selection();
   for (const NodeId node : nodes) {
-    const auto known = std::find(selection.begin(), selection.end(), SelectedItem{node, ""});
-    if (known == selection.end())
-      selection.push_back({node, ""});
-    else if (add)
-      selection.erase(known);
+    const auto is_it = [&](const SelectedItem& item) {
+      const WorkObject* object = item.part.empty() ? studio_.object(item.node) : nullptr;
+      return object != nullptr && object->node == node;
+    };
+    const bool was_picked = std::erase_if(selection, is_it) > 0;
+    const bool stays = modifiers.ctrl ? modifiers.shift : !was_picked || !modifiers.shift;
+    if (stays) selection.push_back({node, ""});
   }
-  if (!nodes.empty()) studio_.set_active(nodes.front());
+  if (!nodes.empty() && !modifiers.ctrl) studio_.set_active(nodes.front());
   studio_.session().select(std::move(selection));
 }
 
 void MeshInteraction::replay(int view, const Vec3& from, const Vec3& to, const Modifiers& modifiers, int clicks) {
   MeshEvent event;
-  event.frame = views_.frame_of(view);
+  event.frame = frame_in(view);
   event.modifiers = modifiers;
   const auto start = event.frame.project(from);
   const auto end = event.frame.project(to);
@@ -175,20 +219,28 @@ void MeshInteraction::replay(int view, const Vec3& from, const Vec3& to, const M
   }
 }
 
+const ManipulatorMotion* MeshInteraction::motion() const {
+  const auto& of_elements = tool_.preview().motion;
+  return of_elements ? &*of_elements : mover_.motion();
+}
+
 void MeshInteraction::hover(const PointerEvent& event) {
   hovered_value_.reset();
   if (event.action == PointerEvent::Action::Leave) return leave();
   gesture_view_ = event.view;
-  const bool moved = tool_.hover(event.position, views_.frame_of(event.view));
+  const bool on_handle = picks_objects() && mover_.hover(event.position, frame_in(event.view));
+  const bool moved = tool_.hover(event.position, frame_in(event.view));
   if (tool_.preview().hovered_sharpness) {
     hovered_value_ = {event.view, event.position, sharpness_text(*tool_.preview().hovered_sharpness)};
   }
   if (moved) overlay_.follow_hover(tool_, views_.objects().cage_item(tool_.editable().node()));
-  if (moved || hovered_value_) emit changed();
+  if (moved || on_handle || hovered_value_) emit changed();
 }
 
 QString MeshInteraction::help(const QString& offer) const {
   const MeshPreview& preview = tool_.preview();
+  if (motion() != nullptr)
+    return tr("%1 · Ctrl at the beginning snaps · Escape gives it up").arg(motion_text(*motion(), tool_.handles()));
   if (preview.sharpness_change) {
     return tr("Sharpness %1%2: drag sideways")
         .arg(*preview.sharpness_change < 0 ? "" : "+")
@@ -199,6 +251,7 @@ QString MeshInteraction::help(const QString& offer) const {
   switch (tool_.selection().mode()) {
     case MeshMode::Object:
       if (!offer.isEmpty()) return offer;
+      if (mover_.manipulator()) return tr("Drag a handle · Ctrl snaps · Shift picks several · Ctrl+D duplicates");
       return tr(
           "O finds its holes · 3 makes it smooth · F9 vertices, F10 edges, F11 faces · Alt+drag rotates the view");
     case MeshMode::Edge:
@@ -218,13 +271,21 @@ void MeshInteraction::follow() {
   const WorkObject* object = studio_.active();
   const NodeId cage = object == nullptr ? 0 : object->cage;
   if (tool_.editable().node() != cage && !tool_.active()) tool_.set_node(cage);
-  overlay_.follow(tool_, studio_.session().components(), object, views_.objects().cage_item(cage));
+  overlay_.follow(tool_, studio_.session().components(), object, views_.objects().cage_item(cage), !cage_hidden_);
   emit changed();
 }
 
-void MeshInteraction::add_handles_to(render::Scene& scene, int view) {
+void MeshInteraction::add_to(render::Scene& scene, int view, bool with_handles) {
+  const WorkObject* object = studio_.active();
+  const ViewFrame own_frame = views_.own_frame_of(view);
+  {
+    const PlacedPart own(scene, object == nullptr ? Affine3() : object->placement.map());
+    overlay_.add_to(scene, view != ComparisonView);
+    if (with_handles) add_handles(tool_.manipulator_picture(own_frame), scene);
+  }
+  if (!with_handles) return;
   const ViewFrame frame = views_.frame_of(view);
-  if (tool_.manipulator() && tool_.handles() != MeshHandles::Select) add_handles(tool_, frame, scene);
+  if (picks_objects()) add_handles(mover_.manipulator_picture(frame), scene);
   const std::optional<PickBox>& box = object_box_ ? object_box_ : tool_.preview().box;
   if (box && view == gesture_view_) add_box(*box, frame, scene);
 }

@@ -9,6 +9,7 @@
 #include "app/tools/mesh/mesh_overlay.h"
 #include "app/views/object_picker.h"
 #include "croquis/tools/mesh/mesh_tool.h"
+#include "croquis/tools/objects/object_mover.h"
 #include "croquis/tools/pointer/pen.h"
 
 namespace croquis::app {
@@ -47,13 +48,22 @@ class MeshInteraction : public QObject {
 
   const MeshOverlay& overlay() const { return overlay_; }
 
+  /// What is picked are objects, and the pointer moves these.
+  bool picks_objects() const { return tool_.selection().mode() == MeshMode::Object; }
+
+  /// Only the smooth surface is wanted, also while elements are picked; a mode that picks them shows the cage again.
+  bool cage_hidden() const { return cage_hidden_; }
+  void hide_cage(bool hidden);
+
   /// The next action, in words and keys. @param offer for the selected object, while nothing else is to be said
   QString help(const QString& offer) const;
 
-  /// What is drawn over a view, beside the overlay: handles, and the box of a gesture in it.
-  void add_handles_to(render::Scene& scene, int view);
+  /// What is drawn over a view: tags and elements, handles, and the box of a gesture in it.
+  /// @param with_handles the tool works there
+  void add_to(render::Scene& scene, int view, bool with_handles);
 
-  /// The edge whose sharpness stands beside the pointer, with that text and its place in the view; none else.
+  /// What stands beside the pointer, and its place in the view: the sharpness of the edge there, or what a drag has
+  /// done.
   struct HoveredValue {
     int view = 0;
     Vec2 pixel = Vec2::Zero();
@@ -72,15 +82,19 @@ class MeshInteraction : public QObject {
   void feed(const MeshEvent& event, int view);
   void finish(Verdict verdict);
   void feed_object(const MeshEvent& event, int view);
-  void choose_objects(std::vector<NodeId> nodes, bool add);
+  void choose_objects(std::vector<NodeId> nodes, const Modifiers& modifiers);
+  ViewFrame frame_in(int view) const;
   void hover(const PointerEvent& event);
+  const ManipulatorMotion* motion() const;  ///< of the drag of a handle under way; null without one
 
   Studio& studio_;
   Viewport& views_;
   MeshTool tool_;
+  ObjectMover mover_;
   PenInput pen_;
   MeshOverlay overlay_;
   ObjectPicker objects_;
+  bool cage_hidden_ = false;
   int gesture_view_ = 0;
   std::optional<Vec2> object_press_;  ///< in object mode: where the press was, pixels
   std::optional<PickBox> object_box_;

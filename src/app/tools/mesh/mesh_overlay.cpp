@@ -81,12 +81,13 @@ MeshOverlay::SeenThrough MeshOverlay::edges(const MeshTool& tool, std::vector<re
 }
 
 void MeshOverlay::follow(MeshTool& tool, const ComponentSelection& selection, const WorkObject* object,
-                         const render::MeshItemPtr& cage) {
+                         const render::MeshItemPtr& cage, bool shows_cage) {
   *this = MeshOverlay();
   if (object == nullptr || !object->visible || object->cage != tool.editable().node()) return;
   if (!tool.editable().mesh() || !object->cage_mesh) return;  // still being computed
   const bool editing = tool.selection().mode() != MeshMode::Object;
-  const bool cage_seen = editing || object->shown() == object->cage_mesh || object->view == ChainView::Both;
+  const bool cage_seen =
+      (editing && shows_cage) || object->shown() == object->cage_mesh || object->view == ChainView::Both;
   if (cage_seen) show_tags(tool, *object);
   if (cage_seen && object->shown() != object->cage_mesh) show_chains(*object);
   if (editing) show_selection(tool, selection, cage);
@@ -232,8 +233,7 @@ QColor handle_color(ColourRole role, HandleState state) {
 
 }  // namespace
 
-void add_handles(MeshTool& tool, const ViewFrame& frame, render::Scene& scene) {
-  const ManipulatorPicture picture = tool.manipulator_picture(frame);
+void add_handles(const ManipulatorPicture& picture, render::Scene& scene) {
   for (const ManipulatorLine& line : picture.lines) {
     if (line.points.size() < 2) continue;
     render::LinePath path;

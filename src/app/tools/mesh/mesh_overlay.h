@@ -17,8 +17,9 @@ namespace croquis::app {
 class MeshOverlay {
  public:
   /// @param object the one worked on; null shows nothing. @param cage made ready, or null
+  /// @param shows_cage its tags are shown while its elements are picked
   void follow(MeshTool& tool, const ComponentSelection& selection, const WorkObject* object,
-              const render::MeshItemPtr& cage);
+              const render::MeshItemPtr& cage, bool shows_cage);
 
   /// What is under the pointer; cheap enough for every event.
   void follow_hover(MeshTool& tool, const render::MeshItemPtr& cage);
@@ -60,7 +61,7 @@ class MeshOverlay {
   render::Bounds selection_bounds_;
 };
 
-/// A manipulator's lines and handles as that view shows them.
-void add_handles(MeshTool& tool, const ViewFrame& frame, render::Scene& scene);
+/// A manipulator's lines and handles, as it is shown in one view.
+void add_handles(const ManipulatorPicture& picture, render::Scene& scene);
 
 }  // namespace croquis::app

@@ -9,6 +9,7 @@
 #include <QSignalBlocker>
 #include <QSlider>
 
+#include "app/panels/number_box.h"
 #include "app/tools/mesh/sharpness_field.h"
 
 namespace croquis::app {
@@ -53,14 +54,10 @@ QWidget* TagPanel::make_angle_row() {
   angle_slider_->setAccessibleName(tr("Least angle of edges to select"));
   angle_slider_->setRange(0, 180);
   angle_slider_->setValue(static_cast<int>(first_angle));
-  angle_ = new QDoubleSpinBox(row);
-  angle_->setObjectName("angle");
+  angle_ = make_number_box(row, "angle", {0, 180, 1});
   angle_->setAccessibleName(tr("Least angle of edges to select"));
-  angle_->setRange(0, 180);
-  angle_->setDecimals(1);
   angle_->setSuffix("°");
   angle_->setValue(first_angle);
-  angle_->setKeyboardTracking(false);
   count_ = new QLabel(row);
   count_->setObjectName("angle-count");
   auto* tag = new QPushButton(tr("Sharp"), row);

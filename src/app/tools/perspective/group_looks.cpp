@@ -45,10 +45,18 @@ QString group_letter(StrokeGroup group) {
   return is_parallel(group) ? axis : QStringLiteral("⊥") + axis;
 }
 
+/// Of a box whose x runs to the right: the faces across x, y and z.
+QString group_words(StrokeGroup group) {
+  const std::array<QString, 3> faces{QObject::tr("left"), QObject::tr("right"), QObject::tr("top")};
+  const bool is_face = group != StrokeGroup::Unknown && !is_parallel(group);
+  return is_face ? faces[static_cast<std::size_t>(axis_of(group))] : group_letter(group);
+}
+
 QString group_title(StrokeGroup group) {
   if (group == StrokeGroup::Unknown) return QObject::tr("By where it points");
   const QString axis(QStringLiteral("xyz").at(axis_of(group)));
-  return is_parallel(group) ? QObject::tr("Parallel to %1").arg(axis) : QObject::tr("In a plane across %1").arg(axis);
+  return is_parallel(group) ? QObject::tr("Parallel to %1").arg(axis)
+                            : QObject::tr("In a plane across %1, on a %2 face").arg(axis, group_words(group));
 }
 
 std::vector<std::vector<Vec2>> group_glyph(StrokeGroup group) {

@@ -18,6 +18,7 @@ render::DashPattern group_dashes(StrokeGroup group);
 
 /// "x", "y", "z", "⊥x", "⊥y", "⊥z", "?".
 QString group_letter(StrokeGroup group);
+QString group_words(StrokeGroup group);  ///< "x", "left" …: what stands on a button
 
 /// "Parallel to x" … "In a plane across z".
 QString group_title(StrokeGroup group);

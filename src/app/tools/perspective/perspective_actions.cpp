@@ -62,7 +62,7 @@ void PerspectiveDrawingTool::make_group_actions(ActionList& actions) {
         menu, name, group ? group_title(*group) : tr("By where it points"), {}, [this, group] { choose_group(group); },
         Recorded::ByItself);
     action->setCheckable(true);
-    action->setIconText(group ? group_letter(*group) : tr("Auto"));
+    action->setIconText(group ? group_words(*group) : tr("Auto"));
     if (group) action->setIcon(group_icon(*group));
     set_sector_color(*action, group ? group_color(*group) : QColor(70, 74, 82));
     choice->addAction(action);
@@ -82,7 +82,7 @@ void PerspectiveDrawingTool::make_group_actions(ActionList& actions) {
       },
       Recorded::ByItself);
   construction->setCheckable(true);
-  construction->setIconText(tr("Guide"));
+  construction->setIconText(tr("Guides"));
   set_sector_color(*construction, QColor(150, 156, 166));
 }
 

@@ -19,6 +19,7 @@ namespace croquis::app {
 namespace {
 
 constexpr double framed_share = 0.4;  // of the sheet, at least, where strokes are looked at
+constexpr double sheet_share = 0.66;  // of the views' width: the sheet, with its margin, gets more than half of it
 
 PerspectiveMode sheet_mode(const QString& mode) {
   if (mode == "draw") return PerspectiveMode::Draw;
@@ -210,8 +211,11 @@ void PerspectiveDrawingTool::place_chips(ChipPlaces& places) {
 
 void PerspectiveDrawingTool::follow_document() {
   const NodeId now = studio().sheet_node();
-  // A drawing that is opened is seen through its own eye.
-  if (std::exchange(shown_node_, now) != now && now != 0) host().viewport().look_through(now);
+  if (std::exchange(shown_node_, now) != now) {
+    host().viewport().suggest_share(now == 0 ? even_share : sheet_share);
+    // A drawing that is opened is seen through its own eye.
+    if (now != 0) host().viewport().look_through(now);
+  }
   sheet_.follow_document();
 }
 

@@ -31,6 +31,7 @@ class PerspectiveDrawingTool final : public Tool {
   bool needs_every_move() const override { return true; }
   bool down() const override { return sheet_.down(); }
   bool abandon() override;
+  QString help_topic() const override { return QStringLiteral("Drawings in perspective"); }
   QString help() const override;
   QString tooltip() const override { return sheet_.told_finding(); }
   Qt::CursorShape cursor(int view) const override;

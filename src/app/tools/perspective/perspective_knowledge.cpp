@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What people tell the perspective tool: known coordinates and lengths at the pen, sets of faces, parameters.
+#include "app/panels/number_box.h"
 #include "app/tools/perspective/alternative_faces.h"
 #include "app/tools/perspective/perspective_drawing_tool.h"
 #include "app/views/viewport.h"
@@ -9,7 +10,7 @@
 namespace croquis::app {
 namespace {
 
-QString number(double value) { return QString::number(value, 'g', 6); }
+QString number(double value) { return number_words(value, 6); }
 
 QString with_unit(const QString& title, const std::string& unit) {
   return unit.empty() ? title : title + " (" + QString::fromStdString(unit) + ")";
@@ -65,7 +66,9 @@ void PerspectiveDrawingTool::add_alternative_to(render::Scene& scene, int view) 
   const FaceDifference difference = difference_of(*result, result->alternatives[*hovered]);
   const auto on_sheet = [&](const Vec3& point) { return on_sketch_plane(result->camera.project(point)); };
   const Node* node = studio().session().document().find(sheet_.tool().operation_node());
-  const Affine3 placement = node == nullptr ? Affine3() : node->transform;
+  const WorkObject* object = studio().active();
+  const Affine3 stands = object == nullptr ? Affine3() : object->placement.map();
+  const Affine3 placement = node == nullptr ? Affine3() : composed(stands, node->transform);
   const auto in_space = [&](const Vec3& point) {
     const Vec3 place = placement(point);
     return glm::dvec3(place.x(), place.y(), place.z());

@@ -78,7 +78,7 @@ void PerspectivePanel::make_camera(QBoxLayout* column) {
   deviation_->setRange(0, 100);
   deviation_->setTextVisible(true);
   deviation_->setMaximumHeight(16);
-  deviation_->setToolTip(tr("How uncertain the focal length is: one standard deviation"));
+  deviation_->setToolTip(tr("How far the focal length may be off: one standard deviation"));
   column->addWidget(deviation_);
   make_mode(column);
   auto* row = new QHBoxLayout;
@@ -108,7 +108,7 @@ void PerspectivePanel::make_mode(QBoxLayout* column) {
           [this] { emit parameter_wanted("mode", mode_->currentData().toString().toStdString()); });
   row->addWidget(mode_);
   column->addLayout(row);
-  flip_ = new QCheckBox(tr("Flip x and y"), this);
+  flip_ = new QCheckBox(tr("Turn x and y round"), this);
   flip_->setObjectName("perspective-flip");
   flip_->setToolTip(tr("Lets x and y point the other way: a drawing doesn't tell which"));
   connect(flip_, &QCheckBox::clicked, this, [this](bool on) { emit parameter_wanted("flip", on); });
@@ -168,11 +168,13 @@ void PerspectivePanel::make_length(QBoxLayout* column) {
   });
   second->addWidget(length_);
   column->addLayout(second);
-  second = new QHBoxLayout;
   size_ = new QLabel(this);
   size_->setObjectName("perspective-size");
+  size_->setWordWrap(true);
   size_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  second->addWidget(size_, 1);
+  column->addWidget(size_);
+  second = new QHBoxLayout;
+  second->addWidget(new QLabel(tr("Unit of lengths"), this), 1);
   unit_ = new QComboBox(this);
   unit_->setObjectName("perspective-unit");
   unit_->addItem(tr("no unit"), "");
@@ -192,7 +194,7 @@ void PerspectivePanel::make_lines(QBoxLayout* column) {
   lines_ = new QTreeWidget(this);
   lines_->setObjectName("perspective-lines");
   lines_->setRootIsDecorated(false);
-  lines_->setHeaderLabels({tr("Line"), tr("Group"), tr("Misses by")});
+  lines_->setHeaderLabels({tr("Line"), tr("Along"), tr("Off by")});
   lines_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   lines_->setMinimumHeight(90);
   connect(lines_, &QTreeWidget::itemClicked, this,
@@ -229,7 +231,7 @@ void PerspectivePanel::follow_camera() {
   camera_->setText(tr("%1-point perspective, field of view %2°").arg(result->mode).arg(field, 0, 'f', 1));
   const double share = result->focal_deviation / result->camera.focal_length;
   deviation_->setValue(static_cast<int>(std::clamp(100 * share / (2 * weak_deviation), 0.0, 100.0)));
-  deviation_->setFormat(tr("focal length ± %1 %").arg(100 * share, 0, 'f', 1));
+  deviation_->setFormat(tr("camera certain within %1 %").arg(100 * share, 0, 'f', 1));
 }
 
 void PerspectivePanel::follow_known() {
@@ -264,9 +266,10 @@ void PerspectivePanel::follow_size() {
   unit_->setCurrentIndex(std::max(0, unit_->findData(unit)));
   const PerspectiveResult* result = sheet_.result();
   const BoundingBox box = result == nullptr ? BoundingBox() : bounds_of(result->network);
-  if (!box) return size_->setText(tr("Unit of lengths"));
+  size_->setVisible(box.has_value());
+  if (!box) return;
   const Vec3 size = (*box)[1] - (*box)[0];
-  const auto text = [&](int axis) { return QString::number(size[axis], 'g', 4); };
+  const auto text = [&](int axis) { return number_words(size[axis]); };
   size_->setText(tr("Size %1 × %2 × %3 %4").arg(text(0), text(1), text(2), unit).trimmed());
 }
 

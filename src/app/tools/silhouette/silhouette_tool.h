@@ -27,6 +27,7 @@ class SilhouetteTool final : public Tool {
   bool needs_every_move() const override { return true; }
   bool down() const override { return sketch_.down(); }
   bool abandon() override { return sketch_.abandon(); }
+  QString help_topic() const override { return QStringLiteral("Drawing"); }
   QString help() const override;
   QString tooltip() const override { return sketch_.told_finding(); }
   Qt::CursorShape cursor(int view) const override;

@@ -119,7 +119,7 @@ double chip_number(double value) {
   return std::round(value * steps) / steps;
 }
 
-QString chip_text(double value) { return QString::number(chip_number(value)); }
+QString chip_text(double value) { return number_words(chip_number(value)); }
 
 void ask_number(SketchChip& chip, const QString& name, double value, double low, double high,
                 const std::function<void(double)>& take) {

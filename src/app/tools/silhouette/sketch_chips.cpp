@@ -50,24 +50,29 @@ SketchChips::SketchChips(Studio& studio, SketchTool& tool, Viewport& views)
 void SketchChips::connect_rows() {
   connect(&joint_row_, &ChipRow::clicked, this, [this](std::size_t number) {
     const Joint& joint = joints_.at(number);
-    set_attach(with_hold(attach(), joint, next_hold(joint.hold)), false);
+    const Hold hold = next_hold(joint.hold);
+    const QString step = hold == Hold::Joined    ? tr("Join %1")
+                         : hold == Hold::Resting ? tr("Rest %1 on each other")
+                                                 : tr("Keep %1 apart");
+    set_attach(with_hold(attach(), joint, hold), step.arg(pair_name(joint)), false);
   });
   connect(&joint_row_, &ChipRow::dragged, this, [this](std::size_t number, const QPointF& by) {
     const Joint& joint = joints_.at(number);
     if (joint.hold != Hold::Joined) return;
     if (!dragged_from_) dragged_from_ = joint.blend;
     const double blend = blend_after(*dragged_from_, by);
-    set_attach(with_blend(attach(), joint, blend), true);
+    set_attach(with_blend(attach(), joint, blend), seam_step(joint), true);
     QToolTip::showText(QCursor::pos(), tr("Seam radius %1").arg(chip_text(blend)));
   });
   connect(&joint_row_, &ChipRow::dropped, this, [this] {
-    if (std::exchange(dragged_from_, std::nullopt)) set_attach(attach(), false);
+    if (std::exchange(dragged_from_, std::nullopt)) set_attach(attach(), {}, false);
   });
   connect(&joint_row_, &ChipRow::asked, this, [this](std::size_t number) {
     const Joint joint = joints_.at(number);
     if (joint.hold != Hold::Joined) return;
-    ask_number(*joint_row_.chip(number), "seam-radius", joint.blend, 0, 1,
-               [this, joint](double blend) { set_attach(with_blend(attach(), joint, blend), false); });
+    ask_number(*joint_row_.chip(number), "seam-radius", joint.blend, 0, 1, [this, joint](double blend) {
+      set_attach(with_blend(attach(), joint, blend), seam_step(joint), false);
+    });
   });
   connect(&nested_row_, &ChipRow::clicked, this, [this](std::size_t number) {
     const NestedStroke& nested = nested_.at(number);
@@ -90,6 +95,8 @@ QString SketchChips::name_of(const std::string& object_or_stroke) const {
 QString SketchChips::pair_name(const Joint& joint) const {
   return tr("%1 and %2").arg(name_of(joint.a), name_of(joint.b));
 }
+
+QString SketchChips::seam_step(const Joint& joint) const { return tr("Seam of %1").arg(pair_name(joint)); }
 
 ChipRow::Chip SketchChips::chip_of(const Joint& joint) const {
   const QString names = pair_name(joint);
@@ -180,7 +187,8 @@ void SketchChips::join_all() {
   for (const Joint& joint : joints_) {
     if (joint.hold != Hold::Joined) text = with_hold(std::move(text), joint, Hold::Joined);
   }
-  if (!joints_.empty()) studio_.set_parameter(studio_.solid_node(), "attach", to_text(text), false);
+  if (joints_.empty()) return;
+  studio_.set_parameter(studio_.solid_node(), "attach", to_text(text), false, tr("Join all parts").toStdString());
 }
 
 /// Of the solid; nothing while the text has mistakes, which its findings tell of.
@@ -198,12 +206,12 @@ AttachText SketchChips::attach() const {
   }
 }
 
-void SketchChips::set_attach(const AttachText& attach, bool dragging) {
+void SketchChips::set_attach(const AttachText& attach, const QString& step, bool dragging) {
   const Node* operation = studio_.solid_operation();
   if (operation == nullptr) return;
   const std::string name = operation->name;
   const std::string text = to_text(attach);
-  studio_.set_parameter(studio_.solid_node(), "attach", text, dragging);
+  studio_.set_parameter(studio_.solid_node(), "attach", text, dragging, step.toStdString());
   if (!dragging) emit committed(recorded::Set{name, "attach", text});
 }
 

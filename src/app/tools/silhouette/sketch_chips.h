@@ -44,7 +44,8 @@ class SketchChips : public QObject {
   ChipRow::Chip chip_of(const StrokesInView& crossing) const;
 
   AttachText attach() const;
-  void set_attach(const AttachText& attach, bool dragging);
+  void set_attach(const AttachText& attach, const QString& step, bool dragging);
+  QString seam_step(const Joint& joint) const;
   void set(const recorded::StrokeReading& setting, bool dragging);
 
   Studio& studio_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "app/panels/number_box.h"
 #include "croquis/operators/subdivide_result.h"
 
 namespace croquis::app {
@@ -16,7 +17,7 @@ const std::vector<SharpChain>& chains_of(const WorkObject* object) {
   return found == nullptr ? none : found->chains;
 }
 
-QString chain_angle(double angle) { return QString::number(angle * (180 / std::numbers::pi), 'f', 3) + "°"; }
+QString chain_angle(double angle) { return number_words(angle * (180 / std::numbers::pi), 6) + "°"; }
 
 }  // namespace
 
@@ -59,19 +60,11 @@ std::vector<std::array<Index, 2>> ChainTable::cage_edges(int chain) const {
 QString ChainTable::summary(const WorkObject* object) {
   const std::vector<SharpChain>& chains = chains_of(object);
   if (chains.empty()) return {};
-  QStringList parts;
-  constexpr std::size_t chains_at_most = 2;
-  for (std::size_t i = 0; i < std::min(chains.size(), chains_at_most); ++i) {
-    const SharpChain& chain = chains[i];
-    QString part =
-        tr("chain %1: %2 edges, %3").arg(i + 1).arg(chain.edges).arg(chain.closed ? tr("closed") : tr("open"));
-    if (chain.planar) part += tr(", planar");
-    parts << part;
-  }
-  if (chains.size() > chains_at_most) parts << tr("%1 more").arg(chains.size() - chains_at_most);
+  QStringList parts{chains.size() == 1 ? tr("1 crease") : tr("%1 creases").arg(chains.size())};
   const auto& mesh = object->cage_mesh;
-  if (mesh && !mesh->tags.pins.empty()) parts << tr("%1 pins").arg(mesh->tags.pins.size());
-  return parts.join("; ");
+  if (mesh && !mesh->tags.pins.empty())
+    parts << (mesh->tags.pins.size() == 1 ? tr("1 pin") : tr("%1 pins").arg(mesh->tags.pins.size()));
+  return parts.join(", ");
 }
 
 }  // namespace croquis::app

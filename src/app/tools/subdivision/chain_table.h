@@ -20,7 +20,7 @@ class ChainTable : public QTableWidget {
   /// @param object may be null or have no chains
   void show_chains(const WorkObject* object);
 
-  /// "chain 1: 8 edges, closed, planar …" of the object; empty for none.
+  /// "5 creases, 1 pin" of the object; empty for none.
   static QString summary(const WorkObject* object);
 
   /// The tagged edges of the cage that a chain of the table descends from, by their vertices.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tools/subdivision/comparison.h"
 
+#include <algorithm>
+
 #include "croquis/workspace/node_values.h"
 
 namespace croquis::app {
@@ -33,7 +35,7 @@ void Comparison::choose(const std::string& parameter, const std::string& value) 
   follow();
 }
 
-QString Comparison::title() const { return QString::fromStdString(shown_value_); }
+QString Comparison::title() const { return title_; }
 
 void Comparison::follow() {
   const Node* node = studio_.active_operation();
@@ -48,7 +50,11 @@ void Comparison::follow() {
   }
   object_ = node->id;
   shown_value_ =
-      value_.empty() ? another_choice(*parameter, std::get<std::string>(value_of(*node, *parameter))) : value_;
+      value_.empty() ? another_choice(*parameter, text_of(values_of(*node, *operation), parameter_)) : value_;
+  const auto chosen = std::ranges::find(parameter->choices, shown_value_) - parameter->choices.begin();
+  const bool is_titled = chosen < std::ssize(parameter->choice_titles);
+  title_ =
+      QString::fromStdString(is_titled ? parameter->choice_titles[static_cast<std::size_t>(chosen)] : shown_value_);
   Node other = *node;
   other.id = compared_node;
   other.parameters[parameter_] = shown_value_;

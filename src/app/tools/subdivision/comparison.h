@@ -46,6 +46,7 @@ class Comparison : public QObject {
   std::string value_;  ///< empty: another one than the object's
   NodeId object_ = 0;
   std::string shown_value_;
+  QString title_;
   std::unique_ptr<LiveNode> live_;
 };
 

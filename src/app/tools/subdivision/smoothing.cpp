@@ -45,9 +45,8 @@ void show_smooth(Studio& studio, ChainView view) {
 
 int shown_level(const Studio& studio) {
   const Node* node = smoothing_node(studio);
-  const ParameterDescription* level = level_description(studio);
-  if (node == nullptr || level == nullptr) return -1;
-  return static_cast<int>(std::get<std::int64_t>(value_of(*node, *level)));
+  if (node == nullptr || level_description(studio) == nullptr) return -1;
+  return static_cast<int>(integer_of(values_of(*node, *studio.description(smoothing_operation)), level_parameter));
 }
 
 void change_level(Studio& studio, int by) {
@@ -82,6 +81,8 @@ void freeze_level(Studio& studio) {
   Node frozen;
   frozen.name = free_name(before, name);
   frozen.source = object->mesh;
+  frozen.placement = object->placement;
+  frozen.group = object->group;
   const NodeId id = before.next_id();
   studio.session().edit("Freeze " + name, before.with(std::move(hidden)).with(std::move(frozen)));
   studio.set_active(id);

@@ -83,11 +83,13 @@ void SubdivisionTool::make_scheme_actions(ActionList& actions, QMenu* schemes, Q
   for (const ParameterDescription& parameter :
        operation == nullptr ? std::vector<ParameterDescription>() : operation->parameters) {
     if (parameter.name != "scheme" && parameter.name != "preset") continue;
-    for (const std::string& choice : parameter.choices) {
-      const QString text = QString::fromStdString(choice);
-      actions_ << actions.add(schemes, QString::fromStdString(parameter.name) + "-" + text, text, {},
+    for (std::size_t i = 0; i < parameter.choices.size(); ++i) {
+      const std::string& choice = parameter.choices[i];
+      const QString text = QString::fromStdString(parameter.choice_titles[i]);
+      const QString id = QString::fromStdString(choice);
+      actions_ << actions.add(schemes, QString::fromStdString(parameter.name) + "-" + id, text, {},
                               [this, name = parameter.name, choice] { set_smoothing(studio(), name, choice); });
-      actions_ << actions.add(compared, "compare-" + text, text, {}, [this, name = parameter.name, choice] {
+      actions_ << actions.add(compared, "compare-" + id, text, {}, [this, name = parameter.name, choice] {
         comparison_.choose(name, choice);
         host().action("compare")->setChecked(true);
         compare(true);

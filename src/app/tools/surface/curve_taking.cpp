@@ -59,6 +59,7 @@ void CurveTaking::take(const std::string& id) {
   node.operation = operation->id;
   node.version = operation->version;
   node.inputs[main_input(*operation)->name] = *source;
+  placement_ = studio_.active()->placement;
   name_ = "Curves of " + studio_.active()->name;
   live_ = studio_.live_beside(taking_node, [this] { follow(); });
   live_->follow(studio_.session().document().with(std::move(node)));
@@ -80,7 +81,10 @@ void CurveTaking::follow() {
   options.name = free_name(document, name_);
   const NodeId node = document.next_id();
   AttributeNetwork lying = transformed(*network, inverse_of(upright_placement()));
-  studio_.session().edit("Take curves", studio_.with_network(document, std::move(lying), options));
+  Document taken_from = studio_.with_network(document, std::move(lying), options);
+  Node placed = *taken_from.find(node);
+  placed.placement = placement_;
+  studio_.session().edit("Take curves", taken_from.with(std::move(placed)));
   studio_.session().select({{node, ""}});
   emit taken();
 }

@@ -37,7 +37,8 @@ class CurveTaking : public QObject {
   void follow();
 
   Studio& studio_;
-  std::string name_;  ///< of the network that comes
+  std::string name_;     ///< of the network that comes …
+  Placement placement_;  ///< … and where it stands
   std::unique_ptr<LiveNode> live_;
 };
 

@@ -7,10 +7,12 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/panels/number_box.h"
+
 namespace croquis::app {
 namespace {
 
-QString short_number(double value) { return QString::number(value, 'g', 3); }
+QString short_number(double value) { return number_words(value, 3); }
 
 QString length_text(double value, const std::string& units) {
   return units.empty() ? short_number(value) : short_number(value) + " " + QString::fromStdString(units);
@@ -80,10 +82,8 @@ QString DomainPanel::numbers_text() const {
   const UniformGhost::Compared* compared = ghost_.compared();
   const auto uniform =
       compared == nullptr ? std::nullopt : domain_numbers(compared->comparison.network, compared->measures, face_);
-  QString text = tr("anisotropy %1").arg(short_number(own->anisotropy));
-  if (uniform) text += tr(" (uniform %1)").arg(short_number(uniform->anisotropy));
-  text += tr(" · σ %1").arg(length_text(own->sigma, network_.network().units));
-  return text + tr(" · β %1").arg(short_number(own->beta));
+  const QString text = tr("Stretch %1×").arg(short_number(own->anisotropy));
+  return uniform ? text + tr(" (uniform %1×)").arg(short_number(uniform->anisotropy)) : text;
 }
 
 /// How far off the dents of points lie.

@@ -37,7 +37,7 @@ std::optional<DomainNumbers> domain_numbers(const AttributeNetwork& network, con
   const Index face = find_element(network, NetworkElement::Face, id);
   const auto patch = std::ranges::find(measures.patches, face, &PatchMeasures::face);
   if (face == no_index || patch == measures.patches.end()) return std::nullopt;
-  return DomainNumbers{patch->anisotropy, patch->sigma, patch->beta};
+  return DomainNumbers{patch->anisotropy};
 }
 
 }  // namespace croquis::app

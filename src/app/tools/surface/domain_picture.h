@@ -32,8 +32,6 @@ struct DomainPicture {
 /// What numbers tell of a face and its domain.
 struct DomainNumbers {
   double anisotropy = 1;  ///< >= 1
-  double sigma = 0;       ///< model units per unit of the domain
-  double beta = 0;        ///< 0..1
 };
 
 /// Of a face as it was computed last; none where it failed or isn't there.

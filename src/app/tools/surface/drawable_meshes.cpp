@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 
+#include "app/tools/surface/shown_surface.h"
+
 namespace croquis::app {
 namespace {
 
@@ -34,9 +36,14 @@ std::optional<MeshHit> DrawableMeshes::under(const Ray& ray, NodeId except) {
   for (const WorkObject& object : studio_.objects()) {
     const bool is_seen = object.visible && object.shown() && object.shown()->face_count() > 0;
     if (!is_seen || object.node == except) continue;
-    const auto hit = picker_of(object).face_under(ray);
-    if (!hit || (nearest && hit->distance >= nearest->distance)) continue;
-    nearest = MeshHit{hit->place, face_normal(*object.shown(), hit->element), hit->distance};
+    const Affine3 to_model = object.placement.map();
+    const Affine3 back = inverse_of(to_model);
+    const auto hit = picker_of(object).face_under({back(ray.origin), (back.linear * ray.direction).normalized()});
+    const Vec3 place = hit ? to_model(hit->place) : Vec3();
+    const double distance = (place - ray.origin).norm();
+    if (!hit || (nearest && distance >= nearest->distance)) continue;
+    const Vec3 normal = back.linear.transpose() * face_normal(*object.shown(), hit->element);
+    nearest = MeshHit{place, normal.normalized(), distance};
   }
   return nearest;
 }

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "app/studio/own_space.h"
 #include "app/tools/surface/network_sight.h"
 #include "app/views/pick_box.h"
 #include "app/views/viewport.h"
@@ -21,13 +22,6 @@ QString network_sentences(const Findings& findings) {
     sentences << (sentence.endsWith('.') ? sentence : sentence + ".");
   }
   return sentences.join(' ');
-}
-
-Eigen::Matrix4d matrix_of(const Affine3& map) {
-  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
-  matrix.topLeftCorner<3, 3>() = map.linear;
-  matrix.topRightCorner<3, 1>() = map.offset;
-  return matrix;
 }
 
 const std::shared_ptr<const AttributeNetwork>& no_network() {
@@ -50,11 +44,7 @@ NetworkInteraction::NetworkInteraction(Studio& studio, Viewport& views)
 
 Findings NetworkInteraction::findings() const { return shown_.result ? shown_.result->findings : Findings(); }
 
-ViewFrame NetworkInteraction::frame_of(int view) const {
-  const ViewFrame frame = views_.frame_of(view);
-  if (shown_.to_world.is_identity()) return frame;
-  return ViewFrame::of(frame.to_clip * matrix_of(shown_.to_world), frame.size);
-}
+ViewFrame NetworkInteraction::frame_of(int view) const { return seen_from(views_.frame_of(view), shown_.to_world); }
 
 void NetworkInteraction::act(const std::function<Verdict(SurfaceTool&)>& work) {
   try {

@@ -86,8 +86,8 @@ std::optional<Vec2> NetworkSight::domain_place(const SurfacePart& part, Index tr
 
 std::optional<SurfaceHit> NetworkSight::patch_under(const Ray& ray) const {
   if (!shown_ || !shown_.mesh || shown_.mesh->face_count() == 0) return std::nullopt;
-  const auto [in_world, stretch] = mapped(ray, shown_.to_world);
-  const auto hit = picker().face_under(in_world);
+  const auto [in_mesh, stretch] = mapped(ray, shown_.to_mesh);
+  const auto hit = picker().face_under(in_mesh);
   if (!hit) return std::nullopt;
   const auto part = std::ranges::find_if(shown_.found->parts, [&](const SurfacePart& one) {
     return hit->element >= one.first_triangle && hit->element < one.first_triangle + one.triangle_count;

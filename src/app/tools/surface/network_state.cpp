@@ -4,6 +4,8 @@
 #include <QObject>
 #include <algorithm>
 
+#include "app/panels/number_box.h"
+
 namespace croquis::app {
 namespace {
 
@@ -106,7 +108,7 @@ std::optional<LoopState> loop_state(const AttributeNetwork& network, const std::
   const std::vector<Vec3> open = open_ends(network, curves, tolerance);
   if (open.size() == 2) {
     state.gap = (open[0] + open[1]) / 2;
-    state.sentence = QObject::tr("Gap of %1").arg(QString::number((open[1] - open[0]).norm(), 'g', 3));
+    state.sentence = QObject::tr("Gap of %1").arg(number_words((open[1] - open[0]).norm()));
   } else if (!loop.findings.empty()) {
     state.sentence = QString::fromStdString(loop.findings.front().message);
   }

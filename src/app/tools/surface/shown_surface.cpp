@@ -31,8 +31,11 @@ Affine3 placement_of(const Document& document, NodeId network, NodeId operation)
 ShownSurface shown_surface(const Studio& studio, NodeId network, NodeId operation) {
   const Document& document = studio.session().document();
   ShownSurface shown;
-  shown.to_world = placement_of(document, network, operation);
-  if (const Node* source = document.find(network)) shown.to_result = source->transform;
+  shown.to_mesh = shown.to_world = placement_of(document, network, operation);
+  if (const Node* source = document.find(network)) {
+    shown.to_result = source->transform;
+    shown.to_world = composed(source->placement.map(), shown.to_mesh);
+  }
   shown.result = operation == 0 ? nullptr : studio.result(operation);
   shown.found = result_of<SurfaceResult>(shown.result.get());
   shown.mesh = shown.found == nullptr ? nullptr : studio.mesh_at(operation);

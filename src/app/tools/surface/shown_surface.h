@@ -13,9 +13,10 @@ namespace croquis::app {
 struct ShownSurface {
   std::shared_ptr<const Evaluation> result;  ///< keeps all the rest
   const SurfaceResult* found = nullptr;      ///< null before the first one
-  std::shared_ptr<const PolyMesh> mesh;      ///< in the world
+  std::shared_ptr<const PolyMesh> mesh;      ///< in the object's space
   Affine3 to_result;                         ///< from the network's own space to the result's
-  Affine3 to_world;
+  Affine3 to_mesh;                           ///< … to that of the mesh
+  Affine3 to_world;                          ///< … to the model's, where the object stands
 
   explicit operator bool() const { return found != nullptr; }
   const AttributeNetwork& network() const { return *found->network; }
@@ -30,7 +31,7 @@ struct ShownSurface {
 /// @param network source. @param operation that it goes to; 0 for none
 ShownSurface shown_surface(const Studio& studio, NodeId network, NodeId operation);
 
-/// From a network's own space to the world.
+/// From a network's own space to that of the mesh.
 Affine3 placement_of(const Document& document, NodeId network, NodeId operation);
 
 /// The inverse. @param map invertible

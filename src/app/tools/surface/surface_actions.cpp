@@ -77,8 +77,11 @@ void SurfaceDrawingTool::make_element_actions(ActionList& actions) {
   const auto act = [this](Verdict (SurfaceTool::*work)()) {
     return [this, work] { network_.act([work](SurfaceTool& tool) { return (tool.*work)(); }); };
   };
-  add("fill-loop", tr("&Patch of the selected curves") + "\t" + tr("Enter"), tr("Patch"),
-      act(&SurfaceTool::fill_selected));
+  add("fill-loop", tr("&Patch of the selected curves, or of the closed loop") + "\t" + tr("Enter"), tr("Patch"),
+      [this] {
+        const std::vector<std::string> loop = chips_.offered();
+        network_.act([&](SurfaceTool& tool) { return loop.empty() ? tool.fill_selected() : tool.fill_loop(loop); });
+      });
   add("toggle-join", tr("&Smooth, or crease again") + "\t" + tr("S"), tr("Smooth"), act(&SurfaceTool::cycle_join));
   add("split-element", tr("S&plit the selected curve, or the patch that it divides"), tr("Split"),
       [this] { split_selected(); });
@@ -193,7 +196,8 @@ void SurfaceDrawingTool::refresh() {
   for (const char* plane : plane_actions) enable(plane, here);
   for (const char* mirrored : mirror_actions) enable(mirrored, here && !network.curves.empty());
   enable("plane-selected", !selected.empty());
-  enable("fill-loop", selected.curves.size() > 1);
+  chips_.follow();
+  enable("fill-loop", selected.curves.size() > 1 || (here && !chips_.offered().empty()));
   enable("toggle-join", !selected.curves.empty());
   enable("split-element", curve != no_index);
   enable("merge-patches", curve != no_index && can_merge_faces(network, curve));
@@ -212,7 +216,6 @@ void SurfaceDrawingTool::refresh() {
   docks_->set_useful(dock_, here);
   docks_->set_useful(domain_dock_, here);
   if (here) docks_->give_room_once(dock_, surface_panel_width);
-  chips_.follow();
   follow_panels();
 }
 

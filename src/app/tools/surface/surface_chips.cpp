@@ -5,7 +5,9 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "app/panels/number_box.h"
 #include "app/views/viewport.h"
+#include "croquis/attribute_surface/open_loop.h"
 
 namespace croquis::app {
 namespace {
@@ -26,7 +28,7 @@ constexpr const char* number_style =
     "background: #2b2d31; color: #f2f3f5; border-radius: 5px; padding: 1px 6px; font-size: 12px; border: 1px solid %1";
 constexpr std::size_t most_numbers = 60;
 
-QString offset_number(double value) { return QString::number(value, 'g', 2); }
+QString offset_number(double value) { return number_words(value, 2); }
 
 }  // namespace
 
@@ -43,7 +45,7 @@ SurfaceChips::SurfaceChips(NetworkInteraction& network, const UniformGhost& ghos
   hint_->setText(tr("Draw a curve: it lies on the ground, on what is under the pen, or between the curves it meets"));
   gap_->setObjectName("gap-chip");
   patch_->setText(tr("Patch (Enter)"));
-  patch_->setToolTip(tr("The selected curves become the border of one smooth patch"));
+  patch_->setToolTip(tr("The closed loop of curves becomes the border of one smooth patch"));
   patch_->setStyleSheet(offer_style);
   connect(patch_, &QToolButton::clicked, this, &SurfaceChips::patch_wanted);
   connect(sentence_, &QToolButton::clicked, this, [this] {
@@ -61,7 +63,14 @@ QToolButton* SurfaceChips::make_chip(const QString& name) {
 
 void SurfaceChips::follow() {
   state_ = network_state(network_.network(), network_.shown(), network_.findings());
-  loop_ = loop_state(network_.network(), network_.tool().selected().curves);
+  const AttributeNetwork& network = network_.network();
+  const NetworkElements selected = network_.tool().selected();
+  offered_.clear();
+  if (selected.empty()) {
+    for (const AttributeSide& side : open_loop(network, {tolerance_of(network)}).sides)
+      offered_.push_back(network.curves[side.curve].id);
+  }
+  loop_ = loop_state(network, selected.empty() ? offered_ : selected.curves);
 }
 
 /// Chips that stay are never hidden meanwhile: a button would forget that it is pressed.
@@ -132,8 +141,8 @@ std::vector<PlacedText> SurfaceChips::numbers() const {
   const SurfacePreview& preview = network_.tool().preview();
   const std::vector<Vec3> ring = network_.tool().ring();
   if (preview.radius && !ring.empty())
-    numbers.push_back({network_.to_world()(ring.front()), tr("radius %1").arg(QString::number(*preview.radius, 'g', 3)),
-                       QColor("#f28c28")});
+    numbers.push_back(
+        {network_.to_world()(ring.front()), tr("radius %1").arg(number_words(*preview.radius)), QColor("#f28c28")});
   if (const UniformGhost::Compared* compared = ghost_.compared()) {
     for (const ComparedPoint& point : compared->comparison.points) {
       const Index index = find_element(network_.network(), NetworkElement::Point, point.id);

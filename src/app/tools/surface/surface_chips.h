@@ -30,6 +30,9 @@ class SurfaceChips : public QObject {
 
   void place(ChipPlaces& places, bool shown);
 
+  /// The curves of a closed loop without a patch, while nothing is selected; empty where there is none.
+  const std::vector<std::string>& offered() const { return offered_; }
+
  signals:
   void patch_wanted();
   void elements_wanted(const croquis::NetworkElements& elements);  ///< selected, and looked at
@@ -51,6 +54,7 @@ class SurfaceChips : public QObject {
   int view_ = 0;  ///< that they stand on
   NetworkState state_;
   std::optional<LoopState> loop_;
+  std::vector<std::string> offered_;
   std::vector<QWidget*> placed_;  ///< this time
   QLabel* hint_;
   QToolButton* sentence_;

@@ -96,12 +96,18 @@ void SurfaceDrawingTool::set_mode(const QString& mode) {
 
 bool SurfaceDrawingTool::works_in(int) const { return is_there() && surface_mode(mode()).has_value(); }
 
-/// Where a curve inside a patch is to be drawn, a press beside patches does nothing.
+/// What draws on patches or pulls them does nothing beside them, and says so.
 void SurfaceDrawingTool::take(const PointerEvent& event) {
   const bool begins = event.action == PointerEvent::Action::Press && event.buttons.left && !network_.down();
-  if (mode() == "inner-curve" && begins && network_.sight() != nullptr &&
-      !network_.sight()->patch_under(network_.frame_of(event.view).ray(event.position))) {
-    emit told(tr("Begin on a patch: the curve lies on it and pulls it"));
+  const bool needs_patch =
+      mode() == "inner-curve" ||
+      (mode() == "surface-point" && !network_.tool().preview().hovered && network_.tool().selected().points.empty());
+  const bool on_patch = network_.sight() != nullptr &&
+                        network_.sight()->patch_under(network_.frame_of(event.view).ray(event.position)).has_value();
+  if (needs_patch && begins && !on_patch) {
+    emit told(network_.network().faces.empty() ? no_patch_help()
+              : mode() == "inner-curve"        ? tr("Begin on a patch: the curve lies on it and pulls it")
+                                               : tr("Press on a patch: the drag pulls it"));
     return;
   }
   network_.take(event);
@@ -113,7 +119,13 @@ Qt::CursorShape SurfaceDrawingTool::cursor(int) const {
   return mode() == select_mode ? Qt::ArrowCursor : Qt::CrossCursor;
 }
 
+QString SurfaceDrawingTool::no_patch_help() {
+  return tr("There is no patch yet: draw curves that close a loop, then Enter, or P and a click inside it, makes one");
+}
+
 QString SurfaceDrawingTool::help() const {
+  const bool needs_patch = mode() == "inner-curve" || mode() == "surface-point";
+  if (needs_patch && network_.network().faces.empty()) return no_patch_help();
   if (mode() == "inner-curve") return tr("Draw on a patch: the surface goes through the curve · Q selects and drags");
   switch (network_.tool().mode()) {
     case SurfaceMode::Patch:
@@ -122,6 +134,8 @@ QString SurfaceDrawingTool::help() const {
       return tr("Click on a patch and drag: the point pulls it along its normal, with Ctrl across the view");
     case SurfaceMode::Select: break;
     case SurfaceMode::Draw:
+      if (!chips_.offered().empty())
+        return tr("Enter makes a patch of the closed loop · go on drawing curves · Q selects");
       return tr("Draw curves from node to node · P fills loops · I draws on a patch · Q selects · Alt+drag rotates");
   }
   const NetworkElements selected = network_.tool().selected();

@@ -36,6 +36,7 @@ class SurfaceDrawingTool final : public Tool {
   bool needs_every_move() const override;
   bool down() const override { return network_.down(); }
   bool abandon() override { return network_.abandon(); }
+  QString help_topic() const override { return QStringLiteral("Surfaces from curves"); }
   QString help() const override;
   QString tooltip() const override { return network_.told_finding(); }
   Qt::CursorShape cursor(int view) const override;
@@ -77,6 +78,7 @@ class SurfaceDrawingTool final : public Tool {
   void split_selected();
   void toggle_symmetry();
   void draw_through_selected();
+  static QString no_patch_help();
   void look_at(const NetworkElements& elements);
   void follow_panels();
   void follow_surfaces();

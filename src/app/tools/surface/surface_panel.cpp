@@ -43,11 +43,11 @@ QGroupBox* add_group(QBoxLayout* column, const QString& title, QGridLayout*& gri
 }
 
 /// "Patch f1", "3 patches".
-QString counted(const std::vector<std::string>& ids, const QString& one, const QString& many) {
+QString counted_ids(const std::vector<std::string>& ids, const QString& one, const QString& many) {
   return ids.size() == 1 ? one.arg(QString::fromStdString(ids.front())) : many.arg(ids.size());
 }
 
-QString quality_number(double value) { return QString::number(value, 'g', 3); }
+QString quality_number(double value) { return number_words(value, 3); }
 
 }  // namespace
 
@@ -273,7 +273,7 @@ void SurfacePanel::follow_faces(const NetworkElements& selected) {
   const std::vector<std::string> meant = faces_meant();
   faces_->setEnabled(!meant.empty());
   faces_->setTitle(selected.faces.empty() ? tr("All patches")
-                                          : counted(selected.faces, tr("Patch %1"), tr("%1 patches")));
+                                          : counted_ids(selected.faces, tr("Patch %1"), tr("%1 patches")));
   if (meant.empty()) return;
   const AttributeFace& face =
       network_.network().faces[find_element(network_.network(), NetworkElement::Face, meant.front())];
@@ -285,7 +285,8 @@ void SurfacePanel::follow_faces(const NetworkElements& selected) {
 void SurfacePanel::follow_curves(const NetworkElements& selected) {
   const InnerCurve* inner = first_inner(selected);
   curves_->setEnabled(!selected.curves.empty());
-  curves_->setTitle(selected.curves.empty() ? tr("Curves") : counted(selected.curves, tr("Curve %1"), tr("%1 curves")));
+  curves_->setTitle(selected.curves.empty() ? tr("Curves")
+                                            : counted_ids(selected.curves, tr("Curve %1"), tr("%1 curves")));
   profile_->setEnabled(inner != nullptr);
   if (inner != nullptr) profile_->setCurrentIndex(static_cast<int>(inner->profile));
   if (!selected.curves.empty()) {
@@ -316,7 +317,8 @@ void SurfacePanel::follow_slopes() {
 void SurfacePanel::follow_points(const NetworkElements& selected) {
   const PointAttribute* point = first_point();
   points_->setEnabled(point != nullptr);
-  points_->setTitle(selected.points.empty() ? tr("Points") : counted(selected.points, tr("Point %1"), tr("%1 points")));
+  points_->setTitle(selected.points.empty() ? tr("Points")
+                                            : counted_ids(selected.points, tr("Point %1"), tr("%1 points")));
   for (std::size_t i = 0; i < 3; ++i) {
     const auto axis = static_cast<Eigen::Index>(i);
     place_[i]->setEnabled(selected.points.size() == 1);

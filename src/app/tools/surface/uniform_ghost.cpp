@@ -50,7 +50,8 @@ void UniformGhost::follow(const ShownSurface& shown) {
 }
 
 void UniformGhost::begin() {
-  const bool is_there = compared_ && compared_->shown.result == wanted_.result;
+  const bool is_there =
+      compared_ && compared_->shown.result == wanted_.result && compared_->shown.to_world == wanted_.to_world;
   if (!on_ || running_ || !wanted_ || is_there) return;
   running_ = std::make_shared<std::atomic<bool>>(false);
   thread_.start([this, shown = wanted_, stop = running_, alive = std::weak_ptr<bool>(alive_)] {

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/help_pages.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QFile>
+#include <QMessageBox>
+#include <QRegularExpression>
+#include <QScrollBar>
+#include <QTextBlock>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+namespace croquis::app {
+namespace {
+
+constexpr QSize help_size(760, 620);
+
+QString help_words(const char* words) { return QCoreApplication::translate("Help", words); }
+
+/// A page in a window of its own, which takes the place of an earlier one.
+QTextBrowser* open_page(QWidget& parent, const QString& name, const QString& title) {
+  delete parent.findChild<QDialog*>(name);
+  auto* page = new QDialog(&parent);
+  page->setObjectName(name);
+  page->setAttribute(Qt::WA_DeleteOnClose);
+  page->setWindowTitle(title);
+  page->resize(help_size);
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  auto* text = new QTextBrowser(page);
+  text->setOpenLinks(false);
+  column->addWidget(text);
+  return text;
+}
+
+/// Links lead to pages that the program doesn't have.
+QString without_links(QString text) {
+  static const QRegularExpression link(QStringLiteral("\\[([^\\]]*)\\]\\([^)]*\\)"));
+  return text.replace(link, QStringLiteral("\\1"));
+}
+
+}  // namespace
+
+void show_manual(QWidget& parent, const QString& heading) {
+  QFile manual(QStringLiteral(":/docs/studio.md"));
+  if (!manual.open(QIODevice::ReadOnly)) return;
+  QTextBrowser* text = open_page(parent, "manual", help_words("Help"));
+  text->setMarkdown(without_links(QString::fromUtf8(manual.readAll())));
+  text->window()->show();
+  for (QTextBlock block = text->document()->begin(); block.isValid(); block = block.next()) {
+    if (block.blockFormat().headingLevel() == 0 || block.text() != heading) continue;
+    text->setTextCursor(QTextCursor(block));
+    text->verticalScrollBar()->setValue(text->verticalScrollBar()->value() + text->cursorRect().top());
+  }
+}
+
+QString keys_of(const QAction& action) {
+  QStringList keys;
+  for (const QKeySequence& key : action.shortcuts()) keys << key.toString(QKeySequence::NativeText);
+  if (keys.isEmpty() && action.text().contains('\t')) keys << action.text().section('\t', 1);
+  static const QRegularExpression in_brackets(QStringLiteral("\\(([^() ]{1,12})\\)$"));
+  if (const auto found = in_brackets.match(action.toolTip()); keys.isEmpty() && found.hasMatch())
+    keys << found.captured(1);
+  return keys.join(QStringLiteral(", "));
+}
+
+void show_keys(QWidget& parent, const QList<QAction*>& actions) {
+  QString rows;
+  for (const QAction* action : actions) {
+    const QString keys = keys_of(*action);
+    if (keys.isEmpty() || !action->isEnabled() || !action->isVisible()) continue;
+    const QString what = action->text().section('\t', 0, 0).remove('&').remove(QStringLiteral("…"));
+    rows += QStringLiteral("<tr><td>%1</td><td><b>%2</b></td></tr>").arg(what.toHtmlEscaped(), keys.toHtmlEscaped());
+  }
+  QTextBrowser* text = open_page(parent, "keys", help_words("Keys of the present tool"));
+  text->setHtml(QStringLiteral("<table cellspacing='0' cellpadding='4'>%1</table>").arg(rows));
+  text->window()->show();
+}
+
+void show_about(QWidget& parent) {
+  delete parent.findChild<QMessageBox*>("about");
+  auto* box =
+      new QMessageBox(QMessageBox::NoIcon, help_words("About Croquis"),
+                      help_words("Croquis %1\n\nDrawings, curves, cages and scans become solids.\n\nFree software "
+                                 "under the GNU General Public License, version 3 or later.")
+                          .arg(QCoreApplication::applicationVersion()),
+                      QMessageBox::Ok, &parent);
+  box->setObjectName("about");
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->open();
+}
+
+}  // namespace croquis::app
