@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "croquis/base/error.h"
+#include "croquis/base/limits.h"
 
 namespace croquis::implicit {
 namespace {
@@ -16,12 +17,13 @@ void require_count(std::size_t count, std::size_t points, const std::string& wha
                              ": give one for every point, or none."));
 }
 
-void require_finite(std::span<const Vec3> vectors, const std::string& what) {
+void require_usable(std::span<const Vec3> vectors, const std::string& what) {
   for (std::size_t i = 0; i < vectors.size(); ++i) {
-    if (vectors[i].allFinite()) continue;
-    throw Error(make_error(Category::Malformed, "E_NOT_FINITE",
-                           "The " + what + " of point " + std::to_string(i) + " is not finite: correct or remove it.",
-                           {numbered_subject(SubjectKind::Point, i)}));
+    if (are_usable_numbers(vectors[i])) continue;
+    throw Error(
+        make_error(Category::Malformed, "E_NOT_FINITE",
+                   "The " + what + " of point " + std::to_string(i) + " " + unusable_words + ": correct or remove it.",
+                   {numbered_subject(SubjectKind::Point, i)}));
   }
 }
 
@@ -33,8 +35,8 @@ void require_points(std::span<const Vec3> positions, std::span<const Vec3> norma
         make_error(Category::Geometry, "E_NO_POINTS", "There is no point to fit a surface to: give at least one."));
   }
   require_count(normals.size(), positions.size(), "normals");
-  require_finite(positions, "position");
-  require_finite(normals, "normal");
+  require_usable(positions, "position");
+  require_usable(normals, "normal");
 }
 
 void require_constraints(const Constraints& constraints) {
@@ -44,9 +46,9 @@ void require_constraints(const Constraints& constraints) {
   for (const double factor : constraints.softness)
     require_parameter(std::isfinite(factor) && factor >= 0, "softness", "it can't be negative");
   for (std::size_t i = 0; i < constraints.values.size(); ++i) {
-    if (std::isfinite(constraints.values[i])) continue;
+    if (is_usable_number(constraints.values[i])) continue;
     throw Error(make_error(Category::Malformed, "E_NOT_FINITE",
-                           "The value of point " + std::to_string(i) + " is not finite: correct or remove it.",
+                           "The value of point " + std::to_string(i) + " " + unusable_words + ": correct or remove it.",
                            {numbered_subject(SubjectKind::Point, i)}));
   }
 }
