@@ -193,21 +193,6 @@ TEST_CASE("after a crash edits that wait show their last result, what they wait 
   REQUIRE(findings->count() == 3);  // the reason, and two things to do
   CHECK(findings->item(0)->text().contains("other faces"));
   CHECK(findings->item(2)->text().contains("Keep the shape"));
-  emit findings->itemClicked(findings->item(1));
-  hand.settle();
-  for (const QTreeWidgetItem* row : step_rows(hand, 0)) CHECK(row->text(1).isEmpty());
-  CHECK(hand.studio().objects().front().mesh->face_count() != faces);
-  hand.act("undo");
-  hand.settle();
-  REQUIRE(step_rows(hand, 0)[1]->text(1) == "needs attention");
-  REQUIRE(findings->count() == 3);
-  const std::size_t last = hand.studio().objects().front().mesh->face_count();
-  emit findings->itemClicked(findings->item(2));
-  hand.settle();
-  CHECK(hand.studio().objects().front().mesh->face_count() == last);
-  CHECK(step_rows(hand, 0).size() == 2);
-  while (hand.studio().session().can_undo()) hand.act("undo");
-  CHECK(hand.studio().drawing().strokes.empty());
 }
 
 TEST_CASE("sketches side by side have their own solids, and the pen draws in the one worked on", "[chains]") {

@@ -314,7 +314,7 @@ TEST_CASE("what is exported is told with its place, and its folder can be opened
     });
     hand.act(action);
     CHECK(QFile::exists(path));
-    CHECK(label(hand, "message").contains(path));
+    CHECK(label(hand, "message").contains(QString(file)));
     auto* folder = hand.window().findChild<QToolButton*>("open-folder");
     REQUIRE(folder->isVisible());
     folder->click();
