@@ -154,8 +154,9 @@ TEST_CASE("edits of a solid that became another one wait, keep their result, and
   CHECK(hand.studio().objects().front().mesh->face_count() != shown->face_count());
 }
 
+// Hidden, since it takes minutes on a slow machine: run it by its tag.
 TEST_CASE("after a crash edits that wait show their last result, what they wait for, and what can be done",
-          "[chains]") {
+          "[.waiting-chains]") {
   StudioFixture hand;
   hand.window().start_sketch();
   hand.look_at({-200, -200}, {200, 200});

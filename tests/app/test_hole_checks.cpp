@@ -85,7 +85,7 @@ TEST_CASE("all but the largest keeps the hole of the greatest diameter, however 
     columns[table->horizontalHeaderItem(column)->text()] = column;
   for (int row = 0; row < table->rowCount(); ++row) {
     diameters[table->item(row, columns.at("State"))->text()] =
-        QLocale().toDouble(table->item(row, columns.at("Diameter"))->text());
+        QLocale().toDouble(table->item(row, columns.at("Diameter (units)"))->text());
   }
   REQUIRE(diameters.size() == 2);
   CHECK(diameters.at("open") > diameters.at("filled"));

@@ -76,7 +76,7 @@ TEST_CASE("a collar's loop is picked with a double click and made sharp and smoo
   CHECK(faces_shown(hand) == 674);
   auto* chains = hand.window().findChild<app::ChainTable*>("chains");
   REQUIRE(chains->rowCount() == 1);
-  CHECK(chains->item(0, 3)->text() == "90.000°");
+  CHECK(chains->item(0, 3)->text() == "90°");
   hand.act("deselect");
   CHECK(selected(hand).empty());
   emit chains->cellClicked(0, 0);
