@@ -4,8 +4,6 @@
 #include <array>
 #include <cstddef>
 
-#include <glm/glm.hpp>
-
 #include "croquis/geometry/placement.h"
 #include "croquis/render/scene.h"
 #include "croquis/tools/pointer/view_frame.h"
