@@ -295,8 +295,10 @@ TEST_CASE("a mesh in a sketch of another size is offered to be scaled, as a step
   CHECK(!offer->isVisible());
   CHECK(size_of_cube() > 400);
   CHECK(hand.studio().session().undo_labels().back() == "Scale cube to the scene");
+  const auto bounds = hand.studio().bounds(*hand.studio().active());
+  REQUIRE(bounds);
   for (const int view : {Viewport::SketchView, Viewport::PerspectiveView}) {
-    for (const Vec3& corner : *hand.studio().bounds(*hand.studio().active())) {
+    for (const Vec3& corner : *bounds) {
       CHECK(hand.viewport().pane(view).rect.contains(hand.viewport().model_to_widget(corner, view)));
     }
   }

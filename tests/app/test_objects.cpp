@@ -3,6 +3,7 @@
 #include <QDoubleSpinBox>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QTest>
 
 #include <catch2/catch.hpp>
 
@@ -100,6 +101,37 @@ TEST_CASE("objects: two stand side by side, sized by numbers, in one file in mil
   CHECK(same_box(box_of(other, "brick"), {29.5, 0, -1}, {31.5, 20, 1}));
   for (int k = 0; k < 8; ++k) hand.act("undo");
   CHECK(same_box(box_of(hand, "cube"), {-1, -1, -1}, {1, 1, 1}));
+}
+
+TEST_CASE("objects: W shows a manipulator for meshes and for solids of sketches; a drag moves what is picked",
+          "[objects]") {
+  StudioFixture hand;
+  hand.window().start_sketch();
+  draw_ring(hand);
+  hand.settle();
+  const NodeId solid = hand.studio().objects().front().node;
+  const auto mesh = hand.studio().solid();
+  hand.act("perspective-alone");
+  hand.act("select");
+  hand.window().select_nodes({solid});
+  REQUIRE(hand.window().action("move")->isEnabled());
+  hand.act("move");
+  const auto before = *hand.studio().bounds(*hand.studio().object(solid));
+  const QImage plain = hand.picture();
+  QTest::qWait(250);  // later than any mouse copy of the pen's events
+  pull_arrow_of(hand, (before[0] + before[1]) / 2, 0, 80);
+  const auto after = *hand.studio().bounds(*hand.studio().object(solid));
+  CHECK(after[0].x() > before[0].x() + 1);
+  CHECK((after[0] - before[0]).tail<2>().norm() < 1e-9);
+  CHECK(hand.studio().solid() == mesh);  // nothing was computed again
+  CHECK(hand.picture() != plain);
+  REQUIRE(!hand.studio().session().undo_labels().empty());
+  CHECK(hand.studio().session().undo_labels().back().rfind("Move ", 0) == 0);
+  // The drawing stays on its sheet, and goes on being drawn.
+  const auto strokes = hand.studio().drawing().strokes;
+  CHECK(strokes.front().samples.front().position.norm() < 150);
+  hand.act("undo");
+  CHECK(hand.studio().object(solid)->placement == Placement());
 }
 
 TEST_CASE("objects: elements of a placed mesh are picked and moved where they are seen", "[objects]") {

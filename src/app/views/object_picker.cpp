@@ -11,7 +11,7 @@ MeshPicker& ObjectPicker::picker_of(const WorkObject& object) {
   Kept& kept = kept_[object.node];
   if (kept.mesh != object.shown()) {
     kept.mesh = object.shown();
-    kept.picker = std::make_unique<MeshPicker>(kept.mesh, std::make_shared<const MeshTopology>(*kept.mesh));
+    kept.picker = std::make_unique<MeshPicker>(kept.mesh);
   }
   return *kept.picker;
 }

@@ -176,12 +176,10 @@ void Viewport::take_in_time(PointerEvent event, const QPointF& place) {
   event.view = grabbed_ >= 0 ? grabbed_ : under_pointer_;
   event.position = to_vec(place - layout_.pane(event.view).rect.topLeft());
   if (take_marking(event, place)) return;
-  if (event.buttons.any())
-    grabbed_ = event.view;
-  else if (!any_down())
-    grabbed_ = -1;
+  if (event.buttons.any()) grabbed_ = event.view;
   Tool* tool = navigate(event) ? nullptr : tool_in(event.view);
   if (tool != nullptr) tool->take(event);
+  if (!event.buttons.any() && !any_down()) grabbed_ = -1;
   if (!any_down() && !leaving) show_tooltip(tool == nullptr ? QString() : tool->tooltip(), place);
 }
 

@@ -101,16 +101,23 @@ bool polygon_meets(const std::vector<Projected>& polygon, const PickBox& box) {
 
 struct MeshPicker::State {
   std::shared_ptr<const PolyMesh> mesh;
-  std::shared_ptr<const MeshTopology> topology;
+  std::shared_ptr<const MeshTopology> known_topology;
   std::optional<FaceTree> tree;
   bool moved = false;
   std::vector<Index> loose;  ///< vertices without faces
 
+  const MeshTopology& topology() {
+    if (!known_topology) known_topology = std::make_shared<const MeshTopology>(*mesh);
+    return *known_topology;
+  }
+
   const FaceTree& fresh_tree() {
     if (!tree) {
       tree.emplace(*mesh);
+      std::vector<bool> used(mesh->vertex_count(), false);
+      for (const Index vertex : mesh->corners) used[vertex] = true;
       for (Index vertex = 0; vertex < mesh->vertex_count(); ++vertex) {
-        if (topology->vertex_corners(vertex).empty()) loose.push_back(vertex);
+        if (!used[vertex]) loose.push_back(vertex);
       }
     } else if (moved) {
       tree->refit(*mesh);
@@ -124,7 +131,7 @@ struct MeshPicker::State {
     Elements elements;
     for (const Index face : fresh_tree().near(planes_around(frame, pixel, reach))) {
       for (Index corner = mesh->face_offsets[face]; corner < mesh->face_offsets[face + 1]; ++corner) {
-        const Index element = kind == ComponentKind::Vertex ? mesh->corners[corner] : topology->edge(corner);
+        const Index element = kind == ComponentKind::Vertex ? mesh->corners[corner] : topology().edge(corner);
         if (element != no_index) elements.push_back(element);
       }
     }
@@ -136,7 +143,7 @@ struct MeshPicker::State {
 MeshPicker::MeshPicker(std::shared_ptr<const PolyMesh> mesh, std::shared_ptr<const MeshTopology> topology)
     : state_(std::make_unique<State>()) {
   state_->mesh = std::move(mesh);
-  state_->topology = std::move(topology);
+  state_->known_topology = std::move(topology);
 }
 MeshPicker::~MeshPicker() = default;
 MeshPicker::MeshPicker(MeshPicker&&) noexcept = default;
@@ -150,7 +157,7 @@ void MeshPicker::move_to(std::shared_ptr<const PolyMesh> mesh) {
 
 void MeshPicker::prepare() { state_->fresh_tree(); }
 const PolyMesh& MeshPicker::mesh() const { return *state_->mesh; }
-const MeshTopology& MeshPicker::topology() const { return *state_->topology; }
+const MeshTopology& MeshPicker::topology() const { return state_->topology(); }
 
 std::optional<PickedElement> MeshPicker::face_under(const Ray& ray) {
   const FaceTree::Hit hit = state_->fresh_tree().first(*state_->mesh, ray, 0, std::numeric_limits<double>::infinity());
@@ -174,13 +181,13 @@ std::optional<PickedElement> MeshPicker::at(const ViewFrame& frame, const Vec2& 
   std::vector<Candidate> candidates;
   for (const Index element : state_->candidates(frame, pixel, kind, options.pixels)) {
     const auto near = vertices ? vertex_near(*state_->mesh, frame, pixel, element)
-                               : edge_near(*state_->mesh, *state_->topology, frame, pixel, element);
+                               : edge_near(*state_->mesh, state_->topology(), frame, pixel, element);
     if (near && near->picked.distance <= options.pixels) candidates.push_back(*near);
   }
   std::sort(candidates.begin(), candidates.end());
   std::vector<Index> own;
   for (const Candidate& candidate : candidates) {
-    list_faces(*state_->topology, corners_of(*state_->topology, kind, candidate.picked.element), own);
+    list_faces(state_->topology(), corners_of(state_->topology(), kind, candidate.picked.element), own);
     if (options.through || visible(frame, candidate.picked.place, own)) return candidate.picked;
   }
   return std::nullopt;
@@ -267,8 +274,8 @@ std::vector<Index> MeshPicker::in_box(const ViewFrame& frame, const PickBox& box
   const BoxQuery query{*this, frame, shown_box, screen, seen ? &*seen : nullptr};
   const std::vector<char> drawn =
       seen && kind == ComponentKind::Face ? seen->faces_shown(state_->mesh->face_count()) : std::vector<char>{};
-  state_->fresh_tree();  // before several threads use it
-  std::vector<char> found(element_count(*state_->topology, kind), 0);
+  state_->fresh_tree();  // this and the topology before several threads use them
+  std::vector<char> found(element_count(state_->topology(), kind), 0);
   for_each_part(found.size(), elements_at_once, query_threads(), [&](std::size_t begin, std::size_t end) {
     std::vector<Projected> polygon;
     std::vector<Index> own;

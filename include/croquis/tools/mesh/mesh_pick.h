@@ -35,8 +35,8 @@ struct MeshPickOptions {
 /// Calls from one thread at a time.
 class MeshPicker {
  public:
-  /// @param topology of that mesh. @param mesh positions finite
-  MeshPicker(std::shared_ptr<const PolyMesh> mesh, std::shared_ptr<const MeshTopology> topology);
+  /// @param mesh positions finite. @param topology of that mesh; null: made by the first query about vertices or edges
+  explicit MeshPicker(std::shared_ptr<const PolyMesh> mesh, std::shared_ptr<const MeshTopology> topology = nullptr);
   ~MeshPicker();
   MeshPicker(MeshPicker&&) noexcept;
   MeshPicker& operator=(MeshPicker&&) noexcept;

@@ -4,24 +4,12 @@
 #include <QMetaObject>
 #include <utility>
 
-#include "croquis/base/error.h"
-#include "croquis/geometry/mesh_topology.h"
 
 namespace croquis::app {
 namespace {
 
 /// What lies so little before a hole's middle is its own rim, seen from the side. Share of the distance to the eye.
 constexpr double slack = 0.01;
-
-std::shared_ptr<MeshPicker> made(const std::shared_ptr<const PolyMesh>& scan) {
-  try {
-    auto picker = std::make_shared<MeshPicker>(scan, std::make_shared<const MeshTopology>(*scan));
-    picker->prepare();
-    return picker;
-  } catch (const Error&) {
-    return nullptr;  // then all pins are shown alike
-  }
-}
 
 bool is_seen(MeshPicker& picker, const ViewFrame& frame, const Vec3& place) {
   const auto projected = frame.project(place);
@@ -43,7 +31,8 @@ void HoleSightMaker::follow(const std::shared_ptr<const PolyMesh>& scan) {
   picker_.reset();
   if (!scan) return;
   thread_.start([this, scan] {
-    auto picker = made(scan);
+    const auto picker = std::make_shared<MeshPicker>(scan);
+    picker->prepare();
     QMetaObject::invokeMethod(
         this,
         [this, scan, picker] {

@@ -64,7 +64,7 @@ std::optional<NetworkSight::Placed> NetworkSight::placed(const std::string& id) 
 }
 
 MeshPicker& NetworkSight::picker() const {
-  if (!picker_) picker_ = std::make_unique<MeshPicker>(shown_.mesh, std::make_shared<const MeshTopology>(*shown_.mesh));
+  if (!picker_) picker_ = std::make_unique<MeshPicker>(shown_.mesh);
   return *picker_;
 }
 
