@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/parameter_reference.h"
 
+#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -33,8 +34,13 @@ std::string range_text(const ParameterDescription& parameter) {
     return list;
   }
   if (parameter.type == ParameterType::Integer || parameter.type == ParameterType::Number) {
-    return to_text(parameter.minimum) + " to " + to_text(parameter.maximum) +
-           (parameter.unit.empty() ? "" : " " + parameter.unit);
+    const bool low = std::isfinite(parameter.minimum), high = std::isfinite(parameter.maximum);
+    const std::string range = low && high ? to_text(parameter.minimum) + " to " + to_text(parameter.maximum)
+                              : low       ? "at least " + to_text(parameter.minimum)
+                              : high      ? "at most " + to_text(parameter.maximum)
+                                          : "any number";
+    if (parameter.unit.empty()) return range;
+    return range + (low || high ? " " : " of ") + parameter.unit;
   }
   return to_string(parameter.type);
 }

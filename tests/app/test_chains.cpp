@@ -185,6 +185,8 @@ TEST_CASE("after a crash edits that wait show their last result, what they wait 
   REQUIRE(offers.size() == 1);
   emit hand.window().findChild<app::StartPage*>()->recovery_wanted(offers.front());
   hand.settle();
+  INFO((hand.window().last_findings().empty() ? std::string("-") : hand.window().last_findings().front().message));
+  REQUIRE(hand.studio().objects().size() == 1);
   check_waiting();
 
   auto* findings = hand.window().findChild<app::FindingsList*>("findings");

@@ -220,7 +220,7 @@ TEST_CASE("a hole that nothing can close stays open and is told; all others are 
 }
 
 TEST_CASE("intersections that a scan has are counted, and stay its own") {
-  const PolyMesh given = merged(holed_sphere(), translated(round_sphere(2), Vec3(0, 0, -1)));
+  const PolyMesh given = merged(holed_sphere(), translated(round_sphere(2), Vec3(0.1, 0.2, -1)));
   const ScratchFolder folder;
   const std::string input = folder.write("scan.ply", ply_of(given));
   const Json before = Json::parse(run_cli({"info", input, "--json", "--self-intersections"}).out);
@@ -288,7 +288,7 @@ TEST_CASE("the shipped scan comes back closed, without a word but where flat lid
 
 TEST_CASE("the first line, the report and the file agree on what is open, seams or not") {
   const ScratchFolder folder;
-  const PolyMesh crossing = merged(as_soup(holed_sphere()), translated(round_sphere(2), Vec3(0, 0, -1)));
+  const PolyMesh crossing = merged(as_soup(holed_sphere()), translated(round_sphere(2), Vec3(0.1, 0.2, -1)));
   const std::string input = folder.write("soup.ply", ply_of(crossing));
   const ProcessResult shown = run_cli({"fill", input, "-o", folder / "out.ply"});
   CHECK(shown.code == 0);
@@ -305,7 +305,7 @@ TEST_CASE("the first line, the report and the file agree on what is open, seams 
   CHECK(report["mesh"]["self_intersections"] > 0);
   CHECK(report["details"]["added_self_intersections"] == 0);
   // The same figures as of the mesh whose vertices are one from the beginning.
-  const PolyMesh whole = merged(holed_sphere(), translated(round_sphere(2), Vec3(0, 0, -1)));
+  const PolyMesh whole = merged(holed_sphere(), translated(round_sphere(2), Vec3(0.1, 0.2, -1)));
   const Json plain = filled(folder.write("whole.ply", ply_of(whole)), folder / "plain.ply");
   for (const char* key : {"faces", "edges", "boundary_edges", "self_intersections", "components", "genus"})
     CHECK(report["mesh"][key] == plain["mesh"][key]);

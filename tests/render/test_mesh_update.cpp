@@ -154,7 +154,8 @@ TEST_CASE("an update equals a fresh item bit for bit and shares what has not cha
     const PolyMesh moved = stirred(mesh, seed);
     const MeshItemPtr updated = update_mesh_item(item, moved);
     check_equal(*updated, *make_mesh_item(moved, options));
-    CHECK(updated->triangles.data() == item->triangles.data());
+    // How a polygon with more corners is cut depends on where they are.
+    if (mesh.corners.size() == 3 * mesh.face_count()) CHECK(updated->triangles.data() == item->triangles.data());
     CHECK(updated->edges.data() == item->edges.data());
     CHECK(updated->paint.data() == item->paint.data());
     CHECK_FALSE(same_bytes(updated->vertices, item->vertices));

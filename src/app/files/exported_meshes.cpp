@@ -26,7 +26,9 @@ std::vector<NamedMesh> ProjectFiles::meshes_of(const MeshExport& wanted) const {
     const bool computed = mesh && object.result && mesh == object.mesh;
     if (!mesh || (computed && (object.result->failed || object.quality != Quality::Final))) {
       const std::string name = nodes.size() == 1 ? std::string() : " of \"" + readable_name(object.name) + '"';
-      throw Error(make_error(Category::Geometry, "E_EMPTY", "There is no finished mesh" + name + " to export yet"));
+      const char* cure = object.visible ? ": wait until it is computed" : ": show it first, so that it is computed";
+      throw Error(
+          make_error(Category::Geometry, "E_EMPTY", "There is no finished mesh" + name + " to export yet" + cure));
     }
     meshes.push_back({readable_name(object.name), mesh, composed(scaling, object.placement.map())});
   }

@@ -25,18 +25,22 @@ void require_faces(std::span<const Index> faces, std::size_t count) {
 FaceHighlightPtr make_face_highlight(const MeshItemPtr& mesh, std::span<const Index> faces, const Color& color) {
   if (!mesh || !mesh->plan) return nullptr;
   require_faces(faces, mesh->plan->face_count());
-  std::vector<std::uint32_t> triangles;
-  triangles.reserve(6 * faces.size());
-  for (const Index face : faces) {
-    const auto [first, last] = mesh->plan->triangle_indices(face);
-    triangles.insert(triangles.end(), mesh->triangles.begin() + first, mesh->triangles.begin() + last);
-  }
+  const auto of_faces = [&](std::span<const std::uint32_t> all) {
+    std::vector<std::uint32_t> triangles;
+    triangles.reserve(6 * faces.size());
+    for (const Index face : faces) {
+      const auto [first, last] = mesh->plan->triangle_indices(face);
+      triangles.insert(triangles.end(), all.begin() + first, all.begin() + last);
+    }
+    return triangles;
+  };
   FaceHighlightPtr reduced;
   if (mesh->reduced) {
-    reduced =
-        std::make_shared<FaceHighlight>(FaceHighlight{mesh->reduced, mesh->plan->reduced()->reduced(triangles), color});
+    // The reduced surface keeps the cut of faces that it was made with.
+    reduced = std::make_shared<FaceHighlight>(
+        FaceHighlight{mesh->reduced, mesh->plan->reduced()->reduced(of_faces(mesh->plan->triangles())), color});
   }
-  return std::make_shared<FaceHighlight>(FaceHighlight{mesh, std::move(triangles), color, std::move(reduced)});
+  return std::make_shared<FaceHighlight>(FaceHighlight{mesh, of_faces(mesh->triangles), color, std::move(reduced)});
 }
 
 }  // namespace croquis::render

@@ -52,6 +52,7 @@ class MeshPlan {
   std::pair<Index, Index> triangle_indices(Index face) const {
     return {face_triangles_[face], face_triangles_[face + 1]};
   }
+  const SharedArray<std::uint32_t>& triangles() const { return triangles_; }  ///< of the mesh as it was at first
   std::size_t vertex_count() const { return vertex_count_; }
   std::size_t face_count() const { return face_offsets_.size() - 1; }
 

@@ -4,7 +4,6 @@
 #include <QMetaObject>
 #include <utility>
 
-
 namespace croquis::app {
 namespace {
 
