@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t points_at_most = 300'000;  // vertices of more aren't drawn: they would cover everything
 constexpr std::size_t rims_at_most = 50'000;     // more selected faces than this have no lines
-constexpr std::size_t edges_at_most = 400'000;   // of more, what is behind the surface isn't drawn
+constexpr std::size_t edges_at_most = 5'000;     // more have no borders and aren't seen through the surface
 constexpr float selected_width = 3.5F;
 constexpr float face_rim_width = 2.5F;  // of selected faces
 constexpr float casing_width = 1.3F;
