@@ -35,10 +35,10 @@ std::string range_text(const ParameterDescription& parameter) {
   }
   if (parameter.type == ParameterType::Integer || parameter.type == ParameterType::Number) {
     const bool low = std::isfinite(parameter.minimum), high = std::isfinite(parameter.maximum);
-    const std::string range = low && high ? to_text(parameter.minimum) + " to " + to_text(parameter.maximum)
-                              : low       ? "at least " + to_text(parameter.minimum)
-                              : high      ? "at most " + to_text(parameter.maximum)
-                                          : "any number";
+    std::string range = low && high ? to_text(parameter.minimum) + " to " + to_text(parameter.maximum)
+                        : low       ? "at least " + to_text(parameter.minimum)
+                        : high      ? "at most " + to_text(parameter.maximum)
+                                    : "any number";
     if (parameter.unit.empty()) return range;
     return range + (low || high ? " " : " of ") + parameter.unit;
   }
