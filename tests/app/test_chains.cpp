@@ -11,7 +11,6 @@
 #include "app/panels/lists.h"
 #include "app/panels/object_list.h"
 #include "app/replay/replay_player.h"
-#include "app/start/start_page.h"
 #include "app/studio_fixture.h"
 #include "croquis/document/content_hash.h"
 #include "croquis/tools/all_steps.h"
@@ -55,17 +54,38 @@ void bend_first_stroke(StudioFixture& hand) {
   hand.settle();
 }
 
-/// A solid of which three faces were inset by hand.
-void draw_and_inset(StudioFixture& hand) {
+void add_subdivision(StudioFixture& hand) {
+  hand.act("add-step-subdivide");
+  hand.studio().set_parameter(hand.studio().active_step(), "levels", std::int64_t{1}, false);
+  hand.settle();
+}
+
+/// Of few faces: more are slow to draw without a graphics card.
+void draw_ball(StudioFixture& hand) {
   hand.window().start_sketch();
   hand.look_at({-200, -200}, {200, 200});
   hand.draw(circle({0, 0}, 80));
   hand.settle();
+  hand.studio().set_parameter(hand.studio().solid_node(), "resolution", 20.0, false);
+  hand.settle();
+}
+
+/// A solid of which three faces were inset by hand.
+void draw_and_inset(StudioFixture& hand) {
+  draw_ball(hand);
   hand.act("face-mode");
   hand.settle();
   app::ReplayPlayer(hand.window())
       .play(recorded::parse(R"({"do":"edit","node":"inflate","line":"inset faces=100-102 width=0.02"})", "edits.jsonl",
                             recorded::all_steps()));
+  hand.settle();
+}
+
+/// By the start page's own button.
+void recover(StudioFixture& hand) {
+  auto* button = hand.window().findChild<QAbstractButton*>("recover");
+  REQUIRE(button != nullptr);
+  QTest::mouseClick(button, Qt::LeftButton);
   hand.settle();
 }
 
@@ -80,13 +100,9 @@ double width_of(const PolyMesh& mesh) {
 
 TEST_CASE("a chain from a sketch stays live, and its steps are switched, moved and frozen", "[chains]") {
   StudioFixture hand;
-  hand.window().start_sketch();
-  hand.look_at({-200, -200}, {200, 200});
-  hand.draw(circle({0, 0}, 80));
-  hand.settle();
+  draw_ball(hand);
   const std::size_t coarse = hand.studio().objects().front().mesh->face_count();
-  hand.act("add-step-subdivide");
-  hand.settle();
+  add_subdivision(hand);
   const NodeId smooth = hand.studio().active_step();
   REQUIRE(hand.studio().objects().size() == 1);
   CHECK(hand.studio().objects().front().mesh->face_count() > 3 * coarse);
@@ -165,9 +181,7 @@ TEST_CASE("after a crash edits that wait show their last result, what they wait 
   StudioFixture hand;
   draw_and_inset(hand);
   hand.act("object-mode");
-  hand.act("add-step-subdivide");
-  hand.studio().set_parameter(hand.studio().active_step(), "levels", std::int64_t{1}, false);
-  hand.settle();
+  add_subdivision(hand);
   REQUIRE(step_rows(hand, 0).size() == 4);
   const std::size_t faces = hand.studio().objects().front().mesh->face_count();
   bend_first_stroke(hand);
@@ -181,10 +195,7 @@ TEST_CASE("after a crash edits that wait show their last result, what they wait 
   };
   check_waiting();
   hand.crash_and_restart();
-  const auto offers = hand.window().files().recoverable();
-  REQUIRE(offers.size() == 1);
-  emit hand.window().findChild<app::StartPage*>()->recovery_wanted(offers.front());
-  hand.settle();
+  recover(hand);
   INFO((hand.window().last_findings().empty() ? std::string("-") : hand.window().last_findings().front().message));
   REQUIRE(hand.studio().objects().size() == 1);
   check_waiting();
@@ -258,8 +269,7 @@ TEST_CASE("choosing a step opens the tool that works on it", "[chains]") {
   open_scan(hand, ball_with_holes());
   hand.act("fill-all");
   hand.settle();
-  hand.act("add-step-subdivide");
-  hand.settle();
+  add_subdivision(hand);
   const std::vector<NodeId> chain = hand.studio().objects().front().chain;
   REQUIRE(chain.size() == 3);
   hand.act("select");
@@ -287,11 +297,8 @@ TEST_CASE("choosing a step opens the tool that works on it", "[chains]") {
 
 TEST_CASE("Recover brings a chain back with its states and its result", "[chains]") {
   StudioFixture hand;
-  hand.window().start_sketch();
-  hand.look_at({-200, -200}, {200, 200});
-  hand.draw(circle({0, 0}, 80));
-  hand.settle();
-  hand.act("add-step-subdivide");
+  draw_ball(hand);
+  add_subdivision(hand);
   hand.act("add-step-fill");
   hand.settle();
   hand.act("step-on");  // off
@@ -300,10 +307,7 @@ TEST_CASE("Recover brings a chain back with its states and its result", "[chains
   const std::size_t faces = hand.studio().objects().front().mesh->face_count();
   hand.crash_and_restart();
 
-  auto* recover = hand.window().findChild<QAbstractButton*>("recover");
-  REQUIRE(recover != nullptr);
-  QTest::mouseClick(recover, Qt::LeftButton);
-  hand.settle();
+  recover(hand);
   CHECK(hand.window().shows_views());
   CHECK(content_hash(hand.studio().session().document()) == made);
   REQUIRE(step_rows(hand, 0).size() == 4);
