@@ -43,6 +43,7 @@ file_of() {
 
 # check LIST: each library is in the group of those who need it; names those that aren't, and their number is `seen`
 seen=0
+declare -A owners=()  # the packages of each library: dpkg is slow to tell
 check() {
   local failed=0 name needed_by file packages listed
   seen=0
@@ -54,7 +55,9 @@ check() {
     seen=$((seen + 1))
     file=$(file_of "$name")
     [ -n "$file" ] || { echo "$name: CMake's cache doesn't say where it was found" >&2; failed=1; continue; }
-    packages=$(dpkg -S "$(readlink -f "$file")" "$file" 2>/dev/null | sed 's/:.*//; s/, /\n/g' | sort -u)
+    [ -n "${owners[$name]+known}" ] ||
+      owners[$name]=$(dpkg -S "$(readlink -f "$file")" "$file" 2>/dev/null | sed 's/:.*//; s/, /\n/g' | sort -u)
+    packages=${owners[$name]}
     listed=$(group build "$1")
     [ "$needed_by" = build ] || listed+=$'\n'$(group test "$1")
     if ! grep -qxFf <(printf '%s\n' "$packages") <(printf '%s\n' "$listed"); then
