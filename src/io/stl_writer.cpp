@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "croquis/base/error.h"
 #include "croquis/geometry/polygon_cut.h"
 #include "io/channel_values.h"
 #include "io/float_positions.h"
@@ -145,6 +146,10 @@ void StlWriter::note_losses() {
 }  // namespace
 
 MeshWriteResult write_stl(const PolyMesh& mesh, const MeshWriteOptions& options, Progress& progress) {
+  if (mesh.face_count() == 0) {
+    throw Error(make_error(Category::Geometry, "E_NO_FACES",
+                           "The mesh has no faces, and STL holds nothing else: write it as PLY or OBJ"));
+  }
   return StlWriter(mesh, options, progress).write();
 }
 

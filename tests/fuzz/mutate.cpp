@@ -72,8 +72,8 @@ std::string fault_in(const Findings& findings) {
   return "";
 }
 
-/// A mesh that was written must read back, and be something.
-std::string fault_in_file(const std::string& path, const std::string& bytes) {
+/// A mesh that was written must read back, and be something. @param points_alone what was given may have no more
+std::string fault_in_file(const std::string& path, const std::string& bytes, bool points_alone) {
   if (bytes.empty()) return path + " is empty";
   const std::string extension = std::filesystem::path(path).extension().string();
   if (extension != ".obj" && extension != ".ply" && extension != ".stl" && extension != ".off") return "";
@@ -85,21 +85,20 @@ std::string fault_in_file(const std::string& path, const std::string& bytes) {
                                                     : MeshFormat::Off;
     const PolyMesh mesh = read_mesh({bytes, format, path, false}, progress).mesh;
     if (mesh.face_count() > most_faces) return path + " has " + counted(mesh.face_count(), "face", "faces");
-    const bool has_shape =
-        mesh.face_count() + mesh.line_count() > 0 || !path.starts_with("o.");  // skeletons may be points
+    const bool has_shape = mesh.face_count() + mesh.line_count() > 0 || points_alone || !path.starts_with("o.");
     return has_shape ? "" : path + " has nothing in it";
   } catch (const Error& error) {
     return path + " can't be read back: " + error.what();
   }
 }
 
-std::string fault_in(const cli::CommandResult& result) {
+std::string fault_in(const cli::CommandResult& result, bool points_alone) {
   std::string fault = fault_in(result.warnings);
   // In details what there is nothing of may be infinite, as the least gap of what lies alone.
   if (fault.empty() && result.details) fault = wrong_in(*result.details, "details", is_nan);
   if (fault.empty() && result.mesh) fault = wrong_in(to_report(*result.mesh), "mesh", is_not_finite);
   for (auto file = result.files.begin(); file != result.files.end() && fault.empty(); ++file)
-    fault = fault_in_file(file->first, file->second);
+    fault = fault_in_file(file->first, file->second, points_alone);
   return fault;
 }
 
@@ -112,7 +111,7 @@ std::string fault_of(const Arguments& arguments, const Commands& commands) {
     Progress progress;
     line.command->run(line.invocation, result, progress);
     std::puts("  done");
-    return fault_in(result);
+    return fault_in(result, arguments.front() == "convert");
   } catch (const Error& error) {
     if (!error.findings().empty()) std::printf("  %s\n", error.findings().front().code.c_str());
     return has_errors(error.findings()) ? fault_in(error.findings()) : "a failure without an error";

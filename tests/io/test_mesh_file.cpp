@@ -176,7 +176,7 @@ TEST_CASE("files without faces and with all points equal are malformed in every 
     CHECK(refusal(write(point, encoding.format, options).bytes, encoding.format)[0].code == "E_DEGENERATE");
   }
   CHECK(refusal(write(point, MeshFormat::Stl).bytes, MeshFormat::Stl)[0].code == "E_DEGENERATE");
-  CHECK(refusal(write(points, MeshFormat::Stl).bytes, MeshFormat::Stl)[0].code == "E_NO_FACES");
+  CHECK(refusal("solid none\nendsolid none\n", MeshFormat::Stl)[0].code == "E_NO_FACES");
 }
 
 TEST_CASE("faces that use a vertex twice are kept and told once") {

@@ -105,6 +105,21 @@ TEST_CASE("writing STL says what it can't hold") {
   CHECK(write(flipped(single), MeshFormat::Stl).warnings.size() == 1);
 }
 
+TEST_CASE("points alone are refused when writing STL, which could hold nothing of them") {
+  PolyMesh points;
+  points.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  MeshWriteOptions options;
+  options.ascii = GENERATE(false, true);
+  Progress progress;
+  try {
+    write_mesh(points, MeshFormat::Stl, options, progress);
+    FAIL("it was written");
+  } catch (const Error& error) {
+    CHECK(error.findings()[0].code == "E_NO_FACES");
+    CHECK(error.findings()[0].category == Category::Geometry);
+  }
+}
+
 TEST_CASE("coordinates beyond 32-bit numbers are refused when writing STL and GLB") {
   for (const MeshFormat format : {MeshFormat::Stl, MeshFormat::Glb}) {
     try {

@@ -83,7 +83,7 @@ struct MeshWriteResult {
 
 /// Writes a mesh whose indices are in range. Tags go into OBJ, but for their sets, and into no other format. PLY
 /// positions are doubles unless floats hold all of them exactly; polygons are triangulated for STL and GLB.
-/// @throws Error (E_OUT_OF_RANGE, Geometry) when a coordinate is too large for the 32-bit numbers of STL or GLB
+/// @throws Error Geometry: E_OUT_OF_RANGE (too large for 32-bit numbers in STL or GLB), E_NO_FACES (none, for STL)
 /// @throws Cancelled
 MeshWriteResult write_mesh(const PolyMesh& mesh, MeshFormat format, const MeshWriteOptions& options,
                            Progress& progress);
