@@ -219,7 +219,7 @@ TEST_CASE("every shipped cage subdivides without a word, at every scheme") {
     CHECK(report["mesh"]["closed"] == true);
     CHECK(report["details"]["levels"][0]["sharp_edges"] > 0);
     CHECK(run_cli({"check", folder / "a.obj"}).code == 0);
-    // Beside pins in hollows Catmull-Clark surfaces fold over, which is said.
+    // By Catmull-Clark the surface of this one crosses itself, which is said.
     const bool folds = entry.path().stem() == "bolt_pinned_square";
     const ProcessResult other =
         run_cli({"subdivide", entry.path(), "-o", folder / "b.obj", "--scheme", "catmull-clark", "--json"});

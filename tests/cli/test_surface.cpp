@@ -135,7 +135,7 @@ TEST_CASE("the reference's figures come back for every shipped network, in every
 TEST_CASE("the car is written with a group for each patch, open along its free curves alone") {
   const ScratchFolder folder;
   const Json report = reported({shipped_network("car_crashed"), "-o", folder / "car.obj"});
-  CHECK(report.at("warnings").size() == 1);  // its sheets cross where they were crushed
+  CHECK(report.at("warnings").size() == 1);  // some of its patches cross
   CHECK(report.at("warnings").at(0).at("code") == "W_SELF_INTERSECTION");
   CHECK(report.at("mesh").at("vertices") == 11633);  // 12261 samples, those of shared curves once
   CHECK(report.at("mesh").at("faces") == 23040);
