@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #define CATCH_CONFIG_RUNNER
 #define CATCH_CONFIG_NO_POSIX_SIGNALS  // Catch's own handlers allocate, and wait forever where malloc was interrupted
-#include <execinfo.h>
-#include <unistd.h>
-
 #include <QApplication>
 #include <QSurfaceFormat>
 #include <QTemporaryDir>
 #include <array>
 #include <csignal>
+
+#include <execinfo.h>
+#include <unistd.h>
 
 #include <catch2/catch.hpp>
 
@@ -35,14 +35,24 @@ extern "C" void print_calls(int signal) {
   std::raise(signal);
 }
 
+void print_calls_of_crashes() {
+#ifndef __SANITIZE_ADDRESS__  // which has its own
+  std::array<void*, 1> loaded{};
+  backtrace(loaded.data(), 1);                 // loads what it needs now, not in the handler
+  static std::array<char, 1 << 16> own_stack;  // the other may be full: functions that call themselves without end
+  const stack_t stack{own_stack.data(), 0, own_stack.size()};
+  sigaltstack(&stack, nullptr);
+  struct sigaction action {};
+  action.sa_handler = print_calls;
+  action.sa_flags = SA_ONSTACK;
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) sigaction(signal, &action, nullptr);
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-#ifndef __SANITIZE_ADDRESS__  // which has its own
-  std::array<void*, 1> loaded{};
-  backtrace(loaded.data(), 1);  // loads what it needs now, not in the handler
-  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) std::signal(signal, print_calls);
-#endif
+  print_calls_of_crashes();
   QSurfaceFormat format;
   format.setVersion(3, 3);
   format.setProfile(QSurfaceFormat::CoreProfile);
