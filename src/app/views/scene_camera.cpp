@@ -13,19 +13,17 @@ constexpr double picture_share = 0.96;  // of the pane
 
 glm::dvec3 glm_vector(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-/// What the newest result of a step says, or null.
-std::shared_ptr<const Camera> camera_of(const Studio& studio, NodeId step) {
-  const auto result = studio.result(step);
-  if (!result) return nullptr;
-  for (const auto& [port, value] : result->outputs) {
+/// What a result says, or null.
+std::shared_ptr<const Camera> camera_of(const Evaluation& result) {
+  for (const auto& [port, value] : result.outputs) {
     if (auto camera = value.as<Camera>(); camera && camera->image_size.minCoeff() > 0) return camera;
   }
   return nullptr;
 }
 
-/// Of the middle of what the step gives.
-double depth_in(const Studio& studio, NodeId step, const Camera& camera) {
-  for (const auto& [port, value] : studio.result(step)->outputs) {
+/// Of the middle of what a result holds.
+double depth_in(const Evaluation& result, const Camera& camera) {
+  for (const auto& [port, value] : result.outputs) {
     const BoundingBox box = bounds_of(value);
     const double depth = box ? camera.depth(((*box)[0] + (*box)[1]) / 2) : 0;
     if (depth > 0) return depth;
@@ -35,7 +33,9 @@ double depth_in(const Studio& studio, NodeId step, const Camera& camera) {
 
 std::optional<SceneCamera> camera_in(const Studio& studio, const WorkObject& object) {
   for (const NodeId step : object.chain) {
-    const auto camera = camera_of(studio, step);
+    // Held here: results are computed and forgotten on other threads meanwhile.
+    const auto result = studio.result(step);
+    const auto camera = result ? camera_of(*result) : nullptr;
     if (!camera) continue;
     SceneCamera found;
     found.node = object.chain.front();
@@ -44,7 +44,7 @@ std::optional<SceneCamera> camera_in(const Studio& studio, const WorkObject& obj
     found.camera = Value(camera).transformed(to_model).get<Camera>();
     const auto sheet = source_of<PerspectiveDrawing>(studio.session().document().find(found.node));
     if (sheet) found.origin = sheet->origin;
-    found.depth = depth_in(studio, step, *camera) * std::cbrt(object.placement.scale.prod());
+    found.depth = depth_in(*result, *camera) * std::cbrt(object.placement.scale.prod());
     return found;
   }
   return std::nullopt;

@@ -34,8 +34,8 @@ bool same_data(const AttributeChannel& a, const AttributeChannel& b) {
   return std::visit(
       [&](const auto& values) {
         const auto& others = std::get<std::decay_t<decltype(values)>>(b.data);
-        return values.size() == others.size() &&
-               std::memcmp(values.data(), others.data(), values.size() * sizeof(values[0])) == 0;
+        const std::size_t bytes = values.size() * sizeof(values[0]);
+        return values.size() == others.size() && (bytes == 0 || std::memcmp(values.data(), others.data(), bytes) == 0);
       },
       a.data);
 }
