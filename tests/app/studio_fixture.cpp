@@ -9,11 +9,12 @@
 #include <QTest>
 
 #include "app/panels/object_list.h"
+#include "support/sanitizers.h"
 
 namespace croquis::test {
 namespace {
 
-constexpr int patience_ms = 10'000;
+constexpr int patience_ms = 10'000 * slowness;
 
 // Half the pixels of the window as it opens: without a graphics card nearly all the time goes into them.
 constexpr QSize window_size(1120, 700);

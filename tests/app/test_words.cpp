@@ -260,6 +260,18 @@ TEST_CASE("words of panels aren't clipped in a small window", "[words]") {
   CHECK(table->horizontalHeaderItem(3)->text() == "Diameter (units)");
 }
 
+TEST_CASE("diameters of holes have the document's unit", "[words]") {
+  StudioFixture hand;
+  hand.act("new-perspective");
+  auto& tool = hand.window().tool<app::PerspectiveDrawingTool>().sheet().tool();
+  tool.draw({{300, 300}, {350, 320}, {420, 350}}, 1, std::nullopt, StrokeRole::Edge);
+  tool.set_unit("cm");
+  open_scan(hand, ball_with_holes(2));
+  const auto* table = hand.window().findChild<app::HoleTable*>("holes");
+  REQUIRE(table != nullptr);
+  CHECK(table->horizontalHeaderItem(3)->text() == "Diameter (cm)");
+}
+
 TEST_CASE("the menu Help has the manual, the keys, the examples, and what to copy for helpers", "[words]") {
   StudioFixture hand;
   hand.open_cage("mug");

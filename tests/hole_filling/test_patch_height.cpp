@@ -87,6 +87,15 @@ TEST_CASE("an open end that is named by its number goes on as its walls do; chos
   all.selection = Selection::All;
   const FillResult lid = fill(cut_ball, all);
   CHECK(lid.new_vertices == 0);
+  // A click on it in the window is a request of its own.
+  FillOptions clicked;
+  clicked.selection = Selection::None;
+  clicked.flat_caps = true;
+  HoleRequest request;
+  request.holes = {0};
+  request.fill = true;
+  clicked.requests = {request};
+  CHECK(fill(cut_ball, clicked).mesh.positions == named.mesh.positions);
   CHECK(named.new_vertices > 100);
   // The rest of the sphere is what was cut off: the lid is a third of a radius off in the mean.
   double off = 0;

@@ -68,7 +68,7 @@ std::vector<FillJob> make_jobs(std::span<const Hole> holes, const FillOptions& o
     for (const HoleRequest& request : options.requests) {
       if (!names_any(request, job.holes)) continue;
       apply(request, job.wish);
-      if (shapes(request)) job.is_cap = false;
+      if (shapes(request) || request.fill == true) job.is_cap = false;
     }
     if (!job.bridge) job.strays = strays_among(holes, job.holes);
     jobs.push_back(std::move(job));

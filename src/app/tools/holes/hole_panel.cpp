@@ -291,6 +291,7 @@ void HolePanel::follow() {
   summary_->setText(!there    ? tr("No mesh is being worked on")
                     : looking ? tr("Looking for holes …")
                               : summary_of(holes_.rows()));
+  table_->name_unit(QString::fromStdString(studio_.unit()));
   table_->show_holes(holes_.rows());
   table_->show_selection(holes_.selected());
   follow_sizes();

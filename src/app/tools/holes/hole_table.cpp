@@ -85,8 +85,9 @@ HoleTable::HoleTable(QWidget* parent) : QTableWidget(parent) {
   setObjectName("holes");
   setAccessibleName(tr("Holes"));
   setColumnCount(column_count);
-  setHorizontalHeaderLabels({tr("No."), tr("State"), tr("Class"), tr("Diameter (units)"), tr("Edges"), tr("Confidence"),
-                             tr("Angle"), tr("Method"), tr("Area (units²)")});
+  setHorizontalHeaderLabels(
+      {tr("No."), tr("State"), tr("Class"), {}, tr("Edges"), tr("Confidence"), tr("Angle"), tr("Method"), {}});
+  name_unit({});
   const QStringList tips{tr("Number, as pins in the views and the command line have it"),
                          tr("Open, filled, or no method gave a valid patch"),
                          tr("What the rim looks like"),
@@ -119,6 +120,12 @@ HoleTable::HoleTable(QWidget* parent) : QTableWidget(parent) {
     emit holes_chosen(holes);
   });
   connect(this, &QTableWidget::cellDoubleClicked, this, [this](int row, int) { emit hole_opened(hole_of(row)); });
+}
+
+void HoleTable::name_unit(const QString& unit) {
+  const QString shown = unit.isEmpty() ? tr("units") : unit;
+  horizontalHeaderItem(Diameter)->setText(tr("Diameter (%1)").arg(shown));
+  horizontalHeaderItem(Area)->setText(tr("Area (%1)").arg(shown + "²"));
 }
 
 void HoleTable::keyPressEvent(QKeyEvent* event) {

@@ -16,6 +16,7 @@ class HoleTable : public QTableWidget {
   explicit HoleTable(QWidget* parent = nullptr);
 
   void show_holes(const std::vector<HoleRow>& holes);
+  void name_unit(const QString& unit);  ///< of lengths, in the titles; empty where nothing names one
   void show_selection(const std::vector<Index>& holes);
 
   /// Of the rows as they stand, from the top.
