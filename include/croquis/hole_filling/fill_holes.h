@@ -35,7 +35,7 @@ struct FillOptions {
   double bulge = 0;                          ///< -1..1, see PatchWish
   int trim_rim = 0;                          ///< 0..3 rings of faces around chosen holes that are removed first
   std::vector<HoleRequest> requests;         ///< for single holes
-  bool flat_caps = true;                     ///< OUTER holes that neither `only` nor a request names get flat patches:
+  bool flat_caps = true;                     ///< OUTER holes that are chosen with all others get flat patches:
                                              ///< smooth ones of an open tube would bulge by about a radius
   Precision precision = Precision::Double;   ///< how the result will be stored
   std::size_t most_patch_triangles = 40000;  ///< a patch that would need more is made of larger triangles

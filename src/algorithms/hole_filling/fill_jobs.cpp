@@ -58,6 +58,7 @@ std::vector<FillJob> make_jobs(std::span<const Hole> holes, const FillOptions& o
       if (both && !bridged[hole.id] && !bridged[other]) together.merge(hole.id, other);
     }
   }
+  const bool takes_outer = options.selection == Selection::All || options.selection == Selection::AllButLargest;
   std::vector<FillJob> jobs;
   for (std::vector<Index>& group : together.lists()) {
     const Index first = group.front();
@@ -68,7 +69,7 @@ std::vector<FillJob> make_jobs(std::span<const Hole> holes, const FillOptions& o
     for (const HoleRequest& request : options.requests) {
       if (!names_any(request, job.holes)) continue;
       apply(request, job.wish);
-      if (shapes(request) || request.fill == true) job.is_cap = false;
+      if (shapes(request) || (request.fill == true && !takes_outer)) job.is_cap = false;
     }
     if (!job.bridge) job.strays = strays_among(holes, job.holes);
     jobs.push_back(std::move(job));
