@@ -135,15 +135,24 @@ void start_watch() {
   setitimer(ITIMER_PROF, &limit, nullptr);
 }
 
-/// Inputs from `next` on, in this process. @return how many faults were found
-int run_inputs(const MutationSystem& system, std::atomic<std::uint64_t>& next, std::uint64_t end,
-               const std::filesystem::path& folder) {
+/// Where a child process is and what it found, so that its parent knows when it is gone.
+struct Shared {
+  std::atomic<std::uint64_t> next, found;
+};
+
+Shared& shared_counts() {
+  void* page = mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (page == MAP_FAILED) std::abort();
+  return *new (page) Shared{};
+}
+
+/// Inputs from `shared.next` on, in this process.
+void run_inputs(const MutationSystem& system, Shared& shared, std::uint64_t end, const std::filesystem::path& folder) {
   const Registry registry = all_operations();
   const Commands commands = cli::all_commands(registry);
-  int found = 0;
-  for (; next < end; ++next) {
-    const MutatedInput input = write_mutated_input(system, next, folder);
-    std::printf("%s %llu:%s\n", system.name.c_str(), static_cast<unsigned long long>(next.load()),
+  for (; shared.next < end; ++shared.next) {
+    const MutatedInput input = write_mutated_input(system, shared.next, folder);
+    std::printf("%s %llu:%s\n", system.name.c_str(), static_cast<unsigned long long>(shared.next.load()),
                 text_of(input.arguments).c_str());
     std::fflush(stdout);
     start_watch();
@@ -152,54 +161,44 @@ int run_inputs(const MutationSystem& system, std::atomic<std::uint64_t>& next, s
       std::filesystem::remove(input.file);
       continue;
     }
-    ++found;
+    ++shared.found;
     std::printf("FOUND %s\n", fault.c_str());
   }
   std::fflush(stdout);
-  return found;
-}
-
-/// Where a child process is, so that its parent knows when it is gone.
-std::atomic<std::uint64_t>& shared_number() {
-  void* page =
-      mmap(nullptr, sizeof(std::atomic<std::uint64_t>), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (page == MAP_FAILED) std::abort();
-  return *new (page) std::atomic<std::uint64_t>;
 }
 
 /// @return how many faults were found, those included that ended a process
-int run_numbers(const MutationSystem& system, std::uint64_t first, std::uint64_t count,
-                const std::filesystem::path& folder) {
+std::uint64_t run_numbers(const MutationSystem& system, std::uint64_t first, std::uint64_t count,
+                          const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  std::atomic<std::uint64_t>& next = shared_number();
-  int found = 0;
-  for (next = first; next < first + count;) {
+  Shared& shared = shared_counts();
+  for (shared.next = first; shared.next < first + count; ++shared.next) {
+    std::fflush(stdout);  // or the child prints once more what still waits to be printed
     const pid_t child = fork();
     if (child == 0) {
       const rlimit memory{most_memory, most_memory};
       if (!is_sanitized) setrlimit(RLIMIT_AS, &memory);
-      std::_Exit(std::min(run_inputs(system, next, first + count, folder), 100));
+      run_inputs(system, shared, first + count, folder);
+      std::_Exit(EXIT_SUCCESS);
     }
     int status = 0;
     waitpid(child, &status, 0);
-    if (next >= first + count) {
-      found += WIFEXITED(status) ? WEXITSTATUS(status) : 1;
-      break;
-    }
+    if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS) break;
     const bool slow = WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF;
     std::printf("FOUND %s\n", slow ? "it takes too long" : "the program ended");
-    ++found;
-    ++next;
+    ++shared.found;
   }
-  std::printf("%s: %llu inputs from %llu on, %d findings\n", system.name.c_str(),
-              static_cast<unsigned long long>(count), static_cast<unsigned long long>(first), found);
+  const std::uint64_t found = shared.found;
+  std::printf("%s: %llu inputs from %llu on, %llu findings\n", system.name.c_str(),
+              static_cast<unsigned long long>(count), static_cast<unsigned long long>(first),
+              static_cast<unsigned long long>(found));
   return found;
 }
 
-int run_files(const MutationSystem& system, const Arguments& files) {
+std::uint64_t run_files(const MutationSystem& system, const Arguments& files) {
   const Registry registry = all_operations();
   const Commands commands = cli::all_commands(registry);
-  int found = 0;
+  std::uint64_t found = 0;
   for (const std::string& file : files) {
     for (const Arguments& arguments : commands_on(system, file)) {
       std::printf("%s:%s\n", system.name.c_str(), text_of(arguments).c_str());
@@ -214,7 +213,7 @@ int run_files(const MutationSystem& system, const Arguments& files) {
   return found;
 }
 
-int run_mutations(const Arguments& arguments) {
+std::uint64_t run_mutations(const Arguments& arguments) {
   for (const MutationSystem& system : mutation_systems()) {
     if (arguments.size() < 2 || system.name != arguments[0]) continue;
     std::uint64_t first = 0, count = 0;

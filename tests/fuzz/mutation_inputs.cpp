@@ -127,6 +127,16 @@ Arguments arguments_of(std::string command, const std::string& input) {
   return arguments;
 }
 
+/// Meshes of millions of triangles by request would only take the run's time.
+void ask_for_few_samples(Arguments& arguments) {
+  constexpr std::uint64_t most = 60;
+  for (std::size_t at = 1; at < arguments.size(); ++at) {
+    std::uint64_t samples = 0;
+    if (arguments[at - 1] == "--samples" && read_number(arguments[at], samples) && samples > most)
+      arguments[at] = std::to_string(most);
+  }
+}
+
 }  // namespace
 
 const std::vector<MutationSystem>& mutation_systems() {
@@ -177,7 +187,9 @@ MutatedInput write_mutated_input(const MutationSystem& system, std::uint64_t see
     const std::size_t options = std::min(command.find(" -o"), command.size());
     command = command.substr(0, options) + mutated_text(command.substr(options), TextSyntax::Lines, random);
   }
-  return {input, arguments_of(command, input.string())};
+  Arguments arguments = arguments_of(command, input.string());
+  ask_for_few_samples(arguments);
+  return {input, std::move(arguments)};
 }
 
 std::vector<Arguments> commands_on(const MutationSystem& system, const std::filesystem::path& input) {
