@@ -40,7 +40,10 @@ ObjectPicker::Hit ObjectPicker::at(const std::vector<WorkObject>& objects, const
   for (const WorkObject& object : objects) {
     if (!object.visible || !object.shown() || object.shown()->face_count() == 0) continue;
     const Affine3 to_model = object.placement.map();
-    const auto hit = picker_of(object).face_under(seen_from(frame, to_model).ray(pixel));
+    const Ray own_ray = seen_from(frame, to_model).ray(pixel);
+    const auto kept = kept_.find(object.node);
+    const bool is_kept = kept != kept_.end() && kept->second.mesh == object.shown();
+    const auto hit = is_kept ? kept->second.picker->face_under(own_ray) : face_under(*object.shown(), own_ray);
     const Vec3 place = hit ? to_model(hit->place) : Vec3();
     if (!hit || (place - ray.origin).norm() >= distance) continue;
     distance = (place - ray.origin).norm();

@@ -7,6 +7,7 @@
 
 #include "croquis/geometry/polyline.h"
 #include "croquis/mesh_editing/mesh_selection.h"
+#include "tools/pointer/face_hit.h"
 #include "tools/pointer/face_tree.h"
 #include "tools/pointer/query_threads.h"
 #include "tools/pointer/seen_faces.h"
@@ -293,6 +294,25 @@ std::vector<Index> MeshPicker::in_box(const ViewFrame& frame, const PickBox& box
     if (found[element] != 0) elements.push_back(element);
   }
   return elements;
+}
+
+std::optional<PickedElement> face_under(const PolyMesh& mesh, const Ray& ray) {
+  struct Nearest {
+    double distance = std::numeric_limits<double>::infinity();
+    Index face = no_index;
+  };
+  const FaceHit meets(ray);
+  std::vector<Nearest> parts((mesh.face_count() + elements_at_once - 1) / elements_at_once);
+  for_each_part(mesh.face_count(), elements_at_once, query_threads(), [&](std::size_t begin, std::size_t end) {
+    Nearest& nearest = parts[begin / elements_at_once];
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto distance = meets.distance(mesh, static_cast<Index>(i));
+      if (distance && *distance >= 0 && *distance < nearest.distance) nearest = {*distance, static_cast<Index>(i)};
+    }
+  });
+  const auto nearest = std::ranges::min_element(parts, {}, &Nearest::distance);
+  if (nearest == parts.end() || nearest->face == no_index) return std::nullopt;
+  return PickedElement{nearest->face, ray.at(nearest->distance), nearest->distance, 0};
 }
 
 }  // namespace croquis

@@ -65,10 +65,10 @@ double first_triangle_hit(const PolyMesh& triangles, const Ray& ray) {
   return best;
 }
 
-TEST_CASE("the tree finds the same first face as trying every triangle") {
+TEST_CASE("the tree and the look at every face without it find the face that trying every triangle finds") {
   test::Random random(7);
-  for (const PolyMesh& mesh :
-       {test::triangulated(test::torus(24, 16)), test::random_soup(3, 700), test::uv_sphere(3, 2)}) {
+  for (const PolyMesh& mesh : {test::triangulated(test::torus(24, 16)), test::random_soup(3, 700),
+                               test::random_soup(4, 20'000), test::uv_sphere(3, 2)}) {
     Scene scene{test::triangulated(mesh)};
     for (int i = 0; i < 400; ++i) {
       const Vec3 eye = 4 * random_direction(random);
@@ -76,8 +76,12 @@ TEST_CASE("the tree finds the same first face as trying every triangle") {
       const Ray ray{eye, (target - eye).normalized()};
       const double expected = first_triangle_hit(*scene.mesh, ray);
       const auto hit = scene.picker.face_under(ray);
+      const auto without = face_under(*scene.mesh, ray);
       REQUIRE(hit.has_value() == (expected < 1e300));
+      REQUIRE(without.has_value() == hit.has_value());
       if (!hit) continue;
+      CHECK(without->element == hit->element);
+      CHECK(without->distance == hit->distance);
       CHECK(hit->distance == Approx(expected).epsilon(1e-9));
       CHECK((hit->place - ray.at(hit->distance)).norm() == 0);
     }
