@@ -111,7 +111,8 @@ struct CellChange {
   void operator()(std::monostate) const {}
   void operator()(std::int64_t& number) const {
     constexpr std::array<std::int64_t, 6> numbers = {0, -1, 2147483648, INT64_MAX, INT64_MIN, 1000000};
-    number = random.below(2) == 0 ? number + random.below(3) - 1 : numbers[random.below(numbers.size())];
+    const std::uint64_t moved = static_cast<std::uint64_t>(number) + random.below(3) - 1;  // may wrap round
+    number = random.below(2) == 0 ? static_cast<std::int64_t>(moved) : numbers[random.below(numbers.size())];
   }
   void operator()(double& number) const { number = extreme_number(random); }
   void operator()(std::string& text) const { text = mutated_text(text, TextSyntax::Lines, random); }
