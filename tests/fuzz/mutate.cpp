@@ -183,7 +183,8 @@ std::uint64_t run_numbers(const MutationSystem& system, std::uint64_t first, std
     }
     int status = 0;
     waitpid(child, &status, 0);
-    if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS) break;
+    // A command that ends the process in the middle is a fault too, whatever status it gives.
+    if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS && shared.next >= first + count) break;
     const bool slow = WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF;
     std::printf("FOUND %s\n", slow ? "it takes too long" : "the program ended");
     ++shared.found;

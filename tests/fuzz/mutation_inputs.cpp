@@ -127,12 +127,13 @@ Arguments arguments_of(std::string command, const std::string& input) {
   return arguments;
 }
 
-/// Meshes of millions of triangles by request would only take the run's time.
+/// Meshes of millions of triangles by request would only take the run's time. What is refused anyway stays.
 void ask_for_few_samples(Arguments& arguments) {
-  constexpr std::uint64_t most = 60;
+  constexpr std::uint64_t most = 60, most_allowed = 1024;
   for (std::size_t at = 1; at < arguments.size(); ++at) {
     std::uint64_t samples = 0;
-    if (arguments[at - 1] == "--samples" && read_number(arguments[at], samples) && samples > most)
+    if (arguments[at - 1] == "--samples" && read_number(arguments[at], samples) && samples > most &&
+        samples <= most_allowed)
       arguments[at] = std::to_string(most);
   }
 }

@@ -7,12 +7,15 @@
 
 namespace croquis::app {
 
+MeshPicker* ObjectPicker::known_picker(const WorkObject& object) const {
+  const auto kept = kept_.find(object.node);
+  return kept != kept_.end() && kept->second.mesh == object.shown() ? kept->second.picker.get() : nullptr;
+}
+
 MeshPicker& ObjectPicker::picker_of(const WorkObject& object) {
+  if (MeshPicker* known = known_picker(object)) return *known;
   Kept& kept = kept_[object.node];
-  if (kept.mesh != object.shown()) {
-    kept.mesh = object.shown();
-    kept.picker = std::make_unique<MeshPicker>(kept.mesh);
-  }
+  kept = {object.shown(), std::make_unique<MeshPicker>(object.shown())};
   return *kept.picker;
 }
 
@@ -41,9 +44,8 @@ ObjectPicker::Hit ObjectPicker::at(const std::vector<WorkObject>& objects, const
     if (!object.visible || !object.shown() || object.shown()->face_count() == 0) continue;
     const Affine3 to_model = object.placement.map();
     const Ray own_ray = seen_from(frame, to_model).ray(pixel);
-    const auto kept = kept_.find(object.node);
-    const bool is_kept = kept != kept_.end() && kept->second.mesh == object.shown();
-    const auto hit = is_kept ? kept->second.picker->face_under(own_ray) : face_under(*object.shown(), own_ray);
+    MeshPicker* picker = known_picker(object);
+    const auto hit = picker != nullptr ? picker->face_under(own_ray) : face_under(*object.shown(), own_ray);
     const Vec3 place = hit ? to_model(hit->place) : Vec3();
     if (!hit || (place - ray.origin).norm() >= distance) continue;
     distance = (place - ray.origin).norm();

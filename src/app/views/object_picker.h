@@ -11,7 +11,7 @@
 
 namespace croquis::app {
 
-/// Finds whole objects in a view. What it needs of a mesh is made when it is first asked about.
+/// Finds whole objects in a view. Pickers are made when the vertices of a mesh are first asked for.
 class ObjectPicker {
  public:
   /// A place of an object's surface.
@@ -30,6 +30,8 @@ class ObjectPicker {
   static std::vector<NodeId> in_box(const std::vector<WorkObject>& objects, const ViewFrame& frame, const PickBox& box);
 
  private:
+  /// Null when there is none for the object as it is.
+  MeshPicker* known_picker(const WorkObject& object) const;
   MeshPicker& picker_of(const WorkObject& object);
 
   struct Kept {
