@@ -4,10 +4,10 @@
 #include <array>
 #include <iostream>
 
-#include "cli/offscreen_context.h"
 #include "croquis/base/error.h"
 #include "croquis/io/file.h"
 #include "croquis/io/png.h"
+#include "croquis/render/offscreen_context.h"
 #include "croquis/render/picture.h"
 
 int main(int argc, char** argv) try {
@@ -18,7 +18,7 @@ int main(int argc, char** argv) try {
   pyramid.add_face(std::array<Index, 4>{3, 2, 1, 0});
   for (Index side = 0; side < 4; ++side) pyramid.add_triangle(side, (side + 1) % 4, 4);
 
-  const cli::OffscreenContext context;
+  const render::OffscreenContext context;
   render::Renderer renderer;
   const std::vector<render::MeshItemPtr> items = {render::make_mesh_item(pyramid)};
   const render::PictureSize size{400, 300};

@@ -388,7 +388,7 @@ TEST_CASE("disabled entries of menus are fainter than enabled ones", "[window]")
   CHECK(faint < 0.6 * plain);
 }
 
-TEST_CASE("pictures without a window are drawn while the window's thread is held up", "[window]") {
+TEST_CASE("pictures without a window are drawn while the window's thread is held up", "[pictures]") {
   app::OffscreenPictures pictures;
   const std::vector<render::Shown<render::MeshItem>> items{render::make_mesh_item(test::cube())};
   const auto drawn = [&] { return pictures.draw_small(items, render::NamedView::Perspective, {64, 48}); };
@@ -398,6 +398,27 @@ TEST_CASE("pictures without a window are drawn while the window's thread is held
   CHECK(picture.size() == QSize(64, 48));
   CHECK(picture.pixelColor(32, 24) != picture.pixelColor(0, 24));
   CHECK(drawn() == picture);
+}
+
+// Mesa's software driver of Debian 12 looks into the frames of every context on a display, also those of other threads.
+TEST_CASE("pictures without a window are drawn beside the views", "[pictures]") {
+  StudioFixture hand;
+  hand.open_cage("mug");
+  app::OffscreenPictures pictures;
+  const std::vector<render::Shown<render::MeshItem>> items{render::make_mesh_item(test::uv_sphere(24, 16))};
+  const auto drawn = [&] { return pictures.draw_small(items, render::NamedView::Perspective, {320, 240}); };
+  const QImage expected = drawn();
+  std::future<int> others = std::async(std::launch::async, [&] {
+    int same = 0;
+    for (int k = 0; k < 40; ++k) same += drawn() == expected ? 1 : 0;
+    return same;
+  });
+  const QPointF middle = hand.viewport().pane(app::PerspectiveView).rect.center();
+  for (int k = 0; others.wait_for(std::chrono::seconds(0)) != std::future_status::ready; ++k) {
+    hand.drag_pixels(middle, middle + QPointF(k % 2 == 0 ? 40 : -40, 0), Qt::LeftButton, Qt::AltModifier);
+    QTest::qWait(1);
+  }
+  CHECK(others.get() == 40);
 }
 
 TEST_CASE("a new sketch frees what the old one took", "[window]") {

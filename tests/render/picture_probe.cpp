@@ -9,15 +9,15 @@
 #include <catch2/catch.hpp>
 #include <epoxy/gl.h>
 
-#include "cli/offscreen_context.h"
 #include "croquis/base/error.h"
+#include "croquis/render/offscreen_context.h"
 
 namespace croquis::test {
 namespace {
 
 std::optional<std::string> reason_without_context() {
   try {
-    const cli::OffscreenContext context;
+    const render::OffscreenContext context;
     return std::nullopt;
   } catch (const Error& error) {
     return error.what();
@@ -31,7 +31,7 @@ void with_renderer(const std::function<void(render::Renderer&)>& test) {
     WARN("Skipped: " << *reason);
     return;
   }
-  const cli::OffscreenContext context;
+  const render::OffscreenContext context;
   render::Renderer renderer;
   test(renderer);
 }

@@ -2,18 +2,15 @@
 #include "app/views/offscreen_pictures.h"
 
 #include <QBuffer>
-#include <QOffscreenSurface>
-#include <QOpenGLContext>
 #include <exception>
 #include <utility>
 
-#include "croquis/base/error.h"
+#include "croquis/render/offscreen_context.h"
 #include "croquis/render/picture.h"
 #include "croquis/render/renderer.h"
 
 namespace croquis::app {
-OffscreenPictures::OffscreenPictures() : surface_(std::make_unique<QOffscreenSurface>()) {
-  surface_->create();
+OffscreenPictures::OffscreenPictures() {
   in_thread_.moveToThread(&thread_);
   thread_.start();
 }
@@ -30,11 +27,7 @@ OffscreenPictures::~OffscreenPictures() {
 
 void OffscreenPictures::require_renderer() {
   if (renderer_) return;
-  auto context = std::make_unique<QOpenGLContext>();
-  if (!context->create() || !context->makeCurrent(surface_.get())) {
-    throw Error(make_error(Category::Internal, "E_GL", "No OpenGL context can be made: try --software-gl"));
-  }
-  context_ = std::move(context);
+  context_ = std::make_unique<render::OffscreenContext>();
   renderer_ = std::make_unique<render::Renderer>();
 }
 

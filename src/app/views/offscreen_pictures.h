@@ -12,12 +12,10 @@
 #include "croquis/render/render_options.h"
 #include "croquis/render/scene.h"
 
-class QOffscreenSurface;
-class QOpenGLContext;
-
 namespace croquis::render {
+class OffscreenContext;
 class Renderer;
-}
+}  // namespace croquis::render
 
 namespace croquis::app {
 
@@ -25,12 +23,11 @@ namespace croquis::app {
 /// them as well as the window's; its context is made there when the first picture is asked for.
 class OffscreenPictures {
  public:
-  /// In the window's thread: surfaces belong there.
   OffscreenPictures();
   ~OffscreenPictures();
 
   /// Returns when the picture is there. Called from any thread.
-  /// @throws Error (E_GL, E_PICTURE_SIZE)
+  /// @throws Error (E_NO_GL, E_GL, E_PICTURE_SIZE)
   QImage draw(const std::vector<render::Shown<render::MeshItem>>& items, const render::Camera& camera,
               const render::RenderOptions& options, const QSize& size);
 
@@ -41,10 +38,9 @@ class OffscreenPictures {
  private:
   void require_renderer();
 
-  std::unique_ptr<QOffscreenSurface> surface_;
   QThread thread_;
-  QObject in_thread_;                        ///< lives in that thread, as the following do
-  std::unique_ptr<QOpenGLContext> context_;  ///< current there all the time
+  QObject in_thread_;                                  ///< lives in that thread, as the following do
+  std::unique_ptr<render::OffscreenContext> context_;  ///< current there all the time
   std::unique_ptr<render::Renderer> renderer_;
 };
 

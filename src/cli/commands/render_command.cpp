@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "cli/files.h"
-#include "cli/offscreen_context.h"
 #include "croquis/base/error.h"
 #include "croquis/io/png.h"
+#include "croquis/render/offscreen_context.h"
 #include "croquis/render/picture.h"
 
 namespace croquis::cli {
@@ -103,7 +103,7 @@ void RenderCommand::run(const Invocation& invocation, CommandResult& result, Pro
   const PolyMesh mesh = read_input_mesh(invocation, false, result, reading);
 
   Progress drawing = progress.step("draw", 0.5);
-  const OffscreenContext context;
+  const render::OffscreenContext context;
   render::Renderer renderer;
   render::MeshItemOptions looks;
   looks.use_normal_channel = true;  // as the file has them, where it has any

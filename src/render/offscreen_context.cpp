@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/offscreen_context.h"
+#include "croquis/render/offscreen_context.h"
 
 #include <string>
 #include <string_view>
@@ -9,7 +9,7 @@
 
 #include "croquis/base/error.h"
 
-namespace croquis::cli {
+namespace croquis::render {
 namespace {
 
 [[noreturn]] void throw_no_gl(const std::string& missing) {
@@ -76,4 +76,4 @@ OffscreenContext::OffscreenContext() : handles_(std::make_unique<Handles>()) {
 
 OffscreenContext::~OffscreenContext() = default;
 
-}  // namespace croquis::cli
+}  // namespace croquis::render
