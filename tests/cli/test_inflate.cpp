@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <csignal>
 #include <set>
 #include <sstream>
 #include <tuple>
@@ -281,7 +282,9 @@ TEST_CASE("running out of time or memory is exit code 5, an interrupt 130, and n
     INFO(size);
     if (!is_sanitized) CHECK(run_cli(with({"--max-memory", size})).code == 5);
   }
-  CHECK(run_cli(with({}), {.interrupt_after_ms = 120}).code == 130);
+  // On a busy machine the signal may come before the program listens: shells show 130 for that, too.
+  const int interrupted = run_cli(with({}), {.interrupt_after_ms = 120}).code;
+  CHECK((interrupted == 130 || interrupted == -SIGINT));
   CHECK(folder.names().empty());
 }
 
