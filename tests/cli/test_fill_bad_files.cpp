@@ -14,6 +14,7 @@
 #include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 #include "support/sample_count.h"
+#include "support/sanitizers.h"
 #include "support/scans/scans.h"
 
 /// Files as strangers have them, damaged in every way: none crashes, hangs, eats memory or leaves something behind.
@@ -22,10 +23,11 @@ namespace {
 
 const Words formats = {"ply", "obj", "off", "stl"};
 
-/// Exit code 3 with a finding that names the file, in 200 MB, and nothing written.
+/// Exit code 3 with a finding that names the file, in under a second (× slowness) and 200 MB, and nothing written.
 void check_refused(const ScratchFolder& folder, const std::string& input) {
   const ProcessResult result = run_cli({"fill", input, "-o", folder / "out.ply", "--json"});
   CHECK(result.code == 3);
+  CHECK(result.cpu_seconds < slowness);
   CHECK(result.peak_kilobytes < 200 * 1024);
   const Json json = Json::parse(result.out);
   REQUIRE(json["errors"].size() > 0);
@@ -67,6 +69,7 @@ TEST_CASE("files with bytes changed at random are filled or refused, never worse
       const std::string input = folder.write("scan." + format, damaged);
       const ProcessResult result = run_cli({"fill", input, "-o", folder / "out.ply", "--json", "--select", "all"});
       CHECK((result.code == 0 || result.code == 3 || result.code == 4));
+      CHECK(result.cpu_seconds < 5 * slowness);
       CHECK(result.peak_kilobytes < 200 * 1024);
       CHECK_FALSE(Json::parse(result.out).is_null());
       CHECK((result.code == 0) == std::filesystem::exists(folder / "out.ply"));
@@ -130,6 +133,7 @@ TEST_CASE("a model of one point, of a line, or of faces without area is told or 
     const std::string input = folder.write("line.obj", line);
     const ProcessResult result = run_cli({"fill", input, "-o", folder / "line.ply", "--json", "--select", "all"});
     CHECK((result.code == 0 || result.code == 3));
+    CHECK(result.cpu_seconds < slowness);
   }
 }
 
