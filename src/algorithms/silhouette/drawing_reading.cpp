@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstdio>
+#include <cstdlib>
 #include <cstdint>
 #include <iterator>
 #include <utility>
@@ -11,7 +13,13 @@
 #include "algorithms/silhouette/figure/contour_completion.h"
 #include "algorithms/silhouette/figure/drawing_parts.h"
 #include "algorithms/silhouette/figure/nested_outlines.h"
+#include "algorithms/silhouette/reading/reading_lines.h"
+#include "algorithms/silhouette/strokes/doubled_lines.h"
+#include "algorithms/silhouette/strokes/drawing_findings.h"
 #include "algorithms/silhouette/strokes/told_hidden.h"
+#include "algorithms/silhouette/strokes/tremble.h"
+#include "algorithms/silhouette/strokes/visible_crossings.h"
+#include "croquis/base/error.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -67,47 +75,116 @@ void mark_whole_outlines(LabelledDrawing& labelled) {
   }
 }
 
-}  // namespace
+// So many readings are tried before all but what lines enclose is given up.
+constexpr int most_readings = 8;
 
-ReadStrokes read_strokes(const Drawing& drawing, const Options& options, const StrokeReading& reading,
-                         Progress& progress) {
-  ReadStrokes read;
-  read.clean = clean_strokes(drawing, options.strokes, reading, progress.step("cleaning strokes", 0.5));
-  std::vector<CleanLine>& lines = read.clean.lines;
-  const DrawingScale& scale = read.clean.scale;
-  const Progress finding = progress.step("finding junctions", 0.5);
-  const std::vector<std::array<bool, 2>> loose = meet_bars(lines, reading, scale, finding);
-  if (options.strokes.crossings == Crossings::Front) {
-    read.crossed = cut_visible_crossings(drawing, lines, loose, scale, finding);
-  }
-  ToldHidden told = told_hidden(drawing, read.clean.hidden, lines, scale);
-  std::vector<HiddenPiece>& pieces = read.crossed.pieces;
-  pieces.insert(pieces.end(), told.pieces.begin(), told.pieces.end());
-  read.junctions = find_junctions(drawing, lines, reading, std::move(pieces), scale, finding);
-  std::move(told.findings.begin(), told.findings.end(), std::back_inserter(read.junctions.findings));
-  extend_behind_bars(lines, read.junctions.ends, scale);
-  bring_into_general_position(lines, scale.step);
-  return read;
+void append(Findings from, Findings& to) { std::move(from.begin(), from.end(), std::back_inserter(to)); }
+
+Finding crosses_itself(const Drawing& drawing, const CleanLine& line, const Vec2& place) {
+  return make_warning(Category::Geometry, "W_CROSS",
+                      in_quotes(drawing, line.strokes.front()) +
+                          " crosses itself: its two sides are read as lying beside one another there",
+                      {stroke_subject(drawing, line.strokes.front(), place), crossing_subject(drawing, place)});
 }
 
-LabelledDrawing label_strokes(const Drawing& drawing, const Options& options, const ReadStrokes& read,
-                              Progress& progress) {
-  const std::vector<CleanLine>& lines = read.clean.lines;
-  const FigureContext context{drawing, options,        read.clean.scale,
-                              lines,   read.junctions, completion_reference(lines, read.junctions)};
-  LabelledDrawing result = label_parts(context, read.junctions.findings, progress);
-  result.crossings = read.crossed.pairs;
-  mark_whole_outlines(result);
-  Findings findings = read.clean.findings;
-  findings.insert(findings.end(), read.crossed.findings.begin(), read.crossed.findings.end());
-  for (const LineFinding& found : read.junctions.findings) findings.push_back(found.finding);
-  std::move(result.findings.begin(), result.findings.end(), std::back_inserter(findings));
-  for (const LabelledFigure& figure : result.figures) {
-    Findings notes = nested_findings(drawing, figure);
-    std::move(notes.begin(), notes.end(), std::back_inserter(findings));
+/// Everything that doesn't depend on the reading.
+struct Material {
+  const Drawing& drawing;
+  const Options& options;
+  SampledDrawing sampled;
+  Connections connections;
+  Envelope envelope;
+};
+
+LabelledDrawing label_reading(const Material& material, const Reading& reading, const Progress& progress) {
+  const Drawing& drawing = material.drawing;
+  DrawingScale scale = material.sampled.scale;
+  const StrokeOptions& options = material.options.strokes;
+  ContourLines contours = contour_lines(drawing, material.sampled, material.connections, material.envelope, reading,
+                                        options.smoothing_passes, progress);
+  std::vector<CleanLine>& lines = contours.lines;
+  Findings findings = material.sampled.findings;
+  append(std::move(contours.findings), findings);
+  if (options.reach_share > 0) scale.tremble = tremble_of(lines, scale.step);
+  for (CleanLine& line : lines) {
+    for (const Vec2& place : uncross(line, scale)) findings.push_back(crosses_itself(drawing, line, place));
   }
+  append(find_doubled_lines(drawing, lines, scale), findings);
+  const std::vector<MetBar> met = meet_bars(lines, contours.targets, scale);
+  VisibleCrossings crossed;
+  if (options.crossings == Crossings::Front) crossed = cut_visible_crossings(drawing, lines, scale, progress);
+  ToldHidden told = told_hidden(drawing, material.sampled.hidden, lines, scale);
+  std::vector<HiddenPiece> pieces = std::move(crossed.pieces);
+  pieces.insert(pieces.end(), told.pieces.begin(), told.pieces.end());
+  Junctions junctions = find_junctions(drawing, lines, met, std::move(pieces), scale, progress);
+  std::move(told.findings.begin(), told.findings.end(), std::back_inserter(junctions.findings));
+  extend_behind_bars(lines, junctions.ends, scale);
+  bring_into_general_position(lines, scale.step);
+
+  const FigureContext context{drawing, material.options, scale, lines, junctions, completion_reference(lines, junctions)};
+  Progress silent = progress.silent();
+  LabelledDrawing result = label_parts(context, junctions.findings, silent);
+  result.crossings = std::move(crossed.pairs);
+  mark_whole_outlines(result);
+  append(std::move(crossed.findings), findings);
+  for (LineFinding& found : junctions.findings) findings.push_back(std::move(found.finding));
+  append(std::move(result.findings), findings);
+  for (const LabelledFigure& figure : result.figures) append(nested_findings(drawing, figure), findings);
   result.findings = std::move(findings);
   return result;
+}
+
+/// The strokes that errors are about, as positions among the sampled ones.
+std::vector<Index> faulty_strokes(const Material& material, const Findings& findings) {
+  std::vector<Index> faulty;
+  for (Index s = 0; s < material.sampled.strokes.size(); ++s) {
+    const std::string& id = material.drawing.strokes[material.sampled.strokes[s].stroke].id;
+    const bool named = std::ranges::any_of(findings, [&](const Finding& finding) {
+      return finding.severity == Severity::Error && std::ranges::any_of(finding.subjects, [&](const Subject& subject) {
+               return subject.kind == SubjectKind::Stroke && subject.id == id;
+             });
+    });
+    if (named) faulty.push_back(s);
+  }
+  return faulty;
+}
+
+/// One warning for each stroke that no contour uses.
+Findings left_out(const Material& material, const Reading& reading) {
+  Findings findings;
+  for (Index s = 0; s < reading.kinds.size(); ++s) {
+    if (reading.kinds[s] == LineKind::Contour || reading.kinds[s] == LineKind::Region) continue;
+    const Index stroke = material.sampled.strokes[s].stroke;
+    findings.push_back(make_warning(Category::Geometry, "W_LEFT_OUT",
+                                    in_quotes(material.drawing, stroke) + " bounds nothing and was left out",
+                                    {stroke_subject(material.drawing, stroke)}));
+  }
+  return findings;
+}
+
+}  // namespace
+
+LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Progress& progress) {
+  Material material{drawing, options, sample_strokes(drawing, options.strokes), {}, {}};
+  material.connections = find_connections(material.sampled.strokes, material.sampled.scale, progress);
+  material.envelope = enclosed_regions(material.sampled.strokes);
+  progress.report(0.2);
+  ReadingProgram program(material.sampled.strokes, material.connections, material.envelope);
+  std::optional<LabelledDrawing> first;
+  for (int tried = 0; tried <= most_readings; ++tried) {
+    progress.check();
+    if (tried == most_readings) program.allow_regions_only();
+    const std::optional<Reading> reading = program.best();
+    if (!reading) continue;
+    LabelledDrawing labelled = label_reading(material, *reading, progress);
+    append(left_out(material, *reading), labelled.findings);
+    if (!has_errors(labelled.findings) && !labelled.figures.empty()) return labelled;
+    if (getenv("ROUNDS")) { std::fprintf(stderr, " round %d:", tried); for (Index s = 0; s < reading->kinds.size(); ++s) std::fprintf(stderr, " %s%c", drawing.strokes[material.sampled.strokes[s].stroke].id.c_str(), "CRDTI"[(int)reading->kinds[s]]); std::fprintf(stderr, "\n"); const auto name = [&](Index e) { const auto& q = material.connections.ends[e]; return drawing.strokes[material.sampled.strokes[q.stroke].stroke].id + (q.at_start ? "<" : ">"); }; for (auto& j : reading->joins) if (j.cost > 0.3) std::fprintf(stderr, "   join %s %s %.2f\n", name(j.a).c_str(), name(j.b).c_str(), j.cost); for (auto& m : reading->meetings) std::fprintf(stderr, "   T %s at %s %.2f side %d along %.1f\n", name(m.end).c_str(), drawing.strokes[material.sampled.strokes[m.bar].stroke].id.c_str(), m.cost, m.side, m.along); if (getenv("CAND") && tried == 0) { for (Index e = 0; e < material.connections.ends.size(); ++e) { std::fprintf(stderr, "  %s:", name(e).c_str()); for (auto& m : material.connections.meetings) if (m.end == e) std::fprintf(stderr, " T %s %.2f side %d along %.1f;", drawing.strokes[material.sampled.strokes[m.bar].stroke].id.c_str(), m.cost, m.side, m.along); for (auto& j : material.connections.joins) if (j.a == e || j.b == e) std::fprintf(stderr, " J %s %.2f;", name(j.a == e ? j.b : j.a).c_str(), j.cost); for (auto& h : material.connections.hidden) if (h.a == e || h.b == e) std::fprintf(stderr, " H %s %.2f;", name(h.a == e ? h.b : h.a).c_str(), h.cost); std::fprintf(stderr, "\n"); } for (Index s = 0; s < reading->kinds.size(); ++s) { std::fprintf(stderr, "  %s seen %.2f out %.2f sides", drawing.strokes[material.sampled.strokes[s].stroke].id.c_str(), material.envelope.seen[s], material.envelope.outside[s]); for (auto& r : material.envelope.regions) std::fprintf(stderr, " %.0f of %.0f", r.left[s], material.sampled.strokes[s].length); std::fprintf(stderr, "\n"); } }
+ for (auto& f : labelled.findings) if (f.severity == Severity::Error) std::fprintf(stderr, "     %s %s\n", f.code.c_str(), f.message.c_str()); }
+    program.exclude(*reading, faulty_strokes(material, labelled.findings));
+    if (!first) first = std::move(labelled);
+  }
+  return first ? *std::move(first) : LabelledDrawing{};
 }
 
 }  // namespace croquis::silhouette

@@ -1,29 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "algorithms/silhouette/strokes/junctions.h"
-#include "algorithms/silhouette/strokes/stroke_cleanup.h"
-#include "algorithms/silhouette/strokes/stroke_reading.h"
-#include "algorithms/silhouette/strokes/visible_crossings.h"
 #include "croquis/base/progress.h"
+#include "croquis/geometry/drawing.h"
 #include "croquis/silhouette/labelled_figure.h"
+#include "croquis/silhouette/options.h"
 
 namespace croquis::silhouette {
 
-/// A drawing's lines and what their ends pass behind, before anything is completed.
-struct ReadStrokes {
-  CleanDrawing clean;        ///< lines carried on behind their bars
-  VisibleCrossings crossed;  ///< its pieces are in the junctions
-  Junctions junctions;
-};
-
+/// Finds the best reading of a drawing that can be labelled: what its strokes are, which of their ends meet, what they
+/// pass behind, and what lies over what.
+///
+/// Readings are tried from the cheapest on (reading_program.h); one whose contours can't be labelled is excluded with
+/// what its errors name. After some, only what the lines enclose is taken, with all lines in it as details: that can
+/// always be labelled. Bounds are counts.
+/// @returns all findings; without any figure when none can be labelled
 /// @throws Error when no stroke can be used; Cancelled
-ReadStrokes read_strokes(const Drawing& drawing, const Options& options, const StrokeReading& reading,
-                         Progress& progress);
-
-/// Completes and labels what was read. All findings, those of the strokes first; without any figure when none can be
-/// labelled.
-LabelledDrawing label_strokes(const Drawing& drawing, const Options& options, const ReadStrokes& read,
-                              Progress& progress);
+LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Progress& progress);
 
 }  // namespace croquis::silhouette

@@ -2,7 +2,6 @@
 #include <utility>
 
 #include "algorithms/silhouette/drawing_reading.h"
-#include "algorithms/silhouette/reading_search.h"
 #include "algorithms/silhouette/stage.h"
 #include "croquis/base/error.h"
 #include "croquis/silhouette/labelled_figure.h"
@@ -11,14 +10,7 @@ namespace croquis::silhouette {
 namespace {
 
 LabelledDrawing label_anew(const Drawing& drawing, const Options& options, Progress& progress) {
-  Progress reading = progress.step("reading strokes", 0.4);
-  const ReadStrokes read = read_strokes(drawing, options, {}, reading);
-  Progress labelling = progress.step("labelling contours", 0.5);
-  LabelledDrawing result = label_strokes(drawing, options, read, labelling);
-  if (has_errors(result.findings) && reads_again(options.strokes)) {
-    const Progress again = progress.step("reading strokes again", 0.1);
-    result = read_again(drawing, options, std::move(result), read.clean.scale.tremble, again);
-  }
+  LabelledDrawing result = read_drawing(drawing, options, progress);
   if (result.figures.empty()) throw Error(result.findings);
   return result;
 }

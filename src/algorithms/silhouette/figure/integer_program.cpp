@@ -34,8 +34,10 @@ struct PlainProblem {
   const double* column_upper = nullptr;
   const double* cost = nullptr;
   int maximum_nodes = 0;
+  double gap = 0;
   double* values = nullptr;    ///< result
   int outcome = -1;            ///< 0 optimal, 1 infeasible, 2 limit, 3 GLPK failed
+  bool has_values = false;
   bool out_of_memory = false;  ///< why it failed
 };
 
@@ -78,7 +80,7 @@ void load(glp_prob* problem, const PlainProblem& plain) {
   glp_load_matrix(problem, plain.terms, plain.term_row, plain.term_column, plain.term_factor);
 }
 
-int run(glp_prob* problem, const PlainProblem& plain, NodeCount& nodes) {
+int run(glp_prob* problem, PlainProblem& plain, NodeCount& nodes) {
   glp_smcp simplex;
   glp_init_smcp(&simplex);
   simplex.msg_lev = GLP_MSG_OFF;
@@ -88,15 +90,18 @@ int run(glp_prob* problem, const PlainProblem& plain, NodeCount& nodes) {
   glp_iocp branching;
   glp_init_iocp(&branching);
   branching.msg_lev = GLP_MSG_OFF;
+  if (plain.gap > 0) branching.mip_gap = plain.gap;
   nodes.maximum = plain.maximum_nodes;
   branching.cb_func = count_node;
   branching.cb_info = &nodes;
   const int code = glp_intopt(problem, &branching);
-  if (nodes.reached || code == GLP_ESTOP) return 2;
-  if (code != 0) return 3;
-  if (glp_mip_status(problem) != GLP_OPT) return 1;
+  const bool stopped = nodes.reached || code == GLP_ESTOP;
+  if (code != 0 && code != GLP_EMIPGAP && !stopped) return 3;
+  const int status = glp_mip_status(problem);
+  if (status != GLP_OPT && status != GLP_FEAS) return stopped ? 2 : 1;
   for (int j = 1; j <= plain.columns; ++j) plain.values[j] = glp_mip_col_val(problem, j);
-  return 0;
+  plain.has_values = true;
+  return stopped ? 2 : 0;
 }
 
 /// GLPK's error hook must not return and may not throw through C: it jumps to where GLPK was called from. This frame
@@ -151,7 +156,7 @@ void IntegerProgram::fix(Index variable, double value) {
   variables_[variable].lower = variables_[variable].upper = value;
 }
 
-IntegerProgram::Solution IntegerProgram::solve(int maximum_nodes) const {
+IntegerProgram::Solution IntegerProgram::solve(int maximum_nodes, double gap) const {
   Solution solution;
   if (variables_.empty()) {
     solution.status = Status::Optimal;
@@ -192,8 +197,10 @@ IntegerProgram::Solution IntegerProgram::solve(int maximum_nodes) const {
                      column_upper.data(),
                      cost.data(),
                      maximum_nodes,
+                     gap,
                      values.data(),
                      -1,
+                     false,
                      false};
   std::thread(solve_plain, std::ref(plain)).join();
   if (plain.outcome == 3 && plain.out_of_memory) throw std::bad_alloc();
@@ -202,7 +209,7 @@ IntegerProgram::Solution IntegerProgram::solve(int maximum_nodes) const {
         make_error(Category::Internal, "E_INTERNAL", "The integer program of the labelling was refused by GLPK"));
   }
   solution.status = plain.outcome == 0 ? Status::Optimal : plain.outcome == 1 ? Status::Infeasible : Status::Limit;
-  if (plain.outcome != 0) return solution;
+  if (!plain.has_values) return solution;
   for (std::size_t j = 1; j < values.size(); ++j) solution.values.push_back(static_cast<int>(std::lround(values[j])));
   return solution;
 }

@@ -31,13 +31,14 @@ class IntegerProgram {
 
   struct Solution {
     Status status = Status::Infeasible;
-    std::vector<int> values;  ///< empty unless optimal
+    std::vector<int> values;  ///< of Limit: the best known, or empty
   };
 
   /// Branch and bound by GLPK, in a thread of its own: GLPK's environment belongs to the thread, so it can be thrown
   /// away, after an error too, without losing other problems. Prints nothing; bounds are counts.
+  /// @param gap solutions that may be better by this share at most count as optimal
   /// @throws Error (E_INTERNAL) when GLPK refuses the problem
-  Solution solve(int maximum_nodes) const;
+  Solution solve(int maximum_nodes, double gap = 0) const;
 
  private:
   struct Variable {

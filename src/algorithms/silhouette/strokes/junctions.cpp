@@ -10,10 +10,9 @@
 #include <optional>
 #include <string>
 
-#include "algorithms/silhouette/strokes/bar_search.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
-#include "algorithms/silhouette/strokes/ends_beside.h"
 #include "algorithms/silhouette/strokes/line_conflicts.h"
+#include "algorithms/silhouette/strokes/segment_grid.h"
 #include "algorithms/silhouette/strokes/tremble.h"
 
 namespace croquis::silhouette {
@@ -26,38 +25,93 @@ constexpr double extension = 1.5;
 // No sample lies nearer to the end of a trimmed line than this share of a step.
 constexpr double least_junction_spacing = 0.3;
 
-// Ends that touch nothing within reach are tried with so many times it.
-constexpr std::array<double, 3> farther_reach{1, 1.5, 2.25};
+// An end lies on its bar when it is no farther from it than this share of a step.
+constexpr double on_bar = 0.5;
 
-/// What an end meets that may miss it by more than usual: nothing farther than needed, unless it crosses something
-/// farther back.
-std::optional<BarHit> find_farther(const BarSearch& bars, Index line, bool at_start, EndReach reach) {
-  std::optional<BarHit> hit;
-  for (const double factor : farther_reach) {
-    reach.factor = factor;
-    if (!hit) hit = bars.find(line, at_start, reach);
+/// Where the end of a line meets another line.
+struct BarHit {
+  double along = 0;  ///< arc length from the end: negative on the line (overshoot), positive ahead of it
+  Index bar = 0;
+  double parameter = 0;  ///< on the bar
+  Vec2 at = Vec2::Zero();
+};
+
+using EndHits = std::vector<std::array<std::optional<BarHit>, 2>>;
+
+/// A line passes behind its own other parts, not behind its end.
+bool is_own_end(const CleanLine& line, bool at_start, Index position, double clear) {
+  double length = 0;
+  const Index count = line.segment_count();
+  for (Index i = 0; i < count && length < clear; ++i) {
+    const Index segment = at_start ? i : count - 1 - i;
+    if (segment == position) return true;
+    length += (line.points[segment + 1] - line.points[segment]).norm();
   }
-  const std::optional<BarHit> deep = bars.find(line, at_start, reach);
-  return deep && deep->along < 0 && (!hit || deep->along < hit->along) ? deep : hit;
+  return false;
 }
 
-/// @param most_back how far from its end a line is searched for what it crosses
-EndHits search(const std::vector<CleanLine>& lines, const StrokeReading& reading, const DrawingScale& scale,
-               double most_back, const Progress& progress) {
-  const BarSearch bars(lines, scale);
-  EndHits hits(lines.size());
-  const auto find = [&](Index line, bool at_start) {
-    const Index stroke = lines[line].end_stroke(at_start);
-    const bool farther = std::find(reading.farther.begin(), reading.farther.end(), stroke) != reading.farther.end();
-    EndReach reach{most_back, 1, {}};
-    for (const EndElsewhere& told : reading.elsewhere) {
-      if (told.end == StrokeEnd{stroke, at_start}) reach.elsewhere.push_back(told.bar);
+/// The place on its bar that is nearest to where an end was seen to meet it: what its last bit crosses, what lies ahead
+/// of it, or what lies beside it.
+std::optional<BarHit> hit_of(const std::vector<CleanLine>& lines, Index line, bool at_start, const EndTarget& target,
+                             double step) {
+  Points own = lines[line].points;
+  if (!at_start) std::reverse(own.begin(), own.end());
+  const double far = std::max(3 * target.miss, 4 * step);
+  const Vec2 ahead = own.front() + far * end_tangent(own, true, tangent_steps * step);
+  const CleanLine& bar = lines[target.bar];
+  std::optional<BarHit> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (Index i = 0; i < bar.segment_count(); ++i) {
+    if (target.bar == line && is_own_end(bar, at_start, i, far)) continue;
+    const Vec2& a = bar.points[i];
+    const Vec2& b = bar.points[(i + 1) % bar.points.size()];
+    const auto consider = [&](double along, const Vec2& at, double more) {
+      const double distance = (at - target.at).norm() + more;
+      if (distance >= least) return;
+      least = distance;
+      best = BarHit{along, target.bar, i + std::min(nearest_parameter(at, a, b), 1 - 1e-9), at};
+    };
+    double walked = 0;
+    for (std::size_t k = 0; k + 1 < own.size() && walked < far; ++k) {
+      const Vec2 piece = own[k + 1] - own[k];
+      if (cross_properly(own[k], own[k + 1], a, b)) {
+        const double fraction = crossing_fraction(own[k], own[k + 1], a, b);
+        consider(-(walked + fraction * piece.norm()), own[k] + fraction * piece, 0);
+      }
+      walked += piece.norm();
     }
-    return farther ? find_farther(bars, line, at_start, reach) : bars.find(line, at_start, reach);
-  };
+    if (cross_properly(own.front(), ahead, a, b)) {
+      const double fraction = crossing_fraction(own.front(), ahead, a, b);
+      consider(fraction * far, own.front() + fraction * (ahead - own.front()), step / 2);
+    }
+    const Vec2 nearest = a + nearest_parameter(own.front(), a, b) * (b - a);
+    consider((nearest - own.front()).norm(), nearest, step + (nearest - own.front()).norm());
+  }
+  return best;
+}
+
+/// The line on which an end lies.
+EndHits lines_at_ends(const std::vector<CleanLine>& lines, const DrawingScale& scale) {
+  const double reach = on_bar * scale.step;
+  const SegmentGrid grid(line_segments(lines), scale.step, reach);
+  EndHits hits(lines.size());
   for (Index line = 0; line < lines.size(); ++line) {
-    progress.check();
-    if (!lines[line].closed) hits[line] = {find(line, true), find(line, false)};
+    for (const bool at_start : {true, false}) {
+      if (lines[line].closed) continue;
+      const Vec2& place = lines[line].end(at_start);
+      const Vec2 around = Vec2::Constant(reach);
+      double least = reach;
+      grid.near_box(place - around, place + around, [&](Index i) {
+        const GridSegment& segment = grid.segments()[i];
+        if (segment.line == line && is_own_end(lines[line], at_start, segment.position, 3 * scale.step)) return;
+        const double fraction = nearest_parameter(place, segment.a, segment.b);
+        const Vec2 nearest = segment.a + fraction * (segment.b - segment.a);
+        const double distance = (nearest - place).norm();
+        if (distance >= least) return;
+        least = distance;
+        hits[line][at_start ? 0 : 1] = BarHit{distance, segment.line, segment.position + std::min(fraction, 1 - 1e-9), nearest};
+      });
+    }
   }
   return hits;
 }
@@ -142,7 +196,7 @@ double current_parameter(const CleanLine& bar, double parameter, const Vec2& at)
 
 /// The junction of a line that ends on its bar.
 HiddenEnd junction(const std::vector<CleanLine>& lines, Index line, bool at_start, const BarHit& hit,
-                   const DrawingScale& scale) {
+                   const std::vector<MetBar>& met, const DrawingScale& scale) {
   const double parameter = current_parameter(lines[hit.bar], hit.parameter, hit.at);
   HiddenEnd end{line, at_start, hit.bar, parameter, hit.at, Vec2::Zero(), 1};
   const Points& points = lines[line].points;
@@ -152,11 +206,15 @@ HiddenEnd junction(const std::vector<CleanLine>& lines, Index line, bool at_star
   end.tangent = end_direction(lines[line], at_start, scale);
   const double sine = cross(direction, end.tangent);
   end.bar_side = sine >= 0 ? 1 : -1;
-  if (std::abs(sine) >= least_junction_sine) return end;
-  // Too flat for the tangent to decide: the stem comes from the side where its last samples lie.
-  const Vec2 inward = -end_chord(points, at_start, 3 * scale.step);
-  const double from = cross(direction, inward);
-  if (std::abs(from) > std::abs(sine)) end.bar_side = from > 0 ? -1 : 1;
+  const auto known = std::ranges::min_element(met, {}, [&](const MetBar& other) { return (other.at - hit.at).norm(); });
+  if (known != met.end() && (known->at - hit.at).norm() < on_bar * scale.step) {
+    end.bar_side = cross(direction, known->into) >= 0 ? 1 : -1;
+  } else if (std::abs(sine) < least_junction_sine) {
+    // Too flat for the tangent to decide: the stem comes from the side where its last samples lie.
+    const double from = cross(direction, -end_chord(points, at_start, 3 * scale.step));
+    if (std::abs(from) > std::abs(sine)) end.bar_side = from > 0 ? -1 : 1;
+  }
+  if (end.bar_side * sine >= least_junction_sine) return end;
   const double ahead = end.tangent.dot(direction) >= 0 ? 1 : -1;
   end.tangent = ahead * std::sqrt(1 - least_junction_sine * least_junction_sine) * direction +
                 end.bar_side * least_junction_sine * left_of(direction);
@@ -272,24 +330,26 @@ void decide_sides(const Drawing& drawing, const std::vector<CleanLine>& lines, J
 
 }  // namespace
 
-std::vector<std::array<bool, 2>> meet_bars(std::vector<CleanLine>& lines, const StrokeReading& reading,
-                                           const DrawingScale& scale, const Progress& progress) {
-  EndHits hits = search(lines, reading, scale, std::numeric_limits<double>::infinity(), progress);
-  pass_beside_ends(lines, scale, hits);
-  move_ends(lines, hits, scale);
-  std::vector<std::array<bool, 2>> loose(lines.size(), {false, false});
+std::vector<MetBar> meet_bars(std::vector<CleanLine>& lines, const EndTargets& targets, const DrawingScale& scale) {
+  std::vector<MetBar> met;
+  EndHits hits(lines.size());
   for (Index line = 0; line < lines.size(); ++line) {
-    if (!lines[line].closed) loose[line] = {!hits[line][0], !hits[line][1]};
+    for (const bool at_start : {true, false}) {
+      const std::optional<EndTarget>& target = targets[line][at_start ? 0 : 1];
+      if (!target) continue;
+      hits[line][at_start ? 0 : 1] = hit_of(lines, line, at_start, *target, scale.step);
+      if (const auto& hit = hits[line][at_start ? 0 : 1]) met.push_back({hit->at, target->into});
+    }
   }
-  return loose;
+  move_ends(lines, hits, scale);
+  return met;
 }
 
-Junctions find_junctions(const Drawing& drawing, std::vector<CleanLine>& lines, const StrokeReading& reading,
+Junctions find_junctions(const Drawing& drawing, std::vector<CleanLine>& lines, const std::vector<MetBar>& met,
                          std::vector<HiddenPiece> pieces, const DrawingScale& scale, const Progress& progress) {
-  // Once more on the trimmed lines: a bar may have lost the bit that a stem ended on.
-  const EndHits hits = search(lines, reading, scale, least_junction_spacing * scale.step, progress);
+  // Bars may have lost the bit that a stem ended on.
+  const EndHits hits = lines_at_ends(lines, scale);
   move_ends(lines, hits, scale);
-
   Junctions junctions;
   junctions.tremble = scale.tremble;
   for (Index line = 0; line < lines.size(); ++line) {
@@ -301,7 +361,7 @@ Junctions find_junctions(const Drawing& drawing, std::vector<CleanLine>& lines, 
     for (const bool at_start : {true, false}) {
       const std::optional<BarHit>& hit = hits[line][at_start ? 0 : 1];
       if (hit) {
-        junctions.ends.push_back(junction(lines, line, at_start, *hit, scale));
+        junctions.ends.push_back(junction(lines, line, at_start, *hit, met, scale));
       } else {
         junctions.findings.push_back(free_end(drawing, lines[line], line, at_start));
       }

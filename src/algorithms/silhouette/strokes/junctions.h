@@ -2,10 +2,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "algorithms/silhouette/strokes/clean_line.h"
-#include "algorithms/silhouette/strokes/stroke_reading.h"
+#include "croquis/geometry/drawing.h"
 #include "croquis/base/progress.h"
 #include "croquis/geometry/drawing.h"
 
@@ -38,17 +39,33 @@ struct Junctions {
   LineFindings findings;  ///< E_FREE_END, E_TWO_SIDED, E_CROSS, E_TOUCH
 };
 
-/// Trims or extends the lines to what their ends pass behind, however far they miss it.
-/// @returns per line, whether its start and its end found nothing; both false for closed lines
-std::vector<std::array<bool, 2>> meet_bars(std::vector<CleanLine>& lines, const StrokeReading& reading,
-                                           const DrawingScale& scale, const Progress& progress);
+/// Where the end of a line is to meet another one.
+struct EndTarget {
+  Index bar = 0;  ///< line
+  Vec2 at = Vec2::Zero();
+  double miss = 0;  ///< how far the end is from it
+  Vec2 into = Vec2::Zero();  ///< unit, across the bar into its surface
+};
+
+/// Per line: of its start and its end.
+using EndTargets = std::vector<std::array<std::optional<EndTarget>, 2>>;
+
+/// An end that lies on its bar, and where the bar's surface is.
+struct MetBar {
+  Vec2 at = Vec2::Zero();
+  Vec2 into = Vec2::Zero();
+};
+
+/// Trims or extends the lines to what their ends pass behind.
+std::vector<MetBar> meet_bars(std::vector<CleanLine>& lines, const EndTargets& targets, const DrawingScale& scale);
 
 /// Finds what every open end passes behind, exactly where the line ends (Cordier, Seo, Cho 2006, section 3; the side
 /// rule is Williams 1994).
 ///
 /// Lines have met their bars and end on them; `extend_behind_bars` carries them on. O(n) for evenly spread samples.
+/// @param met    what is known of ends, found again by their places
 /// @param pieces between ends of the lines
-Junctions find_junctions(const Drawing& drawing, std::vector<CleanLine>& lines, const StrokeReading& reading,
+Junctions find_junctions(const Drawing& drawing, std::vector<CleanLine>& lines, const std::vector<MetBar>& met,
                          std::vector<HiddenPiece> pieces, const DrawingScale& scale, const Progress& progress);
 
 /// Carries each stem a little past its bar, so that the two cross instead of touching.

@@ -5,11 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "algorithms/silhouette/strokes/doubled_lines.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
-#include "algorithms/silhouette/strokes/gap_joining.h"
 #include "algorithms/silhouette/strokes/stroke_chains.h"
-#include "algorithms/silhouette/strokes/tremble.h"
 #include "croquis/base/error.h"
 #include "croquis/base/limits.h"
 #include "croquis/silhouette/stroke_data.h"
@@ -19,8 +16,6 @@ namespace {
 
 // A drawing with more samples than this is a scribble: its outlines would be longer than 3000 times its diagonal.
 constexpr double maximum_samples = 500'000;
-// Bends sharper than 60 degrees within this many steps are corners.
-constexpr double corner_reach = 3;
 
 // Where tolerances go by size, strokes of a typical size measure at least so many u: a sheet of many small things is
 // read as one of them is. At most so many times finer than the sheet's own u, which bounds the number of samples.
@@ -125,11 +120,9 @@ DrawingScale scale_of(const Drawing& drawing, const StrokeOptions& options) {
           0};
 }
 
-std::vector<UsableStroke> usable_strokes(const Drawing& drawing, const DrawingScale& scale,
-                                         const StrokeReading& reading, Findings& findings) {
+std::vector<UsableStroke> usable_strokes(const Drawing& drawing, const DrawingScale& scale, Findings& findings) {
   std::vector<UsableStroke> usable;
   for (Index s = 0; s < drawing.strokes.size(); ++s) {
-    if (!reading.includes(s)) continue;
     const Stroke& stroke = drawing.strokes[s];
     const std::optional<StrokeKind> kind = stroke_kind(stroke);
     if (!kind) {
@@ -204,77 +197,16 @@ std::vector<SampledStroke> sample(const Drawing& drawing, const std::vector<Usab
   return sampled;
 }
 
-/// Smooths a line of densely sampled points and samples it once per step.
-void finish(CleanLine& line, double step, int passes) {
-  const double reach = corner_reach * step;
-  TaubinOptions smoothing;
-  smoothing.passes = passes;
-  smoothing.fixed.assign(line.points.size(), false);
-  for (const Index corner : corners(line.points, line.closed, reach)) smoothing.fixed[corner] = true;
-  line.points = taubin_smooth(line.points, line.closed, smoothing);
-  const std::vector<Index> kept = corners(line.points, line.closed, reach);
-  Points points;
-  std::vector<Index> stroke;
-  for (const double parameter : even_parameters(line.points, line.closed, step, kept)) {
-    points.push_back(point_at(line.points, parameter));
-    stroke.push_back(line.stroke[static_cast<std::size_t>(parameter)]);
-  }
-  line.points = std::move(points);
-  line.stroke = std::move(stroke);
-  line.size = size_of(line.points, line.closed);
-}
-
-Finding gap_warning(const Drawing& drawing, const std::vector<SampledStroke>& sampled, const GapJoin& join) {
-  const Index first = sampled[join.first].stroke;
-  const Index second = sampled[join.second].stroke;
-  const std::string where = first == second
-                                ? "between the ends of " + in_quotes(drawing, first)
-                                : "between " + in_quotes(drawing, first) + " and " + in_quotes(drawing, second);
-  std::vector<Subject> subjects{stroke_subject(drawing, first, join.at)};
-  if (first != second) subjects.push_back(stroke_subject(drawing, second, join.at));
-  return make_warning(Category::Geometry, "W_GAP", "Closed a gap of " + length_text(join.distance) + " " + where,
-                      std::move(subjects));
-}
-
-Finding crosses_itself(const Drawing& drawing, const CleanLine& line, const Vec2& place) {
-  return make_warning(Category::Geometry, "W_CROSS",
-                      in_quotes(drawing, line.strokes.front()) +
-                          " crosses itself: its two sides are read as lying beside one another there",
-                      {stroke_subject(drawing, line.strokes.front(), place), crossing_subject(drawing, place)});
-}
-
 }  // namespace
 
-CleanDrawing clean_strokes(const Drawing& drawing, const StrokeOptions& options, const StrokeReading& reading,
-                           const Progress& progress) {
-  CleanDrawing result;
+SampledDrawing sample_strokes(const Drawing& drawing, const StrokeOptions& options) {
+  SampledDrawing result;
   result.findings = wrong_behind(drawing);
   result.scale = scale_of(drawing, options);
-  std::vector<UsableStroke> usable = usable_strokes(drawing, result.scale, reading, result.findings);
+  std::vector<UsableStroke> usable = usable_strokes(drawing, result.scale, result.findings);
   result.hidden = take_hidden(usable);
   check_extent(drawing, usable, result.scale.step, result.findings);
-
-  const double spacing = result.scale.step / 2;
-  const std::vector<SampledStroke> sampled = sample(drawing, usable, spacing);
-  progress.check();
-  const GapJoining joining = join_gaps(sampled, reading, result.scale, spacing);
-  result.joined = joining.joined;
-  result.possible = joining.possible;
-  for (const GapJoin& join : joining.joins) result.findings.push_back(gap_warning(drawing, sampled, join));
-  progress.check();
-  for (const StrokeChain& chain : joining.chains) {
-    result.lines.push_back(join_chain(chain, sampled, result.scale));
-    finish(result.lines.back(), result.scale.step, options.smoothing_passes);
-    progress.check();
-  }
-  if (options.reach_share > 0 && !reading.steady) result.scale.tremble = tremble_of(result.lines, result.scale.step);
-  for (CleanLine& line : result.lines) {
-    for (const Vec2& place : uncross(line, result.scale)) {
-      result.findings.push_back(crosses_itself(drawing, line, place));
-    }
-  }
-  const Findings doubled = find_doubled_lines(drawing, result.lines, result.scale);
-  result.findings.insert(result.findings.end(), doubled.begin(), doubled.end());
+  result.strokes = sample(drawing, usable, result.scale.step / 2);
   return result;
 }
 

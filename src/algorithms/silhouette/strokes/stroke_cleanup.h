@@ -2,26 +2,23 @@
 #pragma once
 
 #include "algorithms/silhouette/strokes/clean_line.h"
-#include "algorithms/silhouette/strokes/stroke_reading.h"
-#include "croquis/base/progress.h"
+#include "algorithms/silhouette/strokes/stroke_chains.h"
 #include "croquis/geometry/drawing.h"
 #include "croquis/silhouette/options.h"
 
 namespace croquis::silhouette {
 
-struct CleanDrawing {
+/// The strokes of a drawing that can be read.
+struct SampledDrawing {
   DrawingScale scale;
-  std::vector<CleanLine> lines;  ///< by the lowest stroke in them
+  std::vector<SampledStroke> strokes;  ///< samples half a step apart
   std::vector<HiddenStroke> hidden;
-  std::vector<EndPair> joined;    ///< ends of strokes, see GapJoining
-  std::vector<EndPair> possible;  ///< ends that might be joined too
-  Findings findings;              ///< strokes left out, gaps closed, doubled lines
+  Findings findings;  ///< strokes left out
 };
 
-/// Step 1, stroke cleaning (Cordier, Seo, Cho 2006, section 3): strokes too short are left out, gaps joined, the rest
-/// smoothed (Taubin 1995) and sampled evenly. No stroke is changed or deleted; the lines are copies.
-/// @throws Error when nothing usable is left or the drawing is too long to sample; Cancelled
-CleanDrawing clean_strokes(const Drawing& drawing, const StrokeOptions& options, const StrokeReading& reading,
-                           const Progress& progress);
+/// Step 1, stroke cleaning (Cordier, Seo, Cho 2006, section 3): strokes too short are left out, the rest sampled evenly.
+/// No stroke is changed or deleted; the samples are copies.
+/// @throws Error when nothing usable is left or the drawing is too long to sample
+SampledDrawing sample_strokes(const Drawing& drawing, const StrokeOptions& options);
 
 }  // namespace croquis::silhouette

@@ -11,7 +11,6 @@
 
 #include "algorithms/silhouette/strokes/covered_runs.h"
 #include "algorithms/silhouette/strokes/crossed_rings.h"
-#include "algorithms/silhouette/strokes/cubic_join.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
 #include "algorithms/silhouette/strokes/line_cutting.h"
 #include "algorithms/silhouette/strokes/segment_grid.h"
@@ -27,8 +26,6 @@ constexpr double crossing_tremble = 2;
 constexpr double unsteady_share = 0.05;
 // Closed lines that come nearer than this (u) are moved apart.
 constexpr double touching = 0.2;
-// Ends that lie inside a closed line by less than this share of the width between them were drawn too far.
-constexpr double overshoot_share = 0.2;
 // No sample lies nearer to the end of a cut line than this share of a step.
 constexpr double least_cut_spacing = 0.3;
 
@@ -40,15 +37,12 @@ struct Cover {
 
 class CrossingReader {
  public:
-  CrossingReader(const Drawing& drawing, std::vector<CleanLine>& lines, const std::vector<std::array<bool, 2>>& loose,
-                 const DrawingScale& scale)
-      : drawing_(drawing), lines_(lines), loose_(loose), scale_(scale), is_limb_(lines.size(), 0) {}
+  CrossingReader(const Drawing& drawing, std::vector<CleanLine>& lines, const DrawingScale& scale)
+      : drawing_(drawing), lines_(lines), scale_(scale) {}
 
   VisibleCrossings run(const Progress& progress) {
-    std::set<std::pair<Index, Index>> pairs = crossing_pairs();
+    const std::set<std::pair<Index, Index>> pairs = crossing_pairs();
     if (pairs.empty()) return {};
-    for (Index line = 0; line < lines_.size(); ++line) close_limb(line, pairs);
-    pairs = crossing_pairs();
     covers_.resize(lines_.size());
     ring_of_ = holes_of_rings(drawing_, lines_, pairs);
     for (const auto& [a, b] : pairs) read_pair(a, b);
@@ -95,40 +89,6 @@ class CrossingReader {
     return std::any_of(lines_[line].strokes.begin(), lines_[line].strokes.end(), told);
   }
 
-  /// An open line that is seen inside a closed one up to its ends bounds a limb in front.
-  void close_limb(Index line, const std::set<std::pair<Index, Index>>& pairs) {
-    if (lines_[line].closed || !loose_[line][0] || !loose_[line][1]) return;
-    for (const auto& [a, b] : pairs) {
-      if (a != line && b != line) continue;
-      const Index body = a == line ? b : a;
-      if (!lines_[body].closed || is_limb_[body] || told_behind_line(line, body) || !reaches_into(line, body)) continue;
-      close_round(lines_[line]);
-      is_limb_[line] = 1;
-      return;
-    }
-  }
-
-  bool reaches_into(Index line, Index body) const {
-    CleanLine copy = lines_[line];
-    const std::vector<LineRun> runs = covered_runs(copy, lines_[body], crossing_tremble * scale_.unit, scale_.step);
-    const double last = copy.segment_count();
-    if (runs.size() < 2 || runs.front().begin > 0 || runs.back().end < last) return false;
-    const double width = (point_at(copy.points, runs.front().end) - point_at(copy.points, runs.back().begin)).norm();
-    const double inside = std::max(runs.front().end, last - runs.back().begin) * scale_.step;
-    return inside > overshoot_share * width;
-  }
-
-  void close_round(CleanLine& line) const {
-    const double reach = tangent_steps * scale_.step;
-    const Points cap = bezier_points(completion_curve(line.points.back(), end_tangent(line.points, false, reach),
-                                                      line.points.front(), end_tangent(line.points, true, reach)),
-                                     scale_.step);
-    line.closed = true;
-    line.raw.insert(line.raw.end(), cap.begin() + 1, cap.end() - 1);
-    line.stroke.insert(line.stroke.end(), cap.size() - 2, line.stroke.back());
-    line.points.insert(line.points.end(), cap.begin() + 1, cap.end() - 1);
-  }
-
   void read_pair(Index a, Index b) {
     if (!lines_[a].closed && !lines_[b].closed) return;
     if (lines_[a].closed != lines_[b].closed) {
@@ -150,9 +110,6 @@ class CrossingReader {
   Index front_of(Index a, Index b) const {
     const Index later = last_stroke(a) > last_stroke(b) ? a : b;
     const Index earlier = later == a ? b : a;
-    // A limb whose ends lie inside a body is in front of it, whichever was drawn first.
-    if (is_limb_[earlier] && !is_limb_[later] && encloses(lines_[later], lines_[earlier].points.front()))
-      return earlier;
     return told_behind_line(later, earlier) ? earlier : later;
   }
 
@@ -220,10 +177,8 @@ class CrossingReader {
     const double turned = lines_[line].closed ? parameter - count * std::floor(parameter / count) : parameter;
     told_.push_back({last_stroke(cover.front), last_stroke(line),
                      point_at(lines_[line].points, std::min(turned, count)), cover.chosen,
-                     drawn_closed(line) && drawn_closed(cover.front)});
+                     lines_[line].closed && lines_[cover.front].closed});
   }
-
-  bool drawn_closed(Index line) const { return lines_[line].closed && is_limb_[line] == 0; }
 
   /// The union of covered runs. None for a line that is covered completely.
   std::vector<CutRun> joined(Index line, std::vector<CutRun> runs) const {
@@ -281,9 +236,7 @@ class CrossingReader {
 
   const Drawing& drawing_;
   std::vector<CleanLine>& lines_;
-  const std::vector<std::array<bool, 2>>& loose_;
   const DrawingScale& scale_;
-  std::vector<char> is_limb_;               ///< per line: open as drawn, closed here
   std::vector<std::vector<Cover>> covers_;  ///< per line
   std::vector<std::vector<CutRun>> cuts_;   ///< per line
   std::vector<Index> ring_of_;              ///< per line, see holes_of_rings
@@ -293,9 +246,8 @@ class CrossingReader {
 }  // namespace
 
 VisibleCrossings cut_visible_crossings(const Drawing& drawing, std::vector<CleanLine>& lines,
-                                       const std::vector<std::array<bool, 2>>& loose_end, const DrawingScale& scale,
-                                       const Progress& progress) {
-  return CrossingReader(drawing, lines, loose_end, scale).run(progress);
+                                       const DrawingScale& scale, const Progress& progress) {
+  return CrossingReader(drawing, lines, scale).run(progress);
 }
 
 }  // namespace croquis::silhouette

@@ -21,13 +21,10 @@ struct VisibleCrossings {
 /// lies inside the front one is cut out of it.
 ///
 /// Of two closed lines the one drawn later is in front, unless it is told to lie behind (stroke_data.h). A closed line
-/// covers an open one. But an open line whose both ends lie deep inside a closed one that it crosses is the outline of
-/// a limb in front, which is closed there; where its ends lie just inside, they were drawn too far and are cut off. Two
-/// open lines, and a line that crosses itself, stay as they are: nothing tells which part is in front.
+/// covers an open one. Two open lines, and a line that crosses itself, stay as they are: nothing tells which part is in
+/// front.
 /// @param lines     ends that pass behind something lie on it; cut lines are replaced by their pieces
-/// @param loose_end per line: whether its start and its end lie on no other line
 VisibleCrossings cut_visible_crossings(const Drawing& drawing, std::vector<CleanLine>& lines,
-                                       const std::vector<std::array<bool, 2>>& loose_end, const DrawingScale& scale,
-                                       const Progress& progress);
+                                       const DrawingScale& scale, const Progress& progress);
 
 }  // namespace croquis::silhouette

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "algorithms/silhouette/strokes/clean_line.h"
+#include "algorithms/silhouette/strokes/stroke_chains.h"
+#include "croquis/base/progress.h"
+
+/// What each end of a stroke may be: a place where the line goes on as another stroke, or one where it passes behind
+/// something. Candidates with costs; which of them hold is decided for all together by the reading's program.
+namespace croquis::silhouette {
+
+/// Where an open stroke begins or ends. Positions of strokes are those in the list of sampled ones.
+struct LineEnd {
+  Index stroke = 0;
+  bool at_start = false;
+  Vec2 place = Vec2::Zero();
+  std::array<Vec2, 2> outward{Vec2::Zero(), Vec2::Zero()};  ///< unit, over the last bit and over a longer one
+};
+
+/// Two ends that may be one place of one line. Ends are positions in Connections::ends.
+struct EndJoin {
+  Index a = 0;  ///< a < b
+  Index b = 0;
+  double cost = 0;
+};
+
+/// An end that may pass behind a line.
+struct EndMeeting {
+  Index end = 0;
+  Index bar = 0;              ///< stroke
+  Vec2 at = Vec2::Zero();     ///< on the bar
+  int side = 1;               ///< the bar's surface would lie on the left (+1) or right (-1) of its stroke
+  Vec2 into = Vec2::Zero();   ///< unit, across the bar into its surface
+  double along = 0;           ///< from the end to the bar; negative where the end lies beyond it
+  double cost = 0;
+};
+
+/// Two ends that a hidden piece may join.
+struct HiddenPair {
+  Index a = 0;
+  Index b = 0;
+  double cost = 0;
+};
+
+/// Strokes that cross in full view; a == b for one that crosses itself.
+struct StrokeCrossing {
+  Index a = 0;
+  Index b = 0;
+  int count = 0;
+};
+
+struct Connections {
+  std::vector<LineEnd> ends;  ///< of open strokes, in their order: start, end
+  std::vector<EndJoin> joins;
+  std::vector<EndMeeting> meetings;
+  std::vector<HiddenPair> hidden;
+  std::vector<StrokeCrossing> crossings;
+};
+
+/// Near O(n) for evenly spread samples. Ends that plainly go on as one another have no other candidates.
+Connections find_connections(const std::vector<SampledStroke>& strokes, const DrawingScale& scale,
+                             const Progress& progress);
+
+}  // namespace croquis::silhouette

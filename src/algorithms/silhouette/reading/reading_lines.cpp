@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/reading/reading_lines.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "algorithms/silhouette/strokes/drawing_findings.h"
+
+namespace croquis::silhouette {
+namespace {
+
+// Bends sharper than 60 degrees within this many steps are corners.
+constexpr double corner_reach = 3;
+
+/// A line before it is smoothed, and the ends that it has.
+struct Chain {
+  StrokeChain strokes;
+  std::array<Index, 2> ends{no_index, no_index};  ///< positions in Connections::ends
+};
+
+/// Follows joined ends. Ends come in pairs (start, end) per stroke, so e ^ 1 is the other end of the same stroke.
+class ChainSearch {
+ public:
+  ChainSearch(const Connections& connections, const Reading& reading)
+      : connections_(connections),
+        partner_(connections.ends.size(), no_index),
+        first_end_(reading.kinds.size(), no_index),
+        done_(reading.kinds.size(), 0) {
+    for (const EndJoin& join : reading.joins) {
+      partner_[join.a] = join.b;
+      partner_[join.b] = join.a;
+    }
+    for (Index e = 0; e < connections.ends.size(); e += 2) first_end_[connections.ends[e].stroke] = e;
+    for (Index s = 0; s < reading.kinds.size(); ++s) {
+      if (reading.kinds[s] == LineKind::Contour && done_[s] == 0) chains_.push_back(chain_of(s));
+    }
+  }
+
+  std::vector<Chain> take() { return std::move(chains_); }
+
+ private:
+  Chain chain_of(Index stroke) {
+    Chain chain;
+    done_[stroke] = 1;
+    chain.strokes.links.push_back({stroke, false});
+    chain.strokes.closed = first_end_[stroke] == no_index;
+    if (chain.strokes.closed) return chain;
+    chain.ends = {first_end_[stroke], first_end_[stroke] + 1};
+    for (Index next = partner_[chain.ends[1]]; next != no_index; next = partner_[chain.ends[1]]) {
+      const LineEnd& end = connections_.ends[next];
+      if (end.stroke == stroke) {
+        chain.strokes.closed = true;
+        chain.ends = {no_index, no_index};
+        return chain;
+      }
+      done_[end.stroke] = 1;
+      chain.strokes.links.push_back({end.stroke, !end.at_start});
+      chain.ends[1] = next ^ 1U;
+    }
+    for (Index next = partner_[chain.ends[0]]; next != no_index; next = partner_[chain.ends[0]]) {
+      const LineEnd& end = connections_.ends[next];
+      done_[end.stroke] = 1;
+      chain.strokes.links.insert(chain.strokes.links.begin(), {end.stroke, end.at_start});
+      chain.ends[0] = next ^ 1U;
+    }
+    return chain;
+  }
+
+  const Connections& connections_;
+  std::vector<Index> partner_;    ///< per end
+  std::vector<Index> first_end_;  ///< per stroke
+  std::vector<char> done_;        ///< per stroke
+  std::vector<Chain> chains_;
+};
+
+/// Smooths a line of densely sampled points and samples it once per step.
+void finish(CleanLine& line, double step, int passes) {
+  const double reach = corner_reach * step;
+  TaubinOptions smoothing;
+  smoothing.passes = passes;
+  smoothing.fixed.assign(line.points.size(), false);
+  for (const Index corner : corners(line.points, line.closed, reach)) smoothing.fixed[corner] = true;
+  line.points = taubin_smooth(line.points, line.closed, smoothing);
+  const std::vector<Index> kept = corners(line.points, line.closed, reach);
+  Points points;
+  std::vector<Index> stroke;
+  for (const double parameter : even_parameters(line.points, line.closed, step, kept)) {
+    points.push_back(point_at(line.points, parameter));
+    stroke.push_back(line.stroke[static_cast<std::size_t>(parameter)]);
+  }
+  line.points = std::move(points);
+  line.stroke = std::move(stroke);
+  line.size = size_of(line.points, line.closed);
+}
+
+CleanLine line_of(const EnclosedRegion& region, const std::vector<SampledStroke>& strokes) {
+  CleanLine line;
+  line.closed = true;
+  line.points = line.raw = region.outline;
+  for (const Index s : region.stroke) {
+    const Index stroke = strokes[s].stroke;
+    line.stroke.push_back(stroke);
+    if (std::ranges::count(line.strokes, stroke) == 0) line.strokes.push_back(stroke);
+  }
+  return line;
+}
+
+Finding gap_warning(const Drawing& drawing, Index first, Index second, const Vec2& at, double distance) {
+  const std::string where = first == second
+                                ? "between the ends of " + in_quotes(drawing, first)
+                                : "between " + in_quotes(drawing, first) + " and " + in_quotes(drawing, second);
+  std::vector<Subject> subjects{stroke_subject(drawing, first, at)};
+  if (first != second) subjects.push_back(stroke_subject(drawing, second, at));
+  return make_warning(Category::Geometry, "W_GAP", "Closed a gap of " + length_text(distance) + " " + where,
+                      std::move(subjects));
+}
+
+}  // namespace
+
+ContourLines contour_lines(const Drawing& drawing, const SampledDrawing& sampled, const Connections& connections,
+                           const Envelope& envelope, const Reading& reading, int passes, const Progress& progress) {
+  ContourLines result;
+  const std::vector<SampledStroke>& strokes = sampled.strokes;
+  for (const EndJoin& join : reading.joins) {
+    const LineEnd& a = connections.ends[join.a];
+    const LineEnd& b = connections.ends[join.b];
+    const double distance = (b.place - a.place).norm();
+    if (a.stroke == b.stroke && distance < sampled.scale.close) continue;
+    result.findings.push_back(gap_warning(drawing, strokes[a.stroke].stroke, strokes[b.stroke].stroke,
+                                          (a.place + b.place) / 2, distance));
+  }
+  std::vector<Index> line_of_stroke(strokes.size(), no_index);
+  const std::vector<Chain> chains = ChainSearch(connections, reading).take();
+  for (const Chain& chain : chains) {
+    for (const ChainLink& link : chain.strokes.links) line_of_stroke[link.index] = static_cast<Index>(result.lines.size());
+    result.lines.push_back(join_chain(chain.strokes, strokes, sampled.scale));
+  }
+  for (const Index region : reading.regions) result.lines.push_back(line_of(envelope.regions[region], strokes));
+  for (CleanLine& line : result.lines) {
+    progress.check();
+    finish(line, sampled.scale.step, passes);
+  }
+  // The outline of a region stands for all strokes on it.
+  const auto bar_of = [&](const EndMeeting& meeting) {
+    if (line_of_stroke[meeting.bar] != no_index) return line_of_stroke[meeting.bar];
+    Index found = no_index;
+    double least = std::numeric_limits<double>::infinity();
+    for (Index line = static_cast<Index>(chains.size()); line < result.lines.size(); ++line) {
+      for (const Vec2& point : result.lines[line].points) {
+        if ((point - meeting.at).norm() >= least) continue;
+        least = (point - meeting.at).norm();
+        found = line;
+      }
+    }
+    return found;
+  };
+  result.targets.resize(result.lines.size());
+  for (std::size_t line = 0; line < chains.size(); ++line) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto meeting = std::ranges::find(reading.meetings, chains[line].ends[k], &EndMeeting::end);
+      if (meeting == reading.meetings.end()) continue;
+      if (const Index bar = bar_of(*meeting); bar != no_index)
+        result.targets[line][k] = EndTarget{bar, meeting->at, std::abs(meeting->along), meeting->into};
+    }
+  }
+  return result;
+}
+
+}  // namespace croquis::silhouette

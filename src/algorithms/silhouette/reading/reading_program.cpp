@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/reading/reading_program.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Geometry>
+
+#include "algorithms/silhouette/reading/reading_costs.h"
+
+namespace croquis::silhouette {
+namespace {
+
+using Term = IntegerProgram::Term;
+
+// Bounds of the search for one reading: branches, and how much better than it another one may be.
+constexpr int maximum_reading_nodes = 400;
+constexpr double reading_gap = 0.01;
+// A stroke bounds the region on one side of it when it does so over this share of its length.
+constexpr double sided_share = 0.5;
+// A stroke that costs so much more as a contour than otherwise is none, even where others could pass behind it.
+constexpr double hopeless = 3;
+
+// A stroke lies on an outline that shares this much of its length.
+constexpr double least_shared = 0.04;
+
+double share_in(double part, double whole) { return whole > 0 ? std::min(1.0, part / whole) : 0; }
+
+}  // namespace
+
+ReadingProgram::ReadingProgram(const std::vector<SampledStroke>& strokes, const Connections& connections,
+                               const Envelope& envelope)
+    : strokes_(strokes), connections_(connections), envelope_(envelope), crossings_(strokes.size(), 0) {
+  Eigen::AlignedBox2d box;
+  total_length_ = 0;
+  for (const SampledStroke& stroke : strokes) {
+    total_length_ += stroke.length;
+    for (const Vec2& point : stroke.points) box.extend(point);
+  }
+  extent_ = box.diagonal().norm();
+  for (const StrokeCrossing& crossing : connections.crossings) {
+    if (crossing.a == crossing.b) {
+      crossings_[crossing.a] += costs::own_crossing * std::min(crossing.count, costs::most_own_crossings);
+    } else {  // the smaller one is to blame
+      const Index smaller = strokes[crossing.a].size < strokes[crossing.b].size ? crossing.a : crossing.b;
+      crossings_[smaller] += costs::crossing * std::min(crossing.count, costs::most_crossings);
+    }
+  }
+  add_strokes();
+  add_regions();
+  add_connections();
+}
+
+bool ReadingProgram::lies_on(Index stroke, const EnclosedRegion& region) const {
+  return region.shared[stroke] > least_shared * strokes_[stroke].length;
+}
+
+double ReadingProgram::cost(Index stroke, LineKind kind) const {
+  const SampledStroke& line = strokes_[stroke];
+  const double seen = envelope_.seen[stroke];
+  const double outside = envelope_.outside[stroke];
+  const double size = share_in(line.size, extent_);
+  switch (kind) {
+    case LineKind::Contour:
+      return costs::contour + crossings_[stroke];
+    case LineKind::Region: {
+      double shared = 0;
+      for (const EnclosedRegion& region : envelope_.regions) shared = std::max(shared, region.shared[stroke]);
+      const double rest = 1 - share_in(shared, line.length);
+      return costs::stroke_of_region + costs::rest_of_stroke * rest * std::min(1.0, 2 * size);
+    }
+    case LineKind::Detail:
+      return costs::detail + costs::outline_left_out * seen + costs::size * std::min(1.0, 2 * size) +
+             (line.closed ? costs::closed_detail + 4 * size : 0) + costs::detail_outside * outside;
+    case LineKind::Tube:
+      return costs::tube + costs::outline_as_tube * seen + costs::tube_inside * (1 - outside) + 2 * size;
+    case LineKind::Ignored:
+      return costs::ignored + costs::outline_left_out * seen +
+             costs::ignored_length * share_in(line.length, total_length_);
+  }
+  return 0;
+}
+
+/// The side on which a stroke's surface lies as far as the region that it bounds tells: left (+1), right (-1), or 0.
+int ReadingProgram::known_side(Index stroke) const {
+  double left = 0;
+  for (const EnclosedRegion& region : envelope_.regions) left += region.left[stroke];
+  if (std::abs(left) < sided_share * strokes_[stroke].length) return 0;
+  return left > 0 ? 1 : -1;
+}
+
+double ReadingProgram::least_other_cost(Index stroke) const {
+  const double otherwise = std::min(cost(stroke, LineKind::Detail), cost(stroke, LineKind::Ignored));
+  return strokes_[stroke].closed ? otherwise : std::min(otherwise, cost(stroke, LineKind::Tube));
+}
+
+/// Per stroke: what it costs at least as a contour, with the cheapest meaning of its ends.
+std::vector<double> ReadingProgram::least_contour_costs() const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<double> end(connections_.ends.size(), infinity), hidden(connections_.ends.size(), infinity);
+  const auto lower = [](double& least, double cost) { least = std::min(least, cost); };
+  for (const HiddenPair& pair : connections_.hidden) {
+    lower(hidden[pair.a], pair.cost / 2);
+    lower(hidden[pair.b], pair.cost / 2);
+  }
+  for (const EndMeeting& meeting : connections_.meetings) lower(end[meeting.end], meeting.cost + hidden[meeting.end]);
+  for (const EndJoin& join : connections_.joins) {
+    lower(end[join.a], join.cost / 2);
+    lower(end[join.b], join.cost / 2);
+  }
+  std::vector<double> least;
+  for (Index s = 0; s < strokes_.size(); ++s) least.push_back(cost(s, LineKind::Contour));
+  for (Index e = 0; e < connections_.ends.size(); ++e) least[connections_.ends[e].stroke] += end[e];
+  return least;
+}
+
+void ReadingProgram::add_strokes() {
+  const std::vector<double> least = least_contour_costs();
+  for (Index s = 0; s < strokes_.size(); ++s) {
+    const bool on_any = std::ranges::any_of(envelope_.regions, [&](const auto& region) { return lies_on(s, region); });
+    std::array<Index, kind_count> kinds{};
+    std::vector<Term> one;
+    for (std::size_t k = 0; k < kind_count; ++k) {
+      const auto kind = static_cast<LineKind>(k);
+      const bool possible = kind == LineKind::Region ? on_any : kind != LineKind::Tube || !strokes_[s].closed;
+      kinds[k] = program_.add_variable(0, possible ? 1 : 0, cost(s, kind));
+      one.push_back({kinds[k], 1});
+    }
+    program_.add_row(one, 1, 1);
+    kind_.push_back(kinds);
+    const int side = known_side(s);
+    side_.push_back(program_.add_variable(side > 0 ? 1 : 0, side < 0 ? 0 : 1, 0));
+    if (least[s] > least_other_cost(s) + hopeless) program_.fix(variable(s, LineKind::Contour), 0);
+  }
+}
+
+void ReadingProgram::add_regions() {
+  for (std::size_t k = 0; k < envelope_.regions.size(); ++k) {
+    region_.push_back(program_.add_variable(0, 1, costs::region));
+  }
+  for (Index s = 0; s < strokes_.size(); ++s) {
+    std::vector<Term> needs_one{{variable(s, LineKind::Region), 1}};
+    for (std::size_t k = 0; k < region_.size(); ++k) {
+      if (!lies_on(s, envelope_.regions[k])) continue;
+      needs_one.push_back({region_[k], -1});
+      program_.add_row({{variable(s, LineKind::Contour), 1}, {region_[k], 1}}, 0, 1);
+    }
+    program_.add_row(std::move(needs_one), -IntegerProgram::unbounded, 0);
+  }
+}
+
+/// The surface lies on the same side of both strokes when a line goes on from the end of the one as the other.
+void ReadingProgram::keep_side(Index variable, Index a, Index b) {
+  const LineEnd& from = connections_.ends[a];
+  const LineEnd& to = connections_.ends[b];
+  if (from.stroke == to.stroke) return;
+  const Index first = side_[from.stroke], second = side_[to.stroke];
+  if (from.at_start == to.at_start) {  // one of them is walked against its direction
+    program_.add_row({{variable, 1}, {first, 1}, {second, 1}}, 0, 2);
+    program_.add_row({{variable, 1}, {first, -1}, {second, -1}}, -2, 0);
+  } else {
+    program_.add_row({{variable, 1}, {first, 1}, {second, -1}}, -1, 1);
+    program_.add_row({{variable, 1}, {first, -1}, {second, 1}}, -1, 1);
+  }
+}
+
+void ReadingProgram::add_connections() {
+  std::vector<std::vector<Term>> visible, hidden;  // per end
+  for (const LineEnd& end : connections_.ends) visible.push_back({{variable(end.stroke, LineKind::Contour), -1}});
+  hidden.resize(connections_.ends.size());
+  for (const EndJoin& join : connections_.joins) {
+    const Index taken = program_.add_variable(0, 1, join.cost);
+    join_.push_back(taken);
+    visible[join.a].push_back({taken, 1});
+    visible[join.b].push_back({taken, 1});
+    keep_side(taken, join.a, join.b);
+  }
+  for (const EndMeeting& meeting : connections_.meetings) {
+    const Index taken = program_.add_variable(0, 1, meeting.cost);
+    meeting_.push_back(taken);
+    visible[meeting.end].push_back({taken, 1});
+    hidden[meeting.end].push_back({taken, -1});
+    program_.add_row({{taken, 1},
+                      {variable(meeting.bar, LineKind::Contour), -1},
+                      {variable(meeting.bar, LineKind::Region), -1}},
+                     -1, 0);
+    const Index side = side_[meeting.bar];
+    meeting.side > 0 ? program_.add_row({{taken, 1}, {side, -1}}, -1, 0)
+                     : program_.add_row({{taken, 1}, {side, 1}}, 0, 1);
+  }
+  for (const HiddenPair& pair : connections_.hidden) {
+    const Index taken = program_.add_variable(0, 1, pair.cost);
+    hidden_.push_back(taken);
+    hidden[pair.a].push_back({taken, 1});
+    hidden[pair.b].push_back({taken, 1});
+    keep_side(taken, pair.a, pair.b);
+  }
+  for (std::vector<Term>& row : visible) program_.add_row(std::move(row), 0, 0);
+  for (std::vector<Term>& row : hidden) {
+    if (!row.empty()) program_.add_row(std::move(row), 0, 0);
+  }
+}
+
+std::optional<Reading> ReadingProgram::best() const {
+  const IntegerProgram::Solution solution = program_.solve(maximum_reading_nodes, reading_gap);
+  if (solution.values.empty()) return std::nullopt;
+  const auto taken = [&](Index variable) { return solution.values[variable] != 0; };
+  Reading reading;
+  for (Index s = 0; s < strokes_.size(); ++s) {
+    const auto kind = std::ranges::find_if(kind_[s], taken);
+    reading.kinds.push_back(static_cast<LineKind>(kind - kind_[s].begin()));
+  }
+  for (std::size_t i = 0; i < join_.size(); ++i) {
+    if (taken(join_[i])) reading.joins.push_back(connections_.joins[i]);
+  }
+  for (std::size_t i = 0; i < meeting_.size(); ++i) {
+    if (taken(meeting_[i])) reading.meetings.push_back(connections_.meetings[i]);
+  }
+  for (Index k = 0; k < region_.size(); ++k) {
+    if (taken(region_[k])) reading.regions.push_back(k);
+  }
+  return reading;
+}
+
+void ReadingProgram::exclude(const Reading& reading, const std::vector<Index>& strokes) {
+  const auto is_meant = [&](Index stroke) { return strokes.empty() || std::ranges::count(strokes, stroke) > 0; };
+  const auto stroke_of = [&](Index end) { return connections_.ends[end].stroke; };
+  std::vector<Term> all;
+  for (Index s = 0; s < strokes_.size(); ++s) {
+    if (is_meant(s)) all.push_back({variable(s, reading.kinds[s]), 1});
+  }
+  for (std::size_t i = 0; i < join_.size(); ++i) {
+    const EndJoin& join = connections_.joins[i];
+    const auto is_this = [&](const EndJoin& other) { return other.a == join.a && other.b == join.b; };
+    if (std::ranges::none_of(reading.joins, is_this)) continue;
+    if (is_meant(stroke_of(join.a)) || is_meant(stroke_of(join.b))) all.push_back({join_[i], 1});
+  }
+  for (std::size_t i = 0; i < meeting_.size(); ++i) {
+    const EndMeeting& meeting = connections_.meetings[i];
+    const auto is_this = [&](const EndMeeting& other) { return other.end == meeting.end && other.bar == meeting.bar && other.side == meeting.side;
+    };
+    if (std::ranges::none_of(reading.meetings, is_this)) continue;
+    if (is_meant(stroke_of(meeting.end)) || is_meant(meeting.bar)) all.push_back({meeting_[i], 1});
+  }
+  const auto count = static_cast<double>(all.size());
+  program_.add_row(std::move(all), 0, count - 1);
+}
+
+void ReadingProgram::allow_regions_only() {
+  for (Index s = 0; s < strokes_.size(); ++s) program_.fix(variable(s, LineKind::Contour), 0);
+  for (const Index region : region_) program_.fix(region, 1);
+}
+
+}  // namespace croquis::silhouette

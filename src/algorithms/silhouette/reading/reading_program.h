@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "algorithms/silhouette/figure/integer_program.h"
+#include "algorithms/silhouette/reading/connections.h"
+#include "algorithms/silhouette/reading/envelope.h"
+
+namespace croquis::silhouette {
+
+/// What a stroke is taken for.
+enum class LineKind : std::uint8_t {
+  Contour,  ///< a visible contour of a part
+  Region,   ///< it lies on the outline of a region that is taken as a whole
+  Detail,   ///< a line on the surface
+  Tube,     ///< a limb of one line
+  Ignored
+};
+
+/// What a drawing's strokes mean together.
+struct Reading {
+  std::vector<LineKind> kinds;        ///< per sampled stroke
+  std::vector<EndJoin> joins;         ///< of contours: each end is in one of these,
+  std::vector<EndMeeting> meetings;   ///< or in one of those
+  std::vector<Index> regions;         ///< positions in Envelope::regions
+  double cost = 0;
+};
+
+/// Kinds and connections of all strokes, chosen together by an integer program. With x(s,k) = stroke s has kind k,
+/// r = region taken, j = join, m = meeting, h = hidden pair taken, o = the surface lies on the stroke's left:
+///   Σ_k x(s,k) = 1; x(s,Region) <= Σ r of regions that s lies on; x(s,Contour) + r <= 1 for these
+///   Σ j + Σ m = x(s,Contour) at each end; Σ h = Σ m at each end
+///   m <= x(bar,Contour) + x(bar,Region), and o of the bar as the meeting says
+///   o agrees along joins and hidden pairs
+/// at the least sum of costs (reading_costs.h). Readings come best first: what turns out to be impossible is excluded.
+class ReadingProgram {
+ public:
+  /// All of them must outlive the program.
+  ReadingProgram(const std::vector<SampledStroke>& strokes, const Connections& connections, const Envelope& envelope);
+
+  /// The best reading that isn't excluded; none when there is no other, or the search for it is bounded.
+  std::optional<Reading> best() const;
+
+  /// Of what a reading says of these strokes something must change.
+  /// @param strokes positions; all when empty
+  void exclude(const Reading& reading, const std::vector<Index>& strokes);
+
+  /// Only the outlines of regions may be contours.
+  void allow_regions_only();
+
+  std::size_t region_count() const { return envelope_.regions.size(); }
+
+ private:
+  static constexpr std::size_t kind_count = 5;
+
+  Index variable(Index stroke, LineKind kind) const { return kind_[stroke][static_cast<std::size_t>(kind)]; }
+  bool lies_on(Index stroke, const EnclosedRegion& region) const;
+  double cost(Index stroke, LineKind kind) const;
+  int known_side(Index stroke) const;
+  double least_other_cost(Index stroke) const;
+  std::vector<double> least_contour_costs() const;
+  void add_strokes();
+  void add_regions();
+  void add_connections();
+  void keep_side(Index variable, Index a, Index b);
+
+  const std::vector<SampledStroke>& strokes_;
+  const Connections& connections_;
+  const Envelope& envelope_;
+  double extent_ = 1;        ///< size of the largest
+  double total_length_ = 1;
+  std::vector<double> crossings_;  ///< per stroke: what they cost
+  IntegerProgram program_;
+  std::vector<std::array<Index, kind_count>> kind_;
+  std::vector<Index> side_, region_, join_, meeting_, hidden_;
+};
+
+}  // namespace croquis::silhouette
