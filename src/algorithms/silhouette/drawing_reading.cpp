@@ -77,6 +77,9 @@ void mark_whole_outlines(LabelledDrawing& labelled) {
 
 // So many readings are tried before all but what lines enclose is given up.
 constexpr int most_readings = 8;
+// A reading that is right can nearly always be labelled by its first matchings; one that is wrong tries them all.
+constexpr int most_matchings = 60;
+constexpr int most_later_matchings = 12;
 
 void append(Findings from, Findings& to) { std::move(from.begin(), from.end(), std::back_inserter(to)); }
 
@@ -96,7 +99,9 @@ struct Material {
   Envelope envelope;
 };
 
-LabelledDrawing label_reading(const Material& material, const Reading& reading, const Progress& progress) {
+/// @param matchings of hidden ends that are tried at most
+LabelledDrawing label_reading(const Material& material, const Reading& reading, int matchings,
+                              const Progress& progress) {
   const Drawing& drawing = material.drawing;
   DrawingScale scale = material.sampled.scale;
   const StrokeOptions& options = material.options.strokes;
@@ -121,7 +126,9 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
   extend_behind_bars(lines, junctions.ends, scale);
   bring_into_general_position(lines, scale.step);
 
-  const FigureContext context{drawing, material.options, scale, lines, junctions, completion_reference(lines, junctions)};
+  Options bounded = material.options;
+  bounded.completion.maximum_matchings = std::min(bounded.completion.maximum_matchings, matchings);
+  const FigureContext context{drawing, bounded, scale, lines, junctions, completion_reference(lines, junctions)};
   Progress silent = progress.silent();
   LabelledDrawing result = label_parts(context, junctions.findings, silent);
   result.crossings = std::move(crossed.pairs);
@@ -176,11 +183,11 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
     if (tried == most_readings) program.allow_regions_only();
     const std::optional<Reading> reading = program.best();
     if (!reading) continue;
-    LabelledDrawing labelled = label_reading(material, *reading, progress);
+    LabelledDrawing labelled = label_reading(material, *reading, tried == 0 ? most_matchings : most_later_matchings, progress);
     append(left_out(material, *reading), labelled.findings);
-    if (!has_errors(labelled.findings) && !labelled.figures.empty()) return labelled;
     if (getenv("ROUNDS")) { std::fprintf(stderr, " round %d:", tried); for (Index s = 0; s < reading->kinds.size(); ++s) std::fprintf(stderr, " %s%c", drawing.strokes[material.sampled.strokes[s].stroke].id.c_str(), "CRDTI"[(int)reading->kinds[s]]); std::fprintf(stderr, "\n"); const auto name = [&](Index e) { const auto& q = material.connections.ends[e]; return drawing.strokes[material.sampled.strokes[q.stroke].stroke].id + (q.at_start ? "<" : ">"); }; for (auto& j : reading->joins) if (j.cost > 0.3) std::fprintf(stderr, "   join %s %s %.2f\n", name(j.a).c_str(), name(j.b).c_str(), j.cost); for (auto& m : reading->meetings) std::fprintf(stderr, "   T %s at %s %.2f side %d along %.1f\n", name(m.end).c_str(), drawing.strokes[material.sampled.strokes[m.bar].stroke].id.c_str(), m.cost, m.side, m.along); if (getenv("CAND") && tried == 0) { for (Index e = 0; e < material.connections.ends.size(); ++e) { std::fprintf(stderr, "  %s:", name(e).c_str()); for (auto& m : material.connections.meetings) if (m.end == e) std::fprintf(stderr, " T %s %.2f side %d along %.1f;", drawing.strokes[material.sampled.strokes[m.bar].stroke].id.c_str(), m.cost, m.side, m.along); for (auto& j : material.connections.joins) if (j.a == e || j.b == e) std::fprintf(stderr, " J %s %.2f;", name(j.a == e ? j.b : j.a).c_str(), j.cost); for (auto& h : material.connections.hidden) if (h.a == e || h.b == e) std::fprintf(stderr, " H %s %.2f;", name(h.a == e ? h.b : h.a).c_str(), h.cost); std::fprintf(stderr, "\n"); } for (Index s = 0; s < reading->kinds.size(); ++s) { std::fprintf(stderr, "  %s seen %.2f out %.2f sides", drawing.strokes[material.sampled.strokes[s].stroke].id.c_str(), material.envelope.seen[s], material.envelope.outside[s]); for (auto& r : material.envelope.regions) std::fprintf(stderr, " %.0f of %.0f", r.left[s], material.sampled.strokes[s].length); std::fprintf(stderr, "\n"); } }
  for (auto& f : labelled.findings) if (f.severity == Severity::Error) std::fprintf(stderr, "     %s %s\n", f.code.c_str(), f.message.c_str()); }
+    if (!has_errors(labelled.findings) && !labelled.figures.empty()) return labelled;
     program.exclude(*reading, faulty_strokes(material, labelled.findings));
     if (!first) first = std::move(labelled);
   }

@@ -58,6 +58,7 @@ class ConnectionSearch {
     find_joins();
     progress.check();
     for (Index end = 0; end < found_.ends.size(); ++end) find_meetings(end);
+    doubt_joins_at_lines();
     drop_beside_plain_joins();
     progress.check();
     find_hidden();
@@ -111,8 +112,10 @@ class ConnectionSearch {
   void find_joins() {
     for (Index a = 0; a < found_.ends.size(); ++a) {
       for (Index b = a + 1; b < found_.ends.size(); ++b) {
-        if (const std::optional<double> cost = join_cost(found_.ends[a], found_.ends[b])) {
-          found_.joins.push_back({a, b, *cost});
+        if (std::optional<EndJoin> join = join_between(found_.ends[a], found_.ends[b])) {
+          join->a = a;
+          join->b = b;
+          found_.joins.push_back(*join);
         }
       }
     }
@@ -124,7 +127,7 @@ class ConnectionSearch {
     return first.empty() || second.empty() || first == second;
   }
 
-  std::optional<double> join_cost(const LineEnd& a, const LineEnd& b) const {
+  std::optional<EndJoin> join_between(const LineEnd& a, const LineEnd& b) const {
     const double distance = (b.place - a.place).norm();
     const bool closing = a.stroke == b.stroke;
     const SampledStroke& first = strokes_[a.stroke];
@@ -137,7 +140,8 @@ class ConnectionSearch {
     const double share = distance / usual;
     double cost = costs::gap * costs::miss(share);
     cost += (closing ? costs::turn_of_closing : costs::turn) * turn_between(a, b, distance, share);
-    return is_blocked(a.place, b.place, a.stroke, b.stroke) ? cost + costs::line_between : cost;
+    if (is_blocked(a.place, b.place, a.stroke, b.stroke)) cost += costs::line_between;
+    return EndJoin{0, 0, std::min(1.0, share), cost};
   }
 
   /// Sum of 1 - cosine over the turns at a gap, for the better of both directions of the ends. Of ends that are near to
@@ -266,6 +270,19 @@ class ConnectionSearch {
     }
     const bool blocked = meeting.along > 0 && is_blocked(end.place, meeting.at, end.stroke, meeting.bar);
     return blocked ? cost + costs::line_before_bar : cost;
+  }
+
+  /// An end that lies on a line does so by chance if it goes on as another one across a gap.
+  void doubt_joins_at_lines() {
+    std::vector<double> least(found_.ends.size(), infinity);
+    for (const EndMeeting& meeting : found_.meetings) {
+      least[meeting.end] = std::min(least[meeting.end], meeting.cost);
+    }
+    for (EndJoin& join : found_.joins) {
+      for (const Index end : {join.a, join.b}) {
+        join.cost += costs::line_at_gap * join.gap * std::max(0.0, 1 - least[end] / costs::chance_meeting);
+      }
+    }
   }
 
   /// Ends that plainly are one place of a line have no other meaning.

@@ -24,6 +24,7 @@ struct LineEnd {
 struct EndJoin {
   Index a = 0;  ///< a < b
   Index b = 0;
+  double gap = 0;  ///< in parts of what hands miss by, at most 1
   double cost = 0;
 };
 

@@ -17,13 +17,15 @@ inline double flattened(double cost) { return cost < 1 ? cost : 1 + 0.5 * std::l
 // Ends that meet.
 inline constexpr double gap = 0.7;                 ///< times miss()
 inline constexpr double turn = 1.2;                ///< times 1 - cosine of the turn
-inline constexpr double turn_of_closing = 0.36;    ///< the same where a stroke closes itself: it may have a corner
+inline constexpr double turn_of_closing = 1.2;    ///< the same where a stroke closes itself: it may have a corner
 inline constexpr double line_between = 1.5;        ///< another line crosses the gap
+inline constexpr double line_at_gap = 1.5;         ///< each end that lies on a line, times the gap in what hands miss by
+inline constexpr double chance_meeting = 0.7;      ///< an end lies on a line when passing behind it would cost less
 inline constexpr double overshoot = 0.3;           ///< both run on beyond the place where they meet
 
 // Ends that pass behind a line.
 inline constexpr double junction = 0.15;           ///< each
-inline constexpr double junction_miss = 0.8;       ///< times miss()
+inline constexpr double junction_miss = 0.6;       ///< times miss()
 inline constexpr double beside = 0.3;              ///< the end points elsewhere: it only lies near the line
 inline constexpr double against_heading = 4;       ///< times the sine at which it heads out of the bar's surface
 inline constexpr double own_line = 0.3;            ///< a line that passes behind itself
@@ -32,7 +34,7 @@ inline constexpr double line_before_bar = 1;       ///< another line lies betwee
 
 // Hidden pieces.
 inline constexpr double hidden = 0.25;             ///< times completion_cost, flattened
-inline constexpr double hidden_of_one_stroke = 2.5;  ///< completion_cost of a limb's cap, at most
+inline constexpr double hidden_of_one_stroke = 1.6;  ///< completion_cost of a limb's cap, at most
 
 // Lines that cross in full view.
 inline constexpr double crossing = 0.5;            ///< each, of two contours
