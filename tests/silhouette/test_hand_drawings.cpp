@@ -5,7 +5,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/strokes/ends_beside.h"
 #include "algorithms/silhouette/strokes/stroke_cleanup.h"
 #include "algorithms/silhouette/strokes/tremble.h"
 #include "croquis/base/error.h"
@@ -144,52 +143,6 @@ TEST_CASE("outlines that a trembling hand lets overlap a little lie beside one a
   }
 }
 
-TEST_CASE("the end of a limb that trembles to the side of the next one is brought to their body beside it") {
-  const auto line_through = [](const std::vector<Vec2>& through, bool closed) {
-    CleanLine line;
-    for (const double parameter : even_parameters(through, closed, 5)) {
-      line.points.push_back(point_at(through, parameter));
-    }
-    line.closed = closed;
-    line.size = size_of(line.points, closed);
-    return line;
-  };
-  const std::vector<CleanLine> lines{line_through(circle_outline({0, 0}, 200), true),
-                                     line_through({{-60, -190}, {-60, -500}, {0, -500}, {0, -200}}, false),
-                                     line_through({{2, -215}, {20, -240}, {20, -480}, {80, -480}, {80, -183}}, false)};
-  const auto nearest_on = [&](Index bar, const Vec2& place) {
-    BarHit hit{0, bar, 0, lines[bar].points.front()};
-    for (Index i = 0; i < lines[bar].points.size(); ++i) {
-      const Vec2& point = lines[bar].points[i];
-      if ((point - place).norm() < (hit.at - place).norm()) hit = {0, bar, static_cast<double>(i), point};
-    }
-    return hit;
-  };
-  const auto found = [&] {
-    EndHits hits(3);
-    hits[1] = {nearest_on(0, {-60, -190}), nearest_on(0, {0, -200})};
-    hits[2] = {nearest_on(1, {0, -215}), nearest_on(0, {80, -183})};
-    return hits;
-  };
-  DrawingScale scale;
-  scale.step = 5;
-  EndHits steady = found();
-  pass_beside_ends(lines, scale, steady);
-  CHECK(steady[2][0]->bar == 1);
-  scale.tremble = 1;
-  EndHits hits = found();
-  pass_beside_ends(lines, scale, hits);
-  REQUIRE(hits[2][0]->bar == 0);
-  CHECK(hits[2][0]->at.x() > hits[1][1]->at.x());
-  CHECK(hits[2][0]->at.x() < 20);
-  CHECK(hits[1][1]->bar == 0);
-  // Further down it passes behind the other limb, as drawn.
-  hits = found();
-  hits[2][0] = nearest_on(1, {0, -300});
-  pass_beside_ends(lines, scale, hits);
-  CHECK(hits[2][0]->bar == 1);
-}
-
 TEST_CASE("the two sides of something thin that a trembling hand let cross are led beside one another") {
   DrawingScale scale;
   scale.step = 5;
@@ -257,21 +210,6 @@ TEST_CASE("ends that run side by side are those of a strand, not of an outline t
   const Stroke strand = stroke_of("strand", points);
   const Stroke front = stroke_of("front", circle_outline({860, 0}, 130), true);
   CHECK_FALSE(tells(of({strand, front}), "W_GAP"));
-}
-
-TEST_CASE("an unsteady hand is told from a steady one, whatever the size") {
-  const StrokeOptions options = Options::of(Preset::Tablet).strokes;
-  const auto tremble = [&](const Drawing& drawing) { return clean_strokes(drawing, options, {}, {}).scale.tremble; };
-  for (const NamedSketch& sketch : {NamedSketch{"rings", linked_rings_sketch()}, {"octopus", octopus_sketch()}}) {
-    INFO(sketch.name);
-    CHECK(tremble(sketch.sketch.drawing) == 0);
-    HandOptions hand;
-    hand.jitter = 0.02;
-    const Drawing drawn = drawn_by_hand(sketch.sketch, 9501, hand);
-    CHECK(tremble(drawn) > 0.6);
-    const Sketch small = scaled({drawn, sketch.sketch.truth}, 0.01);
-    CHECK(tremble(small.drawing) == Approx(tremble(drawn)).margin(1e-6));
-  }
 }
 
 TEST_CASE("where a trembling line ends, its direction is that of a longer piece") {

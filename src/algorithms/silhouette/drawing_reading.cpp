@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cstdio>
-#include <cstdlib>
 #include <cstdint>
 #include <iterator>
 #include <utility>
@@ -185,13 +183,16 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
     if (!reading) continue;
     LabelledDrawing labelled = label_reading(material, *reading, tried == 0 ? most_matchings : most_later_matchings, progress);
     append(left_out(material, *reading), labelled.findings);
-    if (getenv("ROUNDS")) { std::fprintf(stderr, " round %d:", tried); for (Index s = 0; s < reading->kinds.size(); ++s) std::fprintf(stderr, " %s%c", drawing.strokes[material.sampled.strokes[s].stroke].id.c_str(), "CRDTI"[(int)reading->kinds[s]]); std::fprintf(stderr, "\n"); const auto name = [&](Index e) { const auto& q = material.connections.ends[e]; return drawing.strokes[material.sampled.strokes[q.stroke].stroke].id + (q.at_start ? "<" : ">"); }; for (auto& j : reading->joins) if (j.cost > 0.3) std::fprintf(stderr, "   join %s %s %.2f\n", name(j.a).c_str(), name(j.b).c_str(), j.cost); for (auto& m : reading->meetings) std::fprintf(stderr, "   T %s at %s %.2f side %d along %.1f\n", name(m.end).c_str(), drawing.strokes[material.sampled.strokes[m.bar].stroke].id.c_str(), m.cost, m.side, m.along); if (getenv("CAND") && tried == 0) { for (Index e = 0; e < material.connections.ends.size(); ++e) { std::fprintf(stderr, "  %s:", name(e).c_str()); for (auto& m : material.connections.meetings) if (m.end == e) std::fprintf(stderr, " T %s %.2f side %d along %.1f;", drawing.strokes[material.sampled.strokes[m.bar].stroke].id.c_str(), m.cost, m.side, m.along); for (auto& j : material.connections.joins) if (j.a == e || j.b == e) std::fprintf(stderr, " J %s %.2f;", name(j.a == e ? j.b : j.a).c_str(), j.cost); for (auto& h : material.connections.hidden) if (h.a == e || h.b == e) std::fprintf(stderr, " H %s %.2f;", name(h.a == e ? h.b : h.a).c_str(), h.cost); std::fprintf(stderr, "\n"); } for (Index s = 0; s < reading->kinds.size(); ++s) { std::fprintf(stderr, "  %s seen %.2f out %.2f sides", drawing.strokes[material.sampled.strokes[s].stroke].id.c_str(), material.envelope.seen[s], material.envelope.outside[s]); for (auto& r : material.envelope.regions) std::fprintf(stderr, " %.0f of %.0f", r.left[s], material.sampled.strokes[s].length); std::fprintf(stderr, "\n"); } }
- for (auto& f : labelled.findings) if (f.severity == Severity::Error) std::fprintf(stderr, "     %s %s\n", f.code.c_str(), f.message.c_str()); }
     if (!has_errors(labelled.findings) && !labelled.figures.empty()) return labelled;
     program.exclude(*reading, faulty_strokes(material, labelled.findings));
     if (!first) first = std::move(labelled);
   }
-  return first ? *std::move(first) : LabelledDrawing{};
+  if (first) return *std::move(first);
+  LabelledDrawing nothing;
+  nothing.findings = material.sampled.findings;
+  nothing.findings.push_back(make_error(Category::Geometry, "E_NO_OUTLINE",
+                                        "The drawing's lines enclose nothing: draw the outline of something"));
+  return nothing;
 }
 
 }  // namespace croquis::silhouette
